@@ -121,7 +121,7 @@ typedef struct {
     double height, slope, sine, cosine;
 } passed_ground_line;
 typedef struct {
-    int contact, phase;
+    int contact, phase, zone;
     double liftoff_angle;
     bool flags[6];
     double rest_length;
@@ -177,10 +177,13 @@ static void pass_ground_line(transfer *bytes, tdmf_ground_line *ground) {
 static void pass_mode(transfer *bytes, tdmf_mode *mode) {
     int contact = (int)mode->contact;
     int phase = (int)mode->phase;
+    int zone = (int)mode->zone;
     pass_integer(bytes, "contact.mode", &contact, TDMF_CONTACT_FLIGHT, TDMF_CONTACT_GRAZE);
     pass_integer(bytes, "hip.phase", &phase, TDMF_PHASE_DRIVE, TDMF_PHASE_PLACE);
+    pass_integer(bytes, "the zone of the ground", &zone, TDMF_ZONE_BEFORE, TDMF_ZONE_BEYOND);
     mode->contact = (tdmf_contact_mode)contact;
     mode->phase = (tdmf_hip_phase)phase;
+    mode->zone = (tdmf_zone)zone;
     pass_between(bytes, "hip.liftoff_angle", &mode->liftoff_angle, -fmu_largest_state, fmu_largest_state);
     pass_flag(bytes, "whether mid-stance is to come", &mode->mid_stance_pending);
     pass_flag(bytes, "whether the clamp is closed", &mode->clamp_closed);
@@ -411,6 +414,18 @@ static bool foot_suits_contact(const tdmf_model *model, const tdmf_motion *motio
             (motion->mode.contact != TDMF_CONTACT_STICK || fabs(foot.vx) <= speed));
 }
 
+/* Of a foot that slips: in front of a border or past it by no more than rounding. */
+static bool zone_suits_foot(const tdmf_model *model, const tdmf_motion *motion, double allowance) {
+    const double begin = model->parameters.ground.patch_begin, end = model->parameters.ground.patch_end;
+    const double x = motion->state[TDMF_FOOT_X];
+    const tdmf_zone zone = motion->mode.zone;
+    if (tdmf_slip_sign(&motion->mode) == 0.0 || begin == end) {
+        return zone == TDMF_ZONE_BEFORE;
+    }
+    return (zone == TDMF_ZONE_BEFORE || x >= (zone == TDMF_ZONE_PATCH ? begin : end) - allowance) &&
+           (zone == TDMF_ZONE_BEYOND || x <= (zone == TDMF_ZONE_PATCH ? end : begin) + allowance);
+}
+
 static bool clock_suits_phase(const tdmf_motion *motion) {
     const double place_time = motion->state[TDMF_HIP_PLACE_TIME];
     return motion->mode.phase == TDMF_PHASE_PLACE ? place_time >= 0.0 : place_time == 0.0;
@@ -424,6 +439,10 @@ static void require_agreement(transfer *bytes, const saved_run *run, const tdmf_
     const tdmf_model *model = &run->fmu.model;
     const tdmf_record *record = &motion->record;
     require(bytes, phase_suits_contact(&motion->mode), "hip.phase");
+    require(bytes,
+            zone_suits_foot(model, motion,
+                            run->interface == MODEL_EXCHANGE ? INFINITY : margin * model->scales.length),
+            "the zone of the ground");
     require(bytes, code_suits_word(&record->stride), "stride.word_code");
     if (run->interface != MODEL_EXCHANGE) { /* there, time and states are the importer's */
         require(bytes, foot_suits_contact(model, motion), "foot.y");

@@ -55,6 +55,10 @@ static const tdmf_event_kind kinds[TDMF_GUARD_COUNT] = {
                                        .vary_guard = tdmf_vary_slip_velocity_zero_guard,
                                        .reset = tdmf_take_slip_velocity_zero,
                                        .reach = TDMF_REACH_WITHIN_DEAD_BAND},
+    [TDMF_GUARD_PATCH_BORDER] = {.guard = tdmf_armed_patch_border,
+                                 .vary_guard = tdmf_vary_armed_patch_border,
+                                 .reset = tdmf_take_patch_border,
+                                 .reach = TDMF_REACH_WITHIN_DEAD_BAND},
     [TDMF_GUARD_FORCE_PEAK] = {.guard = tdmf_armed_force_peak},
     [TDMF_GUARD_VERTICAL_FORCE_PEAK] = {.guard = tdmf_armed_vertical_force_peak},
     [TDMF_GUARD_GRAZE_TO_CONTACT] = {.guard = tdmf_graze_to_contact_guard,
@@ -94,6 +98,7 @@ static const watched in_slip[] = {
     {TDMF_GUARD_MID_STANCE, ALWAYS},
     {TDMF_GUARD_LIFT_OFF, ALWAYS},
     {TDMF_GUARD_SLIP_VELOCITY_ZERO, ALWAYS},
+    {TDMF_GUARD_PATCH_BORDER, ALWAYS},
     {TDMF_GUARD_FORCE_PEAK, ALWAYS},
     {TDMF_GUARD_VERTICAL_FORCE_PEAK, ALWAYS},
 };

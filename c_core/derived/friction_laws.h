@@ -6,28 +6,77 @@
 
 #include <math.h>
 
-/* rho mu, of a foot at rest and an impact that sticks: the cone is |f_t| <= rho mu f_n (2). */
-static inline double tdmf_static_friction(const tdmf_model *model, const tdmf_inputs *inputs) {
-    return model->parameters.ground.static_friction_ratio * inputs->ground.friction;
+/* mu below a foot: a patch of ground has a friction of its own. */
+static inline double tdmf_friction_below(const tdmf_model *model, const tdmf_inputs *inputs, tdmf_zone zone) {
+    if (zone == TDMF_ZONE_PATCH) {
+        return model->parameters.ground.patch_friction;
+    }
+    return inputs->ground.friction;
 }
 
 /* Its change. */
-static inline double tdmf_vary_static_friction(const tdmf_model *model, const tdmf_inputs *inputs,
-                                               const tdmf_model *d_model, const tdmf_inputs *d_inputs) {
-    return d_model->parameters.ground.static_friction_ratio * inputs->ground.friction +
-           model->parameters.ground.static_friction_ratio * d_inputs->ground.friction;
+static inline double tdmf_vary_friction_below(const tdmf_model *model, const tdmf_inputs *inputs,
+                                              tdmf_zone zone, const tdmf_model *d_model,
+                                              const tdmf_inputs *d_inputs) {
+    (void)model;
+    (void)inputs;
+    if (zone == TDMF_ZONE_PATCH) {
+        return d_model->parameters.ground.patch_friction;
+    }
+    return d_inputs->ground.friction;
+}
+
+/* x of the border of the patch that a foot slips to, forward or backward. */
+static inline double tdmf_border_ahead(const tdmf_model *model, tdmf_zone zone, bool forward) {
+    if (forward) {
+        if (zone == TDMF_ZONE_BEFORE) {
+            return model->parameters.ground.patch_begin;
+        }
+        return model->parameters.ground.patch_end;
+    }
+    if (zone == TDMF_ZONE_PATCH) {
+        return model->parameters.ground.patch_begin;
+    }
+    return model->parameters.ground.patch_end;
+}
+
+/* Its change. */
+static inline double tdmf_vary_border_ahead(const tdmf_model *model, tdmf_zone zone, bool forward,
+                                            const tdmf_model *d_model) {
+    (void)model;
+    if (forward) {
+        if (zone == TDMF_ZONE_BEFORE) {
+            return d_model->parameters.ground.patch_begin;
+        }
+        return d_model->parameters.ground.patch_end;
+    }
+    if (zone == TDMF_ZONE_PATCH) {
+        return d_model->parameters.ground.patch_begin;
+    }
+    return d_model->parameters.ground.patch_end;
+}
+
+/* rho mu, of a foot at rest and an impact that sticks: the cone is |f_t| <= rho mu f_n (2). */
+static inline double tdmf_static_friction(const tdmf_model *model, double friction) {
+    return model->parameters.ground.static_friction_ratio * friction;
+}
+
+/* Its change. */
+static inline double tdmf_vary_static_friction(const tdmf_model *model, double friction,
+                                               const tdmf_model *d_model, double d_friction) {
+    return d_model->parameters.ground.static_friction_ratio * friction +
+           model->parameters.ground.static_friction_ratio * d_friction;
 }
 
 /* mu of a foot that slips, with the sign of its velocity. */
-static inline double tdmf_sliding_friction(const tdmf_inputs *inputs, double sign) {
-    return sign * inputs->ground.friction;
+static inline double tdmf_sliding_friction(double friction, double sign) {
+    return sign * friction;
 }
 
 /* Its change. */
-static inline double tdmf_vary_sliding_friction(const tdmf_inputs *inputs, double sign,
-                                                const tdmf_inputs *d_inputs) {
-    (void)inputs;
-    return sign * d_inputs->ground.friction;
+static inline double tdmf_vary_sliding_friction(double friction, double sign, double d_friction) {
+    (void)friction;
+    return sign * d_friction;
 }
 
 /* rho - 1, by what share more a foot at rest is held than one that slips fast. */
@@ -63,29 +112,29 @@ static inline double tdmf_friction_growth_rate(const tdmf_model *model, double f
 }
 
 /* |v_t-| up to which an impact comes to rest: rho b, or b + v_s ln(1 + q) where friction falls. */
-static inline double tdmf_stopped_speed(const tdmf_model *model, const tdmf_inputs *inputs,
-                                        double compression, bool falls) {
+static inline double tdmf_stopped_speed(const tdmf_model *model, double friction, double compression,
+                                        bool falls) {
     if (falls) {
-        const double taken = inputs->ground.friction * compression;
+        const double taken = friction * compression;
         return taken + model->parameters.ground.stribeck_velocity *
                            log1p(-(model->parameters.ground.static_friction_ratio - 1.0) *
                                  expm1(-taken / model->parameters.ground.stribeck_velocity));
     }
-    return model->parameters.ground.static_friction_ratio * inputs->ground.friction * compression;
+    return model->parameters.ground.static_friction_ratio * friction * compression;
 }
 
 /* max(1, rho mu), by which the room in a cone is measured: so a wide one has the forces' own rounding. */
-static inline double tdmf_cone_width(const tdmf_model *model, const tdmf_inputs *inputs) {
-    return (1.0 >= model->parameters.ground.static_friction_ratio * inputs->ground.friction
+static inline double tdmf_cone_width(const tdmf_model *model, double friction) {
+    return (1.0 >= model->parameters.ground.static_friction_ratio * friction
                 ? 1.0
-                : model->parameters.ground.static_friction_ratio * inputs->ground.friction);
+                : model->parameters.ground.static_friction_ratio * friction);
 }
 
 /* The weights of f_n and |f_t| in the room that a cone leaves, measured by its width. */
-static inline tdmf_cone tdmf_cone_of(double friction) {
-    const double widest = (1.0 >= friction ? 1.0 : friction);
+static inline tdmf_cone tdmf_cone_of(double static_friction) {
+    const double widest = (1.0 >= static_friction ? 1.0 : static_friction);
     const tdmf_cone result = {
-        .normal = friction / widest,
+        .normal = static_friction / widest,
         .tangential = 1.0 / widest,
     };
     return result;

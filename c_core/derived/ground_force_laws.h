@@ -22,8 +22,8 @@ static inline tdmf_ground_force tdmf_force_under(const tdmf_model *model, const 
 
 /* The force in the mode: (10) in stick, f_t = -mu sgn(v_t) f_n in slip, else none.
  *
- * `falls` is whether mu falls with speed. */
-static inline tdmf_ground_force tdmf_force_in(const tdmf_model *model, const tdmf_inputs *inputs,
+ * `friction` is mu below the foot, `falls` whether it falls with speed. */
+static inline tdmf_ground_force tdmf_force_in(const tdmf_model *model, double friction,
                                               const tdmf_ground_line *line,
                                               const double state[TDMF_STATE_COUNT], const tdmf_leg *leg,
                                               double torque, tdmf_contact_mode contact, double sign,
@@ -54,7 +54,7 @@ static inline tdmf_ground_force tdmf_force_in(const tdmf_model *model, const tdm
         return result;
     }
     if (falls) {
-        const double sliding = sign * inputs->ground.friction;
+        const double sliding = sign * friction;
         const double exponent = -sign / model->parameters.ground.stribeck_velocity *
                                 (line->cosine * state[TDMF_FOOT_VX] + line->sine * state[TDMF_FOOT_VY]);
         const double decay = exp(exponent);
@@ -69,7 +69,7 @@ static inline tdmf_ground_force tdmf_force_in(const tdmf_model *model, const tdm
         };
         return result;
     }
-    const double sliding = sign * inputs->ground.friction;
+    const double sliding = sign * friction;
     const double across = torque * leg->inverse_length;
     const double off = leg->axial_force * leg->ground_cosine + across * -leg->ground_sine;
     const double weight = model->parameters.foot.mass * model->parameters.gravity;
@@ -83,11 +83,11 @@ static inline tdmf_ground_force tdmf_force_in(const tdmf_model *model, const tdm
 
 /* Its change. */
 static inline tdmf_ground_force
-tdmf_vary_force_in(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_ground_line *line,
+tdmf_vary_force_in(const tdmf_model *model, double friction, const tdmf_ground_line *line,
                    const double state[TDMF_STATE_COUNT], const tdmf_leg *leg, double torque,
                    tdmf_contact_mode contact, double sign, bool falls, const tdmf_model *d_model,
-                   const tdmf_inputs *d_inputs, const tdmf_ground_line *d_line,
-                   const double d_state[TDMF_STATE_COUNT], const tdmf_leg *d_leg, double d_torque) {
+                   double d_friction, const tdmf_ground_line *d_line, const double d_state[TDMF_STATE_COUNT],
+                   const tdmf_leg *d_leg, double d_torque) {
     if (contact == TDMF_CONTACT_FLIGHT) {
         const tdmf_ground_force result = {
             .tangential = 0.0,
@@ -121,12 +121,12 @@ tdmf_vary_force_in(const tdmf_model *model, const tdmf_inputs *inputs, const tdm
         return result;
     }
     if (falls) {
-        const double d_sliding = sign * d_inputs->ground.friction;
+        const double d_sliding = sign * d_friction;
         const double exponent = -sign / model->parameters.ground.stribeck_velocity *
                                 (line->cosine * state[TDMF_FOOT_VX] + line->sine * state[TDMF_FOOT_VY]);
         const double decay = exp(exponent);
         const double share = 1.0 + (model->parameters.ground.static_friction_ratio - 1.0) * decay;
-        const double sliding = sign * inputs->ground.friction;
+        const double sliding = sign * friction;
         const double d_exponent =
             -(-sign / model->parameters.ground.stribeck_velocity *
               d_model->parameters.ground.stribeck_velocity) /
@@ -155,12 +155,12 @@ tdmf_vary_force_in(const tdmf_model *model, const tdmf_inputs *inputs, const tdm
         };
         return result;
     }
-    const double d_sliding = sign * d_inputs->ground.friction;
+    const double d_sliding = sign * d_friction;
     const double across = torque * leg->inverse_length;
     const double off = leg->axial_force * leg->ground_cosine + across * -leg->ground_sine;
     const double weight = model->parameters.foot.mass * model->parameters.gravity;
     const double normal = off + weight * line->cosine;
-    const double sliding = sign * inputs->ground.friction;
+    const double sliding = sign * friction;
     const double d_across = d_torque * leg->inverse_length + torque * d_leg->inverse_length;
     const double d_off = d_leg->axial_force * leg->ground_cosine + leg->axial_force * d_leg->ground_cosine +
                          (d_across * -leg->ground_sine + across * -d_leg->ground_sine);

@@ -26,13 +26,18 @@ static inline void watch_ground(event_search *search, const ground_constants *c,
     }
     watch_mid_stance(search, c, s);
     if (!is.grazes) {
-        watch_forces(search, c, s, !is.slips);
+        watch_forces(search, c, s, !is.slips, !is.slips && is.meets_border);
     }
     if (is.slips) {
         /* sgn(v_t) v_t, the speed of a foot that slips. */
         watch_series(search, TDMF_GUARD_SLIP_VELOCITY_ZERO, search->live, s->foot_vx, c->slip_sign,
                      c->slip_sign * s->foot_vx[0], search->order,
                      search->beyond_margin * c->mode.speed_scale);
+    }
+    if (is.slips) {
+        if (is.meets_border) {
+            watch_patch_border(search, c, s, at);
+        }
     }
     search_pending(search);
 }

@@ -165,16 +165,33 @@ static inline double tdmf_vary_lift_off_guard(const tdmf_evaluation *at, const t
 
 /* rho mu f_n + f_t: a foot at rest that reaches the edge of the cone (2) here slips forward. */
 static inline double tdmf_slip_onset_positive_guard(const tdmf_evaluation *at) {
+    if (tdmf_zone_towards(at->model, at->state[TDMF_FOOT_X], 1.0) == TDMF_ZONE_PATCH) {
+        return (at->model->parameters.ground.static_friction_ratio *
+                    at->model->parameters.ground.patch_friction * at->force.normal +
+                at->force.tangential) /
+                   (at->model->scales.force * tdmf_width_of_cone(at, 1.0)) +
+               TDMF_GUARD_MARGIN;
+    }
     return (at->model->parameters.ground.static_friction_ratio * at->inputs->ground.friction *
                 at->force.normal +
             at->force.tangential) /
-               (at->model->scales.force * tdmf_cone_width(at->model, at->inputs)) +
+               (at->model->scales.force * tdmf_width_of_cone(at, 1.0)) +
            TDMF_GUARD_MARGIN;
 }
 
 /* Its change. */
 static inline double tdmf_vary_slip_onset_positive_guard(const tdmf_evaluation *at,
                                                          const tdmf_evaluation *d_at) {
+    if (tdmf_zone_towards(at->model, at->state[TDMF_FOOT_X], 1.0) == TDMF_ZONE_PATCH) {
+        return (d_at->model->parameters.ground.static_friction_ratio *
+                    at->model->parameters.ground.patch_friction +
+                at->model->parameters.ground.static_friction_ratio *
+                    d_at->model->parameters.ground.patch_friction) *
+                   at->force.normal +
+               at->model->parameters.ground.static_friction_ratio *
+                   at->model->parameters.ground.patch_friction * d_at->force.normal +
+               d_at->force.tangential;
+    }
     return (d_at->model->parameters.ground.static_friction_ratio * at->inputs->ground.friction +
             at->model->parameters.ground.static_friction_ratio * d_at->inputs->ground.friction) *
                at->force.normal +
@@ -185,16 +202,33 @@ static inline double tdmf_vary_slip_onset_positive_guard(const tdmf_evaluation *
 
 /* rho mu f_n - f_t: the same, and the foot slips backward. */
 static inline double tdmf_slip_onset_negative_guard(const tdmf_evaluation *at) {
+    if (tdmf_zone_towards(at->model, at->state[TDMF_FOOT_X], -1.0) == TDMF_ZONE_PATCH) {
+        return (at->model->parameters.ground.static_friction_ratio *
+                    at->model->parameters.ground.patch_friction * at->force.normal -
+                at->force.tangential) /
+                   (at->model->scales.force * tdmf_width_of_cone(at, -1.0)) +
+               TDMF_GUARD_MARGIN;
+    }
     return (at->model->parameters.ground.static_friction_ratio * at->inputs->ground.friction *
                 at->force.normal -
             at->force.tangential) /
-               (at->model->scales.force * tdmf_cone_width(at->model, at->inputs)) +
+               (at->model->scales.force * tdmf_width_of_cone(at, -1.0)) +
            TDMF_GUARD_MARGIN;
 }
 
 /* Its change. */
 static inline double tdmf_vary_slip_onset_negative_guard(const tdmf_evaluation *at,
                                                          const tdmf_evaluation *d_at) {
+    if (tdmf_zone_towards(at->model, at->state[TDMF_FOOT_X], -1.0) == TDMF_ZONE_PATCH) {
+        return (d_at->model->parameters.ground.static_friction_ratio *
+                    at->model->parameters.ground.patch_friction +
+                at->model->parameters.ground.static_friction_ratio *
+                    d_at->model->parameters.ground.patch_friction) *
+                   at->force.normal +
+               at->model->parameters.ground.static_friction_ratio *
+                   at->model->parameters.ground.patch_friction * d_at->force.normal -
+               d_at->force.tangential;
+    }
     return (d_at->model->parameters.ground.static_friction_ratio * at->inputs->ground.friction +
             at->model->parameters.ground.static_friction_ratio * d_at->inputs->ground.friction) *
                at->force.normal +
@@ -220,6 +254,35 @@ static inline double tdmf_vary_slip_velocity_zero_guard(const tdmf_evaluation *a
             at->mode->ground.cosine * d_at->state[TDMF_FOOT_VX] +
             (at->mode->ground.cosine * d_at->mode->ground.slope * at->state[TDMF_FOOT_VY] +
              at->mode->ground.sine * d_at->state[TDMF_FOOT_VY]));
+}
+
+/* How far the foot is from the border of the patch that it slips to, in x. */
+static inline double tdmf_patch_border_guard(const tdmf_evaluation *at, bool forward) {
+    if (forward) {
+        if (at->mode->zone == TDMF_ZONE_BEFORE) {
+            return at->model->parameters.ground.patch_begin - at->state[TDMF_FOOT_X];
+        }
+        return at->model->parameters.ground.patch_end - at->state[TDMF_FOOT_X];
+    }
+    if (at->mode->zone == TDMF_ZONE_PATCH) {
+        return at->state[TDMF_FOOT_X] - at->model->parameters.ground.patch_begin;
+    }
+    return at->state[TDMF_FOOT_X] - at->model->parameters.ground.patch_end;
+}
+
+/* Its change. */
+static inline double tdmf_vary_patch_border_guard(const tdmf_evaluation *at, bool forward,
+                                                  const tdmf_evaluation *d_at) {
+    if (forward) {
+        if (at->mode->zone == TDMF_ZONE_BEFORE) {
+            return d_at->model->parameters.ground.patch_begin - d_at->state[TDMF_FOOT_X];
+        }
+        return d_at->model->parameters.ground.patch_end - d_at->state[TDMF_FOOT_X];
+    }
+    if (at->mode->zone == TDMF_ZONE_PATCH) {
+        return d_at->state[TDMF_FOOT_X] - d_at->model->parameters.ground.patch_begin;
+    }
+    return d_at->state[TDMF_FOOT_X] - d_at->model->parameters.ground.patch_end;
 }
 
 /* -N of the stance law: it loads the foot again. */

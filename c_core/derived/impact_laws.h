@@ -9,7 +9,7 @@
 /* Foot and rates of the leg after an impact that sticks, or slips to the side of `sign` (4)-(6).
  *
  * v_n+ = 0; v_t+ = 0, or v_t- - mu sgn(v_t-) |v_n-|; m_f/2 (v_t-^2 - v_t+^2 + v_n-^2) is lost. */
-static inline tdmf_after_impact tdmf_impact_with(const tdmf_model *model, const tdmf_inputs *inputs,
+static inline tdmf_after_impact tdmf_impact_with(const tdmf_model *model, double friction,
                                                  const tdmf_ground_line *line,
                                                  const double state[TDMF_STATE_COUNT],
                                                  tdmf_leg_direction direction, double sign, bool sticks,
@@ -36,7 +36,7 @@ static inline tdmf_after_impact tdmf_impact_with(const tdmf_model *model, const 
             line->cosine * state[TDMF_FOOT_X] + line->sine * (state[TDMF_FOOT_Y] - line->height);
         const double along = line->cosine * state[TDMF_FOOT_VX] + line->sine * state[TDMF_FOOT_VY];
         const double off = line->cosine * state[TDMF_FOOT_VY] - line->sine * state[TDMF_FOOT_VX];
-        const double taken = inputs->ground.friction * -off;
+        const double taken = friction * -off;
         const double left = sign * along - taken;
         const double along_after =
             sign * ((left + model->parameters.ground.stribeck_velocity *
@@ -69,8 +69,8 @@ static inline tdmf_after_impact tdmf_impact_with(const tdmf_model *model, const 
     const double place = line->cosine * state[TDMF_FOOT_X] + line->sine * (state[TDMF_FOOT_Y] - line->height);
     const double along = line->cosine * state[TDMF_FOOT_VX] + line->sine * state[TDMF_FOOT_VY];
     const double off = line->cosine * state[TDMF_FOOT_VY] - line->sine * state[TDMF_FOOT_VX];
-    const double foot_vx = line->cosine * (along + sign * inputs->ground.friction * off);
-    const double foot_vy = line->sine * (along + sign * inputs->ground.friction * off);
+    const double foot_vx = line->cosine * (along + sign * friction * off);
+    const double foot_vy = line->sine * (along + sign * friction * off);
     const tdmf_after_impact result = {
         .foot_x = line->cosine * place,
         .foot_y = line->height + line->sine * place,
@@ -81,19 +81,18 @@ static inline tdmf_after_impact tdmf_impact_with(const tdmf_model *model, const 
         .leg_angle_rate = state[TDMF_LEG_ANGLE_RATE] - (direction.cosine * (state[TDMF_FOOT_VX] - foot_vx) +
                                                         direction.sine * (state[TDMF_FOOT_VY] - foot_vy)) /
                                                            state[TDMF_LEG_LENGTH],
-        .loss = 0.5 *
-                (model->parameters.foot.mass * ((along - (along + sign * inputs->ground.friction * off)) *
-                                                    (along + (along + sign * inputs->ground.friction * off)) +
-                                                off * off)),
+        .loss = 0.5 * (model->parameters.foot.mass * ((along - (along + sign * friction * off)) *
+                                                          (along + (along + sign * friction * off)) +
+                                                      off * off)),
     };
     return result;
 }
 
 /* Its change. */
 static inline tdmf_after_impact
-tdmf_vary_impact_with(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_ground_line *line,
+tdmf_vary_impact_with(const tdmf_model *model, double friction, const tdmf_ground_line *line,
                       const double state[TDMF_STATE_COUNT], tdmf_leg_direction direction, double sign,
-                      bool sticks, bool falls, const tdmf_model *d_model, const tdmf_inputs *d_inputs,
+                      bool sticks, bool falls, const tdmf_model *d_model, double d_friction,
                       const tdmf_ground_line *d_line, const double d_state[TDMF_STATE_COUNT]) {
     if (sticks) {
         const double place =
@@ -141,7 +140,7 @@ tdmf_vary_impact_with(const tdmf_model *model, const tdmf_inputs *inputs, const 
                                 line->sine * (d_state[TDMF_FOOT_Y] - d_line->height));
         const double along = line->cosine * state[TDMF_FOOT_VX] + line->sine * state[TDMF_FOOT_VY];
         const double off = line->cosine * state[TDMF_FOOT_VY] - line->sine * state[TDMF_FOOT_VX];
-        const double taken = inputs->ground.friction * -off;
+        const double taken = friction * -off;
         const double left = sign * along - taken;
         const double along_after =
             sign * ((left + model->parameters.ground.stribeck_velocity *
@@ -159,7 +158,7 @@ tdmf_vary_impact_with(const tdmf_model *model, const tdmf_inputs *inputs, const 
         const double d_off =
             -line->sine * d_line->slope * state[TDMF_FOOT_VY] + line->cosine * d_state[TDMF_FOOT_VY] -
             (line->cosine * d_line->slope * state[TDMF_FOOT_VX] + line->sine * d_state[TDMF_FOOT_VX]);
-        const double d_taken = d_inputs->ground.friction * -off + inputs->ground.friction * -d_off;
+        const double d_taken = d_friction * -off + friction * -d_off;
         const double d_left = sign * d_along - d_taken;
         const double d_along_after =
             sign * ((left + model->parameters.ground.stribeck_velocity *
@@ -236,16 +235,12 @@ tdmf_vary_impact_with(const tdmf_model *model, const tdmf_inputs *inputs, const 
     const double d_off =
         -line->sine * d_line->slope * state[TDMF_FOOT_VY] + line->cosine * d_state[TDMF_FOOT_VY] -
         (line->cosine * d_line->slope * state[TDMF_FOOT_VX] + line->sine * d_state[TDMF_FOOT_VX]);
-    const double d_foot_vx =
-        -line->sine * d_line->slope * (along + sign * inputs->ground.friction * off) +
-        line->cosine *
-            (d_along + (sign * d_inputs->ground.friction * off + sign * inputs->ground.friction * d_off));
-    const double d_foot_vy =
-        line->cosine * d_line->slope * (along + sign * inputs->ground.friction * off) +
-        line->sine *
-            (d_along + (sign * d_inputs->ground.friction * off + sign * inputs->ground.friction * d_off));
-    const double foot_vy = line->sine * (along + sign * inputs->ground.friction * off);
-    const double foot_vx = line->cosine * (along + sign * inputs->ground.friction * off);
+    const double d_foot_vx = -line->sine * d_line->slope * (along + sign * friction * off) +
+                             line->cosine * (d_along + (sign * d_friction * off + sign * friction * d_off));
+    const double d_foot_vy = line->cosine * d_line->slope * (along + sign * friction * off) +
+                             line->sine * (d_along + (sign * d_friction * off + sign * friction * d_off));
+    const double foot_vy = line->sine * (along + sign * friction * off);
+    const double foot_vx = line->cosine * (along + sign * friction * off);
     const tdmf_after_impact result = {
         .foot_x = -line->sine * d_line->slope * place + line->cosine * d_place,
         .foot_y = d_line->height + (line->cosine * d_line->slope * place + line->sine * d_place),
@@ -265,17 +260,14 @@ tdmf_vary_impact_with(const tdmf_model *model, const tdmf_inputs *inputs, const 
                             direction.sine * (state[TDMF_FOOT_VY] - foot_vy)) /
                                state[TDMF_LEG_LENGTH] * d_state[TDMF_LEG_LENGTH]) /
                               state[TDMF_LEG_LENGTH],
-        .loss = 0.5 * (d_model->parameters.foot.mass *
-                           ((along - (along + sign * inputs->ground.friction * off)) *
-                                (along + (along + sign * inputs->ground.friction * off)) +
-                            off * off) +
+        .loss = 0.5 * (d_model->parameters.foot.mass * ((along - (along + sign * friction * off)) *
+                                                            (along + (along + sign * friction * off)) +
+                                                        off * off) +
                        model->parameters.foot.mass *
-                           ((d_along - (d_along + (sign * d_inputs->ground.friction * off +
-                                                   sign * inputs->ground.friction * d_off))) *
-                                (along + (along + sign * inputs->ground.friction * off)) +
-                            (along - (along + sign * inputs->ground.friction * off)) *
-                                (d_along + (d_along + (sign * d_inputs->ground.friction * off +
-                                                       sign * inputs->ground.friction * d_off))) +
+                           ((d_along - (d_along + (sign * d_friction * off + sign * friction * d_off))) *
+                                (along + (along + sign * friction * off)) +
+                            (along - (along + sign * friction * off)) *
+                                (d_along + (d_along + (sign * d_friction * off + sign * friction * d_off))) +
                             2.0 * (off * d_off))),
     };
     return result;

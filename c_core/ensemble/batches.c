@@ -120,6 +120,18 @@ static lane_outcome step_forced(flying_member *m, mask live, batch_kind kind, in
     return step_flying(m, live, is, order, tolerance, f);
 }
 
+/* So do those that meet the border of a patch. */
+static lane_outcome step_at_border(standing_member *m, mask live, batch_kind kind, int order,
+                                   double tolerance, ground_series *g) {
+    const ground_case is = {
+        .slips = kind != BATCH_STICK_ON_BORDER,
+        .has_torque = true,
+        .falls = kind == BATCH_FALLING_SLIP_TO_BORDER,
+        .meets_border = true,
+    };
+    return step_standing(m, live, is, order, tolerance, g);
+}
+
 static lane_outcome step_batch(integration *integration, batch_kind kind) {
     batch *batch = &integration->batches[kind];
     const int order = integration->order;
@@ -168,6 +180,10 @@ static lane_outcome step_batch(integration *integration, batch_kind kind) {
     case BATCH_FALLING_SLIP:
         return step_standing(&batch->members.standing, batch->live, slips_and_falls, order, tolerance,
                              ground);
+    case BATCH_SLIP_TO_BORDER:
+    case BATCH_FALLING_SLIP_TO_BORDER:
+    case BATCH_STICK_ON_BORDER:
+        return step_at_border(&batch->members.standing, batch->live, kind, order, tolerance, ground);
     default:
         return step_standing(&batch->members.standing, batch->live, grazes, order, tolerance, ground);
     }
@@ -208,7 +224,8 @@ static void read_series(const integration *integration, batch_kind kind, int lan
                         double to[TDMF_RECORDED_SERIES][SERIES_TERMS]) {
     const flight_series *f = &integration->series.flight;
     const ground_series *g = &integration->series.ground;
-    const bool slips = kind == BATCH_SLIP || kind == BATCH_SLIP_AND_COAST || kind == BATCH_FALLING_SLIP;
+    const bool slips = kind == BATCH_SLIP || kind == BATCH_SLIP_AND_COAST ||
+                       (kind >= BATCH_FALLING_SLIP && kind < BATCH_STICK_ON_BORDER);
     const real *const of_flight[] = {f->momentum, f->angle, f->rate_square, f->push_moment};
     const real *const of_ground[] = {g->normal_force, slips ? g->friction_force : g->tangential_push,
                                      g->moment, g->torque, g->power};

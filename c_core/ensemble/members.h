@@ -39,9 +39,10 @@ enum {
     RETRACTING_FIELDS = offsetof(flying_member, constants.new_slope) / sizeof(real),
     SELDOM_FIELDS = sizeof(flying_member) / sizeof(real), /* to wait for a ground, or to be forced */
     STANDING_FIELDS = offsetof(standing_member, constants.law.rest_length_rate) / sizeof(real), /* no ramps */
-    GRAZING_FIELDS = offsetof(standing_member, layer) / sizeof(real),
-    FALLING_SLIP_FIELDS = sizeof(standing_member) / sizeof(real), /* where friction falls with speed */
-    MEMBER_FIELDS = SELDOM_FIELDS > FALLING_SLIP_FIELDS ? SELDOM_FIELDS : FALLING_SLIP_FIELDS,
+    GRAZING_FIELDS = offsetof(standing_member, constants.border) / sizeof(real),
+    /* where friction falls with speed, or the foot meets the border of a patch */
+    SELDOM_STANDING_FIELDS = sizeof(standing_member) / sizeof(real),
+    MEMBER_FIELDS = SELDOM_FIELDS > SELDOM_STANDING_FIELDS ? SELDOM_FIELDS : SELDOM_STANDING_FIELDS,
     FLYING_CHANGING = offsetof(flying_member, time_left) / sizeof(real),
     STANDING_CHANGING = offsetof(standing_member, time_left) / sizeof(real),
     CHANGING_FIELDS = FLYING_CHANGING > STANDING_CHANGING ? FLYING_CHANGING : STANDING_CHANGING

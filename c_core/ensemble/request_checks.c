@@ -1,6 +1,8 @@
 /* What a request has to be. */
 #include "request_checks.h"
 
+#include "patch.h"
+#include "ranges.h"
 #include "request.h"
 #include "settings.h"
 
@@ -146,10 +148,25 @@ static bool are_balls(const tdmf_ball *balls, int count) {
     return true;
 }
 
+/* What a gait or the reduced map is made of does not know where it is. */
+static bool may_have_patch(const tdmf_ensemble_case *its_case, const tdmf_ensemble *ensemble) {
+    return !tdmf_has_patch(its_case->model) ||
+           (its_case->rules.gait_count == 0 && ensemble->map == TDMF_RETURN_MAP);
+}
+
+static bool are_places(const double *foot_x, int64_t count) {
+    for (int64_t i = 0; foot_x != NULL && i < count; ++i) {
+        if (!tdmf_in_range(&tdmf_state_ranges[TDMF_FOOT_X], foot_x[i])) {
+            return false;
+        }
+    }
+    return true;
+}
+
 static bool is_case(const tdmf_ensemble_case *its_case, const tdmf_ensemble *ensemble) {
     const tdmf_ensemble_rules *rules = &its_case->rules;
-    return its_case->model != NULL && is_array(rules->gaits, rules->gait_count) &&
-           are_balls(rules->balls, rules->gait_count) &&
+    return its_case->model != NULL && may_have_patch(its_case, ensemble) &&
+           is_array(rules->gaits, rules->gait_count) && are_balls(rules->balls, rules->gait_count) &&
            (rules->law == NULL || is_law(rules->law, ensemble)) && has_ground(rules, ensemble);
 }
 
@@ -184,9 +201,9 @@ static bool has_checkpoints(const tdmf_ensemble *ensemble) {
 
 bool tdmf_is_sound_ensemble(const tdmf_ensemble *ensemble, const tdmf_ensemble_end *ends) {
     return ensemble != NULL && is_array(ends, ensemble->count) &&
-           is_array(ensemble->starts, ensemble->count) && is_array(ensemble->cases, ensemble->case_count) &&
-           ensemble->threads > 0 && tdmf_is_tolerance(ensemble->relative_tolerance) &&
-           tdmf_has_instructions(ensemble->instructions) &&
+           is_array(ensemble->starts, ensemble->count) && are_places(ensemble->foot_x, ensemble->count) &&
+           is_array(ensemble->cases, ensemble->case_count) && ensemble->threads > 0 &&
+           tdmf_is_tolerance(ensemble->relative_tolerance) && tdmf_has_instructions(ensemble->instructions) &&
            (ensemble->map == TDMF_RETURN_MAP || ensemble->map == TDMF_REDUCED_MAP) &&
            (ensemble->given == NULL || are_given(ensemble->given, ensemble->count)) && has_cases(ensemble) &&
            has_room(ensemble) && has_checkpoints(ensemble);

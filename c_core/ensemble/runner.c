@@ -58,10 +58,16 @@ batch_kind tdmf_runner_batch(const tdmf_runner *runner) {
     case TDMF_CONTACT_FLIGHT:
         return batch_in_flight(runner);
     case TDMF_CONTACT_STICK:
+        if (tdmf_is_on_border(runner->model, runner->motion.state[TDMF_FOOT_X])) {
+            return BATCH_STICK_ON_BORDER;
+        }
         return coasts(runner) ? BATCH_STICK_AND_COAST : BATCH_STICK;
     case TDMF_CONTACT_GRAZE:
         return BATCH_GRAZE;
     default:
+        if (tdmf_slips_to_border(runner->model, mode)) {
+            return tdmf_friction_falls(runner->model) ? BATCH_FALLING_SLIP_TO_BORDER : BATCH_SLIP_TO_BORDER;
+        }
         return tdmf_friction_falls(runner->model) ? BATCH_FALLING_SLIP
                : coasts(runner)                   ? BATCH_SLIP_AND_COAST
                                                   : BATCH_SLIP;
@@ -98,6 +104,8 @@ static flying_member flying_fields(const tdmf_runner *runner) {
     return m;
 }
 
+static const friction_layer no_layer = {INFINITY, 0.0};
+
 static void write_standing_fields(const tdmf_runner *runner, standing_member *m) {
     const tdmf_mode_equations *equations = &runner->equations;
     const member_progress now = {0.0, runner->steps};
@@ -106,9 +114,7 @@ static void write_standing_fields(const tdmf_runner *runner, standing_member *m)
     m->time_left = time_left_of(runner);
     m->constants = tdmf_step_ground_constants(equations, &runner->motion.mode,
                                               tdmf_margin_factor(runner->false_crossings));
-    if (equations->falls) {
-        m->layer = tdmf_step_friction_layer(equations);
-    }
+    m->layer = equations->falls ? tdmf_step_friction_layer(equations) : no_layer;
 }
 
 int tdmf_runner_load(tdmf_runner *runner, double *fields) {
@@ -122,9 +128,9 @@ int tdmf_runner_load(tdmf_runner *runner, double *fields) {
                                                                              : FLYING_FIELDS;
     }
     write_standing_fields(runner, (standing_member *)fields);
-    return runner->equations.falls                      ? FALLING_SLIP_FIELDS
-           : motion->mode.contact == TDMF_CONTACT_GRAZE ? GRAZING_FIELDS
-                                                        : STANDING_FIELDS;
+    return runner->equations.falls || runner->equations.meets_border ? SELDOM_STANDING_FIELDS
+           : motion->mode.contact == TDMF_CONTACT_GRAZE              ? GRAZING_FIELDS
+                                                                     : STANDING_FIELDS;
 }
 
 static member_progress read_flying(const double *fields, tdmf_mode_coordinates *at) {

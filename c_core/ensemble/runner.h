@@ -28,7 +28,10 @@ typedef enum {
     BATCH_PLACE_FORCED_AND_WAIT,
     BATCH_RISE_FORCED_AND_WAIT,
     BATCH_RETRACT_FORCED_AND_WAIT,
-    BATCH_FALLING_SLIP, /* under a friction that falls with speed, with a torque or without */
+    BATCH_FALLING_SLIP,   /* under a friction that falls with speed, with a torque or without */
+    BATCH_SLIP_TO_BORDER, /* of a patch of ground, so too */
+    BATCH_FALLING_SLIP_TO_BORDER,
+    BATCH_STICK_ON_BORDER,
     BATCH_COUNT,
     BATCH_USUAL = BATCH_PLACE_AND_RISE /* the kinds that runners are mostly in */
 } batch_kind;

@@ -200,6 +200,10 @@ static bool begin_next_stride(tdmf_runner *runner) {
 
 /* ---- where a run begins ------------------------------------------------------------------------------- */
 
+static double start_place(const tdmf_runner *runner) {
+    return runner->ensemble->foot_x ? runner->ensemble->foot_x[runner->index] : 0.0;
+}
+
 /* Puts the motion at the apex that a runner starts from. Returns false where it is none. */
 static bool start(tdmf_runner *runner, const double section[TDMF_SECTION_COUNT]) {
     const tdmf_model *model = runner->model;
@@ -208,7 +212,7 @@ static bool start(tdmf_runner *runner, const double section[TDMF_SECTION_COUNT])
         return tdmf_reduced_begin(model, &runner->inputs, section, motion) == TDMF_RETURN_CLOSED;
     }
     motion->time = 0.0;
-    tdmf_section_state(model, &runner->inputs, section, motion->state);
+    tdmf_section_state_at(model, &runner->inputs, start_place(runner), section, motion->state);
     return !tdmf_start(model, &runner->inputs, 0.0, motion->state, &motion->mode, &motion->record).variable &&
            motion->record.open.began_at_apex;
 }
@@ -243,6 +247,7 @@ static bool begin(tdmf_runner *runner) {
     tdmf_ensemble_end *end = runner->end;
     *end = nothing_yet;
     memcpy(end->apex, section, sizeof end->apex);
+    end->foot_x = start_place(runner);
     if (runner->ensemble->checkpoints) {
         runner->ensemble->checkpoints[runner->index].stands = false;
     }
@@ -290,6 +295,7 @@ static void record_apex(tdmf_runner *runner) {
                                              record->apex.leg_length,      record->apex.leg_angle,
                                              record->apex.leg_length_rate, record->apex.leg_angle_rate};
     memcpy(end->apex, apex, sizeof apex);
+    end->foot_x = state[TDMF_FOOT_X];
     end->time = record->apex.time;
     end->distance += record->stride.length;
     end->hip_work = state[TDMF_HIP_WORK];
@@ -307,6 +313,7 @@ static void record_stride(const tdmf_runner *runner, const tdmf_ensemble_end *be
                           tdmf_ensemble_stride *record) {
     const tdmf_ensemble_end *end = runner->end;
     memcpy(record->apex, end->apex, sizeof record->apex);
+    record->foot_x = end->foot_x;
     record->stride = runner->motion.record.stride;
     record->liftoff_angle = runner->motion.mode.liftoff_angle;
     record->external_work = end->external_work - before->external_work;

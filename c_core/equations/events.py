@@ -44,19 +44,25 @@ def lift_off(at):
     return at.force.normal
 
 
-def slip_onset_positive(at):
+def slip_onset_positive(at, zone):
     """rho mu f_n + f_t: a foot at rest that reaches the edge of the cone (2) here slips forward."""
-    return friction.room(friction.static(at.model, at.inputs), 1, at.force)
+    return friction.room(friction.static(at.model, friction.below(at.model, at.inputs, zone)), 1, at.force)
 
 
-def slip_onset_negative(at):
+def slip_onset_negative(at, zone):
     """rho mu f_n - f_t: the same, and the foot slips backward."""
-    return friction.room(friction.static(at.model, at.inputs), -1, at.force)
+    return friction.room(friction.static(at.model, friction.below(at.model, at.inputs, zone)), -1, at.force)
 
 
 def slip_velocity_zero(at, sign):
     """sgn(v_t) v_t, the speed of a foot that slips."""
     return sign * ground_line.along(at.mode.ground, at.state.foot_vx, at.state.foot_vy)
+
+
+def patch_border(at, forward):
+    """How far the foot is from the border of the patch that it slips to, in x."""
+    border = friction.border_ahead(at.model, at.mode.zone, forward)
+    return border - at.state.foot_x if forward else at.state.foot_x - border
 
 
 def mid_stance(at):
@@ -126,7 +132,8 @@ ANYWHERE = {"flight": ALL, "stick": ALL, "slip": ALL, "graze": ALL}
 ON_GROUND = {"stick": ALL, "slip": ALL, "graze": ALL}
 CONTACT = {"stick": ALL, "slip": ALL}
 FLIGHT, STICK, SLIP, GRAZE = ({mode: ALL} for mode in ("flight", "stick", "slip", "graze"))
-CONE = "tdmf_cone_width(at->model, at->inputs)"
+FORWARD, BACKWARD = (f"tdmf_zone_towards(at->model, at->state[TDMF_FOOT_X], {s})" for s in ("1.0", "-1.0"))
+CONE = "tdmf_width_of_cone(at, {})"
 
 # In the order in which those are taken that are due at one instant. Of one force the sign tells contact and
 # graze apart, and a fall has to be seen by whoever looks at it: those are due within their margin only.
@@ -155,8 +162,22 @@ EVENTS = [
     Event("greatest_compression", greatest_compression, "speed", CONTACT, only_while="not thrusts"),
     Event("mid_stance", mid_stance, "", ON_GROUND, only_while="mid_stance_pending"),
     Event("lift_off", lift_off, "force", CONTACT, reach="margin"),
-    Event("slip_onset_positive", slip_onset_positive, "force", STICK, width=CONE),
-    Event("slip_onset_negative", slip_onset_negative, "force", STICK, width=CONE),
+    Event(
+        "slip_onset_positive",
+        slip_onset_positive,
+        "force",
+        STICK,
+        width=CONE.format("1.0"),
+        arguments=(("zone", FORWARD),),
+    ),
+    Event(
+        "slip_onset_negative",
+        slip_onset_negative,
+        "force",
+        STICK,
+        width=CONE.format("-1.0"),
+        arguments=(("zone", BACKWARD),),
+    ),
     Event(
         "slip_velocity_zero",
         slip_velocity_zero,
@@ -164,6 +185,7 @@ EVENTS = [
         SLIP,
         arguments=(("sign", "tdmf_sign_of_slip(at->mode)"),),
     ),
+    Event("patch_border", patch_border, "length", SLIP, band="by hand", arguments=(("forward", ""),)),
     Event("force_peak", None, "", CONTACT, band="by hand", takes="", varied=False),
     Event("vertical_force_peak", None, "", CONTACT, band="by hand", takes="", varied=False),
     Event("graze_to_contact", graze_to_contact, "force", GRAZE, reach="margin"),

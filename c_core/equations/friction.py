@@ -5,21 +5,34 @@ rest to that of one that slips:
 
     mu(v) = mu [1 + (rho - 1) e^(-|v|/v_s)]
 
-`sign` is the direction s in which the foot slips. The law uses s v for |v|, so that it stays smooth for a
-trial step that goes past v = 0.
+`friction` is mu below the foot, `sign` the direction s in which it slips. The law uses s v for |v|, so that
+it stays smooth for a trial step that goes past v = 0.
 """
 
 from .functions import Record, exp, expm1, larger, log1p
 
 
-def static(model, inputs):
+def below(model, inputs, zone):
+    """mu below a foot: a patch of ground has a friction of its own."""
+    return model.parameters.ground.patch_friction if zone == "patch" else inputs.ground.friction
+
+
+def border_ahead(model, zone, forward):
+    """x of the border of the patch that a foot slips to, forward or backward."""
+    ground = model.parameters.ground
+    if forward:
+        return ground.patch_begin if zone == "before" else ground.patch_end
+    return ground.patch_begin if zone == "patch" else ground.patch_end
+
+
+def static(model, friction):
     """rho mu, of a foot at rest and an impact that sticks: the cone is |f_t| <= rho mu f_n  (2)."""
-    return model.parameters.ground.static_friction_ratio * inputs.ground.friction
+    return model.parameters.ground.static_friction_ratio * friction
 
 
-def sliding(inputs, sign):
+def sliding(friction, sign):
     """mu of a foot that slips, with the sign of its velocity."""
-    return sign * inputs.ground.friction
+    return sign * friction
 
 
 def excess(model):
@@ -58,23 +71,23 @@ def room(friction, sign, force):
     return friction * force.normal + sign * force.tangential
 
 
-def width(model, inputs):
+def width(model, friction):
     """max(1, rho mu), by which the room in a cone is measured: so a wide one has the forces' own rounding."""
-    return larger(1, static(model, inputs))
+    return larger(1, static(model, friction))
 
 
-def cone(friction):
+def cone(static_friction):
     """The weights of f_n and |f_t| in the room that a cone leaves, measured by its width."""
-    widest = larger(1, friction)
-    return Record(normal=friction / widest, tangential=1 / widest)
+    widest = larger(1, static_friction)
+    return Record(normal=static_friction / widest, tangential=1 / widest)
 
 
 # ---- impact: dv = -s mu(v) dP, P from 0 to |v_n-|, by the foot's mass --------------------------------------
 
 
-def impulse(inputs, compression):
+def impulse(friction, compression):
     """b = mu |v_n-|, what friction takes of |v_t| in an impact whose compression is `compression`."""
-    return inputs.ground.friction * compression
+    return friction * compression
 
 
 def gained(model, taken):
@@ -82,25 +95,25 @@ def gained(model, taken):
     return -excess(model) * expm1(-taken / model.parameters.ground.stribeck_velocity)
 
 
-def stopped_speed(model, inputs, compression, falls):
+def stopped_speed(model, friction, compression, falls):
     """|v_t-| up to which an impact comes to rest: rho b, or b + v_s ln(1 + q) where friction falls."""
     if falls:
-        taken = impulse(inputs, compression)
+        taken = impulse(friction, compression)
         return taken + model.parameters.ground.stribeck_velocity * log1p(gained(model, taken))
-    return static(model, inputs) * compression
+    return static(model, friction) * compression
 
 
-def after_impact(inputs, sign, along, off):
+def after_impact(friction, sign, along, off):
     """v_t+ = v_t- - mu sgn(v_t-) |v_n-|, of an impact that slips  (6); v_n- < 0."""
-    return along + sliding(inputs, sign) * off
+    return along + sliding(friction, sign) * off
 
 
-def after_falling_impact(model, inputs, sign, along, off):
+def after_falling_impact(model, friction, sign, along, off):
     """|v_t+| = |v_t-| - b + v_s ln(1 - q e^(-(|v_t-| - b)/v_s)), under a friction that falls with speed.
 
     What is below 0 by rounding is 0.
     """
     scale = model.parameters.ground.stribeck_velocity
-    taken = impulse(inputs, -off)
+    taken = impulse(friction, -off)
     left = sign * along - taken
     return sign * larger(left + scale * log1p(-gained(model, taken) * exp(-left / scale)), 0)

@@ -8,7 +8,8 @@ With the foot on the ground, a line of slope sigma, sticking or slipping along i
 f_n is the same in stick and slip, so that friction never feeds back on it: no Painleve paradox.
 """
 
-from . import friction, ground_line
+from . import friction as law
+from . import ground_line
 from .functions import Record
 
 
@@ -46,20 +47,20 @@ def under(model, line, leg, torque):
     )
 
 
-def in_mode(model, inputs, line, state, leg, torque, contact, sign, falls):
+def in_mode(model, friction, line, state, leg, torque, contact, sign, falls):
     """The force in the mode: (10) in stick, f_t = -mu sgn(v_t) f_n in slip, else none.
 
-    `falls` is whether mu falls with speed.
+    `friction` is mu below the foot, `falls` whether it falls with speed.
     """
     if contact in ("flight", "graze"):
         return Record(tangential=0, normal=0)
     force = under(model, line, leg, torque)
     if contact != "stick":
-        sliding = friction.sliding(inputs, sign)
+        sliding = law.sliding(friction, sign)
         if falls:
             along = ground_line.along(line, state.foot_vx, state.foot_vy)
-            sliding = friction.falling(sliding, friction.excess(model), friction.fading(model, sign), along)
-        force.tangential = -friction.sliding_force(sliding, force.normal)
+            sliding = law.falling(sliding, law.excess(model), law.fading(model, sign), along)
+        force.tangential = -law.sliding_force(sliding, force.normal)
     return force
 
 

@@ -9,12 +9,13 @@ and where it falls with speed, the like by its law through the compression: fric
 The spring and damper give no impulse, so that the body's velocity is unchanged and the leg's rates jump.
 """
 
-from . import friction, ground_line
+from . import friction as law
+from . import ground_line
 from .coordinates import leg_rates_with_foot
 from .functions import Record
 
 
-def after(model, inputs, line, state, direction, sign, sticks, falls):
+def after(model, friction, line, state, direction, sign, sticks, falls):
     """Foot and rates of the leg after an impact that sticks, or slips to the side of `sign` (4)-(6).
 
     v_n+ = 0; v_t+ = 0, or v_t- - mu sgn(v_t-) |v_n-|; m_f/2 (v_t-^2 - v_t+^2 + v_n-^2) is lost.
@@ -24,9 +25,9 @@ def after(model, inputs, line, state, direction, sign, sticks, falls):
     if sticks:
         along_after = 0
     elif falls:
-        along_after = friction.after_falling_impact(model, inputs, sign, along, off)
+        along_after = law.after_falling_impact(model, friction, sign, along, off)
     else:
-        along_after = friction.after_impact(inputs, sign, along, off)
+        along_after = law.after_impact(friction, sign, along, off)
     place = ground_line.offset_along(line, state.foot_x, state.foot_y)
     foot = ground_line.point_on(line, place, along_after)
     leg = leg_rates_with_foot(state, direction, foot.vx, foot.vy)

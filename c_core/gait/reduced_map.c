@@ -4,6 +4,7 @@
 
 #include "event_log.h"
 #include "ground_line.h"
+#include "patch.h"
 #include "prescribed_flight.h"
 #include "reduced_stride.h"
 #include "request.h"
@@ -158,7 +159,7 @@ tdmf_return tdmf_reduced_map(tdmf_solver *solver, const tdmf_model *model, const
     tdmf_return result;
     memset(&result, 0, sizeof result);
     if (!tdmf_is_sound_solver(solver) || model == NULL || inputs == NULL || apex == NULL ||
-        !tdmf_are_sound_seeds(seeds, count, TDMF_REDUCED_MAP_SEEDS)) {
+        tdmf_has_patch(model) || !tdmf_are_sound_seeds(seeds, count, TDMF_REDUCED_MAP_SEEDS)) {
         result.outcome = TDMF_RETURN_REFUSED;
         return result;
     }

@@ -1,11 +1,12 @@
-/* A point of the section is a state with vy_c = 0; x is dropped, because nothing depends on it. With the
- * variation d_x of the state at a fixed time, the next section is met later by dT = -d_vy_c/a_y, so that on
- * it the variation is d_x + f dT. */
+/* A point of the section is a state with vy_c = 0; x is dropped, because nothing depends on it but where
+ * there is a patch of ground. With the variation d_x of the state at a fixed time, the next section is met
+ * later by dT = -d_vy_c/a_y, so that on it the variation is d_x + f dT. */
 #include "tdmf_slip/return_map.h"
 
 #include "free_fall.h"
 #include "ground_line.h"
 #include "kinematics.h"
+#include "patch.h"
 #include "request.h"
 #include "return_record.h"
 #include "seed.h"
@@ -35,6 +36,14 @@ void tdmf_section_state(const tdmf_model *model, const tdmf_inputs *inputs,
     state[TDMF_FOOT_Y] = com_height + ground_height - model->body_share * body.y;
     state[TDMF_FOOT_VX] = com_speed - model->body_share * body.vx;
     state[TDMF_FOOT_VY] = -model->body_share * body.vy;
+}
+
+void tdmf_section_state_at(const tdmf_model *model, const tdmf_inputs *inputs, double foot_x,
+                           const double section[TDMF_SECTION_COUNT], double state[TDMF_STATE_COUNT]) {
+    const tdmf_ground_line ground = tdmf_ground_line_set(inputs);
+    tdmf_section_state(model, inputs, section, state);
+    state[TDMF_FOOT_Y] += tdmf_ground_height_at(&ground, foot_x) - tdmf_ground_height_at(&ground, 0.0);
+    state[TDMF_FOOT_X] = foot_x;
 }
 
 void tdmf_section_of_state(const tdmf_model *model, const tdmf_ground_line *ground,
@@ -87,6 +96,7 @@ static tdmf_stride_variation on_section(const tdmf_model *model, const tdmf_inpu
                  d_state[TDMF_LEG_ANGLE] + derivatives[TDMF_LEG_ANGLE] * shift,
                  d_state[TDMF_LEG_LENGTH_RATE] + derivatives[TDMF_LEG_LENGTH_RATE] * shift,
                  d_state[TDMF_LEG_ANGLE_RATE] + derivatives[TDMF_LEG_ANGLE_RATE] * shift},
+        .foot_x = d_state[TDMF_FOOT_X] + derivatives[TDMF_FOOT_X] * shift,
         .period = shift,
         .length = d_com_x - start_com_x,
         .work = d_state[TDMF_HIP_WORK] + d_state[TDMF_LEG_WORK] + derivatives[TDMF_HIP_WORK] * shift,
@@ -94,6 +104,18 @@ static tdmf_stride_variation on_section(const tdmf_model *model, const tdmf_inpu
     tdmf_write_stance_variation(&variation->stance, &result);
     return result;
 }
+
+/* What is asked for. */
+typedef struct {
+    const tdmf_model *model;
+    const tdmf_inputs *inputs;
+    const double *section;
+    const double *foot_x; /* or NULL: 0, and there is no patch */
+    double until;
+    bool derivatives, measures;
+    const tdmf_seed *seeds;
+    int count;
+} stride_request;
 
 typedef struct {
     int count;
@@ -104,22 +126,35 @@ typedef struct {
     tdmf_measured measured;
 } stride_variations;
 
-static void open_variations(stride_variations *along, const tdmf_model *model, const tdmf_ground_line *ground,
-                            const double state[TDMF_STATE_COUNT], const tdmf_seed *seeds, int count) {
+/* What a variation begins with: of a coordinate, of a seed, or last of the place of the foot. */
+static void begin_variation(const stride_request *request, const tdmf_ground_line *ground,
+                            const double state[TDMF_STATE_COUNT], int i, const tdmf_local_seed *d,
+                            tdmf_variation *variation) {
+    double d_section[TDMF_SECTION_COUNT] = {0.0};
+    if (i < TDMF_SECTION_COUNT) {
+        d_section[i] = 1.0;
+    }
+    vary_section_state(request->model, ground, state, d_section, d, variation->state);
+    if (i == TDMF_SECTION_COUNT + request->count) {
+        variation->state[TDMF_FOOT_X] = 1.0;
+        variation->state[TDMF_FOOT_Y] =
+            tdmf_vary_ground_height_at(ground, state[TDMF_FOOT_X], &d->mode.ground, 1.0);
+    }
+    variation->liftoff_angle = d_section[TDMF_SECTION_LEG_ANGLE];
+    memset(&variation->stance, 0, sizeof variation->stance);
+}
+
+static void open_variations(stride_variations *along, const stride_request *request,
+                            const tdmf_ground_line *ground, const double state[TDMF_STATE_COUNT]) {
     static const tdmf_seed none = {0};
-    along->count = TDMF_SECTION_COUNT + count;
+    const tdmf_model *model = request->model;
+    along->count = TDMF_SECTION_COUNT + request->count + (request->foot_x != NULL);
     for (int i = 0; i < along->count; ++i) {
-        double d_section[TDMF_SECTION_COUNT] = {0.0};
-        if (i < TDMF_SECTION_COUNT) {
-            d_section[i] = 1.0;
-        }
-        const tdmf_seed *seed = i < TDMF_SECTION_COUNT ? &none : &seeds[i - TDMF_SECTION_COUNT];
-        along->seeds[i] = *seed;
+        const int given = i - TDMF_SECTION_COUNT;
+        along->seeds[i] = given >= 0 && given < request->count ? request->seeds[given] : none;
         tdmf_variation *variation = &along->variations[i];
-        const tdmf_local_seed d = tdmf_local_seed_of(model, seed, NULL);
-        vary_section_state(model, ground, state, d_section, &d, variation->state);
-        variation->liftoff_angle = d_section[TDMF_SECTION_LEG_ANGLE];
-        memset(&variation->stance, 0, sizeof variation->stance);
+        const tdmf_local_seed d = tdmf_local_seed_of(model, &along->seeds[i], NULL);
+        begin_variation(request, ground, state, i, &d, variation);
         along->start_com_x[i] = tdmf_vary_center_of_mass_along(model, state, tdmf_leg_direction_of(state),
                                                                &d.model, variation->state)
                                     .x;
@@ -129,15 +164,17 @@ static void open_variations(stride_variations *along, const tdmf_model *model, c
     }
 }
 
-static void close_variations(stride_variations *along, const tdmf_model *model, const tdmf_inputs *inputs,
-                             const tdmf_motion *motion, bool measures, tdmf_return *result) {
+static void close_variations(stride_variations *along, const stride_request *request,
+                             const tdmf_motion *motion, tdmf_return *result) {
+    const tdmf_model *model = request->model;
+    const tdmf_inputs *inputs = request->inputs;
     double derivatives[TDMF_STATE_COUNT];
     tdmf_derivatives(model, inputs, &motion->mode, motion->state, derivatives);
     for (int i = 0; i < along->count; ++i) {
         tdmf_stride_variation varied = on_section(model, inputs, motion, derivatives, &along->seeds[i],
                                                   along->start_com_x[i], &along->variations[i]);
         varied.foot_clearance = along->foot_clearance[i];
-        if (measures) {
+        if (request->measures) {
             tdmf_vary_measured_end(&along->measured, i, model, inputs, motion, derivatives, varied.period);
             varied.measures = along->measured.varied[i];
         }
@@ -145,49 +182,65 @@ static void close_variations(stride_variations *along, const tdmf_model *model, 
     }
 }
 
-static tdmf_return stride_from(tdmf_solver *solver, const tdmf_model *model, const tdmf_inputs *inputs,
-                               const double section[TDMF_SECTION_COUNT], double until, bool derivatives,
-                               const tdmf_seed *seeds, int count, bool measures) {
+static bool is_sound(const tdmf_solver *solver, const stride_request *request) {
+    const bool has_place = request->foot_x != NULL;
+    return tdmf_is_sound_solver(solver) && request->model != NULL && request->inputs != NULL &&
+           request->section != NULL &&
+           tdmf_are_sound_seeds(request->seeds, request->count, TDMF_RETURN_MAP_SEEDS - has_place) &&
+           (has_place || !tdmf_has_patch(request->model));
+}
+
+/* False where the start is no apex. */
+static bool begin_motion(const stride_request *request, tdmf_motion *motion) {
+    const double foot_x = request->foot_x == NULL ? 0.0 : *request->foot_x;
+    motion->time = 0.0;
+    tdmf_section_state_at(request->model, request->inputs, foot_x, request->section, motion->state);
+    return tdmf_start(request->model, request->inputs, 0.0, motion->state, &motion->mode, &motion->record)
+                   .variable == NULL &&
+           motion->record.open.began_at_apex;
+}
+
+static tdmf_return stride_from(tdmf_solver *solver, const stride_request *request) {
+    const tdmf_model *model = request->model;
+    const tdmf_inputs *inputs = request->inputs;
     tdmf_return result;
     tdmf_motion motion;
     stride_variations along;
     memset(&result, 0, sizeof result);
-    if (!tdmf_is_sound_solver(solver) || model == NULL || inputs == NULL || section == NULL ||
-        !tdmf_are_sound_seeds(seeds, count, TDMF_RETURN_MAP_SEEDS)) {
+    if (!is_sound(solver, request)) {
         result.outcome = TDMF_RETURN_REFUSED;
         return result;
     }
-    motion.time = 0.0;
-    tdmf_section_state(model, inputs, section, motion.state);
-    if (tdmf_start(model, inputs, 0.0, motion.state, &motion.mode, &motion.record).variable ||
-        !motion.record.open.began_at_apex) {
+    if (!begin_motion(request, &motion)) {
         result.outcome = TDMF_RETURN_NO_START;
         return result;
     }
     along.count = 0;
-    if (derivatives) {
-        open_variations(&along, model, &motion.mode.ground, motion.state, seeds, count);
+    if (request->derivatives) {
+        open_variations(&along, request, &motion.mode.ground, motion.state);
     }
     result.foot_clearance =
         motion.state[TDMF_FOOT_Y] - tdmf_ground_height_at(&motion.mode.ground, motion.state[TDMF_FOOT_X]);
     const tdmf_stride_outcome ended =
-        measures ? tdmf_native_stride_measured(solver, model, inputs, until, &motion, along.seeds,
-                                               along.variations, along.count, &along.measured)
-                 : tdmf_native_stride_varied(solver, model, inputs, until, &motion, along.seeds,
-                                             along.variations, along.count);
+        request->measures
+            ? tdmf_native_stride_measured(solver, model, inputs, request->until, &motion, along.seeds,
+                                          along.variations, along.count, &along.measured)
+            : tdmf_native_stride_varied(solver, model, inputs, request->until, &motion, along.seeds,
+                                        along.variations, along.count);
     result.outcome = tdmf_return_outcome_of(ended);
     result.solver = ended.outcome;
     if (!ended.closed) {
         return result;
     }
     tdmf_section_of_state(model, &motion.mode.ground, motion.state, result.apex);
+    result.foot_x = motion.state[TDMF_FOOT_X];
     result.liftoff_angle = motion.mode.liftoff_angle;
     tdmf_write_return(&motion.record, motion.state, &result);
-    if (measures) {
+    if (request->measures) {
         result.measures = along.measured.so_far;
     }
-    if (derivatives) {
-        close_variations(&along, model, inputs, &motion, measures, &result);
+    if (request->derivatives) {
+        close_variations(&along, request, &motion, &result);
     }
     return result;
 }
@@ -195,11 +248,20 @@ static tdmf_return stride_from(tdmf_solver *solver, const tdmf_model *model, con
 tdmf_return tdmf_return_map(tdmf_solver *solver, const tdmf_model *model, const tdmf_inputs *inputs,
                             const double section[TDMF_SECTION_COUNT], double until, bool derivatives,
                             const tdmf_seed *seeds, int count) {
-    return stride_from(solver, model, inputs, section, until, derivatives, seeds, count, false);
+    const stride_request request = {model, inputs, section, NULL, until, derivatives, false, seeds, count};
+    return stride_from(solver, &request);
+}
+
+tdmf_return tdmf_return_map_at(tdmf_solver *solver, const tdmf_model *model, const tdmf_inputs *inputs,
+                               double foot_x, const double section[TDMF_SECTION_COUNT], double until,
+                               bool derivatives, const tdmf_seed *seeds, int count) {
+    const stride_request request = {model, inputs, section, &foot_x, until, derivatives, false, seeds, count};
+    return stride_from(solver, &request);
 }
 
 tdmf_return tdmf_measured_return_map(tdmf_solver *solver, const tdmf_model *model, const tdmf_inputs *inputs,
                                      const double section[TDMF_SECTION_COUNT], double until, bool derivatives,
                                      const tdmf_seed *seeds, int count) {
-    return stride_from(solver, model, inputs, section, until, derivatives, seeds, count, true);
+    const stride_request request = {model, inputs, section, NULL, until, derivatives, true, seeds, count};
+    return stride_from(solver, &request);
 }

@@ -25,13 +25,29 @@ static inline void watch_mid_stance(event_search *search, const ground_constants
     }
 }
 
+/* How far a foot that slips is from the border ahead, along the line; its velocity integrated. */
+static inline void watch_patch_border(event_search *search, const ground_constants *c, const ground_series *g,
+                                      const ground_coordinates *at) {
+    const real start = c->slip_sign * (c->border.ahead - at->foot_x);
+    real distance[SERIES_TERMS];
+    distance[0] = start;
+    for (int k = 1; k <= search->order; ++k) {
+        distance[k] = -c->slip_sign * g->foot_vx[k - 1] * series_reciprocal[k];
+    }
+    const guard_series border = {distance, broadcast(1.0), start, search->order};
+    watch(search, TDMF_GUARD_PATCH_BORDER, search->live, &border,
+          search->beyond_margin * c->mode.length_scale);
+}
+
 /* One edge of the friction cone: mu f_n + sign f_t. */
 static inline void watch_edge(event_search *search, const ground_constants *c, const ground_series *g,
-                              double sign, mask near) {
+                              double sign, bool on_border, mask near) {
     const int order = search->order - 1;
+    const bool other = on_border && sign < 0.0;
     real room[SERIES_TERMS];
-    expand_room(g->normal_force, g->tangential_push, c->cone_normal, c->cone_normal_rate, c->cone_tangential,
-                broadcast(sign), order, room);
+    expand_room(g->normal_force, g->tangential_push, other ? c->border.cone_normal : c->cone_normal,
+                other ? c->border.cone_normal_rate : c->cone_normal_rate,
+                other ? c->border.cone_tangential : c->cone_tangential, broadcast(sign), order, room);
     const guard_series edge = {room, broadcast(1.0), room[0], order};
     watch(search, sign > 0.0 ? TDMF_GUARD_SLIP_ONSET_POSITIVE : TDMF_GUARD_SLIP_ONSET_NEGATIVE, near, &edge,
           search->beyond_margin * c->mode.force_scale);
@@ -40,11 +56,16 @@ static inline void watch_edge(event_search *search, const ground_constants *c, c
 /* Lift-off and the cone, by partial sums of the forces: see event_search.h. Both edges of the cone are as
  * near as the nearer. */
 static inline void watch_forces(event_search *search, const ground_constants *c, const ground_series *g,
-                                bool sticks) {
+                                bool sticks, bool on_border) {
     const int order = search->order - 1;
+    const patch_border *border = &c->border;
     real normal = g->normal_force[0], tangential = g->tangential_push[0];
     real min_normal = normal;
     real min_room = c->cone_normal * normal - c->cone_tangential * real_abs(tangential);
+    if (on_border) {
+        min_room =
+            real_min(min_room, border->cone_normal * normal - border->cone_tangential * real_abs(tangential));
+    }
     for (int k = 1; k <= order; ++k) {
         const real before = normal;
         normal += g->normal_force[k] * search->power[k];
@@ -56,6 +77,11 @@ static inline void watch_forces(event_search *search, const ground_constants *c,
                 room += c->cone_normal_rate * search->size * before;
             }
             min_room = real_min(min_room, room);
+            if (on_border) {
+                min_room = real_min(min_room, border->cone_normal * normal -
+                                                  border->cone_tangential * real_abs(tangential) +
+                                                  border->cone_normal_rate * search->size * before);
+            }
         }
     }
     const mask may_lift = search->live & mask_not(min_normal > 0.0);
@@ -66,8 +92,8 @@ static inline void watch_forces(event_search *search, const ground_constants *c,
     }
     const mask may_slip = search->live & mask_not(min_room > 0.0);
     if (sticks && any(may_slip)) {
-        watch_edge(search, c, g, 1.0, may_slip);
-        watch_edge(search, c, g, -1.0, may_slip);
+        watch_edge(search, c, g, 1.0, on_border, may_slip);
+        watch_edge(search, c, g, -1.0, on_border, may_slip);
     }
 }
 

@@ -11,7 +11,8 @@
  * no torque, nothing turns the leg. */
 typedef struct {
     bool slips, grazes, has_torque;
-    bool falls; /* in slip, friction with speed */
+    bool falls;        /* in slip, friction with speed */
+    bool meets_border; /* of a patch: one that slips has it ahead, one at rest stands on it */
 } ground_case;
 
 static inline void expand_ground(const ground_coefficients *c, const ground_start *start, int order,

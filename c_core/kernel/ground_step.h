@@ -16,6 +16,12 @@ typedef struct {
     energy_sums done;
 } ground_coordinates;
 
+/* What a foot meets at the border of a patch. */
+typedef struct {
+    real ahead;                                          /* slip: where it is along the line */
+    real cone_normal, cone_normal_rate, cone_tangential; /* at rest on it: of the edge to slip backward */
+} patch_border;
+
 typedef struct {
     mode_constants mode;
     real cone_normal, cone_normal_rate, cone_tangential; /* weights of the forces in the cone's edges */
@@ -28,6 +34,7 @@ typedef struct {
      * of the body in the mass while retracting, else 0. */
     signed_law servo, stance;
     real retracting_share;
+    patch_border border;
 } ground_constants;
 
 static inline bool foot_is_free(ground_case is) {

@@ -118,9 +118,9 @@ tdmf_ground_force tdmf_force_rate(const tdmf_evaluation *at) {
     const double rate_of_torque = tdmf_vary_torque_in(
         at->model, at->inputs, at->mode, at->state, leg, tdmf_is_upright(leg), tdmf_sine_away_from_zero(leg),
         at->torque, &unchanged, &zero_rates, &zero, rates, &rate_of_leg);
-    return tdmf_vary_force_in(at->model, at->inputs, &at->mode->ground, at->state, leg, at->torque,
+    return tdmf_vary_force_in(at->model, at->friction, &at->mode->ground, at->state, leg, at->torque,
                               at->mode->contact, tdmf_sign_of_slip(at->mode), tdmf_friction_falls(at->model),
-                              &unchanged, &zero_rates, &zero.ground, rates, &rate_of_leg, rate_of_torque);
+                              &unchanged, 0.0, &zero.ground, rates, &rate_of_leg, rate_of_torque);
 }
 
 double tdmf_ground_force_rate(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_mode *mode,

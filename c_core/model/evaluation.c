@@ -14,8 +14,10 @@ tdmf_evaluation tdmf_vary_evaluation(const tdmf_evaluation *at, const tdmf_local
     d_at.torque = tdmf_vary_torque_in(model, inputs, mode, at->state, leg, tdmf_is_upright(leg),
                                       tdmf_sine_away_from_zero(leg), at->torque, &d->model, &d->inputs,
                                       &d->mode, d->state, &d_at.leg);
-    d_at.force = tdmf_vary_force_in(model, inputs, &mode->ground, at->state, leg, at->torque, mode->contact,
-                                    tdmf_sign_of_slip(mode), tdmf_friction_falls(model), &d->model,
-                                    &d->inputs, &d->mode.ground, d->state, &d_at.leg, d_at.torque);
+    d_at.friction = tdmf_vary_friction_below(model, inputs, mode->zone, &d->model, &d->inputs);
+    d_at.force =
+        tdmf_vary_force_in(model, at->friction, &mode->ground, at->state, leg, at->torque, mode->contact,
+                           tdmf_sign_of_slip(mode), tdmf_friction_falls(model), &d->model, d_at.friction,
+                           &d->mode.ground, d->state, &d_at.leg, d_at.torque);
     return d_at;
 }

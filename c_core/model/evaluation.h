@@ -20,6 +20,7 @@ typedef struct {
     const double *state;
     tdmf_leg leg;
     double torque;           /* tau, total */
+    double friction;         /* mu below a foot that slips */
     tdmf_ground_force force; /* of the mode */
 } tdmf_evaluation;
 
@@ -47,7 +48,8 @@ static inline tdmf_evaluation tdmf_evaluate_leg(const tdmf_model *model, const t
     at.torque = tdmf_is_mode(mode) ? tdmf_torque_in(model, inputs, mode, state, &at.leg, tdmf_is_upright(leg),
                                                     tdmf_sine_away_from_zero(leg))
                                    : (double)NAN;
-    at.force = tdmf_force_in(model, inputs, &mode->ground, state, &at.leg, at.torque, mode->contact,
+    at.friction = tdmf_friction_below(model, inputs, mode->zone);
+    at.force = tdmf_force_in(model, at.friction, &mode->ground, state, &at.leg, at.torque, mode->contact,
                              tdmf_sign_of_slip(mode), tdmf_friction_falls(model));
     return at;
 }
@@ -67,6 +69,12 @@ static inline double tdmf_vary_vertical_force(const tdmf_evaluation *at, const t
     return tdmf_vary_vector_on(&at->mode->ground, at->force.tangential, at->force.normal, &d->mode->ground,
                                d->force.tangential, d->force.normal)
         .y;
+}
+
+/* The width of the cone of a foot at rest that is pushed to the side of a sign. */
+static inline double tdmf_width_of_cone(const tdmf_evaluation *at, double direction) {
+    return tdmf_cone_width(at->model,
+                           tdmf_friction_towards(at->model, at->inputs, at->state[TDMF_FOOT_X], direction));
 }
 
 /* What the height of the foot may be wrong by. */

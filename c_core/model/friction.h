@@ -4,6 +4,7 @@
 
 #include "contact_mode.h"
 #include "friction_laws.h"
+#include "patch.h"
 #include "seed.h"
 
 /* Friction falls with the foot's speed. */
@@ -17,9 +18,44 @@ static inline bool tdmf_friction_has_no_derivative(const tdmf_model *model, cons
            model->parameters.ground.static_friction_ratio != 1.0;
 }
 
+/* mu below a foot at x that moves or is pushed to the side of a sign, and its change. */
+static inline double tdmf_friction_towards(const tdmf_model *model, const tdmf_inputs *inputs, double x,
+                                           double direction) {
+    return tdmf_friction_below(model, inputs, tdmf_zone_towards(model, x, direction));
+}
+
+static inline double tdmf_vary_friction_towards(const tdmf_model *model, const tdmf_inputs *inputs, double x,
+                                                double direction, const tdmf_local_seed *d) {
+    return tdmf_vary_friction_below(model, inputs, tdmf_zone_towards(model, x, direction), &d->model,
+                                    &d->inputs);
+}
+
 /* mu with the sign of the foot's velocity: f_x is minus this by f_y. Zero where the foot does not slip. */
-static inline double tdmf_signed_friction(const tdmf_inputs *inputs, const tdmf_mode *mode) {
-    return tdmf_sliding_friction(inputs, tdmf_sign_of_slip(mode));
+static inline double tdmf_signed_friction(const tdmf_model *model, const tdmf_inputs *inputs,
+                                          const tdmf_mode *mode) {
+    return tdmf_sliding_friction(tdmf_friction_below(model, inputs, mode->zone), tdmf_sign_of_slip(mode));
+}
+
+static inline double tdmf_vary_signed_friction(const tdmf_model *model, const tdmf_inputs *inputs,
+                                               const tdmf_mode *mode, const tdmf_model *d_model,
+                                               const tdmf_inputs *d_inputs) {
+    const double friction = tdmf_friction_below(model, inputs, mode->zone);
+    return tdmf_vary_sliding_friction(friction, tdmf_sign_of_slip(mode),
+                                      tdmf_vary_friction_below(model, inputs, mode->zone, d_model, d_inputs));
+}
+
+/* rho mu of a foot at rest at x that is pushed to the side of a sign, and its change. */
+static inline double tdmf_static_friction_towards(const tdmf_model *model, const tdmf_inputs *inputs,
+                                                  double x, double direction) {
+    return tdmf_static_friction(model, tdmf_friction_towards(model, inputs, x, direction));
+}
+
+static inline double tdmf_vary_static_friction_towards(const tdmf_model *model, const tdmf_inputs *inputs,
+                                                       double x, double direction, const tdmf_model *d_model,
+                                                       const tdmf_inputs *d_inputs) {
+    const tdmf_zone zone = tdmf_zone_towards(model, x, direction);
+    return tdmf_vary_static_friction(model, tdmf_friction_below(model, inputs, zone), d_model,
+                                     tdmf_vary_friction_below(model, inputs, zone, d_model, d_inputs));
 }
 
 #endif

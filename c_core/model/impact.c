@@ -11,14 +11,16 @@
 typedef struct {
     double sign;
     bool sticks;
+    double friction; /* where the foot lands */
 } impact_kind;
 
 static impact_kind kind_of(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_ground_line *ground,
                            const double state[TDMF_STATE_COUNT]) {
     const double along = tdmf_velocity_along(ground, state[TDMF_FOOT_VX], state[TDMF_FOOT_VY]);
     const double off = tdmf_velocity_off(ground, state[TDMF_FOOT_VX], state[TDMF_FOOT_VY]);
-    const double stopped = tdmf_stopped_speed(model, inputs, fabs(off), tdmf_friction_falls(model));
-    const impact_kind kind = {copysign(1.0, along), fabs(along) <= stopped};
+    const double friction = tdmf_friction_towards(model, inputs, state[TDMF_FOOT_X], along);
+    const double stopped = tdmf_stopped_speed(model, friction, fabs(off), tdmf_friction_falls(model));
+    const impact_kind kind = {copysign(1.0, along), fabs(along) <= stopped, friction};
     return kind;
 }
 
@@ -36,8 +38,8 @@ static double write_after(const tdmf_after_impact *after, double state[TDMF_STAT
 double tdmf_impact_along(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_ground_line *ground,
                          tdmf_leg_direction direction, double state[TDMF_STATE_COUNT]) {
     const impact_kind kind = kind_of(model, inputs, ground, state);
-    const tdmf_after_impact after = tdmf_impact_with(model, inputs, ground, state, direction, kind.sign,
-                                                     kind.sticks, tdmf_friction_falls(model));
+    const tdmf_after_impact after = tdmf_impact_with(model, kind.friction, ground, state, direction,
+                                                     kind.sign, kind.sticks, tdmf_friction_falls(model));
     return write_after(&after, state);
 }
 
@@ -50,8 +52,10 @@ double tdmf_vary_impact(const tdmf_model *model, const tdmf_inputs *inputs, cons
                         const double before[TDMF_STATE_COUNT], const tdmf_local_seed *d,
                         double d_state[TDMF_STATE_COUNT]) {
     const impact_kind kind = kind_of(model, inputs, ground, before);
+    const double along = tdmf_velocity_along(ground, before[TDMF_FOOT_VX], before[TDMF_FOOT_VY]);
+    const double d_friction = tdmf_vary_friction_towards(model, inputs, before[TDMF_FOOT_X], along, d);
     const tdmf_after_impact d_after = tdmf_vary_impact_with(
-        model, inputs, ground, before, tdmf_leg_direction_of(before), kind.sign, kind.sticks,
-        tdmf_friction_falls(model), &d->model, &d->inputs, &d->mode.ground, d_state);
+        model, kind.friction, ground, before, tdmf_leg_direction_of(before), kind.sign, kind.sticks,
+        tdmf_friction_falls(model), &d->model, d_friction, &d->mode.ground, d_state);
     return write_after(&d_after, d_state);
 }

@@ -37,6 +37,9 @@ static inline double tdmf_margin_factor(int false_crossings) {
  * of a foot from a ground that waits to be in force. */
 #define TDMF_AT_GROUND 1e-12
 
+/* Up to this a foot is on a border of a patch, which belongs to where the foot is going. */
+#define TDMF_ON_BORDER 1e-12
+
 /* The apex has a margin of its own, for a centre of mass that rises. */
 #define TDMF_APEX_MARGIN (1e-3 * TDMF_GUARD_MARGIN)
 

@@ -9,6 +9,7 @@
 #include "seed.h"
 
 #include <math.h>
+#include <stddef.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -39,6 +40,14 @@ static tdmf_refusal first_out_of_range(const void *values, const tdmf_range *ran
         }
     }
     return accepted;
+}
+
+static const tdmf_range *parameter_range(size_t offset) {
+    const tdmf_range *range = tdmf_parameter_ranges;
+    while (range->offset != offset) {
+        ++range;
+    }
+    return range;
 }
 
 tdmf_parameters tdmf_default_parameters(void) {
@@ -88,6 +97,13 @@ tdmf_refusal tdmf_model_create(tdmf_model *model, const tdmf_parameters *paramet
         refusal.value = parameters->leg.min_length;
         refusal.maximum = parameters->leg.free_length;
         refusal.bound_by = "leg.free_length";
+        return refusal;
+    }
+    if (parameters->ground.patch_begin > parameters->ground.patch_end) {
+        refusal = tdmf_out_of_range(parameter_range(offsetof(tdmf_parameters, ground.patch_end)),
+                                    parameters->ground.patch_end);
+        refusal.minimum = parameters->ground.patch_begin;
+        refusal.bound_by = "ground.patch_begin";
         return refusal;
     }
     model->parameters = *parameters;

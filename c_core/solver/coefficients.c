@@ -65,8 +65,8 @@ ground_coefficients tdmf_vary_ground_coefficients(const tdmf_mode_equations *equ
         model, &equations->ground, &equations->law, equations->rest_length, equations->push,
         equations->friction, equations->friction_excess, equations->friction_fading, &d->model,
         &d->mode.ground, &d_law, tdmf_vary_rest_length(model, inputs, mode, &d->model, &d->inputs, &d->mode),
-        tdmf_vary_push(equations, d), tdmf_vary_sliding_friction(inputs, sign, &d->inputs), d_excess,
-        d_fading);
+        tdmf_vary_push(equations, d), tdmf_vary_signed_friction(model, inputs, mode, &d->model, &d->inputs),
+        d_excess, d_fading);
     if (sign != 0.0 && tdmf_friction_has_no_derivative(model, d)) {
         varied.friction = NAN;
     }

@@ -48,6 +48,24 @@ static void open_ground(tdmf_mode_equations *equations, const double state[TDMF_
     equations->winding = winding_of(equations, state[TDMF_LEG_ANGLE]);
 }
 
+/* What a foot meets at a border: ahead of one that slips, or below one that stands. */
+static void open_patch(tdmf_mode_equations *equations, const tdmf_inputs *inputs, const tdmf_inputs *rates,
+                       const tdmf_mode *mode, double x) {
+    static const tdmf_model held = {.inverse_body_mass = 0.0};
+    const tdmf_model *model = equations->model;
+    if (tdmf_slips_to_border(model, mode)) {
+        const bool forward = tdmf_sign_of_slip(mode) > 0.0;
+        equations->meets_border = true;
+        equations->border = tdmf_path_to(&mode->ground, tdmf_border_ahead(model, mode->zone, forward));
+    }
+    if (mode->contact == TDMF_CONTACT_STICK && tdmf_is_on_border(model, x)) {
+        equations->meets_border = true;
+        equations->backward_friction = tdmf_static_friction_towards(model, inputs, x, -1.0);
+        equations->backward_friction_rate =
+            tdmf_vary_static_friction_towards(model, inputs, x, -1.0, &held, rates);
+    }
+}
+
 static void open_laws(tdmf_mode_equations *equations, const tdmf_inputs *inputs, const tdmf_inputs *rates,
                       const tdmf_mode *mode) {
     const tdmf_model *model = equations->model;
@@ -65,15 +83,25 @@ static void open_laws(tdmf_mode_equations *equations, const tdmf_inputs *inputs,
         equations->law = tdmf_stance_law(model, inputs, rates, mode);
     }
     equations->rest_length = tdmf_rest_length(model, inputs, mode);
-    equations->friction = tdmf_signed_friction(inputs, mode);
-    equations->friction_rate = tdmf_signed_friction(rates, mode);
+}
+
+/* A ramp is a change along time, in which the model is held. */
+static void open_friction(tdmf_mode_equations *equations, const tdmf_inputs *inputs, const tdmf_inputs *rates,
+                          const tdmf_mode *mode, double x) {
+    static const tdmf_model held = {.inverse_body_mass = 0.0};
+    const tdmf_model *model = equations->model;
+    equations->friction = tdmf_signed_friction(model, inputs, mode);
+    equations->friction_rate = tdmf_vary_signed_friction(model, inputs, mode, &held, rates);
     if (tdmf_friction_falls(model) && tdmf_sign_of_slip(mode) != 0.0) {
         equations->falls = true;
         equations->friction_excess = tdmf_friction_excess(model);
         equations->friction_fading = tdmf_friction_fading(model, tdmf_sign_of_slip(mode));
     }
-    equations->static_friction = tdmf_static_friction(model, inputs);
-    equations->static_friction_rate = tdmf_static_friction(model, rates);
+    equations->static_friction = tdmf_static_friction_towards(model, inputs, x, 1.0);
+    equations->static_friction_rate = tdmf_vary_static_friction_towards(model, inputs, x, 1.0, &held, rates);
+    if (tdmf_has_patch(model)) {
+        open_patch(equations, inputs, rates, mode, x);
+    }
 }
 
 static void open_forcing(tdmf_mode_equations *equations, const tdmf_inputs *inputs, const tdmf_inputs *rates,
@@ -90,8 +118,9 @@ static void open_forcing(tdmf_mode_equations *equations, const tdmf_inputs *inpu
 static bool drifts(const tdmf_mode_equations *equations) {
     return tdmf_law_drifts(&equations->law) || tdmf_law_drifts(&equations->servo) ||
            tdmf_law_drifts(&equations->stance_law) || equations->friction_rate != 0.0 ||
-           equations->static_friction_rate != 0.0 || equations->rest_length_rate != 0.0 ||
-           equations->push_rate.x != 0.0 || equations->push_rate.y != 0.0;
+           equations->static_friction_rate != 0.0 || equations->backward_friction_rate != 0.0 ||
+           equations->rest_length_rate != 0.0 || equations->push_rate.x != 0.0 ||
+           equations->push_rate.y != 0.0;
 }
 
 void tdmf_open_mode(tdmf_mode_equations *equations, const tdmf_model *model, const tdmf_inputs *inputs,
@@ -102,6 +131,7 @@ void tdmf_open_mode(tdmf_mode_equations *equations, const tdmf_model *model, con
     equations->place_time = state[TDMF_HIP_PLACE_TIME];
     equations->place_rate = tdmf_place_time_rate(mode);
     open_laws(equations, inputs, rates, mode);
+    open_friction(equations, inputs, rates, mode, state[TDMF_FOOT_X]);
     equations->positive_work = state[TDMF_HIP_POSITIVE_WORK];
     equations->external_work = state[TDMF_ENERGY_EXTERNAL_WORK];
     equations->start.work = state[TDMF_HIP_WORK];
@@ -129,15 +159,24 @@ void tdmf_shift_mode(tdmf_mode_equations *equations, double elapsed, const tdmf_
     equations->place_time += elapsed * equations->place_rate;
     equations->friction += elapsed * equations->friction_rate;
     equations->static_friction += elapsed * equations->static_friction_rate;
+    equations->backward_friction += elapsed * equations->backward_friction_rate;
     equations->com = com;
     equations->rest_length += elapsed * equations->rest_length_rate;
     equations->push.x += elapsed * equations->push_rate.x;
     equations->push.y += elapsed * equations->push_rate.y;
 }
 
+/* That of a patch does not ramp. */
+static void end_ramp(double *friction, double *rate) {
+    if (*rate != 0.0) {
+        *friction = *rate = 0.0;
+    }
+}
+
 void tdmf_end_friction(tdmf_mode_equations *equations) {
-    equations->friction = equations->friction_rate = 0.0;
-    equations->static_friction = equations->static_friction_rate = 0.0;
+    end_ramp(&equations->friction, &equations->friction_rate);
+    end_ramp(&equations->static_friction, &equations->static_friction_rate);
+    end_ramp(&equations->backward_friction, &equations->backward_friction_rate);
 }
 
 /* The foot hangs below the ballistic centre of mass, at the body's share of the leg. */

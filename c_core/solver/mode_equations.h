@@ -33,18 +33,21 @@ typedef struct {
     /* Laws that guards are made of: off the ground the servo that the clamp is decided by; in graze also the
      * stance law. */
     tdmf_hip_law servo, stance_law;
-    double friction, friction_rate; /* in slip, with the sign of the foot's velocity */
-    double static_friction, static_friction_rate;
-    bool falls;                              /* slip: friction falls with speed, */
-    double friction_excess, friction_fading; /* so */
-    double rest_length, rest_length_rate;    /* of the leg */
-    bool awaits_thrust;                      /* contact: its greatest compression is an event to come */
-    tdmf_vector push, push_rate;             /* of the body by the external force */
-    bool is_forced;                          /* pushed, or inputs ramp that push or lengthen the leg */
-    tdmf_point opened_body;                  /* where forced: the body, when the equations were opened */
-    tdmf_point com;                          /* flight: the centre of mass at the start */
-    double place_time, place_rate;           /* time since place began, and 1 in place, else 0 */
-    double winding; /* on the ground: theta less the angle that the place of the body gives */
+    double friction, friction_rate;               /* in slip, with the sign of the foot's velocity */
+    double static_friction, static_friction_rate; /* of a foot at rest; on a border, to slip forward */
+    bool meets_border; /* of a patch: one that slips has it ahead, one at rest stands on it */
+    double border;     /* in slip: where it is along the line */
+    double backward_friction, backward_friction_rate; /* at rest on it: to slip backward */
+    bool falls;                                       /* slip: friction falls with speed, */
+    double friction_excess, friction_fading;          /* so */
+    double rest_length, rest_length_rate;             /* of the leg */
+    bool awaits_thrust;            /* contact: its greatest compression is an event to come */
+    tdmf_vector push, push_rate;   /* of the body by the external force */
+    bool is_forced;                /* pushed, or inputs ramp that push or lengthen the leg */
+    tdmf_point opened_body;        /* where forced: the body, when the equations were opened */
+    tdmf_point com;                /* flight: the centre of mass at the start */
+    double place_time, place_rate; /* time since place began, and 1 in place, else 0 */
+    double winding;                /* on the ground: theta less the angle that the place of the body gives */
     double positive_work, external_work;
     bool drifts; /* its laws change with time, or have changed since it was opened */
 } tdmf_mode_equations;
@@ -63,7 +66,7 @@ tdmf_point tdmf_com_in_flight(const tdmf_mode_equations *equations, double t);
 /* Goes on from the coordinates reached after `elapsed`. */
 void tdmf_shift_mode(tdmf_mode_equations *equations, double elapsed, const tdmf_mode_coordinates *reached);
 
-/* Friction has fallen to zero and stays there. */
+/* The ground's friction has fallen to zero and stays there; a patch keeps its own. */
 void tdmf_end_friction(tdmf_mode_equations *equations);
 
 /* The state that coordinates after `elapsed` stand for; the positive work is the equations'. Returns

@@ -17,15 +17,21 @@
 #include <math.h>
 #include <string.h>
 
+/* To one side, at least. */
+static bool has_no_friction(const tdmf_model *model, const tdmf_inputs *inputs, double x) {
+    return tdmf_friction_towards(model, inputs, x, 1.0) == 0.0 ||
+           tdmf_friction_towards(model, inputs, x, -1.0) == 0.0;
+}
+
 /* Where a neighbour's events differ in kind, no derivative tells what becomes of it: the foot met the ground
  * at another event's time, or without meeting it; or it stands where no friction holds it. */
-static bool is_on_edge(const tdmf_inputs *inputs, bool impact, const tdmf_event_state *before,
-                       const tdmf_event_state *after) {
+static bool is_on_edge(const tdmf_model *model, const tdmf_inputs *inputs, bool impact,
+                       const tdmf_event_state *before, const tdmf_event_state *after) {
     const bool flew = before->mode.contact == TDMF_CONTACT_FLIGHT;
     const bool landed = flew && (after->state[TDMF_FOOT_VX] != before->state[TDMF_FOOT_VX] ||
                                  after->state[TDMF_FOOT_VY] != before->state[TDMF_FOOT_VY]);
     const bool stands = after->mode.contact == TDMF_CONTACT_STICK;
-    return impact != landed || (stands && inputs->ground.friction == 0.0);
+    return impact != landed || (stands && has_no_friction(model, inputs, after->state[TDMF_FOOT_X]));
 }
 
 static tdmf_variation no_variation(void) {
@@ -130,7 +136,7 @@ tdmf_variation tdmf_saltation_met(const tdmf_model *model, const tdmf_inputs *in
                                   tdmf_met_event *met) {
     const tdmf_event_kind *event = tdmf_event_kind_of(guard);
     const bool impact = event->is_impact;
-    if (event->vary_guard == NULL || is_on_edge(inputs, impact, before, after)) {
+    if (event->vary_guard == NULL || is_on_edge(model, inputs, impact, before, after)) {
         const tdmf_variation none = no_variation();
         met->shift = NAN;
         memcpy(met->before, none.state, sizeof met->before);

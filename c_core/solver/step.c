@@ -23,6 +23,7 @@ ground_case tdmf_step_ground_case(const tdmf_step *step) {
         .grazes = grazes,
         .has_torque = grazes || equations->law.torque != 0.0 || equations->law.torque_rate != 0.0,
         .falls = equations->falls,
+        .meets_border = equations->meets_border,
     };
     return is;
 }
@@ -115,10 +116,17 @@ static void search_flight(tdmf_step *step, const tdmf_mode *mode) {
 /* Weighs the cone by the largest friction in the step. */
 static void weigh_cone(ground_constants *c, const tdmf_mode_equations *equations, double size) {
     const double friction = equations->static_friction, rate = equations->static_friction_rate;
+    const double backward = equations->backward_friction, backward_rate = equations->backward_friction_rate;
     if (rate != 0.0) {
         c->cone_tangential = tdmf_cone_of(real_max(friction, friction + rate * size)).tangential;
         c->cone_normal = c->cone_tangential * friction;
         c->cone_normal_rate = c->cone_tangential * rate;
+    }
+    if (backward_rate != 0.0) {
+        c->border.cone_tangential =
+            tdmf_cone_of(real_max(backward, backward + backward_rate * size)).tangential;
+        c->border.cone_normal = c->border.cone_tangential * backward;
+        c->border.cone_normal_rate = c->border.cone_tangential * backward_rate;
     }
 }
 

@@ -73,7 +73,7 @@ flight_constants tdmf_step_flight_constants(const tdmf_mode_equations *equations
 ground_constants tdmf_step_ground_constants(const tdmf_mode_equations *equations, const tdmf_mode *mode,
                                             double margin_factor) {
     const tdmf_cone cone = tdmf_cone_of(equations->static_friction);
-    const ground_constants constants = {
+    ground_constants constants = {
         .mode = mode_constants_of(equations->model, margin_factor),
         .law = tdmf_ground_coefficients(equations),
         .cone_normal = cone.normal,
@@ -88,6 +88,12 @@ ground_constants tdmf_step_ground_constants(const tdmf_mode_equations *equations
         .stance = tdmf_signed_law(&equations->stance_law, 1.0),
         .retracting_share = mode->phase == TDMF_PHASE_RETRACT ? equations->model->body_share : 0.0,
     };
+    if (equations->meets_border) {
+        const tdmf_cone backward = tdmf_cone_of(equations->backward_friction);
+        constants.border.ahead = equations->border;
+        constants.border.cone_normal = backward.normal;
+        constants.border.cone_tangential = backward.tangential;
+    }
     return constants;
 }
 

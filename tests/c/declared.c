@@ -161,6 +161,9 @@ declared_runner declared_random(random_source *source, double decades) {
     }
     runner.parameters.leg.min_length =
         fmin(runner.parameters.leg.min_length, runner.parameters.leg.free_length);
+    /* No more than its end, so that half of the patches are none. */
+    runner.parameters.ground.patch_begin =
+        fmin(runner.parameters.ground.patch_begin, runner.parameters.ground.patch_end);
     runner.inputs = declared_inputs(source, &runner.parameters, decades);
     for (int i = 0; i < TDMF_MECHANICAL_COUNT; ++i) {
         const tdmf_range *range = &tdmf_state_ranges[i];

@@ -58,6 +58,7 @@ static tdmf_parameters units_of(const tdmf_model *model) {
     units.hip.liftoff_angle_factor = 1.0;
     units.hip.retraction_rate = 1.0 / scales->time;
     units.ground.static_friction_ratio = 1.0;
+    units.ground.patch_friction = 0.0; /* there is no patch */
     return units;
 }
 

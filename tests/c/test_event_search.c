@@ -102,7 +102,7 @@ static void a_force_that_comes_back_within_the_step_has_lifted_the_foot(void **s
         ground_series g;
         memset(&g, 0, sizeof g);
         in_time(shares, 2, g.normal_force);
-        watch_forces(&search, &c, &g, sticks);
+        watch_forces(&search, &c, &g, sticks, false);
         search_pending(&search);
         assert_int_equal(guard_of_end(search.end), TDMF_GUARD_LIFT_OFF);
         assert_close(search.time, 0.25, 1e-11);
@@ -123,7 +123,7 @@ static void a_push_that_leaves_the_cone_for_a_while_slips(void **state) {
         for (int k = 0; k <= 2; ++k) {
             g.tangential_push[k] *= side;
         }
-        watch_forces(&search, &c, &g, true);
+        watch_forces(&search, &c, &g, true, false);
         search_pending(&search);
         assert_int_equal(guard_of_end(search.end),
                          side > 0.0 ? TDMF_GUARD_SLIP_ONSET_POSITIVE : TDMF_GUARD_SLIP_ONSET_NEGATIVE);

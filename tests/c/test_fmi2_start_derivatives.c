@@ -31,6 +31,8 @@ static const struct {
 } always[] = {{"leg.thrust", 0.02},
               {"ground.static_friction_ratio", 1.2},
               {"ground.stribeck_velocity", 0.3},
+              {"ground.patch_begin", 3.0},
+              {"ground.patch_end", 4.0},
               {"hip.retraction_rate", 0.1}};
 
 #define FOOT(y_value, vx_value, vy_value)                                                                    \
@@ -233,7 +235,7 @@ static void they_are_those_of_the_start_values(void **state) {
                 ++columns;
             }
         }
-        assert_int_equal(columns + edges, 35); /* 16 parameters, a tolerance, 10 inputs, 8 states */
+        assert_int_equal(columns + edges, 38); /* 19 parameters, a tolerance, 10 inputs, 8 states */
         assert_true(nonzero > 30);
         fmi2FreeInstance(component);
     }

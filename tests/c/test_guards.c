@@ -220,19 +220,19 @@ static void leg_too_short_watches_its_length(void **unused) {
 
 /* ---- which mode watches what ------------------------------------------------------------------------ */
 
-/* A ground that waits is watched for, marked with '?'. */
+/* A ground that waits is watched for, marked with '?'; there is no patch. */
 static const char *watched_guards(const tdmf_mode *mode) {
     const bool retract = mode->phase == TDMF_PHASE_RETRACT;
     const bool drive = mode->phase == TDMF_PHASE_DRIVE;
     switch (mode->contact) {
     case TDMF_CONTACT_FLIGHT:
-        return retract ? "xxx........xx.?" : "xx.........xx.?";
+        return retract ? "xxx........xx.?.." : "xx.........xx.?..";
     case TDMF_CONTACT_STICK:
-        return drive ? "...xxx.xx..xxx./" : "...xxx..x..xxx./";
+        return drive ? "...xxx.xx..xxx./." : "...xxx..x..xxx./.";
     case TDMF_CONTACT_GRAZE:
-        return retract ? ".x.......xxxx..." : ".........xxxx...";
+        return retract ? ".x.......xxxx...." : ".........xxxx....";
     default:
-        return drive ? "...x..xxx..xxx./" : "...x..x.x..xxx./";
+        return drive ? "...x..xxx..xxx./." : "...x..x.x..xxx./.";
     }
 }
 

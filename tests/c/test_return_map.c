@@ -20,6 +20,8 @@ enum {
         TDMF_SECTION_COUNT + offsetof(tdmf_parameters, ground.static_friction_ratio) / sizeof(double),
     STRIBECK_VELOCITY =
         TDMF_SECTION_COUNT + offsetof(tdmf_parameters, ground.stribeck_velocity) / sizeof(double),
+    PATCH_BEGIN = TDMF_SECTION_COUNT + offsetof(tdmf_parameters, ground.patch_begin) / sizeof(double),
+    PATCH_END = TDMF_SECTION_COUNT + offsetof(tdmf_parameters, ground.patch_end) / sizeof(double),
     THRUST = TDMF_SECTION_COUNT + offsetof(tdmf_parameters, leg.thrust) / sizeof(double),
     CONTROL_THRUST = TDMF_SECTION_COUNT + PARAMETERS + offsetof(tdmf_inputs, control.thrust) / sizeof(double),
     EXTERNAL_FX = TDMF_SECTION_COUNT + PARAMETERS + offsetof(tdmf_inputs, body.external_fx) / sizeof(double),
@@ -134,6 +136,9 @@ static void parameters_and_inputs_are_differentiated(void **state) {
     for (size_t i = 0; i < REFERENCE_GAITS; ++i) {
         for (int k = TDMF_SECTION_COUNT; k < COORDINATES; ++k) {
             scene_at_apex scene = at_gait(&reference_gaits[i]);
+            if (k == PATCH_BEGIN || k == PATCH_END) { /* with a patch there is no map of six coordinates */
+                continue;
+            }
             if (k == STATIC_FRICTION_RATIO) { /* Table 1 has the least that there is */
                 scene.parameters.ground.static_friction_ratio = 1.1;
             }

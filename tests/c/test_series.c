@@ -378,7 +378,7 @@ static void the_ground_varies_as_it_changes(void **state) {
     (void)state;
     balanced = 0;
     for (int run = 0; run < CASES * RUNS; ++run) {
-        const ground_case is = cases[run % CASES], has_torque = {is.slips, is.grazes, true, is.falls};
+        const ground_case is = cases[run % CASES], has_torque = {is.slips, is.grazes, true, is.falls, false};
         ground_coefficients c, d, moved;
         ground_start start, d_start, moved_start;
         ground_series g, side[SIDES];

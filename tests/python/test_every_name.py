@@ -8,19 +8,24 @@ import pytest
 from tdmf_slip import basin, find_gait
 from tdmf_slip.library.members import INPUTS, PARAMETERS, VARIED
 
-NOTHING_MOVES = {"ground.height", "ground.stribeck_velocity", "leg.min_length"}
+NOTHING_MOVES = {"ground.height", "ground.stribeck_velocity", "ground.patch_friction", "leg.min_length"}
 """Of these the unit's own gait does not depend: its foot at rest has no more friction than one that slips."""
+
+
+PLACES = {"ground.patch_begin", "ground.patch_end"}
+"""They make a patch, which is at a place that no apex tells: whatever rests on the return map refuses it."""
+NAMES = [name for name in VARIED if name not in PLACES]
 
 
 @pytest.fixture(scope="module")
 def spans(unit):
     """Two values near each one's own, which is the lower one where it is a bound of its range."""
     found = {}
-    for name in VARIED:
+    for name in NAMES:
         start, variable = unit.start_of(name), unit.variables[name]
         low, high = (0.98 * start, 1.03 * start) if start else (0.0, 0.002)
         found[name] = max(low, float(variable.minimum)), high
-    assert len(found) == len(PARAMETERS) + len(INPUTS) == 26
+    assert len(found) == len(PARAMETERS) + len(INPUTS) - len(PLACES) == 27
     return found
 
 
@@ -35,7 +40,7 @@ def test_all_can_be_swept_over(command, spans):
         assert values == pytest.approx(np.linspace(low, high, 3), rel=1e-12) and not found["missing"]
         assert all(math.isfinite(gait["speed"]) for gait in found["gaits"])
         swept += 1
-    assert swept == 26
+    assert swept == 27
 
 
 def test_all_can_be_set_for_a_gait_and_for_what_it_attracts(command, spans, unit):
@@ -51,12 +56,12 @@ def test_all_can_be_set_for_a_gait_and_for_what_it_attracts(command, spans, unit
         assert data.attrs["settled_share"] == 1.0 and gait["stable"], name
         unmoved |= {name} if abs(gait["speed"] - home) < 1e-9 else set()
         tried += 1
-    assert tried == 26 and unmoved == NOTHING_MOVES
+    assert tried == 27 and unmoved == NOTHING_MOVES
 
 
 def test_none_takes_what_is_beyond_its_range(command, unit):
     refused = 0
-    for name in VARIED:
+    for name in NAMES:
         variable = unit.variables[name]
         beyond = 2.0 * float(variable.maximum)
         for arguments in (
@@ -70,4 +75,24 @@ def test_none_takes_what_is_beyond_its_range(command, unit):
             (sentence,) = err.splitlines()
             assert name in sentence and repr(beyond) in sentence and "allowed: " in sentence
             refused += 1
-    assert refused == 4 * 26
+    assert refused == 4 * 27
+
+
+def test_what_rests_on_the_return_map_refuses_a_patch(command):
+    patch = ("--set", "ground.patch_begin=5", "--set", "ground.patch_end=6")
+    for arguments in (
+        ("gait", *patch),
+        ("sweep", "--over", "ground.friction=0.5:0.6:2", *patch),
+        ("continue", "--over", "ground.friction=0.5:0.6", *patch),
+        ("basin", *patch),
+        ("gait", "--model", "reduced", *patch),
+        ("sweep", "--over", "ground.patch_end=5:6:2"),
+    ):
+        status, out, err = command(*arguments)
+        assert status == 2 and not out, arguments
+        assert "ground.patch_end = " in err.splitlines()[-1] and "allowed: " in err
+
+
+def test_a_patch_that_ends_before_it_begins_is_refused(command):
+    status, out, err = command("gait", "--set", "ground.patch_begin=6", "--set", "ground.patch_end=5")
+    assert status == 2 and not out and "ground.patch_end = 5" in err

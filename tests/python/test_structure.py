@@ -76,6 +76,7 @@ def random_start(draw):
         "hip.retraction_rate": draw.uniform(-0.5, 0.5),
         "ground.static_friction_ratio": draw.uniform(1, 1.5),
         "ground.stribeck_velocity": draw.choice([0, 0.1, 0.5]),
+        **dict(zip(("ground.patch_begin", "ground.patch_end"), draw.choice(PATCHES), strict=True)),
     }
 
 
@@ -213,6 +214,10 @@ class Observed:
         for name, values in self.of.items():
             if before[name] != after[name]:
                 values.add(known)
+
+
+PATCHES = [(-30, 30), (40, 60)]
+"""Of ground: below the foot, and elsewhere."""
 
 
 def elsewhere(draw, name, value):

@@ -79,7 +79,7 @@ def guards(types: dict[str, str]) -> str:
     parts = []
     for event in (event for event in EVENTS if event.law is not None):
         handed = {"at": types["at"]}
-        told = [symbol(text, constant=True) for _, text in event.arguments]
+        told = [symbol(text, constant=True, word=name) for name, text in event.arguments]
         if event.band == "by hand":
             handed, told = handed | {name: types[name] for name, _ in event.arguments}, []
         arguments = partial(lambda told, *given: (*given, *told), told)

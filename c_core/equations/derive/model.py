@@ -25,12 +25,13 @@ TYPES = {
     "at": "const tdmf_evaluation *",
     "direction": "tdmf_leg_direction",
     "contact": "tdmf_contact_mode",
+    "zone": "tdmf_zone",
     "force": "tdmf_ground_force",
     "leg_acceleration": "tdmf_leg_rates",
     **{name: f"const tdmf_{name} *" for name in ("model", "inputs", "mode", "leg", "standing", "flying")},
     **dict.fromkeys(("body", "center", "start"), "tdmf_point"),
     **dict.fromkeys(("push", "acceleration", "free_body", "jerk", "foot"), "tdmf_vector"),
-    **dict.fromkeys(("upright", "sticks", "falls"), "bool"),
+    **dict.fromkeys(("upright", "sticks", "falls", "forward"), "bool"),
 }
 FIXED = ("direction", "sign", "sine", "winding", "place_rate")
 
@@ -70,6 +71,8 @@ leg
     double leg_work_of_jump(model, length, before, after) =
         leg.work_of_jump(model.parameters.leg.stiffness, length, before, after)
 friction
+    double friction_below = friction.below
+    double border_ahead = friction.border_ahead
     double static_friction = friction.static
     double sliding_friction = friction.sliding
     double friction_excess = friction.excess

@@ -14,11 +14,21 @@ from typing import Any
 from .c import c_text, comment
 from .expressions import FUNCTIONS, Expression, derivative, forget, leaves, lift, ordered, parameters, trace
 
-WORDS = {"contact": "TDMF_CONTACT_", "phase": "TDMF_PHASE_"}
-FLAGS = ("clamp_closed", "thrusts", "mid_stance_pending", "drives", "sticks", "falls", "upright", "rises")
+WORDS = {"contact": "TDMF_CONTACT_", "phase": "TDMF_PHASE_", "zone": "TDMF_ZONE_"}
+FLAGS = (
+    "clamp_closed",
+    "thrusts",
+    "mid_stance_pending",
+    "drives",
+    "sticks",
+    "falls",
+    "upright",
+    "rises",
+    "forward",
+)
 POINTERS = ("model", "inputs", "mode")  # as members of a struct
 LINES = ("line", "ground")  # their sine and cosine are those of their slope
-WITHOUT_CHANGE = ("bool", "int", "tdmf_contact_mode", "tdmf_hip_phase", "const elapsed_time *")
+WITHOUT_CHANGE = ("bool", "int", "tdmf_contact_mode", "tdmf_hip_phase", "tdmf_zone", "const elapsed_time *")
 
 decided: dict[str, bool] = {}
 known: dict[Expression, str] = {}  # what C has under a name already
@@ -52,7 +62,8 @@ class Member(Expression):
     def __eq__(self, other: object) -> bool:
         """Whether a mode's word is this one."""
         if isinstance(other, str):
-            return ask(f"{self.value} == {WORDS[self.own_name]}{other.upper()}")
+            words = WORDS[self.marks.get("word", self.own_name)]
+            return ask(f"{self.value} == {words}{other.upper()}")
         return self is other
 
     __hash__ = Expression.__hash__

@@ -35,7 +35,7 @@ SERIES = {
 SHORTER = ("length_rate", "normal_force", "tangential_push")  # on the ground, by one coefficient
 CONSTANTS = ("slip_sign",)
 PARAMETERS = "at->model->parameters."
-FORCES = "watch_forces(search, c, s, !is.slips);"
+FORCES = "watch_forces(search, c, s, !is.slips, !is.slips && is.meets_border);"
 GRAZE = "watch_graze(search, c, s, at->angle);"
 HEIGHTS = "watch_heights(search, c, s, tolerance, s->length[0] + length_change, com);"
 BY_HAND = {
@@ -49,6 +49,7 @@ BY_HAND = {
     "ground": {
         "mid_stance": "watch_mid_stance(search, c, s);",
         **dict.fromkeys(("lift_off", "slip_onset_positive", "slip_onset_negative"), FORCES),
+        "patch_border": "if (is.meets_border) {watch_patch_border(search, c, s, at);}",
         **dict.fromkeys(("apex", "graze_to_contact", "graze_to_flight"), GRAZE),
     },
 }

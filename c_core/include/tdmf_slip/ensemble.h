@@ -112,6 +112,7 @@ typedef struct {
 typedef struct {
     int began;                                      /* 1 where it did: else all of it is as it was */
     double apex[TDMF_SECTION_COUNT];                /* at which it closed */
+    double foot_x;                                  /* m, where the foot is there */
     tdmf_stride stride;                             /* its quantities */
     double liftoff_angle;                           /* theta_LO, rad */
     double external_work;                           /* J, of the stride, as the losses */
@@ -133,6 +134,7 @@ typedef struct {
     int case_count;                             /* how many cases */
     const int *case_of;                         /* each runner's case; NULL: all the first */
     const double (*starts)[TDMF_SECTION_COUNT]; /* apices */
+    const double *foot_x;                       /* m, where their feet are; NULL: 0 */
     int64_t count;                              /* of runners */
     uint64_t first_number;                      /* of the first; by their numbers rough ground is drawn */
     double relative_tolerance;                  /* as in tdmf_solver */
@@ -166,6 +168,7 @@ typedef struct {
     int strides;                              /* how many closed */
     int word_code;                            /* of the last stride, see tdmf_stride */
     double apex[TDMF_SECTION_COUNT];          /* the last; the start while no stride has closed */
+    double foot_x;                            /* m, where the foot is there */
     double time, distance;                    /* s and m, that the strides took */
     double work;                              /* J, of all strides, as all that follows: of hip and leg */
     double hip_work, leg_work, external_work; /* J, work of each */
@@ -185,7 +188,8 @@ typedef struct {
 /* Runs all; `ends` has room for one of each. A runner's end depends neither on its neighbours nor on the
  * number of threads. `work` may be NULL. False, with nothing written, where the instructions are not to be
  * had, the tolerance is not above 0 and below 1, the number of threads is not positive, a runner's case is
- * none of those given, a roughness is not finite, below 0 or above 0 in the reduced map, the map is none, a
+ * none of those given, or has a patch of ground and gaits to settle on, which a place has not, or goes by the
+ * reduced map, a roughness is not finite, below 0 or above 0 in the reduced map, the map is none, a
  * setting is none, is set twice or gets a value out of its range, heights of rough ground or a friction that
  * is drawn are set, weights or a spread are not finite or the spread is below 0 or above it in the reduced
  * map, a number of a law or a ball is beyond 1e100 or its limits are no range, a number of elements is below

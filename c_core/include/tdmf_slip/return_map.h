@@ -28,6 +28,10 @@ enum {
 TDMF_API void tdmf_section_state(const tdmf_model *model, const tdmf_inputs *inputs,
                                  const double section[TDMF_SECTION_COUNT], double state[TDMF_STATE_COUNT]);
 
+/* The same with the foot at x = foot_x, as high above the ground there. */
+TDMF_API void tdmf_section_state_at(const tdmf_model *model, const tdmf_inputs *inputs, double foot_x,
+                                    const double section[TDMF_SECTION_COUNT], double state[TDMF_STATE_COUNT]);
+
 /* What is measured along a stride besides what its record holds; also the change of each of these. */
 typedef struct {
     double positive_hip_work;      /* J, done at positive power: the record's positive_work */
@@ -49,6 +53,7 @@ typedef struct {
     double stance_time, slip_distance;      /* of these, too */
     double peak_force, peak_vertical_force; /* and of these */
     double foot_clearance;                  /* of the return's */
+    double foot_x;                          /* and of its place of the foot */
     tdmf_stride_measures measures;          /* and of these, where they were asked for */
 } tdmf_stride_variation;
 
@@ -80,6 +85,7 @@ typedef struct {
     double external_work;            /* J, of the stride, as the losses */
     double damper_loss, friction_loss, impact_loss; /* J in the stride */
     double leg_loss;       /* J, reduced: left in the leg at lift-off less what it is given for touchdown */
+    double foot_x;         /* m, of the foot at the next apex */
     double foot_clearance; /* m, of the foot above the ground at the apex where the stride begins */
     tdmf_stride_measures measures; /* of the stride, where they were asked for */
     tdmf_stride_variation variations[TDMF_VARIATION_LIMIT];
@@ -87,13 +93,21 @@ typedef struct {
 
 /* One stride from an apex, not longer than `until`. With `derivatives`, also how it changes with the six
  * coordinates and along `count` seeds of parameters and inputs; more than TDMF_RETURN_MAP_SEEDS, or less
- * than 0, are refused, as are NULL for any pointer but `seeds` where there are none, and a tolerance out of
- * range. */
+ * than 0, are refused, as are NULL for any pointer but `seeds` where there are none, a tolerance out of
+ * range, and a patch of ground: on one the stride depends on where the foot is. */
 TDMF_API tdmf_return tdmf_return_map(tdmf_solver *solver, const tdmf_model *model, const tdmf_inputs *inputs,
                                      const double section[TDMF_SECTION_COUNT], double until, bool derivatives,
                                      const tdmf_seed *seeds, int count);
 
-/* The same, with what is measured along the stride: without derivatives it takes twice as long. */
+/* One stride from an apex with the foot at x = foot_x, over ground with a patch or without: the seventh
+ * coordinate, by which the stride is differentiated after the seeds, of which there may be one less. */
+TDMF_API tdmf_return tdmf_return_map_at(tdmf_solver *solver, const tdmf_model *model,
+                                        const tdmf_inputs *inputs, double foot_x,
+                                        const double section[TDMF_SECTION_COUNT], double until,
+                                        bool derivatives, const tdmf_seed *seeds, int count);
+
+/* The same as tdmf_return_map, with what is measured along the stride: without derivatives it takes twice as
+ * long. */
 TDMF_API tdmf_return tdmf_measured_return_map(tdmf_solver *solver, const tdmf_model *model,
                                               const tdmf_inputs *inputs,
                                               const double section[TDMF_SECTION_COUNT], double until,

@@ -31,6 +31,13 @@ typedef enum {
     TDMF_PHASE_PLACE      /* off the ground, from the apex on */
 } tdmf_hip_phase;
 
+/* Where a foot that slips is: the friction below it is that of the patch in the patch, else that outside. */
+typedef enum {
+    TDMF_ZONE_BEFORE, /* the patch, or there is none */
+    TDMF_ZONE_PATCH,
+    TDMF_ZONE_BEYOND
+} tdmf_zone;
+
 /* The ground: the line y = height + x tan(slope). */
 typedef struct {
     double height, slope; /* m, rad */
@@ -41,6 +48,7 @@ typedef struct {
 typedef struct {
     tdmf_contact_mode contact; /* what the foot does */
     tdmf_hip_phase phase;      /* what the hip does */
+    tdmf_zone zone;            /* slip: what it slips on; changed by events only; else TDMF_ZONE_BEFORE */
     double liftoff_angle;      /* theta_LO, rad */
     bool mid_stance_pending;   /* this stance began with theta >= 0 and has not passed upright yet; one that
                                   begins upright, with theta falling, has */

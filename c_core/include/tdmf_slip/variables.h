@@ -25,6 +25,10 @@ typedef struct {
         double static_friction_ratio; /* Friction of a foot at rest over that of one that slips, rho */
         double stribeck_velocity; /* Speed over which friction falls from that of a foot at rest to that of
                                      one that slips, v_s; 0: at once, m/s */
+        double patch_begin;    /* Where a patch of ground with a friction of its own begins, horizontally; no
+                                  patch where it is the end, m */
+        double patch_end;      /* Where the patch ends, no less than where it begins, m */
+        double patch_friction; /* Coefficient of friction of foot and patch, mu_p */
     } ground;
     struct {
         double stance_torque;        /* Torque that drives the first half of a stance, tau0, N.m */
@@ -111,6 +115,7 @@ typedef enum {
                                         after that */
     TDMF_GUARD_NEW_GROUND,           /* how far the foot is below a ground that waits to be in force */
     TDMF_GUARD_VERTICAL_FORCE_PEAK,  /* on a slope, rate of the vertical ground force, up or down */
+    TDMF_GUARD_PATCH_BORDER, /* how far the slipping foot is from the border of the patch ahead of it */
     TDMF_GUARD_COUNT
 } tdmf_guard;
 

@@ -10,9 +10,17 @@
 #include "kinematics.h"
 #include "record.h"
 
+/* A foot that slips does so on what lies ahead of it. */
+static void set_contact(const tdmf_model *model, const double state[TDMF_STATE_COUNT],
+                        tdmf_contact_mode contact, tdmf_mode *mode) {
+    mode->contact = contact;
+    const double sign = tdmf_sign_of_slip(mode);
+    mode->zone = sign == 0.0 ? TDMF_ZONE_BEFORE : tdmf_zone_towards(model, state[TDMF_FOOT_X], sign);
+}
+
 void tdmf_enter_contact_mode(tdmf_run *run, tdmf_contact_mode entered) {
     tdmf_record_contact_change(run->record, run->time, run->mode, entered, run->state);
-    run->mode->contact = entered;
+    set_contact(run->model, run->state, entered, run->mode);
 }
 
 /* ---- off the ground ----------------------------------------------------------------------------------- */
@@ -69,7 +77,9 @@ static tdmf_mode mode_off_ground(const tdmf_run *run) {
 tdmf_contact_mode tdmf_mode_of_resting_foot(const tdmf_run *run) {
     const tdmf_evaluation at = tdmf_evaluate_run(run, run->mode);
     const tdmf_ground_force force = tdmf_force_in_stance(at.model, at.inputs, at.mode, at.state, &at.leg);
-    if (tdmf_inside_friction_cone(force, tdmf_static_friction(run->model, run->inputs))) {
+    const double friction =
+        tdmf_static_friction_towards(run->model, run->inputs, run->state[TDMF_FOOT_X], -force.tangential);
+    if (tdmf_inside_friction_cone(force, friction)) {
         return TDMF_CONTACT_STICK;
     }
     return force.tangential < 0.0 ? TDMF_CONTACT_SLIP_POSITIVE : TDMF_CONTACT_SLIP_NEGATIVE;
@@ -111,7 +121,7 @@ static double angle_acceleration_in_drive(const tdmf_run *run) {
     trial.mode = &driven;
     driven.mid_stance_pending = true;
     driven.phase = TDMF_PHASE_DRIVE;
-    driven.contact = mode_of_loaded_foot(&trial);
+    set_contact(run->model, run->state, mode_of_loaded_foot(&trial), &driven);
     const tdmf_evaluation at = tdmf_evaluate_run(run, &driven);
     return tdmf_accelerate_leg(&at).angle;
 }

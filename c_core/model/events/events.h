@@ -57,12 +57,13 @@ const tdmf_event_kind *tdmf_event_kind_of(tdmf_guard guard);
  * False where the chain did not come to rest. */
 bool tdmf_take_transitions(tdmf_run *run, tdmf_guard reached);
 
-/* The right-hand side and the ground are the same: contact, phase, clamp, thrust, line and fall. */
+/* The right-hand side and the ground are the same: contact, phase, zone, clamp, thrust, line and fall. */
 static inline bool tdmf_same_mode(const tdmf_mode *a, const tdmf_mode *b) {
-    return a->contact == b->contact && a->phase == b->phase && a->liftoff_angle == b->liftoff_angle &&
-           a->mid_stance_pending == b->mid_stance_pending && a->clamp_closed == b->clamp_closed &&
-           a->rest_length == b->rest_length && a->ground.height == b->ground.height &&
-           a->ground.slope == b->ground.slope && a->fallen == b->fallen;
+    return a->contact == b->contact && a->phase == b->phase && a->zone == b->zone &&
+           a->liftoff_angle == b->liftoff_angle && a->mid_stance_pending == b->mid_stance_pending &&
+           a->clamp_closed == b->clamp_closed && a->rest_length == b->rest_length &&
+           a->ground.height == b->ground.height && a->ground.slope == b->ground.slope &&
+           a->fallen == b->fallen;
 }
 
 #endif

@@ -1,7 +1,9 @@
 /* Resets of the events that hardly more than change the mode. */
 #include "contact_change.h"
 #include "event_declarations.h"
+#include "guard_laws.h"
 #include "kinematics.h"
+#include "patch.h"
 #include "record.h"
 
 /* ---- the hip ------------------------------------------------------------------------------------------- */
@@ -43,15 +45,41 @@ void tdmf_take_slip_onset_negative(tdmf_run *run) {
     slip(run, TDMF_CONTACT_SLIP_NEGATIVE);
 }
 
-/* The foot sticks, or slips the other way. A slip that only touches zero velocity and goes on is not counted.
- */
+/* The foot sticks, or slips the other way. A slip that only touches zero velocity and goes on is not counted,
+ * unless it does so across a border. */
 void tdmf_take_slip_velocity_zero(tdmf_run *run) {
     tdmf_set_foot_velocity_along(0.0, 0.0, run->direction, run->state);
     const tdmf_contact_mode entered = tdmf_mode_of_resting_foot(run);
     if (entered != run->mode->contact) {
         tdmf_enter_contact_mode(run, entered);
         tdmf_record_event(run->record, run->time);
+    } else {
+        const tdmf_zone zone =
+            tdmf_zone_towards(run->model, run->state[TDMF_FOOT_X], tdmf_sign_of_slip(run->mode));
+        if (zone != run->mode->zone) {
+            run->mode->zone = zone;
+            tdmf_record_event(run->record, run->time);
+        }
     }
+}
+
+/* The foot slips on from one zone to the next; force and friction are others, the mode is the same. */
+void tdmf_take_patch_border(tdmf_run *run) {
+    const int onward = tdmf_sign_of_slip(run->mode) > 0.0 ? 1 : -1;
+    run->mode->zone = (tdmf_zone)((int)run->mode->zone + onward);
+    tdmf_record_event(run->record, run->time);
+}
+
+/* Where no border is ahead there is nothing to reach. */
+double tdmf_armed_patch_border(const tdmf_evaluation *at) {
+    return tdmf_slips_to_border(at->model, at->mode)
+               ? tdmf_patch_border_guard(at, tdmf_sign_of_slip(at->mode) > 0.0) / at->model->scales.length +
+                     TDMF_GUARD_MARGIN
+               : 1.0;
+}
+
+double tdmf_vary_armed_patch_border(const tdmf_evaluation *at, const tdmf_evaluation *d) {
+    return tdmf_vary_patch_border_guard(at, tdmf_sign_of_slip(at->mode) > 0.0, d);
 }
 
 /* The stance law loads a grazing foot again. */

@@ -7,6 +7,7 @@ the height and the speed of the centre of mass are all that an apex has.
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
+from ..errors import InputError
 from ..unit.unit import FRICTION
 from .binding import c
 from .runner import Runner, text_of
@@ -39,8 +40,36 @@ def map_of(runner: Runner) -> Map:
     -------
     Map
         The return map, or the reduced one.
+
+    Raises
+    ------
+    InputError
+        The runner's ground has a patch, which is at a place that no apex tells.
     """
+    refuse_patch(runner.values)
     return _MAPS[runner.reduced]
+
+
+def refuse_patch(values: Mapping[str, float]) -> None:
+    """Refuse a patch of ground: an apex does not tell where the foot is.
+
+    Parameters
+    ----------
+    values : mapping of str to float
+        A runner's, by the unit's names.
+
+    Raises
+    ------
+    InputError
+        There is one.
+    """
+    begin, end = values["ground.patch_begin"], values["ground.patch_end"]
+    if begin < end:
+        raise InputError(
+            f"ground.patch_end = {end:g}: gaits and maps of apices have no place for a patch of ground; "
+            f"allowed: ground.patch_begin = {begin:g}, which is none; simulate, stride_map and "
+            "strides_to_fall take a patch"
+        )
 
 
 def why_no_gait(runner: Runner, found: FoundGait, settling: bool, ran: int) -> str:

@@ -80,7 +80,7 @@ def grazing_across(runner: Any, at: Any, axial: Number) -> Number:
 
 def static_friction(runner: Any) -> Number:
     """Rho mu, of the cone of a foot at rest."""
-    return friction.static(runner.model, runner.inputs)
+    return friction.static(runner.model, runner.inputs.ground.friction)
 
 
 def impulse_taken(runner: Any, speed: Number, fall: Number) -> Number:
@@ -89,13 +89,13 @@ def impulse_taken(runner: Any, speed: Number, fall: Number) -> Number:
     Where friction falls with speed, 0 says that it is not proved to leave anything.
     """
     if runner.friction_falls:
-        return friction.after_falling_impact(runner.model, runner.inputs, 1, speed, -fall)
-    return friction.after_impact(runner.inputs, 1, speed, -fall)
+        return friction.after_falling_impact(runner.model, runner.inputs.ground.friction, 1, speed, -fall)
+    return friction.after_impact(runner.inputs.ground.friction, 1, speed, -fall)
 
 
 def sticking_speed(runner: Any, fall: Number) -> Number:
     """Up to which ``|v_t|`` an impact with ``|v_n|`` = `fall` comes to rest."""
-    return friction.stopped_speed(runner.model, runner.inputs, fall, runner.friction_falls)
+    return friction.stopped_speed(runner.model, runner.inputs.ground.friction, fall, runner.friction_falls)
 
 
 class _Exponent:
@@ -113,7 +113,7 @@ class _Exponent:
 
 def sliding_friction(runner: Any, mode: Mode, at: Any) -> Number:
     """Mu of a foot that slips, with the sign of its velocity; `at.decay` is e^(-s v/v_s) where it falls."""
-    sliding = friction.sliding(runner.inputs, mode.sign)
+    sliding = friction.sliding(runner.inputs.ground.friction, mode.sign)
     if not runner.friction_falls:
         return sliding
     return friction.falling(sliding, friction.excess(runner.model), _Exponent(at.decay), 1)

@@ -51,10 +51,6 @@ def _state(state: State) -> Any:
     return Record(**dict(zip(_NAMES, state, strict=True)))
 
 
-def _inputs(friction: Number) -> Any:
-    return Record(ground=Record(friction=friction))
-
-
 def _leg(state: Any) -> Any:
     direction = leg.direction(state.leg_angle)
     return leg.evaluate(_MODEL, _LEVEL, state, direction, 1.0, state.leg_length)
@@ -79,7 +75,7 @@ def accelerations(
     of = _state(state)
     at = _leg(of)
     total = ground_force.graze_torque(_MODEL, _LEVEL, at, False, None) if mode == "graze" else torque
-    force = ground_force.in_mode(_MODEL, _inputs(friction), _LEVEL, of, at, total, mode, 1, False)
+    force = ground_force.in_mode(_MODEL, friction, _LEVEL, of, at, total, mode, 1, False)
     foot = dynamics.foot_acceleration(_MODEL, _LEVEL, at, total, force, mode)
     fall = free_fall.of_body(_MODEL, _NO_PUSH)
     of_leg = dynamics.leg_acceleration(_MODEL, at, total, fall, foot)
@@ -111,9 +107,7 @@ def vertical_velocity(state: State) -> Number:
 def impact(state: State) -> list[Number]:
     """The state after an impact that slips forward."""
     at = _state(state)
-    after = impact_law.after(
-        _MODEL, _inputs(FRICTION), _LEVEL, at, leg.direction(at.leg_angle), 1.0, False, False
-    )
+    after = impact_law.after(_MODEL, FRICTION, _LEVEL, at, leg.direction(at.leg_angle), 1.0, False, False)
     return [
         after.foot_x,
         after.foot_y,

@@ -1,0 +1,410 @@
+/* A patch of ground with a friction of its own: runs of an independent program word by word, derivatives
+ * with the foot's place as a seventh coordinate, feet at rest on a border, and what is refused. */
+#include "compare.h"
+#include "patch_runs.h"
+#include "scene.h"
+
+#include "tdmf_slip/cvode.h"
+#include "tdmf_slip/ensemble.h"
+#include "tdmf_slip/orbit.h"
+#include "tdmf_slip/reduced_map.h"
+
+#include <float.h>
+#include <math.h>
+#include <string.h>
+
+static tdmf_model model_of(const patch_run *run) {
+    const tdmf_parameters parameters = parameters_of_patch_run(run);
+    tdmf_model model;
+    assert_null(tdmf_model_create(&model, &parameters).variable);
+    return model;
+}
+
+static tdmf_motion motion_at_start(const patch_run *run, const tdmf_model *model, const tdmf_inputs *inputs) {
+    tdmf_motion motion = {.time = 0.0};
+    tdmf_section_state(model, inputs, run->start, motion.state);
+    assert_null(tdmf_start(model, inputs, 0.0, motion.state, &motion.mode, &motion.record).variable);
+    return motion;
+}
+
+static void assert_apex(const double apex[TDMF_SECTION_COUNT], const double expected[TDMF_SECTION_COUNT],
+                        double tolerance) {
+    for (int i = 0; i < TDMF_SECTION_COUNT; ++i) {
+        assert_close(apex[i], expected[i], tolerance);
+    }
+}
+
+static void assert_section(const tdmf_model *model, const tdmf_motion *motion,
+                           const double expected[TDMF_SECTION_COUNT], double foot_x, double tolerance) {
+    double section[TDMF_SECTION_COUNT];
+    tdmf_section_of_state(model, &motion->mode.ground, motion->state, section);
+    assert_apex(section, expected, tolerance);
+    assert_close(motion->state[TDMF_FOOT_X], foot_x, tolerance * fmax(1.0, fabs(foot_x)));
+}
+
+/* ---- runs ---------------------------------------------------------------------------------------------- */
+
+static int count_crossings(const tdmf_event_log *log, const patch_run *run) {
+    int crossings = 0;
+    for (int i = 0; i < log->count; ++i) {
+        if (log->events[i].guard == TDMF_GUARD_PATCH_BORDER) {
+            assert_true(crossings < run->crossings);
+            assert_close(log->events[i].time, run->crossing_times[crossings], 1e-9);
+            ++crossings;
+        }
+    }
+    return crossings;
+}
+
+static void assert_falls(const patch_run *run, const tdmf_model *model, const tdmf_inputs *inputs,
+                         tdmf_solver *solver, tdmf_motion *motion) {
+    assert_int_equal(tdmf_native_stride(solver, model, inputs, DBL_MAX, motion).outcome, TDMF_FELL);
+    assert_close(motion->time, run->fall_time, 1e-7);
+    for (int i = 0; i < TDMF_MECHANICAL_COUNT; ++i) {
+        assert_close(motion->state[i], run->fall_state[i], 1e-7 * fmax(1.0, fabs(run->fall_state[i])));
+    }
+}
+
+static void the_native_solver_makes_each_run_word_by_word(void **state) {
+    int crossings = 0, falls = 0;
+    (void)state;
+    for (int i = 0; i < PATCH_RUNS; ++i) {
+        const patch_run *run = &patch_runs[i];
+        const tdmf_model model = model_of(run);
+        const tdmf_inputs inputs = inputs_of_patch_run(run);
+        tdmf_motion motion = motion_at_start(run, &model, &inputs);
+        tdmf_event_log log = {0};
+        tdmf_solver solver = tdmf_solver_default();
+        solver.relative_tolerance = 1e-13;
+        int its_crossings = 0;
+        for (int k = 0; k < run->strides; ++k) {
+            solver.log = &log;
+            log.count = 0;
+            assert_true(tdmf_native_stride(&solver, &model, &inputs, DBL_MAX, &motion).closed);
+            assert_string_equal(motion.record.stride.word, run->words[k]);
+            if (its_crossings == 0) {
+                its_crossings = count_crossings(&log, run);
+            }
+            if (k == 0 && run->first_foot_x != 0.0) {
+                assert_section(&model, &motion, run->first_apex, run->first_foot_x, 1e-9);
+            }
+        }
+        /* The run that falls is unstable: what is lost of its digits grows with its strides. */
+        assert_section(&model, &motion, run->end_apex, run->end_foot_x, run->fall_time > 0.0 ? 1e-7 : 1e-9);
+        if (run->end_time > 0.0) {
+            assert_close(motion.time, run->end_time, 1e-9);
+        }
+        if (run->last.period > 0.0) {
+            const tdmf_stride *stride = &motion.record.stride;
+            assert_close(stride->period, run->last.period, 1e-9);
+            assert_close(stride->speed, run->last.speed, 1e-9);
+            assert_close(stride->cost_of_transport, run->last.cost_of_transport, 1e-9);
+            assert_close(stride->slip_distance, run->last.slip_distance, 1e-9);
+        }
+        if (run->fall_time > 0.0) {
+            solver.log = NULL;
+            assert_falls(run, &model, &inputs, &solver, &motion);
+            ++falls;
+        }
+        crossings += its_crossings;
+    }
+    assert_int_equal(falls, 1);
+    assert_int_equal(crossings, 11);
+}
+
+static void cvode_makes_each_run(void **state) {
+    (void)state;
+    for (int i = 0; i < PATCH_RUNS && tdmf_cvode_is_available(); ++i) {
+        const patch_run *run = &patch_runs[i];
+        if (run->fall_time > 0.0) {
+            continue;
+        }
+        const tdmf_model model = model_of(run);
+        const tdmf_inputs inputs = inputs_of_patch_run(run);
+        tdmf_motion motion = motion_at_start(run, &model, &inputs);
+        tdmf_solver solver = tdmf_solver_default();
+        solver.relative_tolerance = 1e-13;
+        /* Past the last apex, before the next touchdown. */
+        assert_int_equal(tdmf_cvode_advance(&solver, &model, &inputs, NULL, run->end_time + 1.0, &motion),
+                         TDMF_ARRIVED);
+        const tdmf_apex *apex = &motion.record.apex;
+        assert_int_equal(motion.record.stride.count, run->strides);
+        assert_string_equal(motion.record.stride.word, run->words[run->strides - 1]);
+        const double section[TDMF_SECTION_COUNT] = {apex->com_height,      apex->com_speed,
+                                                    apex->leg_length,      apex->leg_angle,
+                                                    apex->leg_length_rate, apex->leg_angle_rate};
+        assert_apex(section, run->end_apex, 1e-8);
+        assert_relatively_close(apex->time, run->end_time, 1e-9);
+    }
+}
+
+/* With the feet elsewhere, and the patches as far. */
+static void assert_lanes_make_each_run(tdmf_instructions instructions, double place) {
+    tdmf_model models[PATCH_RUNS];
+    tdmf_ensemble_case cases[PATCH_RUNS];
+    int case_of[PATCH_RUNS];
+    double starts[PATCH_RUNS][TDMF_SECTION_COUNT], foot_x[PATCH_RUNS];
+    tdmf_ensemble_end ends[PATCH_RUNS];
+    for (int i = 0; i < PATCH_RUNS; ++i) {
+        const patch_run *run = &patch_runs[i];
+        tdmf_parameters parameters = parameters_of_patch_run(run);
+        parameters.ground.patch_begin += place;
+        parameters.ground.patch_end += place;
+        assert_null(tdmf_model_create(&models[i], &parameters).variable);
+        const tdmf_ensemble_case its_case = {
+            &models[i], inputs_of_patch_run(run), {.max_strides = run->strides + (run->fall_time > 0.0)}};
+        cases[i] = its_case;
+        case_of[i] = i;
+        foot_x[i] = place;
+        memcpy(starts[i], run->start, sizeof starts[i]);
+    }
+    const tdmf_ensemble ensemble = {.cases = cases,
+                                    .case_count = PATCH_RUNS,
+                                    .case_of = case_of,
+                                    .starts = (const double(*)[TDMF_SECTION_COUNT])starts,
+                                    .foot_x = place == 0.0 ? NULL : foot_x,
+                                    .count = PATCH_RUNS,
+                                    .relative_tolerance = 1e-13,
+                                    .threads = 1,
+                                    .instructions = instructions};
+    assert_true(tdmf_run_ensemble(&ensemble, ends, NULL));
+    for (int i = 0; i < PATCH_RUNS; ++i) {
+        const patch_run *run = &patch_runs[i];
+        const bool falls = run->fall_time > 0.0;
+        assert_int_equal(ends[i].fate, falls ? TDMF_FATE_FELL : TDMF_FATE_UNDECIDED);
+        assert_int_equal(ends[i].strides, run->strides);
+        assert_apex(ends[i].apex, run->end_apex, falls ? 1e-7 : 1e-9);
+        assert_close(ends[i].foot_x - place, run->end_foot_x, falls ? 1e-6 : 1e-9 * fabs(run->end_foot_x));
+    }
+}
+
+static void lanes_make_each_run_wherever_it_is(void **state) {
+    int sets = 0;
+    (void)state;
+    for (int i = TDMF_ONE_BY_ONE; i <= TDMF_AVX512; ++i) {
+        if (tdmf_has_instructions((tdmf_instructions)i)) {
+            assert_lanes_make_each_run((tdmf_instructions)i, 0.0);
+            assert_lanes_make_each_run((tdmf_instructions)i, -40.0);
+            ++sets;
+        }
+    }
+    assert_true(sets >= 2);
+}
+
+/* ---- derivatives --------------------------------------------------------------------------------------- */
+
+enum { PLACE = TDMF_SECTION_COUNT, COORDINATES, BORDERS = 3, DIRECTIONS = COORDINATES + BORDERS };
+
+typedef struct {
+    tdmf_parameters parameters;
+    tdmf_inputs inputs;
+    double at[COORDINATES];
+} scene_of_stride;
+
+/* A coordinate, or begin, end or friction of the patch. */
+static double *direction_of(scene_of_stride *scene, int k) {
+    double *const of_patch[BORDERS] = {&scene->parameters.ground.patch_begin,
+                                       &scene->parameters.ground.patch_end,
+                                       &scene->parameters.ground.patch_friction};
+    return k < COORDINATES ? &scene->at[k] : of_patch[k - COORDINATES];
+}
+
+static tdmf_return stride_at(const scene_of_stride *scene, const tdmf_seed *seed) {
+    tdmf_model model;
+    tdmf_solver solver = tdmf_solver_default();
+    solver.relative_tolerance = 1e-14;
+    assert_null(tdmf_model_create(&model, &scene->parameters).variable);
+    const tdmf_return stride = tdmf_return_map_at(&solver, &model, &scene->inputs, scene->at[PLACE],
+                                                  scene->at, 1e3, true, seed, seed != NULL);
+    assert_int_equal(stride.outcome, TDMF_RETURN_CLOSED);
+    return stride;
+}
+
+static void write_end(const tdmf_return *stride, double end[COORDINATES]) {
+    memcpy(end, stride->apex, sizeof stride->apex);
+    end[PLACE] = stride->foot_x;
+}
+
+static void write_change(const tdmf_stride_variation *change, double end[COORDINATES]) {
+    memcpy(end, change->apex, sizeof change->apex);
+    end[PLACE] = change->foot_x;
+}
+
+static void exact_change(const scene_of_stride *scene, int k, double change[COORDINATES]) {
+    scene_of_stride directions = {.at = {0.0}};
+    *direction_of(&directions, k) = 1.0;
+    const tdmf_seed along = {.parameters = directions.parameters};
+    const tdmf_return stride = stride_at(scene, k < COORDINATES ? NULL : &along);
+    write_change(&stride.variations[k < PLACE ? k : PLACE], change);
+}
+
+/* Of eighth order. */
+static void difference(const scene_of_stride *scene, int k, double step, double change[COORDINATES]) {
+    static const double weights[] = {4.0 / 5.0, -1.0 / 5.0, 4.0 / 105.0, -1.0 / 280.0};
+    memset(change, 0, COORDINATES * sizeof *change);
+    for (int i = 0; i < 8; ++i) {
+        const int far = i / 2 + 1;
+        const double sign = i % 2 == 0 ? 1.0 : -1.0;
+        scene_of_stride moved = *scene;
+        double end[COORDINATES];
+        *direction_of(&moved, k) += sign * far * step;
+        const tdmf_return stride = stride_at(&moved, NULL);
+        write_end(&stride, end);
+        for (int c = 0; c < COORDINATES; ++c) {
+            change[c] += sign * weights[far - 1] * end[c] / step;
+        }
+    }
+}
+
+static void each_stride_is_differentiated_by_place_and_patch(void **state) {
+    int compared = 0, moved_by_place = 0, moved_by_patch = 0;
+    (void)state;
+    for (int i = 0; i < PATCH_RUNS; ++i) {
+        const patch_run *run = &patch_runs[i];
+        scene_of_stride scene = {parameters_of_patch_run(run), inputs_of_patch_run(run), {0.0}};
+        memcpy(scene.at, run->start, sizeof run->start);
+        if (run->begin == run->end || run->stribeck_velocity == 1e-4) {
+            continue;
+        }
+        for (int k = 0; k < DIRECTIONS; ++k) {
+            double exact[COORDINATES], expected[COORDINATES], size = 1.0;
+            exact_change(&scene, k, exact);
+            difference(&scene, k, i == 2 && k < 2 ? 1e-6 : 1e-5, expected); /* the third is near an edge */
+            for (int c = 0; c < COORDINATES; ++c) {
+                size = fmax(size, fabs(exact[c]));
+            }
+            for (int c = 0; c < COORDINATES; ++c) {
+                assert_close(exact[c], expected[c], 1e-7 * size);
+                ++compared;
+            }
+            moved_by_place += k == PLACE && fabs(exact[0]) > 1e-6;
+            moved_by_patch += k > PLACE && fabs(exact[0]) > 1e-6;
+        }
+    }
+    assert_int_equal(compared, 7 * DIRECTIONS * COORDINATES);
+    assert_true(moved_by_place >= 4 && moved_by_patch >= 8);
+}
+
+/* Where no border is crossed, the stride goes with its place. */
+static void without_a_crossing_the_place_is_carried_along(void **state) {
+    scene_of_stride scene = {tdmf_default_parameters(), tdmf_default_inputs(), {0.0}};
+    double by_place[COORDINATES];
+    (void)state;
+    memcpy(scene.at, patch_runs[0].start, sizeof patch_runs[0].start);
+    scene.inputs.ground.friction = 0.6;
+    scene.parameters.ground.patch_begin = 5.0;
+    scene.parameters.ground.patch_end = 9.0;
+    exact_change(&scene, PLACE, by_place);
+    for (int c = 0; c < PLACE; ++c) {
+        assert_close(by_place[c], 0.0, 1e-12);
+    }
+    assert_close(by_place[PLACE], 1.0, 1e-13);
+}
+
+/* ---- at rest on a border ------------------------------------------------------------------------------- */
+
+typedef struct {
+    double begin, end, angle;
+    tdmf_contact_mode mode;
+    double state[TDMF_MECHANICAL_COUNT]; /* after 0.2 */
+} stand;
+
+static const stand stands[] = {
+    {0.0,
+     5.0,
+     -0.5,
+     TDMF_CONTACT_STICK,
+     {0.0, 0.0, 0.9017944261195923, -0.5001063652364338, 0.0, 0.0, 0.017765865632805102,
+      -0.0010619319215578998}},
+    {0.0,
+     5.0,
+     0.5,
+     TDMF_CONTACT_SLIP_POSITIVE,
+     {0.0074813661377107115, 0.0, 0.905345586245614, 0.5073604543164006, 0.07294391399884824, 0.0,
+      0.05226370038347332, 0.07139200740322711}},
+    {-5.0,
+     0.0,
+     -0.5,
+     TDMF_CONTACT_SLIP_NEGATIVE,
+     {-0.0074813661377107115, 0.0, 0.905345586245614, -0.5073604543164006, -0.07294391399884824, 0.0,
+      0.05226370038347332, -0.07139200740322711}},
+    {-5.0,
+     0.0,
+     0.5,
+     TDMF_CONTACT_STICK,
+     {0.0, 0.0, 0.9017944261195923, 0.5001063652364338, 0.0, 0.0, 0.017765865632805102,
+      0.0010619319215578998}},
+};
+
+static void a_foot_at_rest_on_a_border_slips_where_it_is_held_less(void **state) {
+    (void)state;
+    for (size_t i = 0; i < 2 * sizeof stands / sizeof *stands; ++i) {
+        const stand *stand = &stands[i / 2];
+        tdmf_parameters parameters = tdmf_default_parameters();
+        tdmf_inputs inputs = tdmf_default_inputs();
+        tdmf_motion motion = {.state = {[TDMF_LEG_LENGTH] = 0.9, [TDMF_LEG_ANGLE] = stand->angle}};
+        tdmf_model model;
+        tdmf_solver solver = tdmf_solver_default();
+        parameters.ground.patch_begin = stand->begin;
+        parameters.ground.patch_end = stand->end;
+        parameters.hip.stance_torque = 0.0;
+        inputs.ground.friction = 0.6;
+        assert_null(tdmf_model_create(&model, &parameters).variable);
+        assert_null(tdmf_start(&model, &inputs, 0.0, motion.state, &motion.mode, &motion.record).variable);
+        assert_int_equal(motion.mode.contact, stand->mode);
+        if (i % 2 == 0) {
+            assert_int_equal(tdmf_native_advance(&solver, &model, &inputs, NULL, 0.2, &motion), TDMF_ARRIVED);
+        } else if (tdmf_cvode_is_available()) {
+            solver.relative_tolerance = 1e-12;
+            assert_int_equal(tdmf_cvode_advance(&solver, &model, &inputs, NULL, 0.2, &motion), TDMF_ARRIVED);
+        } else {
+            continue;
+        }
+        for (int k = 0; k < TDMF_MECHANICAL_COUNT; ++k) {
+            assert_close(motion.state[k], stand->state[k], i % 2 == 0 ? 1e-11 : 1e-9);
+        }
+    }
+}
+
+/* ---- what is refused ----------------------------------------------------------------------------------- */
+
+static void a_patch_that_ends_before_it_begins_is_refused_by_name(void **state) {
+    tdmf_parameters parameters = tdmf_default_parameters();
+    tdmf_model model;
+    char text[256];
+    (void)state;
+    parameters.ground.patch_begin = 2.0;
+    parameters.ground.patch_end = 1.0;
+    const tdmf_refusal refusal = tdmf_model_create(&model, &parameters);
+    assert_string_equal(tdmf_refusal_text(&refusal, text, sizeof text),
+                        "ground.patch_end = 1 m is refused: allowed from 2 to 1e+09 m (ground.patch_begin)");
+}
+
+/* A patch is at a place, which these maps have not. */
+static void maps_without_a_place_refuse_a_patch(void **state) {
+    const patch_run *run = &patch_runs[0];
+    const tdmf_model model = model_of(run);
+    const tdmf_inputs inputs = inputs_of_patch_run(run);
+    tdmf_solver solver = tdmf_solver_default();
+    (void)state;
+    assert_int_equal(tdmf_return_map(&solver, &model, &inputs, run->start, 1e3, false, NULL, 0).outcome,
+                     TDMF_RETURN_REFUSED);
+    assert_int_equal(tdmf_find_orbit(&solver, &model, &inputs, run->start, NULL, 0).outcome,
+                     TDMF_ORBIT_NO_START);
+    assert_int_equal(tdmf_reduced_map(&solver, &model, &inputs, run->start, 1e3, false, NULL, 0).outcome,
+                     TDMF_RETURN_REFUSED);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(the_native_solver_makes_each_run_word_by_word),
+        cmocka_unit_test(cvode_makes_each_run),
+        cmocka_unit_test(lanes_make_each_run_wherever_it_is),
+        cmocka_unit_test(each_stride_is_differentiated_by_place_and_patch),
+        cmocka_unit_test(without_a_crossing_the_place_is_carried_along),
+        cmocka_unit_test(a_foot_at_rest_on_a_border_slips_where_it_is_held_less),
+        cmocka_unit_test(a_patch_that_ends_before_it_begins_is_refused_by_name),
+        cmocka_unit_test(maps_without_a_place_refuse_a_patch),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
