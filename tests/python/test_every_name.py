@@ -82,11 +82,11 @@ def test_what_rests_on_the_return_map_refuses_a_patch(command):
     patch = ("--set", "ground.patch_begin=5", "--set", "ground.patch_end=6")
     for arguments in (
         ("gait", *patch),
-        ("sweep", "--over", "ground.friction=0.5:0.6:2", *patch),
-        ("continue", "--over", "ground.friction=0.5:0.6", *patch),
+        ("sweep", "--vary", "ground.friction=0.5:0.6:2", *patch),
+        ("continue", "--vary", "ground.friction=0.5:0.6", *patch),
         ("basin", *patch),
         ("gait", "--model", "reduced", *patch),
-        ("sweep", "--over", "ground.patch_end=5:6:2"),
+        ("sweep", "--vary", "ground.patch_end=5:6:2"),
     ):
         status, out, err = command(*arguments)
         assert status == 2 and not out, arguments
