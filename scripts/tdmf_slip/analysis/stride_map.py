@@ -47,6 +47,7 @@ def stride_map(
     law: Law | AffineLaw | None = None,
     roughness: float = 0.0,
     seed: int = 0,
+    foot_x: ArrayLike | None = None,
     first_number: int = 0,
     tolerance: float = TOLERANCE,
     instructions: str | None = None,
@@ -89,6 +90,9 @@ def stride_map(
         Standard deviation of a step of the ground, m.
     seed : int, default 0
         Of the ground.
+    foot_x : float or array_like of float, shape (runners,), optional
+        Where the feet are at the first apices, m, by default at 0. What a stride does depends on it where the
+        ground has a patch, `ground.patch_begin` and `ground.patch_end`.
     first_number : int, default 0
         Of the first runner; by their numbers ground and noise are drawn.
     tolerance : float, default 2e-10
@@ -109,8 +113,9 @@ def stride_map(
     xarray.Dataset
         Over `runner` and `stride`: `fate`, by the flag values of its attribute; `apex` and `next_apex`, over
         `coordinate` too; quantities of the stride by the names of `library.measures.STRIDE_QUANTITIES` and
-        `LEDGER`, `liftoff_angle` and `word`; what was set, by the names of the settings; `ground.height` on
-        rough ground. Over `runner` the parameters that vary. A runner's other values are attributes.
+        `LEDGER`, `liftoff_angle` and `word`; by the full model `foot.x`, where the foot is at the next apex,
+        in m; what was set, by the names of the settings; `ground.height` on rough ground. Over `runner` the
+        parameters that vary. A runner's other values are attributes.
 
     Raises
     ------
@@ -139,7 +144,8 @@ def stride_map(
     fmu = load_fmu(fmu)
     crowd = Crowd.of(runner, fmu)  # type: ignore[arg-type] # which refuses what is none of it
     strides = checked_whole("strides", strides, 1, MOST_STRIDES)
-    starts, given = _broadcast(apices, crowd, inputs, strides)
+    feet = _feet(foot_x, crowd.runner)
+    starts, given = _broadcast(apices, crowd, inputs, strides, 1 if feet is None else len(feet))
     ground = RoughGround(roughness, seed)
     _check_all(crowd, given, law, ground)
     affine = law if isinstance(law, AffineLaw) else None
@@ -153,6 +159,7 @@ def stride_map(
         checked_whole("first_number", first_number, 0, LAST_RUNNER),
         tolerance,
         instructions,
+        foot_x=None if feet is None else np.broadcast_to(feet, (len(starts),)),
     )
     if law is None or affine is not None:
         columns = _in_blocks(request, scheduler, threads, progress)
@@ -168,7 +175,7 @@ def stride_map(
 
 
 def _broadcast(
-    apices: ArrayLike, crowd: Crowd, inputs: Mapping[str, ArrayLike] | None, strides: int
+    apices: ArrayLike, crowd: Crowd, inputs: Mapping[str, ArrayLike] | None, strides: int, feet: int
 ) -> tuple[NDArray[np.float64], dict[str, NDArray[np.float64]]]:
     """Apices, shape (runners, n), and settings, shape (runners, strides), of as many runners."""
     coordinates = crowd.runner.coordinates
@@ -186,7 +193,7 @@ def _broadcast(
                 f"inputs: {name} of shape {np.shape(values)}; allowed: a number, ({strides},) or "
                 f"(runners, {strides}), for each stride one"
             )
-    counts = {"apices": len(starts), "runner's values": crowd.size or 1}
+    counts = {"apices": len(starts), "runner's values": crowd.size or 1, "foot_x": feet}
     counts |= {f"inputs: {name}": len(values) for name, values in given.items()}
     runners = max(counts.values())
     check_size("runners", runners * strides, "strides in all", MOST_IN_ALL)
@@ -200,6 +207,18 @@ def _broadcast(
         first = {"runner": 0, "stride": 0}
         given[name] = np.broadcast_to(checked_values(name, values, "inputs", first), (runners, strides))
     return np.broadcast_to(starts, (runners, len(coordinates))), given
+
+
+def _feet(foot_x: ArrayLike | None, runner: Runner) -> NDArray[np.float64] | None:
+    """Where the feet are, shape (1,) or (runners,)."""
+    if foot_x is None:
+        return None
+    if runner.reduced:
+        raise InputError("foot_x: by the reduced map, which has no foot; allowed: by the full model")
+    feet = np.atleast_1d(numbers("foot_x", foot_x, 1))
+    for number in np.flatnonzero(~np.isfinite(feet)):
+        raise InputError(f"foot_x: runner {number}: {feet[number]} is not allowed; allowed: finite numbers")
+    return feet
 
 
 def _check_all(crowd: Crowd, given: Mapping[str, object], law: object, ground: RoughGround) -> None:

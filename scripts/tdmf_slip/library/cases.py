@@ -13,6 +13,7 @@ from ..errors import InputError
 from ..given import check_row, in_order, is_table
 from .affine_law import AffineLaw, check_law
 from .binding import ffi
+from .maps import refuse_patch
 from .rough_ground import RoughGround
 from .runner import Runner
 from .section import COORDINATES, Apex
@@ -50,6 +51,8 @@ class Case(ByContents):
         if not is_table(self.gaits):
             check_row(self.gaits, "gaits", f"rows of {', '.join(COORDINATES)}")
         check_law(self.law, self.runner)
+        if len(self.gaits) or self.runner.reduced:
+            refuse_patch(self.runner.values)
         if len(self.balls) not in (0, len(self.gaits)):
             raise InputError(f"balls: {len(self.balls)}; allowed: none, or one for each of the gaits")
 

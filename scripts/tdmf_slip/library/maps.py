@@ -67,8 +67,8 @@ def refuse_patch(values: Mapping[str, float]) -> None:
     if begin < end:
         raise InputError(
             f"ground.patch_end = {end:g}: gaits and maps of apices have no place for a patch of ground; "
-            f"allowed: ground.patch_begin = {begin:g}, which is none; simulate, stride_map and "
-            "strides_to_fall take a patch"
+            f"allowed: ground.patch_begin = {begin:g}, which is none; simulate and "
+            "stride_map take a patch"
         )
 
 

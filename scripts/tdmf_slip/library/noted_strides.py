@@ -25,6 +25,7 @@ its last stride is in one that takes too long."""
 NOTED = dtype_of(ffi.typeof("tdmf_ensemble_stride"))
 CLOSED = STRIDE_FATES.index("closed")
 GROUND = "ground.height"
+FOOT_X = "foot.x"
 
 Columns: TypeAlias = dict[str, NDArray[Any]]
 """By name: of each runner and stride, of apices also of each coordinate."""
@@ -56,6 +57,8 @@ class Request(ByContents):
     """One of `instruction_sets()`; by default the fastest."""
     threads: int | None = None
     """At once; by default one for each processor."""
+    foot_x: NDArray[np.float64] | None = None
+    """Where the feet are at the first apex, m, shape (runners,); by default all at 0."""
 
     def part(self, first: int, count: int) -> "Request":
         """Some of the runners.
@@ -79,6 +82,7 @@ class Request(ByContents):
             apices=self.apices[some],
             given={name: values[some] for name, values in self.given.items()},
             first_number=self.first_number + first,
+            foot_x=None if self.foot_x is None else self.foot_x[some],
         )
 
 
@@ -98,7 +102,8 @@ def noted_strides(request: Request, law: Law | None = None) -> Columns:
     dict of str to ndarray
         `fate`, a number into `STRIDE_FATES`; where it is closed `apex`, `next_apex`, the quantities of the
         stride and its `word`, else NaN or empty: but for the apex and the settings of the stride in which a
-        run ends. Settings by their names; `ground.height` where it is rough.
+        run ends. By the full model `foot.x`, where the foot is at the next apex. Settings by their names;
+        `ground.height` where it is rough.
     """
     engine = _Engine(request, goes_on=law is not None)
     if law is None:
@@ -129,6 +134,9 @@ class _Engine:
             request.threads,
             request.instructions,
         )
+        self.foot_x = None if request.foot_x is None else np.ascontiguousarray(request.foot_x)
+        if self.foot_x is not None:
+            self.ensemble.foot_x = ffi.cast("double *", ffi.from_buffer(self.foot_x))
         self.cases, self.kept = request.crowd.c_cases(request.ground, request.law)
         self.case_of = np.arange(count, dtype=np.intc) if request.crowd.varied else np.zeros(count, np.intc)
         self.ensemble.cases, self.ensemble.case_count = self.cases, len(self.cases)
@@ -179,6 +187,8 @@ class _Engine:
             **{name: _where(closed, noted[name]) for name in (*LEDGER, "liftoff_angle")},
             "word": _words(noted["stride"]["word"]),
         }
+        if not self.request.crowd.runner.reduced:
+            columns[FOOT_X] = _where(closed, noted["foot_x"])
         if self.request.ground.roughness:
             columns[GROUND] = _where(begun, noted["ground_height"])
         law = self.request.law

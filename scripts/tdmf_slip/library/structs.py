@@ -136,6 +136,7 @@ class Ensemble(Protocol):
     cases: object
     case_count: int
     case_of: object
+    foot_x: object
     given: object
     strides: object
     first_stride: int
