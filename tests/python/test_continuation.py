@@ -219,11 +219,7 @@ def test_stability_that_changes_at_a_border_is_not_judged(human):
 
 def test_the_first_step_is_predicted_along_the_right_parameter(runner):
     """Whatever the first gait was differentiated by."""
-    firsts = [
-        periodic_gait(runner),
-        find_gait(runner, along=FRICTION),
-        find_gait(runner, along="leg.damping"),
-    ]
+    firsts = [find_gait(runner), *(periodic_gait(runner, along=name) for name in (FRICTION, "leg.damping"))]
     found = [next(gaits_over(runner, "leg.damping", [0.3], first)) for first in firsts]
     assert [gait.along for gait in found] == ["leg.damping"] * 3
     for gait in found[1:]:
