@@ -73,7 +73,7 @@ def test_start_values_stand_for_a_runner(runner, found, tmp_path, monkeypatch, n
         assert answers[0] == answers[1]
     else:
         np.testing.assert_array_equal(*answers)
-    for wrong in ("human", 3, found):
+    for wrong in (["human"], 3, found.apex):
         with pytest.raises(InputError, match=r"runner .*allowed"):
             call(wrong, found)
 
@@ -134,8 +134,8 @@ WRONG = [
     lambda r, o: attraction.measure(r),
     lambda r, o: attraction.measure_all(o),
     lambda r, o: attraction.measure_all([START]),
-    lambda r, o: tdmf_slip.simulate("human", stop_time=1),
-    lambda r, o: tdmf_slip.simulate(r, stop_time=1),
+    lambda r, o: tdmf_slip.simulate("nobody", stop_time=1),
+    lambda r, o: tdmf_slip.simulate(3, stop_time=1),
     lambda r, o: tdmf_slip.simulate({None: 1}, stop_time=1),
     lambda r, o: tdmf_slip.simulate(variables=3, stop_time=1),
     lambda r, o: tdmf_slip.simulate(variables=[3], stop_time=1),
