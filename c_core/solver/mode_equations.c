@@ -51,7 +51,7 @@ static void open_ground(tdmf_mode_equations *equations, const double state[TDMF_
 /* What a foot meets at a border: ahead of one that slips, or below one that stands. */
 static void open_patch(tdmf_mode_equations *equations, const tdmf_inputs *inputs, const tdmf_inputs *rates,
                        const tdmf_mode *mode, double x) {
-    static const tdmf_model held = {.inverse_body_mass = 0.0};
+    static const tdmf_model constant = {.inverse_body_mass = 0.0};
     const tdmf_model *model = equations->model;
     if (tdmf_slips_to_border(model, mode)) {
         const bool forward = tdmf_sign_of_slip(mode) > 0.0;
@@ -62,7 +62,7 @@ static void open_patch(tdmf_mode_equations *equations, const tdmf_inputs *inputs
         equations->meets_border = true;
         equations->backward_friction = tdmf_static_friction_towards(model, inputs, x, -1.0);
         equations->backward_friction_rate =
-            tdmf_vary_static_friction_towards(model, inputs, x, -1.0, &held, rates);
+            tdmf_vary_static_friction_towards(model, inputs, x, -1.0, &constant, rates);
     }
 }
 
@@ -88,17 +88,18 @@ static void open_laws(tdmf_mode_equations *equations, const tdmf_inputs *inputs,
 /* A ramp is a change along time, in which the model is held. */
 static void open_friction(tdmf_mode_equations *equations, const tdmf_inputs *inputs, const tdmf_inputs *rates,
                           const tdmf_mode *mode, double x) {
-    static const tdmf_model held = {.inverse_body_mass = 0.0};
+    static const tdmf_model constant = {.inverse_body_mass = 0.0};
     const tdmf_model *model = equations->model;
     equations->friction = tdmf_signed_friction(model, inputs, mode);
-    equations->friction_rate = tdmf_vary_signed_friction(model, inputs, mode, &held, rates);
+    equations->friction_rate = tdmf_vary_signed_friction(model, inputs, mode, &constant, rates);
     if (tdmf_friction_falls(model) && tdmf_sign_of_slip(mode) != 0.0) {
         equations->falls = true;
         equations->friction_excess = tdmf_friction_excess(model);
         equations->friction_fading = tdmf_friction_fading(model, tdmf_sign_of_slip(mode));
     }
     equations->static_friction = tdmf_static_friction_towards(model, inputs, x, 1.0);
-    equations->static_friction_rate = tdmf_vary_static_friction_towards(model, inputs, x, 1.0, &held, rates);
+    equations->static_friction_rate =
+        tdmf_vary_static_friction_towards(model, inputs, x, 1.0, &constant, rates);
     if (tdmf_has_patch(model)) {
         open_patch(equations, inputs, rates, mode, x);
     }

@@ -29,7 +29,7 @@ def test_an_upright_runner_at_rest_stands(interface, unit):
 @pytest.mark.parametrize("interface", ["me", "cs"])
 @pytest.mark.parametrize("friction", [5e-324, 1e-300, 1e-9])
 def test_friction_that_vanishes_is_none(interface, friction, unit):
-    options = {"strides": 5, "interface": interface, "record_events": False, "unit": unit}
+    options = {"strides": 5, "interface": interface, "record_events": False, "fmu": unit}
     none = simulate({"ground.friction": 0.0}, **options)
     some = simulate({"ground.friction": friction}, **options)
     assert some.stride["word"] == none.stride["word"] == "+-"

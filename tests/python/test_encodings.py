@@ -107,10 +107,16 @@ def test_every_text_file_is_written_and_read_in_utf_8():
             if not isinstance(node, ast.Call):
                 continue
             name = node.func.attr if isinstance(node.func, ast.Attribute) else getattr(node.func, "id", "")
-            if name in ("read_text", "write_text", "open") and not _is_of_the_system(node):
+            if name in ("read_text", "write_text", "open") and not (
+                _is_of_the_system(node) or _is_of_bytes(node)
+            ):
                 looked_at += 1
                 assert "encoding" in {word.arg for word in node.keywords}, f"{path}:{node.lineno}"
     assert looked_at > 8
+
+
+def _is_of_bytes(node):
+    return any(isinstance(word, ast.Constant) and "b" in str(word.value) for word in node.args)
 
 
 def _is_of_the_system(node):

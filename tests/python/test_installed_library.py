@@ -22,7 +22,7 @@ SAYS = {
     "own_solver": "10 strides, the last +0-0+ at speed 1.061742, t = 247.64449",
     "runner": "tdmf_slip 0.1.0: touchdown at t = 11.90",
     "rough_ground": "stride,x,ground,word,speed",
-    "crowd": "200 of 200 runners are back on the gait",
+    "population": "200 of 200 runners are back on the gait",
 }
 """What each program prints."""
 
@@ -35,7 +35,9 @@ def test_find_package(installed_library, tmp_path):
 
 
 @pytest.mark.skipif(shutil.which("pkg-config") is None, reason="pkg-config is not installed")
-@pytest.mark.parametrize(("program", "package"), [("strides", "tdmf_slip"), ("crowd", "tdmf_slip_ensemble")])
+@pytest.mark.parametrize(
+    ("program", "package"), [("strides", "tdmf_slip"), ("population", "tdmf_slip_ensemble")]
+)
 def test_pkg_config(installed_library, tmp_path, program, package):
     (folder,) = {path.parent for path in installed_library.rglob(f"{package}.pc")}
     environment = os.environ | {"PKG_CONFIG_PATH": str(folder)}

@@ -63,7 +63,8 @@ def test_the_notes_are_this_version_s_changes_and_every_file(released):
     notes = read(released, "RELEASE_NOTES.md")
     changes = read(ROOT, "CHANGELOG.md").split(f"## {VERSION}")[1].split("\n", 1)[1].split("\n## ")[0].strip()
     assert notes.startswith(f"# TDMF-SLIP {VERSION}\n\n{changes}\n\n## Files\n")
-    named = set(re.findall(r"^\| `([^`]+)` \| \S.+ \|$", notes, re.MULTILINE))
+    files = notes.partition("\n\n## Files\n")[2]
+    named = set(re.findall(r"^\| `([^`]+)` \| \S.+ \|$", files, re.MULTILINE))
     assert named == {path.name for path in released.iterdir()} - {"RELEASE_NOTES.md", "SHA256SUMS"}
 
 

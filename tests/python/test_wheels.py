@@ -174,7 +174,7 @@ def test_the_library_of_a_wheel_runs_on_its_platform(tag, tmp_path):
         wheel.extractall(tmp_path, [n for n in wheel.namelist() if n.startswith("tdmf_slip/native/")])
     native = tmp_path / "tdmf_slip/native"
     compiler = (sys.executable, "-m", "ziglang", "cc", "-target", target, "-std=c99", "-O3", f"-I{native}")
-    for program in ("strides", "crowd"):
+    for program in ("strides", "population"):
         built = native / f"{program}.exe"
         links = [native / PLATFORMS[tag][2]] + (["-Wl,-rpath,$ORIGIN"] if "linux" in tag else [])
         run(*compiler, CONSUMER / f"{program}.c", *links, "-o", built)

@@ -178,7 +178,7 @@ def basin(
         )
         for block in rows
     ]
-    file = None if path is None else RowFile(path, data)
+    file = None
     with (
         progress_bar("basin", len(values[0]), "rows", progress) as bar,
         run_blocks(fates_of_slice, parts, scheduler=scheduler, threads=threads) as results,
@@ -188,7 +188,8 @@ def basin(
             data["fate"].values[rows[number]] = ends["fate"]
             data[STRIDES].values[rows[number]] = ends["strides"]
             bar.update(len(rows[number]))
-            if file is not None:
+            if path is not None:
+                file = file or RowFile(path, data)
                 file.write((STRIDES, "fate"), rows[number])
     share = float(np.mean(data["fate"].values == ensemble.SETTLED))
     area = share * float(np.prod([np.ptp(along) for along in values]))

@@ -1,4 +1,4 @@
-/* A crowd of runners, each with a push of its own, that find back to the default gait. */
+/* A population of runners, each with a push of its own, that find back to the default gait. */
 #include <tdmf_slip/ensemble.h>
 #include <tdmf_slip/tdmf_slip.h>
 
@@ -24,7 +24,7 @@ int main(void) {
     const tdmf_ensemble_case runner = {
         &model,
         tdmf_default_inputs(),
-        {.gaits = gait, .gait_count = 1, .distance = 1e-2, .most_strides = 400}};
+        {.gaits = gait, .gait_count = 1, .distance = 1e-2, .max_strides = 400}};
     const tdmf_ensemble ensemble = {.cases = &runner,
                                     .case_count = 1,
                                     .starts = (const double(*)[TDMF_SECTION_COUNT])starts,
