@@ -34,8 +34,8 @@ typedef enum {
 /* Where a foot that slips is: the friction below it is that of the patch in the patch, else that outside. */
 typedef enum {
     TDMF_ZONE_BEFORE, /* the patch, or there is none */
-    TDMF_ZONE_PATCH,
-    TDMF_ZONE_BEYOND
+    TDMF_ZONE_PATCH,  /* on it */
+    TDMF_ZONE_BEYOND  /* past its end */
 } tdmf_zone;
 
 /* The ground: the line y = height + x tan(slope). */
