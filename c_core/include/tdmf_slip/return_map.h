@@ -88,7 +88,8 @@ typedef struct {
     double foot_x;         /* m, of the foot at the next apex */
     double foot_clearance; /* m, of the foot above the ground at the apex where the stride begins */
     tdmf_stride_measures measures; /* of the stride, where they were asked for */
-    tdmf_stride_variation variations[TDMF_VARIATION_LIMIT];
+    tdmf_stride_variation
+        variations[TDMF_VARIATION_LIMIT]; /* along the start's coordinates, then the seeds */
 } tdmf_return;
 
 /* One stride from an apex, not longer than `until`. With `derivatives`, also how it changes with the six
