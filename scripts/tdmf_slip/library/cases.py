@@ -42,7 +42,7 @@ class Case(ByContents):
     """By which settings are made anew at each apex, the start's too; by default none are."""
 
     balls: Sequence[NDArray[np.float64]] = field(default=())
-    """One for each gait, shape (n, n): a runner has settled, too, where |ball (apex - gait)| <= 1."""
+    """One for each gait, shape (n, n): a runner has settled, too, where `|ball (apex - gait)| <= 1`."""
 
     def __post_init__(self) -> None:
         """Make the runner; refuse gaits that are none, and a law that does not fit the runner."""

@@ -1,7 +1,7 @@
 """Boxes of cells that hold the image of a whole cell, by what is known at corners.
 
-For any point x of a cell, P(x) is within f D |x - x_k| of the image of corner k, if f D bounds the
-derivatives in the cell. The mean over corners of |x_j - x_kj| is half a side, wherever x is. So
+For any point x of a cell, P(x) is within `f D |x - x_k|` of the image of corner k, if f D bounds the
+derivatives in the cell. The mean over corners of `|x_j - x_kj|` is half a side, wherever x is. So
 
     P_i(x) = mean of P_i(x_k)  +-  f sum of D_ij h_j / 2,
 
