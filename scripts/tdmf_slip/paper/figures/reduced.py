@@ -48,7 +48,7 @@ def region_table(maps: dict[str, xarray.Dataset]) -> Columns:
     height, speed = (grid.ravel() for grid in np.meshgrid(*PLANE, indexing="ij"))
     columns: dict[str, Any] = {"com_height": height, "com_speed": speed}
     for name, data in maps.items():
-        columns |= {f"{what}_{name}": data[what].values.ravel() for what in ("fate", "strides")}
+        columns |= {f"{what}_{name}": data[what].values.ravel() for what in ("fate", "strides_until_known")}
     return columns
 
 
