@@ -17,9 +17,25 @@ function scaleOf(unit, state) {
   return { m: length, N: force, "N.m": force * length, "rad/s": rate, "m/s": length * rate }[unit] ?? 1;
 }
 
+/** Variables in ascending order: the core refuses one that is beyond its neighbour. */
+const ASCENDING = ["ground.patch_begin", "ground.patch_end"];
+
+/** A variable's range, and within it that to the neighbours it is ordered with. */
+function rangeOf({ name, min = -Infinity, max = Infinity }, state) {
+  const place = ASCENDING.indexOf(name);
+  if (place < 0) {
+    return { min, max };
+  }
+  return {
+    min: Math.max(min, state[ASCENDING[place - 1]] ?? min),
+    max: Math.min(max, state[ASCENDING[place + 1]] ?? max),
+  };
+}
+
 /** Ends of a slider: the variable's range, narrowed about the value that a preset gives it. */
 function sliderRange(variable, value, state) {
-  const { min = -Infinity, max = Infinity, unit } = variable;
+  const { unit } = variable;
+  const { min, max } = rangeOf(variable, state);
   if (value > 0 && min >= 0) {
     return { low: Math.max(min, value / SPAN), high: Math.min(max, value * SPAN), log: true };
   }
