@@ -1,6 +1,6 @@
 """What several commands share: options, and how start values are read from them."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 import click
@@ -116,6 +116,25 @@ THREADS_OPTION = click.option(
 )
 
 
+def pairs_given(texts: Sequence[str], option: str, allowed: str) -> dict[str, str]:
+    """What NAME=TEXT gives, by name.
+
+    Raises
+    ------
+    InputError
+        It is not of that form, or a name is given twice.
+    """
+    given: dict[str, str] = {}
+    for text in texts:
+        name, _, value = (part.strip() for part in text.partition("="))
+        if not name or not value:
+            raise InputError(f"{option} {text}: allowed: {allowed}")
+        if name in given:
+            raise InputError(f"{option} {text}: {name} is given twice; allowed: once")
+        given[name] = value
+    return given
+
+
 def targets_given(targets: tuple[str, ...]) -> dict[str, float]:
     """Of --target, by quantity.
 
@@ -124,15 +143,13 @@ def targets_given(targets: tuple[str, ...]) -> dict[str, float]:
     InputError
         One is not of the form QUANTITY=VALUE, or given twice.
     """
+    allowed = "QUANTITY=VALUE, a number in SI units"
     values: dict[str, float] = {}
-    for text in targets:
-        name, _, value = (part.strip() for part in text.partition("="))
-        if name in values:
-            raise InputError(f"--target {text}: {name} is given twice; allowed: once")
+    for name, value in pairs_given(targets, "--target", allowed).items():
         try:
             values[name] = float(value)
         except ValueError:
-            raise InputError(f"--target {text}: allowed: QUANTITY=VALUE, a number in SI units") from None
+            raise InputError(f"--target {name}={value}: allowed: {allowed}") from None
     return values
 
 

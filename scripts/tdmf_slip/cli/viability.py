@@ -13,15 +13,17 @@ from ..library.section import MODELS, REDUCED
 from ..terminal.text import columns
 from ..unit.unit import Fmu, load_fmu
 from ..viable_sets.grid import MOST_CELLS, VALUES
-from ..viable_sets.viability import FACTOR, LARGEST_FACTOR, MOST_THREADS, viability
+from ..viable_sets.viability import FACTOR, LARGEST_FACTOR, viability
 from .options import (
     FRICTION_OPTION,
     JSON_OPTION,
     PARAMETERS_OPTION,
     SCHEDULER_OPTION,
     SET_OPTION,
+    THREADS_OPTION,
     Command,
     Number,
+    pairs_given,
     values_given,
 )
 from .output import json_text
@@ -81,12 +83,7 @@ from .runner import runner_of
     "--plot", type=click.Path(path_type=Path), metavar="FILE", help="Draw the sets: .png, .svg or .pdf."
 )
 @SCHEDULER_OPTION
-@click.option(
-    "--threads",
-    type=Number(1, MOST_THREADS, whole=True),
-    metavar="N",
-    help="At once on this machine.  [default: one for each processor]",
-)
+@THREADS_OPTION
 @SET_OPTION
 @PARAMETERS_OPTION
 @JSON_OPTION
@@ -137,27 +134,8 @@ def viability_command(
     print(json_text(result) if as_json_object else _text(result))
 
 
-def _pairs(texts: Sequence[str], option: str, example: str) -> dict[str, str]:
-    """What NAME=TEXT gives, by name.
-
-    Raises
-    ------
-    InputError
-        It is not of that form, or a name is given twice.
-    """
-    given: dict[str, str] = {}
-    for text in texts:
-        name, _, span = (part.strip() for part in text.partition("="))
-        if not name or not span:
-            raise InputError(f"{option} {text}: allowed: {example}")
-        if name in given:
-            raise InputError(f"{option} {text}: {name} is given twice; allowed: once")
-        given[name] = span
-    return given
-
-
 def _axes_given(texts: Sequence[str], fmu: Fmu) -> dict[str, tuple[float, float]]:
-    given = _pairs(texts, "--axes", "NAME=A:B")
+    given = pairs_given(texts, "--axes", "NAME=A:B")
     for name in given:
         if name not in REDUCED:
             raise InputError(f"--axes {name}={given[name]}: allowed: {' and '.join(REDUCED)}")
@@ -168,7 +146,7 @@ def _axes_given(texts: Sequence[str], fmu: Fmu) -> dict[str, tuple[float, float]
 
 def _vary_given(texts: Sequence[str], fmu: Fmu) -> dict[str, tuple[float, ...]]:
     ranges: dict[str, tuple[float, ...]] = {}
-    for name, span in _pairs(texts, "--vary", "NAME=A:B or NAME=A:B:N").items():
+    for name, span in pairs_given(texts, "--vary", "NAME=A:B or NAME=A:B:N").items():
         if name not in VARIED:
             raise InputError(f"--vary {name}={span}: no such setting; allowed: one that may change in a run")
         parts = span.split(":")
