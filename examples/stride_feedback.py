@@ -130,13 +130,13 @@ def law_of(gait):
     return tdmf_slip.dead_beat(gait, SETTINGS, limits={"hip.stance_torque": (0.0, 0.6)})
 
 
-def pushed(gait):
+def pushed(gait, pushes=PUSH):
     """Start values at the gait's apex, but for the push."""
-    return gait.start_values | {name: gait.start_values[name] + push for name, push in PUSH.items()}
+    return gait.start_values | {name: gait.start_values[name] + push for name, push in pushes.items()}
 
 
 def run(law, start_values, strides=STRIDES):
-    """The apices of a run, the first one too, and the settings of each stride."""
+    """The apices of a run, the first one too, and the settings of each stride; a fall ends it."""
     with Importer(start_values) as runner:
         apices, settings = [runner.apex], []
         for _ in range(strides):

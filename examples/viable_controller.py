@@ -9,7 +9,7 @@ drives the unit in event mode from apex to apex.
 """
 
 import tdmf_slip
-from stride_feedback import Importer
+from stride_feedback import pushed, run
 
 ANGLE, TORQUE = "hip.touchdown_angle", "hip.stance_torque"
 RUNNER = {"ground.friction": 10.0}
@@ -18,25 +18,6 @@ CHOICE = {ANGLE: (0.1, 1.2, 23), TORQUE: (0.0, 0.5, 6)}
 PUSH = {"foot.y": 0.96, "foot.vx": 1.1}
 """By which the first apex is higher and faster than that of the gait: m, m/s."""
 STRIDES = 12
-
-
-def pushed(gait):
-    """Start values at the gait's apex, but for the push."""
-    return gait.start_values | {name: gait.start_values[name] + push for name, push in PUSH.items()}
-
-
-def run(law, start_values, strides=STRIDES):
-    """The apices of a run, the first one too, and the settings of each stride; a fall ends it."""
-    with Importer(start_values) as runner:
-        apices, settings = [runner.apex], []
-        for _ in range(strides):
-            settings.append(law.settings_at(apices[-1]))
-            for name, value in settings[-1].items():
-                runner[name] = value
-            if not runner.advance_to_apex():
-                break
-            apices.append(runner.apex)
-        return apices, settings
 
 
 class Unchanged:
@@ -53,9 +34,9 @@ def main():
     gait = tdmf_slip.find_gait(RUNNER)
     law = found.controller()
     print(found)
-    alone, _ = run(Unchanged(), pushed(gait))
+    alone, _ = run(Unchanged(), pushed(gait, PUSH), STRIDES)
     print(f"with its own settings it makes {len(alone) - 1} of {STRIDES} strides")
-    apices, settings = run(law, pushed(gait))
+    apices, settings = run(law, pushed(gait, PUSH), STRIDES)
     print(f"with the controller {len(apices) - 1}")
     print("stride  height  speed   " + "  ".join(CHOICE) + "  which is")
     for stride, (apex, chosen) in enumerate(zip(apices, settings, strict=False)):

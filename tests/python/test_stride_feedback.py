@@ -114,8 +114,8 @@ def test_a_viable_controller_keeps_the_unit_up_where_its_own_settings_do_not(exa
     found = tdmf_slip.viability(viable.RUNNER, axes=viable.RANGES, vary=viable.CHOICE, n=48, model="full")
     gait = tdmf_slip.find_gait(viable.RUNNER)
     law = found.controller()
-    alone, _ = viable.run(viable.Unchanged(), viable.pushed(gait), strides=6)
-    apices, settings = viable.run(law, viable.pushed(gait), strides=6)
+    alone, _ = viable.run(viable.Unchanged(), viable.pushed(gait, viable.PUSH), strides=6)
+    apices, settings = viable.run(law, viable.pushed(gait, viable.PUSH), strides=6)
     assert len(alone) < 6
     assert len(apices) == 7
     assert settings[0][viable.ANGLE] > gait.runner.values[viable.ANGLE]
