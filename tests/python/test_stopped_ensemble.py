@@ -1,6 +1,8 @@
 """An interrupt from the keyboard ends a run of many runners at once, and keeps what is complete."""
 
 import signal
+import subprocess
+import sys
 import threading
 
 import numpy as np
@@ -13,6 +15,40 @@ BETWEEN = 0.02
 """Seconds between looks whether the engine runs."""
 LOOKS = 5
 """That see it run before the interrupt comes."""
+
+INTERRUPTED = """
+import signal
+import threading
+
+import numpy as np
+from tdmf_slip import find_gait
+from tdmf_slip.library import engine, ensemble
+
+gait = find_gait({"ground.friction": 0.6})
+starts = np.tile(gait.apex, (10_000, 1))
+stopped = left = 0
+
+
+def interrupt(*_):
+    global left
+    if any(thread.name == engine.ENGINE for thread in threading.enumerate()):
+        left -= 1
+        if left == 0:
+            signal.setitimer(signal.ITIMER_REAL, 0.0)
+        signal.raise_signal(signal.SIGINT)
+
+
+signal.signal(signal.SIGALRM, interrupt)
+for _ in range(20):
+    left = 20
+    signal.setitimer(signal.ITIMER_REAL, 1e-4, 1e-4)
+    try:
+        ensemble.run_ensemble([gait.runner], starts, max_strides=2**31 - 1, threads=2)
+    except KeyboardInterrupt:
+        stopped += 1
+print("stopped", stopped, "times")
+"""
+"""A program that is interrupted again and again while the engine's thread begins and is waited for."""
 
 
 @pytest.fixture
@@ -58,3 +94,12 @@ def test_an_interrupt_ends_runs_that_have_no_end(instructions):
         np.testing.assert_array_equal(ends[fell][name], whole[name])
     assert not_complete.any()
     assert not any(thread.name == engine.ENGINE for thread in threading.enumerate())
+
+
+def test_interrupts_in_quick_succession_leave_nothing_waiting():
+    """An exception in the middle of a wait of Python's `threading` could leave a lock held for ever."""
+    program = subprocess.run(
+        [sys.executable, "-c", INTERRUPTED], capture_output=True, text=True, timeout=1000
+    )
+    assert program.returncode == 0, program.stderr
+    assert program.stdout == "stopped 20 times\n"

@@ -7,6 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..errors import StoppedError
+from ..terminal import interrupts
 from .binding import c, ffi
 from .structs import Ensemble
 
@@ -54,34 +55,44 @@ def _c_ends(ends: NDArray[np.void]) -> object:
 
 def _run_beside(ensemble: Ensemble, ends: NDArray[np.void], work: Any) -> bool:
     """In another thread: this one hears interrupts, and stops it."""
-    stop, done, found = ffi.new("int *", 0), threading.Event(), []
+    stop, ended, results = ffi.new("int *", 0), threading.Lock(), []
 
     def engine() -> None:
+        ensemble.stop = stop
+        complete = False
         try:
-            found.append(c.tdmf_run_ensemble(ensemble, _c_ends(ends), work))
+            complete = bool(c.tdmf_run_ensemble(ensemble, _c_ends(ends), work))
         finally:
-            done.set()
+            ensemble.stop = ffi.NULL
+            results.append(complete)
+            ended.release()
 
-    ensemble.stop = stop
+    ended.acquire()
     try:
-        threading.Thread(target=engine, name=ENGINE, daemon=True).start()
-        came = _wait(done, stop)
+        with interrupts.held() as interrupt:
+            threading.Thread(target=engine, name=ENGINE, daemon=True).start()
+            problem = _wait(results, ended, interrupt, stop)
     finally:
         stop[0] = 1
-        ensemble.stop = ffi.NULL
-    if isinstance(came, KeyboardInterrupt):
+    if isinstance(problem, KeyboardInterrupt):
         raise StoppedError(ends[: work.begun]) from None
-    if came is not None:
-        raise came
-    return bool(found and found[0])
+    if problem is not None:
+        raise problem
+    return results[0]
 
 
-def _wait(done: threading.Event, stop: Any) -> BaseException | None:
-    """Until the engine is done, and what came meanwhile, which stops it."""
-    came = None
-    while not done.is_set():
+def _wait(
+    results: list[bool], ended: threading.Lock, interrupt: interrupts.Interrupt, stop: Any
+) -> BaseException | None:
+    """Until the engine has its result, and what an interrupt raised meanwhile, which stops it.
+
+    Interrupts are held back, for one that is raised inside of `threading` may leave a lock held for ever.
+    """
+    raised = None
+    while not results:
+        ended.acquire(timeout=LOOKING_UP)
         try:
-            done.wait(LOOKING_UP)
+            interrupt.deliver()
         except BaseException as problem:  # a second interrupt changes nothing
-            came, stop[0] = problem, 1
-    return came
+            raised, stop[0] = problem, 1
+    return raised
