@@ -49,8 +49,8 @@ class Held:
         motion = self.motion
         c.tdmf_default_state(motion.state)
         made = c.tdmf_model_create(self.model, parameters)
-        mode, record = ffi.addressof(motion, "mode"), ffi.addressof(motion, "record")
-        begun = c.tdmf_start(self.model, self.inputs, 0.0, motion.state, mode, record)
+        self.system = ffi.new("tdmf_system *", {"model": self.model, "inputs": self.inputs})[0]
+        begun = c.tdmf_start(self.system, motion)
         assert made.variable == begun.variable == ffi.NULL
         self.errors = 0.0
 
@@ -67,13 +67,13 @@ class Held:
     def advance(self, until):
         """Run up to a time; True if a stride closed."""
         strides = self.strides
-        outcome = c.tdmf_native_advance(self.solver, self.model, self.inputs, ffi.NULL, until, self.motion)
+        outcome = c.tdmf_native_advance(self.solver, self.system, ffi.NULL, until, self.motion)
         assert outcome == c.TDMF_ARRIVED, ffi.string(c.tdmf_outcome_text(outcome))
         return self.strides > strides
 
     def advance_to_apex(self, until):
         """Run up to the apex that closes a stride, or to a time; True if a stride closed."""
-        done = c.tdmf_native_stride(self.solver, self.model, self.inputs, until, self.motion)
+        done = c.tdmf_native_stride(self.solver, self.system, until, self.motion)
         assert done.outcome == c.TDMF_ARRIVED, ffi.string(c.tdmf_outcome_text(done.outcome))
         return done.closed
 

@@ -70,6 +70,7 @@ int main(int argc, char *argv[]) {
     tdmf_inputs inputs = tdmf_default_inputs();
     tdmf_solver solver = tdmf_solver_default();
     tdmf_model model;
+    const tdmf_system system = {&model, &inputs};
     tdmf_motion run = {.time = 0.0};
     char text[256];
 
@@ -77,7 +78,7 @@ int main(int argc, char *argv[]) {
     set_ground(&inputs, &ground, run.state[TDMF_FOOT_X]);
     tdmf_refusal refusal = tdmf_model_create(&model, &parameters);
     if (refusal.variable == NULL) {
-        refusal = tdmf_start(&model, &inputs, run.time, run.state, &run.mode, &run.record);
+        refusal = tdmf_start(system, &run);
     }
     if (refusal.variable != NULL) {
         fprintf(stderr, "%s\n", tdmf_refusal_text(&refusal, text, sizeof text));
@@ -86,8 +87,7 @@ int main(int argc, char *argv[]) {
     printf("stride,x,ground,word,speed\n");
     for (int strides = 0; strides < STRIDES && !run.mode.fallen;) {
         set_ground(&inputs, &ground, run.state[TDMF_FOOT_X]);
-        const tdmf_outcome outcome =
-            tdmf_native_advance(&solver, &model, &inputs, NULL, run.time + look, &run);
+        const tdmf_outcome outcome = tdmf_native_advance(&solver, system, NULL, run.time + look, &run);
         if (outcome != TDMF_ARRIVED && outcome != TDMF_FELL) {
             fprintf(stderr, "%s\n", tdmf_outcome_text(outcome));
             return EXIT_FAILURE;

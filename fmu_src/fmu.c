@@ -47,8 +47,7 @@ tdmf_refusal fmu_start(fmu *fmu) {
     struct fmu ready = *fmu;
     tdmf_refusal refusal = fmu_prepare(&ready);
     if (refusal.variable == NULL) {
-        refusal = tdmf_start(&ready.model, &ready.inputs, ready.motion.time, ready.motion.state,
-                             &ready.motion.mode, &ready.motion.record);
+        refusal = tdmf_start(fmu_system(&ready), &ready.motion);
     }
     if (refusal.variable == NULL) {
         ready.accounted_leg = tdmf_leg_sample_of(ready.motion.time, ready.motion.state);
@@ -66,9 +65,8 @@ static int as_integer(int64_t count) {
 }
 
 void fmu_evaluate(const fmu *fmu, fmu_view *view) {
-    tdmf_derivatives(&fmu->model, &fmu->inputs, &fmu->motion.mode, fmu->motion.state, view->derivatives);
-    view->outputs =
-        tdmf_outputs_of(&fmu->model, &fmu->inputs, &fmu->motion.mode, &fmu->motion.record, fmu->motion.state);
+    tdmf_derivatives(fmu_system(fmu), &fmu->motion.mode, fmu->motion.state, view->derivatives);
+    view->outputs = tdmf_outputs_of(fmu_system(fmu), &fmu->motion);
     fmu_event_indicators(fmu, view->guards);
     view->work.solver.steps = as_integer(fmu->solver.steps);
     view->work.solver.evaluations = as_integer(fmu->solver.evaluations);
@@ -79,7 +77,7 @@ static void differentiate(const fmu *fmu, const tdmf_seed *change, const tdmf_va
                           fmu_view *view) {
     const tdmf_motion *motion = &fmu->motion;
     const tdmf_output_variation tangent =
-        tdmf_vary_outputs(&fmu->model, &fmu->inputs, &motion->mode, motion->state, change, variation);
+        tdmf_vary_outputs(fmu_system(fmu), &motion->mode, motion->state, change, variation);
     memset(view, 0, sizeof *view);
     memcpy(view->derivatives, tangent.derivatives, sizeof view->derivatives);
     memcpy(view->states, variation->state, sizeof view->states);
@@ -128,7 +126,7 @@ void fmu_differentiate_start(const fmu *given, const struct fmu *started, const 
                              fmu_view *change) {
     const tdmf_seed along = {direction->parameters, direction->inputs};
     const tdmf_start_variation varied =
-        tdmf_vary_start(&started->model, &started->inputs, given->motion.state, started->motion.state,
+        tdmf_vary_start(fmu_system(started), given->motion.state, started->motion.state,
                         &started->motion.mode, &along, direction->motion.state);
     differentiate(started, &along, &varied.variation, change);
     change->outputs.hip.liftoff_angle = varied.variation.liftoff_angle;
@@ -142,8 +140,7 @@ void fmu_differentiate_start(const fmu *given, const struct fmu *started, const 
 
 void fmu_flow(const fmu *fmu, struct fmu *direction) {
     memset(direction, 0, sizeof *direction);
-    tdmf_derivatives(&fmu->model, &fmu->inputs, &fmu->motion.mode, fmu->motion.state,
-                     direction->motion.state);
+    tdmf_derivatives(fmu_system(fmu), &fmu->motion.mode, fmu->motion.state, direction->motion.state);
     direction->inputs = fmu->input_rates;
 }
 
@@ -169,7 +166,7 @@ bool fmu_try_state(fmu *fmu, const double state[TDMF_STATE_COUNT]) {
 }
 
 void fmu_event_indicators(const fmu *fmu, double indicators[TDMF_GUARD_COUNT]) {
-    tdmf_guards(&fmu->model, &fmu->inputs, &fmu->motion.mode, fmu->motion.state, indicators);
+    tdmf_guards(fmu_system(fmu), &fmu->motion.mode, fmu->motion.state, indicators);
 }
 
 void fmu_nominals(const fmu *fmu, double nominals[TDMF_STATE_COUNT]) {
@@ -177,17 +174,17 @@ void fmu_nominals(const fmu *fmu, double nominals[TDMF_STATE_COUNT]) {
 }
 
 void fmu_observe(fmu *fmu) {
-    tdmf_observe(&fmu->model, &fmu->inputs, fmu->motion.state, &fmu->motion.mode, &fmu->motion.record);
+    tdmf_observe(fmu_system(fmu), &fmu->motion);
 }
 
 bool fmu_extension_has_changed(const fmu *fmu) {
-    return !tdmf_rest_length_is_accounted_for(&fmu->model, &fmu->inputs, &fmu->motion.mode);
+    return !tdmf_rest_length_is_accounted_for(fmu_system(fmu), &fmu->motion.mode);
 }
 
 void fmu_account_for_extension(fmu *fmu) {
     const tdmf_leg_sample leg = tdmf_leg_sample_of(fmu->motion.time, fmu->motion.state);
     fmu->leg_work_due +=
-        tdmf_account_for_extension(&fmu->model, &fmu->inputs, &fmu->accounted_leg, &leg, &fmu->motion.mode);
+        tdmf_account_for_extension(fmu_system(fmu), &fmu->accounted_leg, &leg, &fmu->motion.mode);
     fmu->accounted_leg = leg;
 }
 
@@ -208,7 +205,7 @@ static tdmf_outcome advance(fmu *fmu, double until) {
     const tdmf_instant start = instant_of(fmu);
     const bool by_cvode = fmu->settings.solver.method == SOLVER_CVODE;
     const tdmf_outcome outcome = (by_cvode ? tdmf_cvode_advance : tdmf_native_advance)(
-        &fmu->solver, &fmu->model, &fmu->inputs, &fmu->input_rates, until, &fmu->motion);
+        &fmu->solver, fmu_system(fmu), &fmu->input_rates, until, &fmu->motion);
     fmu->inputs =
         tdmf_inputs_after(&fmu->inputs, &fmu->input_rates, tdmf_time_between(start, instant_of(fmu)));
     return outcome;
@@ -316,7 +313,7 @@ static bool take_pending_event(fmu *fmu) {
 
 /* The guard by which the automaton takes its next transition now, or NO_GUARD. */
 static int first_due(const fmu *fmu) {
-    const tdmf_guard guard = tdmf_first_due(&fmu->model, &fmu->inputs, &fmu->motion.mode, fmu->motion.state);
+    const tdmf_guard guard = tdmf_first_due(fmu_system(fmu), &fmu->motion.mode, fmu->motion.state);
     return guard == TDMF_GUARD_COUNT ? NO_GUARD : (int)guard;
 }
 
@@ -325,8 +322,7 @@ static tdmf_resolution resolve(fmu *fmu) {
     const double leg_work = fmu->leg_work_due;
     fmu->motion.state[TDMF_LEG_WORK] += leg_work;
     fmu->leg_work_due = 0.0;
-    tdmf_resolution resolution = tdmf_resolve(&fmu->model, &fmu->inputs, fmu->motion.time, fmu->motion.state,
-                                              &fmu->motion.mode, &fmu->motion.record);
+    tdmf_resolution resolution = tdmf_resolve(fmu_system(fmu), &fmu->motion);
     resolution.state_changed |= was_pending || leg_work != 0.0;
     resolution.mode_changed |= was_pending;
     return resolution;

@@ -42,6 +42,11 @@ typedef struct fmu {
     tdmf_motion after_event;
 } fmu;
 
+static inline tdmf_system fmu_system(const fmu *fmu) {
+    const tdmf_system system = {&fmu->model, &fmu->inputs};
+    return system;
+}
+
 /* Told of every event that the unit takes, if an observer is given. */
 typedef struct {
     void (*note)(void *subject, const tdmf_event *event); /* or NULL */

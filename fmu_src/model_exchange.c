@@ -102,7 +102,7 @@ call_status get_derivatives(instance *instance, const char *call, double derivat
     call_status status = CALL_OK;
     const fmu *fmu = present_unit(instance, call, &preview, &status);
     if (fmu != NULL) {
-        tdmf_derivatives(&fmu->model, &fmu->inputs, &fmu->motion.mode, fmu->motion.state, derivatives);
+        tdmf_derivatives(fmu_system(fmu), &fmu->motion.mode, fmu->motion.state, derivatives);
     }
     return status;
 }

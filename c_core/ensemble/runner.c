@@ -119,7 +119,7 @@ static void write_standing_fields(const tdmf_runner *runner, standing_member *m)
 
 int tdmf_runner_load(tdmf_runner *runner, double *fields) {
     const tdmf_motion *motion = &runner->motion;
-    tdmf_open_mode(&runner->equations, runner->model, &runner->inputs, &tdmf_zero_input_rates, &motion->mode,
+    tdmf_open_mode(&runner->equations, tdmf_runner_system(runner), &tdmf_zero_input_rates, &motion->mode,
                    motion->state, runner->direction);
     if (motion->mode.contact == TDMF_CONTACT_FLIGHT) {
         *(flying_member *)fields = flying_fields(runner);
@@ -221,8 +221,7 @@ void tdmf_runner_record_step(tdmf_runner *runner, const tdmf_lane_step *lane) {
 static void observe(tdmf_runner *runner) {
     tdmf_motion *motion = &runner->motion;
     if (tdmf_records_strides(runner->ensemble)) {
-        tdmf_observe_along(runner->model, &runner->inputs, motion->state, runner->direction, &motion->mode,
-                           &motion->record);
+        tdmf_observe_along(tdmf_runner_system(runner), motion, runner->direction);
     }
 }
 
@@ -234,7 +233,7 @@ static bool has_lifted_off(const tdmf_runner *runner) {
 }
 
 static bool fly(tdmf_runner *runner) {
-    const tdmf_return_outcome outcome = tdmf_reduced_fly(runner->model, &runner->inputs, &runner->motion);
+    const tdmf_return_outcome outcome = tdmf_reduced_fly(tdmf_runner_system(runner), &runner->motion);
     if (outcome != TDMF_RETURN_CLOSED) {
         tdmf_runner_give_up_reduced(runner, outcome);
         return false;
@@ -246,8 +245,7 @@ bool tdmf_runner_take_event(tdmf_runner *runner, const double *fields, tdmf_guar
     tdmf_motion *motion = &runner->motion;
     const tdmf_mode before = motion->mode;
     store(runner, fields);
-    tdmf_run run = {runner->model, &runner->inputs, motion->time,     motion->state,
-                    &motion->mode, &motion->record, runner->direction};
+    tdmf_run run = {tdmf_runner_system(runner), motion, runner->direction};
     observe(runner);
     const bool resolved = tdmf_take_transitions(&run, reached);
     observe(runner);
@@ -282,8 +280,9 @@ bool tdmf_runner_stride(tdmf_runner *runner, tdmf_solver *solver) {
     const bool reduced = runner->map == TDMF_REDUCED_MAP;
     const double until = runner->stride_began + TDMF_LONGEST_STRIDE * model->scales.time;
     const tdmf_stride_outcome stride =
-        reduced ? tdmf_native_stance(solver, model, &runner->inputs, until, &runner->motion, NULL, NULL, 0)
-                : tdmf_native_stride(solver, model, &runner->inputs, until, &runner->motion);
+        reduced ? tdmf_native_stance(solver, (tdmf_system){model, &runner->inputs}, until, &runner->motion,
+                                     NULL, NULL, 0)
+                : tdmf_native_stride(solver, (tdmf_system){model, &runner->inputs}, until, &runner->motion);
     runner->direction = tdmf_leg_direction_of(runner->motion.state);
     if (!stride.closed) {
         tdmf_runner_give_up(runner, fate_of(stride.outcome));

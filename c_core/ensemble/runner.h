@@ -69,6 +69,11 @@ typedef struct {
     tdmf_model set;      /* the case's, with the settings of the stride */
 } tdmf_runner;
 
+static inline tdmf_system tdmf_runner_system(const tdmf_runner *runner) {
+    const tdmf_system system = {runner->model, &runner->inputs};
+    return system;
+}
+
 /* Begins at an apex, the start of a runner of the ensemble, or where it stands. False where there is nothing
  * to run: `end` says why. */
 bool tdmf_runner_begin(tdmf_runner *runner, const tdmf_ensemble *ensemble, int64_t index,

@@ -83,9 +83,8 @@ static bool leave_apex(tdmf_runner *runner) {
     if (runner->map != TDMF_REDUCED_MAP) {
         return true;
     }
-    const tdmf_return_outcome outcome =
-        tdmf_reduced_touch_down(runner->model, &runner->inputs,
-                                TDMF_LONGEST_STRIDE * runner->model->scales.time, &runner->motion, NULL);
+    const tdmf_return_outcome outcome = tdmf_reduced_touch_down(
+        tdmf_runner_system(runner), TDMF_LONGEST_STRIDE * runner->model->scales.time, &runner->motion, NULL);
     runner->direction = tdmf_leg_direction_of(runner->motion.state);
     if (outcome != TDMF_RETURN_CLOSED) {
         tdmf_runner_give_up_reduced(runner, outcome);
@@ -98,8 +97,7 @@ static bool leave_apex(tdmf_runner *runner) {
 static bool resolve(tdmf_runner *runner) {
     tdmf_motion *motion = &runner->motion;
     const tdmf_resolution resolution =
-        tdmf_resolve_along(runner->model, &runner->inputs, motion->time, motion->state, runner->direction,
-                           TDMF_GUARD_COUNT, &motion->mode, &motion->record);
+        tdmf_resolve_along(tdmf_runner_system(runner), motion, runner->direction, TDMF_GUARD_COUNT);
     if (motion->mode.fallen || resolution.unresolved) {
         tdmf_runner_give_up(runner, motion->mode.fallen ? TDMF_FATE_FELL : TDMF_FATE_UNSOLVED);
         return false;
@@ -192,7 +190,7 @@ static bool begin_next_stride(tdmf_runner *runner) {
     if (is_set(runner)) {
         set(runner);
         if (runner->map == TDMF_REDUCED_MAP) {
-            tdmf_reduced_reset_leg(runner->model, &runner->inputs, &runner->motion);
+            tdmf_reduced_reset_leg(tdmf_runner_system(runner), &runner->motion);
         }
     }
     return begin_stride(runner);
@@ -209,11 +207,12 @@ static bool start(tdmf_runner *runner, const double section[TDMF_SECTION_COUNT])
     const tdmf_model *model = runner->model;
     tdmf_motion *motion = &runner->motion;
     if (runner->map == TDMF_REDUCED_MAP) {
-        return tdmf_reduced_begin(model, &runner->inputs, section, motion) == TDMF_RETURN_CLOSED;
+        return tdmf_reduced_begin((tdmf_system){model, &runner->inputs}, section, motion) ==
+               TDMF_RETURN_CLOSED;
     }
     motion->time = 0.0;
-    tdmf_section_state_at(model, &runner->inputs, start_place(runner), section, motion->state);
-    return !tdmf_start(model, &runner->inputs, 0.0, motion->state, &motion->mode, &motion->record).variable &&
+    tdmf_section_state_at((tdmf_system){model, &runner->inputs}, start_place(runner), section, motion->state);
+    return !tdmf_start((tdmf_system){model, &runner->inputs}, motion).variable &&
            motion->record.open.began_at_apex;
 }
 

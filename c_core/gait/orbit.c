@@ -28,16 +28,14 @@ static tdmf_orbit_outcome why_not(tdmf_return_outcome outcome) {
     }
 }
 
-typedef tdmf_return apex_map(tdmf_solver *solver, const tdmf_model *model, const tdmf_inputs *inputs,
-                             const double *apex, double until, bool derivatives, const tdmf_seed *seeds,
-                             int count);
+typedef tdmf_return apex_map(tdmf_solver *solver, tdmf_system system, const double *apex, double until,
+                             bool derivatives, const tdmf_seed *seeds, int count);
 
 typedef struct {
     apex_map *map;
     int coordinates;
     tdmf_solver *solver;
-    const tdmf_model *model;
-    const tdmf_inputs *inputs;
+    tdmf_system system;
     const tdmf_seed *seeds;
     int count;
     tdmf_return strides[2];
@@ -46,9 +44,9 @@ typedef struct {
 static bool evaluate(void *context, int slot, tdmf_image *image) {
     search *search = context;
     tdmf_return *stride = &search->strides[slot];
-    *stride =
-        search->map(search->solver, search->model, search->inputs, image->point,
-                    TDMF_LONGEST_STRIDE * search->model->scales.time, true, search->seeds, search->count);
+    *stride = search->map(search->solver, search->system, image->point,
+                          TDMF_LONGEST_STRIDE * search->system.model->scales.time, true, search->seeds,
+                          search->count);
     for (int i = 0; i < search->coordinates; ++i) {
         image->next[i] = stride->apex[i];
         for (int k = 0; k < search->coordinates; ++k) {
@@ -72,11 +70,11 @@ static tdmf_orbit_outcome outcome_of(const tdmf_fixed_point *found, const tdmf_r
 static tdmf_orbit find(search *search, const double *guess) {
     static const tdmf_orbit refused = {.outcome = TDMF_ORBIT_NO_START,
                                        .stride = {.outcome = TDMF_RETURN_REFUSED}};
-    if (search->model == NULL || guess == NULL) {
+    if (search->system.model == NULL || guess == NULL) {
         return refused;
     }
     tdmf_map map = {.count = search->coordinates, .evaluate = evaluate, .context = search};
-    tdmf_section_scales(search->model, map.scales);
+    tdmf_section_scales(search->system.model, map.scales);
     const tdmf_fixed_point found = tdmf_find_fixed_point(&map, guess);
     tdmf_orbit orbit = {.iterations = found.iterations, .error = found.error};
     memcpy(orbit.apex, found.point, sizeof orbit.apex);
@@ -85,50 +83,47 @@ static tdmf_orbit find(search *search, const double *guess) {
     return orbit;
 }
 
-tdmf_orbit tdmf_find_orbit(tdmf_solver *solver, const tdmf_model *model, const tdmf_inputs *inputs,
-                           const double guess[TDMF_SECTION_COUNT], const tdmf_seed *seeds, int count) {
+tdmf_orbit tdmf_find_orbit(tdmf_solver *solver, tdmf_system system, const double guess[TDMF_SECTION_COUNT],
+                           const tdmf_seed *seeds, int count) {
     search search = {.map = tdmf_return_map,
                      .coordinates = TDMF_SECTION_COUNT,
                      .solver = solver,
-                     .model = model,
-                     .inputs = inputs,
+                     .system = system,
                      .seeds = seeds,
                      .count = count};
     return find(&search, guess);
 }
 
-tdmf_orbit tdmf_find_reduced_orbit(tdmf_solver *solver, const tdmf_model *model, const tdmf_inputs *inputs,
+tdmf_orbit tdmf_find_reduced_orbit(tdmf_solver *solver, tdmf_system system,
                                    const double guess[TDMF_REDUCED_COUNT], const tdmf_seed *seeds,
                                    int count) {
     search search = {.map = tdmf_reduced_map,
                      .coordinates = TDMF_REDUCED_COUNT,
                      .solver = solver,
-                     .model = model,
-                     .inputs = inputs,
+                     .system = system,
                      .seeds = seeds,
                      .count = count};
     return find(&search, guess);
 }
 
-static int settle(apex_map *map, int coordinates, tdmf_solver *solver, const tdmf_model *model,
-                  const tdmf_inputs *inputs, int strides, double *apex) {
-    for (int i = 0; model != NULL && i < strides; ++i) {
+static int settle(apex_map *map, int coordinates, tdmf_solver *solver, tdmf_system system, int strides,
+                  double *apex) {
+    for (int i = 0; system.model != NULL && i < strides; ++i) {
         const tdmf_return stride =
-            map(solver, model, inputs, apex, TDMF_LONGEST_STRIDE * model->scales.time, false, NULL, 0);
+            map(solver, system, apex, TDMF_LONGEST_STRIDE * system.model->scales.time, false, NULL, 0);
         if (stride.outcome != TDMF_RETURN_CLOSED) {
             return i;
         }
         memcpy(apex, stride.apex, (size_t)coordinates * sizeof *apex);
     }
-    return model != NULL && strides > 0 ? strides : 0;
+    return system.model != NULL && strides > 0 ? strides : 0;
 }
 
-int tdmf_settle(tdmf_solver *solver, const tdmf_model *model, const tdmf_inputs *inputs, int strides,
-                double section[TDMF_SECTION_COUNT]) {
-    return settle(tdmf_return_map, TDMF_SECTION_COUNT, solver, model, inputs, strides, section);
+int tdmf_settle(tdmf_solver *solver, tdmf_system system, int strides, double section[TDMF_SECTION_COUNT]) {
+    return settle(tdmf_return_map, TDMF_SECTION_COUNT, solver, system, strides, section);
 }
 
-int tdmf_settle_reduced(tdmf_solver *solver, const tdmf_model *model, const tdmf_inputs *inputs, int strides,
+int tdmf_settle_reduced(tdmf_solver *solver, tdmf_system system, int strides,
                         double apex[TDMF_REDUCED_COUNT]) {
-    return settle(tdmf_reduced_map, TDMF_REDUCED_COUNT, solver, model, inputs, strides, apex);
+    return settle(tdmf_reduced_map, TDMF_REDUCED_COUNT, solver, system, strides, apex);
 }

@@ -16,60 +16,58 @@
 
 /* ---- the centre of mass ------------------------------------------------------------------------------- */
 
-static tdmf_vector acceleration_of(const tdmf_model *model, const tdmf_inputs *inputs) {
-    return tdmf_com_acceleration(model, tdmf_push_on_body(model, inputs));
+static tdmf_vector acceleration_of(tdmf_system system) {
+    return tdmf_com_acceleration(system.model, tdmf_push_on_body(system.model, system.inputs));
 }
 
-static tdmf_vector vary_acceleration(const tdmf_model *model, const tdmf_inputs *inputs,
-                                     const tdmf_local_seed *d) {
-    return tdmf_vary_com_acceleration(model, tdmf_push_on_body(model, inputs), &d->model,
-                                      tdmf_vary_push_on_body(model, inputs, &d->model, &d->inputs));
+static tdmf_vector vary_acceleration(tdmf_system system, const tdmf_local_seed *d) {
+    return tdmf_vary_com_acceleration(
+        system.model, tdmf_push_on_body(system.model, system.inputs), &d->model,
+        tdmf_vary_push_on_body(system.model, system.inputs, &d->model, &d->inputs));
 }
 
 static const tdmf_vector steady = {0.0, 0.0};
 
-tdmf_point tdmf_vary_ballistic(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_local_seed *d,
-                               tdmf_point from, tdmf_point d_from, double t, double d_time) {
-    return tdmf_vary_ballistic_after(from, acceleration_of(model, inputs), steady, t, d_from,
-                                     vary_acceleration(model, inputs, d), steady, d_time);
+tdmf_point tdmf_vary_ballistic(tdmf_system system, const tdmf_local_seed *d, tdmf_point from,
+                               tdmf_point d_from, double t, double d_time) {
+    return tdmf_vary_ballistic_after(from, acceleration_of(system), steady, t, d_from,
+                                     vary_acceleration(system, d), steady, d_time);
 }
 
-double tdmf_time_to_apex(const tdmf_model *model, const tdmf_inputs *inputs, tdmf_point from) {
-    const tdmf_vector a = acceleration_of(model, inputs);
+double tdmf_time_to_apex(tdmf_system system, tdmf_point from) {
+    const tdmf_vector a = acceleration_of(system);
     return a.y < 0.0 ? tdmf_rise_time(from, a) : INFINITY;
 }
 
-double tdmf_vary_time_to_apex(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_local_seed *d,
-                              tdmf_point from, tdmf_point d_from) {
-    return tdmf_vary_rise_time(from, acceleration_of(model, inputs), d_from,
-                               vary_acceleration(model, inputs, d));
+double tdmf_vary_time_to_apex(tdmf_system system, const tdmf_local_seed *d, tdmf_point from,
+                              tdmf_point d_from) {
+    return tdmf_vary_rise_time(from, acceleration_of(system), d_from, vary_acceleration(system, d));
 }
 
 /* ---- the leg ------------------------------------------------------------------------------------------ */
 
-void tdmf_prescribed_state(const tdmf_model *model, const tdmf_inputs *inputs, tdmf_point apex, double time,
-                           double state[TDMF_STATE_COUNT]) {
-    tdmf_placed_leg(model, inputs, time, state);
-    const tdmf_point center = tdmf_center_of_mass_after(model, inputs, apex, time);
-    tdmf_set_foot(tdmf_foot_below(model, center, state, tdmf_leg_direction_of(state)), state);
+void tdmf_prescribed_state(tdmf_system system, tdmf_point apex, double time, double state[TDMF_STATE_COUNT]) {
+    tdmf_placed_leg(system.model, system.inputs, time, state);
+    const tdmf_point center = tdmf_center_of_mass_after(system, apex, time);
+    tdmf_set_foot(tdmf_foot_below(system.model, center, state, tdmf_leg_direction_of(state)), state);
     state[TDMF_HIP_PLACE_TIME] = time;
 }
 
-void tdmf_prescribed_derivatives(const tdmf_model *model, const tdmf_inputs *inputs,
-                                 const double state[TDMF_STATE_COUNT], double derivatives[TDMF_STATE_COUNT]) {
+void tdmf_prescribed_derivatives(tdmf_system system, const double state[TDMF_STATE_COUNT],
+                                 double derivatives[TDMF_STATE_COUNT]) {
     memset(derivatives, 0, TDMF_STATE_COUNT * sizeof *derivatives);
-    tdmf_prescribed_rates(model, state, tdmf_leg_direction_of(state), acceleration_of(model, inputs),
+    tdmf_prescribed_rates(system.model, state, tdmf_leg_direction_of(state), acceleration_of(system),
                           derivatives);
 }
 
-void tdmf_vary_prescribed_state(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_local_seed *d,
-                                tdmf_point apex, tdmf_point d_apex, double time,
-                                const double state[TDMF_STATE_COUNT], double d_state[TDMF_STATE_COUNT]) {
+void tdmf_vary_prescribed_state(tdmf_system system, const tdmf_local_seed *d, tdmf_point apex,
+                                tdmf_point d_apex, double time, const double state[TDMF_STATE_COUNT],
+                                double d_state[TDMF_STATE_COUNT]) {
     memset(d_state, 0, TDMF_STATE_COUNT * sizeof *d_state);
-    tdmf_vary_placed_leg(model, inputs, time, &d->model, &d->inputs, 0.0, d_state);
-    const tdmf_point center = tdmf_center_of_mass_after(model, inputs, apex, time);
-    const tdmf_point d_center = tdmf_vary_ballistic(model, inputs, d, apex, d_apex, time, 0.0);
-    tdmf_set_foot(tdmf_vary_foot_below(model, center, state, tdmf_leg_direction_of(state), &d->model,
+    tdmf_vary_placed_leg(system.model, system.inputs, time, &d->model, &d->inputs, 0.0, d_state);
+    const tdmf_point center = tdmf_center_of_mass_after(system, apex, time);
+    const tdmf_point d_center = tdmf_vary_ballistic(system, d, apex, d_apex, time, 0.0);
+    tdmf_set_foot(tdmf_vary_foot_below(system.model, center, state, tdmf_leg_direction_of(state), &d->model,
                                        d_center, d_state),
                   d_state);
 }
@@ -82,16 +80,15 @@ static bool body_may_come_first(const tdmf_swinging_height *foot, double time) {
     return fabs(foot->angle) > right_angle || fabs(foot->angle - foot->turning * time) > right_angle;
 }
 
-tdmf_descent tdmf_descend(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_ground_line *ground,
-                          tdmf_point apex) {
+tdmf_descent tdmf_descend(tdmf_system system, const tdmf_ground_line *ground, tdmf_point apex) {
     double apex_leg[TDMF_STATE_COUNT];
-    tdmf_placed_leg(model, inputs, 0.0, apex_leg);
+    tdmf_placed_leg(system.model, system.inputs, 0.0, apex_leg);
     const double length = apex_leg[TDMF_LEG_LENGTH];
-    const tdmf_vector a = acceleration_of(model, inputs);
+    const tdmf_vector a = acceleration_of(system);
     tdmf_swinging_height foot = {
         tdmf_height_over(ground, apex.x, apex.y), tdmf_velocity_off(ground, apex.vx, apex.vy),
-        tdmf_velocity_off(ground, a.x, a.y),      model->body_share * length,
-        apex_leg[TDMF_LEG_ANGLE] - ground->slope, model->parameters.hip.retraction_rate};
+        tdmf_velocity_off(ground, a.x, a.y),      system.model->body_share * length,
+        apex_leg[TDMF_LEG_ANGLE] - ground->slope, system.model->parameters.hip.retraction_rate};
     tdmf_swinging_height body = foot;
     body.swing = foot.swing - length;
     tdmf_descent descent = {INFINITY, false};

@@ -30,37 +30,37 @@ static void open_variations(stride_variations *along, const tdmf_seed *seeds, in
 }
 
 /* Takes the variations from the apex through the impact. */
-static void touch_down(stride_variations *along, const tdmf_model *model, const tdmf_inputs *inputs,
-                       tdmf_point apex, const tdmf_motion *motion, const tdmf_event_state *before) {
+static void touch_down(stride_variations *along, tdmf_system system, tdmf_point apex,
+                       const tdmf_motion *motion, const tdmf_event_state *before) {
     tdmf_event_state after = {.mode = motion->mode,
                               .peak_force = motion->record.open.peak_force,
                               .peak_vertical_force = motion->record.open.peak_vertical_force};
     memcpy(after.state, motion->state, sizeof after.state);
-    tdmf_derivatives(model, inputs, &after.mode, after.state, after.derivatives);
+    tdmf_derivatives(system, &after.mode, after.state, after.derivatives);
     for (int i = 0; i < along->count; ++i) {
-        const tdmf_local_seed d = tdmf_local_seed_of(model, &along->seeds[i], NULL);
+        const tdmf_local_seed d = tdmf_local_seed_of(system.model, &along->seeds[i], NULL);
         const double d_height = i == TDMF_REDUCED_COM_HEIGHT;
         const tdmf_point d_apex = {.y = d_height + d.mode.ground.height, .vx = i == TDMF_REDUCED_COM_SPEED};
         tdmf_variation falling = {.liftoff_angle = 0.0};
-        tdmf_vary_prescribed_state(model, inputs, &d, apex, d_apex, before->state[TDMF_HIP_PLACE_TIME],
+        tdmf_vary_prescribed_state(system, &d, apex, d_apex, before->state[TDMF_HIP_PLACE_TIME],
                                    before->state, falling.state);
         along->variations[i] =
-            tdmf_saltation(model, inputs, TDMF_GUARD_TOUCHDOWN, before, &after, &along->seeds[i], &falling);
+            tdmf_saltation(system, TDMF_GUARD_TOUCHDOWN, before, &after, &along->seeds[i], &falling);
     }
 }
 
 /* Takes a variation from lift-off, the state given, to the next apex. */
-static tdmf_stride_variation fly(const tdmf_model *model, const tdmf_inputs *inputs,
-                                 const tdmf_ground_line *ground, const double state[TDMF_STATE_COUNT],
-                                 const tdmf_seed *seed, const tdmf_variation *variation) {
-    const tdmf_local_seed d = tdmf_local_seed_of(model, seed, NULL);
-    const tdmf_point com = tdmf_center_of_mass(model, state);
-    const tdmf_point d_com = tdmf_vary_center_of_mass_along(model, state, tdmf_leg_direction_of(state),
+static tdmf_stride_variation fly(tdmf_system system, const tdmf_ground_line *ground,
+                                 const double state[TDMF_STATE_COUNT], const tdmf_seed *seed,
+                                 const tdmf_variation *variation) {
+    const tdmf_local_seed d = tdmf_local_seed_of(system.model, seed, NULL);
+    const tdmf_point com = tdmf_center_of_mass(system.model, state);
+    const tdmf_point d_com = tdmf_vary_center_of_mass_along(system.model, state, tdmf_leg_direction_of(state),
                                                             &d.model, variation->state);
-    const double time = tdmf_time_to_apex(model, inputs, com);
-    const double d_time = tdmf_vary_time_to_apex(model, inputs, &d, com, d_com);
-    const tdmf_point d_apex = tdmf_vary_ballistic(model, inputs, &d, com, d_com, time, d_time);
-    const double apex_x = tdmf_center_of_mass_after(model, inputs, com, time).x;
+    const double time = tdmf_time_to_apex(system, com);
+    const double d_time = tdmf_vary_time_to_apex(system, &d, com, d_com);
+    const tdmf_point d_apex = tdmf_vary_ballistic(system, &d, com, d_com, time, d_time);
+    const double apex_x = tdmf_center_of_mass_after(system, com, time).x;
     const double d_ground_height = tdmf_vary_ground_height_at(ground, apex_x, &d.mode.ground, d_apex.x);
     tdmf_stride_variation result = {.apex = {d_apex.y - d_ground_height, d_apex.vx},
                                     .period = d_time,
@@ -74,8 +74,7 @@ static tdmf_stride_variation fly(const tdmf_model *model, const tdmf_inputs *inp
 /* ---- the map ------------------------------------------------------------------------------------------ */
 
 typedef struct {
-    const tdmf_model *model;
-    const tdmf_inputs *inputs;
+    tdmf_system system;
     tdmf_motion motion;
     tdmf_point from;         /* the centre of mass at the apex */
     tdmf_event_state before; /* the impact */
@@ -86,8 +85,7 @@ typedef struct {
 
 /* The energy less what the external force has given is kept over a flight. */
 static double energy_of(const run *run, const tdmf_mode *mode, const double state[TDMF_STATE_COUNT]) {
-    return tdmf_mechanical_energy(run->model, run->inputs, mode, state).total -
-           state[TDMF_ENERGY_EXTERNAL_WORK];
+    return tdmf_mechanical_energy(run->system, mode, state).total - state[TDMF_ENERGY_EXTERNAL_WORK];
 }
 
 static void log_event(tdmf_event_log *log, const tdmf_motion *motion, tdmf_guard guard,
@@ -100,18 +98,18 @@ static void log_event(tdmf_event_log *log, const tdmf_motion *motion, tdmf_guard
 /* Goes from the apex into contact. */
 static tdmf_return_outcome descend(run *run, const double apex[TDMF_REDUCED_COUNT], double until,
                                    tdmf_event_log *log) {
-    const tdmf_return_outcome begun = tdmf_reduced_begin(run->model, run->inputs, apex, &run->motion);
+    const tdmf_return_outcome begun = tdmf_reduced_begin(run->system, apex, &run->motion);
     if (begun != TDMF_RETURN_CLOSED) {
         return begun;
     }
     const double energy_at_apex = energy_of(run, &run->motion.mode, run->motion.state);
-    run->from = tdmf_center_of_mass(run->model, run->motion.state);
+    run->from = tdmf_center_of_mass(run->system.model, run->motion.state);
     const tdmf_return_outcome landed =
-        tdmf_reduced_touch_down(run->model, run->inputs, until, &run->motion, &run->before);
+        tdmf_reduced_touch_down(run->system, until, &run->motion, &run->before);
     if (landed == TDMF_RETURN_CLOSED) {
         log_event(log, &run->motion, TDMF_GUARD_TOUCHDOWN, &run->before.mode, run->before.state);
         run->leg_loss = energy_at_apex - energy_of(run, &run->before.mode, run->before.state);
-        touch_down(&run->along, run->model, run->inputs, run->from, &run->motion, &run->before);
+        touch_down(&run->along, run->system, run->from, &run->motion, &run->before);
     }
     return landed;
 }
@@ -119,8 +117,8 @@ static tdmf_return_outcome descend(run *run, const double apex[TDMF_REDUCED_COUN
 static tdmf_return_outcome stand(run *run, tdmf_solver *solver, double until, tdmf_outcome *outcome) {
     stride_variations *along = &run->along;
     const tdmf_stride_outcome stance =
-        tdmf_native_stance(solver, run->model, run->inputs, run->motion.time + until, &run->motion,
-                           along->seeds, along->variations, along->count);
+        tdmf_native_stance(solver, run->system, run->motion.time + until, &run->motion, along->seeds,
+                           along->variations, along->count);
     *outcome = stance.outcome;
     return tdmf_return_outcome_of(stance);
 }
@@ -128,7 +126,7 @@ static tdmf_return_outcome stand(run *run, tdmf_solver *solver, double until, td
 static tdmf_return_outcome rise(run *run, tdmf_event_log *log) {
     const tdmf_mode lifted_off = run->motion.mode;
     memcpy(run->lift_off, run->motion.state, sizeof run->lift_off);
-    const tdmf_return_outcome risen = tdmf_reduced_fly(run->model, run->inputs, &run->motion);
+    const tdmf_return_outcome risen = tdmf_reduced_fly(run->system, &run->motion);
     run->leg_loss += energy_of(run, &run->motion.mode, run->lift_off) -
                      energy_of(run, &run->motion.mode, run->motion.state);
     if (risen == TDMF_RETURN_CLOSED) {
@@ -147,19 +145,18 @@ static void write_stride(const run *run, tdmf_return *result) {
     result->external_work = run->motion.state[TDMF_ENERGY_EXTERNAL_WORK]; /* in flight, too */
     result->leg_loss = run->leg_loss;
     for (int i = 0; i < along->count; ++i) {
-        result->variations[i] = fly(run->model, run->inputs, &run->motion.mode.ground, run->lift_off,
-                                    &along->seeds[i], &along->variations[i]);
+        result->variations[i] = fly(run->system, &run->motion.mode.ground, run->lift_off, &along->seeds[i],
+                                    &along->variations[i]);
     }
 }
 
-tdmf_return tdmf_reduced_map(tdmf_solver *solver, const tdmf_model *model, const tdmf_inputs *inputs,
-                             const double apex[TDMF_REDUCED_COUNT], double until, bool derivatives,
-                             const tdmf_seed *seeds, int count) {
-    run run = {.model = model, .inputs = inputs};
+tdmf_return tdmf_reduced_map(tdmf_solver *solver, tdmf_system system, const double apex[TDMF_REDUCED_COUNT],
+                             double until, bool derivatives, const tdmf_seed *seeds, int count) {
+    run run = {.system = system};
     tdmf_return result;
     memset(&result, 0, sizeof result);
-    if (!tdmf_is_sound_solver(solver) || model == NULL || inputs == NULL || apex == NULL ||
-        tdmf_has_patch(model) || !tdmf_are_sound_seeds(seeds, count, TDMF_REDUCED_MAP_SEEDS)) {
+    if (!tdmf_is_sound_solver(solver) || system.model == NULL || system.inputs == NULL || apex == NULL ||
+        tdmf_has_patch(system.model) || !tdmf_are_sound_seeds(seeds, count, TDMF_REDUCED_MAP_SEEDS)) {
         result.outcome = TDMF_RETURN_REFUSED;
         return result;
     }

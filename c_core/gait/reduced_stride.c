@@ -11,9 +11,8 @@
 #include <string.h>
 
 /* The state at an apex, integrals zero. */
-static void write_apex(const tdmf_model *model, const tdmf_inputs *inputs, tdmf_point apex,
-                       double state[TDMF_STATE_COUNT]) {
-    tdmf_prescribed_state(model, inputs, apex, 0.0, state);
+static void write_apex(tdmf_system system, tdmf_point apex, double state[TDMF_STATE_COUNT]) {
+    tdmf_prescribed_state(system, apex, 0.0, state);
     /* The leg begins to turn at the apex. Here it is at rest, so that no rounding moves the centre of mass.
      */
     state[TDMF_LEG_ANGLE_RATE] = 0.0;
@@ -21,14 +20,8 @@ static void write_apex(const tdmf_model *model, const tdmf_inputs *inputs, tdmf_
     state[TDMF_FOOT_VY] = 0.0;
 }
 
-static tdmf_run run_of(const tdmf_model *model, const tdmf_inputs *inputs, tdmf_motion *motion) {
-    const tdmf_run run = {model,
-                          inputs,
-                          motion->time,
-                          motion->state,
-                          &motion->mode,
-                          &motion->record,
-                          tdmf_leg_direction_of(motion->state)};
+static tdmf_run run_of(tdmf_system system, tdmf_motion *motion) {
+    const tdmf_run run = {system, motion, tdmf_leg_direction_of(motion->state)};
     return run;
 }
 
@@ -43,49 +36,48 @@ static void move_time(tdmf_motion *motion, double elapsed) {
     motion->time = motion->record.now.time;
 }
 
-void tdmf_reduced_state(const tdmf_model *model, const tdmf_inputs *inputs,
-                        const double apex[TDMF_REDUCED_COUNT], double state[TDMF_STATE_COUNT]) {
-    const tdmf_point com = {0.0, apex[TDMF_REDUCED_COM_HEIGHT] + inputs->ground.height,
+void tdmf_reduced_state(tdmf_system system, const double apex[TDMF_REDUCED_COUNT],
+                        double state[TDMF_STATE_COUNT]) {
+    const tdmf_point com = {0.0, apex[TDMF_REDUCED_COM_HEIGHT] + system.inputs->ground.height,
                             apex[TDMF_REDUCED_COM_SPEED], 0.0};
     memset(state, 0, TDMF_STATE_COUNT * sizeof *state);
-    write_apex(model, inputs, com, state);
+    write_apex(system, com, state);
 }
 
-tdmf_return_outcome tdmf_reduced_begin(const tdmf_model *model, const tdmf_inputs *inputs,
-                                       const double apex[TDMF_REDUCED_COUNT], tdmf_motion *motion) {
-    const tdmf_ground_line ground = tdmf_ground_line_set(inputs);
+tdmf_return_outcome tdmf_reduced_begin(tdmf_system system, const double apex[TDMF_REDUCED_COUNT],
+                                       tdmf_motion *motion) {
+    const tdmf_ground_line ground = tdmf_ground_line_set(system.inputs);
     memset(motion, 0, sizeof *motion);
-    tdmf_reduced_state(model, inputs, apex, motion->state);
+    tdmf_reduced_state(system, apex, motion->state);
     if (tdmf_foot_over_ground(&ground, motion->state).y <= 0.0) {
         return TDMF_RETURN_NO_START;
     }
-    if (tdmf_start(model, inputs, 0.0, motion->state, &motion->mode, &motion->record).variable != NULL ||
-        !motion->record.open.began_at_apex) {
+    if (tdmf_start(system, motion).variable != NULL || !motion->record.open.began_at_apex) {
         return TDMF_RETURN_REFUSED;
     }
     return TDMF_RETURN_CLOSED;
 }
 
-void tdmf_reduced_reset_leg(const tdmf_model *model, const tdmf_inputs *inputs, tdmf_motion *motion) {
-    write_apex(model, inputs, tdmf_center_of_mass(model, motion->state), motion->state);
-    motion->mode.ground = tdmf_ground_line_set(inputs);
-    motion->mode.rest_length = tdmf_rest_length(model, inputs, &motion->mode);
+void tdmf_reduced_reset_leg(tdmf_system system, tdmf_motion *motion) {
+    write_apex(system, tdmf_center_of_mass(system.model, motion->state), motion->state);
+    motion->mode.ground = tdmf_ground_line_set(system.inputs);
+    motion->mode.rest_length = tdmf_rest_length(system.model, system.inputs, &motion->mode);
 }
 
-tdmf_return_outcome tdmf_reduced_touch_down(const tdmf_model *model, const tdmf_inputs *inputs, double until,
-                                            tdmf_motion *motion, tdmf_event_state *before) {
+tdmf_return_outcome tdmf_reduced_touch_down(tdmf_system system, double until, tdmf_motion *motion,
+                                            tdmf_event_state *before) {
     const tdmf_ground_line *ground = &motion->mode.ground;
-    const tdmf_point apex = tdmf_center_of_mass(model, motion->state);
+    const tdmf_point apex = tdmf_center_of_mass(system.model, motion->state);
     if (tdmf_foot_over_ground(ground, motion->state).y <= 0.0) {
         return TDMF_RETURN_NO_START;
     }
-    const tdmf_descent descent = tdmf_descend(model, inputs, ground, apex);
+    const tdmf_descent descent = tdmf_descend(system, ground, apex);
     if (!(descent.time <= until) || isinf(descent.time)) {
         return TDMF_RETURN_NO_TOUCHDOWN;
     }
     move_time(motion, descent.time);
-    push_along(inputs, apex, motion, tdmf_center_of_mass_after(model, inputs, apex, descent.time));
-    tdmf_prescribed_state(model, inputs, apex, descent.time, motion->state);
+    push_along(system.inputs, apex, motion, tdmf_center_of_mass_after(system, apex, descent.time));
+    tdmf_prescribed_state(system, apex, descent.time, motion->state);
     if (descent.body_first) {
         return TDMF_RETURN_FELL;
     }
@@ -95,32 +87,30 @@ tdmf_return_outcome tdmf_reduced_touch_down(const tdmf_model *model, const tdmf_
         before->mode = motion->mode;
         before->peak_force = motion->record.open.peak_force;
         before->peak_vertical_force = motion->record.open.peak_vertical_force;
-        tdmf_prescribed_derivatives(model, inputs, before->state, before->derivatives);
+        tdmf_prescribed_derivatives(system, before->state, before->derivatives);
     }
-    tdmf_run run = run_of(model, inputs, motion);
+    tdmf_run run = run_of(system, motion);
     tdmf_take_touchdown(&run);
-    tdmf_resolve_along(model, inputs, motion->time, motion->state, run.direction, TDMF_GUARD_COUNT,
-                       &motion->mode, &motion->record);
+    tdmf_resolve_along(system, motion, run.direction, TDMF_GUARD_COUNT);
     return tdmf_in_contact(&motion->mode) ? TDMF_RETURN_CLOSED : TDMF_RETURN_NO_STANCE;
 }
 
-tdmf_return_outcome tdmf_reduced_fly(const tdmf_model *model, const tdmf_inputs *inputs,
-                                     tdmf_motion *motion) {
-    const tdmf_point lift_off = tdmf_center_of_mass(model, motion->state);
-    tdmf_run standing = run_of(model, inputs, motion);
+tdmf_return_outcome tdmf_reduced_fly(tdmf_system system, tdmf_motion *motion) {
+    const tdmf_point lift_off = tdmf_center_of_mass(system.model, motion->state);
+    tdmf_run standing = run_of(system, motion);
     tdmf_end_thrust(&standing);
-    const double time = tdmf_time_to_apex(model, inputs, lift_off);
+    const double time = tdmf_time_to_apex(system, lift_off);
     if (!(lift_off.vy > 0.0) || isinf(time)) {
         return TDMF_RETURN_NO_APEX;
     }
-    tdmf_point apex = tdmf_center_of_mass_after(model, inputs, lift_off, time);
+    tdmf_point apex = tdmf_center_of_mass_after(system, lift_off, time);
     apex.vy = 0.0;
-    push_along(inputs, lift_off, motion, apex);
-    write_apex(model, inputs, apex, motion->state);
+    push_along(system.inputs, lift_off, motion, apex);
+    write_apex(system, apex, motion->state);
     move_time(motion, time);
     motion->mode.contact = TDMF_CONTACT_FLIGHT; /* also where the full model would graze */
-    tdmf_run run = run_of(model, inputs, motion);
-    run.mode->rises = true;
+    tdmf_run run = run_of(system, motion);
+    motion->mode.rises = true;
     tdmf_take_apex(&run);
     return TDMF_RETURN_CLOSED;
 }

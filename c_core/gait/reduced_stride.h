@@ -8,19 +8,19 @@
 #include "tdmf_slip/reduced_map.h"
 
 /* Begins a motion at an apex, above x = 0. TDMF_RETURN_CLOSED where it is one. */
-tdmf_return_outcome tdmf_reduced_begin(const tdmf_model *model, const tdmf_inputs *inputs,
-                                       const double apex[TDMF_REDUCED_COUNT], tdmf_motion *motion);
+tdmf_return_outcome tdmf_reduced_begin(tdmf_system system, const double apex[TDMF_REDUCED_COUNT],
+                                       tdmf_motion *motion);
 
 /* Sets leg and ground at an apex anew, as other settings have them. */
-void tdmf_reduced_reset_leg(const tdmf_model *model, const tdmf_inputs *inputs, tdmf_motion *motion);
+void tdmf_reduced_reset_leg(tdmf_system system, tdmf_motion *motion);
 
 /* Goes from an apex through the impact into contact. Returns TDMF_RETURN_CLOSED where the foot is loaded
  * then. `before` becomes the runner before the impact; it may be NULL. */
-tdmf_return_outcome tdmf_reduced_touch_down(const tdmf_model *model, const tdmf_inputs *inputs, double until,
-                                            tdmf_motion *motion, tdmf_event_state *before);
+tdmf_return_outcome tdmf_reduced_touch_down(tdmf_system system, double until, tdmf_motion *motion,
+                                            tdmf_event_state *before);
 
 /* Flies from lift-off to the next apex, which closes the stride. Returns TDMF_RETURN_CLOSED where there is
  * one. */
-tdmf_return_outcome tdmf_reduced_fly(const tdmf_model *model, const tdmf_inputs *inputs, tdmf_motion *motion);
+tdmf_return_outcome tdmf_reduced_fly(tdmf_system system, tdmf_motion *motion);
 
 #endif

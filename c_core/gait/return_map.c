@@ -26,22 +26,22 @@ static void write_leg(const double section[TDMF_SECTION_COUNT], double state[TDM
     memcpy(state, written, sizeof written);
 }
 
-void tdmf_section_state(const tdmf_model *model, const tdmf_inputs *inputs,
-                        const double section[TDMF_SECTION_COUNT], double state[TDMF_STATE_COUNT]) {
+void tdmf_section_state(tdmf_system system, const double section[TDMF_SECTION_COUNT],
+                        double state[TDMF_STATE_COUNT]) {
     const double com_height = section[TDMF_SECTION_COM_HEIGHT], com_speed = section[TDMF_SECTION_COM_SPEED];
     write_leg(section, state);
-    const tdmf_ground_line ground = tdmf_ground_line_set(inputs);
+    const tdmf_ground_line ground = tdmf_ground_line_set(system.inputs);
     const tdmf_point body = tdmf_body_from_foot(state, tdmf_leg_direction_of(state));
-    const double ground_height = tdmf_ground_height_at(&ground, model->body_share * body.x);
-    state[TDMF_FOOT_Y] = com_height + ground_height - model->body_share * body.y;
-    state[TDMF_FOOT_VX] = com_speed - model->body_share * body.vx;
-    state[TDMF_FOOT_VY] = -model->body_share * body.vy;
+    const double ground_height = tdmf_ground_height_at(&ground, system.model->body_share * body.x);
+    state[TDMF_FOOT_Y] = com_height + ground_height - system.model->body_share * body.y;
+    state[TDMF_FOOT_VX] = com_speed - system.model->body_share * body.vx;
+    state[TDMF_FOOT_VY] = -system.model->body_share * body.vy;
 }
 
-void tdmf_section_state_at(const tdmf_model *model, const tdmf_inputs *inputs, double foot_x,
-                           const double section[TDMF_SECTION_COUNT], double state[TDMF_STATE_COUNT]) {
-    const tdmf_ground_line ground = tdmf_ground_line_set(inputs);
-    tdmf_section_state(model, inputs, section, state);
+void tdmf_section_state_at(tdmf_system system, double foot_x, const double section[TDMF_SECTION_COUNT],
+                           double state[TDMF_STATE_COUNT]) {
+    const tdmf_ground_line ground = tdmf_ground_line_set(system.inputs);
+    tdmf_section_state(system, section, state);
     state[TDMF_FOOT_Y] += tdmf_ground_height_at(&ground, foot_x) - tdmf_ground_height_at(&ground, 0.0);
     state[TDMF_FOOT_X] = foot_x;
 }
@@ -76,16 +76,16 @@ static void vary_section_state(const tdmf_model *model, const tdmf_ground_line *
 }
 
 /* Projects a variation at the time of an apex on the section. */
-static tdmf_stride_variation on_section(const tdmf_model *model, const tdmf_inputs *inputs,
-                                        const tdmf_motion *motion, const double derivatives[TDMF_STATE_COUNT],
-                                        const tdmf_seed *seed, const double start_com_x,
-                                        const tdmf_variation *variation) {
+static tdmf_stride_variation on_section(tdmf_system system, const tdmf_motion *motion,
+                                        const double derivatives[TDMF_STATE_COUNT], const tdmf_seed *seed,
+                                        const double start_com_x, const tdmf_variation *variation) {
     const double *d_state = variation->state;
-    const tdmf_point com = tdmf_center_of_mass(model, motion->state);
-    const tdmf_local_seed d = tdmf_local_seed_of(model, seed, NULL);
+    const tdmf_point com = tdmf_center_of_mass(system.model, motion->state);
+    const tdmf_local_seed d = tdmf_local_seed_of(system.model, seed, NULL);
     const tdmf_point d_com = tdmf_vary_center_of_mass_along(
-        model, motion->state, tdmf_leg_direction_of(motion->state), &d.model, d_state);
-    const tdmf_vector acceleration = tdmf_com_acceleration(model, tdmf_push_on_body(model, inputs));
+        system.model, motion->state, tdmf_leg_direction_of(motion->state), &d.model, d_state);
+    const tdmf_vector acceleration =
+        tdmf_com_acceleration(system.model, tdmf_push_on_body(system.model, system.inputs));
     const double shift = d_com.vy / -acceleration.y;
     const double d_com_x = d_com.x + com.vx * shift;
     const double d_ground_height =
@@ -107,8 +107,7 @@ static tdmf_stride_variation on_section(const tdmf_model *model, const tdmf_inpu
 
 /* What is asked for. */
 typedef struct {
-    const tdmf_model *model;
-    const tdmf_inputs *inputs;
+    tdmf_system system;
     const double *section;
     const double *foot_x; /* or NULL: 0, and there is no patch */
     double until;
@@ -134,7 +133,7 @@ static void begin_variation(const stride_request *request, const tdmf_ground_lin
     if (i < TDMF_SECTION_COUNT) {
         d_section[i] = 1.0;
     }
-    vary_section_state(request->model, ground, state, d_section, d, variation->state);
+    vary_section_state(request->system.model, ground, state, d_section, d, variation->state);
     if (i == TDMF_SECTION_COUNT + request->count) {
         variation->state[TDMF_FOOT_X] = 1.0;
         variation->state[TDMF_FOOT_Y] =
@@ -147,7 +146,7 @@ static void begin_variation(const stride_request *request, const tdmf_ground_lin
 static void open_variations(stride_variations *along, const stride_request *request,
                             const tdmf_ground_line *ground, const double state[TDMF_STATE_COUNT]) {
     static const tdmf_seed none = {0};
-    const tdmf_model *model = request->model;
+    const tdmf_model *model = request->system.model;
     along->count = TDMF_SECTION_COUNT + request->count + (request->foot_x != NULL);
     for (int i = 0; i < along->count; ++i) {
         const int given = i - TDMF_SECTION_COUNT;
@@ -166,16 +165,15 @@ static void open_variations(stride_variations *along, const stride_request *requ
 
 static void close_variations(stride_variations *along, const stride_request *request,
                              const tdmf_motion *motion, tdmf_return *result) {
-    const tdmf_model *model = request->model;
-    const tdmf_inputs *inputs = request->inputs;
+    const tdmf_system system = request->system;
     double derivatives[TDMF_STATE_COUNT];
-    tdmf_derivatives(model, inputs, &motion->mode, motion->state, derivatives);
+    tdmf_derivatives(system, &motion->mode, motion->state, derivatives);
     for (int i = 0; i < along->count; ++i) {
-        tdmf_stride_variation varied = on_section(model, inputs, motion, derivatives, &along->seeds[i],
+        tdmf_stride_variation varied = on_section(system, motion, derivatives, &along->seeds[i],
                                                   along->start_com_x[i], &along->variations[i]);
         varied.foot_clearance = along->foot_clearance[i];
         if (request->measures) {
-            tdmf_vary_measured_end(&along->measured, i, model, inputs, motion, derivatives, varied.period);
+            tdmf_vary_measured_end(&along->measured, i, system, motion, derivatives, varied.period);
             varied.measures = along->measured.varied[i];
         }
         result->variations[i] = varied;
@@ -184,25 +182,22 @@ static void close_variations(stride_variations *along, const stride_request *req
 
 static bool is_sound(const tdmf_solver *solver, const stride_request *request) {
     const bool has_place = request->foot_x != NULL;
-    return tdmf_is_sound_solver(solver) && request->model != NULL && request->inputs != NULL &&
+    return tdmf_is_sound_solver(solver) && request->system.model != NULL && request->system.inputs != NULL &&
            request->section != NULL &&
            tdmf_are_sound_seeds(request->seeds, request->count, TDMF_RETURN_MAP_SEEDS - has_place) &&
-           (has_place || !tdmf_has_patch(request->model));
+           (has_place || !tdmf_has_patch(request->system.model));
 }
 
 /* False where the start is no apex. */
 static bool begin_motion(const stride_request *request, tdmf_motion *motion) {
     const double foot_x = request->foot_x == NULL ? 0.0 : *request->foot_x;
     motion->time = 0.0;
-    tdmf_section_state_at(request->model, request->inputs, foot_x, request->section, motion->state);
-    return tdmf_start(request->model, request->inputs, 0.0, motion->state, &motion->mode, &motion->record)
-                   .variable == NULL &&
-           motion->record.open.began_at_apex;
+    tdmf_section_state_at(request->system, foot_x, request->section, motion->state);
+    return tdmf_start(request->system, motion).variable == NULL && motion->record.open.began_at_apex;
 }
 
 static tdmf_return stride_from(tdmf_solver *solver, const stride_request *request) {
-    const tdmf_model *model = request->model;
-    const tdmf_inputs *inputs = request->inputs;
+    const tdmf_system system = request->system;
     tdmf_return result;
     tdmf_motion motion;
     stride_variations along;
@@ -222,17 +217,16 @@ static tdmf_return stride_from(tdmf_solver *solver, const stride_request *reques
     result.foot_clearance =
         motion.state[TDMF_FOOT_Y] - tdmf_ground_height_at(&motion.mode.ground, motion.state[TDMF_FOOT_X]);
     const tdmf_stride_outcome ended =
-        request->measures
-            ? tdmf_native_stride_measured(solver, model, inputs, request->until, &motion, along.seeds,
-                                          along.variations, along.count, &along.measured)
-            : tdmf_native_stride_varied(solver, model, inputs, request->until, &motion, along.seeds,
-                                        along.variations, along.count);
+        request->measures ? tdmf_native_stride_measured(solver, system, request->until, &motion, along.seeds,
+                                                        along.variations, along.count, &along.measured)
+                          : tdmf_native_stride_varied(solver, system, request->until, &motion, along.seeds,
+                                                      along.variations, along.count);
     result.outcome = tdmf_return_outcome_of(ended);
     result.solver = ended.outcome;
     if (!ended.closed) {
         return result;
     }
-    tdmf_section_of_state(model, &motion.mode.ground, motion.state, result.apex);
+    tdmf_section_of_state(system.model, &motion.mode.ground, motion.state, result.apex);
     result.foot_x = motion.state[TDMF_FOOT_X];
     result.liftoff_angle = motion.mode.liftoff_angle;
     tdmf_write_return(&motion.record, motion.state, &result);
@@ -245,23 +239,22 @@ static tdmf_return stride_from(tdmf_solver *solver, const stride_request *reques
     return result;
 }
 
-tdmf_return tdmf_return_map(tdmf_solver *solver, const tdmf_model *model, const tdmf_inputs *inputs,
-                            const double section[TDMF_SECTION_COUNT], double until, bool derivatives,
-                            const tdmf_seed *seeds, int count) {
-    const stride_request request = {model, inputs, section, NULL, until, derivatives, false, seeds, count};
+tdmf_return tdmf_return_map(tdmf_solver *solver, tdmf_system system, const double section[TDMF_SECTION_COUNT],
+                            double until, bool derivatives, const tdmf_seed *seeds, int count) {
+    const stride_request request = {system, section, NULL, until, derivatives, false, seeds, count};
     return stride_from(solver, &request);
 }
 
-tdmf_return tdmf_return_map_at(tdmf_solver *solver, const tdmf_model *model, const tdmf_inputs *inputs,
-                               double foot_x, const double section[TDMF_SECTION_COUNT], double until,
-                               bool derivatives, const tdmf_seed *seeds, int count) {
-    const stride_request request = {model, inputs, section, &foot_x, until, derivatives, false, seeds, count};
+tdmf_return tdmf_return_map_at(tdmf_solver *solver, tdmf_system system, double foot_x,
+                               const double section[TDMF_SECTION_COUNT], double until, bool derivatives,
+                               const tdmf_seed *seeds, int count) {
+    const stride_request request = {system, section, &foot_x, until, derivatives, false, seeds, count};
     return stride_from(solver, &request);
 }
 
-tdmf_return tdmf_measured_return_map(tdmf_solver *solver, const tdmf_model *model, const tdmf_inputs *inputs,
+tdmf_return tdmf_measured_return_map(tdmf_solver *solver, tdmf_system system,
                                      const double section[TDMF_SECTION_COUNT], double until, bool derivatives,
                                      const tdmf_seed *seeds, int count) {
-    const stride_request request = {model, inputs, section, NULL, until, derivatives, true, seeds, count};
+    const stride_request request = {system, section, NULL, until, derivatives, true, seeds, count};
     return stride_from(solver, &request);
 }

@@ -7,35 +7,32 @@
 
 #include <string.h>
 
-tdmf_resolution tdmf_resolve_along(const tdmf_model *model, const tdmf_inputs *inputs, double time,
-                                   double state[TDMF_STATE_COUNT], tdmf_leg_direction direction,
-                                   tdmf_guard reached, tdmf_mode *mode, tdmf_record *record) {
+tdmf_resolution tdmf_resolve_along(tdmf_system system, tdmf_motion *motion, tdmf_leg_direction direction,
+                                   tdmf_guard reached) {
     static const tdmf_resolution no_mode = {.unresolved = true};
-    if (!tdmf_is_mode(mode)) {
+    if (!tdmf_is_mode(&motion->mode)) {
         return no_mode;
     }
-    const tdmf_mode mode_before = *mode;
+    const tdmf_mode mode_before = motion->mode;
     double state_before[TDMF_STATE_COUNT];
-    memcpy(state_before, state, sizeof state_before);
+    memcpy(state_before, motion->state, sizeof state_before);
 
-    tdmf_run run = {model, inputs, time, state, mode, record, direction};
-    if (!mode->fallen) {
+    tdmf_run run = {system, motion, direction};
+    if (!motion->mode.fallen) {
         tdmf_account_for_rest_length(&run);
     }
-    tdmf_observe_along(model, inputs, state, direction, mode, record);
+    tdmf_observe_along(system, motion, direction);
     const bool resolved = tdmf_take_transitions(&run, reached);
-    tdmf_observe_along(model, inputs, state, direction, mode, record);
+    tdmf_observe_along(system, motion, direction);
 
     const tdmf_resolution resolution = {
-        .state_changed = memcmp(state_before, state, sizeof state_before) != 0,
-        .mode_changed = !tdmf_same_mode(&mode_before, mode),
+        .state_changed = memcmp(state_before, motion->state, sizeof state_before) != 0,
+        .mode_changed = !tdmf_same_mode(&mode_before, &motion->mode),
         .unresolved = !resolved,
     };
     return resolution;
 }
 
-tdmf_resolution tdmf_resolve(const tdmf_model *model, const tdmf_inputs *inputs, double time,
-                             double state[TDMF_STATE_COUNT], tdmf_mode *mode, tdmf_record *record) {
-    return tdmf_resolve_along(model, inputs, time, state, tdmf_leg_direction_of(state), TDMF_GUARD_COUNT,
-                              mode, record);
+tdmf_resolution tdmf_resolve(tdmf_system system, tdmf_motion *motion) {
+    return tdmf_resolve_along(system, motion, tdmf_leg_direction_of(motion->state), TDMF_GUARD_COUNT);
 }

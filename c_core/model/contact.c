@@ -3,16 +3,15 @@
 
 #include "evaluation.h"
 
-tdmf_ground_force tdmf_sticking_force(const tdmf_model *model, const tdmf_inputs *inputs,
-                                      const tdmf_mode *mode, double torque,
+tdmf_ground_force tdmf_sticking_force(tdmf_system system, const tdmf_mode *mode, double torque,
                                       const double state[TDMF_STATE_COUNT]) {
-    const tdmf_leg leg = tdmf_leg_of(model, inputs, mode, state);
-    return tdmf_force_under(model, &mode->ground, &leg, torque);
+    const tdmf_leg leg = tdmf_leg_of(system, mode, state);
+    return tdmf_force_under(system.model, &mode->ground, &leg, torque);
 }
 
-tdmf_ground_force tdmf_contact_force(const tdmf_model *model, const tdmf_inputs *inputs,
-                                     const tdmf_mode *mode, const double state[TDMF_STATE_COUNT]) {
-    return tdmf_evaluate(model, inputs, mode, state).force;
+tdmf_ground_force tdmf_contact_force(tdmf_system system, const tdmf_mode *mode,
+                                     const double state[TDMF_STATE_COUNT]) {
+    return tdmf_evaluate(system, mode, state).force;
 }
 
 bool tdmf_inside_friction_cone(tdmf_ground_force force, double friction) {

@@ -55,17 +55,18 @@ static tdmf_point body_of(const tdmf_evaluation *at) {
     return tdmf_body_along(at->state, direction);
 }
 
-void tdmf_derivatives(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_mode *mode,
-                      const double state[TDMF_STATE_COUNT], double derivatives[TDMF_STATE_COUNT]) {
+void tdmf_derivatives(tdmf_system system, const tdmf_mode *mode, const double state[TDMF_STATE_COUNT],
+                      double derivatives[TDMF_STATE_COUNT]) {
     if (mode->fallen) {
         memset(derivatives, 0, TDMF_STATE_COUNT * sizeof *derivatives);
         return;
     }
     double rates[TDMF_STATE_COUNT];
-    const tdmf_evaluation at = tdmf_evaluate(model, inputs, mode, state);
+    const tdmf_evaluation at = tdmf_evaluate(system, mode, state);
     const accelerations a = accelerate(&at);
-    const double external_power = tdmf_is_pushed(inputs) ? tdmf_external_power(inputs, body_of(&at)) : 0.0;
-    tdmf_rates_with(model, state, &at.leg, at.torque, at.force, a.foot, a.leg, slip_velocity(&at),
+    const double external_power =
+        tdmf_is_pushed(system.inputs) ? tdmf_external_power(system.inputs, body_of(&at)) : 0.0;
+    tdmf_rates_with(system.model, state, &at.leg, at.torque, at.force, a.foot, a.leg, slip_velocity(&at),
                     tdmf_place_time_rate(mode), external_power, rates);
     memcpy(derivatives, rates, sizeof rates);
 }
@@ -123,8 +124,8 @@ tdmf_ground_force tdmf_force_rate(const tdmf_evaluation *at) {
                               &unchanged, 0.0, &zero.ground, rates, &rate_of_leg, rate_of_torque);
 }
 
-double tdmf_ground_force_rate(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_mode *mode,
+double tdmf_ground_force_rate(tdmf_system system, const tdmf_mode *mode,
                               const double state[TDMF_STATE_COUNT]) {
-    const tdmf_evaluation at = tdmf_evaluate(model, inputs, mode, state);
+    const tdmf_evaluation at = tdmf_evaluate(system, mode, state);
     return tdmf_force_rate(&at).normal;
 }

@@ -5,11 +5,11 @@
 #include "energy_laws.h"
 #include "leg.h"
 
-static inline tdmf_energy tdmf_mechanical_energy_along(const tdmf_model *model, const tdmf_inputs *inputs,
-                                                       const tdmf_mode *mode,
+static inline tdmf_energy tdmf_mechanical_energy_along(tdmf_system system, const tdmf_mode *mode,
                                                        const double state[TDMF_STATE_COUNT],
                                                        tdmf_leg_direction direction) {
-    return tdmf_energy_with(model, state, direction, tdmf_rest_length(model, inputs, mode));
+    return tdmf_energy_with(system.model, state, direction,
+                            tdmf_rest_length(system.model, system.inputs, mode));
 }
 
 #endif

@@ -36,28 +36,27 @@ static inline double tdmf_sine_away_from_zero(const tdmf_leg *leg) {
 
 /* Where the leg is at hand. The other arguments are not copied. The torque is not a number in a mode that
  * there is not, so that nothing that follows from it passes for a result. */
-static inline tdmf_evaluation tdmf_evaluate_leg(const tdmf_model *model, const tdmf_inputs *inputs,
-                                                const tdmf_mode *mode, const double state[TDMF_STATE_COUNT],
-                                                const tdmf_leg *leg) {
+static inline tdmf_evaluation tdmf_evaluate_leg(tdmf_system system, const tdmf_mode *mode,
+                                                const double state[TDMF_STATE_COUNT], const tdmf_leg *leg) {
     tdmf_evaluation at;
-    at.model = model;
-    at.inputs = inputs;
+    at.model = system.model;
+    at.inputs = system.inputs;
     at.mode = mode;
     at.state = state;
     at.leg = *leg;
-    at.torque = tdmf_is_mode(mode) ? tdmf_torque_in(model, inputs, mode, state, &at.leg, tdmf_is_upright(leg),
-                                                    tdmf_sine_away_from_zero(leg))
+    at.torque = tdmf_is_mode(mode) ? tdmf_torque_in(system.model, system.inputs, mode, state, &at.leg,
+                                                    tdmf_is_upright(leg), tdmf_sine_away_from_zero(leg))
                                    : (double)NAN;
-    at.friction = tdmf_friction_below(model, inputs, mode->zone);
-    at.force = tdmf_force_in(model, at.friction, &mode->ground, state, &at.leg, at.torque, mode->contact,
-                             tdmf_sign_of_slip(mode), tdmf_friction_falls(model));
+    at.friction = tdmf_friction_below(system.model, system.inputs, mode->zone);
+    at.force = tdmf_force_in(system.model, at.friction, &mode->ground, state, &at.leg, at.torque,
+                             mode->contact, tdmf_sign_of_slip(mode), tdmf_friction_falls(system.model));
     return at;
 }
 
-static inline tdmf_evaluation tdmf_evaluate(const tdmf_model *model, const tdmf_inputs *inputs,
-                                            const tdmf_mode *mode, const double state[TDMF_STATE_COUNT]) {
-    const tdmf_leg leg = tdmf_leg_of(model, inputs, mode, state);
-    return tdmf_evaluate_leg(model, inputs, mode, state, &leg);
+static inline tdmf_evaluation tdmf_evaluate(tdmf_system system, const tdmf_mode *mode,
+                                            const double state[TDMF_STATE_COUNT]) {
+    const tdmf_leg leg = tdmf_leg_of(system, mode, state);
+    return tdmf_evaluate_leg(system, mode, state, &leg);
 }
 
 /* The vertical component of a force of the ground on the foot, and its variation. */
@@ -73,8 +72,8 @@ static inline double tdmf_vary_vertical_force(const tdmf_evaluation *at, const t
 
 /* The width of the cone of a foot at rest that is pushed to the side of a sign. */
 static inline double tdmf_width_of_cone(const tdmf_evaluation *at, double direction) {
-    return tdmf_cone_width(at->model,
-                           tdmf_friction_towards(at->model, at->inputs, at->state[TDMF_FOOT_X], direction));
+    return tdmf_cone_width(at->model, tdmf_friction_towards((tdmf_system){at->model, at->inputs},
+                                                            at->state[TDMF_FOOT_X], direction));
 }
 
 /* What the height of the foot may be wrong by. */

@@ -11,19 +11,17 @@ tdmf_leg_sample tdmf_leg_sample_of(double time, const double state[TDMF_STATE_CO
     return sample;
 }
 
-bool tdmf_rest_length_is_accounted_for(const tdmf_model *model, const tdmf_inputs *inputs,
-                                       const tdmf_mode *mode) {
-    return mode->rest_length == tdmf_rest_length(model, inputs, mode);
+bool tdmf_rest_length_is_accounted_for(tdmf_system system, const tdmf_mode *mode) {
+    return mode->rest_length == tdmf_rest_length(system.model, system.inputs, mode);
 }
 
-double tdmf_account_for_extension(const tdmf_model *model, const tdmf_inputs *inputs,
-                                  const tdmf_leg_sample *before, const tdmf_leg_sample *after,
-                                  tdmf_mode *mode) {
+double tdmf_account_for_extension(tdmf_system system, const tdmf_leg_sample *before,
+                                  const tdmf_leg_sample *after, tdmf_mode *mode) {
     const double from = mode->rest_length;
-    const double to = tdmf_rest_length(model, inputs, mode);
+    const double to = tdmf_rest_length(system.model, system.inputs, mode);
     const double mean_length =
         0.5 * (before->length + after->length) +
         (after->time - before->time) * (before->length_rate - after->length_rate) / 12.0;
     mode->rest_length = to;
-    return model->parameters.leg.stiffness * (to - from) * (0.5 * (from + to) - mean_length);
+    return system.model->parameters.leg.stiffness * (to - from) * (0.5 * (from + to) - mean_length);
 }

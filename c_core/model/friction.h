@@ -19,43 +19,41 @@ static inline bool tdmf_friction_has_no_derivative(const tdmf_model *model, cons
 }
 
 /* mu below a foot at x that moves or is pushed to the side of a sign, and its change. */
-static inline double tdmf_friction_towards(const tdmf_model *model, const tdmf_inputs *inputs, double x,
-                                           double direction) {
-    return tdmf_friction_below(model, inputs, tdmf_zone_towards(model, x, direction));
+static inline double tdmf_friction_towards(tdmf_system system, double x, double direction) {
+    return tdmf_friction_below(system.model, system.inputs, tdmf_zone_towards(system.model, x, direction));
 }
 
-static inline double tdmf_vary_friction_towards(const tdmf_model *model, const tdmf_inputs *inputs, double x,
-                                                double direction, const tdmf_local_seed *d) {
-    return tdmf_vary_friction_below(model, inputs, tdmf_zone_towards(model, x, direction), &d->model,
-                                    &d->inputs);
+static inline double tdmf_vary_friction_towards(tdmf_system system, double x, double direction,
+                                                const tdmf_local_seed *d) {
+    return tdmf_vary_friction_below(system.model, system.inputs,
+                                    tdmf_zone_towards(system.model, x, direction), &d->model, &d->inputs);
 }
 
 /* mu with the sign of the foot's velocity: f_x is minus this by f_y. Zero where the foot does not slip. */
-static inline double tdmf_signed_friction(const tdmf_model *model, const tdmf_inputs *inputs,
-                                          const tdmf_mode *mode) {
-    return tdmf_sliding_friction(tdmf_friction_below(model, inputs, mode->zone), tdmf_sign_of_slip(mode));
+static inline double tdmf_signed_friction(tdmf_system system, const tdmf_mode *mode) {
+    return tdmf_sliding_friction(tdmf_friction_below(system.model, system.inputs, mode->zone),
+                                 tdmf_sign_of_slip(mode));
 }
 
-static inline double tdmf_vary_signed_friction(const tdmf_model *model, const tdmf_inputs *inputs,
-                                               const tdmf_mode *mode, const tdmf_model *d_model,
-                                               const tdmf_inputs *d_inputs) {
-    const double friction = tdmf_friction_below(model, inputs, mode->zone);
-    return tdmf_vary_sliding_friction(friction, tdmf_sign_of_slip(mode),
-                                      tdmf_vary_friction_below(model, inputs, mode->zone, d_model, d_inputs));
+static inline double tdmf_vary_signed_friction(tdmf_system system, const tdmf_mode *mode,
+                                               tdmf_system d_system) {
+    const double friction = tdmf_friction_below(system.model, system.inputs, mode->zone);
+    return tdmf_vary_sliding_friction(
+        friction, tdmf_sign_of_slip(mode),
+        tdmf_vary_friction_below(system.model, system.inputs, mode->zone, d_system.model, d_system.inputs));
 }
 
 /* rho mu of a foot at rest at x that is pushed to the side of a sign, and its change. */
-static inline double tdmf_static_friction_towards(const tdmf_model *model, const tdmf_inputs *inputs,
-                                                  double x, double direction) {
-    return tdmf_static_friction(model, tdmf_friction_towards(model, inputs, x, direction));
+static inline double tdmf_static_friction_towards(tdmf_system system, double x, double direction) {
+    return tdmf_static_friction(system.model, tdmf_friction_towards(system, x, direction));
 }
 
-static inline double tdmf_vary_static_friction_towards(const tdmf_model *model, const tdmf_inputs *inputs,
-                                                       double x, double direction, const tdmf_model *d_model,
-                                                       const tdmf_inputs *d_inputs) {
-    const tdmf_zone zone = tdmf_zone_towards(model, x, direction);
-    return tdmf_vary_static_friction(model, tdmf_friction_below(model, inputs, zone), d_model,
-                                     tdmf_vary_friction_below(model, inputs, zone, d_model, d_inputs));
+static inline double tdmf_vary_static_friction_towards(tdmf_system system, double x, double direction,
+                                                       tdmf_system d_system) {
+    const tdmf_zone zone = tdmf_zone_towards(system.model, x, direction);
+    return tdmf_vary_static_friction(
+        system.model, tdmf_friction_below(system.model, system.inputs, zone), d_system.model,
+        tdmf_vary_friction_below(system.model, system.inputs, zone, d_system.model, d_system.inputs));
 }
 
 #endif

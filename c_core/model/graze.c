@@ -43,8 +43,8 @@ static tdmf_contact_mode contact_under_upright_leg(const tdmf_evaluation *off_gr
     if (fabs(normal_force) <= TDMF_GUARD_MARGIN * off_ground->model->scales.force) {
         tdmf_mode stands = *off_ground->mode;
         stands.contact = TDMF_CONTACT_STICK;
-        const tdmf_evaluation at = tdmf_evaluate_leg(off_ground->model, off_ground->inputs, &stands,
-                                                     off_ground->state, &off_ground->leg);
+        const tdmf_evaluation at = tdmf_evaluate_leg((tdmf_system){off_ground->model, off_ground->inputs},
+                                                     &stands, off_ground->state, &off_ground->leg);
         normal_force = tdmf_force_rate(&at).normal;
     }
     return normal_force < 0.0 ? TDMF_CONTACT_FLIGHT : TDMF_CONTACT_STICK;

@@ -10,7 +10,6 @@ bool tdmf_clamp_has_no_derivative(const tdmf_model *model, const tdmf_mode *mode
            (d_p->hip.kp != 0.0 || d_p->hip.kd != 0.0);
 }
 
-double tdmf_hip_torque(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_mode *mode,
-                       const double state[TDMF_STATE_COUNT]) {
-    return tdmf_evaluate(model, inputs, mode, state).torque;
+double tdmf_hip_torque(tdmf_system system, const tdmf_mode *mode, const double state[TDMF_STATE_COUNT]) {
+    return tdmf_evaluate(system, mode, state).torque;
 }

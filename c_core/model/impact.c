@@ -14,12 +14,13 @@ typedef struct {
     double friction; /* where the foot lands */
 } impact_kind;
 
-static impact_kind kind_of(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_ground_line *ground,
+static impact_kind kind_of(tdmf_system system, const tdmf_ground_line *ground,
                            const double state[TDMF_STATE_COUNT]) {
     const double along = tdmf_velocity_along(ground, state[TDMF_FOOT_VX], state[TDMF_FOOT_VY]);
     const double off = tdmf_velocity_off(ground, state[TDMF_FOOT_VX], state[TDMF_FOOT_VY]);
-    const double friction = tdmf_friction_towards(model, inputs, state[TDMF_FOOT_X], along);
-    const double stopped = tdmf_stopped_speed(model, friction, fabs(off), tdmf_friction_falls(model));
+    const double friction = tdmf_friction_towards(system, state[TDMF_FOOT_X], along);
+    const double stopped =
+        tdmf_stopped_speed(system.model, friction, fabs(off), tdmf_friction_falls(system.model));
     const impact_kind kind = {copysign(1.0, along), fabs(along) <= stopped, friction};
     return kind;
 }
@@ -35,27 +36,27 @@ static double write_after(const tdmf_after_impact *after, double state[TDMF_STAT
     return after->loss;
 }
 
-double tdmf_impact_along(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_ground_line *ground,
-                         tdmf_leg_direction direction, double state[TDMF_STATE_COUNT]) {
-    const impact_kind kind = kind_of(model, inputs, ground, state);
-    const tdmf_after_impact after = tdmf_impact_with(model, kind.friction, ground, state, direction,
-                                                     kind.sign, kind.sticks, tdmf_friction_falls(model));
+double tdmf_impact_along(tdmf_system system, const tdmf_ground_line *ground, tdmf_leg_direction direction,
+                         double state[TDMF_STATE_COUNT]) {
+    const impact_kind kind = kind_of(system, ground, state);
+    const tdmf_after_impact after =
+        tdmf_impact_with(system.model, kind.friction, ground, state, direction, kind.sign, kind.sticks,
+                         tdmf_friction_falls(system.model));
     return write_after(&after, state);
 }
 
-double tdmf_impact(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_ground_line *ground,
-                   double state[TDMF_STATE_COUNT]) {
-    return tdmf_impact_along(model, inputs, ground, tdmf_leg_direction_of(state), state);
+double tdmf_impact(tdmf_system system, const tdmf_ground_line *ground, double state[TDMF_STATE_COUNT]) {
+    return tdmf_impact_along(system, ground, tdmf_leg_direction_of(state), state);
 }
 
-double tdmf_vary_impact(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_ground_line *ground,
+double tdmf_vary_impact(tdmf_system system, const tdmf_ground_line *ground,
                         const double before[TDMF_STATE_COUNT], const tdmf_local_seed *d,
                         double d_state[TDMF_STATE_COUNT]) {
-    const impact_kind kind = kind_of(model, inputs, ground, before);
+    const impact_kind kind = kind_of(system, ground, before);
     const double along = tdmf_velocity_along(ground, before[TDMF_FOOT_VX], before[TDMF_FOOT_VY]);
-    const double d_friction = tdmf_vary_friction_towards(model, inputs, before[TDMF_FOOT_X], along, d);
+    const double d_friction = tdmf_vary_friction_towards(system, before[TDMF_FOOT_X], along, d);
     const tdmf_after_impact d_after = tdmf_vary_impact_with(
-        model, kind.friction, ground, before, tdmf_leg_direction_of(before), kind.sign, kind.sticks,
-        tdmf_friction_falls(model), &d->model, d_friction, &d->mode.ground, d_state);
+        system.model, kind.friction, ground, before, tdmf_leg_direction_of(before), kind.sign, kind.sticks,
+        tdmf_friction_falls(system.model), &d->model, d_friction, &d->mode.ground, d_state);
     return write_after(&d_after, d_state);
 }

@@ -11,11 +11,11 @@ tdmf_point tdmf_center_of_mass(const tdmf_model *model, const double state[TDMF_
     return tdmf_center_of_mass_along(model, state, tdmf_leg_direction_of(state));
 }
 
-tdmf_point tdmf_center_of_mass_after(const tdmf_model *model, const tdmf_inputs *inputs, tdmf_point from,
-                                     double time) {
+tdmf_point tdmf_center_of_mass_after(tdmf_system system, tdmf_point from, double time) {
     static const tdmf_vector steady = {0.0, 0.0};
-    return tdmf_ballistic_after(from, tdmf_com_acceleration(model, tdmf_push_on_body(model, inputs)), steady,
-                                time);
+    return tdmf_ballistic_after(
+        from, tdmf_com_acceleration(system.model, tdmf_push_on_body(system.model, system.inputs)), steady,
+        time);
 }
 
 void tdmf_set_foot_velocity_along(double vx, double vy, tdmf_leg_direction direction,

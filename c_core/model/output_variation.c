@@ -6,24 +6,24 @@
 #include "ground_line.h"
 #include "kinematics.h"
 
-tdmf_output_variation tdmf_vary_outputs(const tdmf_model *model, const tdmf_inputs *inputs,
-                                        const tdmf_mode *mode, const double state[TDMF_STATE_COUNT],
-                                        const tdmf_seed *seed, const tdmf_variation *variation) {
-    const tdmf_local_seed d = tdmf_local_seed_of(model, seed, variation);
-    const tdmf_evaluation at = tdmf_evaluate(model, inputs, mode, state);
+tdmf_output_variation tdmf_vary_outputs(tdmf_system system, const tdmf_mode *mode,
+                                        const double state[TDMF_STATE_COUNT], const tdmf_seed *seed,
+                                        const tdmf_variation *variation) {
+    const tdmf_local_seed d = tdmf_local_seed_of(system.model, seed, variation);
+    const tdmf_evaluation at = tdmf_evaluate(system, mode, state);
     const tdmf_evaluation d_at = tdmf_vary_evaluation(&at, &d);
     const tdmf_leg_direction direction = {at.leg.sine, at.leg.cosine};
     const tdmf_vector force = tdmf_vary_vector_on(&mode->ground, at.force.tangential, at.force.normal,
                                                   &d.mode.ground, d_at.force.tangential, d_at.force.normal);
     tdmf_output_variation varied = {
         .body = tdmf_vary_body_along(state, direction, d.state),
-        .com = tdmf_vary_center_of_mass_along(model, state, direction, &d.model, d.state),
+        .com = tdmf_vary_center_of_mass_along(system.model, state, direction, &d.model, d.state),
         .contact = d_at.force,
         .contact_fx = force.x,
         .contact_fy = force.y,
         .torque = d_at.torque,
         .leg_force = d_at.leg.axial_force,
-        .energy = tdmf_vary_energy_with(model, state, direction, at.leg.rest_length, &d.model, d.state,
+        .energy = tdmf_vary_energy_with(system.model, state, direction, at.leg.rest_length, &d.model, d.state,
                                         d_at.leg.rest_length),
     };
     if (!mode->fallen) {

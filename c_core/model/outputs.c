@@ -6,20 +6,22 @@
 #include "ground_line.h"
 #include "kinematics.h"
 
-tdmf_outputs tdmf_outputs_of(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_mode *mode,
-                             const tdmf_record *record, const double state[TDMF_STATE_COUNT]) {
-    const tdmf_evaluation at = tdmf_evaluate(model, inputs, mode, state);
+tdmf_outputs tdmf_outputs_of(tdmf_system system, const tdmf_motion *motion) {
+    const tdmf_mode *mode = &motion->mode;
+    const tdmf_record *record = &motion->record;
+    const double *state = motion->state;
+    const tdmf_evaluation at = tdmf_evaluate(system, mode, state);
     const tdmf_leg_direction direction = {at.leg.sine, at.leg.cosine};
     const tdmf_point body = tdmf_body_along(state, direction);
-    const tdmf_point com = tdmf_center_of_mass_along(model, state, direction);
-    const tdmf_energy energy = tdmf_mechanical_energy_along(model, inputs, mode, state, direction);
+    const tdmf_point com = tdmf_center_of_mass_along(system.model, state, direction);
+    const tdmf_energy energy = tdmf_mechanical_energy_along(system, mode, state, direction);
     const tdmf_vector force = tdmf_vector_on(&mode->ground, at.force.tangential, at.force.normal);
     const tdmf_outputs outputs = {
         .body = {body.x, body.y, body.vx, body.vy},
         .com = {com.x, com.y, com.vx, com.vy},
         .contact = {force.x, force.y, at.force.normal, at.force.tangential, (int)mode->contact,
                     (int)mode->contact},
-        .ground = {tdmf_ground_is_pending(inputs, mode)},
+        .ground = {tdmf_ground_is_pending(system.inputs, mode)},
         .leg = {at.leg.axial_force},
         .hip = {at.torque, mode->liftoff_angle, (int)mode->phase, (int)mode->phase},
         .energy = {energy.kinetic, energy.potential, energy.elastic, energy.total, record->impact_loss},

@@ -87,18 +87,17 @@ static tdmf_refusal check_posture(const tdmf_model *model, const tdmf_ground_lin
     return accepted;
 }
 
-static tdmf_refusal check_start(const tdmf_model *model, const tdmf_inputs *inputs, double time,
-                                const double state[TDMF_STATE_COUNT]) {
+static tdmf_refusal check_start(tdmf_system system, double time, const double state[TDMF_STATE_COUNT]) {
     tdmf_refusal refusal = check_time(time);
     if (refusal.variable == NULL) {
-        refusal = tdmf_check_inputs(inputs);
+        refusal = tdmf_check_inputs(system.inputs);
     }
     if (refusal.variable == NULL) {
         refusal = check_ranges(state);
     }
     if (refusal.variable == NULL) {
-        const tdmf_ground_line ground = tdmf_ground_line_set(inputs);
-        refusal = check_posture(model, &ground, state);
+        const tdmf_ground_line ground = tdmf_ground_line_set(system.inputs);
+        refusal = check_posture(system.model, &ground, state);
     }
     return refusal;
 }
@@ -112,88 +111,84 @@ static void stop_across(const tdmf_ground_line *ground, double state[TDMF_STATE_
 }
 
 static void begin(tdmf_run *run) {
-    const tdmf_ground_line *ground = &run->mode->ground;
-    const double rate = rate_of_foot(run->model, ground, run->state);
-    if (!foot_is_at_ground(run->model, ground, run->state)) {
+    const tdmf_ground_line *ground = &run->motion->mode.ground;
+    const double rate = rate_of_foot(run->system.model, ground, run->motion->state);
+    if (!foot_is_at_ground(run->system.model, ground, run->motion->state)) {
         tdmf_fly(run);
     } else {
-        tdmf_lift_to_ground(ground, run->state);
+        tdmf_lift_to_ground(ground, run->motion->state);
         if (rate > 0.0) {
             tdmf_fly(run);
         } else if (rate < 0.0) {
             tdmf_touch_down(run);
         } else {
-            stop_across(ground, run->state);
+            stop_across(ground, run->motion->state);
             tdmf_come_to_ground(run);
         }
     }
-    const double vertical_velocity = tdmf_center_of_mass_along(run->model, run->state, run->direction).vy;
-    if (run->mode->contact == TDMF_CONTACT_FLIGHT &&
-        fabs(vertical_velocity) <= TDMF_APEX_AT_START * run->model->scales.speed) {
+    const double vertical_velocity =
+        tdmf_center_of_mass_along(run->system.model, run->motion->state, run->direction).vy;
+    if (run->motion->mode.contact == TDMF_CONTACT_FLIGHT &&
+        fabs(vertical_velocity) <= TDMF_APEX_AT_START * run->system.model->scales.speed) {
         tdmf_pass_apex(run);
     }
 }
 
-tdmf_refusal tdmf_start(const tdmf_model *model, const tdmf_inputs *inputs, double time,
-                        double state[TDMF_STATE_COUNT], tdmf_mode *mode, tdmf_record *record) {
-    const char *absent = model == NULL    ? "model"
-                         : state == NULL  ? "state"
-                         : mode == NULL   ? "mode"
-                         : record == NULL ? "record"
-                                          : NULL;
+tdmf_refusal tdmf_start(tdmf_system system, tdmf_motion *motion) {
+    const char *absent = system.model == NULL ? "model" : motion == NULL ? "motion" : NULL;
     if (absent != NULL) {
         return tdmf_absent(absent);
     }
-    const tdmf_refusal refusal = check_start(model, inputs, time, state);
+    const tdmf_refusal refusal = check_start(system, motion->time, motion->state);
     if (refusal.variable != NULL) {
         return refusal;
     }
+    tdmf_mode *mode = &motion->mode;
     memset(mode, 0, sizeof *mode);
     mode->contact = TDMF_CONTACT_FLIGHT;
     mode->phase = TDMF_PHASE_COAST; /* neither retract nor place: what comes first decides */
-    mode->liftoff_angle = state[TDMF_LEG_ANGLE];
-    mode->rest_length = tdmf_rest_length(model, inputs, mode);
-    mode->ground = tdmf_ground_line_set(inputs);
+    mode->liftoff_angle = motion->state[TDMF_LEG_ANGLE];
+    mode->rest_length = tdmf_rest_length(system.model, system.inputs, mode);
+    mode->ground = tdmf_ground_line_set(system.inputs);
     for (int i = TDMF_MECHANICAL_COUNT; i < TDMF_STATE_COUNT; ++i) {
-        state[i] = 0.0;
+        motion->state[i] = 0.0;
     }
-    tdmf_record_start(record, time, state);
-    tdmf_run run = {model, inputs, time, state, mode, record, tdmf_leg_direction_of(state)};
+    tdmf_record_start(motion);
+    tdmf_run run = {system, motion, tdmf_leg_direction_of(motion->state)};
     begin(&run);
-    tdmf_resolve(model, inputs, time, state, mode, record);
+    tdmf_resolve(system, motion);
     return refusal;
 }
 
 /* Varies the work of a leg that thrusts from the start on. */
-static double vary_leg_work(const tdmf_model *model, const tdmf_inputs *inputs,
-                            const double started[TDMF_STATE_COUNT], const tdmf_mode *mode,
+static double vary_leg_work(tdmf_system system, const double started[TDMF_STATE_COUNT], const tdmf_mode *mode,
                             const tdmf_local_seed *d, double d_length) {
     tdmf_mode before = *mode;
     before.thrusts = false;
     return tdmf_vary_leg_work_of_jump(
-        model, started[TDMF_LEG_LENGTH], tdmf_rest_length(model, inputs, &before),
-        tdmf_rest_length(model, inputs, mode), &d->model, d_length,
-        tdmf_vary_rest_length(model, inputs, &before, &d->model, &d->inputs, &d->mode),
-        tdmf_vary_rest_length(model, inputs, mode, &d->model, &d->inputs, &d->mode));
+        system.model, started[TDMF_LEG_LENGTH], tdmf_rest_length(system.model, system.inputs, &before),
+        tdmf_rest_length(system.model, system.inputs, mode), &d->model, d_length,
+        tdmf_vary_rest_length(system.model, system.inputs, &before, &d->model, &d->inputs, &d->mode),
+        tdmf_vary_rest_length(system.model, system.inputs, mode, &d->model, &d->inputs, &d->mode));
 }
 
-tdmf_start_variation tdmf_vary_start(const tdmf_model *model, const tdmf_inputs *inputs,
-                                     const double given[TDMF_STATE_COUNT],
+tdmf_start_variation tdmf_vary_start(tdmf_system system, const double given[TDMF_STATE_COUNT],
                                      const double started[TDMF_STATE_COUNT], const tdmf_mode *mode,
                                      const tdmf_seed *seed, const double state_seed[TDMF_STATE_COUNT]) {
     tdmf_start_variation varied = {0};
     double *d_state = varied.variation.state;
     memcpy(d_state, state_seed, TDMF_MECHANICAL_COUNT * sizeof *d_state);
     varied.variation.liftoff_angle = d_state[TDMF_LEG_ANGLE];
-    const tdmf_ground_line ground = tdmf_ground_line_set(inputs);
-    const tdmf_local_seed d = tdmf_local_seed_of(model, seed, NULL);
-    if (foot_is_at_ground(model, &ground, given) && rate_of_foot(model, &ground, given) < 0.0) {
-        varied.impact_loss = tdmf_vary_impact(model, inputs, &ground, given, &d, d_state);
+    const tdmf_ground_line ground = tdmf_ground_line_set(system.inputs);
+    const tdmf_local_seed d = tdmf_local_seed_of(system.model, seed, NULL);
+    if (foot_is_at_ground(system.model, &ground, given) && rate_of_foot(system.model, &ground, given) < 0.0) {
+        varied.impact_loss = tdmf_vary_impact(system, &ground, given, &d, d_state);
     }
-    d_state[TDMF_LEG_WORK] = vary_leg_work(model, inputs, started, mode, &d, d_state[TDMF_LEG_LENGTH]);
+    d_state[TDMF_LEG_WORK] = vary_leg_work(system, started, mode, &d, d_state[TDMF_LEG_LENGTH]);
     const tdmf_leg_direction direction = tdmf_leg_direction_of(started);
-    const tdmf_point com = tdmf_center_of_mass_along(model, started, direction);
-    const tdmf_point d_com = tdmf_vary_center_of_mass_along(model, started, direction, &d.model, d_state);
+    const tdmf_point com = tdmf_center_of_mass_along(system.model, started, direction);
+    const tdmf_point d_com =
+        tdmf_vary_center_of_mass_along(system.model, started, direction, &d.model, d_state);
     varied.com_height = d_com.y - tdmf_vary_ground_height_at(&ground, com.x, &d.mode.ground, d_com.x);
     return varied;
 }

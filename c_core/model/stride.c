@@ -57,9 +57,9 @@ static int code_of(const char *word) {
     return code;
 }
 
-tdmf_instant tdmf_record_instant(const tdmf_record *record, double time) {
-    const tdmf_instant rounded = {time, 0.0};
-    return record->now.time == time ? record->now : rounded;
+tdmf_instant tdmf_instant_of(const tdmf_motion *motion) {
+    const tdmf_instant rounded = {motion->time, 0.0};
+    return motion->record.now.time == motion->time ? motion->record.now : rounded;
 }
 
 static void open_stride(tdmf_open_stride *open, tdmf_instant now, tdmf_point com,
@@ -75,18 +75,19 @@ static void open_stride(tdmf_open_stride *open, tdmf_instant now, tdmf_point com
     open->contact_start_x = state[TDMF_FOOT_X];
 }
 
-void tdmf_record_start(tdmf_record *record, double time, const double state[TDMF_STATE_COUNT]) {
+void tdmf_record_start(tdmf_motion *motion) {
+    tdmf_record *record = &motion->record;
     memset(record, 0, sizeof *record);
-    record->last_event_time = time;
-    record->now.time = time;
+    record->last_event_time = motion->time;
+    record->now.time = motion->time;
     /* Not begun at an apex, so never counted: the centre of mass may as well start at 0. */
     const tdmf_point nowhere = {0.0, 0.0, 0.0, 0.0};
-    open_stride(&record->open, record->now, nowhere, state);
+    open_stride(&record->open, record->now, nowhere, motion->state);
 }
 
-void tdmf_record_event(tdmf_record *record, double time) {
-    count(&record->event_count);
-    record->last_event_time = time;
+void tdmf_record_event(tdmf_motion *motion) {
+    count(&motion->record.event_count);
+    motion->record.last_event_time = motion->time;
 }
 
 void tdmf_record_impact(tdmf_record *record, double loss) {
@@ -94,21 +95,22 @@ void tdmf_record_impact(tdmf_record *record, double loss) {
     count(&record->open.touchdowns);
 }
 
-void tdmf_record_contact_change(tdmf_record *record, double time, const tdmf_mode *left,
-                                tdmf_contact_mode entered, const double state[TDMF_STATE_COUNT]) {
-    tdmf_open_stride *open = &record->open;
-    const tdmf_instant now = tdmf_record_instant(record, time);
+void tdmf_record_contact_change(tdmf_motion *motion, tdmf_contact_mode entered) {
+    const tdmf_mode *left = &motion->mode;
+    tdmf_open_stride *open = &motion->record.open;
+    const tdmf_instant now = tdmf_instant_of(motion);
+    const double foot_x = motion->state[TDMF_FOOT_X];
     const double duration = tdmf_time_between(open->contact_start, now);
     if (tdmf_in_contact(left) && duration > 0.0) {
         write_letter(open, letter_of(left));
         open->stance_time += duration;
-        open->slip_distance += fabs(state[TDMF_FOOT_X] - open->contact_start_x) / left->ground.cosine;
+        open->slip_distance += fabs(foot_x - open->contact_start_x) / left->ground.cosine;
     }
     if (entered == TDMF_CONTACT_FLIGHT) {
         open->flew_since_letter = true;
     }
     open->contact_start = now;
-    open->contact_start_x = state[TDMF_FOOT_X];
+    open->contact_start_x = foot_x;
 }
 
 void tdmf_record_force(tdmf_record *record, double normal, double vertical) {
@@ -143,17 +145,18 @@ static void close_stride(tdmf_stride *stride, const tdmf_open_stride *open, cons
     stride->word_code = code_of(stride->word);
 }
 
-void tdmf_record_apex(tdmf_record *record, const tdmf_model *model, const tdmf_ground_line *ground,
-                      double time, const double state[TDMF_STATE_COUNT]) {
+void tdmf_record_apex(tdmf_motion *motion, const tdmf_model *model) {
+    const double *state = motion->state;
+    tdmf_record *record = &motion->record;
     const tdmf_point com = tdmf_center_of_mass(model, state);
-    const tdmf_instant now = tdmf_record_instant(record, time);
+    const tdmf_instant now = tdmf_instant_of(motion);
     if (record->open.began_at_apex) {
         close_stride(&record->stride, &record->open, model, now, com, state);
     }
     open_stride(&record->open, now, com, state);
     record->open.began_at_apex = true;
-    record->apex.time = time;
-    record->apex.com_height = com.y - tdmf_ground_height_at(ground, com.x);
+    record->apex.time = motion->time;
+    record->apex.com_height = com.y - tdmf_ground_height_at(&motion->mode.ground, com.x);
     record->apex.com_speed = com.vx;
     record->apex.leg_length = state[TDMF_LEG_LENGTH];
     record->apex.leg_angle = state[TDMF_LEG_ANGLE];

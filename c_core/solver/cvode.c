@@ -76,7 +76,7 @@ static int right_hand_side(realtype time, N_Vector integrated, N_Vector slope, v
     const tdmf_inputs inputs = inputs_after(problem, time);
     double state[TDMF_STATE_COUNT], derivatives[TDMF_STATE_COUNT];
     add_clock(problem, time, integrated, state);
-    tdmf_derivatives(problem->model, &inputs, &problem->motion->mode, state, derivatives);
+    tdmf_derivatives((tdmf_system){problem->model, &inputs}, &problem->motion->mode, state, derivatives);
     derivatives[TDMF_LEG_WORK] +=
         tdmf_leg_power(problem->model, tdmf_rest_length(problem->model, &inputs, &problem->motion->mode),
                        state[TDMF_LEG_LENGTH], problem->rates->leg.extension);
@@ -90,7 +90,7 @@ static int root_functions(realtype time, N_Vector integrated, realtype *guards, 
     const tdmf_inputs inputs = inputs_after(problem, time);
     double state[TDMF_STATE_COUNT];
     add_clock(problem, time, integrated, state);
-    tdmf_guards(problem->model, &inputs, &problem->motion->mode, state, guards);
+    tdmf_guards((tdmf_system){problem->model, &inputs}, &problem->motion->mode, state, guards);
     return 0;
 }
 
@@ -183,7 +183,7 @@ static bool take_events(workspace *space, problem *problem) {
     tdmf_event event = {
         .time = motion->time, .guard = guard_that_fired(space->integrator), .before = motion->mode};
     memcpy(event.state, motion->state, sizeof event.state);
-    tdmf_resolve(problem->model, &inputs, motion->time, motion->state, &motion->mode, &motion->record);
+    tdmf_resolve((tdmf_system){problem->model, &inputs}, motion);
     event.after = motion->mode;
     tdmf_log_event(problem->options->log, &event);
     ++problem->options->events;
@@ -238,19 +238,19 @@ static tdmf_outcome integrate(workspace *space, problem *problem, double until) 
     return motion->mode.fallen ? TDMF_FELL : TDMF_ARRIVED;
 }
 
-tdmf_outcome tdmf_cvode_advance(tdmf_solver *options, const tdmf_model *model, const tdmf_inputs *inputs,
-                                const tdmf_inputs *rates, double until, tdmf_motion *motion) {
+tdmf_outcome tdmf_cvode_advance(tdmf_solver *options, tdmf_system system, const tdmf_inputs *rates,
+                                double until, tdmf_motion *motion) {
     const tdmf_inputs *given = tdmf_rates_or_zero(rates);
-    if (!tdmf_is_sound_request(options, model, inputs, given, until, motion)) {
+    if (!tdmf_is_sound_request(options, system, given, until, motion)) {
         return TDMF_REFUSED;
     }
-    const tdmf_instant start = tdmf_record_instant(&motion->record, motion->time);
-    problem problem = {model, inputs, given, start, start, motion, options};
+    const tdmf_instant start = tdmf_instant_of(motion);
+    problem problem = {system.model, system.inputs, given, start, start, motion, options};
     workspace space = {0};
     tdmf_outcome outcome = TDMF_NO_PROGRESS;
     motion->record.now = start;
     /* An input may have jumped since the last call. */
-    tdmf_resolve(model, inputs, motion->time, motion->state, &motion->mode, &motion->record);
+    tdmf_resolve(system, motion);
     if (allocate(&space) && configure(&space, &problem)) {
         outcome = integrate(&space, &problem, until);
     }

@@ -53,6 +53,7 @@ static void open_patch(tdmf_mode_equations *equations, const tdmf_inputs *inputs
                        const tdmf_mode *mode, double x) {
     static const tdmf_model constant = {.inverse_body_mass = 0.0};
     const tdmf_model *model = equations->model;
+    const tdmf_system system = {model, inputs}, rate = {&constant, rates};
     if (tdmf_slips_to_border(model, mode)) {
         const bool forward = tdmf_sign_of_slip(mode) > 0.0;
         equations->meets_border = true;
@@ -60,9 +61,8 @@ static void open_patch(tdmf_mode_equations *equations, const tdmf_inputs *inputs
     }
     if (mode->contact == TDMF_CONTACT_STICK && tdmf_is_on_border(model, x)) {
         equations->meets_border = true;
-        equations->backward_friction = tdmf_static_friction_towards(model, inputs, x, -1.0);
-        equations->backward_friction_rate =
-            tdmf_vary_static_friction_towards(model, inputs, x, -1.0, &constant, rates);
+        equations->backward_friction = tdmf_static_friction_towards(system, x, -1.0);
+        equations->backward_friction_rate = tdmf_vary_static_friction_towards(system, x, -1.0, rate);
     }
 }
 
@@ -90,16 +90,16 @@ static void open_friction(tdmf_mode_equations *equations, const tdmf_inputs *inp
                           const tdmf_mode *mode, double x) {
     static const tdmf_model constant = {.inverse_body_mass = 0.0};
     const tdmf_model *model = equations->model;
-    equations->friction = tdmf_signed_friction(model, inputs, mode);
-    equations->friction_rate = tdmf_vary_signed_friction(model, inputs, mode, &constant, rates);
+    const tdmf_system system = {model, inputs}, rate = {&constant, rates};
+    equations->friction = tdmf_signed_friction(system, mode);
+    equations->friction_rate = tdmf_vary_signed_friction(system, mode, rate);
     if (tdmf_friction_falls(model) && tdmf_sign_of_slip(mode) != 0.0) {
         equations->falls = true;
         equations->friction_excess = tdmf_friction_excess(model);
         equations->friction_fading = tdmf_friction_fading(model, tdmf_sign_of_slip(mode));
     }
-    equations->static_friction = tdmf_static_friction_towards(model, inputs, x, 1.0);
-    equations->static_friction_rate =
-        tdmf_vary_static_friction_towards(model, inputs, x, 1.0, &constant, rates);
+    equations->static_friction = tdmf_static_friction_towards(system, x, 1.0);
+    equations->static_friction_rate = tdmf_vary_static_friction_towards(system, x, 1.0, rate);
     if (tdmf_has_patch(model)) {
         open_patch(equations, inputs, rates, mode, x);
     }
@@ -124,15 +124,15 @@ static bool drifts(const tdmf_mode_equations *equations) {
            equations->push_rate.y != 0.0;
 }
 
-void tdmf_open_mode(tdmf_mode_equations *equations, const tdmf_model *model, const tdmf_inputs *inputs,
-                    const tdmf_inputs *rates, const tdmf_mode *mode, const double state[TDMF_STATE_COUNT],
+void tdmf_open_mode(tdmf_mode_equations *equations, tdmf_system system, const tdmf_inputs *rates,
+                    const tdmf_mode *mode, const double state[TDMF_STATE_COUNT],
                     tdmf_leg_direction direction) {
     *equations = (tdmf_mode_equations){
-        .model = model, .inputs = *inputs, .contact = mode->contact, .ground = mode->ground};
+        .model = system.model, .inputs = *system.inputs, .contact = mode->contact, .ground = mode->ground};
     equations->place_time = state[TDMF_HIP_PLACE_TIME];
     equations->place_rate = tdmf_place_time_rate(mode);
-    open_laws(equations, inputs, rates, mode);
-    open_friction(equations, inputs, rates, mode, state[TDMF_FOOT_X]);
+    open_laws(equations, system.inputs, rates, mode);
+    open_friction(equations, system.inputs, rates, mode, state[TDMF_FOOT_X]);
     equations->positive_work = state[TDMF_HIP_POSITIVE_WORK];
     equations->external_work = state[TDMF_ENERGY_EXTERNAL_WORK];
     equations->start.work = state[TDMF_HIP_WORK];
@@ -140,12 +140,12 @@ void tdmf_open_mode(tdmf_mode_equations *equations, const tdmf_model *model, con
     equations->start.damper_loss = state[TDMF_ENERGY_DAMPER_LOSS];
     equations->start.friction_loss = state[TDMF_ENERGY_FRICTION_LOSS];
     equations->awaits_thrust =
-        tdmf_is_loaded(mode) && !mode->thrusts && tdmf_leg_thrust(model, inputs) != 0.0;
-    open_forcing(equations, inputs, rates, state, direction);
+        tdmf_is_loaded(mode) && !mode->thrusts && tdmf_leg_thrust(system.model, system.inputs) != 0.0;
+    open_forcing(equations, system.inputs, rates, state, direction);
     equations->drifts = drifts(equations);
     if (mode->contact == TDMF_CONTACT_FLIGHT) {
         open_flight(equations, state, direction);
-        open_new_ground(equations, inputs, mode);
+        open_new_ground(equations, system.inputs, mode);
     } else {
         open_ground(equations, state, direction);
     }

@@ -53,8 +53,8 @@ typedef struct {
 } tdmf_mode_equations;
 
 /* The equations of a mode at an instant. */
-void tdmf_open_mode(tdmf_mode_equations *equations, const tdmf_model *model, const tdmf_inputs *inputs,
-                    const tdmf_inputs *rates, const tdmf_mode *mode, const double state[TDMF_STATE_COUNT],
+void tdmf_open_mode(tdmf_mode_equations *equations, tdmf_system system, const tdmf_inputs *rates,
+                    const tdmf_mode *mode, const double state[TDMF_STATE_COUNT],
                     tdmf_leg_direction direction);
 
 /* The change of the push. */

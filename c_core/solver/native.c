@@ -78,11 +78,16 @@ const char *tdmf_outcome_text(tdmf_outcome outcome) {
     }
 }
 
+static tdmf_system system_of(const integration *integration) {
+    const tdmf_system system = {integration->model, &integration->inputs};
+    return system;
+}
+
 /* Begins integrating in the present mode from the present state. */
 static void open_mode(integration *integration) {
     const tdmf_motion *motion = integration->motion;
-    tdmf_open_mode(&integration->equations, integration->model, &integration->inputs, &integration->rates,
-                   &motion->mode, motion->state, integration->direction);
+    tdmf_open_mode(&integration->equations, system_of(integration), &integration->rates, &motion->mode,
+                   motion->state, integration->direction);
     integration->equations.awaits_thrust |=
         integration->varies_thrust && tdmf_is_loaded(&motion->mode) && !motion->mode.thrusts;
     integration->equations.is_forced |= integration->varies_push;
@@ -109,7 +114,7 @@ static void vary_peak_forces(integration *integration, double elapsed, bool norm
     double state[TDMF_STATE_COUNT];
     memcpy(state, motion->state, sizeof state);
     tdmf_state_in_mode(&integration->equations, elapsed, &there, state);
-    const tdmf_evaluation at = tdmf_evaluate(integration->model, &integration->inputs, &motion->mode, state);
+    const tdmf_evaluation at = tdmf_evaluate(system_of(integration), &motion->mode, state);
     for (int i = 0; i < integration->count; ++i) {
         const tdmf_seed *seed = &integration->seeds[i];
         tdmf_mode_variation varied_mode = integration->varied_mode[i];
@@ -195,8 +200,7 @@ static tdmf_event_state event_state_of(const integration *integration) {
     event_state.mode = motion->mode;
     event_state.peak_force = motion->record.open.peak_force;
     event_state.peak_vertical_force = motion->record.open.peak_vertical_force;
-    tdmf_derivatives(integration->model, &integration->inputs, &event_state.mode, event_state.state,
-                     event_state.derivatives);
+    tdmf_derivatives(system_of(integration), &event_state.mode, event_state.state, event_state.derivatives);
     return event_state;
 }
 
@@ -223,16 +227,14 @@ static void log_event(tdmf_event_log *log, double time, tdmf_guard guard, const 
 /* A stance that is looked at alone has no graze after it. */
 static void end_thrust(integration *integration) {
     tdmf_motion *motion = integration->motion;
-    tdmf_run run = {integration->model, &integration->inputs, motion->time,          motion->state,
-                    &motion->mode,      &motion->record,      integration->direction};
+    tdmf_run run = {system_of(integration), motion, integration->direction};
     tdmf_end_thrust(&run);
 }
 
 static bool take_transitions(integration *integration, tdmf_guard reached) {
     tdmf_motion *motion = integration->motion;
     const tdmf_resolution taken =
-        tdmf_resolve_along(integration->model, &integration->inputs, motion->time, motion->state,
-                           integration->direction, reached, &motion->mode, &motion->record);
+        tdmf_resolve_along(system_of(integration), motion, integration->direction, reached);
     if (stance_is_over(integration)) {
         end_thrust(integration);
     }
@@ -261,12 +263,12 @@ static bool resolve(integration *integration, const tdmf_step_end *end) {
     log_event(integration->solver->log, motion->time, end->guard, &before, &after.mode);
     for (int i = 0; i < integration->count; ++i) {
         integration->variations[i] =
-            tdmf_saltation_met(integration->model, &integration->inputs, end->guard, &before, &after,
-                               &integration->seeds[i], &integration->variations[i], &met[i]);
+            tdmf_saltation_met(system_of(integration), end->guard, &before, &after, &integration->seeds[i],
+                               &integration->variations[i], &met[i]);
     }
     if (integration->measured) {
-        tdmf_measure_event(integration->measured, integration->model, &integration->inputs, &before, &after,
-                           integration->seeds, met, integration->count);
+        tdmf_measure_event(integration->measured, system_of(integration), &before, &after, integration->seeds,
+                           met, integration->count);
     }
     return true;
 }
@@ -430,20 +432,20 @@ static tdmf_outcome advance_once(integration *integration) {
     return TDMF_ARRIVED;
 }
 
-static bool begin(integration *integration, tdmf_solver *solver, const tdmf_model *model,
-                  const tdmf_inputs *inputs, const tdmf_inputs *rates, double until, tdmf_motion *motion) {
-    if (!tdmf_is_sound_request(solver, model, inputs, rates, until, motion)) {
+static bool begin(integration *integration, tdmf_solver *solver, tdmf_system system, const tdmf_inputs *rates,
+                  double until, tdmf_motion *motion) {
+    if (!tdmf_is_sound_request(solver, system, rates, until, motion)) {
         return false;
     }
     integration->solver = solver;
-    integration->model = model;
+    integration->model = system.model;
     integration->end = AT_TIME;
-    integration->inputs = *inputs;
+    integration->inputs = *system.inputs;
     integration->rates = *rates;
     integration->inputs_ramp = !tdmf_are_zero_rates(rates);
     integration->motion = motion;
     integration->until = until;
-    motion->record.now = tdmf_record_instant(&motion->record, motion->time);
+    motion->record.now = tdmf_instant_of(motion);
     integration->order = tdmf_step_order(solver->relative_tolerance);
     integration->steps = opened_steps((double)solver->step_limit);
     integration->events_left = solver->event_limit;
@@ -454,8 +456,7 @@ static bool begin(integration *integration, tdmf_solver *solver, const tdmf_mode
     integration->events_in_span = 0;
     /* An input may have jumped since the last call. */
     integration->direction = tdmf_leg_direction_of(motion->state);
-    tdmf_resolve_along(model, inputs, motion->time, motion->state, integration->direction, TDMF_GUARD_COUNT,
-                       &motion->mode, &motion->record);
+    tdmf_resolve_along(system, motion, integration->direction, TDMF_GUARD_COUNT);
     open_mode(integration);
     return true;
 }
@@ -480,14 +481,14 @@ static tdmf_outcome advance(integration *integration) {
         return outcome;
     }
     /* The caller may change an input now. */
-    tdmf_observe(integration->model, &integration->inputs, motion->state, &motion->mode, &motion->record);
+    tdmf_observe(system_of(integration), motion);
     return motion->mode.fallen ? TDMF_FELL : TDMF_ARRIVED;
 }
 
-tdmf_outcome tdmf_native_advance(tdmf_solver *solver, const tdmf_model *model, const tdmf_inputs *inputs,
-                                 const tdmf_inputs *rates, double until, tdmf_motion *motion) {
+tdmf_outcome tdmf_native_advance(tdmf_solver *solver, tdmf_system system, const tdmf_inputs *rates,
+                                 double until, tdmf_motion *motion) {
     integration integration;
-    const bool begun = begin(&integration, solver, model, inputs, tdmf_rates_or_zero(rates), until, motion);
+    const bool begun = begin(&integration, solver, system, tdmf_rates_or_zero(rates), until, motion);
     return begun ? advance(&integration) : TDMF_REFUSED;
 }
 
@@ -502,19 +503,18 @@ static tdmf_stride_outcome advance_a_stride(integration *integration) {
 
 static const tdmf_stride_outcome refused = {TDMF_REFUSED, false};
 
-tdmf_stride_outcome tdmf_native_stride(tdmf_solver *solver, const tdmf_model *model,
-                                       const tdmf_inputs *inputs, double until, tdmf_motion *motion) {
+tdmf_stride_outcome tdmf_native_stride(tdmf_solver *solver, tdmf_system system, double until,
+                                       tdmf_motion *motion) {
     integration integration;
-    return begin(&integration, solver, model, inputs, tdmf_rates_or_zero(NULL), until, motion)
+    return begin(&integration, solver, system, tdmf_rates_or_zero(NULL), until, motion)
                ? advance_a_stride(&integration)
                : refused;
 }
 
-static bool begin_varied(integration *integration, tdmf_solver *solver, const tdmf_model *model,
-                         const tdmf_inputs *inputs, double until, tdmf_motion *motion, const tdmf_seed *seeds,
-                         tdmf_variation *variations, int count) {
+static bool begin_varied(integration *integration, tdmf_solver *solver, tdmf_system system, double until,
+                         tdmf_motion *motion, const tdmf_seed *seeds, tdmf_variation *variations, int count) {
     if (!tdmf_are_sound_seeds(seeds, count, TDMF_VARIATION_LIMIT) || (count > 0 && variations == NULL) ||
-        !begin(integration, solver, model, inputs, tdmf_rates_or_zero(NULL), until, motion)) {
+        !begin(integration, solver, system, tdmf_rates_or_zero(NULL), until, motion)) {
         return false;
     }
     integration->count = count;
@@ -529,35 +529,35 @@ static bool begin_varied(integration *integration, tdmf_solver *solver, const td
     return true;
 }
 
-tdmf_stride_outcome tdmf_native_stride_varied(tdmf_solver *solver, const tdmf_model *model,
-                                              const tdmf_inputs *inputs, double until, tdmf_motion *motion,
-                                              const tdmf_seed *seeds, tdmf_variation *variations, int count) {
+tdmf_stride_outcome tdmf_native_stride_varied(tdmf_solver *solver, tdmf_system system, double until,
+                                              tdmf_motion *motion, const tdmf_seed *seeds,
+                                              tdmf_variation *variations, int count) {
     integration integration;
-    return begin_varied(&integration, solver, model, inputs, until, motion, seeds, variations, count)
+    return begin_varied(&integration, solver, system, until, motion, seeds, variations, count)
                ? advance_a_stride(&integration)
                : refused;
 }
 
-tdmf_stride_outcome tdmf_native_stride_measured(tdmf_solver *solver, const tdmf_model *model,
-                                                const tdmf_inputs *inputs, double until, tdmf_motion *motion,
-                                                const tdmf_seed *seeds, tdmf_variation *variations, int count,
+tdmf_stride_outcome tdmf_native_stride_measured(tdmf_solver *solver, tdmf_system system, double until,
+                                                tdmf_motion *motion, const tdmf_seed *seeds,
+                                                tdmf_variation *variations, int count,
                                                 tdmf_measured *measured) {
     integration integration;
-    if (!begin_varied(&integration, solver, model, inputs, until, motion, seeds, variations, count)) {
+    if (!begin_varied(&integration, solver, system, until, motion, seeds, variations, count)) {
         return refused;
     }
-    tdmf_measure_start(measured, model, motion, seeds, variations, count);
+    tdmf_measure_start(measured, system.model, motion, seeds, variations, count);
     integration.measured = measured;
     const tdmf_stride_outcome outcome = advance_a_stride(&integration);
     tdmf_measure_end(measured, motion);
     return outcome;
 }
 
-tdmf_stride_outcome tdmf_native_stance(tdmf_solver *solver, const tdmf_model *model,
-                                       const tdmf_inputs *inputs, double until, tdmf_motion *motion,
-                                       const tdmf_seed *seeds, tdmf_variation *variations, int count) {
+tdmf_stride_outcome tdmf_native_stance(tdmf_solver *solver, tdmf_system system, double until,
+                                       tdmf_motion *motion, const tdmf_seed *seeds,
+                                       tdmf_variation *variations, int count) {
     integration integration;
-    if (!begin_varied(&integration, solver, model, inputs, until, motion, seeds, variations, count)) {
+    if (!begin_varied(&integration, solver, system, until, motion, seeds, variations, count)) {
         return refused;
     }
     integration.end = AT_LIFT_OFF;

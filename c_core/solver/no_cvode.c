@@ -5,11 +5,11 @@ bool tdmf_cvode_is_available(void) {
     return false;
 }
 
-tdmf_outcome tdmf_cvode_advance(tdmf_solver *options, const tdmf_model *model, const tdmf_inputs *inputs,
-                                const tdmf_inputs *rates, double until, tdmf_motion *motion) {
+tdmf_outcome tdmf_cvode_advance(tdmf_solver *options, tdmf_system system, const tdmf_inputs *rates,
+                                double until, tdmf_motion *motion) {
     (void)options;
-    (void)model;
-    (void)inputs;
+    (void)system.model;
+    (void)system.inputs;
     (void)rates;
     (void)until;
     (void)motion;

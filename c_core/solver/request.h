@@ -54,12 +54,11 @@ static inline bool tdmf_are_sound_seeds(const tdmf_seed *seeds, int count, int l
     return count >= 0 && count <= limit && (count == 0 || seeds != NULL);
 }
 
-static inline bool tdmf_is_sound_request(const tdmf_solver *solver, const tdmf_model *model,
-                                         const tdmf_inputs *inputs, const tdmf_inputs *rates, double until,
-                                         const tdmf_motion *motion) {
-    return tdmf_is_sound_solver(solver) && model != NULL && inputs != NULL && motion != NULL &&
+static inline bool tdmf_is_sound_request(const tdmf_solver *solver, tdmf_system system,
+                                         const tdmf_inputs *rates, double until, const tdmf_motion *motion) {
+    return tdmf_is_sound_solver(solver) && system.model != NULL && system.inputs != NULL && motion != NULL &&
            tdmf_is_sound_motion(motion) && until >= motion->time &&
-           tdmf_are_sound_inputs(inputs, rates, until - motion->time);
+           tdmf_are_sound_inputs(system.inputs, rates, until - motion->time);
 }
 
 #endif

@@ -18,20 +18,19 @@
 #include <string.h>
 
 /* To one side, at least. */
-static bool has_no_friction(const tdmf_model *model, const tdmf_inputs *inputs, double x) {
-    return tdmf_friction_towards(model, inputs, x, 1.0) == 0.0 ||
-           tdmf_friction_towards(model, inputs, x, -1.0) == 0.0;
+static bool has_no_friction(tdmf_system system, double x) {
+    return tdmf_friction_towards(system, x, 1.0) == 0.0 || tdmf_friction_towards(system, x, -1.0) == 0.0;
 }
 
 /* Where a neighbour's events differ in kind, no derivative tells what becomes of it: the foot met the ground
  * at another event's time, or without meeting it; or it stands where no friction holds it. */
-static bool is_on_edge(const tdmf_model *model, const tdmf_inputs *inputs, bool impact,
-                       const tdmf_event_state *before, const tdmf_event_state *after) {
+static bool is_on_edge(tdmf_system system, bool impact, const tdmf_event_state *before,
+                       const tdmf_event_state *after) {
     const bool flew = before->mode.contact == TDMF_CONTACT_FLIGHT;
     const bool landed = flew && (after->state[TDMF_FOOT_VX] != before->state[TDMF_FOOT_VX] ||
                                  after->state[TDMF_FOOT_VY] != before->state[TDMF_FOOT_VY]);
     const bool stands = after->mode.contact == TDMF_CONTACT_STICK;
-    return impact != landed || (stands && has_no_friction(model, inputs, after->state[TDMF_FOOT_X]));
+    return impact != landed || (stands && has_no_friction(system, after->state[TDMF_FOOT_X]));
 }
 
 static tdmf_variation no_variation(void) {
@@ -51,9 +50,9 @@ static double vary_guard(const tdmf_event_kind *event, const tdmf_evaluation *at
 }
 
 /* Gives the time by which the event shifts. */
-static double time_shift(const tdmf_event_kind *event, const tdmf_model *model, const tdmf_inputs *inputs,
-                         const tdmf_event_state *before, const tdmf_local_seed *d) {
-    const tdmf_evaluation at = tdmf_evaluate(model, inputs, &before->mode, before->state);
+static double time_shift(const tdmf_event_kind *event, tdmf_system system, const tdmf_event_state *before,
+                         const tdmf_local_seed *d) {
+    const tdmf_evaluation at = tdmf_evaluate(system, &before->mode, before->state);
     const tdmf_local_seed motion = tdmf_seed_of_motion(before->derivatives);
     return -vary_guard(event, &at, d) / vary_guard(event, &at, &motion);
 }
@@ -66,14 +65,14 @@ static void shift_along(double dt, const double derivatives[TDMF_STATE_COUNT],
 }
 
 /* No event moves the leg, but many in a row may change its rest length. */
-static double vary_leg_work(const tdmf_model *model, const tdmf_inputs *inputs,
-                            const tdmf_event_state *before, const tdmf_event_state *after,
+static double vary_leg_work(tdmf_system system, const tdmf_event_state *before, const tdmf_event_state *after,
                             const tdmf_local_seed *d, const double d_state[TDMF_STATE_COUNT]) {
     return tdmf_vary_leg_work_of_jump(
-        model, before->state[TDMF_LEG_LENGTH], tdmf_rest_length(model, inputs, &before->mode),
-        tdmf_rest_length(model, inputs, &after->mode), &d->model, d_state[TDMF_LEG_LENGTH],
-        tdmf_vary_rest_length(model, inputs, &before->mode, &d->model, &d->inputs, &d->mode),
-        tdmf_vary_rest_length(model, inputs, &after->mode, &d->model, &d->inputs, &d->mode));
+        system.model, before->state[TDMF_LEG_LENGTH],
+        tdmf_rest_length(system.model, system.inputs, &before->mode),
+        tdmf_rest_length(system.model, system.inputs, &after->mode), &d->model, d_state[TDMF_LEG_LENGTH],
+        tdmf_vary_rest_length(system.model, system.inputs, &before->mode, &d->model, &d->inputs, &d->mode),
+        tdmf_vary_rest_length(system.model, system.inputs, &after->mode, &d->model, &d->inputs, &d->mode));
 }
 
 /* The ground force on a side of the event, and its change where the event is met; `d` has the state's change
@@ -82,20 +81,20 @@ typedef struct {
     tdmf_evaluation at, d_at;
 } varied_force;
 
-static varied_force vary_force(const tdmf_model *model, const tdmf_inputs *inputs,
-                               const tdmf_event_state *event_state, const tdmf_local_seed *d) {
+static varied_force vary_force(tdmf_system system, const tdmf_event_state *event_state,
+                               const tdmf_local_seed *d) {
     varied_force force;
-    force.at = tdmf_evaluate(model, inputs, &event_state->mode, event_state->state);
+    force.at = tdmf_evaluate(system, &event_state->mode, event_state->state);
     force.d_at = tdmf_vary_evaluation(&force.at, d);
     return force;
 }
 
 /* A peak that is met at the event is that of the side with the larger force. */
-static void vary_peaks(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_event_state *before,
-                       const tdmf_event_state *after, const tdmf_local_seed *d_before,
-                       const tdmf_local_seed *d_after, tdmf_stance_variation *stance) {
-    const varied_force from = vary_force(model, inputs, before, d_before);
-    const varied_force to = vary_force(model, inputs, after, d_after);
+static void vary_peaks(tdmf_system system, const tdmf_event_state *before, const tdmf_event_state *after,
+                       const tdmf_local_seed *d_before, const tdmf_local_seed *d_after,
+                       tdmf_stance_variation *stance) {
+    const varied_force from = vary_force(system, before, d_before);
+    const varied_force to = vary_force(system, after, d_after);
     if (after->peak_force > before->peak_force) {
         const bool ends = from.at.force.normal > to.at.force.normal;
         stance->peak_force = ends ? from.d_at.force.normal : to.d_at.force.normal;
@@ -116,43 +115,42 @@ static double vary_path(const tdmf_event_state *at, const tdmf_local_seed *d) {
 
 /* What the event, which shifts by dt, makes of the record of a stance; the directions have the state's change
  * where it is met, on either side. */
-static tdmf_stance_variation vary_stance(const tdmf_model *model, const tdmf_inputs *inputs,
-                                         const tdmf_event_state *before, const tdmf_event_state *after,
-                                         double dt, const tdmf_local_seed *d_before,
-                                         const tdmf_local_seed *d_after, tdmf_stance_variation stance) {
+static tdmf_stance_variation vary_stance(tdmf_system system, const tdmf_event_state *before,
+                                         const tdmf_event_state *after, double dt,
+                                         const tdmf_local_seed *d_before, const tdmf_local_seed *d_after,
+                                         tdmf_stance_variation stance) {
     const int ends = tdmf_in_contact(&before->mode) - tdmf_in_contact(&after->mode);
     const double slip_ends = tdmf_slip_sign(&before->mode) - tdmf_slip_sign(&after->mode);
     stance.stance_time += ends * dt;
     stance.slip_distance += slip_ends * vary_path(before, d_after);
     if (after->peak_force > before->peak_force || after->peak_vertical_force > before->peak_vertical_force) {
-        vary_peaks(model, inputs, before, after, d_before, d_after, &stance);
+        vary_peaks(system, before, after, d_before, d_after, &stance);
     }
     return stance;
 }
 
-tdmf_variation tdmf_saltation_met(const tdmf_model *model, const tdmf_inputs *inputs, tdmf_guard guard,
-                                  const tdmf_event_state *before, const tdmf_event_state *after,
-                                  const tdmf_seed *seed, const tdmf_variation *variation,
-                                  tdmf_met_event *met) {
+tdmf_variation tdmf_saltation_met(tdmf_system system, tdmf_guard guard, const tdmf_event_state *before,
+                                  const tdmf_event_state *after, const tdmf_seed *seed,
+                                  const tdmf_variation *variation, tdmf_met_event *met) {
     const tdmf_event_kind *event = tdmf_event_kind_of(guard);
     const bool impact = event->is_impact;
-    if (event->vary_guard == NULL || is_on_edge(model, inputs, impact, before, after)) {
+    if (event->vary_guard == NULL || is_on_edge(system, impact, before, after)) {
         const tdmf_variation none = no_variation();
         met->shift = NAN;
         memcpy(met->before, none.state, sizeof met->before);
         memcpy(met->after, none.state, sizeof met->after);
         return none;
     }
-    const tdmf_local_seed d = tdmf_local_seed_of(model, seed, variation);
-    const double dt = time_shift(event, model, inputs, before, &d);
+    const tdmf_local_seed d = tdmf_local_seed_of(system.model, seed, variation);
+    const double dt = time_shift(event, system, before, &d);
     tdmf_variation varied = *variation;
     shift_along(dt, before->derivatives, varied.state);
     met->shift = dt;
     memcpy(met->before, varied.state, sizeof met->before);
     if (event->vary_reset != NULL) {
-        event->vary_reset(model, inputs, &before->mode.ground, before->state, &d, varied.state);
+        event->vary_reset(system.model, system.inputs, &before->mode.ground, before->state, &d, varied.state);
     }
-    varied.state[TDMF_LEG_WORK] += vary_leg_work(model, inputs, before, after, &d, varied.state);
+    varied.state[TDMF_LEG_WORK] += vary_leg_work(system, before, after, &d, varied.state);
     if (tdmf_latches_liftoff_angle(&before->mode, &after->mode, impact)) {
         varied.liftoff_angle = varied.state[TDMF_LEG_ANGLE];
     }
@@ -160,15 +158,15 @@ tdmf_variation tdmf_saltation_met(const tdmf_model *model, const tdmf_inputs *in
     tdmf_local_seed d_before = d, d_after = d;
     d_before.state = met->before;
     d_after.state = met->after;
-    varied.stance = vary_stance(model, inputs, before, after, dt, &d_before, &d_after, varied.stance);
+    varied.stance = vary_stance(system, before, after, dt, &d_before, &d_after, varied.stance);
     shift_along(-dt, after->derivatives, varied.state);
     tdmf_constrain_variation(&after->mode, after->state, &d, varied.state);
     return varied;
 }
 
-tdmf_variation tdmf_saltation(const tdmf_model *model, const tdmf_inputs *inputs, tdmf_guard guard,
-                              const tdmf_event_state *before, const tdmf_event_state *after,
-                              const tdmf_seed *seed, const tdmf_variation *variation) {
+tdmf_variation tdmf_saltation(tdmf_system system, tdmf_guard guard, const tdmf_event_state *before,
+                              const tdmf_event_state *after, const tdmf_seed *seed,
+                              const tdmf_variation *variation) {
     tdmf_met_event met;
-    return tdmf_saltation_met(model, inputs, guard, before, after, seed, variation, &met);
+    return tdmf_saltation_met(system, guard, before, after, seed, variation, &met);
 }

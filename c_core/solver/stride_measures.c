@@ -236,9 +236,9 @@ void tdmf_measure_start(tdmf_measured *measured, const tdmf_model *model, const 
     }
 }
 
-static double squared_torque_of(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_mode *mode,
+static double squared_torque_of(tdmf_system system, const tdmf_mode *mode,
                                 const double state[TDMF_STATE_COUNT]) {
-    const double torque = tdmf_evaluate(model, inputs, mode, state).torque;
+    const double torque = tdmf_evaluate(system, mode, state).torque;
     return torque * torque;
 }
 
@@ -248,25 +248,24 @@ void tdmf_measure_end(tdmf_measured *measured, const tdmf_motion *motion) {
     m->friction_loss = motion->state[TDMF_ENERGY_FRICTION_LOSS];
 }
 
-void tdmf_vary_measured_end(tdmf_measured *measured, int number, const tdmf_model *model,
-                            const tdmf_inputs *inputs, const tdmf_motion *motion,
-                            const double derivatives[TDMF_STATE_COUNT], double shift) {
+void tdmf_vary_measured_end(tdmf_measured *measured, int number, tdmf_system system,
+                            const tdmf_motion *motion, const double derivatives[TDMF_STATE_COUNT],
+                            double shift) {
     tdmf_stride_measures *d = &measured->varied[number];
     d->positive_hip_work += derivatives[TDMF_HIP_POSITIVE_WORK] * shift;
-    d->squared_torque += squared_torque_of(model, inputs, &motion->mode, motion->state) * shift;
+    d->squared_torque += squared_torque_of(system, &motion->mode, motion->state) * shift;
 }
 
 /* ---- events ------------------------------------------------------------------------------------------- */
 
-static void add_shifts(tdmf_measured *measured, const tdmf_model *model, const tdmf_inputs *inputs,
-                       const tdmf_event_state *before, const tdmf_event_state *after,
-                       const tdmf_met_event *met, int count) {
+static void add_shifts(tdmf_measured *measured, tdmf_system system, const tdmf_event_state *before,
+                       const tdmf_event_state *after, const tdmf_met_event *met, int count) {
     const double less_power =
         before->derivatives[TDMF_HIP_POSITIVE_WORK] - after->derivatives[TDMF_HIP_POSITIVE_WORK];
     const double less_friction =
         before->derivatives[TDMF_ENERGY_FRICTION_LOSS] - after->derivatives[TDMF_ENERGY_FRICTION_LOSS];
-    const double less_torque = squared_torque_of(model, inputs, &before->mode, before->state) -
-                               squared_torque_of(model, inputs, &after->mode, after->state);
+    const double less_torque = squared_torque_of(system, &before->mode, before->state) -
+                               squared_torque_of(system, &after->mode, after->state);
     for (int i = 0; i < count; ++i) {
         measured->varied[i].positive_hip_work += less_power * met[i].shift;
         measured->varied[i].friction_loss += less_friction * met[i].shift;
@@ -308,11 +307,11 @@ static void record_slip_at_event(tdmf_measured *measured, const tdmf_model *mode
     }
 }
 
-void tdmf_measure_event(tdmf_measured *measured, const tdmf_model *model, const tdmf_inputs *inputs,
-                        const tdmf_event_state *before, const tdmf_event_state *after, const tdmf_seed *seeds,
-                        const tdmf_met_event *met, int count) {
-    add_shifts(measured, model, inputs, before, after, met, count);
+void tdmf_measure_event(tdmf_measured *measured, tdmf_system system, const tdmf_event_state *before,
+                        const tdmf_event_state *after, const tdmf_seed *seeds, const tdmf_met_event *met,
+                        int count) {
+    add_shifts(measured, system, before, after, met, count);
     measure_jump(measured, before, after, met, count);
-    record_slip_at_event(measured, model, before, seeds, met, false, count);
-    record_slip_at_event(measured, model, after, seeds, met, true, count);
+    record_slip_at_event(measured, system.model, before, seeds, met, false, count);
+    record_slip_at_event(measured, system.model, after, seeds, met, true, count);
 }

@@ -35,21 +35,21 @@ void tdmf_measure_start(tdmf_measured *measured, const tdmf_model *model, const 
 void tdmf_measure_step(tdmf_measured *measured, const tdmf_measured_step *along);
 
 /* Measures at an event, with what each variation is there. */
-void tdmf_measure_event(tdmf_measured *measured, const tdmf_model *model, const tdmf_inputs *inputs,
-                        const tdmf_event_state *before, const tdmf_event_state *after, const tdmf_seed *seeds,
-                        const tdmf_met_event *met, int count);
+void tdmf_measure_event(tdmf_measured *measured, tdmf_system system, const tdmf_event_state *before,
+                        const tdmf_event_state *after, const tdmf_seed *seeds, const tdmf_met_event *met,
+                        int count);
 
 /* Ends the measures at the apex where the stride closes; the variation of that number meets it later by
  * `shift`. */
 void tdmf_measure_end(tdmf_measured *measured, const tdmf_motion *motion);
-void tdmf_vary_measured_end(tdmf_measured *measured, int number, const tdmf_model *model,
-                            const tdmf_inputs *inputs, const tdmf_motion *motion,
-                            const double derivatives[TDMF_STATE_COUNT], double shift);
+void tdmf_vary_measured_end(tdmf_measured *measured, int number, tdmf_system system,
+                            const tdmf_motion *motion, const double derivatives[TDMF_STATE_COUNT],
+                            double shift);
 
 /* As tdmf_native_stride_varied, and measures the stride. */
-tdmf_stride_outcome tdmf_native_stride_measured(tdmf_solver *solver, const tdmf_model *model,
-                                                const tdmf_inputs *inputs, double until, tdmf_motion *motion,
-                                                const tdmf_seed *seeds, tdmf_variation *variations, int count,
+tdmf_stride_outcome tdmf_native_stride_measured(tdmf_solver *solver, tdmf_system system, double until,
+                                                tdmf_motion *motion, const tdmf_seed *seeds,
+                                                tdmf_variation *variations, int count,
                                                 tdmf_measured *measured);
 
 #endif

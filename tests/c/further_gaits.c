@@ -1106,8 +1106,8 @@ runner runner_at_further_apex(const further_gait *further) {
     assert_null(tdmf_model_create(&runner.model, &parameters).variable);
     runner.inputs = inputs_of_further_gait(further);
     /* The apex is a height above the ground below it. */
-    const tdmf_point com = tdmf_center_of_mass(&runner.model, runner.state);
-    runner.state[TDMF_FOOT_Y] += com.x * tan(runner.inputs.ground.slope);
+    const tdmf_point com = tdmf_center_of_mass(&runner.model, runner.motion.state);
+    runner.motion.state[TDMF_FOOT_Y] += com.x * tan(runner.inputs.ground.slope);
     runner_start(&runner);
     return runner;
 }

@@ -3,6 +3,7 @@
 #include "declared.h"
 #include "fuzz.h"
 #include "ground_line.h"
+#include "system_of.h"
 
 #include "tdmf_slip/ensemble.h"
 #include "tdmf_slip/tdmf_slip.h"
@@ -24,13 +25,12 @@ typedef struct {
 static void expect_numbers_of_motion(const subject *on) {
     const tdmf_motion *motion = &on->motion;
     double derivatives[TDMF_STATE_COUNT], guards[TDMF_GUARD_COUNT];
-    tdmf_derivatives(&on->model, &on->inputs, &motion->mode, motion->state, derivatives);
-    tdmf_guards(&on->model, &on->inputs, &motion->mode, motion->state, guards);
+    tdmf_derivatives(SYSTEM_OF(on), &motion->mode, motion->state, derivatives);
+    tdmf_guards(SYSTEM_OF(on), &motion->mode, motion->state, guards);
     expect_numbers(0, motion->state, TDMF_STATE_COUNT);
     expect_numbers(0, derivatives, TDMF_STATE_COUNT);
     expect_numbers(0, guards, TDMF_GUARD_COUNT);
-    const tdmf_outputs outputs =
-        tdmf_outputs_of(&on->model, &on->inputs, &motion->mode, &motion->record, motion->state);
+    const tdmf_outputs outputs = tdmf_outputs_of(SYSTEM_OF(on), motion);
     const double told[] = {outputs.com.y,        outputs.contact.fx,     outputs.contact.fy,
                            outputs.hip.torque,   outputs.energy.total,   outputs.energy.impact_loss,
                            outputs.stride.speed, outputs.stride.work,    outputs.stride.cost_of_transport,
@@ -64,7 +64,7 @@ static void advance(void *self) {
     const tdmf_inputs rates = random_rates(on, duration);
     const double start = on->motion.time;
     const tdmf_outcome outcome =
-        tdmf_native_advance(&on->solver, &on->model, &on->inputs, &rates, start + duration, &on->motion);
+        tdmf_native_advance(&on->solver, SYSTEM_OF(on), &rates, start + duration, &on->motion);
     if (outcome == TDMF_ARRIVED && on->motion.time != start + duration) {
         die("arrived elsewhere");
     }
@@ -78,8 +78,8 @@ static void advance(void *self) {
 static void close_a_stride(void *self) {
     subject *on = self;
     const int count = on->motion.record.stride.count;
-    const tdmf_stride_outcome outcome = tdmf_native_stride(&on->solver, &on->model, &on->inputs,
-                                                           on->motion.time + random_time(on), &on->motion);
+    const tdmf_stride_outcome outcome =
+        tdmf_native_stride(&on->solver, SYSTEM_OF(on), on->motion.time + random_time(on), &on->motion);
     if (outcome.closed != (on->motion.record.stride.count == count + 1)) {
         die("a stride that is none");
     }
@@ -90,7 +90,7 @@ static void close_a_stride(void *self) {
 static void jump(void *self) {
     subject *on = self;
     tdmf_parameters parameters = on->model.parameters;
-    tdmf_observe(&on->model, &on->inputs, on->motion.state, &on->motion.mode, &on->motion.record);
+    tdmf_observe(SYSTEM_OF(on), &on->motion);
     on->inputs = declared_inputs(on->source, &parameters, on->decades);
     declared_further_inputs(on->source, &parameters, on->decades, &on->inputs);
     if (random_chance(on->source, 0.5)) {
@@ -99,8 +99,7 @@ static void jump(void *self) {
             die("settings within their ranges are refused");
         }
     }
-    tdmf_resolve(&on->model, &on->inputs, on->motion.time, on->motion.state, &on->motion.mode,
-                 &on->motion.record);
+    tdmf_resolve(SYSTEM_OF(on), &on->motion);
     expect_numbers_of_motion(on);
 }
 
@@ -117,8 +116,8 @@ static void map(void *self) {
     subject *on = self;
     double section[TDMF_SECTION_COUNT];
     random_section(on, section);
-    const tdmf_return stride = tdmf_return_map(&on->solver, &on->model, &on->inputs, section,
-                                               1e3 * on->model.scales.time, true, NULL, 0);
+    const tdmf_return stride =
+        tdmf_return_map(&on->solver, SYSTEM_OF(on), section, 1e3 * on->model.scales.time, true, NULL, 0);
     if (stride.outcome == TDMF_RETURN_CLOSED) {
         expect_numbers(0, stride.apex, TDMF_SECTION_COUNT);
         for (int i = 0; i < TDMF_SECTION_COUNT; ++i) {
@@ -177,9 +176,9 @@ int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size) {
     on.solver.relative_tolerance = random_magnitude(&source, 1e-14, 1e-2);
     on.solver.step_limit = STEPS_OF_A_CALL;
     on.solver.event_limit = STEPS_OF_A_CALL;
+    on.motion.time = 0.0;
     if (tdmf_model_create(&on.model, &runner.parameters).variable == NULL &&
-        tdmf_start(&on.model, &on.inputs, 0.0, on.motion.state, &on.motion.mode, &on.motion.record)
-                .variable == NULL) {
+        tdmf_start(SYSTEM_OF(&on), &on.motion).variable == NULL) {
         call_until_used_up(&source, calls, sizeof calls / sizeof calls[0], &on);
     }
     return 0;

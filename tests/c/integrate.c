@@ -16,31 +16,29 @@ runner runner_default(double friction) {
     assert_null(tdmf_model_create(&runner.model, &parameters).variable);
     runner.inputs = tdmf_default_inputs();
     runner.inputs.ground.friction = friction;
-    runner.mode.ground = tdmf_ground_line_of(0.0, 0.0);
-    tdmf_default_state(runner.state);
+    runner.motion.mode.ground = tdmf_ground_line_of(0.0, 0.0);
+    tdmf_default_state(runner.motion.state);
     return runner;
 }
 
 void runner_start(runner *runner) {
-    runner->time = 0.0;
-    assert_null(
-        tdmf_start(&runner->model, &runner->inputs, 0.0, runner->state, &runner->mode, &runner->record)
-            .variable);
+    runner->motion.time = 0.0;
+    assert_null(tdmf_start(SYSTEM_OF(runner), &runner->motion).variable);
 }
 
 static void slope(const runner *runner, const double state[], double derivatives[]) {
-    tdmf_derivatives(&runner->model, &runner->inputs, &runner->mode, state, derivatives);
+    tdmf_derivatives(SYSTEM_OF(runner), &runner->motion.mode, state, derivatives);
 }
 
 static void runge_kutta(const runner *runner, double h, double after[TDMF_STATE_COUNT]) {
     static const double reach[] = {0.0, 0.5, 0.5, 1.0};
     static const double weight[] = {1.0 / 6.0, 1.0 / 3.0, 1.0 / 3.0, 1.0 / 6.0};
     double k[TDMF_STATE_COUNT] = {0.0};
-    memcpy(after, runner->state, sizeof runner->state);
+    memcpy(after, runner->motion.state, sizeof runner->motion.state);
     for (int stage = 0; stage < 4; ++stage) {
         double trial[TDMF_STATE_COUNT];
         for (int i = 0; i < TDMF_STATE_COUNT; ++i) {
-            trial[i] = runner->state[i] + h * reach[stage] * k[i];
+            trial[i] = runner->motion.state[i] + h * reach[stage] * k[i];
         }
         slope(runner, trial, k);
         for (int i = 0; i < TDMF_STATE_COUNT; ++i) {
@@ -51,7 +49,7 @@ static void runge_kutta(const runner *runner, double h, double after[TDMF_STATE_
 
 static bool any_due(const runner *runner, const double state[TDMF_STATE_COUNT]) {
     double guards[TDMF_GUARD_COUNT];
-    tdmf_guards(&runner->model, &runner->inputs, &runner->mode, state, guards);
+    tdmf_guards(SYSTEM_OF(runner), &runner->motion.mode, state, guards);
     for (int i = 0; i < TDMF_GUARD_COUNT; ++i) {
         if (guards[i] <= 0.0) {
             return true;
@@ -99,20 +97,18 @@ bool runner_advance(runner *runner, double step) {
     if (!all_finite(after)) {
         return false;
     }
-    runner->time += step;
-    memcpy(runner->state, after, sizeof after);
+    runner->motion.time += step;
+    memcpy(runner->motion.state, after, sizeof after);
     if (event) {
         ++runner->resolutions;
-        assert_false(tdmf_resolve(&runner->model, &runner->inputs, runner->time, runner->state, &runner->mode,
-                                  &runner->record)
-                         .unresolved);
+        assert_false(tdmf_resolve(SYSTEM_OF(runner), &runner->motion).unresolved);
     }
-    return !runner->mode.fallen;
+    return !runner->motion.mode.fallen;
 }
 
 void runner_stride(runner *runner, double step) {
-    const int count = runner->record.stride.count;
-    while (runner->record.stride.count == count) {
+    const int count = runner->motion.record.stride.count;
+    while (runner->motion.record.stride.count == count) {
         assert_true(runner_advance(runner, step));
     }
 }

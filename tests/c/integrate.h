@@ -3,22 +3,20 @@
 #ifndef TDMF_TESTS_INTEGRATE_H
 #define TDMF_TESTS_INTEGRATE_H
 
+#include "system_of.h"
 #include "tdmf_slip/tdmf_slip.h"
 
 typedef struct {
     tdmf_model model;
     tdmf_inputs inputs;
-    double time;
-    double state[TDMF_STATE_COUNT];
-    tdmf_mode mode;
-    tdmf_record record;
+    tdmf_motion motion;
     long resolutions; /* calls of tdmf_resolve at a guard */
 } runner;
 
 /* Table 1 and its default start; asserts that the library accepts them. */
 runner runner_default(double friction);
 
-/* Starts from runner->state at time 0; asserts acceptance. */
+/* Starts from runner->motion.state at time 0; asserts acceptance. */
 void runner_start(runner *runner);
 
 /* One step of at most `step`, shortened to the first guard that fires, which is then resolved. Returns false

@@ -26,10 +26,10 @@ runner line_at(const line *line, double t) {
         values[i] += t * directions[i];
     }
     for (int i = 0; i < TDMF_STATE_COUNT; ++i) {
-        moved.state[i] += t * line->variation.state[i];
+        moved.motion.state[i] += t * line->variation.state[i];
     }
     moved.model = model_of(&parameters);
-    moved.mode.liftoff_angle += t * line->variation.liftoff_angle;
+    moved.motion.mode.liftoff_angle += t * line->variation.liftoff_angle;
     moved.inputs.ground.friction += t * line->seed.inputs.ground.friction;
     moved.inputs.hip.external_torque += t * line->seed.inputs.hip.external_torque;
     moved.inputs.leg.extension += t * line->seed.inputs.leg.extension;
@@ -41,8 +41,9 @@ runner line_at(const line *line, double t) {
     moved.inputs.ground.height += t * line->seed.inputs.ground.height;
     moved.inputs.ground.slope += t * line->seed.inputs.ground.slope;
     /* The line in force changes with the one that is set, which may be another. */
-    moved.mode.ground = tdmf_ground_line_of(moved.mode.ground.height + t * line->seed.inputs.ground.height,
-                                            moved.mode.ground.slope + t * line->seed.inputs.ground.slope);
+    moved.motion.mode.ground =
+        tdmf_ground_line_of(moved.motion.mode.ground.height + t * line->seed.inputs.ground.height,
+                            moved.motion.mode.ground.slope + t * line->seed.inputs.ground.slope);
     return moved;
 }
 
@@ -74,7 +75,7 @@ line line_random(random_source *source, const runner *runner) {
     for (int i = 0; i < TDMF_MECHANICAL_COUNT; ++i) {
         line.variation.state[i] = of_state[i] * random_uniform(source, -1.0, 1.0);
     }
-    if (runner->mode.phase == TDMF_PHASE_PLACE) {
+    if (runner->motion.mode.phase == TDMF_PHASE_PLACE) {
         line.variation.state[TDMF_HIP_PLACE_TIME] = scales->time * random_uniform(source, -1.0, 1.0);
     }
     for (int i = 0; i < PARAMETERS; ++i) {

@@ -106,7 +106,7 @@ runner runner_at_reference_apex(const reference_gait *gait) {
     const double cosine = cos(gait->apex.leg_angle);
     const double along = gait->apex.leg_length_rate;
     const double across = r * gait->apex.leg_angle_rate;
-    double *state = runner.state;
+    double *state = runner.motion.state;
     state[TDMF_FOOT_X] = share * r * sine;
     state[TDMF_FOOT_Y] = gait->apex.com_height - share * r * cosine;
     state[TDMF_LEG_LENGTH] = r;
@@ -116,7 +116,7 @@ runner runner_at_reference_apex(const reference_gait *gait) {
     state[TDMF_LEG_LENGTH_RATE] = along;
     state[TDMF_LEG_ANGLE_RATE] = gait->apex.leg_angle_rate;
     runner_start(&runner);
-    assert_true(runner.record.open.began_at_apex);
+    assert_true(runner.motion.record.open.began_at_apex);
     return runner;
 }
 

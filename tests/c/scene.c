@@ -9,17 +9,17 @@ static const double high_friction = 1000.0;
 
 /* What follows from the rest of a mode off the ground, and from a leg that is accounted for. */
 static void complete_mode(runner *runner) {
-    runner->mode.rises = runner->mode.phase == TDMF_PHASE_RETRACT;
-    runner->mode.rest_length = runner->model.parameters.leg.free_length;
+    runner->motion.mode.rises = runner->motion.mode.phase == TDMF_PHASE_RETRACT;
+    runner->motion.mode.rest_length = runner->model.parameters.leg.free_length;
 }
 
 runner scene_on_ground(tdmf_contact_mode contact, double leg_angle, double vertical_force) {
     runner runner = runner_default(high_friction);
-    memset(runner.state, 0, sizeof runner.state);
-    runner.state[TDMF_LEG_ANGLE] = leg_angle;
-    runner.mode.contact = contact;
-    runner.mode.phase = contact == TDMF_CONTACT_GRAZE ? TDMF_PHASE_RETRACT : TDMF_PHASE_COAST;
-    runner.mode.liftoff_angle = leg_angle;
+    memset(runner.motion.state, 0, sizeof runner.motion.state);
+    runner.motion.state[TDMF_LEG_ANGLE] = leg_angle;
+    runner.motion.mode.contact = contact;
+    runner.motion.mode.phase = contact == TDMF_CONTACT_GRAZE ? TDMF_PHASE_RETRACT : TDMF_PHASE_COAST;
+    runner.motion.mode.liftoff_angle = leg_angle;
     complete_mode(&runner);
     scene_set_vertical_force(&runner, vertical_force);
     return runner;
@@ -27,11 +27,11 @@ runner scene_on_ground(tdmf_contact_mode contact, double leg_angle, double verti
 
 runner scene_in_flight(tdmf_hip_phase phase, double com_vy) {
     runner runner = runner_default(high_friction);
-    memset(runner.state, 0, sizeof runner.state);
-    runner.state[TDMF_FOOT_Y] = 1.0;
-    runner.state[TDMF_LEG_LENGTH] = 1.0;
-    runner.mode.contact = TDMF_CONTACT_FLIGHT;
-    runner.mode.phase = phase;
+    memset(runner.motion.state, 0, sizeof runner.motion.state);
+    runner.motion.state[TDMF_FOOT_Y] = 1.0;
+    runner.motion.state[TDMF_LEG_LENGTH] = 1.0;
+    runner.motion.mode.contact = TDMF_CONTACT_FLIGHT;
+    runner.motion.mode.phase = phase;
     complete_mode(&runner);
     scene_set_com_vy(&runner, com_vy);
     return runner;
@@ -39,96 +39,98 @@ runner scene_in_flight(tdmf_hip_phase phase, double com_vy) {
 
 runner scene_at_impact(tdmf_hip_phase phase, double leg_angle, double vertical_force) {
     runner runner = scene_on_ground(TDMF_CONTACT_STICK, leg_angle, vertical_force);
-    runner.mode.contact = TDMF_CONTACT_FLIGHT;
-    runner.mode.phase = phase;
+    runner.motion.mode.contact = TDMF_CONTACT_FLIGHT;
+    runner.motion.mode.phase = phase;
     complete_mode(&runner);
-    runner.state[TDMF_FOOT_Y] = -1e-9;
-    tdmf_set_foot_velocity(0.05, -0.1, runner.state);
+    runner.motion.state[TDMF_FOOT_Y] = -1e-9;
+    tdmf_set_foot_velocity(0.05, -0.1, runner.motion.state);
     return runner;
 }
 
 static double total_torque(const runner *runner) {
-    const tdmf_mode *mode = &runner->mode;
+    const tdmf_mode *mode = &runner->motion.mode;
     return mode->contact == TDMF_CONTACT_GRAZE
                ? runner->inputs.hip.external_torque
-               : tdmf_hip_torque(&runner->model, &runner->inputs, mode, runner->state);
+               : tdmf_hip_torque(SYSTEM_OF(runner), mode, runner->motion.state);
 }
 
 /* The torque acts through its lever, the leg length sought: a contracting fixed point. */
 void scene_set_vertical_force(runner *runner, double vertical_force) {
     const tdmf_parameters *p = &runner->model.parameters;
-    const double angle = runner->state[TDMF_LEG_ANGLE];
+    const double angle = runner->motion.state[TDMF_LEG_ANGLE];
     const double torque = total_torque(runner);
     double length = p->leg.free_length;
     for (int i = 0; i < 100; ++i) {
         const double axial_force =
             (vertical_force - p->foot.mass * p->gravity + torque / length * sin(angle)) / cos(angle);
-        length = p->leg.free_length -
-                 (axial_force + p->leg.damping * runner->state[TDMF_LEG_LENGTH_RATE]) / p->leg.stiffness;
+        length =
+            p->leg.free_length -
+            (axial_force + p->leg.damping * runner->motion.state[TDMF_LEG_LENGTH_RATE]) / p->leg.stiffness;
     }
-    runner->state[TDMF_LEG_LENGTH] = length;
+    runner->motion.state[TDMF_LEG_LENGTH] = length;
 }
 
 double scene_stance_law(const runner *runner) {
     const double torque = runner->model.parameters.hip.stance_torque + runner->inputs.control.stance_torque;
-    return runner->mode.mid_stance_pending ? -torque : 0.0;
+    return runner->motion.mode.mid_stance_pending ? -torque : 0.0;
 }
 
 double scene_retract_law(const runner *runner) {
     const tdmf_parameters *p = &runner->model.parameters;
-    const double target = p->hip.liftoff_angle_factor * runner->mode.liftoff_angle;
-    return -p->hip.kp * (runner->state[TDMF_LEG_ANGLE] - target) -
-           p->hip.kd * runner->state[TDMF_LEG_ANGLE_RATE];
+    const double target = p->hip.liftoff_angle_factor * runner->motion.mode.liftoff_angle;
+    return -p->hip.kp * (runner->motion.state[TDMF_LEG_ANGLE] - target) -
+           p->hip.kd * runner->motion.state[TDMF_LEG_ANGLE_RATE];
 }
 
 double scene_place_law(const runner *runner) {
     const tdmf_parameters *p = &runner->model.parameters;
     const double omega = p->hip.retraction_rate;
     const double touchdown_angle = p->hip.touchdown_angle + runner->inputs.control.touchdown_angle;
-    const double reference = touchdown_angle - omega * runner->state[TDMF_HIP_PLACE_TIME];
-    return -p->hip.kp * (runner->state[TDMF_LEG_ANGLE] - reference) -
-           p->hip.kd * (runner->state[TDMF_LEG_ANGLE_RATE] + omega);
+    const double reference = touchdown_angle - omega * runner->motion.state[TDMF_HIP_PLACE_TIME];
+    return -p->hip.kp * (runner->motion.state[TDMF_LEG_ANGLE] - reference) -
+           p->hip.kd * (runner->motion.state[TDMF_LEG_ANGLE_RATE] + omega);
 }
 
 void scene_set_com_vy(runner *runner, double com_vy) {
-    const double *state = runner->state;
+    const double *state = runner->motion.state;
     const double share = runner->model.parameters.body.mass / runner->model.total_mass;
     const double climb_of_leg =
         state[TDMF_LEG_LENGTH_RATE] * cos(state[TDMF_LEG_ANGLE]) -
         state[TDMF_LEG_LENGTH] * state[TDMF_LEG_ANGLE_RATE] * sin(state[TDMF_LEG_ANGLE]);
-    runner->state[TDMF_FOOT_VY] = com_vy - share * climb_of_leg;
+    runner->motion.state[TDMF_FOOT_VY] = com_vy - share * climb_of_leg;
 }
 
 void scene_set_com_vy_by_leg(runner *runner, double com_vy) {
-    const double *state = runner->state;
+    const double *state = runner->motion.state;
     const double share = runner->model.parameters.body.mass / runner->model.total_mass;
     const double climb_of_turning =
         -state[TDMF_LEG_LENGTH] * state[TDMF_LEG_ANGLE_RATE] * sin(state[TDMF_LEG_ANGLE]);
-    runner->state[TDMF_LEG_LENGTH_RATE] = (com_vy / share - climb_of_turning) / cos(state[TDMF_LEG_ANGLE]);
+    runner->motion.state[TDMF_LEG_LENGTH_RATE] =
+        (com_vy / share - climb_of_turning) / cos(state[TDMF_LEG_ANGLE]);
 }
 
 void scene_assert_mode(const runner *runner, tdmf_contact_mode contact, tdmf_hip_phase phase) {
-    assert_int_equal(runner->mode.contact, contact);
-    assert_int_equal(runner->mode.phase, phase);
-    assert_false(runner->mode.fallen);
+    assert_int_equal(runner->motion.mode.contact, contact);
+    assert_int_equal(runner->motion.mode.phase, phase);
+    assert_false(runner->motion.mode.fallen);
 }
 
 /* Member by member with memcpy, so that padding is copied too. */
 void scene_take_snapshot(const runner *runner, scene_snapshot *snapshot) {
-    memcpy(snapshot->state, runner->state, sizeof snapshot->state);
-    memcpy(&snapshot->mode, &runner->mode, sizeof snapshot->mode);
-    memcpy(&snapshot->record, &runner->record, sizeof snapshot->record);
+    memcpy(snapshot->state, runner->motion.state, sizeof snapshot->state);
+    memcpy(&snapshot->mode, &runner->motion.mode, sizeof snapshot->mode);
+    memcpy(&snapshot->record, &runner->motion.record, sizeof snapshot->record);
 }
 
 void scene_assert_unchanged(const runner *runner, const scene_snapshot *before) {
-    assert_memory_equal(runner->state, before->state, sizeof before->state);
-    assert_memory_equal(&runner->mode, &before->mode, sizeof before->mode);
-    assert_memory_equal(&runner->record, &before->record, sizeof before->record);
+    assert_memory_equal(runner->motion.state, before->state, sizeof before->state);
+    assert_memory_equal(&runner->motion.mode, &before->mode, sizeof before->mode);
+    assert_memory_equal(&runner->motion.record, &before->record, sizeof before->record);
 }
 
 double scene_guard(const runner *runner, tdmf_guard guard) {
     double guards[TDMF_GUARD_COUNT];
-    tdmf_guards(&runner->model, &runner->inputs, &runner->mode, runner->state, guards);
+    tdmf_guards(SYSTEM_OF(runner), &runner->motion.mode, runner->motion.state, guards);
     return guards[guard];
 }
 
@@ -146,10 +148,9 @@ const tdmf_guard scene_varied_guards[SCENE_VARIED_GUARDS] = {TDMF_GUARD_TOUCHDOW
                                                              TDMF_GUARD_NEW_GROUND};
 
 tdmf_resolution scene_resolve(runner *runner) {
-    const tdmf_resolution resolution = tdmf_resolve(&runner->model, &runner->inputs, runner->time,
-                                                    runner->state, &runner->mode, &runner->record);
+    const tdmf_resolution resolution = tdmf_resolve(SYSTEM_OF(runner), &runner->motion);
     assert_false(resolution.unresolved);
-    assert_true(runner->mode.phase == TDMF_PHASE_RETRACT || !runner->mode.clamp_closed);
+    assert_true(runner->motion.mode.phase == TDMF_PHASE_RETRACT || !runner->motion.mode.clamp_closed);
     for (int i = 0; i < TDMF_GUARD_COUNT; ++i) {
         assert_true(scene_guard(runner, (tdmf_guard)i) > 0.0);
     }
@@ -197,7 +198,7 @@ tdmf_inputs scene_random_inputs(random_source *source, const tdmf_model *model) 
 
 static void random_state(random_source *source, runner *runner) {
     const tdmf_scales *scales = &runner->model.scales;
-    double *state = runner->state;
+    double *state = runner->motion.state;
     const double side = random_chance(source, 0.5) ? 1.0 : -1.0;
     state[TDMF_FOOT_X] = random_uniform(source, -3.0, 3.0) * scales->length;
     state[TDMF_FOOT_Y] = random_uniform(source, 0.0, 3.0) * scales->length;
@@ -215,12 +216,13 @@ static void choose_ground(random_source copy, runner *runner) {
     if (random_chance(&copy, 0.5)) {
         runner->inputs.ground.slope = random_uniform(&copy, -0.7, 0.7);
         runner->inputs.ground.height = random_uniform(&copy, -2.0, 2.0) * runner->model.scales.length;
-        if (fabs(runner->state[TDMF_LEG_ANGLE] - runner->inputs.ground.slope) > 1.4) {
+        if (fabs(runner->motion.state[TDMF_LEG_ANGLE] - runner->inputs.ground.slope) > 1.4) {
             runner->inputs.ground.slope *= -1.0; /* the body is above the ground */
         }
     }
-    runner->mode.ground = tdmf_ground_line_of(runner->inputs.ground.height, runner->inputs.ground.slope);
-    if (runner->mode.contact == TDMF_CONTACT_FLIGHT && random_chance(&copy, 0.3)) { /* it waits */
+    runner->motion.mode.ground =
+        tdmf_ground_line_of(runner->inputs.ground.height, runner->inputs.ground.slope);
+    if (runner->motion.mode.contact == TDMF_CONTACT_FLIGHT && random_chance(&copy, 0.3)) { /* it waits */
         runner->inputs.ground.height += random_uniform(&copy, 0.0, 6.0) * runner->model.scales.length;
         runner->inputs.ground.slope = random_uniform(&copy, -0.7, 0.7);
     }
@@ -228,14 +230,14 @@ static void choose_ground(random_source copy, runner *runner) {
 
 /* What the contact mode says of the foot's motion, which is drawn along the ground and away from it. */
 static void constrain(runner *runner) {
-    const tdmf_ground_line *ground = &runner->mode.ground;
-    double *state = runner->state;
-    const double sign = tdmf_slip_sign(&runner->mode);
-    const bool flies = runner->mode.contact == TDMF_CONTACT_FLIGHT;
+    const tdmf_ground_line *ground = &runner->motion.mode.ground;
+    double *state = runner->motion.state;
+    const double sign = tdmf_slip_sign(&runner->motion.mode);
+    const bool flies = runner->motion.mode.contact == TDMF_CONTACT_FLIGHT;
     const double along = state[TDMF_FOOT_X], off = flies ? state[TDMF_FOOT_Y] : 0.0;
     const double rate = flies ? state[TDMF_FOOT_VY] : 0.0;
     double velocity = state[TDMF_FOOT_VX];
-    if (runner->mode.contact == TDMF_CONTACT_STICK) {
+    if (runner->motion.mode.contact == TDMF_CONTACT_STICK) {
         velocity = 0.0;
     } else if (sign != 0.0) {
         velocity = copysign(velocity, sign);
@@ -253,15 +255,15 @@ runner scene_random(random_source *source, tdmf_contact_mode contact) {
     runner.inputs = scene_random_inputs(source, &runner.model);
     random_state(source, &runner);
     const bool first = random_chance(source, 0.5);
-    runner.mode.contact = contact;
-    runner.mode.liftoff_angle = random_uniform(source, -1.2, 1.2);
-    if (tdmf_in_contact(&runner.mode)) {
-        runner.mode.phase = first ? TDMF_PHASE_DRIVE : TDMF_PHASE_COAST;
-        runner.mode.mid_stance_pending = first;
+    runner.motion.mode.contact = contact;
+    runner.motion.mode.liftoff_angle = random_uniform(source, -1.2, 1.2);
+    if (tdmf_in_contact(&runner.motion.mode)) {
+        runner.motion.mode.phase = first ? TDMF_PHASE_DRIVE : TDMF_PHASE_COAST;
+        runner.motion.mode.mid_stance_pending = first;
     } else {
-        runner.mode.phase = first ? TDMF_PHASE_RETRACT : TDMF_PHASE_PLACE;
-        runner.mode.clamp_closed = first && scene_retract_law(&runner) < 0.0;
-        runner.state[TDMF_HIP_PLACE_TIME] =
+        runner.motion.mode.phase = first ? TDMF_PHASE_RETRACT : TDMF_PHASE_PLACE;
+        runner.motion.mode.clamp_closed = first && scene_retract_law(&runner) < 0.0;
+        runner.motion.state[TDMF_HIP_PLACE_TIME] =
             first ? 0.0 : random_uniform(source, 0.0, 10.0) * runner.model.scales.time;
     }
     complete_mode(&runner);
@@ -271,16 +273,16 @@ runner scene_random(random_source *source, tdmf_contact_mode contact) {
 }
 
 double scene_short_time(const runner *runner) {
-    return 0.005 / (1.0 / runner->model.scales.time + fabs(runner->state[TDMF_LEG_ANGLE_RATE]));
+    return 0.005 / (1.0 / runner->model.scales.time + fabs(runner->motion.state[TDMF_LEG_ANGLE_RATE]));
 }
 
 double scene_force_tolerance(const runner *runner) {
     const tdmf_parameters *p = &runner->model.parameters;
-    const double length = runner->state[TDMF_LEG_LENGTH];
-    const double turning = runner->state[TDMF_LEG_ANGLE_RATE];
-    const double torque = tdmf_hip_torque(&runner->model, &runner->inputs, &runner->mode, runner->state);
+    const double length = runner->motion.state[TDMF_LEG_LENGTH];
+    const double turning = runner->motion.state[TDMF_LEG_ANGLE_RATE];
+    const double torque = tdmf_hip_torque(SYSTEM_OF(runner), &runner->motion.mode, runner->motion.state);
     const double forces = runner->model.scales.force + fabs(torque) / length +
-                          p->leg.damping * fabs(runner->state[TDMF_LEG_LENGTH_RATE]) +
+                          p->leg.damping * fabs(runner->motion.state[TDMF_LEG_LENGTH_RATE]) +
                           p->body.mass * length * turning * turning;
     return 1e-11 * forces * (1.0 + runner->inputs.ground.friction) * p->body.mass / p->foot.mass;
 }

@@ -52,8 +52,8 @@ double scene_guard(const runner *runner, tdmf_guard guard);
 enum { SCENE_VARIED_GUARDS = 12 };
 extern const tdmf_guard scene_varied_guards[SCENE_VARIED_GUARDS];
 
-/* tdmf_resolve at runner->time. Asserts that the chain comes to rest, leaves no guard due, and a clamp closed
- * in retract only. */
+/* tdmf_resolve at runner->motion.time. Asserts that the chain comes to rest, leaves no guard due, and a clamp
+ * closed in retract only. */
 tdmf_resolution scene_resolve(runner *runner);
 
 /* Random parameters within a decade or so of Table 1 in random units, random inputs. */

@@ -19,7 +19,7 @@ typedef struct {
 } run;
 
 static double energy_of(const run *run) {
-    return tdmf_mechanical_energy(&run->model, &run->inputs, &run->motion.mode, run->motion.state).total;
+    return tdmf_mechanical_energy(SYSTEM_OF(run), &run->motion.mode, run->motion.state).total;
 }
 
 static run begin(double thrust, double tolerance) {
@@ -32,9 +32,8 @@ static run begin(double thrust, double tolerance) {
     run.solver = tdmf_solver_default();
     run.solver.relative_tolerance = tolerance;
     tdmf_default_state(run.motion.state);
-    assert_null(
-        tdmf_start(&run.model, &run.inputs, 0.0, run.motion.state, &run.motion.mode, &run.motion.record)
-            .variable);
+    run.motion.time = 0.0;
+    assert_null(tdmf_start(SYSTEM_OF(&run), &run.motion).variable);
     run.start_energy = energy_of(&run);
     return run;
 }
@@ -67,8 +66,8 @@ static tdmf_inputs random_rates(random_source *source) {
     return rates;
 }
 
-typedef tdmf_outcome (*solver_call)(tdmf_solver *solver, const tdmf_model *model, const tdmf_inputs *inputs,
-                                    const tdmf_inputs *rates, double until, tdmf_motion *motion);
+typedef tdmf_outcome (*solver_call)(tdmf_solver *solver, tdmf_system system, const tdmf_inputs *rates,
+                                    double until, tdmf_motion *motion);
 
 /* Up and down again, so that the runner runs on. */
 static run ramped(uint64_t seed, solver_call advance, double tolerance, double ledger_tolerance) {
@@ -85,8 +84,7 @@ static run ramped(uint64_t seed, solver_call advance, double tolerance, double l
                 values[k] = -values[k];
             }
         }
-        assert_int_equal(advance(&run.solver, &run.model, &run.inputs, &rates, until, &run.motion),
-                         TDMF_ARRIVED);
+        assert_int_equal(advance(&run.solver, SYSTEM_OF(&run), &rates, until, &run.motion), TDMF_ARRIVED);
         run.inputs = tdmf_inputs_after(&run.inputs, &rates, piece);
         assert_close(error_of_ledger(&run), 0.0, ledger_tolerance);
     }
@@ -113,7 +111,7 @@ static void ramps_of_every_input_close_the_ledger_and_agree_with_cvode(void **st
 
 static void jump(random_source *source, run *run, double most) {
     tdmf_inputs *inputs = &run->inputs;
-    tdmf_observe(&run->model, inputs, run->motion.state, &run->motion.mode, &run->motion.record);
+    tdmf_observe((tdmf_system){&run->model, inputs}, &run->motion);
     set_thrust(run, random_chance(source, 0.3) ? 0.0 : random_uniform(source, 0.0, most));
     inputs->leg.extension = random_uniform(source, -0.5, 0.5) * most;
     inputs->control.thrust = random_chance(source, 0.5) ? 0.0 : random_uniform(source, -most, most);
@@ -137,7 +135,7 @@ static void whatever_jumps_the_ledger_closes_and_chains_end(void **state) {
         double turnover = 1.0;
         for (int k = 0; k < JUMPS && outcome == TDMF_ARRIVED; ++k) {
             jump(&source, &run, most);
-            outcome = tdmf_native_advance(&run.solver, &run.model, &run.inputs, NULL,
+            outcome = tdmf_native_advance(&run.solver, SYSTEM_OF(&run), NULL,
                                           run.motion.time + random_uniform(&source, 0.1, 6.0), &run.motion);
             assert_true(outcome == TDMF_ARRIVED || outcome == TDMF_FELL);
             turnover = fmax(turnover, fabs(energy_of(&run)) + fabs(run.motion.state[TDMF_LEG_WORK]));
@@ -159,13 +157,13 @@ static runner standing_leg(double length_rate, double leg_thrust) {
     tdmf_parameters parameters = runner.model.parameters;
     parameters.leg.thrust = leg_thrust;
     assert_null(tdmf_model_create(&runner.model, &parameters).variable);
-    runner.state[TDMF_LEG_LENGTH_RATE] = length_rate;
+    runner.motion.state[TDMF_LEG_LENGTH_RATE] = length_rate;
     return runner;
 }
 
 static double work_of_thrust(const runner *runner, double by) {
     const tdmf_parameters *p = &runner->model.parameters;
-    const double compression = p->leg.free_length - runner->state[TDMF_LEG_LENGTH];
+    const double compression = p->leg.free_length - runner->motion.state[TDMF_LEG_LENGTH];
     return 0.5 * p->leg.stiffness * by * (by + 2.0 * compression);
 }
 
@@ -173,34 +171,34 @@ static void thrust_begins_where_the_leg_stops_shortening_and_outlasts_it(void **
     runner runner = standing_leg(-1e-3, thrust);
     (void)state;
     scene_resolve(&runner);
-    assert_false(runner.mode.thrusts);
-    runner.state[TDMF_LEG_LENGTH_RATE] = 1e-9;
+    assert_false(runner.motion.mode.thrusts);
+    runner.motion.state[TDMF_LEG_LENGTH_RATE] = 1e-9;
     assert_true(scene_resolve(&runner).mode_changed);
-    assert_true(runner.mode.thrusts);
-    assert_int_equal(runner.record.event_count, 1);
-    assert_close(runner.state[TDMF_LEG_WORK], work_of_thrust(&runner, thrust), 1e-15);
-    runner.state[TDMF_LEG_LENGTH_RATE] = -0.1;
+    assert_true(runner.motion.mode.thrusts);
+    assert_int_equal(runner.motion.record.event_count, 1);
+    assert_close(runner.motion.state[TDMF_LEG_WORK], work_of_thrust(&runner, thrust), 1e-15);
+    runner.motion.state[TDMF_LEG_LENGTH_RATE] = -0.1;
     scene_resolve(&runner);
-    runner.state[TDMF_LEG_LENGTH_RATE] = 0.1;
+    runner.motion.state[TDMF_LEG_LENGTH_RATE] = 0.1;
     scene_resolve(&runner);
-    assert_true(runner.mode.thrusts);
-    assert_int_equal(runner.record.event_count, 1);
+    assert_true(runner.motion.mode.thrusts);
+    assert_int_equal(runner.motion.record.event_count, 1);
 }
 
 static void a_thrust_of_zero_is_noted_and_acts_where_it_is_set(void **state) {
     runner runner = standing_leg(1e-3, 0.0);
     (void)state;
     assert_false(scene_resolve(&runner).mode_changed);
-    assert_true(runner.mode.thrusts);
-    assert_int_equal(runner.record.event_count, 0);
-    assert_true(runner.state[TDMF_LEG_WORK] == 0.0);
+    assert_true(runner.motion.mode.thrusts);
+    assert_int_equal(runner.motion.record.event_count, 0);
+    assert_true(runner.motion.state[TDMF_LEG_WORK] == 0.0);
     runner.inputs.control.thrust = thrust;
     const tdmf_resolution resolution = scene_resolve(&runner);
     assert_true(resolution.state_changed && resolution.mode_changed);
-    assert_close(runner.state[TDMF_LEG_WORK], work_of_thrust(&runner, thrust), 1e-15);
+    assert_close(runner.motion.state[TDMF_LEG_WORK], work_of_thrust(&runner, thrust), 1e-15);
     runner.inputs.leg.extension = 0.01;
     scene_resolve(&runner);
-    assert_close(runner.state[TDMF_LEG_WORK], work_of_thrust(&runner, thrust + 0.01), 1e-15);
+    assert_close(runner.motion.state[TDMF_LEG_WORK], work_of_thrust(&runner, thrust + 0.01), 1e-15);
 }
 
 /* Along a stance of the native solver, in which nothing asks for the flag. */
@@ -209,18 +207,18 @@ static void the_native_solver_notes_a_thrust_of_zero(void **state) {
     (void)state;
     while (!tdmf_in_contact(&run.motion.mode) || run.motion.state[TDMF_LEG_LENGTH_RATE] < 0.0) {
         assert_false(run.motion.mode.thrusts);
-        assert_int_equal(tdmf_native_advance(&run.solver, &run.model, &run.inputs, NULL,
-                                             run.motion.time + 0.05, &run.motion),
-                         TDMF_ARRIVED);
+        assert_int_equal(
+            tdmf_native_advance(&run.solver, SYSTEM_OF(&run), NULL, run.motion.time + 0.05, &run.motion),
+            TDMF_ARRIVED);
     }
     assert_true(run.motion.mode.thrusts);
     while (tdmf_in_contact(&run.motion.mode)) {
-        tdmf_native_advance(&run.solver, &run.model, &run.inputs, NULL, run.motion.time + 0.01, &run.motion);
+        tdmf_native_advance(&run.solver, SYSTEM_OF(&run), NULL, run.motion.time + 0.01, &run.motion);
     }
     assert_int_equal(run.motion.mode.contact, TDMF_CONTACT_GRAZE);
     assert_true(run.motion.mode.thrusts);
     while (run.motion.mode.contact == TDMF_CONTACT_GRAZE) {
-        tdmf_native_advance(&run.solver, &run.model, &run.inputs, NULL, run.motion.time + 0.01, &run.motion);
+        tdmf_native_advance(&run.solver, SYSTEM_OF(&run), NULL, run.motion.time + 0.01, &run.motion);
     }
     assert_int_equal(run.motion.mode.contact, TDMF_CONTACT_FLIGHT);
     assert_false(run.motion.mode.thrusts);
@@ -232,29 +230,29 @@ static void an_impact_on_a_lengthening_leg_thrusts_before_it_is_asked_whether_it
     (void)state;
     parameters.leg.thrust = 0.5;
     assert_null(tdmf_model_create(&held.model, &parameters).variable);
-    held.state[TDMF_LEG_LENGTH_RATE] += 0.3;
-    free.state[TDMF_LEG_LENGTH_RATE] += 0.3;
+    held.motion.state[TDMF_LEG_LENGTH_RATE] += 0.3;
+    free.motion.state[TDMF_LEG_LENGTH_RATE] += 0.3;
     scene_resolve(&held);
     scene_resolve(&free);
-    assert_true(tdmf_in_contact(&held.mode) && held.mode.thrusts);
-    assert_int_equal(held.record.event_count, 2);
-    assert_false(tdmf_in_contact(&free.mode));
+    assert_true(tdmf_in_contact(&held.motion.mode) && held.motion.mode.thrusts);
+    assert_int_equal(held.motion.record.event_count, 2);
+    assert_false(tdmf_in_contact(&free.motion.mode));
 }
 
 static void graze_keeps_thrust_and_does_not_start_it(void **state) {
     (void)state;
     for (int on = 0; on < 2; ++on) {
         runner runner = scene_on_ground(TDMF_CONTACT_GRAZE, -0.3, -0.01);
-        runner.state[TDMF_LEG_LENGTH_RATE] = 0.1;
-        runner.state[TDMF_LEG_ANGLE_RATE] = -2.0;
+        runner.motion.state[TDMF_LEG_LENGTH_RATE] = 0.1;
+        runner.motion.state[TDMF_LEG_ANGLE_RATE] = -2.0;
         scene_set_vertical_force(&runner, -0.01);
-        runner.mode.thrusts = on == 1;
+        runner.motion.mode.thrusts = on == 1;
         scene_resolve(&runner);
-        assert_int_equal(runner.mode.contact, TDMF_CONTACT_GRAZE);
-        assert_int_equal(runner.mode.thrusts, on);
+        assert_int_equal(runner.motion.mode.contact, TDMF_CONTACT_GRAZE);
+        assert_int_equal(runner.motion.mode.thrusts, on);
         scene_set_vertical_force(&runner, 0.1);
         scene_resolve(&runner);
-        assert_true(tdmf_in_contact(&runner.mode) && runner.mode.thrusts);
+        assert_true(tdmf_in_contact(&runner.motion.mode) && runner.motion.mode.thrusts);
     }
 }
 
@@ -265,12 +263,12 @@ static void who_is_lifted_in_place_passes_a_second_apex(void **state) {
     run run = begin(0.0, 1e-11);
     (void)state;
     run.inputs.body.external_fy = 0.05;
-    tdmf_native_advance(&run.solver, &run.model, &run.inputs, NULL, 6.0, &run.motion);
+    tdmf_native_advance(&run.solver, SYSTEM_OF(&run), NULL, 6.0, &run.motion);
     assert_int_equal(run.motion.mode.phase, TDMF_PHASE_PLACE);
     assert_true(tdmf_center_of_mass(&run.model, run.motion.state).vy > 0.1);
     assert_int_equal(run.motion.record.stride.count, 0);
     run.inputs.body.external_fy = 0.0;
-    tdmf_native_advance(&run.solver, &run.model, &run.inputs, NULL, 30.0, &run.motion);
+    tdmf_native_advance(&run.solver, SYSTEM_OF(&run), NULL, 30.0, &run.motion);
     assert_int_equal(run.motion.record.stride.count, 1);
     assert_string_equal(run.motion.record.stride.word, "");
     assert_close(run.motion.state[TDMF_HIP_PLACE_TIME], 30.0 - run.motion.record.apex.time, 1e-12);
@@ -287,9 +285,9 @@ static void a_push_that_ramps_may_lift_and_drop_in_place(void **state) {
         if (i == 1 && !tdmf_cvode_is_available()) {
             continue;
         }
-        advance(&run.solver, &run.model, &run.inputs, &grows, 3.0, &run.motion);
+        advance(&run.solver, SYSTEM_OF(&run), &grows, 3.0, &run.motion);
         run.inputs.body.external_fy = 0.06;
-        advance(&run.solver, &run.model, &run.inputs, &fades, 12.0, &run.motion);
+        advance(&run.solver, SYSTEM_OF(&run), &fades, 12.0, &run.motion);
         assert_int_equal(run.motion.record.stride.count, 1);
         /* vy(t) = integral of F/M - g, with F = 0.02 t to 3, then 0.06 - 0.02 (t - 3). */
         const double mass = 1.1, g = 0.01, peak = 0.09 / mass - 3.0 * g;
@@ -313,7 +311,7 @@ static void the_extremes_of_every_range_are_survived(void **state) {
         run.inputs.leg.extension = which & 4 ? length : 0.0;
         run.solver.step_limit = run.solver.event_limit = 30000;
         const tdmf_outcome outcome =
-            tdmf_native_advance(&run.solver, &run.model, &run.inputs, NULL, 40.0, &run.motion);
+            tdmf_native_advance(&run.solver, SYSTEM_OF(&run), NULL, 40.0, &run.motion);
         ++told[outcome];
         for (int k = 0; k < TDMF_STATE_COUNT; ++k) {
             assert_true(isfinite(run.motion.state[k]));
@@ -339,14 +337,13 @@ static void stops_make_no_difference(void **state) {
     tdmf_event_log log = {0};
     (void)state;
     whole.solver.log = &log;
-    tdmf_native_advance(&whole.solver, &whole.model, &whole.inputs, NULL, end, &whole.motion);
+    tdmf_native_advance(&whole.solver, SYSTEM_OF(&whole), NULL, end, &whole.motion);
     for (int i = 1; i <= 200; ++i) {
-        tdmf_native_advance(&pieces.solver, &pieces.model, &pieces.inputs, NULL, end * i / 200.0,
-                            &pieces.motion);
+        tdmf_native_advance(&pieces.solver, SYSTEM_OF(&pieces), NULL, end * i / 200.0, &pieces.motion);
     }
     assert_true(log.count > 15 && log.count <= TDMF_EVENT_CAPACITY);
     for (int i = 0; i <= log.count; ++i) {
-        tdmf_native_advance(&events.solver, &events.model, &events.inputs, NULL,
+        tdmf_native_advance(&events.solver, SYSTEM_OF(&events), NULL,
                             i < log.count ? log.events[i].time : end, &events.motion);
     }
     for (int k = 0; k < TDMF_STATE_COUNT; ++k) {

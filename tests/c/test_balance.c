@@ -20,7 +20,7 @@ static long double quantity_on_flow(long double t, const void *context) {
     const flow *flow = context;
     runner moved = *flow->runner;
     for (int i = 0; i < TDMF_STATE_COUNT; ++i) {
-        moved.state[i] += (double)t * flow->derivatives[i];
+        moved.motion.state[i] += (double)t * flow->derivatives[i];
     }
     return (long double)flow->quantity(&moved);
 }
@@ -28,7 +28,7 @@ static long double quantity_on_flow(long double t, const void *context) {
 /* d/dt of a function of the state, along the tangent of the motion. */
 static double rate_of(const runner *runner, quantity_of_state quantity) {
     flow flow = {.runner = runner, .quantity = quantity};
-    tdmf_derivatives(&runner->model, &runner->inputs, &runner->mode, runner->state, flow.derivatives);
+    tdmf_derivatives(SYSTEM_OF(runner), &runner->motion.mode, runner->motion.state, flow.derivatives);
     return (double)derivative_at_zero(quantity_on_flow, &flow, (long double)scene_short_time(runner));
 }
 
@@ -51,18 +51,17 @@ static void check_in_every_mode(check holds) {
 /* ---- momentum --------------------------------------------------------------------------------------- */
 
 static double com_vx(const runner *runner) {
-    return tdmf_center_of_mass(&runner->model, runner->state).vx;
+    return tdmf_center_of_mass(&runner->model, runner->motion.state).vx;
 }
 
 static double com_vy(const runner *runner) {
-    return tdmf_center_of_mass(&runner->model, runner->state).vy;
+    return tdmf_center_of_mass(&runner->model, runner->motion.state).vy;
 }
 
 static void momentum_balances(const runner *runner) {
     const double mass = runner->model.total_mass;
     const double weight = mass * runner->model.parameters.gravity;
-    const tdmf_outputs outputs =
-        tdmf_outputs_of(&runner->model, &runner->inputs, &runner->mode, &runner->record, runner->state);
+    const tdmf_outputs outputs = tdmf_outputs_of(SYSTEM_OF(runner), &runner->motion);
     assert_close(mass * rate_of(runner, com_vx), outputs.contact.fx, scene_force_tolerance(runner));
     assert_close(mass * rate_of(runner, com_vy), outputs.contact.fy - weight, scene_force_tolerance(runner));
 }
@@ -88,15 +87,15 @@ static void center_of_mass_is_ballistic_off_the_ground_and_in_graze(void **unuse
 /* ---- energy ----------------------------------------------------------------------------------------- */
 
 static double total_energy(const runner *runner) {
-    return tdmf_mechanical_energy(&runner->model, &runner->inputs, &runner->mode, runner->state).total;
+    return tdmf_mechanical_energy(SYSTEM_OF(runner), &runner->motion.mode, runner->motion.state).total;
 }
 
 static void power_balances(const runner *runner) {
     double derivatives[TDMF_STATE_COUNT];
-    tdmf_derivatives(&runner->model, &runner->inputs, &runner->mode, runner->state, derivatives);
+    tdmf_derivatives(SYSTEM_OF(runner), &runner->motion.mode, runner->motion.state, derivatives);
     const double power = derivatives[TDMF_HIP_WORK] - derivatives[TDMF_ENERGY_DAMPER_LOSS] -
                          derivatives[TDMF_ENERGY_FRICTION_LOSS];
-    const double turning = fabs(runner->state[TDMF_LEG_ANGLE_RATE]) * runner->model.scales.length;
+    const double turning = fabs(runner->motion.state[TDMF_LEG_ANGLE_RATE]) * runner->model.scales.length;
     const double speed = runner->model.scales.speed + turning;
     assert_close(rate_of(runner, total_energy), power, speed * scene_force_tolerance(runner));
 }
@@ -108,14 +107,14 @@ static void hip_power_less_losses_changes_the_energy(void **unused) {
 
 static void integrals_follow_their_definitions(const runner *runner) {
     double derivatives[TDMF_STATE_COUNT];
-    tdmf_derivatives(&runner->model, &runner->inputs, &runner->mode, runner->state, derivatives);
-    const double length_rate = runner->state[TDMF_LEG_LENGTH_RATE];
-    const double power = tdmf_hip_torque(&runner->model, &runner->inputs, &runner->mode, runner->state) *
-                         runner->state[TDMF_LEG_ANGLE_RATE];
+    tdmf_derivatives(SYSTEM_OF(runner), &runner->motion.mode, runner->motion.state, derivatives);
+    const double length_rate = runner->motion.state[TDMF_LEG_LENGTH_RATE];
+    const double power = tdmf_hip_torque(SYSTEM_OF(runner), &runner->motion.mode, runner->motion.state) *
+                         runner->motion.state[TDMF_LEG_ANGLE_RATE];
     const double damped = runner->model.parameters.leg.damping * length_rate * length_rate;
     const double rubbed =
-        -tdmf_contact_force(&runner->model, &runner->inputs, &runner->mode, runner->state).tangential *
-        tdmf_foot_over_ground(&runner->mode.ground, runner->state).vx;
+        -tdmf_contact_force(SYSTEM_OF(runner), &runner->motion.mode, runner->motion.state).tangential *
+        tdmf_foot_over_ground(&runner->motion.mode.ground, runner->motion.state).vx;
     assert_relatively_close(derivatives[TDMF_HIP_WORK], power, 1e-14);
     assert_relatively_close(derivatives[TDMF_HIP_POSITIVE_WORK], power > 0.0 ? power : 0.0, 1e-14);
     assert_relatively_close(derivatives[TDMF_ENERGY_DAMPER_LOSS], damped, 1e-14);
@@ -134,9 +133,9 @@ static void friction_takes_energy(void **unused) {
     for (int i = 0; i < 2; ++i) {
         runner runner = scene_on_ground(slips[i], 0.3, 0.1);
         runner.inputs.ground.friction = 0.5;
-        runner.state[TDMF_FOOT_VX] = 0.2 * tdmf_slip_sign(&runner.mode);
+        runner.motion.state[TDMF_FOOT_VX] = 0.2 * tdmf_slip_sign(&runner.motion.mode);
         double derivatives[TDMF_STATE_COUNT];
-        tdmf_derivatives(&runner.model, &runner.inputs, &runner.mode, runner.state, derivatives);
+        tdmf_derivatives(SYSTEM_OF(&runner), &runner.motion.mode, runner.motion.state, derivatives);
         assert_close(derivatives[TDMF_ENERGY_FRICTION_LOSS], 0.5 * 0.1 * 0.2, 1e-14);
     }
 }
@@ -144,12 +143,12 @@ static void friction_takes_energy(void **unused) {
 /* ---- rate of the vertical ground force -------------------------------------------------------------- */
 
 static double vertical_force(const runner *runner) {
-    return tdmf_contact_force(&runner->model, &runner->inputs, &runner->mode, runner->state).normal;
+    return tdmf_contact_force(SYSTEM_OF(runner), &runner->motion.mode, runner->motion.state).normal;
 }
 
 static void rate_agrees(const runner *runner) {
-    const double rate = tdmf_ground_force_rate(&runner->model, &runner->inputs, &runner->mode, runner->state);
-    const double turning = fabs(runner->state[TDMF_LEG_ANGLE_RATE]);
+    const double rate = tdmf_ground_force_rate(SYSTEM_OF(runner), &runner->motion.mode, runner->motion.state);
+    const double turning = fabs(runner->motion.state[TDMF_LEG_ANGLE_RATE]);
     const double per_time = 1.0 / runner->model.scales.time + turning;
     assert_close(rate_of(runner, vertical_force), rate, per_time * scene_force_tolerance(runner));
 }

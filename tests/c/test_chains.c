@@ -8,7 +8,7 @@ static const double beyond = SCENE_PAST_EVENT;
 
 static void resolve(runner *runner, int events) {
     scene_resolve(runner);
-    assert_int_equal(runner->record.event_count, events);
+    assert_int_equal(runner->motion.record.event_count, events);
 }
 
 /* ---- impacts ---------------------------------------------------------------------------------------- */
@@ -24,24 +24,24 @@ static void sticking_impact_that_slips_at_once(void **unused) {
     resolve(&ahead, 1);
     scene_assert_mode(&behind, TDMF_CONTACT_SLIP_NEGATIVE, TDMF_PHASE_COAST);
     scene_assert_mode(&ahead, TDMF_CONTACT_SLIP_POSITIVE, TDMF_PHASE_DRIVE);
-    assert_true(behind.state[TDMF_FOOT_VX] == 0.0 && ahead.state[TDMF_FOOT_VX] == 0.0);
-    assert_string_equal(behind.record.open.word, ""); /* no letter for a stick that did not last */
+    assert_true(behind.motion.state[TDMF_FOOT_VX] == 0.0 && ahead.motion.state[TDMF_FOOT_VX] == 0.0);
+    assert_string_equal(behind.motion.record.open.word, ""); /* no letter for a stick that did not last */
 }
 
 /* A stretched leg lifts the foot as soon as it has landed. */
 static runner landing_on_stretched_leg(tdmf_hip_phase phase, double climb_after) {
     runner runner = scene_at_impact(phase, -0.3, -0.05);
-    runner.mode.liftoff_angle = 0.9;
-    runner.state[TDMF_LEG_LENGTH_RATE] += climb_after;
+    runner.motion.mode.liftoff_angle = 0.9;
+    runner.motion.state[TDMF_LEG_LENGTH_RATE] += climb_after;
     return runner;
 }
 
 static void assert_left_at_once(const runner *runner, tdmf_hip_phase phase) {
     scene_assert_mode(runner, TDMF_CONTACT_FLIGHT, phase);
-    assert_int_equal(runner->record.open.touchdowns, 1);
-    assert_string_equal(runner->record.open.word, "");
-    assert_true(runner->mode.liftoff_angle == -0.3);
-    assert_true(runner->state[TDMF_FOOT_VY] == 0.0);
+    assert_int_equal(runner->motion.record.open.touchdowns, 1);
+    assert_string_equal(runner->motion.record.open.word, "");
+    assert_true(runner->motion.mode.liftoff_angle == -0.3);
+    assert_true(runner->motion.state[TDMF_FOOT_VY] == 0.0);
 }
 
 static void impact_that_leaves_at_once_stays_in_retract(void **unused) {
@@ -56,41 +56,42 @@ static void impact_that_leaves_at_once_stays_in_retract(void **unused) {
 static void impact_that_leaves_at_once_stays_in_place(void **unused) {
     (void)unused;
     runner runner = landing_on_stretched_leg(TDMF_PHASE_PLACE, 0.005);
-    assert_true(tdmf_center_of_mass(&runner.model, runner.state).vy < 0.0);
+    assert_true(tdmf_center_of_mass(&runner.model, runner.motion.state).vy < 0.0);
     resolve(&runner, 1);
     assert_left_at_once(&runner, TDMF_PHASE_PLACE);
-    assert_true(tdmf_center_of_mass(&runner.model, runner.state).vy > 0.0);
-    assert_true(runner.mode.rises);
-    while (runner.time < 1.0 && runner.mode.contact == TDMF_CONTACT_FLIGHT) {
+    assert_true(tdmf_center_of_mass(&runner.model, runner.motion.state).vy > 0.0);
+    assert_true(runner.motion.mode.rises);
+    while (runner.motion.time < 1.0 && runner.motion.mode.contact == TDMF_CONTACT_FLIGHT) {
         runner_advance(&runner, 1e-3);
-        assert_true(runner.record.open.began_at_apex == !runner.mode.rises);
-        assert_int_equal(runner.mode.phase,
-                         runner.mode.contact == TDMF_CONTACT_FLIGHT ? TDMF_PHASE_PLACE : runner.mode.phase);
+        assert_true(runner.motion.record.open.began_at_apex == !runner.motion.mode.rises);
+        assert_int_equal(runner.motion.mode.phase, runner.motion.mode.contact == TDMF_CONTACT_FLIGHT
+                                                       ? TDMF_PHASE_PLACE
+                                                       : runner.motion.mode.phase);
     }
-    assert_true(runner.record.open.began_at_apex);
-    assert_int_equal(runner.record.stride.count, 0);
+    assert_true(runner.motion.record.open.began_at_apex);
+    assert_int_equal(runner.motion.record.stride.count, 0);
 }
 
 /* The stretched leg lifts the foot, the hip, which swings the leg forward, holds it down. */
 static void impact_into_graze(void **unused) {
     (void)unused;
     runner runner = scene_at_impact(TDMF_PHASE_PLACE, -0.3, -0.02);
-    runner.mode.liftoff_angle = 0.9;
+    runner.motion.mode.liftoff_angle = 0.9;
     resolve(&runner, 1);
     scene_assert_mode(&runner, TDMF_CONTACT_GRAZE, TDMF_PHASE_PLACE);
-    assert_true(runner.mode.liftoff_angle == -0.3);
-    assert_close(runner.state[TDMF_FOOT_VX], 0.0, 0.0);
+    assert_true(runner.motion.mode.liftoff_angle == -0.3);
+    assert_close(runner.motion.state[TDMF_FOOT_VX], 0.0, 0.0);
 }
 
 static void touchdown_at_the_apex(void **unused) {
     (void)unused;
     runner runner = scene_at_impact(TDMF_PHASE_RETRACT, 0.4, 0.1);
-    const double climb = tdmf_center_of_mass(&runner.model, runner.state).vy;
-    runner.state[TDMF_LEG_LENGTH_RATE] += (beyond - climb) * 1.1 / cos(0.4);
+    const double climb = tdmf_center_of_mass(&runner.model, runner.motion.state).vy;
+    runner.motion.state[TDMF_LEG_LENGTH_RATE] += (beyond - climb) * 1.1 / cos(0.4);
     resolve(&runner, 2);
     scene_assert_mode(&runner, TDMF_CONTACT_STICK, TDMF_PHASE_DRIVE);
-    assert_true(runner.record.open.began_at_apex);
-    assert_int_equal(runner.record.open.touchdowns, 1); /* of the stride that the apex opens */
+    assert_true(runner.motion.record.open.began_at_apex);
+    assert_int_equal(runner.motion.record.open.touchdowns, 1); /* of the stride that the apex opens */
 }
 
 /* ---- jumps of an input ------------------------------------------------------------------------------ */
@@ -99,10 +100,10 @@ static void touchdown_at_the_apex(void **unused) {
 static runner standing(double friction, double angle_rate) {
     runner runner = scene_on_ground(TDMF_CONTACT_STICK, -0.3, 0.1);
     runner.inputs.ground.friction = friction;
-    runner.state[TDMF_LEG_ANGLE_RATE] = angle_rate;
+    runner.motion.state[TDMF_LEG_ANGLE_RATE] = angle_rate;
     scene_set_com_vy_by_leg(&runner, 0.05);
     scene_set_vertical_force(&runner, 0.1);
-    runner.time = 1.0;
+    runner.motion.time = 1.0;
     resolve(&runner, 0);
     scene_assert_mode(&runner, TDMF_CONTACT_STICK, TDMF_PHASE_COAST);
     return runner;
@@ -126,7 +127,7 @@ static void friction_jump_starts_a_slip(void **unused) {
     runner.inputs.ground.friction = 0.3;
     resolve(&runner, 1);
     scene_assert_mode(&runner, TDMF_CONTACT_SLIP_NEGATIVE, TDMF_PHASE_COAST);
-    assert_string_equal(runner.record.open.word, "0");
+    assert_string_equal(runner.motion.record.open.word, "0");
 }
 
 static void torque_jump_ends_the_contact(void **unused) {
@@ -135,7 +136,7 @@ static void torque_jump_ends_the_contact(void **unused) {
     runner.inputs.hip.external_torque = -0.5;
     resolve(&runner, 1);
     scene_assert_mode(&runner, TDMF_CONTACT_FLIGHT, TDMF_PHASE_RETRACT);
-    assert_true(runner.mode.clamp_closed);
+    assert_true(runner.motion.mode.clamp_closed);
 }
 
 /* The retract law, stopping a fast backward swing, outweighs the external torque that lifts the foot. */
@@ -155,18 +156,18 @@ static void jump_past_cone_and_load_leaves_the_ground(void **unused) {
     runner.inputs.ground.friction = 0.0;
     resolve(&runner, 1);
     scene_assert_mode(&runner, TDMF_CONTACT_FLIGHT, TDMF_PHASE_RETRACT);
-    assert_string_equal(runner.record.open.word, "0");
+    assert_string_equal(runner.motion.record.open.word, "0");
 }
 
 /* Without the drive, which held it down, the foot lifts: two events in a chain. */
 static void mid_stance_may_end_the_contact(void **unused) {
     (void)unused;
     runner runner = scene_on_ground(TDMF_CONTACT_STICK, -0.3, -0.02);
-    runner.mode.phase = TDMF_PHASE_DRIVE;
-    runner.mode.mid_stance_pending = true;
+    runner.motion.mode.phase = TDMF_PHASE_DRIVE;
+    runner.motion.mode.mid_stance_pending = true;
     scene_set_com_vy_by_leg(&runner, 0.05);
     resolve(&runner, 2);
-    assert_false(runner.mode.mid_stance_pending);
+    assert_false(runner.motion.mode.mid_stance_pending);
     scene_assert_mode(&runner, TDMF_CONTACT_FLIGHT, TDMF_PHASE_RETRACT);
 }
 
@@ -174,8 +175,8 @@ static void mid_stance_may_end_the_contact(void **unused) {
 static void mid_stance_may_start_a_slip(void **unused) {
     (void)unused;
     runner runner = scene_on_ground(TDMF_CONTACT_STICK, beyond, 0.3);
-    runner.mode.phase = TDMF_PHASE_DRIVE;
-    runner.mode.mid_stance_pending = true;
+    runner.motion.mode.phase = TDMF_PHASE_DRIVE;
+    runner.motion.mode.mid_stance_pending = true;
     runner.inputs.hip.external_torque = 0.2; /* balances the drive */
     runner.inputs.ground.friction = 0.2;
     resolve(&runner, 2);
@@ -186,7 +187,7 @@ static void mid_stance_may_start_a_slip(void **unused) {
 static void torque_jump_ends_a_graze(void **unused) {
     (void)unused;
     runner runner = scene_on_ground(TDMF_CONTACT_GRAZE, -0.3, -0.01);
-    runner.state[TDMF_LEG_ANGLE_RATE] = -2.0;
+    runner.motion.state[TDMF_LEG_ANGLE_RATE] = -2.0;
     scene_set_com_vy_by_leg(&runner, 0.05);
     scene_set_vertical_force(&runner, -0.01);
     resolve(&runner, 0);
@@ -194,8 +195,8 @@ static void torque_jump_ends_a_graze(void **unused) {
     runner.inputs.ground.friction = 0.1;
     resolve(&runner, 1);
     scene_assert_mode(&runner, TDMF_CONTACT_SLIP_POSITIVE, TDMF_PHASE_COAST);
-    assert_true(runner.state[TDMF_FOOT_VX] == 0.0);
-    assert_string_equal(runner.record.open.word, "");
+    assert_true(runner.motion.state[TDMF_FOOT_VX] == 0.0);
+    assert_string_equal(runner.motion.record.open.word, "");
 }
 
 static void jumps_in_flight_cause_nothing(void **unused) {
@@ -213,9 +214,9 @@ static runner upright(double length) {
     runner runner = runner_default(0.0);
     runner.model.parameters.hip.stance_torque = 0.0;
     for (int i = 0; i < TDMF_STATE_COUNT; ++i) {
-        runner.state[i] = 0.0;
+        runner.motion.state[i] = 0.0;
     }
-    runner.state[TDMF_LEG_LENGTH] = length;
+    runner.motion.state[TDMF_LEG_LENGTH] = length;
     runner_start(&runner);
     return runner;
 }
@@ -229,8 +230,8 @@ static void upright_foot_on_ice_stands(void **unused) {
         assert_true(runner_advance(&runner, 1e-3));
     }
     scene_assert_mode(&runner, TDMF_CONTACT_STICK, TDMF_PHASE_DRIVE);
-    assert_int_equal(runner.record.event_count, 0);
-    assert_true(runner.state[TDMF_LEG_ANGLE] == 0.0 && runner.state[TDMF_FOOT_VX] == 0.0);
+    assert_int_equal(runner.motion.record.event_count, 0);
+    assert_true(runner.motion.state[TDMF_LEG_ANGLE] == 0.0 && runner.motion.state[TDMF_FOOT_VX] == 0.0);
 }
 
 /* The leg is stretched by just the foot's weight: no force on an upright foot, whose torque has no lever.
@@ -239,7 +240,7 @@ static void upright_foot_without_load_does_not_chatter(void **unused) {
     (void)unused;
     for (int i = -2; i <= 2; ++i) {
         runner runner = upright(1.0 + 0.1 * 0.01 + i * 1e-16);
-        while (runner.time < 10.0 && runner_advance(&runner, 1e-2)) {
+        while (runner.motion.time < 10.0 && runner_advance(&runner, 1e-2)) {
         }
         assert_true(runner.resolutions < 20);
     }

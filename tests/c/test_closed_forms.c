@@ -39,16 +39,15 @@ static run run_without_losses(double foot_mass) {
 }
 
 static void start(run *run) {
-    assert_null(
-        tdmf_start(&run->model, &run->inputs, 0.0, run->motion.state, &run->motion.mode, &run->motion.record)
-            .variable);
+    run->motion.time = 0.0;
+    assert_null(tdmf_start(SYSTEM_OF(run), &run->motion).variable);
 }
 
 static tdmf_outcome advance(run *run, double until) {
     run->log.count = 0;
     run->solver.log = &run->log;
     const tdmf_outcome outcome =
-        tdmf_native_advance(&run->solver, &run->model, &run->inputs, &run->rates, until, &run->motion);
+        tdmf_native_advance(&run->solver, SYSTEM_OF(run), &run->rates, until, &run->motion);
     run->solver.log = NULL;
     return outcome;
 }
@@ -300,8 +299,8 @@ static tdmf_variation varied_until(run *run, double until, int varied) {
     static const tdmf_seed none = {0};
     tdmf_variation variation = {0};
     variation.state[varied] = 1.0;
-    const tdmf_stride_outcome outcome = tdmf_native_stride_varied(&run->solver, &run->model, &run->inputs,
-                                                                  until, &run->motion, &none, &variation, 1);
+    const tdmf_stride_outcome outcome =
+        tdmf_native_stride_varied(&run->solver, SYSTEM_OF(run), until, &run->motion, &none, &variation, 1);
     assert_int_equal(outcome.outcome, TDMF_ARRIVED);
     assert_false(outcome.closed);
     return variation;

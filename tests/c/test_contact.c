@@ -6,14 +6,14 @@
 #include <math.h>
 
 static tdmf_ground_force force_of(const runner *runner) {
-    return tdmf_contact_force(&runner->model, &runner->inputs, &runner->mode, runner->state);
+    return tdmf_contact_force(SYSTEM_OF(runner), &runner->motion.mode, runner->motion.state);
 }
 
 /* A vertical leg at its free length carries nothing; the foot's own weight rests on the ground. */
 static void unloaded_leg_leaves_the_weight_of_the_foot(void **unused) {
     (void)unused;
     runner runner = scene_on_ground(TDMF_CONTACT_STICK, 0.0, 0.0);
-    runner.state[TDMF_LEG_LENGTH] = 1.0;
+    runner.motion.state[TDMF_LEG_LENGTH] = 1.0;
     assert_close(force_of(&runner).normal, 0.1 * 0.01, 1e-17);
     assert_true(force_of(&runner).tangential == 0.0);
 }
@@ -32,7 +32,7 @@ static void friction_opposes_the_slip(void **unused) {
     runner runner = scene_on_ground(TDMF_CONTACT_SLIP_POSITIVE, 0.5, 0.2);
     runner.inputs.ground.friction = 0.25;
     assert_close(force_of(&runner).tangential, -0.05, 1e-15);
-    runner.mode.contact = TDMF_CONTACT_SLIP_NEGATIVE;
+    runner.motion.mode.contact = TDMF_CONTACT_SLIP_NEGATIVE;
     assert_close(force_of(&runner).tangential, 0.05, 1e-15);
 }
 

@@ -22,17 +22,16 @@ static run begin(void) {
     memset(&run, 0, sizeof run);
     run.runner = runner_at_reference_apex(&reference_gaits[2]);
     run.solver = tdmf_solver_default();
-    run.motion.time = run.runner.time;
-    memcpy(run.motion.state, run.runner.state, sizeof run.motion.state);
-    run.motion.mode = run.runner.mode;
-    run.motion.record = run.runner.record;
+    run.motion.time = run.runner.motion.time;
+    memcpy(run.motion.state, run.runner.motion.state, sizeof run.motion.state);
+    run.motion.mode = run.runner.motion.mode;
+    run.motion.record = run.runner.motion.record;
     run.solver.relative_tolerance = 1e-9;
     return run;
 }
 
 static tdmf_outcome advance(run *run, double until) {
-    return tdmf_cvode_advance(&run->solver, &run->runner.model, &run->runner.inputs, &held, until,
-                              &run->motion);
+    return tdmf_cvode_advance(&run->solver, SYSTEM_OF(&run->runner), &held, until, &run->motion);
 }
 
 static void limits_are_those_of_a_call(void **state) {
@@ -106,9 +105,7 @@ static void another_scale_is_the_same_work(void **state) {
         q[TDMF_FOOT_VY] *= length / time;
         q[TDMF_LEG_LENGTH_RATE] *= length / time;
         q[TDMF_LEG_ANGLE_RATE] /= time;
-        assert_null(tdmf_start(&scaled.runner.model, &scaled.runner.inputs, 0.0, q, &scaled.motion.mode,
-                               &scaled.motion.record)
-                        .variable);
+        assert_null(tdmf_start(SYSTEM_OF(&scaled.runner), &scaled.motion).variable);
         assert_int_equal(advance(&scaled, 60.0 * time), TDMF_ARRIVED);
         assert_relatively_close((double)scaled.solver.steps, (double)plain.solver.steps, 0.03);
         assert_relatively_close(scaled.motion.record.stride.period, plain.motion.record.stride.period * time,
@@ -131,8 +128,8 @@ static void an_input_that_has_jumped_is_met_before_the_first_step(void **state) 
     standing.runner.inputs.ground.friction = 0.0;
     run by_native = standing;
     assert_int_equal(advance(&standing, standing.motion.time + 1e-4), TDMF_ARRIVED);
-    assert_int_equal(tdmf_native_advance(&by_native.solver, &by_native.runner.model, &by_native.runner.inputs,
-                                         &held, by_native.motion.time + 1e-4, &by_native.motion),
+    assert_int_equal(tdmf_native_advance(&by_native.solver, SYSTEM_OF(&by_native.runner), &held,
+                                         by_native.motion.time + 1e-4, &by_native.motion),
                      TDMF_ARRIVED);
     assert_true(tdmf_slip_sign(&standing.motion.mode) != 0.0);
     assert_int_equal(standing.motion.mode.contact, by_native.motion.mode.contact);
@@ -157,9 +154,8 @@ static void a_leg_that_is_retracted_goes_by_the_clock(void **state) {
     for (int i = 1; i <= 40; ++i) {
         const double until = 1.3 * i;
         assert_int_equal(advance(&run, until), TDMF_ARRIVED);
-        assert_int_equal(
-            tdmf_native_advance(&native_solver, &run.runner.model, &run.runner.inputs, &held, until, &native),
-            TDMF_ARRIVED);
+        assert_int_equal(tdmf_native_advance(&native_solver, SYSTEM_OF(&run.runner), &held, until, &native),
+                         TDMF_ARRIVED);
         const bool places = run.motion.mode.phase == TDMF_PHASE_PLACE;
         assert_true(places == (run.motion.state[TDMF_HIP_PLACE_TIME] > 0.0));
         assert_close(run.motion.state[TDMF_HIP_PLACE_TIME], native.state[TDMF_HIP_PLACE_TIME], 1e-6);

@@ -9,6 +9,7 @@
 #include "declared.h"
 #include "ground_line.h"
 #include "margins.h"
+#include "system_of.h"
 
 #include <float.h>
 #include <math.h>
@@ -48,15 +49,14 @@ typedef struct {
 
 static double loss_of_ledger(const run *run) {
     const double *state = run->motion.state;
-    return tdmf_mechanical_energy(&run->model, &run->inputs, &run->motion.mode, state).total -
-           run->start_energy - state[TDMF_HIP_WORK] - state[TDMF_LEG_WORK] -
-           state[TDMF_ENERGY_EXTERNAL_WORK] + state[TDMF_ENERGY_DAMPER_LOSS] +
-           state[TDMF_ENERGY_FRICTION_LOSS] + run->motion.record.impact_loss;
+    return tdmf_mechanical_energy(SYSTEM_OF(run), &run->motion.mode, state).total - run->start_energy -
+           state[TDMF_HIP_WORK] - state[TDMF_LEG_WORK] - state[TDMF_ENERGY_EXTERNAL_WORK] +
+           state[TDMF_ENERGY_DAMPER_LOSS] + state[TDMF_ENERGY_FRICTION_LOSS] + run->motion.record.impact_loss;
 }
 
 static double largest_energy(const run *run) {
     const double *state = run->motion.state;
-    const tdmf_energy energy = tdmf_mechanical_energy(&run->model, &run->inputs, &run->motion.mode, state);
+    const tdmf_energy energy = tdmf_mechanical_energy(SYSTEM_OF(run), &run->motion.mode, state);
     const double thrust = run->model.parameters.leg.thrust + run->inputs.control.thrust;
     const double of_thrust = run->model.parameters.leg.stiffness * thrust * thrust; /* off again, maybe */
     return energy.kinetic + fabs(energy.potential) + energy.elastic + of_thrust + fabs(state[TDMF_HIP_WORK]) +
@@ -81,8 +81,7 @@ static void note_energies(run *run, const tdmf_inputs *from) {
 
 static const char *not_a_number(const run *run) {
     const tdmf_motion *motion = &run->motion;
-    const tdmf_outputs outputs =
-        tdmf_outputs_of(&run->model, &run->inputs, &motion->mode, &motion->record, motion->state);
+    const tdmf_outputs outputs = tdmf_outputs_of(SYSTEM_OF(run), motion);
     const double told[] = {motion->time,           outputs.body.y,
                            outputs.com.vx,         outputs.contact.fx,
                            outputs.contact.fy,     outputs.hip.torque,
@@ -179,15 +178,14 @@ static const char *what_is_wrong(const run *run, tdmf_outcome outcome) {
  */
 
 static void change_inputs(run *run) {
-    const tdmf_motion *motion = &run->motion;
-    tdmf_observe(&run->model, &run->inputs, motion->state, &run->motion.mode, &run->motion.record);
+    tdmf_observe(SYSTEM_OF(run), &run->motion);
     run->inputs = declared_inputs(&run->source, &run->model.parameters, run->decades);
 }
 
 /* By one event: the foot's ground, pushes, control inputs, settings, or all of them. */
 static void change_further(run *run) {
     tdmf_parameters parameters = run->model.parameters;
-    tdmf_observe(&run->model, &run->inputs, run->motion.state, &run->motion.mode, &run->motion.record);
+    tdmf_observe(SYSTEM_OF(run), &run->motion);
     if (random_chance(&run->further, 0.7)) {
         declared_further_inputs(&run->further, &parameters, run->decades, &run->inputs);
     }
@@ -224,8 +222,8 @@ static tdmf_outcome advance(run *run) {
     const tdmf_inputs rates = random_rates(run, duration);
     const tdmf_motion before = run->motion;
     const int64_t steps = run->solver.steps;
-    const tdmf_outcome outcome = tdmf_native_advance(&run->solver, &run->model, &run->inputs, &rates,
-                                                     before.time + duration, &run->motion);
+    const tdmf_outcome outcome =
+        tdmf_native_advance(&run->solver, SYSTEM_OF(run), &rates, before.time + duration, &run->motion);
     assert_true(run->solver.steps - steps <= STEPS_OF_A_PIECE);
     assert_true(outcome != TDMF_ARRIVED || run->motion.time == before.time + duration);
     if (outcome == TDMF_REFUSED) {
@@ -266,9 +264,9 @@ static bool begin(uint64_t seed, run *run) {
     }
     tdmf_motion *motion = &run->motion;
     motion->mode.ground = tdmf_ground_line_set(&run->inputs);
-    run->start_energy = tdmf_mechanical_energy(&run->model, &run->inputs, &motion->mode, motion->state).total;
-    if (tdmf_start(&run->model, &run->inputs, 0.0, motion->state, &motion->mode, &motion->record).variable !=
-        NULL) {
+    run->start_energy = tdmf_mechanical_energy(SYSTEM_OF(run), &motion->mode, motion->state).total;
+    motion->time = 0.0;
+    if (tdmf_start(SYSTEM_OF(run), motion).variable != NULL) {
         return false;
     }
     note_energies(run, &run->inputs);

@@ -139,15 +139,16 @@ static void equation_of_motion(motion motion, int i, equation row) {
 /* The control law as the model states it, by phase. */
 static double control_law(const runner *runner) {
     const tdmf_parameters *p = &runner->model.parameters;
-    const double angle = runner->state[TDMF_LEG_ANGLE];
-    const double damping = p->hip.kd * runner->state[TDMF_LEG_ANGLE_RATE];
-    switch (runner->mode.phase) {
+    const double angle = runner->motion.state[TDMF_LEG_ANGLE];
+    const double damping = p->hip.kd * runner->motion.state[TDMF_LEG_ANGLE_RATE];
+    switch (runner->motion.mode.phase) {
     case TDMF_PHASE_DRIVE:
         return -p->hip.stance_torque;
     case TDMF_PHASE_COAST:
         return 0.0;
     case TDMF_PHASE_RETRACT:
-        return fmax(-p->hip.kp * (angle - p->hip.liftoff_angle_factor * runner->mode.liftoff_angle) - damping,
+        return fmax(-p->hip.kp * (angle - p->hip.liftoff_angle_factor * runner->motion.mode.liftoff_angle) -
+                        damping,
                     0.0);
     default:
         return scene_place_law(runner);
@@ -173,8 +174,8 @@ static void require_off(equation row, const tdmf_ground_line *ground, int x, int
 /* The last three rows: what defines the mode. The ground is a line that the foot cannot leave. */
 static void equations_of_mode(const runner *runner, equation rows[UNKNOWNS]) {
     const double torque = control_law(runner) + runner->inputs.hip.external_torque;
-    const tdmf_contact_mode contact = runner->mode.contact;
-    const tdmf_ground_line *ground = &runner->mode.ground;
+    const tdmf_contact_mode contact = runner->motion.mode.contact;
+    const tdmf_ground_line *ground = &runner->motion.mode.ground;
     if (contact == TDMF_CONTACT_GRAZE) {
         require(rows[FREEDOMS + 0], FX, 0.0);
         require(rows[FREEDOMS + 1], FY, 0.0);
@@ -235,12 +236,12 @@ static void solve_lagrange(const runner *runner, double solution[UNKNOWNS]) {
     motion motion = {
         .parameters = p, .force_x = inputs->body.external_fx, .force_y = inputs->body.external_fy};
     motion.rest_length = p->leg.free_length + inputs->leg.extension +
-                         (runner->mode.thrusts ? p->leg.thrust + inputs->control.thrust : 0.0);
+                         (runner->motion.mode.thrusts ? p->leg.thrust + inputs->control.thrust : 0.0);
     equation rows[UNKNOWNS];
     memset(rows, 0, sizeof rows);
     for (int i = 0; i < FREEDOMS; ++i) {
-        motion.q[i] = (long double)runner->state[TDMF_FOOT_X + i];
-        motion.rate[i] = (long double)runner->state[TDMF_FOOT_VX + i];
+        motion.q[i] = (long double)runner->motion.state[TDMF_FOOT_X + i];
+        motion.rate[i] = (long double)runner->motion.state[TDMF_FOOT_VX + i];
     }
     for (int i = 0; i < FREEDOMS; ++i) {
         equation_of_motion(motion, i, rows[i]);
@@ -267,7 +268,7 @@ static void compare_with_lagrange(const runner *runner) {
     const tdmf_scales *scales = &runner->model.scales;
     double expected[UNKNOWNS], derivatives[TDMF_STATE_COUNT];
     solve_lagrange(runner, expected);
-    tdmf_derivatives(&runner->model, &runner->inputs, &runner->mode, runner->state, derivatives);
+    tdmf_derivatives(SYSTEM_OF(runner), &runner->motion.mode, runner->motion.state, derivatives);
     const double light = runner->model.parameters.body.mass * runner->model.inverse_foot_mass;
     const double largest = largest_of(expected, R + 1, light * scales->speed / scales->time);
     for (int i = 0; i < R + 1; ++i) {
@@ -277,12 +278,11 @@ static void compare_with_lagrange(const runner *runner) {
                  1e-11 * fmax(largest, fabs(expected[THETA]) * scales->length));
 
     const tdmf_ground_force force =
-        tdmf_contact_force(&runner->model, &runner->inputs, &runner->mode, runner->state);
-    const double torque = tdmf_hip_torque(&runner->model, &runner->inputs, &runner->mode, runner->state);
+        tdmf_contact_force(SYSTEM_OF(runner), &runner->motion.mode, runner->motion.state);
+    const double torque = tdmf_hip_torque(SYSTEM_OF(runner), &runner->motion.mode, runner->motion.state);
     const double largest_force = largest_of(&expected[FX], 2, scales->force);
-    const tdmf_ground_line *ground = &runner->mode.ground;
-    const tdmf_outputs outputs =
-        tdmf_outputs_of(&runner->model, &runner->inputs, &runner->mode, &runner->record, runner->state);
+    const tdmf_ground_line *ground = &runner->motion.mode.ground;
+    const tdmf_outputs outputs = tdmf_outputs_of(SYSTEM_OF(runner), &runner->motion);
     assert_close(outputs.contact.fx, expected[FX], 1e-11 * largest_force);
     assert_close(outputs.contact.fy, expected[FY], 1e-11 * largest_force);
     assert_close(force.tangential, ground->cosine * expected[FX] + ground->sine * expected[FY],
@@ -295,7 +295,7 @@ static void compare_with_lagrange(const runner *runner) {
 /* A leg that thrusts and is extended, a body that is pushed. */
 static void actuate(random_source *source, runner *runner) {
     const tdmf_scales *scales = &runner->model.scales;
-    runner->mode.thrusts = tdmf_in_contact(&runner->mode) && random_chance(source, 0.5);
+    runner->motion.mode.thrusts = tdmf_in_contact(&runner->motion.mode) && random_chance(source, 0.5);
     runner->model.parameters.leg.thrust = random_uniform(source, 0.0, 0.2) * scales->length;
     runner->inputs.control.thrust = random_uniform(source, 0.0, 0.2) * scales->length;
     runner->inputs.leg.extension = random_uniform(source, -0.3, 0.3) * scales->length;
@@ -342,8 +342,8 @@ static void constrained_accelerations_are_exactly_zero(void **unused) {
         const int contact = TDMF_CONTACT_STICK + i % 4;
         const runner runner = scene_random(&source, (tdmf_contact_mode)contact);
         double derivatives[TDMF_STATE_COUNT];
-        tdmf_derivatives(&runner.model, &runner.inputs, &runner.mode, runner.state, derivatives);
-        const tdmf_ground_line *ground = &runner.mode.ground;
+        tdmf_derivatives(SYSTEM_OF(&runner), &runner.motion.mode, runner.motion.state, derivatives);
+        const tdmf_ground_line *ground = &runner.motion.mode.ground;
         const double along = derivatives[TDMF_FOOT_VX] / ground->cosine;
         assert_true(ground->slope != 0.0 ||
                     (derivatives[TDMF_FOOT_VY] == 0.0 && derivatives[TDMF_FOOT_Y] == 0.0));
@@ -356,11 +356,11 @@ static void constrained_accelerations_are_exactly_zero(void **unused) {
 
 static void assert_all_finite(const runner *runner) {
     double derivatives[TDMF_STATE_COUNT], guards[TDMF_GUARD_COUNT];
-    tdmf_derivatives(&runner->model, &runner->inputs, &runner->mode, runner->state, derivatives);
+    tdmf_derivatives(SYSTEM_OF(runner), &runner->motion.mode, runner->motion.state, derivatives);
     for (int i = 0; i < TDMF_STATE_COUNT; ++i) {
         assert_true(isfinite(derivatives[i]));
     }
-    tdmf_guards(&runner->model, &runner->inputs, &runner->mode, runner->state, guards);
+    tdmf_guards(SYSTEM_OF(runner), &runner->motion.mode, runner->motion.state, guards);
     for (int i = 0; i < TDMF_GUARD_COUNT; ++i) {
         assert_true(isfinite(guards[i]));
     }
@@ -376,10 +376,10 @@ static void trial_states_give_finite_results(void **unused) {
     for (int contact = TDMF_CONTACT_FLIGHT; contact <= TDMF_CONTACT_GRAZE; ++contact) {
         runner runner = scene_random(&source, (tdmf_contact_mode)contact);
         for (size_t i = 0; i < 8 * 6 * 3; ++i) {
-            runner.state[TDMF_LEG_LENGTH] = lengths[i % 8];
-            runner.state[TDMF_LEG_ANGLE] = angles[i / 8 % 6];
-            runner.state[TDMF_LEG_LENGTH_RATE] = rates[i / 48];
-            runner.state[TDMF_LEG_ANGLE_RATE] = -rates[i / 48];
+            runner.motion.state[TDMF_LEG_LENGTH] = lengths[i % 8];
+            runner.motion.state[TDMF_LEG_ANGLE] = angles[i / 8 % 6];
+            runner.motion.state[TDMF_LEG_LENGTH_RATE] = rates[i / 48];
+            runner.motion.state[TDMF_LEG_ANGLE_RATE] = -rates[i / 48];
             assert_all_finite(&runner);
         }
     }
@@ -391,8 +391,8 @@ static void fallen_run_is_frozen(void **unused) {
     for (int contact = TDMF_CONTACT_FLIGHT; contact <= TDMF_CONTACT_GRAZE; ++contact) {
         runner runner = scene_random(&source, (tdmf_contact_mode)contact);
         double derivatives[TDMF_STATE_COUNT];
-        runner.mode.fallen = true;
-        tdmf_derivatives(&runner.model, &runner.inputs, &runner.mode, runner.state, derivatives);
+        runner.motion.mode.fallen = true;
+        tdmf_derivatives(SYSTEM_OF(&runner), &runner.motion.mode, runner.motion.state, derivatives);
         for (int i = 0; i < TDMF_STATE_COUNT; ++i) {
             assert_true(derivatives[i] == 0.0);
         }

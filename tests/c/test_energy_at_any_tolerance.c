@@ -17,7 +17,7 @@ static double allowed(double tolerance) {
 static tdmf_energy energy_of(const tdmf_model *model, const double state[TDMF_STATE_COUNT]) {
     const tdmf_inputs inputs = tdmf_default_inputs();
     const tdmf_mode mode = {.contact = TDMF_CONTACT_FLIGHT};
-    return tdmf_mechanical_energy(model, &inputs, &mode, state);
+    return tdmf_mechanical_energy((tdmf_system){model, &inputs}, &mode, state);
 }
 
 static double energy_in(const tdmf_model *model, const double state[TDMF_STATE_COUNT]) {
@@ -80,16 +80,17 @@ static void run_and_check(const runner *runner, double tolerance, tally *seen) {
     tdmf_outcome outcome = TDMF_ARRIVED;
     tdmf_motion motion;
     memset(&motion, 0, sizeof motion);
-    memcpy(motion.state, runner->state, sizeof motion.state);
-    if (tdmf_start(model, &runner->inputs, 0.0, motion.state, &motion.mode, &motion.record).variable) {
+    memcpy(motion.state, runner->motion.state, sizeof motion.state);
+    if (tdmf_start((tdmf_system){model, &runner->inputs}, &motion).variable) {
         return;
     }
-    double most = energy_in(model, runner->state);
+    double most = energy_in(model, runner->motion.state);
     solver.relative_tolerance = tolerance;
     for (int call = 0; call < CALLS && outcome == TDMF_ARRIVED; ++call) {
-        outcome = tdmf_native_advance(&solver, model, &runner->inputs, &held,
+        outcome = tdmf_native_advance(&solver, (tdmf_system){model, &runner->inputs}, &held,
                                       motion.time + 2.0 * model->scales.time, &motion);
-        const double change = energy_of(model, motion.state).total - energy_of(model, runner->state).total;
+        const double change =
+            energy_of(model, motion.state).total - energy_of(model, runner->motion.state).total;
         const double booked = motion.state[TDMF_HIP_WORK] - motion.state[TDMF_ENERGY_DAMPER_LOSS] -
                               motion.state[TDMF_ENERGY_FRICTION_LOSS] - motion.record.impact_loss;
         most = fmax(most, energy_in(model, motion.state));
@@ -109,7 +110,7 @@ static void of_any_runner(void **state) {
         const tdmf_parameters parameters = wide_parameters(&source, decades);
         runner runner = runner_default(near(&source, 0.6, decades));
         if (tdmf_model_create(&runner.model, &parameters).variable == NULL) {
-            wide_state(&source, &runner.model, decades, runner.state);
+            wide_state(&source, &runner.model, decades, runner.motion.state);
             run_and_check(&runner, random_magnitude(&source, 1e-14, 1e-2), &seen);
         }
     }
@@ -130,12 +131,13 @@ static runner leg_about_to_vanish(random_source *source) {
     p.hip.kd = random_magnitude(source, 1e-6, 1e-2);
     runner runner = runner_default(0.6);
     assert_null(tdmf_model_create(&runner.model, &p).variable);
-    memset(runner.state, 0, sizeof runner.state);
-    runner.state[TDMF_FOOT_Y] = 100.0;
-    runner.state[TDMF_LEG_LENGTH] = random_uniform(source, 0.5, 20.0);
-    runner.state[TDMF_LEG_ANGLE] = random_uniform(source, -1.5, 1.5);
-    runner.state[TDMF_LEG_LENGTH_RATE] = -random_magnitude(source, 1.0, 100.0);
-    runner.state[TDMF_LEG_ANGLE_RATE] = random_chance(source, 0.5) ? 0.0 : random_uniform(source, -0.1, 0.1);
+    memset(runner.motion.state, 0, sizeof runner.motion.state);
+    runner.motion.state[TDMF_FOOT_Y] = 100.0;
+    runner.motion.state[TDMF_LEG_LENGTH] = random_uniform(source, 0.5, 20.0);
+    runner.motion.state[TDMF_LEG_ANGLE] = random_uniform(source, -1.5, 1.5);
+    runner.motion.state[TDMF_LEG_LENGTH_RATE] = -random_magnitude(source, 1.0, 100.0);
+    runner.motion.state[TDMF_LEG_ANGLE_RATE] =
+        random_chance(source, 0.5) ? 0.0 : random_uniform(source, -0.1, 0.1);
     return runner;
 }
 
@@ -161,10 +163,10 @@ static runner leg_that_does_not_turn(random_source *source) {
     p.hip.liftoff_angle_factor = 0.5;
     runner runner = runner_default(0.6);
     assert_null(tdmf_model_create(&runner.model, &p).variable);
-    runner.state[TDMF_LEG_LENGTH] = random_uniform(source, 0.7, 1.3);
-    runner.state[TDMF_LEG_LENGTH_RATE] = 0.0;
-    runner.state[TDMF_LEG_ANGLE_RATE] = 0.0;
-    runner.state[TDMF_FOOT_VY] = 0.2;
+    runner.motion.state[TDMF_LEG_LENGTH] = random_uniform(source, 0.7, 1.3);
+    runner.motion.state[TDMF_LEG_LENGTH_RATE] = 0.0;
+    runner.motion.state[TDMF_LEG_ANGLE_RATE] = 0.0;
+    runner.motion.state[TDMF_FOOT_VY] = 0.2;
     return runner;
 }
 
@@ -194,13 +196,13 @@ static void of_strides_in_every_kind_of_lane(void **state) {
     (void)state;
     for (int i = 0; i < RUNNERS; ++i) {
         const runner runner = leg_about_to_vanish(&source);
-        const tdmf_point com = tdmf_center_of_mass(&runner.model, runner.state);
-        const double section[TDMF_SECTION_COUNT] = {com.y - 90.0 + runner.state[TDMF_LEG_LENGTH],
+        const tdmf_point com = tdmf_center_of_mass(&runner.model, runner.motion.state);
+        const double section[TDMF_SECTION_COUNT] = {com.y - 90.0 + runner.motion.state[TDMF_LEG_LENGTH],
                                                     com.vx,
-                                                    runner.state[TDMF_LEG_LENGTH],
-                                                    runner.state[TDMF_LEG_ANGLE],
-                                                    runner.state[TDMF_LEG_LENGTH_RATE],
-                                                    runner.state[TDMF_LEG_ANGLE_RATE]};
+                                                    runner.motion.state[TDMF_LEG_LENGTH],
+                                                    runner.motion.state[TDMF_LEG_ANGLE],
+                                                    runner.motion.state[TDMF_LEG_LENGTH_RATE],
+                                                    runner.motion.state[TDMF_LEG_ANGLE_RATE]};
         const tdmf_ensemble_case its_case = {&models[i], runner.inputs, {.max_strides = 1}};
         models[i] = runner.model;
         cases[i] = its_case;
@@ -224,8 +226,8 @@ static void of_strides_in_every_kind_of_lane(void **state) {
         int closed = 0;
         for (int i = 0; i < RUNNERS; ++i) {
             double first[TDMF_STATE_COUNT], last[TDMF_STATE_COUNT];
-            tdmf_section_state(&models[i], &cases[i].inputs, starts[i], first);
-            tdmf_section_state(&models[i], &cases[i].inputs, ends[i].apex, last);
+            tdmf_section_state((tdmf_system){&models[i], &cases[i].inputs}, starts[i], first);
+            tdmf_section_state((tdmf_system){&models[i], &cases[i].inputs}, ends[i].apex, last);
             const double most = fmax(energy_in(&models[i], first), energy_in(&models[i], last));
             const double change = energy_of(&models[i], last).total - energy_of(&models[i], first).total;
             const double booked =

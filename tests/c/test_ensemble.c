@@ -56,13 +56,13 @@ static void place_near_the_gait(random_source *source, tdmf_model *model, tdmf_e
 static void place_anywhere(random_source *source, tdmf_model *model, tdmf_ensemble_case *its_case,
                            double start[TDMF_SECTION_COUNT]) {
     const runner anybody = scene_random(source, TDMF_CONTACT_FLIGHT);
-    const tdmf_point com = tdmf_center_of_mass(&anybody.model, anybody.state);
+    const tdmf_point com = tdmf_center_of_mass(&anybody.model, anybody.motion.state);
     const double section[TDMF_SECTION_COUNT] = {com.y,
                                                 com.vx,
-                                                anybody.state[TDMF_LEG_LENGTH],
-                                                2.0 * anybody.state[TDMF_LEG_ANGLE],
-                                                anybody.state[TDMF_LEG_LENGTH_RATE],
-                                                anybody.state[TDMF_LEG_ANGLE_RATE]};
+                                                anybody.motion.state[TDMF_LEG_LENGTH],
+                                                2.0 * anybody.motion.state[TDMF_LEG_ANGLE],
+                                                anybody.motion.state[TDMF_LEG_LENGTH_RATE],
+                                                anybody.motion.state[TDMF_LEG_ANGLE_RATE]};
     *model = anybody.model;
     its_case->inputs = anybody.inputs;
     memcpy(start, section, sizeof section);
@@ -280,8 +280,8 @@ static double mechanical_energy(const tdmf_model *model, const double apex[TDMF_
     double state[TDMF_STATE_COUNT];
     const tdmf_inputs inputs = tdmf_default_inputs();
     const tdmf_mode mode = {.contact = TDMF_CONTACT_FLIGHT};
-    tdmf_section_state(model, &inputs, apex, state);
-    return tdmf_mechanical_energy(model, &inputs, &mode, state).total;
+    tdmf_section_state((tdmf_system){model, &inputs}, apex, state);
+    return tdmf_mechanical_energy((tdmf_system){model, &inputs}, &mode, state).total;
 }
 
 static void energy_is_accounted_for(void **state) {

@@ -1,6 +1,7 @@
 /* Times of events: that of a guard's zero, in every solver, however weak gravity is. */
 #include "compare.h"
 #include "extended_strides.h"
+#include "system_of.h"
 
 #include "tdmf_slip/cvode.h"
 #include "tdmf_slip/ensemble.h"
@@ -30,16 +31,15 @@ static void start(run *run, const tdmf_parameters *parameters, double friction, 
     run->solver = tdmf_solver_default();
     run->solver.relative_tolerance = tolerance;
     assert_null(tdmf_model_create(&run->model, parameters).variable);
-    tdmf_section_state(&run->model, &run->inputs, apex, run->motion.state);
-    assert_null(
-        tdmf_start(&run->model, &run->inputs, 0.0, run->motion.state, &run->motion.mode, &run->motion.record)
-            .variable);
+    tdmf_section_state(SYSTEM_OF(run), apex, run->motion.state);
+    run->motion.time = 0.0;
+    assert_null(tdmf_start(SYSTEM_OF(run), &run->motion).variable);
 }
 
 static void stride(run *run) {
     run->log.count = 0;
     run->solver.log = &run->log;
-    assert_true(tdmf_native_stride(&run->solver, &run->model, &run->inputs, 1e4, &run->motion).closed);
+    assert_true(tdmf_native_stride(&run->solver, SYSTEM_OF(run), 1e4, &run->motion).closed);
     run->solver.log = NULL;
 }
 
@@ -98,7 +98,7 @@ static void a_search_finds_the_proved_gaits(void **state) {
         memcpy(guess, gait->apex, sizeof guess);
         guess[TDMF_SECTION_COM_SPEED] *= 1.001;
         start_on_gait(&run, gait, 1e-12);
-        const tdmf_orbit orbit = tdmf_find_orbit(&run.solver, &run.model, &run.inputs, guess, NULL, 0);
+        const tdmf_orbit orbit = tdmf_find_orbit(&run.solver, SYSTEM_OF(&run), guess, NULL, 0);
         assert_int_equal(orbit.outcome, TDMF_ORBIT_FOUND);
         assert_relative(orbit.stride.stride.period, gait->period, 1e-13);
         assert_relative(orbit.apex[0], gait->apex[0], 1e-13);
@@ -228,7 +228,7 @@ static void a_stride_under_the_weakest_gravity_is_that_of_the_other_solver(void 
     start(&native, &parameters, 0.6, tightest, apex);
     stride(&native);
     start(&other, &parameters, 0.6, tightest, apex);
-    assert_int_equal(tdmf_cvode_advance(&other.solver, &other.model, &other.inputs, NULL,
+    assert_int_equal(tdmf_cvode_advance(&other.solver, SYSTEM_OF(&other), NULL,
                                         native.motion.record.stride.period + 1.0, &other.motion),
                      TDMF_ARRIVED);
     assert_int_equal(other.motion.record.stride.count, 1);
@@ -252,7 +252,7 @@ static void cvode_finds_the_apex_where_the_center_of_mass_stops_rising(void **st
         start_on_gait(&run, gait, 1e-14);
         run.solver.log = &run.log;
         assert_int_equal(
-            tdmf_cvode_advance(&run.solver, &run.model, &run.inputs, NULL, gait->period + 1.0, &run.motion),
+            tdmf_cvode_advance(&run.solver, SYSTEM_OF(&run), NULL, gait->period + 1.0, &run.motion),
             TDMF_ARRIVED);
         const tdmf_event *apex = &run.log.events[run.log.count - 1];
         assert_int_equal(apex->guard, TDMF_GUARD_APEX);

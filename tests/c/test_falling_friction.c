@@ -44,17 +44,17 @@ static runner falling_foot(const reference_impact *law, double speed) {
     parameters.ground.stribeck_velocity = law->velocity;
     assert_null(tdmf_model_create(&runner.model, &parameters).variable);
     runner.inputs.ground.friction = law->friction;
-    runner.state[TDMF_FOOT_Y] = 0.0;
-    runner.state[TDMF_LEG_ANGLE] = 0.4;
-    runner.state[TDMF_FOOT_VX] = speed;
-    runner.state[TDMF_FOOT_VY] = -law->normal_speed;
+    runner.motion.state[TDMF_FOOT_Y] = 0.0;
+    runner.motion.state[TDMF_LEG_ANGLE] = 0.4;
+    runner.motion.state[TDMF_FOOT_VX] = speed;
+    runner.motion.state[TDMF_FOOT_VY] = -law->normal_speed;
     return runner;
 }
 
 static double speed_after(const reference_impact *law, double speed) {
     runner runner = falling_foot(law, speed);
-    tdmf_impact(&runner.model, &runner.inputs, &runner.mode.ground, runner.state);
-    return runner.state[TDMF_FOOT_VX];
+    tdmf_impact(SYSTEM_OF(&runner), &runner.motion.mode.ground, runner.motion.state);
+    return runner.motion.state[TDMF_FOOT_VX];
 }
 
 static void impacts_are_those_of_the_integral(void **state) {
@@ -77,10 +77,10 @@ static void an_impact_loses_what_the_foot_does(void **state) {
         const reference_impact *law = &reference_impacts[i];
         runner runner = falling_foot(law, law->speed_before);
         const double before =
-            tdmf_mechanical_energy(&runner.model, &runner.inputs, &runner.mode, runner.state).total;
-        const double loss = tdmf_impact(&runner.model, &runner.inputs, &runner.mode.ground, runner.state);
+            tdmf_mechanical_energy(SYSTEM_OF(&runner), &runner.motion.mode, runner.motion.state).total;
+        const double loss = tdmf_impact(SYSTEM_OF(&runner), &runner.motion.mode.ground, runner.motion.state);
         const double after =
-            tdmf_mechanical_energy(&runner.model, &runner.inputs, &runner.mode, runner.state).total;
+            tdmf_mechanical_energy(SYSTEM_OF(&runner), &runner.motion.mode, runner.motion.state).total;
         assert_true(loss > 0.0);
         assert_close(before - after, loss, 1e-14);
     }
@@ -97,7 +97,7 @@ static double change_of_speed(const reference_impact *law, double speed, double 
     double d_state[TDMF_STATE_COUNT] = {[TDMF_FOOT_VX] = d_speed, [TDMF_FOOT_VY] = d_normal};
     const tdmf_seed seed = {.inputs.ground.friction = d_friction};
     const tdmf_local_seed d = tdmf_local_seed_of(&runner.model, &seed, NULL);
-    tdmf_vary_impact(&runner.model, &runner.inputs, &runner.mode.ground, runner.state, &d, d_state);
+    tdmf_vary_impact(SYSTEM_OF(&runner), &runner.motion.mode.ground, runner.motion.state, &d, d_state);
     return d_state[TDMF_FOOT_VX];
 }
 

@@ -62,7 +62,7 @@ static void start_at_apex(fmi2Component component, double friction, const tdmf_p
     tdmf_model model;
     double state[TDMF_STATE_COUNT];
     assert_null(tdmf_model_create(&model, parameters).variable);
-    tdmf_section_state(&model, &inputs, apex, state);
+    tdmf_section_state((tdmf_system){&model, &inputs}, apex, state);
     for (int i = 0; i < TDMF_MECHANICAL_COUNT; ++i) {
         assert_int_equal(set_real(component, names[i], state[i]), fmi2OK);
     }

@@ -138,7 +138,7 @@ static void the_solvers_refuse_rates_of_discrete_inputs(void **state) {
     (void)state;
     assert_null(tdmf_model_create(&model, &parameters).variable);
     tdmf_default_state(motion.state);
-    assert_null(tdmf_start(&model, &inputs, 0.0, motion.state, &motion.mode, &motion.record).variable);
+    assert_null(tdmf_start((tdmf_system){&model, &inputs}, &motion).variable);
     for (size_t i = 0; i < fmu_variable_count; ++i) {
         const fmu_variable *input = &fmu_variables[i];
         if (input->storage == STORED_INPUT) {
@@ -149,9 +149,12 @@ static void the_solvers_refuse_rates_of_discrete_inputs(void **state) {
             const tdmf_outcome expected =
                 input->variability == VARIABILITY_CONTINUOUS ? TDMF_ARRIVED : TDMF_REFUSED;
             const tdmf_inputs *rates = &ramping.input_rates;
-            assert_int_equal(tdmf_native_advance(&solver, &model, &inputs, rates, 0.1, &run), expected);
+            assert_int_equal(tdmf_native_advance(&solver, (tdmf_system){&model, &inputs}, rates, 0.1, &run),
+                             expected);
             if (tdmf_cvode_is_available()) {
-                assert_int_equal(tdmf_cvode_advance(&solver, &model, &inputs, rates, 0.1, &other), expected);
+                assert_int_equal(
+                    tdmf_cvode_advance(&solver, (tdmf_system){&model, &inputs}, rates, 0.1, &other),
+                    expected);
             }
             refused += expected == TDMF_REFUSED;
             assert_true(run.time == (expected == TDMF_REFUSED ? 0.0 : 0.1));
@@ -194,8 +197,9 @@ static void run_of_the_library(double change, double end, tdmf_motion *motion) {
     memset(motion, 0, sizeof *motion);
     tdmf_default_state(motion->state);
     assert_null(tdmf_model_create(&model, &parameters).variable);
-    assert_null(tdmf_start(&model, &inputs, 0.0, motion->state, &motion->mode, &motion->record).variable);
-    assert_int_equal(tdmf_native_advance(&solver, &model, &inputs, NULL, change, motion), TDMF_ARRIVED);
+    assert_null(tdmf_start((tdmf_system){&model, &inputs}, motion).variable);
+    assert_int_equal(tdmf_native_advance(&solver, (tdmf_system){&model, &inputs}, NULL, change, motion),
+                     TDMF_ARRIVED);
     parameters.hip.touchdown_angle = 0.72;
     parameters.hip.kp = 0.12;
     parameters.hip.kd = 0.11;
@@ -204,7 +208,8 @@ static void run_of_the_library(double change, double end, tdmf_motion *motion) {
     parameters.hip.retraction_rate = 0.01;
     inputs.control.touchdown_angle = -0.01;
     assert_null(tdmf_model_create(&model, &parameters).variable);
-    assert_int_equal(tdmf_native_advance(&solver, &model, &inputs, NULL, end, motion), TDMF_ARRIVED);
+    assert_int_equal(tdmf_native_advance(&solver, (tdmf_system){&model, &inputs}, NULL, end, motion),
+                     TDMF_ARRIVED);
 }
 
 static void co_simulation_goes_on_with_what_was_set(void **state) {

@@ -20,10 +20,10 @@ static const double clamp_time =
 
 static tdmf_motion motion_of(const runner *runner) {
     tdmf_motion motion;
-    motion.time = runner->time;
-    memcpy(motion.state, runner->state, sizeof motion.state);
-    motion.mode = runner->mode;
-    motion.record = runner->record;
+    motion.time = runner->motion.time;
+    memcpy(motion.state, runner->motion.state, sizeof motion.state);
+    motion.mode = runner->motion.mode;
+    motion.record = runner->motion.record;
     return motion;
 }
 
@@ -102,7 +102,7 @@ static void the_native_solver_comes_back_to_the_apex(void **state) {
         tdmf_solver solver = tdmf_solver_default();
         solver.relative_tolerance = tight;
         solver.log = &log;
-        assert_true(tdmf_native_stride(&solver, &runner.model, &runner.inputs, DBL_MAX, &motion).closed);
+        assert_true(tdmf_native_stride(&solver, SYSTEM_OF(&runner), DBL_MAX, &motion).closed);
         assert_is_gait(&motion, &further_gaits[i], 1e-9);
         assert_close(motion.state[TDMF_ENERGY_EXTERNAL_WORK], further_gaits[i].external_work, 1e-9);
         events += assert_events(&log, further_gaits[i].gait.events);
@@ -182,7 +182,7 @@ static void cvode_comes_back_to_the_apex(void **state) {
         solver.relative_tolerance = 1e-12;
         /* A hundredth past the apex, in which neither a loss nor the angle of lift-off changes any more but
          * for the damper's, whose leg is at rest by then. */
-        assert_int_equal(tdmf_cvode_advance(&solver, &runner.model, &runner.inputs, &held,
+        assert_int_equal(tdmf_cvode_advance(&solver, SYSTEM_OF(&runner), &held,
                                             further_gaits[i].gait.period + 0.01, &motion),
                          TDMF_ARRIVED);
         assert_is_gait(&motion, &further_gaits[i], 1e-8);
@@ -200,8 +200,8 @@ static tdmf_return stride_of(const further_gait *further, const tdmf_parameters 
     solver.relative_tolerance = 1e-13;
     memcpy(section, &further->gait.apex, sizeof section);
     assert_null(tdmf_model_create(&model, parameters).variable);
-    const tdmf_return stride =
-        tdmf_return_map(&solver, &model, &inputs, section, 1e3, true, seed, seed != NULL ? 1 : 0);
+    const tdmf_return stride = tdmf_return_map(&solver, (tdmf_system){&model, &inputs}, section, 1e3, true,
+                                               seed, seed != NULL ? 1 : 0);
     assert_true(stride.outcome == TDMF_RETURN_CLOSED);
     return stride;
 }

@@ -18,7 +18,7 @@ static const double clamp_time = 1e-8; /* its guard has a dead band of 1e-10, wh
 /* ---- one stride ------------------------------------------------------------------------------------- */
 
 static void assert_stride(const runner *runner, const reference_gait *gait) {
-    const tdmf_stride *stride = &runner->record.stride;
+    const tdmf_stride *stride = &runner->motion.record.stride;
     assert_string_equal(stride->word, gait->word);
     assert_int_equal(stride->touchdowns, 1);
     assert_relatively_close(stride->period, gait->period, relative);
@@ -26,7 +26,7 @@ static void assert_stride(const runner *runner, const reference_gait *gait) {
     assert_relatively_close(stride->speed, gait->speed, relative);
     assert_relatively_close(stride->work, gait->work, relative);
     assert_relatively_close(stride->cost_of_transport, gait->cost_of_transport, relative);
-    assert_relatively_close(runner->mode.liftoff_angle, gait->liftoff_angle, relative);
+    assert_relatively_close(runner->motion.mode.liftoff_angle, gait->liftoff_angle, relative);
 }
 
 static void strides_close_on_the_reference(void **unused) {
@@ -35,7 +35,7 @@ static void strides_close_on_the_reference(void **unused) {
         runner runner = runner_at_reference_apex(&reference_gaits[i]);
         runner_stride(&runner, step);
         assert_stride(&runner, &reference_gaits[i]);
-        assert_reference_apex(&runner.record.apex, &reference_gaits[i], relative);
+        assert_reference_apex(&runner.motion.record.apex, &reference_gaits[i], relative);
     }
 }
 
@@ -69,9 +69,9 @@ static int event_between(const tdmf_mode *before, const tdmf_mode *after) {
 static int next_event(runner *runner) {
     int kind = 0;
     while (kind == 0) {
-        const tdmf_mode before = runner->mode;
+        const tdmf_mode before = runner->motion.mode;
         assert_true(runner_advance(runner, step));
-        kind = event_between(&before, &runner->mode);
+        kind = event_between(&before, &runner->motion.mode);
     }
     return kind;
 }
@@ -85,11 +85,11 @@ static void events_happen_in_order_and_in_time(void **unused) {
         for (; expected->kind != 0; ++expected) {
             assert_int_equal(next_event(&runner), expected->kind);
             const bool clamp = expected->kind == CLAMP_RELEASE;
-            assert_close(runner.time, expected->time, clamp ? clamp_time : event_time);
+            assert_close(runner.motion.time, expected->time, clamp ? clamp_time : event_time);
             counted += !clamp;
         }
-        assert_int_equal(runner.record.event_count, counted);
-        assert_int_equal(runner.record.stride.count, 1);
+        assert_int_equal(runner.motion.record.event_count, counted);
+        assert_int_equal(runner.motion.record.stride.count, 1);
     }
 }
 
@@ -99,9 +99,9 @@ static void strides_repeat(void **unused) {
     runner runner = runner_at_reference_apex(&reference_gaits[2]);
     for (int stride = 1; stride <= 20; ++stride) {
         runner_stride(&runner, step);
-        assert_int_equal(runner.record.event_count, 9 * stride);
-        assert_string_equal(runner.record.stride.word, reference_gaits[2].word);
-        assert_relatively_close(runner.record.stride.period, reference_gaits[2].period, 1e-9);
+        assert_int_equal(runner.motion.record.event_count, 9 * stride);
+        assert_string_equal(runner.motion.record.stride.word, reference_gaits[2].word);
+        assert_relatively_close(runner.motion.record.stride.period, reference_gaits[2].period, 1e-9);
     }
 }
 

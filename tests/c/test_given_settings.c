@@ -65,8 +65,8 @@ static void assert_strides_by_rows(const population *population, int number, int
         tdmf_parameters parameters = population->model.parameters;
         parameters.hip.touchdown_angle = population->values[number][row];
         assert_null(tdmf_model_create(&model, &parameters).variable);
-        const tdmf_return made =
-            tdmf_return_map(&solver, &model, &population->its_case.inputs, apex, 1e4, false, NULL, 0);
+        const tdmf_return made = tdmf_return_map(&solver, (tdmf_system){&model, &population->its_case.inputs},
+                                                 apex, 1e4, false, NULL, 0);
         assert_true(made.outcome == TDMF_RETURN_CLOSED);
         for (int j = 0; j < TDMF_SECTION_COUNT; ++j) {
             assert_close(population->strides[number][stride].apex[j], made.apex[j], 1e-8);

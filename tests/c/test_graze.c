@@ -19,24 +19,23 @@ static runner runner_that_passes_upright(void) {
         [TDMF_LEG_LENGTH] = 0.95, [TDMF_LEG_ANGLE] = 0.05, [TDMF_LEG_ANGLE_RATE] = -0.6};
     assert_null(tdmf_model_create(&runner.model, &parameters).variable);
     runner.inputs.ground.slope = 0.4;
-    memcpy(runner.state, start, sizeof start);
+    memcpy(runner.motion.state, start, sizeof start);
     runner_start(&runner);
-    assert_int_equal(runner.mode.contact, TDMF_CONTACT_GRAZE);
-    assert_true(runner.mode.mid_stance_pending);
+    assert_int_equal(runner.motion.mode.contact, TDMF_CONTACT_GRAZE);
+    assert_true(runner.motion.mode.mid_stance_pending);
     return runner;
 }
 
-typedef tdmf_outcome advance(tdmf_solver *, const tdmf_model *, const tdmf_inputs *, const tdmf_inputs *,
-                             double, tdmf_motion *);
+typedef tdmf_outcome advance(tdmf_solver *, tdmf_system, const tdmf_inputs *, double, tdmf_motion *);
 
 static tdmf_event_log events_until(advance *solve, double end) {
     const runner runner = runner_that_passes_upright();
-    tdmf_motion motion = {.mode = runner.mode, .record = runner.record};
+    tdmf_motion motion = {.mode = runner.motion.mode, .record = runner.motion.record};
     tdmf_solver solver = tdmf_solver_default();
     tdmf_event_log log = {0};
-    memcpy(motion.state, runner.state, sizeof motion.state);
+    memcpy(motion.state, runner.motion.state, sizeof motion.state);
     solver.log = &log;
-    assert_int_equal(solve(&solver, &runner.model, &runner.inputs, NULL, end, &motion), TDMF_ARRIVED);
+    assert_int_equal(solve(&solver, SYSTEM_OF(&runner), NULL, end, &motion), TDMF_ARRIVED);
     return log;
 }
 
@@ -74,12 +73,12 @@ static void by_cvode_too(void **state) {
 static void and_by_whoever_integrates_the_equations(void **state) {
     (void)state;
     runner runner = runner_that_passes_upright();
-    while (runner.mode.contact == TDMF_CONTACT_GRAZE) {
-        assert_true(runner_advance(&runner, 1e-3) && runner.time < 0.1);
+    while (runner.motion.mode.contact == TDMF_CONTACT_GRAZE) {
+        assert_true(runner_advance(&runner, 1e-3) && runner.motion.time < 0.1);
     }
-    assert_close(runner.time, 0.0767, 5e-5);
-    assert_int_equal(runner.mode.contact, TDMF_CONTACT_SLIP_NEGATIVE);
-    assert_int_equal(runner.mode.phase, TDMF_PHASE_COAST);
+    assert_close(runner.motion.time, 0.0767, 5e-5);
+    assert_int_equal(runner.motion.mode.contact, TDMF_CONTACT_SLIP_NEGATIVE);
+    assert_int_equal(runner.motion.mode.phase, TDMF_PHASE_COAST);
 }
 
 /* ---- the same within a stride -------------------------------------------------------------------------- */
@@ -115,9 +114,10 @@ static tdmf_event_log events_of_stride(tdmf_motion *motion) {
     tdmf_solver solver = tdmf_solver_default();
     tdmf_event_log log = {0};
     solver.log = &log;
-    tdmf_section_state(&model, &inputs, apex_of_stride, motion->state);
-    assert_null(tdmf_start(&model, &inputs, 0.0, motion->state, &motion->mode, &motion->record).variable);
-    assert_true(tdmf_native_stride(&solver, &model, &inputs, 1e3, motion).closed);
+    tdmf_section_state((tdmf_system){&model, &inputs}, apex_of_stride, motion->state);
+    motion->time = 0.0;
+    assert_null(tdmf_start((tdmf_system){&model, &inputs}, motion).variable);
+    assert_true(tdmf_native_stride(&solver, (tdmf_system){&model, &inputs}, 1e3, motion).closed);
     return log;
 }
 
@@ -157,7 +157,7 @@ static void a_stride_in_lanes_passes_upright_in_graze(void **state) {
 /* ---- the kink of the clamp ----------------------------------------------------------------------------- */
 
 static bool is_between_its_exits(const runner *runner) {
-    return runner->mode.phase == TDMF_PHASE_RETRACT &&
+    return runner->motion.mode.phase == TDMF_PHASE_RETRACT &&
            scene_guard(runner, TDMF_GUARD_GRAZE_TO_CONTACT) > 0.0 &&
            scene_guard(runner, TDMF_GUARD_GRAZE_TO_FLIGHT) > 0.0 &&
            scene_guard(runner, TDMF_GUARD_APEX) > 0.0;
@@ -168,15 +168,15 @@ static bool is_between_its_exits(const runner *runner) {
 static int kinks_until_exit(runner *runner) {
     const double step = 0.2 * scene_short_time(runner), longest = runner->model.scales.time;
     int kinks = 0;
-    while (runner->mode.contact == TDMF_CONTACT_GRAZE) {
-        const double before = scene_retract_law(runner), angle = runner->state[TDMF_LEG_ANGLE];
-        if (!runner_advance(runner, step) || runner->time > longest ||
-            angle * runner->state[TDMF_LEG_ANGLE] <= 0.0) {
+    while (runner->motion.mode.contact == TDMF_CONTACT_GRAZE) {
+        const double before = scene_retract_law(runner), angle = runner->motion.state[TDMF_LEG_ANGLE];
+        if (!runner_advance(runner, step) || runner->motion.time > longest ||
+            angle * runner->motion.state[TDMF_LEG_ANGLE] <= 0.0) {
             return 0;
         }
         kinks += before * scene_retract_law(runner) < 0.0;
     }
-    return runner->mode.phase == TDMF_PHASE_PLACE ? 0 : kinks;
+    return runner->motion.mode.phase == TDMF_PHASE_PLACE ? 0 : kinks;
 }
 
 /* The clamp is no event in graze, but the law under which the foot may lift off is another beyond it. Where
@@ -188,26 +188,26 @@ static void a_foot_leaves_graze_by_the_law_beyond_the_kink_of_the_clamp(void **s
     (void)state;
     for (int i = 0; i < 40000; ++i) {
         runner at = scene_random(&source, TDMF_CONTACT_GRAZE);
-        at.mode.mid_stance_pending = at.state[TDMF_LEG_ANGLE] > 0.0;
+        at.motion.mode.mid_stance_pending = at.motion.state[TDMF_LEG_ANGLE] > 0.0;
         runner plain = at;
         if (!is_between_its_exits(&at) || kinks_until_exit(&plain) == 0) {
             continue;
         }
-        tdmf_motion motion = {.mode = at.mode, .record = at.record};
+        tdmf_motion motion = {.mode = at.motion.mode, .record = at.motion.record};
         tdmf_solver solver = tdmf_solver_default();
         tdmf_event_log log = {0};
-        memcpy(motion.state, at.state, sizeof motion.state);
+        memcpy(motion.state, at.motion.state, sizeof motion.state);
         solver.log = &log;
-        tdmf_native_advance(&solver, &at.model, &at.inputs, NULL, plain.time + at.model.scales.time, &motion);
+        tdmf_native_advance(&solver, SYSTEM_OF(&at), NULL, plain.motion.time + at.model.scales.time, &motion);
         int exit = 0;
         while (exit < log.count && log.events[exit].after.contact == TDMF_CONTACT_GRAZE) {
             ++exit;
         }
         assert_true(exit < log.count && exit < TDMF_EVENT_CAPACITY);
-        assert_close(log.events[exit].time, plain.time, 1e-6 * at.model.scales.time);
-        assert_int_equal(log.events[exit].after.contact, plain.mode.contact);
+        assert_close(log.events[exit].time, plain.motion.time, 1e-6 * at.model.scales.time);
+        assert_int_equal(log.events[exit].after.contact, plain.motion.mode.contact);
         ++compared;
-        lifted += plain.mode.contact == TDMF_CONTACT_FLIGHT;
+        lifted += plain.motion.mode.contact == TDMF_CONTACT_FLIGHT;
     }
     assert_true(compared >= 30 && lifted >= 10);
 }

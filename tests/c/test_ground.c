@@ -45,10 +45,9 @@ static run run_of_length(double length, double height, double slope) {
     run.inputs.ground.friction = 0.6;
     run.inputs.ground.height = height;
     run.inputs.ground.slope = slope;
-    tdmf_section_state(&run.model, &run.inputs, section, run.motion.state);
-    assert_null(
-        tdmf_start(&run.model, &run.inputs, 0.0, run.motion.state, &run.motion.mode, &run.motion.record)
-            .variable);
+    tdmf_section_state(SYSTEM_OF(&run), section, run.motion.state);
+    run.motion.time = 0.0;
+    assert_null(tdmf_start(SYSTEM_OF(&run), &run.motion).variable);
     return run;
 }
 
@@ -57,7 +56,7 @@ static run run_at_apex(double height, double slope) {
 }
 
 static tdmf_outcome go_to(run *run, double time) {
-    return tdmf_native_advance(&run->solver, &run->model, &run->inputs, NULL, time, &run->motion);
+    return tdmf_native_advance(&run->solver, SYSTEM_OF(run), NULL, time, &run->motion);
 }
 
 /* Events until the next apex. */
@@ -65,20 +64,17 @@ static void stride(run *run) {
     run->log.count = 0;
     run->solver.log = &run->log;
     assert_true(
-        tdmf_native_stride(&run->solver, &run->model, &run->inputs, run->motion.time + forever, &run->motion)
-            .closed);
+        tdmf_native_stride(&run->solver, SYSTEM_OF(run), run->motion.time + forever, &run->motion).closed);
 }
 
 static void set_line(run *run, double height, double slope) {
     run->inputs.ground.height = height;
     run->inputs.ground.slope = slope;
-    tdmf_resolve(&run->model, &run->inputs, run->motion.time, run->motion.state, &run->motion.mode,
-                 &run->motion.record);
+    tdmf_resolve(SYSTEM_OF(run), &run->motion);
 }
 
 static bool waits(const run *run) {
-    const tdmf_outputs outputs =
-        tdmf_outputs_of(&run->model, &run->inputs, &run->motion.mode, &run->motion.record, run->motion.state);
+    const tdmf_outputs outputs = tdmf_outputs_of(SYSTEM_OF(run), &run->motion);
     return outputs.ground.pending;
 }
 
@@ -196,7 +192,7 @@ static void a_step_set_at_an_apex_shifts_its_height_by_its_own_and_no_more(void 
     memcpy(section, &reference_gaits[2].apex, sizeof section);
     section[TDMF_SECTION_COM_HEIGHT] -= step;
     const tdmf_return next =
-        tdmf_return_map(&lower.solver, &lower.model, &lower.inputs, section, forever, false, NULL, 0);
+        tdmf_return_map(&lower.solver, SYSTEM_OF(&lower), section, forever, false, NULL, 0);
     const tdmf_apex *apex = &stepped.motion.record.apex;
     const double reached[TDMF_SECTION_COUNT] = {apex->com_height,      apex->com_speed,
                                                 apex->leg_length,      apex->leg_angle,
@@ -219,12 +215,12 @@ static void beside_a_new_line_its_motion_decides(void **state) {
     (void)state;
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; ++i) {
         runner runner = scene_in_flight(TDMF_PHASE_PLACE, -0.1);
-        runner.state[TDMF_FOOT_VY] = 0.01 * cases[i].rate;
-        runner.inputs.ground.height = runner.state[TDMF_FOOT_Y] - cases[i].height;
-        const tdmf_resolution taken =
-            tdmf_resolve(&runner.model, &runner.inputs, 0.0, runner.state, &runner.mode, &runner.record);
+        runner.motion.state[TDMF_FOOT_VY] = 0.01 * cases[i].rate;
+        runner.inputs.ground.height = runner.motion.state[TDMF_FOOT_Y] - cases[i].height;
+        runner.motion.time = 0.0;
+        const tdmf_resolution taken = tdmf_resolve(SYSTEM_OF(&runner), &runner.motion);
         assert_false(taken.unresolved);
-        assert_true((runner.mode.ground.height != 0.0) == cases[i].in_force);
+        assert_true((runner.motion.mode.ground.height != 0.0) == cases[i].in_force);
     }
 }
 
@@ -232,12 +228,12 @@ static void beside_a_new_line_its_motion_decides(void **state) {
 
 static runner standing_on(double height, double slope) {
     runner runner = runner_default(0.6);
-    memset(runner.state, 0, sizeof runner.state);
+    memset(runner.motion.state, 0, sizeof runner.motion.state);
     runner.inputs.ground.height = height;
     runner.inputs.ground.slope = slope;
-    runner.state[TDMF_FOOT_X] = 2.0;
-    runner.state[TDMF_FOOT_Y] = height + 2.0 * tan(slope);
-    runner.state[TDMF_LEG_LENGTH] = 0.95;
+    runner.motion.state[TDMF_FOOT_X] = 2.0;
+    runner.motion.state[TDMF_FOOT_Y] = height + 2.0 * tan(slope);
+    runner.motion.state[TDMF_LEG_LENGTH] = 0.95;
     return runner;
 }
 
@@ -246,36 +242,35 @@ static void a_start_beside_the_ground_is_one_on_it(void **state) {
     (void)state;
     for (int i = 0; i < 3; ++i) {
         runner runner = standing_on(0.4, 0.1);
-        runner.state[TDMF_FOOT_Y] += off[i];
-        runner.state[TDMF_FOOT_VY] = off[(i + 1) % 3];
+        runner.motion.state[TDMF_FOOT_Y] += off[i];
+        runner.motion.state[TDMF_FOOT_VY] = off[(i + 1) % 3];
         runner_start(&runner);
-        const tdmf_point foot = tdmf_foot_over_ground(&runner.mode.ground, runner.state);
-        assert_true(tdmf_in_contact(&runner.mode));
+        const tdmf_point foot = tdmf_foot_over_ground(&runner.motion.mode.ground, runner.motion.state);
+        assert_true(tdmf_in_contact(&runner.motion.mode));
         assert_close(foot.y, 0.0, 4.0 * DBL_EPSILON);
         assert_close(foot.vy, 0.0, DBL_EPSILON * 1e-12);
-        assert_int_equal(runner.record.open.touchdowns, 0);
+        assert_int_equal(runner.motion.record.open.touchdowns, 0);
     }
 }
 
 static void a_start_below_the_ground_is_refused(void **state) {
     runner runner = standing_on(0.4, 0.1);
     (void)state;
-    runner.state[TDMF_FOOT_Y] -= 2e-12;
-    const tdmf_refusal foot =
-        tdmf_start(&runner.model, &runner.inputs, 0.0, runner.state, &runner.mode, &runner.record);
+    runner.motion.state[TDMF_FOOT_Y] -= 2e-12;
+    runner.motion.time = 0.0;
+    const tdmf_refusal foot = tdmf_start(SYSTEM_OF(&runner), &runner.motion);
     assert_string_equal(foot.variable, "foot.y");
     assert_close(foot.minimum, 0.4 + 2.0 * tan(0.1), 1e-15);
-    runner.state[TDMF_FOOT_Y] += 0.1;
-    runner.state[TDMF_LEG_ANGLE] = 2.0;
-    const tdmf_refusal body =
-        tdmf_start(&runner.model, &runner.inputs, 0.0, runner.state, &runner.mode, &runner.record);
+    runner.motion.state[TDMF_FOOT_Y] += 0.1;
+    runner.motion.state[TDMF_LEG_ANGLE] = 2.0;
+    const tdmf_refusal body = tdmf_start(SYSTEM_OF(&runner), &runner.motion);
     assert_string_equal(body.variable, "body.y");
 }
 
 /* ---- impact -------------------------------------------------------------------------------------------- */
 
 static double kinetic_energy(const runner *runner) {
-    return tdmf_mechanical_energy(&runner->model, &runner->inputs, &runner->mode, runner->state).kinetic;
+    return tdmf_mechanical_energy(SYSTEM_OF(runner), &runner->motion.mode, runner->motion.state).kinetic;
 }
 
 static void at_no_impact_on_any_slope_does_kinetic_energy_rise(void **state) {
@@ -283,14 +278,14 @@ static void at_no_impact_on_any_slope_does_kinetic_energy_rise(void **state) {
     (void)state;
     for (int i = 0; i < 10000; ++i) {
         runner runner = scene_random(&source, TDMF_CONTACT_FLIGHT);
-        runner.mode.ground = tdmf_ground_line_of(0.0, random_uniform(&source, -0.99, 0.99));
-        const tdmf_ground_line *ground = &runner.mode.ground;
-        tdmf_point foot = tdmf_foot_over_ground(ground, runner.state);
+        runner.motion.mode.ground = tdmf_ground_line_of(0.0, random_uniform(&source, -0.99, 0.99));
+        const tdmf_ground_line *ground = &runner.motion.mode.ground;
+        tdmf_point foot = tdmf_foot_over_ground(ground, runner.motion.state);
         foot.vy = -fabs(foot.vy);
         tdmf_set_foot_velocity(foot.vx * ground->cosine - foot.vy * ground->sine,
-                               foot.vx * ground->sine + foot.vy * ground->cosine, runner.state);
+                               foot.vx * ground->sine + foot.vy * ground->cosine, runner.motion.state);
         const double before = kinetic_energy(&runner);
-        const double loss = tdmf_impact(&runner.model, &runner.inputs, ground, runner.state);
+        const double loss = tdmf_impact(SYSTEM_OF(&runner), ground, runner.motion.state);
         assert_true(loss >= 0.0);
         assert_close(kinetic_energy(&runner), before - loss, 1e-13 * before);
     }
@@ -320,9 +315,8 @@ static void a_runner_that_is_moved_with_its_ground_runs_alike(void **state) {
             there.motion.state[TDMF_FOOT_X] += shifts[k][0];
             there.motion.state[TDMF_FOOT_Y] += shifts[k][1];
             there.inputs.ground.height = shifts[k][1] - shifts[k][0] * tan(slopes[i]);
-            assert_null(tdmf_start(&there.model, &there.inputs, 0.0, there.motion.state, &there.motion.mode,
-                                   &there.motion.record)
-                            .variable);
+            there.motion.time = 0.0;
+            assert_null(tdmf_start(SYSTEM_OF(&there), &there.motion).variable);
             for (int n = 0; n < 3; ++n, ++compared) {
                 stride(&here);
                 stride(&there);
@@ -354,16 +348,15 @@ static bool begin_random(random_source *source, run *run) {
     memcpy(section, &reference_gaits[2].apex, sizeof section);
     section[TDMF_SECTION_COM_HEIGHT] += random_uniform(source, -0.2, 0.2);
     section[TDMF_SECTION_COM_SPEED] *= random_uniform(source, 0.3, 1.3);
-    tdmf_section_state(&run->model, &run->inputs, section, run->motion.state);
-    return tdmf_start(&run->model, &run->inputs, 0.0, run->motion.state, &run->motion.mode,
-                      &run->motion.record)
-               .variable == NULL;
+    tdmf_section_state(SYSTEM_OF(run), section, run->motion.state);
+    run->motion.time = 0.0;
+    return tdmf_start(SYSTEM_OF(run), &run->motion).variable == NULL;
 }
 
 /* The guard that has fired is at zero, and none is below it: what the series find is what the model says. */
 static void assert_no_guard_is_missed(const run *run, const tdmf_event *event) {
     double guards[TDMF_GUARD_COUNT];
-    tdmf_guards(&run->model, &run->inputs, &event->before, event->state, guards);
+    tdmf_guards(SYSTEM_OF(run), &event->before, event->state, guards);
     assert_close(guards[event->guard], 0.0, 1e-9);
     for (int g = 0; g < TDMF_GUARD_COUNT; ++g) {
         assert_true(g == TDMF_GUARD_FORCE_PEAK || g == TDMF_GUARD_VERTICAL_FORCE_PEAK || guards[g] > -1e-9);
@@ -405,7 +398,7 @@ static void set_random_line(random_source *source, run *run) {
 }
 
 static double total_energy(const run *run) {
-    return tdmf_mechanical_energy(&run->model, &run->inputs, &run->motion.mode, run->motion.state).total;
+    return tdmf_mechanical_energy(SYSTEM_OF(run), &run->motion.mode, run->motion.state).total;
 }
 
 static void assert_is_sound(const run *run, double start_energy) {

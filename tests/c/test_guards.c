@@ -26,7 +26,7 @@ static void assert_guards(runner runner, tdmf_guard guard, placement place, doub
 /* ---- off the ground --------------------------------------------------------------------------------- */
 
 static void raise_foot(runner *runner, double height) {
-    runner->state[TDMF_FOOT_Y] = height;
+    runner->motion.state[TDMF_FOOT_Y] = height;
 }
 
 static void touchdown_watches_the_foots_height(void **unused) {
@@ -48,18 +48,19 @@ static void assert_apex(runner runner, placement place) {
 static void apex_watches_the_climb(void **unused) {
     (void)unused;
     runner in_flight = scene_in_flight(TDMF_PHASE_RETRACT, 0.1);
-    in_flight.state[TDMF_LEG_ANGLE_RATE] = 0.3;
-    in_flight.state[TDMF_LEG_ANGLE] = -0.7;
+    in_flight.motion.state[TDMF_LEG_ANGLE_RATE] = 0.3;
+    in_flight.motion.state[TDMF_LEG_ANGLE] = -0.7;
     runner in_graze = scene_on_ground(TDMF_CONTACT_GRAZE, -0.5, 0.0);
-    in_graze.state[TDMF_LEG_ANGLE_RATE] = 0.3;
+    in_graze.motion.state[TDMF_LEG_ANGLE_RATE] = 0.3;
     assert_apex(in_flight, scene_set_com_vy);
     assert_apex(in_graze, scene_set_com_vy_by_leg);
 }
 
 /* -kp (theta - eta theta_LO) - kd thetadot = argument, with kp = kd = 0.1, eta = 1.2. */
 static void set_retract_argument(runner *runner, double argument) {
-    const double spring = -0.1 * (runner->state[TDMF_LEG_ANGLE] - 1.2 * runner->mode.liftoff_angle);
-    runner->state[TDMF_LEG_ANGLE_RATE] = (spring - argument) / 0.1;
+    const double spring =
+        -0.1 * (runner->motion.state[TDMF_LEG_ANGLE] - 1.2 * runner->motion.mode.liftoff_angle);
+    runner->motion.state[TDMF_LEG_ANGLE_RATE] = (spring - argument) / 0.1;
 }
 
 static void set_negative_retract_argument(runner *runner, double argument) {
@@ -69,10 +70,10 @@ static void set_negative_retract_argument(runner *runner, double argument) {
 static void clamp_watches_its_argument_either_way(void **unused) {
     (void)unused;
     runner runner = scene_in_flight(TDMF_PHASE_RETRACT, 0.1);
-    runner.mode.liftoff_angle = -0.4;
-    runner.mode.clamp_closed = false;
+    runner.motion.mode.liftoff_angle = -0.4;
+    runner.motion.mode.clamp_closed = false;
     assert_guards(runner, TDMF_GUARD_CLAMP, set_retract_argument, dead_band);
-    runner.mode.clamp_closed = true;
+    runner.motion.mode.clamp_closed = true;
     assert_guards(runner, TDMF_GUARD_CLAMP, set_negative_retract_argument, dead_band);
 }
 
@@ -90,7 +91,7 @@ static void lift_off_watches_the_vertical_force(void **unused) {
 static void set_cone(runner *runner, double distance) {
     const double force = 0.1;
     scene_set_vertical_force(runner, force);
-    const double across = (force - 0.001) * tan(fabs(runner->state[TDMF_LEG_ANGLE]));
+    const double across = (force - 0.001) * tan(fabs(runner->motion.state[TDMF_LEG_ANGLE]));
     runner->inputs.ground.friction = (across + distance) / force;
 }
 
@@ -103,7 +104,7 @@ static void slip_onset_watches_the_edges_of_the_cone(void **unused) {
 }
 
 static void set_slip_speed(runner *runner, double speed) {
-    runner->state[TDMF_FOOT_VX] = speed * tdmf_slip_sign(&runner->mode);
+    runner->motion.state[TDMF_FOOT_VX] = speed * tdmf_slip_sign(&runner->motion.mode);
 }
 
 static void slip_velocity_zero_watches_the_speed_of_slip(void **unused) {
@@ -115,20 +116,20 @@ static void slip_velocity_zero_watches_the_speed_of_slip(void **unused) {
 }
 
 static void set_leg_angle(runner *runner, double angle) {
-    runner->state[TDMF_LEG_ANGLE] = angle;
+    runner->motion.state[TDMF_LEG_ANGLE] = angle;
 }
 
 static void mid_stance_watches_the_leg_angle(void **unused) {
     (void)unused;
     runner runner = scene_on_ground(TDMF_CONTACT_STICK, 0.3, 0.1);
-    runner.mode.phase = TDMF_PHASE_DRIVE;
-    runner.mode.mid_stance_pending = true;
+    runner.motion.mode.phase = TDMF_PHASE_DRIVE;
+    runner.motion.mode.mid_stance_pending = true;
     assert_guards(runner, TDMF_GUARD_MID_STANCE, set_leg_angle, margin);
 }
 
 /* On an upright leg at rest d(f_y)/dt = -c rddot = -c (k (l0 - r)/m - g) with c = 0.2, g = 0.01. */
 static void set_force_rate(runner *runner, double rate) {
-    runner->state[TDMF_LEG_LENGTH] = 1.0 - (0.01 - rate / 0.2);
+    runner->motion.state[TDMF_LEG_LENGTH] = 1.0 - (0.01 - rate / 0.2);
 }
 
 static void set_negative_force_rate(runner *runner, double rate) {
@@ -138,17 +139,17 @@ static void set_negative_force_rate(runner *runner, double rate) {
 static void force_peak_watches_the_rate_either_way(void **unused) {
     (void)unused;
     runner runner = scene_on_ground(TDMF_CONTACT_STICK, 0.0, 0.1);
-    runner.mode.ground_force_rising = true;
+    runner.motion.mode.ground_force_rising = true;
     assert_guards(runner, TDMF_GUARD_FORCE_PEAK, set_force_rate, dead_band);
-    runner.mode.ground_force_rising = false;
+    runner.motion.mode.ground_force_rising = false;
     assert_guards(runner, TDMF_GUARD_FORCE_PEAK, set_negative_force_rate, dead_band);
 }
 
 /* A leg at rest across the slope: d(f_n)/dt = -c rddot with gravity's part across it, and of f_t nothing. */
 static void set_rate_on_slope(runner *runner, double rate) {
-    const double slope = runner->mode.ground.slope;
-    runner->state[TDMF_LEG_ANGLE] = slope;
-    runner->state[TDMF_LEG_LENGTH] = 1.0 - (0.01 * cos(slope) - rate / (0.2 * cos(slope)));
+    const double slope = runner->motion.mode.ground.slope;
+    runner->motion.state[TDMF_LEG_ANGLE] = slope;
+    runner->motion.state[TDMF_LEG_LENGTH] = 1.0 - (0.01 * cos(slope) - rate / (0.2 * cos(slope)));
 }
 
 static void set_negative_rate_on_slope(runner *runner, double rate) {
@@ -159,11 +160,11 @@ static void vertical_force_peak_watches_its_rate_on_a_slope(void **unused) {
     (void)unused;
     runner runner = scene_on_ground(TDMF_CONTACT_STICK, 0.0, 0.1);
     assert_true(scene_guard(&runner, TDMF_GUARD_VERTICAL_FORCE_PEAK) == 1.0);
-    runner.mode.ground = tdmf_ground_line_of(0.0, 0.1);
+    runner.motion.mode.ground = tdmf_ground_line_of(0.0, 0.1);
     runner.inputs.ground.slope = 0.1;
-    runner.mode.vertical_force_rising = true;
+    runner.motion.mode.vertical_force_rising = true;
     assert_guards(runner, TDMF_GUARD_VERTICAL_FORCE_PEAK, set_rate_on_slope, dead_band);
-    runner.mode.vertical_force_rising = false;
+    runner.motion.mode.vertical_force_rising = false;
     assert_guards(runner, TDMF_GUARD_VERTICAL_FORCE_PEAK, set_negative_rate_on_slope, dead_band);
 }
 
@@ -195,19 +196,20 @@ static void graze_to_flight_watches_the_flight_law(void **unused) {
 /* ---- fall ------------------------------------------------------------------------------------------- */
 
 static void hang_body(runner *runner, double height) {
-    runner->state[TDMF_FOOT_Y] = height - runner->state[TDMF_LEG_LENGTH] * cos(runner->state[TDMF_LEG_ANGLE]);
+    runner->motion.state[TDMF_FOOT_Y] =
+        height - runner->motion.state[TDMF_LEG_LENGTH] * cos(runner->motion.state[TDMF_LEG_ANGLE]);
 }
 
 static void body_down_watches_the_bodys_height(void **unused) {
     (void)unused;
     runner runner = scene_in_flight(TDMF_PHASE_PLACE, -0.1);
-    runner.state[TDMF_LEG_ANGLE] = 2.0;
-    runner.state[TDMF_LEG_LENGTH] = 0.8;
+    runner.motion.state[TDMF_LEG_ANGLE] = 2.0;
+    runner.motion.state[TDMF_LEG_LENGTH] = 0.8;
     assert_guards(runner, TDMF_GUARD_BODY_DOWN, hang_body, margin);
 }
 
 static void set_spare_length(runner *runner, double length) {
-    runner->state[TDMF_LEG_LENGTH] = runner->model.parameters.leg.min_length + length;
+    runner->motion.state[TDMF_LEG_LENGTH] = runner->model.parameters.leg.min_length + length;
 }
 
 static void leg_too_short_watches_its_length(void **unused) {
@@ -241,11 +243,11 @@ static void guards_of_other_modes_are_one(void **unused) {
     random_source source = {41};
     for (int i = 0; i < 500; ++i) {
         const runner runner = scene_random(&source, (tdmf_contact_mode)(TDMF_CONTACT_FLIGHT + i % 5));
-        const char *watched = watched_guards(&runner.mode);
+        const char *watched = watched_guards(&runner.motion.mode);
         for (int guard = 0; guard < TDMF_GUARD_COUNT; ++guard) {
-            const bool waits = runner.mode.ground.height != runner.inputs.ground.height ||
-                               runner.mode.ground.slope != runner.inputs.ground.slope;
-            const bool slopes = runner.mode.ground.slope != 0.0;
+            const bool waits = runner.motion.mode.ground.height != runner.inputs.ground.height ||
+                               runner.motion.mode.ground.slope != runner.inputs.ground.slope;
+            const bool slopes = runner.motion.mode.ground.slope != 0.0;
             const bool expected = watched[guard] == 'x' || (watched[guard] == '?' && waits) ||
                                   (watched[guard] == '/' && slopes);
             assert_true((scene_guard(&runner, (tdmf_guard)guard) != 1.0) == expected);
@@ -257,8 +259,8 @@ static void fallen_run_watches_nothing(void **unused) {
     (void)unused;
     random_source source = {42};
     runner runner = scene_random(&source, TDMF_CONTACT_FLIGHT);
-    runner.mode.fallen = true;
-    runner.state[TDMF_FOOT_Y] = -1.0;
+    runner.motion.mode.fallen = true;
+    runner.motion.state[TDMF_FOOT_Y] = -1.0;
     for (int guard = 0; guard < TDMF_GUARD_COUNT; ++guard) {
         assert_true(scene_guard(&runner, (tdmf_guard)guard) == 1.0);
     }

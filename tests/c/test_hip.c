@@ -7,21 +7,21 @@
 static const double touchdown_angle = 0.69813170079773179; /* 40 degrees */
 
 static double torque_of(const runner *runner) {
-    return tdmf_hip_torque(&runner->model, &runner->inputs, &runner->mode, runner->state);
+    return tdmf_hip_torque(SYSTEM_OF(runner), &runner->motion.mode, runner->motion.state);
 }
 
 static runner leg_in_flight(tdmf_hip_phase phase, double angle, double angle_rate) {
     runner runner = scene_in_flight(phase, 0.1);
-    runner.state[TDMF_LEG_ANGLE] = angle;
-    runner.state[TDMF_LEG_ANGLE_RATE] = angle_rate;
-    runner.mode.liftoff_angle = -0.5;
+    runner.motion.state[TDMF_LEG_ANGLE] = angle;
+    runner.motion.state[TDMF_LEG_ANGLE_RATE] = angle_rate;
+    runner.motion.mode.liftoff_angle = -0.5;
     return runner;
 }
 
 static runner leg_in_drive(void) {
     runner runner = scene_on_ground(TDMF_CONTACT_STICK, 0.3, 0.3);
-    runner.mode.phase = TDMF_PHASE_DRIVE;
-    runner.mode.mid_stance_pending = true;
+    runner.motion.mode.phase = TDMF_PHASE_DRIVE;
+    runner.motion.mode.mid_stance_pending = true;
     return runner;
 }
 
@@ -29,9 +29,9 @@ static runner leg_in_drive(void) {
 static void drive_does_positive_work_in_forward_running(void **unused) {
     (void)unused;
     runner runner = leg_in_drive();
-    runner.state[TDMF_LEG_ANGLE_RATE] = -1.0;
+    runner.motion.state[TDMF_LEG_ANGLE_RATE] = -1.0;
     double derivatives[TDMF_STATE_COUNT];
-    tdmf_derivatives(&runner.model, &runner.inputs, &runner.mode, runner.state, derivatives);
+    tdmf_derivatives(SYSTEM_OF(&runner), &runner.motion.mode, runner.motion.state, derivatives);
     assert_close(torque_of(&runner), -0.2, 1e-17);
     assert_close(derivatives[TDMF_HIP_WORK], 0.2, 1e-17);
 }
@@ -59,7 +59,7 @@ static void retract_never_pulls_back(void **unused) {
         const double rate = random_uniform(&source, -2.0, 2.0);
         const double servo = -0.1 * (angle + 0.6) - 0.1 * rate;
         runner runner = leg_in_flight(TDMF_PHASE_RETRACT, angle, rate);
-        runner.mode.clamp_closed = servo < 0.0;
+        runner.motion.mode.clamp_closed = servo < 0.0;
         assert_close(torque_of(&runner), fmax(servo, 0.0), 1e-15);
     }
 }
@@ -69,7 +69,7 @@ static void clamp_stays_as_located(void **unused) {
     (void)unused;
     runner opening = leg_in_flight(TDMF_PHASE_RETRACT, -0.6, -1e-11);
     runner closing = leg_in_flight(TDMF_PHASE_RETRACT, -0.6, 1e-11);
-    opening.mode.clamp_closed = true;
+    opening.motion.mode.clamp_closed = true;
     assert_true(torque_of(&opening) == 0.0);
     assert_close(torque_of(&closing), -1e-12, 1e-16);
 }
@@ -93,16 +93,16 @@ static void place_follows_a_leg_that_is_retracted(void **unused) {
         const double omega = random_uniform(&source, -0.5, 0.5), since = random_uniform(&source, 0.0, 30.0);
         runner runner = leg_in_flight(TDMF_PHASE_PLACE, angle, rate);
         runner.model.parameters.hip.retraction_rate = omega;
-        runner.state[TDMF_HIP_PLACE_TIME] = since;
+        runner.motion.state[TDMF_HIP_PLACE_TIME] = since;
         assert_close(torque_of(&runner),
                      -0.1 * (angle - touchdown_angle + omega * since) - 0.1 * (rate + omega), 1e-14);
         double derivatives[TDMF_STATE_COUNT];
-        tdmf_derivatives(&runner.model, &runner.inputs, &runner.mode, runner.state, derivatives);
+        tdmf_derivatives(SYSTEM_OF(&runner), &runner.motion.mode, runner.motion.state, derivatives);
         assert_true(derivatives[TDMF_HIP_PLACE_TIME] == 1.0);
-        runner.mode.phase = TDMF_PHASE_RETRACT;
-        runner.state[TDMF_HIP_PLACE_TIME] = 0.0;
+        runner.motion.mode.phase = TDMF_PHASE_RETRACT;
+        runner.motion.state[TDMF_HIP_PLACE_TIME] = 0.0;
         assert_close(torque_of(&runner), -0.1 * (angle + 0.6) - 0.1 * rate, 1e-15);
-        tdmf_derivatives(&runner.model, &runner.inputs, &runner.mode, runner.state, derivatives);
+        tdmf_derivatives(SYSTEM_OF(&runner), &runner.motion.mode, runner.motion.state, derivatives);
         assert_true(derivatives[TDMF_HIP_PLACE_TIME] == 0.0);
     }
 }
@@ -130,7 +130,7 @@ static void graze_torque_unloads_the_foot(void **unused) {
         runner runner = scene_random(&source, TDMF_CONTACT_GRAZE);
         const double torque = torque_of(&runner);
         const tdmf_ground_force force =
-            tdmf_sticking_force(&runner.model, &runner.inputs, &runner.mode, torque, runner.state);
+            tdmf_sticking_force(SYSTEM_OF(&runner), &runner.motion.mode, torque, runner.motion.state);
         const double scale = runner.model.scales.force * (1.0 + runner.model.parameters.leg.damping);
         assert_close(force.normal, 0.0, 1e-13 * scale);
         runner.inputs.hip.external_torque = 0.3 * runner.model.scales.energy;
@@ -144,12 +144,12 @@ static void graze_is_watched_by_the_ground_force_under_either_law(void **unused)
     runner runner = leg_in_drive();
     runner.inputs.hip.external_torque = 0.05;
     const double stance =
-        tdmf_contact_force(&runner.model, &runner.inputs, &runner.mode, runner.state).normal;
-    runner.mode.phase = TDMF_PHASE_PLACE;
-    runner.mode.contact = TDMF_CONTACT_GRAZE;
+        tdmf_contact_force(SYSTEM_OF(&runner), &runner.motion.mode, runner.motion.state).normal;
+    runner.motion.mode.phase = TDMF_PHASE_PLACE;
+    runner.motion.mode.contact = TDMF_CONTACT_GRAZE;
     const double law = -0.1 * (0.3 - touchdown_angle) + 0.05;
     const double flight =
-        tdmf_sticking_force(&runner.model, &runner.inputs, &runner.mode, law, runner.state).normal;
+        tdmf_sticking_force(SYSTEM_OF(&runner), &runner.motion.mode, law, runner.motion.state).normal;
     assert_close(scene_guard(&runner, TDMF_GUARD_GRAZE_TO_CONTACT), -stance, 1e-12);
     assert_close(scene_guard(&runner, TDMF_GUARD_GRAZE_TO_FLIGHT), flight, 1e-12);
 }

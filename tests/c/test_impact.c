@@ -8,35 +8,36 @@
 /* A foot about to hit the ground at (vx, vy) under a moving body; unit model. */
 static runner falling_foot(double vx, double vy) {
     runner runner = scene_in_flight(TDMF_PHASE_PLACE, -1.0);
-    runner.state[TDMF_FOOT_Y] = 0.0;
-    runner.state[TDMF_LEG_ANGLE] = 0.4;
-    runner.state[TDMF_FOOT_VX] = vx;
-    runner.state[TDMF_FOOT_VY] = vy;
+    runner.motion.state[TDMF_FOOT_Y] = 0.0;
+    runner.motion.state[TDMF_LEG_ANGLE] = 0.4;
+    runner.motion.state[TDMF_FOOT_VX] = vx;
+    runner.motion.state[TDMF_FOOT_VY] = vy;
     return runner;
 }
 
 static double impact(runner *runner, double friction) {
     tdmf_inputs inputs = runner->inputs;
     inputs.ground.friction = friction;
-    return tdmf_impact(&runner->model, &inputs, &runner->mode.ground, runner->state);
+    return tdmf_impact((tdmf_system){&runner->model, &inputs}, &runner->motion.mode.ground,
+                       runner->motion.state);
 }
 
 static double total_energy(const runner *runner) {
-    return tdmf_mechanical_energy(&runner->model, &runner->inputs, &runner->mode, runner->state).total;
+    return tdmf_mechanical_energy(SYSTEM_OF(runner), &runner->motion.mode, runner->motion.state).total;
 }
 
 static double vx_after(double vx, double vy, double friction) {
     runner runner = falling_foot(vx, vy);
     impact(&runner, friction);
-    assert_true(runner.state[TDMF_FOOT_VY] == 0.0);
-    assert_true(runner.state[TDMF_FOOT_Y] == 0.0);
-    return runner.state[TDMF_FOOT_VX];
+    assert_true(runner.motion.state[TDMF_FOOT_VY] == 0.0);
+    assert_true(runner.motion.state[TDMF_FOOT_Y] == 0.0);
+    return runner.motion.state[TDMF_FOOT_VX];
 }
 
 /* Of its parts: where the ground is low they may cancel. */
 static double size_of_energy(const runner *runner) {
     const tdmf_energy energy =
-        tdmf_mechanical_energy(&runner->model, &runner->inputs, &runner->mode, runner->state);
+        tdmf_mechanical_energy(SYSTEM_OF(runner), &runner->motion.mode, runner->motion.state);
     return energy.kinetic + fabs(energy.potential) + energy.elastic;
 }
 
@@ -47,13 +48,13 @@ static void assert_is_impact(const runner *before, double friction) {
     const double loss = impact(&after, friction);
     const double energy = total_energy(before);
     const double speed_scale = before->model.scales.speed;
-    const tdmf_point body_before = tdmf_body(before->state);
-    const tdmf_point body_after = tdmf_body(after.state);
+    const tdmf_point body_before = tdmf_body(before->motion.state);
+    const tdmf_point body_after = tdmf_body(after.motion.state);
     assert_close(body_after.vx, body_before.vx, 1e-13 * speed_scale);
     assert_close(body_after.vy, body_before.vy, 1e-13 * speed_scale);
 
-    const tdmf_point foot_before = tdmf_foot_over_ground(&before->mode.ground, before->state);
-    const tdmf_point foot_after = tdmf_foot_over_ground(&before->mode.ground, after.state);
+    const tdmf_point foot_before = tdmf_foot_over_ground(&before->motion.mode.ground, before->motion.state);
+    const tdmf_point foot_after = tdmf_foot_over_ground(&before->motion.mode.ground, after.motion.state);
     const double along = foot_mass * (foot_after.vx - foot_before.vx);
     const double up = foot_mass * (foot_after.vy - foot_before.vy);
     assert_close(foot_after.y, 0.0, 1e-14 * before->model.scales.length);
@@ -72,10 +73,10 @@ static void assert_is_impact(const runner *before, double friction) {
 
 /* Onto its ground; false where it moves away from that. */
 static bool put_at_impact(runner *runner) {
-    const tdmf_ground_line *ground = &runner->mode.ground;
-    const tdmf_point foot = tdmf_foot_over_ground(ground, runner->state);
-    runner->state[TDMF_FOOT_X] += foot.y * ground->sine;
-    runner->state[TDMF_FOOT_Y] -= foot.y * ground->cosine;
+    const tdmf_ground_line *ground = &runner->motion.mode.ground;
+    const tdmf_point foot = tdmf_foot_over_ground(ground, runner->motion.state);
+    runner->motion.state[TDMF_FOOT_X] += foot.y * ground->sine;
+    runner->motion.state[TDMF_FOOT_Y] -= foot.y * ground->cosine;
     return foot.vy < 0.0;
 }
 
@@ -117,8 +118,8 @@ static void static_friction_decides_whether_it_sticks(void **unused) {
         outside.model.parameters.ground.static_friction_ratio = 1.5;
         impact(&inside, 0.5);
         impact(&outside, 0.5);
-        assert_true(inside.state[TDMF_FOOT_VX] == 0.0);
-        assert_close(outside.state[TDMF_FOOT_VX], sign * 0.15, 1e-15);
+        assert_true(inside.motion.state[TDMF_FOOT_VX] == 0.0);
+        assert_close(outside.motion.state[TDMF_FOOT_VX], sign * 0.15, 1e-15);
     }
 }
 
@@ -142,10 +143,10 @@ static void tiny_velocities_are_no_exception(void **unused) {
     for (int i = 0; i < 16; ++i) {
         runner runner = falling_foot(tiny[i / 4], -tiny[i % 4]);
         const double loss = impact(&runner, 0.5);
-        const double vx = runner.state[TDMF_FOOT_VX];
+        const double vx = runner.motion.state[TDMF_FOOT_VX];
         assert_true(loss >= 0.0 && loss < 1e-300);
         assert_true(vx >= 0.0 && vx <= tiny[i / 4]);
-        assert_true(runner.state[TDMF_FOOT_VY] == 0.0);
+        assert_true(runner.motion.state[TDMF_FOOT_VY] == 0.0);
     }
 }
 

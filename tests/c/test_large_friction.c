@@ -17,8 +17,9 @@ enum { FRICTIONS = sizeof frictions / sizeof *frictions, STRIDES = 300, STEPS_OF
 static const tdmf_inputs held = {.ground = {.friction = 0.0}};
 
 static tdmf_motion motion_of(const runner *runner) {
-    tdmf_motion motion = {.time = runner->time, .mode = runner->mode, .record = runner->record};
-    memcpy(motion.state, runner->state, sizeof motion.state);
+    tdmf_motion motion = {
+        .time = runner->motion.time, .mode = runner->motion.mode, .record = runner->motion.record};
+    memcpy(motion.state, runner->motion.state, sizeof motion.state);
     return motion;
 }
 
@@ -37,7 +38,7 @@ static void the_cones_guard_rounds_like_the_forces(void **unused) {
             runner runner = scene_on_ground(TDMF_CONTACT_STICK, angle, 1e-9);
             runner.inputs.ground.friction = frictions[i];
             const tdmf_ground_force force =
-                tdmf_sticking_force(&runner.model, &runner.inputs, &runner.mode, 0.0, runner.state);
+                tdmf_sticking_force(SYSTEM_OF(&runner), &runner.motion.mode, 0.0, runner.motion.state);
             const long double edge = fabsl((long double)force.tangential) / (long double)frictions[i];
             const double value = (double)((long double)force.normal - edge + (long double)TDMF_GUARD_MARGIN);
             const double positive = scene_guard(&runner, TDMF_GUARD_SLIP_ONSET_POSITIVE);
@@ -60,8 +61,7 @@ static void every_stride_closes_in_few_steps(void **unused) {
         tdmf_solver solver = tdmf_solver_default();
         for (int stride = 0; stride < STRIDES; ++stride) {
             const int64_t steps = solver.steps;
-            const tdmf_stride_outcome outcome =
-                tdmf_native_stride(&solver, &runner.model, &runner.inputs, 1e9, &motion);
+            const tdmf_stride_outcome outcome = tdmf_native_stride(&solver, SYSTEM_OF(&runner), 1e9, &motion);
             assert_true(outcome.closed);
             assert_true(solver.steps - steps < STEPS_OF_A_STRIDE);
             assert_string_equal(motion.record.stride.word, "0+");
@@ -82,10 +82,9 @@ static void the_two_solvers_agree(void **unused) {
         const runner runner = started(frictions[i]);
         tdmf_motion native = motion_of(&runner), cvode = native;
         tdmf_solver solver = tdmf_solver_default();
-        assert_int_equal(tdmf_native_advance(&solver, &runner.model, &runner.inputs, &held, 110.0, &native),
+        assert_int_equal(tdmf_native_advance(&solver, SYSTEM_OF(&runner), &held, 110.0, &native),
                          TDMF_ARRIVED);
-        assert_int_equal(tdmf_cvode_advance(&solver, &runner.model, &runner.inputs, &held, 110.0, &cvode),
-                         TDMF_ARRIVED);
+        assert_int_equal(tdmf_cvode_advance(&solver, SYSTEM_OF(&runner), &held, 110.0, &cvode), TDMF_ARRIVED);
         assert_int_equal(native.record.event_count, cvode.record.event_count);
         assert_int_equal(native.record.stride.count, 4);
         for (int k = 0; k < TDMF_MECHANICAL_COUNT; ++k) {
@@ -116,8 +115,8 @@ static void the_gait_of_a_light_foot_is_found(void **unused) {
                                           state[TDMF_LEG_ANGLE],
                                           state[TDMF_LEG_LENGTH_RATE],
                                           state[TDMF_LEG_ANGLE_RATE]};
-    assert_int_equal(tdmf_settle(&solver, &model, &inputs, 400, section), 400);
-    const tdmf_orbit orbit = tdmf_find_orbit(&solver, &model, &inputs, section, NULL, 0);
+    assert_int_equal(tdmf_settle(&solver, (tdmf_system){&model, &inputs}, 400, section), 400);
+    const tdmf_orbit orbit = tdmf_find_orbit(&solver, (tdmf_system){&model, &inputs}, section, NULL, 0);
     assert_int_equal(orbit.outcome, TDMF_ORBIT_FOUND);
     assert_string_equal(orbit.stride.stride.word, "0+");
     assert_relatively_close(orbit.stride.stride.period, 25.36965, 3e-7);

@@ -9,13 +9,14 @@ typedef struct {
 } ledger;
 
 static ledger ledger_of(const runner *runner) {
-    const ledger ledger = {runner->state[TDMF_HIP_WORK], runner->state[TDMF_ENERGY_DAMPER_LOSS],
-                           runner->state[TDMF_ENERGY_FRICTION_LOSS], runner->record.impact_loss};
+    const ledger ledger = {runner->motion.state[TDMF_HIP_WORK], runner->motion.state[TDMF_ENERGY_DAMPER_LOSS],
+                           runner->motion.state[TDMF_ENERGY_FRICTION_LOSS],
+                           runner->motion.record.impact_loss};
     return ledger;
 }
 
 static double energy_of(const runner *runner) {
-    return tdmf_mechanical_energy(&runner->model, &runner->inputs, &runner->mode, runner->state).total;
+    return tdmf_mechanical_energy(SYSTEM_OF(runner), &runner->motion.mode, runner->motion.state).total;
 }
 
 /* A slip's last instant may run backward by the margin of its guard. */
@@ -26,8 +27,8 @@ static void assert_losses_grow(const ledger *before, const ledger *after) {
 }
 
 static void advance_a_stride(runner *runner, double step) {
-    const int count = runner->record.stride.count;
-    while (runner->record.stride.count == count) {
+    const int count = runner->motion.record.stride.count;
+    while (runner->motion.record.stride.count == count) {
         const ledger before = ledger_of(runner);
         assert_true(runner_advance(runner, step));
         const ledger after = ledger_of(runner);
@@ -61,10 +62,10 @@ static void closes_whatever_the_motion(void **unused) {
     for (int i = 0; i < 2; ++i) {
         runner runner = runner_default(0.4);
         runner.inputs.hip.external_torque = torques[i];
-        runner.state[TDMF_FOOT_VX] = -1.0;
+        runner.motion.state[TDMF_FOOT_VX] = -1.0;
         runner_start(&runner);
         const double energy = energy_of(&runner);
-        while (runner.time < 60.0 && runner_advance(&runner, 1e-3)) {
+        while (runner.motion.time < 60.0 && runner_advance(&runner, 1e-3)) {
         }
         const ledger l = ledger_of(&runner);
         assert_close(energy_of(&runner) - energy, l.work - l.damper - l.friction - l.impact,

@@ -20,10 +20,10 @@ static void assert_same_state(const runner *runner, const double *state) {
         scales->length, scales->length, scales->length, 1.0,
         scales->speed,  scales->speed,  scales->speed,  1.0 / scales->time};
     for (int i = 0; i < TDMF_MECHANICAL_COUNT; ++i) {
-        assert_close(state[i], runner->state[i], 1e-13 * units[i]);
+        assert_close(state[i], runner->motion.state[i], 1e-13 * units[i]);
     }
     for (int i = TDMF_MECHANICAL_COUNT; i < TDMF_STATE_COUNT; ++i) {
-        assert_true(state[i] == runner->state[i]);
+        assert_true(state[i] == runner->motion.state[i]);
     }
 }
 
@@ -43,7 +43,7 @@ static void assert_goes_on_as_begun_later(const runner *runner, const tdmf_mode_
     tdmf_mode_equations shifted = *begun, later;
     tdmf_state_in_mode(begun, elapsed, &begun->start, state);
     tdmf_shift_mode(&shifted, elapsed, &begun->start);
-    tdmf_open_mode(&later, &runner->model, &inputs, rates, &runner->mode, state,
+    tdmf_open_mode(&later, (tdmf_system){&runner->model, &inputs}, rates, &runner->motion.mode, state,
                    tdmf_leg_direction_of(state));
     assert_same_law(&shifted.law, &later.law, scales->energy);
     assert_same_law(&shifted.stance_law, &later.stance_law, scales->energy);
@@ -53,7 +53,7 @@ static void assert_goes_on_as_begun_later(const runner *runner, const tdmf_mode_
     assert_close(shifted.static_friction, later.static_friction, 1e-14 * later.static_friction);
     assert_true(shifted.friction_rate == later.friction_rate);
     assert_true(shifted.static_friction_rate == later.static_friction_rate);
-    if (runner->mode.contact == TDMF_CONTACT_FLIGHT) {
+    if (runner->motion.mode.contact == TDMF_CONTACT_FLIGHT) {
         assert_close(shifted.com.x, later.com.x, 1e-13 * scales->length);
         assert_close(shifted.com.y, later.com.y, 1e-13 * scales->length);
         assert_close(shifted.com.vx, later.com.vx, 1e-13 * scales->speed);
@@ -72,10 +72,10 @@ static void a_mode_gives_back_its_state_and_goes_on_as_if_begun_later(void **unu
             double state[TDMF_STATE_COUNT];
             tdmf_mode_equations equations;
             for (int k = TDMF_MECHANICAL_COUNT; k < TDMF_STATE_COUNT; ++k) {
-                runner.state[k] = random_uniform(&source, 0.0, 1.0);
+                runner.motion.state[k] = random_uniform(&source, 0.0, 1.0);
             }
-            tdmf_open_mode(&equations, &runner.model, &runner.inputs, &rates, &runner.mode, runner.state,
-                           tdmf_leg_direction_of(runner.state));
+            tdmf_open_mode(&equations, SYSTEM_OF(&runner), &rates, &runner.motion.mode, runner.motion.state,
+                           tdmf_leg_direction_of(runner.motion.state));
             tdmf_state_in_mode(&equations, 0.0, &equations.start, state);
             assert_same_state(&runner, state);
             assert_goes_on_as_begun_later(&runner, &equations, &rates, elapsed);

@@ -12,16 +12,15 @@ static const tdmf_inputs held = {.ground = {.friction = 0.0}};
 
 static tdmf_motion motion_of(const runner *runner) {
     tdmf_motion motion;
-    motion.time = runner->time;
-    memcpy(motion.state, runner->state, sizeof motion.state);
-    motion.mode = runner->mode;
-    motion.record = runner->record;
+    motion.time = runner->motion.time;
+    memcpy(motion.state, runner->motion.state, sizeof motion.state);
+    motion.mode = runner->motion.mode;
+    motion.record = runner->motion.record;
     return motion;
 }
 
 static void assert_arrives(tdmf_solver *solver, const runner *runner, double until, tdmf_motion *motion) {
-    assert_int_equal(tdmf_native_advance(solver, &runner->model, &runner->inputs, &held, until, motion),
-                     TDMF_ARRIVED);
+    assert_int_equal(tdmf_native_advance(solver, SYSTEM_OF(runner), &held, until, motion), TDMF_ARRIVED);
     assert_true(motion->time == until);
 }
 
@@ -34,8 +33,7 @@ static void a_stride_of_every_gait(void **state) {
         const runner runner = runner_at_reference_apex(gait);
         tdmf_motion motion = motion_of(&runner);
         tdmf_solver solver = tdmf_solver_default();
-        const tdmf_stride_outcome outcome =
-            tdmf_native_stride(&solver, &runner.model, &runner.inputs, DBL_MAX, &motion);
+        const tdmf_stride_outcome outcome = tdmf_native_stride(&solver, SYSTEM_OF(&runner), DBL_MAX, &motion);
         const tdmf_stride *stride = &motion.record.stride;
         assert_int_equal(outcome.outcome, TDMF_ARRIVED);
         assert_true(outcome.closed);
@@ -48,7 +46,7 @@ static void a_stride_of_every_gait(void **state) {
 }
 
 static double energy(const runner *runner, const tdmf_motion *motion) {
-    return tdmf_mechanical_energy(&runner->model, &runner->inputs, &motion->mode, motion->state).total;
+    return tdmf_mechanical_energy(SYSTEM_OF(runner), &motion->mode, motion->state).total;
 }
 
 static double ledger(const tdmf_motion *motion) {
@@ -89,7 +87,7 @@ static void the_ledger_closes_whatever_the_communication_step(void **state) {
 static runner random_runner_near_the_gait(random_source *source) {
     runner runner = runner_default(random_magnitude(source, 0.1, 5.0));
     for (int i = 0; i < TDMF_MECHANICAL_COUNT; ++i) {
-        runner.state[i] *= random_uniform(source, 0.9, 1.1);
+        runner.motion.state[i] *= random_uniform(source, 0.9, 1.1);
     }
     runner_start(&runner);
     return runner;
@@ -103,17 +101,17 @@ static void random_runs_have_the_same_events(void **state) {
         runner runner = random_runner_near_the_gait(&source);
         tdmf_motion motion = motion_of(&runner);
         tdmf_solver solver = tdmf_solver_default();
-        while (runner.time < 60.0 && runner_advance(&runner, 2e-3)) {
+        while (runner.motion.time < 60.0 && runner_advance(&runner, 2e-3)) {
         }
         const tdmf_outcome outcome =
-            tdmf_native_advance(&solver, &runner.model, &runner.inputs, &held, runner.time, &motion);
-        assert_int_equal(outcome, runner.mode.fallen ? TDMF_FELL : TDMF_ARRIVED);
-        assert_int_equal(motion.record.event_count, runner.record.event_count);
-        assert_string_equal(motion.record.stride.word, runner.record.stride.word);
+            tdmf_native_advance(&solver, SYSTEM_OF(&runner), &held, runner.motion.time, &motion);
+        assert_int_equal(outcome, runner.motion.mode.fallen ? TDMF_FELL : TDMF_ARRIVED);
+        assert_int_equal(motion.record.event_count, runner.motion.record.event_count);
+        assert_string_equal(motion.record.stride.word, runner.motion.record.stride.word);
         for (int k = 0; k < TDMF_MECHANICAL_COUNT; ++k) {
-            assert_close(motion.state[k], runner.state[k], 1e-6);
+            assert_close(motion.state[k], runner.motion.state[k], 1e-6);
         }
-        assert_close(motion.state[TDMF_HIP_POSITIVE_WORK], runner.state[TDMF_HIP_POSITIVE_WORK], 1e-6);
+        assert_close(motion.state[TDMF_HIP_POSITIVE_WORK], runner.motion.state[TDMF_HIP_POSITIVE_WORK], 1e-6);
     }
 }
 
@@ -129,10 +127,10 @@ static void a_touch_that_turns_back_is_found(void **state) {
         parameters.hip.kd = 0.0;
         parameters.gravity = 1e-6;
         assert_null(tdmf_model_create(&runner.model, &parameters).variable);
-        memset(runner.state, 0, sizeof runner.state);
-        runner.state[TDMF_LEG_LENGTH] = 0.9; /* swings to 1.1 and back in 1.9 time units */
+        memset(runner.motion.state, 0, sizeof runner.motion.state);
+        runner.motion.state[TDMF_LEG_LENGTH] = 0.9; /* swings to 1.1 and back in 1.9 time units */
         const double lowest = 0.2 / 1.1;
-        runner.state[TDMF_FOOT_Y] = lowest + clearance;
+        runner.motion.state[TDMF_FOOT_Y] = lowest + clearance;
         runner_start(&runner);
         tdmf_motion motion = motion_of(&runner);
         tdmf_solver solver = tdmf_solver_default();
@@ -178,7 +176,7 @@ static runner spinning_runner(random_source *source, spinning_fall *fall) {
     const double length = stiffness * p.leg.free_length / (stiffness - rate * rate);
     const double section[TDMF_SECTION_COUNT] = {random_uniform(source, 2.0, 6.0),  0.0, length,
                                                 random_uniform(source, -3.0, 3.0), 0.0, rate};
-    tdmf_section_state(&runner.model, &runner.inputs, section, runner.state);
+    tdmf_section_state(SYSTEM_OF(&runner), section, runner.motion.state);
     runner_start(&runner);
     fall->com_y = section[TDMF_SECTION_COM_HEIGHT];
     fall->drop = length * p.body.mass / (p.body.mass + p.foot.mass);
@@ -200,7 +198,7 @@ static void a_spinning_leg_touches_down_in_time(void **state) {
         tdmf_motion motion = motion_of(&runner);
         tdmf_solver solver = tdmf_solver_default();
         solver.log = &log;
-        tdmf_native_advance(&solver, &runner.model, &runner.inputs, &held, touchdown + 1e-6, &motion);
+        tdmf_native_advance(&solver, SYSTEM_OF(&runner), &held, touchdown + 1e-6, &motion);
         int first = 0;
         while (first < log.count && log.events[first].guard != TDMF_GUARD_TOUCHDOWN) {
             ++first;
@@ -221,16 +219,15 @@ static void a_ramp_is_the_limit_of_small_steps(void **state) {
     tdmf_motion ramped = motion_of(&runner);
     tdmf_motion stepped = ramped;
     tdmf_solver solver = tdmf_solver_default();
-    assert_int_equal(tdmf_native_advance(&solver, &runner.model, &runner.inputs, &ramp, until, &ramped),
-                     TDMF_ARRIVED);
+    assert_int_equal(tdmf_native_advance(&solver, SYSTEM_OF(&runner), &ramp, until, &ramped), TDMF_ARRIVED);
     for (int i = 0; i < PIECES; ++i) {
         const double middle = until * (i + 0.5) / PIECES;
         tdmf_inputs inputs = runner.inputs;
         inputs.ground.friction += ramp.ground.friction * middle;
         inputs.hip.external_torque += ramp.hip.external_torque * middle;
-        assert_int_equal(
-            tdmf_native_advance(&solver, &runner.model, &inputs, &held, until * (i + 1) / PIECES, &stepped),
-            TDMF_ARRIVED);
+        assert_int_equal(tdmf_native_advance(&solver, (tdmf_system){&runner.model, &inputs}, &held,
+                                             until * (i + 1) / PIECES, &stepped),
+                         TDMF_ARRIVED);
     }
     assert_int_equal(ramped.record.event_count, stepped.record.event_count);
     for (int k = 0; k < TDMF_MECHANICAL_COUNT; ++k) {
@@ -244,10 +241,10 @@ static void the_peak_force_is_the_largest_met(void **state) {
     const double until = 20.0;
     (void)state;
     runner runner = runner_default(0.6);
-    memset(runner.state, 0, sizeof runner.state);
-    runner.state[TDMF_LEG_LENGTH] = 0.99;
-    runner.state[TDMF_LEG_ANGLE] = -1e-9;
-    runner.state[TDMF_LEG_LENGTH_RATE] = -0.005;
+    memset(runner.motion.state, 0, sizeof runner.motion.state);
+    runner.motion.state[TDMF_LEG_LENGTH] = 0.99;
+    runner.motion.state[TDMF_LEG_ANGLE] = -1e-9;
+    runner.motion.state[TDMF_LEG_LENGTH_RATE] = -0.005;
     runner_start(&runner);
     scene_assert_mode(&runner, TDMF_CONTACT_STICK, TDMF_PHASE_COAST);
     tdmf_motion whole = motion_of(&runner), looked = whole;
@@ -256,9 +253,7 @@ static void the_peak_force_is_the_largest_met(void **state) {
     double first = 0.0, last = 0.0;
     for (int i = 1; i <= LOOKS; ++i) {
         assert_arrives(&solver, &runner, until * i / LOOKS, &looked);
-        const double force =
-            tdmf_outputs_of(&runner.model, &runner.inputs, &looked.mode, &looked.record, looked.state)
-                .contact.fy;
+        const double force = tdmf_outputs_of(SYSTEM_OF(&runner), &looked).contact.fy;
         *(i <= LOOKS / 3 ? &first : &last) = fmax(i <= LOOKS / 3 ? first : last, force);
     }
     assert_true(last < 0.9 * first && last > 0.01);
@@ -277,10 +272,9 @@ static void a_friction_that_falls_ends_at_zero(void **state) {
     tdmf_motion at_once = motion_of(&runner);
     tdmf_motion in_two = at_once;
     tdmf_solver solver = tdmf_solver_default();
-    assert_int_equal(tdmf_native_advance(&solver, &runner.model, &runner.inputs, &falling, until, &at_once),
+    assert_int_equal(tdmf_native_advance(&solver, SYSTEM_OF(&runner), &falling, until, &at_once),
                      TDMF_ARRIVED);
-    assert_int_equal(tdmf_native_advance(&solver, &runner.model, &runner.inputs, &falling, zero, &in_two),
-                     TDMF_ARRIVED);
+    assert_int_equal(tdmf_native_advance(&solver, SYSTEM_OF(&runner), &falling, zero, &in_two), TDMF_ARRIVED);
     assert_true(tdmf_in_contact(&in_two.mode));
     runner.inputs.ground.friction = 0.0;
     assert_arrives(&solver, &runner, until, &in_two);
@@ -295,10 +289,10 @@ static runner bouncing_runner(void) {
     parameters.leg.damping = 0.0;
     runner runner = runner_default(0.6);
     assert_null(tdmf_model_create(&runner.model, &parameters).variable);
-    memset(runner.state, 0, sizeof runner.state);
-    runner.state[TDMF_LEG_LENGTH] = 0.99;
-    runner.state[TDMF_LEG_ANGLE] = -1e-12;
-    runner.state[TDMF_LEG_LENGTH_RATE] = -0.005;
+    memset(runner.motion.state, 0, sizeof runner.motion.state);
+    runner.motion.state[TDMF_LEG_LENGTH] = 0.99;
+    runner.motion.state[TDMF_LEG_ANGLE] = -1e-12;
+    runner.motion.state[TDMF_LEG_LENGTH_RATE] = -0.005;
     runner_start(&runner);
     scene_assert_mode(&runner, TDMF_CONTACT_STICK, TDMF_PHASE_COAST);
     return runner;
@@ -326,8 +320,7 @@ static void a_rising_force_is_met_where_a_call_ends(void **state) {
     tdmf_motion motion = motion_of(&runner);
     tdmf_solver solver = tdmf_solver_default();
     assert_arrives(&solver, &runner, 0.2, &motion);
-    const tdmf_outputs outputs =
-        tdmf_outputs_of(&runner.model, &runner.inputs, &motion.mode, &motion.record, motion.state);
+    const tdmf_outputs outputs = tdmf_outputs_of(SYSTEM_OF(&runner), &motion);
     assert_true(motion.mode.ground_force_rising);
     assert_close(motion.record.open.peak_force, outputs.contact.fy, 1e-15);
 }
@@ -343,7 +336,7 @@ static void the_work_of_an_external_torque_is_in_the_ledger(void **state) {
         tdmf_solver solver = tdmf_solver_default();
         const double before = energy(&runner, &motion);
         const tdmf_outcome outcome =
-            tdmf_native_advance(&solver, &runner.model, &runner.inputs, &rates[i], 10.0, &motion);
+            tdmf_native_advance(&solver, SYSTEM_OF(&runner), &rates[i], 10.0, &motion);
         assert_int_equal(outcome, TDMF_ARRIVED);
         assert_int_equal(motion.mode.contact, TDMF_CONTACT_FLIGHT);
         assert_true(fabs(motion.state[TDMF_HIP_WORK]) > 1e-4);
@@ -359,11 +352,11 @@ static void limits_end_a_call_and_leave_a_valid_motion(void **state) {
     tdmf_motion motion = motion_of(&runner);
     tdmf_solver solver = tdmf_solver_default();
     solver.step_limit = 10;
-    assert_int_equal(tdmf_native_advance(&solver, &runner.model, &runner.inputs, &held, 100.0, &motion),
+    assert_int_equal(tdmf_native_advance(&solver, SYSTEM_OF(&runner), &held, 100.0, &motion),
                      TDMF_TOO_MANY_STEPS);
     solver.step_limit = 100000;
     solver.event_limit = 2;
-    assert_int_equal(tdmf_native_advance(&solver, &runner.model, &runner.inputs, &held, 100.0, &motion),
+    assert_int_equal(tdmf_native_advance(&solver, SYSTEM_OF(&runner), &held, 100.0, &motion),
                      TDMF_TOO_MANY_EVENTS);
     assert_true(motion.time > 10.0 && motion.time < 100.0);
     solver.event_limit = 100000;
@@ -374,15 +367,13 @@ static void limits_end_a_call_and_leave_a_valid_motion(void **state) {
 static void a_fall_is_where_the_run_stays(void **state) {
     (void)state;
     runner runner = runner_default(0.6);
-    runner.state[TDMF_FOOT_Y] = 100.0;
+    runner.motion.state[TDMF_FOOT_Y] = 100.0;
     runner_start(&runner);
     tdmf_motion motion = motion_of(&runner);
     tdmf_solver solver = tdmf_solver_default();
-    assert_int_equal(tdmf_native_advance(&solver, &runner.model, &runner.inputs, &held, 1e4, &motion),
-                     TDMF_FELL);
+    assert_int_equal(tdmf_native_advance(&solver, SYSTEM_OF(&runner), &held, 1e4, &motion), TDMF_FELL);
     const double time = motion.time;
-    assert_int_equal(tdmf_native_advance(&solver, &runner.model, &runner.inputs, &held, 2e4, &motion),
-                     TDMF_FELL);
+    assert_int_equal(tdmf_native_advance(&solver, SYSTEM_OF(&runner), &held, 2e4, &motion), TDMF_FELL);
     assert_true(motion.time == time);
 }
 
@@ -394,8 +385,9 @@ static void assert_refused(const runner *runner, double tolerance, tdmf_inputs i
     const tdmf_motion before = motion;
     tdmf_solver solver = tdmf_solver_default();
     solver.relative_tolerance = tolerance;
-    assert_int_equal(tdmf_native_advance(&solver, &runner->model, &inputs, &rates, until, &motion),
-                     TDMF_REFUSED);
+    assert_int_equal(
+        tdmf_native_advance(&solver, (tdmf_system){&runner->model, &inputs}, &rates, until, &motion),
+        TDMF_REFUSED);
     assert_memory_equal(&motion, &before, sizeof motion);
     assert_int_equal(solver.steps, 0);
 }
@@ -405,7 +397,7 @@ static void requests_without_sense_are_refused(void **state) {
     static const double no_numbers[] = {NAN, INFINITY, -INFINITY};
     runner runner = runner_at_reference_apex(&reference_gaits[2]);
     (void)state;
-    runner.time = 1.0;
+    runner.motion.time = 1.0;
     for (size_t i = 0; i < sizeof no_tolerances / sizeof no_tolerances[0]; ++i) {
         assert_refused(&runner, no_tolerances[i], runner.inputs, held, 30.0);
     }
@@ -440,9 +432,9 @@ static void a_call_for_no_time_changes_nothing(void **state) {
         tdmf_motion motion = motion_of(&runner);
         tdmf_solver solver = tdmf_solver_default();
         const double until = random_uniform(&source, 0.0, 30.0);
-        tdmf_native_advance(&solver, &runner.model, &runner.inputs, &held, until, &motion);
+        tdmf_native_advance(&solver, SYSTEM_OF(&runner), &held, until, &motion);
         const tdmf_motion before = motion;
-        tdmf_native_advance(&solver, &runner.model, &runner.inputs, &held, motion.time, &motion);
+        tdmf_native_advance(&solver, SYSTEM_OF(&runner), &held, motion.time, &motion);
         assert_memory_equal(motion.state, before.state, sizeof motion.state);
     }
 }

@@ -8,8 +8,7 @@
 
 #include <string.h>
 
-typedef tdmf_outcome advance(tdmf_solver *, const tdmf_model *, const tdmf_inputs *, const tdmf_inputs *,
-                             double, tdmf_motion *);
+typedef tdmf_outcome advance(tdmf_solver *, tdmf_system, const tdmf_inputs *, double, tdmf_motion *);
 
 static const tdmf_inputs held = {.ground = {.friction = 0.0}};
 static const tdmf_seed nothing_given = {0};
@@ -23,9 +22,9 @@ static runner started(void) {
 static tdmf_motion motion_of(const runner *runner) {
     tdmf_motion motion;
     memset(&motion, 0, sizeof motion);
-    motion.mode = runner->mode;
-    motion.record = runner->record;
-    memcpy(motion.state, runner->state, sizeof motion.state);
+    motion.mode = runner->motion.mode;
+    motion.record = runner->motion.record;
+    memcpy(motion.state, runner->motion.state, sizeof motion.state);
     return motion;
 }
 
@@ -42,9 +41,8 @@ static void without_rates_inputs_are_held(void **unused) {
     for (int i = 0; i < 1 + tdmf_cvode_is_available(); ++i) {
         tdmf_motion given = motion_of(&runner), none = given;
         tdmf_solver solver = tdmf_solver_default();
-        assert_int_equal(solvers[i](&solver, &runner.model, &runner.inputs, &held, 30.0, &given),
-                         TDMF_ARRIVED);
-        assert_int_equal(solvers[i](&solver, &runner.model, &runner.inputs, NULL, 30.0, &none), TDMF_ARRIVED);
+        assert_int_equal(solvers[i](&solver, SYSTEM_OF(&runner), &held, 30.0, &given), TDMF_ARRIVED);
+        assert_int_equal(solvers[i](&solver, SYSTEM_OF(&runner), NULL, 30.0, &none), TDMF_ARRIVED);
         assert_same_numbers(none.state, given.state, TDMF_STATE_COUNT);
         assert_int_equal(none.record.event_count, given.record.event_count);
     }
@@ -58,28 +56,26 @@ static void without_a_direction_nothing_changes(void **unused) {
     const runner runner = started();
     const tdmf_variation along_length = {.state = {[TDMF_LEG_LENGTH] = 1.0}};
     const double zeros[TDMF_STATE_COUNT] = {0.0};
-    const tdmf_output_variation given = tdmf_vary_outputs(&runner.model, &runner.inputs, &runner.mode,
-                                                          runner.state, &nothing_given, &along_length);
+    const tdmf_output_variation given = tdmf_vary_outputs(SYSTEM_OF(&runner), &runner.motion.mode,
+                                                          runner.motion.state, &nothing_given, &along_length);
     const tdmf_output_variation no_change =
-        tdmf_vary_outputs(&runner.model, &runner.inputs, &runner.mode, runner.state, NULL, &along_length);
+        tdmf_vary_outputs(SYSTEM_OF(&runner), &runner.motion.mode, runner.motion.state, NULL, &along_length);
     const tdmf_output_variation nothing =
-        tdmf_vary_outputs(&runner.model, &runner.inputs, &runner.mode, runner.state, NULL, NULL);
+        tdmf_vary_outputs(SYSTEM_OF(&runner), &runner.motion.mode, runner.motion.state, NULL, NULL);
     assert_same_numbers(no_change.derivatives, given.derivatives, TDMF_STATE_COUNT);
     assert_same_numbers(nothing.derivatives, zeros, TDMF_STATE_COUNT);
     assert_true(nothing.body.x == 0.0 && nothing.com.x == 0.0);
     double before[TDMF_STATE_COUNT];
-    tdmf_mode mode;
-    tdmf_record record;
-    memcpy(before, runner.state, sizeof before);
+    memcpy(before, runner.motion.state, sizeof before);
     before[TDMF_FOOT_Y] = 0.0;
     before[TDMF_FOOT_VY] = -0.3;
-    double after[TDMF_STATE_COUNT];
-    memcpy(after, before, sizeof after);
-    assert_null(tdmf_start(&runner.model, &runner.inputs, 0.0, after, &mode, &record).variable);
-    const tdmf_start_variation varied = tdmf_vary_start(&runner.model, &runner.inputs, before, after, &mode,
+    tdmf_motion after = {.time = 0.0};
+    memcpy(after.state, before, sizeof before);
+    assert_null(tdmf_start(SYSTEM_OF(&runner), &after).variable);
+    const tdmf_start_variation varied = tdmf_vary_start(SYSTEM_OF(&runner), before, after.state, &after.mode,
                                                         &nothing_given, along_length.state);
     const tdmf_start_variation unchanged =
-        tdmf_vary_start(&runner.model, &runner.inputs, before, after, &mode, NULL, along_length.state);
+        tdmf_vary_start(SYSTEM_OF(&runner), before, after.state, &after.mode, NULL, along_length.state);
     assert_same_numbers(unchanged.variation.state, varied.variation.state, TDMF_STATE_COUNT);
     assert_true(unchanged.impact_loss == varied.impact_loss);
 }
@@ -95,21 +91,18 @@ static void arrays_of_no_elements_may_be_absent(void **unused) {
     tdmf_solver solver = tdmf_solver_default();
     double section[TDMF_SECTION_COUNT];
     default_section(section);
-    const tdmf_return none =
-        tdmf_return_map(&solver, &runner.model, &runner.inputs, section, 1e3, true, NULL, 0);
+    const tdmf_return none = tdmf_return_map(&solver, SYSTEM_OF(&runner), section, 1e3, true, NULL, 0);
     const tdmf_return one =
-        tdmf_return_map(&solver, &runner.model, &runner.inputs, section, 1e3, true, &nothing_given, 1);
+        tdmf_return_map(&solver, SYSTEM_OF(&runner), section, 1e3, true, &nothing_given, 1);
     assert_true(none.outcome == TDMF_RETURN_CLOSED && one.outcome == TDMF_RETURN_CLOSED);
     assert_same_numbers(none.apex, one.apex, TDMF_SECTION_COUNT);
     assert_same_numbers(none.variations[0].apex, one.variations[0].apex, TDMF_SECTION_COUNT);
     tdmf_motion motion = motion_of(&runner), varied = motion;
-    assert_true(tdmf_native_stride(&solver, &runner.model, &runner.inputs, 1e3, &motion).closed);
-    assert_true(tdmf_native_stride_varied(&solver, &runner.model, &runner.inputs, 1e3, &varied, NULL, NULL, 0)
-                    .closed);
+    assert_true(tdmf_native_stride(&solver, SYSTEM_OF(&runner), 1e3, &motion).closed);
+    assert_true(tdmf_native_stride_varied(&solver, SYSTEM_OF(&runner), 1e3, &varied, NULL, NULL, 0).closed);
     assert_same_numbers(varied.state, motion.state, TDMF_STATE_COUNT);
-    const tdmf_orbit plain = tdmf_find_orbit(&solver, &runner.model, &runner.inputs, section, NULL, 0);
-    const tdmf_orbit along =
-        tdmf_find_orbit(&solver, &runner.model, &runner.inputs, section, &nothing_given, 1);
+    const tdmf_orbit plain = tdmf_find_orbit(&solver, SYSTEM_OF(&runner), section, NULL, 0);
+    const tdmf_orbit along = tdmf_find_orbit(&solver, SYSTEM_OF(&runner), section, &nothing_given, 1);
     assert_int_equal(plain.outcome, along.outcome);
     assert_same_numbers(plain.apex, along.apex, TDMF_SECTION_COUNT);
     const tdmf_refusal accepted = {0};
@@ -123,12 +116,10 @@ static void a_number_below_zero_is_refused(void **unused) {
     tdmf_motion motion = motion_of(&runner);
     double section[TDMF_SECTION_COUNT];
     default_section(section);
+    assert_int_equal(tdmf_return_map(&solver, SYSTEM_OF(&runner), section, 1e3, true, NULL, -1).outcome,
+                     TDMF_RETURN_REFUSED);
     assert_int_equal(
-        tdmf_return_map(&solver, &runner.model, &runner.inputs, section, 1e3, true, NULL, -1).outcome,
-        TDMF_RETURN_REFUSED);
-    assert_int_equal(
-        tdmf_native_stride_varied(&solver, &runner.model, &runner.inputs, 1e3, &motion, NULL, NULL, -1)
-            .outcome,
+        tdmf_native_stride_varied(&solver, SYSTEM_OF(&runner), 1e3, &motion, NULL, NULL, -1).outcome,
         TDMF_REFUSED);
     assert_true(motion.time == 0.0);
 }

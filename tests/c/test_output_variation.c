@@ -2,6 +2,7 @@
 #include "compare.h"
 #include "differentiate.h"
 #include "line.h"
+#include "system_of.h"
 
 #include <math.h>
 #include <string.h>
@@ -23,14 +24,16 @@ static void outputs_of(tdmf_point body, tdmf_point com, tdmf_ground_force contac
 
 static void values_of(const runner *runner, double values[UNKNOWNS]) {
     const tdmf_model *model = &runner->model;
-    const tdmf_outputs outputs =
-        tdmf_outputs_of(model, &runner->inputs, &runner->mode, &runner->record, runner->state);
-    tdmf_derivatives(model, &runner->inputs, &runner->mode, runner->state, values);
-    outputs_of(tdmf_body(runner->state), tdmf_center_of_mass(model, runner->state),
-               tdmf_contact_force(model, &runner->inputs, &runner->mode, runner->state),
-               tdmf_hip_torque(model, &runner->inputs, &runner->mode, runner->state),
-               tdmf_mechanical_energy(model, &runner->inputs, &runner->mode, runner->state),
-               values + TDMF_STATE_COUNT);
+    const tdmf_outputs outputs = tdmf_outputs_of((tdmf_system){model, &runner->inputs}, &runner->motion);
+    tdmf_derivatives((tdmf_system){model, &runner->inputs}, &runner->motion.mode, runner->motion.state,
+                     values);
+    outputs_of(
+        tdmf_body(runner->motion.state), tdmf_center_of_mass(model, runner->motion.state),
+        tdmf_contact_force((tdmf_system){model, &runner->inputs}, &runner->motion.mode, runner->motion.state),
+        tdmf_hip_torque((tdmf_system){model, &runner->inputs}, &runner->motion.mode, runner->motion.state),
+        tdmf_mechanical_energy((tdmf_system){model, &runner->inputs}, &runner->motion.mode,
+                               runner->motion.state),
+        values + TDMF_STATE_COUNT);
     values[CONTACT_FX] = outputs.contact.fx;
     values[CONTACT_FY] = outputs.contact.fy;
 }
@@ -67,8 +70,8 @@ static bool differentiable(const unknown_line *on) {
 static void tangent_agrees_along(const line *line) {
     const runner *runner = line->runner;
     double exact[UNKNOWNS];
-    const tdmf_output_variation varied = tdmf_vary_outputs(&runner->model, &runner->inputs, &runner->mode,
-                                                           runner->state, &line->seed, &line->variation);
+    const tdmf_output_variation varied = tdmf_vary_outputs(
+        SYSTEM_OF(runner), &runner->motion.mode, runner->motion.state, &line->seed, &line->variation);
     memcpy(exact, varied.derivatives, sizeof varied.derivatives);
     outputs_of(varied.body, varied.com, varied.contact, varied.torque, varied.energy,
                exact + TDMF_STATE_COUNT);
@@ -91,7 +94,7 @@ static void tangent_agrees(random_source *source, const runner *runner) {
 
 /* In graze the torque is steep near upright. */
 static bool leans(const runner *runner) {
-    return fabs(sin(runner->state[TDMF_LEG_ANGLE] - runner->mode.ground.slope)) > 0.05;
+    return fabs(sin(runner->motion.state[TDMF_LEG_ANGLE] - runner->motion.mode.ground.slope)) > 0.05;
 }
 
 static void tangents_are_derivatives(void **unused) {
@@ -139,7 +142,7 @@ static void tangents_of_a_leg_beyond_its_minimum_are_derivatives(void **unused) 
         int compared = 0;
         for (int i = 0; i < 20; ++i) {
             runner runner = scene_random(&source, (tdmf_contact_mode)contact);
-            runner.state[TDMF_LEG_LENGTH] = 0.3 * runner.model.parameters.leg.min_length;
+            runner.motion.state[TDMF_LEG_LENGTH] = 0.3 * runner.model.parameters.leg.min_length;
             if (leans(&runner)) {
                 tangent_agrees(&source, &runner);
                 ++compared;
@@ -156,8 +159,8 @@ static void tangents_of_an_upright_leg_in_graze_are_derivatives(void **unused) {
     for (int i = 0; i < 20; ++i) {
         runner runner = scene_random(&source, TDMF_CONTACT_GRAZE);
         runner.inputs.ground.slope = 0.0;
-        runner.mode.ground = tdmf_ground_line_of(runner.inputs.ground.height, 0.0);
-        runner.state[TDMF_LEG_ANGLE] = 5e-13;
+        runner.motion.mode.ground = tdmf_ground_line_of(runner.inputs.ground.height, 0.0);
+        runner.motion.state[TDMF_LEG_ANGLE] = 5e-13;
         line line = line_random(&source, &runner);
         line.variation.state[TDMF_LEG_ANGLE] *= 1e-13; /* it stays where the sine is bounded */
         line.seed.inputs.ground.slope = 0.0;
@@ -169,7 +172,7 @@ static void a_frozen_run_has_derivatives_that_do_not_change(void **unused) {
     (void)unused;
     random_source source = {1};
     runner runner = scene_random(&source, TDMF_CONTACT_STICK);
-    runner.mode.fallen = true;
+    runner.motion.mode.fallen = true;
     tangent_agrees(&source, &runner);
 }
 

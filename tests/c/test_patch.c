@@ -20,10 +20,10 @@ static tdmf_model model_of(const patch_run *run) {
     return model;
 }
 
-static tdmf_motion motion_at_start(const patch_run *run, const tdmf_model *model, const tdmf_inputs *inputs) {
+static tdmf_motion motion_at_start(const patch_run *run, tdmf_system system) {
     tdmf_motion motion = {.time = 0.0};
-    tdmf_section_state(model, inputs, run->start, motion.state);
-    assert_null(tdmf_start(model, inputs, 0.0, motion.state, &motion.mode, &motion.record).variable);
+    tdmf_section_state(system, run->start, motion.state);
+    assert_null(tdmf_start(system, &motion).variable);
     return motion;
 }
 
@@ -56,9 +56,8 @@ static int count_crossings(const tdmf_event_log *log, const patch_run *run) {
     return crossings;
 }
 
-static void assert_falls(const patch_run *run, const tdmf_model *model, const tdmf_inputs *inputs,
-                         tdmf_solver *solver, tdmf_motion *motion) {
-    assert_int_equal(tdmf_native_stride(solver, model, inputs, DBL_MAX, motion).outcome, TDMF_FELL);
+static void assert_falls(const patch_run *run, tdmf_system system, tdmf_solver *solver, tdmf_motion *motion) {
+    assert_int_equal(tdmf_native_stride(solver, system, DBL_MAX, motion).outcome, TDMF_FELL);
     assert_close(motion->time, run->fall_time, 1e-7);
     for (int i = 0; i < TDMF_MECHANICAL_COUNT; ++i) {
         assert_close(motion->state[i], run->fall_state[i], 1e-7 * fmax(1.0, fabs(run->fall_state[i])));
@@ -72,7 +71,7 @@ static void the_native_solver_makes_each_run_word_by_word(void **state) {
         const patch_run *run = &patch_runs[i];
         const tdmf_model model = model_of(run);
         const tdmf_inputs inputs = inputs_of_patch_run(run);
-        tdmf_motion motion = motion_at_start(run, &model, &inputs);
+        tdmf_motion motion = motion_at_start(run, (tdmf_system){&model, &inputs});
         tdmf_event_log log = {0};
         tdmf_solver solver = tdmf_solver_default();
         solver.relative_tolerance = 1e-13;
@@ -80,7 +79,7 @@ static void the_native_solver_makes_each_run_word_by_word(void **state) {
         for (int k = 0; k < run->strides; ++k) {
             solver.log = &log;
             log.count = 0;
-            assert_true(tdmf_native_stride(&solver, &model, &inputs, DBL_MAX, &motion).closed);
+            assert_true(tdmf_native_stride(&solver, (tdmf_system){&model, &inputs}, DBL_MAX, &motion).closed);
             assert_string_equal(motion.record.stride.word, run->words[k]);
             if (its_crossings == 0) {
                 its_crossings = count_crossings(&log, run);
@@ -103,7 +102,7 @@ static void the_native_solver_makes_each_run_word_by_word(void **state) {
         }
         if (run->fall_time > 0.0) {
             solver.log = NULL;
-            assert_falls(run, &model, &inputs, &solver, &motion);
+            assert_falls(run, (tdmf_system){&model, &inputs}, &solver, &motion);
             ++falls;
         }
         crossings += its_crossings;
@@ -121,12 +120,13 @@ static void cvode_makes_each_run(void **state) {
         }
         const tdmf_model model = model_of(run);
         const tdmf_inputs inputs = inputs_of_patch_run(run);
-        tdmf_motion motion = motion_at_start(run, &model, &inputs);
+        tdmf_motion motion = motion_at_start(run, (tdmf_system){&model, &inputs});
         tdmf_solver solver = tdmf_solver_default();
         solver.relative_tolerance = 1e-13;
         /* Past the last apex, before the next touchdown. */
-        assert_int_equal(tdmf_cvode_advance(&solver, &model, &inputs, NULL, run->end_time + 1.0, &motion),
-                         TDMF_ARRIVED);
+        assert_int_equal(
+            tdmf_cvode_advance(&solver, (tdmf_system){&model, &inputs}, NULL, run->end_time + 1.0, &motion),
+            TDMF_ARRIVED);
         const tdmf_apex *apex = &motion.record.apex;
         assert_int_equal(motion.record.stride.count, run->strides);
         assert_string_equal(motion.record.stride.word, run->words[run->strides - 1]);
@@ -214,8 +214,8 @@ static tdmf_return stride_at(const scene_of_stride *scene, const tdmf_seed *seed
     tdmf_solver solver = tdmf_solver_default();
     solver.relative_tolerance = 1e-14;
     assert_null(tdmf_model_create(&model, &scene->parameters).variable);
-    const tdmf_return stride = tdmf_return_map_at(&solver, &model, &scene->inputs, scene->at[PLACE],
-                                                  scene->at, 1e3, true, seed, seed != NULL);
+    const tdmf_return stride = tdmf_return_map_at(&solver, (tdmf_system){&model, &scene->inputs},
+                                                  scene->at[PLACE], scene->at, 1e3, true, seed, seed != NULL);
     assert_int_equal(stride.outcome, TDMF_RETURN_CLOSED);
     return stride;
 }
@@ -350,13 +350,16 @@ static void a_foot_at_rest_on_a_border_slips_where_it_is_held_less(void **state)
         parameters.hip.stance_torque = 0.0;
         inputs.ground.friction = 0.6;
         assert_null(tdmf_model_create(&model, &parameters).variable);
-        assert_null(tdmf_start(&model, &inputs, 0.0, motion.state, &motion.mode, &motion.record).variable);
+        motion.time = 0.0;
+        assert_null(tdmf_start((tdmf_system){&model, &inputs}, &motion).variable);
         assert_int_equal(motion.mode.contact, stand->mode);
         if (i % 2 == 0) {
-            assert_int_equal(tdmf_native_advance(&solver, &model, &inputs, NULL, 0.2, &motion), TDMF_ARRIVED);
+            assert_int_equal(tdmf_native_advance(&solver, (tdmf_system){&model, &inputs}, NULL, 0.2, &motion),
+                             TDMF_ARRIVED);
         } else if (tdmf_cvode_is_available()) {
             solver.relative_tolerance = 1e-12;
-            assert_int_equal(tdmf_cvode_advance(&solver, &model, &inputs, NULL, 0.2, &motion), TDMF_ARRIVED);
+            assert_int_equal(tdmf_cvode_advance(&solver, (tdmf_system){&model, &inputs}, NULL, 0.2, &motion),
+                             TDMF_ARRIVED);
         } else {
             continue;
         }
@@ -387,12 +390,14 @@ static void maps_without_a_place_refuse_a_patch(void **state) {
     const tdmf_inputs inputs = inputs_of_patch_run(run);
     tdmf_solver solver = tdmf_solver_default();
     (void)state;
-    assert_int_equal(tdmf_return_map(&solver, &model, &inputs, run->start, 1e3, false, NULL, 0).outcome,
-                     TDMF_RETURN_REFUSED);
-    assert_int_equal(tdmf_find_orbit(&solver, &model, &inputs, run->start, NULL, 0).outcome,
+    assert_int_equal(
+        tdmf_return_map(&solver, (tdmf_system){&model, &inputs}, run->start, 1e3, false, NULL, 0).outcome,
+        TDMF_RETURN_REFUSED);
+    assert_int_equal(tdmf_find_orbit(&solver, (tdmf_system){&model, &inputs}, run->start, NULL, 0).outcome,
                      TDMF_ORBIT_NO_START);
-    assert_int_equal(tdmf_reduced_map(&solver, &model, &inputs, run->start, 1e3, false, NULL, 0).outcome,
-                     TDMF_RETURN_REFUSED);
+    assert_int_equal(
+        tdmf_reduced_map(&solver, (tdmf_system){&model, &inputs}, run->start, 1e3, false, NULL, 0).outcome,
+        TDMF_RETURN_REFUSED);
 }
 
 int main(void) {

@@ -3,6 +3,7 @@
  * peaks. */
 #include "compare.h"
 #include "reference_gaits.h"
+#include "system_of.h"
 
 #include "tdmf_slip/automaton.h"
 #include "tdmf_slip/ensemble.h"
@@ -37,8 +38,8 @@ static tdmf_return stride_from(const scene *scene, bool derivatives, tdmf_event_
     tdmf_solver solver = tdmf_solver_default();
     solver.relative_tolerance = 1e-14;
     solver.log = log;
-    const tdmf_return stride = tdmf_return_map(&solver, &scene->model, &scene->inputs, scene->section,
-                                               long_enough, derivatives, &by_slope, 1);
+    const tdmf_return stride =
+        tdmf_return_map(&solver, SYSTEM_OF(scene), scene->section, long_enough, derivatives, &by_slope, 1);
     assert_true(stride.outcome == TDMF_RETURN_CLOSED);
     return stride;
 }
@@ -66,8 +67,9 @@ static void assert_differentiated(const scene *at) {
 }
 
 static double vertical_force(const scene *scene, const tdmf_mode *mode, const double *state) {
-    const tdmf_record record = {0};
-    return tdmf_outputs_of(&scene->model, &scene->inputs, mode, &record, state).contact.fy;
+    tdmf_motion motion = {.mode = *mode};
+    memcpy(motion.state, state, sizeof motion.state);
+    return tdmf_outputs_of(SYSTEM_OF(scene), &motion).contact.fy;
 }
 
 /* -1 where the peak is met at the end of a mode, 1 at the begin of one, 0 in between. */

@@ -22,12 +22,12 @@ static double reduced_mass(const tdmf_parameters *p) {
 static double fastest_rate(const runner *runner) {
     const tdmf_parameters *p = &runner->model.parameters;
     const double mass = reduced_mass(p);
-    const double length = runner->state[TDMF_LEG_LENGTH];
+    const double length = runner->motion.state[TDMF_LEG_LENGTH];
     const double inertia = mass * length * length;
     const double linear = p->leg.damping / mass + sqrt(p->leg.stiffness / mass);
     const double angular = p->hip.kd / inertia + sqrt(p->hip.kp / inertia);
-    const double moving =
-        fabs(runner->state[TDMF_LEG_ANGLE_RATE]) + fabs(runner->state[TDMF_LEG_LENGTH_RATE]) / length;
+    const double moving = fabs(runner->motion.state[TDMF_LEG_ANGLE_RATE]) +
+                          fabs(runner->motion.state[TDMF_LEG_LENGTH_RATE]) / length;
     return linear + angular + moving;
 }
 
@@ -36,8 +36,8 @@ static double random_step(const runner *runner) {
 }
 
 static void choose_start_on_ground(random_source *source, runner *runner) {
-    const tdmf_ground_line *ground = &runner->mode.ground;
-    double *state = runner->state;
+    const tdmf_ground_line *ground = &runner->motion.mode.ground;
+    double *state = runner->motion.state;
     tdmf_point foot = tdmf_foot_over_ground(ground, state);
     if (random_chance(source, 0.5)) {
         foot.vy = 0.0;
@@ -57,11 +57,11 @@ static void choose_degenerate_values(random_source *source, runner *runner) {
                                    TDMF_LEG_ANGLE_RATE};
     for (int i = 0; i < 5; ++i) {
         if (random_chance(source, 0.5)) {
-            runner->state[elements[i]] = 0.0;
+            runner->motion.state[elements[i]] = 0.0;
         }
     }
     if (random_chance(source, 0.5)) {
-        runner->state[TDMF_LEG_LENGTH] = runner->model.parameters.leg.free_length;
+        runner->motion.state[TDMF_LEG_LENGTH] = runner->model.parameters.leg.free_length;
     }
 }
 
@@ -94,7 +94,7 @@ static runner near_the_gait(random_source *source) {
     }
     assert_null(tdmf_model_create(&runner.model, &p).variable);
     for (int i = 0; i < TDMF_MECHANICAL_COUNT; ++i) {
-        scale_randomly(source, &runner.state[i], i == TDMF_LEG_LENGTH ? 1.05 : most);
+        scale_randomly(source, &runner.motion.state[i], i == TDMF_LEG_LENGTH ? 1.05 : most);
     }
     runner.inputs.hip.external_torque =
         random_chance(source, 0.5) ? 0.0 : random_uniform(source, -0.02, 0.02);
@@ -107,14 +107,14 @@ static void set_ground_near_foot(random_source *source, runner *runner) {
     const double step = random_uniform(source, -1.0, 1.0) * runner->model.scales.length;
     runner->inputs.ground.slope = slope;
     runner->inputs.ground.height =
-        runner->state[TDMF_FOOT_Y] - runner->state[TDMF_FOOT_X] * tan(slope) + step;
+        runner->motion.state[TDMF_FOOT_Y] - runner->motion.state[TDMF_FOOT_X] * tan(slope) + step;
 }
 
 /* Below the line that has been set last. */
 static bool foot_waits_below(const runner *runner) {
     const tdmf_ground_line line =
         tdmf_ground_line_of(runner->inputs.ground.height, runner->inputs.ground.slope);
-    return tdmf_foot_over_ground(&line, runner->state).y < 0.0;
+    return tdmf_foot_over_ground(&line, runner->motion.state).y < 0.0;
 }
 
 static void switch_inputs(random_source *source, runner *runner) {
@@ -126,24 +126,24 @@ static void switch_inputs(random_source *source, runner *runner) {
         set_ground_near_foot(source, runner);
     }
     scene_resolve(runner);
-    assert_true(runner->mode.contact != TDMF_CONTACT_FLIGHT || foot_waits_below(runner) ||
-                (runner->mode.ground.height == runner->inputs.ground.height &&
-                 runner->mode.ground.slope == runner->inputs.ground.slope));
+    assert_true(runner->motion.mode.contact != TDMF_CONTACT_FLIGHT || foot_waits_below(runner) ||
+                (runner->motion.mode.ground.height == runner->inputs.ground.height &&
+                 runner->motion.mode.ground.slope == runner->inputs.ground.slope));
 }
 
 /* ---- what must hold --------------------------------------------------------------------------------- */
 
 static void assert_finite(const runner *runner) {
     for (int i = 0; i < TDMF_STATE_COUNT; ++i) {
-        assert_true(isfinite(runner->state[i]));
+        assert_true(isfinite(runner->motion.state[i]));
     }
-    assert_true(isfinite(runner->record.impact_loss));
-    assert_true(isfinite(runner->mode.liftoff_angle));
+    assert_true(isfinite(runner->motion.record.impact_loss));
+    assert_true(isfinite(runner->motion.mode.liftoff_angle));
 }
 
 static void assert_mode_invariants(const runner *runner) {
-    const tdmf_mode *mode = &runner->mode;
-    const double *state = runner->state;
+    const tdmf_mode *mode = &runner->motion.mode;
+    const double *state = runner->motion.state;
     const double margin = 2.0 * TDMF_GUARD_MARGIN * runner->model.scales.speed;
     const bool in_contact = tdmf_in_contact(mode);
     const tdmf_point foot = tdmf_foot_over_ground(&mode->ground, state);
@@ -160,20 +160,20 @@ static void assert_mode_invariants(const runner *runner) {
 
 static void assert_above_ground(const runner *runner) {
     const double length = runner->model.scales.length;
-    const tdmf_ground_line *ground = &runner->mode.ground;
-    const tdmf_point body = tdmf_body(runner->state);
+    const tdmf_ground_line *ground = &runner->motion.mode.ground;
+    const tdmf_point body = tdmf_body(runner->motion.state);
     const double body_height = ground->cosine * (body.y - ground->height) - ground->sine * body.x;
-    assert_true(tdmf_foot_over_ground(ground, runner->state).y >= -1e-9 * length);
-    assert_true(runner->mode.fallen || body_height >= -1e-9 * length);
+    assert_true(tdmf_foot_over_ground(ground, runner->motion.state).y >= -1e-9 * length);
+    assert_true(runner->motion.mode.fallen || body_height >= -1e-9 * length);
 }
 
 /* The vertical ground force never pulls, friction never exceeds its cone. */
 static void assert_force_is_possible(const runner *runner) {
     const tdmf_ground_force force =
-        tdmf_contact_force(&runner->model, &runner->inputs, &runner->mode, runner->state);
+        tdmf_contact_force(SYSTEM_OF(runner), &runner->motion.mode, runner->motion.state);
     const double slack = 1e-9 * (runner->model.scales.force + fabs(force.tangential));
     assert_true(force.normal >= -slack);
-    const double ratio = runner->mode.contact == TDMF_CONTACT_STICK
+    const double ratio = runner->motion.mode.contact == TDMF_CONTACT_STICK
                              ? runner->model.parameters.ground.static_friction_ratio
                              : 1.0;
     assert_true(fabs(force.tangential) <= ratio * runner->inputs.ground.friction * force.normal + slack);
@@ -182,7 +182,7 @@ static void assert_force_is_possible(const runner *runner) {
 static void assert_sound(const runner *runner) {
     assert_finite(runner);
     assert_above_ground(runner);
-    if (!runner->mode.fallen) {
+    if (!runner->motion.mode.fallen) {
         assert_mode_invariants(runner);
         assert_force_is_possible(runner);
     }
@@ -190,16 +190,16 @@ static void assert_sound(const runner *runner) {
 
 /* A full step forward; however many events it is cut into, they are few. */
 static bool step_forward(runner *runner) {
-    const double end = runner->time + random_step(runner);
+    const double end = runner->motion.time + random_step(runner);
     const long before = runner->resolutions;
-    while (runner->time < end) {
-        const double left = end - runner->time;
-        const double time = runner->time;
+    while (runner->motion.time < end) {
+        const double left = end - runner->motion.time;
+        const double time = runner->motion.time;
         if (!runner_advance(runner, left)) {
             return false;
         }
         assert_true(runner->resolutions - before <= MOST_EVENTS_PER_STEP);
-        if (runner->time == time) {
+        if (runner->motion.time == time) {
             return true; /* what is left is less than the clock resolves */
         }
     }
@@ -212,9 +212,9 @@ typedef struct {
 } tally;
 
 static void count(tally *tally, const runner *runner) {
-    ++tally->contact[runner->mode.contact];
-    ++tally->phase[runner->mode.phase];
-    tally->falls += runner->mode.fallen;
+    ++tally->contact[runner->motion.mode.contact];
+    ++tally->phase[runner->motion.mode.phase];
+    tally->falls += runner->motion.mode.fallen;
 }
 
 static void run(random_source *source, runner *runner, bool switching, tally *tally) {
@@ -222,15 +222,15 @@ static void run(random_source *source, runner *runner, bool switching, tally *ta
     for (int i = 1; i <= STEPS && goes_on; ++i) {
         goes_on = step_forward(runner);
         assert_sound(runner);
-        assert_true(goes_on || runner->mode.fallen);
+        assert_true(goes_on || runner->motion.mode.fallen);
         count(tally, runner);
         if (goes_on && switching && i % STEPS_PER_INPUT == 0) {
             switch_inputs(source, runner);
             assert_sound(runner);
-            goes_on = !runner->mode.fallen;
+            goes_on = !runner->motion.mode.fallen;
         }
     }
-    tally->strides += runner->record.stride.count;
+    tally->strides += runner->motion.record.stride.count;
 }
 
 static void begin(runner *runner) {
@@ -257,8 +257,8 @@ static void any_runner_goes_on_or_falls(void **unused) {
     for (uint64_t seed = 0; seed < RUNS; ++seed) {
         random_source source = {seed};
         runner runner = scene_random(&source, TDMF_CONTACT_FLIGHT);
-        runner.inputs.ground.height = runner.mode.ground.height;
-        runner.inputs.ground.slope = runner.mode.ground.slope;
+        runner.inputs.ground.height = runner.motion.mode.ground.height;
+        runner.inputs.ground.slope = runner.motion.mode.ground.slope;
         choose_start(&source, &runner);
         begin(&runner);
         run(&source, &runner, random_chance(&source, 0.5), &seen);

@@ -96,8 +96,8 @@ static tdmf_return stride_of(const start *start, bool derivatives, const tdmf_se
     solver.log = log;
     log->count = 0;
     assert_null(tdmf_model_create(&model, &start->parameters).variable);
-    return tdmf_return_map(&solver, &model, &start->inputs, start->section, longest, derivatives, seed,
-                           seed ? 1 : 0);
+    return tdmf_return_map(&solver, (tdmf_system){&model, &start->inputs}, start->section, longest,
+                           derivatives, seed, seed ? 1 : 0);
 }
 
 /* The same events in the same order. */

@@ -101,8 +101,8 @@ static tdmf_ensemble_end iterate(const tdmf_ensemble_case *its_case, const doubl
     solver.relative_tolerance = 0.1 * tight;
     memcpy(end.apex, start, sizeof end.apex);
     while (outcome == TDMF_RETURN_CLOSED && end.strides < STRIDES) {
-        const tdmf_return stride =
-            tdmf_reduced_map(&solver, its_case->model, &its_case->inputs, end.apex, 1e4, false, NULL, 0);
+        const tdmf_return stride = tdmf_reduced_map(
+            &solver, (tdmf_system){its_case->model, &its_case->inputs}, end.apex, 1e4, false, NULL, 0);
         outcome = stride.outcome;
         if (outcome == TDMF_RETURN_CLOSED) {
             memcpy(end.apex, stride.apex, sizeof stride.apex);

@@ -3,6 +3,7 @@
 #include "compare.h"
 #include "reference_gaits.h"
 #include "swinging_height.h"
+#include "system_of.h"
 
 #include "tdmf_slip/reduced_map.h"
 
@@ -19,7 +20,7 @@ typedef struct {
 static tdmf_return stride(const scene *scene, double until, tdmf_event_log *log) {
     tdmf_solver solver = tdmf_solver_default();
     solver.log = log;
-    return tdmf_reduced_map(&solver, &scene->model, &scene->inputs, scene->apex, until, false, NULL, 0);
+    return tdmf_reduced_map(&solver, SYSTEM_OF(scene), scene->apex, until, false, NULL, 0);
 }
 
 static scene stride_known(void) {

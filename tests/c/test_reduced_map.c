@@ -49,7 +49,8 @@ static tdmf_return stride_from(const apex_scene *scene, double tolerance, bool d
     const tdmf_model model = model_of(scene);
     tdmf_solver solver = tdmf_solver_default();
     solver.relative_tolerance = tolerance;
-    return tdmf_reduced_map(&solver, &model, &scene->inputs, scene->apex, longest, derivatives, seeds, count);
+    return tdmf_reduced_map(&solver, (tdmf_system){&model, &scene->inputs}, scene->apex, longest, derivatives,
+                            seeds, count);
 }
 
 /* ---- fixed points ------------------------------------------------------------------------------------- */
@@ -93,7 +94,8 @@ static void gaits_are_found_to_rounding(void **state) {
         const double guess[TDMF_REDUCED_COUNT] = {gait->apex[0] + 0.02, gait->apex[1] - 0.02};
         tdmf_solver solver = tdmf_solver_default();
         solver.relative_tolerance = tight;
-        const tdmf_orbit orbit = tdmf_find_reduced_orbit(&solver, &model, &scene.inputs, guess, NULL, 0);
+        const tdmf_orbit orbit =
+            tdmf_find_reduced_orbit(&solver, (tdmf_system){&model, &scene.inputs}, guess, NULL, 0);
         assert_int_equal(orbit.outcome, TDMF_ORBIT_FOUND);
         assert_true(orbit.iterations <= 6);
         assert_close(orbit.apex[0], gait->apex[0], 1e-11);
@@ -296,8 +298,8 @@ static void a_scaled_runner_makes_the_scaled_stride(void **state) {
         const tdmf_model scaled_model = model_of(&scaled);
         tdmf_solver solver = tdmf_solver_default();
         solver.relative_tolerance = tight;
-        const tdmf_return b = tdmf_reduced_map(&solver, &scaled_model, &scaled.inputs, scaled.apex,
-                                               longest * time, true, NULL, 0);
+        const tdmf_return b = tdmf_reduced_map(&solver, (tdmf_system){&scaled_model, &scaled.inputs},
+                                               scaled.apex, longest * time, true, NULL, 0);
         assert_int_equal(a.outcome, b.outcome);
         assert_string_equal(a.stride.word, b.stride.word);
         if (a.outcome != TDMF_RETURN_CLOSED) {
@@ -415,7 +417,7 @@ static void what_is_no_number_or_out_of_range_is_refused(void **state) {
     assert_int_equal(stride_from(&gait, 0.0, true, NULL, 0).outcome, TDMF_RETURN_REFUSED);
     solver.step_limit = 2;
     const tdmf_return tired =
-        tdmf_reduced_map(&solver, &model, &gait.inputs, gait.apex, longest, true, NULL, 0);
+        tdmf_reduced_map(&solver, (tdmf_system){&model, &gait.inputs}, gait.apex, longest, true, NULL, 0);
     assert_int_equal(tired.outcome, TDMF_RETURN_UNSOLVED);
     assert_int_equal(tired.solver, TDMF_TOO_MANY_STEPS);
 }
@@ -439,15 +441,18 @@ static void a_search_tells_what_ends_the_stride_from_its_guess(void **state) {
     tdmf_solver solver = tdmf_solver_default();
     (void)state;
     scene.apex[0] = 0.5;
-    assert_int_equal(tdmf_find_reduced_orbit(&solver, &model, &scene.inputs, scene.apex, NULL, 0).outcome,
-                     TDMF_ORBIT_NO_START);
+    assert_int_equal(
+        tdmf_find_reduced_orbit(&solver, (tdmf_system){&model, &scene.inputs}, scene.apex, NULL, 0).outcome,
+        TDMF_ORBIT_NO_START);
     scene.apex[0] = 200.0;
-    assert_int_equal(tdmf_find_reduced_orbit(&solver, &model, &scene.inputs, scene.apex, NULL, 0).outcome,
-                     TDMF_ORBIT_FELL);
-    assert_int_equal(tdmf_settle_reduced(&solver, &model, &scene.inputs, 10, scene.apex), 0);
+    assert_int_equal(
+        tdmf_find_reduced_orbit(&solver, (tdmf_system){&model, &scene.inputs}, scene.apex, NULL, 0).outcome,
+        TDMF_ORBIT_FELL);
+    assert_int_equal(tdmf_settle_reduced(&solver, (tdmf_system){&model, &scene.inputs}, 10, scene.apex), 0);
     scene = at_gait(&reduced_gaits[2]);
     scene.apex[0] += 0.05;
-    assert_int_equal(tdmf_settle_reduced(&solver, &model, &scene.inputs, 200, scene.apex), 200);
+    assert_int_equal(tdmf_settle_reduced(&solver, (tdmf_system){&model, &scene.inputs}, 200, scene.apex),
+                     200);
     assert_close(scene.apex[0], reduced_gaits[2].apex[0], 1e-8);
 }
 
@@ -464,7 +469,7 @@ static void a_log_has_the_events_of_a_stride(void **state) {
     (void)state;
     solver.log = &log;
     const tdmf_return stride =
-        tdmf_reduced_map(&solver, &model, &scene.inputs, scene.apex, INFINITY, false, NULL, 0);
+        tdmf_reduced_map(&solver, (tdmf_system){&model, &scene.inputs}, scene.apex, INFINITY, false, NULL, 0);
     assert_int_equal(log.count, EVENTS);
     for (int i = 0; i < EVENTS; ++i) {
         assert_int_equal(log.events[i].guard, expected[i]);
@@ -489,19 +494,20 @@ static void the_first_touchdown_is_found_however_the_leg_turns(void **state) {
         const tdmf_model model = model_of(&scene);
         const tdmf_point apex = {0.0, scene.apex[0], scene.apex[1], 0.0};
         double at_start[TDMF_STATE_COUNT];
-        tdmf_prescribed_state(&model, &scene.inputs, apex, 0.0, at_start);
+        tdmf_prescribed_state((tdmf_system){&model, &scene.inputs}, apex, 0.0, at_start);
         if (at_start[TDMF_FOOT_Y] <= 0.0) {
             continue;
         }
         ++landed;
         const tdmf_ground_line level = tdmf_ground_line_of(0.0, 0.0);
-        const tdmf_descent descent = tdmf_descend(&model, &scene.inputs, &level, apex);
+        const tdmf_descent descent = tdmf_descend((tdmf_system){&model, &scene.inputs}, &level, apex);
         for (int k = 0; k < SAMPLES; ++k) {
             double there[TDMF_STATE_COUNT];
-            tdmf_prescribed_state(&model, &scene.inputs, apex, descent.time * k / SAMPLES, there);
+            tdmf_prescribed_state((tdmf_system){&model, &scene.inputs}, apex, descent.time * k / SAMPLES,
+                                  there);
             assert_true(there[TDMF_FOOT_Y] > 0.0 && tdmf_body(there).y > 0.0);
         }
-        tdmf_prescribed_state(&model, &scene.inputs, apex, descent.time, at_start);
+        tdmf_prescribed_state((tdmf_system){&model, &scene.inputs}, apex, descent.time, at_start);
         assert_close(descent.body_first ? tdmf_body(at_start).y : at_start[TDMF_FOOT_Y], 0.0, 1e-14);
     }
     assert_true(landed > 150);
@@ -520,7 +526,7 @@ static void a_runner_off_a_slope_comes_down_much_later(void **state) {
     const tdmf_model model = model_of(&scene);
     const tdmf_ground_line ground = tdmf_ground_line_set(&scene.inputs);
     const tdmf_point apex = {0.0, scene.apex[0], scene.apex[1], 0.0};
-    const tdmf_descent descent = tdmf_descend(&model, &scene.inputs, &ground, apex);
+    const tdmf_descent descent = tdmf_descend((tdmf_system){&model, &scene.inputs}, &ground, apex);
     /* A stone would take so long; the leg is as short as nothing beside the way. */
     assert_relatively_close(descent.time, 2.0 * 80.0 * tan(0.7) / 1e-3, 1e-4);
 }

@@ -158,12 +158,12 @@ static void inputs_have_ranges(void **unused) {
 
 /* Tries to start, and asserts that a refusal left state, mode and record as they were. */
 static tdmf_refusal start(runner *runner, double time) {
-    memset(&runner->mode, 0x5a, sizeof runner->mode);
-    memset(&runner->record, 0x5a, sizeof runner->record);
+    memset(&runner->motion.mode, 0x5a, sizeof runner->motion.mode);
+    memset(&runner->motion.record, 0x5a, sizeof runner->motion.record);
     scene_snapshot before;
     scene_take_snapshot(runner, &before);
-    const tdmf_refusal refusal =
-        tdmf_start(&runner->model, &runner->inputs, time, runner->state, &runner->mode, &runner->record);
+    runner->motion.time = time;
+    const tdmf_refusal refusal = tdmf_start(SYSTEM_OF(runner), &runner->motion);
     if (refusal.variable != NULL) {
         scene_assert_unchanged(runner, &before);
     }
@@ -172,7 +172,7 @@ static tdmf_refusal start(runner *runner, double time) {
 
 static void assert_refuses_start(int element, double value, const char *variable) {
     runner runner = runner_default(0.6);
-    runner.state[element] = value;
+    runner.motion.state[element] = value;
     const tdmf_refusal refusal = start(&runner, 0.0);
     assert_non_null(refusal.variable);
     assert_string_equal(refusal.variable, variable);
@@ -196,29 +196,29 @@ static void start_below_the_ground_is_refused(void **unused) {
     (void)unused;
     assert_refuses_start(TDMF_FOOT_Y, -1.1e-12, "foot.y");
     runner runner = runner_default(0.6);
-    runner.state[TDMF_FOOT_Y] = 0.5;
-    runner.state[TDMF_LEG_LENGTH] = 1.0;
-    runner.state[TDMF_LEG_ANGLE] = 2.2; /* the body hangs 0.59 below the foot */
+    runner.motion.state[TDMF_FOOT_Y] = 0.5;
+    runner.motion.state[TDMF_LEG_LENGTH] = 1.0;
+    runner.motion.state[TDMF_LEG_ANGLE] = 2.2; /* the body hangs 0.59 below the foot */
     const tdmf_refusal refusal = start(&runner, 0.0);
     assert_string_equal(refusal.variable, "body.y");
     assert_close(refusal.value, 0.5 + cos(2.2), 1e-15);
     assert_true(refusal.minimum == 0.0 && refusal.maximum == 1e9);
-    runner.state[TDMF_FOOT_Y] = 0.6;
+    runner.motion.state[TDMF_FOOT_Y] = 0.6;
     assert_null(start(&runner, 0.0).variable);
-    runner.state[TDMF_FOOT_Y] = -cos(2.2); /* the body lies on it */
+    runner.motion.state[TDMF_FOOT_Y] = -cos(2.2); /* the body lies on it */
     assert_string_equal(start(&runner, 0.0).variable, "body.y");
 }
 
 static void start_with_too_short_a_leg_is_refused(void **unused) {
     (void)unused;
     runner runner = runner_default(0.6);
-    runner.state[TDMF_LEG_LENGTH] = 0.05;
+    runner.motion.state[TDMF_LEG_LENGTH] = 0.05;
     assert_null(start(&runner, 0.0).variable);
-    runner.state[TDMF_LEG_LENGTH] = nextafter(0.05, 0.0);
+    runner.motion.state[TDMF_LEG_LENGTH] = nextafter(0.05, 0.0);
     const tdmf_refusal refusal = start(&runner, 0.0);
     assert_string_equal(refusal.variable, "leg.length");
     assert_string_equal(refusal.bound_by, "leg.min_length");
-    assert_true(refusal.value == runner.state[TDMF_LEG_LENGTH]);
+    assert_true(refusal.value == runner.motion.state[TDMF_LEG_LENGTH]);
     assert_true(refusal.minimum == 0.05 && refusal.maximum == 1e9);
 }
 

@@ -31,10 +31,9 @@ static scene standing_at_apex(void) {
     scene.inputs = tdmf_default_inputs();
     assert_null(tdmf_model_create(&scene.model, &parameters).variable);
     memcpy(scene.section, &reference_gaits[GAIT].apex, sizeof scene.section);
-    tdmf_section_state(&scene.model, &scene.inputs, scene.section, scene.motion.state);
-    assert_null(tdmf_start(&scene.model, &scene.inputs, 0.0, scene.motion.state, &scene.motion.mode,
-                           &scene.motion.record)
-                    .variable);
+    tdmf_section_state(SYSTEM_OF(&scene), scene.section, scene.motion.state);
+    scene.motion.time = 0.0;
+    assert_null(tdmf_start(SYSTEM_OF(&scene), &scene.motion).variable);
     return scene;
 }
 
@@ -57,26 +56,24 @@ static tdmf_mode no_mode(const tdmf_mode *mode, int which) {
 typedef tdmf_outcome run(scene *scene);
 
 static tdmf_outcome advance(scene *s) {
-    return tdmf_native_advance(&s->solver, &s->model, &s->inputs, NULL, 10.0, &s->motion);
+    return tdmf_native_advance(&s->solver, SYSTEM_OF(s), NULL, 10.0, &s->motion);
 }
 
 static tdmf_outcome stride(scene *s) {
-    return tdmf_native_stride(&s->solver, &s->model, &s->inputs, long_enough, &s->motion).outcome;
+    return tdmf_native_stride(&s->solver, SYSTEM_OF(s), long_enough, &s->motion).outcome;
 }
 
 static tdmf_outcome stride_varied(scene *s) {
-    return tdmf_native_stride_varied(&s->solver, &s->model, &s->inputs, long_enough, &s->motion, NULL, NULL,
-                                     0)
+    return tdmf_native_stride_varied(&s->solver, SYSTEM_OF(s), long_enough, &s->motion, NULL, NULL, 0)
         .outcome;
 }
 
 static tdmf_outcome stance(scene *s) {
-    return tdmf_native_stance(&s->solver, &s->model, &s->inputs, long_enough, &s->motion, NULL, NULL, 0)
-        .outcome;
+    return tdmf_native_stance(&s->solver, SYSTEM_OF(s), long_enough, &s->motion, NULL, NULL, 0).outcome;
 }
 
 static tdmf_outcome by_cvode(scene *s) {
-    return tdmf_cvode_advance(&s->solver, &s->model, &s->inputs, NULL, 10.0, &s->motion);
+    return tdmf_cvode_advance(&s->solver, SYSTEM_OF(s), NULL, 10.0, &s->motion);
 }
 
 static run *const runs[] = {advance, stride, stride_varied, stance, by_cvode};
@@ -141,18 +138,18 @@ static void the_automaton_takes_nothing_in_a_mode_that_there_is_not(void **state
         tdmf_motion motion = s.motion;
         double guards[TDMF_GUARD_COUNT], derivatives[TDMF_STATE_COUNT];
         motion.mode = mode;
+        motion.time = 1.0;
         const tdmf_motion before = motion;
-        assert_true(
-            tdmf_resolve(&s.model, &s.inputs, 1.0, motion.state, &motion.mode, &motion.record).unresolved);
+        assert_true(tdmf_resolve(SYSTEM_OF(&s), &motion).unresolved);
         assert_memory_equal(&motion, &before, sizeof before);
-        assert_int_equal(tdmf_first_due(&s.model, &s.inputs, &mode, motion.state), TDMF_GUARD_COUNT);
-        tdmf_guards(&s.model, &s.inputs, &mode, motion.state, guards);
+        assert_int_equal(tdmf_first_due(SYSTEM_OF(&s), &mode, motion.state), TDMF_GUARD_COUNT);
+        tdmf_guards(SYSTEM_OF(&s), &mode, motion.state, guards);
         for (int i = 0; i < TDMF_GUARD_COUNT; ++i) {
             assert_true(isnan(guards[i]));
         }
-        tdmf_derivatives(&s.model, &s.inputs, &mode, motion.state, derivatives);
+        tdmf_derivatives(SYSTEM_OF(&s), &mode, motion.state, derivatives);
         assert_true(isnan(derivatives[TDMF_LEG_ANGLE_RATE]) && isnan(derivatives[TDMF_LEG_LENGTH_RATE]));
-        assert_true(isnan(tdmf_hip_torque(&s.model, &s.inputs, &mode, motion.state)));
+        assert_true(isnan(tdmf_hip_torque(SYSTEM_OF(&s), &mode, motion.state)));
     }
 }
 
@@ -165,24 +162,27 @@ static void solvers_refuse_null(void **state) {
     tdmf_motion motion = s.motion;
     tdmf_variation variation = {.liftoff_angle = 0.0};
     const tdmf_seed seed = {.inputs = {.ground = {.friction = 1.0}}};
-    assert_int_equal(tdmf_native_advance(NULL, &s.model, &s.inputs, NULL, 1.0, &motion), TDMF_REFUSED);
-    assert_int_equal(tdmf_native_advance(&solver, NULL, &s.inputs, NULL, 1.0, &motion), TDMF_REFUSED);
-    assert_int_equal(tdmf_native_advance(&solver, &s.model, NULL, NULL, 1.0, &motion), TDMF_REFUSED);
-    assert_int_equal(tdmf_native_advance(&solver, &s.model, &s.inputs, NULL, 1.0, NULL), TDMF_REFUSED);
-    assert_int_equal(tdmf_cvode_advance(NULL, &s.model, &s.inputs, NULL, 1.0, &motion), TDMF_REFUSED);
-    assert_int_equal(tdmf_cvode_advance(&solver, NULL, &s.inputs, NULL, 1.0, &motion), TDMF_REFUSED);
-    assert_int_equal(tdmf_cvode_advance(&solver, &s.model, NULL, NULL, 1.0, &motion), TDMF_REFUSED);
-    assert_int_equal(tdmf_cvode_advance(&solver, &s.model, &s.inputs, NULL, 1.0, NULL), TDMF_REFUSED);
-    assert_int_equal(tdmf_native_stride(&solver, &s.model, &s.inputs, 1.0, NULL).outcome, TDMF_REFUSED);
+    assert_int_equal(tdmf_native_advance(NULL, SYSTEM_OF(&s), NULL, 1.0, &motion), TDMF_REFUSED);
+    assert_int_equal(tdmf_native_advance(&solver, (tdmf_system){NULL, &s.inputs}, NULL, 1.0, &motion),
+                     TDMF_REFUSED);
+    assert_int_equal(tdmf_native_advance(&solver, (tdmf_system){&s.model, NULL}, NULL, 1.0, &motion),
+                     TDMF_REFUSED);
+    assert_int_equal(tdmf_native_advance(&solver, SYSTEM_OF(&s), NULL, 1.0, NULL), TDMF_REFUSED);
+    assert_int_equal(tdmf_cvode_advance(NULL, SYSTEM_OF(&s), NULL, 1.0, &motion), TDMF_REFUSED);
+    assert_int_equal(tdmf_cvode_advance(&solver, (tdmf_system){NULL, &s.inputs}, NULL, 1.0, &motion),
+                     TDMF_REFUSED);
+    assert_int_equal(tdmf_cvode_advance(&solver, (tdmf_system){&s.model, NULL}, NULL, 1.0, &motion),
+                     TDMF_REFUSED);
+    assert_int_equal(tdmf_cvode_advance(&solver, SYSTEM_OF(&s), NULL, 1.0, NULL), TDMF_REFUSED);
+    assert_int_equal(tdmf_native_stride(&solver, SYSTEM_OF(&s), 1.0, NULL).outcome, TDMF_REFUSED);
     for (int missing = 0; missing < 2; ++missing) {
         const tdmf_seed *seeds = missing == 0 ? NULL : &seed;
         tdmf_variation *variations = missing == 1 ? NULL : &variation;
         assert_int_equal(
-            tdmf_native_stride_varied(&solver, &s.model, &s.inputs, 1.0, &motion, seeds, variations, 1)
-                .outcome,
+            tdmf_native_stride_varied(&solver, SYSTEM_OF(&s), 1.0, &motion, seeds, variations, 1).outcome,
             TDMF_REFUSED);
         assert_int_equal(
-            tdmf_native_stance(&solver, &s.model, &s.inputs, 1.0, &motion, seeds, variations, 1).outcome,
+            tdmf_native_stance(&solver, SYSTEM_OF(&s), 1.0, &motion, seeds, variations, 1).outcome,
             TDMF_REFUSED);
     }
     assert_memory_equal(&motion, &s.motion, sizeof motion);
@@ -197,7 +197,7 @@ static void a_log_begins_at_none(void **state) {
     log.count = -5;
     assert_refused(stride, &s);
     assert_int_equal(
-        tdmf_reduced_map(&s.solver, &s.model, &s.inputs, s.section, long_enough, false, NULL, 0).outcome,
+        tdmf_reduced_map(&s.solver, SYSTEM_OF(&s), s.section, long_enough, false, NULL, 0).outcome,
         TDMF_RETURN_REFUSED);
     assert_int_equal(log.count, -5);
     log.count = INT_MAX;
@@ -211,15 +211,13 @@ static void maps_refuse_null(void **state) {
     const int counts[] = {1, INT_MAX, -1};
     for (int i = 0; i < 3; ++i) {
         assert_int_equal(
-            tdmf_return_map(&s.solver, &s.model, &s.inputs, s.section, long_enough, true, NULL, counts[i])
-                .outcome,
+            tdmf_return_map(&s.solver, SYSTEM_OF(&s), s.section, long_enough, true, NULL, counts[i]).outcome,
             TDMF_RETURN_REFUSED);
         assert_int_equal(
-            tdmf_reduced_map(&s.solver, &s.model, &s.inputs, s.section, long_enough, true, NULL, counts[i])
-                .outcome,
+            tdmf_reduced_map(&s.solver, SYSTEM_OF(&s), s.section, long_enough, true, NULL, counts[i]).outcome,
             TDMF_RETURN_REFUSED);
         assert_int_equal(
-            tdmf_find_reduced_orbit(&s.solver, &s.model, &s.inputs, s.section, NULL, counts[i]).outcome,
+            tdmf_find_reduced_orbit(&s.solver, SYSTEM_OF(&s), s.section, NULL, counts[i]).outcome,
             TDMF_ORBIT_NO_START);
     }
     for (int missing = 0; missing < 4; ++missing) {
@@ -227,19 +225,24 @@ static void maps_refuse_null(void **state) {
         const tdmf_model *model = missing == 1 ? NULL : &s.model;
         const tdmf_inputs *inputs = missing == 2 ? NULL : &s.inputs;
         double *section = missing == 3 ? NULL : s.section;
-        assert_int_equal(tdmf_return_map(solver, model, inputs, section, long_enough, true, NULL, 0).outcome,
-                         TDMF_RETURN_REFUSED);
-        assert_int_equal(tdmf_reduced_map(solver, model, inputs, section, long_enough, true, NULL, 0).outcome,
-                         TDMF_RETURN_REFUSED);
-        assert_int_equal(tdmf_find_orbit(solver, model, inputs, section, NULL, 0).outcome,
+        assert_int_equal(
+            tdmf_return_map(solver, (tdmf_system){model, inputs}, section, long_enough, true, NULL, 0)
+                .outcome,
+            TDMF_RETURN_REFUSED);
+        assert_int_equal(
+            tdmf_reduced_map(solver, (tdmf_system){model, inputs}, section, long_enough, true, NULL, 0)
+                .outcome,
+            TDMF_RETURN_REFUSED);
+        assert_int_equal(tdmf_find_orbit(solver, (tdmf_system){model, inputs}, section, NULL, 0).outcome,
                          TDMF_ORBIT_NO_START);
-        assert_int_equal(tdmf_find_reduced_orbit(solver, model, inputs, section, NULL, 0).outcome,
-                         TDMF_ORBIT_NO_START);
-        assert_int_equal(tdmf_settle(solver, model, inputs, 3, section), 0);
-        assert_int_equal(tdmf_settle_reduced(solver, model, inputs, 3, section), 0);
+        assert_int_equal(
+            tdmf_find_reduced_orbit(solver, (tdmf_system){model, inputs}, section, NULL, 0).outcome,
+            TDMF_ORBIT_NO_START);
+        assert_int_equal(tdmf_settle(solver, (tdmf_system){model, inputs}, 3, section), 0);
+        assert_int_equal(tdmf_settle_reduced(solver, (tdmf_system){model, inputs}, 3, section), 0);
     }
-    assert_int_equal(tdmf_settle(&s.solver, &s.model, &s.inputs, -3, s.section), 0);
-    assert_int_equal(tdmf_settle_reduced(&s.solver, &s.model, &s.inputs, -3, s.section), 0);
+    assert_int_equal(tdmf_settle(&s.solver, SYSTEM_OF(&s), -3, s.section), 0);
+    assert_int_equal(tdmf_settle_reduced(&s.solver, SYSTEM_OF(&s), -3, s.section), 0);
     assert_int_equal(s.solver.steps, 0);
 }
 
@@ -253,14 +256,9 @@ static void refusals_name_what_is_null(void **state) {
     const tdmf_refusal refusal = tdmf_check_inputs(NULL);
     assert_string_equal(tdmf_refusal_text(&refusal, text, sizeof text), "inputs is refused: it is NULL");
     assert_null(tdmf_refusal_text(&refusal, NULL, sizeof text));
-    double *const x = s.motion.state;
-    tdmf_mode *const mode = &s.motion.mode;
-    tdmf_record *const record = &s.motion.record;
-    assert_string_equal(tdmf_start(NULL, &s.inputs, 0.0, x, mode, record).variable, "model");
-    assert_string_equal(tdmf_start(&s.model, NULL, 0.0, x, mode, record).variable, "inputs");
-    assert_string_equal(tdmf_start(&s.model, &s.inputs, 0.0, NULL, mode, record).variable, "state");
-    assert_string_equal(tdmf_start(&s.model, &s.inputs, 0.0, x, NULL, record).variable, "mode");
-    assert_string_equal(tdmf_start(&s.model, &s.inputs, 0.0, x, mode, NULL).variable, "record");
+    assert_string_equal(tdmf_start((tdmf_system){NULL, &s.inputs}, &s.motion).variable, "model");
+    assert_string_equal(tdmf_start((tdmf_system){&s.model, NULL}, &s.motion).variable, "inputs");
+    assert_string_equal(tdmf_start(SYSTEM_OF(&s), NULL).variable, "motion");
     assert_int_equal(tdmf_setting_of(NULL), -1);
 }
 
@@ -466,26 +464,26 @@ static void in_place_gives_the_same(void **state) {
     (void)state;
     const scene s = standing_at_apex();
     double apart[TDMF_STATE_COUNT], in_place[TDMF_STATE_COUNT];
-    tdmf_section_state(&s.model, &s.inputs, s.section, apart);
+    tdmf_section_state(SYSTEM_OF(&s), s.section, apart);
     for (int at = 0; at + TDMF_SECTION_COUNT <= TDMF_STATE_COUNT; ++at) {
         memset(in_place, 0, sizeof in_place);
         memcpy(in_place + at, s.section, sizeof s.section);
-        tdmf_section_state(&s.model, &s.inputs, in_place + at, in_place);
+        tdmf_section_state(SYSTEM_OF(&s), in_place + at, in_place);
         assert_memory_equal(in_place, apart, sizeof apart);
     }
-    tdmf_reduced_state(&s.model, &s.inputs, s.section, apart);
+    tdmf_reduced_state(SYSTEM_OF(&s), s.section, apart);
     for (int at = 0; at + TDMF_REDUCED_COUNT <= TDMF_STATE_COUNT; ++at) {
         memset(in_place, 0, sizeof in_place);
         memcpy(in_place + at, s.section, TDMF_REDUCED_COUNT * sizeof *in_place);
-        tdmf_reduced_state(&s.model, &s.inputs, in_place + at, in_place);
+        tdmf_reduced_state(SYSTEM_OF(&s), in_place + at, in_place);
         assert_memory_equal(in_place, apart, sizeof apart);
     }
     random_source source = {4};
     for (int contact = TDMF_CONTACT_FLIGHT; contact <= TDMF_CONTACT_GRAZE; ++contact) {
         const runner anybody = scene_random(&source, (tdmf_contact_mode)contact);
-        memcpy(in_place, anybody.state, sizeof in_place);
-        tdmf_derivatives(&anybody.model, &anybody.inputs, &anybody.mode, anybody.state, apart);
-        tdmf_derivatives(&anybody.model, &anybody.inputs, &anybody.mode, in_place, in_place);
+        memcpy(in_place, anybody.motion.state, sizeof in_place);
+        tdmf_derivatives(SYSTEM_OF(&anybody), &anybody.motion.mode, anybody.motion.state, apart);
+        tdmf_derivatives(SYSTEM_OF(&anybody), &anybody.motion.mode, in_place, in_place);
         assert_memory_equal(in_place, apart, sizeof apart);
     }
 }

@@ -58,8 +58,8 @@ static tdmf_return stride_of(const scene_at_apex *scene, bool derivatives, const
     tdmf_solver solver = tdmf_solver_default();
     solver.relative_tolerance = tight;
     assert_null(tdmf_model_create(&model, &scene->parameters).variable);
-    const tdmf_return stride = tdmf_return_map(&solver, &model, &scene->inputs, scene->section, longest,
-                                               derivatives, seed, seed ? 1 : 0);
+    const tdmf_return stride = tdmf_return_map(&solver, (tdmf_system){&model, &scene->inputs}, scene->section,
+                                               longest, derivatives, seed, seed ? 1 : 0);
     assert_true(stride.outcome == TDMF_RETURN_CLOSED);
     return stride;
 }
@@ -222,10 +222,10 @@ static void derivatives_are_as_good_as_the_strides(void **state) {
         tdmf_solver coarse = tdmf_solver_default(), fine = coarse;
         coarse.relative_tolerance = 1e-7;
         fine.relative_tolerance = tight;
-        const tdmf_return rough =
-            tdmf_return_map(&coarse, &model, &scene.inputs, scene.section, longest, true, &friction, 1);
-        const tdmf_return exact =
-            tdmf_return_map(&fine, &model, &scene.inputs, scene.section, longest, true, &friction, 1);
+        const tdmf_return rough = tdmf_return_map(&coarse, (tdmf_system){&model, &scene.inputs},
+                                                  scene.section, longest, true, &friction, 1);
+        const tdmf_return exact = tdmf_return_map(&fine, (tdmf_system){&model, &scene.inputs}, scene.section,
+                                                  longest, true, &friction, 1);
         if (exact.outcome != TDMF_RETURN_CLOSED || rough.stride.word_code != exact.stride.word_code) {
             continue;
         }
@@ -250,15 +250,17 @@ static void what_is_too_much_is_refused(void **state) {
     (void)state;
     memset(seeds, 0, sizeof seeds);
     assert_null(tdmf_model_create(&model, &scene.parameters).variable);
-    const tdmf_return stride = tdmf_return_map(&solver, &model, &scene.inputs, scene.section, longest, true,
-                                               seeds, TDMF_RETURN_MAP_SEEDS + 1);
+    const tdmf_return stride = tdmf_return_map(&solver, (tdmf_system){&model, &scene.inputs}, scene.section,
+                                               longest, true, seeds, TDMF_RETURN_MAP_SEEDS + 1);
     assert_int_equal(stride.outcome, TDMF_RETURN_REFUSED);
-    assert_int_equal(
-        tdmf_return_map(&solver, &model, &scene.inputs, scene.section, longest, true, seeds, -1).outcome,
-        TDMF_RETURN_REFUSED);
+    assert_int_equal(tdmf_return_map(&solver, (tdmf_system){&model, &scene.inputs}, scene.section, longest,
+                                     true, seeds, -1)
+                         .outcome,
+                     TDMF_RETURN_REFUSED);
     solver.relative_tolerance = 0.0;
-    assert_int_equal(tdmf_find_orbit(&solver, &model, &scene.inputs, scene.section, NULL, 0).outcome,
-                     TDMF_ORBIT_NO_START);
+    assert_int_equal(
+        tdmf_find_orbit(&solver, (tdmf_system){&model, &scene.inputs}, scene.section, NULL, 0).outcome,
+        TDMF_ORBIT_NO_START);
 }
 
 static bool is_zero(const void *bytes, size_t size) {
@@ -280,11 +282,11 @@ static void what_did_not_happen_or_was_not_asked_for_is_zero(void **state) {
     assert_true(is_zero(plain.variations, sizeof plain.variations));
     assert_null(tdmf_model_create(&model, &scene.parameters).variable);
     const tdmf_return late =
-        tdmf_return_map(&solver, &model, &scene.inputs, scene.section, 1.0, true, NULL, 0);
+        tdmf_return_map(&solver, (tdmf_system){&model, &scene.inputs}, scene.section, 1.0, true, NULL, 0);
     assert_true(late.outcome == TDMF_RETURN_TOO_LONG);
     assert_true(is_zero(late.apex, sizeof late.apex) && is_zero(late.variations, sizeof late.variations));
     memset(section_state, 1, sizeof section_state);
-    tdmf_section_state(&model, &scene.inputs, scene.section, section_state);
+    tdmf_section_state((tdmf_system){&model, &scene.inputs}, scene.section, section_state);
     assert_true(section_state[TDMF_FOOT_X] == 0.0);
     assert_true(is_zero(section_state + TDMF_MECHANICAL_COUNT,
                         (TDMF_STATE_COUNT - TDMF_MECHANICAL_COUNT) * sizeof *section_state));
@@ -299,8 +301,8 @@ static void only_what_asks_is_measured(void **state) {
         tdmf_model model;
         solver.relative_tolerance = tight;
         assert_null(tdmf_model_create(&model, &scene.parameters).variable);
-        const tdmf_return measured =
-            tdmf_measured_return_map(&solver, &model, &scene.inputs, scene.section, longest, true, NULL, 0);
+        const tdmf_return measured = tdmf_measured_return_map(&solver, (tdmf_system){&model, &scene.inputs},
+                                                              scene.section, longest, true, NULL, 0);
         assert_true(is_zero(&plain.measures, sizeof plain.measures));
         assert_true(is_zero(&plain.variations[0].measures, sizeof plain.variations[0].measures));
         assert_true(measured.measures.squared_torque > 0.0);
@@ -321,8 +323,8 @@ static void the_lift_off_angle_is_that_of_the_last_lift_off(void **state) {
         double angle = NAN;
         solver.log = &log;
         assert_null(tdmf_model_create(&model, &scene.parameters).variable);
-        const tdmf_return stride =
-            tdmf_return_map(&solver, &model, &scene.inputs, scene.section, longest, false, NULL, 0);
+        const tdmf_return stride = tdmf_return_map(&solver, (tdmf_system){&model, &scene.inputs},
+                                                   scene.section, longest, false, NULL, 0);
         assert_true(log.count <= TDMF_EVENT_CAPACITY);
         for (int k = 0; k < log.count; ++k) {
             angle = log.events[k].guard == TDMF_GUARD_LIFT_OFF ? log.events[k].state[TDMF_LEG_ANGLE] : angle;
@@ -344,7 +346,8 @@ static void gaits_are_found_to_rounding(void **state) {
         for (int k = 0; k < TDMF_SECTION_COUNT; ++k) {
             guess[k] = scene.section[k] + 1e-3;
         }
-        const tdmf_orbit orbit = tdmf_find_orbit(&solver, &model, &scene.inputs, guess, NULL, 0);
+        const tdmf_orbit orbit =
+            tdmf_find_orbit(&solver, (tdmf_system){&model, &scene.inputs}, guess, NULL, 0);
         assert_int_equal(orbit.outcome, TDMF_ORBIT_FOUND);
         assert_true(orbit.iterations <= 5);
         assert_true(orbit.error < 1e-12);
@@ -363,15 +366,18 @@ static void what_is_no_gait_is_said_to_be_none(void **state) {
     (void)state;
     assert_null(tdmf_model_create(&model, &scene.parameters).variable);
     scene.section[TDMF_SECTION_COM_HEIGHT] = -1.0;
-    assert_int_equal(tdmf_find_orbit(&solver, &model, &scene.inputs, scene.section, NULL, 0).outcome,
-                     TDMF_ORBIT_NO_START);
+    assert_int_equal(
+        tdmf_find_orbit(&solver, (tdmf_system){&model, &scene.inputs}, scene.section, NULL, 0).outcome,
+        TDMF_ORBIT_NO_START);
     scene.section[TDMF_SECTION_COM_HEIGHT] = NAN;
-    assert_int_equal(tdmf_find_orbit(&solver, &model, &scene.inputs, scene.section, NULL, 0).outcome,
-                     TDMF_ORBIT_NO_START);
+    assert_int_equal(
+        tdmf_find_orbit(&solver, (tdmf_system){&model, &scene.inputs}, scene.section, NULL, 0).outcome,
+        TDMF_ORBIT_NO_START);
     scene.section[TDMF_SECTION_COM_HEIGHT] = 200.0;
-    assert_int_equal(tdmf_find_orbit(&solver, &model, &scene.inputs, scene.section, NULL, 0).outcome,
-                     TDMF_ORBIT_FELL);
-    assert_int_equal(tdmf_settle(&solver, &model, &scene.inputs, 10, scene.section), 0);
+    assert_int_equal(
+        tdmf_find_orbit(&solver, (tdmf_system){&model, &scene.inputs}, scene.section, NULL, 0).outcome,
+        TDMF_ORBIT_FELL);
+    assert_int_equal(tdmf_settle(&solver, (tdmf_system){&model, &scene.inputs}, 10, scene.section), 0);
 }
 
 /* Neither trouble of the solver nor a stand is a fall. */
@@ -383,10 +389,12 @@ static void only_a_fall_is_called_one(void **state) {
     for (int limit = 0; limit < 3; ++limit) {
         tdmf_solver few_steps = tdmf_solver_default(), few_events = tdmf_solver_default();
         few_steps.step_limit = few_events.event_limit = limit;
-        const tdmf_orbit tired = tdmf_find_orbit(&few_steps, &model, &scene.inputs, scene.section, NULL, 0);
+        const tdmf_orbit tired =
+            tdmf_find_orbit(&few_steps, (tdmf_system){&model, &scene.inputs}, scene.section, NULL, 0);
         assert_int_equal(tired.outcome, TDMF_ORBIT_UNSOLVED);
         assert_int_equal(tired.stride.solver, TDMF_TOO_MANY_STEPS);
-        const tdmf_orbit busy = tdmf_find_orbit(&few_events, &model, &scene.inputs, scene.section, NULL, 0);
+        const tdmf_orbit busy =
+            tdmf_find_orbit(&few_events, (tdmf_system){&model, &scene.inputs}, scene.section, NULL, 0);
         assert_int_equal(busy.outcome, TDMF_ORBIT_UNSOLVED);
         assert_int_equal(busy.stride.solver, TDMF_TOO_MANY_EVENTS);
     }
@@ -397,7 +405,7 @@ static void only_a_fall_is_called_one(void **state) {
     scene.parameters.leg.damping = 2.0;
     scene.parameters.hip.touchdown_angle = 0.0;
     assert_null(tdmf_model_create(&model, &scene.parameters).variable);
-    assert_int_equal(tdmf_find_orbit(&solver, &model, &scene.inputs, stand, NULL, 0).outcome,
+    assert_int_equal(tdmf_find_orbit(&solver, (tdmf_system){&model, &scene.inputs}, stand, NULL, 0).outcome,
                      TDMF_ORBIT_NO_STRIDE);
 }
 
@@ -426,7 +434,7 @@ static void a_section_comes_back_from_its_state(void **unused) {
     inputs.ground.slope = 0.2;
     inputs.ground.height = -0.3;
     double state[TDMF_STATE_COUNT];
-    tdmf_section_state(&model, &inputs, section, state);
+    tdmf_section_state((tdmf_system){&model, &inputs}, section, state);
     const tdmf_ground_line ground = tdmf_ground_line_of(inputs.ground.height, inputs.ground.slope);
     tdmf_section_of_state(&model, &ground, state, state);
     for (int i = 0; i < TDMF_SECTION_COUNT; ++i) {
@@ -443,7 +451,7 @@ static void a_center_of_mass_flies_as_a_stone(void **unused) {
     tdmf_inputs inputs = tdmf_default_inputs();
     inputs.body.external_fx = 0.22; /* 0.2 m/s2 of 1.1 kg, under a gravity of 0.01 */
     const tdmf_point start = {1.0, 2.0, 3.0, 0.5};
-    const tdmf_point later = tdmf_center_of_mass_after(&model, &inputs, start, 4.0);
+    const tdmf_point later = tdmf_center_of_mass_after((tdmf_system){&model, &inputs}, start, 4.0);
     assert_close(later.x, 1.0 + 12.0 + 0.5 * 0.2 * 16.0, 1e-14);
     assert_close(later.y, 2.0 + 2.0 - 0.5 * 0.01 * 16.0, 1e-14);
     assert_close(later.vx, 3.0 + 0.8, 1e-15);

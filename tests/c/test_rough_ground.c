@@ -155,17 +155,17 @@ static int run_over_steps(const population *population, int number, tdmf_motion 
     tdmf_inputs inputs = population->its_case.inputs;
     solver.relative_tolerance = population->ensemble.relative_tolerance;
     motion->time = 0.0;
-    tdmf_section_state(&population->model, &inputs, population->starts[number], motion->state);
-    assert_null(
-        tdmf_start(&population->model, &inputs, 0.0, motion->state, &motion->mode, &motion->record).variable);
+    tdmf_section_state((tdmf_system){&population->model, &inputs}, population->starts[number], motion->state);
+    assert_null(tdmf_start((tdmf_system){&population->model, &inputs}, motion).variable);
     for (int stride = 0; stride < STRIDES; ++stride) {
         inputs.ground.height +=
             population->its_case.rules.roughness * tdmf_ground_step(seed, (uint64_t)number, (uint32_t)stride);
-        tdmf_resolve(&population->model, &inputs, motion->time, motion->state, &motion->mode,
-                     &motion->record);
+        tdmf_resolve((tdmf_system){&population->model, &inputs}, motion);
         const bool waits = motion->mode.ground.height != inputs.ground.height;
         seen->waited += waits;
-        if (!tdmf_native_stride(&solver, &population->model, &inputs, motion->time + 1e4, motion).closed) {
+        if (!tdmf_native_stride(&solver, (tdmf_system){&population->model, &inputs}, motion->time + 1e4,
+                                motion)
+                 .closed) {
             return stride;
         }
         if (motion->mode.ground.height != inputs.ground.height) {

@@ -6,6 +6,7 @@
 #include "differentiate.h"
 #include "line.h"
 #include "saltation.h"
+#include "system_of.h"
 
 #include <math.h>
 #include <string.h>
@@ -16,7 +17,7 @@ enum {
 };
 
 static double flight_law(const runner *at) {
-    return at->mode.phase == TDMF_PHASE_PLACE ? scene_place_law(at) : fmax(scene_retract_law(at), 0.0);
+    return at->motion.mode.phase == TDMF_PHASE_PLACE ? scene_place_law(at) : fmax(scene_retract_law(at), 0.0);
 }
 
 static double static_friction(const runner *at) {
@@ -27,16 +28,16 @@ static double static_friction(const runner *at) {
 static double watched(const runner *at, tdmf_guard guard) {
     const double torque = scene_stance_law(at) + at->inputs.hip.external_torque;
     const tdmf_ground_force force =
-        tdmf_sticking_force(&at->model, &at->inputs, &at->mode, torque, at->state);
+        tdmf_sticking_force(SYSTEM_OF(at), &at->motion.mode, torque, at->motion.state);
     switch (guard) {
     case TDMF_GUARD_TOUCHDOWN:
-        return tdmf_foot_over_ground(&at->mode.ground, at->state).y;
+        return tdmf_foot_over_ground(&at->motion.mode.ground, at->motion.state).y;
     case TDMF_GUARD_NEW_GROUND: {
         const tdmf_ground_line line = tdmf_ground_line_of(at->inputs.ground.height, at->inputs.ground.slope);
-        return -tdmf_foot_over_ground(&line, at->state).y;
+        return -tdmf_foot_over_ground(&line, at->motion.state).y;
     }
     case TDMF_GUARD_APEX:
-        return tdmf_center_of_mass(&at->model, at->state).vy;
+        return tdmf_center_of_mass(&at->model, at->motion.state).vy;
     case TDMF_GUARD_CLAMP:
         return scene_retract_law(at);
     case TDMF_GUARD_SLIP_ONSET_POSITIVE:
@@ -44,14 +45,14 @@ static double watched(const runner *at, tdmf_guard guard) {
     case TDMF_GUARD_SLIP_ONSET_NEGATIVE:
         return static_friction(at) * force.normal - force.tangential;
     case TDMF_GUARD_SLIP_VELOCITY_ZERO:
-        return tdmf_foot_over_ground(&at->mode.ground, at->state).vx;
+        return tdmf_foot_over_ground(&at->motion.mode.ground, at->motion.state).vx;
     case TDMF_GUARD_MID_STANCE:
-        return at->state[TDMF_LEG_ANGLE];
+        return at->motion.state[TDMF_LEG_ANGLE];
     case TDMF_GUARD_GREATEST_COMPRESSION:
-        return -at->state[TDMF_LEG_LENGTH_RATE];
+        return -at->motion.state[TDMF_LEG_LENGTH_RATE];
     case TDMF_GUARD_GRAZE_TO_FLIGHT:
-        return tdmf_sticking_force(&at->model, &at->inputs, &at->mode,
-                                   flight_law(at) + at->inputs.hip.external_torque, at->state)
+        return tdmf_sticking_force(SYSTEM_OF(at), &at->motion.mode,
+                                   flight_law(at) + at->inputs.hip.external_torque, at->motion.state)
             .normal;
     default:
         return force.normal; /* lift-off, and from graze to contact */
@@ -95,7 +96,7 @@ static runner random_runner(random_source *source, tdmf_guard guard) {
     runner runner = scene_random(source, watched_in(guard));
     tdmf_parameters p = tdmf_default_parameters();
     p.foot.mass = random_uniform(source, 0.1, 0.5);
-    p.leg.free_length = runner.state[TDMF_LEG_LENGTH] * random_uniform(source, 0.8, 1.2);
+    p.leg.free_length = runner.motion.state[TDMF_LEG_LENGTH] * random_uniform(source, 0.8, 1.2);
     p.leg.min_length = 0.3 * p.leg.free_length;
     p.gravity = random_uniform(source, 0.1, 1.0);
     p.hip.stance_torque = random_chance(source, 0.5) ? 0.0 : random_uniform(source, -0.5, 0.5);
@@ -107,10 +108,10 @@ static runner random_runner(random_source *source, tdmf_guard guard) {
     runner.inputs.ground.friction = random_uniform(source, 0.1, 1.0);
     runner.inputs.hip.external_torque = random_chance(source, 0.5) ? 0.0 : random_uniform(source, -0.3, 0.3);
     for (int i = TDMF_FOOT_VX; i < TDMF_MECHANICAL_COUNT; ++i) {
-        runner.state[i] = random_uniform(source, -1.0, 1.0);
+        runner.motion.state[i] = random_uniform(source, -1.0, 1.0);
     }
     if (guard == TDMF_GUARD_APEX || guard == TDMF_GUARD_CLAMP) {
-        runner.mode.phase = TDMF_PHASE_RETRACT;
+        runner.motion.mode.phase = TDMF_PHASE_RETRACT;
     }
     return runner;
 }
@@ -132,7 +133,7 @@ typedef struct {
 
 /* Has a foot that leaves the ground move into it as fast. */
 static void turn_into_ground(const runner *runner, double state[TDMF_STATE_COUNT]) {
-    const tdmf_ground_line *ground = &runner->mode.ground;
+    const tdmf_ground_line *ground = &runner->motion.mode.ground;
     const double rate = tdmf_foot_over_ground(ground, state).vy;
     if (rate > 0.0) {
         state[TDMF_FOOT_VX] += 2.0 * rate * ground->sine;
@@ -144,14 +145,14 @@ static event random_event(random_source *source, const runner *runner, tdmf_guar
                           tdmf_contact_mode after) {
     event event;
     memset(&event, 0, sizeof event);
-    memcpy(event.before.state, runner->state, sizeof event.before.state);
-    memcpy(event.after.state, runner->state, sizeof event.after.state);
-    event.before.mode = event.after.mode = runner->mode;
+    memcpy(event.before.state, runner->motion.state, sizeof event.before.state);
+    memcpy(event.after.state, runner->motion.state, sizeof event.after.state);
+    event.before.mode = event.after.mode = runner->motion.mode;
     event.after.mode.contact = after;
     if (guard == TDMF_GUARD_TOUCHDOWN) {
         turn_into_ground(runner, event.before.state);
         memcpy(event.after.state, event.before.state, sizeof event.after.state);
-        tdmf_impact(&runner->model, &runner->inputs, &runner->mode.ground, event.after.state);
+        tdmf_impact(SYSTEM_OF(runner), &runner->motion.mode.ground, event.after.state);
     }
     choose_direction(source, event.before.derivatives);
     event.before.derivatives[TDMF_HIP_WORK] = 1.0;
@@ -163,13 +164,13 @@ static event random_event(random_source *source, const runner *runner, tdmf_guar
 }
 
 static tdmf_variation taken(const runner *runner, tdmf_guard guard, const event *event) {
-    return tdmf_saltation(&runner->model, &runner->inputs, guard, &event->before, &event->after, &event->seed,
+    return tdmf_saltation(SYSTEM_OF(runner), guard, &event->before, &event->after, &event->seed,
                           &event->variation);
 }
 
 /* The law of retract has a kink, which a difference may not span. */
 static bool is_smooth_around(const runner *runner, tdmf_guard guard) {
-    return guard != TDMF_GUARD_GRAZE_TO_FLIGHT || runner->mode.phase == TDMF_PHASE_PLACE ||
+    return guard != TDMF_GUARD_GRAZE_TO_FLIGHT || runner->motion.mode.phase == TDMF_PHASE_PLACE ||
            fabs(scene_retract_law(runner)) > 0.1;
 }
 
@@ -264,7 +265,7 @@ static void a_foot_on_the_ground_stays_there(void **state) {
     (void)state;
     for (size_t i = 0; i < sizeof grounded / sizeof grounded[0]; ++i) {
         runner runner = random_runner(&source, TDMF_GUARD_SLIP_VELOCITY_ZERO);
-        runner.mode.ground = tdmf_ground_line_of(0.0, 0.0);
+        runner.motion.mode.ground = tdmf_ground_line_of(0.0, 0.0);
         event event = random_event(&source, &runner, TDMF_GUARD_SLIP_VELOCITY_ZERO, grounded[i]);
         event.seed.inputs.ground.height = event.seed.inputs.ground.slope = 0.0;
         choose_direction(&source, event.after.derivatives);
@@ -284,24 +285,24 @@ typedef struct {
 static long double after_impact(long double t, const void *context) {
     const impact_line *impact = context;
     runner moved = line_at(&impact->line, (double)t);
-    tdmf_impact(&moved.model, &moved.inputs, &moved.mode.ground, moved.state);
-    return moved.state[impact->coordinate];
+    tdmf_impact(SYSTEM_OF(&moved), &moved.motion.mode.ground, moved.motion.state);
+    return moved.motion.state[impact->coordinate];
 }
 
 static void assert_impact_is_differentiated(random_source *source, runner *runner) {
     event event = random_event(source, runner, TDMF_GUARD_TOUCHDOWN, TDMF_CONTACT_FLIGHT);
-    memcpy(runner->state, event.before.state, sizeof runner->state);
+    memcpy(runner->motion.state, event.before.state, sizeof runner->motion.state);
     /* Without a height to vary, the instant does not shift. */
-    const tdmf_ground_line *ground = &runner->mode.ground;
+    const tdmf_ground_line *ground = &runner->motion.mode.ground;
     const tdmf_seed *seed = &event.seed;
-    const double along = tdmf_foot_over_ground(ground, runner->state).x;
-    runner->state[TDMF_FOOT_X] = along * ground->cosine;
-    runner->state[TDMF_FOOT_Y] = ground->height + along * ground->sine;
+    const double along = tdmf_foot_over_ground(ground, runner->motion.state).x;
+    runner->motion.state[TDMF_FOOT_X] = along * ground->cosine;
+    runner->motion.state[TDMF_FOOT_Y] = ground->height + along * ground->sine;
     event.variation.state[TDMF_FOOT_Y] =
         seed->inputs.ground.height +
         (ground->sine * event.variation.state[TDMF_FOOT_X] + along * seed->inputs.ground.slope) /
             ground->cosine;
-    memcpy(event.before.state, runner->state, sizeof runner->state);
+    memcpy(event.before.state, runner->motion.state, sizeof runner->motion.state);
     impact_line impact = {{runner, event.seed, event.variation}, 0};
     const tdmf_variation after = taken(runner, TDMF_GUARD_TOUCHDOWN, &event);
     for (impact.coordinate = 0; impact.coordinate < VARIED; ++impact.coordinate) {
@@ -316,7 +317,7 @@ static void the_impact_map_is_differentiated(void **state) {
     (void)state;
     for (int i = 0; i < 4 * DRAWS; ++i) {
         runner runner = random_runner(&source, TDMF_GUARD_TOUCHDOWN);
-        const tdmf_point foot = tdmf_foot_over_ground(&runner.mode.ground, runner.state);
+        const tdmf_point foot = tdmf_foot_over_ground(&runner.motion.mode.ground, runner.motion.state);
         const double vx = fabs(foot.vx), vy = fabs(foot.vy);
         const double excess = vx - static_friction(&runner) * vy;
         if (fmin(fmin(vx, vy), fabs(excess)) < 0.05 * fmax(1.0, runner.model.scales.speed)) {
@@ -362,7 +363,7 @@ static void what_has_no_derivative_gets_no_number(void **state) {
     assert_no_number(&after);
 
     runner = random_runner(&source, TDMF_GUARD_GRAZE_TO_FLIGHT);
-    runner.mode.phase = TDMF_PHASE_RETRACT;
+    runner.motion.mode.phase = TDMF_PHASE_RETRACT;
     runner.model.parameters.hip.kp = runner.model.parameters.hip.kd = 0.0;
     event = random_event(&source, &runner, TDMF_GUARD_GRAZE_TO_FLIGHT, TDMF_CONTACT_FLIGHT);
     assert_true(isnan(taken(&runner, TDMF_GUARD_GRAZE_TO_FLIGHT, &event).state[TDMF_LEG_ANGLE]));

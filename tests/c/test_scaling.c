@@ -45,14 +45,14 @@ static runner scaled(const runner *original, const factors *by) {
     assert_null(tdmf_model_create(&runner.model, &parameters).variable);
     runner.inputs.hip.external_torque *= energy_factor(by);
     runner.inputs.ground.height *= by->length;
-    runner.mode.ground.height *= by->length;
+    runner.motion.mode.ground.height *= by->length;
     const double speed = by->length / time_factor(by);
     const double by_element[TDMF_MECHANICAL_COUNT] = {
         by->length, by->length, by->length, 1.0, speed, speed, speed, 1.0 / time_factor(by)};
     for (int i = 0; i < TDMF_MECHANICAL_COUNT; ++i) {
-        runner.state[i] *= by_element[i];
+        runner.motion.state[i] *= by_element[i];
     }
-    runner.state[TDMF_HIP_PLACE_TIME] *= time_factor(by);
+    runner.motion.state[TDMF_HIP_PLACE_TIME] *= time_factor(by);
     return runner;
 }
 
@@ -111,7 +111,7 @@ static void gait_is_the_same_in_scaled_units(void **unused) {
         runner_start(&copy);
         runner_stride(&unit, step);
         runner_stride(&copy, step * time_factor(&by));
-        assert_same_gait(&copy.record.stride, &unit.record.stride, &by);
+        assert_same_gait(&copy.motion.record.stride, &unit.motion.record.stride, &by);
     }
 }
 

@@ -7,28 +7,26 @@
 static const double start_time = 3.0;
 
 static void start(runner *runner) {
-    runner->time = start_time;
-    runner->record.event_count = 99; /* of an earlier run */
-    runner->record.stride.count = 99;
-    assert_null(
-        tdmf_start(&runner->model, &runner->inputs, start_time, runner->state, &runner->mode, &runner->record)
-            .variable);
-    assert_true(runner->mode.liftoff_angle == runner->state[TDMF_LEG_ANGLE]);
-    assert_int_equal(runner->record.stride.count, 0);
-    assert_string_equal(runner->record.stride.word, "");
-    assert_true(runner->record.last_event_time == start_time);
+    runner->motion.time = start_time;
+    runner->motion.record.event_count = 99; /* of an earlier run */
+    runner->motion.record.stride.count = 99;
+    assert_null(tdmf_start(SYSTEM_OF(runner), &runner->motion).variable);
+    assert_true(runner->motion.mode.liftoff_angle == runner->motion.state[TDMF_LEG_ANGLE]);
+    assert_int_equal(runner->motion.record.stride.count, 0);
+    assert_string_equal(runner->motion.record.stride.word, "");
+    assert_true(runner->motion.record.last_event_time == start_time);
 }
 
 static void assert_begins(const runner *runner, tdmf_contact_mode contact, tdmf_hip_phase phase, int events) {
     scene_assert_mode(runner, contact, phase);
-    assert_int_equal(runner->record.event_count, events);
+    assert_int_equal(runner->motion.record.event_count, events);
 }
 
 /* ---- on the ground ---------------------------------------------------------------------------------- */
 
 static runner at_ground(double angle, double force, double vy) {
     runner runner = scene_on_ground(TDMF_CONTACT_STICK, angle, force);
-    tdmf_set_foot_velocity(0.0, vy, runner.state);
+    tdmf_set_foot_velocity(0.0, vy, runner.motion.state);
     start(&runner);
     return runner;
 }
@@ -37,16 +35,16 @@ static void falling_foot_begins_with_an_impact(void **unused) {
     (void)unused;
     const runner runner = at_ground(0.3, 0.1, -0.5);
     assert_begins(&runner, TDMF_CONTACT_STICK, TDMF_PHASE_DRIVE, 1);
-    assert_int_equal(runner.record.open.touchdowns, 1);
-    assert_close(runner.record.impact_loss, 0.5 * 0.1 * 0.25, 1e-15);
+    assert_int_equal(runner.motion.record.open.touchdowns, 1);
+    assert_close(runner.motion.record.impact_loss, 0.5 * 0.1 * 0.25, 1e-15);
 }
 
 static void rising_foot_begins_in_flight(void **unused) {
     (void)unused;
     runner rising = scene_in_flight(TDMF_PHASE_PLACE, 0.2);
     runner falling = scene_in_flight(TDMF_PHASE_PLACE, 0.2);
-    rising.state[TDMF_FOOT_Y] = falling.state[TDMF_FOOT_Y] = 0.0;
-    falling.state[TDMF_LEG_LENGTH_RATE] = -1.0;
+    rising.motion.state[TDMF_FOOT_Y] = falling.motion.state[TDMF_FOOT_Y] = 0.0;
+    falling.motion.state[TDMF_LEG_LENGTH_RATE] = -1.0;
     start(&rising);
     start(&falling);
     assert_begins(&rising, TDMF_CONTACT_FLIGHT, TDMF_PHASE_RETRACT, 0);
@@ -59,7 +57,7 @@ static void loaded_foot_at_rest_begins_in_contact(void **unused) {
     const runner behind = at_ground(-0.3, 0.1, 0.0);
     assert_begins(&ahead, TDMF_CONTACT_STICK, TDMF_PHASE_DRIVE, 0);
     assert_begins(&behind, TDMF_CONTACT_STICK, TDMF_PHASE_COAST, 0);
-    assert_int_equal(ahead.record.open.touchdowns, 0);
+    assert_int_equal(ahead.motion.record.open.touchdowns, 0);
 }
 
 static void sliding_foot_begins_in_slip(void **unused) {
@@ -67,7 +65,7 @@ static void sliding_foot_begins_in_slip(void **unused) {
     static const double speeds[] = {1e-3, -1e-3};
     for (int i = 0; i < 2; ++i) {
         runner runner = scene_on_ground(TDMF_CONTACT_STICK, 0.3, 0.1);
-        runner.state[TDMF_FOOT_VX] = speeds[i];
+        runner.motion.state[TDMF_FOOT_VX] = speeds[i];
         start(&runner);
         assert_begins(&runner, i == 0 ? TDMF_CONTACT_SLIP_POSITIVE : TDMF_CONTACT_SLIP_NEGATIVE,
                       TDMF_PHASE_DRIVE, 0);
@@ -81,7 +79,7 @@ static void unloaded_foot_at_rest_flies_or_grazes(void **unused) {
     static const tdmf_contact_mode begun[] = {TDMF_CONTACT_FLIGHT, TDMF_CONTACT_GRAZE};
     for (int i = 0; i < 2; ++i) {
         runner runner = scene_on_ground(TDMF_CONTACT_STICK, -0.3, forces[i]);
-        runner.state[TDMF_LEG_LENGTH_RATE] = -0.01;
+        runner.motion.state[TDMF_LEG_LENGTH_RATE] = -0.01;
         scene_set_vertical_force(&runner, forces[i]);
         start(&runner);
         assert_begins(&runner, begun[i], TDMF_PHASE_PLACE, 0);
@@ -92,15 +90,16 @@ static void unloaded_foot_at_rest_flies_or_grazes(void **unused) {
 static void foot_between_both_laws_begins_in_contact(void **unused) {
     (void)unused;
     runner runner = scene_on_ground(TDMF_CONTACT_STICK, -0.3, 0.01);
-    runner.state[TDMF_LEG_ANGLE_RATE] = 3.0;
+    runner.motion.state[TDMF_LEG_ANGLE_RATE] = 3.0;
     scene_set_com_vy_by_leg(&runner, -0.2);
     scene_set_vertical_force(&runner, 0.01);
-    tdmf_mode placing = runner.mode;
+    tdmf_mode placing = runner.motion.mode;
     placing.phase = TDMF_PHASE_PLACE;
     placing.contact = TDMF_CONTACT_FLIGHT;
-    const double torque = tdmf_hip_torque(&runner.model, &runner.inputs, &placing, runner.state);
+    const double torque = tdmf_hip_torque(SYSTEM_OF(&runner), &placing, runner.motion.state);
     assert_true(
-        tdmf_sticking_force(&runner.model, &runner.inputs, &runner.mode, torque, runner.state).normal < 0.0);
+        tdmf_sticking_force(SYSTEM_OF(&runner), &runner.motion.mode, torque, runner.motion.state).normal <
+        0.0);
     start(&runner);
     assert_begins(&runner, TDMF_CONTACT_STICK, TDMF_PHASE_COAST, 0);
 }
@@ -111,22 +110,22 @@ static void phase_in_the_air_follows_the_center_of_mass(void **unused) {
     (void)unused;
     runner rising = scene_in_flight(TDMF_PHASE_PLACE, 0.1);
     runner falling = scene_in_flight(TDMF_PHASE_RETRACT, -0.1);
-    rising.state[TDMF_LEG_ANGLE_RATE] = 1.0; /* swings forward already: the clamp holds */
+    rising.motion.state[TDMF_LEG_ANGLE_RATE] = 1.0; /* swings forward already: the clamp holds */
     start(&rising);
     start(&falling);
     assert_begins(&rising, TDMF_CONTACT_FLIGHT, TDMF_PHASE_RETRACT, 0);
     assert_begins(&falling, TDMF_CONTACT_FLIGHT, TDMF_PHASE_PLACE, 0);
-    assert_true(rising.mode.clamp_closed);
-    assert_false(rising.record.open.began_at_apex || falling.record.open.began_at_apex);
+    assert_true(rising.motion.mode.clamp_closed);
+    assert_false(rising.motion.record.open.began_at_apex || falling.motion.record.open.began_at_apex);
 }
 
 static void assert_no_second_apex(runner *runner) {
     for (int i = 0; i < 1000; ++i) {
         assert_true(runner_advance(runner, 1e-3));
     }
-    assert_int_equal(runner->record.event_count, 0);
-    assert_int_equal(runner->record.stride.count, 0);
-    assert_true(runner->record.apex.time == start_time);
+    assert_int_equal(runner->motion.record.event_count, 0);
+    assert_int_equal(runner->motion.record.stride.count, 0);
+    assert_true(runner->motion.record.apex.time == start_time);
 }
 
 static void start_at_rest_height_is_an_apex(void **unused) {
@@ -136,9 +135,9 @@ static void start_at_rest_height_is_an_apex(void **unused) {
         runner runner = scene_in_flight(TDMF_PHASE_RETRACT, climbs[i]);
         start(&runner);
         assert_begins(&runner, TDMF_CONTACT_FLIGHT, TDMF_PHASE_PLACE, 0);
-        assert_true(runner.record.open.began_at_apex);
-        assert_true(runner.record.apex.time == start_time);
-        assert_close(runner.record.apex.com_height, 1.0 + 1.0 / 1.1, 1e-15);
+        assert_true(runner.motion.record.open.began_at_apex);
+        assert_true(runner.motion.record.apex.time == start_time);
+        assert_close(runner.motion.record.apex.com_height, 1.0 + 1.0 / 1.1, 1e-15);
         assert_no_second_apex(&runner);
     }
 }
@@ -151,7 +150,7 @@ static void start_beside_the_apex_is_none(void **unused) {
     start(&after);
     assert_begins(&before, TDMF_CONTACT_FLIGHT, TDMF_PHASE_RETRACT, 0);
     assert_begins(&after, TDMF_CONTACT_FLIGHT, TDMF_PHASE_PLACE, 0);
-    assert_false(before.record.open.began_at_apex || after.record.open.began_at_apex);
+    assert_false(before.motion.record.open.began_at_apex || after.motion.record.open.began_at_apex);
     runner_advance(&before, 1e-3);
     assert_begins(&before, TDMF_CONTACT_FLIGHT, TDMF_PHASE_PLACE, 1);
 }
@@ -166,7 +165,7 @@ static void nearness_to_the_apex_scales(void **unused) {
         parameters.leg.stiffness = 1e4;
         assert_null(tdmf_model_create(&runner.model, &parameters).variable);
         start(&runner);
-        assert_true(runner.record.open.began_at_apex == (i == 0));
+        assert_true(runner.motion.record.open.began_at_apex == (i == 0));
     }
 }
 
@@ -174,11 +173,11 @@ static void default_start_is_an_apex(void **unused) {
     (void)unused;
     runner runner = runner_default(0.6);
     for (int i = TDMF_MECHANICAL_COUNT; i < TDMF_STATE_COUNT; ++i) {
-        assert_true(runner.state[i] == 0.0);
+        assert_true(runner.motion.state[i] == 0.0);
     }
     start(&runner);
     assert_begins(&runner, TDMF_CONTACT_FLIGHT, TDMF_PHASE_PLACE, 0);
-    assert_true(runner.record.open.began_at_apex);
+    assert_true(runner.motion.record.open.began_at_apex);
 }
 
 /* y = vy = 0, the stretched leg lifts the foot, the centre of mass stands still. */
@@ -188,18 +187,18 @@ static void start_on_the_ground_that_leaves_at_once_may_be_an_apex(void **unused
     scene_set_com_vy_by_leg(&runner, 0.0);
     start(&runner);
     scene_assert_mode(&runner, TDMF_CONTACT_FLIGHT, TDMF_PHASE_PLACE);
-    assert_true(runner.record.open.began_at_apex);
-    assert_int_equal(runner.record.event_count, 0);
+    assert_true(runner.motion.record.open.began_at_apex);
+    assert_int_equal(runner.motion.record.event_count, 0);
 }
 
 static void start_clears_the_integrals(void **unused) {
     (void)unused;
     runner runner = scene_in_flight(TDMF_PHASE_RETRACT, 0.1);
-    runner.state[TDMF_HIP_WORK] = NAN;
-    runner.state[TDMF_ENERGY_DAMPER_LOSS] = 1.0;
+    runner.motion.state[TDMF_HIP_WORK] = NAN;
+    runner.motion.state[TDMF_ENERGY_DAMPER_LOSS] = 1.0;
     start(&runner);
     for (int i = TDMF_MECHANICAL_COUNT; i < TDMF_STATE_COUNT; ++i) {
-        assert_true(runner.state[i] == 0.0);
+        assert_true(runner.motion.state[i] == 0.0);
     }
 }
 

@@ -12,22 +12,20 @@
 static const double start_times[] = {-3.0, 1.7e9, -1e13, 1e15, 1e17};
 enum { START_TIMES = sizeof start_times / sizeof start_times[0] };
 
-typedef tdmf_outcome advance(tdmf_solver *, const tdmf_model *, const tdmf_inputs *, const tdmf_inputs *,
-                             double, tdmf_motion *);
+typedef tdmf_outcome advance(tdmf_solver *, tdmf_system, const tdmf_inputs *, double, tdmf_motion *);
 
 static tdmf_motion start_at(const runner *runner, double time) {
     tdmf_motion motion;
     memset(&motion, 0, sizeof motion);
     motion.time = time;
-    memcpy(motion.state, runner->state, sizeof motion.state);
-    assert_null(tdmf_start(&runner->model, &runner->inputs, time, motion.state, &motion.mode, &motion.record)
-                    .variable);
+    memcpy(motion.state, runner->motion.state, sizeof motion.state);
+    assert_null(tdmf_start(SYSTEM_OF(runner), &motion).variable);
     return motion;
 }
 
 static runner runner_at_gait(const reference_gait *gait) {
     runner runner = runner_at_reference_apex(gait);
-    runner.state[TDMF_LEG_ANGLE] += 0.01;
+    runner.motion.state[TDMF_LEG_ANGLE] += 0.01;
     return runner;
 }
 
@@ -57,7 +55,8 @@ static void run_on(advance *advance, const runner *runner, double tolerance, dou
         tdmf_solver solver = tdmf_solver_default();
         solver.relative_tolerance = tolerance;
         const double until = start + call * i;
-        assert_int_equal(advance(&solver, &runner->model, &inputs, &ramp, until, motion), TDMF_ARRIVED);
+        assert_int_equal(advance(&solver, (tdmf_system){&runner->model, &inputs}, &ramp, until, motion),
+                         TDMF_ARRIVED);
         assert_true(motion->time == until);
         inputs = tdmf_inputs_after(&inputs, &ramp, call);
     }
@@ -106,7 +105,7 @@ static void strides_one_by_one(void **state) {
         tdmf_motion motion = start_at(&runner, start_times[k]);
         tdmf_solver solver = tdmf_solver_default();
         for (int i = 0; i < 10; ++i) {
-            assert_true(tdmf_native_stride(&solver, &runner.model, &runner.inputs, INFINITY, &motion).closed);
+            assert_true(tdmf_native_stride(&solver, SYSTEM_OF(&runner), INFINITY, &motion).closed);
             assert_relatively_close(motion.record.stride.period, reference_gaits[2].period, 1e-9);
             assert_string_equal(motion.record.stride.word, reference_gaits[2].word);
         }
@@ -135,15 +134,14 @@ static void a_time_set_anew_is_taken_as_it_is(void **state) {
     const runner runner = runner_at_reference_apex(&reference_gaits[2]);
     tdmf_motion motion = start_at(&runner, 1.7e9);
     tdmf_solver solver = tdmf_solver_default();
-    assert_true(tdmf_native_stride(&solver, &runner.model, &runner.inputs, INFINITY, &motion).closed);
+    assert_true(tdmf_native_stride(&solver, SYSTEM_OF(&runner), INFINITY, &motion).closed);
     tdmf_motion moved = motion;
     moved.time = 8.0;
     static const tdmf_inputs held = {.ground = {.friction = 0.0}};
-    assert_int_equal(tdmf_native_advance(&solver, &runner.model, &runner.inputs, &held, 9.0, &moved),
-                     TDMF_ARRIVED);
+    assert_int_equal(tdmf_native_advance(&solver, SYSTEM_OF(&runner), &held, 9.0, &moved), TDMF_ARRIVED);
     assert_true(moved.time == 9.0 && moved.record.now.time == 9.0 && moved.record.now.rest == 0.0);
     const tdmf_instant end = tdmf_instant_after(motion.record.now, 1.0);
-    assert_int_equal(tdmf_native_advance(&solver, &runner.model, &runner.inputs, &held, end.time, &motion),
+    assert_int_equal(tdmf_native_advance(&solver, SYSTEM_OF(&runner), &held, end.time, &motion),
                      TDMF_ARRIVED);
     for (int s = 0; s < TDMF_STATE_COUNT; ++s) {
         assert_close(motion.state[s], moved.state[s], 1e-6);

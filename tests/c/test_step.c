@@ -19,7 +19,7 @@ static bool is_a_leg(const tdmf_mode_equations *equations) {
 
 static void expand(tdmf_step *step, const runner *runner, const tdmf_mode_equations *equations, int order,
                    double tolerance) {
-    tdmf_step_open(step, equations, &runner->mode, 1.0);
+    tdmf_step_open(step, equations, &runner->motion.mode, 1.0);
     tdmf_step_expand(step, order, tolerance);
     tdmf_step_shorten(step, INFINITY);
 }
@@ -63,8 +63,8 @@ static void assert_steps_are_exact(const runner *runner, double tolerance) {
     enum { STEPS = 100 };
     static const tdmf_inputs held = {.ground = {.friction = 0.0}};
     tdmf_mode_equations equations;
-    tdmf_open_mode(&equations, &runner->model, &runner->inputs, &held, &runner->mode, runner->state,
-                   tdmf_leg_direction_of(runner->state));
+    tdmf_open_mode(&equations, SYSTEM_OF(runner), &held, &runner->motion.mode, runner->motion.state,
+                   tdmf_leg_direction_of(runner->motion.state));
     for (int i = 0; i < STEPS; ++i) {
         tdmf_step step;
         tdmf_mode_equations exact = equations;
@@ -82,11 +82,11 @@ static void assert_steps_are_exact(const runner *runner, double tolerance) {
 static void set_upright(random_source *source, runner *runner) {
     const tdmf_parameters *p = &runner->model.parameters;
     const double sag = p->body.mass * p->gravity / p->leg.stiffness;
-    runner->state[TDMF_LEG_LENGTH] = p->leg.free_length - random_uniform(source, 0.5, 1.5) * sag;
-    runner->state[TDMF_LEG_ANGLE] = random_uniform(source, -1e-7, 1e-7);
-    runner->state[TDMF_LEG_ANGLE_RATE] = 0.0;
+    runner->motion.state[TDMF_LEG_LENGTH] = p->leg.free_length - random_uniform(source, 0.5, 1.5) * sag;
+    runner->motion.state[TDMF_LEG_ANGLE] = random_uniform(source, -1e-7, 1e-7);
+    runner->motion.state[TDMF_LEG_ANGLE_RATE] = 0.0;
     runner->inputs.hip.external_torque = 0.0;
-    runner->mode.phase = TDMF_PHASE_COAST;
+    runner->motion.mode.phase = TDMF_PHASE_COAST;
 }
 
 static void steps_leave_out_no_more_than_their_tolerance(void **state) {

@@ -20,17 +20,17 @@ static runner runner_of(const tdmf_parameters *parameters) {
 static tdmf_motion motion_of(const runner *runner) {
     tdmf_motion motion;
     memset(&motion, 0, sizeof motion);
-    motion.time = runner->time;
-    memcpy(motion.state, runner->state, sizeof motion.state);
-    motion.mode = runner->mode;
-    motion.record = runner->record;
+    motion.time = runner->motion.time;
+    memcpy(motion.state, runner->motion.state, sizeof motion.state);
+    motion.mode = runner->motion.mode;
+    motion.record = runner->motion.record;
     return motion;
 }
 
 static double energy_missing(const runner *runner, const tdmf_motion *motion) {
     const double change =
-        tdmf_mechanical_energy(&runner->model, &runner->inputs, &motion->mode, motion->state).total -
-        tdmf_mechanical_energy(&runner->model, &runner->inputs, &runner->mode, runner->state).total;
+        tdmf_mechanical_energy(SYSTEM_OF(runner), &motion->mode, motion->state).total -
+        tdmf_mechanical_energy(SYSTEM_OF(runner), &runner->motion.mode, runner->motion.state).total;
     return change - motion->state[TDMF_HIP_WORK] + motion->state[TDMF_ENERGY_DAMPER_LOSS] +
            motion->state[TDMF_ENERGY_FRICTION_LOSS] + motion->record.impact_loss;
 }
@@ -48,13 +48,12 @@ static tdmf_parameters stiff_parameters(int kind) {
 static void assert_given_up_at_once(const runner *runner) {
     tdmf_motion motion = motion_of(runner);
     tdmf_solver solver = tdmf_solver_default();
-    const tdmf_outcome outcome =
-        tdmf_native_advance(&solver, &runner->model, &runner->inputs, &held, 0.1, &motion);
+    const tdmf_outcome outcome = tdmf_native_advance(&solver, SYSTEM_OF(runner), &held, 0.1, &motion);
     assert_int_equal(outcome, TDMF_TOO_STIFF);
     assert_true(solver.steps <= 1);
     assert_non_null(strstr(tdmf_outcome_text(outcome), "CVODE"));
     assert_false(motion.mode.fallen);
-    assert_memory_equal(motion.state, runner->state, sizeof motion.state);
+    assert_memory_equal(motion.state, runner->motion.state, sizeof motion.state);
 }
 
 static void coefficients_tell_a_stiff_runner_at_once(void **state) {
@@ -68,9 +67,9 @@ static void coefficients_tell_a_stiff_runner_at_once(void **state) {
     tdmf_parameters parameters = tdmf_default_parameters();
     parameters.leg.damping = 1e9;
     runner standing = runner_of(&parameters);
-    memset(standing.state, 0, sizeof standing.state);
-    standing.state[TDMF_LEG_LENGTH] = 0.99;
-    standing.state[TDMF_LEG_ANGLE] = -0.1;
+    memset(standing.motion.state, 0, sizeof standing.motion.state);
+    standing.motion.state[TDMF_LEG_LENGTH] = 0.99;
+    standing.motion.state[TDMF_LEG_ANGLE] = -0.1;
     runner_start(&standing);
     scene_assert_mode(&standing, TDMF_CONTACT_STICK, TDMF_PHASE_COAST);
     assert_given_up_at_once(&standing);
@@ -87,12 +86,11 @@ static void no_call_makes_more_steps_than_the_limit(void **state) {
         parameters.hip.kd = random_magnitude(&source, 1.0, 1e6);
         parameters.foot.mass = random_magnitude(&source, 1e-7, 0.1);
         runner runner = runner_of(&parameters);
-        runner.state[TDMF_FOOT_Y] = random_uniform(&source, 0.9, 1.1);
+        runner.motion.state[TDMF_FOOT_Y] = random_uniform(&source, 0.9, 1.1);
         runner_start(&runner);
         tdmf_motion motion = motion_of(&runner);
         tdmf_solver solver = tdmf_solver_default();
-        const tdmf_outcome outcome =
-            tdmf_native_advance(&solver, &runner.model, &runner.inputs, &held, 1.0, &motion);
+        const tdmf_outcome outcome = tdmf_native_advance(&solver, SYSTEM_OF(&runner), &held, 1.0, &motion);
         assert_true(outcome == TDMF_ARRIVED || outcome == TDMF_TOO_STIFF);
         assert_true(solver.steps <= TDMF_STIFFNESS_LIMIT);
         assert_true(outcome == TDMF_ARRIVED || solver.steps <= 1 || solver.steps == TDMF_STIFFNESS_LIMIT);
@@ -112,16 +110,15 @@ static void in_slip_the_steps_are_counted(void **state) {
     parameters.foot.mass = 1e-9;
     runner runner = runner_of(&parameters);
     runner.inputs.ground.friction = 0.01;
-    memset(runner.state, 0, sizeof runner.state);
-    runner.state[TDMF_LEG_LENGTH] = 0.9;
-    runner.state[TDMF_LEG_ANGLE] = -0.5;
-    runner.state[TDMF_FOOT_VX] = -0.1;
+    memset(runner.motion.state, 0, sizeof runner.motion.state);
+    runner.motion.state[TDMF_LEG_LENGTH] = 0.9;
+    runner.motion.state[TDMF_LEG_ANGLE] = -0.5;
+    runner.motion.state[TDMF_FOOT_VX] = -0.1;
     runner_start(&runner);
     scene_assert_mode(&runner, TDMF_CONTACT_SLIP_NEGATIVE, TDMF_PHASE_COAST);
     tdmf_motion motion = motion_of(&runner);
     tdmf_solver solver = tdmf_solver_default();
-    assert_int_equal(tdmf_native_advance(&solver, &runner.model, &runner.inputs, &held, 100.0, &motion),
-                     TDMF_TOO_STIFF);
+    assert_int_equal(tdmf_native_advance(&solver, SYSTEM_OF(&runner), &held, 100.0, &motion), TDMF_TOO_STIFF);
     assert_int_equal(solver.steps, TDMF_STIFFNESS_LIMIT);
     assert_true(motion.time > 0.0 && motion.time < 1.0);
     assert_close(energy_missing(&runner, &motion), 0.0, 1e-9);
@@ -134,8 +131,7 @@ static void long_calls_may_make_more_steps(void **state) {
     tdmf_motion motion = motion_of(&runner);
     tdmf_solver solver = tdmf_solver_default();
     solver.relative_tolerance = 1e-14;
-    assert_int_equal(tdmf_native_advance(&solver, &runner.model, &runner.inputs, &held, 3e4, &motion),
-                     TDMF_ARRIVED);
+    assert_int_equal(tdmf_native_advance(&solver, SYSTEM_OF(&runner), &held, 3e4, &motion), TDMF_ARRIVED);
     assert_true(solver.steps > 2 * TDMF_STIFFNESS_LIMIT);
 }
 
@@ -149,8 +145,7 @@ static void cvode_takes_stiff_runners(void **state) {
     runner_start(&runner);
     tdmf_motion motion = motion_of(&runner);
     tdmf_solver solver = tdmf_solver_default();
-    assert_int_equal(tdmf_cvode_advance(&solver, &runner.model, &runner.inputs, &held, 100.0, &motion),
-                     TDMF_ARRIVED);
+    assert_int_equal(tdmf_cvode_advance(&solver, SYSTEM_OF(&runner), &held, 100.0, &motion), TDMF_ARRIVED);
     assert_close(energy_missing(&runner, &motion), 0.0, 1e-8);
 }
 
@@ -161,14 +156,13 @@ static void no_gait_is_said_not_to_be_found_for_a_fall(void **state) {
     tdmf_solver solver = tdmf_solver_default();
     double section[TDMF_SECTION_COUNT];
     memcpy(section, &reference_gaits[2].apex, sizeof section);
-    const tdmf_return stride =
-        tdmf_return_map(&solver, &runner.model, &runner.inputs, section, 1e3, true, NULL, 0);
+    const tdmf_return stride = tdmf_return_map(&solver, SYSTEM_OF(&runner), section, 1e3, true, NULL, 0);
     assert_true(stride.outcome == TDMF_RETURN_UNSOLVED);
     assert_int_equal(stride.solver, TDMF_TOO_STIFF);
-    const tdmf_orbit orbit = tdmf_find_orbit(&solver, &runner.model, &runner.inputs, section, NULL, 0);
+    const tdmf_orbit orbit = tdmf_find_orbit(&solver, SYSTEM_OF(&runner), section, NULL, 0);
     assert_int_equal(orbit.outcome, TDMF_ORBIT_UNSOLVED);
     assert_int_equal(orbit.stride.solver, TDMF_TOO_STIFF);
-    assert_int_equal(tdmf_settle(&solver, &runner.model, &runner.inputs, 5, section), 0);
+    assert_int_equal(tdmf_settle(&solver, SYSTEM_OF(&runner), 5, section), 0);
 }
 
 /* Stiff ones among others, of which some fall; in every kind of lane. */

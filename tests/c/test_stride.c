@@ -10,7 +10,7 @@
 /* ---- a runner moved by hand ------------------------------------------------------------------------- */
 
 static void at_time(runner *runner, double time) {
-    runner->time = time;
+    runner->motion.time = time;
     scene_resolve(runner);
 }
 
@@ -18,54 +18,54 @@ static void at_time(runner *runner, double time) {
 static runner begin_stride(void) {
     runner runner = scene_in_flight(TDMF_PHASE_PLACE, 0.0);
     runner_start(&runner);
-    assert_true(runner.record.open.began_at_apex);
+    assert_true(runner.motion.record.open.began_at_apex);
     return runner;
 }
 
 static void put_on_ground(runner *runner, double force) {
-    runner->state[TDMF_FOOT_Y] = 0.0;
-    tdmf_set_foot_velocity(0.0, 0.0, runner->state);
+    runner->motion.state[TDMF_FOOT_Y] = 0.0;
+    tdmf_set_foot_velocity(0.0, 0.0, runner->motion.state);
     scene_set_vertical_force(runner, force);
 }
 
 /* Lands on a leg behind the body, in coast, and sticks; the body rises, so that this is no apex. */
 static void land(runner *runner, double time) {
-    memset(&runner->state[TDMF_FOOT_VX], 0, 4 * sizeof *runner->state);
-    runner->state[TDMF_LEG_ANGLE] = -0.3;
-    runner->state[TDMF_LEG_LENGTH] = 0.9;
-    runner->state[TDMF_LEG_LENGTH_RATE] = 0.1;
-    runner->state[TDMF_FOOT_Y] = -1e-9;
+    memset(&runner->motion.state[TDMF_FOOT_VX], 0, 4 * sizeof *runner->motion.state);
+    runner->motion.state[TDMF_LEG_ANGLE] = -0.3;
+    runner->motion.state[TDMF_LEG_LENGTH] = 0.9;
+    runner->motion.state[TDMF_LEG_LENGTH_RATE] = 0.1;
+    runner->motion.state[TDMF_FOOT_Y] = -1e-9;
     runner->inputs.ground.friction = 1000.0;
-    tdmf_set_foot_velocity(0.0, -0.1, runner->state);
+    tdmf_set_foot_velocity(0.0, -0.1, runner->motion.state);
     at_time(runner, time);
-    assert_int_equal(runner->mode.contact, TDMF_CONTACT_STICK);
+    assert_int_equal(runner->motion.mode.contact, TDMF_CONTACT_STICK);
 }
 
 /* From stick, loses its grip; the leg ahead or behind decides which way. */
 static void slip(runner *runner, double time, double sign) {
-    runner->state[TDMF_LEG_ANGLE] = sign * 0.3;
+    runner->motion.state[TDMF_LEG_ANGLE] = sign * 0.3;
     put_on_ground(runner, 0.1);
     runner->inputs.ground.friction = 0.0;
     at_time(runner, time);
-    assert_true(tdmf_slip_sign(&runner->mode) == sign);
+    assert_true(tdmf_slip_sign(&runner->motion.mode) == sign);
 }
 
 /* From slip, finds its grip again. */
 static void stick(runner *runner, double time) {
-    runner->state[TDMF_FOOT_VX] = -1e-9 * tdmf_slip_sign(&runner->mode);
+    runner->motion.state[TDMF_FOOT_VX] = -1e-9 * tdmf_slip_sign(&runner->motion.mode);
     runner->inputs.ground.friction = 1000.0;
     at_time(runner, time);
-    assert_int_equal(runner->mode.contact, TDMF_CONTACT_STICK);
+    assert_int_equal(runner->motion.mode.contact, TDMF_CONTACT_STICK);
 }
 
 /* A climb by the turning leg: clamped if it swings forward, loading the foot if backward. */
 static void unload(runner *runner, double time, double angle_rate, tdmf_contact_mode entered) {
-    runner->state[TDMF_LEG_ANGLE] = -0.3;
-    runner->state[TDMF_LEG_ANGLE_RATE] = angle_rate;
+    runner->motion.state[TDMF_LEG_ANGLE] = -0.3;
+    runner->motion.state[TDMF_LEG_ANGLE_RATE] = angle_rate;
     scene_set_com_vy_by_leg(runner, 0.2);
     scene_set_vertical_force(runner, -1e-3);
     at_time(runner, time);
-    assert_int_equal(runner->mode.contact, entered);
+    assert_int_equal(runner->motion.mode.contact, entered);
 }
 
 static void lift_off(runner *runner, double time) {
@@ -79,22 +79,22 @@ static void graze(runner *runner, double time) {
 /* From graze, loaded while sliding or at rest. */
 static void reload(runner *runner, double time, double vx) {
     scene_set_vertical_force(runner, 0.1);
-    runner->state[TDMF_FOOT_VX] = vx;
+    runner->motion.state[TDMF_FOOT_VX] = vx;
     at_time(runner, time);
-    assert_true(tdmf_in_contact(&runner->mode));
+    assert_true(tdmf_in_contact(&runner->motion.mode));
 }
 
 static void reach_apex(runner *runner, double time) {
-    runner->state[TDMF_FOOT_Y] = 0.5;
+    runner->motion.state[TDMF_FOOT_Y] = 0.5;
     scene_set_com_vy(runner, -1e-12);
     at_time(runner, time);
-    assert_int_equal(runner->mode.phase, TDMF_PHASE_PLACE);
+    assert_int_equal(runner->motion.mode.phase, TDMF_PHASE_PLACE);
 }
 
 static void assert_closed(const runner *runner, const char *word, int code) {
-    assert_int_equal(runner->record.stride.count, 1);
-    assert_string_equal(runner->record.stride.word, word);
-    assert_int_equal(runner->record.stride.word_code, code);
+    assert_int_equal(runner->motion.record.stride.count, 1);
+    assert_string_equal(runner->motion.record.stride.word, word);
+    assert_int_equal(runner->motion.record.stride.word_code, code);
 }
 
 /* ---- words ------------------------------------------------------------------------------------------ */
@@ -111,10 +111,10 @@ static void word_has_a_letter_for_every_mode(void **unused) {
     lift_off(&runner, 7.0);
     reach_apex(&runner, 8.0);
     assert_closed(&runner, "0+0-0+", 2 * 1024 + 3 * 256 + 2 * 64 + 1 * 16 + 2 * 4 + 3);
-    assert_int_equal(runner.record.stride.touchdowns, 1);
-    assert_close(runner.record.stride.stance_time, 6.0, 1e-15);
-    assert_close(runner.record.stride.period, 8.0, 1e-15);
-    assert_close(runner.record.stride.duty_factor, 6.0 / 8.0, 1e-15);
+    assert_int_equal(runner.motion.record.stride.touchdowns, 1);
+    assert_close(runner.motion.record.stride.stance_time, 6.0, 1e-15);
+    assert_close(runner.motion.record.stride.period, 8.0, 1e-15);
+    assert_close(runner.motion.record.stride.duty_factor, 6.0 / 8.0, 1e-15);
 }
 
 static void mode_without_duration_has_no_letter(void **unused) {
@@ -127,7 +127,7 @@ static void mode_without_duration_has_no_letter(void **unused) {
     lift_off(&runner, 3.0);
     reach_apex(&runner, 4.0);
     assert_closed(&runner, "+-", 3 * 4 + 1);
-    assert_close(runner.record.stride.stance_time, 2.0, 1e-15);
+    assert_close(runner.motion.record.stride.stance_time, 2.0, 1e-15);
 }
 
 static void flight_separates_stances(void **unused) {
@@ -140,8 +140,8 @@ static void flight_separates_stances(void **unused) {
     lift_off(&runner, 5.0);
     reach_apex(&runner, 6.0);
     assert_closed(&runner, "0|0-", 2 * 64 + 0 * 16 + 2 * 4 + 1);
-    assert_int_equal(runner.record.stride.touchdowns, 2);
-    assert_close(runner.record.stride.stance_time, 3.0, 1e-15);
+    assert_int_equal(runner.motion.record.stride.touchdowns, 2);
+    assert_close(runner.motion.record.stride.stance_time, 3.0, 1e-15);
 }
 
 /* An impact that leaves at once is a touchdown without letters, and no stance to separate. */
@@ -156,7 +156,7 @@ static void stance_without_duration_leaves_no_trace_in_the_word(void **unused) {
     lift_off(&runner, 4.0);
     reach_apex(&runner, 5.0);
     assert_closed(&runner, "0", 2);
-    assert_int_equal(runner.record.stride.touchdowns, 3);
+    assert_int_equal(runner.motion.record.stride.touchdowns, 3);
 }
 
 static void graze_repeats_no_letter(void **unused) {
@@ -170,8 +170,8 @@ static void graze_repeats_no_letter(void **unused) {
     lift_off(&runner, 6.0);
     reach_apex(&runner, 7.0);
     assert_closed(&runner, "0+", 2 * 4 + 3);
-    assert_close(runner.record.stride.stance_time, 3.0, 1e-15);
-    assert_int_equal(runner.record.stride.touchdowns, 1);
+    assert_close(runner.motion.record.stride.stance_time, 3.0, 1e-15);
+    assert_int_equal(runner.motion.record.stride.touchdowns, 1);
 }
 
 static void graze_into_flight_separates_stances_too(void **unused) {
@@ -179,9 +179,9 @@ static void graze_into_flight_separates_stances_too(void **unused) {
     runner runner = begin_stride();
     land(&runner, 1.0);
     graze(&runner, 2.0);
-    runner.state[TDMF_LEG_ANGLE_RATE] = 0.5;
+    runner.motion.state[TDMF_LEG_ANGLE_RATE] = 0.5;
     at_time(&runner, 2.5);
-    assert_int_equal(runner.mode.contact, TDMF_CONTACT_FLIGHT);
+    assert_int_equal(runner.motion.mode.contact, TDMF_CONTACT_FLIGHT);
     land(&runner, 3.0);
     lift_off(&runner, 4.0);
     reach_apex(&runner, 5.0);
@@ -199,7 +199,7 @@ static void alternate(runner *runner, int letters) {
     }
     lift_off(runner, 1.0 + letters);
     reach_apex(runner, 2.0 + letters);
-    assert_close(runner->record.stride.stance_time, letters, 1e-12);
+    assert_close(runner->motion.record.stride.stance_time, letters, 1e-12);
 }
 
 static int code_of_alternation(int letters) {
@@ -223,13 +223,13 @@ static void code_holds_fifteen_letters(void **unused) {
 static void assert_long_word(int letters) {
     runner runner = begin_stride();
     alternate(&runner, letters);
-    const char *word = runner.record.stride.word;
+    const char *word = runner.motion.record.stride.word;
     const int kept = letters < TDMF_WORD_CAPACITY - 1 ? letters : TDMF_WORD_CAPACITY - 2;
     for (int i = 0; i < kept; ++i) {
         assert_int_equal(word[i], i % 2 == 0 ? '0' : '+');
     }
     assert_string_equal(&word[kept], letters > kept ? "~" : "");
-    assert_int_equal(runner.record.stride.word_code, -1);
+    assert_int_equal(runner.motion.record.stride.word_code, -1);
 }
 
 static void overlong_word_keeps_its_beginning(void **unused) {
@@ -247,14 +247,14 @@ static void slip_distance_adds_up_both_ways(void **unused) {
     runner runner = begin_stride();
     land(&runner, 1.0);
     slip(&runner, 2.0, 1.0);
-    runner.state[TDMF_FOOT_X] += 0.25;
+    runner.motion.state[TDMF_FOOT_X] += 0.25;
     stick(&runner, 3.0);
     slip(&runner, 4.0, -1.0);
-    runner.state[TDMF_FOOT_X] -= 0.125;
+    runner.motion.state[TDMF_FOOT_X] -= 0.125;
     lift_off(&runner, 5.0);
-    runner.state[TDMF_FOOT_X] += 0.5; /* in flight it doesn't count */
+    runner.motion.state[TDMF_FOOT_X] += 0.5; /* in flight it doesn't count */
     reach_apex(&runner, 6.0);
-    assert_close(runner.record.stride.slip_distance, 0.375, 1e-15);
+    assert_close(runner.motion.record.stride.slip_distance, 0.375, 1e-15);
 }
 
 static void stride_begun_elsewhere_is_not_counted(void **unused) {
@@ -265,25 +265,25 @@ static void stride_begun_elsewhere_is_not_counted(void **unused) {
     lift_off(&runner, 2.0);
     reach_apex(&runner, 3.0);
     static const tdmf_stride none;
-    assert_memory_equal(&runner.record.stride, &none, sizeof none);
-    assert_true(runner.record.apex.time == 3.0);
+    assert_memory_equal(&runner.motion.record.stride, &none, sizeof none);
+    assert_true(runner.motion.record.apex.time == 3.0);
     land(&runner, 4.0);
     slip(&runner, 5.0, 1.0);
     lift_off(&runner, 6.0);
     reach_apex(&runner, 7.0);
     assert_closed(&runner, "0+", 2 * 4 + 3);
-    assert_close(runner.record.stride.period, 4.0, 1e-15);
+    assert_close(runner.motion.record.stride.period, 4.0, 1e-15);
 }
 
 static void stride_that_covers_no_ground_has_no_cost(void **unused) {
     (void)unused;
     runner runner = begin_stride();
-    runner.mode.phase = TDMF_PHASE_RETRACT;
-    runner.mode.rises = true;
+    runner.motion.mode.phase = TDMF_PHASE_RETRACT;
+    runner.motion.mode.rises = true;
     reach_apex(&runner, 0.0);
     assert_closed(&runner, "", 0);
-    assert_true(runner.record.stride.speed == 0.0 && runner.record.stride.duty_factor == 0.0);
-    assert_true(runner.record.stride.cost_of_transport == 0.0);
+    assert_true(runner.motion.record.stride.speed == 0.0 && runner.motion.record.stride.duty_factor == 0.0);
+    assert_true(runner.motion.record.stride.cost_of_transport == 0.0);
 }
 
 /* What a dense sampling of one stride sees. */
@@ -293,34 +293,35 @@ typedef struct {
 } sampling;
 
 static void sample(sampling *seen, const runner *runner, int end) {
-    seen->com_x[end] = tdmf_center_of_mass(&runner->model, runner->state).x;
-    seen->work[end] = runner->state[TDMF_HIP_WORK];
-    seen->positive_work[end] = runner->state[TDMF_HIP_POSITIVE_WORK];
-    seen->time[end] = runner->time;
+    seen->com_x[end] = tdmf_center_of_mass(&runner->model, runner->motion.state).x;
+    seen->work[end] = runner->motion.state[TDMF_HIP_WORK];
+    seen->positive_work[end] = runner->motion.state[TDMF_HIP_POSITIVE_WORK];
+    seen->time[end] = runner->motion.time;
 }
 
 /* In the mode that ends, or in the one that goes on or begins. */
 static void sample_force(sampling *seen, const runner *runner, const tdmf_mode *mode) {
-    const tdmf_outputs outputs =
-        tdmf_outputs_of(&runner->model, &runner->inputs, mode, &runner->record, runner->state);
+    tdmf_motion motion = runner->motion;
+    motion.mode = *mode;
+    const tdmf_outputs outputs = tdmf_outputs_of(SYSTEM_OF(runner), &motion);
     seen->largest_force = fmax(seen->largest_force, outputs.contact.normal);
     seen->largest_vertical_force = fmax(seen->largest_vertical_force, outputs.contact.fy);
 }
 
 static sampling sample_stride(runner *runner, double step) {
     sampling seen = {0.0, 0.0, 0.0, 0.0, {0.0}, {0.0}, {0.0}, {0.0}};
-    const int count = runner->record.stride.count;
+    const int count = runner->motion.record.stride.count;
     sample(&seen, runner, 0);
-    while (runner->record.stride.count == count) {
-        const double time = runner->time;
-        const double x = runner->state[TDMF_FOOT_X];
-        const tdmf_mode mode = runner->mode;
+    while (runner->motion.record.stride.count == count) {
+        const double time = runner->motion.time;
+        const double x = runner->motion.state[TDMF_FOOT_X];
+        const tdmf_mode mode = runner->motion.mode;
         const bool contact = tdmf_in_contact(&mode);
         assert_true(runner_advance(runner, step));
-        seen.stance_time += contact ? runner->time - time : 0.0;
-        seen.slip_distance += contact ? fabs(runner->state[TDMF_FOOT_X] - x) : 0.0;
+        seen.stance_time += contact ? runner->motion.time - time : 0.0;
+        seen.slip_distance += contact ? fabs(runner->motion.state[TDMF_FOOT_X] - x) : 0.0;
         sample_force(&seen, runner, &mode);
-        sample_force(&seen, runner, &runner->mode);
+        sample_force(&seen, runner, &runner->motion.mode);
     }
     sample(&seen, runner, 1);
     return seen;
@@ -335,7 +336,7 @@ static void quantities_agree_with_a_dense_sampling(void **unused) {
         runner runner = runner_default(frictions[i]);
         runner_start(&runner);
         const sampling seen = sample_stride(&runner, step);
-        const tdmf_stride *stride = &runner.record.stride;
+        const tdmf_stride *stride = &runner.motion.record.stride;
         assert_close(stride->stance_time, seen.stance_time, 1e-11);
         assert_close(stride->slip_distance, seen.slip_distance, 1e-11);
         assert_true(stride->peak_force >= seen.largest_force);
@@ -355,9 +356,9 @@ static void quantities_agree_with_a_dense_sampling(void **unused) {
 static tdmf_motion motion_of(const runner *runner) {
     tdmf_motion motion;
     memset(&motion, 0, sizeof motion);
-    motion.mode = runner->mode;
-    motion.record = runner->record;
-    memcpy(motion.state, runner->state, sizeof motion.state);
+    motion.mode = runner->motion.mode;
+    motion.record = runner->motion.record;
+    memcpy(motion.state, runner->motion.state, sizeof motion.state);
     return motion;
 }
 
@@ -376,8 +377,8 @@ static void both_peaks_of_the_force_are_found_on_a_slope(void **unused) {
         tdmf_motion native = motion_of(&runner), cvode = native;
         tdmf_solver solver = tdmf_solver_default();
         const sampling seen = sample_stride(&runner, step);
-        const tdmf_stride *stride = &runner.record.stride;
-        assert_true(tdmf_native_stride(&solver, &runner.model, &runner.inputs, 1e3, &native).closed);
+        const tdmf_stride *stride = &runner.motion.record.stride;
+        assert_true(tdmf_native_stride(&solver, SYSTEM_OF(&runner), 1e3, &native).closed);
         assert_true(stride->peak_vertical_force >= seen.largest_vertical_force);
         assert_close(stride->peak_vertical_force, seen.largest_vertical_force, 10.0 * step * step);
         assert_close(native.record.stride.peak_vertical_force, stride->peak_vertical_force, 1e-9);
@@ -385,7 +386,7 @@ static void both_peaks_of_the_force_are_found_on_a_slope(void **unused) {
         apart += fabs(stride->peak_vertical_force - stride->peak_force) > 1e-4;
         if (tdmf_cvode_is_available()) {
             assert_int_equal(
-                tdmf_cvode_advance(&solver, &runner.model, &runner.inputs, NULL, runner.time + 1e-3, &cvode),
+                tdmf_cvode_advance(&solver, SYSTEM_OF(&runner), NULL, runner.motion.time + 1e-3, &cvode),
                 TDMF_ARRIVED);
             assert_close(cvode.record.stride.peak_vertical_force, stride->peak_vertical_force, 1e-8);
         }
@@ -394,7 +395,7 @@ static void both_peaks_of_the_force_are_found_on_a_slope(void **unused) {
 }
 
 static tdmf_outputs outputs_of(const runner *runner) {
-    return tdmf_outputs_of(&runner->model, &runner->inputs, &runner->mode, &runner->record, runner->state);
+    return tdmf_outputs_of(SYSTEM_OF(runner), &runner->motion);
 }
 
 static void outputs_repeat_the_record(void **unused) {
@@ -406,10 +407,10 @@ static void outputs_repeat_the_record(void **unused) {
     assert_string_equal(outputs.stride.word, "+0-0+");
     assert_int_equal(outputs.stride.count, 1);
     assert_true(outputs.apex.com_height == outputs.com.y && outputs.apex.com_speed == outputs.com.vx);
-    assert_true(outputs.apex.time == runner.time && outputs.event.last_time == runner.time);
-    assert_int_equal(outputs.event.count, runner.record.event_count);
-    assert_true(outputs.energy.impact_loss == runner.record.impact_loss);
-    assert_true(outputs.hip.liftoff_angle == runner.mode.liftoff_angle);
+    assert_true(outputs.apex.time == runner.motion.time && outputs.event.last_time == runner.motion.time);
+    assert_int_equal(outputs.event.count, runner.motion.record.event_count);
+    assert_true(outputs.energy.impact_loss == runner.motion.record.impact_loss);
+    assert_true(outputs.hip.liftoff_angle == runner.motion.mode.liftoff_angle);
     assert_int_equal(outputs.contact.mode, TDMF_CONTACT_FLIGHT);
     assert_int_equal(outputs.contact.mode_index, TDMF_CONTACT_FLIGHT);
     assert_int_equal(outputs.hip.phase, TDMF_PHASE_PLACE);
@@ -432,7 +433,7 @@ static void outputs_follow_the_motion(void **unused) {
     assert_close(outputs.energy.elastic, 0.5 * (0.1 / cos(0.3)) * (0.1 / cos(0.3)), 1e-15);
     assert_close(outputs.energy.potential, 0.01 * outputs.body.y, 1e-15);
     assert_close(outputs.energy.total, outputs.energy.potential + outputs.energy.elastic, 1e-15);
-    runner.mode.fallen = true;
+    runner.motion.mode.fallen = true;
     assert_int_equal(outputs.status.fallen, 0);
     assert_int_equal(outputs_of(&runner).status.fallen, 1);
 }
@@ -443,14 +444,15 @@ static void a_second_stride_counts_its_own_work_only(void **unused) {
     runner runner = runner_default(0.6);
     runner_start(&runner);
     runner_stride(&runner, 0.01);
-    const double work = runner.state[TDMF_HIP_WORK], positive = runner.state[TDMF_HIP_POSITIVE_WORK];
-    const double at = tdmf_center_of_mass(&runner.model, runner.state).x;
+    const double work = runner.motion.state[TDMF_HIP_WORK],
+                 positive = runner.motion.state[TDMF_HIP_POSITIVE_WORK];
+    const double at = tdmf_center_of_mass(&runner.model, runner.motion.state).x;
     runner_stride(&runner, 0.01);
-    const tdmf_stride *stride = &runner.record.stride;
+    const tdmf_stride *stride = &runner.motion.record.stride;
     assert_int_equal(stride->count, 2);
-    assert_close(stride->work, runner.state[TDMF_HIP_WORK] - work, 1e-15);
-    assert_close(stride->positive_work, runner.state[TDMF_HIP_POSITIVE_WORK] - positive, 1e-15);
-    assert_close(stride->length, tdmf_center_of_mass(&runner.model, runner.state).x - at, 1e-13);
+    assert_close(stride->work, runner.motion.state[TDMF_HIP_WORK] - work, 1e-15);
+    assert_close(stride->positive_work, runner.motion.state[TDMF_HIP_POSITIVE_WORK] - positive, 1e-15);
+    assert_close(stride->length, tdmf_center_of_mass(&runner.model, runner.motion.state).x - at, 1e-13);
     assert_true(positive > 0.0);
 }
 

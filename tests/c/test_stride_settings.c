@@ -183,14 +183,14 @@ static int stride_by_hand(const population *population, int number) {
         set_by_hand(population, &parameters, &inputs, values);
         assert_null(tdmf_model_create(&model, &parameters).variable);
         if (stride == 0) {
-            tdmf_section_state(&model, &inputs, apex, motion.state);
-            assert_null(
-                tdmf_start(&model, &inputs, 0.0, motion.state, &motion.mode, &motion.record).variable);
+            tdmf_section_state((tdmf_system){&model, &inputs}, apex, motion.state);
+            motion.time = 0.0;
+            assert_null(tdmf_start((tdmf_system){&model, &inputs}, &motion).variable);
         }
         inputs.ground.height += rules->roughness * tdmf_ground_step(seed, (uint64_t)number, (uint32_t)stride);
         assert_close(note->ground_height, inputs.ground.height, 1e-12);
-        tdmf_resolve(&model, &inputs, motion.time, motion.state, &motion.mode, &motion.record);
-        if (!tdmf_native_stride(&solver, &model, &inputs, motion.time + 1e4, &motion).closed) {
+        tdmf_resolve((tdmf_system){&model, &inputs}, &motion);
+        if (!tdmf_native_stride(&solver, (tdmf_system){&model, &inputs}, motion.time + 1e4, &motion).closed) {
             return stride;
         }
         assert_noted(note, &motion);
@@ -379,7 +379,8 @@ static int stride_by_reduced_map(const population *population, int number) {
         if (stride > 0) {
             apex[0] += ground_before - (inputs.ground.height + x * tan(inputs.ground.slope));
         }
-        const tdmf_return found = tdmf_reduced_map(&solver, &model, &inputs, apex, 1e4, false, NULL, 0);
+        const tdmf_return found =
+            tdmf_reduced_map(&solver, (tdmf_system){&model, &inputs}, apex, 1e4, false, NULL, 0);
         assert_int_equal(found.outcome, TDMF_RETURN_CLOSED);
         memcpy(apex, found.apex, sizeof apex);
         x += found.stride.length;

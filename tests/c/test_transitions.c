@@ -9,10 +9,10 @@ static const double beyond = SCENE_PAST_EVENT;
 
 /* Resolves at time 7 and asserts how many events that was. */
 static tdmf_resolution resolve(runner *runner, int events) {
-    runner->time = 7.0;
+    runner->motion.time = 7.0;
     const tdmf_resolution resolution = scene_resolve(runner);
-    assert_int_equal(runner->record.event_count, events);
-    assert_true(runner->record.last_event_time == (events > 0 ? 7.0 : 0.0));
+    assert_int_equal(runner->motion.record.event_count, events);
+    assert_true(runner->motion.record.last_event_time == (events > 0 ? 7.0 : 0.0));
     return resolution;
 }
 
@@ -21,9 +21,9 @@ static tdmf_resolution resolve(runner *runner, int events) {
 static void assert_touchdown(runner *runner) {
     const tdmf_resolution resolution = resolve(runner, 1);
     assert_true(resolution.state_changed && resolution.mode_changed);
-    assert_int_equal(runner->record.open.touchdowns, 1);
-    assert_true(runner->record.impact_loss > 0.0);
-    assert_true(runner->state[TDMF_FOOT_Y] == 0.0 && runner->state[TDMF_FOOT_VY] == 0.0);
+    assert_int_equal(runner->motion.record.open.touchdowns, 1);
+    assert_true(runner->motion.record.impact_loss > 0.0);
+    assert_true(runner->motion.state[TDMF_FOOT_Y] == 0.0 && runner->motion.state[TDMF_FOOT_VY] == 0.0);
 }
 
 static void touchdown_sticks_inside_the_cone(void **unused) {
@@ -31,7 +31,7 @@ static void touchdown_sticks_inside_the_cone(void **unused) {
     runner runner = scene_at_impact(TDMF_PHASE_PLACE, 0.4, 0.1);
     assert_touchdown(&runner);
     scene_assert_mode(&runner, TDMF_CONTACT_STICK, TDMF_PHASE_DRIVE);
-    assert_true(runner.state[TDMF_FOOT_VX] == 0.0);
+    assert_true(runner.motion.state[TDMF_FOOT_VX] == 0.0);
 }
 
 static void touchdown_slides_outside_the_cone(void **unused) {
@@ -39,13 +39,13 @@ static void touchdown_slides_outside_the_cone(void **unused) {
     runner forward = scene_at_impact(TDMF_PHASE_PLACE, 0.4, 0.1);
     runner backward = scene_at_impact(TDMF_PHASE_PLACE, 0.4, 0.1);
     forward.inputs.ground.friction = backward.inputs.ground.friction = 0.1;
-    tdmf_set_foot_velocity(-0.05, -0.1, backward.state);
+    tdmf_set_foot_velocity(-0.05, -0.1, backward.motion.state);
     assert_touchdown(&forward);
     assert_touchdown(&backward);
     scene_assert_mode(&forward, TDMF_CONTACT_SLIP_POSITIVE, TDMF_PHASE_DRIVE);
     scene_assert_mode(&backward, TDMF_CONTACT_SLIP_NEGATIVE, TDMF_PHASE_DRIVE);
-    assert_close(forward.state[TDMF_FOOT_VX], 0.04, 1e-16);
-    assert_close(backward.state[TDMF_FOOT_VX], -0.04, 1e-16);
+    assert_close(forward.motion.state[TDMF_FOOT_VX], 0.04, 1e-16);
+    assert_close(backward.motion.state[TDMF_FOOT_VX], -0.04, 1e-16);
 }
 
 /* A stance that begins upright or ahead drives; one that begins behind only coasts. */
@@ -73,9 +73,9 @@ static void touchdown_upright_is_driven_unless_the_leg_falls(void **unused) {
             runner runner = scene_on_ground(TDMF_CONTACT_STICK, 0.0, 0.1);
             runner.inputs.ground.friction = friction;
             runner.model.parameters.hip.stance_torque = cases[i].stance_torque;
-            runner.state[TDMF_LEG_ANGLE_RATE] = cases[i].rate;
+            runner.motion.state[TDMF_LEG_ANGLE_RATE] = cases[i].rate;
             runner_start(&runner);
-            assert_int_equal(runner.mode.phase, cases[i].phase);
+            assert_int_equal(runner.motion.mode.phase, cases[i].phase);
         }
     }
 }
@@ -84,10 +84,9 @@ static tdmf_motion run_from_start(runner *runner, double until, int64_t max_even
     static const tdmf_inputs held = {.ground = {.friction = 0.0}};
     tdmf_solver solver = tdmf_solver_default();
     runner_start(runner);
-    tdmf_motion motion = {.mode = runner->mode, .record = runner->record};
-    memcpy(motion.state, runner->state, sizeof motion.state);
-    assert_int_equal(tdmf_native_advance(&solver, &runner->model, &runner->inputs, &held, until, &motion),
-                     TDMF_ARRIVED);
+    tdmf_motion motion = {.mode = runner->motion.mode, .record = runner->motion.record};
+    memcpy(motion.state, runner->motion.state, sizeof motion.state);
+    assert_int_equal(tdmf_native_advance(&solver, SYSTEM_OF(runner), &held, until, &motion), TDMF_ARRIVED);
     assert_true(solver.events <= max_events);
     return motion;
 }
@@ -110,12 +109,12 @@ static void upright_foot_without_load_does_not_graze(void **unused) {
     for (int i = 0; i < 3; ++i) {
         for (double angle_rate = -0.1; angle_rate < 0.15; angle_rate += 0.1) {
             runner runner = scene_on_ground(TDMF_CONTACT_STICK, 0.0, 0.0);
-            runner.state[TDMF_LEG_LENGTH_RATE] = length_rates[i];
-            runner.state[TDMF_LEG_ANGLE_RATE] = angle_rate;
-            runner.state[TDMF_LEG_LENGTH] = 1.0 + foot_weight - damping * length_rates[i];
+            runner.motion.state[TDMF_LEG_LENGTH_RATE] = length_rates[i];
+            runner.motion.state[TDMF_LEG_ANGLE_RATE] = angle_rate;
+            runner.motion.state[TDMF_LEG_LENGTH] = 1.0 + foot_weight - damping * length_rates[i];
             run_from_start(&runner, 0.5, 5);
-            assert_true(length_rates[i] > 0.0 ? runner.mode.contact == TDMF_CONTACT_FLIGHT
-                                              : tdmf_in_contact(&runner.mode));
+            assert_true(length_rates[i] > 0.0 ? runner.motion.mode.contact == TDMF_CONTACT_FLIGHT
+                                              : tdmf_in_contact(&runner.motion.mode));
         }
     }
 }
@@ -124,11 +123,11 @@ static void upright_foot_without_load_does_not_graze(void **unused) {
 static void upright_foot_that_is_pulled_up_flies(void **unused) {
     (void)unused;
     runner runner = scene_on_ground(TDMF_CONTACT_STICK, 0.0, 0.0);
-    runner.state[TDMF_LEG_LENGTH_RATE] = -0.5;
+    runner.motion.state[TDMF_LEG_LENGTH_RATE] = -0.5;
     scene_set_vertical_force(&runner, -0.01);
     runner_start(&runner);
-    assert_int_equal(runner.mode.contact, TDMF_CONTACT_FLIGHT);
-    assert_int_equal(runner.record.event_count, 0); /* it was never loaded */
+    assert_int_equal(runner.motion.mode.contact, TDMF_CONTACT_FLIGHT);
+    assert_int_equal(runner.motion.record.event_count, 0); /* it was never loaded */
 }
 
 /* Without damper and at rest its load is zero and so is its rate: it is about to grow as the body falls. */
@@ -138,7 +137,7 @@ static void upright_foot_without_load_at_rest_stays(void **unused) {
     runner.model.parameters.leg.damping = 0.0;
     scene_set_vertical_force(&runner, 0.0);
     runner_start(&runner);
-    assert_true(tdmf_in_contact(&runner.mode));
+    assert_true(tdmf_in_contact(&runner.motion.mode));
 }
 
 /* In units of k l0, here 10^4, and of sqrt(m/k), here 0.01. */
@@ -149,11 +148,11 @@ static void what_counts_as_no_load_and_as_rest_scales(void **unused) {
     runner unloaded = scene_on_ground(TDMF_CONTACT_STICK, 0.0, 0.0), resting = unloaded;
     assert_null(tdmf_model_create(&unloaded.model, &parameters).variable);
     resting.model = unloaded.model;
-    unloaded.state[TDMF_LEG_LENGTH_RATE] = 0.1;
+    unloaded.motion.state[TDMF_LEG_LENGTH_RATE] = 0.1;
     scene_set_vertical_force(&unloaded, 5e-10);
     runner_start(&unloaded);
-    assert_int_equal(unloaded.mode.contact, TDMF_CONTACT_FLIGHT);
-    resting.state[TDMF_LEG_ANGLE_RATE] = 5e-12; /* the drive turns it back */
+    assert_int_equal(unloaded.motion.mode.contact, TDMF_CONTACT_FLIGHT);
+    resting.motion.state[TDMF_LEG_ANGLE_RATE] = 5e-12; /* the drive turns it back */
     scene_set_vertical_force(&resting, 0.1);
     runner_start(&resting);
     scene_assert_mode(&resting, TDMF_CONTACT_STICK, TDMF_PHASE_COAST);
@@ -164,24 +163,24 @@ static void what_counts_as_no_load_and_as_rest_scales(void **unused) {
 static void unloaded_foot_of_a_runner_at_rest_flies(void **unused) {
     (void)unused;
     runner runner = scene_on_ground(TDMF_CONTACT_STICK, -0.3, -0.02);
-    assert_true(tdmf_center_of_mass(&runner.model, runner.state).vy == 0.0);
+    assert_true(tdmf_center_of_mass(&runner.model, runner.motion.state).vy == 0.0);
     runner_start(&runner);
-    assert_int_equal(runner.mode.contact, TDMF_CONTACT_FLIGHT);
+    assert_int_equal(runner.motion.mode.contact, TDMF_CONTACT_FLIGHT);
 }
 
 /* Rounding or a coarse importer may leave a rising or resting foot below the ground: no impact. */
 static void sunken_foot_that_does_not_fall_is_lifted(void **unused) {
     (void)unused;
     runner rising = scene_at_impact(TDMF_PHASE_RETRACT, -0.4, 0.1);
-    rising.state[TDMF_FOOT_VY] = 0.1;
+    rising.motion.state[TDMF_FOOT_VY] = 0.1;
     runner resting = scene_at_impact(TDMF_PHASE_RETRACT, -0.4, 0.1);
-    tdmf_set_foot_velocity(0.0, 0.0, resting.state);
+    tdmf_set_foot_velocity(0.0, 0.0, resting.motion.state);
     resolve(&rising, 0);
     resolve(&resting, 1);
-    assert_int_equal(rising.mode.contact, TDMF_CONTACT_FLIGHT);
+    assert_int_equal(rising.motion.mode.contact, TDMF_CONTACT_FLIGHT);
     scene_assert_mode(&resting, TDMF_CONTACT_STICK, TDMF_PHASE_COAST);
-    assert_true(rising.state[TDMF_FOOT_Y] == 0.0 && resting.state[TDMF_FOOT_Y] == 0.0);
-    assert_int_equal(rising.record.open.touchdowns + resting.record.open.touchdowns, 0);
+    assert_true(rising.motion.state[TDMF_FOOT_Y] == 0.0 && resting.motion.state[TDMF_FOOT_Y] == 0.0);
+    assert_int_equal(rising.motion.record.open.touchdowns + resting.motion.record.open.touchdowns, 0);
 }
 
 /* ---- apex and clamp --------------------------------------------------------------------------------- */
@@ -189,30 +188,30 @@ static void sunken_foot_that_does_not_fall_is_lifted(void **unused) {
 static void apex_begins_place_and_latches_the_section(void **unused) {
     (void)unused;
     runner runner = scene_in_flight(TDMF_PHASE_RETRACT, 0.1);
-    runner.state[TDMF_LEG_ANGLE] = -0.6;
-    runner.state[TDMF_LEG_ANGLE_RATE] = 0.25;
-    runner.state[TDMF_LEG_LENGTH_RATE] = 0.125;
-    runner.state[TDMF_FOOT_VX] = 0.5;
-    runner.mode.clamp_closed = true; /* scene_resolve asserts that it opens */
+    runner.motion.state[TDMF_LEG_ANGLE] = -0.6;
+    runner.motion.state[TDMF_LEG_ANGLE_RATE] = 0.25;
+    runner.motion.state[TDMF_LEG_LENGTH_RATE] = 0.125;
+    runner.motion.state[TDMF_FOOT_VX] = 0.5;
+    runner.motion.mode.clamp_closed = true; /* scene_resolve asserts that it opens */
     scene_set_com_vy(&runner, beyond);
     const tdmf_resolution resolution = resolve(&runner, 1);
     assert_true(resolution.mode_changed);
     assert_false(resolution.state_changed);
     scene_assert_mode(&runner, TDMF_CONTACT_FLIGHT, TDMF_PHASE_PLACE);
 
-    const tdmf_apex *apex = &runner.record.apex;
+    const tdmf_apex *apex = &runner.motion.record.apex;
     assert_true(apex->time == 7.0);
     assert_close(apex->com_height, 1.0 + cos(0.6) / 1.1, 1e-15);
     assert_close(apex->com_speed, 0.5 + (0.125 * sin(0.6) - 0.25 * cos(0.6)) / 1.1, 1e-15);
     assert_true(apex->leg_length == 1.0 && apex->leg_angle == -0.6);
     assert_true(apex->leg_length_rate == 0.125 && apex->leg_angle_rate == 0.25);
-    assert_int_equal(runner.record.stride.count, 0);
+    assert_int_equal(runner.motion.record.stride.count, 0);
 }
 
 static runner with_retract_argument(bool closed, double argument) {
     runner runner = scene_in_flight(TDMF_PHASE_RETRACT, 0.1);
-    runner.mode.clamp_closed = closed;
-    runner.state[TDMF_LEG_ANGLE_RATE] = -argument / 0.1;
+    runner.motion.mode.clamp_closed = closed;
+    runner.motion.state[TDMF_LEG_ANGLE_RATE] = -argument / 0.1;
     return runner;
 }
 
@@ -222,8 +221,8 @@ static void clamp_opens_and_closes_uncounted(void **unused) {
     runner closes = with_retract_argument(false, -2e-10);
     assert_true(resolve(&opens, 0).mode_changed);
     assert_true(resolve(&closes, 0).mode_changed);
-    assert_false(opens.mode.clamp_closed);
-    assert_true(closes.mode.clamp_closed);
+    assert_false(opens.motion.mode.clamp_closed);
+    assert_true(closes.motion.mode.clamp_closed);
 }
 
 /* Inside the dead band either position stands. */
@@ -239,8 +238,8 @@ static void clamp_may_settle_at_zero(void **unused) {
 
 static runner lifting_off(double angle, double angle_rate, double com_vy) {
     runner runner = scene_on_ground(TDMF_CONTACT_STICK, angle, 0.0);
-    runner.mode.liftoff_angle = 0.9; /* of an earlier stance */
-    runner.state[TDMF_LEG_ANGLE_RATE] = angle_rate;
+    runner.motion.mode.liftoff_angle = 0.9; /* of an earlier stance */
+    runner.motion.state[TDMF_LEG_ANGLE_RATE] = angle_rate;
     scene_set_com_vy_by_leg(&runner, com_vy);
     scene_set_vertical_force(&runner, beyond);
     return runner;
@@ -252,8 +251,8 @@ static void lift_off_into_flight(void **unused) {
     runner runner = lifting_off(-0.45, 0.5, 0.2);
     assert_true(resolve(&runner, 1).mode_changed);
     scene_assert_mode(&runner, TDMF_CONTACT_FLIGHT, TDMF_PHASE_RETRACT);
-    assert_true(runner.mode.clamp_closed);
-    assert_true(runner.mode.liftoff_angle == -0.45);
+    assert_true(runner.motion.mode.clamp_closed);
+    assert_true(runner.motion.mode.liftoff_angle == -0.45);
 }
 
 /* The leg swings backward and the retract law turns it round, which holds the foot down. */
@@ -262,8 +261,8 @@ static void lift_off_into_graze(void **unused) {
     runner runner = lifting_off(-0.45, -1.0, 0.2);
     assert_true(resolve(&runner, 1).mode_changed);
     scene_assert_mode(&runner, TDMF_CONTACT_GRAZE, TDMF_PHASE_RETRACT);
-    assert_false(runner.mode.clamp_closed);
-    assert_true(runner.mode.liftoff_angle == -0.45);
+    assert_false(runner.motion.mode.clamp_closed);
+    assert_true(runner.motion.mode.liftoff_angle == -0.45);
 }
 
 /* After the apex, place follows: at once to the touchdown angle ahead. */
@@ -275,7 +274,7 @@ static void lift_off_while_falling_goes_to_place(void **unused) {
     resolve(&lifts, 1);
     scene_assert_mode(&holds, TDMF_CONTACT_GRAZE, TDMF_PHASE_PLACE);
     scene_assert_mode(&lifts, TDMF_CONTACT_FLIGHT, TDMF_PHASE_PLACE);
-    assert_true(lifts.mode.liftoff_angle == -0.45);
+    assert_true(lifts.motion.mode.liftoff_angle == -0.45);
 }
 
 /* Where both laws agree up to rounding a graze would have no width; a gain of the hip sets how far they
@@ -291,7 +290,7 @@ static void lift_off_into_graze_needs_laws_that_differ(void **unused) {
         runner.model.parameters.hip.kd = gains[i];
         resolve(&runner, 1);
         scene_assert_mode(&runner, entered[i], TDMF_PHASE_RETRACT);
-        while (runner.time < 7.1) {
+        while (runner.motion.time < 7.1) {
             assert_true(runner_advance(&runner, 1e-3));
         }
         assert_true(runner.resolutions < 5);
@@ -312,7 +311,7 @@ static void the_narrowest_graze_scales(void **unused) {
             parameters.leg.damping = parameters.hip.kp = 0.0;
             assert_null(tdmf_model_create(&runner.model, &parameters).variable);
             scene_set_vertical_force(&runner, beyond * stiffness);
-            const double lever = sin(0.45) / runner.state[TDMF_LEG_LENGTH];
+            const double lever = sin(0.45) / runner.motion.state[TDMF_LEG_LENGTH];
             runner.model.parameters.hip.kd = holds[i] * stiffness / lever;
             resolve(&runner, 1);
             scene_assert_mode(&runner, entered[i], TDMF_PHASE_RETRACT);
@@ -348,21 +347,21 @@ static void slip_that_stops_inside_the_cone_sticks(void **unused) {
     (void)unused;
     runner forward = loaded_foot(TDMF_CONTACT_SLIP_POSITIVE, 0.3, 0.6);
     runner backward = loaded_foot(TDMF_CONTACT_SLIP_NEGATIVE, 0.3, 0.6);
-    forward.state[TDMF_FOOT_VX] = beyond;
-    backward.state[TDMF_FOOT_VX] = -beyond;
+    forward.motion.state[TDMF_FOOT_VX] = beyond;
+    backward.motion.state[TDMF_FOOT_VX] = -beyond;
     assert_true(resolve(&forward, 1).state_changed);
     assert_true(resolve(&backward, 1).state_changed);
     scene_assert_mode(&forward, TDMF_CONTACT_STICK, TDMF_PHASE_COAST);
     scene_assert_mode(&backward, TDMF_CONTACT_STICK, TDMF_PHASE_COAST);
-    assert_true(forward.state[TDMF_FOOT_VX] == 0.0 && backward.state[TDMF_FOOT_VX] == 0.0);
+    assert_true(forward.motion.state[TDMF_FOOT_VX] == 0.0 && backward.motion.state[TDMF_FOOT_VX] == 0.0);
 }
 
 static void slip_that_stops_outside_the_cone_reverses(void **unused) {
     (void)unused;
     runner forward = loaded_foot(TDMF_CONTACT_SLIP_POSITIVE, -0.5, 0.1);
     runner backward = loaded_foot(TDMF_CONTACT_SLIP_NEGATIVE, 0.5, 0.1);
-    forward.state[TDMF_FOOT_VX] = beyond;
-    backward.state[TDMF_FOOT_VX] = -beyond;
+    forward.motion.state[TDMF_FOOT_VX] = beyond;
+    backward.motion.state[TDMF_FOOT_VX] = -beyond;
     resolve(&forward, 1);
     resolve(&backward, 1);
     scene_assert_mode(&forward, TDMF_CONTACT_SLIP_NEGATIVE, TDMF_PHASE_COAST);
@@ -381,7 +380,7 @@ static void static_friction_decides_whether_a_foot_rests(void **unused) {
     runner *const runners[] = {&holds, &gives, &sticks, &goes_on};
     for (int i = 0; i < 4; ++i) {
         runners[i]->model.parameters.ground.static_friction_ratio = 1.25;
-        runners[i]->state[TDMF_FOOT_VX] = i < 2 ? 0.0 : beyond;
+        runners[i]->motion.state[TDMF_FOOT_VX] = i < 2 ? 0.0 : beyond;
         resolve(runners[i], i == 0 ? 0 : 1);
     }
     scene_assert_mode(&holds, TDMF_CONTACT_STICK, TDMF_PHASE_COAST);
@@ -389,7 +388,7 @@ static void static_friction_decides_whether_a_foot_rests(void **unused) {
     scene_assert_mode(&sticks, TDMF_CONTACT_STICK, TDMF_PHASE_COAST);
     scene_assert_mode(&goes_on, TDMF_CONTACT_SLIP_NEGATIVE, TDMF_PHASE_COAST);
     const tdmf_ground_force force =
-        tdmf_contact_force(&goes_on.model, &goes_on.inputs, &goes_on.mode, goes_on.state);
+        tdmf_contact_force(SYSTEM_OF(&goes_on), &goes_on.motion.mode, goes_on.motion.state);
     assert_close(force.tangential, goes_on.inputs.ground.friction * force.normal, 1e-15);
 }
 
@@ -398,7 +397,7 @@ static void slip_that_stops_under_external_torque_reverses(void **unused) {
     (void)unused;
     runner runner = loaded_foot(TDMF_CONTACT_SLIP_POSITIVE, 0.0, 0.6);
     runner.inputs.hip.external_torque = -0.2;
-    runner.state[TDMF_FOOT_VX] = beyond;
+    runner.motion.state[TDMF_FOOT_VX] = beyond;
     resolve(&runner, 1);
     scene_assert_mode(&runner, TDMF_CONTACT_SLIP_NEGATIVE, TDMF_PHASE_COAST);
 }
@@ -407,23 +406,23 @@ static void slip_that_stops_under_external_torque_reverses(void **unused) {
 static void slip_that_touches_zero_goes_on_without_event(void **unused) {
     (void)unused;
     runner runner = loaded_foot(TDMF_CONTACT_SLIP_POSITIVE, 0.5, 0.1);
-    runner.record.open.contact_start.time = 1.0;
-    runner.state[TDMF_FOOT_VX] = beyond;
+    runner.motion.record.open.contact_start.time = 1.0;
+    runner.motion.state[TDMF_FOOT_VX] = beyond;
     assert_false(resolve(&runner, 0).mode_changed);
     scene_assert_mode(&runner, TDMF_CONTACT_SLIP_POSITIVE, TDMF_PHASE_COAST);
-    assert_true(runner.state[TDMF_FOOT_VX] == 0.0);
-    assert_string_equal(runner.record.open.word, "");
+    assert_true(runner.motion.state[TDMF_FOOT_VX] == 0.0);
+    assert_string_equal(runner.motion.record.open.word, "");
 }
 
 /* The body's velocity is none of the foot's business. */
 static void stopping_the_foot_leaves_the_body_alone(void **unused) {
     (void)unused;
     runner runner = loaded_foot(TDMF_CONTACT_SLIP_POSITIVE, 0.3, 0.6);
-    runner.state[TDMF_LEG_ANGLE_RATE] = -1.0;
-    runner.state[TDMF_FOOT_VX] = -0.01;
-    const tdmf_point before = tdmf_body(runner.state);
+    runner.motion.state[TDMF_LEG_ANGLE_RATE] = -1.0;
+    runner.motion.state[TDMF_FOOT_VX] = -0.01;
+    const tdmf_point before = tdmf_body(runner.motion.state);
     resolve(&runner, 1);
-    const tdmf_point after = tdmf_body(runner.state);
+    const tdmf_point after = tdmf_body(runner.motion.state);
     assert_close(after.vx, before.vx, 1e-16);
     assert_close(after.vy, before.vy, 1e-16);
 }
@@ -433,34 +432,34 @@ static void stopping_the_foot_leaves_the_body_alone(void **unused) {
 static void mid_stance_ends_the_drive_for_good(void **unused) {
     (void)unused;
     runner runner = scene_on_ground(TDMF_CONTACT_STICK, beyond, 0.3);
-    runner.mode.phase = TDMF_PHASE_DRIVE;
-    runner.mode.mid_stance_pending = true;
+    runner.motion.mode.phase = TDMF_PHASE_DRIVE;
+    runner.motion.mode.mid_stance_pending = true;
     assert_true(resolve(&runner, 1).mode_changed);
     scene_assert_mode(&runner, TDMF_CONTACT_STICK, TDMF_PHASE_COAST);
-    runner.state[TDMF_LEG_ANGLE] = 0.2;
+    runner.motion.state[TDMF_LEG_ANGLE] = 0.2;
     assert_false(scene_resolve(&runner).mode_changed);
-    runner.state[TDMF_LEG_ANGLE] = -0.2;
+    runner.motion.state[TDMF_LEG_ANGLE] = -0.2;
     assert_false(scene_resolve(&runner).mode_changed);
-    assert_int_equal(runner.record.event_count, 1);
-    assert_true(tdmf_hip_torque(&runner.model, &runner.inputs, &runner.mode, runner.state) == 0.0);
+    assert_int_equal(runner.motion.record.event_count, 1);
+    assert_true(tdmf_hip_torque(SYSTEM_OF(&runner), &runner.motion.mode, runner.motion.state) == 0.0);
 }
 
 static void force_peak_is_noted_uncounted(void **unused) {
     (void)unused;
     runner runner = scene_on_ground(TDMF_CONTACT_STICK, 0.0, 0.3);
-    runner.mode.ground_force_rising = true; /* while a still, compressed leg pushes off: f_y falls */
+    runner.motion.mode.ground_force_rising = true; /* while a still, compressed leg pushes off: f_y falls */
     const tdmf_resolution resolution = resolve(&runner, 0);
     assert_false(resolution.mode_changed || resolution.state_changed);
-    assert_false(runner.mode.ground_force_rising);
-    assert_close(runner.record.open.peak_force, 0.3, 1e-15);
+    assert_false(runner.motion.mode.ground_force_rising);
+    assert_close(runner.motion.record.open.peak_force, 0.3, 1e-15);
 }
 
 /* ---- graze ------------------------------------------------------------------------------------------ */
 
 static runner grazing(double force, double vx) {
     runner runner = scene_on_ground(TDMF_CONTACT_GRAZE, -0.45, force);
-    runner.state[TDMF_FOOT_VX] = vx;
-    runner.state[TDMF_LEG_ANGLE_RATE] = -1.0;
+    runner.motion.state[TDMF_FOOT_VX] = vx;
+    runner.motion.state[TDMF_LEG_ANGLE_RATE] = -1.0;
     scene_set_com_vy_by_leg(&runner, 0.2);
     scene_set_vertical_force(&runner, force);
     return runner;
@@ -481,7 +480,7 @@ static void graze_to_contact_slips_with_its_velocity(void **unused) {
         runner runner = grazing(-beyond, speeds[i]);
         resolve(&runner, 1);
         scene_assert_mode(&runner, entered[i], TDMF_PHASE_COAST);
-        assert_true(runner.mode.liftoff_angle == -0.45);
+        assert_true(runner.motion.mode.liftoff_angle == -0.45);
     }
 }
 
@@ -501,49 +500,49 @@ static void graze_to_contact_at_rest_asks_the_cone(void **unused) {
 static void graze_to_flight_keeps_the_angle_of_lift_off(void **unused) {
     (void)unused;
     runner runner = grazing(-1e-3, 0.1);
-    runner.mode.liftoff_angle = -0.4;
-    runner.state[TDMF_LEG_ANGLE_RATE] = 0.5;
+    runner.motion.mode.liftoff_angle = -0.4;
+    runner.motion.state[TDMF_LEG_ANGLE_RATE] = 0.5;
     resolve(&runner, 1);
     scene_assert_mode(&runner, TDMF_CONTACT_FLIGHT, TDMF_PHASE_RETRACT);
-    assert_true(runner.mode.liftoff_angle == -0.4);
-    assert_true(runner.mode.clamp_closed);
+    assert_true(runner.motion.mode.liftoff_angle == -0.4);
+    assert_true(runner.motion.mode.clamp_closed);
 }
 
 /* The phase follows the centre of mass, but a stride closes in flight only. */
 static void apex_in_graze_closes_no_stride(void **unused) {
     (void)unused;
     runner runner = grazing(-1e-3, 0.1);
-    runner.record.open.began_at_apex = true;
-    runner.mode.clamp_closed = true;
+    runner.motion.record.open.began_at_apex = true;
+    runner.motion.mode.clamp_closed = true;
     scene_set_com_vy_by_leg(&runner, beyond);
     scene_set_vertical_force(&runner, -1e-3);
     resolve(&runner, 1);
     scene_assert_mode(&runner, TDMF_CONTACT_GRAZE, TDMF_PHASE_PLACE);
-    assert_int_equal(runner.record.stride.count, 0);
-    assert_true(runner.record.apex.time == 0.0);
-    assert_true(runner.record.open.began_at_apex);
+    assert_int_equal(runner.motion.record.stride.count, 0);
+    assert_true(runner.motion.record.apex.time == 0.0);
+    assert_true(runner.motion.record.open.began_at_apex);
 }
 
 /* ---- fall ------------------------------------------------------------------------------------------- */
 
 static void assert_falls(runner runner) {
     double before[TDMF_STATE_COUNT];
-    memcpy(before, runner.state, sizeof before);
+    memcpy(before, runner.motion.state, sizeof before);
     const tdmf_resolution resolution = resolve(&runner, 0);
     assert_true(resolution.mode_changed);
     assert_false(resolution.state_changed);
-    assert_true(runner.mode.fallen);
-    assert_memory_equal(before, runner.state, sizeof before);
+    assert_true(runner.motion.mode.fallen);
+    assert_memory_equal(before, runner.motion.state, sizeof before);
     assert_false(scene_resolve(&runner).mode_changed);
 }
 
 static void body_at_the_ground_and_short_leg_are_falls(void **unused) {
     (void)unused;
     runner flat = scene_in_flight(TDMF_PHASE_PLACE, -0.1);
-    flat.state[TDMF_LEG_ANGLE] = 2.5;
-    flat.state[TDMF_FOOT_Y] = 0.5;
+    flat.motion.state[TDMF_LEG_ANGLE] = 2.5;
+    flat.motion.state[TDMF_FOOT_Y] = 0.5;
     runner crushed = scene_on_ground(TDMF_CONTACT_SLIP_NEGATIVE, 0.1, 0.1);
-    crushed.state[TDMF_LEG_LENGTH] = 0.05 + beyond;
+    crushed.motion.state[TDMF_LEG_LENGTH] = 0.05 + beyond;
     assert_falls(flat);
     assert_falls(crushed);
 }
@@ -554,14 +553,14 @@ static void body_at_the_ground_and_short_leg_are_falls(void **unused) {
 static void an_event_is_due_where_its_guard_is_zero(void **unused) {
     (void)unused;
     runner runner = scene_on_ground(TDMF_CONTACT_STICK, -TDMF_GUARD_MARGIN, 0.1);
-    runner.mode.phase = TDMF_PHASE_DRIVE;
-    runner.mode.mid_stance_pending = true;
+    runner.motion.mode.phase = TDMF_PHASE_DRIVE;
+    runner.motion.mode.mid_stance_pending = true;
     assert_true(scene_guard(&runner, TDMF_GUARD_MID_STANCE) == 0.0);
-    assert_int_equal(tdmf_first_due(&runner.model, &runner.inputs, &runner.mode, runner.state),
+    assert_int_equal(tdmf_first_due(SYSTEM_OF(&runner), &runner.motion.mode, runner.motion.state),
                      TDMF_GUARD_MID_STANCE);
     resolve(&runner, 1);
     scene_assert_mode(&runner, TDMF_CONTACT_STICK, TDMF_PHASE_COAST);
-    assert_int_equal(tdmf_first_due(&runner.model, &runner.inputs, &runner.mode, runner.state),
+    assert_int_equal(tdmf_first_due(SYSTEM_OF(&runner), &runner.motion.mode, runner.motion.state),
                      TDMF_GUARD_COUNT);
 }
 
@@ -569,7 +568,7 @@ static void assert_rests(runner runner) {
     resolve(&runner, 0); /* notes the ground force */
     scene_snapshot before;
     scene_take_snapshot(&runner, &before);
-    runner.time = 8.0;
+    runner.motion.time = 8.0;
     const tdmf_resolution resolution = scene_resolve(&runner);
     assert_false(resolution.state_changed || resolution.mode_changed);
     scene_assert_unchanged(&runner, &before);

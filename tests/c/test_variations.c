@@ -12,6 +12,7 @@
 #include "line.h"
 #include "margins.h"
 #include "seed.h"
+#include "system_of.h"
 
 #include <math.h>
 #include <string.h>
@@ -41,22 +42,22 @@ static runner random_runner(random_source *source, tdmf_contact_mode contact, en
     } else if (kind == WITHOUT_HIP_AND_DAMPER) {
         p.leg.damping = p.hip.stance_torque = p.hip.kp = p.hip.kd = 0.0;
         runner.inputs.hip.external_torque = 0.0;
-        runner.mode.clamp_closed = false;
+        runner.motion.mode.clamp_closed = false;
     } else if (kind == ON_GLUE) {
         runner.inputs.ground.friction = 1e6;
     } else if (kind == ON_ICE) {
         runner.inputs.ground.friction = 0.0;
     } else if (kind == UPRIGHT) {
-        runner.state[TDMF_LEG_ANGLE] = 0.0;
+        runner.motion.state[TDMF_LEG_ANGLE] = 0.0;
     } else if (kind == SHORTER_THAN_ITS_MINIMUM) {
-        runner.state[TDMF_LEG_LENGTH] = (random_chance(source, 0.5) ? 0.3 : 0.7) * p.leg.min_length;
+        runner.motion.state[TDMF_LEG_LENGTH] = (random_chance(source, 0.5) ? 0.3 : 0.7) * p.leg.min_length;
     }
     assert_null(tdmf_model_create(&runner.model, &p).variable);
     return runner;
 }
 
 static tdmf_evaluation evaluated(const runner *runner) {
-    return tdmf_evaluate(&runner->model, &runner->inputs, &runner->mode, runner->state);
+    return tdmf_evaluate(SYSTEM_OF(runner), &runner->motion.mode, runner->motion.state);
 }
 
 /* ---- guards -------------------------------------------------------------------------------------------- */
@@ -113,7 +114,7 @@ static bool is_smooth(const guard_line *on, double step) {
         const runner moved = line_at(&on->line, i * step);
         smooth = smooth && scene_retract_law(at) * scene_retract_law(&moved) > 0.0;
     }
-    return smooth || on->guard != TDMF_GUARD_GRAZE_TO_FLIGHT || at->mode.phase == TDMF_PHASE_PLACE;
+    return smooth || on->guard != TDMF_GUARD_GRAZE_TO_FLIGHT || at->motion.mode.phase == TDMF_PHASE_PLACE;
 }
 
 /* The largest of what a guard is made of, by its scale: a force, the foot's weight, a torque by a short
@@ -122,7 +123,7 @@ static bool is_smooth(const guard_line *on, double step) {
 static double terms_of(const runner *at) {
     const tdmf_scales *scales = &at->model.scales;
     const double weight = at->model.parameters.foot.mass * at->model.parameters.gravity;
-    const double lever = fmin(scales->length, at->state[TDMF_LEG_LENGTH]);
+    const double lever = fmin(scales->length, at->motion.state[TDMF_LEG_LENGTH]);
     return 1.0 + weight / scales->force + scales->length / lever;
 }
 
@@ -135,7 +136,7 @@ static void assert_guard_varies(const guard_line *on, const tdmf_local_seed *d, 
     const double noise = 1e-13 * fabs(scale_of(at, on->guard)) * terms_of(at) / step;
     /* The accelerations of a light foot and of its leg cancel in that of the centre of mass. */
     const double cancelled = fabs(d->state[TDMF_FOOT_VY]) + fabs(d->state[TDMF_LEG_LENGTH_RATE]) +
-                             at->state[TDMF_LEG_LENGTH] * fabs(d->state[TDMF_LEG_ANGLE_RATE]);
+                             at->motion.state[TDMF_LEG_LENGTH] * fabs(d->state[TDMF_LEG_ANGLE_RATE]);
     const double rounding = on->guard == TDMF_GUARD_APEX ? 1e-14 * cancelled : 0.0;
     /* A guard is armed by a band of its scale, which is no part of the quantity. */
     const double band =
@@ -153,13 +154,14 @@ static bool compare_guard(guard_line on) {
     }
     assert_guard_varies(&on, &d, LINE_STEP);
     double derivatives[TDMF_STATE_COUNT];
-    tdmf_derivatives(&at->model, &at->inputs, &at->mode, at->state, derivatives);
+    tdmf_derivatives(SYSTEM_OF(at), &at->motion.mode, at->motion.state, derivatives);
     on.line.seed = held;
     on.line.variation.liftoff_angle = 0.0;
     memcpy(on.line.variation.state, derivatives, sizeof derivatives);
     const tdmf_local_seed along = tdmf_seed_of_motion(derivatives);
     /* No torque of a motion holds a foot under an upright leg in graze. */
-    const bool moves = at->mode.contact != TDMF_CONTACT_GRAZE || at->state[TDMF_LEG_ANGLE] != 0.0;
+    const bool moves =
+        at->motion.mode.contact != TDMF_CONTACT_GRAZE || at->motion.state[TDMF_LEG_ANGLE] != 0.0;
     if (moves && is_smooth(&on, scene_short_time(at))) {
         assert_guard_varies(&on, &along, scene_short_time(at));
     }
@@ -291,9 +293,10 @@ static row leg_and_points(const tdmf_leg *leg, tdmf_point from_foot, tdmf_point 
 }
 
 static row leg_and_points_of(const runner *at) {
-    const tdmf_leg leg = tdmf_leg_of(&at->model, &at->inputs, &at->mode, at->state);
-    return leg_and_points(&leg, tdmf_body_from_foot(at->state, tdmf_leg_direction_of(at->state)),
-                          tdmf_body(at->state), tdmf_center_of_mass(&at->model, at->state));
+    const tdmf_leg leg = tdmf_leg_of(SYSTEM_OF(at), &at->motion.mode, at->motion.state);
+    return leg_and_points(&leg,
+                          tdmf_body_from_foot(at->motion.state, tdmf_leg_direction_of(at->motion.state)),
+                          tdmf_body(at->motion.state), tdmf_center_of_mass(&at->model, at->motion.state));
 }
 
 static void leg_and_points_vary_as_they_change(void **state) {
@@ -304,17 +307,18 @@ static void leg_and_points_vary_as_they_change(void **state) {
             const runner at = random_runner(&source, TDMF_CONTACT_FLIGHT, (enum kind)kind);
             const line line = line_random(&source, &at);
             const tdmf_local_seed d = tdmf_local_seed_of(&at.model, &line.seed, &line.variation);
-            const tdmf_leg leg = tdmf_leg_of(&at.model, &at.inputs, &at.mode, at.state);
-            const tdmf_leg_direction direction = tdmf_leg_direction_of(at.state);
+            const tdmf_leg leg = tdmf_leg_of(SYSTEM_OF(&at), &at.motion.mode, at.motion.state);
+            const tdmf_leg_direction direction = tdmf_leg_direction_of(at.motion.state);
             const tdmf_leg d_leg = tdmf_vary_leg_with(
-                &at.model, &at.mode.ground, at.state, direction, leg.rest_length, &leg, &d.model,
-                &d.mode.ground, d.state,
-                tdmf_vary_rest_length(&at.model, &at.inputs, &at.mode, &d.model, &d.inputs, &d.mode));
+                &at.model, &at.motion.mode.ground, at.motion.state, direction, leg.rest_length, &leg,
+                &d.model, &d.mode.ground, d.state,
+                tdmf_vary_rest_length(&at.model, &at.inputs, &at.motion.mode, &d.model, &d.inputs, &d.mode));
             const row exact = leg_and_points(
-                &d_leg, tdmf_vary_body_from_foot(at.state, tdmf_leg_direction_of(at.state), d.state),
-                tdmf_vary_body_along(at.state, tdmf_leg_direction_of(at.state), d.state),
-                tdmf_vary_center_of_mass_along(&at.model, at.state, tdmf_leg_direction_of(at.state), &d.model,
-                                               d.state));
+                &d_leg,
+                tdmf_vary_body_from_foot(at.motion.state, tdmf_leg_direction_of(at.motion.state), d.state),
+                tdmf_vary_body_along(at.motion.state, tdmf_leg_direction_of(at.motion.state), d.state),
+                tdmf_vary_center_of_mass_along(&at.model, at.motion.state,
+                                               tdmf_leg_direction_of(at.motion.state), &d.model, d.state));
             assert_row_varies(&line, leg_and_points_of, &exact);
         }
     }
@@ -327,19 +331,20 @@ static void a_leg_is_found_from_the_change_of_the_body(void **state) {
         const runner at = random_runner(&source, TDMF_CONTACT_STICK, i % 2 ? ORDINARY : UPRIGHT);
         const line line = line_random(&source, &at);
         const tdmf_local_seed d = tdmf_local_seed_of(&at.model, &line.seed, &line.variation);
-        const tdmf_ground_line *ground = &at.mode.ground;
-        const tdmf_leg_direction direction = tdmf_leg_direction_of(at.state);
-        const tdmf_standing standing = tdmf_standing_of(ground, at.state, direction);
+        const tdmf_ground_line *ground = &at.motion.mode.ground;
+        const tdmf_leg_direction direction = tdmf_leg_direction_of(at.motion.state);
+        const tdmf_standing standing = tdmf_standing_of(ground, at.motion.state, direction);
         const tdmf_standing d_standing =
-            tdmf_vary_standing_of(ground, at.state, direction, &d.mode.ground, d.state);
+            tdmf_vary_standing_of(ground, at.motion.state, direction, &d.mode.ground, d.state);
         double found[TDMF_STATE_COUNT] = {0.0};
-        tdmf_vary_state_of_standing(ground, &standing, 0.0, at.state, &d.mode.ground, &d_standing, found);
+        tdmf_vary_state_of_standing(ground, &standing, 0.0, at.motion.state, &d.mode.ground, &d_standing,
+                                    found);
         for (int k = TDMF_LEG_LENGTH; k < TDMF_MECHANICAL_COUNT; ++k) {
             if (k == TDMF_FOOT_VX || k == TDMF_FOOT_VY) {
                 continue; /* what is off the line is not kept */
             }
             const double expected = line.variation.state[k];
-            assert_close(found[k], expected, 1e-12 * (fabs(expected) + fabs(at.state[k])));
+            assert_close(found[k], expected, 1e-12 * (fabs(expected) + fabs(at.motion.state[k])));
         }
     }
 }
@@ -357,13 +362,13 @@ static row after_impact(const double *state, double loss) {
 
 static row impact_of(const runner *at) {
     runner landed = *at;
-    const double loss = tdmf_impact(&landed.model, &landed.inputs, &landed.mode.ground, landed.state);
-    return after_impact(landed.state, loss);
+    const double loss = tdmf_impact(SYSTEM_OF(&landed), &landed.motion.mode.ground, landed.motion.state);
+    return after_impact(landed.motion.state, loss);
 }
 
 /* Far enough from the edge of the cone and from feet that do not move. */
 static bool is_smooth_impact(const runner *at) {
-    const double vx = fabs(at->state[TDMF_FOOT_VX]), vy = fabs(at->state[TDMF_FOOT_VY]);
+    const double vx = fabs(at->motion.state[TDMF_FOOT_VX]), vy = fabs(at->motion.state[TDMF_FOOT_VY]);
     const double speed = at->model.scales.speed, friction = static_friction(at);
     return vx > 0.05 * speed && vy > 0.05 * speed &&
            fabs(vx - friction * vy) > 0.05 * (1.0 + friction) * speed;
@@ -376,7 +381,7 @@ static void an_impact_varies_as_it_changes(void **state) {
         random_source source = {(uint64_t)(7000 + kind)};
         for (int i = 0; i < 40; ++i) {
             runner at = random_runner(&source, TDMF_CONTACT_FLIGHT, (enum kind)kind);
-            at.state[TDMF_FOOT_VY] = -fabs(at.state[TDMF_FOOT_VY]);
+            at.motion.state[TDMF_FOOT_VY] = -fabs(at.motion.state[TDMF_FOOT_VY]);
             if (!is_smooth_impact(&at)) {
                 continue;
             }
@@ -386,15 +391,15 @@ static void an_impact_varies_as_it_changes(void **state) {
             }
             const tdmf_local_seed d = tdmf_local_seed_of(&at.model, &line.seed, &line.variation);
             runner after = at;
-            tdmf_impact(&after.model, &after.inputs, &after.mode.ground, after.state);
+            tdmf_impact(SYSTEM_OF(&after), &after.motion.mode.ground, after.motion.state);
             double d_state[TDMF_STATE_COUNT];
             memcpy(d_state, line.variation.state, sizeof d_state);
             const double d_loss =
-                tdmf_vary_impact(&at.model, &at.inputs, &at.mode.ground, at.state, &d, d_state);
+                tdmf_vary_impact(SYSTEM_OF(&at), &at.motion.mode.ground, at.motion.state, &d, d_state);
             const row exact = after_impact(d_state, d_loss);
             assert_row_varies(&line, impact_of, &exact);
-            stuck += after.state[TDMF_FOOT_VX] == 0.0;
-            slid += after.state[TDMF_FOOT_VX] != 0.0;
+            stuck += after.motion.state[TDMF_FOOT_VX] == 0.0;
+            slid += after.motion.state[TDMF_FOOT_VX] != 0.0;
         }
     }
     assert_true(stuck > 50 && slid > 50);
@@ -412,15 +417,16 @@ static row started(const double *state, double liftoff_angle, double loss) {
 static row start_of(const runner *at) {
     runner begun = *at;
     runner_start(&begun);
-    return started(begun.state, begun.mode.liftoff_angle, begun.record.impact_loss);
+    return started(begun.motion.state, begun.motion.mode.liftoff_angle, begun.motion.record.impact_loss);
 }
 
 /* Along what leaves a foot that is at the ground or put on it there, and a thrust of 0 as it is. */
 static line line_of_starts(random_source *source, const runner *given) {
     line line = line_random(source, given);
-    line.variation.state[TDMF_FOOT_Y] = given->state[TDMF_FOOT_Y] == 0.0 ? 0.0 : given->model.scales.length;
+    line.variation.state[TDMF_FOOT_Y] =
+        given->motion.state[TDMF_FOOT_Y] == 0.0 ? 0.0 : given->model.scales.length;
     line.seed.inputs.ground.height = line.seed.inputs.ground.slope = 0.0; /* the foot would not meet it */
-    if (given->state[TDMF_FOOT_VY] == 0.0) {
+    if (given->motion.state[TDMF_FOOT_VY] == 0.0) {
         line.variation.state[TDMF_FOOT_VY] = 0.0;
     }
     if (tdmf_leg_thrust(&given->model, &given->inputs) == 0.0) {
@@ -434,8 +440,8 @@ static void assert_start_varies(const line *line) {
     runner begun = *given;
     runner_start(&begun);
     const tdmf_start_variation varied =
-        tdmf_vary_start(&given->model, &given->inputs, given->state, begun.state, &begun.mode, &line->seed,
-                        line->variation.state);
+        tdmf_vary_start(SYSTEM_OF(given), given->motion.state, begun.motion.state, &begun.motion.mode,
+                        &line->seed, line->variation.state);
     const row exact = started(varied.variation.state, varied.variation.liftoff_angle, varied.impact_loss);
     assert_row_varies(line, start_of, &exact);
 }
@@ -449,11 +455,11 @@ static void a_start_varies_as_it_changes(void **state) {
         runner given = random_runner(&source, TDMF_CONTACT_FLIGHT, ORDINARY);
         given.inputs.ground.friction = random_uniform(&source, 0.1, 1.0);
         given.inputs.ground.height = given.inputs.ground.slope = 0.0;
-        given.state[TDMF_FOOT_Y] = fabs(given.state[TDMF_FOOT_Y]);
+        given.motion.state[TDMF_FOOT_Y] = fabs(given.motion.state[TDMF_FOOT_Y]);
         if (i % 2) {
-            given.state[TDMF_FOOT_Y] = 0.0;
+            given.motion.state[TDMF_FOOT_Y] = 0.0;
         } else {
-            given.state[TDMF_FOOT_Y] += 0.1 * given.model.scales.length;
+            given.motion.state[TDMF_FOOT_Y] += 0.1 * given.model.scales.length;
         }
         if (is_smooth_impact(&given)) {
             const line line = line_of_starts(&source, &given);
@@ -470,7 +476,7 @@ static bool thrust_at_once(const line *line) {
     for (int i = -4; i <= 4; ++i) {
         runner begun = line_at(line, i * LINE_STEP);
         runner_start(&begun);
-        all = all && begun.mode.thrusts;
+        all = all && begun.motion.mode.thrusts;
     }
     return all;
 }
@@ -490,11 +496,11 @@ static void a_start_that_thrusts_at_once_varies_with_its_work(void **state) {
         given.inputs.ground.height = given.inputs.ground.slope = 0.0;
         given.model.parameters.leg.thrust = i % 3 ? thrust : 0.0;
         given.inputs.control.thrust = i % 3 == 1 ? -0.2 * thrust : thrust;
-        given.state[TDMF_FOOT_Y] = 0.0;
-        given.state[TDMF_FOOT_VY] = i % 2 ? -fabs(given.state[TDMF_FOOT_VY]) : 0.0;
-        given.state[TDMF_LEG_LENGTH] = scales->length * random_uniform(&source, 0.7, 0.95);
-        given.state[TDMF_LEG_ANGLE] = random_uniform(&source, -0.5, 0.5);
-        given.state[TDMF_LEG_LENGTH_RATE] = scales->speed * random_uniform(&source, 0.1, 0.5);
+        given.motion.state[TDMF_FOOT_Y] = 0.0;
+        given.motion.state[TDMF_FOOT_VY] = i % 2 ? -fabs(given.motion.state[TDMF_FOOT_VY]) : 0.0;
+        given.motion.state[TDMF_LEG_LENGTH] = scales->length * random_uniform(&source, 0.7, 0.95);
+        given.motion.state[TDMF_LEG_ANGLE] = random_uniform(&source, -0.5, 0.5);
+        given.motion.state[TDMF_LEG_LENGTH_RATE] = scales->speed * random_uniform(&source, 0.1, 0.5);
         const line line = line_of_starts(&source, &given);
         if ((i % 2 == 0 || is_smooth_impact(&given)) && thrust_at_once(&line)) {
             assert_start_varies(&line);
@@ -521,8 +527,8 @@ static row coefficients(const tdmf_contact_mode contact, const flight_coefficien
 
 static tdmf_mode_equations chart_of(const runner *at) {
     tdmf_mode_equations equations;
-    tdmf_open_mode(&equations, &at->model, &at->inputs, &tdmf_zero_input_rates, &at->mode, at->state,
-                   tdmf_leg_direction_of(at->state));
+    tdmf_open_mode(&equations, SYSTEM_OF(at), &tdmf_zero_input_rates, &at->motion.mode, at->motion.state,
+                   tdmf_leg_direction_of(at->motion.state));
     return equations;
 }
 
@@ -530,15 +536,15 @@ static row coefficients_of(const runner *at) {
     const tdmf_mode_equations equations = chart_of(at);
     const flight_coefficients flight = tdmf_flight_coefficients(&equations);
     const ground_coefficients ground = tdmf_ground_coefficients(&equations);
-    return coefficients(at->mode.contact, &flight, &ground);
+    return coefficients(at->motion.mode.contact, &flight, &ground);
 }
 
 static row varied_coefficients(const runner *at, const line *line) {
     const tdmf_mode_equations equations = chart_of(at);
     const tdmf_local_seed d = tdmf_local_seed_of(&at->model, &line->seed, &line->variation);
-    const flight_coefficients flight = tdmf_vary_flight_coefficients(&equations, &at->mode, &d);
-    const ground_coefficients ground = tdmf_vary_ground_coefficients(&equations, &at->mode, &d);
-    return coefficients(at->mode.contact, &flight, &ground);
+    const flight_coefficients flight = tdmf_vary_flight_coefficients(&equations, &at->motion.mode, &d);
+    const ground_coefficients ground = tdmf_vary_ground_coefficients(&equations, &at->motion.mode, &d);
+    return coefficients(at->motion.mode.contact, &flight, &ground);
 }
 
 static void coefficients_vary_as_they_change(void **state) {
@@ -564,8 +570,8 @@ static void a_clamp_without_gains_has_no_derivative(void **state) {
         const double kp = i & 1 ? 0.0 : 0.1, kd = i & 2 ? 0.0 : 0.1, d_kp = i & 4 ? 0.0 : 0.3;
         const double d_kd = i & 8 ? 0.0 : 0.3;
         runner at = random_runner(&source, TDMF_CONTACT_FLIGHT, ORDINARY);
-        at.mode.phase = i & 16 ? TDMF_PHASE_RETRACT : TDMF_PHASE_PLACE;
-        at.mode.clamp_closed = false;
+        at.motion.mode.phase = i & 16 ? TDMF_PHASE_RETRACT : TDMF_PHASE_PLACE;
+        at.motion.mode.clamp_closed = false;
         at.model.parameters.hip.kp = kp;
         at.model.parameters.hip.kd = kd;
         line line = line_random(&source, &at);
@@ -576,8 +582,8 @@ static void a_clamp_without_gains_has_no_derivative(void **state) {
         for (int k = 0; k < varied.count; ++k) {
             finite = finite && isfinite(varied.values[k]);
         }
-        const bool kink =
-            at.mode.phase == TDMF_PHASE_RETRACT && kp == 0.0 && kd == 0.0 && !(d_kp == 0.0 && d_kd == 0.0);
+        const bool kink = at.motion.mode.phase == TDMF_PHASE_RETRACT && kp == 0.0 && kd == 0.0 &&
+                          !(d_kp == 0.0 && d_kd == 0.0);
         assert_true(finite == !kink);
     }
 }

@@ -1,6 +1,7 @@
 /* Positive work of the hip of a leg that whirls about the body, a hundred times as long as at rest: as an
  * independent integration has it, at every tolerance, by every solver and in lanes. */
 #include "compare.h"
+#include "system_of.h"
 
 #include "tdmf_slip/automaton.h"
 #include "tdmf_slip/cvode.h"
@@ -39,10 +40,9 @@ static scene begin(const whirl *whirl) {
     assert_null(tdmf_model_create(&scene.model, &parameters).variable);
     scene.inputs = tdmf_default_inputs();
     memcpy(scene.section, section, sizeof section);
-    tdmf_section_state(&scene.model, &scene.inputs, section, scene.motion.state);
-    assert_null(tdmf_start(&scene.model, &scene.inputs, 0.0, scene.motion.state, &scene.motion.mode,
-                           &scene.motion.record)
-                    .variable);
+    tdmf_section_state(SYSTEM_OF(&scene), section, scene.motion.state);
+    scene.motion.time = 0.0;
+    assert_null(tdmf_start(SYSTEM_OF(&scene), &scene.motion).variable);
     return scene;
 }
 
@@ -55,9 +55,8 @@ static void the_native_solver_has_it_at_every_tolerance(void **state) {
         scene scene = begin(whirl);
         tdmf_solver solver = tdmf_solver_default();
         solver.relative_tolerance = tolerances[i % 5];
-        assert_int_equal(
-            tdmf_native_advance(&solver, &scene.model, &scene.inputs, NULL, 100.0, &scene.motion),
-            TDMF_ARRIVED);
+        assert_int_equal(tdmf_native_advance(&solver, SYSTEM_OF(&scene), NULL, 100.0, &scene.motion),
+                         TDMF_ARRIVED);
         assert_int_equal(scene.motion.mode.contact, TDMF_CONTACT_FLIGHT);
         assert_relatively_close(scene.motion.state[TDMF_HIP_POSITIVE_WORK], whirl->positive_work, tolerance);
         assert_relatively_close(scene.motion.state[TDMF_HIP_WORK], whirl->work, 10.0 * tolerance);
@@ -70,7 +69,7 @@ static void cvode_has_it(void **state) {
         scene scene = begin(&whirls[i]);
         tdmf_solver solver = tdmf_solver_default();
         solver.relative_tolerance = 1e-12;
-        assert_int_equal(tdmf_cvode_advance(&solver, &scene.model, &scene.inputs, NULL, 100.0, &scene.motion),
+        assert_int_equal(tdmf_cvode_advance(&solver, SYSTEM_OF(&scene), NULL, 100.0, &scene.motion),
                          TDMF_ARRIVED);
         assert_relatively_close(scene.motion.state[TDMF_HIP_POSITIVE_WORK], whirls[i].positive_work, 1e-8);
     }
@@ -106,7 +105,7 @@ static void lanes_have_it_and_converge(void **state) {
         scene scene = begin(&strides[i]);
         tdmf_solver solver = tdmf_solver_default();
         solver.relative_tolerance = 1e-14;
-        assert_true(tdmf_native_stride(&solver, &scene.model, &scene.inputs, 1e4, &scene.motion).closed);
+        assert_true(tdmf_native_stride(&solver, SYSTEM_OF(&scene), 1e4, &scene.motion).closed);
         const double exact = scene.motion.record.stride.positive_work;
         for (int set = TDMF_ONE_BY_ONE; set < TDMF_INSTRUCTIONS_COUNT; ++set) {
             if (tdmf_has_instructions((tdmf_instructions)set)) {

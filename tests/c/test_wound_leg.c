@@ -14,23 +14,22 @@ static const tdmf_inputs held = {.ground = {.friction = 0.0}};
 
 static tdmf_motion started(const runner *runner) {
     tdmf_motion motion = {.time = 0.0};
-    memcpy(motion.state, runner->state, sizeof motion.state);
-    assert_null(tdmf_start(&runner->model, &runner->inputs, 0.0, motion.state, &motion.mode, &motion.record)
-                    .variable);
+    memcpy(motion.state, runner->motion.state, sizeof motion.state);
+    assert_null(tdmf_start(SYSTEM_OF(runner), &motion).variable);
     return motion;
 }
 
 static runner random_runner(random_source *source, double angle) {
     runner runner = runner_default(pow(10.0, random_uniform(source, -2.0, 3.0)));
-    memset(runner.state, 0, sizeof runner.state);
+    memset(runner.motion.state, 0, sizeof runner.motion.state);
     runner.model.parameters.leg.damping *= random_uniform(source, 0.0, 1.0);
-    runner.state[TDMF_FOOT_Y] = random_chance(source, 0.5) ? 0.0 : random_uniform(source, 0.0, 1.0);
-    runner.state[TDMF_LEG_LENGTH] = random_uniform(source, 0.95, 1.05);
-    runner.state[TDMF_LEG_ANGLE] = angle;
-    runner.state[TDMF_FOOT_VX] = random_uniform(source, -0.5, 0.5);
-    runner.state[TDMF_FOOT_VY] = random_uniform(source, -0.5, 0.0);
-    runner.state[TDMF_LEG_LENGTH_RATE] = random_uniform(source, -0.5, 0.5);
-    runner.state[TDMF_LEG_ANGLE_RATE] = random_uniform(source, -0.5, 0.5);
+    runner.motion.state[TDMF_FOOT_Y] = random_chance(source, 0.5) ? 0.0 : random_uniform(source, 0.0, 1.0);
+    runner.motion.state[TDMF_LEG_LENGTH] = random_uniform(source, 0.95, 1.05);
+    runner.motion.state[TDMF_LEG_ANGLE] = angle;
+    runner.motion.state[TDMF_FOOT_VX] = random_uniform(source, -0.5, 0.5);
+    runner.motion.state[TDMF_FOOT_VY] = random_uniform(source, -0.5, 0.0);
+    runner.motion.state[TDMF_LEG_LENGTH_RATE] = random_uniform(source, -0.5, 0.5);
+    runner.motion.state[TDMF_LEG_ANGLE_RATE] = random_uniform(source, -0.5, 0.5);
     return runner;
 }
 
@@ -45,15 +44,14 @@ static void without_a_hip_turns_do_not_matter(void **unused) {
         runner.model.parameters.hip.kp = runner.model.parameters.hip.kd = 0.0;
         runner.model.parameters.hip.stance_torque = 0.0;
         tdmf_motion plain = started(&runner);
-        runner.state[TDMF_LEG_ANGLE] += turns * turn;
+        runner.motion.state[TDMF_LEG_ANGLE] += turns * turn;
         tdmf_motion wound = started(&runner);
         tdmf_solver solver = tdmf_solver_default();
         const double until = 2.0;
-        if (tdmf_native_advance(&solver, &runner.model, &runner.inputs, &held, until, &plain) !=
-            TDMF_ARRIVED) {
+        if (tdmf_native_advance(&solver, SYSTEM_OF(&runner), &held, until, &plain) != TDMF_ARRIVED) {
             continue;
         }
-        assert_int_equal(tdmf_native_advance(&solver, &runner.model, &runner.inputs, &held, until, &wound),
+        assert_int_equal(tdmf_native_advance(&solver, SYSTEM_OF(&runner), &held, until, &wound),
                          TDMF_ARRIVED);
         wound.state[TDMF_LEG_ANGLE] -= turns * turn;
         for (int k = 0; k < TDMF_MECHANICAL_COUNT; ++k) {
@@ -73,13 +71,12 @@ static void wound_legs_run_until_they_fall(void **unused) {
     for (int i = 0; i < 1500; ++i) {
         const double angle = floor(random_uniform(&source, -158.0, 158.0)) * turn;
         runner runner = random_runner(&source, angle + random_uniform(&source, -0.75, 0.75));
-        runner.state[TDMF_LEG_ANGLE_RATE] *= pow(10.0, random_uniform(&source, 0.0, 4.0));
+        runner.motion.state[TDMF_LEG_ANGLE_RATE] *= pow(10.0, random_uniform(&source, 0.0, 4.0));
         runner.model.parameters.hip.kp *= pow(10.0, random_uniform(&source, -6.0, 0.0));
         runner.model.parameters.hip.kd *= pow(10.0, random_uniform(&source, -6.0, 0.0));
         tdmf_motion motion = started(&runner);
         tdmf_solver solver = tdmf_solver_default();
-        const tdmf_outcome outcome =
-            tdmf_native_advance(&solver, &runner.model, &runner.inputs, &held, 50.0, &motion);
+        const tdmf_outcome outcome = tdmf_native_advance(&solver, SYSTEM_OF(&runner), &held, 50.0, &motion);
         fell += outcome == TDMF_FELL;
         arrived += outcome == TDMF_ARRIVED;
     }

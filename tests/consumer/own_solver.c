@@ -9,6 +9,11 @@ typedef struct {
     tdmf_motion motion;
 } run;
 
+static tdmf_system system_of(const run *r) {
+    const tdmf_system system = {&r->model, &r->inputs};
+    return system;
+}
+
 static void shift(const double from[], double step, const double rate[], double to[]) {
     for (int i = 0; i < TDMF_STATE_COUNT; ++i)
         to[i] = from[i] + step * rate[i];
@@ -20,14 +25,14 @@ static void runge_kutta(const run *r, double step, double after[TDMF_STATE_COUNT
     double rate[4][TDMF_STATE_COUNT], place[TDMF_STATE_COUNT];
     for (int stage = 0; stage < 4; ++stage) {
         shift(state, share[stage] * step, rate[stage > 0 ? stage - 1 : 0], place);
-        tdmf_derivatives(&r->model, &r->inputs, &r->motion.mode, stage > 0 ? place : state, rate[stage]);
+        tdmf_derivatives(system_of(r), &r->motion.mode, stage > 0 ? place : state, rate[stage]);
     }
     for (int i = 0; i < TDMF_STATE_COUNT; ++i)
         after[i] = state[i] + step / 6.0 * (rate[0][i] + 2.0 * rate[1][i] + 2.0 * rate[2][i] + rate[3][i]);
 }
 
 static bool is_due(const run *r, const double state[TDMF_STATE_COUNT]) {
-    return tdmf_first_due(&r->model, &r->inputs, &r->motion.mode, state) != TDMF_GUARD_COUNT;
+    return tdmf_first_due(system_of(r), &r->motion.mode, state) != TDMF_GUARD_COUNT;
 }
 
 /* One step, or less: up to the first event in it, which is taken. */
@@ -44,7 +49,7 @@ static void advance(run *r, double step) {
     }
     memcpy(r->motion.state, after, sizeof after);
     r->motion.time += step;
-    tdmf_resolve(&r->model, &r->inputs, r->motion.time, r->motion.state, &r->motion.mode, &r->motion.record);
+    tdmf_resolve(system_of(r), &r->motion);
 }
 
 int main(void) {
@@ -53,7 +58,7 @@ int main(void) {
     tdmf_default_state(r.motion.state);
     tdmf_refusal refusal = tdmf_model_create(&r.model, &parameters);
     if (refusal.variable == NULL)
-        refusal = tdmf_start(&r.model, &r.inputs, 0.0, r.motion.state, &r.motion.mode, &r.motion.record);
+        refusal = tdmf_start(system_of(&r), &r.motion);
     if (refusal.variable != NULL) {
         char text[256];
         fprintf(stderr, "%s\n", tdmf_refusal_text(&refusal, text, sizeof text));

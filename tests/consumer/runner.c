@@ -7,26 +7,26 @@ int main(void) {
     tdmf_parameters parameters = tdmf_default_parameters();
     tdmf_inputs inputs = tdmf_default_inputs();
     tdmf_model model;
+    const tdmf_system system = {&model, &inputs};
     tdmf_refusal refusal = tdmf_model_create(&model, &parameters);
-    double time = 0.0, step = 1e-4, state[TDMF_STATE_COUNT], rate[TDMF_STATE_COUNT];
-    tdmf_mode mode;
-    tdmf_record record;
+    double step = 1e-4, rate[TDMF_STATE_COUNT];
+    tdmf_motion motion = {.time = 0.0};
     char text[256];
 
-    tdmf_default_state(state);
+    tdmf_default_state(motion.state);
     if (refusal.variable == NULL)
-        refusal = tdmf_start(&model, &inputs, time, state, &mode, &record);
+        refusal = tdmf_start(system, &motion);
     if (refusal.variable != NULL) {
         fprintf(stderr, "%s\n", tdmf_refusal_text(&refusal, text, sizeof text));
         return 1;
     }
-    while (mode.contact == TDMF_CONTACT_FLIGHT && time < 100.0) {
-        tdmf_derivatives(&model, &inputs, &mode, state, rate);
+    while (motion.mode.contact == TDMF_CONTACT_FLIGHT && motion.time < 100.0) {
+        tdmf_derivatives(system, &motion.mode, motion.state, rate);
         for (int i = 0; i < TDMF_STATE_COUNT; ++i)
-            state[i] += step * rate[i];
-        time += step;
-        tdmf_resolve(&model, &inputs, time, state, &mode, &record);
+            motion.state[i] += step * rate[i];
+        motion.time += step;
+        tdmf_resolve(system, &motion);
     }
-    printf("tdmf_slip %s: touchdown at t = %.3f\n", tdmf_version(), time);
+    printf("tdmf_slip %s: touchdown at t = %.3f\n", tdmf_version(), motion.time);
     return 0;
 }

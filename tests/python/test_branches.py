@@ -43,7 +43,7 @@ def over_rate(unit):
 def settled(runner, apex, strides=STRIDES):
     """The apex after so many plain strides, and how many of them there were."""
     section = ffi.new("double[6]", list(apex))
-    ran = c.tdmf_settle(runner.solver(), runner.model, runner.inputs, strides, section)
+    ran = c.tdmf_settle(runner.solver(), runner.system, strides, section)
     return np.array(list(section)), ran
 
 

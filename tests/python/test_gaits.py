@@ -98,7 +98,7 @@ def test_eigenvalues_tell_how_fast_a_disturbance_dies(runner):
     section = ffi.new("double[6]", list(gait.apex + np.array([1e-4, 0, 0, 0, 0, 0])))
     distances = []
     for _ in range(2):
-        c.tdmf_settle(runner.solver(), runner.model, runner.inputs, 20, section)
+        c.tdmf_settle(runner.solver(), runner.system, 20, section)
         distances.append(np.linalg.norm(np.array(list(section)) - gait.apex))
     rate = (distances[1] / distances[0]) ** (1 / 20)
     assert rate == pytest.approx(abs(gait.eigenvalues[0]), rel=1e-4)

@@ -175,8 +175,7 @@ def test_rates_are_those_of_the_library():
             continue
         derivatives = ffi.new("double[]", c.TDMF_STATE_COUNT)
         c.tdmf_derivatives(
-            point.runner.model,
-            point.runner.inputs,
+            point.runner.system,
             ffi.addressof(point.motion.mode),
             point.motion.state,
             derivatives,
@@ -188,9 +187,7 @@ def test_rates_are_those_of_the_library():
         x, y = derivatives[c.TDMF_FOOT_VX], derivatives[c.TDMF_FOOT_VY]
         if point.contact in ("slip", "graze"):
             assert close(found["foot_speed"], x * point.tangent[0] + y * point.tangent[1], size)
-        torque = c.tdmf_hip_torque(
-            point.runner.model, point.runner.inputs, ffi.addressof(point.motion.mode), point.motion.state
-        )
+        torque = c.tdmf_hip_torque(point.runner.system, ffi.addressof(point.motion.mode), point.motion.state)
         assert close(laws.torque(point.balls, point.mode, point.at), torque, size)
         seen.add((point.contact, point.mode.places, point.mode.drives, point.mode.clamped))
         falls += point.contact == "slip" and point.given["ground.stribeck_velocity"] > 0
@@ -204,8 +201,7 @@ def test_the_centre_of_mass_falls_as_in_the_library():
         point = Point(rng, "flight")
         derivatives = ffi.new("double[]", c.TDMF_STATE_COUNT)
         c.tdmf_derivatives(
-            point.runner.model,
-            point.runner.inputs,
+            point.runner.system,
             ffi.addressof(point.motion.mode),
             point.motion.state,
             derivatives,
@@ -225,9 +221,7 @@ def test_guards_are_those_of_the_library():
         point = Point(rng)
         guards = ffi.new("double[]", c.TDMF_GUARD_COUNT)
         model = point.runner.model
-        c.tdmf_guards(
-            model, point.runner.inputs, ffi.addressof(point.motion.mode), point.motion.state, guards
-        )
+        c.tdmf_guards(point.runner.system, ffi.addressof(point.motion.mode), point.motion.state, guards)
         for name in watched(point.balls, point.mode):
             if (name, point.contact) == ("clamp", "graze"):
                 continue  # there the library goes by the servo as it is now
@@ -254,8 +248,7 @@ def test_impacts_are_those_of_the_library():
             continue
         before = np.array(list(point.motion.state))
         c.tdmf_impact(
-            point.runner.model,
-            point.runner.inputs,
+            point.runner.system,
             ffi.addressof(point.motion.mode.ground),
             point.motion.state,
         )

@@ -7,9 +7,9 @@
 #define TDMF_SLIP_AUTOMATON_H
 
 #include "tdmf_slip/export.h"
+#include "tdmf_slip/motion.h"
 #include "tdmf_slip/parameters.h"
 #include "tdmf_slip/state.h"
-#include "tdmf_slip/stride.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -26,40 +26,37 @@ typedef struct {
     bool unresolved;    /* the chain of events did not come to rest within its bound; see tdmf_resolve */
 } tdmf_resolution;
 
-/* Begins a run at `time` from `state`: checks the start, finds contact mode and hip phase (an impact, if the
- * foot moves down at the ground), sets theta_LO = theta, and clears integrals and record. An upright leg is
- * driven only if it turns forward, or is at rest and the drive does not make it fall: a runner that stands
- * upright at rest stays so. Its foot is never in graze, for the hip has no lever on it: without load, it
- * stays if the load is about to grow. On refusal (the foot or body below the ground, the leg too short, a
- * value out of range or not finite) nothing is written.
+/* Begins a run at motion->time from motion->state: checks the start, finds contact mode and hip phase (an
+ * impact, if the foot moves down at the ground), sets theta_LO = theta, and clears integrals and record. An
+ * upright leg is driven only if it turns forward, or is at rest and the drive does not make it fall: a runner
+ * that stands upright at rest stays so. Its foot is never in graze, for the hip has no lever on it: without
+ * load, it stays if the load is about to grow. On refusal (the foot or body below the ground, the leg too
+ * short, a value out of range or not finite) nothing is written.
  */
-TDMF_API tdmf_refusal tdmf_start(const tdmf_model *model, const tdmf_inputs *inputs, double time,
-                                 double state[TDMF_STATE_COUNT], tdmf_mode *mode, tdmf_record *record);
+TDMF_API tdmf_refusal tdmf_start(tdmf_system system, tdmf_motion *motion);
 
 /* Values of all guards in the present mode; of a fallen run all are 1, of a contact or phase that there is
  * not none is a number. */
-TDMF_API void tdmf_guards(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_mode *mode,
-                          const double state[TDMF_STATE_COUNT], double guards[TDMF_GUARD_COUNT]);
+TDMF_API void tdmf_guards(tdmf_system system, const tdmf_mode *mode, const double state[TDMF_STATE_COUNT],
+                          double guards[TDMF_GUARD_COUNT]);
 
 /* The guard by which tdmf_resolve takes its next transition; TDMF_GUARD_COUNT where none is due, or where
  * contact or phase are none. */
-TDMF_API tdmf_guard tdmf_first_due(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_mode *mode,
+TDMF_API tdmf_guard tdmf_first_due(tdmf_system system, const tdmf_mode *mode,
                                    const double state[TDMF_STATE_COUNT]);
 
-/* Takes every transition that is due at `time`, in order, until no guard is at or below zero. Goes by the
- * guards' values alone, so it may be called at any time: at an event, after an input jumped, or with nothing
- * due. A chain that would not end (none is known) is cut after TDMF_CHAIN_LIMIT links and reported. Of a
- * contact or phase that there is not, nothing is changed, and it is reported as unresolved. */
-TDMF_API tdmf_resolution tdmf_resolve(const tdmf_model *model, const tdmf_inputs *inputs, double time,
-                                      double state[TDMF_STATE_COUNT], tdmf_mode *mode, tdmf_record *record);
+/* Takes every transition that is due at motion->time, in order, until no guard is at or below zero. Goes by
+ * the guards' values alone, so it may be called at any time: at an event, after an input jumped, or with
+ * nothing due. A chain that would not end (none is known) is cut after TDMF_CHAIN_LIMIT links and reported.
+ * Of a contact or phase that there is not, nothing is changed, and it is reported as unresolved. */
+TDMF_API tdmf_resolution tdmf_resolve(tdmf_system system, tdmf_motion *motion);
 
 /* Transitions at one instant, at the most. */
 enum { TDMF_CHAIN_LIMIT = 64 };
 
 /* Notes the ground force of this instant, for the stride's peak. tdmf_resolve does so by itself; whoever is
  * about to change an input in mid-stance calls it first, so that a rising force is not lost. */
-TDMF_API void tdmf_observe(const tdmf_model *model, const tdmf_inputs *inputs,
-                           const double state[TDMF_STATE_COUNT], tdmf_mode *mode, tdmf_record *record);
+TDMF_API void tdmf_observe(tdmf_system system, tdmf_motion *motion);
 
 #ifdef __cplusplus
 }

@@ -17,13 +17,12 @@ typedef struct {
 
 /* The force the ground would have to apply to hold the foot still under a total hip torque, N.m, whatever
  * the mode (10). */
-TDMF_API tdmf_ground_force tdmf_sticking_force(const tdmf_model *model, const tdmf_inputs *inputs,
-                                               const tdmf_mode *mode, double torque,
+TDMF_API tdmf_ground_force tdmf_sticking_force(tdmf_system system, const tdmf_mode *mode, double torque,
                                                const double state[TDMF_STATE_COUNT]);
 
 /* The force in the present mode: (10) in stick, f_t = -mu sgn(v_t) f_n in slip, zero in flight and graze. */
-TDMF_API tdmf_ground_force tdmf_contact_force(const tdmf_model *model, const tdmf_inputs *inputs,
-                                              const tdmf_mode *mode, const double state[TDMF_STATE_COUNT]);
+TDMF_API tdmf_ground_force tdmf_contact_force(tdmf_system system, const tdmf_mode *mode,
+                                              const double state[TDMF_STATE_COUNT]);
 
 /* Whether a coefficient of friction, mu, can hold the foot against a force of tdmf_sticking_force:
  * |f_t| <= mu f_n  (2). A force that pulls, f_n < 0, is never held. */

@@ -16,8 +16,8 @@ bool tdmf_cvode_is_available(void);
 /* As tdmf_native_advance, by CVODE (BDF) and its root finding. Keeps nothing between calls: its memory is
  * allocated and freed in each. Reads tolerance and limits from `options` and counts its work there. Where
  * SUNDIALS is missing, returns TDMF_REFUSED. */
-tdmf_outcome tdmf_cvode_advance(tdmf_solver *options, const tdmf_model *model, const tdmf_inputs *inputs,
-                                const tdmf_inputs *rates, double until, tdmf_motion *motion);
+tdmf_outcome tdmf_cvode_advance(tdmf_solver *options, tdmf_system system, const tdmf_inputs *rates,
+                                double until, tdmf_motion *motion);
 
 #ifdef __cplusplus
 }

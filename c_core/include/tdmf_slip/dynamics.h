@@ -13,15 +13,15 @@ extern "C" {
 /* Time derivative of the state in the given mode (8). A frozen run (mode->fallen) gives zeros. Finite for
  * leg lengths at or below zero too, as a solver may probe beyond an event; the leg's rates are not a number
  * where contact or phase are none. `derivatives` may be `state`. */
-TDMF_API void tdmf_derivatives(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_mode *mode,
+TDMF_API void tdmf_derivatives(tdmf_system system, const tdmf_mode *mode,
                                const double state[TDMF_STATE_COUNT], double derivatives[TDMF_STATE_COUNT]);
 
 /* The natural unit of each element of the state, by the model's scales; angles are in rad. */
 TDMF_API void tdmf_state_scales(const tdmf_model *model, double scales[TDMF_STATE_COUNT]);
 
 /* Rate of the ground force across the ground, N/s, with the inputs held, for a foot that is loaded. */
-TDMF_API double tdmf_ground_force_rate(const tdmf_model *model, const tdmf_inputs *inputs,
-                                       const tdmf_mode *mode, const double state[TDMF_STATE_COUNT]);
+TDMF_API double tdmf_ground_force_rate(tdmf_system system, const tdmf_mode *mode,
+                                       const double state[TDMF_STATE_COUNT]);
 
 #ifdef __cplusplus
 }

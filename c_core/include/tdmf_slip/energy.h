@@ -20,8 +20,8 @@ typedef struct {
 } tdmf_energy;
 
 /* Sums the energies of body, foot and spring; inputs and mode determine the spring's rest length. */
-TDMF_API tdmf_energy tdmf_mechanical_energy(const tdmf_model *model, const tdmf_inputs *inputs,
-                                            const tdmf_mode *mode, const double state[TDMF_STATE_COUNT]);
+TDMF_API tdmf_energy tdmf_mechanical_energy(tdmf_system system, const tdmf_mode *mode,
+                                            const double state[TDMF_STATE_COUNT]);
 
 #ifdef __cplusplus
 }

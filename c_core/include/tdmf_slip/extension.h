@@ -22,15 +22,13 @@ typedef struct {
 TDMF_API tdmf_leg_sample tdmf_leg_sample_of(double time, const double state[TDMF_STATE_COUNT]);
 
 /* Whether the rest length in force is the one up to which leg.work is accounted for. */
-TDMF_API bool tdmf_rest_length_is_accounted_for(const tdmf_model *model, const tdmf_inputs *inputs,
-                                                const tdmf_mode *mode);
+TDMF_API bool tdmf_rest_length_is_accounted_for(tdmf_system system, const tdmf_mode *mode);
 
 /* The leg's work, J, while its rest length went from that of mode->rest_length, at `before`, to the one in
  * force, at `after`, without an event between; sets mode->rest_length. Of fourth order in the time between
  * where the rest length changed linearly, of second order elsewhere; exact where no time passed. */
-TDMF_API double tdmf_account_for_extension(const tdmf_model *model, const tdmf_inputs *inputs,
-                                           const tdmf_leg_sample *before, const tdmf_leg_sample *after,
-                                           tdmf_mode *mode);
+TDMF_API double tdmf_account_for_extension(tdmf_system system, const tdmf_leg_sample *before,
+                                           const tdmf_leg_sample *after, tdmf_mode *mode);
 
 #ifdef __cplusplus
 }

@@ -12,7 +12,7 @@ extern "C" {
 
 /* Total torque on the hip, N.m: the law of the present mode plus the external torque; in graze the torque
  * that holds the foot at the ground; not a number where contact or phase are none. */
-TDMF_API double tdmf_hip_torque(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_mode *mode,
+TDMF_API double tdmf_hip_torque(tdmf_system system, const tdmf_mode *mode,
                                 const double state[TDMF_STATE_COUNT]);
 
 #ifdef __cplusplus

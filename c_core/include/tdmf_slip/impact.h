@@ -13,8 +13,8 @@ extern "C" {
 /* Applies the impact map (4)-(6) to a state whose foot moves into the ground: the foot is put onto the line
  * and stops across it; along it, it sticks inside the friction cone and is slowed outside; the body's
  * velocity is unchanged. Returns the energy lost, J, never negative. */
-TDMF_API double tdmf_impact(const tdmf_model *model, const tdmf_inputs *inputs,
-                            const tdmf_ground_line *ground, double state[TDMF_STATE_COUNT]);
+TDMF_API double tdmf_impact(tdmf_system system, const tdmf_ground_line *ground,
+                            double state[TDMF_STATE_COUNT]);
 
 #ifdef __cplusplus
 }

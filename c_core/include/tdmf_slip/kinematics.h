@@ -23,8 +23,7 @@ TDMF_API tdmf_point tdmf_center_of_mass(const tdmf_model *model, const double st
 
 /* The centre of mass in flight, where it is ballistic, `time`, s, after it was at `from`; the inputs' force
  * on the body is held. */
-TDMF_API tdmf_point tdmf_center_of_mass_after(const tdmf_model *model, const tdmf_inputs *inputs,
-                                              tdmf_point from, double time);
+TDMF_API tdmf_point tdmf_center_of_mass_after(tdmf_system system, tdmf_point from, double time);
 
 /* The foot in the axes of the ground: x along the line from its pivot, y away from it. */
 TDMF_API tdmf_point tdmf_foot_over_ground(const tdmf_ground_line *ground,

@@ -5,7 +5,7 @@
 #include "tdmf_slip/state.h"
 #include "tdmf_slip/stride.h"
 
-/* Begin it with tdmf_start on its members. */
+/* Set time and state, and begin it with tdmf_start. */
 typedef struct {
     double time;                    /* s */
     double state[TDMF_STATE_COUNT]; /* see state.h for the order */

@@ -35,14 +35,14 @@ TDMF_API void tdmf_section_scales(const tdmf_model *model, double scales[TDMF_SE
  * the next apex is within 1e-11 of the scales; so is the gait, unless I - J is nearly singular, as at a fold.
  * Iterations that make the error larger are shortened. Of `count` seeds, which may be 0, the stride has
  * variations, too. With NULL for anything else there is no start. */
-TDMF_API tdmf_orbit tdmf_find_orbit(tdmf_solver *solver, const tdmf_model *model, const tdmf_inputs *inputs,
+TDMF_API tdmf_orbit tdmf_find_orbit(tdmf_solver *solver, tdmf_system system,
                                     const double guess[TDMF_SECTION_COUNT], const tdmf_seed *seeds,
                                     int count);
 
 /* Runs up to `strides` strides from an apex and writes the last one into `section`; less where one does not
  * close: tdmf_find_orbit from there says why. Returns how many were run: 0 for a number below 0, or with
  * NULL. */
-TDMF_API int tdmf_settle(tdmf_solver *solver, const tdmf_model *model, const tdmf_inputs *inputs, int strides,
+TDMF_API int tdmf_settle(tdmf_solver *solver, tdmf_system system, int strides,
                          double section[TDMF_SECTION_COUNT]);
 
 #ifdef __cplusplus

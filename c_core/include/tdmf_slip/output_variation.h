@@ -29,9 +29,9 @@ typedef struct {
 /* The derivative along a direction in parameters and inputs (`seed`), state and theta_LO (`variation`), in
  * the present mode, clamp held. Either may be NULL: it does not change. Where the hip's power is zero,
  * positive work counts as not changing; a frozen run has derivatives that do not change. */
-TDMF_API tdmf_output_variation tdmf_vary_outputs(const tdmf_model *model, const tdmf_inputs *inputs,
-                                                 const tdmf_mode *mode, const double state[TDMF_STATE_COUNT],
-                                                 const tdmf_seed *seed, const tdmf_variation *variation);
+TDMF_API tdmf_output_variation tdmf_vary_outputs(tdmf_system system, const tdmf_mode *mode,
+                                                 const double state[TDMF_STATE_COUNT], const tdmf_seed *seed,
+                                                 const tdmf_variation *variation);
 
 #ifdef __cplusplus
 }

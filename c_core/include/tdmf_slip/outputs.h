@@ -3,8 +3,8 @@
 #define TDMF_SLIP_OUTPUTS_H
 
 #include "tdmf_slip/export.h"
+#include "tdmf_slip/motion.h"
 #include "tdmf_slip/parameters.h"
-#include "tdmf_slip/state.h"
 #include "tdmf_slip/stride.h"
 
 #ifdef __cplusplus
@@ -49,9 +49,7 @@ typedef struct {
 } tdmf_outputs;
 
 /* The outputs at an instant of a run that tdmf_start has begun. */
-TDMF_API tdmf_outputs tdmf_outputs_of(const tdmf_model *model, const tdmf_inputs *inputs,
-                                      const tdmf_mode *mode, const tdmf_record *record,
-                                      const double state[TDMF_STATE_COUNT]);
+TDMF_API tdmf_outputs tdmf_outputs_of(tdmf_system system, const tdmf_motion *motion);
 
 #ifdef __cplusplus
 }

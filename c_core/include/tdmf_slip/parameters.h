@@ -31,6 +31,12 @@ typedef struct {
     double body_share;           /* m/(m + m_f) */
 } tdmf_model;
 
+/* A runner under its inputs, of whose motion the functions tell that take it. Neither is copied. */
+typedef struct {
+    const tdmf_model *model;
+    const tdmf_inputs *inputs; /* at the time of the motion */
+} tdmf_system;
+
 /* Why a value was refused. `variable` is NULL when nothing was. The strings are static. */
 typedef struct {
     const char *variable; /* name as in the FMU, "leg.length" */

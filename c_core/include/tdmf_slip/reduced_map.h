@@ -23,8 +23,8 @@ enum {
 
 /* The state at an apex above x = 0, with the leg at rest where it is to be placed, integrals zero. `apex` may
  * lie within `state`. */
-TDMF_API void tdmf_reduced_state(const tdmf_model *model, const tdmf_inputs *inputs,
-                                 const double apex[TDMF_REDUCED_COUNT], double state[TDMF_STATE_COUNT]);
+TDMF_API void tdmf_reduced_state(tdmf_system system, const double apex[TDMF_REDUCED_COUNT],
+                                 double state[TDMF_STATE_COUNT]);
 
 /* Seeds of parameters and inputs along which a stride is differentiated, at the most. */
 enum { TDMF_REDUCED_MAP_SEEDS = TDMF_VARIATION_LIMIT - TDMF_REDUCED_COUNT };
@@ -34,18 +34,18 @@ enum { TDMF_REDUCED_MAP_SEEDS = TDMF_VARIATION_LIMIT - TDMF_REDUCED_COUNT };
  * inputs; they are not finite on the edge of an event, see tdmf_native_stride_varied. A log in the solver has
  * touchdown, the events of the stance, and the apex. The energy of the centre of mass changes by the work and
  * the external work less the four losses. */
-TDMF_API tdmf_return tdmf_reduced_map(tdmf_solver *solver, const tdmf_model *model, const tdmf_inputs *inputs,
+TDMF_API tdmf_return tdmf_reduced_map(tdmf_solver *solver, tdmf_system system,
                                       const double apex[TDMF_REDUCED_COUNT], double until, bool derivatives,
                                       const tdmf_seed *seeds, int count);
 
 /* Newton's method from a guess, as tdmf_find_orbit; `count` changes, which may be 0. */
-TDMF_API tdmf_orbit tdmf_find_reduced_orbit(tdmf_solver *solver, const tdmf_model *model,
-                                            const tdmf_inputs *inputs, const double guess[TDMF_REDUCED_COUNT],
-                                            const tdmf_seed *seeds, int count);
+TDMF_API tdmf_orbit tdmf_find_reduced_orbit(tdmf_solver *solver, tdmf_system system,
+                                            const double guess[TDMF_REDUCED_COUNT], const tdmf_seed *seeds,
+                                            int count);
 
 /* Runs up to `strides` strides, as tdmf_settle. */
-TDMF_API int tdmf_settle_reduced(tdmf_solver *solver, const tdmf_model *model, const tdmf_inputs *inputs,
-                                 int strides, double apex[TDMF_REDUCED_COUNT]);
+TDMF_API int tdmf_settle_reduced(tdmf_solver *solver, tdmf_system system, int strides,
+                                 double apex[TDMF_REDUCED_COUNT]);
 
 #ifdef __cplusplus
 }

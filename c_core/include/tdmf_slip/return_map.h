@@ -25,11 +25,11 @@ enum {
 
 /* The state at an apex with the foot at x = 0 over the ground that the inputs set, integrals zero. `section`
  * may lie within `state`. */
-TDMF_API void tdmf_section_state(const tdmf_model *model, const tdmf_inputs *inputs,
-                                 const double section[TDMF_SECTION_COUNT], double state[TDMF_STATE_COUNT]);
+TDMF_API void tdmf_section_state(tdmf_system system, const double section[TDMF_SECTION_COUNT],
+                                 double state[TDMF_STATE_COUNT]);
 
 /* The same with the foot at x = foot_x, as high above the ground there. */
-TDMF_API void tdmf_section_state_at(const tdmf_model *model, const tdmf_inputs *inputs, double foot_x,
+TDMF_API void tdmf_section_state_at(tdmf_system system, double foot_x,
                                     const double section[TDMF_SECTION_COUNT], double state[TDMF_STATE_COUNT]);
 
 /* What is measured along a stride besides what its record holds; also the change of each of these. */
@@ -96,21 +96,19 @@ typedef struct {
  * coordinates and along `count` seeds of parameters and inputs; more than TDMF_RETURN_MAP_SEEDS, or less
  * than 0, are refused, as are NULL for any pointer but `seeds` where there are none, a tolerance out of
  * range, and a patch of ground: on one the stride depends on where the foot is. */
-TDMF_API tdmf_return tdmf_return_map(tdmf_solver *solver, const tdmf_model *model, const tdmf_inputs *inputs,
+TDMF_API tdmf_return tdmf_return_map(tdmf_solver *solver, tdmf_system system,
                                      const double section[TDMF_SECTION_COUNT], double until, bool derivatives,
                                      const tdmf_seed *seeds, int count);
 
 /* One stride from an apex with the foot at x = foot_x, over ground with a patch or without: the seventh
  * coordinate, by which the stride is differentiated after the seeds, of which there may be one less. */
-TDMF_API tdmf_return tdmf_return_map_at(tdmf_solver *solver, const tdmf_model *model,
-                                        const tdmf_inputs *inputs, double foot_x,
+TDMF_API tdmf_return tdmf_return_map_at(tdmf_solver *solver, tdmf_system system, double foot_x,
                                         const double section[TDMF_SECTION_COUNT], double until,
                                         bool derivatives, const tdmf_seed *seeds, int count);
 
 /* The same as tdmf_return_map, with what is measured along the stride: without derivatives it takes twice as
  * long. */
-TDMF_API tdmf_return tdmf_measured_return_map(tdmf_solver *solver, const tdmf_model *model,
-                                              const tdmf_inputs *inputs,
+TDMF_API tdmf_return tdmf_measured_return_map(tdmf_solver *solver, tdmf_system system,
                                               const double section[TDMF_SECTION_COUNT], double until,
                                               bool derivatives, const tdmf_seed *seeds, int count);
 

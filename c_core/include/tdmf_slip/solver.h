@@ -71,9 +71,8 @@ TDMF_API tdmf_solver tdmf_solver_default(void);
  * at events only, a time before the present one or not a number, a state that is not finite, a contact or
  * phase that there is not or that do not go together, a log that counts less than 0, and any pointer that is
  * NULL but `rates`. */
-TDMF_API tdmf_outcome tdmf_native_advance(tdmf_solver *solver, const tdmf_model *model,
-                                          const tdmf_inputs *inputs, const tdmf_inputs *rates, double until,
-                                          tdmf_motion *motion);
+TDMF_API tdmf_outcome tdmf_native_advance(tdmf_solver *solver, tdmf_system system, const tdmf_inputs *rates,
+                                          double until, tdmf_motion *motion);
 
 /* How the integration of a stride ended. */
 typedef struct {
@@ -82,8 +81,8 @@ typedef struct {
 } tdmf_stride_outcome;
 
 /* Integrates until one more stride has closed, with the inputs held, but not beyond `until`. */
-TDMF_API tdmf_stride_outcome tdmf_native_stride(tdmf_solver *solver, const tdmf_model *model,
-                                                const tdmf_inputs *inputs, double until, tdmf_motion *motion);
+TDMF_API tdmf_stride_outcome tdmf_native_stride(tdmf_solver *solver, tdmf_system system, double until,
+                                                tdmf_motion *motion);
 
 /* As many directions are integrated at once: the section's six coordinates and two parameters. */
 enum { TDMF_VARIATION_LIMIT = 8 };
@@ -94,18 +93,16 @@ enum { TDMF_VARIATION_LIMIT = 8 };
  * that tdmf_native_advance refuses. A run on the edge of an event, where a crossing is a touch, two events
  * come together or a foot stands without friction, has no variation, nor has one by gains that are both zero
  * under the clamp; values are then not finite. Steps are bounded by the variations, too. */
-TDMF_API tdmf_stride_outcome tdmf_native_stride_varied(tdmf_solver *solver, const tdmf_model *model,
-                                                       const tdmf_inputs *inputs, double until,
+TDMF_API tdmf_stride_outcome tdmf_native_stride_varied(tdmf_solver *solver, tdmf_system system, double until,
                                                        tdmf_motion *motion, const tdmf_seed *seeds,
                                                        tdmf_variation *variations, int count);
 
 /* As tdmf_native_stride_varied, for one stance: of a foot in contact, until it is loaded no more, which
  * `closed` tells. From lift-off on, the hip does no work in the variations, and the state is that of
  * lift-off. Without variations `count` is 0. */
-TDMF_API tdmf_stride_outcome tdmf_native_stance(tdmf_solver *solver, const tdmf_model *model,
-                                                const tdmf_inputs *inputs, double until, tdmf_motion *motion,
-                                                const tdmf_seed *seeds, tdmf_variation *variations,
-                                                int count);
+TDMF_API tdmf_stride_outcome tdmf_native_stance(tdmf_solver *solver, tdmf_system system, double until,
+                                                tdmf_motion *motion, const tdmf_seed *seeds,
+                                                tdmf_variation *variations, int count);
 
 /* An outcome in words. */
 TDMF_API const char *tdmf_outcome_text(tdmf_outcome outcome);

@@ -45,8 +45,7 @@ typedef struct {
 /* `given` is the state that tdmf_start was called with, `started` the one that it made of it: another where
  * the foot moved down at the ground, and with work of the leg where that thrusts at once. `mode` is the one
  * that it found, and is held. `seed` may be NULL: parameters and inputs do not change. */
-TDMF_API tdmf_start_variation tdmf_vary_start(const tdmf_model *model, const tdmf_inputs *inputs,
-                                              const double given[TDMF_STATE_COUNT],
+TDMF_API tdmf_start_variation tdmf_vary_start(tdmf_system system, const double given[TDMF_STATE_COUNT],
                                               const double started[TDMF_STATE_COUNT], const tdmf_mode *mode,
                                               const tdmf_seed *seed,
                                               const double state_seed[TDMF_STATE_COUNT]);

@@ -11,24 +11,24 @@
 #include "record.h"
 
 static void begin_place(tdmf_run *run) {
-    run->mode->phase = TDMF_PHASE_PLACE;
-    run->mode->clamp_closed = false;
-    run->mode->rises = false;
-    tdmf_begin_place(run->state);
+    run->motion->mode.phase = TDMF_PHASE_PLACE;
+    run->motion->mode.clamp_closed = false;
+    run->motion->mode.rises = false;
+    tdmf_begin_place(run->motion->state);
 }
 
 void tdmf_pass_apex(tdmf_run *run) {
     begin_place(run);
-    tdmf_record_apex(run->record, run->model, &run->mode->ground, run->time, run->state);
+    tdmf_record_apex(run->motion, run->system.model);
 }
 
 void tdmf_take_apex(tdmf_run *run) {
-    if (!run->mode->rises) {
-        run->mode->rises = true;
+    if (!run->motion->mode.rises) {
+        run->motion->mode.rises = true;
         return;
     }
-    tdmf_record_event(run->record, run->time);
-    if (run->mode->contact == TDMF_CONTACT_GRAZE) {
+    tdmf_record_event(run->motion);
+    if (run->motion->mode.contact == TDMF_CONTACT_GRAZE) {
         begin_place(run); /* a stride closes in flight only */
     } else {
         tdmf_pass_apex(run);

@@ -19,25 +19,25 @@ static void set_contact(const tdmf_model *model, const double state[TDMF_STATE_C
 }
 
 void tdmf_enter_contact_mode(tdmf_run *run, tdmf_contact_mode entered) {
-    tdmf_record_contact_change(run->record, run->time, run->mode, entered, run->state);
-    set_contact(run->model, run->state, entered, run->mode);
+    tdmf_record_contact_change(run->motion, entered);
+    set_contact(run->system.model, run->motion->state, entered, &run->motion->mode);
 }
 
 /* ---- off the ground ----------------------------------------------------------------------------------- */
 
 static double rise_rate(const tdmf_run *run) {
-    return tdmf_center_of_mass_along(run->model, run->state, run->direction).vy;
+    return tdmf_center_of_mass_along(run->system.model, run->motion->state, run->direction).vy;
 }
 
 /* In place an apex has been passed, maybe at this instant: the centre of mass rises anew beyond the dead band
  * only. */
 static bool rises_in_place(const tdmf_run *run) {
-    return rise_rate(run) > TDMF_DEAD_BAND * run->model->scales.speed;
+    return rise_rate(run) > TDMF_DEAD_BAND * run->system.model->scales.speed;
 }
 
 /* Once begun, place lasts until the foot is loaded; else the centre of mass decides. */
 static tdmf_hip_phase phase_off_ground(const tdmf_run *run) {
-    if (run->mode->phase == TDMF_PHASE_PLACE) {
+    if (run->motion->mode.phase == TDMF_PHASE_PLACE) {
         return TDMF_PHASE_PLACE;
     }
     return rise_rate(run) >= 0.0 ? TDMF_PHASE_RETRACT : TDMF_PHASE_PLACE;
@@ -49,10 +49,11 @@ static void leave_ground(tdmf_run *run, tdmf_contact_mode entered, tdmf_hip_phas
     if (entered == TDMF_CONTACT_FLIGHT) {
         tdmf_end_thrust(run);
     }
-    run->mode->phase = phase;
-    run->mode->rises = phase == TDMF_PHASE_RETRACT || rises_in_place(run);
-    run->mode->clamp_closed = phase == TDMF_PHASE_RETRACT &&
-                              tdmf_servo_torque(run->model, run->inputs, run->mode, run->state) < 0.0;
+    run->motion->mode.phase = phase;
+    run->motion->mode.rises = phase == TDMF_PHASE_RETRACT || rises_in_place(run);
+    run->motion->mode.clamp_closed =
+        phase == TDMF_PHASE_RETRACT && tdmf_servo_torque(run->system.model, run->system.inputs,
+                                                         &run->motion->mode, run->motion->state) < 0.0;
 }
 
 void tdmf_fly(tdmf_run *run) {
@@ -60,46 +61,46 @@ void tdmf_fly(tdmf_run *run) {
 }
 
 void tdmf_fly_on(tdmf_run *run) {
-    leave_ground(run, TDMF_CONTACT_FLIGHT, run->mode->phase);
+    leave_ground(run, TDMF_CONTACT_FLIGHT, run->motion->mode.phase);
 }
 
 /* The mode that the foot would be in if it left now, with theta_LO latched. */
 static tdmf_mode mode_off_ground(const tdmf_run *run) {
-    tdmf_mode off_ground = *run->mode;
+    tdmf_mode off_ground = run->motion->mode;
     off_ground.contact = TDMF_CONTACT_FLIGHT;
     off_ground.phase = phase_off_ground(run);
-    off_ground.liftoff_angle = run->state[TDMF_LEG_ANGLE];
+    off_ground.liftoff_angle = run->motion->state[TDMF_LEG_ANGLE];
     return off_ground;
 }
 
 /* ---- on the ground ------------------------------------------------------------------------------------ */
 
-tdmf_contact_mode tdmf_mode_of_resting_foot(const tdmf_run *run) {
-    const tdmf_evaluation at = tdmf_evaluate_run(run, run->mode);
+tdmf_contact_mode tdmf_mode_of_resting_foot(const tdmf_run *run, const tdmf_mode *mode) {
+    const tdmf_evaluation at = tdmf_evaluate_run(run, mode);
     const tdmf_ground_force force = tdmf_force_in_stance(at.model, at.inputs, at.mode, at.state, &at.leg);
     const double friction =
-        tdmf_static_friction_towards(run->model, run->inputs, run->state[TDMF_FOOT_X], -force.tangential);
+        tdmf_static_friction_towards(run->system, run->motion->state[TDMF_FOOT_X], -force.tangential);
     if (tdmf_inside_friction_cone(force, friction)) {
         return TDMF_CONTACT_STICK;
     }
     return force.tangential < 0.0 ? TDMF_CONTACT_SLIP_POSITIVE : TDMF_CONTACT_SLIP_NEGATIVE;
 }
 
-static tdmf_contact_mode mode_of_loaded_foot(const tdmf_run *run) {
-    const double velocity =
-        tdmf_velocity_along(&run->mode->ground, run->state[TDMF_FOOT_VX], run->state[TDMF_FOOT_VY]);
+static tdmf_contact_mode mode_of_loaded_foot(const tdmf_run *run, const tdmf_mode *mode) {
+    const double *state = run->motion->state;
+    const double velocity = tdmf_velocity_along(&mode->ground, state[TDMF_FOOT_VX], state[TDMF_FOOT_VY]);
     if (velocity == 0.0) {
-        return tdmf_mode_of_resting_foot(run);
+        return tdmf_mode_of_resting_foot(run, mode);
     }
     return velocity > 0.0 ? TDMF_CONTACT_SLIP_POSITIVE : TDMF_CONTACT_SLIP_NEGATIVE;
 }
 
 void tdmf_load_foot(tdmf_run *run) {
     tdmf_thrust_if_due(run);
-    run->mode->phase = run->mode->mid_stance_pending ? TDMF_PHASE_DRIVE : TDMF_PHASE_COAST;
-    run->mode->clamp_closed = false;
-    run->state[TDMF_HIP_PLACE_TIME] = 0.0;
-    tdmf_enter_contact_mode(run, mode_of_loaded_foot(run));
+    run->motion->mode.phase = run->motion->mode.mid_stance_pending ? TDMF_PHASE_DRIVE : TDMF_PHASE_COAST;
+    run->motion->mode.clamp_closed = false;
+    run->motion->state[TDMF_HIP_PLACE_TIME] = 0.0;
+    tdmf_enter_contact_mode(run, mode_of_loaded_foot(run, &run->motion->mode));
 }
 
 /* ---- one or the other --------------------------------------------------------------------------------- */
@@ -110,18 +111,16 @@ static void enter(tdmf_run *run, tdmf_contact_mode entered, const tdmf_mode *off
         tdmf_load_foot(run);
         return;
     }
-    run->mode->liftoff_angle = off_ground->liftoff_angle;
+    run->motion->mode.liftoff_angle = off_ground->liftoff_angle;
     leave_ground(run, entered, off_ground->phase);
 }
 
 /* Gives the acceleration that the leg's angle would have under the stance law of a drive. */
 static double angle_acceleration_in_drive(const tdmf_run *run) {
-    tdmf_mode driven = *run->mode;
-    tdmf_run trial = *run;
-    trial.mode = &driven;
+    tdmf_mode driven = run->motion->mode;
     driven.mid_stance_pending = true;
     driven.phase = TDMF_PHASE_DRIVE;
-    set_contact(run->model, run->state, mode_of_loaded_foot(&trial), &driven);
+    set_contact(run->system.model, run->motion->state, mode_of_loaded_foot(run, &driven), &driven);
     const tdmf_evaluation at = tdmf_evaluate_run(run, &driven);
     return tdmf_accelerate_leg(&at).angle;
 }
@@ -129,8 +128,8 @@ static double angle_acceleration_in_drive(const tdmf_run *run) {
 /* A stance that begins with the foot ahead is driven until the leg is upright. One that begins upright is
  * past that if the leg falls, by itself or driven: else the margin of mid-stance would give it a pulse. */
 static bool begins_with_drive(const tdmf_run *run) {
-    const double angle = run->state[TDMF_LEG_ANGLE];
-    const double rate = run->state[TDMF_LEG_ANGLE_RATE] * run->model->scales.time;
+    const double angle = run->motion->state[TDMF_LEG_ANGLE];
+    const double rate = run->motion->state[TDMF_LEG_ANGLE_RATE] * run->system.model->scales.time;
     if (angle < 0.0 || angle > TDMF_GUARD_MARGIN) {
         return angle > 0.0;
     }
@@ -139,7 +138,7 @@ static bool begins_with_drive(const tdmf_run *run) {
 
 void tdmf_come_to_ground(tdmf_run *run) {
     tdmf_thrust_if_due(run);
-    run->mode->mid_stance_pending = begins_with_drive(run);
+    run->motion->mode.mid_stance_pending = begins_with_drive(run);
     const tdmf_mode off_ground = mode_off_ground(run);
     const tdmf_evaluation at = tdmf_evaluate_run(run, &off_ground);
     enter(run, tdmf_contact_of_resting_foot(&at), &off_ground);
@@ -149,7 +148,7 @@ void tdmf_unload_foot(tdmf_run *run) {
     const tdmf_mode off_ground = mode_off_ground(run);
     const tdmf_evaluation at = tdmf_evaluate_run(run, &off_ground);
     const double force = tdmf_load_in_stance(&at);
-    const bool jumped = force < -TDMF_UNLOADED_FORCE * run->model->scales.force;
+    const bool jumped = force < -TDMF_UNLOADED_FORCE * run->system.model->scales.force;
     enter(run, jumped ? tdmf_contact_of_resting_foot(&at) : tdmf_contact_after_lift_off(&at), &off_ground);
 }
 

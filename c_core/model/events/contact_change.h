@@ -22,9 +22,9 @@ void tdmf_load_foot(tdmf_run *run);
 /* A foot in contact is loaded no more: flight or graze. */
 void tdmf_unload_foot(tdmf_run *run);
 
-/* Gives the mode of a loaded foot at rest: stick if friction can hold it, else slip the way the excess force
- * drives it. */
-tdmf_contact_mode tdmf_mode_of_resting_foot(const tdmf_run *run);
+/* Gives the contact mode of a loaded foot at rest whose hip is in the phase of `mode`: stick if friction can
+ * hold it, else slip the way the excess force drives it. */
+tdmf_contact_mode tdmf_mode_of_resting_foot(const tdmf_run *run, const tdmf_mode *mode);
 
 /* Whether an event, an impact or not, has latched theta_LO: a contact or an impact is left. */
 bool tdmf_latches_liftoff_angle(const tdmf_mode *before, const tdmf_mode *after, bool impact);

@@ -26,15 +26,15 @@ const tdmf_event_kind *tdmf_event_kind_of(tdmf_guard guard) {
     return &kinds[guard];
 }
 
-void tdmf_guards(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_mode *mode,
-                 const double state[TDMF_STATE_COUNT], double guards[TDMF_GUARD_COUNT]) {
+void tdmf_guards(tdmf_system system, const tdmf_mode *mode, const double state[TDMF_STATE_COUNT],
+                 double guards[TDMF_GUARD_COUNT]) {
     for (int i = 0; i < TDMF_GUARD_COUNT; ++i) {
         guards[i] = tdmf_is_mode(mode) ? 1.0 : (double)NAN;
     }
     if (mode->fallen || !tdmf_is_mode(mode)) {
         return;
     }
-    const tdmf_evaluation at = tdmf_evaluate(model, inputs, mode, state);
+    const tdmf_evaluation at = tdmf_evaluate(system, mode, state);
     const watch_list list = watched_by[mode->contact];
     const int phase = 1 << mode->phase;
     for (const watched *event = list.first; event != list.end; ++event) {
@@ -60,20 +60,19 @@ static tdmf_guard first_due(const tdmf_evaluation *at, tdmf_guard reached) {
     return TDMF_GUARD_COUNT;
 }
 
-tdmf_guard tdmf_first_due(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_mode *mode,
-                          const double state[TDMF_STATE_COUNT]) {
-    const tdmf_evaluation at = tdmf_evaluate(model, inputs, mode, state);
+tdmf_guard tdmf_first_due(tdmf_system system, const tdmf_mode *mode, const double state[TDMF_STATE_COUNT]) {
+    const tdmf_evaluation at = tdmf_evaluate(system, mode, state);
     return tdmf_is_mode(mode) ? first_due(&at, TDMF_GUARD_COUNT) : TDMF_GUARD_COUNT;
 }
 
 tdmf_evaluation tdmf_evaluate_run(const tdmf_run *run, const tdmf_mode *mode) {
-    const tdmf_leg leg = tdmf_leg_along(run->model, run->inputs, mode, run->state, run->direction);
-    return tdmf_evaluate_leg(run->model, run->inputs, mode, run->state, &leg);
+    const tdmf_leg leg = tdmf_leg_along(run->system, mode, run->motion->state, run->direction);
+    return tdmf_evaluate_leg(run->system, mode, run->motion->state, &leg);
 }
 
 bool tdmf_take_transitions(tdmf_run *run, tdmf_guard reached) {
     for (int links = 0; links < TDMF_CHAIN_LIMIT; ++links) {
-        const tdmf_evaluation at = tdmf_evaluate_run(run, run->mode);
+        const tdmf_evaluation at = tdmf_evaluate_run(run, &run->motion->mode);
         const tdmf_guard due = first_due(&at, reached);
         if (due == TDMF_GUARD_COUNT) {
             return true;

@@ -10,28 +10,21 @@
 /* A run as its resets see it: what is given, the instant, and what they may change. No reset moves the leg.
  */
 typedef struct {
-    const tdmf_model *model;
-    const tdmf_inputs *inputs;
-    double time;
-    double *state;
-    tdmf_mode *mode;
-    tdmf_record *record;
-    tdmf_leg_direction direction;
+    tdmf_system system;
+    tdmf_motion *motion;
+    tdmf_leg_direction direction; /* of the leg in it */
 } tdmf_run;
 
 /* tdmf_resolve, where the leg's direction is at hand. `reached` is the guard whose zero a solver has come to,
  * and which is due there, before its margin is passed; TDMF_GUARD_COUNT for none. */
-tdmf_resolution tdmf_resolve_along(const tdmf_model *model, const tdmf_inputs *inputs, double time,
-                                   double state[TDMF_STATE_COUNT], tdmf_leg_direction direction,
-                                   tdmf_guard reached, tdmf_mode *mode, tdmf_record *record);
+tdmf_resolution tdmf_resolve_along(tdmf_system system, tdmf_motion *motion, tdmf_leg_direction direction,
+                                   tdmf_guard reached);
 
 /* The run in a mode as it is now, or in another that it might be in. */
 tdmf_evaluation tdmf_evaluate_run(const tdmf_run *run, const tdmf_mode *mode);
 
 /* tdmf_observe, where the leg's direction is at hand. */
-void tdmf_observe_along(const tdmf_model *model, const tdmf_inputs *inputs,
-                        const double state[TDMF_STATE_COUNT], tdmf_leg_direction direction, tdmf_mode *mode,
-                        tdmf_record *record);
+void tdmf_observe_along(tdmf_system system, tdmf_motion *motion, tdmf_leg_direction direction);
 
 typedef struct {
     /* Positive while the event is to come, a pure number. */

@@ -21,19 +21,17 @@ double tdmf_armed_vertical_force_peak(const tdmf_evaluation *at) {
                : armed(at, tdmf_vertical_force(ground, tdmf_force_rate(at)), at->mode->vertical_force_rising);
 }
 
-void tdmf_observe(const tdmf_model *model, const tdmf_inputs *inputs, const double state[TDMF_STATE_COUNT],
-                  tdmf_mode *mode, tdmf_record *record) {
-    tdmf_observe_along(model, inputs, state, tdmf_leg_direction_of(state), mode, record);
+void tdmf_observe(tdmf_system system, tdmf_motion *motion) {
+    tdmf_observe_along(system, motion, tdmf_leg_direction_of(motion->state));
 }
 
-void tdmf_observe_along(const tdmf_model *model, const tdmf_inputs *inputs,
-                        const double state[TDMF_STATE_COUNT], tdmf_leg_direction direction, tdmf_mode *mode,
-                        tdmf_record *record) {
+void tdmf_observe_along(tdmf_system system, tdmf_motion *motion, tdmf_leg_direction direction) {
+    tdmf_mode *mode = &motion->mode;
     if (tdmf_in_contact(mode)) {
-        const tdmf_leg leg = tdmf_leg_along(model, inputs, mode, state, direction);
-        const tdmf_evaluation at = tdmf_evaluate_leg(model, inputs, mode, state, &leg);
+        const tdmf_leg leg = tdmf_leg_along(system, mode, motion->state, direction);
+        const tdmf_evaluation at = tdmf_evaluate_leg(system, mode, motion->state, &leg);
         const tdmf_ground_force rate = tdmf_force_rate(&at);
-        tdmf_record_force(record, at.force.normal, tdmf_vertical_force(&mode->ground, at.force));
+        tdmf_record_force(&motion->record, at.force.normal, tdmf_vertical_force(&mode->ground, at.force));
         mode->ground_force_rising = rate.normal > 0.0;
         mode->vertical_force_rising = tdmf_vertical_force(&mode->ground, rate) > 0.0;
     }

@@ -31,6 +31,6 @@ double tdmf_vary_armed_new_ground(const tdmf_evaluation *at, const tdmf_evaluati
 }
 
 void tdmf_take_new_ground(tdmf_run *run) {
-    run->mode->ground = tdmf_ground_line_set(run->inputs);
-    tdmf_record_event(run->record, run->time);
+    run->motion->mode.ground = tdmf_ground_line_set(run->system.inputs);
+    tdmf_record_event(run->motion);
 }

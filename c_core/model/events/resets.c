@@ -11,17 +11,17 @@
 /* The servo of retract changes its sign, and the clamp of (12) opens or closes. Neither a contact nor a phase
  * changes, so that it is not counted. */
 void tdmf_take_clamp(tdmf_run *run) {
-    run->mode->clamp_closed = !run->mode->clamp_closed;
+    run->motion->mode.clamp_closed = !run->motion->mode.clamp_closed;
 }
 
 /* The leg falls through the vertical, and drive turns into coast. In graze the drive waits, for the foot to
  * be loaded again, and ends alike. */
 void tdmf_take_mid_stance(tdmf_run *run) {
-    run->mode->mid_stance_pending = false;
-    if (tdmf_in_contact(run->mode)) {
-        run->mode->phase = TDMF_PHASE_COAST;
+    run->motion->mode.mid_stance_pending = false;
+    if (tdmf_in_contact(&run->motion->mode)) {
+        run->motion->mode.phase = TDMF_PHASE_COAST;
     }
-    tdmf_record_event(run->record, run->time);
+    tdmf_record_event(run->motion);
 }
 
 /* ---- the foot ------------------------------------------------------------------------------------------ */
@@ -29,12 +29,12 @@ void tdmf_take_mid_stance(tdmf_run *run) {
 /* The ground force vanishes; flight or graze begins. */
 void tdmf_take_lift_off(tdmf_run *run) {
     tdmf_unload_foot(run);
-    tdmf_record_event(run->record, run->time);
+    tdmf_record_event(run->motion);
 }
 
 static void slip(tdmf_run *run, tdmf_contact_mode entered) {
     tdmf_enter_contact_mode(run, entered);
-    tdmf_record_event(run->record, run->time);
+    tdmf_record_event(run->motion);
 }
 
 void tdmf_take_slip_onset_positive(tdmf_run *run) {
@@ -48,26 +48,26 @@ void tdmf_take_slip_onset_negative(tdmf_run *run) {
 /* The foot sticks, or slips the other way. A slip that only touches zero velocity and goes on is not counted,
  * unless it does so across a border. */
 void tdmf_take_slip_velocity_zero(tdmf_run *run) {
-    tdmf_set_foot_velocity_along(0.0, 0.0, run->direction, run->state);
-    const tdmf_contact_mode entered = tdmf_mode_of_resting_foot(run);
-    if (entered != run->mode->contact) {
+    tdmf_set_foot_velocity_along(0.0, 0.0, run->direction, run->motion->state);
+    const tdmf_contact_mode entered = tdmf_mode_of_resting_foot(run, &run->motion->mode);
+    if (entered != run->motion->mode.contact) {
         tdmf_enter_contact_mode(run, entered);
-        tdmf_record_event(run->record, run->time);
+        tdmf_record_event(run->motion);
     } else {
-        const tdmf_zone zone =
-            tdmf_zone_towards(run->model, run->state[TDMF_FOOT_X], tdmf_sign_of_slip(run->mode));
-        if (zone != run->mode->zone) {
-            run->mode->zone = zone;
-            tdmf_record_event(run->record, run->time);
+        const tdmf_zone zone = tdmf_zone_towards(run->system.model, run->motion->state[TDMF_FOOT_X],
+                                                 tdmf_sign_of_slip(&run->motion->mode));
+        if (zone != run->motion->mode.zone) {
+            run->motion->mode.zone = zone;
+            tdmf_record_event(run->motion);
         }
     }
 }
 
 /* The foot slips on from one zone to the next; force and friction are others, the mode is the same. */
 void tdmf_take_patch_border(tdmf_run *run) {
-    const int onward = tdmf_sign_of_slip(run->mode) > 0.0 ? 1 : -1;
-    run->mode->zone = (tdmf_zone)((int)run->mode->zone + onward);
-    tdmf_record_event(run->record, run->time);
+    const int onward = tdmf_sign_of_slip(&run->motion->mode) > 0.0 ? 1 : -1;
+    run->motion->mode.zone = (tdmf_zone)((int)run->motion->mode.zone + onward);
+    tdmf_record_event(run->motion);
 }
 
 /* Where no border is ahead there is nothing to reach. */
@@ -85,18 +85,18 @@ double tdmf_vary_armed_patch_border(const tdmf_evaluation *at, const tdmf_evalua
 /* The stance law loads a grazing foot again. */
 void tdmf_take_graze_to_contact(tdmf_run *run) {
     tdmf_load_foot(run);
-    tdmf_record_event(run->record, run->time);
+    tdmf_record_event(run->motion);
 }
 
 /* The flight law lifts it. */
 void tdmf_take_graze_to_flight(tdmf_run *run) {
     tdmf_fly_on(run);
-    tdmf_record_event(run->record, run->time);
+    tdmf_record_event(run->motion);
 }
 
 /* ---- falls --------------------------------------------------------------------------------------------- */
 
 /* The body reaches the ground, or the leg its minimum: the run is over. */
 void tdmf_take_fall(tdmf_run *run) {
-    run->mode->fallen = true;
+    run->motion->mode.fallen = true;
 }

@@ -8,17 +8,17 @@
 #include "record.h"
 
 void tdmf_touch_down(tdmf_run *run) {
-    tdmf_record_impact(run->record, tdmf_impact_along(run->model, run->inputs, &run->mode->ground,
-                                                      run->direction, run->state));
-    tdmf_record_event(run->record, run->time);
+    tdmf_record_impact(&run->motion->record, tdmf_impact_along(run->system, &run->motion->mode.ground,
+                                                               run->direction, run->motion->state));
+    tdmf_record_event(run->motion);
     tdmf_come_to_ground(run);
 }
 
 /* A foot that is found below the ground without moving down was put there by rounding or by a coarse
  * importer: it is lifted to the ground and nothing is counted. */
 void tdmf_take_touchdown(tdmf_run *run) {
-    double *state = run->state;
-    const tdmf_ground_line *ground = &run->mode->ground;
+    double *state = run->motion->state;
+    const tdmf_ground_line *ground = &run->motion->mode.ground;
     const double rate = tdmf_velocity_off(ground, state[TDMF_FOOT_VX], state[TDMF_FOOT_VY]);
     if (rate < 0.0) {
         tdmf_touch_down(run);
@@ -26,7 +26,7 @@ void tdmf_take_touchdown(tdmf_run *run) {
     }
     tdmf_lift_to_ground(ground, state);
     if (rate == 0.0) {
-        tdmf_record_event(run->record, run->time);
+        tdmf_record_event(run->motion);
         tdmf_come_to_ground(run);
     }
 }
@@ -34,5 +34,5 @@ void tdmf_take_touchdown(tdmf_run *run) {
 void tdmf_vary_take_touchdown(const tdmf_model *model, const tdmf_inputs *inputs,
                               const tdmf_ground_line *ground, const double before[TDMF_STATE_COUNT],
                               const tdmf_local_seed *d, double d_state[TDMF_STATE_COUNT]) {
-    tdmf_vary_impact(model, inputs, ground, before, d, d_state);
+    tdmf_vary_impact((tdmf_system){model, inputs}, ground, before, d, d_state);
 }

@@ -38,7 +38,7 @@ static tdmf_solver tight_solver(void) {
 LIVE_EXPORT(live_settle)
 int live_settle(int strides) {
     tdmf_solver solver = tight_solver();
-    return tdmf_settle(&solver, &live.model, &live.inputs, strides, live.section);
+    return tdmf_settle(&solver, live_system(), strides, live.section);
 }
 
 static const char *reason(const tdmf_orbit *orbit) {
@@ -86,7 +86,7 @@ bool live_find_gait(void) {
                  "gaits: above 0");
         return false;
     }
-    const tdmf_orbit orbit = tdmf_find_orbit(&solver, &live.model, &live.inputs, live.section, NULL, 0);
+    const tdmf_orbit orbit = tdmf_find_orbit(&solver, live_system(), live.section, NULL, 0);
     if (orbit.outcome != TDMF_ORBIT_FOUND) {
         snprintf(live.message, sizeof live.message, "No gait was found: %s.", reason(&orbit));
         return false;

@@ -21,6 +21,11 @@ typedef struct {
 } live_shared;
 extern live_shared live;
 
+static inline tdmf_system live_system(void) {
+    const tdmf_system system = {&live.model, &live.inputs};
+    return system;
+}
+
 /* ---- generated from modelDescription.xml --------------------------------------------------------------- */
 
 typedef enum { LIVE_PARAMETER, LIVE_INPUT } live_group;

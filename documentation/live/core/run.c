@@ -43,7 +43,7 @@ int live_samples_counted(void) {
 /* Writes the state at the apex in the section; its foot is at x = 0. */
 LIVE_EXPORT(live_state_at_section)
 void live_state_at_section(void) {
-    tdmf_section_state(&live.model, &live.inputs, live.section, start_state);
+    tdmf_section_state(live_system(), live.section, start_state);
 }
 
 /* Writes the section that has the height above the ground, the forward speed and the leg of the state. */
@@ -58,8 +58,7 @@ LIVE_EXPORT(live_start)
 bool live_start(void) {
     tdmf_motion next = {.time = 0.0};
     memcpy(next.state, start_state, sizeof next.state);
-    const tdmf_refusal refusal =
-        tdmf_start(&live.model, &live.inputs, 0.0, next.state, &next.mode, &next.record);
+    const tdmf_refusal refusal = tdmf_start(live_system(), &next);
     if (live_refused(&refusal)) {
         return false;
     }
@@ -74,9 +73,8 @@ LIVE_EXPORT(live_go_on)
 void live_go_on(void) {
     if (!motion.mode.fallen) {
         const tdmf_leg_sample now = tdmf_leg_sample_of(motion.time, motion.state);
-        motion.state[TDMF_LEG_WORK] +=
-            tdmf_account_for_extension(&live.model, &live.inputs, &now, &now, &motion.mode);
-        tdmf_resolve(&live.model, &live.inputs, motion.time, motion.state, &motion.mode, &motion.record);
+        motion.state[TDMF_LEG_WORK] += tdmf_account_for_extension(live_system(), &now, &now, &motion.mode);
+        tdmf_resolve(live_system(), &motion);
     }
 }
 
@@ -84,7 +82,7 @@ static void sample(double time, const tdmf_mode *mode, const double state[TDMF_S
     if (sample_count == SAMPLE_CAPACITY) {
         return;
     }
-    const tdmf_ground_force force = tdmf_contact_force(&live.model, &live.inputs, mode, state);
+    const tdmf_ground_force force = tdmf_contact_force(live_system(), mode, state);
     double *row = samples[sample_count++];
     row[SAMPLE_TIME] = time;
     row[SAMPLE_FOOT_X] = state[TDMF_FOOT_X];
@@ -107,8 +105,7 @@ static tdmf_outcome advance_to_event(double until, bool *event) {
     tdmf_solver solver = tdmf_solver_default();
     solver.log = &log;
     solver.event_limit = 1;
-    const tdmf_outcome outcome =
-        tdmf_native_advance(&solver, &live.model, &live.inputs, NULL, until, &motion);
+    const tdmf_outcome outcome = tdmf_native_advance(&solver, live_system(), NULL, until, &motion);
     sample_events(&log);
     sample(motion.time, &motion.mode, motion.state);
     *event = outcome == TDMF_TOO_MANY_EVENTS;
@@ -140,8 +137,7 @@ int live_advance(double until, double interval, bool to_event) {
 /* Fills the outputs with those of the present instant. */
 LIVE_EXPORT(live_read)
 void live_read(void) {
-    const tdmf_outputs outputs =
-        tdmf_outputs_of(&live.model, &live.inputs, &motion.mode, &motion.record, motion.state);
+    const tdmf_outputs outputs = tdmf_outputs_of(live_system(), &motion);
     live_write_outputs(&outputs, motion.state);
 }
 

@@ -234,13 +234,13 @@ def _search(runner: Runner, apex: NDArray[np.float64], settling: int, along: Alo
     change, map = direction(along), map_of(runner)
     log: EventLog = ffi.new("tdmf_event_log *")
     solver, section = runner.solver(log), ffi.new("double[]", list(apex))
-    ran = settling and map.settle(solver, runner.model, runner.inputs, settling, section)
-    found = map.find(solver, runner.model, runner.inputs, section, change, change != ffi.NULL)
+    ran = settling and map.settle(solver, runner.system, settling, section)
+    found = map.find(solver, runner.system, section, change, change != ffi.NULL)
     if found.outcome != c.TDMF_ORBIT_FOUND:
         raise GaitNotFoundError(why_no_gait(runner, found, ran < settling, ran))
     log.count = 0
     fixed_point = list(found.apex)[: len(apex)]
-    stride = map.measured_stride(solver, runner.model, runner.inputs, fixed_point, np.inf, False, ffi.NULL, 0)
+    stride = map.measured_stride(solver, runner.system, fixed_point, np.inf, False, ffi.NULL, 0)
     if not runner.reduced:
         found.stride.measures = stride.measures
     gait = gait_of_stride(runner, np.array(fixed_point), found.stride, log, along)

@@ -19,13 +19,13 @@ class Map:
     """What the library has for a map."""
 
     stride: Callable[..., Return]
-    """Of solver, model, inputs, apex, longest time, whether derivatives, seeds and how many."""
+    """Of solver, system, apex, longest time, whether derivatives, seeds and how many."""
     measured_stride: Callable[..., Return]
     """The same, with what is measured along the stride."""
     settle: Callable[..., int]
-    """Of solver, model, inputs, strides and the apex, which becomes the last one: how many closed."""
+    """Of solver, system, strides and the apex, which becomes the last one: how many closed."""
     find: Callable[..., FoundGait]
-    """Of solver, model, inputs, a guess, seeds and how many: the fixed point near the guess."""
+    """Of solver, system, a guess, seeds and how many: the fixed point near the guess."""
 
 
 def map_of(runner: Runner) -> Map:

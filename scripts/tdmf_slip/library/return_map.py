@@ -52,9 +52,7 @@ def stride_from(
     """
     runner = Runner.of(runner)
     map, section = map_of(runner), list(checked_apex(apex, runner.coordinates))
-    stride = map.stride(
-        runner.solver(), runner.model, runner.inputs, section, np.inf, True, direction(along), 1
-    )
+    stride = map.stride(runner.solver(), runner.system, section, np.inf, True, direction(along), 1)
     why_not = why_no_return(stride)
     if why_not is not None:
         raise RunError(f"no stride closes at friction {runner.values[FRICTION]:g}: {why_not}")

@@ -139,6 +139,18 @@ class Runner(ByContents):
         _check(c.tdmf_check_inputs(inputs))
         return inputs
 
+    @cached_property
+    def system(self) -> Struct:
+        """Parameters and inputs as the library's `tdmf_system`.
+
+        Raises
+        ------
+        InputError
+            A parameter or an input is refused.
+        """
+        system: Struct = ffi.new("tdmf_system *", {"model": self.model, "inputs": self.inputs})[0]
+        return system
+
     @property
     def coordinates(self) -> tuple[str, ...]:
         """Of an apex: `COORDINATES`, or `REDUCED`."""
@@ -214,8 +226,7 @@ class Runner(ByContents):
         apex = self.apex()
         motion = ffi.new("tdmf_motion *")
         self._write_state(apex, motion.state)
-        mode, record = ffi.addressof(motion.mode), ffi.addressof(motion.record)
-        _check(c.tdmf_start(self.model, self.inputs, 0.0, motion.state, mode, record))
+        _check(c.tdmf_start(self.system, motion))
         if not motion.record.open.began_at_apex:
             height = motion.state[STATES.index("foot.y")]
             raise InputError(
@@ -249,9 +260,9 @@ class Runner(ByContents):
         """The state at an apex; the reduced map has the leg where it is to be placed."""
         coordinates = ffi.new("double[]", list(apex))
         if self.reduced:
-            c.tdmf_reduced_state(self.model, self.inputs, coordinates, state)
+            c.tdmf_reduced_state(self.system, coordinates, state)
         else:
-            c.tdmf_section_state(self.model, self.inputs, coordinates, state)
+            c.tdmf_section_state(self.system, coordinates, state)
 
     def start_values(self, apex: Apex) -> dict[str, float]:
         """Everything that a run of the unit needs to begin at an apex: the runner's values, and `state_at`.

@@ -60,8 +60,8 @@ static tdmf_return stride_of(const scene *scene, const tdmf_seed *seed) {
     tdmf_solver solver = tdmf_solver_default();
     solver.relative_tolerance = 1e-18L;
     tdmf_model_create(&model, &scene->parameters);
-    return tdmf_reduced_map(&solver, &model, &scene->inputs, scene->apex, 1e4L, seed != NULL, seed,
-                            seed != NULL);
+    return tdmf_reduced_map(&solver, (tdmf_system){&model, &scene->inputs}, scene->apex, 1e4L, seed != NULL,
+                            seed, seed != NULL);
 }
 
 /* How far the derivatives by a coordinate are off, each in units of its own size. */

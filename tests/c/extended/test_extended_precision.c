@@ -43,7 +43,8 @@ static tdmf_return stride_within(double tolerance, const scene *scene, bool deri
         printf("the parameters are refused\n");
         exit(1);
     }
-    return tdmf_return_map(&solver, &model, &scene->inputs, scene->apex, 1e4L, derivatives, seeds, count);
+    return tdmf_return_map(&solver, (tdmf_system){&model, &scene->inputs}, scene->apex, 1e4L, derivatives,
+                           seeds, count);
 }
 
 static tdmf_return stride_of(const scene *scene) {
