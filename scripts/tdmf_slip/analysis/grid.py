@@ -167,7 +167,7 @@ def grid(
     check_values(runner, FRICTION, across)
     for value in down:
         row = runner.but(name, value)
-        _ = row.model, row.inputs
+        _ = row.system
     attributes = {"title": "Periodic gaits", "source": f"tdmf-slip {fmu.version}"} | {
         n: v for n, v in runner.values.items() if n not in coordinates
     }

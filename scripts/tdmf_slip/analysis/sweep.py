@@ -288,5 +288,5 @@ def check_values(runner: Runner, name: str, values: Values) -> None:
     """
     for value in values:
         other = runner.but(name, value)
-        _ = other.model, other.inputs
+        _ = other.system
         check_has_gaits(other.values[FRICTION])

@@ -148,8 +148,7 @@ def _stride(
     change, map = direction(along), map_of(runner)
     stride = map.measured_stride(
         runner.solver(log),
-        runner.model,
-        runner.inputs,
+        runner.system,
         list(apex),
         longest_stride(runner),
         True,

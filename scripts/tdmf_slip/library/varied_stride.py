@@ -183,8 +183,7 @@ def _stride(
         changes[k] = direction(name)[0]
     stride = map.measured_stride(
         runner.solver(),
-        runner.model,
-        runner.inputs,
+        runner.system,
         list(apex),
         longest_stride(runner),
         derivatives,
