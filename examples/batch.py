@@ -30,7 +30,7 @@ def main():
     parser.add_argument("--scheduler", metavar="ADDRESS", help="of a Dask cluster")
     parser.add_argument("--output", metavar="FILE.nc", help="write all results as NetCDF")
     options = parser.parse_args()
-    runs = tdmf_slip.run_batch(table(), strides=STRIDES, scheduler=options.scheduler, progress=True)
+    runs = tdmf_slip.simulate_many(table(), strides=STRIDES, scheduler=options.scheduler, progress=True)
     print(f"{'damping':>8} {'friction':>9}  {'word':8} {'speed':>7} {'cost of transport':>18}")
     columns = ("leg.damping", "ground.friction", "word", "speed", "cost_of_transport")
     for damping, friction, word, speed, cost in zip(*(runs[name].values for name in columns), strict=True):

@@ -2,7 +2,7 @@
 
     python examples/rough_ground.py [picture]
 
-`tdmf_slip.simulate_over` gives the unit, at each communication point, the line of the profile below the foot.
+`tdmf_slip.simulate` gives the unit, at each communication point, the line of the profile below the foot.
 The picture shows the ground, where foot and centre of mass go, and the leg wherever it carries the body.
 """
 
@@ -10,7 +10,7 @@ import sys
 
 import matplotlib.pyplot as plt
 import numpy as np
-from tdmf_slip import Profile, simulate_over
+from tdmf_slip import Profile, simulate
 
 STRIDES = 8
 RECORDED = ("foot.x", "foot.y", "body.x", "body.y", "com.x", "com.y", "contact.normal")
@@ -25,12 +25,12 @@ def ground():
 
 
 def run():
-    """The rows of the run."""
-    return simulate_over(ground(), strides=STRIDES, variables=RECORDED)
+    """Eight strides, or until a fall."""
+    return simulate(strides=STRIDES, profile=ground(), variables=RECORDED)
 
 
 def draw(path, profile, rows):
-    """Draw the run."""
+    """Draw the rows of a run."""
     figure, axes = plt.subplots(figsize=(11, 3.6), layout="constrained")
     end = rows["com.x"][-1]
     inside = (profile.x > 0) & (profile.x < end)
@@ -52,10 +52,10 @@ def draw(path, profile, rows):
 
 def main():
     """Run, tell and draw."""
-    rows = run()
-    fate = "fell" if rows["status.fallen"][-1] else "ran on"
-    print(f"{fate} after {rows['stride.count'][-1]} strides and {rows['com.x'][-1]:.1f} leg lengths")
-    draw(sys.argv[1] if len(sys.argv) > 1 else "rough_ground.png", ground(), rows)
+    ran = run()
+    fate = "fell" if ran.fallen else "ran on"
+    print(f"{fate} after {ran.strides} strides and {ran.final['com.x']:.1f} leg lengths")
+    draw(sys.argv[1] if len(sys.argv) > 1 else "rough_ground.png", ground(), ran.table)
 
 
 if __name__ == "__main__":

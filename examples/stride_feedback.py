@@ -140,7 +140,7 @@ def run(law, start_values, strides=STRIDES):
     with Importer(start_values) as runner:
         apices, settings = [runner.apex], []
         for _ in range(strides):
-            settings.append(law.settings_at(apices[-1]))
+            settings.append(law.inputs_at(apices[-1]))
             for name, value in settings[-1].items():
                 runner[name] = value
             if not runner.advance_to_apex():

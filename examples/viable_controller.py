@@ -23,7 +23,7 @@ STRIDES = 12
 class Unchanged:
     """No controller: the runner's own settings throughout."""
 
-    def settings_at(self, apex):
+    def inputs_at(self, apex):
         """Nothing is set."""
         return {}
 

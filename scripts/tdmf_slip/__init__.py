@@ -4,14 +4,14 @@
     >>> run = tdmf_slip.simulate({"ground.friction": 0.43}, strides=3)
     >>> run.stride["word"], run.fallen
 
-`simulate` runs the FMI unit once, `simulate_over` over the uneven ground of a `Profile`, and `run_batch` many
-times; `find_gait` finds the periodic gait of a `Runner` with its eigenvalues, or the one that has a given
-speed or the like, `sweep` gaits over a range, `continue_branch` a branch of gaits through folds with
-its bifurcations, `basin` what a gait attracts, `viability` what some choice of actions can save; `dead_beat`,
-`lqr` and `place_poles` make a feedback that holds a gait; `fit` fits a runner to measured gaits; `optimize`
-finds the best runner; `run_ensemble` follows many runners at once; `prove`, `prove_border` and
-`prove_attraction` prove by interval arithmetic; `validate` compares with what the paper publishes. `fmu_path`
-is the unit itself, for any other importer.
+`simulate` runs the FMI unit once, also over the uneven ground of a `Profile`, and `simulate_many` once for
+each of many runners; `find_gait` finds the periodic gait of a `Runner` with its eigenvalues, or the one that
+has a given speed or the like, `sweep` gaits over a range, `continue_branch` a branch of gaits through folds
+with its bifurcations, `basin` what a gait attracts, `viability` what some choice of actions can save;
+`dead_beat`, `lqr` and `place_poles` make a feedback that holds a gait; `fit` fits a runner to measured gaits;
+`optimize` finds the best runner; `stride_map` makes strides of many runners at once; `prove`, `prove_border`
+and `prove_attraction` prove by interval arithmetic; `validate` compares with what the paper publishes.
+`fmu_path` is the unit itself, for any other importer.
 
 The sub-packages, each of which knows those before it only: `terminal`, `files` and `blocks`, which know
 nothing of runners; `unit`, `library`, `analysis`, `feedback`, `fitting`, `optimization`, `proof`,

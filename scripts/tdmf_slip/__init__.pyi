@@ -17,7 +17,6 @@ from .feedback.noise import apex_covariance
 from .fitting.fitted import fit
 from .fitting.result import Fit
 from .library.affine_law import AffineLaw
-from .library.ensemble import run_ensemble
 from .library.gait import Gait
 from .library.runner import Runner
 from .optimization.optimize import optimize
@@ -28,9 +27,8 @@ from .proof.proof import Proof
 from .proof.prove import prove
 from .proof.prove_attraction import Attraction, prove_attraction
 from .proof.prove_border import BorderProof, prove_border
-from .unit.batch import run_batch
-from .unit.parameters import read_parameters
-from .unit.profile import Profile, simulate_over
+from .unit.batch import simulate_many
+from .unit.profile import Profile
 from .unit.run import Run
 from .unit.simulation import simulate
 from .unit.unit import Fmu, fmu_path, load_fmu
@@ -87,11 +85,8 @@ __all__ = [
     "prove_attraction",
     "prove_border",
     "rare_falls",
-    "read_parameters",
-    "run_batch",
-    "run_ensemble",
     "simulate",
-    "simulate_over",
+    "simulate_many",
     "stride_map",
     "strides_to_fall",
     "sweep",

@@ -1,15 +1,16 @@
-"""What is given by name or in a row: mappings and lists, and Series and DataFrames, which users have.
+"""What is given by name, in a row or as a range: mappings, lists, and the Series and DataFrames of users.
 
 Those are known by what they can do, so that neither pandas nor another library of tables is imported.
 """
 
+import math
 from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any, TypeGuard
 
 import numpy as np
 
-from .checks import shown
+from .checks import checked_whole, is_number, shown
 from .errors import InputError
 
 
@@ -188,3 +189,26 @@ def _check_once(names: Iterable[object], what: str) -> None:
     twice = next((name for name, count in Counter(names).items() if count > 1), None)
     if twice is not None:
         raise InputError(f"{what}: {twice} is given twice; allowed: once")
+
+
+def ends_given(what: str, given: object, *, may_be_one: bool = False) -> tuple[float, float]:
+    """Both ends of a range (low, high), which differ unless they may be one."""
+    allowed = "two finite numbers, the lower one first"
+    try:
+        low, high = (float(end) for end in row_of(given, what, allowed))
+    except (TypeError, ValueError):
+        raise InputError(f"{what} = {shown(given)} is not allowed; allowed: {allowed}") from None
+    if not (math.isfinite(high - low) and (low < high or (may_be_one and low == high))):
+        raise InputError(f"{what} = {shown(given)} is not allowed; allowed: {allowed}")
+    return low, high
+
+
+def counts_given(given: object, high: int) -> tuple[int, int]:
+    """How many points each of two axes has: a number `n`, or one for each axis, from 2 on."""
+    allowed = "a number, or one of each axis"
+    both = is_number(given) or isinstance(given, bool | np.bool_)
+    counts = (given, given) if both else tuple(row_of(given, "n", allowed))
+    if len(counts) != 2:
+        raise InputError(f"n = {shown(given)} is not allowed; allowed: {allowed}")
+    first, second = (checked_whole("n", count, 2, high) for count in counts)
+    return first, second

@@ -8,6 +8,10 @@ NAMES: Mapping[str, str] = {
     "Unit": "Fmu",
     "find_orbit": "find_gait",
     "load": "load_fmu",
+    "read_parameters": "Runner.of",
+    "run_batch": "simulate_many",
+    "run_ensemble": "library.ensemble.run_ensemble",
+    "simulate_over": "simulate",
 }
 """Of the package, from the old to the new."""
 OPTIONS: Mapping[str, str] = {

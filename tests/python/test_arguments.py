@@ -24,11 +24,11 @@ from tdmf_slip.feedback import judgement
 from tdmf_slip.library import ensemble, return_map
 from tdmf_slip.paper import settling
 from tdmf_slip.unit import batch, inputs
+from tdmf_slip.unit.parameters import read_parameters
 
 FRICTION, ANGLE = "ground.friction", "hip.touchdown_angle"
 START = {FRICTION: 0.2}
-AXES = ("com_height", "com_speed")
-RANGES = ([1.3, 1.4], [1.0, 1.1])
+RANGES = {"com_height": (1.3, 1.4), "com_speed": (1.0, 1.1)}
 
 
 @pytest.fixture(scope="module")
@@ -49,12 +49,14 @@ TAKE_A_RUNNER = {
     "find_gait from a guess": lambda given, found: search.periodic_gait(given, guess=found.apex).apex,
     "sweep": lambda given, found: sweep.sweep(given, {"ground.friction": [0.3]}).gaits[0].apex,
     "grid": lambda given, found: (
-        grid.grid(given, [0.3], "leg.damping", [0.2], "grid.nc", threads=1)["period"].values
+        grid.grid(given, {"ground.friction": [0.3], "leg.damping": [0.2]}, "grid.nc", threads=1)[
+            "period"
+        ].values
     ),
     "gaits_over": lambda given, found: next(continuation.gaits_over(given, FRICTION, [0.3], found)).apex,
     "borders_between": lambda given, found: borders.borders_between(given, FRICTION, found, found),
     "trace": lambda given, found: tracing.trace(given, FRICTION, found, 0.21, max_points=2).values,
-    "basin": lambda given, found: basin.basin(given, AXES, RANGES, threads=1)["strides_until_known"].values,
+    "basin": lambda given, found: basin.basin(given, RANGES, 2, threads=1)["strides_until_known"].values,
     "stable_gait": lambda given, found: basin.stable_gait(given).apex,
     "fates": lambda given, found: fates.fates(given, found.apex, [found.apex])["strides"],
 }
@@ -99,12 +101,12 @@ WRONG = [
     lambda r, o: sweep.sweep(r, {"ground.friction": ["x"]}),
     lambda r, o: sweep.sweep(r, {"ground.friction": []}),
     lambda r, o: sweep.sweep(r, {"ground.friction": [[0.3]]}),
-    lambda r, o: grid.grid(r, [0.3], "leg.damping", [], "g.nc"),
-    lambda r, o: grid.grid(r, [0.3], "leg.damping", 0.2, "g.nc"),
-    lambda r, o: grid.grid(r, [0.3], "leg.damping", ["x"], "g.nc"),
-    lambda r, o: grid.grid(r, [0.3], "leg.damping", [0.2], "missing/g.nc"),
-    lambda r, o: grid.grid(r, [0.3], "leg.damping", [0.2], 3),
-    lambda r, o: grid.grid(r, [0.3], "solver.relative_tolerance", [0.2], "g.nc"),
+    lambda r, o: grid.grid(r, {"ground.friction": [0.3], "leg.damping": []}, "g.nc"),
+    lambda r, o: grid.grid(r, {"ground.friction": [0.3], "leg.damping": 0.2}, "g.nc"),
+    lambda r, o: grid.grid(r, {"ground.friction": [0.3], "leg.damping": ["x"]}, "g.nc"),
+    lambda r, o: grid.grid(r, {"ground.friction": [0.3], "leg.damping": [0.2]}, "missing/g.nc"),
+    lambda r, o: grid.grid(r, {"ground.friction": [0.3], "leg.damping": [0.2]}, 3),
+    lambda r, o: grid.grid(r, {"ground.friction": [0.3], "solver.relative_tolerance": [0.2]}, "g.nc"),
     lambda r, o: next(continuation.gaits_over(r, FRICTION, 0.3, o)),
     lambda r, o: next(continuation.gaits_over(r, FRICTION, [0.3], r)),
     lambda r, o: next(continuation.gaits_over(r, FRICTION, [0.3], o.apex)),
@@ -115,16 +117,16 @@ WRONG = [
     lambda r, o: tracing.trace(r, FRICTION, o, 0.2),
     lambda r, o: tracing.trace(r, FRICTION, o, 0.3, max_points=0),
     lambda r, o: tracing.trace(r, FRICTION, o, 0.3, max_step=-1),
-    lambda r, o: basin.basin(r, AXES, RANGES[:1]),
-    lambda r, o: basin.basin(r, "com_height", RANGES),
-    lambda r, o: basin.basin(r, 3, RANGES),
-    lambda r, o: basin.basin(r, AXES, None),
-    lambda r, o: basin.basin(r, AXES, (1.0, 2.0)),
-    lambda r, o: basin.basin(r, AXES, ("1:2:3", "1:2:3")),
-    lambda r, o: basin.basin(r, AXES, ([1, "x"], [1])),
-    lambda r, o: basin.basin(r, AXES, ([[1, 2]], [1])),
-    lambda r, o: basin.basin(r, AXES, RANGES, path="missing/map.nc"),
-    lambda r, o: basin.basin(r, AXES, RANGES, path=3),
+    lambda r, o: basin.basin(r, {"com_height": (1.3, 1.4)}),
+    lambda r, o: basin.basin(r, "com_height"),
+    lambda r, o: basin.basin(r, 3),
+    lambda r, o: basin.basin(r, RANGES, None),
+    lambda r, o: basin.basin(r, dict.fromkeys(RANGES, 1.0)),
+    lambda r, o: basin.basin(r, dict.fromkeys(RANGES, "1:2:3")),
+    lambda r, o: basin.basin(r, {**RANGES, "com_height": (1, "x")}),
+    lambda r, o: basin.basin(r, {**RANGES, "com_height": [[1, 2]]}),
+    lambda r, o: basin.basin(r, RANGES, 2, path="missing/map.nc"),
+    lambda r, o: basin.basin(r, RANGES, 2, path=3),
     lambda r, o: basin.range_around(r, "com_height"),
     lambda r, o: volume.volume(r, 10),
     lambda r, o: volume.volume(o, 1.5),
@@ -146,16 +148,16 @@ WRONG = [
     lambda r, o: settling.settle_unit(r),
     lambda r, o: settling.settle_unit(max_strides="x"),
     lambda r, o: settling.settle_unit(tolerance="x"),
-    lambda r, o: tdmf_slip.read_parameters(3),
+    lambda r, o: read_parameters(3),
     lambda r, o: gait_file.read_gait("none.json"),
     lambda r, o: tdmf_slip.load_fmu(3),
     lambda r, o: tdmf_slip.fmu_path([2]),
-    lambda r, o: batch.run_batch(START, strides=1),
-    lambda r, o: batch.run_batch(iter([START]), strides=1),
-    lambda r, o: batch.run_batch([3], strides=1),
-    lambda r, o: batch.run_batch([START], strides=0),
-    lambda r, o: batch.run_batch([START], strides=1, interface="x"),
-    lambda r, o: batch.run_batch([START], strides=1, tolerance=5),
+    lambda r, o: batch.simulate_many(START, strides=1),
+    lambda r, o: batch.simulate_many(iter([START]), strides=1),
+    lambda r, o: batch.simulate_many([3], strides=1),
+    lambda r, o: batch.simulate_many([START], strides=0),
+    lambda r, o: batch.simulate_many([START], strides=1, interface="x"),
+    lambda r, o: batch.simulate_many([START], strides=1, tolerance=5),
     lambda r, o: inputs.read_tables("none.csv", tdmf_slip.load_fmu()),
     lambda r, o: r.state_at([1, 2]),
     lambda r, o: r.start_values("human"),

@@ -5,10 +5,11 @@ import math
 
 import numpy as np
 import pytest
-from tdmf_slip import InputError, Runner, find_gait, read_parameters
+from tdmf_slip import InputError, Runner, find_gait
 from tdmf_slip.analysis import attraction, basin, fates, robustness, volume
 from tdmf_slip.library import ensemble
 from tdmf_slip.library.section import COORDINATES
+from tdmf_slip.unit.parameters import read_parameters
 
 
 @pytest.fixture(scope="module")

@@ -8,7 +8,7 @@ import tdmf_slip
 from tdmf_slip import InputError, Runner, find_gait
 from tdmf_slip.analysis import ball as ball_module
 from tdmf_slip.analysis.ball import attributes_of, ball_of, pays
-from tdmf_slip.analysis.basin import basin
+from tdmf_slip.analysis.basin import basin, basin_at
 from tdmf_slip.analysis.fates import MOST_STRIDES, fates
 from tdmf_slip.analysis.volume import volume
 from tdmf_slip.library.affine_law import AffineLaw
@@ -134,9 +134,9 @@ def test_a_ball_is_made_only_where_it_saves_more_than_it_costs(gait):
 
 
 def test_a_map_says_by_which_ball_it_knows(unit):
-    axes, ranges = ("com_height", "com_speed"), (np.linspace(1.2, 1.6, 128), np.linspace(0.9, 1.2, 128))
-    by_ball = basin({}, axes, ranges, threads=1, fmu=unit)
-    followed = basin({}, axes, ranges, ball="none", threads=1, fmu=unit)
+    axes = {"com_height": (1.2, 1.6), "com_speed": (0.9, 1.2)}
+    by_ball = basin({}, axes, threads=1, fmu=unit)
+    followed = basin({}, axes, ball="none", threads=1, fmu=unit)
     assert by_ball.attrs["ball"] == "tested" and by_ball.attrs["ball_points"] == 10_000
     assert 0.05 < by_ball.attrs["ball_radius"] < 1.0 and 0.8 < by_ball.attrs["ball_rate"] < 1.0
     assert followed.attrs["ball"] == "none" and "ball_radius" not in followed.attrs
@@ -157,8 +157,8 @@ def test_a_proved_ball_is_inside_the_one_that_is_proved():
     assert ball.known == "proved" and 0.1 * proof.radius < ball.radius <= proof.radius
     away = np.array(np.linalg.inv(np.array(proof.basis)) @ points_in(ball, 2000, surface=True).T).T
     assert (np.abs(away) / proof.weights).max() < proof.norm_radius
-    slice_ = basin({}, ("com_height", "com_speed"), ([1.3, 1.5, 0.9], [0.2, 1.05]), ball=ball, threads=1)
-    followed = basin({}, ("com_height", "com_speed"), ([1.3, 1.5, 0.9], [0.2, 1.05]), ball="none", threads=1)
+    values = {"com_height": [1.3, 1.5, 0.9], "com_speed": [0.2, 1.05]}
+    slice_, followed = (basin_at(gait, values, ball=of, threads=1) for of in (ball, "none"))
     np.testing.assert_array_equal(slice_["fate"], followed["fate"])
     settled = followed["fate"].values == SETTLED
     assert settled.sum() >= 3

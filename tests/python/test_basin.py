@@ -14,8 +14,9 @@ from tdmf_slip.analysis import basin
 from tdmf_slip.library import ensemble, section
 from tdmf_slip.pictures import basin_map
 
-AXES = ("com_height", "com_speed")
-RANGES = (np.linspace(1.2, 2.9, 12), np.linspace(0.9, 1.6, 9))
+AXES = {"com_height": (1.2, 2.9), "com_speed": (0.9, 1.6)}
+N = 12, 9
+VALUES = {name: np.linspace(*ends, n) for (name, ends), n in zip(AXES.items(), N, strict=True)}
 
 
 @pytest.fixture(scope="module")
@@ -25,7 +26,7 @@ def runner(unit):
 
 @pytest.fixture(scope="module")
 def slice_(runner, unit):
-    return basin.basin(runner, AXES, RANGES, threads=1, fmu=unit)
+    return basin.basin(runner, AXES, N, threads=1, fmu=unit)
 
 
 def test_fates_are_those_of_runs_through_the_unit(slice_, unit):
@@ -35,7 +36,7 @@ def test_fates_are_those_of_runs_through_the_unit(slice_, unit):
     assert len(fallen) >= 2 and len(settled) > len(fallen)
     for row, column in [*fallen[:2], *settled[:2]]:
         apex = [slice_.attrs[f"gait_{name}"] for name in section.COORDINATES]
-        apex[0], apex[1] = RANGES[0][row], RANGES[1][column]
+        apex[0], apex[1] = VALUES["com_height"][row], VALUES["com_speed"][column]
         run = tdmf_slip.simulate(Runner.of({}, unit).state_at(apex), strides=60, tolerance=1e-9)
         assert run.fallen == (slice_["fate"].values[row, column] == 1)
         if run.fallen:
@@ -46,9 +47,11 @@ def test_fates_are_those_of_runs_through_the_unit(slice_, unit):
 
 def test_fates_do_not_depend_on_who_computes_them(runner, slice_, unit, monkeypatch):
     monkeypatch.setattr(basin, "STARTS_AT_ONCE", 30)
-    two = basin.basin(runner, AXES, RANGES, threads=2, fmu=unit)
+    two = basin.basin(runner, AXES, N, threads=2, fmu=unit)
     xarray.testing.assert_equal(two, slice_)
-    part = basin.basin(runner, AXES, (RANGES[0][3:5], RANGES[1][1:]), threads=1, fmu=unit)
+    gait = basin.stable_gait(runner, unit)
+    values = {"com_height": VALUES["com_height"][3:5], "com_speed": VALUES["com_speed"][1:]}
+    part = basin.basin_at(gait, values, threads=1, fmu=unit)
     np.testing.assert_array_equal(
         part["strides_until_known"].values, slice_["strides_until_known"].values[3:5, 1:]
     )
@@ -64,23 +67,38 @@ def test_a_map_is_gone_on_with(runner, slice_, unit, tmp_path, monkeypatch):
             raise KeyboardInterrupt
         return honest(part)
 
-    monkeypatch.setattr(basin, "STARTS_AT_ONCE", 8 * len(RANGES[1]))
+    monkeypatch.setattr(basin, "STARTS_AT_ONCE", 8 * N[1])
     monkeypatch.setattr(basin, "fates_of_slice", interrupted)
     with pytest.raises(KeyboardInterrupt):
-        basin.basin(runner, AXES, RANGES, threads=1, path=path, fmu=unit)
-    whole = basin.basin(runner, AXES, RANGES, threads=1, path=path, fmu=unit)
+        basin.basin(runner, AXES, N, threads=1, path=path, fmu=unit)
+    whole = basin.basin(runner, AXES, N, threads=1, path=path, fmu=unit)
     assert calls == [8, 4, 4]  # the block that was done is not done twice
     xarray.testing.assert_equal(whole, slice_)
     xarray.testing.assert_equal(xarray.load_dataset(path), slice_)
     assert xarray.load_dataset(path).attrs["settled_share"] == whole.attrs["settled_share"]
     with pytest.raises(InputError, match="another slice"):
-        basin.basin(runner, AXES, (RANGES[0] + 0.1, RANGES[1]), path=path, fmu=unit)
+        basin.basin(runner, {**AXES, "com_height": (1.3, 3.0)}, N, path=path, fmu=unit)
 
 
-@pytest.mark.parametrize("ranges", [([], [1.0]), ([1.0], [float("nan")])])
-def test_ranges_that_are_none_are_refused(runner, unit, ranges):
-    with pytest.raises(InputError, match="range of com_"):
-        basin.basin(runner, AXES, ranges, threads=1, fmu=unit)
+@pytest.mark.parametrize("ends", [(), (1.0,), (1.5, 1.2), (1.0, 1.0), (1.0, float("nan"))])
+def test_ranges_that_are_none_are_refused(runner, unit, ends):
+    with pytest.raises(
+        InputError, match=r"axes: com_speed = .*allowed: two finite numbers, the lower one first"
+    ):
+        basin.basin(runner, {**AXES, "com_speed": ends}, N, threads=1, fmu=unit)
+
+
+@pytest.mark.parametrize("n", [1, 0, 2.5, (3,), (3, 4, 5), "3"])
+def test_numbers_of_starts_that_are_none_are_refused(runner, unit, n):
+    with pytest.raises(InputError, match=r"n = .*allowed"):
+        basin.basin(runner, AXES, n, threads=1, fmu=unit)
+
+
+def test_without_ranges_a_map_is_around_the_gait(runner, unit):
+    found = basin.basin(runner, n=3, threads=1, fmu=unit)
+    gait = basin.stable_gait(runner, unit)
+    for name in AXES:
+        assert (found[name][0], found[name][-1]) == basin.range_around(gait, name)
 
 
 def test_basin_command(command):
@@ -120,7 +138,7 @@ def test_a_spoiled_map_is_not_gone_on_with(runner, slice_, unit, tmp_path, spoil
     path = tmp_path / "map.nc"
     spoil(slice_).to_netcdf(path)
     with pytest.raises(InputError, match=r"map\.nc: holds"):
-        basin.basin(runner, AXES, RANGES, path=path, threads=1, fmu=unit)
+        basin.basin(runner, AXES, N, path=path, threads=1, fmu=unit)
 
 
 def drawn(data, monkeypatch):
@@ -151,8 +169,8 @@ def map_of(slice_, size, fate, strides):
     fates = np.full((size, size), fate, dtype="i4")
     data = xarray.Dataset(
         {
-            "fate": (AXES, fates, slice_["fate"].attrs),
-            "strides_until_known": (AXES, np.full_like(fates, strides)),
+            "fate": (tuple(AXES), fates, slice_["fate"].attrs),
+            "strides_until_known": (tuple(AXES), np.full_like(fates, strides)),
         },
         coords=coordinates,
     )
@@ -189,8 +207,8 @@ def test_every_fate_has_a_colour():
 @pytest.mark.parametrize("preset", ["paper", "human"])
 def test_a_map_says_friction_and_units(unit, monkeypatch, preset):
     """SI on both axes, as the ranges are given, with the scales of the runner."""
-    runner = Runner.of(tdmf_slip.read_parameters(preset), unit).but("ground.friction", 0.55)
-    data = basin.basin(runner, ("leg_length", "leg_angle_rate"), ([1.2], [0.2, 0.4]), threads=1)
+    runner = Runner.of(preset, unit).but("ground.friction", 0.55)
+    data = basin.basin(runner, {"leg_length": (1.2, 1.3), "leg_angle_rate": (0.2, 0.4)}, 2, threads=1)
     _, axes, figure = drawn(data, monkeypatch)
     assert "friction 0.55" in axes.get_title(loc="left")
     rate = "1" if preset == "paper" else "16.52"

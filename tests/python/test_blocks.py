@@ -14,7 +14,6 @@ import sys
 import threading
 import time
 
-import numpy as np
 import pytest
 import xarray
 from tdmf_slip import InputError, RunError, Runner
@@ -139,9 +138,9 @@ def test_what_a_thread_raises_is_raised_here():
 def test_a_cluster_gives_the_same_map(cluster, unit):
     address, *_ = cluster
     runner = Runner.of({}, unit)
-    ranges = np.linspace(1.2, 2.9, 6), np.linspace(0.9, 1.6, 5)
-    here = basin.basin(runner, ("com_height", "com_speed"), ranges, threads=1, fmu=unit)
-    there = basin.basin(runner, ("com_height", "com_speed"), ranges, scheduler=address, fmu=unit)
+    axes = {"com_height": (1.2, 2.9), "com_speed": (0.9, 1.6)}
+    here = basin.basin(runner, axes, (6, 5), threads=1, fmu=unit)
+    there = basin.basin(runner, axes, (6, 5), scheduler=address, fmu=unit)
     xarray.testing.assert_identical(here, there)
 
 
@@ -149,7 +148,11 @@ def test_a_grid_of_gaits_is_the_same_by_two_threads(unit, tmp_path):
     runner, frictions, dampings = Runner.of({}, unit), [0.6, 0.5], [0.2, 0.22, 0.25]
     grids = [
         grid.grid(
-            runner, frictions, "leg.damping", dampings, tmp_path / f"{threads}.nc", threads=threads, fmu=unit
+            runner,
+            {"ground.friction": frictions, "leg.damping": dampings},
+            tmp_path / f"{threads}.nc",
+            threads=threads,
+            fmu=unit,
         )
         for threads in (1, 2)
     ]
@@ -158,7 +161,7 @@ def test_a_grid_of_gaits_is_the_same_by_two_threads(unit, tmp_path):
 
 def test_a_batch_of_units_is_the_same_by_two_threads(unit):
     table = [{"ground.friction": mu} for mu in (1.2, 0.6, 0.2)]
-    one, two = (batch.run_batch(table, strides=3, threads=threads, fmu=unit) for threads in (1, 2))
+    one, two = (batch.simulate_many(table, strides=3, threads=threads, fmu=unit) for threads in (1, 2))
     xarray.testing.assert_identical(one, two)
     assert list(one["count"].values) == [3, 3, 3]
     assert list(one["ground.friction"].values) == [1.2, 0.6, 0.2]
@@ -169,8 +172,10 @@ def test_a_batch_of_units_is_the_same_by_two_threads(unit):
 def test_a_run_that_fails_leaves_the_others(unit):
     """A runner that falls is a result; one that closes no stride has its reason written beside it."""
     table = [{"leg.angle": 1.0}, {"leg.angle": -1.2}]
-    runs = batch.run_batch(table, strides=2, threads=1, fmu=unit)
-    together = batch.run_batch([{"leg.length": 1.0}, {"leg.length": 0.01}], strides=1, threads=1, fmu=unit)
+    runs = batch.simulate_many(table, strides=2, threads=1, fmu=unit)
+    together = batch.simulate_many(
+        [{"leg.length": 1.0}, {"leg.length": 0.01}], strides=1, threads=1, fmu=unit
+    )
     assert together["problem"].values[0] == "" and "leg.length" in together["problem"].values[1]
     assert runs["problem"].values[0] == "" and runs["period"].values[0] > 0.0
     assert runs["fallen"].values[1] or runs["problem"].values[1]
@@ -380,7 +385,7 @@ def test_wrong_arguments_are_said(unit):
         pass
     with pytest.raises(InputError, match="threads 0"), run_blocks(abs, [1, 2], threads=0):
         pass
-    with pytest.raises(InputError, match="table: allowed"):
-        batch.run_batch([], strides=1, fmu=unit)
-    with pytest.raises(InputError, match="row 1"):
-        batch.run_batch([{"ground.friction": 0.6}, {"ground.friction": -1.0}], strides=1, fmu=unit)
+    with pytest.raises(InputError, match="runners: none; allowed"):
+        batch.simulate_many([], strides=1, fmu=unit)
+    with pytest.raises(InputError, match="runner 1"):
+        batch.simulate_many([{"ground.friction": 0.6}, {"ground.friction": -1.0}], strides=1, fmu=unit)

@@ -6,11 +6,12 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from tdmf_slip import InputError, Runner, continue_branch, read_parameters
+from tdmf_slip import InputError, Runner, continue_branch
 from tdmf_slip.analysis.continuation import gaits_over
 from tdmf_slip.library.binding import c, ffi
 from tdmf_slip.library.ensemble import FATES, run_ensemble
 from tdmf_slip.pictures.branch_diagram import figure_of, values_of
+from tdmf_slip.unit.parameters import read_parameters
 from tdmf_slip.unit.unit import FRICTION
 
 FAST_HUMAN = Path(__file__).with_name("fast_human.toml")

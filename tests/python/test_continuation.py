@@ -6,12 +6,13 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from tdmf_slip import InputError, RunError, Runner, find_gait, read_parameters
+from tdmf_slip import InputError, RunError, Runner, find_gait
 from tdmf_slip.analysis.bifurcations import SHORTEST, happenings
 from tdmf_slip.analysis.continuation import gaits_over
 from tdmf_slip.analysis.family import Family, Point
 from tdmf_slip.analysis.search import periodic_gait
 from tdmf_slip.analysis.tracing import trace
+from tdmf_slip.unit.parameters import read_parameters
 from tdmf_slip.unit.unit import FRICTION
 
 FAST_HUMAN = Path(__file__).with_name("fast_human.toml")

@@ -65,7 +65,7 @@ def test_the_runner_crosses_rough_ground(load, tmp_path):
 def test_forces_of_a_treadmill_become_a_table_that_gives_back_the_runner(load, monkeypatch, capsys, tmp_path):
     """Forces of our own runner, in the layout that is read: step frequency, contact time and peak return."""
     example = load("treadmill_forces")
-    values = tdmf_slip.read_parameters(shipped("human_running.toml"))
+    values = shipped("human_running.toml")
     gait = tdmf_slip.find_gait(values, model="reduced")
     stride = gait.stride
     period, stance = stride["period"], stride["stance_time"]

@@ -24,6 +24,7 @@ from tdmf_slip.feedback.linearization import CHOSEN, linearize
 from tdmf_slip.feedback.modes import Modes, lasting_modes
 from tdmf_slip.library.ensemble import instruction_sets
 from tdmf_slip.library.return_map import stride_from
+from tdmf_slip.unit.parameters import read_parameters
 
 ANGLE, TORQUE, THRUST = "hip.touchdown_angle", "hip.stance_torque", "leg.thrust"
 ALL = (ANGLE, TORQUE, "hip.retraction_rate", "hip.kp", "hip.kd", "hip.liftoff_angle_factor", THRUST)
@@ -34,7 +35,7 @@ SIZES = {1: 1e-6, 2: 1e-5, 3: 3e-4}
 RUNNERS = {
     "default": {THRUST: 0.05},
     "slippery": {"ground.friction": 0.1, THRUST: 0.05},
-    "human": {**tdmf_slip.read_parameters(HUMAN), THRUST: 0.001},
+    "human": {**read_parameters(HUMAN), THRUST: 0.001},
     "stiff": {"leg.stiffness": 4.0, "gravity": 0.04, TORQUE: 0.8, "hip.kp": 0.4, "hip.kd": 0.2, THRUST: 0.05},
 }
 
@@ -55,7 +56,7 @@ def strides_under(law, apex, count):
     """Apices in a row, the first one too, by a plain loop over the return map."""
     apices = [apex]
     for _ in range(count):
-        apices.append(next_apex(law.linearization.gait.runner, apices[-1], law.settings_at(apices[-1])))
+        apices.append(next_apex(law.linearization.gait.runner, apices[-1], law.inputs_at(apices[-1])))
     return np.array(apices)
 
 
@@ -152,7 +153,7 @@ def test_controllability_is_told_in_numbers(gaits):
     # The touchdown angle hardly moves the mode of the speed; the torque does.
     assert both.mobility[0, 0] < 0.2 * both.mobility[0, 1] and both.conditioning > 5 * alone.conditioning
     assert set(both.as_json()) == {
-        "settings",
+        "inputs",
         "eigenvalues",
         "forgotten",
         "rank",
@@ -249,11 +250,11 @@ def test_the_least_settings_reach_the_gait():
 # ---- linear quadratic --------------------------------------------------------------------------------------
 
 
-def cost_of(model, gain, state_weight, setting_weight):
+def cost_of(model, gain, state_weight, input_weight):
     """The sum over strides from each coordinate in turn, over the scales, until nothing is left."""
     scaled = np.asarray(gain) * model.scales / model.setting_scales[:, None]
     strides = model.scaled_state_matrix + model.scaled_input_matrix @ scaled
-    total = state_weight + scaled.T @ setting_weight @ scaled
+    total = state_weight + scaled.T @ input_weight @ scaled
     for _ in range(13):  # 8192 strides
         total, strides = total + strides.T @ total @ strides, strides @ strides
     assert np.abs(strides).max() < 1e-12
@@ -290,7 +291,7 @@ def test_the_cost_of_a_small_push_is_that_of_the_simulated_strides(gaits):
     model = law.linearization
     apices = strides_under(law, away(gait, 1e-4), 40)
     x = deviations(law, apices)
-    u = np.array([list(law.settings_at(apex).values()) for apex in apices]) - model.nominal
+    u = np.array([list(law.inputs_at(apex).values()) for apex in apices]) - model.nominal
     found = np.sum(x**2) + np.sum((u / model.setting_scales) ** 2)
     y, expected = x[0], 0.0
     scaled = np.asarray(law.gain) * model.scales / model.setting_scales[:, None]
@@ -476,8 +477,8 @@ def test_what_is_no_gait_is_refused(gaits):
         ({"limits": [1]}, "pairs of numbers by setting"),
         ({"state_weight": -1.0}, "state_weight = -1.0 is not allowed"),
         ({"state_weight": [1, 1]}, "6 of them, or a symmetric matrix of 6 by 6"),
-        ({"setting_weight": 0.0}, "setting_weight = 0.0 is not allowed"),
-        ({"setting_weight": "much"}, "setting_weight = 'much' is not allowed"),
+        ({"input_weight": 0.0}, "input_weight = 0.0 is not allowed"),
+        ({"input_weight": "much"}, "input_weight = 'much' is not allowed"),
         ({"state_weight": np.triu(np.ones((6, 6)))}, "symmetric"),
     ],
 )

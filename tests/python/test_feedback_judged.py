@@ -58,11 +58,12 @@ def test_what_is_no_law_is_refused(gait):
 
 def test_a_basin_under_a_feedback_keeps_the_law(gait):
     law = feedback.laws(gait)["dead-beat: angle and torque"]
-    heights, speeds = gait.apex[0] + np.array([0.0, 0.1]), gait.apex[1] + np.array([0.0, 0.1])
-    found = tdmf_slip.basin(gait.runner, ("com_height", "com_speed"), (heights, speeds), law=law, threads=1)
+    height, speed = gait.apex[:2]
+    axes = {"com_height": (height, height + 0.1), "com_speed": (speed, speed + 0.1)}
+    found = tdmf_slip.basin(gait.runner, axes, 2, law=law, threads=1)
     assert (found["fate"] == 0).all()
     kept = json.loads(found.attrs["law"])
-    assert kept["settings"] == [ANGLE, TORQUE] and len(kept["eigenvalues"]) == 6
+    assert kept["inputs"] == [ANGLE, TORQUE] and len(kept["eigenvalues"]) == 6
 
 
 def test_what_is_kept_of_the_figure_is_what_is_measured(few, monkeypatch):

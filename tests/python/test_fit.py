@@ -9,7 +9,7 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
-from tdmf_slip import InputError, Runner, find_gait, fit, read_parameters
+from tdmf_slip import InputError, Runner, find_gait, fit
 from tdmf_slip.fitting import problem as problem_module
 from tdmf_slip.fitting.across import Across
 from tdmf_slip.fitting.concluded import is_met
@@ -20,6 +20,7 @@ from tdmf_slip.fitting.result import QUANTILE
 from tdmf_slip.library.gait import gait_near
 from tdmf_slip.library.quantities import known_quantities, quantities_of
 from tdmf_slip.library.varied_gait import varied_gait
+from tdmf_slip.unit.parameters import read_parameters
 
 FAST_HUMAN = Path(__file__).with_name("fast_human.toml")
 TABLE = "speed [m/s],speed_error [m/s],frequency [Hz],frequency_error [Hz]\n"

@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 import xarray
-from tdmf_slip import InputError, RunError, Runner, find_gait, read_parameters
+from tdmf_slip import InputError, RunError, Runner, find_gait
 from tdmf_slip.analysis import grid as grids
 from tdmf_slip.analysis import sweep as sweeps
 from tdmf_slip.analysis.borders import borders_between
@@ -24,6 +24,7 @@ from tdmf_slip.library.binding import c, ffi
 from tdmf_slip.library.return_map import stride_from
 from tdmf_slip.library.word import LETTERS
 from tdmf_slip.paper import reference_gaits as reference
+from tdmf_slip.unit.parameters import read_parameters
 from tdmf_slip.unit.unit import FRICTION
 
 FAST_HUMAN = Path(__file__).with_name("fast_human.toml")
@@ -156,8 +157,8 @@ def test_a_grid_goes_on_where_it_was_interrupted(runner, unit, tmp_path, monkeyp
 
     monkeypatch.setattr(grids, "gaits_of_row", interrupted)
     with pytest.raises(KeyboardInterrupt):
-        grid(runner, frictions, "leg.damping", rows, path, threads=1, fmu=unit)
-    whole = grid(runner, frictions, "leg.damping", rows, path, threads=1, fmu=unit)
+        grid(runner, {"ground.friction": frictions, "leg.damping": rows}, path, threads=1, fmu=unit)
+    whole = grid(runner, {"ground.friction": frictions, "leg.damping": rows}, path, threads=1, fmu=unit)
     assert len(calls) == 4  # one row was done, one interrupted, two were missing
     assert int(whole["period"].notnull().sum()) == 9
     on_file = xarray.load_dataset(path)
@@ -166,7 +167,7 @@ def test_a_grid_goes_on_where_it_was_interrupted(runner, unit, tmp_path, monkeyp
     middle = find_gait(runner.but(FRICTION, 0.6))
     assert float(on_file["period"][1, 1]) == pytest.approx(middle.period, rel=1e-11)
     with pytest.raises(InputError, match="another sweep"):
-        grid(runner, frictions, "leg.damping", rows + 0.01, path, threads=1, fmu=unit)
+        grid(runner, {"ground.friction": frictions, "leg.damping": rows + 0.01}, path, threads=1, fmu=unit)
 
 
 def test_the_search_begins_at_an_apex_whatever_the_masses(runner):
@@ -206,7 +207,13 @@ def test_a_runner_keeps_its_tolerance_wherever_it_is_sent(runner):
 
 def test_a_grid_keeps_the_gaits_before_its_branch_was_lost(runner, unit, tmp_path):
     frictions = np.linspace(0.6, 0.02, 4)
-    found = grid(runner, frictions, "hip.touchdown_angle", [1.0], tmp_path / "l.nc", threads=1, fmu=unit)
+    found = grid(
+        runner,
+        {"ground.friction": frictions, "hip.touchdown_angle": [1.0]},
+        tmp_path / "l.nc",
+        threads=1,
+        fmu=unit,
+    )
     known = np.isfinite(found["period"].values[0]).tolist()
     assert known == [True, True, False, False] and str(found["problem"].values[0])
     assert found["word"].values[0].tolist()[2:] == ["", ""]
@@ -230,13 +237,13 @@ def test_a_border_that_is_not_located_loses_no_gait(runner, monkeypatch):
 
 def test_a_grid_over_a_mass(runner, unit, tmp_path):
     """A row whose start values are refused has its reason, and the others are done."""
-    found = grid(runner, [0.6], "foot.mass", [0.1, 0.2], tmp_path / "mass.nc", threads=1, fmu=unit)
+    found = grid(
+        runner, {"ground.friction": [0.6], "foot.mass": [0.1, 0.2]}, tmp_path / "mass.nc", threads=1, fmu=unit
+    )
     assert not found["period"].isnull().any()
     found = grid(
         runner,
-        [0.6],
-        "leg.length",
-        [0.04, runner.values["leg.length"]],
+        {"ground.friction": [0.6], "leg.length": [0.04, runner.values["leg.length"]]},
         tmp_path / "y.nc",
         threads=1,
         fmu=unit,
@@ -311,7 +318,7 @@ def test_borders_do_not_depend_on_how_far_away_the_gaits_are(runner, ends):
 @pytest.mark.parametrize(
     ("options", "words"),
     [
-        (("--vary", "ground.friction=0.1:0.2:2", "--output", "g.nc"), ["ground.friction", "another"]),
+        (("--vary", "ground.friction=0.1:0.2:2", "--output", "g.nc"), ["ground.friction", "--friction"]),
         (("--friction", "-1:0.4:2", "--vary", "leg.damping=0.1:0.2:2", "--output", "g.nc"), ["-1"]),
         (("--friction", "0.3:0.4:1000000000"), ["1000000"]),
         (("--friction", "0.3:0.4:1000000"), ["1,000,000", "100,000"]),

@@ -11,8 +11,10 @@ import pytest
 import tdmf_slip
 from tdmf_slip import InputError, RunError
 from tdmf_slip.analysis import continuation, fates, stability
+from tdmf_slip.library import ensemble
 from tdmf_slip.library.section import COORDINATES
 from tdmf_slip.unit import batch
+from tdmf_slip.unit.parameters import read_parameters
 
 FRICTION, DAMPING, TORQUE = "ground.friction", "leg.damping", "hip.stance_torque"
 GIVEN = {FRICTION: 0.6, DAMPING: 0.19}
@@ -54,12 +56,12 @@ SAME = {
         pandas.Series(["contact.fx", "foot.x"]),
     ),
     "batch": (
-        lambda given, gait: batch.run_batch(given, strides=1, threads=1)["period"].values,
+        lambda given, gait: batch.simulate_many(given, strides=1, threads=1)["period"].values,
         [GIVEN, {FRICTION: 0.5, DAMPING: 0.2}],
         pandas.DataFrame({FRICTION: [0.6, 0.5], DAMPING: [0.19, 0.2]}),
     ),
     "batch of Series": (
-        lambda given, gait: batch.run_batch(given, strides=1, threads=1)["period"].values,
+        lambda given, gait: batch.simulate_many(given, strides=1, threads=1)["period"].values,
         [GIVEN],
         [SERIES],
     ),
@@ -89,12 +91,12 @@ SAME = {
         lambda gait: pandas.DataFrame([gait.apex, gait.apex], columns=COORDINATES)[BACKWARD],
     ),
     "starts by their columns": (
-        lambda given, gait: tdmf_slip.run_ensemble([GIVEN], given(gait), max_strides=1)[0]["apex"],
+        lambda given, gait: ensemble.run_ensemble([GIVEN], given(gait), max_strides=1)[0]["apex"],
         lambda gait: [gait.apex, gait.apex],
         lambda gait: pandas.DataFrame([gait.apex, gait.apex], columns=COORDINATES)[BACKWARD],
     ),
     "cases": (
-        lambda given, gait: tdmf_slip.run_ensemble(given, [gait.apex], max_strides=2)[0]["apex"],
+        lambda given, gait: ensemble.run_ensemble(given, [gait.apex], max_strides=2)[0]["apex"],
         [GIVEN],
         pandas.DataFrame([GIVEN]),
     ),
@@ -167,7 +169,6 @@ def test_pandas_is_not_loaded_for_what_needs_it_not():
 MANY = np.broadcast_to([1.3, 1.0, 1.0, 0.0, 0.0, 0.0], (10**9, 6))
 HALF = np.broadcast_to(0.5, 10**9)
 LONG = np.broadcast_to(1.3, 10**5)
-AXES = ("com_height", "com_speed")
 REFUSED = {
     "stride_map": (
         lambda gait: tdmf_slip.stride_map(GIVEN, MANY),
@@ -186,18 +187,16 @@ REFUSED = {
         r"1,000,000,000 numbers; allowed: up to",
     ),
     "run_ensemble": (
-        lambda gait: tdmf_slip.run_ensemble([GIVEN], MANY, max_strides=1),
-        r"starts: 1,000,000,000 runners; allowed: up to 10,000,000",
+        lambda gait: ensemble.run_ensemble([GIVEN], MANY, max_strides=1),
+        r"apices: 1,000,000,000 runners; allowed: up to 10,000,000",
     ),
     "fates": (lambda gait: fates.fates(GIVEN, gait.apex, MANY), r"starts: 1,000,000,000 .*up to"),
     "gaits of a case": (
-        lambda gait: tdmf_slip.run_ensemble(
-            [tdmf_slip.library.ensemble.Case(GIVEN, MANY)], [gait.apex], max_strides=1
-        ),
+        lambda gait: ensemble.run_ensemble([ensemble.Case(GIVEN, MANY)], [gait.apex], max_strides=1),
         r"gaits: 1,000,000,000 .*up to",
     ),
     "basin": (
-        lambda gait: tdmf_slip.basin(GIVEN, AXES, (LONG, LONG)),
+        lambda gait: tdmf_slip.basin(GIVEN, n=100_000),
         r"10,000,000,000 starts \(100,000 by 100,000\); allowed: up to 268,435,456",
     ),
     "sweep": (
@@ -217,13 +216,13 @@ REFUSED = {
         "model array.*allowed",
     ),
     "an array for instructions": (
-        lambda gait: tdmf_slip.run_ensemble([{}], [gait.apex], max_strides=1, instructions=np.zeros(2)),
+        lambda gait: ensemble.run_ensemble([{}], [gait.apex], max_strides=1, instructions=np.zeros(2)),
         "instructions array.*allowed",
     ),
     "a number for a name": (lambda gait: tdmf_slip.sweep({}, {3: [0.5]}), "vary 3 is not allowed"),
     "an array for an axis": (
-        lambda gait: tdmf_slip.basin({}, (np.zeros(2), "com_speed"), ([1.3], [1.0])),
-        "axes: array.*allowed",
+        lambda gait: tdmf_slip.basin({}, np.zeros(2)),
+        "axes = array.*allowed",
     ),
     "an array for a quantity": (
         lambda gait: tdmf_slip.optimize({}, {TORQUE: (0.1, 0.3)}, minimize=np.zeros(2)),
@@ -238,7 +237,7 @@ REFUSED = {
         r"gait = array.*allowed: a Gait",
     ),
     "a pair for a profile": (
-        lambda gait: tdmf_slip.simulate_over((1, 2), strides=1),
+        lambda gait: tdmf_slip.simulate(profile=(1, 2), strides=1),
         r"profile = \(1, 2\) is not allowed; allowed: a Profile",
     ),
     "nothing for curves": (lambda gait: tdmf_slip.continue_curves({}, None), r"vary = None is not allowed"),
@@ -252,8 +251,8 @@ REFUSED = {
         r"vary ground\.friction = \(0\.3, 0\.4, 0\.5\) .*ends",
     ),
     "no path": (lambda gait: tdmf_slip.load_fmu("\0"), "no unit there"),
-    "no path to write to": (lambda gait: tdmf_slip.basin({}, AXES, ([1.3], [1.0]), path="\0.nc"), "null"),
-    "no path to read": (lambda gait: tdmf_slip.read_parameters("\0.toml"), "null"),
+    "no path to write to": (lambda gait: tdmf_slip.basin({}, path="\0.nc"), "null"),
+    "no path to read": (lambda gait: read_parameters("\0.toml"), "null"),
     "other labels": (
         lambda gait: tdmf_slip.find_gait({}, guess=pandas.Series(dict.fromkeys("abcdef", 1.0))),
         "an apex with a, b, c, d, e, f; allowed: com_height",
@@ -323,14 +322,14 @@ def test_a_runner_is_given_in_any_of_the_ways(tmp_path):
     """A preset's name, a file, what is in it, a Runner of it, and its gait are one runner and one gait."""
     file = tmp_path / "runner.toml"
     file.write_text('"ground.friction" = 0.43\n"leg.damping" = 0.21\n')
-    values = tdmf_slip.read_parameters(file)
+    values = read_parameters(file)
     gait = tdmf_slip.find_gait(values)
     for given in (file, str(file), pandas.Series(values), tdmf_slip.Runner.of(values), gait):
         assert tdmf_slip.find_gait(given).apex == pytest.approx(gait.apex, abs=1e-10)
         assert tdmf_slip.Runner.of(given) == gait.runner
-    assert tdmf_slip.Runner.of("human") == tdmf_slip.Runner.of(tdmf_slip.read_parameters("human"))
+    assert tdmf_slip.Runner.of("human") == tdmf_slip.Runner.of(read_parameters("human"))
     assert tdmf_slip.simulate("human", strides=1).final == (
-        tdmf_slip.simulate(tdmf_slip.read_parameters("human"), strides=1).final
+        tdmf_slip.simulate(read_parameters("human"), strides=1).final
     )
     run = tdmf_slip.simulate(gait, strides=1)
     assert run.stride["period"] == pytest.approx(gait.period, rel=1e-6)

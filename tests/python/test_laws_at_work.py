@@ -46,7 +46,7 @@ def test_the_jacobian_under_a_law_is_that_of_differences(gait, settling):
     values = gait.runner.values
 
     def following(apex):
-        runner = Runner(dict(values) | settling.settings_at(apex))
+        runner = Runner(dict(values) | settling.inputs_at(apex))
         return stride_from(runner, apex, ANGLE)[0]
 
     step = 1e-5
@@ -62,11 +62,11 @@ def test_a_law_that_changes_nothing_changes_nothing(gait, nothing):
     assert volume(gait, 500, law=nothing, threads=1) == volume(gait, 500, threads=1)
     free = strides_to_fall(gait.runner, 0.5, 60, 1, 20, gait=gait, threads=1)
     assert strides_to_fall(gait.runner, 0.5, 60, 1, 20, gait=gait, law=nothing, threads=1) == free
-    axes, ranges = ("com_height", "leg_angle"), (np.linspace(0.6, 2.6, 7), np.linspace(-1.5, 1.5, 8))
-    one, other = (basin(gait.runner, axes, ranges, law=law, threads=1) for law in (None, nothing))
+    axes = {"com_height": (0.6, 2.6), "leg_angle": (-1.5, 1.5)}
+    one, other = (basin(gait.runner, axes, (7, 8), law=law, threads=1) for law in (None, nothing))
     xarray.testing.assert_equal(one, other)
     assert len(np.unique(one["fate"])) > 1
-    assert json.loads(other.attrs["law"])["settings"] == list(NAMES)
+    assert json.loads(other.attrs["law"])["inputs"] == list(NAMES)
 
 
 def test_a_law_that_settles_a_runner_keeps_it_up_longer(gait, settling):
@@ -89,7 +89,7 @@ def test_a_law_that_settles_a_runner_lets_it_recover_from_more(gait, settling):
 def test_noise_is_drawn_by_the_place_in_the_slice(gait, settling, monkeypatch, tmp_path):
     """Not by the block, nor by who computes it, nor by where a file was gone on with."""
     noisy = AffineLaw(
-        settling.settings,
+        settling.inputs,
         settling.apex,
         settling.nominal,
         settling.gain,
@@ -97,9 +97,10 @@ def test_noise_is_drawn_by_the_place_in_the_slice(gait, settling, monkeypatch, t
         settling.high,
         [0.01] * 6,
     )
-    axes, ranges = ("com_height", "com_speed"), (np.linspace(0.9, 2.4, 6), np.linspace(0.2, 2.3, 5))
-    whole = basin(gait.runner, axes, ranges, law=noisy, threads=1)
-    assert not whole.equals(basin(gait.runner, axes, ranges, law=settling, threads=1))
+    axes, n = {"com_height": (0.9, 2.4), "com_speed": (0.2, 2.3)}, (6, 5)
+    ranges = [np.linspace(*ends, count) for ends, count in zip(axes.values(), n, strict=True)]
+    whole = basin(gait.runner, axes, n, law=noisy, threads=1)
+    assert not whole.equals(basin(gait.runner, axes, n, law=settling, threads=1))
     starts = np.tile(gait.apex, (30, 1))
     starts[:, 0], starts[:, 1] = (grid.ravel() for grid in np.meshgrid(*ranges, indexing="ij"))
     by_number = fates(gait.runner, gait.apex, starts, law=noisy)
@@ -115,9 +116,9 @@ def test_noise_is_drawn_by_the_place_in_the_slice(gait, settling, monkeypatch, t
     part["fate"][[1, 3]] = basin_module.NOT_YET
     part["strides_until_known"][[1, 3]] = 0
     part.to_netcdf(path)
-    xarray.testing.assert_equal(basin(gait.runner, axes, ranges, law=noisy, threads=1, path=path), whole)
+    xarray.testing.assert_equal(basin(gait.runner, axes, n, law=noisy, threads=1, path=path), whole)
     with pytest.raises(InputError, match="holds another slice"):
-        basin(gait.runner, axes, ranges, law=settling, threads=1, path=path)
+        basin(gait.runner, axes, n, law=settling, threads=1, path=path)
 
 
 def test_laws_that_do_not_keep_the_gait_are_told(gait, nothing, unit):

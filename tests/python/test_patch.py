@@ -116,9 +116,9 @@ def test_where_a_foot_lands_decides():
         lambda: tdmf_slip.find_gait(PATCH),
         lambda: tdmf_slip.find_gait(PATCH, model="reduced"),
         lambda: tdmf_slip.sweep(PATCH, {"leg.damping": [0.2, 0.21]}),
-        lambda: tdmf_slip.basin(PATCH, ("com_height", "com_speed"), ([1, 2], [1, 2])),
+        lambda: tdmf_slip.basin(PATCH, n=2),
         lambda: tdmf_slip.strides_to_fall(PATCH, roughness=0.1),
-        lambda: tdmf_slip.run_ensemble(
+        lambda: tdmf_slip.library.ensemble.run_ensemble(
             [tdmf_slip.library.ensemble.Case(PATCH, [RUNS[0]["apex"]])], [RUNS[0]["apex"]], max_strides=1
         ),
     ],

@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 import pytest
-from tdmf_slip import InputError, Profile, simulate, simulate_over
+from tdmf_slip import InputError, Profile, simulate
 
 
 def test_a_profile_has_the_height_of_its_lines():
@@ -41,8 +41,12 @@ def test_random_steps_are_those_of_their_seed():
         (lambda: Profile.steps([1.0, 2.0], [0.0, 1.0]), "a height more than edges"),
         (lambda: Profile.random_steps(0, 1.0, 0.1, 1), "count"),
         (lambda: Profile.random_steps(5, 1.0, -0.1, 1), "roughness"),
-        (lambda: simulate_over(Profile([0.0], [0.0])), "neither is given"),
-        (lambda: simulate_over(Profile([0.0, 1.0], [0.0, 3.0]), strides=1), "ground.slope"),
+        (lambda: simulate(profile=Profile([0.0], [0.0]), interface="me"), "interface = 'me'"),
+        (
+            lambda: simulate(profile=Profile([0.0], [0.0]), inputs={"ground.slope": ([0.0], [0.0])}),
+            "one of them",
+        ),
+        (lambda: simulate(profile=Profile([0.0, 1.0], [0.0, 3.0]), strides=1), "ground.slope"),
     ],
 )
 def test_what_is_no_ground_is_refused(make, says):
@@ -51,18 +55,19 @@ def test_what_is_no_ground_is_refused(make, says):
 
 
 def test_level_ground_is_the_ground_of_the_gait():
-    rows = simulate_over(Profile([0.0], [0.0]), strides=2, variables=["stride.period", "foot.y"])
-    assert rows["stride.count"][-1] == 2 and rows["stride.period"][-1] == pytest.approx(24.76444922801218)
-    assert not rows["status.fallen"].any() and rows["foot.y"].min() >= 0.0
+    run = simulate(strides=2, profile=Profile([0.0], [0.0]), variables=["foot.y"])
+    assert run.strides == 2 and run.stride["period"] == pytest.approx(24.76444922801218)
+    assert not run.fallen and run.table["foot.y"].min() >= 0.0 and run.names == ("time", "foot.y")
 
 
 def test_each_stance_is_on_the_line_that_was_below_the_foot():
     """But near an edge, where a look may come too late for it."""
     step, profile = 0.05, Profile.random_steps(12, 7.0, 0.05, seed=3, begin=20.0)
     variables = ["foot.x", "foot.y", "foot.vx", "contact.normal", "com.x"]
-    rows = simulate_over(profile, strides=4, communication_step=step, variables=variables)
+    run = simulate(strides=4, profile=profile, output_interval=step, variables=variables)
+    rows = run.table
     standing = rows[rows["contact.normal"] > 0]
-    assert rows["stride.count"][-1] == 4 and len(standing) > 60
+    assert run.strides == 4 and len(standing) > 60
     away = np.min(np.abs(standing["foot.x"][:, None] - profile.x), axis=1) > 0.3
     assert np.sum(away) > 40
     assert standing["foot.y"][away] == pytest.approx(profile.height(standing["foot.x"][away]), abs=1e-12)
@@ -73,8 +78,8 @@ def test_a_gait_climbs_a_slope_as_a_line():
     """A profile that is one line is the line that the unit can be given itself."""
     slope = 0.01
     profile = Profile([-1e3, 1e3], [-1e3 * math.tan(slope), 1e3 * math.tan(slope)])
-    over = simulate_over(profile, strides=3, variables=["stride.speed", "stride.rise"])
+    over = simulate(strides=3, profile=profile)
     run = simulate({"ground.slope": slope}, strides=3, interface="cs", output_interval=0.05)
-    assert over["stride.rise"][-1] > 0.2
+    assert over.stride["rise"] > 0.2
     for name in ("speed", "rise"):
-        assert over[f"stride.{name}"][-1] == pytest.approx(run.stride[name], rel=1e-8), name
+        assert over.stride[name] == pytest.approx(run.stride[name], rel=1e-8), name

@@ -30,7 +30,7 @@ def span(tmp_path_factory):
     """A short range, and the file that it is on."""
     file = tmp_path_factory.mktemp("range") / "range.jsonl"
     given = {"ground.friction": "10"}
-    return tdmf_slip.prove(given, vary={"ground.friction": ("10", "10.06")}, output=file, threads=1), file
+    return tdmf_slip.prove(given, vary={"ground.friction": ("10", "10.06")}, output=file, processes=1), file
 
 
 def test_a_whole_range_is_proved_by_subdivision(span):
@@ -50,7 +50,7 @@ def test_a_proof_of_a_range_goes_on_from_its_file(span):
     text = file.read_text(encoding="utf-8")
     vary = {"ground.friction": ("10", "10.06")}
     assert (
-        tdmf_slip.prove({"ground.friction": "10"}, vary=vary, output=file, threads=1).pieces == proof.pieces
+        tdmf_slip.prove({"ground.friction": "10"}, vary=vary, output=file, processes=1).pieces == proof.pieces
     )
     assert file.read_text(encoding="utf-8") == text
     with pytest.raises(InputError, match="not of this range"):
@@ -77,7 +77,7 @@ def test_the_published_table_is_of_the_runner_of_today():
     """Given the table, the command has nothing left to do."""
     text = TABLE.read_bytes()
     vary = {"ground.friction": ("0.47", "0.48")}
-    proof = tdmf_slip.prove(vary=vary, output=TABLE, threads=1)
+    proof = tdmf_slip.prove(vary=vary, output=TABLE, processes=1)
     assert TABLE.read_bytes() == text
     assert proof.proved
     assert proof.is_one_branch
@@ -93,7 +93,7 @@ def test_a_parameter_without_effect_makes_no_other_runner(span, tmp_path):
     told["parameters"]["ground.stribeck_velocity"] = "0"
     other = tmp_path / "named.jsonl"
     other.write_text("\n".join([json.dumps(told), *parts, ""]), encoding="utf-8")
-    assert tdmf_slip.prove(vary=vary, output=other, threads=1).pieces == proof.pieces
+    assert tdmf_slip.prove(vary=vary, output=other, processes=1).pieces == proof.pieces
     told["parameters"]["ground.stribeck_velocity"] = "1/10"
     other.write_text("\n".join([json.dumps(told), *parts, ""]), encoding="utf-8")
     with pytest.raises(InputError, match="not of this range and runner"):
@@ -167,7 +167,7 @@ def test_a_piece_is_cut_until_its_gaits_are_told_to_be_stable(monkeypatch):
 
     monkeypatch.setattr(RangeProver, "_piece", open_if_wide)
     proof = tdmf_slip.prove(
-        {"ground.friction": "10"}, vary={"ground.friction": ("10", "10.000004")}, threads=1
+        {"ground.friction": "10"}, vary={"ground.friction": ("10", "10.000004")}, processes=1
     )
     assert proof.stable is True
     assert proof.is_one_branch

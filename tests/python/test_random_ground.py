@@ -2,8 +2,8 @@
 
 import numpy as np
 import pytest
-from tdmf_slip import InputError, find_gait, run_ensemble, stride_map, strides_to_fall
-from tdmf_slip.library.ensemble import FATES, Case
+from tdmf_slip import InputError, find_gait, stride_map, strides_to_fall
+from tdmf_slip.library.ensemble import FATES, Case, run_ensemble
 from tdmf_slip.library.rough_ground import RoughGround, correlated_weights, spectrum_weights
 
 RUNNERS, STRIDES = 24, 5

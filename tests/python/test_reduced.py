@@ -6,12 +6,12 @@ import pickle
 
 import numpy as np
 import pytest
-from tdmf_slip import InputError, RunError, Runner, basin, find_gait, run_ensemble, sweep
+from tdmf_slip import InputError, RunError, Runner, basin, find_gait, sweep
 from tdmf_slip.analysis import borders, volume
-from tdmf_slip.analysis.search import runner_by
 from tdmf_slip.analysis.stability import stability
 from tdmf_slip.analysis.tracing import trace
 from tdmf_slip.library import ensemble
+from tdmf_slip.library.ensemble import run_ensemble
 from tdmf_slip.library.return_map import stride_from
 from tdmf_slip.library.section import COORDINATES, REDUCED
 
@@ -22,7 +22,7 @@ eigenvalues to 1e-9."""
 
 def reduced(**values):
     names = {"friction": "ground.friction"}
-    return runner_by(Runner.of({names[name]: value for name, value in values.items()}), "reduced")
+    return Runner.of({names[name]: value for name, value in values.items()}, model="reduced")
 
 
 @pytest.mark.parametrize("gait", GAITS, ids=lambda gait: str(gait["given"]))
@@ -104,11 +104,14 @@ def test_runners_by_the_map_end_where_strides_in_turn_lead():
     assert [ensemble.FATES[fate] for fate in ends["fate"]] == ["undecided", "no_start"]
 
 
+PLANE = {"com_height": (0.8, 3.0), "com_speed": (0.2, 2.0)}
+
+
 def test_a_basin_is_the_whole_plane(tmp_path):
     data = basin(
         reduced(),
-        REDUCED,
-        (np.linspace(0.8, 3.0, 12), np.linspace(0.2, 2.0, 12)),
+        PLANE,
+        12,
         path=tmp_path / "plane.nc",
         threads=1,
     )
@@ -116,8 +119,8 @@ def test_a_basin_is_the_whole_plane(tmp_path):
     assert 0.9 < data.attrs["settled_share"] < 1.0
     again = basin(
         reduced(),
-        REDUCED,
-        (np.linspace(0.8, 3.0, 12), np.linspace(0.2, 2.0, 12)),
+        PLANE,
+        12,
         path=tmp_path / "plane.nc",
         threads=1,
     )
@@ -127,8 +130,8 @@ def test_a_basin_is_the_whole_plane(tmp_path):
     with pytest.raises(InputError, match="another slice"):
         basin(
             Runner.of(),
-            REDUCED,
-            (np.linspace(0.8, 3.0, 12), np.linspace(0.2, 2.0, 12)),
+            PLANE,
+            12,
             path=tmp_path / "plane.nc",
         )
 

@@ -2,9 +2,10 @@
 
 import numpy as np
 import pytest
-from tdmf_slip import Runner, find_gait, run_ensemble
+from tdmf_slip import Runner, find_gait
 from tdmf_slip.analysis.bifurcations import PERIOD_DOUBLING
 from tdmf_slip.analysis.tracing import trace
+from tdmf_slip.library.ensemble import run_ensemble
 from tdmf_slip.paper.figures import leading
 
 RATE = "hip.retraction_rate"

@@ -2,16 +2,15 @@
 
 import json
 import math
-from dataclasses import replace
 
 import fmpy
 import numpy as np
 import pytest
 import tdmf_slip
 from fmpy.fmi3 import FMU3Slave
-from tdmf_slip import InputError, Runner, find_gait, run_ensemble, strides_to_fall
+from tdmf_slip import InputError, Runner, find_gait, strides_to_fall
 from tdmf_slip.analysis.first_passage import FirstPassage
-from tdmf_slip.library.ensemble import FATES, Case
+from tdmf_slip.library.ensemble import FATES, Case, run_ensemble
 from tdmf_slip.library.rough_ground import RoughGround
 
 RUNNERS, STRIDES = 100, 8
@@ -182,4 +181,4 @@ def test_the_command_refuses_what_is_no_ground(command, arguments, message):
 
 def test_rough_ground_is_of_the_full_model():
     with pytest.raises(InputError, match="reduced map"):
-        strides_to_fall(replace(Runner.of({}), reduced=True), 0.1)
+        strides_to_fall(Runner.of(model="reduced"), 0.1)

@@ -93,7 +93,7 @@ def test_the_unit_driven_by_a_program_in_c_makes_the_strides_of_the_library(exam
     law = example.law_of(gait)
     check_strides(gait, law, rows[:, 1:7])
     for row in rows:
-        assert list(law.settings_at(row[1:7]).values()) == pytest.approx(row[7:], rel=1e-9)
+        assert list(law.inputs_at(row[1:7]).values()) == pytest.approx(row[7:], rel=1e-9)
 
 
 def test_the_program_in_c_names_what_is_not_there(program):

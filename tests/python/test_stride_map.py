@@ -47,7 +47,7 @@ def function_of(law, noise=lambda stride: 0.0):
         calls.append(len(apices))
         values = {}
         for name, nominal, gain, low, high in zip(
-            law.settings, law.nominal, law.gain, law.low, law.high, strict=True
+            law.inputs, law.nominal, law.gain, law.low, law.high, strict=True
         ):
             value = np.full(len(apices), nominal)
             for j in range(6):
@@ -318,7 +318,7 @@ def test_noise_is_that_of_the_published_generators(gait, starts):
     assert_same(stride_map(gait.runner, starts, law=function_of(law, noise), **how), found)
     other = stride_map(gait.runner, starts, law=law_of(gait, deviations, seed + 1), **how)
     assert not np.array_equal(other[ANGLE], found[ANGLE])
-    told = law.settings_at(starts[2], runner=first + 2)
+    told = law.inputs_at(starts[2], runner=first + 2)
     assert told == {name: found[name].values[2, 0] for name in NAMES}
 
 
@@ -435,7 +435,7 @@ def test_what_a_law_gives_for_who_has_fallen_does_not_matter(gait, starts):
 def test_an_affine_law_is_checked_when_it_is_made(gait):
     def refused(message, **changed):
         given = {
-            "settings": ["hip.kp"],
+            "inputs": ["hip.kp"],
             "apex": gait.apex,
             "nominal": [1],
             "gain": [[0] * 6],
@@ -445,8 +445,8 @@ def test_an_affine_law_is_checked_when_it_is_made(gait):
         with pytest.raises(InputError, match=re.escape(message)):
             AffineLaw(**(given | changed))
 
-    refused("settings: leg.damping cannot change in a run", settings=["leg.damping"])
-    refused("settings = 'hip.kp' is not allowed; allowed: one or more names in a list", settings="hip.kp")
+    refused("inputs: leg.damping cannot change in a run", inputs=["leg.damping"])
+    refused("inputs = 'hip.kp' is not allowed; allowed: one or more names in a list", inputs="hip.kp")
     refused("gain of shape (1, 5): allowed: (1, 6)", gain=[[0] * 5])
     refused("gain = [[nan, nan, nan, nan, nan, nan]] is not allowed", gain=[[np.nan] * 6])
     refused("high = [nan] is not allowed", high=[np.nan])
@@ -457,7 +457,7 @@ def test_an_affine_law_is_checked_when_it_is_made(gait):
     )
     refused("seed = -1 is not allowed", seed=-1)
     twice = {"nominal": [1, 1], "gain": [[0] * 6] * 2, "low": [0, 0], "high": [2, 2]}
-    refused("settings: hip.kp is there twice", settings=["hip.kp", "hip.kp"], **twice)
+    refused("inputs: hip.kp is there twice", inputs=["hip.kp", "hip.kp"], **twice)
 
 
 def test_what_does_not_go_together_is_told(gait, starts):

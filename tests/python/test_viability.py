@@ -201,7 +201,7 @@ def test_the_controller_keeps_runners_up_for_long(found):
 def test_the_controller_says_what_it_knows(found):
     law = found.controller()
     assert law.grade_at([100.0, 1.0]) == "not viable"
-    assert law.settings_at([100.0, 1.0]) == {ANGLE: found.runner.values[ANGLE]}
+    assert law.inputs_at([100.0, 1.0]) == {ANGLE: found.runner.values[ANGLE]}
     row, column = np.argwhere(found.outer_states & ~found.inner_states)[0]
     middle = [found.grid.centers(axis)[k] for axis, k in zip(AXES, (row, column), strict=True)]
     assert law.grade_at(middle) == "open"

@@ -2,10 +2,8 @@
 
 import json
 import math
-import reprlib
 from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -18,14 +16,16 @@ from ..files.netcdf import CLASSIC, write_dataset
 from ..files.resume import resumed
 from ..files.rows import RowFile
 from ..files.whole import check_place
+from ..given import counts_given
 from ..library import ensemble
 from ..library.affine_law import AffineLaw
-from ..library.gait import Gait, check_is_gait
+from ..library.gait import Gait
 from ..library.runner import Runner
-from ..library.section import COORDINATES, check_axes
+from ..library.section import check_axes
 from ..terminal.progress import progress_bar
 from ..unit.unit import Fmu, load_fmu
-from ..unit.variable import Given
+from .axes import AXES, Axes, axes_of
+from .axes import range_around as range_around
 from .ball import Ball, attributes_of, ball_of
 from .fates import MOST_ALONG, MOST_STRIDES, STARTS_AT_ONCE
 from .held_gait import stable_gait as stable_gait
@@ -34,11 +34,10 @@ from .slice_block import Slice, fates_of_slice
 
 MOST_STARTS = MOST_ALONG**2
 """A map of as many is 2 GB."""
+MOST_AXIS = MOST_STARTS // 2
 NOT_YET = -1
 STRIDES = "strides_until_known"
 """Name of the variable."""
-LEG_LENGTH = COORDINATES.index("leg_length")
-"""It and the coordinates before are positive, and measured by what they are."""
 STRIDES_OF_FATES: Mapping[int, tuple[int, int]] = {
     **dict.fromkeys(range(len(ensemble.FATES)), (0, MOST_STRIDES)),
     ensemble.FATES.index("no_start"): (0, 0),
@@ -47,44 +46,12 @@ STRIDES_OF_FATES: Mapping[int, tuple[int, int]] = {
 """The least and the most that a fate may come after."""
 
 
-def range_around(gait: Gait, axis: str) -> tuple[float, float]:
-    """Ends of a range of a coordinate of the section that has the gait in it, and most of what it attracts.
-
-    Parameters
-    ----------
-    gait : Gait
-        Which gait.
-    axis : str
-        One of `COORDINATES`.
-
-    Returns
-    -------
-    pair of float
-        To six digits, in the coordinate's unit.
-
-    Raises
-    ------
-    InputError
-        An unknown axis, or no gait.
-    """
-    check_axes((axis,))
-    check_is_gait(gait, "gait")
-    index = COORDINATES.index(axis)
-    here, scale = gait.apex[index], gait.runner.scales[index]
-    low, high = (here - 0.5 * scale, here + 0.5 * scale) if index > LEG_LENGTH else (0.7 * here, 1.5 * here)
-    return _rounded(low), _rounded(high)
-
-
-def _rounded(value: float) -> float:
-    """A number to six significant digits."""
-    return round(value, 5 - math.floor(math.log10(abs(value)))) if value else 0.0
-
-
 def basin(
-    runner: Runner | Mapping[str, Given],
-    axes: tuple[str, str],
-    ranges: tuple[ArrayLike, ArrayLike],
+    runner: object = None,
+    axes: Axes = AXES,
+    n: int | tuple[int, int] = 128,
     *,
+    model: str | None = None,
     law: AffineLaw | None = None,
     ball: Ball | str = "tested",
     path: Path | str | None = None,
@@ -100,12 +67,15 @@ def basin(
 
     Parameters
     ----------
-    runner : Runner or mapping of str to float
-        Parameters and friction, or start values by name.
-    axes : pair of str
-        Two names of `section.COORDINATES`.
-    ranges : pair of sequences of float
-        Values along each, in the coordinate's unit.
+    runner : Runner, Gait, mapping of str to float, str or Path, optional
+        Parameters and friction, or start values by name; of a gait its runner.
+    axes : mapping of str to (low, high), or pair of str
+        Two names of `section.COORDINATES` with their ranges, in the coordinate's unit; None for a range
+        around the gait, or the names alone. By default height and speed.
+    n : int or pair of int, default 128
+        Starts along each of the axes, both ends included.
+    model : str, optional
+        `full` or `reduced`, as in `find_gait`.
     law : AffineLaw, optional
         By which settings are made anew at each apex; the gait is then the one near the law's apex, which the
         law keeps as it is and has to make stable.
@@ -144,34 +114,68 @@ def basin(
 
     Examples
     --------
-    >>> import numpy as np
     >>> import tdmf_slip
-    >>> axes, ranges = ("com_height", "com_speed"), (np.linspace(1.2, 1.6, 3), np.linspace(0.9, 1.2, 3))
-    >>> fates = tdmf_slip.basin({"ground.friction": 0.6}, axes, ranges, threads=1)
+    >>> axes = {"com_height": (1.2, 1.6), "com_speed": (0.9, 1.2)}
+    >>> fates = tdmf_slip.basin({"ground.friction": 0.6}, axes, n=3, threads=1)
     >>> print(fates["fate"].shape, fates.attrs["settled_share"])
     (3, 3) 1.0
     """
-    fmu, runner = load_fmu(fmu), Runner.of(runner)
-    path = None if path is None else check_place(path, (".nc",), "path")
-    axes, values = _checked_slice(axes, ranges, runner.coordinates, fmu)
+    fmu, runner = load_fmu(fmu), Runner.of(runner, fmu, model=model)
+    spans = axes_of(axes, runner.coordinates)
+    counts = counts_given(n, MOST_AXIS)
+    size = math.prod(counts)
+    check_size("n", size, f"starts ({counts[0]:,} by {counts[1]:,})", MOST_STARTS)
     gait = stable_gait(runner, fmu, law)
-    around = ball_of(gait, ball, len(values[0]) * len(values[1]), law)
-    data = _blank(gait, axes, values, fmu)
+    ends = {name: range_around(gait, name) if span is None else span for name, span in spans.items()}
+    values = {
+        name: np.linspace(*span, count) for (name, span), count in zip(ends.items(), counts, strict=True)
+    }
+    return basin_at(
+        gait,
+        values,
+        law=law,
+        ball=ball,
+        path=path,
+        scheduler=scheduler,
+        threads=threads,
+        progress=progress,
+        fmu=fmu,
+    )
+
+
+def basin_at(
+    gait: Gait,
+    values: Mapping[str, ArrayLike],
+    *,
+    law: AffineLaw | None = None,
+    ball: Ball | str = "tested",
+    path: Path | str | None = None,
+    scheduler: str | None = None,
+    threads: int | None = None,
+    progress: bool = False,
+    fmu: Fmu | None = None,
+) -> xarray.Dataset:
+    """`basin` of a stable gait, at values of two coordinates that may be at any distance from each other."""
+    fmu, runner = load_fmu(fmu), gait.runner
+    path = None if path is None else check_place(path, (".nc",), "path")
+    axes, along = _checked_slice(values, runner.coordinates, fmu)
+    around = ball_of(gait, ball, len(along[0]) * len(along[1]), law)
+    data = _blank(gait, axes, along, fmu)
     data.attrs |= attributes_of(around)
     if law is not None:
         data.attrs["law"] = json.dumps(law.as_json())
     if path is not None:
         data = _resumed(path, data)
-    missing = [row for row in range(len(values[0])) if (data["fate"].values[row] == NOT_YET).any()]
-    at_once = max(1, STARTS_AT_ONCE // len(values[1]))
+    missing = [row for row in range(len(along[0])) if (data["fate"].values[row] == NOT_YET).any()]
+    at_once = max(1, STARTS_AT_ONCE // len(along[1]))
     rows = [missing[i : i + at_once] for i in range(0, len(missing), at_once)]
     parts = [
         Slice(
             runner,
             tuple(gait.apex),
             axes,
-            tuple(values[0][block]),
-            tuple(values[1]),
+            tuple(along[0][block]),
+            tuple(along[1]),
             tuple(block),
             law,
             around,
@@ -180,10 +184,10 @@ def basin(
     ]
     file = None
     with (
-        progress_bar("basin", len(values[0]), "rows", progress) as bar,
+        progress_bar("basin", len(along[0]), "rows", progress) as bar,
         run_blocks(fates_of_slice, parts, scheduler=scheduler, threads=threads) as results,
     ):
-        bar.update(len(values[0]) - len(missing))
+        bar.update(len(along[0]) - len(missing))
         for number, ends in results:
             data["fate"].values[rows[number]] = ends["fate"]
             data[STRIDES].values[rows[number]] = ends["strides"]
@@ -192,7 +196,7 @@ def basin(
                 file = file or RowFile(path, data)
                 file.write((STRIDES, "fate"), rows[number])
     share = float(np.mean(data["fate"].values == ensemble.SETTLED))
-    area = share * float(np.prod([np.ptp(along) for along in values]))
+    area = share * float(np.prod([np.ptp(row) for row in along]))
     data.attrs |= {"settled_share": share, "settled_area": area}
     if path is not None:
         write_dataset(path, data, CLASSIC)
@@ -200,18 +204,13 @@ def basin(
 
 
 def _checked_slice(
-    axes: Any, ranges: Any, coordinates: Sequence[str], fmu: Fmu
+    values: Mapping[str, ArrayLike], coordinates: Sequence[str], fmu: Fmu
 ) -> tuple[tuple[str, str], tuple[NDArray[np.float64], NDArray[np.float64]]]:
-    for what, pair in (("axes", axes), ("ranges", ranges)):
-        if not isinstance(pair, Sequence | np.ndarray) or isinstance(pair, str) or len(pair) != 2:
-            raise InputError(f"{what} = {reprlib.repr(pair)} is not allowed; allowed: a pair")
-    check_axes(axes, coordinates)
-    first, second = axes
-    if first == second:
-        raise InputError(f"axes {first}, {second}: allowed: two that differ")
+    """Names of the two coordinates, and their values."""
+    first, second = values
+    check_axes((first, second), coordinates)
     rows, columns = (
-        fmu.variables[f"apex.{axis}"].values_of(values, f"range of {axis}")
-        for axis, values in zip(axes, ranges, strict=True)
+        fmu.variables[f"apex.{axis}"].values_of(along, f"range of {axis}") for axis, along in values.items()
     )
     check_size("ranges", len(rows) * len(columns), f"starts ({len(rows):,} by {len(columns):,})", MOST_STARTS)
     return (first, second), (rows, columns)

@@ -20,7 +20,7 @@ from ..terminal.progress import progress_bar
 from ..terminal.text import headed, table
 from ..unit.unit import Fmu, load_fmu
 from ..unit.variable import Given
-from .search import periodic_gait, runner_by
+from .search import periodic_gait
 from .targeted import TargetNotMetError, find_gait
 
 HELD = 1e-8
@@ -243,9 +243,9 @@ def _checked_hold(hold: object) -> tuple[str, ...]:
 
 
 def _gait_of(given: Runner | Mapping[str, Given] | Gait | None, model: str | None, fmu: Fmu | None) -> Gait:
-    if isinstance(given, Gait):
+    if isinstance(given, Gait) and Runner.of(given, fmu, model=model) == given.runner:
         return given
-    return periodic_gait(runner_by(Runner.of(given, fmu), model), fmu=fmu)
+    return periodic_gait(Runner.of(given, fmu, model=model), fmu=fmu)
 
 
 def _matched(

@@ -34,6 +34,7 @@ def continue_curves(
     runner: Runner | Mapping[str, Given] | None,
     vary: Mapping[str, tuple[float, float]],
     *,
+    model: str | None = None,
     max_points: int = 200,
     progress: bool = False,
     fmu: Fmu | None = None,
@@ -49,6 +50,8 @@ def continue_curves(
         Whose gaits.
     vary : mapping of str to pair of float
         By name of two parameters or inputs: the ends of their ranges.
+    model : str, optional
+        `full` or `reduced`, as in `find_gait`.
     max_points : int, default 200
         Of a curve in each direction.
     progress : bool, default False
@@ -77,7 +80,7 @@ def continue_curves(
     {'word border'}
     """
     fmu = load_fmu(fmu)
-    runner = Runner.of(runner, fmu)
+    runner = Runner.of(runner, fmu, model=model)
     checked_whole("max_points", max_points, 1, MOST_POINTS)
     names, spans = _checked_ranges(vary, fmu)
     first, second = names

@@ -1,4 +1,4 @@
-"""Gaits over the friction and a second parameter: a grid on file, made row by row."""
+"""Gaits over two parameters: a grid on file, made row by row."""
 
 import tempfile
 from collections.abc import Mapping, Sequence
@@ -15,8 +15,9 @@ from ..files.datasets import xarray
 from ..files.netcdf import write_dataset
 from ..files.resume import resumed, same_values
 from ..files.whole import check_place
+from ..given import mapping_of
 from ..library.gait import Gait, gait_near
-from ..library.members import STATES, check_varied
+from ..library.members import STATES, check_has_gaits, check_varied
 from ..library.runner import Runner
 from ..library.scales import rounding_of
 from ..library.section import COORDINATES
@@ -69,42 +70,15 @@ def as_dataset(
 def grid_over(
     runner: Runner, vary: Mapping[str, Values], path: Path | str | None, **where: Any
 ) -> xarray.Dataset:
-    """A grid over the friction and another name; in a file that is not kept where none is asked for.
-
-    Parameters
-    ----------
-    runner : Runner
-        The other parameters and the start.
-    vary : mapping of str to sequence of float
-        Values of the friction and of the other.
-    path : Path or str or None
-        Of the NetCDF file.
-    where : object
-        As in `grid`.
-
-    Returns
-    -------
-    xarray.Dataset
-        As `grid` gives it, in memory.
-
-    Raises
-    ------
-    InputError
-        The friction is not among the names.
-    """
-    if FRICTION not in vary:
-        raise InputError(f"vary {', '.join(map(str, vary))}: allowed: one name, or {FRICTION} and another")
-    ((name, values),) = ((name, values) for name, values in vary.items() if name != FRICTION)
+    """`grid` in memory, by a file that is not kept where none is asked for."""
     with tempfile.TemporaryDirectory() as folder:
         place = Path(folder) / "grid.nc" if path is None else path
-        return grid(runner, vary[FRICTION], name, values, place, **where).load()
+        return grid(runner, vary, place, **where).load()
 
 
 def grid(
     runner: Runner | Mapping[str, Given],
-    frictions: Values,
-    name: str,
-    values: Values,
+    vary: Mapping[str, Values],
     path: Path | str,
     *,
     scheduler: str | None = None,
@@ -112,7 +86,7 @@ def grid(
     progress: bool = False,
     fmu: Fmu | None = None,
 ) -> xarray.Dataset:
-    """Gaits over the friction and a second parameter, row by row, into a NetCDF file.
+    """Gaits over two parameters, row by row, into a NetCDF file.
 
     The file is whole after each row. Called again with the same file, the sweep goes on with the rows that
     are missing; a file of another sweep is refused. What kept a row from its end is in
@@ -122,12 +96,10 @@ def grid(
     ----------
     runner : Runner or mapping of str to float
         The other parameters and the start, or start values by name.
-    frictions : sequence of float
-        Values along a row, above 0.
-    name : str
-        The second parameter or input, or a state that the search for gaits starts with.
-    values : sequence of float
-        One for each row, in the unit of the parameter.
+    vary : mapping of str to sequence of float
+        Two parameters or inputs with their values, in their units. Along a row goes the friction, which has
+        to be above 0, or else the second of them; the other one may be a state with which the search for
+        gaits starts.
     path : Path or str
         Of the NetCDF file.
     scheduler : str, optional
@@ -151,45 +123,40 @@ def grid(
         A value is refused, or the file holds another sweep.
     """
     fmu, runner = load_fmu(fmu), Runner.of(runner)
-    if name not in STATES:
-        check_varied(name, "name")
-    if name == FRICTION:
-        raise InputError(f"a grid over {FRICTION} and {name}: allowed: another parameter or input")
-    coordinates = {
-        name: fmu.find(name, "values").values_of(values, "values"),
-        FRICTION: fmu.find(FRICTION, "frictions").values_of(frictions, "frictions"),
-    }
+    name, along = _names(vary)
+    coordinates = {of: fmu.find(of, "vary").values_of(vary[of], f"vary {of}") for of in (name, along)}
     down, across = coordinates.values()
     if len(across) * len(down) > MOST_VALUES:
         raise InputError(
             f"a grid of {len(across)} by {len(down)} gaits: allowed: {MOST_VALUES:,} gaits at the most"
         )
-    check_values(runner, FRICTION, across)
     for value in down:
         row = runner.but(name, value)
         _ = row.system
+        check_has_gaits(row.values[FRICTION] if along != FRICTION else float(min(across)))
+    check_values(runner.but(name, down[0]), along, across)
     attributes = {"title": "Periodic gaits", "source": f"tdmf-slip {fmu.version}"} | {
         n: v for n, v in runner.values.items() if n not in coordinates
     }
     attributes |= model_of(runner)
     blank = as_dataset([None] * (len(down) * len(across)), coordinates, fmu)
-    blank["branch"] = (name, FRICTION), np.full((len(down), len(across)), np.nan)
+    blank["branch"] = (name, along), np.full((len(down), len(across)), np.nan)
     blank["branch"].attrs = {"long_name": "number of the branch in its row"}
     blank["done"] = (name,), np.zeros(len(down), dtype="i1")
     blank["problem"] = (name,), np.full(len(down), "", dtype=object)
     blank.attrs = attributes
     path = check_place(path, (".nc",), "path")
     data = resumed(path, blank, "sweep")
-    _check_rows(path, data, blank, runner, name, fmu, progress)
+    _check_rows(path, data, blank, runner, fmu, progress)
     missing = np.flatnonzero(data["done"].values == 0)
-    rows = [Row(runner.but(name, down[number]), tuple(across)) for number in missing]
+    rows = [Row(runner.but(name, down[number]), along, tuple(across)) for number in missing]
     with (
         progress_bar("sweep", len(down), "rows", progress) as bar,
         run_blocks(gaits_of_row, rows, scheduler=scheduler, threads=threads) as results,
     ):
         bar.update(len(down) - len(missing))
         for number, (gaits, branches, problem) in results:
-            found = as_dataset(gaits, {FRICTION: coordinates[FRICTION]}, fmu)
+            found = as_dataset(gaits, {along: coordinates[along]}, fmu)
             for variable in found.data_vars:
                 data[variable][missing[number]] = found[variable]
             data["branch"][missing[number]] = branches
@@ -200,12 +167,24 @@ def grid(
     return data
 
 
+def _names(vary: Mapping[str, Values]) -> tuple[str, str]:
+    """What is varied from row to row, and along a row."""
+    given = mapping_of(vary, "vary", "values by the names of two parameters or inputs")
+    if len(given) != 2:
+        raise InputError(f"vary {', '.join(map(str, given))}: allowed: the names of two parameters or inputs")
+    names = list(given)
+    name, along = reversed(names) if names[0] == FRICTION else names
+    if name not in STATES:
+        check_varied(name, "vary")
+    check_varied(along, "vary")
+    return name, along
+
+
 def _check_rows(
     path: Path,
     data: xarray.Dataset,
     blank: xarray.Dataset,
     runner: Runner,
-    name: str,
     fmu: Fmu,
     progress: bool,
 ) -> None:
@@ -216,13 +195,14 @@ def _check_rows(
     InputError
         The first such row.
     """
+    name, along = data["period"].dims
     begun = int(np.count_nonzero(data["done"].values))
     with progress_bar("what is done", begun, "rows", progress) as bar:
         for number, value in enumerate(data[name].values):
             row, nothing = data.isel({name: number}), blank.isel({name: number})
             if same_values(row, nothing):
                 continue
-            if not _may_be_row(row, runner.but(name, value), fmu):
+            if not _may_be_row(row, runner.but(str(name), value), str(along), fmu):
                 raise InputError(
                     f"{path}: holds another sweep, with gaits at {name} = {value:g} that are none; "
                     "allowed: another file name"
@@ -230,23 +210,23 @@ def _check_rows(
             bar.update()
 
 
-def _may_be_row(row: xarray.Dataset, runner: Runner, fmu: Fmu) -> bool:
+def _may_be_row(row: xarray.Dataset, runner: Runner, along: str, fmu: Fmu) -> bool:
     """Whether a row is done, what is in it are gaits, and it says why where some are missing."""
     found = row["period"].notnull().values
     if row["done"] != 1 or not (found.all() or row["problem"].item()):
         return False
     apices = np.stack([row[f"apex_{coordinate}"].values for coordinate in COORDINATES], axis=1)
-    frictions = row[FRICTION].values
+    values = row[along].values
     try:
         gaits = [
-            gait_near(runner.but(FRICTION, friction), apex[: len(runner.coordinates)]) if there else None
-            for friction, apex, there in zip(frictions, apices, found, strict=True)
+            gait_near(runner.but(along, value), apex[: len(runner.coordinates)]) if there else None
+            for value, apex, there in zip(values, apices, found, strict=True)
         ]
     except TdmfSlipError:
         return False
     if not np.array_equal(row["branch"].notnull().values, found):
         return False
-    wanted = as_dataset(gaits, {FRICTION: frictions}, fmu)
+    wanted = as_dataset(gaits, {along: values}, fmu)
     rounding = {name: rounding_of(runner, wanted[name].attrs["units"]) for name in COLUMNS}
     return same_values(row, wanted, GAITS_AGREE, rounding)
 
@@ -257,12 +237,14 @@ class Row:
 
     runner: Runner
     """Whose gaits."""
-    frictions: tuple[float, ...]
+    along: str
+    """What is varied."""
+    values: tuple[float, ...]
     """At which."""
 
 
 def gaits_of_row(row: Row) -> tuple[list[Gait | None], list[float], str]:
-    """The gait at each friction, None where it was not found; of which branch it is; and why none, or "".
+    """The gait at each value, None where it was not found; of which branch it is; and why none, or "".
 
     Parameters
     ----------
@@ -272,14 +254,14 @@ def gaits_of_row(row: Row) -> tuple[list[Gait | None], list[float], str]:
     Returns
     -------
     gaits : list of Gait or None
-        In the order of the frictions.
+        In the order of the values.
     branches : list of float
         Their numbers in the row, another where one branch ends and the next begins; NaN without a gait.
     problem : str
         What ends a branch, or keeps gaits from being found.
     """
     try:
-        found = sweep_row(row.runner, FRICTION, row.frictions)
+        found = sweep_row(row.runner, row.along, row.values)
     except TdmfSlipError as problem:  # also start values that go with other rows only
-        return [None] * len(row.frictions), [np.nan] * len(row.frictions), str(problem)
+        return [None] * len(row.values), [np.nan] * len(row.values), str(problem)
     return list(found.by_value), found.branches, found.problem or ""

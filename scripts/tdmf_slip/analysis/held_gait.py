@@ -45,7 +45,7 @@ def jacobian_under(gait: Gait, law: AffineLaw) -> NDArray[np.float64]:
     """
     check_law(law, gait.runner)
     jacobian = gait.jacobian.copy()
-    for name, gain in zip(law.settings, np.asarray(law.gain), strict=True):
+    for name, gain in zip(law.inputs, np.asarray(law.gain), strict=True):
         jacobian += np.outer(stride_from(gait.runner, gait.apex, name)[2], gain)
     return jacobian
 
@@ -73,7 +73,7 @@ def check_attracts(gait: Gait, law: AffineLaw | None) -> None:
         return
     if gait.strides > 1:
         raise InputError(f"law: for a gait of {gait.strides} strides; allowed: of one")
-    for name, value in replace(law, noise=None).settings_at(gait.apex).items():
+    for name, value in replace(law, noise=None).inputs_at(gait.apex).items():
         usual = gait.runner.values[name]
         if abs(value - usual) > SAME * max(1.0, abs(usual)):
             raise InputError(

@@ -1,41 +1,13 @@
 """The gait of a runner: near a guess, by settling, along the friction, or from starts everywhere."""
 
-from dataclasses import replace
-
-from ..checks import is_one_of, shown
-from ..errors import GaitNotFoundError, InputError, RunError
+from ..errors import GaitNotFoundError, RunError
 from ..library.gait import Gait, gait_near, settled_gait
 from ..library.return_map import Along
 from ..library.runner import Runner
-from ..library.section import MODELS, Apex
+from ..library.section import Apex
 from ..unit.unit import FRICTION, Fmu, load_fmu
 from .continuation import gaits_over
 from .spread import search_from_spread
-
-
-def runner_by(runner: Runner, model: str | None) -> Runner:
-    """The same runner by one of the models.
-
-    Parameters
-    ----------
-    runner : Runner
-        Which runner.
-    model : str, optional
-        One of `MODELS`; by default the runner stays as it is.
-
-    Returns
-    -------
-    Runner
-        By that model.
-
-    Raises
-    ------
-    InputError
-        There is no such model.
-    """
-    if model is not None and not is_one_of(model, MODELS):
-        raise InputError(f"model {shown(model)} is not allowed; allowed: {', '.join(MODELS)}")
-    return runner if model is None else replace(runner, reduced=model == "reduced")
 
 
 def model_of(runner: Runner) -> dict[str, str]:
@@ -90,7 +62,7 @@ def periodic_gait(
     GaitNotFoundError
         No gait was found; the message says what happened on the way.
     """
-    runner = runner_by(Runner.of(runner, fmu), model)
+    runner = Runner.of(runner, fmu, model=model)
     if guess is not None:
         return gait_near(runner, guess, along=along)
     try:

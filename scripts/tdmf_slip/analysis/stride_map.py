@@ -25,7 +25,6 @@ from ..library.runner import Runner
 from ..library.settings import check_acts, checked_values, setting_number
 from ..terminal.progress import progress_bar
 from ..unit.unit import Fmu, load_fmu
-from ..unit.variable import Given
 from .function_law import FunctionLaw, Law, check_set
 from .search import model_of
 
@@ -39,10 +38,11 @@ LEAST_IN_A_BLOCK, MOST_IN_A_BLOCK = 64, 4096
 
 
 def stride_map(
-    runner: Runner | Mapping[str, Given | ArrayLike] | None,
+    runner: object,
     apices: ArrayLike,
     *,
     strides: int = 1,
+    model: str | None = None,
     inputs: Mapping[str, ArrayLike] | None = None,
     law: Law | AffineLaw | None = None,
     roughness: float = 0.0,
@@ -69,7 +69,7 @@ def stride_map(
 
     Parameters
     ----------
-    runner : Runner or mapping of str to float or array_like of float, optional
+    runner : Runner, Gait, mapping of str to float or array_like of float, str or Path, or None
         A runner, or start values by the unit's names and in its units, over the unit's own; an array has one
         for each runner.
     apices : array_like of float, shape (n,) or (runners, n)
@@ -77,6 +77,8 @@ def stride_map(
         runners by the reduced map the first two.
     strides : int, default 1
         How many each runner makes.
+    model : str, optional
+        `full` or `reduced`, as in `find_gait`.
     inputs : mapping of str to array_like of float, optional
         By name, one of `library.settings.SETTINGS`: tunable settings of the control law, as
         `hip.touchdown_angle`, and inputs, as `ground.friction`. A number, or of each stride, shape
@@ -142,7 +144,7 @@ def stride_map(
     (1, 3)
     """
     fmu = load_fmu(fmu)
-    crowd = Crowd.of(runner, fmu)  # type: ignore[arg-type] # which refuses what is none of it
+    crowd = Crowd.of(runner, fmu, model)
     strides = checked_whole("strides", strides, 1, MOST_STRIDES)
     feet = _feet(foot_x, crowd.runner)
     starts, given = _broadcast(apices, crowd, inputs, strides, 1 if feet is None else len(feet))
@@ -229,7 +231,7 @@ def _check_all(crowd: Crowd, given: Mapping[str, object], law: object, ground: R
     set_by_law: tuple[str, ...] = ()
     if isinstance(law, AffineLaw):
         check_law(law, runner)
-        set_by_law = tuple(law.settings)
+        set_by_law = tuple(law.inputs)
     elif law is not None and not callable(law):
         raise InputError(
             f"law = {reprlib.repr(law)} is not allowed; allowed: a function of apices, or an AffineLaw"

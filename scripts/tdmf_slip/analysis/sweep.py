@@ -118,6 +118,7 @@ def sweep(
     runner: Runner | Mapping[str, Given] | None,
     vary: Mapping[str, Values],
     *,
+    model: str | None = None,
     path: Path | str | None = None,
     scheduler: str | None = None,
     threads: int | None = None,
@@ -136,8 +137,10 @@ def sweep(
     runner : Runner or mapping of str to float, optional
         Parameters and start, or start values by name; the value of what is varied does not matter.
     vary : mapping of str to sequence of float
-        The parameter or input that is varied, and its values in order; of the friction, above 0. With the
-        friction and another one, a grid.
+        The parameter or input that is varied, and its values in order; of the friction, above 0. With two of
+        them a grid, whose rows go along the friction or else along the second.
+    model : str, optional
+        `full` or `reduced`, as in `find_gait`.
     path : Path or str, optional
         Of a grid: the NetCDF file that it is written to row by row, and gone on with where it has some.
     scheduler : str, optional
@@ -170,7 +173,7 @@ def sweep(
     ['+0-0+', '+0-0+', '+0-', '+0-']
     """
     fmu = load_fmu(fmu)
-    runner = Runner.of(runner, fmu)
+    runner = Runner.of(runner, fmu, model=model)
     if len(mapping_of(vary, "vary", "values by the name of one parameter or input, or of two")) == 2:
         from .grid import grid_over  # xarray is slow to load
 

@@ -18,7 +18,7 @@ from ..unit.unit import Fmu, load_fmu
 from ..unit.variable import Given
 from .beginnings import beginnings
 from .nearest import Help, nearest_from, parameters_that_help
-from .search import periodic_gait, runner_by
+from .search import periodic_gait
 from .target import Place, Target
 
 TRAVEL = ("speed", "frequency", "length")
@@ -132,7 +132,7 @@ def find_gait(
         return periodic_gait(runner, guess, model=model, fmu=fmu)
     wanted = _checked_target(target)
     names = _checked_vary(vary, wanted)
-    starting = runner_by(Runner.of(runner, fmu), model)
+    starting = Runner.of(runner, fmu, model=model)
     check_quantities(starting, list(wanted))
     first = periodic_gait(starting, guess, fmu=fmu)
     system = Target(first.runner, wanted, names)

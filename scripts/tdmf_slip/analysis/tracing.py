@@ -33,6 +33,7 @@ def continue_branch(
     runner: Runner | Mapping[str, Given] | None,
     vary: Mapping[str, tuple[float, float]],
     *,
+    model: str | None = None,
     max_step: float = 0.2,
     max_points: int = 1000,
     switch: bool = True,
@@ -50,6 +51,8 @@ def continue_branch(
         Whose gaits: a runner, or start values by the unit's names, over the unit's own.
     vary : mapping of str to pair of float
         The parameter or input that is varied, and both ends of its range, in its unit.
+    model : str, optional
+        `full` or `reduced`, as in `find_gait`.
     max_step : float, default 0.2
         Along the branch, over the coordinates' scales and the parameter's value.
     max_points : int, default 1000
@@ -81,7 +84,7 @@ def continue_branch(
     ('end of the range', ['word border', 'word border', 'word border'])
     """
     fmu = load_fmu(fmu)
-    runner = Runner.of(runner, fmu)
+    runner = Runner.of(runner, fmu, model=model)
     allowed = "both ends of a range, by the name of one parameter or input"
     name, ends = varied_alone(vary, allowed)
     family, where = Family(runner, name), f"vary {name}"

@@ -1,6 +1,6 @@
 """Runners that start about a gait's apex: what all solvers are given, and by what their errors are judged."""
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
@@ -86,7 +86,7 @@ class Runners(ByContents):
 def runners_about_the_gait(fmu: Fmu, *, reduced: bool = False) -> Runners:
     """Starts drawn about the gait's apex, of the full model or of the reduced map."""
     source = np.random.default_rng(0)
-    runner = replace(Runner.of({"ground.friction": FRICTION}, fmu), reduced=reduced)
+    runner = Runner.of({"ground.friction": FRICTION}, fmu, model="reduced" if reduced else "full")
     spread = source.uniform(-SPREAD, SPREAD, (RUNNERS, len(runner.coordinates)))
     gait = settled_gait(runner)
     return Runners(gait, ensemble.Case(runner), gait.apex + spread)

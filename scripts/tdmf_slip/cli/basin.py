@@ -5,8 +5,8 @@ from pathlib import Path
 from typing import Any
 
 import click
-import numpy as np
 
+from ..analysis.axes import AXES
 from ..analysis.ball import CHOICES, Ball
 from ..analysis.fates import MOST_ALONG
 from ..analysis.robustness import DISTURBED, robustness
@@ -31,9 +31,6 @@ from .options import (
 from .output import json_text
 from .ranges import ends_of
 from .runner import runner_of
-
-AXES = ("com_height", "com_speed")
-"""Where none are given."""
 
 
 @click.command("basin", cls=Command)
@@ -104,9 +101,9 @@ def basin_command(
     Robustness is the largest push (a change of speed) and step (of the ground, at an apex) that the runner
     recovers from.
     """
-    from ..analysis.basin import basin, range_around, stable_gait  # xarray is slow to load
+    from ..analysis.basin import basin, stable_gait  # xarray is slow to load
 
-    axes, ranges = _axes(spans, MODELS[model])
+    named = _axes(spans, MODELS[model])
     if output is not None:
         check_place(output, (".nc",), "--output")
     if plot is not None:
@@ -115,22 +112,20 @@ def basin_command(
         check_place(plot, overview.FORMATS, "--plot")
     fmu = load_fmu()
     runner = runner_of(fmu, parameters, values_given(friction, settings), model)
-    given = [
-        ends_of(span, fmu.variables[f"apex.{axis}"], f"--axes {axis} =") if span else None
-        for axis, span in zip(axes, ranges, strict=True)
-    ]
+    axes = {
+        axis: ends_of(span, fmu.variables[f"apex.{axis}"], f"--axes {axis} =") if span else None
+        for axis, span in named.items()
+    }
     gait = stable_gait(runner, fmu)
     around: Ball | str = ball
     if ball == "proved":
         from ..proof.proved_ball import proved_ball  # FLINT is slow to load, and an extra
 
         around = proved_ball(gait)
-    ends = [pair or range_around(gait, axis) for axis, pair in zip(axes, given, strict=True)]
-    rows, across = (np.linspace(*pair, count) for pair in ends)
     data = basin(
         runner,
         axes,
-        (rows, across),
+        count,
         ball=around,
         path=output,
         scheduler=scheduler,
@@ -154,11 +149,11 @@ def basin_command(
     if samples:
         found = volume(gait, samples, ball=around, scheduler=scheduler, threads=threads, progress=True)
         result["volume"] = found.as_json()
-    print(json_text(result) if as_json_object else _basin_text(result, axes, fmu))
+    print(json_text(result) if as_json_object else _basin_text(result, tuple(axes), fmu))
 
 
-def _axes(spans: tuple[str, ...], coordinates: Sequence[str]) -> tuple[tuple[str, str], tuple[str, str]]:
-    """Names and ranges of --axes, each range empty where it is to be around the gait.
+def _axes(spans: tuple[str, ...], coordinates: Sequence[str]) -> dict[str, str]:
+    """Ranges of --axes by name, each empty where it is to be around the gait.
 
     Raises
     ------
@@ -170,10 +165,12 @@ def _axes(spans: tuple[str, ...], coordinates: Sequence[str]) -> tuple[tuple[str
     parts = [tuple(part.strip() for part in text.partition("=")) for text in spans or AXES]
     (first, _, rows), (second, _, columns) = parts
     check_axes((first, second), coordinates)
-    return (first, second), (rows, columns)
+    if first == second:
+        raise InputError(f"--axes {first}, {second}: allowed: two that differ")
+    return {first: rows, second: columns}
 
 
-def _basin_text(result: Mapping[str, Any], axes: tuple[str, str], fmu: Fmu) -> str:
+def _basin_text(result: Mapping[str, Any], axes: tuple[str, ...], fmu: Fmu) -> str:
     units = {axis: fmu.variables[f"apex.{axis}"].unit for axis in COORDINATES}
     rows = {n: str(v) for n, v in result.items() if n not in ("robustness", "volume")}
     rows["settled_area"] = quantity(result["settled_area"], "·".join(units[axis] for axis in axes), 6)

@@ -25,11 +25,12 @@ from .options import (
     SET_OPTION,
     Command,
     Number,
+    pairs_given,
     refuse_given,
     values_given,
 )
 from .output import json_text
-from .ranges import ends_of, ranges_given
+from .ranges import ends_of
 from .runner import runner_of
 
 
@@ -102,10 +103,11 @@ def continue_command(
     """
     fmu = load_fmu()
     given = values_given(friction, settings)
-    spans = dict(span_of(fmu, text) for text in ranges)
+    texts = pairs_given(ranges, "--vary", "NAME=A:B")
+    spans = {name: span_of(fmu, name, text) for name, text in texts.items()}
     for name in spans:
         refuse_given(given, name, "--vary")
-    if len(spans) != len(ranges) or len(spans) > 2:
+    if len(spans) > 2:
         raise InputError(f"--vary is given {len(ranges)} times; allowed: once, or twice for two parameters")
     if output is not None:
         from ..files.netcdf import write_dataset  # xarray is slow to load
@@ -116,7 +118,7 @@ def continue_command(
 
         check_place(plot, overview.FORMATS, "--plot")
     runner = runner_of(fmu, parameters, given, model)
-    told = Told(fmu, ranges_given(ranges))
+    told = Told(fmu, texts)
     if len(spans) == 2:
         if output is not None:
             raise InputError("--output: curves over two parameters have no file; allowed: with one --vary")
@@ -166,19 +168,16 @@ def _curves(
         print(table(header, [tuple(f"{v:.10g}" for v in pair) for pair in curve.points * scales]))
 
 
-def span_of(fmu: Fmu, vary: str) -> tuple[str, tuple[float, float]]:
-    """The parameter or input, and the range of it, that NAME=A:B stands for.
+def span_of(fmu: Fmu, name: str, span: str) -> tuple[float, float]:
+    """The range of a parameter or input that A:B stands for.
 
     Raises
     ------
     InputError
         It is not of that form, or there is no such parameter or value.
     """
-    name, equals, span = (part.strip() for part in vary.partition("="))
-    if not equals:
-        raise InputError(f"--vary {vary}: allowed: NAME=A:B")
     check_varied(name, "--vary")
-    return name, ends_of(span, fmu.variables[name], f"--vary {name} =")
+    return ends_of(span, fmu.variables[name], f"--vary {name} =")
 
 
 def _branch_text(branch: Branch, told: Told) -> str:

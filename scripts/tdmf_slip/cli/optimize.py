@@ -25,12 +25,12 @@ from .options import (
     TARGET_OPTION,
     Command,
     Number,
+    pairs_given,
     refuse_given,
     targets_given,
     values_given,
 )
 from .output import json_text
-from .ranges import ranges_given
 from .runner import runner_of
 
 UNITS: Mapping[str, str] = {"frequency": "Hz", **MEASURE_UNITS}
@@ -97,13 +97,12 @@ def optimize_command(
     """
     fmu = load_fmu()
     given = values_given(friction, settings)
-    vary = dict(span_of(fmu, text) for text in ranges)
+    texts = pairs_given(ranges, "--vary", "NAME=A:B")
+    vary = {name: span_of(fmu, name, text) for name, text in texts.items()}
     for name in vary:
         refuse_given(given, name, "--vary")
-    if len(vary) != len(ranges):
-        raise InputError("--vary: a parameter is given twice; allowed: once")
     runner = runner_of(fmu, parameters, given, model)
-    told_in = Told(fmu, ranges_given(ranges))
+    told_in = Told(fmu, texts)
     common: dict[str, Any] = {"target": targets_given(targets), "stable": stable, "starts": starts}
     common |= {"progress": True, "fmu": fmu}
     if len(minimize) + len(maximize) > 2:

@@ -16,7 +16,6 @@ from .options import (
     JSON_OPTION,
     PARAMETERS_OPTION,
     SET_OPTION,
-    THREADS_OPTION,
     Command,
     refuse_given,
     values_given,
@@ -62,7 +61,12 @@ SHOWN = ("period", "length", "speed", "cost_of_transport", "slip_distance", "lif
     metavar="FILE",
     help="With --vary: JSON lines, added to part by part; a proof goes on from a file that is there.",
 )
-@THREADS_OPTION
+@click.option(
+    "--processes",
+    type=click.IntRange(min=1),
+    metavar="N",
+    help="With --vary: how many processes prove parts of it side by side.  [default: one for each processor]",
+)
 @click.option(
     "--compare",
     is_flag=True,
@@ -78,7 +82,7 @@ def prove_command(
     border: str | None,
     vary: str | None,
     output: Path | None,
-    threads: int | None,
+    processes: int | None,
     compare: bool,
     as_json_object: bool,
 ) -> None:
@@ -102,15 +106,15 @@ def prove_command(
     told |= {name: value for name, (_, value) in given.items()}
     if compare and (border is not None or vary is not None):
         raise InputError("--compare: is of one gait; allowed: without --border and --vary")
-    if vary is None and (output is not None or threads is not None):
-        raise InputError("--output, --threads: are of use for a range only; allowed: with --vary")
+    if vary is None and (output is not None or processes is not None):
+        raise InputError("--output, --processes: are of use for a range only; allowed: with --vary")
     if border is not None:
         _prove_borders(runner, told, border, digits, as_json_object)
         return
     if vary is not None:
         if box is not None:
             raise InputError(f"--box {box}: with --vary it is chosen by itself; allowed: without --vary")
-        _prove_range(told, vary, output, threads, as_json_object)
+        _prove_range(told, vary, output, processes, as_json_object)
         return
     from ..proof.prove import prove  # FLINT is slow to load
 
@@ -154,7 +158,7 @@ def _prove_borders(
 
 
 def _prove_range(
-    told: dict[str, object], vary: str, output: Path | None, threads: int | None, as_json_object: bool
+    told: dict[str, object], vary: str, output: Path | None, processes: int | None, as_json_object: bool
 ) -> None:
     from ..proof.prove import prove
 
@@ -162,7 +166,7 @@ def _prove_range(
     begin, colon, end = (part.strip() for part in span.partition(":"))
     if not (equals and colon):
         raise InputError(f"--vary {vary}: allowed: NAME=A:B")
-    proof = prove(told, vary={name: (begin, end)}, output=output, threads=threads, progress=True)
+    proof = prove(told, vary={name: (begin, end)}, output=output, processes=processes, progress=True)
     digest = None if output is None else hashlib.sha256(output.read_bytes()).hexdigest()
     if as_json_object:
         print(json_text({**proof.as_json(), "sha256": digest}))

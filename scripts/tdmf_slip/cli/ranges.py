@@ -1,6 +1,6 @@
 """Ranges of values as they are written on a command line: A:B, or A:B:N for N values, with units."""
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping
 
 import numpy as np
 from numpy.typing import NDArray
@@ -79,12 +79,6 @@ def values_of(text: str, spacing: str, variable: Variable, where: str) -> NDArra
         raise InputError(f"{where} {text}: allowed with logarithmic spacing: A and B above 0")
     first, last = ends
     return SPACINGS[spacing](first, last, number)
-
-
-def ranges_given(ranges: Sequence[str]) -> dict[str, str]:
-    """The ranges of --vary as they were written, by name."""
-    parts = (text.partition("=") for text in ranges)
-    return {name.strip(): span for name, _, span in parts}
 
 
 def _ends(parts: list[str], variable: Variable, where: str) -> list[float]:

@@ -2,7 +2,6 @@
 
 from collections.abc import Mapping
 
-from ..analysis.search import runner_by
 from ..errors import InputError
 from ..library.members import STATES, VARIED
 from ..library.runner import Runner
@@ -28,4 +27,4 @@ def runner_of(
                 f"{option} {name}: has no meaning for gaits, which the library finds without the unit; "
                 f"allowed: parameters and inputs of the model, and its state"
             )
-    return runner_by(Runner.of(starts, fmu), model)
+    return Runner.of(starts, fmu, model=model)

@@ -1,5 +1,6 @@
-"""The command `sweep`: gaits over a range of a parameter, or over the friction and a second one."""
+"""The command `sweep`: gaits over a range of a parameter, or over two."""
 
+from collections.abc import Mapping
 from pathlib import Path
 
 import click
@@ -22,11 +23,12 @@ from .options import (
     SET_OPTION,
     THREADS_OPTION,
     Command,
+    pairs_given,
     refuse_given,
     values_given,
 )
 from .output import json_text
-from .ranges import SPACINGS, ranges_given, values_of
+from .ranges import SPACINGS, values_of
 from .runner import runner_of
 
 NETCDF = ".nc"
@@ -50,10 +52,11 @@ SPACING_OPTION = click.option(
 )
 @click.option(
     "--vary",
+    multiple=True,
     metavar="NAME=A:B:N",
     help="A parameter or input that is varied, as in leg.damping=0.1:0.3:20 or "
-    "hip.touchdown_angle='35 deg:45 deg:11'. With a range of friction a grid of gaits, written to "
-    "--output row by row; resumed where the file has rows already.",
+    "hip.touchdown_angle='35 deg:45 deg:11'. Given twice, or with a range of friction, a grid of gaits, "
+    "written to --output row by row; resumed where the file has rows already.",
 )
 @SPACING_OPTION
 @click.option(
@@ -73,7 +76,7 @@ SPACING_OPTION = click.option(
 @JSON_OPTION
 def sweep_command(
     friction: str | None,
-    vary: str | None,
+    vary: tuple[str, ...],
     spacing: str,
     output: Path | None,
     plot: Path | None,
@@ -100,45 +103,42 @@ def sweep_command(
         check_place(plot, overview.FORMATS, "--plot")
     fmu = load_fmu()
     given = values_given(None, settings)
-    if vary is None and friction is None:
+    texts = pairs_given(vary, "--vary", "NAME=A:B:N")
+    if not texts and friction is None:
         raise InputError("neither --friction nor --vary: allowed: one of the two, or both")
+    for name in texts:
+        refuse_given(given, name, "--vary")
+    options = dict.fromkeys(texts, "--vary")
     if friction is not None:
         refuse_given(given, FRICTION, "--friction")
-        if vary is not None and ":" not in friction:
-            given, friction = {**given, FRICTION: ("--friction", friction)}, None
-    if vary is not None:
-        refuse_given(given, vary.partition("=")[0], "--vary")
+        if FRICTION in texts:
+            raise InputError(f"--vary {FRICTION}: --friction gives it, too; allowed: one of the two")
+        if texts and ":" not in friction:
+            given = {**given, FRICTION: ("--friction", friction)}
+        else:
+            texts, options = {FRICTION: friction, **texts}, {FRICTION: "--friction", **options}
+    if len(texts) > 2:
+        raise InputError(f"--vary: {', '.join(texts)} are varied; allowed: one of them, or two for a grid")
     runner = runner_of(fmu, parameters, given, model)
-    if friction is None or vary is None:
-        if scheduler is not None or threads is not None:
-            raise InputError(
-                "--scheduler, --threads: without --vary each gait is found from the one before, nor are they "
-                "of use for a single friction; allowed: with --vary and --friction A:B:N"
-            )
-        span = vary if friction is None else f"{FRICTION}={friction}"
-        _row(
-            runner,
-            *_span(fmu, str(span), spacing, "--vary" if vary else "--friction"),
-            output,
-            plot,
-            as_json_object,
-            Told(fmu, ranges_given([str(span)])),
-        )
+    values = {name: _values(fmu, name, text, spacing, options[name]) for name, text in texts.items()}
+    if len(values) == 2:
+        if plot is not None:
+            raise InputError("--plot: a grid of gaits has no picture; allowed: with one range")
+        _grid(runner, values, output, scheduler, threads, as_json_object)
         return
-    if plot is not None:
-        raise InputError("--plot: a grid of gaits has no picture; allowed: with one range")
-    frictions = _span(fmu, f"{FRICTION}={friction}", spacing, "--friction")[1]
-    _grid(runner, frictions, vary, spacing, output, scheduler, threads, as_json_object)
+    if scheduler is not None or threads is not None:
+        raise InputError(
+            "--scheduler, --threads: along one range each gait is found from the one before, nor are they "
+            "of use for a single friction; allowed: with two ranges, of --vary or --friction"
+        )
+    _row(runner, *next(iter(values.items())), output, plot, as_json_object, Told(fmu, texts))
 
 
-def _span(fmu: Fmu, vary: str, spacing: str, option: str) -> tuple[str, NDArray[np.float64]]:
-    """The parameter of a range NAME=A:B:N, and its values."""
-    name, equals, span = (part.strip() for part in vary.partition("="))
-    if not equals:
-        raise InputError(f"--vary {vary}: allowed: NAME=A:B:N")
+def _values(fmu: Fmu, name: str, span: str, spacing: str, option: str) -> NDArray[np.float64]:
+    """The values of a parameter that A:B:N stands for."""
     check_varied(name, "--vary")
     where = option if option == "--friction" else f"--vary {name} ="
-    return name, values_of(span, spacing, fmu.variables[name], where)
+    return values_of(span, spacing, fmu.variables[name], where)
 
 
 def _row(
@@ -180,9 +180,7 @@ def _write(path: Path, found: Sweep, fmu: Fmu) -> None:
 
 def _grid(
     runner: Runner,
-    frictions: NDArray[np.float64],
-    vary: str,
-    spacing: str,
+    vary: Mapping[str, NDArray[np.float64]],
     output: Path | None,
     scheduler: str | None,
     threads: int | None,
@@ -193,12 +191,9 @@ def _grid(
     if output is None or output.suffix.lower() != NETCDF:
         raise InputError("--vary: a grid of gaits goes to a file; allowed: with --output FILE.nc")
     fmu = load_fmu()
-    name, rows = _span(fmu, vary, spacing, "--vary")
     data = grid(
         runner,
-        frictions,
-        name,
-        rows,
+        vary,
         output,
         scheduler=scheduler,
         threads=threads,

@@ -25,7 +25,7 @@ RANK_TOLERANCE = 1e-9
 class Controllability(ByContents):
     """Which modes of a gait its settings can move, and how far; everything over the scales."""
 
-    settings: tuple[str, ...]
+    inputs: tuple[str, ...]
     """Those that are chosen at each apex."""
     eigenvalues: NDArray[Any]
     """Of the modes that last, shape (modes,), the largest first; complex where any is."""
@@ -46,7 +46,7 @@ class Controllability(ByContents):
     def __repr__(self) -> str:
         """In a line: how many of the modes can be moved, by what, and how well."""
         return (
-            f"<Controllability by {', '.join(self.settings)}: {self.rank} of {len(self.eigenvalues)} modes, "
+            f"<Controllability by {', '.join(self.inputs)}: {self.rank} of {len(self.eigenvalues)} modes, "
             f"least over largest singular value {self.conditioning:.3g}>"
         )
 
@@ -68,7 +68,7 @@ class Controllability(ByContents):
     def as_json(self) -> dict[str, object]:
         """The numbers as a plain object, eigenvalues as [re, im]."""
         return {
-            "settings": list(self.settings),
+            "inputs": list(self.inputs),
             "eigenvalues": _pairs(self.eigenvalues),
             "forgotten": self.forgotten,
             "rank": self.rank,
@@ -80,7 +80,7 @@ class Controllability(ByContents):
 
 
 def controllability(
-    gait: Gait, settings: Sequence[str], *, forgotten: float = FORGOTTEN, fmu: Fmu | None = None
+    gait: Gait, inputs: Sequence[str], *, forgotten: float = FORGOTTEN, fmu: Fmu | None = None
 ) -> Controllability:
     """What settings that are chosen at each apex can do about a gait's modes.
 
@@ -88,7 +88,7 @@ def controllability(
     ----------
     gait : Gait
         The gait.
-    settings : sequence of str
+    inputs : sequence of str
         Which settings, of `linearization.CHOSEN`.
     forgotten : float, default 1e-5
         Modes whose eigenvalue is smaller are left alone.
@@ -115,18 +115,18 @@ def controllability(
     >>> told.rank, told.forgotten, told.strides
     (3, 3, 2)
     """
-    model = linearize(gait, settings, fmu=fmu)
-    return controllability_of(lasting_modes(model, forgotten), model.settings)
+    model = linearize(gait, inputs, fmu=fmu)
+    return controllability_of(lasting_modes(model, forgotten), model.inputs)
 
 
-def controllability_of(modes: Modes, settings: tuple[str, ...]) -> Controllability:
+def controllability_of(modes: Modes, inputs: tuple[str, ...]) -> Controllability:
     """The same of modes that are known.
 
     Parameters
     ----------
     modes : Modes
         Which.
-    settings : tuple of str
+    inputs : tuple of str
         Those of the input matrix, in its order.
 
     Returns
@@ -140,7 +140,7 @@ def controllability_of(modes: Modes, settings: tuple[str, ...]) -> Controllabili
     beyond = vectors[:, rank:]
     unmovable: NDArray[Any] = np.linalg.eigvals(beyond.T @ modes.state_matrix @ beyond)
     return Controllability(
-        settings=settings,
+        inputs=inputs,
         eigenvalues=eigenvalues,
         forgotten=len(modes.directions) - modes.count,
         rank=rank,

@@ -33,7 +33,7 @@ class Feedback(AffineLaw):
         """In a line: what is set, at which gait, and the closed loop's largest eigenvalue."""
         gait = self.linearization.gait
         return (
-            f"<Feedback by {', '.join(self.settings)} at the gait {gait.word}, {FRICTION} = "
+            f"<Feedback by {', '.join(self.inputs)} at the gait {gait.word}, {FRICTION} = "
             f"{gait.friction:.6g}: largest eigenvalue {self.lambda_max:.4g}, {gait.lambda_max:.4g} without>"
         )
 
@@ -90,7 +90,7 @@ def feedback_of(
     low, high = _checked_limits(model, limits, load_fmu(fmu))
     found: NDArray[Any] = np.linalg.eigvals(model.closed_loop(gain))
     return Feedback(
-        settings=model.settings,
+        inputs=model.inputs,
         apex=model.gait.apex,
         nominal=model.nominal,
         gain=gain,
@@ -106,14 +106,14 @@ def _checked_limits(
     model: Linearization, limits: Limits | None, fmu: Fmu
 ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     given = mapping_of(limits, "limits", "pairs of numbers by setting")
-    unknown = next((name for name in given if not is_one_of(name, model.settings)), None)
+    unknown = next((name for name in given if not is_one_of(name, model.inputs)), None)
     if unknown is not None:
         raise InputError(
-            f"limits: {shown(unknown)} is not allowed; allowed: {', '.join(model.settings)}"
-            f"{near_matches(unknown, model.settings)}"
+            f"limits: {shown(unknown)} is not allowed; allowed: {', '.join(model.inputs)}"
+            f"{near_matches(unknown, model.inputs)}"
         )
     found = []
-    for name, nominal in zip(model.settings, model.nominal, strict=True):
+    for name, nominal in zip(model.inputs, model.nominal, strict=True):
         variable = fmu.variables[name]
         asked = given.get(name, (variable.minimum, variable.maximum))
         allowed = f"two numbers within {variable.allowed} with {nominal:g}, the gait's own, between them"

@@ -24,7 +24,7 @@ from .modes import FORGOTTEN, Modes, lasting_modes
 
 def dead_beat(
     gait: Gait,
-    settings: Sequence[str],
+    inputs: Sequence[str],
     *,
     limits: Limits | None = None,
     forgotten: float = FORGOTTEN,
@@ -40,7 +40,7 @@ def dead_beat(
     ----------
     gait : Gait
         The gait.
-    settings : sequence of str
+    inputs : sequence of str
         Which settings are chosen at each apex, of `linearization.CHOSEN`.
     limits : mapping of str to (float, float), optional
         By setting: the least and the largest value, in its unit; by default its range.
@@ -70,7 +70,7 @@ def dead_beat(
     >>> held.strides, bool(abs(held.eigenvalues[0]) < 1e-6)
     (2, True)
     """
-    model = linearize(gait, settings, fmu=fmu)
+    model = linearize(gait, inputs, fmu=fmu)
     modes = lasting_modes(model, forgotten)
     told = _movable(modes, model)
     try:
@@ -82,7 +82,7 @@ def dead_beat(
 
 def place_poles(
     gait: Gait,
-    settings: Sequence[str],
+    inputs: Sequence[str],
     eigenvalues: Sequence[complex] | NDArray[Any],
     *,
     limits: Limits | None = None,
@@ -95,7 +95,7 @@ def place_poles(
     ----------
     gait : Gait
         The gait.
-    settings : sequence of str
+    inputs : sequence of str
         Which settings are chosen at each apex, of `linearization.CHOSEN`.
     eigenvalues : sequence of complex
         One for each mode that lasts, complex ones in conjugate pairs; none more often than settings are
@@ -129,7 +129,7 @@ def place_poles(
     """
     from scipy.signal import place_poles as place  # slow to load
 
-    model = linearize(gait, settings, fmu=fmu)
+    model = linearize(gait, inputs, fmu=fmu)
     modes = lasting_modes(model, forgotten)
     told = _movable(modes, model)
     wanted = _checked_eigenvalues(eigenvalues, told)
@@ -142,9 +142,9 @@ def place_poles(
 
 def lqr(
     gait: Gait,
-    settings: Sequence[str],
+    inputs: Sequence[str],
     state_weight: ArrayLike = 1.0,
-    setting_weight: ArrayLike = 1.0,
+    input_weight: ArrayLike = 1.0,
     *,
     limits: Limits | None = None,
     fmu: Fmu | None = None,
@@ -158,12 +158,12 @@ def lqr(
     ----------
     gait : Gait
         The gait.
-    settings : sequence of str
+    inputs : sequence of str
         Which settings are chosen at each apex, of `linearization.CHOSEN`.
     state_weight : array_like of float, default 1
         Q: a number for all coordinates of the section, one for each, or a matrix of shape (n, n);
         symmetric, and without negative eigenvalues.
-    setting_weight : array_like of float, default 1
+    input_weight : array_like of float, default 1
         R: likewise for the k settings; with positive eigenvalues only.
     limits : mapping of str to (float, float), optional
         By setting: the least and the largest value, in its unit; by default its range.
@@ -191,9 +191,9 @@ def lqr(
     >>> print(abs(gait.eigenvalues[:2]).round(3), abs(law.eigenvalues[:2]).round(3))
     [0.857 0.372] [0.467 0.113]
     """
-    model = linearize(gait, settings, fmu=fmu)
+    model = linearize(gait, inputs, fmu=fmu)
     state = _weight("state_weight", state_weight, len(model.scales), 0.0)
-    setting = _weight("setting_weight", setting_weight, len(model.settings), np.finfo(float).tiny)
+    setting = _weight("input_weight", input_weight, len(model.inputs), np.finfo(float).tiny)
     gain = riccati_gain(model.scaled_state_matrix, model.scaled_input_matrix, state, setting)
     return feedback_of(model, gain * model.setting_scales[:, None] / model.scales, limits, fmu=fmu)
 
@@ -202,7 +202,7 @@ def riccati_gain(
     state_matrix: NDArray[np.float64],
     input_matrix: NDArray[np.float64],
     state_weight: NDArray[np.float64],
-    setting_weight: NDArray[np.float64],
+    input_weight: NDArray[np.float64],
 ) -> NDArray[np.float64]:
     """The gain G of the linear quadratic regulator of x' = A x + B u, in u = G x.
 
@@ -210,7 +210,7 @@ def riccati_gain(
     ----------
     state_matrix, input_matrix : ndarray of float
         A, of shape (n, n), and B, of shape (n, k).
-    state_weight, setting_weight : ndarray of float
+    state_weight, input_weight : ndarray of float
         Q, of shape (n, n), and R, of shape (k, k).
 
     Returns
@@ -226,14 +226,14 @@ def riccati_gain(
     from scipy.linalg import solve_discrete_are  # slow to load
 
     try:
-        cost = solve_discrete_are(state_matrix, input_matrix, state_weight, setting_weight)
+        cost = solve_discrete_are(state_matrix, input_matrix, state_weight, input_weight)
         weighted = input_matrix.T @ cost
         gain: NDArray[np.float64] = -np.linalg.solve(
-            setting_weight + weighted @ input_matrix, weighted @ state_matrix
+            input_weight + weighted @ input_matrix, weighted @ state_matrix
         )
     except np.linalg.LinAlgError as problem:
         raise InputError(
-            f"settings: no feedback of theirs makes the cost finite ({problem}); allowed: settings that move "
+            f"inputs: no feedback of theirs makes the cost finite ({problem}); allowed: inputs that move "
             "every mode that does not decay, and weights that see it"
         ) from None
     return gain
@@ -241,7 +241,7 @@ def riccati_gain(
 
 def _movable(modes: Modes, model: Linearization) -> Controllability:
     """What is told of the modes, all of which can be moved."""
-    told = controllability_of(modes, model.settings)
+    told = controllability_of(modes, model.inputs)
     if not told.controllable:
         raise _not_movable(model, told.unmovable)
     return told
@@ -249,8 +249,8 @@ def _movable(modes: Modes, model: Linearization) -> Controllability:
 
 def _not_movable(model: Linearization, eigenvalues: NDArray[Any]) -> InputError:
     return InputError(
-        f"settings {', '.join(model.settings)} do not move the mode of eigenvalue {_listed(eigenvalues)} at "
-        "this gait; allowed: settings that move every mode that lasts"
+        f"inputs {', '.join(model.inputs)} do not move the mode of eigenvalue {_listed(eigenvalues)} at "
+        "this gait; allowed: inputs that move every mode that lasts"
     )
 
 

@@ -41,7 +41,7 @@ class Linearization(ByContents):
 
     gait: Gait
     """The gait."""
-    settings: tuple[str, ...]
+    inputs: tuple[str, ...]
     """Those that are chosen at each apex, of `CHOSEN`."""
     nominal: NDArray[np.float64]
     """The settings of the gait, shape (k,), in their units."""
@@ -88,14 +88,14 @@ class Linearization(ByContents):
         return scaled
 
 
-def linearize(gait: Gait, settings: Sequence[str], *, fmu: Fmu | None = None) -> Linearization:
+def linearize(gait: Gait, inputs: Sequence[str], *, fmu: Fmu | None = None) -> Linearization:
     """The return map of a gait to first order, by the apex and by settings.
 
     Parameters
     ----------
     gait : Gait
         The gait, of one stride.
-    settings : sequence of str
+    inputs : sequence of str
         Which settings are chosen at each apex, of `CHOSEN`.
     fmu : Fmu, optional
         Whose ranges hold; by default that of `fmu_path`.
@@ -116,7 +116,7 @@ def linearize(gait: Gait, settings: Sequence[str], *, fmu: Fmu | None = None) ->
     """
     _check_gait(gait)
     runner, fmu = gait.runner, load_fmu(fmu)
-    names = _checked_names(settings)
+    names = _checked_names(inputs)
     for name in names:
         _check_inside(runner, name, fmu)
     by_setting = []
@@ -126,7 +126,7 @@ def linearize(gait: Gait, settings: Sequence[str], *, fmu: Fmu | None = None) ->
         by_setting.append(column)
     model = Linearization(
         gait=gait,
-        settings=names,
+        inputs=names,
         nominal=np.array([runner.values[name] for name in names]),
         state_matrix=jacobian,
         input_matrix=np.array(by_setting).T,
@@ -136,8 +136,8 @@ def linearize(gait: Gait, settings: Sequence[str], *, fmu: Fmu | None = None) ->
     for name, most in zip(names, moved, strict=True):
         if most <= IDLE:
             raise InputError(
-                f"settings: {name} does not act at this gait: it does not change the next apex; "
-                "allowed: settings that do"
+                f"inputs: {name} does not act at this gait: it does not change the next apex; "
+                "allowed: inputs that do"
             )
     return model
 
@@ -155,15 +155,15 @@ def _check_gait(gait: Gait) -> None:
 
 def _checked_names(given: object) -> tuple[str, ...]:
     allowed = f"allowed: {', '.join(CHOSEN)}"
-    names = tuple(row_of(given, "settings", f"one or more in a list: {', '.join(CHOSEN)}"))
+    names = tuple(row_of(given, "inputs", f"one or more in a list: {', '.join(CHOSEN)}"))
     if not names:
-        raise InputError(f"settings = {shown(given)} is not allowed; one or more in a list; {allowed}")
+        raise InputError(f"inputs = {shown(given)} is not allowed; one or more in a list; {allowed}")
     for name in names:
         if not is_one_of(name, CHOSEN):
-            raise InputError(f"settings: {shown(name)} is not allowed; {allowed}{near_matches(name, CHOSEN)}")
+            raise InputError(f"inputs: {shown(name)} is not allowed; {allowed}{near_matches(name, CHOSEN)}")
     twice = next((name for name in names if names.count(name) > 1), None)
     if twice is not None:
-        raise InputError(f"settings: {twice} is named twice; allowed: each once")
+        raise InputError(f"inputs: {twice} is named twice; allowed: each once")
     return names
 
 
@@ -174,13 +174,13 @@ def _check_inside(runner: Runner, name: str, fmu: Fmu) -> None:
         total = sum(runner.values[thrust] for thrust in THRUSTS)
         if total <= 0.0:
             raise InputError(
-                f"settings: {name} belongs to a thrust of {total:g} m at this gait, which is held at 0 and "
+                f"inputs: {name} belongs to a thrust of {total:g} m at this gait, which is held at 0 and "
                 "above, so that it acts to one side only and its derivative is one-sided; allowed: a gait "
                 "with a thrust above 0"
             )
     elif not variable.minimum < value < variable.maximum:
         raise InputError(
-            f"settings: {name} = {value:g} at this gait is at the end of its range, so that it can be moved "
+            f"inputs: {name} = {value:g} at this gait is at the end of its range, so that it can be moved "
             f"to one side only and its derivative is one-sided; allowed: inside {variable.allowed}"
         )
 

@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from ..analysis.search import periodic_gait, runner_by
+from ..analysis.search import periodic_gait
 from ..checks import checked_whole
 from ..errors import InputError, RunError
 from ..library.gait import Gait, gait_near
@@ -123,7 +123,7 @@ def fit(
     shared, each = checked_names(vary, "vary"), checked_names(vary_each, "vary_each")
     loaded = load_fmu(fmu)
     known = checked_priors(priors, each, loaded)
-    begun = runner_by(Runner.of(runner, fmu), model)
+    begun = Runner.of(runner, fmu, model=model)
     for prior in known:
         if prior.name not in shared:
             begun, shared = begun.but(prior.name, prior.value), (*shared, prior.name)

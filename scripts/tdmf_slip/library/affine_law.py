@@ -39,11 +39,11 @@ class AffineLaw(ByContents):
     ...     ["hip.touchdown_angle"], gait.apex, [gait.runner.values["hip.touchdown_angle"]],
     ...     [[0.1, 0, 0, 0, 0, 0]], low=[0.3], high=[1.0],
     ... )
-    >>> by_height.settings_at(gait.apex) == {"hip.touchdown_angle": by_height.nominal[0]}
+    >>> by_height.inputs_at(gait.apex) == {"hip.touchdown_angle": by_height.nominal[0]}
     True
     """
 
-    settings: Sequence[str]
+    inputs: Sequence[str]
     """Names of what is set: one or more of `settings.SETTINGS`."""
     apex: Apex
     """Where the settings are nominal, shape (n,): in the order of `COORDINATES`, or `REDUCED`."""
@@ -63,13 +63,13 @@ class AffineLaw(ByContents):
     def __post_init__(self) -> None:
         """Make all of it plain numbers; refuse values that are none, out of range or of another shape."""
         allowed = "one or more names in a list"
-        names = tuple(row_of(self.settings, "settings", allowed))
+        names = tuple(row_of(self.inputs, "inputs", allowed))
         if not names:
-            raise InputError(f"settings = {shown(self.settings)} is not allowed; allowed: {allowed}")
+            raise InputError(f"inputs = {shown(self.inputs)} is not allowed; allowed: {allowed}")
         for number, name in enumerate(names):
-            setting_number(name, "settings")
+            setting_number(name, "inputs")
             if name in names[:number]:
-                raise InputError(f"settings: {name} is there twice; allowed: once")
+                raise InputError(f"inputs: {name} is there twice; allowed: once")
         coordinates = REDUCED if np.shape(self.apex) == (len(REDUCED),) else COORDINATES
         n, k = len(coordinates), len(names)
         rows = {
@@ -87,7 +87,7 @@ class AffineLaw(ByContents):
             checked_values(name, high, "high", {})
             if low > high:
                 raise InputError(f"low: {name} = {low:g} is not allowed; allowed: up to high = {high:g}")
-        object.__setattr__(self, "settings", names)
+        object.__setattr__(self, "inputs", names)
         for what, values in rows.items():
             object.__setattr__(self, what, tuple(values.tolist()))
         object.__setattr__(self, "gain", tuple(tuple(row) for row in gain.tolist()))
@@ -98,7 +98,7 @@ class AffineLaw(ByContents):
         """Whether the sensor adds anything."""
         return any(self.noise or ())
 
-    def settings_at(self, apex: Apex, runner: int = 0, stride: int = 0) -> dict[str, float]:
+    def inputs_at(self, apex: Apex, runner: int = 0, stride: int = 0) -> dict[str, float]:
         """What is set at an apex.
 
         Parameters
@@ -124,13 +124,13 @@ class AffineLaw(ByContents):
         section = ffi.new(
             "double[6]", list(_numbers("apex", checked_apex(apex, coordinates), (len(coordinates),)))
         )
-        values = ffi.new("double[]", len(self.settings))
+        values = ffi.new("double[]", len(self.inputs))
         runner = checked_whole("runner", runner, 0, LAST_RUNNER)
         stride = checked_whole("stride", stride, 0, MOST_STEPS)
         law, kept = self.c_law()
         c.tdmf_affine_settings(law, section, runner, stride, values)
         del kept
-        return dict(zip(self.settings, map(float, values), strict=True))
+        return dict(zip(self.inputs, map(float, values), strict=True))
 
     def as_json(self) -> dict[str, object]:
         """The law as a plain object, by the names of its arguments."""
@@ -154,8 +154,8 @@ class AffineLaw(ByContents):
                 f"law: of {len(self.apex)} coordinates; allowed, as the runner has: "
                 f"{', '.join(runner.coordinates)}"
             )
-        for name in self.settings:
-            check_acts(name, runner, self.settings, "law")
+        for name in self.inputs:
+            check_acts(name, runner, self.inputs, "law")
 
     def c_law(self) -> tuple[Struct, object]:
         """The law as the library takes it, and what has to live as long.
@@ -168,10 +168,10 @@ class AffineLaw(ByContents):
             Arrays that it points to.
         """
         law = ffi.new("tdmf_affine_law *")
-        gain = np.zeros((len(self.settings), len(COORDINATES)))
+        gain = np.zeros((len(self.inputs), len(COORDINATES)))
         gain[:, : len(self.apex)] = self.gain
         kept = {
-            "settings": ffi.new("int[]", [setting_number(name, "settings") for name in self.settings]),
+            "settings": ffi.new("int[]", [setting_number(name, "inputs") for name in self.inputs]),
             "nominal": ffi.new("double[]", list(self.nominal)),
             "gain": ffi.new("double[][6]", gain.tolist()),
             "low": ffi.new("double[]", list(self.low)),
@@ -179,7 +179,7 @@ class AffineLaw(ByContents):
         }
         for name, values in kept.items():
             setattr(law, name, values)
-        law.count, law.seed = len(self.settings), self.seed
+        law.count, law.seed = len(self.inputs), self.seed
         law.apex[0 : len(self.apex)] = list(self.apex)
         law.noise[0 : len(self.apex)] = list(self.noise or ())
         return law, (law, kept)

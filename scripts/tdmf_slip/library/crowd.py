@@ -1,5 +1,6 @@
 """Runners that differ in some of their parameters and inputs, as the ensemble engine takes them."""
 
+import os
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from typing import Any
@@ -12,7 +13,6 @@ from ..contents import ByContents
 from ..errors import InputError
 from ..given import mapping_of
 from ..unit.unit import Fmu, load_fmu
-from ..unit.variable import Given
 from .affine_law import AffineLaw
 from .binding import c, ffi
 from .members import INPUTS, PARAMETERS, VARIED
@@ -31,15 +31,17 @@ class Crowd(ByContents):
     """By name: of each runner, shape (runners,)."""
 
     @classmethod
-    def of(cls, given: Runner | Mapping[str, Given | NDArray[np.float64]], fmu: Fmu | None = None) -> "Crowd":
+    def of(cls, given: object, fmu: Fmu | None = None, model: str | None = None) -> "Crowd":
         """A runner, or start values by name of which some are one for each runner.
 
         Parameters
         ----------
-        given : Runner or mapping of str to float or array_like of float
-            By the unit's names and in its units; arrays of shape (runners,).
+        given : object
+            A runner in any of its ways; or start values by name, with arrays of shape (runners,).
         fmu : Fmu, optional
             Whose start values and ranges hold.
+        model : str, optional
+            One of `MODELS`.
 
         Returns
         -------
@@ -51,13 +53,15 @@ class Crowd(ByContents):
         InputError
             A name or value that is not allowed, or arrays of different lengths.
         """
-        if isinstance(given, Runner):
-            return cls(given)
+        if given is None or isinstance(given, str | os.PathLike | Runner) or hasattr(given, "runner"):
+            return cls(Runner.of(given, fmu, model=model))
         by_name = mapping_of(given, "runner", "a Runner, or numbers or arrays by name")
         rows = {
             name: value for name, value in by_name.items() if not isinstance(value, str) and np.ndim(value)
         }
-        runner = Runner.of({name: value for name, value in by_name.items() if name not in rows}, fmu)
+        runner = Runner.of(
+            {name: value for name, value in by_name.items() if name not in rows}, fmu, model=model
+        )
         varied: dict[str, NDArray[np.float64]] = {}
         for name, row in rows.items():
             load_fmu(fmu).find(name, "runner")

@@ -2,7 +2,7 @@
 
 ::
 
-    ends, work = run_ensemble([Case(runner)], starts, max_strides=100)
+    ends, work = run_ensemble([Case(runner)], apices, max_strides=100)
     ends["fate"] == FATES.index("settled")
 """
 
@@ -75,7 +75,7 @@ def instruction_sets() -> tuple[str, ...]:
 
 def run_ensemble(
     cases: Sequence[Case | Runner | Mapping[str, Given]],
-    starts: ArrayLike,
+    apices: ArrayLike,
     case_of: ArrayLike | None = None,
     *,
     max_strides: int,
@@ -91,9 +91,9 @@ def run_ensemble(
     ----------
     cases : sequence of Case
         Parameters, inputs and gaits; a runner alone, or its start values, stand for a case without gaits.
-    starts : array_like of float, shape (runners, n)
-        Apices, one to a row, in the order of `library.section.COORDINATES`: m, m/s, m, rad, m/s, rad/s; of
-        runners by the reduced map the first two.
+    apices : array_like of float, shape (runners, n)
+        Where they start, one to a row, in the order of `library.section.COORDINATES`: m, m/s, m, rad, m/s,
+        rad/s; of runners by the reduced map the first two.
     case_of : array_like of int, shape (runners,), optional
         The number of each runner's case; by default all have the first.
     max_strides : int
@@ -130,10 +130,11 @@ def run_ensemble(
     Examples
     --------
     >>> import tdmf_slip
+    >>> from tdmf_slip.library.ensemble import run_ensemble
     >>> gait = tdmf_slip.find_gait({"ground.friction": 0.6})
     >>> faster = gait.apex.copy()
     >>> faster[1] *= 1.1
-    >>> ends, work = tdmf_slip.run_ensemble([gait.runner], [gait.apex, faster], max_strides=20)
+    >>> ends, work = run_ensemble([gait.runner], [gait.apex, faster], max_strides=20)
     >>> print(ends["strides"], ends["apex"][:, 1].round(3))
     [20 20] [1.063 1.068]
     """
@@ -143,8 +144,8 @@ def run_ensemble(
     all_cases = [case if isinstance(case, Case) else Case(Runner.of(case)) for case in given]
     check_alike(all_cases)
     runner = all_cases[0].runner
-    check_size("starts", len(starts) if isinstance(starts, Sized) else 1, "runners", MOST_RUNNERS)
-    sections = sections_of("starts", starts, runner.coordinates)
+    check_size("apices", len(apices) if isinstance(apices, Sized) else 1, "runners", MOST_RUNNERS)
+    sections = sections_of("apices", apices, runner.coordinates)
     ensemble = ensemble_of(runner, sections, first_number, tolerance, threads, instructions)
     max_strides, near = _whole("max_strides", max_strides), _within("near", near, 0.0, np.inf)
     made, kept = c_cases(all_cases, max_strides, near)

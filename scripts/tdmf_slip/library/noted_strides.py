@@ -192,7 +192,7 @@ class _Engine:
         if self.request.ground.roughness:
             columns[GROUND] = _where(begun, noted["ground_height"])
         law = self.request.law
-        for number, name in enumerate(law.settings if law is not None else ()):
+        for number, name in enumerate(law.inputs if law is not None else ()):
             columns[name] = _where(begun, noted["set"][..., number])
         return columns | {name: _where(begun, values) for name, values in given.items()}
 

@@ -16,7 +16,7 @@ from ..unit.parameters import start_values_of
 from ..unit.unit import Fmu, load_fmu
 from .binding import c, ffi
 from .members import INPUTS, PARAMETERS, STATES, VARIED
-from .section import COORDINATES, REDUCED, Apex, checked_apex
+from .section import COORDINATES, REDUCED, Apex, checked_apex, is_reduced
 from .structs import Center, EventLog, Model, Refusal, Solver, Struct
 
 TOLERANCE = 1e-13
@@ -46,7 +46,7 @@ class Runner(ByContents):
             raise InputError(f"values: {missing} is missing; allowed: all of them, as Runner.of gives them")
 
     @classmethod
-    def of(cls, given: object = None, fmu: Fmu | None = None) -> "Runner":
+    def of(cls, given: object = None, fmu: Fmu | None = None, *, model: str | None = None) -> "Runner":
         """The unit's own start values, and over them those given, without those that concern runs only.
 
         Parameters
@@ -55,6 +55,8 @@ class Runner(ByContents):
             Start values by the unit's names, a preset's name, a parameter file; of a gait its runner.
         fmu : Fmu, optional
             Whose start values and ranges hold; by default that of `fmu_path`.
+        model : str, optional
+            `full` or `reduced`, see `reduced`; by default that of the runner that is given.
 
         Returns
         -------
@@ -66,15 +68,14 @@ class Runner(ByContents):
         InputError
             None of these, or a name or value that the unit refuses.
         """
-        if isinstance(given, cls):
-            return given
-        if isinstance(getattr(given, "runner", None), cls):
-            return given.runner  # type: ignore[attr-defined, no-any-return] # a gait, which knows this module
-        by_name = start_values_of(given)
-        fmu = load_fmu(fmu)
-        checked = fmu.start_values(by_name, "start values")
-        names = [n for n, v in fmu.variables.items() if v.settable and v.type == "Real"]
-        return cls({name: float(checked.get(name, fmu.start_of(name))) for name in names})
+        runner = given if isinstance(given, cls) else getattr(given, "runner", None)  # of a gait
+        if not isinstance(runner, cls):
+            by_name = start_values_of(given)
+            fmu = load_fmu(fmu)
+            checked = fmu.start_values(by_name, "start values")
+            names = [n for n, v in fmu.variables.items() if v.settable and v.type == "Real"]
+            runner = cls({name: float(checked.get(name, fmu.start_of(name))) for name in names})
+        return runner if model is None else replace(runner, reduced=is_reduced(model))
 
     def but(self, name: str, value: float) -> "Runner":
         """The same runner with another value.
@@ -176,10 +177,6 @@ class Runner(ByContents):
         Solver
             The library's `tdmf_solver *`.
 
-        Raises
-        ------
-        InputError
-            The runner's tolerance is out of range.
         """
         solver: Solver = ffi.new("tdmf_solver *", c.tdmf_solver_default())
         if not is_number(self.tolerance) or not 0 < self.tolerance < 1:

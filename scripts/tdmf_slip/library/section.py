@@ -69,3 +69,10 @@ def check_axes(axes: Sequence[str], coordinates: Sequence[str] = COORDINATES) ->
     for axis in axes:
         if not is_one_of(axis, coordinates):
             raise InputError(f"axes: {shown(axis)} is not allowed; allowed: {', '.join(coordinates)}")
+
+
+def is_reduced(model: object) -> bool:
+    """Whether a model, one of `MODELS`, is the reduced one."""
+    if not is_one_of(model, MODELS):
+        raise InputError(f"model {shown(model)} is not allowed; allowed: {', '.join(MODELS)}")
+    return model == "reduced"

@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping
 
-from ..analysis.search import periodic_gait, runner_by
+from ..analysis.search import periodic_gait
 from ..checks import checked_whole
 from ..library.runner import Runner
 from ..terminal.progress import progress_bar
@@ -99,7 +99,7 @@ def optimize(
     prescribed = checked_values(target, (objective,), space)
     goal = Goal(objective, sign, prescribed, radius=checked_radius(stable))
     count = checked_whole("starts", starts, 1, MOST_STARTS)
-    before = periodic_gait(runner_by(Runner.of(runner, fmu), model), fmu=fmu)
+    before = periodic_gait(Runner.of(runner, fmu, model=model), fmu=fmu)
     optimizer = Optimizer(before, space, count)
     check_action(optimizer.candidate(goal), space)
     with progress_bar("optimize", count, "starts", progress) as bar:

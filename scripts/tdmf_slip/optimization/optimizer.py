@@ -13,6 +13,7 @@ from ..analysis.targeted import TargetNotMetError
 from ..contents import ByContents
 from ..errors import RunError
 from ..library.gait import Gait
+from ..library.runner import Runner
 from ..terminal.progress import Bar
 from .gaits import Candidate, Gaits
 from .optimum import FOLD, STABILITY, Optimum, told
@@ -221,7 +222,7 @@ def _basins(found: Sequence[Found]) -> int:
 
 def _natural(gait: Gait) -> NDArray[np.float64]:
     """Scales of the six coordinates, whatever the runner's model."""
-    return replace(gait.runner, reduced=False).scales
+    return Runner.of(gait, model="full").scales
 
 
 def _reached(gaits: Gaits, begin: Start, place: NDArray[np.float64], tries: int) -> Start | None:

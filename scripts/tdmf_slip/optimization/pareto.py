@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..analysis.search import periodic_gait, runner_by
+from ..analysis.search import periodic_gait
 from ..analysis.targeted import TargetNotMetError
 from ..checks import checked_whole
 from ..contents import ByContents
@@ -111,7 +111,7 @@ def pareto_front(
     radius = checked_radius(stable)
     goals = [Goal(name, signs[name], prescribed, radius=radius) for name in (first, second)]
     count = checked_whole("points", points, 2, MOST_POINTS)
-    before = periodic_gait(runner_by(Runner.of(runner, fmu), model), fmu=fmu)
+    before = periodic_gait(Runner.of(runner, fmu, model=model), fmu=fmu)
     optimizer = Optimizer(before, space, checked_whole("starts", starts, 1, MOST_STARTS))
     check_action(optimizer.candidate(goals[0]), space)
     total = 2 * optimizer.count + 2 * (count - 2)

@@ -6,7 +6,7 @@ Clark and Higham (2011): `guinea_fowl.toml` has their words, and the runner that
 import math
 import tomllib
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cache
 from importlib import resources
 
@@ -110,7 +110,7 @@ def runner_of(leg_length: float | None = None) -> Runner:
         "hip.retraction_rate": its["start_speed"] / length,
         FRICTION: its["high_friction"],
     }
-    return replace(Runner.of(values), reduced=True)
+    return Runner.of(values, model="reduced")
 
 
 def gaits(leg_length: float | None = None) -> tuple[Gait, ...]:

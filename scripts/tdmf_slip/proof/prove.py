@@ -46,7 +46,7 @@ def prove(
     digits: int = ...,
     vary: None = ...,
     output: None = ...,
-    threads: None = ...,
+    processes: None = ...,
     progress: bool = ...,
 ) -> Proof: ...
 
@@ -57,7 +57,7 @@ def prove(
     *,
     vary: Mapping[str, tuple[Radius, Radius]],
     output: str | os.PathLike[str] | None = ...,
-    threads: int | None = ...,
+    processes: int | None = ...,
     progress: bool = ...,
 ) -> RangeProof: ...
 
@@ -69,7 +69,7 @@ def prove(
     digits: int = DEFAULT_DIGITS,
     vary: Mapping[str, tuple[Radius, Radius]] | None = None,
     output: str | os.PathLike[str] | None = None,
-    threads: int | None = None,
+    processes: int | None = None,
     progress: bool = False,
 ) -> Proof | RangeProof:
     """A periodic gait, proved: that there is one, and no other near it, its word, and enclosures of the rest.
@@ -94,7 +94,7 @@ def prove(
     output : str or path, optional
         With `vary`: a file of JSON lines that each part of the range is added to as it is done, and that a
         proof goes on from.
-    threads : int, optional
+    processes : int, optional
         With `vary`: processes; by default one for each processor.
     progress : bool, default False
         With `vary`: a bar on stderr.
@@ -121,9 +121,9 @@ def prove(
     if vary is not None:
         if box is not None:
             raise InputError(f"box = {box!r}: with vary it is chosen by itself; allowed: without vary")
-        return _over(gait, vary, output, threads, progress)
-    if output is not None or threads is not None:
-        raise InputError("output, threads: are of use for a range only; allowed: with vary")
+        return _over(gait, vary, output, processes, progress)
+    if output is not None or processes is not None:
+        raise InputError("output, processes: are of use for a range only; allowed: with vary")
     found, values = gait_of(gait)
     return prove_exactly(found, values, digits, box, given=isinstance(gait, Gait))
 
@@ -165,7 +165,7 @@ def _over(
     gait: Given,
     vary: Mapping[str, tuple[Radius, Radius]],
     output: str | os.PathLike[str] | None,
-    threads: int | None,
+    processes: int | None,
     progress: bool,
 ) -> RangeProof:
     check_kind(vary, Mapping, "vary", "a parameter with the ends of its range")
@@ -181,13 +181,13 @@ def _over(
     begin, end = (end.rational for end in ends)
     if not begin < end:
         raise InputError(f"vary: {name} from {begin} to {end}; allowed: a range from less to more")
-    if threads is not None:
-        checked_whole("threads", threads, 1, 1024)
+    if processes is not None:
+        checked_whole("processes", processes, 1, 1024)
     if gait is None or (isinstance(gait, Mapping) and name not in gait):
         gait = {**(gait or {}), name: begin}
     found, values = gait_of(gait)
     path = None if output is None else Path(output)
-    return prove_range(found, values, name, (begin, end), output=path, workers=threads, progress=progress)
+    return prove_range(found, values, name, (begin, end), output=path, processes=processes, progress=progress)
 
 
 def bits_for(places: int) -> int:

@@ -53,7 +53,7 @@ def prove_range(
     ends: tuple[Fraction, Fraction],
     *,
     output: Path | None = None,
-    workers: int | None = None,
+    processes: int | None = None,
     progress: bool = False,
 ) -> RangeProof:
     """Gaits over a range of a parameter, by subdivision.
@@ -71,8 +71,8 @@ def prove_range(
     output : Path, optional
         A file of JSON lines, to which each part of the range is added as it is done; what it has already of
         the same range is not proved again.
-    workers : int, optional
-        Processes; by default one for each processor.
+    processes : int, optional
+        Pythons side by side; by default one for each processor.
     progress : bool, default False
         A bar on stderr.
 
@@ -90,12 +90,12 @@ def prove_range(
     head = {"vary": name, "range": [str(end) for end in ends], "parameters": _told(values, name)}
     done = _done(output, head)
     open_ones = [part for part in parts if part not in done]
-    workers = workers or os.cpu_count() or 1
+    processes = processes or os.cpu_count() or 1
     with progress_bar("prove", len(parts), "parts", progress) as bar:
         for _ in range(len(parts) - len(open_ones)):
             bar.update()
         tasks = [(gait.runner, values, name, part) for part in open_ones]
-        found = side_by_side(prove_pieces, tasks, workers)
+        found = side_by_side(prove_pieces, tasks, processes)
         for part, pieces in zip(open_ones, found, strict=True):
             done[part] = pieces
             _write(output, head, part, pieces)

@@ -71,7 +71,9 @@ class _Worker:
         self.process.wait()
 
 
-def side_by_side(function: Callable[..., Any], tasks: Sequence[Sequence[Any]], workers: int) -> Iterator[Any]:
+def side_by_side(
+    function: Callable[..., Any], tasks: Sequence[Sequence[Any]], processes: int
+) -> Iterator[Any]:
     """Values of a function, by so many processes.
 
     Parameters
@@ -80,7 +82,7 @@ def side_by_side(function: Callable[..., Any], tasks: Sequence[Sequence[Any]], w
         Of a module.
     tasks : sequence of sequence
         Its arguments, once for each value.
-    workers : int
+    processes : int
         How many processes; with one, it is done in this.
 
     Yields
@@ -88,11 +90,11 @@ def side_by_side(function: Callable[..., Any], tasks: Sequence[Sequence[Any]], w
     object
         Each value, in the order of the tasks.
     """
-    if workers == 1 or len(tasks) < 2:
+    if processes == 1 or len(tasks) < 2:
         for arguments in tasks:
             yield function(*arguments)
         return
-    started = [_Worker() for _ in range(min(workers, len(tasks)))]
+    started = [_Worker() for _ in range(min(processes, len(tasks)))]
     idle: SimpleQueue[_Worker] = SimpleQueue()
     for worker in started:
         idle.put(worker)

@@ -1,4 +1,4 @@
-"""Many runs of the unit, by FMPy, over a table of parameters: here or on a Dask cluster."""
+"""Many runs of the unit, by FMPy, one for each of many runners: here or on a Dask cluster."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -10,11 +10,12 @@ from ..checks import checked, checked_whole
 from ..contents import ByContents
 from ..errors import InputError, TdmfSlipError
 from ..files.datasets import xarray
-from ..given import mapping_of, row_of, rows_of
+from ..given import row_of, rows_of
 from ..terminal.progress import progress_bar
-from .simulation import DEFAULT_TOLERANCE, MOST_STRIDES, TOLERANCES, simulate
+from .parameters import start_values_of
+from .simulation import DEFAULT_STRIDES, DEFAULT_TOLERANCE, MOST_STRIDES, TOLERANCES, simulate
 from .unit import Fmu, load_fmu
-from .variable import Given, Value
+from .variable import Value
 
 
 @dataclass(frozen=True, eq=False)
@@ -60,10 +61,10 @@ def run_one(job: Job) -> Result:
     return Result(run.stride, run.fallen, "")
 
 
-def run_batch(
-    table: Sequence[Mapping[str, Given]],
+def simulate_many(
+    runners: Sequence[object],
     *,
-    strides: int,
+    strides: int = DEFAULT_STRIDES,
     tolerance: float = DEFAULT_TOLERANCE,
     interface: str = "cs",
     scheduler: str | None = None,
@@ -71,13 +72,14 @@ def run_batch(
     progress: bool = False,
     fmu: Fmu | None = None,
 ) -> xarray.Dataset:
-    """Run the unit once for each row of a table.
+    """Run the unit once for each of many runners.
 
     Parameters
     ----------
-    table : sequence of mappings of str to float
-        Start values by the unit's names, one mapping for each run; all with the same names.
-    strides : int
+    runners : sequence of runners, or a table with a row for each
+        Each as in `simulate`: start values by the unit's names, a Runner, a preset's name and so on. What one
+        of them names and another does not has the unit's own value there.
+    strides : int, default 10
         How many each run makes.
     tolerance : float, default 1e-9
         As in `simulate`.
@@ -90,23 +92,24 @@ def run_batch(
     progress : bool, default False
         A bar on stderr.
     fmu : Fmu, optional
-        Checks the table before anything is run.
+        Checks the runners before anything is run.
 
     Returns
     -------
     xarray.Dataset
-        Over the dimension `run`: the table's columns as coordinates, the last stride's quantities with their
-        units, `fallen`, and `problem`, empty where there was none.
+        Over the dimension `run`: what the runners name as coordinates, the last stride's quantities with
+        their units, `fallen`, and `problem`, empty where there was none.
 
     Raises
     ------
     InputError
-        An empty table, rows with different names, or a value that is not allowed.
+        There is no runner, or a value is not allowed.
 
     Examples
     --------
     >>> import tdmf_slip
-    >>> runs = tdmf_slip.run_batch([{"ground.friction": 0.6}, {"ground.friction": 1.2}], strides=2, threads=1)
+    >>> runners = [{"ground.friction": 0.6}, {"ground.friction": 1.2}]
+    >>> runs = tdmf_slip.simulate_many(runners, strides=2, threads=1)
     >>> print(runs["speed"].values.round(3), runs["fallen"].values)
     [1.062 1.051] [False False]
     """
@@ -114,15 +117,15 @@ def run_batch(
     fmu.require_interface(interface)
     checked_whole("strides", strides, 1, MOST_STRIDES)
     checked("tolerance", tolerance, *TOLERANCES)
-    allowed = "one or more rows, all with the same names in the same order"
-    rows = [mapping_of(row, "table", allowed) for row in row_of(rows_of(table), "table", allowed)]
-    names = list(rows[0]) if rows else []
-    if not names or any(list(row) != names for row in rows):
-        raise InputError(f"table: allowed: {allowed}")
+    allowed = "one or more runners in a list, or a table with a row for each"
+    given = row_of(rows_of(runners), "runners", allowed)
+    if not len(given):
+        raise InputError(f"runners: none; allowed: {allowed}")
     jobs = [
-        Job(fmu.start_values(row, f"row {number}"), strides, tolerance, interface)
-        for number, row in enumerate(rows)
+        Job(fmu.start_values(start_values_of(row), f"runner {number}"), strides, tolerance, interface)
+        for number, row in enumerate(given)
     ]
+    names = list(dict.fromkeys(name for job in jobs for name in job.values))
     results = [NOT_RUN] * len(jobs)
     with (
         progress_bar("batch", len(jobs), "runs", progress) as bar,
@@ -142,7 +145,7 @@ def _dataset(
             "fallen": ("run", [result.fallen for result in results]),
             "problem": ("run", np.array([result.problem for result in results], dtype=object)),
         },
-        coords={name: ("run", [job.values[name] for job in jobs]) for name in names},
+        coords={name: ("run", [job.values.get(name, fmu.start_of(name)) for job in jobs]) for name in names},
     )
     for variable in fmu.group("stride"):
         name, is_text = variable.member, variable.type == "String"

@@ -175,13 +175,15 @@ class Instance:
         except Exception as problem:  # FMPy raises bare Exceptions
             raise self._account_of(problem) from problem
 
-    def start(self, values: Mapping[str, float | int | bool]) -> None:
+    def start(self, values: Mapping[str, float | int | bool], tolerance: float | None = None) -> None:
         """Set start values and initialize, to go on by `advance` (Co-Simulation).
 
         Parameters
         ----------
         values : mapping of str to float, int or bool
             By the variables' names, in their units.
+        tolerance : float, optional
+            Of the importer.
 
         Raises
         ------
@@ -190,7 +192,7 @@ class Instance:
         """
         try:
             self._set(values)
-            self._fmu.setupExperiment()
+            self._fmu.setupExperiment(tolerance=tolerance)
             self._fmu.enterInitializationMode()
             self._fmu.exitInitializationMode()
         except FMICallException as problem:

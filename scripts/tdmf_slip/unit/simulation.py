@@ -13,6 +13,8 @@ from .events import MODE, PHASE, events_of
 from .inputs import InputTables, signals
 from .instance import Experiment, Instance, Recorder, opened
 from .parameters import start_values_of
+from .profile import Profile
+from .profile_run import MOST_ROWS, STEPS_PER_TIME_UNIT, interface_over, run_over
 from .run import Run
 from .unit import Fmu, load_fmu
 from .variable import Value
@@ -29,7 +31,6 @@ POINTS_PER_TIME_UNIT = 10
 between two points: 500 steps."""
 LONGEST_STRIDE = 20.0
 """A stride that takes longer than this many sqrt(l0/g) + sqrt(m/k) is taken for none."""
-MOST_ROWS = 10_000_000
 FALLEN = "status.fallen"
 ONLY_IN: Mapping[str, str] = {
     "status.terminate_on_fall": "me",
@@ -47,9 +48,10 @@ def simulate(
     tolerance: float = DEFAULT_TOLERANCE,
     output_interval: float | None = None,
     inputs: InputTables | None = None,
+    profile: Profile | None = None,
     variables: Iterable[str] | None = None,
     record_events: bool = True,
-    interface: str = "me",
+    interface: str | None = None,
     progress: bool = False,
     fmu: Fmu | None = None,
 ) -> Run:
@@ -69,15 +71,17 @@ def simulate(
         Of CVODE, whose absolute tolerances follow from the unit's nominal values; in Co-Simulation the
         tighter of it and `solver.relative_tolerance` holds.
     output_interval : float, optional
-        Seconds between recorded rows; by default a tenth of sqrt(m/k).
+        Seconds between recorded rows; by default a tenth of sqrt(m/k), over a profile half of that.
     inputs : InputTables, optional
         Tables by input name, see `inputs.InputTables`.
+    profile : Profile, optional
+        Uneven ground. At each recorded row the unit is given the line that is below the foot.
     variables : iterable of str, optional
         Names to record; by default every numeric input and output.
     record_events : bool, default True
         Keep the rows before and after each event (Model Exchange), not the regular ones only.
-    interface : str, default 'me'
-        `me` (Model Exchange) or `cs` (Co-Simulation).
+    interface : str, optional
+        `me` (Model Exchange), the default, or `cs` (Co-Simulation), which a profile needs.
     progress : bool, default False
         A bar on stderr.
     fmu : Fmu, optional
@@ -101,8 +105,16 @@ def simulate(
     >>> run = tdmf_slip.simulate({"ground.friction": 0.43}, strides=3)
     >>> print(run.stride["word"], run.stride["count"], run.fallen)
     +0- 3 False
+
+    Over steps of random height:
+
+    >>> steps = tdmf_slip.Profile.random_steps(count=10, tread=7.0, roughness=0.02, seed=1, begin=20.0)
+    >>> run = tdmf_slip.simulate(strides=2, profile=steps)
+    >>> print(run.strides, run.fallen)
+    2 False
     """
     fmu = load_fmu(fmu)
+    interface = interface_over(profile, interface, inputs, fmu)
     starts = fmu.start_values(start_values_of(runner), "start values")
     if stop_time is None and strides is None:
         strides = DEFAULT_STRIDES
@@ -110,14 +122,17 @@ def simulate(
     experiment = Experiment(
         stop_time=_stop_time(fmu, starts, stop_time, strides),
         tolerance=checked("tolerance", tolerance, *TOLERANCES),
-        output_interval=_interval(fmu, starts, output_interval),
+        output_interval=_interval(fmu, starts, output_interval, profile is not None),
         start_values=starts,
         inputs=signals(fmu, inputs, starts),
         variables=tuple(dict.fromkeys([*recorded, MODE, PHASE, FALLEN])),
     )
     _check_rows(experiment, _least_duration(fmu, starts, stop_time, strides))
     with opened(fmu, interface) as instance:
-        table = _run(instance, experiment, stop_time, strides, progress)
+        if profile is None:
+            table = _run(instance, experiment, stop_time, strides, progress)
+        else:
+            table = run_over(instance, profile, experiment, strides, progress)
         run = _result(instance, experiment, table, recorded, not record_events)
     if strides is not None and stop_time is None and not run.fallen and run.strides < strides:
         raise RunError(
@@ -189,8 +204,9 @@ def _stop_time(fmu: Fmu, starts: Mapping[str, Value], stop_time: float | None, s
     return longest if stop_time is None else checked("stop_time", stop_time, *TIMES)
 
 
-def _interval(fmu: Fmu, starts: Mapping[str, Value], interval: float | None) -> float:
-    return time_unit(fmu, starts) / POINTS_PER_TIME_UNIT if interval is None else interval
+def _interval(fmu: Fmu, starts: Mapping[str, Value], interval: float | None, over_profile: bool) -> float:
+    points = STEPS_PER_TIME_UNIT if over_profile else POINTS_PER_TIME_UNIT
+    return time_unit(fmu, starts) / points if interval is None else interval
 
 
 def _least_duration(

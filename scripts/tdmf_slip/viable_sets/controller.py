@@ -99,7 +99,7 @@ class ViableController(ByContents):
             checked_values(name, np.array(values[name]), "wish", {})
         return cls(grid, inner, outer, tuple(values.values()))
 
-    def settings_at(self, apex: ArrayLike) -> dict[str, float]:
+    def inputs_at(self, apex: ArrayLike) -> dict[str, float]:
         """What is set at one apex.
 
         Parameters
@@ -120,7 +120,7 @@ class ViableController(ByContents):
         Parameters
         ----------
         apex : sequence of float
-            As in `settings_at`.
+            As in `inputs_at`.
 
         Returns
         -------

@@ -2,16 +2,16 @@
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ..checks import check_kind, check_size, checked_whole, shown
+from ..checks import check_kind, check_size, checked_whole
 from ..contents import ByContents
 from ..errors import InputError
-from ..given import mapping_of, row_of
+from ..given import counts_given, ends_given, mapping_of, row_of
 from ..library.runner import Runner
 from ..library.section import REDUCED, check_axes
 from ..library.settings import check_acts, checked_values, setting_number
@@ -128,13 +128,9 @@ def grid_of(runner: Runner, axes: Any, vary: Any, n: Any, fmu: Fmu) -> Grid:
     missing = next((axis for axis in REDUCED if axis not in ranges), None)
     if missing is not None:
         raise InputError(f"axes: without {missing}; allowed: ranges of {' and '.join(REDUCED)}")
-    counts = (
-        (n, n) if isinstance(n, int | np.integer) else tuple(row_of(n, "n", "a number, or one of each axis"))
-    )
-    if len(counts) != len(REDUCED):
-        raise InputError(f"n = {shown(n)} is not allowed; allowed: a number, or one of each axis")
+    counts = counts_given(n, MOST_CELLS)
     edges = {
-        axis: np.linspace(*_ends(f"axes: {axis}", ranges[axis]), checked_whole("n", count, 2, MOST_CELLS) + 1)
+        axis: np.linspace(*ends_given(f"axes: {axis}", ranges[axis]), count + 1)
         for axis, count in zip(REDUCED, counts, strict=True)
     }
     for axis, along in edges.items():
@@ -155,21 +151,9 @@ def _actions(runner: Runner, vary: Any, fmu: Fmu) -> dict[str, NDArray[np.float6
         what = f"vary: {name}"
         row = row_of(span, what, "(low, high) or (low, high, values)")
         count = checked_whole(f"{what}: values", row[2], 1, MOST_ACTIONS) if len(row) == 3 else VALUES
-        low, high = _ends(what, row[:2] if len(row) == 3 else row, may_be_one=count == 1)
+        low, high = ends_given(what, row[:2] if len(row) == 3 else row, may_be_one=count == 1)
         actions[name] = checked_values(name, np.linspace(low, high, count), "vary", {"value": 0}, fmu)
     return actions
-
-
-def _ends(what: str, given: Any, *, may_be_one: bool = False) -> tuple[float, float]:
-    allowed = "two finite numbers, the lower one first"
-    row = row_of(given, what, allowed)
-    try:
-        low, high = (float(end) for end in row)
-    except (TypeError, ValueError):
-        raise InputError(f"{what} = {shown(given)} is not allowed; allowed: {allowed}") from None
-    if not (math.isfinite(high - low) and (low < high or (may_be_one and low == high))):
-        raise InputError(f"{what} = {shown(given)} is not allowed; allowed: {allowed}")
-    return low, high
 
 
 def starts_at(runner: Runner, apices: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -193,6 +177,6 @@ def starts_at(runner: Runner, apices: NDArray[np.float64]) -> NDArray[np.float64
     check_kind(runner, Runner, "runner", "a Runner")
     if runner.reduced:
         return apices
-    placed = replace(runner, reduced=True).state_at([1.0, 0.0])
+    placed = Runner.of(runner, model="reduced").state_at([1.0, 0.0])
     leg = [placed[f"leg.{name}"] for name in ("length", "angle", "length_rate", "angle_rate")]
     return np.column_stack([apices, np.tile(leg, (len(apices), 1))])

@@ -7,7 +7,6 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..analysis.search import runner_by
 from ..checks import checked, checked_whole
 from ..files.whole import check_place
 from ..library.runner import Runner
@@ -100,7 +99,7 @@ def viability(
     ... )
     >>> bool(0.3 < found.inner_share <= found.outer_share <= 1)
     True
-    >>> chosen = found.controller().settings_at([1.4, 1.05])
+    >>> chosen = found.controller().inputs_at([1.4, 1.05])
     >>> list(chosen)
     ['hip.touchdown_angle', 'hip.stance_torque']
 
@@ -110,7 +109,7 @@ def viability(
     IEEE Transactions on Robotics 2019, doi 10.1109/TRO.2019.2910739.
     """
     fmu = load_fmu(fmu)
-    runner = runner_by(Runner.of(runner, fmu), model)
+    runner = Runner.of(runner, fmu, model=model)
     factor = checked("factor", factor, 1.0, LARGEST_FACTOR)
     threads = None if threads is None else checked_whole("threads", threads, 1, MOST_THREADS)
     path = None if path is None else check_place(path, (".nc",), "path")

@@ -1,7 +1,7 @@
 """All figures of the paper, remade, and what it could not show: PNG and SVG, with the data beside as CSV."""
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
 
@@ -157,7 +157,7 @@ def _figures(fmu: Fmu, measure: bool = False) -> dict[str, Figure]:
 
     @cache
     def gaits_of_both() -> dict[str, Sweep]:
-        return {"full": gaits(), "reduced": sweep(replace(runner, reduced=True), {"ground.friction": SWEPT})}
+        return {"full": gaits(), "reduced": sweep(runner, {"ground.friction": SWEPT}, model="reduced")}
 
     @cache
     def regions() -> dict[str, xarray.Dataset]:
@@ -192,7 +192,7 @@ def _figures(fmu: Fmu, measure: bool = False) -> dict[str, Figure]:
     @cache
     def saved() -> Columns:
         if measure:
-            return viability.table(viability.measure(replace(runner, reduced=True), progress=True))
+            return viability.table(viability.measure(Runner.of(runner, model="reduced"), progress=True))
         return stored.columns("viability")
 
     falls = cache(slippery.fall_map)

@@ -1,6 +1,5 @@
 """The paper's conjecture, looked at: its model cut down to a map of the plane, beside the full model."""
 
-from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -23,8 +22,10 @@ from ...unit.unit import FRICTION
 from . import figure_9
 from .columns import Columns
 
-PLANE = (np.linspace(0.6, 4.0, 137), np.linspace(-1.0, 2.5, 141))
+PLANE = {"com_height": (0.6, 4.0), "com_speed": (-1.0, 2.5)}
 """Heights and speeds, over l0 and l0 sqrt(k/m): where regions of attraction are compared."""
+STARTS = 137, 141
+"""Along each."""
 ANGLES = np.radians(np.linspace(20.0, 70.0, 81))
 DAMPINGS = np.linspace(0.0, 0.6, 61)
 """Over sqrt(m k)."""
@@ -37,15 +38,13 @@ COLOURS = {"full": style.CURVE, "reduced": "#e07b00"}
 
 def regions(runner: Runner) -> dict[str, xarray.Dataset]:
     """What the gaits of both models attract: of the full one over a slice, of the reduced one all of it."""
-    return {
-        name: basin(replace(runner, reduced=name == "reduced"), (REDUCED[0], REDUCED[1]), PLANE)
-        for name in ("full", "reduced")
-    }
+    return {name: basin(runner, PLANE, STARTS, model=name) for name in ("full", "reduced")}
 
 
 def region_table(maps: dict[str, xarray.Dataset]) -> Columns:
     """Fates and strides of all starts."""
-    height, speed = (grid.ravel() for grid in np.meshgrid(*PLANE, indexing="ij"))
+    along = (np.linspace(*PLANE[axis], count) for axis, count in zip(REDUCED, STARTS, strict=True))
+    height, speed = (grid.ravel() for grid in np.meshgrid(*along, indexing="ij"))
     columns: dict[str, Any] = {"com_height": height, "com_speed": speed}
     for name, data in maps.items():
         columns |= {f"{what}_{name}": data[what].values.ravel() for what in ("fate", "strides_until_known")}
@@ -118,7 +117,7 @@ def draw_eigenvalues(path: Path, sweeps: dict[str, Sweep]) -> None:
 
 def planes(runner: Runner) -> tuple[StabilityMap, StabilityMap]:
     """Stability of the reduced map over touchdown angle and damping, and over retraction and friction."""
-    small = replace(runner, reduced=True)
+    small = Runner.of(runner, model="reduced")
     return (
         stability(small, {"leg.damping": DAMPINGS, "hip.touchdown_angle": ANGLES}),
         stability(
