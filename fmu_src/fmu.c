@@ -1,6 +1,8 @@
 /* A runner with its settings, FMI left out. */
 #include "fmu.h"
 
+#include "instant.h"
+#include "record.h"
 #include "tdmf_slip/cvode.h"
 #include "variables.h"
 
@@ -132,7 +134,7 @@ void fmu_differentiate_start(const fmu *given, const struct fmu *started, const 
     change->outputs.hip.liftoff_angle = varied.variation.liftoff_angle;
     change->outputs.energy.impact_loss = varied.impact_loss;
     change->outputs.event.last_time = direction->motion.time;
-    if (started->motion.record.open.began_at_apex) {
+    if (started->motion.record.progress.open.began_at_apex) {
         differentiate_apex(varied.variation.state, varied.com_height, direction->motion.time,
                            &change->outputs);
     }
@@ -195,19 +197,13 @@ const char *fmu_settings_obstacle(const fmu *fmu) {
     return NULL;
 }
 
-/* Set by the importer, time may be elsewhere than where the solver left off. */
-static tdmf_instant instant_of(const fmu *fmu) {
-    const tdmf_instant set = {fmu->motion.time, 0.0};
-    return fmu->motion.record.now.time == set.time ? fmu->motion.record.now : set;
-}
-
 static tdmf_outcome advance(fmu *fmu, double until) {
-    const tdmf_instant start = instant_of(fmu);
+    const tdmf_instant start = tdmf_instant_of(&fmu->motion);
     const bool by_cvode = fmu->settings.solver.method == SOLVER_CVODE;
     const tdmf_outcome outcome = (by_cvode ? tdmf_cvode_advance : tdmf_native_advance)(
         &fmu->solver, fmu_system(fmu), &fmu->input_rates, until, &fmu->motion);
-    fmu->inputs =
-        tdmf_inputs_after(&fmu->inputs, &fmu->input_rates, tdmf_time_between(start, instant_of(fmu)));
+    fmu->inputs = tdmf_inputs_after(&fmu->inputs, &fmu->input_rates,
+                                    tdmf_time_between(start, tdmf_instant_of(&fmu->motion)));
     return outcome;
 }
 
@@ -358,7 +354,7 @@ const char *fmu_advance(fmu *fmu, double until, const fmu_observer *observer) {
 static void advance_by(fmu *fmu, double duration) {
     static const tdmf_instant zero = {0.0, 0.0};
     fmu->motion.time = zero.time;
-    fmu->motion.record.now = zero;
+    fmu->motion.record.progress.now = zero;
     advance(fmu, duration);
 }
 
@@ -366,7 +362,7 @@ static void advance_by(fmu *fmu, double duration) {
  * time might take it, so the last bit before it is left out: some rounding errors, or what it takes. */
 static void stand_before_event(fmu *fmu, tdmf_instant event, const fmu_mark *since) {
     const struct fmu start = *fmu;
-    const double ahead = tdmf_time_between(instant_of(fmu), event);
+    const double ahead = tdmf_time_between(tdmf_instant_of(&fmu->motion), event);
     double gap = 1e-13 * fmax(ahead, fmu->model.scales.time);
     while (gap < ahead) {
         advance_by(fmu, ahead - gap);
@@ -379,7 +375,7 @@ static void stand_before_event(fmu *fmu, tdmf_instant event, const fmu_mark *sin
     }
     fmu->event_lead = gap;
     fmu->motion.time = event.time;
-    fmu->motion.record.now = event;
+    fmu->motion.record.progress.now = event;
 }
 
 const char *fmu_advance_to_event(fmu *fmu, double until, const fmu_observer *observer) {
@@ -392,7 +388,7 @@ const char *fmu_advance_to_event(fmu *fmu, double until, const fmu_observer *obs
         return conclude(fmu, outcome, until);
     }
     fmu->solver = ahead.solver;
-    stand_before_event(fmu, instant_of(&ahead), &mark);
+    stand_before_event(fmu, tdmf_instant_of(&ahead.motion), &mark);
     fmu->inputs = ahead.inputs;
     fmu->event_guard = ahead.event_guard;
     fmu->event_parameters = ahead.parameters;

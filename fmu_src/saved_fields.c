@@ -147,9 +147,10 @@ typedef struct {
 } passed_open_stride;
 typedef struct {
     int event_count;
-    double last_event_time, impact_loss, now[2];
+    double last_event_time, impact_loss;
     passed_stride stride;
     passed_apex apex;
+    double now[2];
     passed_open_stride open;
 } passed_record;
 typedef struct {
@@ -250,10 +251,10 @@ static void pass_record(transfer *bytes, tdmf_record *record) {
     pass_count(bytes, "event.count", &record->event_count);
     pass_time(bytes, "event.last_time", &record->last_event_time);
     pass_sum(bytes, "energy.impact_loss", &record->impact_loss);
-    pass_instant(bytes, "the instant", &record->now);
+    pass_instant(bytes, "the instant", &record->progress.now);
     pass_stride(bytes, &record->stride);
     pass_apex(bytes, &record->apex);
-    pass_open_stride(bytes, &record->open);
+    pass_open_stride(bytes, &record->progress.open);
 }
 
 static void pass_place(transfer *bytes, tdmf_motion *motion) {
@@ -448,8 +449,9 @@ static void require_agreement(transfer *bytes, const saved_run *run, const tdmf_
         require(bytes, foot_suits_contact(model, motion), "foot.y");
         require(bytes, clock_suits_phase(motion), "hip.place_time");
         require(bytes, is_past(model, record->last_event_time, motion->time), "event.last_time");
-        require(bytes, is_past(model, record->open.start.time, motion->time), "the open stride's start time");
-        require(bytes, is_past(model, record->open.contact_start.time, motion->time),
+        require(bytes, is_past(model, record->progress.open.start.time, motion->time),
+                "the open stride's start time");
+        require(bytes, is_past(model, record->progress.open.contact_start.time, motion->time),
                 "the contact's start time");
     }
 }

@@ -7,6 +7,7 @@
 #include "ground_line.h"
 #include "hip_law.h"
 #include "input_rates.h"
+#include "instant.h"
 #include "longest_stride.h"
 #include "margins.h"
 #include "record.h"
@@ -154,8 +155,8 @@ static void store(tdmf_runner *runner, const double *fields) {
     const member_progress now =
         motion->mode.contact == TDMF_CONTACT_FLIGHT ? read_flying(fields, &at) : read_standing(fields, &at);
     runner->direction = tdmf_state_in_mode(&runner->equations, now.elapsed, &at, motion->state);
-    motion->record.now = tdmf_instant_after(motion->record.now, now.elapsed);
-    motion->time = motion->record.now.time;
+    motion->record.progress.now = tdmf_instant_after(motion->record.progress.now, now.elapsed);
+    motion->time = motion->record.progress.now.time;
     runner->steps = now.steps;
 }
 

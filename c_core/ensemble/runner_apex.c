@@ -213,7 +213,7 @@ static bool start(tdmf_runner *runner, const double section[TDMF_SECTION_COUNT])
     motion->time = 0.0;
     tdmf_section_state_at((tdmf_system){model, &runner->inputs}, start_place(runner), section, motion->state);
     return !tdmf_start((tdmf_system){model, &runner->inputs}, motion).variable &&
-           motion->record.open.began_at_apex;
+           motion->record.progress.open.began_at_apex;
 }
 
 static void meet(tdmf_runner *runner, const tdmf_ensemble *ensemble, int64_t index, tdmf_ensemble_end *end) {

@@ -33,8 +33,8 @@ static void open_variations(stride_variations *along, const tdmf_seed *seeds, in
 static void touch_down(stride_variations *along, tdmf_system system, tdmf_point apex,
                        const tdmf_motion *motion, const tdmf_event_state *before) {
     tdmf_event_state after = {.mode = motion->mode,
-                              .peak_force = motion->record.open.peak_force,
-                              .peak_vertical_force = motion->record.open.peak_vertical_force};
+                              .peak_force = motion->record.progress.open.peak_force,
+                              .peak_vertical_force = motion->record.progress.open.peak_vertical_force};
     memcpy(after.state, motion->state, sizeof after.state);
     tdmf_derivatives(system, &after.mode, after.state, after.derivatives);
     for (int i = 0; i < along->count; ++i) {

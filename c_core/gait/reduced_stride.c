@@ -4,6 +4,7 @@
 #include "event_declarations.h"
 #include "greatest_compression.h"
 #include "ground_line.h"
+#include "instant.h"
 #include "prescribed_flight.h"
 #include "tdmf_slip/automaton.h"
 
@@ -32,8 +33,8 @@ static void push_along(const tdmf_inputs *inputs, tdmf_point from, tdmf_motion *
 }
 
 static void move_time(tdmf_motion *motion, double elapsed) {
-    motion->record.now = tdmf_instant_after(motion->record.now, elapsed);
-    motion->time = motion->record.now.time;
+    motion->record.progress.now = tdmf_instant_after(motion->record.progress.now, elapsed);
+    motion->time = motion->record.progress.now.time;
 }
 
 void tdmf_reduced_state(tdmf_system system, const double apex[TDMF_REDUCED_COUNT],
@@ -52,7 +53,7 @@ tdmf_return_outcome tdmf_reduced_begin(tdmf_system system, const double apex[TDM
     if (tdmf_foot_over_ground(&ground, motion->state).y <= 0.0) {
         return TDMF_RETURN_NO_START;
     }
-    if (tdmf_start(system, motion).variable != NULL || !motion->record.open.began_at_apex) {
+    if (tdmf_start(system, motion).variable != NULL || !motion->record.progress.open.began_at_apex) {
         return TDMF_RETURN_REFUSED;
     }
     return TDMF_RETURN_CLOSED;
@@ -85,8 +86,8 @@ tdmf_return_outcome tdmf_reduced_touch_down(tdmf_system system, double until, td
     if (before != NULL) {
         memcpy(before->state, motion->state, sizeof before->state);
         before->mode = motion->mode;
-        before->peak_force = motion->record.open.peak_force;
-        before->peak_vertical_force = motion->record.open.peak_vertical_force;
+        before->peak_force = motion->record.progress.open.peak_force;
+        before->peak_vertical_force = motion->record.progress.open.peak_vertical_force;
         tdmf_prescribed_derivatives(system, before->state, before->derivatives);
     }
     tdmf_run run = run_of(system, motion);

@@ -193,7 +193,7 @@ static bool begin_motion(const stride_request *request, tdmf_motion *motion) {
     const double foot_x = request->foot_x == NULL ? 0.0 : *request->foot_x;
     motion->time = 0.0;
     tdmf_section_state_at(request->system, foot_x, request->section, motion->state);
-    return tdmf_start(request->system, motion).variable == NULL && motion->record.open.began_at_apex;
+    return tdmf_start(request->system, motion).variable == NULL && motion->record.progress.open.began_at_apex;
 }
 
 static tdmf_return stride_from(tdmf_solver *solver, const stride_request *request) {

@@ -1,5 +1,5 @@
 /* Sums of two doubles without loss: Knuth's TwoSum, and Dekker's where the first is the larger. */
-#include "tdmf_slip/instant.h"
+#include "instant.h"
 
 tdmf_instant tdmf_instant_after(tdmf_instant from, double elapsed) {
     const double sum = from.time + elapsed;

@@ -5,7 +5,8 @@
 #include "tdmf_slip/motion.h"
 #include "tdmf_slip/parameters.h"
 
-/* The time of a motion, as fine as the solver knows it. */
+/* The time of a motion, as fine as the solver knows it. Set by a caller, it may be elsewhere than where the
+ * solver left off. */
 tdmf_instant tdmf_instant_of(const tdmf_motion *motion);
 
 void tdmf_record_start(tdmf_motion *motion);

@@ -1,5 +1,6 @@
 /* Stride quantities: T, dx, V = dx/T, W and the cost of transport W/((m + m_f) g dx) (13), and the gait word,
  * one letter for every contact mode that lasts. */
+#include "instant.h"
 #include "record.h"
 
 #include "ground_line.h"
@@ -59,7 +60,7 @@ static int code_of(const char *word) {
 
 tdmf_instant tdmf_instant_of(const tdmf_motion *motion) {
     const tdmf_instant rounded = {motion->time, 0.0};
-    return motion->record.now.time == motion->time ? motion->record.now : rounded;
+    return motion->record.progress.now.time == motion->time ? motion->record.progress.now : rounded;
 }
 
 static void open_stride(tdmf_open_stride *open, tdmf_instant now, tdmf_point com,
@@ -79,10 +80,10 @@ void tdmf_record_start(tdmf_motion *motion) {
     tdmf_record *record = &motion->record;
     memset(record, 0, sizeof *record);
     record->last_event_time = motion->time;
-    record->now.time = motion->time;
+    record->progress.now.time = motion->time;
     /* Not begun at an apex, so never counted: the centre of mass may as well start at 0. */
     const tdmf_point nowhere = {0.0, 0.0, 0.0, 0.0};
-    open_stride(&record->open, record->now, nowhere, motion->state);
+    open_stride(&record->progress.open, record->progress.now, nowhere, motion->state);
 }
 
 void tdmf_record_event(tdmf_motion *motion) {
@@ -92,12 +93,12 @@ void tdmf_record_event(tdmf_motion *motion) {
 
 void tdmf_record_impact(tdmf_record *record, double loss) {
     record->impact_loss += loss;
-    count(&record->open.touchdowns);
+    count(&record->progress.open.touchdowns);
 }
 
 void tdmf_record_contact_change(tdmf_motion *motion, tdmf_contact_mode entered) {
     const tdmf_mode *left = &motion->mode;
-    tdmf_open_stride *open = &motion->record.open;
+    tdmf_open_stride *open = &motion->record.progress.open;
     const tdmf_instant now = tdmf_instant_of(motion);
     const double foot_x = motion->state[TDMF_FOOT_X];
     const double duration = tdmf_time_between(open->contact_start, now);
@@ -114,8 +115,8 @@ void tdmf_record_contact_change(tdmf_motion *motion, tdmf_contact_mode entered) 
 }
 
 void tdmf_record_force(tdmf_record *record, double normal, double vertical) {
-    record->open.peak_force = fmax(record->open.peak_force, normal);
-    record->open.peak_vertical_force = fmax(record->open.peak_vertical_force, vertical);
+    record->progress.open.peak_force = fmax(record->progress.open.peak_force, normal);
+    record->progress.open.peak_vertical_force = fmax(record->progress.open.peak_vertical_force, vertical);
 }
 
 static double ratio_or_zero(double numerator, double denominator) {
@@ -150,11 +151,11 @@ void tdmf_record_apex(tdmf_motion *motion, const tdmf_model *model) {
     tdmf_record *record = &motion->record;
     const tdmf_point com = tdmf_center_of_mass(model, state);
     const tdmf_instant now = tdmf_instant_of(motion);
-    if (record->open.began_at_apex) {
-        close_stride(&record->stride, &record->open, model, now, com, state);
+    if (record->progress.open.began_at_apex) {
+        close_stride(&record->stride, &record->progress.open, model, now, com, state);
     }
-    open_stride(&record->open, now, com, state);
-    record->open.began_at_apex = true;
+    open_stride(&record->progress.open, now, com, state);
+    record->progress.open.began_at_apex = true;
     record->apex.time = motion->time;
     record->apex.com_height = com.y - tdmf_ground_height_at(&motion->mode.ground, com.x);
     record->apex.com_speed = com.vx;

@@ -6,6 +6,7 @@
 #include "event_log.h"
 #include "hip_law.h"
 #include "input_rates.h"
+#include "instant.h"
 #include "leg.h"
 #include "record.h"
 #include "request.h"
@@ -178,7 +179,7 @@ static int guard_that_fired(void *integrator) {
 /* Takes the transitions due at CVODE's present time and state, and restarts it there. */
 static bool take_events(workspace *space, problem *problem) {
     tdmf_motion *motion = problem->motion;
-    problem->restart = motion->record.now;
+    problem->restart = motion->record.progress.now;
     const tdmf_inputs inputs = inputs_after(problem, 0.0);
     tdmf_event event = {
         .time = motion->time, .guard = guard_that_fired(space->integrator), .before = motion->mode};
@@ -194,7 +195,7 @@ static bool take_events(workspace *space, problem *problem) {
 /* Sets the rest length up to which the work of the leg has been integrated. */
 static void update_rest_length(const problem *problem) {
     tdmf_motion *motion = problem->motion;
-    const double elapsed = tdmf_time_between(problem->start, motion->record.now);
+    const double elapsed = tdmf_time_between(problem->start, motion->record.progress.now);
     const tdmf_inputs inputs = tdmf_inputs_after(problem->inputs, problem->rates, elapsed);
     motion->mode.rest_length = tdmf_rest_length(problem->model, &inputs, &motion->mode);
 }
@@ -204,8 +205,8 @@ static tdmf_outcome integrate(workspace *space, problem *problem, double until) 
     const tdmf_instant end = {until, 0.0};
     long steps_left = problem->options->step_limit;
     for (long events = problem->options->event_limit;
-         tdmf_time_between(motion->record.now, end) > 0.0 && !motion->mode.fallen; --events) {
-        const double left = tdmf_time_between(motion->record.now, end);
+         tdmf_time_between(motion->record.progress.now, end) > 0.0 && !motion->mode.fallen; --events) {
+        const double left = tdmf_time_between(motion->record.progress.now, end);
         if (events <= 0) {
             return TDMF_TOO_MANY_EVENTS;
         }
@@ -223,9 +224,9 @@ static tdmf_outcome integrate(workspace *space, problem *problem, double until) 
         problem->options->steps += steps;
         steps_left -= steps;
         /* Where it failed CVODE gives the last time and state that it reached. */
-        motion->record.now =
+        motion->record.progress.now =
             flag == CV_SUCCESS || flag == CV_TSTOP_RETURN ? end : tdmf_instant_after(problem->restart, time);
-        motion->time = motion->record.now.time;
+        motion->time = motion->record.progress.now.time;
         add_clock(problem, time, space->state, motion->state);
         update_rest_length(problem);
         if (flag < 0) {
@@ -248,7 +249,7 @@ tdmf_outcome tdmf_cvode_advance(tdmf_solver *options, tdmf_system system, const 
     problem problem = {system.model, system.inputs, given, start, start, motion, options};
     workspace space = {0};
     tdmf_outcome outcome = TDMF_NO_PROGRESS;
-    motion->record.now = start;
+    motion->record.progress.now = start;
     /* An input may have jumped since the last call. */
     tdmf_resolve(system, motion);
     if (allocate(&space) && configure(&space, &problem)) {

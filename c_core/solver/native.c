@@ -8,6 +8,7 @@
 #include "extrema.h"
 #include "greatest_compression.h"
 #include "input_rates.h"
+#include "instant.h"
 #include "margins.h"
 #include "mode_variation.h"
 #include "record.h"
@@ -138,8 +139,8 @@ static void observe_ground_force(integration *integration, double end) {
         return;
     }
     const tdmf_force_peaks peaks = tdmf_largest_peaks(&integration->step, end, &motion->mode);
-    const bool normal = peaks.normal.force > motion->record.open.peak_force;
-    const bool vertical = peaks.vertical.force > motion->record.open.peak_vertical_force;
+    const bool normal = peaks.normal.force > motion->record.progress.open.peak_force;
+    const bool vertical = peaks.vertical.force > motion->record.progress.open.peak_vertical_force;
     const bool at_once = normal && peaks.normal.time == peaks.vertical.time;
     tdmf_record_force(&motion->record, peaks.normal.force, peaks.vertical.force);
     if (normal) {
@@ -167,15 +168,15 @@ static double time_to_no_friction(const integration *integration) {
 
 static double time_left(const integration *integration) {
     const tdmf_instant until = {integration->until, 0.0};
-    return tdmf_time_between(integration->motion->record.now, until);
+    return tdmf_time_between(integration->motion->record.progress.now, until);
 }
 
 static void move_time(integration *integration, double elapsed) {
     tdmf_motion *motion = integration->motion;
     const tdmf_instant until = {integration->until, 0.0};
-    motion->record.now =
-        elapsed < time_left(integration) ? tdmf_instant_after(motion->record.now, elapsed) : until;
-    motion->time = motion->record.now.time;
+    motion->record.progress.now =
+        elapsed < time_left(integration) ? tdmf_instant_after(motion->record.progress.now, elapsed) : until;
+    motion->time = motion->record.progress.now.time;
 }
 
 static void move_inputs(integration *integration, double elapsed) {
@@ -198,8 +199,8 @@ static tdmf_event_state event_state_of(const integration *integration) {
     tdmf_event_state event_state;
     memcpy(event_state.state, motion->state, sizeof event_state.state);
     event_state.mode = motion->mode;
-    event_state.peak_force = motion->record.open.peak_force;
-    event_state.peak_vertical_force = motion->record.open.peak_vertical_force;
+    event_state.peak_force = motion->record.progress.open.peak_force;
+    event_state.peak_vertical_force = motion->record.progress.open.peak_vertical_force;
     tdmf_derivatives(system_of(integration), &event_state.mode, event_state.state, event_state.derivatives);
     return event_state;
 }
@@ -445,7 +446,7 @@ static bool begin(integration *integration, tdmf_solver *solver, tdmf_system sys
     integration->inputs_ramp = !tdmf_are_zero_rates(rates);
     integration->motion = motion;
     integration->until = until;
-    motion->record.now = tdmf_instant_of(motion);
+    motion->record.progress.now = tdmf_instant_of(motion);
     integration->order = tdmf_step_order(solver->relative_tolerance);
     integration->steps = opened_steps((double)solver->step_limit);
     integration->events_left = solver->event_limit;

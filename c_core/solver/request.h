@@ -46,7 +46,7 @@ static inline bool tdmf_is_sound_motion(const tdmf_motion *motion) {
     const tdmf_mode *mode = &motion->mode;
     const bool stance = mode->phase == TDMF_PHASE_DRIVE || mode->phase == TDMF_PHASE_COAST;
     return tdmf_is_mode(mode) && stance == tdmf_is_loaded(mode) && tdmf_is_finite_state(motion->state) &&
-           memchr(motion->record.open.word, '\0', TDMF_WORD_CAPACITY) != NULL;
+           memchr(motion->record.progress.open.word, '\0', TDMF_WORD_CAPACITY) != NULL;
 }
 
 /* Changes of parameters and inputs, at the most so many. */

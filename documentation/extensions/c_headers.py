@@ -13,13 +13,15 @@ from pathlib import Path
 from pycparser import c_ast, c_generator, c_parser
 
 FOLDER = Path(__file__).parents[2] / "c_core/include/tdmf_slip"
+INTERNAL = "internal/"
+"""A folder in it, of headers that are no part of the interface."""
 TYPES = "".join(
     f"typedef int {name};" for name in ("bool", "size_t", "int32_t", "int64_t", "uint32_t", "uint64_t")
 )
 """Of the standard headers, which the parser does not read."""
 COMMENT = re.compile(r"/\*(.*?)\*/", re.DOTALL)
 FOR_CPLUSPLUS = re.compile(r'#ifdef __cplusplus\n(extern "C" \{|\})\n#endif')
-INCLUDE = re.compile(r'#include "tdmf_slip/(\w+\.h)"')
+INCLUDE = re.compile(r'#include "tdmf_slip/([\w/]+\.h)"')
 MACRO = re.compile(r"^#define (TDMF_\w+) (\S+)", re.MULTILINE)
 WRITTEN = c_generator.CGenerator()
 
@@ -139,6 +141,8 @@ def headers(folder: Path = FOLDER) -> dict[str, Header]:
     tree = c_parser.CParser().parse(TYPES + whole, "types")
     found = {}
     for name, text in texts.items():
+        if name.startswith(INTERNAL):
+            continue
         comments = _Comments(text)
         first = COMMENT.search(text)
         header = found[name] = Header(name)

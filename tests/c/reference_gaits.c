@@ -116,7 +116,7 @@ runner runner_at_reference_apex(const reference_gait *gait) {
     state[TDMF_LEG_LENGTH_RATE] = along;
     state[TDMF_LEG_ANGLE_RATE] = gait->apex.leg_angle_rate;
     runner_start(&runner);
-    assert_true(runner.motion.record.open.began_at_apex);
+    assert_true(runner.motion.record.progress.open.began_at_apex);
     return runner;
 }
 

@@ -25,7 +25,8 @@ static void sticking_impact_that_slips_at_once(void **unused) {
     scene_assert_mode(&behind, TDMF_CONTACT_SLIP_NEGATIVE, TDMF_PHASE_COAST);
     scene_assert_mode(&ahead, TDMF_CONTACT_SLIP_POSITIVE, TDMF_PHASE_DRIVE);
     assert_true(behind.motion.state[TDMF_FOOT_VX] == 0.0 && ahead.motion.state[TDMF_FOOT_VX] == 0.0);
-    assert_string_equal(behind.motion.record.open.word, ""); /* no letter for a stick that did not last */
+    assert_string_equal(behind.motion.record.progress.open.word,
+                        ""); /* no letter for a stick that did not last */
 }
 
 /* A stretched leg lifts the foot as soon as it has landed. */
@@ -38,8 +39,8 @@ static runner landing_on_stretched_leg(tdmf_hip_phase phase, double climb_after)
 
 static void assert_left_at_once(const runner *runner, tdmf_hip_phase phase) {
     scene_assert_mode(runner, TDMF_CONTACT_FLIGHT, phase);
-    assert_int_equal(runner->motion.record.open.touchdowns, 1);
-    assert_string_equal(runner->motion.record.open.word, "");
+    assert_int_equal(runner->motion.record.progress.open.touchdowns, 1);
+    assert_string_equal(runner->motion.record.progress.open.word, "");
     assert_true(runner->motion.mode.liftoff_angle == -0.3);
     assert_true(runner->motion.state[TDMF_FOOT_VY] == 0.0);
 }
@@ -63,12 +64,12 @@ static void impact_that_leaves_at_once_stays_in_place(void **unused) {
     assert_true(runner.motion.mode.rises);
     while (runner.motion.time < 1.0 && runner.motion.mode.contact == TDMF_CONTACT_FLIGHT) {
         runner_advance(&runner, 1e-3);
-        assert_true(runner.motion.record.open.began_at_apex == !runner.motion.mode.rises);
+        assert_true(runner.motion.record.progress.open.began_at_apex == !runner.motion.mode.rises);
         assert_int_equal(runner.motion.mode.phase, runner.motion.mode.contact == TDMF_CONTACT_FLIGHT
                                                        ? TDMF_PHASE_PLACE
                                                        : runner.motion.mode.phase);
     }
-    assert_true(runner.motion.record.open.began_at_apex);
+    assert_true(runner.motion.record.progress.open.began_at_apex);
     assert_int_equal(runner.motion.record.stride.count, 0);
 }
 
@@ -90,8 +91,9 @@ static void touchdown_at_the_apex(void **unused) {
     runner.motion.state[TDMF_LEG_LENGTH_RATE] += (beyond - climb) * 1.1 / cos(0.4);
     resolve(&runner, 2);
     scene_assert_mode(&runner, TDMF_CONTACT_STICK, TDMF_PHASE_DRIVE);
-    assert_true(runner.motion.record.open.began_at_apex);
-    assert_int_equal(runner.motion.record.open.touchdowns, 1); /* of the stride that the apex opens */
+    assert_true(runner.motion.record.progress.open.began_at_apex);
+    assert_int_equal(runner.motion.record.progress.open.touchdowns,
+                     1); /* of the stride that the apex opens */
 }
 
 /* ---- jumps of an input ------------------------------------------------------------------------------ */
@@ -127,7 +129,7 @@ static void friction_jump_starts_a_slip(void **unused) {
     runner.inputs.ground.friction = 0.3;
     resolve(&runner, 1);
     scene_assert_mode(&runner, TDMF_CONTACT_SLIP_NEGATIVE, TDMF_PHASE_COAST);
-    assert_string_equal(runner.motion.record.open.word, "0");
+    assert_string_equal(runner.motion.record.progress.open.word, "0");
 }
 
 static void torque_jump_ends_the_contact(void **unused) {
@@ -156,7 +158,7 @@ static void jump_past_cone_and_load_leaves_the_ground(void **unused) {
     runner.inputs.ground.friction = 0.0;
     resolve(&runner, 1);
     scene_assert_mode(&runner, TDMF_CONTACT_FLIGHT, TDMF_PHASE_RETRACT);
-    assert_string_equal(runner.motion.record.open.word, "0");
+    assert_string_equal(runner.motion.record.progress.open.word, "0");
 }
 
 /* Without the drive, which held it down, the foot lifts: two events in a chain. */
@@ -196,7 +198,7 @@ static void torque_jump_ends_a_graze(void **unused) {
     resolve(&runner, 1);
     scene_assert_mode(&runner, TDMF_CONTACT_SLIP_POSITIVE, TDMF_PHASE_COAST);
     assert_true(runner.motion.state[TDMF_FOOT_VX] == 0.0);
-    assert_string_equal(runner.motion.record.open.word, "");
+    assert_string_equal(runner.motion.record.progress.open.word, "");
 }
 
 static void jumps_in_flight_cause_nothing(void **unused) {

@@ -249,7 +249,7 @@ static void a_start_beside_the_ground_is_one_on_it(void **state) {
         assert_true(tdmf_in_contact(&runner.motion.mode));
         assert_close(foot.y, 0.0, 4.0 * DBL_EPSILON);
         assert_close(foot.vy, 0.0, DBL_EPSILON * 1e-12);
-        assert_int_equal(runner.motion.record.open.touchdowns, 0);
+        assert_int_equal(runner.motion.record.progress.open.touchdowns, 0);
     }
 }
 
@@ -458,7 +458,7 @@ static void random_runs_over_lines_that_change_stay_on_or_above_them(void **stat
             assert_is_sound(&run, start_energy);
             waited += waits(&run);
             ++in_force[run.motion.mode.ground.slope != 0.0];
-            touchdowns += run.motion.record.open.touchdowns > 0;
+            touchdowns += run.motion.record.progress.open.touchdowns > 0;
         }
         fell += outcome == TDMF_FELL;
     }

@@ -136,7 +136,7 @@ static void a_touch_that_turns_back_is_found(void **state) {
         tdmf_solver solver = tdmf_solver_default();
         solver.relative_tolerance = 1e-6; /* long steps */
         assert_arrives(&solver, &runner, 1.8, &motion);
-        assert_int_equal(motion.record.open.touchdowns, clearance < 0.0 ? 1 : 0);
+        assert_int_equal(motion.record.progress.open.touchdowns, clearance < 0.0 ? 1 : 0);
     }
 }
 
@@ -257,9 +257,9 @@ static void the_peak_force_is_the_largest_met(void **state) {
         *(i <= LOOKS / 3 ? &first : &last) = fmax(i <= LOOKS / 3 ? first : last, force);
     }
     assert_true(last < 0.9 * first && last > 0.01);
-    assert_close(whole.record.open.peak_force, first, 1e-7);
-    assert_true(whole.record.open.peak_force >= first);
-    assert_close(looked.record.open.peak_force, whole.record.open.peak_force, 1e-12);
+    assert_close(whole.record.progress.open.peak_force, first, 1e-7);
+    assert_true(whole.record.progress.open.peak_force >= first);
+    assert_close(looked.record.progress.open.peak_force, whole.record.progress.open.peak_force, 1e-12);
 }
 
 /* A friction that falls to zero in mid-stance stays there, as if it had been held there from then on. */
@@ -306,11 +306,11 @@ static void every_peak_of_the_force_is_met(void **state) {
     tdmf_motion motion = motion_of(&runner);
     tdmf_solver solver = tdmf_solver_default();
     assert_arrives(&solver, &runner, 0.9 * period, &motion);
-    const double first = motion.record.open.peak_force;
+    const double first = motion.record.progress.open.peak_force;
     assert_arrives(&solver, &runner, period, &motion);
-    motion.record.open.peak_force = 0.0;
+    motion.record.progress.open.peak_force = 0.0;
     assert_arrives(&solver, &runner, 2.5 * period, &motion);
-    assert_close(motion.record.open.peak_force, first, 1e-9);
+    assert_close(motion.record.progress.open.peak_force, first, 1e-9);
 }
 
 /* The force at the end of a call counts, as an input may jump then. */
@@ -322,7 +322,7 @@ static void a_rising_force_is_met_where_a_call_ends(void **state) {
     assert_arrives(&solver, &runner, 0.2, &motion);
     const tdmf_outputs outputs = tdmf_outputs_of(SYSTEM_OF(&runner), &motion);
     assert_true(motion.mode.ground_force_rising);
-    assert_close(motion.record.open.peak_force, outputs.contact.fy, 1e-15);
+    assert_close(motion.record.progress.open.peak_force, outputs.contact.fy, 1e-15);
 }
 
 /* In flight and on the ground; a torque that is held and one that grows. */

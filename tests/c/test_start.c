@@ -35,7 +35,7 @@ static void falling_foot_begins_with_an_impact(void **unused) {
     (void)unused;
     const runner runner = at_ground(0.3, 0.1, -0.5);
     assert_begins(&runner, TDMF_CONTACT_STICK, TDMF_PHASE_DRIVE, 1);
-    assert_int_equal(runner.motion.record.open.touchdowns, 1);
+    assert_int_equal(runner.motion.record.progress.open.touchdowns, 1);
     assert_close(runner.motion.record.impact_loss, 0.5 * 0.1 * 0.25, 1e-15);
 }
 
@@ -57,7 +57,7 @@ static void loaded_foot_at_rest_begins_in_contact(void **unused) {
     const runner behind = at_ground(-0.3, 0.1, 0.0);
     assert_begins(&ahead, TDMF_CONTACT_STICK, TDMF_PHASE_DRIVE, 0);
     assert_begins(&behind, TDMF_CONTACT_STICK, TDMF_PHASE_COAST, 0);
-    assert_int_equal(ahead.motion.record.open.touchdowns, 0);
+    assert_int_equal(ahead.motion.record.progress.open.touchdowns, 0);
 }
 
 static void sliding_foot_begins_in_slip(void **unused) {
@@ -116,7 +116,8 @@ static void phase_in_the_air_follows_the_center_of_mass(void **unused) {
     assert_begins(&rising, TDMF_CONTACT_FLIGHT, TDMF_PHASE_RETRACT, 0);
     assert_begins(&falling, TDMF_CONTACT_FLIGHT, TDMF_PHASE_PLACE, 0);
     assert_true(rising.motion.mode.clamp_closed);
-    assert_false(rising.motion.record.open.began_at_apex || falling.motion.record.open.began_at_apex);
+    assert_false(rising.motion.record.progress.open.began_at_apex ||
+                 falling.motion.record.progress.open.began_at_apex);
 }
 
 static void assert_no_second_apex(runner *runner) {
@@ -135,7 +136,7 @@ static void start_at_rest_height_is_an_apex(void **unused) {
         runner runner = scene_in_flight(TDMF_PHASE_RETRACT, climbs[i]);
         start(&runner);
         assert_begins(&runner, TDMF_CONTACT_FLIGHT, TDMF_PHASE_PLACE, 0);
-        assert_true(runner.motion.record.open.began_at_apex);
+        assert_true(runner.motion.record.progress.open.began_at_apex);
         assert_true(runner.motion.record.apex.time == start_time);
         assert_close(runner.motion.record.apex.com_height, 1.0 + 1.0 / 1.1, 1e-15);
         assert_no_second_apex(&runner);
@@ -150,7 +151,8 @@ static void start_beside_the_apex_is_none(void **unused) {
     start(&after);
     assert_begins(&before, TDMF_CONTACT_FLIGHT, TDMF_PHASE_RETRACT, 0);
     assert_begins(&after, TDMF_CONTACT_FLIGHT, TDMF_PHASE_PLACE, 0);
-    assert_false(before.motion.record.open.began_at_apex || after.motion.record.open.began_at_apex);
+    assert_false(before.motion.record.progress.open.began_at_apex ||
+                 after.motion.record.progress.open.began_at_apex);
     runner_advance(&before, 1e-3);
     assert_begins(&before, TDMF_CONTACT_FLIGHT, TDMF_PHASE_PLACE, 1);
 }
@@ -165,7 +167,7 @@ static void nearness_to_the_apex_scales(void **unused) {
         parameters.leg.stiffness = 1e4;
         assert_null(tdmf_model_create(&runner.model, &parameters).variable);
         start(&runner);
-        assert_true(runner.motion.record.open.began_at_apex == (i == 0));
+        assert_true(runner.motion.record.progress.open.began_at_apex == (i == 0));
     }
 }
 
@@ -177,7 +179,7 @@ static void default_start_is_an_apex(void **unused) {
     }
     start(&runner);
     assert_begins(&runner, TDMF_CONTACT_FLIGHT, TDMF_PHASE_PLACE, 0);
-    assert_true(runner.motion.record.open.began_at_apex);
+    assert_true(runner.motion.record.progress.open.began_at_apex);
 }
 
 /* y = vy = 0, the stretched leg lifts the foot, the centre of mass stands still. */
@@ -187,7 +189,7 @@ static void start_on_the_ground_that_leaves_at_once_may_be_an_apex(void **unused
     scene_set_com_vy_by_leg(&runner, 0.0);
     start(&runner);
     scene_assert_mode(&runner, TDMF_CONTACT_FLIGHT, TDMF_PHASE_PLACE);
-    assert_true(runner.motion.record.open.began_at_apex);
+    assert_true(runner.motion.record.progress.open.began_at_apex);
     assert_int_equal(runner.motion.record.event_count, 0);
 }
 

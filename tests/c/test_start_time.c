@@ -1,6 +1,7 @@
 /* A run does not know what time it is: its strides are those of a run that starts at 0, though the clock may
  * count the seconds of an epoch and be coarser than a mode is long. */
 #include "compare.h"
+#include "instant.h"
 #include "reference_gaits.h"
 #include "scene.h"
 #include "tdmf_slip/cvode.h"
@@ -139,8 +140,9 @@ static void a_time_set_anew_is_taken_as_it_is(void **state) {
     moved.time = 8.0;
     static const tdmf_inputs held = {.ground = {.friction = 0.0}};
     assert_int_equal(tdmf_native_advance(&solver, SYSTEM_OF(&runner), &held, 9.0, &moved), TDMF_ARRIVED);
-    assert_true(moved.time == 9.0 && moved.record.now.time == 9.0 && moved.record.now.rest == 0.0);
-    const tdmf_instant end = tdmf_instant_after(motion.record.now, 1.0);
+    assert_true(moved.time == 9.0 && moved.record.progress.now.time == 9.0 &&
+                moved.record.progress.now.rest == 0.0);
+    const tdmf_instant end = tdmf_instant_after(motion.record.progress.now, 1.0);
     assert_int_equal(tdmf_native_advance(&solver, SYSTEM_OF(&runner), &held, end.time, &motion),
                      TDMF_ARRIVED);
     for (int s = 0; s < TDMF_STATE_COUNT; ++s) {

@@ -18,7 +18,7 @@ static void at_time(runner *runner, double time) {
 static runner begin_stride(void) {
     runner runner = scene_in_flight(TDMF_PHASE_PLACE, 0.0);
     runner_start(&runner);
-    assert_true(runner.motion.record.open.began_at_apex);
+    assert_true(runner.motion.record.progress.open.began_at_apex);
     return runner;
 }
 

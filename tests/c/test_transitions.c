@@ -21,7 +21,7 @@ static tdmf_resolution resolve(runner *runner, int events) {
 static void assert_touchdown(runner *runner) {
     const tdmf_resolution resolution = resolve(runner, 1);
     assert_true(resolution.state_changed && resolution.mode_changed);
-    assert_int_equal(runner->motion.record.open.touchdowns, 1);
+    assert_int_equal(runner->motion.record.progress.open.touchdowns, 1);
     assert_true(runner->motion.record.impact_loss > 0.0);
     assert_true(runner->motion.state[TDMF_FOOT_Y] == 0.0 && runner->motion.state[TDMF_FOOT_VY] == 0.0);
 }
@@ -180,7 +180,8 @@ static void sunken_foot_that_does_not_fall_is_lifted(void **unused) {
     assert_int_equal(rising.motion.mode.contact, TDMF_CONTACT_FLIGHT);
     scene_assert_mode(&resting, TDMF_CONTACT_STICK, TDMF_PHASE_COAST);
     assert_true(rising.motion.state[TDMF_FOOT_Y] == 0.0 && resting.motion.state[TDMF_FOOT_Y] == 0.0);
-    assert_int_equal(rising.motion.record.open.touchdowns + resting.motion.record.open.touchdowns, 0);
+    assert_int_equal(
+        rising.motion.record.progress.open.touchdowns + resting.motion.record.progress.open.touchdowns, 0);
 }
 
 /* ---- apex and clamp --------------------------------------------------------------------------------- */
@@ -406,12 +407,12 @@ static void slip_that_stops_under_external_torque_reverses(void **unused) {
 static void slip_that_touches_zero_goes_on_without_event(void **unused) {
     (void)unused;
     runner runner = loaded_foot(TDMF_CONTACT_SLIP_POSITIVE, 0.5, 0.1);
-    runner.motion.record.open.contact_start.time = 1.0;
+    runner.motion.record.progress.open.contact_start.time = 1.0;
     runner.motion.state[TDMF_FOOT_VX] = beyond;
     assert_false(resolve(&runner, 0).mode_changed);
     scene_assert_mode(&runner, TDMF_CONTACT_SLIP_POSITIVE, TDMF_PHASE_COAST);
     assert_true(runner.motion.state[TDMF_FOOT_VX] == 0.0);
-    assert_string_equal(runner.motion.record.open.word, "");
+    assert_string_equal(runner.motion.record.progress.open.word, "");
 }
 
 /* The body's velocity is none of the foot's business. */
@@ -451,7 +452,7 @@ static void force_peak_is_noted_uncounted(void **unused) {
     const tdmf_resolution resolution = resolve(&runner, 0);
     assert_false(resolution.mode_changed || resolution.state_changed);
     assert_false(runner.motion.mode.ground_force_rising);
-    assert_close(runner.motion.record.open.peak_force, 0.3, 1e-15);
+    assert_close(runner.motion.record.progress.open.peak_force, 0.3, 1e-15);
 }
 
 /* ---- graze ------------------------------------------------------------------------------------------ */
@@ -512,7 +513,7 @@ static void graze_to_flight_keeps_the_angle_of_lift_off(void **unused) {
 static void apex_in_graze_closes_no_stride(void **unused) {
     (void)unused;
     runner runner = grazing(-1e-3, 0.1);
-    runner.motion.record.open.began_at_apex = true;
+    runner.motion.record.progress.open.began_at_apex = true;
     runner.motion.mode.clamp_closed = true;
     scene_set_com_vy_by_leg(&runner, beyond);
     scene_set_vertical_force(&runner, -1e-3);
@@ -520,7 +521,7 @@ static void apex_in_graze_closes_no_stride(void **unused) {
     scene_assert_mode(&runner, TDMF_CONTACT_GRAZE, TDMF_PHASE_PLACE);
     assert_int_equal(runner.motion.record.stride.count, 0);
     assert_true(runner.motion.record.apex.time == 0.0);
-    assert_true(runner.motion.record.open.began_at_apex);
+    assert_true(runner.motion.record.progress.open.began_at_apex);
 }
 
 /* ---- fall ------------------------------------------------------------------------------------------- */

@@ -2,8 +2,8 @@
 #ifndef TDMF_SLIP_MOTION_H
 #define TDMF_SLIP_MOTION_H
 
+#include "tdmf_slip/record.h"
 #include "tdmf_slip/state.h"
-#include "tdmf_slip/stride.h"
 
 /* Set time and state, and begin it with tdmf_start. */
 typedef struct {

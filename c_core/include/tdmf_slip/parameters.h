@@ -33,7 +33,7 @@ typedef struct {
 
 /* A runner under its inputs, of whose motion the functions tell that take it. Neither is copied. */
 typedef struct {
-    const tdmf_model *model;
+    const tdmf_model *model;   /* the runner */
     const tdmf_inputs *inputs; /* at the time of the motion */
 } tdmf_system;
 

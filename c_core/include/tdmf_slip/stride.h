@@ -1,10 +1,6 @@
-/* What is remembered of a run: events, the stride under way, the last completed stride, the last apex. */
+/* What a stride is told by: its quantities, and the apex at which it closes. */
 #ifndef TDMF_SLIP_STRIDE_H
 #define TDMF_SLIP_STRIDE_H
-
-#include "tdmf_slip/instant.h"
-
-#include <stdbool.h>
 
 #ifdef __cplusplus
 extern "C" {
@@ -46,30 +42,6 @@ typedef struct {
     double leg_length_rate; /* m/s */
     double leg_angle_rate;  /* rad/s */
 } tdmf_apex;
-
-/* Sums over the stride under way; of use to the automaton only. */
-typedef struct {
-    bool began_at_apex;                               /* else it is not counted */
-    bool flew_since_letter;                           /* the next letter belongs to a new stance */
-    tdmf_instant start, contact_start;                /* of the stride and of the present contact mode */
-    double start_com_x, start_com_y, contact_start_x; /* m, at these instants */
-    double start_hip_work, start_leg_work, start_positive_work; /* J, at the start of the stride */
-    /* As in tdmf_stride, so far. */
-    double stance_time, slip_distance, peak_force, peak_vertical_force;
-    int touchdowns;
-    char word[TDMF_WORD_CAPACITY];
-} tdmf_open_stride;
-
-/* What is remembered of a run. */
-typedef struct {
-    int event_count;        /* contact and phase changes since the start */
-    double last_event_time; /* s; the start time while there was none */
-    double impact_loss;     /* J, since the start */
-    tdmf_instant now;       /* where a solver has got to; of use to solvers only */
-    tdmf_stride stride;     /* the last that closed */
-    tdmf_apex apex;         /* the last */
-    tdmf_open_stride open;  /* the one under way */
-} tdmf_record;
 
 #ifdef __cplusplus
 }

@@ -22,6 +22,7 @@
 #include "tdmf_slip/output_variation.h"
 #include "tdmf_slip/outputs.h"
 #include "tdmf_slip/parameters.h"
+#include "tdmf_slip/record.h"
 #include "tdmf_slip/reduced_map.h"
 #include "tdmf_slip/return_map.h"
 #include "tdmf_slip/solver.h"

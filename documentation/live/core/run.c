@@ -155,7 +155,7 @@ const char *live_word(void) {
 /* Of the stride under way; a contact is in it once it is over. */
 LIVE_EXPORT(live_open_word)
 const char *live_open_word(void) {
-    return motion.record.open.word;
+    return motion.record.progress.open.word;
 }
 
 /* The line that is in force: y = height + x tan(slope). */

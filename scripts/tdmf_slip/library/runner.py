@@ -224,7 +224,7 @@ class Runner(ByContents):
         motion = ffi.new("tdmf_motion *")
         self._write_state(apex, motion.state)
         _check(c.tdmf_start(self.system, motion))
-        if not motion.record.open.began_at_apex:
+        if not motion.record.progress.open.began_at_apex:
             height = motion.state[STATES.index("foot.y")]
             raise InputError(
                 f"start values: foot.y = {height:g}: the search for a gait begins in flight; allowed: above 0"
