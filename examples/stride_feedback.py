@@ -158,8 +158,8 @@ def main():
     for stride, apex in enumerate(apices):
         height, speed = (apex - gait.apex)[:2]
         chosen = settings[stride].values() if stride < len(settings) else ()
-        told = "  ".join(f"{value:19.6f}" for value in chosen)
-        print(f"{stride:6}  {height:15.2e}  {speed:14.2e}  {told}")
+        reported = "  ".join(f"{value:19.6f}" for value in chosen)
+        print(f"{stride:6}  {height:15.2e}  {speed:14.2e}  {reported}")
 
 
 if __name__ == "__main__":

@@ -57,12 +57,12 @@ def row_of(path):
         raise SystemExit(f"{path}: {len(down)} steps; allowed: 3 or more, with the force in the column Fy")
     peaks = np.array([force[begin:end].max() for begin, end in zip(down, up, strict=True)])
     steps, stances = np.diff(down) / RATE, (up - down) / RATE
-    told = [(speed_of(path), 0.01)]
+    reported = [(speed_of(path), 0.01)]
     for values in (steps, stances, peaks):
-        told.append((values.mean(), values.std(ddof=1) / np.sqrt(len(values))))
-    period, error = told[1]
-    told[1] = 1.0 / period, error / period**2
-    return [cell for value, its_error in told for cell in (f"{value:.6g}", f"{max(its_error, 1e-9):.3g}")]
+        reported.append((values.mean(), values.std(ddof=1) / np.sqrt(len(values))))
+    period, error = reported[1]
+    reported[1] = 1.0 / period, error / period**2
+    return [cell for value, its_error in reported for cell in (f"{value:.6g}", f"{max(its_error, 1e-9):.3g}")]
 
 
 def main():

@@ -40,8 +40,8 @@ def main():
     print(f"with the controller {len(apices) - 1}")
     print("stride  height  speed   " + "  ".join(CHOICE) + "  which is")
     for stride, (apex, chosen) in enumerate(zip(apices, settings, strict=False)):
-        told = "  ".join(f"{value:19.3f}" for value in chosen.values())
-        print(f"{stride:6}  {apex[0]:6.3f}  {apex[1]:6.3f}  {told}  {law.grade_at(apex)}")
+        reported = "  ".join(f"{value:19.3f}" for value in chosen.values())
+        print(f"{stride:6}  {apex[0]:6.3f}  {apex[1]:6.3f}  {reported}  {law.grade_at(apex)}")
 
 
 if __name__ == "__main__":

@@ -143,11 +143,11 @@ def checked_whole(name: str, value: object, low: int, high: int) -> int:
     return int(value)
 
 
-MOST_NUMBERS = 100_000_000
+MAX_NUMBERS = 100_000_000
 """In what is given at once; they take 800 MB."""
 
 
-def check_size(what: str, count: int, of: str, most: int = MOST_NUMBERS) -> None:
+def check_size(what: str, count: int, of: str, maximum: int = MAX_NUMBERS) -> None:
     """Refuse, before any memory is asked for, what is too large to be done at once.
 
     Parameters
@@ -158,7 +158,7 @@ def check_size(what: str, count: int, of: str, most: int = MOST_NUMBERS) -> None
         How large it is.
     of : str
         What is counted, in the plural.
-    most : int, default 100000000
+    maximum : int, default 100000000
         How large it may be.
 
     Raises
@@ -166,8 +166,8 @@ def check_size(what: str, count: int, of: str, most: int = MOST_NUMBERS) -> None
     InputError
         It is larger.
     """
-    if count > most:
-        raise InputError(f"{what}: {count:,} {of}; allowed: up to {most:,} at once")
+    if count > maximum:
+        raise InputError(f"{what}: {count:,} {of}; allowed: up to {maximum:,} at once")
 
 
 def near_matches(name: object, names: Iterable[str]) -> str:

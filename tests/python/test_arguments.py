@@ -175,7 +175,7 @@ WRONG = [
     lambda r, o: tdmf_slip.controllability(o, [[ANGLE]]),
     lambda r, o: tdmf_slip.dead_beat(START, [ANGLE]),
     lambda r, o: tdmf_slip.dead_beat(o, ["leg.stiffness"]),
-    lambda r, o: tdmf_slip.dead_beat(o, [ANGLE], forgotten="x"),
+    lambda r, o: tdmf_slip.dead_beat(o, [ANGLE], negligible="x"),
     lambda r, o: tdmf_slip.dead_beat(o, [ANGLE], limits={ANGLE: ("0", "1")}),
     lambda r, o: tdmf_slip.lqr(o, [ANGLE], "x"),
     lambda r, o: tdmf_slip.lqr(o, [ANGLE], [[1.0], [2.0, 3.0]]),

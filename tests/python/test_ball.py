@@ -9,7 +9,7 @@ from tdmf_slip import InputError, Runner, find_gait
 from tdmf_slip.analysis import ball as ball_module
 from tdmf_slip.analysis.ball import attributes_of, ball_of, pays
 from tdmf_slip.analysis.basin import basin, basin_at
-from tdmf_slip.analysis.fates import MOST_STRIDES, fates
+from tdmf_slip.analysis.fates import MAX_STRIDES, fates
 from tdmf_slip.analysis.volume import volume
 from tdmf_slip.library.affine_law import AffineLaw
 from tdmf_slip.library.ensemble import NEAR, SETTLED, Case, run_ensemble
@@ -46,7 +46,7 @@ def test_every_point_of_a_tested_ball_settles(gait, ball):
     """A sample of its own, each followed by 1e-8 to a hundredth of where a map calls it settled."""
     starts = gait.apex + points_in(ball, 4000)
     ends, _ = run_ensemble(
-        [Case(gait.runner, (gait.apex,))], starts, max_strides=MOST_STRIDES, near=1e-4, tolerance=1e-8
+        [Case(gait.runner, (gait.apex,))], starts, max_strides=MAX_STRIDES, near=1e-4, tolerance=1e-8
     )
     assert (ends["fate"] == SETTLED).all()
 

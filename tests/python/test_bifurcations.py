@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from tdmf_slip import Runner, find_gait
-from tdmf_slip.analysis.bifurcations import happenings
+from tdmf_slip.analysis.bifurcations import special_points
 from tdmf_slip.analysis.family import Family, Point
 
 NAME = "leg.damping"
@@ -54,7 +54,7 @@ class Made(Family):
         return self.made(high, 1.0 if normal[0] > 0.0 else -1.0)
 
     def told(self, low=0.5, high=1.5):
-        _, specials = happenings(self, self.made(low), self.made(high))
+        _, specials = special_points(self, self.made(low), self.made(high))
         return [(special.kind, pytest.approx(special.value, abs=2e-6)) for special in specials]
 
 
@@ -82,7 +82,7 @@ def test_a_gait_is_stable_inside_the_unit_circle(gait):
 
 def test_located_where_it_is(gait):
     """However curved the way there is."""
-    found = happenings(made := Made(gait, lambda s: [real(-(s**9))]), made.made(0.5), made.made(1.5))[1]
+    found = special_points(made := Made(gait, lambda s: [real(-(s**9))]), made.made(0.5), made.made(1.5))[1]
     assert [special.kind for special in found] == ["period doubling"]
     assert found[0].value == pytest.approx(1.0, abs=1e-10)
     assert found[0].between == (0.5, 1.5) and found[0].gait.runner.values[NAME] == found[0].value
@@ -147,7 +147,7 @@ def test_eigenvalues_may_jump_at_a_border(gait):
     ):
         made = Made(gait, lambda s, low=low, high=high: [low if s < 1.0 else high], word=word)
         assert made.told() == [("word border", 1.0), *told]
-        borders, _ = happenings(made, made.made(0.5), made.made(1.5))
+        borders, _ = special_points(made, made.made(0.5), made.made(1.5))
         assert [(border.before, border.after) for border in borders] == [("+0+", "+0-0+")]
 
 
@@ -155,7 +155,7 @@ def test_a_branch_that_cannot_be_parted_is_not_judged(gait):
     """Newton's method may come back to the same gait again and again."""
     made = Made(gait, lambda s: [real(-s, -s - 0.05)])
     made.between = lambda before, after, share: after
-    (special,) = happenings(made, made.made(0.5), made.made(1.5))[1]
+    (special,) = special_points(made, made.made(0.5), made.made(1.5))[1]
     assert (special.kind, special.between) == ("not judged", (0.5, 1.5))
     assert special.why == "0 eigenvalues outside the unit circle become 2"
     assert special.as_json() == {

@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from tdmf_slip import InputError, RunError, Runner, find_gait
-from tdmf_slip.analysis.bifurcations import SHORTEST, happenings
+from tdmf_slip.analysis.bifurcations import SHORTEST, special_points
 from tdmf_slip.analysis.continuation import gaits_over
 from tdmf_slip.analysis.family import Family, Point
 from tdmf_slip.analysis.search import periodic_gait
@@ -185,9 +185,9 @@ def test_what_cannot_be_located_is_told_as_not_judged(human):
     around = branch.gaits[fold.index : fold.index + 2]
     start, end = (family.point(gait, way * np.eye(7)[-1]) for gait, way in zip(around, (-1, 1), strict=True))
     assert (start.rises, end.rises) == (False, True)
-    _, whole = happenings(family, start, end)
+    _, whole = special_points(family, start, end)
     assert "fold" in [special.kind for special in whole]
-    no_borders, (torn,) = happenings(Torn(human, FRICTION), start, end)
+    no_borders, (torn,) = special_points(Torn(human, FRICTION), start, end)
     assert torn.kind == "not judged" and "the branch turns" in torn.why and not no_borders
     assert torn.between == (start.value, end.value) and torn.gait is end.gait
 
@@ -198,7 +198,7 @@ def test_a_border_on_which_the_branch_turns_is_not_judged(human):
     start = family.point(family.gait(0.6, find_gait(human).apex), np.append(np.zeros(6), -1.0))
     end = family.on_plane(family.place(start) + 0.5 * SHORTEST * start.direction, start.direction)
     other = Point(replace(end.gait, word="+0-0+"), end.value, -start.direction)
-    borders, specials = happenings(family, start, other)
+    borders, specials = special_points(family, start, other)
     assert [special.kind for special in specials] == ["word border", "not judged"]
     assert [(border.before, border.after) for border in borders] == [("+0+", "+0-0+")]
     assert "the branch turns" in specials[1].why and specials[1].gait is other.gait
@@ -214,7 +214,7 @@ def test_stability_that_changes_at_a_border_is_not_judged(human):
     start, end = (family.point(gait, towards) for gait in branch.gaits[last - 1 : last + 1])
     jumping = Point(replace(end.gait, jacobian=1.2 * end.gait.jacobian), end.value, end.direction)
     assert (start.gait.unstable, jumping.gait.unstable) == (0, 1)
-    _, specials = happenings(family, start, jumping)
+    _, specials = special_points(family, start, jumping)
     assert [special.kind for special in specials if special.kind != "word border"] == ["not judged"]
 
 

@@ -99,11 +99,11 @@ def test_pieces_of_an_output_are_joined_as_they_came():
     from nbformat.v4 import new_output
 
     def torn():
-        pieces = [("stdout", "len"), ("stdout", "gth\n 26."), ("stderr", "a"), ("stdout", "24\n")]
-        return [new_output("stream", name=name, text=text) for name, text in pieces]
+        regions = [("stdout", "len"), ("stdout", "gth\n 26."), ("stderr", "a"), ("stdout", "24\n")]
+        return [new_output("stream", name=name, text=text) for name, text in regions]
 
     assert coalesce_streams(torn())[0]["text"] != "length\n 26.24\n"  # else nothing is torn, nothing to join
-    joined = notebooks.in_one_piece(torn(), coalesce_streams)
+    joined = notebooks.undivided(torn(), coalesce_streams)
     assert [(one["name"], one["text"]) for one in joined] == [
         ("stdout", "length\n 26.24\n"),
         ("stderr", "a\n"),

@@ -41,7 +41,7 @@ CHANGED = ("leg.stiffness", "leg.damping", "hip.kp", "hip.kd", "gravity", "foot.
 FRICTIONS = (10.0, 1.2, 0.6, 0.43, 0.2)
 
 
-def crowds(unit, size):
+def populations(unit, size):
     """Cases, starts and case numbers: around the published gaits, all over the box, and of other runners."""
     rng = np.random.default_rng(11)
     gaits = [find_gait(Runner.of({"ground.friction": mu}, unit)) for mu in FRICTIONS]
@@ -86,8 +86,8 @@ def errors(cases, starts, numbers, tolerance, instructions):
 def test_every_stride_keeps_the_promised_accuracy(unit, instructions):
     """All of them, not most."""
     compared = 0
-    for name, *crowd in crowds(unit, 2000):
-        worst = errors(*crowd, ensemble.TOLERANCE, instructions)
+    for name, *population in populations(unit, 2000):
+        worst = errors(*population, ensemble.TOLERANCE, instructions)
         assert np.mean(worst <= ensemble.ACCURACY) == 1.0, f"{name}: {worst.max():.1e}"
         compared += len(worst)
     assert compared > 3500
@@ -97,7 +97,7 @@ def test_a_map_keeps_the_promised_accuracy(unit):
     fastest = ensemble.instruction_sets()[-1]
     allowed = {"near": fates.ACCURACY / 20.0, "box": fates.ACCURACY}
     compared = 0
-    for name, cases, starts, numbers in crowds(unit, 2000):
+    for name, cases, starts, numbers in populations(unit, 2000):
         if name not in allowed:
             continue
         scales = np.array([case.runner.scales for case in cases])[numbers]

@@ -93,11 +93,11 @@ def test_both_matrices_are_differences_of_the_return_map(name):
 
 def test_a_foot_that_sticks_makes_the_stride_forget_three_modes_and_one_that_slips_two(gaits):
     forgets = {
-        friction: controllability(gaits[friction], [ANGLE], forgotten=1e-8).forgotten
+        friction: controllability(gaits[friction], [ANGLE], negligible=1e-8).negligible
         for friction in FRICTIONS
     }
     assert forgets == {0.1: 2, 0.2: 2, 0.6: 3, 1.0: 3, 10.0: 3}
-    assert controllability(gaits[0.2], [ANGLE]).forgotten == 3  # the fourth eigenvalue is -1.1e-7
+    assert controllability(gaits[0.2], [ANGLE]).negligible == 3  # the fourth eigenvalue is -1.1e-7
 
 
 def test_lasting_modes_obey_the_map_of_their_own(gaits):
@@ -149,17 +149,20 @@ def test_controllability_is_told_in_numbers(gaits):
     alone = controllability(gaits[0.6], [ANGLE])
     both = controllability(gaits[0.6], [ANGLE, TORQUE])
     assert (alone.rank, alone.strides) == (3, 3) and (both.rank, both.strides) == (3, 2)
-    assert alone.controllable and alone.stabilizable and not len(alone.unmovable)
+    assert alone.controllable and alone.stabilizable and not len(alone.uncontrollable)
     # The touchdown angle hardly moves the mode of the speed; the torque does.
-    assert both.mobility[0, 0] < 0.2 * both.mobility[0, 1] and both.conditioning > 5 * alone.conditioning
+    assert (
+        both.modal_controllability[0, 0] < 0.2 * both.modal_controllability[0, 1]
+        and both.conditioning > 5 * alone.conditioning
+    )
     assert set(both.as_json()) == {
         "inputs",
         "eigenvalues",
-        "forgotten",
+        "negligible",
         "rank",
         "singular_values",
-        "mobility",
-        "unmovable",
+        "modal_controllability",
+        "uncontrollable",
         "strides",
     }
 
@@ -171,13 +174,13 @@ def test_mobility_is_what_a_setting_does_to_a_mode(gaits):
     order = np.argsort(-np.abs(values))[:3]
     left = left[:, order] / np.linalg.norm(left[:, order], axis=0)
     told = controllability(gaits[1.0], [ANGLE, TORQUE])
-    assert told.mobility == pytest.approx(np.abs(left.T @ model.scaled_input_matrix), rel=1e-8)
+    assert told.modal_controllability == pytest.approx(np.abs(left.T @ model.scaled_input_matrix), rel=1e-8)
 
 
 def test_a_mode_that_no_setting_moves_is_named():
     modes = Modes(np.eye(3), np.diag([1.1, 0.5, -0.3]), np.array([[0.0], [1.0], [2.0]]))
     told = controllability_of(modes, (ANGLE,))
-    assert told.rank == 2 and told.unmovable == pytest.approx([1.1]) and told.strides is None
+    assert told.rank == 2 and told.uncontrollable == pytest.approx([1.1]) and told.strides is None
     assert not told.controllable and not told.stabilizable
     with pytest.raises(ArithmeticError, match="not controllable"):
         dead_beat_gain(modes.state_matrix, modes.input_matrix)
@@ -231,7 +234,7 @@ def test_what_is_moved_after_the_foot_has_stuck_goes_in_the_stride_that_follows(
 
 def test_a_mode_left_alone_keeps_its_eigenvalue(gaits):
     gait = gaits[0.6]
-    law = dead_beat(gait, [ANGLE, TORQUE], forgotten=0.05)
+    law = dead_beat(gait, [ANGLE, TORQUE], negligible=0.05)
     assert law.strides == 1
     assert law.eigenvalues[0] == pytest.approx(gait.eigenvalues[2], rel=1e-9)
     assert abs(law.eigenvalues[1]) < 1e-6
@@ -506,9 +509,9 @@ def test_eigenvalues_that_cannot_be_placed_are_refused(gaits, wanted, says):
 def test_a_bound_on_what_is_forgotten_is_checked(gaits):
     for bound in (0.0, 1.0, "small", np.nan):
         with pytest.raises(InputError, match="forgotten = "):
-            dead_beat(gaits[0.6], [ANGLE], forgotten=bound)
+            dead_beat(gaits[0.6], [ANGLE], negligible=bound)
     with pytest.raises(InputError, match="no mode of this gait lasts longer"):
-        dead_beat(gaits[0.6], [ANGLE], forgotten=0.99)
+        dead_beat(gaits[0.6], [ANGLE], negligible=0.99)
 
 
 def test_every_setting_that_may_be_chosen_has_a_scale():

@@ -25,7 +25,7 @@ def few(monkeypatch):
     monkeypatch.setattr(robustness, "COARSE", 50)
     monkeypatch.setattr(judgement, "SAMPLES", 60)
     monkeypatch.setattr(judgement, "RUNNERS", 48)
-    monkeypatch.setattr(judgement, "MOST_STRIDES", 200)
+    monkeypatch.setattr(judgement, "MAX_STRIDES", 200)
 
 
 def test_a_runner_with_feedback_stays_up_longer_and_without_as_it_is(gait, few):
@@ -71,7 +71,7 @@ def test_what_is_kept_of_the_figure_is_what_is_measured(few, monkeypatch):
     data = stored.columns("feedback")
     assert len(data["law"]) == len(feedback.COLOURS) * len(feedback.FRICTIONS)
     monkeypatch.setattr(judgement, "RUNNERS", 256)
-    monkeypatch.setattr(judgement, "MOST_STRIDES", 400)
+    monkeypatch.setattr(judgement, "MAX_STRIDES", 400)
     gait = tdmf_slip.find_gait({"ground.friction": 10.0})
     name = "quadratic regulator: touchdown angle"
     law = dataclasses.replace(feedback.laws(gait)[name], noise=[feedback.NOISE] * 6, seed=feedback.SEED)

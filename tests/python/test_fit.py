@@ -178,7 +178,7 @@ def test_steps_with_an_old_jacobian_end_where_they_come_no_nearer(monkeypatch):
     monkeypatch.setattr(problem_module, "plain_stride", stuck)
     assert np.isfinite(problem.residuals(np.array([0.01]))).all()
     assert len(made) == 3  # the last one reads what the gait has that Newton's method found
-    assert problem.happenings.strides == 1 + 2 + problem_module.STRIDES_OF_SEARCH - 1
+    assert problem.log.strides == 1 + 2 + problem_module.STRIDES_OF_SEARCH - 1
 
 
 def test_a_search_that_begins_anew_has_no_jacobian_yet():
@@ -196,7 +196,7 @@ def test_a_search_that_begins_anew_has_no_jacobian_yet():
 @pytest.mark.parametrize("model", ["full", "reduced"])
 def test_a_fit_ends_after_so_many_strides_and_says_so(monkeypatch, model):
     """As with speeds in km/h where m/s are written."""
-    monkeypatch.setattr(problem_module, "MOST_STRIDES", 60)
+    monkeypatch.setattr(problem_module, "MAX_STRIDES", 60)
     row = {"speed": Measured(3.6, 0.01), "frequency": Measured(0.04, 0.001)}
     found = fit(None, Measurements((row,), "too fast"), ["hip.stance_torque", "leg.stiffness"], model=model)
     assert not found.converged

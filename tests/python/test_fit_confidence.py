@@ -13,7 +13,7 @@ from tdmf_slip.fitting.search import HUBER, loss_of, searched, weights_of
 from tdmf_slip.library.quantities import quantities_of
 
 LONG = bool(os.environ.get("TDMF_SLIP_LONG"))
-SEEDS, LEAST, MOST = (400, 0.92, 0.98) if LONG else (60, 0.87, 1.0)
+SEEDS, MINIMUM, MAXIMUM = (400, 0.92, 0.98) if LONG else (60, 0.87, 1.0)
 """By chance the share of 400 is outside these limits once in 200 times, that of 60 once in 300."""
 PRECISE = ("speed", "frequency", "stance_time", "duty_factor", "slip_distance", "peak_force")
 WEAK = ("speed", "frequency", "stance_time", "peak_force")
@@ -90,7 +90,7 @@ def test_intervals_hold_the_truth_as_often_as_they_say(name):
         for of, value in true.items():
             held[of] += found.parameters[of].low <= value <= found.parameters[of].high
     shares = {of: count / SEEDS for of, count in held.items()}
-    assert all(LEAST <= share <= MOST for share in shares.values()), (shares, fitted)
+    assert all(MINIMUM <= share <= MAXIMUM for share in shares.values()), (shares, fitted)
     assert fitted >= 0.95 * SEEDS, fitted
 
 

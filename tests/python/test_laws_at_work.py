@@ -8,9 +8,9 @@ import pytest
 import xarray
 from tdmf_slip import AffineLaw, InputError, Runner, basin, find_gait, strides_to_fall
 from tdmf_slip.analysis import basin as basin_module
+from tdmf_slip.analysis.controlled_gait import check_attracts, jacobian_under
 from tdmf_slip.analysis.fates import fates
 from tdmf_slip.analysis.first_passages import Place, stay
-from tdmf_slip.analysis.held_gait import check_attracts, jacobian_under
 from tdmf_slip.analysis.robustness import robustness
 from tdmf_slip.analysis.volume import volume
 from tdmf_slip.library.return_map import stride_from

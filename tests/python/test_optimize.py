@@ -10,7 +10,7 @@ from tdmf_slip.library.quantities import known_quantities
 from tdmf_slip.library.strides import strides_from
 from tdmf_slip.optimization.gaits import Gaits
 from tdmf_slip.optimization.space import Space
-from tdmf_slip.optimization.spectrum import LEAST, spectrum_of
+from tdmf_slip.optimization.spectrum import MINIMUM, spectrum_of
 from tdmf_slip.unit.parameters import read_parameters
 
 STIFF = {"leg.stiffness": 2.0, "ground.friction": 0.6}
@@ -40,11 +40,11 @@ def test_gradients_are_those_of_differences_of_solved_gaits(runner, model):
             gaits.candidate(gait_near(space.runner_at(first.runner, at), first.apex), at)
             for at in (gait.at - aside, gait.at + aside)
         )
-        assert low.piece == gait.piece == high.piece
+        assert low.region == gait.region == high.region
         of_quantities = (high.values - low.values) / (2.0 * step)
         assert gait.slopes[:, k] == pytest.approx(of_quantities, abs=1e-5 * np.max(np.abs(gait.values)))
         of_eigenvalues = (high.spectrum.sizes - low.spectrum.sizes) / (2.0 * step)
-        counted = gait.spectrum.sizes > LEAST
+        counted = gait.spectrum.sizes > MINIMUM
         assert gait.spectrum.slopes[counted, k] == pytest.approx(of_eigenvalues[counted], abs=1e-4)
         of_fold = (high.spectrum.fold - low.spectrum.fold) / (2.0 * step)
         assert gait.spectrum.fold_slopes[k] == pytest.approx(of_fold, abs=1e-4)

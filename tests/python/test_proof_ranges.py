@@ -17,8 +17,8 @@ pytest.importorskip("flint")
 
 from tdmf_slip.proof.given import gait_of
 from tdmf_slip.proof.parameters import Parameters
-from tdmf_slip.proof.range_proof import Piece
-from tdmf_slip.proof.range_prover import RangeProver, proved_piece
+from tdmf_slip.proof.range_proof import Subinterval
+from tdmf_slip.proof.range_prover import RangeProver, proved_subinterval
 
 DOCUMENTATION = pathlib.Path(__file__).parents[2] / "documentation"
 TABLE = DOCUMENTATION / "data/proved_friction.jsonl"
@@ -39,10 +39,12 @@ def test_a_whole_range_is_proved_by_subdivision(span):
     assert proof.words == ("0+",)
     assert proof.stable
     assert proof.is_one_branch
-    assert len(proof.pieces) >= 2
-    assert proof.pieces[0].begin == 10
-    assert proof.pieces[-1].end == Fraction("10.06")
-    assert all(one.end == other.begin for one, other in zip(proof.pieces, proof.pieces[1:], strict=False))
+    assert len(proof.subintervals) >= 2
+    assert proof.subintervals[0].begin == 10
+    assert proof.subintervals[-1].end == Fraction("10.06")
+    assert all(
+        one.end == other.begin for one, other in zip(proof.subintervals, proof.subintervals[1:], strict=False)
+    )
 
 
 def test_a_proof_of_a_range_goes_on_from_its_file(span):
@@ -50,7 +52,8 @@ def test_a_proof_of_a_range_goes_on_from_its_file(span):
     text = file.read_text(encoding="utf-8")
     vary = {"ground.friction": ("10", "10.06")}
     assert (
-        tdmf_slip.prove({"ground.friction": "10"}, vary=vary, output=file, processes=1).pieces == proof.pieces
+        tdmf_slip.prove({"ground.friction": "10"}, vary=vary, output=file, processes=1).subintervals
+        == proof.subintervals
     )
     assert file.read_text(encoding="utf-8") == text
     with pytest.raises(InputError, match="not of this range"):
@@ -61,16 +64,19 @@ def test_a_proof_of_a_range_goes_on_from_its_file(span):
 def table():
     """The published table of proved gaits over the friction: its heading, and all its pieces."""
     head, *parts = (json.loads(line) for line in TABLE.read_text(encoding="utf-8").splitlines())
-    return head, [Piece.of_row(row) for part in parts for row in part["pieces"]]
+    return head, [Subinterval.of_row(row) for part in parts for row in part["pieces"]]
 
 
 def test_the_published_table_covers_its_range_with_one_branch(table):
-    head, pieces = table
+    head, subintervals = table
     assert head["range"] == ["47/100", "12/25"]
-    assert (pieces[0].begin, pieces[-1].end) == (Fraction("0.47"), Fraction("0.48"))
-    assert all(piece.proved and piece.stable and piece.word == "+0-" for piece in pieces)
-    assert all(one.meets(other) for one, other in itertools.pairwise(pieces))
-    assert len(pieces) < 40
+    assert (subintervals[0].begin, subintervals[-1].end) == (Fraction("0.47"), Fraction("0.48"))
+    assert all(
+        subinterval.proved and subinterval.stable and subinterval.word == "+0-"
+        for subinterval in subintervals
+    )
+    assert all(one.meets(other) for one, other in itertools.pairwise(subintervals))
+    assert len(subintervals) < 40
 
 
 def test_the_published_table_is_of_the_runner_of_today():
@@ -93,7 +99,7 @@ def test_a_parameter_without_effect_makes_no_other_runner(span, tmp_path):
     told["parameters"]["ground.stribeck_velocity"] = "0"
     other = tmp_path / "named.jsonl"
     other.write_text("\n".join([json.dumps(told), *parts, ""]), encoding="utf-8")
-    assert tdmf_slip.prove(vary=vary, output=other, processes=1).pieces == proof.pieces
+    assert tdmf_slip.prove(vary=vary, output=other, processes=1).subintervals == proof.subintervals
     told["parameters"]["ground.stribeck_velocity"] = "1/10"
     other.write_text("\n".join([json.dumps(told), *parts, ""]), encoding="utf-8")
     with pytest.raises(InputError, match="not of this range and runner"):
@@ -103,17 +109,17 @@ def test_a_parameter_without_effect_makes_no_other_runner(span, tmp_path):
 def test_pieces_of_the_published_table_are_proved_again(table):
     _, values = gait_of({"ground.friction": "0.47"})
     parameters = Parameters(values, "ground.friction")
-    for piece in table[1][:: len(table[1]) // 2]:
-        again, _ = proved_piece(parameters, piece)
-        assert (again.word, again.stable) == (piece.word, piece.stable)
-        assert all(a < b for a, b in zip(again.enclosure, piece.box, strict=True))
-        assert np.allclose(again.enclosure, piece.enclosure, rtol=0.02)
+    for subinterval in table[1][:: len(table[1]) // 2]:
+        again, _ = proved_subinterval(parameters, subinterval)
+        assert (again.word, again.stable) == (subinterval.word, subinterval.stable)
+        assert all(a < b for a, b in zip(again.enclosure, subinterval.box, strict=True))
+        assert np.allclose(again.enclosure, subinterval.enclosure, rtol=0.02)
 
 
 def test_the_guide_has_the_hash_of_the_published_table(table):
     guide = (DOCUMENTATION / "guides/proofs.md").read_text(encoding="utf-8")
     assert hashlib.sha256(TABLE.read_bytes()).hexdigest() in guide
-    assert f"{len(table[1])} pieces" in guide
+    assert f"{len(table[1])} subintervals" in guide
 
 
 @pytest.fixture(scope="module")
@@ -122,8 +128,8 @@ def long_table():
     with gzip.open(LONG_TABLE, "rt", encoding="utf-8") as file:
         head, *parts = (json.loads(line) for line in file)
     assert head["range"] == ["1/20", "10"]
-    pieces = [Piece.of_row(row) for part in parts for row in part["pieces"]]
-    return sorted(pieces, key=lambda piece: piece.begin)
+    subintervals = [Subinterval.of_row(row) for part in parts for row in part["pieces"]]
+    return sorted(subintervals, key=lambda subinterval: subinterval.begin)
 
 
 def test_the_long_table_has_no_gap_but_at_the_border_of_a_word(long_table):
@@ -131,11 +137,14 @@ def test_the_long_table_has_no_gap_but_at_the_border_of_a_word(long_table):
     assert long_table[0].begin == Fraction("0.05") and long_table[-1].end > Fraction("0.477")
     assert all(one.end == other.begin for one, other in itertools.pairwise(long_table))
     below, left_open, above = (
-        list(run) for _, run in itertools.groupby(long_table, key=lambda piece: piece.proved)
+        list(run) for _, run in itertools.groupby(long_table, key=lambda subinterval: subinterval.proved)
     )
     assert left_open[-1].end - left_open[0].begin < Fraction("1e-9")
-    assert ({piece.word for piece in below}, {piece.word for piece in above}) == ({"+-"}, {"+0-"})
-    assert all(piece.stable for piece in below + above)
+    assert ({subinterval.word for subinterval in below}, {subinterval.word for subinterval in above}) == (
+        {"+-"},
+        {"+0-"},
+    )
+    assert all(subinterval.stable for subinterval in below + above)
     apart = [other.end for one, other in itertools.pairwise(long_table) if not one.meets(other)]
     assert left_open[0].begin < apart[0] and apart[-1] < left_open[-1].end + Fraction("3e-6")
 
@@ -143,18 +152,18 @@ def test_the_long_table_has_no_gap_but_at_the_border_of_a_word(long_table):
 def test_pieces_of_the_long_table_are_proved_again(long_table):
     chosen = long_table[::1200]
     assert len(chosen) >= 3
-    for piece in chosen:
-        _, values = gait_of({"ground.friction": str(float(piece.begin))})
-        again, _ = proved_piece(Parameters(values, "ground.friction"), piece)
-        assert (again.word, again.stable) == (piece.word, piece.stable)
-        assert np.allclose(again.enclosure, piece.enclosure, rtol=0.02)
+    for subinterval in chosen:
+        _, values = gait_of({"ground.friction": str(float(subinterval.begin))})
+        again, _ = proved_subinterval(Parameters(values, "ground.friction"), subinterval)
+        assert (again.word, again.stable) == (subinterval.word, subinterval.stable)
+        assert np.allclose(again.enclosure, subinterval.enclosure, rtol=0.02)
 
 
 def test_the_guide_has_the_hash_of_the_long_table(long_table):
     guide = (DOCUMENTATION / "guides/proofs.md").read_text(encoding="utf-8")
     with gzip.open(LONG_TABLE) as file:
         assert hashlib.sha256(file.read()).hexdigest() in guide
-    assert f"{len(long_table):,} pieces" in guide
+    assert f"{len(long_table):,} subintervals" in guide
 
 
 def test_a_piece_is_cut_until_its_gaits_are_told_to_be_stable(monkeypatch):
@@ -162,24 +171,24 @@ def test_a_piece_is_cut_until_its_gaits_are_told_to_be_stable(monkeypatch):
     prove, widest = RangeProver._piece, Fraction("0.0000006")
 
     def open_if_wide(self, begin, end, gait):
-        piece = prove(self, begin, end, gait)
-        return replace(piece, stable=None) if end - begin > widest else piece
+        subinterval = prove(self, begin, end, gait)
+        return replace(subinterval, stable=None) if end - begin > widest else subinterval
 
-    monkeypatch.setattr(RangeProver, "_piece", open_if_wide)
+    monkeypatch.setattr(RangeProver, "_subinterval", open_if_wide)
     proof = tdmf_slip.prove(
         {"ground.friction": "10"}, vary={"ground.friction": ("10", "10.000004")}, processes=1
     )
     assert proof.stable is True
     assert proof.is_one_branch
-    assert all(piece.end - piece.begin <= widest for piece in proof.pieces)
-    assert proof.pieces[0].begin == 10
-    assert proof.pieces[-1].end == Fraction("10.000004")
+    assert all(subinterval.end - subinterval.begin <= widest for subinterval in proof.subintervals)
+    assert proof.subintervals[0].begin == 10
+    assert proof.subintervals[-1].end == Fraction("10.000004")
 
 
 def test_pieces_that_do_not_meet_are_no_branch(span):
-    first, second = span[0].pieces[:2]
+    first, second = span[0].subintervals[:2]
     assert first.meets(second)
-    apart = Piece.of_row({**second.as_row(), "centre": [x + 1e-3 for x in second.centre]})
+    apart = Subinterval.of_row({**second.as_row(), "centre": [x + 1e-3 for x in second.centre]})
     assert not first.meets(apart)
 
 

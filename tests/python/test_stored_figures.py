@@ -22,7 +22,7 @@ def test_a_mean_on_rough_ground_is_what_is_kept():
     of_it = (data["roughness"] == 0.5) & (data["friction"] == 1.2)
     (place,) = np.flatnonzero(of_it & (data["matched"] == 0.0))
     found = strides_to_fall(
-        {"ground.friction": 1.2}, 0.5, rough.RUNNERS, rough.SEED, rough.MOST_STRIDES, threads=1
+        {"ground.friction": 1.2}, 0.5, rough.RUNNERS, rough.SEED, rough.MAX_STRIDES, threads=1
     )
     assert found.mean_strides == pytest.approx(data["mean_strides"][place], rel=0.05)
 
@@ -38,7 +38,7 @@ def test_matched_runners_on_rough_ground_are_what_is_kept():
         [{"ground.friction": mu} for mu in (rough.REFERENCE, 10.0)], hold=rough.HOLD, vary=rough.VARY
     )
     runner = Runner(runners.gaits[1].runner.values)
-    found = strides_to_fall(runner, 0.5, rough.RUNNERS, rough.SEED, rough.MOST_STRIDES, threads=1)
+    found = strides_to_fall(runner, 0.5, rough.RUNNERS, rough.SEED, rough.MAX_STRIDES, threads=1)
     (place,) = np.flatnonzero(matched & (data["friction"] == 10.0))
     assert found.mean_strides == pytest.approx(data["mean_strides"][place], rel=0.1)
 
@@ -133,7 +133,7 @@ def test_optimal_runners_are_what_is_kept():
             optimal.THRUST: data["thrust"][place],
         }
         gait = find_gait(Runner.of(values))
-        objective = optimal.CHEAPEST if data["cheapest"][place] else optimal.LEAST_SLIP
+        objective = optimal.CHEAPEST if data["cheapest"][place] else optimal.MIN_SLIP
         (again,) = optimal.best(gait.runner, objective, [SimpleNamespace(gait=gait)])
         assert again.why == ""
         for name in ("speed", "cost_of_transport", "slip_distance"):
@@ -142,8 +142,8 @@ def test_optimal_runners_are_what_is_kept():
         costs[objective], slips[objective] = (
             data[name][place] for name in ("cost_of_transport", "slip_distance")
         )
-    assert costs[optimal.CHEAPEST] < costs[optimal.LEAST_SLIP]
-    assert slips[optimal.CHEAPEST] > 1.5 * slips[optimal.LEAST_SLIP]
+    assert costs[optimal.CHEAPEST] < costs[optimal.MIN_SLIP]
+    assert slips[optimal.CHEAPEST] > 1.5 * slips[optimal.MIN_SLIP]
     cheapest = data["cheapest"] > 0.0
     frictions, over = data["friction"][cheapest], data["cost_of_transport"][cheapest]
     assert len(frictions) == len(optimal.FRICTIONS)

@@ -11,7 +11,7 @@ from tdmf_slip.analysis import stride_map as module
 from tdmf_slip.library.ensemble import instruction_sets
 from tdmf_slip.library.gait import LEDGER
 from tdmf_slip.library.measures import STRIDE_QUANTITIES
-from tdmf_slip.library.noted_strides import STRIDE_FATES
+from tdmf_slip.library.recorded_strides import STRIDE_FATES
 from tdmf_slip.library.rough_ground import RoughGround
 from tdmf_slip.library.settings import SETTINGS
 from tdmf_slip.library.strides import strides_from
@@ -241,7 +241,7 @@ def test_a_run_depends_on_its_number_and_not_on_who_works(gait, starts, monkeypa
     part = stride_map(gait.runner, starts[7:19], first_number=7, **how)
     assert_same(whole.isel(runner=slice(7, 19)), part)
     np.testing.assert_array_equal(part["runner"], np.arange(7, 19))
-    monkeypatch.setattr(module, "LEAST_IN_A_BLOCK", 11)
+    monkeypatch.setattr(module, "MIN_IN_A_BLOCK", 11)
     monkeypatch.setattr(module, "STRIDES_IN_A_BLOCK", 11 * STRIDES)
     assert_same(stride_map(gait.runner, starts, **how), whole)
     assert_same(stride_map(gait.runner, starts, threads=2, **how), whole)

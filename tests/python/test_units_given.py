@@ -11,7 +11,7 @@ import xarray
 from tdmf_slip import InputError, continue_branch, continue_curves, load_fmu, sweep
 from tdmf_slip.cli.main import COMMANDS
 from tdmf_slip.pictures import branch, branch_diagram, curve_diagram
-from tdmf_slip.unit.told import Told
+from tdmf_slip.unit.display_units import DisplayUnits
 
 ANGLE, FRICTION, DAMPING = "hip.touchdown_angle", "ground.friction", "leg.damping"
 OVER = f"{ANGLE}=40 deg:42 deg"
@@ -68,9 +68,9 @@ def check_degrees(axis, label):
 
 
 def test_pictures_are_marked_in_the_unit_that_was_given():
-    told, ends = Told(load_fmu(), {ANGLE: "40 deg:42 deg"}), (math.radians(40.0), math.radians(42.0))
+    told, ends = DisplayUnits(load_fmu(), {ANGLE: "40 deg:42 deg"}), (math.radians(40.0), math.radians(42.0))
     found = continue_branch({FRICTION: 0.6}, {ANGLE: ends}, switch=False)
-    figure = branch_diagram.figure_of(found, told=told)
+    figure = branch_diagram.figure_of(found, display=told)
     check_degrees(figure.axes[1].xaxis, figure.axes[1].get_xlabel())
     assert f"{ANGLE} from 40:" in figure.axes[0].get_title("left")
     (line, *_) = figure.axes[0].lines
@@ -85,7 +85,7 @@ def test_pictures_are_marked_in_the_unit_that_was_given():
 
 def test_curves_are_marked_in_the_units_that_were_given():
     spans = {ANGLE: (math.radians(40.0), math.radians(42.0)), FRICTION: (0.45, 0.5)}
-    told = Told(load_fmu(), {ANGLE: "40 deg:42 deg"})
+    told = DisplayUnits(load_fmu(), {ANGLE: "40 deg:42 deg"})
     figure = curve_diagram.figure_of(continue_curves({}, spans, max_points=3), spans, told)
     axes = figure.axes[0]
     check_degrees(axes.xaxis, axes.get_xlabel())

@@ -24,7 +24,7 @@ from ..library import ensemble
 from ..library.affine_law import AffineLaw
 from ..library.gait import Gait
 from ..library.runner import Runner
-from .held_gait import jacobian_under
+from .controlled_gait import jacobian_under
 
 POINTS = 10_000
 """That a ball is tested on."""
@@ -40,7 +40,7 @@ MARGIN = 0.75
 """Of the way from the largest eigenvalue to 1: what the norm may fall to in a stride from any point."""
 STRIDES = 2
 """After which the norm is looked at: the first may raise it for a start whose height is far off."""
-LEAST_TERM = 1e-10
+MIN_TERM = 1e-10
 """Of the sum."""
 TOLERANCE = 1e-5
 """Relative tolerance of a step, as of maps and volumes."""
@@ -128,7 +128,7 @@ def tested_ball(gait: Gait, law: AffineLaw | None = None) -> Ball | None:
     largest = float(np.max(np.abs(np.linalg.eigvals(jacobian))))
     if not largest < 1.0:
         return None
-    most = largest + MARGIN * (1.0 - largest)
+    maximum = largest + MARGIN * (1.0 - largest)
     strides = [
         _Stride(gait, law, root / scales) for root in _roots_of_forms(jacobian * scales / scales[:, None])
     ]
@@ -136,10 +136,10 @@ def tested_ball(gait: Gait, law: AffineLaw | None = None) -> Ball | None:
     some = points[:: POINTS // FIRST_POINTS]
     for radius in RADII:
         for stride in strides:
-            if stride.rate(radius * some) > most:
+            if stride.rate(radius * some) > maximum:
                 continue
             rate = stride.rate(radius * points)
-            if rate <= most:
+            if rate <= maximum:
                 matrix = stride.matrix / radius
                 return Ball("tested", cube_in(matrix * scales), rate, POINTS, matrix)
     return None
@@ -189,7 +189,7 @@ def _roots_of_forms(jacobian: NDArray[np.float64]) -> list[NDArray[np.float64]]:
 def _lyapunov(jacobian: NDArray[np.float64], rate: float) -> NDArray[np.float64]:
     """The sum over k of (J^k)' J^k / rate^(2k)."""
     power, form = np.eye(len(jacobian)), np.zeros_like(jacobian)
-    while np.abs(power).max() > LEAST_TERM:
+    while np.abs(power).max() > MIN_TERM:
         form += power.T @ power
         power = jacobian @ power / rate
     return form

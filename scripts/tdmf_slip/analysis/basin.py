@@ -27,21 +27,21 @@ from ..unit.unit import Fmu, load_fmu
 from .axes import AXES, Axes, axes_of
 from .axes import range_around as range_around
 from .ball import Ball, attributes_of, ball_of
-from .fates import MOST_ALONG, MOST_STRIDES, STARTS_AT_ONCE
-from .held_gait import stable_gait as stable_gait
+from .controlled_gait import stable_gait as stable_gait
+from .fates import MAX_ALONG, MAX_STRIDES, STARTS_AT_ONCE
 from .search import model_of
 from .slice_block import Slice, fates_of_slice
 
-MOST_STARTS = MOST_ALONG**2
+MAX_STARTS = MAX_ALONG**2
 """A map of as many is 2 GB."""
-MOST_AXIS = MOST_STARTS // 2
+MAX_AXIS = MAX_STARTS // 2
 NOT_YET = -1
 STRIDES = "strides_until_known"
 """Name of the variable."""
 STRIDES_OF_FATES: Mapping[int, tuple[int, int]] = {
-    **dict.fromkeys(range(len(ensemble.FATES)), (0, MOST_STRIDES)),
+    **dict.fromkeys(range(len(ensemble.FATES)), (0, MAX_STRIDES)),
     ensemble.FATES.index("no_start"): (0, 0),
-    NOT_YET: (0, MOST_STRIDES),
+    NOT_YET: (0, MAX_STRIDES),
 }
 """The least and the most that a fate may come after."""
 
@@ -122,9 +122,9 @@ def basin(
     """
     fmu, runner = load_fmu(fmu), Runner.of(runner, fmu, model=model)
     spans = axes_of(axes, runner.coordinates)
-    counts = counts_given(n, MOST_AXIS)
+    counts = counts_given(n, MAX_AXIS)
     size = math.prod(counts)
-    check_size("n", size, f"starts ({counts[0]:,} by {counts[1]:,})", MOST_STARTS)
+    check_size("n", size, f"starts ({counts[0]:,} by {counts[1]:,})", MAX_STARTS)
     gait = stable_gait(runner, fmu, law)
     ends = {name: range_around(gait, name) if span is None else span for name, span in spans.items()}
     values = {
@@ -212,7 +212,7 @@ def _checked_slice(
     rows, columns = (
         fmu.variables[f"apex.{axis}"].values_of(along, f"range of {axis}") for axis, along in values.items()
     )
-    check_size("ranges", len(rows) * len(columns), f"starts ({len(rows):,} by {len(columns):,})", MOST_STARTS)
+    check_size("ranges", len(rows) * len(columns), f"starts ({len(rows):,} by {len(columns):,})", MAX_STARTS)
     return (first, second), (rows, columns)
 
 
@@ -221,7 +221,7 @@ def _resumed(path: Path, blank: xarray.Dataset) -> xarray.Dataset:
     fates, strides = data["fate"].values, data[STRIDES].values
     allowed = np.select(
         [fates == fate for fate in STRIDES_OF_FATES],
-        [(strides >= least) & (strides <= most) for least, most in STRIDES_OF_FATES.values()],
+        [(strides >= minimum) & (strides <= maximum) for minimum, maximum in STRIDES_OF_FATES.values()],
         False,
     )
     if not allowed.all():

@@ -30,7 +30,7 @@ LOCATED = 1e-11
 """Of the way from one gait to the next."""
 ON_CIRCLE = 1e-6
 """How near eigenvalues have to be to where a bifurcation puts them."""
-MOST_LOOKS = 100
+MAX_LOOKS = 100
 
 
 @dataclass(frozen=True, eq=False)
@@ -59,7 +59,7 @@ class Special(ByContents):
         return known | words | ({"between": list(self.between), "why": self.why} if self.why else {})
 
 
-def happenings(family: Family, before: Point, after: Point) -> tuple[list[Border], list[Special]]:
+def special_points(family: Family, before: Point, after: Point) -> tuple[list[Border], list[Special]]:
     """What happens between two neighbouring points of a branch, in its order.
 
     Parameters
@@ -84,7 +84,7 @@ def happenings(family: Family, before: Point, after: Point) -> tuple[list[Border
 
 
 def _specials(family: Family, before: Point, after: Point) -> Iterator[Special]:
-    """In the order of the branch: piece by piece, with one thing each, or too short to be told apart."""
+    """In the order of the branch: segment by segment, with one thing each, or too short to be told apart."""
     try:
         if before.gait.word != after.gait.word:
             yield from _across_borders(family, before, after)
@@ -105,7 +105,7 @@ def _specials(family: Family, before: Point, after: Point) -> Iterator[Special]:
 
 
 def _halves(family: Family, before: Point, after: Point) -> tuple[tuple[Point, Point], ...] | None:
-    """Two pieces of one; None where it is too short, or cannot be parted."""
+    """Two segments of one; None where it is too short, or cannot be parted."""
     length = family.distance(before, after)
     if length < SHORTEST:
         return None
@@ -249,7 +249,7 @@ def _zero(family: Family, before: Point, after: Point, test: Callable[[Point], f
     low, high = 0.0, 1.0
     at_low, at_high = test(before), test(after)
     last = high
-    for _ in range(MOST_LOOKS):
+    for _ in range(MAX_LOOKS):
         share = high - at_high * (high - low) / (at_high - at_low)
         point = family.between(before, after, share)
         value = test(point)

@@ -25,8 +25,8 @@ CORNER = 1e-9
 """Points on both sides of a border that are farther apart are at a corner that the chord does not show."""
 ACUTE = 100.0
 """How far such points may be from the corner, over how far they are apart."""
-MOST_LOOKS = 100
-MOST_BORDERS = 100
+MAX_LOOKS = 100
+MAX_BORDERS = 100
 
 
 @dataclass(frozen=True)
@@ -110,7 +110,7 @@ def crossings(family: Family, first: Point, last: Point) -> Iterator[Crossing]:
         A gait between them cannot be found, or there are more borders than can be told apart.
     """
     inside = first
-    for _ in range(MOST_BORDERS):
+    for _ in range(MAX_BORDERS):
         if inside.gait.word == last.gait.word:
             return
         short, beyond = _border(_Chord(family, inside, last), inside, last)
@@ -122,11 +122,11 @@ def crossings(family: Family, first: Point, last: Point) -> Iterator[Crossing]:
         value = 0.5 * (short.value + beyond.value)
         yield Crossing(Border(value, inside.gait.word, beyond.gait.word), short, beyond)
         inside = beyond
-    raise RunError(f"more than {MOST_BORDERS} borders between {first.gait.word} and {last.gait.word}")
+    raise RunError(f"more than {MAX_BORDERS} borders between {first.gait.word} and {last.gait.word}")
 
 
 def _turned(point: Point, like: Point) -> Point:
-    """The point, with the direction that goes with another of the same smooth piece."""
+    """The point, with the direction that goes with another of the same smooth segment."""
     return point if point.direction @ like.direction >= 0.0 else replace(point, direction=-point.direction)
 
 
@@ -162,7 +162,7 @@ def _border(chord: _Chord, inside: Point, last: Point) -> tuple[Point, Point]:
     """
     outside = last
     sides: dict[str, list[Point]] = {inside.gait.word: [inside], last.gait.word: [last]}
-    for looks in range(MOST_LOOKS):
+    for looks in range(MAX_LOOKS):
         low, high = chord.along(inside), chord.along(outside)
         if high - low <= ROOT_ACCURACY:
             return inside, outside

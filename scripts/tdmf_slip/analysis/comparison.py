@@ -23,7 +23,7 @@ from ..unit.variable import Given
 from .search import periodic_gait
 from .targeted import TargetNotMetError, find_gait
 
-HELD = 1e-8
+MATCHED = 1e-8
 """Over its size: a quantity as near to the reference's is held."""
 OTHER_UNITS = {"frequency": "Hz", **MEASURE_UNITS}
 
@@ -80,8 +80,8 @@ class Comparison(ByContents):
             "runners": [
                 {
                     "parameters": dict(matched.parameters),
-                    "before": _told(matched.before),
-                    "after": _told(matched.after),
+                    "before": _reported(matched.before),
+                    "after": _reported(matched.after),
                 }
                 for matched in self.runners
             ],
@@ -130,7 +130,7 @@ class Comparison(ByContents):
         return "\n".join(lines)
 
 
-def _told(gait: Gait) -> dict[str, object]:
+def _reported(gait: Gait) -> dict[str, object]:
     """A gait by its quantities."""
     return {
         "word": gait.word,
@@ -215,12 +215,12 @@ def compare(
             matched.append(after)
             not_held += missing
             bar.update()
-    told = _telling([*before, *matched], varied)
+    reported = _telling([*before, *matched], varied)
     return Comparison(
         names,
         varied,
         tuple(
-            MatchedRunner({name: after.runner.values[name] for name in told}, one, after)
+            MatchedRunner({name: after.runner.values[name] for name in reported}, one, after)
             for one, after in zip(before, matched, strict=True)
         ),
         tuple(not_held),
@@ -271,7 +271,7 @@ def _lacking(gait: Gait, goal: Mapping[str, float], number: int) -> list[NotHeld
     return [
         NotHeld(number, name, wanted, has[name])
         for name, wanted in goal.items()
-        if abs(has[name] - wanted) > HELD * max(abs(wanted), abs(has[name]))
+        if abs(has[name] - wanted) > MATCHED * max(abs(wanted), abs(has[name]))
     ]
 
 

@@ -24,7 +24,7 @@ FARTHEST = 0.5
 """How far a point may be from where it was predicted, over the step."""
 ON_CURVE = 0.02
 """Of the ranges: a special point as near to a curve of its kind is on it."""
-MOST_POINTS = 10_000
+MAX_POINTS = 10_000
 """Of a curve, in each direction."""
 SAME = 1e-6
 """Two places of a curve that are as near, over the scales, are one."""
@@ -81,7 +81,7 @@ def continue_curves(
     """
     fmu = load_fmu(fmu)
     runner = Runner.of(runner, fmu, model=model)
-    checked_whole("max_points", max_points, 1, MOST_POINTS)
+    checked_whole("max_points", max_points, 1, MAX_POINTS)
     names, spans = _checked_ranges(vary, fmu)
     first, second = names
     if np.any(spans[:, 0] == spans[:, 1]):

@@ -22,7 +22,7 @@ class Factor:
     """On either side."""
 
     @property
-    def is_told(self) -> bool:
+    def is_reported(self) -> bool:
         """There are falls enough for the estimate to be printed."""
         return min(self.falls) >= ENOUGH_FALLS
 
@@ -31,7 +31,7 @@ class Factor:
         low, high = self.interval
         ends = f"{low:.3g} to {high:.3g}" if math.isfinite(high) else f"above {low:.3g}"
         few = f" ({self.falls[0]} and {self.falls[1]} falls are too few for more)"
-        return f"{self.value:.3g} ({ends})" if self.is_told else f"{ends}{few}"
+        return f"{self.value:.3g} ({ends})" if self.is_reported else f"{ends}{few}"
 
 
 def factor_of(longer: FirstPassage, shorter: FirstPassage) -> Factor:

@@ -17,8 +17,8 @@ from .ball import Ball
 ACCURACY = 5e-4
 """By which the apex after a stride then errs at the most, over the scales, from anywhere in `volume.BOX`;
 from within 0.05 of a gait by a twentieth of that. Of 24,576 starts none has another fate than at 1e-10."""
-MOST_STRIDES = 400
-MOST_ALONG = 16384
+MAX_STRIDES = 400
+MAX_ALONG = 16384
 """Starts along each axis of a map."""
 STARTS_AT_ONCE = 4096
 """In a block."""
@@ -64,12 +64,12 @@ def fates(
         Something given is not allowed.
     """
     starts = np.asarray(starts)
-    check_size("starts", len(starts) if starts.ndim else 1, "runners", ensemble.MOST_RUNNERS)
+    check_size("starts", len(starts) if starts.ndim else 1, "runners", ensemble.MAX_RUNNERS)
     case = ensemble.Case(Runner.of(runner), (apex,), law=law, balls=() if ball is None else (ball.matrix,))
     return ensemble.run_ensemble(
         [case],
         starts,
-        max_strides=MOST_STRIDES,
+        max_strides=MAX_STRIDES,
         first_number=first_number,
         near=ensemble.NEAR if ball is None else ball.near,
         tolerance=tolerance if ball is None else min(tolerance, ball.tolerance),

@@ -27,11 +27,11 @@ from .fates import TOLERANCE
 from .search import periodic_gait
 from .volume import CONFIDENCE, NORMAL_QUANTILE
 
-MOST_RUNNERS = 100_000_000
-MOST_STRIDES = 1_000_000
+MAX_RUNNERS = 100_000_000
+MAX_STRIDES = 1_000_000
 STRIDES_IN_A_BLOCK = 200_000
 """At the most, unless runners are few: the library hears of no interrupt until it returns."""
-LEAST_IN_A_BLOCK, MOST_IN_A_BLOCK = 64, 4096
+MIN_IN_A_BLOCK, MAX_IN_A_BLOCK = 64, 4096
 """Runners; fewer would leave lanes empty."""
 BISECTIONS = 60
 FELL, UNDECIDED, UNSOLVED = (ensemble.FATES.index(name) for name in ("fell", "undecided", "unsolved"))
@@ -77,9 +77,9 @@ class FirstPassage:
         half = 0.5 * NORMAL_QUANTILE**2
         if self.falls == 0:
             return -1.0 / math.expm1(-half / self.strides), math.inf
-        least = self._likelihood(self.mean_strides) - half
-        low = 1.0 if self.mean_strides == 1.0 else self._mean_of(least, 0.5)
-        return low, self._mean_of(least, 2.0)
+        minimum = self._likelihood(self.mean_strides) - half
+        low = 1.0 if self.mean_strides == 1.0 else self._mean_of(minimum, 0.5)
+        return low, self._mean_of(minimum, 2.0)
 
     def _likelihood(self, mean: float) -> float:
         """Its logarithm: each stride is a trial that ends in a fall with probability 1/mean."""
@@ -240,13 +240,13 @@ def strides_to_fall(
         )
     check_law(law, runner)
     ground = roughness if isinstance(roughness, RoughGround) else RoughGround(roughness, seed)
-    runners = checked_whole("runners", runners, 1, MOST_RUNNERS)
-    max_strides = checked_whole("max_strides", max_strides, 1, MOST_STRIDES)
+    runners = checked_whole("runners", runners, 1, MAX_RUNNERS)
+    max_strides = checked_whole("max_strides", max_strides, 1, MAX_STRIDES)
     if gait is not None:
         check_is_gait(gait, "gait")
     start = periodic_gait(runner, fmu=fmu) if gait is None else gait
     runner, apex = Runner(runner.values), tuple(start.apex)
-    size = min(MOST_IN_A_BLOCK, max(LEAST_IN_A_BLOCK, STRIDES_IN_A_BLOCK // max_strides))
+    size = min(MAX_IN_A_BLOCK, max(MIN_IN_A_BLOCK, STRIDES_IN_A_BLOCK // max_strides))
     shares = [
         Share(runner, apex, ground, first, min(size, runners - first), max_strides, law)
         for first in range(0, runners, size)

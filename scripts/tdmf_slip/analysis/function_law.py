@@ -8,8 +8,8 @@ from numpy.typing import ArrayLike, NDArray
 
 from ..errors import InputError
 from ..given import mapping_of
-from ..library.crowd import numbers
-from ..library.noted_strides import GROUND, Request
+from ..library.population import numbers
+from ..library.recorded_strides import GROUND, Request
 from ..library.rough_ground import RoughGround
 from ..library.settings import check_acts, checked_values, setting_number
 from ..unit.unit import Fmu
@@ -40,7 +40,7 @@ class FunctionLaw:
     def __call__(
         self, stride: int, apices: NDArray[np.float64], under_way: NDArray[np.bool_]
     ) -> dict[str, NDArray[np.float64]]:
-        """What is set at the apices of a stride, as `noted_strides` asks for it."""
+        """What is set at the apices of a stride, as `recorded_strides` asks for it."""
         self.stride_begins()
         what = f"law: stride {stride}: what it gives"
         given = mapping_of(self.law(apices), what, "numbers or arrays by name")
@@ -57,7 +57,9 @@ class FunctionLaw:
         request = self.request
         for name in names:
             setting_number(name, "law")
-            check_acts(name, request.crowd.runner, (*names, *request.given, *request.crowd.varied), "law")
+            check_acts(
+                name, request.population.runner, (*names, *request.given, *request.population.varied), "law"
+            )
         check_set(names, tuple(request.given), request.ground, "law")
         self.names = names
 
@@ -71,7 +73,7 @@ class FunctionLaw:
                 "or one for all"
             )
         of_all = np.broadcast_to(values, under_way.shape)
-        usual = self.request.crowd.runner.values[name]
+        usual = self.request.population.runner.values[name]
         first = {"runner": 0}
         return checked_values(
             name, np.where(under_way, of_all, usual), f"law: stride {stride}", first, self.unit

@@ -23,7 +23,7 @@ from ..library.scales import rounding_of
 from ..library.section import COORDINATES
 from ..terminal.progress import progress_bar
 from ..unit.unit import FRICTION, Fmu, load_fmu
-from ..unit.variable import MOST_VALUES, Given, Values
+from ..unit.variable import MAX_VALUES, Given, Values
 from .gait_columns import COLUMNS, attributes_of
 from .search import model_of
 from .sweep import check_values, sweep_row
@@ -126,9 +126,9 @@ def grid(
     name, along = _names(vary)
     coordinates = {of: fmu.find(of, "vary").values_of(vary[of], f"vary {of}") for of in (name, along)}
     down, across = coordinates.values()
-    if len(across) * len(down) > MOST_VALUES:
+    if len(across) * len(down) > MAX_VALUES:
         raise InputError(
-            f"a grid of {len(across)} by {len(down)} gaits: allowed: {MOST_VALUES:,} gaits at the most"
+            f"a grid of {len(across)} by {len(down)} gaits: allowed: {MAX_VALUES:,} gaits at the most"
         )
     for value in down:
         row = runner.but(name, value)

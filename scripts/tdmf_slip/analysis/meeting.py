@@ -109,7 +109,7 @@ class Track:
         for number, beside in self._places.beside(self.family.place(last), self.family.place(following)):
             if self._goes_through(self._places[number], beside, last, following):
                 number, stride = divmod(number, self.family.strides)
-                return self._points[number], self._told(self._points[number], following, stride)
+                return self._points[number], self._reported(self._points[number], following, stride)
         return None
 
     def is_new(self, points: Sequence[Point]) -> bool:
@@ -143,7 +143,7 @@ class Track:
             return False
         return all(leads_back(self.family, found, other) for other in (last, following))
 
-    def _told(self, point: Point, following: Point, stride: int) -> str:
+    def _reported(self, point: Point, following: Point, stride: int) -> str:
         where = f"back at the gait at {self.family.name} = {point.value:g}"
         if stride:
             return f"retraced: {where}, begun by another of its strides"

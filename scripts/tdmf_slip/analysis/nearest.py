@@ -21,12 +21,12 @@ ITERATIONS, LOOK_AHEAD = 30, 8
 """Of the search for the nearest gait, and to see whether a further parameter helps."""
 LONGEST_STEPS = (0.3, 0.03)
 """Over the scales of apex and parameters, each tried: where words change, other steps lead elsewhere."""
-LEAST_DAMPING, MOST_DAMPING = 1e-9, 1e2
+MIN_DAMPING, MAX_DAMPING = 1e-9, 1e2
 LITTLE = 1e-3
 """Of the gap: what a step makes it smaller by is then no more worth a further one."""
 HELPING = 0.95
 """A parameter helps if, varied too, it leaves at most this share of the gap."""
-MOST_TRIED, STEPS = 5, 10
+MAX_TRIED, STEPS = 5, 10
 """Parameters whose derivatives promise most are tried, each by so many steps towards the target."""
 SETTINGS = "hip."
 """What a runner changes at will: these are tried instead of a varied parameter, too."""
@@ -71,10 +71,10 @@ def _descended(target: Target, place: Place, longest: float, iterations: int) ->
         tried = _stepped(target, place, damping, longest)
         if tried is None or target.gap(tried) >= gap:
             damping *= 10.0
-            if damping > MOST_DAMPING:
+            if damping > MAX_DAMPING:
                 break
             continue
-        place, damping = tried, max(0.1 * damping, LEAST_DAMPING)
+        place, damping = tried, max(0.1 * damping, MIN_DAMPING)
         if target.gap(tried) <= GOOD_ENOUGH or gap - target.gap(tried) < LITTLE * gap:
             break
     return place
@@ -146,27 +146,27 @@ def parameters_that_help(
         The best first: those that meet the target by the least change, then those that leave least of it.
         What is zero stays zero: a push on the body or a slope of the ground is not told.
     """
-    most, near = HELPING * target.gap(nearest), target.gait(nearest)
+    maximum, near = HELPING * target.gap(nearest), target.gait(nearest)
     promising = _promising(target, (near, first))
     found: list[Help] = []
     with progress_bar("what would help", len(promising), "parameters", progress) as bar:
         for name in promising:
-            more = _with_one_more(target, name, first, near, most)
+            more = _with_one_more(target, name, first, near, maximum)
             others = target.vary if name.startswith(SETTINGS) else ()
             instead = (_with_one_instead(target, name, other, first) for other in others)
             one = more if more.left == 0.0 else next((help for help in instead if help.left == 0.0), more)
-            found += [one] if one.left <= most else []
+            found += [one] if one.left <= maximum else []
             bar.update()
     return tuple(sorted(found, key=lambda help: (help.left, help.changed)))
 
 
-def _with_one_more(target: Target, name: str, first: Gait, near: Gait, most: float) -> Help:
+def _with_one_more(target: Target, name: str, first: Gait, near: Gait, maximum: float) -> Help:
     """What is left of the gap where one more parameter varies."""
     wider = target.with_more(name)
     try:
         begin = wider.place_of(first)
         there, share = wider.solved_from(begin, STEPS)
-        if wider.gap(there) > most:
+        if wider.gap(there) > maximum:
             there = nearest_from(wider, (wider.place_of(near),), LONGEST_STEPS[:1], LOOK_AHEAD)
     except RunError:
         return Help(name, "", np.inf, np.inf)
@@ -199,7 +199,7 @@ def _promising(target: Target, gaits: Sequence[Gait]) -> list[str]:
             kept = list(range(len(gait.apex) + len(target.vary)))
             for further, name in enumerate(names, len(kept)):
                 left[name] = min(left[name], _promised(widest, place, [*kept, further]))
-    return sorted(names, key=lambda name: left[name])[:MOST_TRIED]
+    return sorted(names, key=lambda name: left[name])[:MAX_TRIED]
 
 
 def _promised(target: Target, place: Place, columns: list[int]) -> float:

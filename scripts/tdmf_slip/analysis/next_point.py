@@ -25,7 +25,7 @@ FARTHEST, NEAR = 0.5, 10.0
 """How far a gait may be from where it was predicted, over the step: in longer ones, and at a corner."""
 BEYOND = (1e-6, 3e-6, 1e-5, 3e-5, 1e-4, 3e-4, 1e-3, 3e-3, 1e-2)
 """How far beyond a corner the map of the other side is looked at."""
-MOST_BACK = 100
+MAX_BACK = 100
 """Steps from beyond a corner back to it."""
 
 
@@ -129,7 +129,7 @@ def _way_to(family: Family, corner: Point, found: Point) -> list[Point]:
     back = [reverse(found)]
     longest = family.distance(corner, found)
     step = longest / 4.0
-    for _ in range(MOST_BACK):
+    for _ in range(MAX_BACK):
         left = family.distance(corner, back[-1])
         if left <= SHARP:
             there = dropwhile(lambda point: point.gait.sequence == corner.gait.sequence, reversed(back))

@@ -23,7 +23,7 @@ from .search import periodic_gait
 from .splitting import CONFIDENCE, REPLICAS, RareEvent, levels_of, rare_event
 
 LEVELS = 16
-MOST_WALKERS, MOST_STEPS = 10_000, 100_000
+MAX_WALKERS, MAX_STEPS = 10_000, 100_000
 SMOOTHEST = 1e-9
 """Roughness, m."""
 
@@ -143,8 +143,8 @@ def rare_falls(
     check_law(law, runner)
     ground = roughness if isinstance(roughness, RoughGround) else RoughGround(roughness)
     _check_is_rough(ground)
-    walkers = checked_whole("walkers", walkers, 8, MOST_WALKERS)
-    strides = checked_whole("strides", strides, 8, MOST_STEPS)
+    walkers = checked_whole("walkers", walkers, 8, MAX_WALKERS)
+    strides = checked_whole("strides", strides, 8, MAX_STEPS)
     seed = checked_whole("seed", seed, 0, LAST_SEED)
     if gait is not None:
         check_is_gait(gait, "gait")

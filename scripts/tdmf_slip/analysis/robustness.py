@@ -12,8 +12,8 @@ from ..library.affine_law import AffineLaw
 from ..library.gait import Gait
 from ..library.runner import Runner
 from ..library.section import COORDINATES
+from .controlled_gait import check_attracts
 from .fates import fates
-from .held_gait import check_attracts
 
 FARTHEST = 5.0
 """Over the scales: beyond this no disturbance is tried."""

@@ -19,7 +19,7 @@ from ..library.cases import Case, c_cases
 from ..library.engine import run
 from ..library.ensemble import END, FATES, ensemble_of
 from ..library.gait import Gait
-from ..library.noted_strides import given_settings
+from ..library.recorded_strides import given_settings
 from ..library.rough_ground import RoughGround
 from ..library.runner import Runner
 from .fates import TOLERANCE

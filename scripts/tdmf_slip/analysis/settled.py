@@ -13,8 +13,8 @@ from numpy.typing import NDArray
 
 from ..contents import ByContents
 from ..errors import InputError
-from ..library.crowd import Crowd
-from ..library.noted_strides import CLOSED, Request, noted_strides
+from ..library.population import Population
+from ..library.recorded_strides import CLOSED, Request, recorded_strides
 from ..library.runner import Runner
 
 TOLERANCE = 1e-6
@@ -129,10 +129,10 @@ class _Runs:
         """Strides of some of the runners; those that fall run no longer."""
         if not which.any():
             return
-        crowd = Crowd(
+        population = Population(
             self.runner, {name: np.ascontiguousarray(row[which]) for name, row in self.varied.items()}
         )
-        made = noted_strides(Request(crowd, self.apexes[which], AT_ONCE, {}, tolerance=TOLERANCE))
+        made = recorded_strides(Request(population, self.apexes[which], AT_ONCE, {}, tolerance=TOLERANCE))
         closed = (made["fate"] == CLOSED).all(axis=1) & (made["length"][:, -1] > 0.0)
         self.strides += int(np.count_nonzero(made["fate"] == CLOSED))
         ends, begins = made["next_apex"][:, -1], made["apex"][:, -1]

@@ -18,7 +18,7 @@ from ..library.return_map import Along
 from ..library.runner import Runner
 from ..library.strides import strides_from
 
-MOST_STRIDES = 150_000
+MAX_STRIDES = 150_000
 """Of all runners of a search, about a second of two processors."""
 STARTS = 16_384
 """That are drawn."""
@@ -30,7 +30,7 @@ ROUNDS = (0, 0, 1, 2, 4, 8, 16, 32, 64, 128)
 """Strides before each look at how near to its start a stride comes back."""
 KEPT = 2_048
 """Runners that go on after each look: those whose strides come back nearest."""
-PROMISING, MOST_TRIED = 12, 48
+PROMISING, MAX_TRIED = 12, 48
 """Places from which Newton's method begins: after each look, and in the end of all looks together."""
 ITERATIONS, SHORTENINGS, GAIN, CLOSE = 16, 6, 0.9, 1e-6
 """Of each, to within so much of the scales, as long as a step makes what is left smaller by this factor."""
@@ -99,7 +99,7 @@ def starts_of(runner: Runner, count: int, seed: int = SEED) -> NDArray[np.float6
 
 
 def search_from_spread(
-    runner: Runner, *, along: Along | None = None, max_gaits: int = 1, max_strides: int = MOST_STRIDES
+    runner: Runner, *, along: Along | None = None, max_gaits: int = 1, max_strides: int = MAX_STRIDES
 ) -> Spread:
     """Gaits of a runner from starts all over the section, but for those that lead backwards.
 
@@ -181,7 +181,7 @@ class _Found:
 
     def try_from(self, place: NDArray[np.float64]) -> None:
         """Once more, unless a place near this one was tried or is a gait's."""
-        if len(self._tried) >= MOST_TRIED or self._is_near(place, self._tried, APART):
+        if len(self._tried) >= MAX_TRIED or self._is_near(place, self._tried, APART):
             return
         self._tried.append(place)
         with contextlib.suppress(InputError, RunError, np.linalg.LinAlgError):

@@ -17,7 +17,7 @@ from ..terminal.progress import Bar, progress_bar
 from ..unit.unit import Fmu, load_fmu
 from ..unit.variable import Given, Values
 from .search import periodic_gait
-from .sweep import MOST_GAITS
+from .sweep import MAX_GAITS
 
 
 @dataclass(frozen=True, eq=False)
@@ -102,8 +102,8 @@ def _checked(
         check_varied(name, "over")
     first, second = given
     rows, columns = (fmu.find(name, "over").values_of(of, f"values of {name}") for name, of in given.items())
-    if len(rows) * len(columns) > MOST_GAITS:
-        raise InputError(f"{len(rows)} by {len(columns)} gaits: allowed: {MOST_GAITS:,} at the most")
+    if len(rows) * len(columns) > MAX_GAITS:
+        raise InputError(f"{len(rows)} by {len(columns)} gaits: allowed: {MAX_GAITS:,} at the most")
     return (first, second), (rows, columns)
 
 

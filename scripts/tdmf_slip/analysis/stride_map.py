@@ -15,11 +15,11 @@ from ..errors import InputError
 from ..files.datasets import xarray
 from ..given import in_order, mapping_of
 from ..library.affine_law import AffineLaw, check_law
-from ..library.crowd import Crowd, numbers
 from ..library.ensemble import TOLERANCE
 from ..library.gait import LEDGER
 from ..library.members import STATES
-from ..library.noted_strides import STRIDE_FATES, Columns, Request, noted_strides
+from ..library.population import Population, numbers
+from ..library.recorded_strides import STRIDE_FATES, Columns, Request, recorded_strides
 from ..library.rough_ground import LAST_RUNNER, RoughGround
 from ..library.runner import Runner
 from ..library.settings import check_acts, checked_values, setting_number
@@ -28,12 +28,12 @@ from ..unit.unit import Fmu, load_fmu
 from .function_law import FunctionLaw, Law, check_set
 from .search import model_of
 
-MOST_STRIDES = 1_000_000
-MOST_IN_ALL = 10_000_000
+MAX_STRIDES = 1_000_000
+MAX_IN_ALL = 10_000_000
 """Strides of all runners: each is kept, in 700 bytes."""
 STRIDES_IN_A_BLOCK = 100_000
 """At the most, unless runners are few: the library hears of no interrupt until it returns."""
-LEAST_IN_A_BLOCK, MOST_IN_A_BLOCK = 64, 4096
+MIN_IN_A_BLOCK, MAX_IN_A_BLOCK = 64, 4096
 """Runners; fewer would leave lanes empty."""
 
 
@@ -144,15 +144,15 @@ def stride_map(
     (1, 3)
     """
     fmu = load_fmu(fmu)
-    crowd = Crowd.of(runner, fmu, model)
-    strides = checked_whole("strides", strides, 1, MOST_STRIDES)
-    feet = _feet(foot_x, crowd.runner)
-    starts, given = _broadcast(apices, crowd, inputs, strides, 1 if feet is None else len(feet))
+    population = Population.of(runner, fmu, model)
+    strides = checked_whole("strides", strides, 1, MAX_STRIDES)
+    feet = _feet(foot_x, population.runner)
+    starts, given = _broadcast(apices, population, inputs, strides, 1 if feet is None else len(feet))
     ground = RoughGround(roughness, seed)
-    _check_all(crowd, given, law, ground)
+    _check_all(population, given, law, ground)
     affine = law if isinstance(law, AffineLaw) else None
     request = Request(
-        crowd,
+        population,
         starts,
         strides,
         given,
@@ -172,17 +172,17 @@ def stride_map(
     else:
         assert callable(law)
         with progress_bar("strides", strides, "strides", progress) as bar:
-            columns = noted_strides(request, FunctionLaw(law, request, fmu, bar.update))
+            columns = recorded_strides(request, FunctionLaw(law, request, fmu, bar.update))
     return _dataset(request, columns, fmu)
 
 
 def _broadcast(
-    apices: ArrayLike, crowd: Crowd, inputs: Mapping[str, ArrayLike] | None, strides: int, feet: int
+    apices: ArrayLike, population: Population, inputs: Mapping[str, ArrayLike] | None, strides: int, feet: int
 ) -> tuple[NDArray[np.float64], dict[str, NDArray[np.float64]]]:
     """Apices, shape (runners, n), and settings, shape (runners, strides), of as many runners."""
-    coordinates = crowd.runner.coordinates
+    coordinates = population.runner.coordinates
     apices = in_order(apices, coordinates)
-    check_size("apices", math.prod(np.shape(apices)[:-1]) * strides, "strides in all", MOST_IN_ALL)
+    check_size("apices", math.prod(np.shape(apices)[:-1]) * strides, "strides in all", MAX_IN_ALL)
     starts = np.atleast_2d(numbers("apices", apices, 2))
     if starts.shape[1] != len(coordinates):
         raise InputError(f"apices of shape {starts.shape}; allowed: rows of {', '.join(coordinates)}")
@@ -195,15 +195,15 @@ def _broadcast(
                 f"inputs: {name} of shape {np.shape(values)}; allowed: a number, ({strides},) or "
                 f"(runners, {strides}), for each stride one"
             )
-    counts = {"apices": len(starts), "runner's values": crowd.size or 1, "foot_x": feet}
+    counts = {"apices": len(starts), "runner's values": population.size or 1, "foot_x": feet}
     counts |= {f"inputs: {name}": len(values) for name, values in given.items()}
     runners = max(counts.values())
-    check_size("runners", runners * strides, "strides in all", MOST_IN_ALL)
+    check_size("runners", runners * strides, "strides in all", MAX_IN_ALL)
     for what, count in counts.items():
         if count not in (1, runners):
-            most = max(counts, key=lambda name: counts[name])
+            maximum = max(counts, key=lambda name: counts[name])
             raise InputError(
-                f"{what} of {count} runners, {most} of {runners}; allowed: as many, or one for all"
+                f"{what} of {count} runners, {maximum} of {runners}; allowed: as many, or one for all"
             )
     for name, values in given.items():
         first = {"runner": 0, "stride": 0}
@@ -223,9 +223,9 @@ def _feet(foot_x: ArrayLike | None, runner: Runner) -> NDArray[np.float64] | Non
     return feet
 
 
-def _check_all(crowd: Crowd, given: Mapping[str, object], law: object, ground: RoughGround) -> None:
+def _check_all(population: Population, given: Mapping[str, object], law: object, ground: RoughGround) -> None:
     """Refuse what does not go together."""
-    runner = crowd.runner
+    runner = population.runner
     if runner.reduced and ground.roughness:
         raise InputError("roughness: by the reduced map; allowed: by the full model")
     set_by_law: tuple[str, ...] = ()
@@ -237,7 +237,7 @@ def _check_all(crowd: Crowd, given: Mapping[str, object], law: object, ground: R
             f"law = {reprlib.repr(law)} is not allowed; allowed: a function of apices, or an AffineLaw"
         )
     for name in given:
-        check_acts(name, runner, (*given, *crowd.varied), "inputs")
+        check_acts(name, runner, (*given, *population.varied), "inputs")
     check_set(set_by_law, tuple(given), ground, "law")
     check_set(tuple(given), (), ground, "inputs")
 
@@ -245,14 +245,14 @@ def _check_all(crowd: Crowd, given: Mapping[str, object], law: object, ground: R
 def _in_blocks(request: Request, scheduler: str | None, threads: int | None, progress: bool) -> Columns:
     """Block by block, here by a thread for each processor, or elsewhere by one."""
     runners = len(request.apices)
-    size = min(MOST_IN_A_BLOCK, max(LEAST_IN_A_BLOCK, STRIDES_IN_A_BLOCK // request.strides))
+    size = min(MAX_IN_A_BLOCK, max(MIN_IN_A_BLOCK, STRIDES_IN_A_BLOCK // request.strides))
     here = scheduler is None and threads is None
     whole = request if here else replace(request, threads=1)
     blocks = [whole.part(first, min(size, runners - first)) for first in range(0, runners, size)]
     parts: dict[int, Columns] = {}
     with (
         progress_bar("strides", runners, "runners", progress) as bar,
-        run_blocks(noted_strides, blocks, scheduler=scheduler, threads=1 if here else threads) as results,
+        run_blocks(recorded_strides, blocks, scheduler=scheduler, threads=1 if here else threads) as results,
     ):
         for number, columns in results:
             parts[number] = columns
@@ -261,11 +261,11 @@ def _in_blocks(request: Request, scheduler: str | None, threads: int | None, pro
 
 
 def _dataset(request: Request, columns: Columns, fmu: Fmu) -> xarray.Dataset:
-    runner = request.crowd.runner
+    runner = request.population.runner
     over = ("runner", "stride", "coordinate")
     data = xarray.Dataset(
         {name: (over[: values.ndim], values) for name, values in columns.items()}
-        | {name: (over[:1], values) for name, values in request.crowd.varied.items()},
+        | {name: (over[:1], values) for name, values in request.population.varied.items()},
         coords={
             "runner": request.first_number + np.arange(len(request.apices)),
             "stride": np.arange(request.strides),
@@ -273,9 +273,9 @@ def _dataset(request: Request, columns: Columns, fmu: Fmu) -> xarray.Dataset:
         },
     )
     for name in data.data_vars:
-        told = fmu.variables.get(f"stride.{name}") or fmu.variables.get(str(name))
-        if told is not None and data[name].dtype.kind == "f":
-            data[name].attrs = {"units": told.unit or "1", "long_name": told.description}
+        reported = fmu.variables.get(f"stride.{name}") or fmu.variables.get(str(name))
+        if reported is not None and data[name].dtype.kind == "f":
+            data[name].attrs = {"units": reported.unit or "1", "long_name": reported.description}
     for name in LEDGER:
         data[name].attrs = {"units": "J", "long_name": f"{name.replace('_', ' ')} of the stride"}
     data["liftoff_angle"].attrs = {"units": "rad", "long_name": "leg angle at lift-off"}

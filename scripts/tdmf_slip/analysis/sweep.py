@@ -21,12 +21,12 @@ from ..unit.variable import Given, Values
 from .borders import Border, crossings
 from .family import Family
 from .search import periodic_gait
-from .stretch import Stretch, followed
+from .segment import Segment, followed
 
 if TYPE_CHECKING:
     import xarray
 
-MOST_GAITS = 100_000
+MAX_GAITS = 100_000
 """Of a sweep that is on no file: each takes 10 kB."""
 
 
@@ -42,7 +42,7 @@ class Sweep(ByContents, Drawable):
     """At each value; None where there is none, or it was not found."""
     borders: tuple[Border, ...]
     """Where the word changes along a branch, in the order of the range."""
-    stretches: tuple[Stretch, ...]
+    segments: tuple[Segment, ...]
     """Of the range, in its order, the gaits of each on one branch; and why it ends."""
     problem: str | None
     """Why gaits are missing, and what kept a border from being located; or None."""
@@ -76,8 +76,8 @@ class Sweep(ByContents, Drawable):
     def branches(self) -> list[float]:
         """By value of the range, the number of its stretch; NaN where there is no gait."""
         numbers = [np.nan] * len(self.values)
-        for number, stretch in enumerate(self.stretches):
-            numbers[stretch.begin : stretch.end] = [float(number)] * (stretch.end - stretch.begin)
+        for number, segment in enumerate(self.segments):
+            numbers[segment.begin : segment.end] = [float(number)] * (segment.end - segment.begin)
         return numbers
 
     @property
@@ -92,7 +92,7 @@ class Sweep(ByContents, Drawable):
             "over": self.name,
             "gaits": [gait.as_json() | {"value": value} for value, gait in found if gait is not None],
             "transitions": [border.as_json(short(self.name)) for border in self.borders],
-            "branches": [stretch.as_json(self.values) for stretch in self.stretches],
+            "branches": [segment.as_json(self.values) for segment in self.segments],
             "missing": [v for v, gait in zip(self.values, self.by_value, strict=True) if gait is None],
             "problem": self.problem,
         }
@@ -129,7 +129,7 @@ def sweep(
 
     Where the first values have no gait, the sweep begins at the first that has one, and follows its branch
     back as far as it goes; where a branch cannot be followed on, because of a fold or as the gait is lost,
-    the sweep goes on with the next gait that is found, which is of another branch. `stretches` and `problem`
+    the sweep goes on with the next gait that is found, which is of another branch. `segments` and `problem`
     say what happened. Changes of the word from one branch to another are no borders.
 
     Parameters
@@ -182,8 +182,8 @@ def sweep(
         raise InputError("path, scheduler, threads: of a sweep over one name; allowed: of a grid over two")
     name, values = varied_alone(vary, "values of one parameter or input by its name")
     row = fmu.find(name, "vary").values_of(values, f"vary {name}")
-    if len(row) > MOST_GAITS:
-        raise InputError(f"vary {name}: {len(row):,} values; allowed: {MOST_GAITS:,}, or a grid, on file")
+    if len(row) > MAX_GAITS:
+        raise InputError(f"vary {name}: {len(row):,} values; allowed: {MAX_GAITS:,}, or a grid, on file")
     check_values(runner, name, row)
     return sweep_row(runner, name, row, progress)
 
@@ -210,7 +210,7 @@ def sweep_row(runner: Runner, name: str, values: Values, progress: bool = False)
     gaits: list[Gait | None] = [None] * len(values)
     borders: list[Border] = []
     problems: list[str] = []
-    stretches: list[Stretch] = []
+    segments: list[Segment] = []
     end = 0
     with progress_bar("sweep", len(values), "gaits", progress) as bar:
 
@@ -229,7 +229,7 @@ def sweep_row(runner: Runner, name: str, values: Values, progress: bool = False)
             problems += ended
             end = begin + len(following)
             gaits[end - len(branch) : end] = branch
-            stretches.append(Stretch(end - len(branch), end, "; ".join(began), "; ".join(ended)))
+            segments.append(Segment(end - len(branch), end, "; ".join(began), "; ".join(ended)))
             found, unknown = _borders(runner, name, branch)
             borders += found
             problems += unknown
@@ -240,7 +240,7 @@ def sweep_row(runner: Runner, name: str, values: Values, progress: bool = False)
         tuple(float(value) for value in values),
         tuple(gaits),
         tuple(borders),
-        tuple(stretches),
+        tuple(segments),
         "; ".join(dict.fromkeys(problems)) or None,
     )
 

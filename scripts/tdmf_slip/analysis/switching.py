@@ -12,13 +12,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..errors import InputError, RunError
-from .bifurcations import PERIOD_DOUBLING, Special, happenings
+from .bifurcations import PERIOD_DOUBLING, Special, special_points
 from .borders import Border
 from .branch import Branch
 from .family import Family, Point
 from .steps import Limits, follow
 
-MOST_STRIDES = 4
+MAX_STRIDES = 4
 """Of the gaits that are followed: a period doubling of theirs is told, and no farther branch."""
 DEPARTURES = (1e-2, 3e-3, 1e-3, 3e-2)
 """Over the scales: how far from a period doubling the first gait of twice the period is sought."""
@@ -29,7 +29,7 @@ OPPOSITE = -0.5
 """Cosine of the angle by which the way from one half of a gait to the other turns where they swap places."""
 
 
-def told_branch(family: Family, points: Sequence[Point], began: str, ended: str) -> Branch:
+def reported_branch(family: Family, points: Sequence[Point], began: str, ended: str) -> Branch:
     """Points as a branch, with all that happens between them.
 
     Parameters
@@ -49,7 +49,7 @@ def told_branch(family: Family, points: Sequence[Point], began: str, ended: str)
     borders: list[Border] = []
     specials: list[Special] = []
     for index, (before, after) in enumerate(pairwise(points)):
-        its_borders, its_specials = happenings(family, before, after)
+        its_borders, its_specials = special_points(family, before, after)
         borders += its_borders
         specials += [replace(special, index=index) for special in its_specials]
     return Branch(
@@ -95,7 +95,7 @@ def with_doubled_branches(
     for number, special in enumerate(branch.specials):
         if special.kind != PERIOD_DOUBLING or any(abs(special.value - v) <= 1e-8 * abs(v) for v in met):
             continue
-        if strides > MOST_STRIDES:
+        if strides > MAX_STRIDES:
             specials[number] = replace(special, why=f"gaits of {strides} strides are not followed")
             continue
         family = family_of(strides)
@@ -104,7 +104,7 @@ def with_doubled_branches(
             specials[number] = replace(special, why=f"no gait of {strides} strides was found beside it")
             continue
         points, ended = follow(family, first, limits, step_finished, _meets_halves(family, branch))
-        other = told_branch(family, points, _at_doubling(family, special.value), ended)
+        other = reported_branch(family, points, _at_doubling(family, special.value), ended)
         met += [d.value for d in branch.specials if ended == _at_doubling(family, d.value)]
         found.append(with_doubled_branches(other, family_of, limits, step_finished))
     return replace(branch, specials=tuple(specials), branches=tuple(found))

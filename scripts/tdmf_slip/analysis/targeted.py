@@ -23,13 +23,13 @@ from .target import Place, Target
 
 TRAVEL = ("speed", "frequency", "length")
 """Any two of them set the third."""
-LEAST, MOST = 1e-9, 1e9
+MINIMUM, MAXIMUM = 1e-9, 1e9
 """Of what is prescribed, in SI units."""
 MET = 1e-10
 """Of what is prescribed."""
 LAST_STEPS = 10
 """From the nearest gait towards the target, and from each of the others."""
-MOST_BEGINNINGS = 8
+MAX_BEGINNINGS = 8
 """Other gaits that a search begins from."""
 DESCENTS = 2
 """Of these, so many of the nearest lead on to the gait that is nearest of all."""
@@ -156,7 +156,7 @@ def _met_from_elsewhere(
     The place that was come to, the share of the way to the target, and the nearest of all that were seen.
     """
     seen = [*known]
-    for other in islice(others, MOST_BEGINNINGS):
+    for other in islice(others, MAX_BEGINNINGS):
         place, share = target.solved_from(other, LAST_STEPS)
         seen += [other, place]
         if share == 1.0:
@@ -196,9 +196,9 @@ def _checked_target(target: object) -> dict[str, float]:
             )
     if all(name in given for name in TRAVEL):
         raise InputError("target: speed, frequency and length; allowed: two of them, for they set the third")
-    most, least = {"duty_factor": 1.0}, dict.fromkeys(SIGNED, -MOST)
+    maximum, minimum = {"duty_factor": 1.0}, dict.fromkeys(SIGNED, -MAXIMUM)
     return {
-        name: checked(name, value, least.get(name, LEAST), most.get(name, MOST))
+        name: checked(name, value, minimum.get(name, MINIMUM), maximum.get(name, MAXIMUM))
         for name, value in given.items()
     }
 

@@ -19,10 +19,10 @@ from .family import Family, Point
 from .next_point import SHORTEST_STEP, reverse
 from .search import periodic_gait
 from .steps import Limits, follow
-from .switching import told_branch, with_doubled_branches
+from .switching import reported_branch, with_doubled_branches
 
 LARGEST_STEP = 1e9
-MOST_POINTS = 1_000_000
+MAX_POINTS = 1_000_000
 """Of a branch."""
 BEGINNING = "beginning of the range"
 STARTS = 24
@@ -217,7 +217,7 @@ def trace(
     runner = Family(runner, name).runner
     check_is_gait(first, "first")
     checked("max_step", max_step, SHORTEST_STEP, LARGEST_STEP)
-    checked_whole("max_points", max_points, 1, MOST_POINTS)
+    checked_whole("max_points", max_points, 1, MAX_POINTS)
     start = first.runner.values[name]
     begin = start if begin is None else begin
     for what, value in (("begin", begin), ("end", end)):
@@ -261,4 +261,4 @@ def whole_branch(
         back, began = follow(family, reverse(first), limits, step_finished, known=points[1:])
         began = BEGINNING if began.startswith("back at") else began
         points = [*map(reverse, back[:0:-1]), *points]
-    return told_branch(family, points, began, ended)
+    return reported_branch(family, points, began, ended)

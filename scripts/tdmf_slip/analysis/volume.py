@@ -17,8 +17,8 @@ from ..library.runner import Runner
 from ..library.section import COORDINATES
 from ..terminal.progress import progress_bar
 from .ball import Ball, ball_of
+from .controlled_gait import check_attracts
 from .fates import STARTS_AT_ONCE, fates
-from .held_gait import check_attracts
 
 BOX: Mapping[str, tuple[float, float]] = {
     "com_height": (0.0, 4.0),
@@ -32,7 +32,7 @@ BOX: Mapping[str, tuple[float, float]] = {
 CONFIDENCE = 0.95
 NORMAL_QUANTILE = 1.959963984540054
 """Of CONFIDENCE, two-sided."""
-MOST_SAMPLES = 100_000_000
+MAX_SAMPLES = 100_000_000
 
 
 @dataclass(frozen=True)
@@ -178,7 +178,7 @@ def volume(
         No gait, no samples, no seed, another ball, or a law that does not keep the gait.
     """
     check_attracts(gait, law)
-    samples = checked_whole("samples", samples, 1, MOST_SAMPLES)
+    samples = checked_whole("samples", samples, 1, MAX_SAMPLES)
     seed = checked_whole("seed", seed, 0, 2**63)
     counts = [min(STARTS_AT_ONCE, samples - done) for done in range(0, samples, STARTS_AT_ONCE)]
     around = ball_of(gait, ball, samples, law)

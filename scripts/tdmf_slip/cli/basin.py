@@ -8,7 +8,7 @@ import click
 
 from ..analysis.axes import AXES
 from ..analysis.ball import CHOICES, Ball
-from ..analysis.fates import MOST_ALONG
+from ..analysis.fates import MAX_ALONG
 from ..analysis.robustness import DISTURBED, robustness
 from ..analysis.volume import volume
 from ..errors import InputError
@@ -46,7 +46,7 @@ from .runner import runner_of
 @click.option(
     "--n",
     "count",
-    type=click.IntRange(2, MOST_ALONG),
+    type=click.IntRange(2, MAX_ALONG),
     default=128,
     show_default=True,
     help="Starts along each axis.",

@@ -9,13 +9,13 @@ from ..analysis.bifurcations import Special
 from ..analysis.branch import Branch
 from ..analysis.curves import continue_curves
 from ..analysis.next_point import SHORTEST_STEP
-from ..analysis.tracing import LARGEST_STEP, MOST_POINTS, continue_branch
+from ..analysis.tracing import LARGEST_STEP, MAX_POINTS, continue_branch
 from ..errors import InputError
 from ..files.whole import check_place
 from ..library.members import check_varied
 from ..library.runner import Runner
 from ..terminal.text import headed, table
-from ..unit.told import Told
+from ..unit.display_units import DisplayUnits
 from ..unit.unit import Fmu, load_fmu
 from .options import (
     FRICTION_OPTION,
@@ -54,7 +54,7 @@ from .runner import runner_of
 )
 @click.option(
     "--points",
-    type=Number(1, MOST_POINTS, whole=True),
+    type=Number(1, MAX_POINTS, whole=True),
     default=1000,
     show_default=True,
     help="Stop after so many gaits, in each direction.",
@@ -118,11 +118,11 @@ def continue_command(
 
         check_place(plot, overview.FORMATS, "--plot")
     runner = runner_of(fmu, parameters, given, model)
-    told = Told(fmu, texts)
+    display = DisplayUnits(fmu, texts)
     if len(spans) == 2:
         if output is not None:
             raise InputError("--output: curves over two parameters have no file; allowed: with one --vary")
-        _curves(runner, spans, points, plot, as_json_object, fmu, told)
+        _curves(runner, spans, points, plot, as_json_object, fmu, display)
         return
     ((name, (begin, end)),) = spans.items()
     branch = continue_branch(
@@ -139,8 +139,8 @@ def continue_command(
     if plot is not None:
         from ..pictures import branch_diagram
 
-        branch_diagram.draw(plot, branch, quantity, told)
-    print(json_text(branch.as_json()) if as_json_object else _branch_text(branch, told))
+        branch_diagram.draw(plot, branch, quantity, display)
+    print(json_text(branch.as_json()) if as_json_object else _branch_text(branch, display))
 
 
 def _curves(
@@ -150,21 +150,21 @@ def _curves(
     plot: Path | None,
     as_json_object: bool,
     fmu: Fmu,
-    told: Told,
+    display: DisplayUnits,
 ) -> None:
     found = continue_curves(runner, spans, max_points=points, progress=True, fmu=fmu)
     if plot is not None:
         from ..pictures import curve_diagram
 
-        curve_diagram.draw(plot, found, spans, told)
+        curve_diagram.draw(plot, found, spans, display)
     if as_json_object:
         print(json_text({"over": list(spans), "curves": [curve.as_json() for curve in found]}))
         return
     for curve in found:
         words = f" {' to '.join(curve.words)}" if curve.words else ""
         print(f"{curve.kind}{words}: {len(curve.points)} points ({curve.began}; {curve.ended})")
-        header = tuple(headed(name, told.unit(name)) for name in spans)
-        scales = [told.factor(name) for name in spans]
+        header = tuple(headed(name, display.unit(name)) for name in spans)
+        scales = [display.factor(name) for name in spans]
         print(table(header, [tuple(f"{v:.10g}" for v in pair) for pair in curve.points * scales]))
 
 
@@ -180,20 +180,22 @@ def span_of(fmu: Fmu, name: str, span: str) -> tuple[float, float]:
     return ends_of(span, fmu.variables[name], f"--vary {name} =")
 
 
-def _branch_text(branch: Branch, told: Told) -> str:
+def _branch_text(branch: Branch, display: DisplayUnits) -> str:
     """Special points as a table, and where the branch begins and ends; then the branches of more strides."""
-    header = ("special point", headed(branch.name, told.unit(branch.name)), "word", "unstable beyond")
-    rows = [_row(branch, special, told) for special in branch.specials]
+    header = ("special point", headed(branch.name, display.unit(branch.name)), "word", "unstable beyond")
+    rows = [_row(branch, special, display) for special in branch.specials]
     stable = sum(gait.stable for gait in branch.gaits)
     strides = f"{branch.strides} stride{'s' if branch.strides > 1 else ''}"
-    first, last = (told.value(branch.name, value) for value in (branch.values[0], branch.values[-1]))
+    first, last = (display.value(branch.name, value) for value in (branch.values[0], branch.values[-1]))
     ends = f"from {first:.8g} ({branch.began}) to {last:.8g} ({branch.ended})"
     lines = [f"{len(branch.gaits)} gaits of {strides}, {stable} of them stable, {ends}"]
-    return "\n".join([*lines, table(header, rows), *(_branch_text(other, told) for other in branch.branches)])
+    return "\n".join(
+        [*lines, table(header, rows), *(_branch_text(other, display) for other in branch.branches)]
+    )
 
 
-def _row(branch: Branch, special: Special, told: Told) -> tuple[str, str, str, str]:
+def _row(branch: Branch, special: Special, display: DisplayUnits) -> tuple[str, str, str, str]:
     words = " to ".join(special.words) if special.words else special.gait.word
     after = branch.gaits[special.index + 1]
     kind = f"{special.kind} ({special.why})" if special.why else special.kind
-    return kind, f"{told.value(branch.name, special.value):.10g}", words, str(after.unstable)
+    return kind, f"{display.value(branch.name, special.value):.10g}", words, str(after.unstable)

@@ -7,7 +7,7 @@ import click
 
 from ..errors import InputError
 from ..files.whole import check_place
-from ..fitting.fitted import MOST_STARTS, STARTS, fit
+from ..fitting.fitted import MAX_STARTS, STARTS, fit
 from ..fitting.result import Fit
 from ..fitting.without import LeftOut
 from ..terminal.text import table
@@ -61,7 +61,7 @@ from .runner import runner_of
 )
 @click.option(
     "--starts",
-    type=Number(1, MOST_STARTS, whole=True),
+    type=Number(1, MAX_STARTS, whole=True),
     default=STARTS,
     show_default=True,
     help="How many fits are made at the most, from gaits all over what varies.",

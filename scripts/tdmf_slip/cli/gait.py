@@ -6,11 +6,11 @@ import click
 
 from ..analysis.targeted import TargetNotMetError, find_gait
 from ..errors import InputError
-from ..library.gait import TOLD, Gait
+from ..library.gait import REPORTED, Gait
 from ..library.measures import MEASURE_UNITS
 from ..library.quantities import quantities_of
 from ..terminal.text import columns, quantity
-from ..unit.told import Told
+from ..unit.display_units import DisplayUnits
 from ..unit.unit import Fmu, load_fmu
 from .options import (
     FRICTION_OPTION,
@@ -77,7 +77,7 @@ def gait_command(
     if as_json_object:
         print(json_text(_target_json(gait, target, names)))
     else:
-        print(_gait_text(gait, fmu, list(target), names, Told(fmu, texts_of(given))))
+        print(_gait_text(gait, fmu, list(target), names, DisplayUnits(fmu, texts_of(given))))
 
 
 def _names(vary: str | None, target: Mapping[str, float]) -> list[str]:
@@ -105,15 +105,19 @@ def _target_json(gait: Gait, target: Mapping[str, float], vary: list[str]) -> di
 
 
 def _gait_text(
-    gait: Gait, fmu: Fmu, target: Sequence[str] = (), vary: Sequence[str] = (), told_in: Told | None = None
+    gait: Gait,
+    fmu: Fmu,
+    target: Sequence[str] = (),
+    vary: Sequence[str] = (),
+    display: DisplayUnits | None = None,
 ) -> str:
-    units = told_in or Told(fmu)
+    units = display or DisplayUnits(fmu)
 
     def of(name: str, value: float) -> str:
         return quantity(units.value(name, value), units.unit(name), 12)
 
     basic = [name for name in target if name in gait.stride and name not in MEASURE_UNITS]
-    told = dict.fromkeys([*TOLD, *basic])
+    reported = dict.fromkeys([*REPORTED, *basic])
     measured = {
         name: quantity(gait.stride[name], of, 12) for name, of in MEASURE_UNITS.items() if name in target
     }
@@ -121,7 +125,7 @@ def _gait_text(
     rows = {
         "word": gait.word,
         "friction": of("ground.friction", gait.friction),
-        **{name: of(f"stride.{name}", gait.stride[name]) for name in told},
+        **{name: of(f"stride.{name}", gait.stride[name]) for name in reported},
         **measured,
         **({"frequency": quantity(1.0 / gait.period, "Hz", 12)} if "frequency" in target else {}),
         **{name: of(name, gait.runner.values[name]) for name in vary},

@@ -9,11 +9,11 @@ from ..analysis.targeted import TargetNotMetError
 from ..errors import InputError
 from ..library.measures import MEASURE_UNITS
 from ..library.quantities import QUANTITIES
-from ..optimization.optimize import MOST_STARTS, STARTS, optimize
-from ..optimization.optimum import Optimum, told
-from ..optimization.pareto import MOST_POINTS, POINTS, Front, pareto_front
+from ..optimization.optimize import MAX_STARTS, STARTS, optimize
+from ..optimization.optimum import Optimum, reported
+from ..optimization.pareto import MAX_POINTS, POINTS, Front, pareto_front
 from ..terminal.text import headed, table
-from ..unit.told import Told
+from ..unit.display_units import DisplayUnits
 from ..unit.unit import Fmu, load_fmu
 from .continuation import span_of
 from .options import (
@@ -58,14 +58,14 @@ UNITS: Mapping[str, str] = {"frequency": "Hz", **MEASURE_UNITS}
 @click.option("--stable", is_flag=True, help="Only gaits whose spectral radius is 0.99 at the most.")
 @click.option(
     "--starts",
-    type=Number(1, MOST_STARTS, whole=True),
+    type=Number(1, MAX_STARTS, whole=True),
     default=STARTS,
     show_default=True,
     help="How many searches are made at the most, from gaits all over the bounds.",
 )
 @click.option(
     "--points",
-    type=Number(2, MOST_POINTS, whole=True),
+    type=Number(2, MAX_POINTS, whole=True),
     default=POINTS,
     show_default=True,
     help="How many runners of a Pareto front.",
@@ -102,7 +102,7 @@ def optimize_command(
     for name in vary:
         refuse_given(given, name, "--vary")
     runner = runner_of(fmu, parameters, given, model)
-    told_in = Told(fmu, texts)
+    display = DisplayUnits(fmu, texts)
     common: dict[str, Any] = {"target": targets_given(targets), "stable": stable, "starts": starts}
     common |= {"progress": True, "fmu": fmu}
     if len(minimize) + len(maximize) > 2:
@@ -110,31 +110,31 @@ def optimize_command(
     try:
         if len(minimize) + len(maximize) == 2:
             front = pareto_front(runner, vary, minimize=minimize, maximize=maximize, points=points, **common)
-            print(json_text(front.as_json()) if as_json_object else _front_text(front, told_in))
+            print(json_text(front.as_json()) if as_json_object else _front_text(front, display))
             return
-        least, most = (next(iter(names), None) for names in (minimize, maximize))
-        best = optimize(runner, vary, minimize=least, maximize=most, **common)
+        minimum, maximum = (next(iter(names), None) for names in (minimize, maximize))
+        best = optimize(runner, vary, minimize=minimum, maximize=maximum, **common)
     except TargetNotMetError as problem:
         if as_json_object:
-            print(json_text({"nearest": told(problem.nearest), "word": problem.nearest.word}))
+            print(json_text({"nearest": reported(problem.nearest), "word": problem.nearest.word}))
         raise
-    print(json_text(best.as_json()) if as_json_object else _text(best, fmu, told_in))
+    print(json_text(best.as_json()) if as_json_object else _text(best, fmu, display))
 
 
-def _text(best: Optimum, fmu: Fmu, told_in: Told) -> str:
+def _text(best: Optimum, fmu: Fmu, display: DisplayUnits) -> str:
     """A table before and after, and what the optimum is."""
     header = ("", "unit", "before", "after", "bound")
     rows = [
         (
             name,
-            told_in.unit(name),
-            f"{told_in.value(name, best.before.runner.values[name]):.9g}",
-            f"{told_in.value(name, value):.9g}",
+            display.unit(name),
+            f"{display.value(name, best.before.runner.values[name]):.9g}",
+            f"{display.value(name, value):.9g}",
             best.active_bounds.get(name, ""),
         )
         for name, value in best.parameters.items()
     ]
-    before, after = told(best.before), told(best.gait)
+    before, after = reported(best.before), reported(best.gait)
     for name, value in after.items():
         variable = None if name in UNITS else fmu.variables.get(f"stride.{name}")
         of = UNITS.get(name, "1") if variable is None else variable.unit
@@ -145,33 +145,33 @@ def _text(best: Optimum, fmu: Fmu, told_in: Told) -> str:
     return f"{table(header, rows)}\n\n{_judgement(best)}"
 
 
-def _front_text(front: Front, told_in: Told) -> str:
+def _front_text(front: Front, display: DisplayUnits) -> str:
     """A row for each runner."""
     names = list(front.optima[0].parameters)
     rows = [
         (
-            *(f"{told(best.gait)[name]:.9g}" for name in front.objectives),
-            *(f"{told_in.value(name, best.parameters[name]):.9g}" for name in names),
+            *(f"{reported(best.gait)[name]:.9g}" for name in front.objectives),
+            *(f"{display.value(name, best.parameters[name]):.9g}" for name in names),
             best.word,
             "yes" if best.stable else "no",
             best.why,
         )
         for best in front.optima
     ]
-    heads = [headed(name, told_in.unit(name)) for name in names]
+    heads = [headed(name, display.unit(name)) for name in names]
     return table((*front.objectives, *heads, "word", "stable", "not shown to be an optimum"), rows)
 
 
 def _judgement(best: Optimum) -> str:
     """In a sentence."""
-    most = "least" if best.is_least else "most"
+    maximum = "least" if best.is_minimum else "most"
     if best.why:
-        return f"the {most} {best.objective} that was found; not shown to be an optimum: {best.why}"
+        return f"the {maximum} {best.objective} that was found; not shown to be an optimum: {best.why}"
     words = " and ".join(best.falls)
     where = f", on the border between {words}, by the gradients of both sides" if best.is_at_border else ""
     limits = f"; kept by {' and '.join(best.limits)}" if best.limits else ""
     scope = "a local optimum" if best.is_local else "the optimum, for no gait can have less,"
-    proved = f"the {most} {best.objective}: {scope} to first order{where}{limits}"
+    proved = f"the {maximum} {best.objective}: {scope} to first order{where}{limits}"
     if best.starts == 1:
         return f"{proved}; one search"
     return f"{proved}; the best of {best.basins} basins that {best.starts} searches came to"

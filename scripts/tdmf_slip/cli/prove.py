@@ -102,23 +102,25 @@ def prove_command(
         if vary is not None:
             raise InputError("--border, --vary: are two ways of asking; allowed: one of them")
     runner = runner_of(load_fmu(), parameters, given)
-    told = {} if parameters is None else {n: _as_written(v) for n, v in read_parameters(parameters).items()}
-    told |= {name: value for name, (_, value) in given.items()}
+    reported = (
+        {} if parameters is None else {n: _as_written(v) for n, v in read_parameters(parameters).items()}
+    )
+    reported |= {name: value for name, (_, value) in given.items()}
     if compare and (border is not None or vary is not None):
         raise InputError("--compare: is of one gait; allowed: without --border and --vary")
     if vary is None and (output is not None or processes is not None):
         raise InputError("--output, --processes: are of use for a range only; allowed: with --vary")
     if border is not None:
-        _prove_borders(runner, told, border, digits, as_json_object)
+        _prove_borders(runner, reported, border, digits, as_json_object)
         return
     if vary is not None:
         if box is not None:
             raise InputError(f"--box {box}: with --vary it is chosen by itself; allowed: without --vary")
-        _prove_range(told, vary, output, processes, as_json_object)
+        _prove_range(reported, vary, output, processes, as_json_object)
         return
     from ..proof.prove import prove  # FLINT is slow to load
 
-    proof = prove(told, box=box, digits=digits)
+    proof = prove(reported, box=box, digits=digits)
     errors = _errors(proof) if compare and proof.proved else {}
     if as_json_object:
         print(json_text({**proof.as_json(), **({"solvers": errors} if errors else {})}))
@@ -140,7 +142,7 @@ def _error_text(errors: dict[str, dict[str, float]]) -> str:
 
 
 def _prove_borders(
-    runner: Runner, told: dict[str, object], border: str, digits: int, as_json_object: bool
+    runner: Runner, reported: dict[str, object], border: str, digits: int, as_json_object: bool
 ) -> None:
     from ..analysis.sweep import sweep
     from ..proof.prove_border import prove_border
@@ -149,7 +151,7 @@ def _prove_borders(
     borders = sweep(runner, {"ground.friction": list(ends)}).borders
     if not borders:
         raise RunError(f"--border {border}: the gaits at both ends have the same word")
-    proofs = [prove_border(one, told, digits=digits) for one in borders]
+    proofs = [prove_border(one, reported, digits=digits) for one in borders]
     if as_json_object:
         print(json_text({"borders": [proof.as_json() for proof in proofs]}))
     else:
@@ -158,7 +160,7 @@ def _prove_borders(
 
 
 def _prove_range(
-    told: dict[str, object], vary: str, output: Path | None, processes: int | None, as_json_object: bool
+    reported: dict[str, object], vary: str, output: Path | None, processes: int | None, as_json_object: bool
 ) -> None:
     from ..proof.prove import prove
 
@@ -166,7 +168,7 @@ def _prove_range(
     begin, colon, end = (part.strip() for part in span.partition(":"))
     if not (equals and colon):
         raise InputError(f"--vary {vary}: allowed: NAME=A:B")
-    proof = prove(told, vary={name: (begin, end)}, output=output, processes=processes, progress=True)
+    proof = prove(reported, vary={name: (begin, end)}, output=output, processes=processes, progress=True)
     digest = None if output is None else hashlib.sha256(output.read_bytes()).hexdigest()
     if as_json_object:
         print(json_text({**proof.as_json(), "sha256": digest}))
@@ -189,14 +191,14 @@ def _as_written(value: object) -> object:
 def _text(proof: "Proof") -> str:
     if not proof.proved:
         return proof.sentence
-    told = proof.as_json()
-    apex = zip(proof.coordinates, told["apex"], strict=True)  # type: ignore[call-overload] # texts
+    reported = proof.as_json()
+    apex = zip(proof.coordinates, reported["apex"], strict=True)  # type: ignore[call-overload] # texts
     rows = {
         "word": proof.word or "empty",
         "stable": {True: "yes", False: "no", None: "undecided"}[proof.stable],
-        **{name: str(told[name]) for name in SHOWN if told[name] is not None},
+        **{name: str(reported[name]) for name in SHOWN if reported[name] is not None},
         **{f"apex.{name}": value for name, value in apex},
-        "eigenvalues": ", ".join(_complex(value) for value in told["eigenvalues"]),  # type: ignore[attr-defined]
+        "eigenvalues": ", ".join(_complex(value) for value in reported["eigenvalues"]),  # type: ignore[attr-defined]
     }
     assumed = "\n".join(f"- {sentence}" for sentence in proof.assumptions)
     return f"{proof.sentence}\n\n{columns(rows)}\n\nAssumed:\n{assumed}"

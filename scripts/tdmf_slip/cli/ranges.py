@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..errors import InputError
-from ..unit.variable import MOST_VALUES, Variable
+from ..unit.variable import MAX_VALUES, Variable
 
 SPACINGS: Mapping[str, Callable[[float, float, int], NDArray[np.float64]]] = {
     "linear": np.linspace,
@@ -68,8 +68,8 @@ def values_of(text: str, spacing: str, variable: Variable, where: str) -> NDArra
         number = int(parts[2])
     except ValueError:
         number = 0
-    if not 1 <= number <= MOST_VALUES:
-        raise InputError(f"{where} {text}: N = {parts[2]}; allowed: a whole number from 1 to {MOST_VALUES}")
+    if not 1 <= number <= MAX_VALUES:
+        raise InputError(f"{where} {text}: N = {parts[2]}; allowed: a whole number from 1 to {MAX_VALUES}")
     ends = _ends(parts[:2], variable, f"{where} {text}")
     if number == 1 and ends[0] != ends[1]:
         raise InputError(

@@ -4,7 +4,7 @@ import math
 
 import click
 
-from ..analysis.first_passage import MOST_RUNNERS, MOST_STRIDES, FirstPassage, strides_to_fall
+from ..analysis.first_passage import MAX_RUNNERS, MAX_STRIDES, FirstPassage, strides_to_fall
 from ..analysis.rare_falls import RareFalls, rare_falls
 from ..analysis.volume import CONFIDENCE
 from ..errors import InputError
@@ -43,7 +43,7 @@ from .runner import runner_of
 )
 @click.option(
     "--runners",
-    type=Number(1, MOST_RUNNERS, whole=True),
+    type=Number(1, MAX_RUNNERS, whole=True),
     default=1000,
     show_default=True,
     metavar="N",
@@ -59,7 +59,7 @@ from .runner import runner_of
 )
 @click.option(
     "--max-strides",
-    type=Number(1, MOST_STRIDES, whole=True),
+    type=Number(1, MAX_STRIDES, whole=True),
     default=10_000,
     show_default=True,
     metavar="M",

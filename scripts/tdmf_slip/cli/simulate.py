@@ -15,7 +15,7 @@ from ..unit.simulation import (
     DEFAULT_STRIDES,
     DEFAULT_TOLERANCE,
     INTERVALS,
-    MOST_STRIDES,
+    MAX_STRIDES,
     ONLY_IN,
     TIMES,
     TOLERANCES,
@@ -53,7 +53,7 @@ SOLVER_TOLERANCE = "solver.relative_tolerance"
 @click.option("--stop-time", type=Number(*TIMES), metavar="SECONDS", help="Stop at this time.")
 @click.option(
     "--strides",
-    type=Number(1, MOST_STRIDES, whole=True),
+    type=Number(1, MAX_STRIDES, whole=True),
     metavar="N",
     help=f"Stop after N strides.  [default: {DEFAULT_STRIDES}, without --stop-time]",
 )

@@ -13,7 +13,7 @@ from ..files.whole import check_place, whole
 from ..library.members import check_varied
 from ..library.runner import Runner
 from ..terminal.text import table
-from ..unit.told import Told
+from ..unit.display_units import DisplayUnits
 from ..unit.unit import FRICTION, Fmu, load_fmu
 from .options import (
     JSON_OPTION,
@@ -131,7 +131,7 @@ def sweep_command(
             "--scheduler, --threads: along one range each gait is found from the one before, nor are they "
             "of use for a single friction; allowed: with two ranges, of --vary or --friction"
         )
-    _row(runner, *next(iter(values.items())), output, plot, as_json_object, Told(fmu, texts))
+    _row(runner, *next(iter(values.items())), output, plot, as_json_object, DisplayUnits(fmu, texts))
 
 
 def _values(fmu: Fmu, name: str, span: str, spacing: str, option: str) -> NDArray[np.float64]:
@@ -148,7 +148,7 @@ def _row(
     output: Path | None,
     plot: Path | None,
     as_json_object: bool,
-    told: Told,
+    display: DisplayUnits,
 ) -> None:
     fmu = load_fmu()
     if output is not None and output.suffix.lower() == NETCDF:
@@ -161,8 +161,8 @@ def _row(
     if plot is not None:
         from ..pictures import branch
 
-        branch.draw(plot, found, fmu, told)
-    print(json_text(found.as_json()) if as_json_object else _sweep_text(found, fmu, told))
+        branch.draw(plot, found, fmu, display)
+    print(json_text(found.as_json()) if as_json_object else _sweep_text(found, fmu, display))
     if found.problem is not None:
         raise RunError(f"{found.problem}; {len(found.gaits)} of {len(values)} gaits were found")
 
@@ -214,10 +214,10 @@ def _headed(name: str, measure: str) -> str:
     return short(name) if measure in ("", "1") else f"{name} ({measure})"
 
 
-def _sweep_text(found: Sweep, fmu: Fmu, told: Told) -> str:
+def _sweep_text(found: Sweep, fmu: Fmu, display: DisplayUnits) -> str:
     rows = [
         (
-            f"{told.value(found.name, value):.6g}",
+            f"{display.value(found.name, value):.6g}",
             gait.word,
             f"{gait.stride['period']:.8g}",
             f"{gait.stride['speed']:.8g}",
@@ -230,7 +230,7 @@ def _sweep_text(found: Sweep, fmu: Fmu, told: Told) -> str:
     ]
     with_units = [f"{name} ({fmu.variables[f'stride.{name}'].unit})" for name in ("period", "speed")]
     header = (
-        _headed(found.name, told.unit(found.name)),
+        _headed(found.name, display.unit(found.name)),
         "word",
         *with_units,
         "cost of transport",
@@ -238,7 +238,7 @@ def _sweep_text(found: Sweep, fmu: Fmu, told: Told) -> str:
         "stable",
     )
     borders = [
-        f"{border.before} to {border.after} at {told.value(found.name, border.value):.10g}"
+        f"{border.before} to {border.after} at {display.value(found.name, border.value):.10g}"
         for border in found.borders
     ]
     return "\n".join([table(header, rows), *borders])

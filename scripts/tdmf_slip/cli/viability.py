@@ -12,7 +12,7 @@ from ..library.members import VARIED
 from ..library.section import MODELS, REDUCED
 from ..terminal.text import columns
 from ..unit.unit import Fmu, load_fmu
-from ..viable_sets.grid import MOST_CELLS, VALUES
+from ..viable_sets.grid import MAX_CELLS, VALUES
 from ..viable_sets.viability import FACTOR, LARGEST_FACTOR, viability
 from .options import (
     FRICTION_OPTION,
@@ -51,7 +51,7 @@ from .runner import runner_of
 @click.option(
     "--n",
     "count",
-    type=Number(2, MOST_CELLS, whole=True),
+    type=Number(2, MAX_CELLS, whole=True),
     default=64,
     show_default=True,
     metavar="N",

@@ -15,7 +15,7 @@ from ..contents import ByContents
 from ..library.gait import Gait
 from ..unit.unit import Fmu
 from .linearization import linearize
-from .modes import FORGOTTEN, Modes, lasting_modes
+from .modes import NEGLIGIBLE, Modes, lasting_modes
 
 RANK_TOLERANCE = 1e-9
 """Singular values below this share of the largest count as 0."""
@@ -29,16 +29,16 @@ class Controllability(ByContents):
     """Those that are chosen at each apex."""
     eigenvalues: NDArray[Any]
     """Of the modes that last, shape (modes,), the largest first; complex where any is."""
-    forgotten: int
+    negligible: int
     """Modes that a stride forgets by itself: of a foot that lands and sticks."""
     rank: int
     """Of the controllability matrix."""
     singular_values: NDArray[np.float64]
     """Of the controllability matrix, shape (modes,), the largest first."""
-    mobility: NDArray[np.float64]
+    modal_controllability: NDArray[np.float64]
     """How far each setting moves each mode in a stride, shape (modes, k): by the mode's left eigenvector of
     length 1."""
-    unmovable: NDArray[Any]
+    uncontrollable: NDArray[Any]
     """Eigenvalues of the modes that no setting moves, shape (modes - rank,)."""
     strides: int | None
     """In so few a dead-beat law moves all modes to the gait; None where some cannot be moved."""
@@ -53,12 +53,12 @@ class Controllability(ByContents):
     @property
     def controllable(self) -> bool:
         """Whether every mode that lasts can be moved."""
-        return not len(self.unmovable)
+        return not len(self.uncontrollable)
 
     @property
     def stabilizable(self) -> bool:
         """Whether every mode that grows can be moved."""
-        return bool(np.all(np.abs(self.unmovable) < 1.0))
+        return bool(np.all(np.abs(self.uncontrollable) < 1.0))
 
     @property
     def conditioning(self) -> float:
@@ -70,17 +70,17 @@ class Controllability(ByContents):
         return {
             "inputs": list(self.inputs),
             "eigenvalues": _pairs(self.eigenvalues),
-            "forgotten": self.forgotten,
+            "negligible": self.negligible,
             "rank": self.rank,
             "singular_values": self.singular_values.tolist(),
-            "mobility": self.mobility.tolist(),
-            "unmovable": _pairs(self.unmovable),
+            "modal_controllability": self.modal_controllability.tolist(),
+            "uncontrollable": _pairs(self.uncontrollable),
             "strides": self.strides,
         }
 
 
 def controllability(
-    gait: Gait, inputs: Sequence[str], *, forgotten: float = FORGOTTEN, fmu: Fmu | None = None
+    gait: Gait, inputs: Sequence[str], *, negligible: float = NEGLIGIBLE, fmu: Fmu | None = None
 ) -> Controllability:
     """What settings that are chosen at each apex can do about a gait's modes.
 
@@ -90,7 +90,7 @@ def controllability(
         The gait.
     inputs : sequence of str
         Which settings, of `linearization.CHOSEN`.
-    forgotten : float, default 1e-5
+    negligible : float, default 1e-5
         Modes whose eigenvalue is smaller are left alone.
     fmu : Fmu, optional
         Whose ranges hold; by default that of `fmu_path`.
@@ -116,7 +116,7 @@ def controllability(
     (3, 3, 2)
     """
     model = linearize(gait, inputs, fmu=fmu)
-    return controllability_of(lasting_modes(model, forgotten), model.inputs)
+    return controllability_of(lasting_modes(model, negligible), model.inputs)
 
 
 def controllability_of(modes: Modes, inputs: tuple[str, ...]) -> Controllability:
@@ -138,15 +138,15 @@ def controllability_of(modes: Modes, inputs: tuple[str, ...]) -> Controllability
     vectors, values, _ = np.linalg.svd(controllability_matrix(modes))
     rank = int(np.count_nonzero(values > RANK_TOLERANCE * values[0]))
     beyond = vectors[:, rank:]
-    unmovable: NDArray[Any] = np.linalg.eigvals(beyond.T @ modes.state_matrix @ beyond)
+    uncontrollable: NDArray[Any] = np.linalg.eigvals(beyond.T @ modes.state_matrix @ beyond)
     return Controllability(
         inputs=inputs,
         eigenvalues=eigenvalues,
-        forgotten=len(modes.directions) - modes.count,
+        negligible=len(modes.directions) - modes.count,
         rank=rank,
         singular_values=values,
-        mobility=np.abs(left.conj().T @ modes.input_matrix),
-        unmovable=unmovable,
+        modal_controllability=np.abs(left.conj().T @ modes.input_matrix),
+        uncontrollable=uncontrollable,
         strides=_strides(modes) if rank == modes.count else None,
     )
 

@@ -34,15 +34,15 @@ def dead_beat_gain(
         F and G are not controllable.
     """
     count = len(state_matrix)
-    least_moved = TOLERANCE * float(np.linalg.norm(input_matrix, 2))
-    least_kept = TOLERANCE * float(np.linalg.norm(state_matrix, 2))
+    min_moved = TOLERANCE * float(np.linalg.norm(input_matrix, 2))
+    min_kept = TOLERANCE * float(np.linalg.norm(state_matrix, 2))
     reached = np.zeros((count, 0))
     gain = np.zeros((input_matrix.shape[1], count))
     while reached.shape[1] < count:
         outside = _complement(reached)
-        moved, values, by = _decomposed(outside.T @ input_matrix, least_moved)
+        moved, values, by = _decomposed(outside.T @ input_matrix, min_moved)
         kept = state_matrix.T @ outside @ _complement(moved)
-        directions, _, _ = _decomposed(kept, least_kept)
+        directions, _, _ = _decomposed(kept, min_kept)
         added = _added(_complement(directions), reached)
         if not added.shape[1]:
             raise ArithmeticError("the modes are not controllable")
@@ -53,11 +53,11 @@ def dead_beat_gain(
 
 
 def _decomposed(
-    matrix: NDArray[np.float64], least: float
+    matrix: NDArray[np.float64], minimum: float
 ) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
     """The singular values of a matrix above a bound, with their vectors."""
     left, values, right = np.linalg.svd(matrix, full_matrices=False)
-    rank = int(np.count_nonzero(values > least))
+    rank = int(np.count_nonzero(values > minimum))
     return left[:, :rank], values[:rank], right[:rank]
 
 

@@ -19,7 +19,7 @@ from .controllability import Controllability, controllability_of
 from .dead_beat_gain import dead_beat_gain
 from .feedback import Feedback, Limits, feedback_of
 from .linearization import Linearization, linearize
-from .modes import FORGOTTEN, Modes, lasting_modes
+from .modes import NEGLIGIBLE, Modes, lasting_modes
 
 
 def dead_beat(
@@ -27,7 +27,7 @@ def dead_beat(
     inputs: Sequence[str],
     *,
     limits: Limits | None = None,
-    forgotten: float = FORGOTTEN,
+    negligible: float = NEGLIGIBLE,
     fmu: Fmu | None = None,
 ) -> Feedback:
     """The feedback that brings a runner back to its gait in the fewest strides, to first order.
@@ -44,7 +44,7 @@ def dead_beat(
         Which settings are chosen at each apex, of `linearization.CHOSEN`.
     limits : mapping of str to (float, float), optional
         By setting: the least and the largest value, in its unit; by default its range.
-    forgotten : float, default 1e-5
+    negligible : float, default 1e-5
         Modes whose eigenvalue is smaller are left alone: 0.05 leaves a mode that a stride shrinks to a
         twentieth, and spares the settings what it would take to move it.
     fmu : Fmu, optional
@@ -71,13 +71,13 @@ def dead_beat(
     (2, True)
     """
     model = linearize(gait, inputs, fmu=fmu)
-    modes = lasting_modes(model, forgotten)
-    told = _movable(modes, model)
+    modes = lasting_modes(model, negligible)
+    reported = _movable(modes, model)
     try:
         gain = dead_beat_gain(modes.state_matrix, modes.input_matrix)
     except ArithmeticError:
-        raise _not_movable(model, told.eigenvalues) from None
-    return feedback_of(model, modes.gain_of(model, gain), limits, strides=told.strides, fmu=fmu)
+        raise _not_movable(model, reported.eigenvalues) from None
+    return feedback_of(model, modes.gain_of(model, gain), limits, strides=reported.strides, fmu=fmu)
 
 
 def place_poles(
@@ -86,7 +86,7 @@ def place_poles(
     eigenvalues: Sequence[complex] | NDArray[Any],
     *,
     limits: Limits | None = None,
-    forgotten: float = FORGOTTEN,
+    negligible: float = NEGLIGIBLE,
     fmu: Fmu | None = None,
 ) -> Feedback:
     """The feedback whose closed loop has eigenvalues that are chosen, by `scipy.signal.place_poles`.
@@ -102,7 +102,7 @@ def place_poles(
         independent.
     limits : mapping of str to (float, float), optional
         By setting: the least and the largest value, in its unit; by default its range.
-    forgotten : float, default 1e-5
+    negligible : float, default 1e-5
         Modes whose eigenvalue is smaller are left alone.
     fmu : Fmu, optional
         Whose ranges hold; by default that of `fmu_path`.
@@ -130,9 +130,9 @@ def place_poles(
     from scipy.signal import place_poles as place  # slow to load
 
     model = linearize(gait, inputs, fmu=fmu)
-    modes = lasting_modes(model, forgotten)
-    told = _movable(modes, model)
-    wanted = _checked_eigenvalues(eigenvalues, told)
+    modes = lasting_modes(model, negligible)
+    reported = _movable(modes, model)
+    wanted = _checked_eigenvalues(eigenvalues, reported)
     try:
         placed = place(modes.state_matrix, modes.input_matrix, wanted)
     except ValueError as problem:
@@ -241,10 +241,10 @@ def riccati_gain(
 
 def _movable(modes: Modes, model: Linearization) -> Controllability:
     """What is told of the modes, all of which can be moved."""
-    told = controllability_of(modes, model.inputs)
-    if not told.controllable:
-        raise _not_movable(model, told.unmovable)
-    return told
+    reported = controllability_of(modes, model.inputs)
+    if not reported.controllable:
+        raise _not_movable(model, reported.uncontrollable)
+    return reported
 
 
 def _not_movable(model: Linearization, eigenvalues: NDArray[Any]) -> InputError:
@@ -254,8 +254,8 @@ def _not_movable(model: Linearization, eigenvalues: NDArray[Any]) -> InputError:
     )
 
 
-def _checked_eigenvalues(given: object, told: Controllability) -> NDArray[Any]:
-    count = len(told.eigenvalues)
+def _checked_eigenvalues(given: object, reported: Controllability) -> NDArray[Any]:
+    count = len(reported.eigenvalues)
     try:
         wanted = np.asarray(given, complex)
     except (TypeError, ValueError):
@@ -263,7 +263,7 @@ def _checked_eigenvalues(given: object, told: Controllability) -> NDArray[Any]:
     if wanted.shape != (count,) or not np.isfinite(wanted).all():
         raise InputError(
             f"eigenvalues = {reprlib.repr(given)} is not allowed; allowed: {count} numbers, one for each "
-            f"mode that lasts, which are {_listed(told.eigenvalues)} without feedback"
+            f"mode that lasts, which are {_listed(reported.eigenvalues)} without feedback"
         )
     pairs = np.sort_complex(wanted)
     if not np.allclose(pairs, np.sort_complex(pairs.conj()), rtol=0.0, atol=1e-14):
@@ -277,11 +277,11 @@ def _listed(values: NDArray[Any]) -> str:
     return ", ".join(f"{value:.4g}" for value in values)
 
 
-def _weight(name: str, given: ArrayLike, count: int, least: float) -> NDArray[np.float64]:
+def _weight(name: str, given: ArrayLike, count: int, minimum: float) -> NDArray[np.float64]:
     """A weight as a symmetric matrix."""
     allowed = (
         f"a number, {count} of them, or a symmetric matrix of {count} by {count}, "
-        f"{'none negative' if least == 0.0 else 'positive'}"
+        f"{'none negative' if minimum == 0.0 else 'positive'}"
     )
     if not is_number(given):
         check_row(given, name, allowed)
@@ -293,7 +293,7 @@ def _weight(name: str, given: ArrayLike, count: int, least: float) -> NDArray[np
         weight = np.diag(np.broadcast_to(weight, count))
     sound = weight.shape == (count, count) and np.isfinite(weight).all() and np.allclose(weight, weight.T)
     rounding = 1e-12 * np.abs(weight).max() if sound else 0.0
-    if not sound or np.linalg.eigvalsh(weight)[0] < least - (rounding if least == 0.0 else 0.0):
-        told = " ".join(reprlib.repr(given).split())
-        raise InputError(f"{name} = {told} is not allowed; allowed: {allowed}")
+    if not sound or np.linalg.eigvalsh(weight)[0] < minimum - (rounding if minimum == 0.0 else 0.0):
+        reported = " ".join(reprlib.repr(given).split())
+        raise InputError(f"{name} = {reported} is not allowed; allowed: {allowed}")
     return weight

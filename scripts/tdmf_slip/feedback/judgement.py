@@ -19,7 +19,7 @@ from ..terminal.progress import progress_bar
 
 SAMPLES = 4000
 """Starts drawn for the region of attraction."""
-RUNNERS, MOST_STRIDES = 256, 400
+RUNNERS, MAX_STRIDES = 256, 400
 """On rough ground."""
 
 
@@ -70,7 +70,7 @@ def judge(
     Returns
     -------
     Judgement
-        By `SAMPLES` starts, and `RUNNERS` runners of up to `MOST_STRIDES` strides each.
+        By `SAMPLES` starts, and `RUNNERS` runners of up to `MAX_STRIDES` strides each.
 
     Raises
     ------
@@ -129,7 +129,7 @@ def _judged(trial: Trial) -> Judgement:
                 roughness,
                 RUNNERS,
                 trial.seed,
-                MOST_STRIDES,
+                MAX_STRIDES,
                 gait=trial.gait,
                 law=trial.law,
                 threads=1,

@@ -133,8 +133,8 @@ def linearize(gait: Gait, inputs: Sequence[str], *, fmu: Fmu | None = None) -> L
         setting_scales=np.array([_scale(runner, fmu.variables[name].unit) for name in names]),
     )
     moved = np.max(np.abs(model.scaled_input_matrix), axis=0)
-    for name, most in zip(names, moved, strict=True):
-        if most <= IDLE:
+    for name, maximum in zip(names, moved, strict=True):
+        if maximum <= IDLE:
             raise InputError(
                 f"inputs: {name} does not act at this gait: it does not change the next apex; "
                 "allowed: inputs that do"

@@ -16,7 +16,7 @@ from ..contents import ByContents
 from ..errors import InputError
 from .linearization import Linearization
 
-FORGOTTEN = 1e-5
+NEGLIGIBLE = 1e-5
 """A mode that a stride leaves less of is left alone."""
 
 
@@ -55,14 +55,14 @@ class Modes(ByContents):
         return on_apex * model.setting_scales[:, None] / model.scales
 
 
-def lasting_modes(model: Linearization, forgotten: float = FORGOTTEN) -> Modes:
+def lasting_modes(model: Linearization, negligible: float = NEGLIGIBLE) -> Modes:
     """The modes that are to be moved.
 
     Parameters
     ----------
     model : Linearization
         The gait and its settings.
-    forgotten : float, default 1e-5
+    negligible : float, default 1e-5
         Modes whose eigenvalue is smaller are left alone; at least 1e-9, which rounding may leave of 0.
 
     Returns
@@ -77,14 +77,14 @@ def lasting_modes(model: Linearization, forgotten: float = FORGOTTEN) -> Modes:
     """
     from scipy.linalg import schur  # slow to load
 
-    if not is_number(forgotten) or not 1e-9 <= forgotten < 1.0:
-        raise InputError(f"forgotten = {forgotten!r} is not allowed; allowed: 1e-9 to below 1")
+    if not is_number(negligible) or not 1e-9 <= negligible < 1.0:
+        raise InputError(f"forgotten = {negligible!r} is not allowed; allowed: 1e-9 to below 1")
 
     def lasts(real: float, imaginary: float = 0.0) -> bool:
-        return abs(complex(real, imaginary)) > forgotten
+        return abs(complex(real, imaginary)) > negligible
 
     transposed, vectors, count = schur(model.scaled_state_matrix.T, output="real", sort=lasts)
     if not count:
-        raise InputError(f"forgotten = {forgotten:g}: no mode of this gait lasts longer; allowed: less")
+        raise InputError(f"forgotten = {negligible:g}: no mode of this gait lasts longer; allowed: less")
     directions = vectors[:, :count]
     return Modes(directions, transposed[:count, :count].T, directions.T @ model.scaled_input_matrix)

@@ -92,9 +92,9 @@ def same_values(
     bool
         True where none differs.
     """
-    least = rounding or {}
+    minimum = rounding or {}
     return all(
-        _close(found[name].values, wanted[name].values, relative, least.get(str(name), 0.0))
+        _close(found[name].values, wanted[name].values, relative, minimum.get(str(name), 0.0))
         for name in wanted.data_vars
     )
 

@@ -17,7 +17,7 @@ from .problem import FIRST_STEP, Problem
 
 WEIGHT = 1e3
 """Of what a stride leaves over, over the coordinates' scales, beside residuals over their errors."""
-MOST_STEPS, CHANGE = 100, 1e-6
+MAX_STEPS, CHANGE = 100, 1e-6
 """Of the search, and of its sum of squares and unknowns where it ends."""
 
 
@@ -137,7 +137,7 @@ def cross(
             ftol=CHANGE,
             xtol=CHANGE,
             gtol=CHANGE,
-            max_nfev=MOST_STEPS,
+            max_nfev=MAX_STEPS,
         )
         reached = across.unknowns(found.x)
         values = problem.values(reached)

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from ..errors import RunError
 from .identifiability import Identified, identified
 from .measurements import Measurements
-from .problem import FIRST_STEP, MOST_STRIDES, Problem, bounds_of
+from .problem import FIRST_STEP, MAX_STRIDES, Problem, bounds_of
 from .profile import End, Profile
 from .request import Request
 from .result import CONFIDENCE, QUANTILE, UNLIKELY, Estimate, Fit, Residual
@@ -27,9 +27,9 @@ class Conclusion:
         """What was asked, the problem with its gaits, where its search ended, and the number of searches."""
         self.request, self.problem, self.found, self.starts = request, problem, found, starts
         is_there = problem.is_linear_at(found.at)
-        self.strides = problem.happenings.strides
+        self.strides = problem.log.strides
         self.is_spent = problem.is_spent
-        self.happened = replace(problem.happenings, words=[[*words] for words in problem.happenings.words])
+        self.log = replace(problem.log, words=[[*words] for words in problem.log.words])
         problem.grant()
         self.jacobian = problem.jacobian(found.at)
         self.apexes, self.words = tuple(problem.apexes()), tuple(problem.words())
@@ -77,7 +77,7 @@ class Conclusion:
         weighted = weights_of(self.residuals, request.robust)[:, None] * self.jacobian
         known = identified(weighted / FIRST_STEP, labels, problem.scales, QUANTILE)
         covariance = self.scale**2 * known.covariance * np.outer(problem.scales, problem.scales)
-        spreads = np.where(known.told, np.sqrt(np.diag(covariance)), np.inf)
+        spreads = np.where(known.reported, np.sqrt(np.diag(covariance)), np.inf)
         intervals, trouble = self._intervals(known)
         count = request.measurements.count
         return Fit(
@@ -110,7 +110,7 @@ class Conclusion:
         """Ends of those that are by the profile likelihood, in the parameters' units; and what came of it."""
         problem, names = self.problem, self.request.profiled
         found: list[tuple[float, float, str] | None] = [None] * len(problem.parameters)
-        wanted = [k for k, of in enumerate(problem.parameters) if of.name in names and known.told[k]]
+        wanted = [k for k, of in enumerate(problem.parameters) if of.name in names and known.reported[k]]
         if not wanted or not self.converged:
             return found, []
         problem.grant()
@@ -122,7 +122,7 @@ class Conclusion:
             known.covariance / FIRST_STEP**2,
             self.quantile**2,
         )
-        linear, noted = [], []
+        linear, recorded = [], []
         for k in wanted:
             try:
                 ends = profile.interval(k)
@@ -134,10 +134,14 @@ class Conclusion:
                 break
             found[k] = self._in_units(k, ends)
             if any(end.why == "gaits" for end in ends):
-                noted.append(f"the interval of {problem.parameters[k].label} ends where no gaits are found")
+                recorded.append(
+                    f"the interval of {problem.parameters[k].label} ends where no gaits are found"
+                )
         if linear:
-            noted.append(f"the profile likelihood was not followed: linear intervals of {', '.join(linear)}")
-        return found, noted
+            recorded.append(
+                f"the profile likelihood was not followed: linear intervals of {', '.join(linear)}"
+            )
+        return found, recorded
 
     def _in_units(self, number: int, ends: tuple[End, End]) -> tuple[float, float, str]:
         step, begin = self.problem.steps[number], self.problem.begin[number]
@@ -146,10 +150,10 @@ class Conclusion:
 
     def _notes(self) -> Iterator[str]:
         """What happened, and what the fit should be read with."""
-        happenings, found = self.happened, self.found
+        log, found = self.log, self.found
         if self.is_spent:
             yield (
-                f"the search was ended after {self.strides:,} strides ({MOST_STRIDES:,} are "
+                f"the search was ended after {self.strides:,} strides ({MAX_STRIDES:,} are "
                 "allowed): its values are not the best ones; are the data in the units that their titles say?"
             )
         if not found.ended:
@@ -171,14 +175,14 @@ class Conclusion:
         for parameter, side in zip(self.problem.parameters, found.at_bound, strict=True):
             if side:
                 yield f"{parameter.label} is at the {'lower' if side < 0 else 'upper'} end of its range"
-        for row, words in enumerate(happenings.words, start=1):
+        for row, words in enumerate(log.words, start=1):
             if len(words) > 1:
                 yield f"the word of row {row} changed on the way: {', '.join(words)}"
         if found.on_border:
             yield "the sum of squares is least on a border between words, where it has a kink"
-        if happenings.lost:
-            yield f"{happenings.lost} of the tries led where a row has no gait, and were made shorter"
-        if happenings.crossed:
+        if log.lost:
+            yield f"{log.lost} of the tries led where a row has no gait, and were made shorter"
+        if log.crossed:
             yield "the search went on across a fold, where gaits turn back"
 
 

@@ -30,7 +30,7 @@ from .search import Bounds, Ended, searched
 from .starts import starts as starts_of
 from .varied_names import check_names, checked_names, profiled_names
 
-STARTS, MOST_STARTS = 1, 100
+STARTS, MAX_STARTS = 1, 100
 AGAIN = 3
 """Fits that are begun anew where a profile has led to a better one."""
 
@@ -57,7 +57,7 @@ def fit(
     exact derivatives of the gaits. Intervals are of 95 % confidence, by the profile likelihood: a parameter
     is held, all others are fitted anew, and the interval ends where the sum of squares has risen by 3.84. The
     errors of the data are taken as known standard errors, unless `scale_errors` says that their ratios alone
-    are known. A search that has made `problem.MOST_STRIDES` strides ends where it is, and a note says so.
+    are known. A search that has made `problem.MAX_STRIDES` strides ends where it is, and a note says so.
 
     Parameters
     ----------
@@ -137,7 +137,7 @@ def fit(
         robust=bool(robust),
         scale_errors=bool(scale_errors),
         profiled=profiled,
-        starts=checked_whole("starts", starts, 1, MOST_STARTS),
+        starts=checked_whole("starts", starts, 1, MAX_STARTS),
         ranges={
             name: (loaded.variables[name].minimum, loaded.variables[name].maximum)
             for name in (*shared, *each)
@@ -207,7 +207,7 @@ def fitted_from(
         except RunError:
             continue
         best = tried if tried[1].loss < best[1].loss else best
-    return _told(request, *best, count)
+    return _reported(request, *best, count)
 
 
 def _begun(request: Request, first: Gait, strides_made: Callable[[int], object]) -> tuple[Problem, Ended]:
@@ -238,10 +238,10 @@ def concluded(request: Request, problem: Problem, begin: NDArray[np.float64]) ->
     RunError
         A gait has no derivatives.
     """
-    return _told(request, problem, _found(request, problem, begin), 1)
+    return _reported(request, problem, _found(request, problem, begin), 1)
 
 
-def _told(request: Request, problem: Problem, found: Ended, starts: int) -> Fit:
+def _reported(request: Request, problem: Problem, found: Ended, starts: int) -> Fit:
     """With intervals; begun anew where a profile has led to a better fit."""
     for _ in range(AGAIN):
         try:
@@ -255,7 +255,7 @@ def _found(request: Request, problem: Problem, begin: NDArray[np.float64]) -> En
     """By a search and, where it is not met, across the folds near it."""
     bounds = bounds_of(problem, request.ranges)
     found = searched(problem, begin, bounds, request.robust)
-    if problem.happenings.lost and not problem.is_spent and not is_met(found.loss, request):
+    if problem.log.lost and not problem.is_spent and not is_met(found.loss, request):
         found = _crossed(request, problem, found, bounds)
     if not problem.is_spent and np.isfinite(found.loss):
         found = past_kinks(problem, found, bounds, request.robust)
@@ -269,7 +269,7 @@ def _crossed(request: Request, problem: Problem, ended: Ended, bounds: Bounds) -
     if begin is not None:
         found = searched(problem, begin, bounds, request.robust)
         if found.loss < ended.loss:
-            problem.happenings.crossed = True
+            problem.log.crossed = True
             return found
         problem.restart(ended.at, apexes)
     return ended

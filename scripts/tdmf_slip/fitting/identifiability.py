@@ -54,7 +54,7 @@ class Identified(ByContents):
 
     covariance: NDArray[np.float64]
     """Of the parameters over their scales, shape (p, p), of what is told of them."""
-    told: NDArray[np.bool_]
+    reported: NDArray[np.bool_]
     """Which parameters have no part in what is not told at all, shape (p,)."""
     unidentified: tuple[Combination, ...]
     """What is not told at all first."""
@@ -90,7 +90,7 @@ def identified(
     badly = ~none & (quantile * spreads > 1.0)
     return Identified(
         covariance=inverse.T @ inverse,
-        told=np.all(np.abs(directions[none]) < SMALL, axis=0),
+        reported=np.all(np.abs(directions[none]) < SMALL, axis=0),
         unidentified=(
             *(_combination(direction, labels, scales, np.inf, SMALL) for direction in unseen),
             *(
@@ -121,11 +121,11 @@ def _combination(
     labels: Sequence[str],
     scales: NDArray[np.float64],
     standard_error: float,
-    least: float,
+    minimum: float,
 ) -> Combination:
     """With the largest member first, whose change is 1."""
     shares = np.round(direction / direction[np.argmax(np.abs(direction))], 9)
-    order = [int(k) for k in np.argsort(-np.abs(shares), kind="stable") if abs(shares[k]) >= least]
+    order = [int(k) for k in np.argsort(-np.abs(shares), kind="stable") if abs(shares[k]) >= minimum]
     return Combination(
         members={labels[k]: float(shares[k]) for k in order},
         changes={labels[k]: float(shares[k] * scales[k]) for k in order},

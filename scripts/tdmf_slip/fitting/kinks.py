@@ -1,6 +1,6 @@
 """A search that has ended on a kink: where words of gaits change, their quantities have one.
 
-There a sum of squares may be least without being level. With gradients of the pieces that meet, it is least
+There a sum of squares may be least without being level. With gradients of the regions that meet, it is least
 where a mean of them, with weights that are not negative, is zero; else their shortest mean, in the metric of
 the Gauss-Newton method, leads down along the kink (Lemarechal 1975; Wolfe 1975, Mathematical Programming
 Study 3, 145-173).
@@ -16,10 +16,10 @@ from ..errors import RunError
 from .problem import Problem
 from .search import Bounds, Ended, is_stationary, loss_of, searched, weights_of
 
-ROUNDS, PIECES = 12, 8
+ROUNDS, REGIONS = 12, 8
 """Searches that go on, and gradients at one place, at the most."""
 ASIDE = 1e-4
-"""Of an unknown: how far aside another piece is looked at."""
+"""Of an unknown: how far aside another region is looked at."""
 SHORTEST = 1e-4
 """Of a step."""
 LEVEL = 1e-4
@@ -57,7 +57,7 @@ def past_kinks(problem: Problem, ended: Ended, bounds: Bounds, robust: bool) -> 
             step = walk.step(ended)
         except (RunError, np.linalg.LinAlgError):
             break
-        if step.is_least:
+        if step.is_minimum:
             return replace(ended, ended=True, on_border=True)
         if step.to is None:
             break
@@ -74,7 +74,7 @@ class _Step(ByContents):
     """Where to go on."""
 
     to: NDArray[np.float64] | None
-    is_least: bool
+    is_minimum: bool
 
 
 class _Walk:
@@ -89,7 +89,7 @@ class _Walk:
         gradient, square = self._slopes(ended.at, free)
         inverse: NDArray[np.float64] = np.asarray(np.linalg.pinv(square, hermitian=True), dtype=np.float64)
         gradients = [gradient]
-        for _ in range(PIECES):
+        for _ in range(REGIONS):
             mean = _shortest(np.array(gradients), inverse)
             down, promised = -inverse @ mean, float(mean @ inverse @ mean)
             if promised <= LEVEL:

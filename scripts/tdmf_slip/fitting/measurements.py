@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from ..analysis.targeted import LEAST, MOST
+from ..analysis.targeted import MAXIMUM, MINIMUM
 from ..checks import check_kind, near_matches
 from ..contents import ByContents
 from ..errors import InputError, reason
@@ -32,7 +32,7 @@ DATA = Path(__file__).parent / "data"
 NOTHING = ("nan", "None", "<NA>")
 """What a table in memory has where nothing was measured."""
 SMALLEST_ERROR = 1e-12
-"""Over the value, or over `LEAST` where that is less: it is beyond what a gait is computed to."""
+"""Over the value, or over `MINIMUM` where that is less: it is beyond what a gait is computed to."""
 COMMENT = "#"
 """Lines that begin with it are skipped: they say where the data come from."""
 
@@ -224,19 +224,19 @@ def _rows(columns: Sequence[str], cells: Sequence[Sequence[str]], where: str) ->
 
 def _pair(name: str, value: str, error: str, here: str) -> tuple[float, float]:
     """A quantity and its error."""
-    high = 1.0 if name == "duty_factor" else MOST
+    high = 1.0 if name == "duty_factor" else MAXIMUM
     measured = _number(value)
-    low = -MOST if name in SIGNED else 0.0
+    low = -MAXIMUM if name in SIGNED else 0.0
     if not low <= measured <= high:
         raise InputError(
             f"{here}: {name} = {value or 'nothing'} is not allowed; allowed: a number {low:g} to {high:g}"
         )
     spread = _number(error)
-    least = SMALLEST_ERROR * max(abs(measured), LEAST)
-    if not least <= spread <= MOST:
+    minimum = SMALLEST_ERROR * max(abs(measured), MINIMUM)
+    if not minimum <= spread <= MAXIMUM:
         raise InputError(
             f"{here}: {name}{ERROR} = {error or 'nothing'} is not allowed; allowed: a standard error "
-            f"above 0, {least:.3g} to {MOST:g}"
+            f"above 0, {minimum:.3g} to {MAXIMUM:g}"
         )
     return measured, spread
 

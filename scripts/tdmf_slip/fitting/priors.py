@@ -43,16 +43,16 @@ def checked_priors(given: object, each: Sequence[str], fmu: Fmu) -> tuple[Prior,
         where = f"priors {name}"
         if name in each:
             raise InputError(f"{where}: each row has its own; allowed: a parameter that all rows share")
-        told = row_of(pair, where, "a value and its standard error")
-        if len(told) != 2:
+        reported = row_of(pair, where, "a value and its standard error")
+        if len(reported) != 2:
             raise InputError(
                 f"{where} = {shown(pair)} is not allowed; allowed: a value and its standard error"
             )
-        value = float(fmu.variables[name].value_of(told[0], where))
-        error = _error(told[1])
+        value = float(fmu.variables[name].value_of(reported[0], where))
+        error = _error(reported[1])
         if error is None:
             raise InputError(
-                f"{where}: error {shown(told[1])} is not allowed; allowed: a standard error above 0"
+                f"{where}: error {shown(reported[1])} is not allowed; allowed: a standard error above 0"
             )
         priors.append(Prior(name, value, error))
     return tuple(priors)

@@ -17,8 +17,8 @@ from ..library.quantities import scales_of
 from ..library.runner import Runner
 from ..library.varied_gait import VariedGait, varied_gait
 from ..library.varied_stride import PlainStride, plain_stride
-from .happenings import Happenings
 from .measurements import Measurements
+from .search_log import SearchLog
 from .unknowns import Parameter, Prior
 
 FIRST_STEP = 0.1
@@ -28,7 +28,7 @@ CLOSED = 1e-11
 FAR = 1e3
 """Of a parameter's scale: an end of its range that is farther away is no bound, as SciPy's search scales the
 parameters by how far their bounds are."""
-MOST_STRIDES = 20_000
+MAX_STRIDES = 20_000
 """Of all rows in a fit: nearly thirty times what the data that come with the package take."""
 STRIDES_OF_SEARCH = 50
 """So many a search for a gait by Newton's method is counted for: how many it made is not told."""
@@ -93,7 +93,7 @@ class Problem:
         self._of_priors = [shared.index(prior.name) for prior in priors]
         self.count = measurements.count + len(self.priors)
         self._granted = 0
-        self.happenings = Happenings(words=[[first.word] for _ in self.rows])
+        self.log = SearchLog(words=[[first.word] for _ in self.rows])
         start = varied_gait(self.runner, first.apex, (), self.vary)
         own = np.array([self.runner.values[name] for name in self.vary])
         self._bases = [_Place(first.apex, start, own)] * count
@@ -105,15 +105,15 @@ class Problem:
     @property
     def is_spent(self) -> bool:
         """Whether no further stride is to be made: the search then ends where it is."""
-        return self.happenings.strides >= self._granted + MOST_STRIDES
+        return self.log.strides >= self._granted + MAX_STRIDES
 
     def grant(self) -> None:
         """As many strides once more, for what follows the search."""
-        self._granted = self.happenings.strides
+        self._granted = self.log.strides
 
     def count_strides(self, count: int) -> None:
         """Note strides that were made for this fit."""
-        self.happenings.strides += count
+        self.log.strides += count
         self._strides_made(count)
 
     def values(self, unknowns: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -145,7 +145,7 @@ class Problem:
         try:
             gaits = [self._gait(values, row) for row in range(len(self.rows))]
         except (InputError, RunError):
-            self.happenings.lost += 1
+            self.log.lost += 1
             return np.full(self.count, np.inf)
         self._tried = np.array(unknowns), gaits
         return np.concatenate(
@@ -216,8 +216,8 @@ class Problem:
             varied = self._varied(values, number, apex)
             self._bases[number] = _Place(apex, varied, values[self.columns[number]])
             self._words[number] = stride.word
-            if stride.word not in self.happenings.words[number]:
-                self.happenings.words[number].append(stride.word)
+            if stride.word not in self.log.words[number]:
+                self.log.words[number].append(stride.word)
             block = np.zeros((len(row), len(self.parameters)))
             block[:, self.columns[number]] = varied.by_parameters
             rows.append(block / np.array([measured.error for measured in row.values()])[:, None])

@@ -103,7 +103,7 @@ class Profile:
             far = min(step, side * (bound - begin))
             if far <= inside[0]:
                 return End(bound, "range")
-            found = self._held(number, begin + side * far, seen)
+            found = self._constrained(number, begin + side * far, seen)
             if found is None:
                 step, why = 0.5 * (inside[0] + far), "gaits"
                 if far - inside[0] < MET * far:
@@ -146,7 +146,7 @@ class Profile:
             raise BetterFitError(found.at)
         return float(np.sqrt(max(rise, 0.0)))
 
-    def _held(self, number: int, value: float, seen: NDArray[np.float64]) -> Ended | None:
+    def _constrained(self, number: int, value: float, seen: NDArray[np.float64]) -> Ended | None:
         """The others fitted while one is held, from where they are predicted; None where no gaits are."""
         moved = value - seen[number]
         along = self.covariance[:, number] / (self.covariance[number, number] or 1.0)

@@ -237,7 +237,7 @@ class Fit(ByContents, Drawable):
         return [
             f"chi square {self.chi_square:.6g} with {self.degrees_of_freedom} degrees of freedom{chance}; "
             f"words {', '.join(dict.fromkeys(self.words))}",
-            *(told_of(combination) for combination in self.unidentified),
+            *(reported_of(combination) for combination in self.unidentified),
             *self.notes,
         ]
 
@@ -247,7 +247,7 @@ PARAMETER_HEADER = ("parameter", "value", "low", "high")
 RESIDUAL_HEADER = ("row", "quantity", "measured", "error", "fitted", "residual / error")
 
 
-def told_of(combination: Combination) -> str:
+def reported_of(combination: Combination) -> str:
     """A combination that the data do not tell, in a sentence."""
     alone = len(combination.members) == 1
     if np.isinf(combination.standard_error):

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from ..contents import ByContents
 from .problem import Problem
 
-MOST_STEPS = 60
+MAX_STEPS = 60
 """Tries of the search."""
 CHANGE = 1e-9
 """Of the sum of squares, of the unknowns, and of the slope: where the search ends."""
@@ -101,7 +101,7 @@ def searched(
         ftol=change,
         xtol=change,
         gtol=change,
-        max_nfev=MOST_STEPS,
+        max_nfev=MAX_STEPS,
         loss="huber" if robust else "linear",
         f_scale=HUBER if robust else 1.0,
     )
@@ -148,5 +148,5 @@ def is_stationary(ended: Ended, jacobian: NDArray[np.float64], robust: bool) -> 
     sizes[sizes == 0.0] = 1.0
     left = -(residuals @ slopes) / sizes
     outwards = left * ended.at_bound > 0.0
-    most = max(STATIONARY, ROUNDING * float(np.linalg.norm(residuals)))
-    return bool(np.all(outwards | (np.abs(left) <= most)))
+    maximum = max(STATIONARY, ROUNDING * float(np.linalg.norm(residuals)))
+    return bool(np.all(outwards | (np.abs(left) <= maximum)))

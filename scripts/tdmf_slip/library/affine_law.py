@@ -11,7 +11,7 @@ from ..contents import ByContents
 from ..errors import InputError
 from ..given import row_of
 from .binding import c, ffi
-from .rough_ground import LAST_RUNNER, LAST_SEED, MOST_STEPS
+from .rough_ground import LAST_RUNNER, LAST_SEED, MAX_STEPS
 from .runner import Runner
 from .section import COORDINATES, REDUCED, Apex, checked_apex
 from .settings import check_acts, checked_values, setting_number
@@ -126,7 +126,7 @@ class AffineLaw(ByContents):
         )
         values = ffi.new("double[]", len(self.inputs))
         runner = checked_whole("runner", runner, 0, LAST_RUNNER)
-        stride = checked_whole("stride", stride, 0, MOST_STEPS)
+        stride = checked_whole("stride", stride, 0, MAX_STEPS)
         law, kept = self.c_law()
         c.tdmf_affine_settings(law, section, runner, stride, values)
         del kept

@@ -32,9 +32,9 @@ ACCURACY = 1e-8
 """By which a stride errs at the most at `TOLERANCE`: its apex over the scales of the section; its time,
 distance and energies over sqrt(m/k), l0 and k l0^2. Held by starts anywhere in `analysis.volume.BOX`, and by
 runners whose parameters differ from the default ones by factors of up to e."""
-LEAST_TOLERANCE = 1e-30
+MIN_TOLERANCE = 1e-30
 """Steps for less are so many that no stride closes, and rounding has long decided."""
-MOST_RUNNERS = 10_000_000
+MAX_RUNNERS = 10_000_000
 """In a call: start and end of one take 300 bytes. More go in several calls, with their first numbers."""
 NEAR = 1e-2
 """Distance from a gait's apex, over the scales, at which a runner counts as settled."""
@@ -144,7 +144,7 @@ def run_ensemble(
     all_cases = [case if isinstance(case, Case) else Case(Runner.of(case)) for case in given]
     check_alike(all_cases)
     runner = all_cases[0].runner
-    check_size("apices", len(apices) if isinstance(apices, Sized) else 1, "runners", MOST_RUNNERS)
+    check_size("apices", len(apices) if isinstance(apices, Sized) else 1, "runners", MAX_RUNNERS)
     sections = sections_of("apices", apices, runner.coordinates)
     ensemble = ensemble_of(runner, sections, first_number, tolerance, threads, instructions)
     max_strides, near = _whole("max_strides", max_strides), _within("near", near, 0.0, np.inf)
@@ -201,7 +201,7 @@ def ensemble_of(
         "starts": ffi.cast("double (*)[6]", ffi.from_buffer(sections)),
         "count": len(sections),
         "first_number": checked_whole("first_number", first_number, 0, LAST_RUNNER),
-        "relative_tolerance": _within("tolerance", tolerance, LEAST_TOLERANCE, 1.0),
+        "relative_tolerance": _within("tolerance", tolerance, MIN_TOLERANCE, 1.0),
         "threads": _whole("threads", (os.cpu_count() or 1) if threads is None else threads),
         "instructions": _number(instructions),
     }

@@ -24,12 +24,12 @@ from .return_map import Along, derivatives, direction
 from .runner import Runner, text_of
 from .section import COORDINATES, REDUCED, Apex, checked_apex
 from .structs import EventLog, Return
-from .word import Event, Letter, letters_of, noted
+from .word import Event, Letter, letters_of, recorded
 
 SETTLING_STRIDES = 400
 LEDGER = ("external_work", "damper_loss", "friction_loss", "impact_loss")
 """What closes the balance of energy of a stride with the work of hip and leg, J."""
-TOLD = ("period", "length", "speed", "work", "cost_of_transport")
+REPORTED = ("period", "length", "speed", "work", "cost_of_transport")
 """Those that a gait is told by."""
 PARTS = ("rise", "hip_work", "leg_work", *LEDGER)
 """Those that tell where its energy comes from and goes to."""
@@ -146,7 +146,7 @@ class Gait(ByContents, Drawable):
         return {
             "friction": self.friction,
             "word": self.word,
-            **{name: self.stride[name] for name in (*TOLD, *PARTS)},
+            **{name: self.stride[name] for name in (*REPORTED, *PARTS)},
             "liftoff_angle": self.liftoff_angle,
             "apex": [float(value) for value in self.apex],
             "eigenvalues": [[float(v.real), float(v.imag)] for v in self.eigenvalues.astype(complex)],
@@ -271,19 +271,19 @@ def gait_of_stride(
         As of a gait.
     """
     jacobian, by_parameter = derivatives(runner, stride)
-    told = {name: float(getattr(stride.stride, name)) for name in STRIDE_QUANTITIES}
-    told |= {name: float(getattr(stride, name)) for name in LEDGER}
-    told |= {} if runner.reduced else all_measures(runner, apex, stride)
+    reported = {name: float(getattr(stride.stride, name)) for name in STRIDE_QUANTITIES}
+    reported |= {name: float(getattr(stride, name)) for name in LEDGER}
+    reported |= {} if runner.reduced else all_measures(runner, apex, stride)
     return Gait(
         runner=runner,
         apex=apex,
         word=text_of(stride.stride.word),
         liftoff_angle=stride.liftoff_angle,
-        stride=told,
+        stride=reported,
         jacobian=jacobian,
         along=along,
         by_parameter=None if along is None else by_parameter,
         error=0.0,
         iterations=0,
-        events=noted(log),
+        events=recorded(log),
     )

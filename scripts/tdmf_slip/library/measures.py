@@ -82,10 +82,10 @@ def measures_of(measured: Measured) -> dict[str, float]:
     dict of str to float
         By the names of `MEASURES`, but for those of the apex and for what is per weight and distance.
     """
-    told = {name: float(getattr(measured.measures, name)) for name in (*_ALONG, *_GREATEST)}
-    told["foot_clearance"] = float(measured.foot_clearance)
-    told["positive_work"] = told["positive_hip_work"] + told["positive_leg_work"]
-    return told
+    reported = {name: float(getattr(measured.measures, name)) for name in (*_ALONG, *_GREATEST)}
+    reported["foot_clearance"] = float(measured.foot_clearance)
+    reported["positive_work"] = reported["positive_hip_work"] + reported["positive_leg_work"]
+    return reported
 
 
 def weight_of(runner: Runner) -> float:
@@ -121,7 +121,7 @@ def all_measures(runner: Runner, apex: Apex, stride: Return) -> dict[str, float]
     dict of str to float
         By the names of `MEASURES`.
     """
-    told = {**apex_quantities(runner, apex), **measures_of(stride)}
+    reported = {**apex_quantities(runner, apex), **measures_of(stride)}
     distance = weight_of(runner) * stride.stride.length
-    told["positive_cost_of_transport"] = told["positive_work"] / distance if distance else 0.0
-    return told
+    reported["positive_cost_of_transport"] = reported["positive_work"] / distance if distance else 0.0
+    return reported

@@ -5,10 +5,10 @@ from collections.abc import Mapping
 import numpy as np
 from numpy.typing import NDArray
 
-from .crowd import Crowd
 from .engine import run
 from .ensemble import END, TOLERANCE, ensemble_of
-from .noted_strides import given_settings
+from .population import Population
+from .recorded_strides import given_settings
 from .rough_ground import RoughGround
 from .runner import Runner
 from .section import COORDINATES
@@ -47,7 +47,7 @@ def next_apices(
     sections = np.zeros((len(apices), len(COORDINATES)))
     sections[:, : apices.shape[1]] = apices
     ensemble = ensemble_of(runner, sections, 0, tolerance, threads, None)
-    cases, kept = Crowd(runner).c_cases(RoughGround(), None)
+    cases, kept = Population(runner).c_cases(RoughGround(), None)
     cases[0].rules.max_strides = 1
     ensemble.cases, ensemble.case_count = cases, 1
     given, values = given_settings({name: row[:, None] for name, row in settings.items()}, 0)

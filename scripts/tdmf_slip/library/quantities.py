@@ -93,14 +93,14 @@ def check_quantities(runner: Runner, names: Sequence[str]) -> None:
             )
 
 
-def quantity_of(name: str, told: Mapping[str, float]) -> float:
+def quantity_of(name: str, reported: Mapping[str, float]) -> float:
     """A quantity of a stride.
 
     Parameters
     ----------
     name : str
         Of `QUANTITIES`.
-    told : mapping of str to float
+    reported : mapping of str to float
         What the stride is told by: the library's quantities and measures of it.
 
     Returns
@@ -108,7 +108,7 @@ def quantity_of(name: str, told: Mapping[str, float]) -> float:
     float
         In SI units.
     """
-    return float(OF_STRIDE[name](told) if name in OF_STRIDE else told[name])
+    return float(OF_STRIDE[name](reported) if name in OF_STRIDE else reported[name])
 
 
 def scales_of(runner: Runner, parameters: Sequence[str]) -> NDArray[np.float64]:

@@ -19,10 +19,10 @@ LARGEST_SPREAD = 10.0
 """Of the logarithm of friction."""
 LAST_SEED = 2**64 - 1
 LAST_RUNNER = 2**63 - 1
-MOST_STEPS = 2**31 - 1
+MAX_STEPS = 2**31 - 1
 
 
-MOST_WEIGHTS = 4096
+MAX_WEIGHTS = 4096
 WEIGHTLESS = 1e-12
 """Weights of a correlation end where they are less."""
 
@@ -72,9 +72,9 @@ def spectrum_weights(density: ArrayLike) -> tuple[float, ...]:
         Fewer than two numbers, some below 0, or all 0.
     """
     power = np.asarray(density, dtype=float)
-    if power.ndim != 1 or not 2 <= len(power) <= MOST_WEIGHTS // 2 or not np.all(np.isfinite(power)):
+    if power.ndim != 1 or not 2 <= len(power) <= MAX_WEIGHTS // 2 or not np.all(np.isfinite(power)):
         raise InputError(
-            f"density of shape {power.shape}; allowed: a row of 2 to {MOST_WEIGHTS // 2} finite numbers"
+            f"density of shape {power.shape}; allowed: a row of 2 to {MAX_WEIGHTS // 2} finite numbers"
         )
     if np.any(power < 0.0) or not np.any(power):
         raise InputError("density: allowed: numbers of 0 or more, not all 0")
@@ -175,7 +175,7 @@ class RoughGround:
         self, deviate: Callable[..., float], weights: tuple[float, ...], runner: int, count: int
     ) -> NDArray[np.float64]:
         runner = checked_whole("runner", runner, 0, LAST_RUNNER)
-        strides = range(checked_whole("count", count, 0, MOST_STEPS))
+        strides = range(checked_whole("count", count, 0, MAX_STEPS))
         if not weights:
             return np.array([deviate(self.seed, runner, n) for n in strides], float)
         before = len(weights) - 1
@@ -209,6 +209,6 @@ class RoughGround:
 def _checked_weights(name: str, weights: object) -> tuple[float, ...]:
     """As a tuple of numbers."""
     given = tuple(row_of(weights, name, "numbers in a row"))
-    if len(given) > MOST_WEIGHTS:
-        raise InputError(f"{name}: {len(given)} given; allowed: up to {MOST_WEIGHTS}")
+    if len(given) > MAX_WEIGHTS:
+        raise InputError(f"{name}: {len(given)} given; allowed: up to {MAX_WEIGHTS}")
     return tuple(checked(name, weight, -LARGEST, LARGEST) for weight in given)

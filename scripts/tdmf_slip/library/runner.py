@@ -111,13 +111,7 @@ class Runner(ByContents):
 
     @cached_property
     def model(self) -> Model:
-        """The parameters as the library's `tdmf_model *`.
-
-        Raises
-        ------
-        InputError
-            A parameter is refused.
-        """
+        """The parameters as the library's `tdmf_model *`, unless one is refused."""
         parameters = ffi.new("tdmf_parameters *")
         for member in PARAMETERS:
             member.write(parameters, self.values[member.name])
@@ -127,13 +121,7 @@ class Runner(ByContents):
 
     @cached_property
     def inputs(self) -> Struct:
-        """The inputs as the library's `tdmf_inputs *`.
-
-        Raises
-        ------
-        InputError
-            An input is refused.
-        """
+        """The inputs as the library's `tdmf_inputs *`, unless one is refused."""
         inputs: Struct = ffi.new("tdmf_inputs *")
         for member in INPUTS:
             member.write(inputs, self.values[member.name])
@@ -142,13 +130,7 @@ class Runner(ByContents):
 
     @cached_property
     def system(self) -> Struct:
-        """Parameters and inputs as the library's `tdmf_system`.
-
-        Raises
-        ------
-        InputError
-            A parameter or an input is refused.
-        """
+        """Parameters and inputs as the library's `tdmf_system`, unless one is refused."""
         system: Struct = ffi.new("tdmf_system *", {"model": self.model, "inputs": self.inputs})[0]
         return system
 
@@ -165,19 +147,7 @@ class Runner(ByContents):
         return np.array(list(scales)[: len(self.coordinates)])
 
     def solver(self, log: EventLog | None = None) -> Solver:
-        """A native solver.
-
-        Parameters
-        ----------
-        log : EventLog, optional
-            Where it notes its events.
-
-        Returns
-        -------
-        Solver
-            The library's `tdmf_solver *`.
-
-        """
+        """A native solver, the library's `tdmf_solver *`, which writes its events to a log."""
         solver: Solver = ffi.new("tdmf_solver *", c.tdmf_solver_default())
         if not is_number(self.tolerance) or not 0 < self.tolerance < 1:
             raise InputError(f"tolerance = {self.tolerance!r} is not allowed; allowed: above 0, below 1")

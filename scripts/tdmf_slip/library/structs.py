@@ -100,7 +100,7 @@ class Mode(Protocol):
     contact: int
 
 
-class NotedEvent(Protocol):
+class RecordedEvent(Protocol):
     """`tdmf_event`: an event that the solver took."""
 
     time: float
@@ -114,7 +114,7 @@ class EventLog(Protocol):
     """`tdmf_event_log *`: events that the solver noted."""
 
     count: int
-    events: Sequence[NotedEvent]
+    events: Sequence[RecordedEvent]
 
 
 class Solver(Protocol):

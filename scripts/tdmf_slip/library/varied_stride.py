@@ -80,16 +80,16 @@ def varied_stride(
     """
     check_quantities(runner, names)
     stride, changes = _changes(runner, apex, parameters)
-    told = _read(runner, apex, stride)
+    reported = _read(runner, apex, stride)
     changed = _changed(runner)
     d_apex, d_stride = changes[: len(apex)], dict(zip(changed, changes[len(apex) :], strict=True))
     d_stride |= _apex_changes(runner, changes.shape[1])
     d_weight = np.array([0.0] * len(apex) + [_weight_change(runner, name) for name in parameters])
-    rows = [_change(runner, name, told, d_stride, d_weight) for name in names]
+    rows = [_change(runner, name, reported, d_stride, d_weight) for name in names]
     by_all = np.vstack([d_apex - np.eye(*d_apex.shape), *rows])
     if not np.isfinite(by_all).all():
         raise RunError("a stride is on the edge of an event or of a law, where it has no derivatives")
-    values = np.array([quantity_of(name, told) for name in names])
+    values = np.array([quantity_of(name, reported) for name in names])
     return VariedStride(np.array(list(stride.apex)[: len(apex)]) - apex, values, by_all)
 
 
@@ -131,10 +131,10 @@ def plain_stride(runner: Runner, apex: NDArray[np.float64], names: Sequence[str]
     """
     check_quantities(runner, names)
     stride = _stride(runner, apex, (), False)
-    told = _read(runner, apex, stride)
+    reported = _read(runner, apex, stride)
     return PlainStride(
         left_over=np.array(list(stride.apex)[: len(apex)]) - apex,
-        quantities=np.array([quantity_of(name, told) for name in names]),
+        quantities=np.array([quantity_of(name, reported) for name in names]),
         word=text_of(stride.stride.word),
     )
 
@@ -146,8 +146,8 @@ def _changes(
 
     The library differentiates by a few parameters at a time.
     """
-    most = c.TDMF_RETURN_MAP_SEEDS
-    parts = [parameters[begin : begin + most] for begin in range(0, len(parameters), most)] or [()]
+    maximum = c.TDMF_RETURN_MAP_SEEDS
+    parts = [parameters[begin : begin + maximum] for begin in range(0, len(parameters), maximum)] or [()]
     strides = [_stride(runner, apex, part, True) for part in parts]
     coordinates = len(apex)
     columns = [_column(runner, strides[0].variations[k]) for k in range(coordinates)]

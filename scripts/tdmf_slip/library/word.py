@@ -31,7 +31,7 @@ class Event:
     """Before the event, in the library's order."""
 
 
-def noted(log: EventLog) -> tuple[Event, ...]:
+def recorded(log: EventLog) -> tuple[Event, ...]:
     """What a solver has noted of a stride.
 
     Parameters

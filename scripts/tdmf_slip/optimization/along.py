@@ -1,8 +1,8 @@
-"""The search along a border between two pieces, for the best place on it.
+"""The search along a border between two regions, for the best place on it.
 
 Parameters on the border are x = x0 + T u + n s(u), with the normal n at x0, a basis T of the plane across it,
 and s(u) solved for. So the objective and the constraints are functions of u alone, as smooth as those of the
-piece and the border are, and their derivatives are those along T + n ds/du, which is in the border's own
+region and the border are, and their derivatives are those along T + n ds/du, which is in the border's own
 plane.
 """
 
@@ -13,8 +13,8 @@ from numpy.typing import NDArray
 
 from .border import Border, across
 from .gaits import Candidate, Gaits
-from .pieces import Piece
 from .problem import Problem, Rows
+from .region import Region
 from .slsqp import minimize
 from .space import AT_BOUND
 
@@ -57,8 +57,8 @@ class AlongBorder(Problem):
         return np.concatenate([left, at, 1.0 - at]), np.vstack([slopes, plane, -plane])
 
 
-def best_along(gaits: Gaits, problem: Problem, border: Border, piece: Piece, stationary: float) -> Border:
-    """The best place on a border, as the piece on this side has it.
+def best_along(gaits: Gaits, problem: Problem, border: Border, region: Region, stationary: float) -> Border:
+    """The best place on a border, as the region on this side has it.
 
     Parameters
     ----------
@@ -68,7 +68,7 @@ def best_along(gaits: Gaits, problem: Problem, border: Border, piece: Piece, sta
         What is asked.
     border : Border
         Where to begin.
-    piece : Piece
+    region : Region
         On this side.
     stationary : float
         Fall of the merit that counts as none.
@@ -83,7 +83,7 @@ def best_along(gaits: Gaits, problem: Problem, border: Border, piece: Piece, sta
     for free in (off_bounds, np.ones_like(off_bounds)):
         if np.count_nonzero(free) < 2 or not np.any(border.normal[free]):
             continue
-        border = _best_over(gaits, problem, border, piece, free, stationary)
+        border = _best_over(gaits, problem, border, region, free, stationary)
         if problem.steepest(border.short, border.normal, along=True) <= stationary:
             break
     return border
@@ -93,12 +93,12 @@ def _best_over(
     gaits: Gaits,
     problem: Problem,
     border: Border,
-    piece: Piece,
+    region: Region,
     free: NDArray[np.bool_],
     stationary: float,
 ) -> Border:
     """With some of the parameters held: first those at their bounds, which may have to leave them then."""
-    wanted, chart = AlongBorder(problem, free), _Chart(gaits, border, piece, free)
+    wanted, chart = AlongBorder(problem, free), _Chart(gaits, border, region, free)
     here, radius = chart.point(border, np.zeros(chart.basis.shape[1])), RADIUS
     for _ in range(ROUNDS):
         ended = minimize(wanted, chart.follow, here, here.at - radius, here.at + radius)
@@ -119,8 +119,8 @@ def _best_over(
 class _Chart:
     """Coordinates u on a border."""
 
-    def __init__(self, gaits: Gaits, border: Border, piece: Piece, free: NDArray[np.bool_]) -> None:
-        self.gaits, self.piece = gaits, piece
+    def __init__(self, gaits: Gaits, border: Border, region: Region, free: NDArray[np.bool_]) -> None:
+        self.gaits, self.region = gaits, region
         normal = np.where(free, border.normal, 0.0)
         self.normal = normal / np.linalg.norm(normal)
         self.basis = np.eye(len(free))[:, free] @ np.linalg.svd(border.normal[None, free])[2][1:].T
@@ -145,4 +145,4 @@ class _Chart:
         """The border at u, from a place on it."""
         assert isinstance(near, OnBorder)
         at = near.border.short.at + near.plane @ (u - near.at)
-        return self.point(across(self.gaits, near.border.short, at, self.normal, self.piece.has), u)
+        return self.point(across(self.gaits, near.border.short, at, self.normal, self.region.has), u)

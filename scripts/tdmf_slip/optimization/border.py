@@ -1,4 +1,4 @@
-"""Borders between pieces: where the word or the events of a gait change, and its quantities have a kink.
+"""Borders between regions: where the word or the events of a gait change, and its quantities have a kink.
 
 Quantities are continuous across a border and smooth on either side. So the changes of all of them and of the
 apex differ, from one side to the other, by a matrix of rank one, whose rows are along the normal of the
@@ -31,7 +31,7 @@ NARROWEST, WIDEST = 1e-6, 0.3
 
 @dataclass(frozen=True, eq=False)
 class Border(ByContents):
-    """Gaits on both sides of a border between two pieces."""
+    """Gaits on both sides of a border between two regions."""
 
     short: Candidate
     """On this side."""
@@ -63,16 +63,16 @@ class Side(ByContents):
 
 
 def between(gaits: Gaits, inside: Candidate, outside: Candidate, is_inside: Callable[[Gait], bool]) -> Border:
-    """The border where the way from a gait to one beyond it leaves a piece: by bisection.
+    """The border where the way from a gait to one beyond it leaves a region: by bisection.
 
     Parameters
     ----------
     gaits : Gaits
         Of which runner, over which parameters.
     inside, outside : Candidate
-        On the piece, and not.
+        On the region, and not.
     is_inside : callable
-        Whether a gait is on the piece.
+        Whether a gait is on the region.
 
     Returns
     -------
@@ -137,9 +137,9 @@ def across(
     at : ndarray of float, shape (d,)
         The place, near the border.
     direction : ndarray of float, shape (d,)
-        Of the line, from the piece to what is beyond; a unit vector.
+        Of the line, from the region to what is beyond; a unit vector.
     is_inside : callable
-        Whether a gait is on the piece.
+        Whether a gait is on the region.
 
     Returns
     -------

@@ -14,8 +14,8 @@ from ..errors import RunError
 from .along import AlongBorder, OnBorder
 from .border import Border
 from .gaits import Candidate, Gaits
-from .pieces import Piece
 from .problem import OFF_FOLD, Problem
+from .region import Region
 from .slsqp import minimize
 
 NEAR = 0.5
@@ -45,7 +45,7 @@ def is_near(gait: Candidate) -> bool:
 
 
 def best_on_edge(
-    gaits: Gaits, problem: Problem, begin: Candidate, piece: Piece, stationary: float
+    gaits: Gaits, problem: Problem, begin: Candidate, region: Region, stationary: float
 ) -> Candidate:
     """The best gait on the edge that is reached from one near it.
 
@@ -57,7 +57,7 @@ def best_on_edge(
         What is asked.
     begin : Candidate
         A gait near the edge.
-    piece : Piece
+    region : Region
         On which it is.
     stationary : float
         Fall of the merit that counts as none.
@@ -84,7 +84,7 @@ def best_on_edge(
             here,
             here.at - radius,
             here.at + radius,
-            lambda gait: piece.has(gait.gait),
+            lambda gait: region.has(gait.gait),
         )
         assert isinstance(ended.best, OnBorder)
         found = ended.best.border.short

@@ -27,7 +27,7 @@ BACKWARD: Mapping[float, float] = {0.0: 1.5, -1.0: -2.0, -2.0: 0.5}
 OPEN_FORWARD: Mapping[float, float] = {1.0: -2.5, 2.0: 4.0, 3.0: -1.5}
 OPEN_BACKWARD: Mapping[float, float] = {-1.0: 2.5, -2.0: -4.0, -3.0: 1.5}
 """Differences of second order: weights by how many steps aside. The last two do without the gait itself,
-which may be on the edge of a piece: a thrust of zero is no event, any other is."""
+which may be on the edge of a region: a thrust of zero is no event, any other is."""
 SHORTEST_SHARE = 2.0**-5
 """Of the way from one gait to another, of which a step may be."""
 FARTHEST = 0.7
@@ -36,7 +36,7 @@ NEAR = 1e-2
 """Over the scales: a gait as near to where it was predicted is of the branch, if it is on its side of the
 fold."""
 DIFFERENCES = (1e-5, 1e-7)
-"""Of the width of the bounds: steps of differences along the gaits; the second one where a piece is
+"""Of the width of the bounds: steps of differences along the gaits; the second one where a region is
 narrow."""
 
 SLANTS = (1.0, -1.0, 10.0, -10.0)
@@ -64,7 +64,7 @@ class Candidate(ByContents):
     """Sizes of the leading eigenvalues with their gradients; none where they were not asked for."""
 
     @property
-    def piece(self) -> tuple[object, ...]:
+    def region(self) -> tuple[object, ...]:
         """The word and the events of the stride: all is smooth while they stay."""
         return self.gait.sequence
 
@@ -118,7 +118,7 @@ class Gaits:
     ) -> list[NDArray[np.float64]]:
         """Of the map's Jacobian along the gaits, by each parameter.
 
-        On the border of a piece both ways along a parameter may lead off it, or off its bounds; a direction
+        On the border of a region both ways along a parameter may lead off it, or off its bounds; a direction
         between it and another parameter, by which the change is known, may not.
         """
 
@@ -151,7 +151,7 @@ class Gaits:
         Raises
         ------
         RunError
-            No such direction stays on the piece.
+            No such direction stays on the region.
         """
         for (other, change), slant in product(known.items(), SLANTS):
             try:
@@ -216,7 +216,7 @@ def _side(gait: Gait) -> bool:
 
 
 def _jacobian_change(gait: Gait, stride: Callable[[float], Gait]) -> NDArray[np.float64]:
-    """By strides on both sides of a gait, or on one, where on the other is another piece or nothing.
+    """By strides on both sides of a gait, or on one, where on the other is another region or nothing.
 
     Raises
     ------

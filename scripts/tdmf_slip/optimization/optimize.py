@@ -13,7 +13,7 @@ from .optimum import Optimum
 from .problem import Goal
 from .request import check_action, checked_objective, checked_radius, checked_space, checked_values
 
-STARTS, MOST_STARTS = 6, 100
+STARTS, MAX_STARTS = 6, 100
 
 
 def optimize(
@@ -33,11 +33,11 @@ def optimize(
 
     By sequential quadratic programming (SLSQP), with gradients that are exact through the gait. These change
     smoothly only while the gait word and the events of the stride stay, so that each run of SLSQP is on one
-    piece. Where an iterate is on another, the border between the two is located. If the objective gets better
-    away from the border on one side, the search goes on there; if on neither, the best place on the border is
-    found by SLSQP along it. That it is an optimum is then told by both sides' gradients, in `falls`. Where an
-    iterate is no gait, because of a fold or a fall, the search backs off; near a fold it stops where the
-    leading eigenvalue is 0.99 or so, and tells so in `limits`.
+    region. Where an iterate is on another, the border between the two is located. If the objective gets
+    better away from the border on one side, the search goes on there; if on neither, the best place on the
+    border is found by SLSQP along it. That it is an optimum is then told by both sides' gradients, in
+    `falls`. Where an iterate is no gait, because of a fold or a fall, the search backs off; near a fold it
+    stops where the leading eigenvalue is 0.99 or so, and tells so in `limits`.
 
     Each search is local. The first one begins with the runner given, the others where gaits promise most of a
     thousand or so that the ensemble engine settles all over the bounds, and that have no better one near them
@@ -98,7 +98,7 @@ def optimize(
     space = checked_space(vary, fmu)
     prescribed = checked_values(target, (objective,), space)
     goal = Goal(objective, sign, prescribed, radius=checked_radius(stable))
-    count = checked_whole("starts", starts, 1, MOST_STARTS)
+    count = checked_whole("starts", starts, 1, MAX_STARTS)
     before = periodic_gait(Runner.of(runner, fmu, model=model), fmu=fmu)
     optimizer = Optimizer(before, space, count)
     check_action(optimizer.candidate(goal), space)

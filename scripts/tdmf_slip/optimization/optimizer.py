@@ -16,7 +16,7 @@ from ..library.gait import Gait
 from ..library.runner import Runner
 from ..terminal.progress import Bar
 from .gaits import Candidate, Gaits
-from .optimum import FOLD, STABILITY, Optimum, told
+from .optimum import FOLD, STABILITY, Optimum, reported
 from .problem import OFF_FOLD, Feasibility, Goal, Problem
 from .search import Found, Search
 from .space import Space
@@ -103,7 +103,7 @@ class Optimizer:
         length, _, _, _, speed, rate = _natural(gait)
         natural = {"speed": speed, "frequency": rate, "stance_time": 1.0 / rate}
         natural |= {"length": length, "slip_distance": length}
-        values = told(gait)
+        values = reported(gait)
         return {
             name: max(abs(goal.at.get(name, values[name])), NATURAL * natural.get(name, 1.0))
             for name in goal.names
@@ -171,7 +171,7 @@ class Optimizer:
             for name, (sign, limit) in goal.at_most.items()
         ]
         wanted += [f"a spectral radius of {goal.radius:g} at the most"] if goal.radius is not None else []
-        values = told(found.gait.gait)
+        values = reported(found.gait.gait)
         end = f"; the search ended there: {found.why}" if found.why else ""
         names = [*goal.at, *goal.at_most, *(["lambda_max"] if goal.radius is not None else [])]
         has = ", ".join(f"{name} {values[name]:.6g}" for name in names)
@@ -193,7 +193,7 @@ class Optimizer:
             limits.append(FOLD)
         return Optimum(
             objective=goal.objective,
-            is_least=goal.sign > 0.0,
+            is_minimum=goal.sign > 0.0,
             parameters={name: found.gait.gait.runner.values[name] for name in self.space.bounds},
             gait=found.gait.gait,
             before=self.before,

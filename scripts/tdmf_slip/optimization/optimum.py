@@ -24,7 +24,7 @@ NONE = 1e-9
 """Over the runner's scale: as little counts as zero."""
 
 
-def told(gait: Gait) -> dict[str, float]:
+def reported(gait: Gait) -> dict[str, float]:
     """What an optimum is told by: quantities of the stride, and the spectral radius.
 
     Parameters
@@ -46,7 +46,7 @@ class Optimum(ByContents):
 
     objective: str
     """The quantity that is the least, or the most."""
-    is_least: bool
+    is_minimum: bool
     """Which of them."""
     parameters: Mapping[str, float]
     """What was varied, by name, in the unit's units."""
@@ -59,7 +59,7 @@ class Optimum(ByContents):
     limits: tuple[str, ...]
     """What else keeps it: `stability`, `fold`."""
     falls: Mapping[str, float]
-    """By word of each piece beside the gait, two where it is on a border between words: how much better the
+    """By word of each region beside the gait, two where it is on a border between words: how much better the
     objective could be there, to first order, over its scale, for a step by the whole width of the bounds.
     Zero at an optimum, up to rounding."""
     why: str
@@ -72,10 +72,12 @@ class Optimum(ByContents):
     def __repr__(self) -> str:
         """In a line: what is best, by what."""
         values = ", ".join(f"{name} {value:.6g}" for name, value in self.parameters.items())
-        most = "least" if self.is_least else "most"
+        maximum = "least" if self.is_minimum else "most"
         kind = "stable" if self.gait.stable else "unstable"
         scope = "local" if self.is_local else "global"
-        return f"<Optimum, {scope}: {most} {self.objective} {self.value:.6g}: {values}; {self.word}, {kind}>"
+        return (
+            f"<Optimum, {scope}: {maximum} {self.objective} {self.value:.6g}: {values}; {self.word}, {kind}>"
+        )
 
     @property
     def is_local(self) -> bool:
@@ -84,14 +86,14 @@ class Optimum(ByContents):
         Searches from many starts prove nothing of the rest. False only where no gait can have less, as of a
         slip of zero.
         """
-        if not self.is_least or self.objective not in NEVER_NEGATIVE:
+        if not self.is_minimum or self.objective not in NEVER_NEGATIVE:
             return True
         return self.value > NONE * scale_of(self.gait.runner, NEVER_NEGATIVE[self.objective])
 
     @property
     def value(self) -> float:
         """Of the objective."""
-        return told(self.gait)[self.objective]
+        return reported(self.gait)[self.objective]
 
     @property
     def word(self) -> str:
@@ -112,10 +114,10 @@ class Optimum(ByContents):
         """As a plain object; `before` and `after` are quantities of the two gaits."""
         return {
             "objective": self.objective,
-            "is_least": self.is_least,
+            "is_least": self.is_minimum,
             "parameters": dict(self.parameters),
-            "before": told(self.before),
-            "after": told(self.gait),
+            "before": reported(self.before),
+            "after": reported(self.gait),
             "word": self.word,
             "stable": self.stable,
             "active_bounds": dict(self.active_bounds),

@@ -14,14 +14,14 @@ from ..library.runner import Runner
 from ..terminal.progress import Bar, progress_bar
 from ..unit.unit import Fmu, load_fmu
 from ..unit.variable import Given
-from .optimize import MOST_STARTS, STARTS
+from .optimize import MAX_STARTS, STARTS
 from .optimizer import Optimizer
-from .optimum import Optimum, told
+from .optimum import Optimum, reported
 from .problem import Goal
 from .request import check_action, checked_quantity, checked_radius, checked_space, checked_values
 from .starts import Start
 
-POINTS, MOST_POINTS = 7, 1000
+POINTS, MAX_POINTS = 7, 1000
 
 
 @dataclass(frozen=True, eq=False)
@@ -110,9 +110,9 @@ def pareto_front(
     prescribed = checked_values(target, (first, second), space)
     radius = checked_radius(stable)
     goals = [Goal(name, signs[name], prescribed, radius=radius) for name in (first, second)]
-    count = checked_whole("points", points, 2, MOST_POINTS)
+    count = checked_whole("points", points, 2, MAX_POINTS)
     before = periodic_gait(Runner.of(runner, fmu, model=model), fmu=fmu)
-    optimizer = Optimizer(before, space, checked_whole("starts", starts, 1, MOST_STARTS))
+    optimizer = Optimizer(before, space, checked_whole("starts", starts, 1, MAX_STARTS))
     check_action(optimizer.candidate(goals[0]), space)
     total = 2 * optimizer.count + 2 * (count - 2)
     with progress_bar("Pareto front", total, "searches", progress) as bar:
@@ -127,7 +127,7 @@ def _between(
 ) -> Iterator[Optimum]:
     """With limits on the second quantity, each from the one before and from the last."""
     first, second = goals
-    low, high = (told(start.gait)[second.objective] for start in (begin, end))
+    low, high = (reported(start.gait)[second.objective] for start in (begin, end))
     for limit in np.linspace(low, high, count)[1:-1]:
         at_most = {second.objective: (second.sign, float(limit))}
         goal = Goal(first.objective, first.sign, first.at, at_most, first.radius)

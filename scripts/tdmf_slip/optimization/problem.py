@@ -1,7 +1,7 @@
 """What is asked of a gait: an objective and constraints, all without dimension, and how far it is from both.
 
 A quantity is taken over its scale, and a parameter over the width of its bounds. How near a gait is to an
-optimum of its piece is told by a linear program: within a small box, how much less could the objective be,
+optimum of its region is told by a linear program: within a small box, how much less could the objective be,
 and the constraints be violated, were all linear? Where that is nothing, the conditions of Karush, Kuhn and
 Tucker hold.
 """
@@ -23,7 +23,7 @@ MET = 1e-8
 OFF_FOLD = 1e-4
 """Least det(I - J)^2 of a gait that is to keep off folds: the eigenvalue there is 0.99 or so, instead of
 1."""
-LEAST_ROOM = 1e-2
+MIN_ROOM = 1e-2
 """Between the largest radius that is asked for and 1, as a scale."""
 LITTLE = 1e-3
 """Size of the linear program's box."""
@@ -185,7 +185,7 @@ def _below(spectrum: Spectrum, radius: float) -> tuple[NDArray[np.float64], NDAr
     A positive one goes to 1 at a fold as a square root does: (1 - size)^2 is told of it, which is linear
     there, and is as much below its limit to first order, but for a factor of two.
     """
-    room = max(1.0 - radius, LEAST_ROOM)
+    room = max(1.0 - radius, MIN_ROOM)
     off = 1.0 - spectrum.sizes
     bent = (off * np.abs(off) - (1.0 - radius) ** 2) / room
     values = np.where(spectrum.positive, bent, radius - spectrum.sizes)

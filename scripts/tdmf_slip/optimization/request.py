@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from ..analysis.targeted import LEAST, MOST, NO_ACTION, TRAVEL
+from ..analysis.targeted import MAXIMUM, MINIMUM, NO_ACTION, TRAVEL
 from ..checks import checked, is_one_of, near_matches, shown
 from ..errors import InputError
 from ..given import mapping_of, row_of
@@ -14,7 +14,7 @@ from .space import Space
 
 FROM_ZERO = ("slip_distance",)
 """Of these, those that may be prescribed as zero."""
-MOST_PARAMETERS = 12
+MAX_PARAMETERS = 12
 LARGEST_RADIUS = 0.99
 """Largest spectral radius of a gait that is to be stable, where no other is given."""
 
@@ -94,9 +94,9 @@ def checked_space(vary: object, fmu: Fmu) -> Space:
         Not so many parameters, no parameter, no bounds, or bounds that the unit refuses.
     """
     given = mapping_of(vary, "vary", "bounds (A, B) by the names of parameters and inputs")
-    if not 1 <= len(given) <= MOST_PARAMETERS:
+    if not 1 <= len(given) <= MAX_PARAMETERS:
         raise InputError(
-            f"vary: {len(given)} parameters; allowed: 1 to {MOST_PARAMETERS} parameters and inputs"
+            f"vary: {len(given)} parameters; allowed: 1 to {MAX_PARAMETERS} parameters and inputs"
         )
     bounds = {}
     for name, pair in given.items():
@@ -146,9 +146,9 @@ def checked_values(target: object, objectives: tuple[str, ...], space: Space) ->
             f"target: {', '.join(given)} by {', '.join(space.bounds)}; allowed: no more quantities than "
             "parameters"
         )
-    most = {"duty_factor": 1.0}
+    maximum = {"duty_factor": 1.0}
     return {
-        name: checked(name, value, 0.0 if name in FROM_ZERO else LEAST, most.get(name, MOST))
+        name: checked(name, value, 0.0 if name in FROM_ZERO else MINIMUM, maximum.get(name, MAXIMUM))
         for name, value in given.items()
     }
 

@@ -1,7 +1,7 @@
-"""The search for the best gait: within a smooth piece by SLSQP, and on from border to border.
+"""The search for the best gait: within a smooth region by SLSQP, and on from border to border.
 
 The objective and the constraints are smooth functions of the parameters only while the word and the events of
-the stride stay. So each run of SLSQP is on one piece, in a box. Where an iterate is on another one, the
+the stride stay. So each run of SLSQP is on one region, in a box. Where an iterate is on another one, the
 border between the two is located, with the gradients on both sides:
 
 * where the merit falls away from the border on a side, the search goes on there;
@@ -24,8 +24,8 @@ from .along import best_along
 from .border import Border, Side, between
 from .fold_edge import best_on_edge, is_near
 from .gaits import Candidate, Gaits
-from .pieces import Piece
 from .problem import MET, Problem
+from .region import Region
 from .slsqp import Ended, minimize
 
 RADIUS, SMALLEST = 0.25, 1e-7
@@ -73,11 +73,11 @@ class Search:
 
     def run(self, begin: Candidate) -> Found:
         """The optimum that is reached from a gait, or how far the search came."""
-        best, piece, radius, largest, why = begin, Piece.of(begin.gait), RADIUS, 1.0, ""
+        best, region, radius, largest, why = begin, Region.of(begin.gait), RADIUS, 1.0, ""
         edges, touches = 0, False
         merits: list[float] = []
         for _ in range(ROUNDS):
-            ended = self._in_box(best, radius, piece)
+            ended = self._in_box(best, radius, region)
             progress = self.problem.merit(best) - self.problem.merit(ended.best)
             best = ended.best
             merits.append(self.problem.merit(best))
@@ -91,7 +91,7 @@ class Search:
                     return Found(best, {best.gait.word: fall}, why=ended.lost)
                 if self.problem.goal.fold and edges < EDGES and is_near(best):
                     edges += 1
-                    best = best_on_edge(self.gaits, self.problem, best, piece, STATIONARY)
+                    best = best_on_edge(self.gaits, self.problem, best, region, STATIONARY)
                     fall = self.problem.steepest(best)
                     if fall <= STATIONARY:
                         return Found(best, {best.gait.word: fall})
@@ -103,13 +103,13 @@ class Search:
                 why = ended.lost or "the search does not converge"
             else:
                 try:
-                    went = self._at_border(best, ended.beyond, piece)
+                    went = self._at_border(best, ended.beyond, region)
                 except RunError as problem:
-                    went, why = (best, piece, True), str(problem)
+                    went, why = (best, region, True), str(problem)
                     touches = touches or _touches_again(best, ended.beyond)
                 if isinstance(went, Found):
                     return went
-                best, piece, stays = went
+                best, region, stays = went
                 radius *= 0.25 if stays else 1.0
                 why = why or "words change too often"
             if radius < SMALLEST:
@@ -117,34 +117,34 @@ class Search:
         falls = {best.gait.word: self.problem.steepest(best)}
         return Found(best, falls, why=TOUCHES if touches else why)
 
-    def _in_box(self, best: Candidate, radius: float, piece: Piece) -> Ended:
+    def _in_box(self, best: Candidate, radius: float, region: Region) -> Ended:
         low, high = (best.at - radius).clip(0.0, 1.0), (best.at + radius).clip(0.0, 1.0)
         follow = self.gaits.follow
-        return minimize(self.problem, follow, best, low, high, lambda gait: piece.has(gait.gait))
+        return minimize(self.problem, follow, best, low, high, lambda gait: region.has(gait.gait))
 
     def _at_border(
-        self, best: Candidate, beyond: Candidate, piece: Piece
-    ) -> Found | tuple[Candidate, Piece, bool]:
-        """The optimum on the border on the way; or the gait and the piece to go on from.
+        self, best: Candidate, beyond: Candidate, region: Region
+    ) -> Found | tuple[Candidate, Region, bool]:
+        """The optimum on the border on the way; or the gait and the region to go on from.
 
         With these, whether the search stays where it was, for which it wants a smaller box.
         """
         merit = self.problem.merit
-        border = between(self.gaits, best, beyond, piece.has)
+        border = between(self.gaits, best, beyond, region.has)
         if border.is_smooth:
-            piece.grow(border.beyond.gait)
-            return min((best, border.short), key=merit), piece, False
+            region.grow(border.beyond.gait)
+            return min((best, border.short), key=merit), region, False
         if min(merit(side.gait) for side in border.sides) > merit(best) + MET:
-            return best, piece, True
+            return best, region, True
         better = self._better_side(border)
         if better is None:
-            border = best_along(self.gaits, self.problem, border, piece, STATIONARY)
+            border = best_along(self.gaits, self.problem, border, region, STATIONARY)
             better = self._better_side(border)
             if better is None:
                 return self._found(border)
         if better is border.beyond:
-            return better, Piece.of(better.gait), False
-        return min((best, better), key=merit), piece, True
+            return better, Region.of(better.gait), False
+        return min((best, better), key=merit), region, True
 
     def _open_sides(self, border: Border) -> list[Side]:
         """Without the side of more merit where it jumps, for it is no better than the border itself."""

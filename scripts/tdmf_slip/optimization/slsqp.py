@@ -1,7 +1,7 @@
-"""Sequential quadratic programming (Kraft's SLSQP, from SciPy) over gaits, within a box, on one smooth piece.
+"""Sequential quadratic programming (Kraft's SLSQP, of SciPy) over gaits in a box, on one smooth region.
 
-It ends where an iterate is on another piece of the functions, or is no gait: what was found until then is
-given back, and the caller goes on from there, with a smaller box or on the other piece.
+It ends where an iterate is on another region of the functions, or is no gait: what was found until then is
+given back, and the caller goes on from there, with a smaller box or on the other region.
 """
 
 import contextlib
@@ -27,15 +27,15 @@ class Ended(ByContents):
     """How a search within a box ended."""
 
     best: Candidate
-    """The gait of least merit that was seen on the piece."""
+    """The gait of least merit that was seen on the region."""
     beyond: Candidate | None
-    """An iterate on another piece, which ended it."""
+    """An iterate on another region, which ended it."""
     lost: str
     """Why an iterate is no gait, which ended it; else empty."""
 
 
 class _LeftError(Exception):
-    """An iterate is not on the piece."""
+    """An iterate is not on the region."""
 
 
 def minimize(
@@ -46,7 +46,7 @@ def minimize(
     high: NDArray[np.float64],
     is_inside: Callable[[Candidate], bool] = lambda gait: True,
 ) -> Ended:
-    """The best gait of a piece in a box around one, or how far the search came.
+    """The best gait of a region in a box around one, or how far the search came.
 
     Parameters
     ----------
@@ -59,7 +59,7 @@ def minimize(
     low, high : ndarray of float, shape (d,)
         Corners of the box.
     is_inside : callable, optional
-        Whether a gait is on the piece.
+        Whether a gait is on the region.
 
     Returns
     -------

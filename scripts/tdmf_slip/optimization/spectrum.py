@@ -19,7 +19,7 @@ from ..errors import RunError
 
 LEADING = 3
 """So many are told, a complex pair as one."""
-LEAST = 1e-3
+MINIMUM = 1e-3
 """Smaller eigenvalues are of no interest, and count as zero."""
 SIMPLE = 1e-7
 """Least product of unit left and right vectors: below, two eigenvalues meet."""
@@ -83,7 +83,7 @@ def spectrum_of(
     for row, k in enumerate(leading):
         sizes[row] = abs(values[k])
         positive[row] = values[k].imag == 0.0 and values[k].real > 0.0
-        if simple and sizes[row] > LEAST:
+        if simple and sizes[row] > MINIMUM:
             slopes[row] = _slopes(jacobian, values[k], right[:, k], changes)
     return Spectrum(sizes, slopes, positive, *_fold(jacobian, changes))
 

@@ -32,7 +32,7 @@ ANGLES = np.arange(50.0, 76.0, 1.0)
 """Contact angles, degrees from the ground."""
 NEAR = 5.0
 """Degrees: how far a border may be from the published one and agree, for the friction is not known."""
-MOST = 0.9
+MAXIMUM = 0.9
 """Share that counts as nearly all."""
 
 
@@ -231,14 +231,14 @@ def claims(found: Map) -> list[Claim]:
             f"{patch}: slips of those up",
             "below 10 cm",
             f"for {100 * short:.0f} %, the largest {100 * np.max(up):.0f} cm",
-            short >= MOST,
+            short >= MAXIMUM,
             SOURCE,
         ),
         Claim(
             f"{patch}: slips of those that fall",
             "10 cm or more",
             f"{100 * long:.0f} % of those that fall after it",
-            long >= MOST,
+            long >= MAXIMUM,
             SOURCE,
         ),
     ]

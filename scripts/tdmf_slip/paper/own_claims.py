@@ -71,8 +71,10 @@ class OwnClaims(ByContents):
             for number, claim in enumerate(self.claims, start=1)
         ]
         commands = [f"{number:>2}  {claim.command}" for number, claim in enumerate(self.claims, start=1)]
-        told = table(["", "what this project says", "stated", f"computed, seed {self.seed}", "verdict"], rows)
-        return "\n".join([told, "", *commands])
+        reported = table(
+            ["", "what this project says", "stated", f"computed, seed {self.seed}", "verdict"], rows
+        )
+        return "\n".join([reported, "", *commands])
 
 
 def own_claims(*, recompute: bool = False, seed: int = 1, progress: bool = False) -> OwnClaims:

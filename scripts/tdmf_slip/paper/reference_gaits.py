@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
 
-from ..library.gait import TOLD
+from ..library.gait import REPORTED
 from ..library.runner import Runner
 from ..library.section import COORDINATES
 from ..unit.unit import Fmu
@@ -93,7 +93,7 @@ def drifts(run: SettledRun, reference: ReferenceGait, fmu: Fmu) -> list[Drift]:
     """
     mu, scales = run.friction, Runner.of(run.start_values, fmu).scales
     found = [Drift(mu, "word", run.word, reference.word, float(run.word != reference.word), 0.0)]
-    for name in TOLD:
+    for name in REPORTED:
         computed, wanted = getattr(run, name), getattr(reference, name)
         found.append(Drift(mu, name, computed, wanted, abs(computed / wanted - 1.0), QUANTITY_TOLERANCE))
     for name, computed, wanted, scale in zip(COORDINATES, run.apex, reference.apex, scales, strict=True):

@@ -10,12 +10,12 @@ from ..checks import checked, checked_whole
 from ..contents import ByContents
 from ..errors import RunError
 from ..given import mapping_of
-from ..library.gait import TOLD
+from ..library.gait import REPORTED
 from ..library.runner import Runner
 from ..library.section import COORDINATES
 from ..terminal.progress import progress_bar
 from ..unit.instance import Experiment, Instance, Recorder, opened
-from ..unit.simulation import MOST_STRIDES as MOST_OF_ALL
+from ..unit.simulation import MAX_STRIDES as MAX_OF_ALL
 from ..unit.simulation import TOLERANCES, longest_time, time_unit
 from ..unit.unit import FRICTION, Fmu, load_fmu
 from ..unit.variable import Given, Value
@@ -23,9 +23,9 @@ from ..unit.variable import Given, Value
 DEFAULT_TOLERANCE = 1e-10
 WINDOW = 20
 """Strides averaged over: CVODE's own noise, some thousand tolerances, hides what single strides differ by."""
-MOST_SPREAD = 20.0
+MAX_SPREAD = 20.0
 """How far strides may be from their mean, over what the mean itself may move; noise takes a tenth of that."""
-MOST_STRIDES = 2000
+MAX_STRIDES = 2000
 
 
 @dataclass(frozen=True, eq=False)
@@ -66,7 +66,7 @@ def settle_unit(
     given: Mapping[str, Given] | None = None,
     *,
     tolerance: float = DEFAULT_TOLERANCE,
-    max_strides: int = MOST_STRIDES,
+    max_strides: int = MAX_STRIDES,
     progress: bool = False,
     fmu: Fmu | None = None,
 ) -> SettledRun:
@@ -107,7 +107,7 @@ def settle_unit(
     fmu = load_fmu(fmu)
     starts = fmu.start_values(mapping_of(given, "given", "start values by name"), "start values")
     runner = Runner.of(starts, fmu)
-    max_strides = checked_whole("max_strides", max_strides, 2 * WINDOW, MOST_OF_ALL)
+    max_strides = checked_whole("max_strides", max_strides, 2 * WINDOW, MAX_OF_ALL)
     tolerance = checked("tolerance", tolerance, *TOLERANCES)
     strides = _Strides(runner.scales, 1000.0 * tolerance)
     experiment = Experiment(
@@ -141,7 +141,7 @@ class _Strides:
 
     @property
     def settled(self) -> bool:
-        steady = self.change <= self.tolerance and self.spread <= MOST_SPREAD * self.tolerance
+        steady = self.change <= self.tolerance and self.spread <= MAX_SPREAD * self.tolerance
         return steady and len(set(self.words[-WINDOW:])) == 1
 
     @property
@@ -154,7 +154,7 @@ class _Strides:
             return f"the mean apex moved by {self.change:.2g} of its scales, allowed: {self.tolerance:.2g}"
         return (
             f"strides differ from their mean by {self.spread:.2g} of the apex's scales, "
-            f"allowed: {MOST_SPREAD * self.tolerance:.2g}"
+            f"allowed: {MAX_SPREAD * self.tolerance:.2g}"
         )
 
     def goes_on(self, instance: Instance) -> bool:
@@ -188,7 +188,7 @@ def _settled_run(
     return SettledRun(
         friction=friction,
         word=strides.words[-1],
-        **{name: instance.real(f"stride.{name}") for name in TOLD},
+        **{name: instance.real(f"stride.{name}") for name in REPORTED},
         liftoff_angle=instance.real("hip.liftoff_angle"),
         apex=tuple(apex),
         start_values={**starts, FRICTION: friction, **runner.state_at(apex)},

@@ -32,7 +32,7 @@ SIZE = (8.0, 4.0)
 HALF_WIDTH = 2.0
 LOW = -0.42
 """Lowest height shown, over l0; the legend stands in the ground."""
-MOST_REPEATED = 50
+MAX_REPEATED = 50
 """Strides drawn on either side; a shorter one is none."""
 SLOWED = 40.0
 """How many times more frames a unit of time gets in the stance than in flight."""
@@ -132,7 +132,7 @@ class _Scene:
         axes.add_patch(self.force)
         self.streaks = [
             axes.plot([], [], linewidth=6.0, zorder=3, solid_capstyle="butt")[0]
-            for _ in range(2 * len(stride.pieces))
+            for _ in range(2 * len(stride.intervals))
         ]
         self.mode = self._text(0.02, 0.06, "left", size=15, weight="bold")
         self._text(0.98, 0.06, "right", size=14).set_text(rf"$\mu = {stride.gait.friction:g}$")
@@ -147,7 +147,7 @@ class _Scene:
         length, x, y = self.length, self.stride["com.x"], self.stride["com.y"]
         count = max(1, round(abs(length)))  # a whole number in a stride, so that the loop closes
         reach = 2 + math.ceil(self.half_width / max(abs(length), 1e-9))
-        if reach > MOST_REPEATED:  # it runs on the spot
+        if reach > MAX_REPEATED:  # it runs on the spot
             reach, count = 2, 1
         marks = np.arange(-reach * count, reach * count + 1) * length / count
         span = np.array([-1.0, 1.0]) * max(reach * abs(length), 2.0 * self.half_width) + x[0]
@@ -174,7 +174,7 @@ class _Scene:
 
     def _word(self) -> list[Text]:
         """The letters of the gait word, one for each contact mode with force."""
-        modes = [piece.mode for piece in self.stride.pieces if piece.mode in style.LOADED]
+        modes = [interval.mode for interval in self.stride.intervals if interval.mode in style.LOADED]
         letters = []
         for i, mode in enumerate(modes):
             letter = self._text(0.84 - 0.032 * (len(modes) - 1 - i), 0.06, "center", size=18, weight="bold")
@@ -202,10 +202,10 @@ class _Scene:
 
     def _light(self, time: float) -> None:
         """Light the letter of the present contact mode."""
-        pieces = [piece for piece in self.stride.pieces if piece.mode in style.LOADED]
-        for piece, letter in zip(pieces, self.letters, strict=True):
-            first, last = self.stride.time[piece.rows][[0, -1]]
-            letter.set_color(style.MODE_COLOURS[piece.mode] if first <= time <= last else style.GROUND)
+        intervals = [interval for interval in self.stride.intervals if interval.mode in style.LOADED]
+        for interval, letter in zip(intervals, self.letters, strict=True):
+            first, last = self.stride.time[interval.rows][[0, -1]]
+            letter.set_color(style.MODE_COLOURS[interval.mode] if first <= time <= last else style.GROUND)
 
     def _push(self, foot: tuple[float, float], time: float, colour: str) -> None:
         """The ground force as an arrow from the foot."""
@@ -219,14 +219,14 @@ class _Scene:
 
     def _leave_streaks(self, time: float) -> None:
         """Where the foot has slipped so far; also those of the stride before, so that the loop closes."""
-        slips = [piece for piece in self.stride.pieces if piece.mode in SLIPS]
+        slips = [interval for interval in self.stride.intervals if interval.mode in SLIPS]
         for streak in self.streaks:
             streak.set_data([], [])
         free = iter(self.streaks)
         for shift, until in ((-self.length, np.inf), (0.0, time)):
-            for depth, piece in enumerate(slips):
-                rows = piece.rows
+            for depth, interval in enumerate(slips):
+                rows = interval.rows
                 x = self.stride["foot.x"][rows][self.stride.time[rows] <= until] + shift
                 streak = next(free)
                 streak.set_data(x, self.line(x) - 0.05 - 0.07 * depth)
-                streak.set_color(style.MODE_COLOURS[piece.mode])
+                streak.set_color(style.MODE_COLOURS[interval.mode])

@@ -87,9 +87,9 @@ def paint(axes: Axes, data: xarray.Dataset) -> list[Artist]:
     for name, (colours, label) in COUNTED.items():
         shown = np.ma.masked_where(fate != FATES.index(name), strides)
         if shown.count():
-            most = max(1, shown.max())
+            maximum = max(1, shown.max())
             mesh = axes.pcolormesh(
-                *edges, shown, cmap=_without_palest(colours), vmin=0, vmax=most, rasterized=True
+                *edges, shown, cmap=_without_palest(colours), vmin=0, vmax=maximum, rasterized=True
             )
             axes.figure.colorbar(mesh, ax=axes, label=label, pad=0.01, ticks=MaxNLocator(integer=True))
     handles: list[Artist] = [_cross(axes, data, horizontal, vertical)]

@@ -13,7 +13,7 @@ from matplotlib.ticker import LogLocator, StrMethodFormatter
 from ..analysis.borders import Border
 from ..analysis.sweep import Sweep
 from ..library.gait import Gait
-from ..unit.told import Told
+from ..unit.display_units import DisplayUnits
 from ..unit.unit import Fmu
 from . import style
 
@@ -31,7 +31,7 @@ def figure_of(
     gaits: Sequence[Gait],
     borders: Sequence[Border],
     fmu: Fmu,
-    told: Told | None = None,
+    display: DisplayUnits | None = None,
 ) -> Figure:
     """Three panels over a parameter; unstable gaits are dashed.
 
@@ -47,7 +47,7 @@ def figure_of(
         Where the word changes.
     fmu : Fmu
         For units.
-    told : Told, optional
+    display : Told, optional
         In which unit the parameter is told; by default in its own.
 
     Returns
@@ -66,9 +66,9 @@ def figure_of(
         for axes in panels:
             for border in borders:
                 axes.axvline(border.value, **style.STANCE_LINE)
-        told = told or Told(fmu)
-        label = style.tell_in(panels[-1].xaxis, name, told)
-        if told.factor(name) == 1.0 and min(values) > 0 and max(values) > DECADES * min(values):
+        display = display or DisplayUnits(fmu)
+        label = style.tell_in(panels[-1].xaxis, name, display)
+        if display.factor(name) == 1.0 and min(values) > 0 and max(values) > DECADES * min(values):
             panels[-1].set_xscale("log")
             panels[-1].xaxis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
             panels[-1].xaxis.set_major_formatter(StrMethodFormatter("{x:g}"))
@@ -79,7 +79,7 @@ def figure_of(
     return figure
 
 
-def draw(path: Path, found: Sweep, fmu: Fmu, told: Told | None = None) -> None:
+def draw(path: Path, found: Sweep, fmu: Fmu, display: DisplayUnits | None = None) -> None:
     """Draw a sweep into a file.
 
     Parameters
@@ -90,10 +90,10 @@ def draw(path: Path, found: Sweep, fmu: Fmu, told: Told | None = None) -> None:
         What is drawn.
     fmu : Fmu
         For units.
-    told : Told, optional
+    display : Told, optional
         See `figure_of`.
     """
-    style.save(figure_of(*drawn_of(found), fmu, told), path)
+    style.save(figure_of(*drawn_of(found), fmu, display), path)
 
 
 def drawn_of(found: Sweep) -> tuple[str, list[float], tuple[Gait, ...], tuple[Border, ...]]:

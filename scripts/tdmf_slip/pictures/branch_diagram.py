@@ -21,13 +21,13 @@ from ..checks import is_one_of, near_matches, shown
 from ..errors import InputError
 from ..library.gait import Gait
 from ..library.section import COORDINATES
-from ..unit.told import Told
+from ..unit.display_units import DisplayUnits
 from ..unit.unit import load_fmu
 from . import style
 
 DRAWN = "com_speed"
 """The quantity that is drawn unless another is asked for."""
-LEAST_SHOWN, LARGEST_SHOWN = 1.15, 4.0
+MIN_SHOWN, LARGEST_SHOWN = 1.15, 4.0
 """Of eigenvalues: how far their axis goes at least and at most."""
 COLOURS = (style.CURVE, style.SECOND_CURVE, "#8a5a00", "#5b2a86")
 """Of lines, by how often the period was doubled."""
@@ -78,7 +78,7 @@ def values_of(gait: Gait, quantity: str) -> list[float]:
     return [numbers[quantity]]
 
 
-def figure_of(branch: Branch, quantity: str = DRAWN, told: Told | None = None) -> Figure:
+def figure_of(branch: Branch, quantity: str = DRAWN, display: DisplayUnits | None = None) -> Figure:
     """A quantity of the gaits, and the size of their largest eigenvalue, over the parameter.
 
     Parameters
@@ -87,7 +87,7 @@ def figure_of(branch: Branch, quantity: str = DRAWN, told: Told | None = None) -
         What is drawn, with the branches of more strides that it gives rise to.
     quantity : str, default "com_speed"
         See `values_of`.
-    told : Told, optional
+    display : Told, optional
         In which unit the parameter is told; by default in its own.
 
     Returns
@@ -102,7 +102,7 @@ def figure_of(branch: Branch, quantity: str = DRAWN, told: Told | None = None) -
     """
     values_of(branch.gaits[0], quantity)
     fmu = load_fmu()
-    told = told or Told(fmu)
+    display = display or DisplayUnits(fmu)
     with style.styled():
         figure, panels = plt.subplots(
             2, 1, figsize=(8.2, 7.0), sharex=True, height_ratios=(2, 1), layout="constrained"
@@ -112,8 +112,8 @@ def figure_of(branch: Branch, quantity: str = DRAWN, told: Told | None = None) -
         label = f"{kind}.{quantity}" if variable else quantity
         panels[0].set_ylabel(style.with_unit(label, variable.unit if variable else ""))
         panels[1].set_ylabel("largest eigenvalue, size")
-        panels[1].set_xlabel(style.tell_in(panels[1].xaxis, branch.name, told))
-        begin = told.value(branch.name, branch.values[0])
+        panels[1].set_xlabel(style.tell_in(panels[1].xaxis, branch.name, display))
+        begin = display.value(branch.name, branch.values[0])
         panels[0].set_title(f"{branch.name} from {begin:g}: {branch.ended}", wrap=True)
         for axes, drawn in zip(panels, (quantity, "lambda_max"), strict=True):
             _draw(axes, branch, drawn, 0)
@@ -124,7 +124,7 @@ def figure_of(branch: Branch, quantity: str = DRAWN, told: Told | None = None) -
     return figure
 
 
-def draw(path: Path, branch: Branch, quantity: str, told: Told | None = None) -> None:
+def draw(path: Path, branch: Branch, quantity: str, display: DisplayUnits | None = None) -> None:
     """Draw a branch into a file.
 
     Parameters
@@ -135,24 +135,24 @@ def draw(path: Path, branch: Branch, quantity: str, told: Told | None = None) ->
         What is drawn.
     quantity : str
         See `values_of`.
-    told : Told, optional
+    display : Told, optional
         See `figure_of`.
     """
-    style.save(figure_of(branch, quantity, told), path)
+    style.save(figure_of(branch, quantity, display), path)
 
 
 def _bound(axes: Axes) -> None:
     """Eigenvalues may be large beside an event that is just touched: what matters is around 1."""
-    axes.set_ylim(0.0, float(np.clip(axes.get_ylim()[1], LEAST_SHOWN, LARGEST_SHOWN)))
+    axes.set_ylim(0.0, float(np.clip(axes.get_ylim()[1], MIN_SHOWN, LARGEST_SHOWN)))
 
 
 def _draw(axes: Axes, branch: Branch, quantity: str, depth: int) -> None:
     """The lines of a branch and of those from it, and their special points."""
     colour = COLOURS[min(depth, len(COLOURS) - 1)]
-    for stable, run in groupby(_pieces(branch, quantity), key=lambda piece: piece[0]):
-        pieces = list(run)
-        x = [pieces[0][1][0], *(end[0] for _, _, end in pieces)]
-        y = np.array([pieces[0][1][1], *(end[1] for _, _, end in pieces)])
+    for stable, run in groupby(_segments(branch, quantity), key=lambda segment: segment[0]):
+        segments = list(run)
+        x = [segments[0][1][0], *(end[0] for _, _, end in segments)]
+        y = np.array([segments[0][1][1], *(end[1] for _, _, end in segments)])
         kind = "stable" if stable else "unstable"
         label = f"{kind}, {branch.strides} stride{'s' if branch.strides > 1 else ''}"
         for number, line in enumerate(y.T):
@@ -170,10 +170,10 @@ def _draw(axes: Axes, branch: Branch, quantity: str, depth: int) -> None:
         _draw(axes, other, quantity, depth + 1)
 
 
-def _pieces(
+def _segments(
     branch: Branch, quantity: str
 ) -> list[tuple[bool, tuple[float, list[float]], tuple[float, list[float]]]]:
-    """Straight pieces between neighbouring gaits, special ones too: whether stable, begin and end."""
+    """Straight segments between neighbouring gaits, special ones too: whether stable, begin and end."""
     found = []
     by_index = {index: list(of) for index, of in groupby(branch.specials, key=lambda s: s.index)}
     gaits = list(zip(branch.values, branch.gaits, strict=True))

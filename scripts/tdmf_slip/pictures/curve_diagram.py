@@ -10,14 +10,14 @@ from matplotlib.figure import Figure
 
 from ..analysis.bifurcations import WORD_BORDER
 from ..analysis.curve import Curve
-from ..unit.told import Told
+from ..unit.display_units import DisplayUnits
 from ..unit.unit import load_fmu
 from . import style
 from .branch_diagram import ASLANT, BESIDE, MARKS
 
 
 def figure_of(
-    curves: Sequence[Curve], over: Mapping[str, tuple[float, float]], told: Told | None = None
+    curves: Sequence[Curve], over: Mapping[str, tuple[float, float]], display: DisplayUnits | None = None
 ) -> Figure:
     """The curves in the plane of the parameters: borders thin, with each word on its side.
 
@@ -27,7 +27,7 @@ def figure_of(
         What is drawn.
     over : mapping of str to pair of float
         By name of both parameters: the ends of their ranges, as the curves were followed from.
-    told : Told, optional
+    display : Told, optional
         In which units the parameters are told; by default in their own.
 
     Returns
@@ -35,11 +35,12 @@ def figure_of(
     Figure
         Of matplotlib.
     """
-    told = told or Told(load_fmu())
+    display = display or DisplayUnits(load_fmu())
     with style.styled():
         figure, axes = plt.subplots(figsize=(7.6, 5.4), layout="constrained")
         labels = [
-            style.tell_in(axis, name, told) for axis, name in zip((axes.xaxis, axes.yaxis), over, strict=True)
+            style.tell_in(axis, name, display)
+            for axis, name in zip((axes.xaxis, axes.yaxis), over, strict=True)
         ]
         shown = set()
         for curve in curves:
@@ -92,7 +93,7 @@ def draw(
     path: Path,
     curves: Sequence[Curve],
     over: Mapping[str, tuple[float, float]],
-    told: Told | None = None,
+    display: DisplayUnits | None = None,
 ) -> None:
     """Draw the curves into a file.
 
@@ -104,7 +105,7 @@ def draw(
         What is drawn.
     over : mapping of str to pair of float
         See `figure_of`.
-    told : Told, optional
+    display : Told, optional
         See `figure_of`.
     """
-    style.save(figure_of(curves, over, told), path)
+    style.save(figure_of(curves, over, display), path)

@@ -50,14 +50,20 @@ def modes(
     wanted : collection of str
         The modes to draw.
     """
-    for piece in stride.pieces:
-        if piece.mode not in wanted:
+    for interval in stride.intervals:
+        if interval.mode not in wanted:
             continue
-        time, value, colour = stride.time[piece.rows], values[piece.rows], style.MODE_COLOURS[piece.mode]
+        time, value, colour = (
+            stride.time[interval.rows],
+            values[interval.rows],
+            style.MODE_COLOURS[interval.mode],
+        )
         if np.ptp(time) < SHORT * shown:
             axes.plot(time[-1], value[-1], "o", color=colour, markersize=5, zorder=4)
         else:
-            axes.plot(time, value, color=colour, linestyle=style.dashes(piece.mode), linewidth=2.0, zorder=3)
+            axes.plot(
+                time, value, color=colour, linestyle=style.dashes(interval.mode), linewidth=2.0, zorder=3
+            )
 
 
 def mode_key(stride: Stride, wanted: Collection[str]) -> list[Line2D]:

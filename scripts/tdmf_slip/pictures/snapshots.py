@@ -78,14 +78,14 @@ def _ray(axes: Axes, stride: Stride, time: float) -> None:
 
 
 def _path(axes: Axes, stride: Stride, limits: tuple[float, float]) -> None:
-    for piece in stride.pieces:
-        if piece.mode in style.LOADED:
+    for interval in stride.intervals:
+        if interval.mode in style.LOADED:
             axes.plot(
-                stride["foot.x"][piece.rows],
-                stride.time[piece.rows] - stride.stance_times[0],
+                stride["foot.x"][interval.rows],
+                stride.time[interval.rows] - stride.stance_times[0],
                 linewidth=2.4,
-                color=style.MODE_COLOURS[piece.mode],
-                linestyle=style.dashes(piece.mode),
+                color=style.MODE_COLOURS[interval.mode],
+                linestyle=style.dashes(interval.mode),
             )
     axes.set_xlim(*limits)
     axes.invert_yaxis()

@@ -29,7 +29,7 @@ DIMENSIONS: Mapping[str, tuple[int, int, int]] = {
 
 
 @dataclass(frozen=True)
-class Piece:
+class Interval:
     """A part of the stride in one contact mode."""
 
     mode: str
@@ -71,16 +71,16 @@ class Stride:
         return [items[int(mode)] for mode in self._table[MODE]]
 
     @cached_property
-    def pieces(self) -> list[Piece]:
+    def intervals(self) -> list[Interval]:
         """The stride cut at every change of contact mode, in order; each has at least one row."""
         starts = [0, *(i for i in range(1, len(self.modes)) if self.modes[i] != self.modes[i - 1])]
         ends = [*starts[1:], len(self.modes)]
-        return [Piece(self.modes[a], slice(a, b)) for a, b in zip(starts, ends, strict=True)]
+        return [Interval(self.modes[a], slice(a, b)) for a, b in zip(starts, ends, strict=True)]
 
     @cached_property
     def stance(self) -> slice:
         """Rows on the ground with force, from the first contact to the last."""
-        contact = [p.rows for p in self.pieces if p.mode not in ("flight", "graze")]
+        contact = [p.rows for p in self.intervals if p.mode not in ("flight", "graze")]
         return slice(contact[0].start, contact[-1].stop)
 
     def times_of(self, what: str) -> list[float]:

@@ -21,8 +21,8 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import AutoLocator, FuncFormatter
 
 from ..files.whole import whole
+from ..unit.display_units import DisplayUnits
 from ..unit.events import SLIPS
-from ..unit.told import Told
 
 LineStyle: TypeAlias = Literal["-"] | tuple[float, tuple[float, ...]]
 
@@ -197,7 +197,7 @@ class _Scaled(AutoLocator):
         return [mark / self.factor for mark in marks]
 
 
-def tell_in(axis: Axis, name: str, told: Told) -> str:
+def tell_in(axis: Axis, name: str, display: DisplayUnits) -> str:
     """Have an axis, whose values are in a variable's own unit, marked in the one that it is told in.
 
     Parameters
@@ -206,7 +206,7 @@ def tell_in(axis: Axis, name: str, told: Told) -> str:
         Linear.
     name : str
         Of the variable.
-    told : Told
+    display : Told
         Units.
 
     Returns
@@ -214,11 +214,11 @@ def tell_in(axis: Axis, name: str, told: Told) -> str:
     str
         The axis' label.
     """
-    factor = told.factor(name)
+    factor = display.factor(name)
     if factor != 1.0:
         axis.set_major_locator(_Scaled(factor))
         axis.set_major_formatter(FuncFormatter(lambda value, _: f"{value * factor:.6g}"))
-    return with_unit(name, told.unit(name))
+    return with_unit(name, display.unit(name))
 
 
 def with_unit(name: str, unit: str) -> str:

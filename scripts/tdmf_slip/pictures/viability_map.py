@@ -66,7 +66,7 @@ def _figure(found: Viability) -> Figure:
     return figure
 
 
-def paint(axes: Axes, found: Viability, most: float | None = None) -> ScalarMappable:
+def paint(axes: Axes, found: Viability, maximum: float | None = None) -> ScalarMappable:
     """Paint the sets into axes of a figure.
 
     Parameters
@@ -75,7 +75,7 @@ def paint(axes: Axes, found: Viability, most: float | None = None) -> ScalarMapp
         Empty.
     found : Viability
         What to paint.
-    most : float, optional
+    maximum : float, optional
         Share of the actions that has the darkest colour; by default the largest there is.
 
     Returns
@@ -89,7 +89,7 @@ def paint(axes: Axes, found: Viability, most: float | None = None) -> ScalarMapp
         shown = np.ma.masked_where(states != level, np.zeros(states.shape))
         axes.pcolormesh(speeds, heights, shown, cmap=ListedColormap([colour]), rasterized=True)
     shares = np.ma.masked_where(states != 2, found.inner_robustness)
-    largest = most or float(np.max(found.inner_robustness)) or 1.0
+    largest = maximum or float(np.max(found.inner_robustness)) or 1.0
     mesh = axes.pcolormesh(speeds, heights, shares, cmap=COLOURS, vmin=0.0, vmax=largest, rasterized=True)
     units = [load_fmu().variables[f"apex.{axis}"].unit for axis in REDUCED]
     style.label(

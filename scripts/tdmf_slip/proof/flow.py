@@ -71,7 +71,9 @@ def speeds(runner: Any, mode: Mode, values: Values) -> Values:
 class Flow:
     """A step: what moves in it as tubes, over times from 0 to its reach."""
 
-    def __init__(self, runner: Any, mode: Mode, start: Values, degree: int, most: arb | None = None) -> None:
+    def __init__(
+        self, runner: Any, mode: Mode, start: Values, degree: int, maximum: arb | None = None
+    ) -> None:
         """Solve from a set of starts.
 
         Parameters
@@ -84,7 +86,7 @@ class Flow:
             By the names of the mode.
         degree : int
             Of the polynomials.
-        most : arb, optional
+        maximum : arb, optional
             Length that the step has at the most; else it is as long as the series is exact to the working
             precision.
 
@@ -103,7 +105,7 @@ class Flow:
         if not all(term.is_finite() for row in terms.values() for term in row):
             raise UndecidedError(f"the motion in {mode.contact}")
         reach = longest(runner, terms)
-        reach = reach if most is None or reach < most else most
+        reach = reach if maximum is None or reach < maximum else maximum
         polynomials = {name: arb_poly(row) for name, row in terms.items()}
         for _ in range(INCLUSIONS):
             self.span = Span(degree, reach)

@@ -13,8 +13,8 @@ from ..library.runner import Runner
 from ..unit.unit import load_fmu
 from .exact import Exact, exact_values
 
-MOST_DIGITS = 200
-LEAST_BOX = Fraction(1, 10**MOST_DIGITS)
+MAX_DIGITS = 200
+MIN_BOX = Fraction(1, 10**MAX_DIGITS)
 KNOWN = frozenset(
     {
         *("body.mass", "foot.mass", "gravity", "body.external_fx", "body.external_fy"),
@@ -143,6 +143,6 @@ def radius_of(box: Radius) -> Fraction:
         radius = Fraction(repr(box) if isinstance(box, float) else box)
     except (TypeError, ValueError, OverflowError, ZeroDivisionError):
         radius = Fraction(0)
-    if not LEAST_BOX <= radius <= 1:
-        raise InputError(f"box = {box!r} is not allowed; allowed: from 1e-{MOST_DIGITS} to 1")
+    if not MIN_BOX <= radius <= 1:
+        raise InputError(f"box = {box!r} is not allowed; allowed: from 1e-{MAX_DIGITS} to 1")
     return radius

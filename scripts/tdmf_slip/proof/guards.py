@@ -91,7 +91,7 @@ def body_height(runner: Any, mode: Mode, at: Any) -> Number:
 
 def leg_room(runner: Any, mode: Mode, at: Any) -> Number:
     """Of the leg above its least length: a fall."""
-    return at.length - runner.least_length
+    return at.length - runner.min_length
 
 
 FUNCTIONS: dict[str, Function] = {

@@ -28,7 +28,7 @@ from .undecided import UndecidedError
 
 COARSE_BITS = 64
 """Of the working precision where few digits are asked for."""
-MOST_STEPS = 12
+MAX_STEPS = 12
 SHARPENINGS = 12
 ROOM = 1.3
 """By how much a box that is tried next is wider than what the operator would just map into itself."""
@@ -70,7 +70,7 @@ def refined(
     with ctx.workprec(fineness.bits):
         points = point_matrix(np.linalg.inv(jacobian))
         last = float("inf")
-        for _ in range(MOST_STEPS):
+        for _ in range(MAX_STEPS):
             left = residual(Traveller(parameters, found, fineness, forced).stride(), found)[:unknowns]
             step = points * arb_mat(unknowns, 1, left)
             found[:unknowns] = [(x - dx).mid() for x, dx in zip(found, step.entries(), strict=False)]
@@ -237,8 +237,8 @@ class Inclusion:
         """Just larger than the solution of  box = shift + widths box."""
         if not self.contraction < 1.0:
             return None
-        least = np.linalg.solve(np.eye(len(widths)) - widths, shift.ravel())
-        return [ROOM * max(size, TINY) for size in least]
+        minimum = np.linalg.solve(np.eye(len(widths)) - widths, shift.ravel())
+        return [ROOM * max(size, TINY) for size in minimum]
 
 
 def spectral_radius(matrix: NDArray[np.float64]) -> float:

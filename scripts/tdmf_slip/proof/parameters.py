@@ -13,7 +13,7 @@ from .modes import PARAMETER
 
 LONGEST_STEP = 1.0
 """In units of sqrt(m/k)."""
-MOST_TURNS = 10.0
+MAX_TURNS = 10.0
 """Of a step, over the leg's fastest rate in flight: for longer ones no bound of the variations holds."""
 
 
@@ -65,7 +65,7 @@ def _record(of: Mapping[str, Number], exact: Mapping[str, Exact], varied: str | 
     return Record(
         model=model,
         inputs=model.parameters,
-        least_length=of["leg.min_length"],
+        min_length=of["leg.min_length"],
         has_thrust=bool(value_of(of["leg.thrust"] + of["control.thrust"]) > 0),
         stiffness=of["leg.stiffness"],
         inverse_foot_mass=1 / foot,
@@ -89,7 +89,7 @@ def _record(of: Mapping[str, Number], exact: Mapping[str, Exact], varied: str | 
         retracts=matters("hip.retraction_rate"),
         has_servo=matters("hip.kp") or matters("hip.kd"),
         varied=varied is not None,
-        longest_step=min(LONGEST_STEP * time, MOST_TURNS / (swing + float(damping * inverse_reduced_mass))),
+        longest_step=min(LONGEST_STEP * time, MAX_TURNS / (swing + float(damping * inverse_reduced_mass))),
         swing=swing,
         energy_scale=of["leg.stiffness"] * of["leg.free_length"] * of["leg.free_length"],
         scales={

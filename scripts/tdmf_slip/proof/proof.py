@@ -165,13 +165,13 @@ class Proof:
             "stable": self.stable,
             "box": self.box.as_json(COORDINATES),
             "apex": [text_of(x, self.digits) for x in self.apex] or None,
-            **{name: self._told(name) for name in QUANTITIES},
+            **{name: self._reported(name) for name in QUANTITIES},
             "eigenvalues": [self._eigenvalue(value) for value in self.eigenvalues] or None,
             "events": [[name, text_of(time, self.digits)] for name, time in self.events],
             "undecided": dict(self.undecided) or None,
         }
 
-    def _told(self, name: str) -> str | None:
+    def _reported(self, name: str) -> str | None:
         return text_of(self.quantities[name], self.digits) if name in self.quantities else None
 
     def _eigenvalue(self, value: acb) -> str | list[str]:
@@ -182,7 +182,7 @@ class Proof:
     @property
     def sentence(self) -> str:
         """What is proved, or left open, for a reader who wants to sign it."""
-        of = told(self.values)
+        of = reported(self.values)
         radius = short(max(self.box.radii))
         box = f"within {radius} of ({', '.join(decimal(x) for x in self.box.centre)})"
         if not self.proved:
@@ -222,7 +222,7 @@ def short(value: Fraction) -> str:
     return f"1e{exponent}" if value == Fraction(10) ** exponent else decimal(value)
 
 
-def told(values: Mapping[str, Exact], varied: str | None = None) -> str:
+def reported(values: Mapping[str, Exact], varied: str | None = None) -> str:
     """The runner as a sentence has it: what differs from Table 1, and what is varied."""
     table = {name: default_value(load_fmu().variables[name]) for name in values}
     others = [f"{name} = {v}" for name, v in values.items() if name != varied and v != table[name]]

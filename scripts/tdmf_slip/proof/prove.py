@@ -17,7 +17,7 @@ from ..library.members import check_varied
 from ..unit.unit import load_fmu
 from .eigenvalues import eigenvalues
 from .exact import Exact, exact_value
-from .given import MOST_DIGITS, Given, Radius, gait_of, radius_of
+from .given import MAX_DIGITS, Given, Radius, gait_of, radius_of
 from .krawczyk import Inclusion, proved_stride, refined, unique_box
 from .parameters import Parameters
 from .proof import Box, Proof
@@ -31,7 +31,7 @@ BOXES = tuple(Fraction(1, 10**places) for places in (6, 8, 10, 13, 16))
 """Radii that are tried where none is asked for, in units of the coordinates' scales."""
 BEYOND = 8
 """Decimal places by which the box of the enclosures is smaller than what is asked for."""
-LEAST_PLACES = 16
+MIN_PLACES = 16
 """Of that box: a wider one costs as much, and eigenvalues get too few digits."""
 REFINEMENTS = 3
 """How often the box of the enclosures is made smaller where digits are missing."""
@@ -156,7 +156,7 @@ def prove_exactly(
     InputError
         The box or the digits are refused.
     """
-    digits = checked_whole("digits", digits, 5, MOST_DIGITS)
+    digits = checked_whole("digits", digits, 5, MAX_DIGITS)
     asked = None if box is None else radius_of(box)
     return _Prover(gait, values, digits, given).proof(asked)
 
@@ -198,7 +198,7 @@ def bits_for(places: int) -> int:
 def known_digits(balls: Sequence[arb | acb]) -> int:
     """After the point, of the least exact of some numbers."""
     worst = max(float(ball.rad()) for ball in balls)
-    return math.floor(-math.log10(worst)) if 0.0 < worst < math.inf else (MOST_DIGITS if not worst else 0)
+    return math.floor(-math.log10(worst)) if 0.0 < worst < math.inf else (MAX_DIGITS if not worst else 0)
 
 
 class _Prover:
@@ -213,12 +213,12 @@ class _Prover:
     def proof(self, box: Fraction | None) -> Proof:
         """With a box, or the largest that is proved."""
         smallest = 0 if box is None else math.ceil(-math.log10(box))
-        self._work_to(max(self.digits + BEYOND, LEAST_PLACES, smallest + 3))
+        self._work_to(max(self.digits + BEYOND, MIN_PLACES, smallest + 3))
         tried = self._box(self.start, BOXES[0] if box is None else box)
         try:
             near = self._near(self.start)
             tried = self._unique(self.start if self.given else near, box)
-            return self._told(tried, near)
+            return self._reported(tried, near)
         except UndecidedError as problem:
             undecided = {"guard": problem.guard, "time": problem.time}
             return Proof(False, self.values, tried, self.digits, undecided=undecided)
@@ -232,7 +232,7 @@ class _Prover:
         jacobian, nearness = self.gait.jacobian - np.eye(6), 10.0 ** -(self.narrow + 1)
         return refined(self.parameters, start, jacobian, self.fine, nearness)
 
-    def _told(self, box: Box, near: Sequence[arb]) -> Proof:
+    def _reported(self, box: Box, near: Sequence[arb]) -> Proof:
         """With the digits that are asked for: from a smaller box where the map takes too many of them."""
         found = self._enclosed(box, near)
         for _ in range(REFINEMENTS):

@@ -16,10 +16,10 @@ from ..library.runner import Runner
 from ..unit.unit import FRICTION, load_fmu
 from .exact import Exact, exact_values
 from .forced import Forced
-from .given import MOST_DIGITS, check_laws, floats_of
+from .given import MAX_DIGITS, check_laws, floats_of
 from .krawczyk import COARSE_BITS, Inclusion, middle_of, proved_stride, refined, slopes_of, unique_box
 from .parameters import Parameters
-from .proof import Box, Proof, decimal, exactly, short, statement, text_of, told
+from .proof import Box, Proof, decimal, exactly, reported, short, statement, text_of
 from .prove import BEYOND, BOXES, DEFAULT_DIGITS, bits_for, prove_exactly
 from .section import COORDINATES
 from .starts import Fineness, Starts
@@ -89,7 +89,7 @@ class BorderProof:
     @property
     def sentence(self) -> str:
         """What is proved, or left open."""
-        of = told(self.values, self.name)
+        of = reported(self.values, self.name)
         if not self.proved or self.value is None or self.box is None:
             return f"Undecided for {of}: {self.undecided.get('guard')}."
         text = (
@@ -97,11 +97,11 @@ class BorderProof:
             f"within {short(max(self.box.radii))} of ({', '.join(decimal(x) for x in self.box.centre)}), its "
             f"apex and {self.name}; its {self.name} lies in {text_of(self.value, self.digits)}."
         )
-        sides = ", ".join(self._told_side(side) for side in self.sides)
+        sides = ", ".join(self._reported_side(side) for side in self.sides)
         changes = "The word changes: " if len(set(self.words)) > 1 else ""
         return f"{text} {changes}{sides}." if sides else text
 
-    def _told_side(self, side: Proof) -> str:
+    def _reported_side(self, side: Proof) -> str:
         at = f"at {decimal(side.values[self.name].rational)}"
         return f"{side.word} {at} is proved" if side.proved else f"the gait {at} is undecided"
 
@@ -149,7 +149,7 @@ def prove_border(
     True
     """
     check_varied(vary, "vary")
-    digits = checked_whole("digits", digits, 5, MOST_DIGITS)
+    digits = checked_whole("digits", digits, 5, MAX_DIGITS)
     if not isinstance(border, Border):
         check_kind(border, (float, int), "border", "one of a sweep's borders, or its place")
     place = border.value if isinstance(border, Border) else float(border)
@@ -170,8 +170,8 @@ class _BorderProver:
         self.with_sides = sides
         own = {of: self.runner.values[of] for of in VARIED}
         check_laws(own)
-        told_exactly = {of: value for of, value in self.given.items() if of in own and of != name}
-        self.values = exact_values(load_fmu(), own, told_exactly)
+        reported_exactly = {of: value for of, value in self.given.items() if of in own and of != name}
+        self.values = exact_values(load_fmu(), own, reported_exactly)
         self.parameters = Parameters(self.values, name)
         self.narrow = digits + BEYOND
         self.fine = Fineness(bits_for(self.narrow))
@@ -186,7 +186,7 @@ class _BorderProver:
     def _proof(self) -> BorderProof:
         step = BESIDE * max(abs(self.place), BESIDE)
         sides = [periodic_gait(self.runner.but(self.name, self.place + by)) for by in (-step, step)]
-        forced, gait = _told_apart(*(self._seen(side) for side in sides))
+        forced, gait = _distinguished(*(self._seen(side) for side in sides))
         scales = [*(float(scale) for scale in gait.runner.scales), max(abs(self.place), 1.0)]
         start = [*(arb(float(x)) for x in gait.apex), arb(self.place)]
         rough = Fineness(COARSE_BITS)
@@ -238,7 +238,7 @@ def prove_at(values: Mapping[str, Exact], name: str, value: Fraction, runner: Ru
     return prove_exactly(gait, {**values, name: Exact(value)}, 6, None, given=False)
 
 
-def _told_apart(one: tuple[Gait, Stride], other: tuple[Gait, Stride]) -> tuple[Forced, Gait]:
+def _distinguished(one: tuple[Gait, Stride], other: tuple[Gait, Stride]) -> tuple[Forced, Gait]:
     """What happens at once between two gaits, and the gait whose side is smooth across it."""
     pairs = zip(one[1].events, other[1].events, strict=False)
     for index, (first, second) in enumerate(pairs):

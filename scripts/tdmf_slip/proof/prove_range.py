@@ -15,7 +15,7 @@ from ..library.runner import Runner
 from ..terminal.progress import progress_bar
 from .exact import Exact
 from .given import KNOWN
-from .range_proof import Piece, RangeProof
+from .range_proof import RangeProof, Subinterval
 from .range_prover import RangeProver
 from .workers import side_by_side
 
@@ -27,17 +27,17 @@ NONE = "0"
 """A parameter's value with which what it is about is not there."""
 
 
-def prove_pieces(
+def prove_subintervals(
     runner: Runner, values: Mapping[str, Exact], name: str, ends: tuple[Fraction, Fraction]
-) -> list[Piece]:
-    """All pieces of a range, in this process."""
-    return list(RangeProver(runner, values, name).pieces(*ends))
+) -> list[Subinterval]:
+    """All subintervals of a range, in this process."""
+    return list(RangeProver(runner, values, name).subintervals(*ends))
 
 
 def parts_of(begin: Fraction, end: Fraction) -> int:
     """Into how many parts a range is cut."""
-    least = NARROWEST_PART * max(abs(begin), abs(end))
-    return max(1, min(PARTS, math.floor((end - begin) / least)))
+    minimum = NARROWEST_PART * max(abs(begin), abs(end))
+    return max(1, min(PARTS, math.floor((end - begin) / minimum)))
 
 
 def cut(begin: Fraction, end: Fraction, number: int) -> list[tuple[Fraction, Fraction]]:
@@ -87,7 +87,7 @@ def prove_range(
         The file is of something else.
     """
     parts = cut(*ends, parts_of(*ends))
-    head = {"vary": name, "range": [str(end) for end in ends], "parameters": _told(values, name)}
+    head = {"vary": name, "range": [str(end) for end in ends], "parameters": _reported(values, name)}
     done = _done(output, head)
     open_ones = [part for part in parts if part not in done]
     processes = processes or os.cpu_count() or 1
@@ -95,15 +95,15 @@ def prove_range(
         for _ in range(len(parts) - len(open_ones)):
             bar.update()
         tasks = [(gait.runner, values, name, part) for part in open_ones]
-        found = side_by_side(prove_pieces, tasks, processes)
-        for part, pieces in zip(open_ones, found, strict=True):
-            done[part] = pieces
-            _write(output, head, part, pieces)
+        found = side_by_side(prove_subintervals, tasks, processes)
+        for part, subintervals in zip(open_ones, found, strict=True):
+            done[part] = subintervals
+            _write(output, head, part, subintervals)
             bar.update()
-    return RangeProof(name, *ends, values, [piece for part in parts for piece in done[part]])
+    return RangeProof(name, *ends, values, [subinterval for part in parts for subinterval in done[part]])
 
 
-def _told(values: Mapping[str, Exact], name: str) -> dict[str, str]:
+def _reported(values: Mapping[str, Exact], name: str) -> dict[str, str]:
     """What the proof rests on: a parameter that it does not know of has no part in it, nor one that is 0.
 
     So a file stays valid as the model gets further laws, as long as they are without effect.
@@ -112,7 +112,9 @@ def _told(values: Mapping[str, Exact], name: str) -> dict[str, str]:
     return {of: value for of, value in of_proof.items() if value != NONE}
 
 
-def _done(output: Path | None, head: Mapping[str, object]) -> dict[tuple[Fraction, Fraction], list[Piece]]:
+def _done(
+    output: Path | None, head: Mapping[str, object]
+) -> dict[tuple[Fraction, Fraction], list[Subinterval]]:
     """Parts that a file has already; a last line that was cut off is none."""
     if output is None or not output.exists():
         return {}
@@ -123,7 +125,9 @@ def _done(output: Path | None, head: Mapping[str, object]) -> dict[tuple[Fractio
             f"{output}: is not of this range and runner; allowed: a new file, or one of the same"
         )
     return {
-        (Fraction(row["part"][0]), Fraction(row["part"][1])): [Piece.of_row(piece) for piece in row["pieces"]]
+        (Fraction(row["part"][0]), Fraction(row["part"][1])): [
+            Subinterval.of_row(subinterval) for subinterval in row["pieces"]
+        ]
         for row in rows[1:]
     }
 
@@ -144,11 +148,16 @@ def _row(line: str) -> Any:
 
 
 def _write(
-    output: Path | None, head: Mapping[str, object], part: tuple[Fraction, Fraction], pieces: list[Piece]
+    output: Path | None,
+    head: Mapping[str, object],
+    part: tuple[Fraction, Fraction],
+    subintervals: list[Subinterval],
 ) -> None:
     if output is None:
         return
     lines = [] if output.exists() else [head]
-    lines.append({"part": [str(end) for end in part], "pieces": [piece.as_row() for piece in pieces]})
+    lines.append(
+        {"part": [str(end) for end in part], "pieces": [subinterval.as_row() for subinterval in subintervals]}
+    )
     with output.open("a", encoding="utf-8") as file:
         file.write("".join(f"{json.dumps(line)}\n" for line in lines))

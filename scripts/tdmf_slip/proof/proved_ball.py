@@ -45,4 +45,4 @@ def proved_ball(gait: Gait) -> Ball:
     matrix = np.linalg.cholesky(both.T @ both).T * (1.0 + 1e-9)  # rounding is far below
     radius = cube_in(matrix * scales)
     tolerance = 0.1 * radius * (1.0 - gait.lambda_max) / ENGINE_ERROR
-    return Ball("proved", radius, found.rate, 0, matrix, max(tolerance, ensemble.LEAST_TOLERANCE), 1e-300)
+    return Ball("proved", radius, found.rate, 0, matrix, max(tolerance, ensemble.MIN_TOLERANCE), 1e-300)

@@ -1,4 +1,4 @@
-"""What is proved of gaits over a range of a parameter, piece by piece."""
+"""What is proved of gaits over a range of a parameter, subinterval by subinterval."""
 
 import itertools
 from collections.abc import Mapping, Sequence
@@ -8,15 +8,15 @@ from fractions import Fraction
 from flint import arb, ctx
 
 from .exact import Exact, ball_of
-from .proof import decimal, statement, told
+from .proof import decimal, reported, statement
 
 BITS = 56
-"""Of the arithmetic in which pieces are proved."""
+"""Of the arithmetic in which subintervals are proved."""
 COMPARING_BITS = 2 * BITS
 
 
 @dataclass(frozen=True)
-class Piece:
+class Subinterval:
     """A part of the range: what is proved of it, or that it is left."""
 
     begin: Fraction
@@ -28,7 +28,7 @@ class Piece:
     stable: bool | None = None
     """All gaits are stable, or none; None where neither is proved."""
     centre: Sequence[float] = ()
-    """The apex that xi is counted from, at the middle of the piece, shape (6,)."""
+    """The apex that xi is counted from, at the middle of the subinterval, shape (6,)."""
     tilt: Sequence[float] = ()
     """Its change by the parameter, shape (6,)."""
     box: Sequence[float] = ()
@@ -53,28 +53,28 @@ class Piece:
         return {**vars(self), "begin": decimal(self.begin), "end": decimal(self.end)}
 
     @classmethod
-    def of_row(cls, row: Mapping[str, object]) -> "Piece":
+    def of_row(cls, row: Mapping[str, object]) -> "Subinterval":
         """Of a plain object."""
         ends = {name: Fraction(str(row[name])) for name in ("begin", "end")}
         return cls(**{**row, **ends})  # type: ignore[arg-type] # as it was written
 
-    def meets(self, other: "Piece") -> bool:
-        """Whether its gait at its end is proved to be that of the next piece at its beginning."""
+    def meets(self, other: "Subinterval") -> bool:
+        """Whether its gait at its end is proved to be that of the next subinterval at its beginning."""
         if not (self.proved and other.proved and self.end == other.begin):
             return False
         return self._has_in_box(other, self.end) or other._has_in_box(self, self.end)
 
-    def _has_in_box(self, other: "Piece", value: Fraction) -> bool:
+    def _has_in_box(self, other: "Subinterval", value: Fraction) -> bool:
         """Whether another's gait is in the box in which its own is the only one, at a value of both."""
         with ctx.workprec(COMPARING_BITS):
-            places = [_place(piece, value) for piece in (self, other)]
+            places = [_place(subinterval, value) for subinterval in (self, other)]
             rows = zip(*places, other.enclosure, self.box, strict=True)
             return all(abs(a - b) + arb(radius) < arb(room) for a, b, radius, room in rows)
 
 
-def _place(piece: Piece, value: Fraction) -> list[arb]:
-    away = ball_of(value) - piece.middle()
-    return [arb(x) + arb(slope) * away for x, slope in zip(piece.centre, piece.tilt, strict=True)]
+def _place(subinterval: Subinterval, value: Fraction) -> list[arb]:
+    away = ball_of(value) - subinterval.middle()
+    return [arb(x) + arb(slope) * away for x, slope in zip(subinterval.centre, subinterval.tilt, strict=True)]
 
 
 @dataclass(frozen=True)
@@ -89,49 +89,55 @@ class RangeProof:
     """The parameter's greatest value."""
     values: Mapping[str, Exact] = field(repr=False)
     """The runner's other parameters, exactly."""
-    pieces: Sequence[Piece] = field(repr=False)
+    subintervals: Sequence[Subinterval] = field(repr=False)
     """In order, without gaps."""
 
     @property
     def proved(self) -> bool:
         """Nothing of the range is left."""
-        return all(piece.proved for piece in self.pieces)
+        return all(subinterval.proved for subinterval in self.subintervals)
 
     @property
     def left(self) -> list[tuple[Fraction, Fraction]]:
         """What is undecided."""
-        return [(piece.begin, piece.end) for piece in self.pieces if not piece.proved]
+        return [
+            (subinterval.begin, subinterval.end)
+            for subinterval in self.subintervals
+            if not subinterval.proved
+        ]
 
     @property
     def words(self) -> tuple[str, ...]:
         """That are proved, each once, in order."""
-        return tuple(dict.fromkeys(piece.word for piece in self.pieces if piece.proved))
+        return tuple(
+            dict.fromkeys(subinterval.word for subinterval in self.subintervals if subinterval.proved)
+        )
 
     @property
     def stable(self) -> bool | None:
         """Every gait of the range is proved to be stable, or every one to be unstable; None otherwise."""
-        found = {piece.stable for piece in self.pieces}
+        found = {subinterval.stable for subinterval in self.subintervals}
         return found.pop() if self.proved and len(found) == 1 else None
 
     @property
     def is_one_branch(self) -> bool:
-        """The gaits of neighbouring pieces are proved to be one where they meet."""
-        return self.proved and all(one.meets(other) for one, other in itertools.pairwise(self.pieces))
+        """The gaits of neighbouring subintervals are proved to be one where they meet."""
+        return self.proved and all(one.meets(other) for one, other in itertools.pairwise(self.subintervals))
 
     @property
     def sentence(self) -> str:
         """What is proved, or left."""
         span = f"{self.name} from {decimal(self.begin)} to {decimal(self.end)}"
-        of = told(self.values, self.name)
+        of = reported(self.values, self.name)
         if not self.proved:
             share = float(sum(b - a for a, b in self.left) / (self.end - self.begin))
-            return f"Undecided for {of}: {share:.3g} of {span} is left, in {len(self.left)} pieces."
+            return f"Undecided for {of}: {share:.3g} of {span} is left, in {len(self.left)} subintervals."
         words = f"the word {self.words[0]}" if len(self.words) == 1 else f"the words {', '.join(self.words)}"
         kind = {True: "; all are stable", False: "; all are unstable", None: self._judgement()}[self.stable]
         joined = ", all of one branch" if self.is_one_branch else ""
         return (
-            f"Of {of}, for each {span}, there is exactly one gait in one of {len(self.pieces)} boxes, with "
-            f"{words}{joined}{kind}."
+            f"Of {of}, for each {span}, there is exactly one gait in one of {len(self.subintervals)} boxes, "
+            f"with {words}{joined}{kind}."
         )
 
     def _judgement(self) -> str:
@@ -143,7 +149,11 @@ class RangeProof:
         )
 
     def _share(self, stable: bool | None) -> float:
-        widths = [piece.end - piece.begin for piece in self.pieces if piece.stable is stable]
+        widths = [
+            subinterval.end - subinterval.begin
+            for subinterval in self.subintervals
+            if subinterval.stable is stable
+        ]
         return float(sum(widths, Fraction(0)) / (self.end - self.begin))
 
     def as_json(self) -> dict[str, object]:
@@ -155,6 +165,6 @@ class RangeProof:
             "words": list(self.words),
             "stable": self.stable,
             "one_branch": self.is_one_branch,
-            "pieces": len(self.pieces),
+            "pieces": len(self.subintervals),
             "left": [[decimal(a), decimal(b)] for a, b in self.left],
         }

@@ -1,8 +1,8 @@
-"""Gaits over a range of a parameter, piece by piece, each as wide as its enclosures allow.
+"""Gaits over a range of a parameter, subinterval by subinterval, each as wide as its enclosures allow.
 
-In a piece of the range the gait is sought at  centre + tilt (q - middle) + xi  with xi in a small box: the
-tilt is the tangent of the branch, so that xi has only what the branch bends, which is of second order in the
-width.
+In a subinterval of the range the gait is sought at centre + tilt (q - middle) + xi with xi in a small box:
+the tilt is the tangent of the branch, so that xi has only what the branch bends, which is of second order
+in the width.
 """
 
 import math
@@ -22,27 +22,27 @@ from .eigenvalues import eigenvalues, is_contracting
 from .exact import Exact, ball_of
 from .krawczyk import ROOM, Inclusion, NotIncludedError, proved_stride
 from .parameters import Parameters
-from .range_proof import BITS, Piece
+from .range_proof import BITS, Subinterval
 from .starts import Fineness, Starts
 from .stride import Stride
 from .undecided import UndecidedError
 
 FIRST = Fraction(1, 4)
-"""Of a piece that is too wide, what is tried next, until the first is proved."""
+"""Of a subinterval that is too wide, what is tried next, until the first is proved."""
 NARROWEST = Fraction(1, 10**10)
 """A box that is undecided and no wider is left."""
 GROWTH = 4.0
-"""At the most, from one piece to the next."""
+"""At the most, from one subinterval to the next."""
 SHRINKAGE = Fraction(3, 4)
 RECOVERY = Fraction(103, 100)
-"""Of the width after one that was too wide, by each piece that is proved."""
+"""Of the width after one that was too wide, by each subinterval that is proved."""
 FULL = 0.6
 """Of its size, what the operator leaves of a box that is as wide as is worth while: 1 proves nothing."""
 TRIES = 4
 WIDEST_BOX = 1.5
-"""Of xi, in units of the piece's width: a wider one bends the stride more than the parameter does."""
+"""Of xi, in units of the subinterval's width: a wider one bends the stride more than the parameter does."""
 SPLITS = 3
-"""How often a piece whose gaits are proved, but not their stability, is cut in two for its sake."""
+"""How often a subinterval whose gaits are proved, but not their stability, is cut in two for its sake."""
 
 
 class RangeProver:
@@ -56,7 +56,7 @@ class RangeProver:
         self.bend: list[float] = [1.0] * 6
         self.growth = 1.0
 
-    def pieces(self, begin: Fraction, end: Fraction) -> Iterator[Piece]:
+    def subintervals(self, begin: Fraction, end: Fraction) -> Iterator[Subinterval]:
         """Pieces from one end to the other.
 
         Parameters
@@ -66,42 +66,44 @@ class RangeProver:
 
         Yields
         ------
-        Piece
+        Subinterval
             In order, without gaps.
         """
         width, gait, shrinkage = end - begin, None, FIRST
-        most = width
+        maximum = width
         while begin < end:
-            until = min(begin + short_decimal(min(width, most)), end)
+            until = min(begin + short_decimal(min(width, maximum)), end)
             try:
                 gait = self._gait((begin + until) / 2, gait)
-                piece = self._piece(begin, until, gait)
+                subinterval = self._subinterval(begin, until, gait)
             except (UndecidedError, RunError) as problem:
                 if until - begin > NARROWEST:
-                    width, most = (until - begin) * shrinkage, (until - begin) * SHRINKAGE
+                    width, maximum = (until - begin) * shrinkage, (until - begin) * SHRINKAGE
                     continue
-                piece = Piece(begin, until, undecided=str(problem))
-            yield from self._judged(piece, gait, SPLITS)
-            width, most = (until - begin) * Fraction(self.growth), short_decimal(most * RECOVERY, 5)
+                subinterval = Subinterval(begin, until, undecided=str(problem))
+            yield from self._judged(subinterval, gait, SPLITS)
+            width, maximum = (until - begin) * Fraction(self.growth), short_decimal(maximum * RECOVERY, 5)
             begin, shrinkage = until, SHRINKAGE
 
-    def _judged(self, piece: Piece, gait: Gait | None, splits: int) -> Iterator[Piece]:
-        """The piece, or its halves where these tell whether the gaits are stable."""
-        if not piece.proved or piece.stable is not None or not splits or gait is None:
-            yield piece
+    def _judged(self, subinterval: Subinterval, gait: Gait | None, splits: int) -> Iterator[Subinterval]:
+        """The subinterval, or its halves where these tell whether the gaits are stable."""
+        if not subinterval.proved or subinterval.stable is not None or not splits or gait is None:
+            yield subinterval
             return
-        middle = (piece.begin + piece.end) / 2
+        middle = (subinterval.begin + subinterval.end) / 2
         try:
-            halves = [self._half(*ends, gait) for ends in ((piece.begin, middle), (middle, piece.end))]
+            halves = [
+                self._half(*ends, gait) for ends in ((subinterval.begin, middle), (middle, subinterval.end))
+            ]
         except (UndecidedError, RunError):
-            yield piece
+            yield subinterval
             return
         for half, own in halves:
             yield from self._judged(half, own, splits - 1)
 
-    def _half(self, begin: Fraction, end: Fraction, gait: Gait) -> tuple[Piece, Gait]:
+    def _half(self, begin: Fraction, end: Fraction, gait: Gait) -> tuple[Subinterval, Gait]:
         own = self._gait((begin + end) / 2, gait)
-        return self._piece(begin, end, own), own
+        return self._subinterval(begin, end, own), own
 
     def _gait(self, value: Fraction, last: Gait | None) -> Gait:
         runner = self.runner.but(self.name, float(value))
@@ -109,15 +111,17 @@ class RangeProver:
             return periodic_gait(runner, along=self.name)
         return gait_near(runner, last.apex, along=self.name)
 
-    def _piece(self, begin: Fraction, end: Fraction, gait: Gait) -> Piece:
+    def _subinterval(self, begin: Fraction, end: Fraction, gait: Gait) -> Subinterval:
         """One box, or no decision."""
         tilt = np.linalg.solve(np.eye(6) - gait.jacobian, np.asarray(gait.by_parameter))
         square = float((end - begin) / 2) ** 2
         box: Sequence[float] = [bend * square + 1e-11 for bend in self.bend]
-        tried = Piece(begin, end, centre=rounded(gait.apex, 12), tilt=rounded(tilt, 6))
+        tried = Subinterval(begin, end, centre=rounded(gait.apex, 12), tilt=rounded(tilt, 6))
         for _ in range(TRIES):
             try:
-                piece, inside = proved_piece(self.parameters, replace(tried, box=[at_least(r) for r in box]))
+                subinterval, inside = proved_subinterval(
+                    self.parameters, replace(tried, box=[at_least(r) for r in box])
+                )
             except NotIncludedError as problem:
                 if problem.box is None or max(problem.box) > WIDEST_BOX * float(end - begin):
                     raise
@@ -125,7 +129,7 @@ class RangeProver:
                 continue
             self.bend = [ROOM * size / square for size in inside.image]
             self.growth = min(GROWTH, FULL / max(inside.contraction, 1e-3))
-            return piece
+            return subinterval
         raise UndecidedError("the inclusion of the fixed point in the box")
 
 
@@ -139,19 +143,19 @@ def at_least(size: float) -> float:
     return float(f"{1.0055 * size:.3g}")
 
 
-def proved_piece(parameters: Parameters, piece: Piece) -> tuple[Piece, Inclusion]:
-    """What is proved of a piece in its box.
+def proved_subinterval(parameters: Parameters, subinterval: Subinterval) -> tuple[Subinterval, Inclusion]:
+    """What is proved of a subinterval in its box.
 
     Parameters
     ----------
     parameters : Parameters
         Of the runner, with what is varied.
-    piece : Piece
+    subinterval : Subinterval
         With centre, tilt and box.
 
     Returns
     -------
-    Piece
+    Subinterval
         With the word, the stability and the enclosure.
     Inclusion
         That proves it.
@@ -163,18 +167,20 @@ def proved_piece(parameters: Parameters, piece: Piece) -> tuple[Piece, Inclusion
     """
     fine = Fineness(BITS)
     with ctx.workprec(BITS):
-        value = piece.middle()
-        radius = max(abs(ball_of(end) - value).upper() for end in (piece.begin, piece.end))
-        centre = [*(arb(x) for x in piece.centre), value]
-        starts = Starts(centre, [*(arb(r) for r in piece.box), radius], [arb(t) for t in piece.tilt])
+        value = subinterval.middle()
+        radius = max(abs(ball_of(end) - value).upper() for end in (subinterval.begin, subinterval.end))
+        centre = [*(arb(x) for x in subinterval.centre), value]
+        starts = Starts(
+            centre, [*(arb(r) for r in subinterval.box), radius], [arb(t) for t in subinterval.tilt]
+        )
     stride = proved_stride(parameters, starts, fine, fine)
     inside = Inclusion(starts, stride, fine)
     enclosure = [at_least(size) for size in inside.image]
-    return replace(piece, word=stride.word, stable=_is_stable(stride), enclosure=enclosure), inside
+    return replace(subinterval, word=stride.word, stable=_is_stable(stride), enclosure=enclosure), inside
 
 
 def _is_stable(stride: Stride) -> bool | None:
-    """Whether every gait of a piece is, or none; None where that is open."""
+    """Whether every gait of a subinterval is, or none; None where that is open."""
     assert stride.derivative is not None
     with ctx.workprec(BITS):
         square = arb_mat(6, 6, [stride.derivative[i, j] for i in range(6) for j in range(6)])
@@ -182,6 +188,6 @@ def _is_stable(stride: Stride) -> bool | None:
 
 
 def short_decimal(width: Fraction, digits: int = 2) -> Fraction:
-    """A decimal near a width and not above, so that the ends of pieces stay short."""
+    """A decimal near a width and not above, so that the ends of subintervals stay short."""
     places = digits - 1 - math.floor(math.log10(width))
     return Fraction(math.floor(width * 10**places), 10**places)

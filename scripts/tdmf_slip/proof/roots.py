@@ -55,12 +55,12 @@ class Guard:
 
     def reached(self, begin: arb, end: arb) -> arb | None:
         """Up to where it is proved to be positive from one time on; None where that is all of it."""
-        parts, least = [(begin, end)], (end - begin) * FINEST
+        parts, minimum = [(begin, end)], (end - begin) * FINEST
         while parts:
             low, high = parts.pop()
             if self.over(low, high) > 0:
                 continue
-            if not high - low > least:
+            if not high - low > minimum:
                 return low
             middle = ((low + high) / 2).mid()
             parts += [(middle, high), (low, middle)]

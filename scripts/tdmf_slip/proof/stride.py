@@ -21,7 +21,7 @@ from .starts import Fineness
 from .transitions import Transition
 from .undecided import UndecidedError
 
-MOST_STEPS = 5000
+MAX_STEPS = 5000
 
 
 @dataclass(frozen=True)
@@ -130,7 +130,7 @@ class Traveller:
         UndecidedError
             An event is not proved to be the next, or a sign that decides is open.
         """
-        for _ in range(MOST_STEPS):
+        for _ in range(MAX_STEPS):
             try:
                 if self.step():
                     return self._close()

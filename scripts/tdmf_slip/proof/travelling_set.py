@@ -99,7 +99,7 @@ class SetTraveller(Traveller):
         with ctx.workprec(self.fine.bits):
             thin = Flow(self.thin, self.mode, self.centre, self.fine.degree)
         with ctx.workprec(self.coarse.bits):
-            flow = VariedFlow(self.wide, self.mode, self.set, self.coarse.degree, most=thin.reach)
+            flow = VariedFlow(self.wide, self.mode, self.set, self.coarse.degree, maximum=thin.reach)
             return self._go(thin, flow)
 
     def _begin_at(self, found: Values, derivative: arb_mat | None) -> None:

@@ -13,7 +13,7 @@ from ..files.datasets import xarray
 from ..given import row_of, rows_of
 from ..terminal.progress import progress_bar
 from .parameters import start_values_of
-from .simulation import DEFAULT_STRIDES, DEFAULT_TOLERANCE, MOST_STRIDES, TOLERANCES, simulate
+from .simulation import DEFAULT_STRIDES, DEFAULT_TOLERANCE, MAX_STRIDES, TOLERANCES, simulate
 from .unit import Fmu, load_fmu
 from .variable import Value
 
@@ -115,7 +115,7 @@ def simulate_many(
     """
     fmu = load_fmu(fmu)
     fmu.require_interface(interface)
-    checked_whole("strides", strides, 1, MOST_STRIDES)
+    checked_whole("strides", strides, 1, MAX_STRIDES)
     checked("tolerance", tolerance, *TOLERANCES)
     allowed = "one or more runners in a list, or a table with a row for each"
     given = row_of(rows_of(runners), "runners", allowed)

@@ -15,10 +15,10 @@ from ..given import mapping_of
 
 RUNNER = "a Runner or Gait, start values by name, a preset's name or a parameter file's path"
 """What may be given for a runner, in words."""
-MOST_PARTS = 16
+MAX_PARTS = 16
 """Of a key, with dots between them; variables have three at the most."""
 _PART = r"""(?:[\w-]+|"[^"\n]*"|'[^'\n]*')[ \t]*"""
-DEEP_KEY = re.compile(rf"(?<![\w-]){_PART}(?:\.[ \t]*{_PART}){{{MOST_PARTS}}}")
+DEEP_KEY = re.compile(rf"(?<![\w-]){_PART}(?:\.[ \t]*{_PART}){{{MAX_PARTS}}}")
 """The beginning of one with more parts."""
 PRESETS = Path(__file__).parent / "presets"
 
@@ -132,7 +132,7 @@ def _loads_toml(text: str) -> object:
     long = DEEP_KEY.search(text)
     if long is not None:
         line = text.count("\n", 0, long.start()) + 1
-        raise ValueError(f"line {line}: a key of more than {MOST_PARTS} parts; allowed: names of variables")
+        raise ValueError(f"line {line}: a key of more than {MAX_PARTS} parts; allowed: names of variables")
     return tomllib.loads(text)
 
 

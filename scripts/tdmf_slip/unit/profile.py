@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike, NDArray
 from ..checks import checked, checked_whole
 from ..errors import InputError
 
-MOST_LINES = 10**7
+MAX_LINES = 10**7
 
 
 @dataclass(frozen=True)
@@ -118,7 +118,7 @@ class Profile:
         InputError
             A number that is not allowed.
         """
-        count = checked_whole("count", count, 1, MOST_LINES)
+        count = checked_whole("count", count, 1, MAX_LINES)
         tread = checked("tread", tread, 1e-9, 1e9)
         roughness = checked("roughness", roughness, 0.0, 1e9)
         generator = np.random.Generator(np.random.Philox(checked_whole("seed", seed, 0, 2**63 - 1)))

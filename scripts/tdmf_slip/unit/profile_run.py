@@ -19,7 +19,7 @@ from .unit import Fmu
 STEPS_PER_TIME_UNIT = 20
 """Communication steps in each sqrt(m/k), unless an output interval is given."""
 HEIGHT, SLOPE = "ground.height", "ground.slope"
-MOST_ROWS = 10_000_000
+MAX_ROWS = 10_000_000
 TYPES = {"Real": float, "Boolean": bool}
 """Of columns; others are whole numbers."""
 
@@ -54,9 +54,9 @@ def run_over(
             bar.update((time if strides is None else closed) - bar.n)
             if time >= experiment.stop_time or (strides is not None and closed >= strides):
                 break
-            if len(rows) > MOST_ROWS:
+            if len(rows) > MAX_ROWS:
                 raise RunError(
-                    f"{MOST_ROWS:,} rows by t = {time:g} s; allowed: no more, with a longer output interval"
+                    f"{MAX_ROWS:,} rows by t = {time:g} s; allowed: no more, with a longer output interval"
                 )
             instance.set(_line_below(profile, instance.real("foot.x")))
             instance.advance(time, step)

@@ -14,7 +14,7 @@ from .inputs import InputTables, signals
 from .instance import Experiment, Instance, Recorder, opened
 from .parameters import start_values_of
 from .profile import Profile
-from .profile_run import MOST_ROWS, STEPS_PER_TIME_UNIT, interface_over, run_over
+from .profile_run import MAX_ROWS, STEPS_PER_TIME_UNIT, interface_over, run_over
 from .run import Run
 from .unit import Fmu, load_fmu
 from .variable import Value
@@ -25,7 +25,7 @@ TOLERANCES = 1e-14, 0.1
 """From and to; as the following."""
 TIMES = 1e-9, 1e9
 INTERVALS = 1e-12, 1e9
-MOST_STRIDES = 10**9
+MAX_STRIDES = 10**9
 POINTS_PER_TIME_UNIT = 10
 """Recorded points in each sqrt(m/k), unless an output interval is given. Also bounds what FMPy lets CVODE do
 between two points: 500 steps."""
@@ -127,7 +127,7 @@ def simulate(
         inputs=signals(fmu, inputs, starts),
         variables=tuple(dict.fromkeys([*recorded, MODE, PHASE, FALLEN])),
     )
-    _check_rows(experiment, _least_duration(fmu, starts, stop_time, strides))
+    _check_rows(experiment, _min_duration(fmu, starts, stop_time, strides))
     with opened(fmu, interface) as instance:
         if profile is None:
             table = _run(instance, experiment, stop_time, strides, progress)
@@ -200,7 +200,7 @@ def _stop_time(fmu: Fmu, starts: Mapping[str, Value], stop_time: float | None, s
     """The time that is given, or one in which the strides have closed if they do at all."""
     longest = math.inf
     if strides is not None:
-        longest = longest_time(fmu, starts, checked_whole("strides", strides, 1, MOST_STRIDES))
+        longest = longest_time(fmu, starts, checked_whole("strides", strides, 1, MAX_STRIDES))
     return longest if stop_time is None else checked("stop_time", stop_time, *TIMES)
 
 
@@ -209,7 +209,7 @@ def _interval(fmu: Fmu, starts: Mapping[str, Value], interval: float | None, ove
     return time_unit(fmu, starts) / points if interval is None else interval
 
 
-def _least_duration(
+def _min_duration(
     fmu: Fmu, starts: Mapping[str, Value], stop_time: float | None, strides: int | None
 ) -> float:
     """Without a fall; no stride is shorter than sqrt(m/k), as the leg's spring has to swing back."""
@@ -220,10 +220,10 @@ def _least_duration(
 def _check_rows(experiment: Experiment, duration: float) -> None:
     """Refuse, before any work, more rows than there is room for; `duration` is the least that is run."""
     interval = checked("output_interval", experiment.output_interval, *INTERVALS)
-    if duration / interval > MOST_ROWS:
+    if duration / interval > MAX_ROWS:
         raise InputError(
             f"output_interval = {interval:g}: {duration / interval:,.0f} rows up to {duration:g} s; "
-            f"allowed: {MOST_ROWS:,} rows, which an interval of {duration / MOST_ROWS:.3g} gives"
+            f"allowed: {MAX_ROWS:,} rows, which an interval of {duration / MAX_ROWS:.3g} gives"
         )
 
 
@@ -236,9 +236,9 @@ def _run(
         def step_finished(time: float, recorder: Recorder) -> bool:
             closed = instance.integer("stride.count") if strides is not None else 0
             bar.update((closed if stop_time is None else time) - bar.n)
-            if time > MOST_ROWS * experiment.output_interval:
+            if time > MAX_ROWS * experiment.output_interval:
                 raise RunError(
-                    f"{MOST_ROWS:,} rows by t = {time:g} s; allowed: no more, with a longer output interval"
+                    f"{MAX_ROWS:,} rows by t = {time:g} s; allowed: no more, with a longer output interval"
                 )
             if strides is None or closed < strides:
                 return True

@@ -20,7 +20,7 @@ Given: TypeAlias = float | bool | str
 """A start value as it may be given: a number in the variable's unit, or a text like `40 deg`."""
 
 
-MOST_VALUES = 1_000_000
+MAX_VALUES = 1_000_000
 """In a row, as of a range."""
 
 Values: TypeAlias = Sequence[float] | NDArray[np.float64]
@@ -178,7 +178,7 @@ class Variable(ByContents):
         )
         if isinstance(given, str | Mapping):
             raise refusal
-        check_size(where, len(given) if isinstance(given, Sized) else 1, "values", MOST_VALUES)
+        check_size(where, len(given) if isinstance(given, Sized) else 1, "values", MAX_VALUES)
         try:
             row = list(given)  # type: ignore[call-overload] # what is no row is refused
             values = np.array([self._in_row(value, where) for value in row], dtype=float)

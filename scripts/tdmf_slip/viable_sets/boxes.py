@@ -113,13 +113,13 @@ def _block(
             np.floor((end - grid.origin[:, None, None, None]) / grid.sizes[:, None, None, None])
             for end in (middle - half, middle + half)
         )
-    most = np.array(grid.cells)[:, None, None, None] - 1
+    maximum = np.array(grid.cells)[:, None, None, None] - 1
     if inner:
-        chosen = (corners == 4) & ((low >= 0) & (high <= most)).all(axis=0)
+        chosen = (corners == 4) & ((low >= 0) & (high <= maximum)).all(axis=0)
     else:
-        low, high = (np.where(np.isfinite(half), end, beyond) for end, beyond in ((low, 0), (high, most)))
-        chosen = (corners > 0) & ((low <= most) & (high >= 0)).all(axis=0)
-        low, high = np.maximum(low, 0), np.minimum(high, most)
+        low, high = (np.where(np.isfinite(half), end, beyond) for end, beyond in ((low, 0), (high, maximum)))
+        chosen = (corners > 0) & ((low <= maximum) & (high >= 0)).all(axis=0)
+        low, high = np.maximum(low, 0), np.minimum(high, maximum)
     row, column, action = np.nonzero(chosen)
     return Boxes(
         ((row + first) * grid.cells[1] + column).astype(np.int32),

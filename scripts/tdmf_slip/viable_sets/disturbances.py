@@ -94,7 +94,7 @@ def friction_loss(
     """
     tried = _checked_frictions(runner, transitions.grid, frictions)
     stands = list(states)
-    least = [np.where(of, runner.values[FRICTION], np.nan) for of in states]
+    minimum = [np.where(of, runner.values[FRICTION], np.nan) for of in states]
     for friction in tried:
         made = make_transitions(
             runner.but(FRICTION, friction),
@@ -109,8 +109,8 @@ def friction_loss(
             lead = np.zeros(states[number].shape, bool)
             lead.flat[boxes.cells[into]] = True
             stands[number] = stands[number] & lead
-            least[number][stands[number]] = friction
-    return FrictionLoss(tried, least[0], least[1])
+            minimum[number][stands[number]] = friction
+    return FrictionLoss(tried, minimum[0], minimum[1])
 
 
 def _checked_frictions(runner: Runner, grid: Grid, frictions: Sequence[float]) -> tuple[float, ...]:

@@ -17,11 +17,11 @@ from ..library.section import REDUCED, check_axes
 from ..library.settings import check_acts, checked_values, setting_number
 from ..unit.unit import Fmu
 
-MOST_CELLS = 2048
+MAX_CELLS = 2048
 """Along an axis."""
-MOST_ACTIONS = 4096
+MAX_ACTIONS = 4096
 """Of one setting."""
-MOST_STRIDES = 50_000_000
+MAX_STRIDES = 50_000_000
 """In all: those of that many take 1.5 GB, and are made in two to four minutes by two processors."""
 VALUES = 16
 """Of a setting, by default."""
@@ -128,7 +128,7 @@ def grid_of(runner: Runner, axes: Any, vary: Any, n: Any, fmu: Fmu) -> Grid:
     missing = next((axis for axis in REDUCED if axis not in ranges), None)
     if missing is not None:
         raise InputError(f"axes: without {missing}; allowed: ranges of {' and '.join(REDUCED)}")
-    counts = counts_given(n, MOST_CELLS)
+    counts = counts_given(n, MAX_CELLS)
     edges = {
         axis: np.linspace(*ends_given(f"axes: {axis}", ranges[axis]), count + 1)
         for axis, count in zip(REDUCED, counts, strict=True)
@@ -136,7 +136,7 @@ def grid_of(runner: Runner, axes: Any, vary: Any, n: Any, fmu: Fmu) -> Grid:
     for axis, along in edges.items():
         fmu.variables[f"apex.{axis}"].values_of(along, f"axes: {axis}")
     grid = Grid(edges, _actions(runner, vary, fmu))
-    check_size("grid", math.prod(grid.nodes) * grid.action_count, "strides", MOST_STRIDES)
+    check_size("grid", math.prod(grid.nodes) * grid.action_count, "strides", MAX_STRIDES)
     return grid
 
 
@@ -150,7 +150,7 @@ def _actions(runner: Runner, vary: Any, fmu: Fmu) -> dict[str, NDArray[np.float6
         check_acts(name, runner, tuple(ranges), "vary")
         what = f"vary: {name}"
         row = row_of(span, what, "(low, high) or (low, high, values)")
-        count = checked_whole(f"{what}: values", row[2], 1, MOST_ACTIONS) if len(row) == 3 else VALUES
+        count = checked_whole(f"{what}: values", row[2], 1, MAX_ACTIONS) if len(row) == 3 else VALUES
         low, high = ends_given(what, row[:2] if len(row) == 3 else row, may_be_one=count == 1)
         actions[name] = checked_values(name, np.linspace(low, high, count), "vary", {"value": 0}, fmu)
     return actions

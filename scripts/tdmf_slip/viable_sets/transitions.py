@@ -14,8 +14,8 @@ from ..blocks.running import run_blocks
 from ..contents import ByContents
 from ..errors import InputError
 from ..library.ensemble import TOLERANCE
-from ..library.noted_strides import CLOSED, STRIDE_FATES
 from ..library.one_stride import next_apices
+from ..library.recorded_strides import CLOSED, STRIDE_FATES
 from ..library.runner import Runner
 from ..library.section import REDUCED
 from ..terminal.progress import progress_bar

@@ -21,7 +21,7 @@ from .transitions import Transitions, make_transitions
 FACTOR = 1.5
 """Of the derivatives at corners, by default."""
 LARGEST_FACTOR = 100.0
-MOST_THREADS = 1024
+MAX_THREADS = 1024
 
 
 def viability(
@@ -111,7 +111,7 @@ def viability(
     fmu = load_fmu(fmu)
     runner = Runner.of(runner, fmu, model=model)
     factor = checked("factor", factor, 1.0, LARGEST_FACTOR)
-    threads = None if threads is None else checked_whole("threads", threads, 1, MOST_THREADS)
+    threads = None if threads is None else checked_whole("threads", threads, 1, MAX_THREADS)
     path = None if path is None else check_place(path, (".nc",), "path")
     grid = grid_of(runner, axes, vary, n, fmu)
     made = make_transitions(runner, grid, path=path, threads=threads, scheduler=scheduler, progress=progress)

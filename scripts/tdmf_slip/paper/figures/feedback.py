@@ -47,7 +47,7 @@ COLOURS: Mapping[str, str] = {
 DISTURBANCES = ("push_forward", "push_backward", "step_down", "step_up")
 BESIDE, MARGIN = 1.06, 1.2
 """Ratios of frictions: of the places of two laws at the same one, and beyond the first and the last."""
-MOST_SHOWN = 5e5
+MAX_SHOWN = 5e5
 """Mean strides; intervals go on above where one runner fell."""
 COUNTED = ("falls", "strides", "stopped", "unsolved")
 """Of the runners on rough ground."""
@@ -65,7 +65,7 @@ def laws(gait: Gait) -> dict[str, Feedback | None]:
         None,
         lqr(gait, alone, limits={ANGLE: reach[ANGLE]}),
         lqr(gait, both, limits=reach),
-        dead_beat(gait, both, limits=reach, forgotten=LEFT_ALONE),
+        dead_beat(gait, both, limits=reach, negligible=LEFT_ALONE),
     )
     return dict(zip(COLOURS, made, strict=True))
 
@@ -174,7 +174,7 @@ def draw(path: Path, data: Columns) -> None:
                 f"({letter}) mean strides until the fall,\nsteps of {roughness:g} l₀, noisy sensors"
             )
             axes.set_yscale("log")
-        strides[0].set_ylim(top=MOST_SHOWN)
+        strides[0].set_ylim(top=MAX_SHOWN)
         share.legend(loc="lower left", fontsize=8.5)
         for axes in panels[1]:
             figure_9.friction_axis(axes, FRICTIONS)

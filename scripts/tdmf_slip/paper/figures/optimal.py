@@ -35,11 +35,11 @@ RADIUS = 0.95
 ANGLE, TORQUE, THRUST = "hip.touchdown_angle", "hip.stance_torque", "leg.thrust"
 BOUNDS = {ANGLE: (0.3, 1.1), TORQUE: (0.0, 0.6), THRUST: (0.0, 0.4)}
 """In rad, k l0^2, l0."""
-CHEAPEST, LEAST_SLIP = "cost_of_transport", "slip_distance"
-COLOURS = {CHEAPEST: "#e07b00", LEAST_SLIP: "#1f5fa8"}
+CHEAPEST, MIN_SLIP = "cost_of_transport", "slip_distance"
+COLOURS = {CHEAPEST: "#e07b00", MIN_SLIP: "#1f5fa8"}
 COSTS = (0.2, 1.0)
 """Shown."""
-NAMES = {CHEAPEST: "cheapest", LEAST_SLIP: "least slip"}
+NAMES = {CHEAPEST: "cheapest", MIN_SLIP: "least slip"}
 
 
 def measure(
@@ -66,13 +66,13 @@ def measure(
     """
     found: list[Optimum] = []
     cheapest: list[Optimum] = []
-    slipping_least: list[Optimum] = []
+    least_slipping: list[Optimum] = []
     with progress_bar("optimal runners", len(frictions), "frictions", progress) as bar:
         for friction in frictions:
             its = runner.but(FRICTION, float(friction))
             cheapest = best(its, CHEAPEST, cheapest, begin=True)
-            slipping_least = best(its, LEAST_SLIP, [*slipping_least, *cheapest])
-            found += [*cheapest, *slipping_least]
+            least_slipping = best(its, MIN_SLIP, [*least_slipping, *cheapest])
+            found += [*cheapest, *least_slipping]
             bar.update()
     return found
 
@@ -85,7 +85,7 @@ def best(runner: Runner, objective: str, near: Sequence[Optimum], *, begin: bool
     runner : Runner
         With its friction.
     objective : str
-        `CHEAPEST` or `LEAST_SLIP`.
+        `CHEAPEST` or `MIN_SLIP`.
     near : sequence of Optimum
         Where searches begin.
     begin : bool, default False
@@ -145,7 +145,7 @@ def draw(path: Path, data: Columns) -> None:
     with style.styled():
         figure, panels = plt.subplots(2, 2, figsize=(9.2, 6.2), sharex=True, layout="constrained")
         (cost, angle), (slip, drive) = panels
-        for objective, chosen in ((CHEAPEST, 1.0), (LEAST_SLIP, 0.0)):
+        for objective, chosen in ((CHEAPEST, 1.0), (MIN_SLIP, 0.0)):
             rows = (columns["cheapest"].astype(float) == chosen) & (columns["shown"].astype(float) > 0.0)
             for axes, column, factor in (
                 (cost, "cost_of_transport", 1.0),

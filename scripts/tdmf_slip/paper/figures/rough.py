@@ -22,7 +22,7 @@ from .columns import Columns
 FRICTIONS = (0.05, 0.1, 0.15, 0.2, 0.25, 0.3, 0.36, 0.43, 0.5, 0.6, 0.8, 1.2, 2.5, 5.0, 10.0)
 ROUGHNESS = (0.2, 0.3, 0.4, 0.5)
 """Over l0."""
-RUNNERS, MOST_STRIDES, SEED = 256, 400, 20261122
+RUNNERS, MAX_STRIDES, SEED = 256, 400, 20261122
 COLOURS = ("#0b7a75", "#1f5fa8", "#b3216f", "#e07b00")
 DRAWN = ("friction", "mean_strides", "mean_strides_low", "mean_strides_high")
 
@@ -51,13 +51,13 @@ def measure(runner: Runner, *, progress: bool = False) -> Measured:
         Frictions, whether the runner was matched, and what was found.
     """
     places = [
-        Place(runner.but(FRICTION, friction), roughness, RUNNERS, SEED, MOST_STRIDES)
+        Place(runner.but(FRICTION, friction), roughness, RUNNERS, SEED, MAX_STRIDES)
         for roughness in ROUGHNESS
         for friction in FRICTIONS
     ]
     as_they_come = len(places)
     for one in _matched(runner):
-        places.append(Place(one, MATCHED_ROUGHNESS, RUNNERS, SEED, MOST_STRIDES))
+        places.append(Place(one, MATCHED_ROUGHNESS, RUNNERS, SEED, MAX_STRIDES))
     found = stay_all(places, progress=progress)
     return [
         (place.runner.values[FRICTION], number >= as_they_come, one)

@@ -13,7 +13,7 @@ from .rough import MATCH
 FRICTION, ROUGHNESS = 0.6, 0.3
 REACH, NOISE = 0.1, 0.01
 """How far a setting may go from the gait's, and the sensors' noise, over the scales."""
-RUNNERS, MOST_STRIDES = 256, 400
+RUNNERS, MAX_STRIDES = 256, 400
 """A hundred thousand strides where none falls."""
 HUNDRED_THOUSAND = 1e5
 ROUGH = f"tdmf-slip rough --friction {FRICTION} --roughness {ROUGHNESS} --runners {RUNNERS} --seed {{seed}}"
@@ -29,9 +29,7 @@ def _passage(name: str, seed: int) -> FirstPassage:
         noise = (NOISE * one.runner.scales).tolist()
         law = replace(lqr(one, (ANGLE, TORQUE), limits=limits), noise=noise, seed=seed)
     ground = RoughGround(ROUGHNESS, seed)
-    return strides_to_fall(
-        one.runner, ground, RUNNERS, max_strides=MOST_STRIDES, gait=one, law=law, threads=1
-    )
+    return strides_to_fall(one.runner, ground, RUNNERS, max_strides=MAX_STRIDES, gait=one, law=law, threads=1)
 
 
 def _falls(name: str) -> Callable[[int], float]:

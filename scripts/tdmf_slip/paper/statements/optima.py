@@ -18,7 +18,7 @@ BEGIN = {
     SLIPS: (0.6137, 0.12038, 0.06326),
 }
 """Angle, torque and thrust where the search begins: of the stored figure's best, to four digits."""
-LEAST_SLIP = (0.3, 0.10672, 0.1789)
+MIN_SLIP = (0.3, 0.10672, 0.1789)
 """Likewise, of the least slip on that friction."""
 NET, POSITIVE, SLIP = "cost_of_transport", "positive_cost_of_transport", "slip_distance"
 
@@ -102,6 +102,6 @@ CLAIMS = (
         _command(SLIPS, SLIP),
         0.25,
         0.26,
-        lambda seed: best(SLIPS, SLIP, LEAST_SLIP).gait.stride[SLIP],
+        lambda seed: best(SLIPS, SLIP, MIN_SLIP).gait.stride[SLIP],
     ),
 )

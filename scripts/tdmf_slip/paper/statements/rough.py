@@ -7,7 +7,7 @@ from ...library.gait import Gait
 from ...library.rough_ground import RoughGround, correlated_weights
 from .claim import SLIPS, STICKS, OwnClaim, gait, matched
 
-ROUGHNESS, RUNNERS, MOST_STRIDES = 0.5, 600, 20_000
+ROUGHNESS, RUNNERS, MAX_STRIDES = 0.5, 600, 20_000
 """Steps in l0; 600 falls tell a mean to 8 %, with a confidence of 95 %."""
 CORRELATION = 0.7
 """Of each step with the one before: ground that goes on to rise or fall."""
@@ -36,7 +36,7 @@ def strides(one: Gait, seed: int, correlation: float = 0.0) -> float:
         By `RUNNERS`.
     """
     ground = RoughGround(ROUGHNESS, seed, correlated_weights(correlation))
-    found = strides_to_fall(one.runner, ground, RUNNERS, max_strides=MOST_STRIDES, gait=one, threads=1)
+    found = strides_to_fall(one.runner, ground, RUNNERS, max_strides=MAX_STRIDES, gait=one, threads=1)
     return found.mean_strides
 
 

@@ -4,7 +4,7 @@ from dataclasses import dataclass, field
 
 
 @dataclass
-class Happenings:
+class SearchLog:
     """What came in the way of the search."""
 
     strides: int = 0

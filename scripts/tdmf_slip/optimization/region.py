@@ -1,4 +1,4 @@
-"""Pieces of the parameters' space: where no event of the stride changes in a way that makes a kink."""
+"""Regions of the parameters' space: where no event of the stride changes in a way that makes a kink."""
 
 from dataclasses import dataclass, field
 
@@ -6,14 +6,14 @@ from ..library.gait import Gait
 
 
 @dataclass
-class Piece:
+class Region:
     """Sequences of events between which nothing has a kink."""
 
     sequences: set[tuple[object, ...]] = field(default_factory=set)
     """Of the strides, see `Gait.sequence`."""
 
     @classmethod
-    def of(cls, gait: Gait) -> "Piece":
+    def of(cls, gait: Gait) -> "Region":
         """That of a gait, as far as is known from it alone."""
         return cls({gait.sequence})
 

@@ -22,7 +22,7 @@ from .settings import checked_values
 
 
 @dataclass(frozen=True, eq=False)
-class Crowd(ByContents):
+class Population(ByContents):
     """A runner, and of how many runners which of its values are others."""
 
     runner: Runner
@@ -31,7 +31,7 @@ class Crowd(ByContents):
     """By name: of each runner, shape (runners,)."""
 
     @classmethod
-    def of(cls, given: object, fmu: Fmu | None = None, model: str | None = None) -> "Crowd":
+    def of(cls, given: object, fmu: Fmu | None = None, model: str | None = None) -> "Population":
         """A runner, or start values by name of which some are one for each runner.
 
         Parameters
@@ -45,7 +45,7 @@ class Crowd(ByContents):
 
         Returns
         -------
-        Crowd
+        Population
             With values in range.
 
         Raises
@@ -84,7 +84,7 @@ class Crowd(ByContents):
         """How many runners; None where all are alike."""
         return len(next(iter(self.varied.values()))) if self.varied else None
 
-    def part(self, first: int, count: int) -> "Crowd":
+    def part(self, first: int, count: int) -> "Population":
         """Some of the runners.
 
         Parameters
@@ -96,7 +96,7 @@ class Crowd(ByContents):
 
         Returns
         -------
-        Crowd
+        Population
             The same where all are alike.
         """
         return replace(self, varied={name: row[first : first + count] for name, row in self.varied.items()})

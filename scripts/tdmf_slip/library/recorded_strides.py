@@ -10,11 +10,11 @@ from numpy.typing import NDArray
 from ..contents import ByContents
 from .affine_law import AffineLaw
 from .binding import ffi
-from .crowd import Crowd
 from .engine import run
 from .ensemble import END, dtype_of, ensemble_of
 from .gait import LEDGER
 from .measures import STRIDE_QUANTITIES
+from .population import Population
 from .rough_ground import RoughGround
 from .section import COORDINATES
 from .settings import setting_number
@@ -22,7 +22,7 @@ from .settings import setting_number
 STRIDE_FATES = ("closed", "fell", "too_long", "no_start", "unsolved", "no_stride")
 """Of a stride: the fates of the engine's runners, who have nothing to settle on. One that is undecided before
 its last stride is in one that takes too long."""
-NOTED = dtype_of(ffi.typeof("tdmf_ensemble_stride"))
+RECORDED = dtype_of(ffi.typeof("tdmf_ensemble_stride"))
 CLOSED = STRIDE_FATES.index("closed")
 GROUND = "ground.height"
 FOOT_X = "foot.x"
@@ -37,7 +37,7 @@ Law: TypeAlias = Callable[[int, NDArray[np.float64], NDArray[np.bool_]], Mapping
 class Request(ByContents):
     """Strides to make: a block of work."""
 
-    crowd: Crowd
+    population: Population
     """Who makes them."""
     apices: NDArray[np.float64]
     """Where they begin, shape (runners, n)."""
@@ -78,7 +78,7 @@ class Request(ByContents):
         some = slice(first, first + count)
         return replace(
             self,
-            crowd=self.crowd.part(first, count),
+            population=self.population.part(first, count),
             apices=self.apices[some],
             given={name: values[some] for name, values in self.given.items()},
             first_number=self.first_number + first,
@@ -86,7 +86,7 @@ class Request(ByContents):
         )
 
 
-def noted_strides(request: Request, law: Law | None = None) -> Columns:
+def recorded_strides(request: Request, law: Law | None = None) -> Columns:
     """All strides of a block of runners.
 
     Parameters
@@ -122,7 +122,7 @@ class _Engine:
 
     def __init__(self, request: Request, goes_on: bool) -> None:
         self.request = request
-        runner, count = request.crowd.runner, len(request.apices)
+        runner, count = request.population.runner, len(request.apices)
         self.coordinates = len(runner.coordinates)
         self.sections = np.zeros((count, len(COORDINATES)))
         self.sections[:, : self.coordinates] = request.apices
@@ -137,8 +137,10 @@ class _Engine:
         self.foot_x = None if request.foot_x is None else np.ascontiguousarray(request.foot_x)
         if self.foot_x is not None:
             self.ensemble.foot_x = ffi.cast("double *", ffi.from_buffer(self.foot_x))
-        self.cases, self.kept = request.crowd.c_cases(request.ground, request.law)
-        self.case_of = np.arange(count, dtype=np.intc) if request.crowd.varied else np.zeros(count, np.intc)
+        self.cases, self.kept = request.population.c_cases(request.ground, request.law)
+        self.case_of = (
+            np.arange(count, dtype=np.intc) if request.population.varied else np.zeros(count, np.intc)
+        )
         self.ensemble.cases, self.ensemble.case_count = self.cases, len(self.cases)
         self.ensemble.case_of = ffi.cast("int *", ffi.from_buffer(self.case_of))
         self.ends = np.zeros(count, END)
@@ -155,45 +157,45 @@ class _Engine:
 
     def run(self, first: int, count: int, given: Mapping[str, NDArray[np.float64]]) -> Columns:
         """So many strides from one on, with these settings."""
-        noted = np.zeros((len(self.ends), count), NOTED)
+        recorded = np.zeros((len(self.ends), count), RECORDED)
         begin = self.where(first)[0]
         settings = given_settings(given, first) if given else None
         self.ensemble.given = ffi.NULL if settings is None else settings[0]
-        self.ensemble.strides = ffi.cast("tdmf_ensemble_stride *", ffi.from_buffer(noted))
+        self.ensemble.strides = ffi.cast("tdmf_ensemble_stride *", ffi.from_buffer(recorded))
         self.ensemble.first_stride, self.ensemble.stride_count = first, count
         self.ensemble.goes_on = first > 0
         for case in self.cases:
             case.rules.max_strides = first + count
         run(self.ensemble, self.ends)
-        return self._columns(noted, begin, first, given)
+        return self._columns(recorded, begin, first, given)
 
     def _columns(
         self,
-        noted: NDArray[np.void],
+        recorded: NDArray[np.void],
         begin: NDArray[np.float64],
         first: int,
         given: Mapping[str, NDArray[np.float64]],
     ) -> Columns:
-        made = first + np.arange(noted.shape[1]) - self.ends["strides"][:, None]
+        made = first + np.arange(recorded.shape[1]) - self.ends["strides"][:, None]
         closed = made < 0
-        begun = noted["began"] == 1
-        next_apex = np.where(closed[..., None], noted["apex"][..., : self.coordinates], np.nan)
+        begun = recorded["began"] == 1
+        next_apex = np.where(closed[..., None], recorded["apex"][..., : self.coordinates], np.nan)
         apex = np.concatenate([begin[:, None], next_apex[:, :-1]], axis=1)
         columns: Columns = {
             "fate": np.where(closed, CLOSED, self.ends["fate"][:, None]).astype(np.int8),
             "apex": apex,
             "next_apex": next_apex,
-            **{name: _where(closed, noted["stride"][name]) for name in STRIDE_QUANTITIES},
-            **{name: _where(closed, noted[name]) for name in (*LEDGER, "liftoff_angle")},
-            "word": _words(noted["stride"]["word"]),
+            **{name: _where(closed, recorded["stride"][name]) for name in STRIDE_QUANTITIES},
+            **{name: _where(closed, recorded[name]) for name in (*LEDGER, "liftoff_angle")},
+            "word": _words(recorded["stride"]["word"]),
         }
-        if not self.request.crowd.runner.reduced:
-            columns[FOOT_X] = _where(closed, noted["foot_x"])
+        if not self.request.population.runner.reduced:
+            columns[FOOT_X] = _where(closed, recorded["foot_x"])
         if self.request.ground.roughness:
-            columns[GROUND] = _where(begun, noted["ground_height"])
+            columns[GROUND] = _where(begun, recorded["ground_height"])
         law = self.request.law
         for number, name in enumerate(law.inputs if law is not None else ()):
-            columns[name] = _where(begun, noted["set"][..., number])
+            columns[name] = _where(begun, recorded["set"][..., number])
         return columns | {name: _where(begun, values) for name, values in given.items()}
 
 

@@ -5,7 +5,7 @@ from collections.abc import Mapping
 from .unit import Fmu
 
 
-class Told:
+class DisplayUnits:
     """Units of the unit's variables, some of them as they were given."""
 
     def __init__(self, fmu: Fmu, given: Mapping[str, object] | None = None) -> None:

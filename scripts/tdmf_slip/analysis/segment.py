@@ -10,18 +10,18 @@ from ..errors import InputError, RunError
 from ..library.gait import Gait
 from ..library.runner import Runner
 from ..unit.variable import Values
-from .bifurcations import FOLD, happenings
+from .bifurcations import FOLD, special_points
 from .continuation import gaits_over
 from .family import Family, Point
 from .steps import Limits, follow
 
 LARGEST_STEP = 0.2
-MOST_POINTS = 200
+MAX_POINTS = 200
 """Of a branch that is followed to learn why it ends, from the last gait on."""
 
 
 @dataclass(frozen=True)
-class Stretch:
+class Segment:
     """Of a range, values whose gaits are of one branch."""
 
     begin: int
@@ -87,7 +87,7 @@ def _beyond(family: Family, last: Gait, value: float) -> tuple[Gait | None, str]
     """The gait at a value where the branch leads there, by steps along it; else why it does not."""
     at = family.value_of(last)
     back = 2.0 * at - value
-    limits = Limits(min(value, back), max(value, back), back, LARGEST_STEP, MOST_POINTS)
+    limits = Limits(min(value, back), max(value, back), back, LARGEST_STEP, MAX_POINTS)
     try:
         first = family.point(last, np.append(np.zeros(len(last.apex)), value - at))
         points, ended = follow(family, first, limits)
@@ -106,7 +106,7 @@ def _fold(family: Family, points: Sequence[Point]) -> float | None:
     for before, after in pairwise(points):
         if before.rises != after.rises:
             folds = [
-                special.value for special in happenings(family, before, after)[1] if special.kind == FOLD
+                special.value for special in special_points(family, before, after)[1] if special.kind == FOLD
             ]
             return folds[0] if folds else 0.5 * (before.value + after.value)
     return None
