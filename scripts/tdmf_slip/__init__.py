@@ -28,13 +28,7 @@ _loaded, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)
 
 
 def __getattr__(name: str) -> object:
-    """A name of the package, loaded when it is asked for.
-
-    Raises
-    ------
-    AttributeError
-        There is none; the message has the new name of one that was replaced.
-    """
+    """A name of the package, loaded when it is asked for."""
     if name in renamed.NAMES:
         raise AttributeError(renamed.sentence(f"tdmf_slip.{name}", f"tdmf_slip.{renamed.NAMES[name]}"))
     return _loaded(name)

@@ -31,59 +31,18 @@ def shown(given: object) -> str:
 
 
 def is_one_of(given: object, names: Container[str]) -> TypeGuard[str]:
-    """Whether something is one of some names; an array, which compares item by item, is none.
-
-    Parameters
-    ----------
-    given : object
-        Of whatever kind.
-    names : container of str
-        What there is.
-
-    Returns
-    -------
-    bool
-        False for what is no text.
-    """
+    """Whether something is one of some names; an array, which compares item by item, is none."""
     return isinstance(given, str) and given in names
 
 
 def check_kind(given: object, kinds: type | tuple[type, ...], what: str, allowed: str) -> None:
-    """Refuse what is of another kind than wanted.
-
-    Parameters
-    ----------
-    given : object
-        What was given.
-    kinds : type or tuple of type
-        Of which it has to be one.
-    what : str
-        Its name, for the message.
-    allowed : str
-        What it may be, in words.
-
-    Raises
-    ------
-    InputError
-        It is of none of them.
-    """
+    """Refuse what is of another kind than wanted."""
     if not isinstance(given, kinds):
         raise InputError(f"{what} = {shown(given)} is not allowed; allowed: {allowed}")
 
 
 def is_number(given: object) -> TypeGuard[float]:
-    """Whether something is a real number, of whatever type.
-
-    Parameters
-    ----------
-    given : object
-        What was given.
-
-    Returns
-    -------
-    bool
-        False for a text, an array, None.
-    """
+    """Whether something is a real number, of whatever type."""
     return isinstance(given, Real)
 
 
@@ -115,27 +74,7 @@ def checked(name: str, value: object, low: float, high: float) -> float:
 
 
 def checked_whole(name: str, value: object, low: int, high: int) -> int:
-    """A whole number within its range.
-
-    Parameters
-    ----------
-    name : str
-        What it is of, for the message.
-    value : object
-        What was given.
-    low, high : int
-        The range, both ends allowed.
-
-    Returns
-    -------
-    int
-        The number.
-
-    Raises
-    ------
-    InputError
-        It is no number, beyond, or not whole.
-    """
+    """A whole number within its range."""
     if not is_number(value) or not low <= value <= high or value % 1:
         raise InputError(
             f"{name} = {shown(value)} is not allowed; allowed: a whole number from {low} to {high}"
@@ -148,43 +87,13 @@ MAX_NUMBERS = 100_000_000
 
 
 def check_size(what: str, count: int, of: str, maximum: int = MAX_NUMBERS) -> None:
-    """Refuse, before any memory is asked for, what is too large to be done at once.
-
-    Parameters
-    ----------
-    what : str
-        What is, for the message.
-    count : int
-        How large it is.
-    of : str
-        What is counted, in the plural.
-    maximum : int, default 100000000
-        How large it may be.
-
-    Raises
-    ------
-    InputError
-        It is larger.
-    """
+    """Refuse, before any memory is asked for, what is too large to be done at once."""
     if count > maximum:
         raise InputError(f"{what}: {count:,} {of}; allowed: up to {maximum:,} at once")
 
 
 def near_matches(name: object, names: Iterable[str]) -> str:
-    """A hint at names that may have been meant, to follow in a message; empty where none is near.
-
-    Parameters
-    ----------
-    name : object
-        What was given.
-    names : iterable of str
-        What there is.
-
-    Returns
-    -------
-    str
-        Beginning with a semicolon.
-    """
+    """A hint at names that may have been meant, to follow in a message; empty where none is near."""
     text = str(name)
     if len(text) > LONGEST_NAME:
         return ""

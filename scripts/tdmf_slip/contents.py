@@ -21,13 +21,7 @@ class ByContents:
         return self is other or _same_fields(self, other)
 
     def __hash__(self) -> NoReturn:
-        """Refuse: what is equal by its contents would have to be hashed by all of them.
-
-        Raises
-        ------
-        TypeError
-            Always.
-        """
+        """Refuse: what is equal by its contents would have to be hashed by all of them."""
         raise TypeError(
             f"{type(self).__name__} is compared by its contents and has no hash; allowed: in a list, "
             "or in a dictionary by a name of its own"

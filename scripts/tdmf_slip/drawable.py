@@ -11,17 +11,6 @@ class Drawable:
     """A result with a picture."""
 
     def plot(self) -> "Figure":
-        """Draw it; a notebook shows the figure, and `savefig` writes it.
-
-        Returns
-        -------
-        Figure
-            Of matplotlib.
-
-        Raises
-        ------
-        InputError
-            There is nothing to draw.
-        """
+        """Draw it; a notebook shows the figure, and `savefig` writes it."""
         figure: Figure = importlib.import_module(f"{__package__}.pictures.plot").plot(self)
         return figure

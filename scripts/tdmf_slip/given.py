@@ -15,59 +15,17 @@ from .errors import InputError
 
 
 def is_table(given: object) -> TypeGuard[Any]:
-    """Whether something is a table with named columns, as a DataFrame.
-
-    Parameters
-    ----------
-    given : object
-        What was given.
-
-    Returns
-    -------
-    bool
-        False for a mapping.
-    """
+    """Whether something is a table with named columns, as a DataFrame."""
     return hasattr(given, "to_numpy") and hasattr(given, "columns")
 
 
 def is_series(given: object) -> TypeGuard[Any]:
-    """Whether something is a row of values, as a Series, with labels or without.
-
-    Parameters
-    ----------
-    given : object
-        What was given.
-
-    Returns
-    -------
-    bool
-        False for a list and an array.
-    """
+    """Whether something is a row of values, as a Series, with labels or without."""
     return hasattr(given, "to_numpy") and not hasattr(given, "columns")
 
 
 def mapping_of(given: object, what: str, allowed: str) -> Mapping[Any, Any]:
-    """What is given by name.
-
-    Parameters
-    ----------
-    given : object
-        A mapping, a Series with names as its labels, a table with names of columns, or None for nothing.
-    what : str
-        The argument, for messages.
-    allowed : str
-        What it may be, in words.
-
-    Returns
-    -------
-    mapping
-        The same; of a table an array for each column.
-
-    Raises
-    ------
-    InputError
-        It is none of these, or a name is given twice.
-    """
+    """What is given by name."""
     if given is None:
         return {}
     if isinstance(given, Mapping):
@@ -109,22 +67,7 @@ def row_of(given: object, what: str, allowed: str) -> Sequence[Any]:
 
 
 def check_row(given: object, what: str, allowed: str) -> None:
-    """Refuse what is no row, without going through what may be as long as any.
-
-    Parameters
-    ----------
-    given : object
-        A list, a tuple, an array or a Series; no text.
-    what : str
-        The argument, for the message.
-    allowed : str
-        What it may be, in words.
-
-    Raises
-    ------
-    InputError
-        It is none of these.
-    """
+    """Refuse what is no row, without going through what may be as long as any."""
     is_array = isinstance(given, np.ndarray) and given.ndim > 0
     is_sequence = isinstance(given, Sequence) and not isinstance(given, str | bytes)
     if not (is_sequence or is_array or is_series(given)):
@@ -132,18 +75,7 @@ def check_row(given: object, what: str, allowed: str) -> None:
 
 
 def rows_of(given: object) -> object:
-    """The rows of a table as mappings; what is no table, as it is.
-
-    Parameters
-    ----------
-    given : object
-        What was given.
-
-    Returns
-    -------
-    object
-        Of a table a list with a mapping for each row.
-    """
+    """The rows of a table as mappings; what is no table, as it is."""
     if not is_table(given):
         return given
     columns = mapping_of(given, "table", "")
@@ -151,25 +83,7 @@ def rows_of(given: object) -> object:
 
 
 def in_order(given: object, names: Sequence[str]) -> Any:
-    """Values by their labels, where these are the names that are wanted; else as they come.
-
-    Parameters
-    ----------
-    given : object
-        What was given, of whatever kind.
-    names : sequence of str
-        In the order that is wanted.
-
-    Returns
-    -------
-    array_like
-        The same; of a table or Series with these names, in some order, the values in the order of the names.
-
-    Raises
-    ------
-    InputError
-        It has names, but others.
-    """
+    """Values by their labels, where these are the names that are wanted; else as they come."""
     frame: Any = given
     labels = frame.columns if is_table(given) else frame.index if _has_labels(given) else ()
     texts = [label for label in labels if isinstance(label, str)]

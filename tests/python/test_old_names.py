@@ -3,11 +3,15 @@
 The unit's names and enumeration items, JSON keys and ordinary prose are free to use the words.
 """
 
+import inspect
+import io
 import pathlib
 import re
 import subprocess
+import tokenize
 
 import pytest
+import tdmf_slip
 
 ROOT = pathlib.Path(__file__).parents[2]
 COMMENTS = re.compile(r'/\*.*?\*/|//[^\n]*|"(?:\\.|[^"\\\n])*"', re.DOTALL)
@@ -68,3 +72,149 @@ def test_a_replaced_identifier_would_be_found(tmp_path):
     path.write_text('/* choice */ static int pick(int x) { return x; } const char *a = "whole";\n')
     found = set(re.findall(r"\w+", code_of(path)))
     assert "pick" in found and not found & {"choice", "whole"}
+
+
+# ---- Python ------------------------------------------------------------------------------------------------
+
+PYTHON_FOLDERS = ("scripts/tdmf_slip", "examples")
+REPLACED_IN_PYTHON = {
+    "Orbit",
+    "find_orbit",
+    "orbits",
+    "OrderNotMetError",
+    "run_batch",
+    "simulate_over",
+    "ranges_given",
+    "runner_by",
+    "Crowd",
+    "crowd",
+    "noted_strides",
+    "NotedEvent",
+    "Happenings",
+    "happenings",
+    "Stretch",
+    "stretches",
+    "Told",
+    "FORGOTTEN",
+    "forgotten",
+    "mobility",
+    "unmovable",
+    "is_least",
+    "settings_at",
+    "setting_weight",
+    "show_progress",
+    "most_strides",
+    "most_points",
+    "most_gaits",
+    "largest_step",
+    "held_gait",
+    "communication_step",
+}
+REPLACED_ARGUMENTS = {
+    "over",
+    "free",
+    "free_each",
+    "at",
+    "order",
+    "settings",
+    "workers",
+    "table",
+    "cases",
+    "ranges",
+    "parameters",
+    "start_values",
+    "unit",
+    "most_strides",
+    "most_points",
+    "most_gaits",
+    "largest_step",
+    "forgotten",
+    "relative_tolerance",
+    "show_progress",
+    "communication_step",
+    "setting_weight",
+    "name",
+    "end",
+}
+"""Of functions at the top of the package: words that are names of something else elsewhere."""
+REPLACED_ATTRIBUTES = {
+    "orbits",
+    "stretches",
+    "is_least",
+    "forgotten",
+    "mobility",
+    "unmovable",
+    "settings",
+    "pieces",
+}
+REPLACED_OPTIONS = re.compile(r"(?<![\w-])--(?:over|free|free-each|at|most-strides|workers|range)(?![\w-])")
+CELL = re.compile(r"^```(?:\{code-cell\} python|python)\n(.*?)^```", re.MULTILINE | re.DOTALL)
+
+
+def python_texts():
+    """The code of the package and of the examples, and the cells of the guides."""
+    for folder in PYTHON_FOLDERS:
+        for path in sorted((ROOT / folder).rglob("*.py")):
+            yield str(path.relative_to(ROOT)), path.read_text(encoding="utf-8")
+    for path in sorted((ROOT / "documentation").rglob("*.md")):
+        for number, cell in enumerate(CELL.findall(path.read_text(encoding="utf-8"))):
+            yield (
+                f"{path.relative_to(ROOT)}, cell {number}",
+                re.sub(r"^[:%!].*$", "", cell, flags=re.MULTILINE),
+            )
+
+
+def names_in(code):
+    return {
+        token.string
+        for token in tokenize.generate_tokens(io.StringIO(code).readline)
+        if token.type == tokenize.NAME
+    }
+
+
+def test_no_replaced_identifier_is_left_in_python():
+    texts = list(python_texts())
+    assert len(texts) > 350
+    left = [
+        f"{where}: {name}"
+        for where, code in texts
+        for name in sorted(names_in(code))
+        if name in REPLACED_IN_PYTHON or name.startswith(("MOST_", "LEAST_"))
+    ]
+    assert left == []
+
+
+def test_no_replaced_argument_or_attribute_is_left_at_the_top():
+    functions, classes = 0, 0
+    for name in tdmf_slip.__all__:
+        thing = getattr(tdmf_slip, name)
+        if inspect.isfunction(thing):
+            assert not REPLACED_ARGUMENTS & set(inspect.signature(thing).parameters), name
+            functions += 1
+        elif inspect.isclass(thing):
+            fields = getattr(thing, "__dataclass_fields__", {})
+            assert not REPLACED_ATTRIBUTES & {*vars(thing), *fields}, name
+            classes += 1
+    assert functions >= 20 and classes >= 20
+
+
+def test_no_replaced_option_is_left_in_guides_and_examples():
+    paths = [
+        path
+        for folder in ("documentation", "examples")
+        for path in (ROOT / folder).rglob("*")
+        if path.suffix in (".md", ".py", ".ipynb", ".toml") and "build" not in path.parts
+    ]
+    assert len(paths) > 60
+    left = [
+        f"{path.relative_to(ROOT)}: {found}"
+        for path in [*paths, ROOT / "README.md"]
+        for found in REPLACED_OPTIONS.findall(path.read_text(encoding="utf-8"))
+    ]
+    assert left == []
+
+
+def test_a_replaced_name_of_python_would_be_found():
+    assert names_in('x = find_orbit(most=1)  # crowd "Told"') & REPLACED_IN_PYTHON == {"find_orbit"}
+    assert REPLACED_OPTIONS.search("sweep --over leg.damping=1:2:3")
+    assert not REPLACED_OPTIONS.search("compare --at-rest, --range-of")

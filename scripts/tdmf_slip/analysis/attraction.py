@@ -60,27 +60,7 @@ def measure(gait: Gait) -> Attraction:
 def measure_all(
     gaits: Sequence[Gait], *, scheduler: str | None = None, threads: int | None = None
 ) -> list[Attraction]:
-    """`measure` for many gaits, side by side; see `run_blocks`.
-
-    Parameters
-    ----------
-    gaits : sequence of Gait
-        Stable ones.
-    scheduler : str, optional
-        See `run_blocks`.
-    threads : int, optional
-        See `run_blocks`.
-
-    Returns
-    -------
-    list of Attraction
-        In the order of the gaits.
-
-    Raises
-    ------
-    InputError
-        Not gaits in a list.
-    """
+    """`measure` for many gaits, side by side; see `run_blocks`."""
     check_kind(gaits, Sequence, "gaits", "Gaits in a list, as find_gait gives")
     for gait in gaits:
         check_is_gait(gait, "gaits")

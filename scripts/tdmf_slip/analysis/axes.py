@@ -30,25 +30,7 @@ def axes_of(axes: Any, coordinates: Sequence[str]) -> dict[str, tuple[float, flo
 
 
 def range_around(gait: Gait, axis: str) -> tuple[float, float]:
-    """Ends of a range of a coordinate of the section that has the gait in it, and most of what it attracts.
-
-    Parameters
-    ----------
-    gait : Gait
-        Which gait.
-    axis : str
-        One of `COORDINATES`.
-
-    Returns
-    -------
-    pair of float
-        To six digits, in the coordinate's unit.
-
-    Raises
-    ------
-    InputError
-        An unknown axis, or no gait.
-    """
+    """Ends of a range of a coordinate that has the gait in it, and most of what it attracts."""
     check_axes((axis,))
     check_is_gait(gait, "gait")
     index = COORDINATES.index(axis)

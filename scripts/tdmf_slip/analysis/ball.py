@@ -101,18 +101,6 @@ def pays(gait: Gait, starts: int) -> bool:
 def tested_ball(gait: Gait, law: AffineLaw | None = None) -> Ball | None:
     """The largest of some balls in which the norm falls from every point that is tried.
 
-    Parameters
-    ----------
-    gait : Gait
-        Of one stride, stable by itself or under the law.
-    law : AffineLaw, optional
-        By which settings are made anew at each apex.
-
-    Returns
-    -------
-    Ball or None
-        None where the gait attracts too slowly or too little for one, or the law is noisy.
-
     Examples
     --------
     >>> import tdmf_slip
@@ -204,46 +192,13 @@ def _points(coordinates: int) -> NDArray[np.float64]:
 
 
 def cube_in(matrix: NDArray[np.float64]) -> float:
-    """The largest cube in a ball.
-
-    Parameters
-    ----------
-    matrix : ndarray of float, shape (n, n)
-        The ball's, over the scales.
-
-    Returns
-    -------
-    float
-        Half the width of the cube with all corners in the ball.
-    """
+    """The largest cube in a ball."""
     corners = np.array(list(itertools.product((-1.0, 1.0), repeat=len(matrix))))
     return 1.0 / float(np.max(np.linalg.norm(corners @ matrix.T, axis=1)))
 
 
 def ball_of(gait: Gait, choice: Ball | str, starts: int, law: AffineLaw | None = None) -> Ball | None:
-    """The ball that is asked for; a tested one only where it saves more than it costs.
-
-    Parameters
-    ----------
-    gait : Gait
-        Stable, by itself or under the law.
-    choice : Ball or str
-        One of the gait's, or of `CHOICES`.
-    starts : int
-        How many will be followed.
-    law : AffineLaw, optional
-        By which settings are made anew at each apex.
-
-    Returns
-    -------
-    Ball or None
-        None: runs are followed until they are near the gait.
-
-    Raises
-    ------
-    InputError
-        Another choice, or a ball of other coordinates.
-    """
+    """The ball that is asked for; a tested one only where it saves more than it costs."""
     if isinstance(choice, Ball):
         if choice.matrix.shape != (len(gait.apex),) * 2:
             raise InputError(f"ball: of {len(choice.matrix)} coordinates; allowed: of {len(gait.apex)}")
@@ -254,16 +209,5 @@ def ball_of(gait: Gait, choice: Ball | str, starts: int, law: AffineLaw | None =
 
 
 def attributes_of(ball: Ball | None) -> dict[str, str | float | int]:
-    """What a result says of its ball, or of having none.
-
-    Parameters
-    ----------
-    ball : Ball or None
-        Which.
-
-    Returns
-    -------
-    dict of str to value
-        `ball`, and of one `ball_radius`, `ball_rate` and `ball_points`.
-    """
+    """What a result says of its ball, or of having none."""
     return {"ball": "none"} if ball is None else ball.attributes()

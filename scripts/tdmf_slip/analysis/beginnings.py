@@ -30,22 +30,7 @@ NONE = 1e-6
 
 
 def beginnings(target: Target, first: Gait, fmu: Fmu) -> Iterator[Place]:
-    """Gaits from which a target may be reached, the nearest to it first.
-
-    Parameters
-    ----------
-    target : Target
-        What is prescribed, and what is varied.
-    first : Gait
-        A gait with the varied parameters' own values.
-    fmu : Fmu
-        Whose ranges hold.
-
-    Yields
-    ------
-    Place
-        Of a gait.
-    """
+    """Gaits from which a target may be reached, the nearest to it first."""
     runner = first.runner
     shares = evenly(RUNNERS, len(target.vary))
     varied = {

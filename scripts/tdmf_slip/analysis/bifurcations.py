@@ -60,20 +60,7 @@ class Special(ByContents):
 
 
 def special_points(family: Family, before: Point, after: Point) -> tuple[list[Border], list[Special]]:
-    """What happens between two neighbouring points of a branch, in its order.
-
-    Parameters
-    ----------
-    family : Family
-        Whose branch it is.
-    before, after : Point
-        Neighbours on it.
-
-    Returns
-    -------
-    pair of lists, of Border and of Special
-        The borders between words, and the special points, which have the borders among them.
-    """
+    """What happens between two neighbouring points of a branch, in its order."""
     specials = list(_specials(family, before, after))
     borders = [
         Border(special.value, *special.words)
@@ -217,13 +204,7 @@ def _account(before: Point, after: Point) -> str:
 
 
 def _bifurcations(family: Family, before: Point, after: Point) -> Iterator[Special]:
-    """What a sign change of a test function stands for; a neutral saddle is nothing.
-
-    Raises
-    ------
-    RunError
-        The eigenvalues at the zero are not those of a bifurcation.
-    """
+    """What a sign change of a test function stands for; a neutral saddle is nothing."""
     for kind in _changes(before, after):
         point = _zero(family, before, after, _TESTS[kind])
         if _is_there(kind, point.gait.eigenvalues):
@@ -239,13 +220,7 @@ def _is_there(kind: str, eigenvalues: NDArray[np.float64] | NDArray[np.complex12
 
 
 def _zero(family: Family, before: Point, after: Point, test: Callable[[Point], float]) -> Point:
-    """Where a test function is zero between two points of a branch: by the Illinois method along the branch.
-
-    Raises
-    ------
-    RunError
-        It is not located.
-    """
+    """Where a test function is zero between two points of a branch, by the Illinois method."""
     low, high = 0.0, 1.0
     at_low, at_high = test(before), test(after)
     last = high

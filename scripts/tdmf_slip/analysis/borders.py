@@ -46,29 +46,7 @@ class Border:
 
 
 def borders_between(runner: Runner | Mapping[str, Given], name: str, first: Gait, last: Gait) -> list[Border]:
-    """All changes of the word from one gait to another of the same branch.
-
-    Parameters
-    ----------
-    runner : Runner or mapping of str to float
-        Whose gaits.
-    name : str
-        Parameter or input along which the branch is followed.
-    first, last : Gait
-        Gaits of the branch.
-
-    Returns
-    -------
-    list of Border
-        In order from first to last.
-
-    Raises
-    ------
-    InputError
-        The name is that of no parameter or input, or the gaits are none.
-    RunError
-        A gait between them cannot be found.
-    """
+    """All changes of the word from one gait to another of the same branch."""
     check_is_gait(first, "first")
     check_is_gait(last, "last")
     family = Family(runner, name)
@@ -88,27 +66,7 @@ class Crossing(ByContents):
 
 
 def crossings(family: Family, first: Point, last: Point) -> Iterator[Crossing]:
-    """The borders between two points of a branch.
-
-    Parameters
-    ----------
-    family : Family
-        Whose branch it is.
-    first, last : Point
-        Of the branch.
-
-    Yields
-    ------
-    Crossing
-        In order from first to last.
-
-    Raises
-    ------
-    InputError
-        A value between them is not allowed.
-    RunError
-        A gait between them cannot be found, or there are more borders than can be told apart.
-    """
+    """The borders between two points of a branch."""
     inside = first
     for _ in range(MAX_BORDERS):
         if inside.gait.word == last.gait.word:

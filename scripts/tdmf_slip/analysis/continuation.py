@@ -28,33 +28,7 @@ def gaits_over(
     first: Gait,
     step_finished: Callable[[], None] = lambda: None,
 ) -> Iterator[Gait]:
-    """The gait at each value in turn, each from the one before; steps in between where values are far apart.
-
-    Parameters
-    ----------
-    runner : Runner or mapping of str to float
-        Whose gaits.
-    name : str
-        Parameter or input that is varied.
-    values : sequence of float
-        Of it, in its unit.
-    first : Gait
-        A gait to begin at.
-    step_finished : callable, optional
-        Called after each gait.
-
-    Yields
-    ------
-    Gait
-        At each value.
-
-    Raises
-    ------
-    InputError
-        The name is that of no parameter or input, a value is none, or `first` is no gait.
-    RunError
-        The branch cannot be followed so far.
-    """
+    """The gait at each value, each from the one before; steps in between where values are far apart."""
     check_is_gait(first, "first")
     row = row_of(values, "values", f"a row of values of {name}")
     family = Family(runner, name, first.strides)
@@ -126,13 +100,7 @@ def _predicted(family: Family, gait: Gait, step: float) -> NDArray[np.float64]:
 
 
 def _check_near(family: Family, before: Gait, nearby: NDArray[np.float64], after: Gait) -> None:
-    """Refuse a gait that is of another branch: as far from where it was predicted as from the one before.
-
-    Raises
-    ------
-    RunError
-        It is.
-    """
+    """Refuse a gait that is of another branch: as far from where it was predicted as from the one before."""
     scales = family.scales[:-1]
     off, moved = (float(np.linalg.norm((after.apex - apex) / scales)) for apex in (nearby, before.apex))
     if off > max(FARTHEST * moved, SAME):
@@ -140,13 +108,7 @@ def _check_near(family: Family, before: Gait, nearby: NDArray[np.float64], after
 
 
 def _check_leads_back(family: Family, before: Gait, after: Gait) -> None:
-    """Refuse a gait from which the branch does not lead back to the one before: it is of another branch.
-
-    Raises
-    ------
-    RunError
-        It does not.
-    """
+    """Refuse a gait from which the branch does not lead back to the one before: it is of another branch."""
     at, to = family.value_of(before), family.value_of(after)
     known, begin, goal = (
         np.append(apex, value) / family.scales

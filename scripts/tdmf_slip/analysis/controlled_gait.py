@@ -23,25 +23,6 @@ def jacobian_under(gait: Gait, law: AffineLaw) -> NDArray[np.float64]:
     """The Jacobian of a gait's return map under a law that sets at each apex, away from its limits.
 
     That of the map as it is, plus for each setting the next apex's change by it times its gain.
-
-    Parameters
-    ----------
-    gait : Gait
-        Of one stride.
-    law : AffineLaw
-        By which the runner is set.
-
-    Returns
-    -------
-    ndarray of float, shape (n, n)
-        [i, k] is the change of coordinate i by coordinate k.
-
-    Raises
-    ------
-    InputError
-        The law does not fit the runner.
-    RunError
-        The gait has no derivatives.
     """
     check_law(law, gait.runner)
     jacobian = gait.jacobian.copy()
@@ -51,22 +32,7 @@ def jacobian_under(gait: Gait, law: AffineLaw) -> NDArray[np.float64]:
 
 
 def check_attracts(gait: Gait, law: AffineLaw | None) -> None:
-    """Refuse a law under which a gait is none, or unstable, so that it attracts nothing.
-
-    Parameters
-    ----------
-    gait : Gait
-        Of one stride.
-    law : AffineLaw or None
-        None is fine.
-
-    Raises
-    ------
-    InputError
-        At the gait's apex the law sets something else than the runner has, or the gait is unstable.
-    RunError
-        The gait has no derivatives.
-    """
+    """Refuse a law under which a gait is none, or unstable, so that it attracts nothing."""
     check_is_gait(gait, "gait")
     check_law(law, gait.runner)
     if law is None:
@@ -91,29 +57,7 @@ def check_attracts(gait: Gait, law: AffineLaw | None) -> None:
 def stable_gait(
     runner: Runner | Mapping[str, Given], fmu: Fmu | None = None, law: AffineLaw | None = None
 ) -> Gait:
-    """The gait of a runner, or under a law the one near its apex, if it attracts anything.
-
-    Parameters
-    ----------
-    runner : Runner or mapping of str to float
-        Parameters and friction, or start values by name.
-    fmu : Fmu, optional
-        Whose start values hold; by default that of `fmu_path`.
-    law : AffineLaw, optional
-        By which the runner is set.
-
-    Returns
-    -------
-    Gait
-        Stable, by itself or under the law.
-
-    Raises
-    ------
-    InputError
-        It is unstable, or the law is not one that keeps it.
-    RunError
-        There is none.
-    """
+    """The gait of a runner, or under a law the one near its apex, if it attracts anything."""
     if law is None:
         gait = periodic_gait(runner, fmu=fmu)
         if not gait.stable:

@@ -35,31 +35,6 @@ def iterates(
 
     Steps that make the error larger are shortened so many times, or taken all the same: where an event is
     just touched the map has a square root, and only whole steps lead across.
-
-    Parameters
-    ----------
-    family : Strides
-        Whose branch is sought.
-    goal : ndarray of float
-        Where it begins, and a place on the plane: coordinates and parameter over the scales.
-    normal : ndarray of float
-        A unit vector across the plane.
-    shortenings : int
-        Of a step; 0 to take each as it is.
-
-    Yields
-    ------
-    tuple of Gait and ndarray of float
-        The last is the best, whether its strides lead back to their apex or not.
-
-    Raises
-    ------
-    InputError
-        The goal is not allowed.
-    RunError
-        A stride does not close, or has no derivatives.
-    LinAlgError
-        There is no step.
     """
     place, gait = goal, family.look(goal)
     for _ in range(NEWTON_ITERATIONS):

@@ -156,26 +156,7 @@ def curve_through(
     max_points: int,
     tell: Callable[[], None] = lambda: None,
 ) -> Curve:
-    """The curve of bifurcations through one of them, both ways.
-
-    Parameters
-    ----------
-    plane : Plane
-        Whose gaits, and which kind.
-    box : Box
-        The ranges.
-    at : ndarray of float, shape (n + 2,)
-        Apex and both parameters there, over the plane's scales.
-    max_points : int
-        In each direction.
-    tell : callable, optional
-        Called after each point.
-
-    Returns
-    -------
-    Curve
-        In its order.
-    """
+    """The curve of bifurcations through one of them, both ways."""
     here = plane.place(at)
     back, began = _followed(plane, box, [here], -here.tangent, max_points, tell)
     forth: list[Place] = []

@@ -39,18 +39,6 @@ def factor_of(longer: FirstPassage, shorter: FirstPassage) -> Factor:
 
     Times between falls are taken as exponential, so that the ratio of the means has an F distribution.
 
-    Parameters
-    ----------
-    longer : FirstPassage
-        Whose mean is divided.
-    shorter : FirstPassage
-        By whose.
-
-    Returns
-    -------
-    Factor
-        With its interval, which is all that it prints where either side has fewer than `ENOUGH_FALLS` falls.
-
     Examples
     --------
     >>> from tdmf_slip.analysis.first_passage import FirstPassage

@@ -48,11 +48,6 @@ class Family:
         """Whose gaits, over which parameter or input, and after how many strides they repeat themselves.
 
         The parameter's scale is its value in the runner, or 1.
-
-        Raises
-        ------
-        InputError
-            No such parameter or input, or what is given makes no runner.
         """
         check_varied(name, "name")
         self.runner = runner = Runner.of(runner)
@@ -66,51 +61,11 @@ class Family:
         return self.runner.but(self.name, value)
 
     def gait(self, value: float, guess: Apex) -> Gait:
-        """The gait at a value near a guess.
-
-        Parameters
-        ----------
-        value : float
-            Of the parameter.
-        guess : sequence of float, shape (6,)
-            An apex near the gait's.
-
-        Returns
-        -------
-        Gait
-            Differentiated by the parameter, too.
-
-        Raises
-        ------
-        InputError
-            The value is not allowed.
-        RunError
-            There is none.
-        """
+        """The gait at a value near a guess."""
         return repeated_gait_near(self.runner_at(value), guess, self.strides, along=self.along)
 
     def strides_at(self, value: float, apex: Apex) -> Gait:
-        """The strides from an apex at a value, whether they lead back to it or not.
-
-        Parameters
-        ----------
-        value : float
-            Of the parameter.
-        apex : sequence of float, shape (6,)
-            Where they begin.
-
-        Returns
-        -------
-        Gait
-            Differentiated by the parameter, too; `left_over` says where they lead.
-
-        Raises
-        ------
-        InputError
-            The value is not allowed.
-        RunError
-            A stride does not close, or has no derivatives.
-        """
+        """The strides from an apex at a value, whether they lead back to it or not."""
         return strides_from(self.runner_at(value), apex, self.strides, along=self.along)
 
     def value_of(self, gait: Gait) -> float:
@@ -118,25 +73,7 @@ class Family:
         return gait.runner.values[self.name]
 
     def point(self, gait: Gait, along: NDArray[np.float64]) -> Point:
-        """A gait as a point of its branch, which leads along a direction.
-
-        Parameters
-        ----------
-        gait : Gait
-            The gait.
-        along : ndarray of float
-            Coordinates and parameter, over the scales.
-
-        Returns
-        -------
-        Point
-            With its tangent.
-
-        Raises
-        ------
-        RunError
-            The gait has no tangent.
-        """
+        """A gait as a point of its branch, which leads along a direction."""
         if gait.by_parameter is None or gait.along != self.along:
             gait = self.gait(self.value_of(gait), gait.apex)
         tangent = np.linalg.svd(self.rows(gait))[2][-1]
@@ -148,23 +85,7 @@ class Family:
         return [self.point(gait, ends[-1] - ends[0]) for gait in gaits]
 
     def rows(self, gait: Gait) -> NDArray[np.float64]:
-        """How what is left over of the strides changes by the apex and by the parameter.
-
-        Parameters
-        ----------
-        gait : Gait
-            The strides, differentiated by the parameter.
-
-        Returns
-        -------
-        ndarray of float, shape (n, n + 1)
-            All over the scales.
-
-        Raises
-        ------
-        RunError
-            It has no derivative.
-        """
+        """How what is left over of the strides changes by the apex and by the parameter."""
         assert gait.by_parameter is not None
         dimension = len(gait.apex)
         rows: NDArray[np.float64]
@@ -180,49 +101,11 @@ class Family:
         return place
 
     def look(self, place: NDArray[np.float64]) -> Gait:
-        """The strides from an apex at a value of the parameter.
-
-        Parameters
-        ----------
-        place : ndarray of float
-            Coordinates and parameter over the scales.
-
-        Returns
-        -------
-        Gait
-            See `strides_at`.
-
-        Raises
-        ------
-        InputError
-            The value is not allowed.
-        RunError
-            A stride does not close, or has no derivatives.
-        """
+        """The strides from an apex at a value of the parameter."""
         return self.strides_at(place[-1] * self.scales[-1], place[:-1] * self.scales[:-1])
 
     def on_plane(self, goal: NDArray[np.float64], normal: NDArray[np.float64]) -> Point:
-        """The point of the branch near a goal, on the plane across a direction there: by Newton's method.
-
-        Parameters
-        ----------
-        goal : ndarray of float
-            Coordinates and parameter over the scales.
-        normal : ndarray of float
-            A unit vector along the branch.
-
-        Returns
-        -------
-        Point
-            Where branch and plane meet.
-
-        Raises
-        ------
-        InputError
-            A value of the parameter is not allowed.
-        RunError
-            There is none.
-        """
+        """The point of the branch near a goal, on the plane across a direction there: by Newton's method."""
         try:
             return self._by_newton(goal, normal, SHORTENINGS)
         except RunError:
@@ -245,25 +128,7 @@ class Family:
         return self.point(last, normal)
 
     def between(self, before: Point, after: Point, share: float) -> Point:
-        """The point of the branch beside a share of the straight way from one point to the next.
-
-        Parameters
-        ----------
-        before, after : Point
-            On the branch.
-        share : float
-            From 0 at `before` to 1 at `after`.
-
-        Returns
-        -------
-        Point
-            On the branch.
-
-        Raises
-        ------
-        RunError
-            There is none.
-        """
+        """The point of the branch beside a share of the straight way from one point to the next."""
         begin, end = self.place(before), self.place(after)
         return self.on_plane(begin + share * (end - begin), (end - begin) / np.linalg.norm(end - begin))
 

@@ -138,18 +138,7 @@ class Share(ByContents):
 
 
 def count_falls(share: Share) -> NDArray[np.int64]:
-    """What becomes of a block's runners, by one thread.
-
-    Parameters
-    ----------
-    share : Share
-        The block.
-
-    Returns
-    -------
-    ndarray of int, shape (4,)
-        Falls, strides begun, runners that stopped, and runners that the solver did not get through.
-    """
+    """What becomes of a block's runners, by one thread."""
     case = ensemble.Case(share.runner, ground=share.ground, law=share.law)
     ends, _ = ensemble.run_ensemble(
         [case],

@@ -54,20 +54,7 @@ def stay(place: Place) -> FirstPassage:
 
 
 def stay_all(places: Sequence[Place], *, progress: bool = False) -> list[FirstPassage]:
-    """`stay` at many places, side by side.
-
-    Parameters
-    ----------
-    places : sequence of Place
-        Who runs on what.
-    progress : bool, default False
-        A bar on stderr.
-
-    Returns
-    -------
-    list of FirstPassage
-        In the order of the places.
-    """
+    """`stay` at many places, side by side."""
     found: dict[int, FirstPassage] = {}
     with (
         progress_bar("rough", len(places), "means", progress) as bar,

@@ -81,24 +81,7 @@ class FunctionLaw:
 
 
 def check_set(names: Sequence[str], by_others: Sequence[str], ground: RoughGround, what: str) -> None:
-    """Refuse settings that are set by others, too.
-
-    Parameters
-    ----------
-    names : sequence of str
-        What is set.
-    by_others : sequence of str
-        What is set otherwise.
-    ground : RoughGround
-        Whose steps set its height.
-    what : str
-        The argument, for the message.
-
-    Raises
-    ------
-    InputError
-        One is.
-    """
+    """Refuse settings that are set by others, too."""
     for name in names:
         if name in by_others:
             raise InputError(f"{what}: {name} is in the inputs, too; allowed: in one of them")

@@ -28,20 +28,7 @@ class Column:
 
 
 def attributes_of(fmu: Fmu, name: str) -> dict[str, str]:
-    """Fmu and description of one of the unit's variables, by the names that CF gives them.
-
-    Parameters
-    ----------
-    fmu : Fmu
-        Which unit.
-    name : str
-        Of the variable.
-
-    Returns
-    -------
-    dict of str to str
-        `units` and `long_name`.
-    """
+    """Fmu and description of one of the unit's variables, by the names that CF gives them."""
     variable = fmu.variables[name]
     return {"units": variable.unit or "1", "long_name": variable.description}
 

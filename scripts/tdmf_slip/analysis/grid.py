@@ -35,23 +35,7 @@ GAITS_AGREE = 1e-6
 def as_dataset(
     gaits: Sequence[Gait | None], coordinates: Mapping[str, NDArray[np.float64]], fmu: Fmu
 ) -> xarray.Dataset:
-    """Gaits on a grid, with units; NaN and an empty word where there is none.
-
-    Parameters
-    ----------
-    gaits : sequence of Gait or None
-        As many as the grid has points, the last coordinate fastest.
-    coordinates : mapping of str to ndarray
-        Values of one or two parameters, by name.
-    fmu : Fmu
-        For units and descriptions.
-
-    Returns
-    -------
-    xarray.Dataset
-        Over the coordinates: quantities of the stride and losses by their names, the apex as
-        `apex_com_height` and so on, `lambda_max`, and the `word`.
-    """
+    """Gaits on a grid, with units; NaN and an empty word where there is none."""
     shape = tuple(len(values) for values in coordinates.values())
     names = tuple(coordinates)
     data = xarray.Dataset(coords={name: ((name,), values) for name, values in coordinates.items()})
@@ -188,13 +172,7 @@ def _check_rows(
     fmu: Fmu,
     progress: bool,
 ) -> None:
-    """Refuse rows that no sweep can have left: each gait has to close its stride as the file tells.
-
-    Raises
-    ------
-    InputError
-        The first such row.
-    """
+    """Refuse rows that no sweep can have left: each gait has to close its stride as the file tells."""
     name, along = data["period"].dims
     begun = int(np.count_nonzero(data["done"].values))
     with progress_bar("what is done", begun, "rows", progress) as bar:
@@ -244,22 +222,7 @@ class Row:
 
 
 def gaits_of_row(row: Row) -> tuple[list[Gait | None], list[float], str]:
-    """The gait at each value, None where it was not found; of which branch it is; and why none, or "".
-
-    Parameters
-    ----------
-    row : Row
-        The block.
-
-    Returns
-    -------
-    gaits : list of Gait or None
-        In the order of the values.
-    branches : list of float
-        Their numbers in the row, another where one branch ends and the next begins; NaN without a gait.
-    problem : str
-        What ends a branch, or keeps gaits from being found.
-    """
+    """The gait at each value, None where it was not found; of which branch it is; and why none, or ""."""
     try:
         found = sweep_row(row.runner, row.along, row.values)
     except TdmfSlipError as problem:  # also start values that go with other rows only

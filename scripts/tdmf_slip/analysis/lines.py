@@ -65,31 +65,7 @@ def border_near(
     known: Crossing,
     step: Pair,
 ) -> tuple[Pair, Crossing]:
-    """The point of a curve of word borders a step away from one that is known.
-
-    Parameters
-    ----------
-    runner : Runner
-        Whose gaits.
-    names : pair of str
-        The parameters.
-    sizes : ndarray of float, shape (2,)
-        Their scales.
-    known : Crossing
-        A border, with the gaits on both sides.
-    step : ndarray of float, shape (2,)
-        To where the next one is expected, over the scales.
-
-    Returns
-    -------
-    pair of ndarray of float, shape (2,), and Crossing
-        Where the border is over the scales, and the gaits on both sides.
-
-    Raises
-    ------
-    RunError
-        No such border is found there.
-    """
+    """The point of a curve of word borders a step away from one that is known."""
     length = float(np.linalg.norm(step))
     across = np.array([-step[1], step[0]]) / length
     gaits = [known.short.gait, known.beyond.gait]
@@ -135,32 +111,7 @@ def border_curve(
     max_points: int,
     tell: Callable[[], None],
 ) -> Curve:
-    """The curve of a word border, both ways.
-
-    Parameters
-    ----------
-    runner : Runner
-        Whose gaits.
-    names : pair of str
-        The parameters.
-    sizes : ndarray of float, shape (2,)
-        Their scales.
-    box : Box
-        Their ranges.
-    branch : Branch
-        Over the first of them, which meets the border.
-    special : Special
-        Where.
-    max_points : int
-        In each direction.
-    tell : callable
-        Called after each point.
-
-    Returns
-    -------
-    Curve
-        In its order.
-    """
+    """The curve of a word border, both ways."""
     family = Family(branch.gaits[0].runner, names[0])
     around = family.points(*branch.gaits[special.index : special.index + 2])
     known = next(c for c in crossings(family, *around) if (c.border.before, c.border.after) == special.words)
@@ -197,13 +148,7 @@ class BorderTrack:
             self.add(place)
 
     def add(self, place: Place) -> None:
-        """One more place.
-
-        Parameters
-        ----------
-        place : Place
-            Of the curve.
-        """
+        """One more place."""
         self._places.append(place)
         self._rows.add(self._row(place))
 
@@ -211,23 +156,11 @@ class BorderTrack:
         return np.append(place.crossing.short.gait.apex / self.runner.scales, place.pair)
 
     def near(self, known: Place, step: Pair) -> Place:
-        """The place of the curve a step away from one that is known.
-
-        Raises
-        ------
-        RunError
-            There is none.
-        """
+        """The place of the curve a step away from one that is known."""
         return Place(*border_near(self.runner, self.names, self.sizes, known.crossing, step))
 
     def stepped(self, last: Place, step: Pair) -> Place:
-        """The place a step away, if the same step back leads to where it came from.
-
-        Raises
-        ------
-        RunError
-            There is none, or it is of another curve.
-        """
+        """The place a step away, if the same step back leads to where it came from."""
         found = self.near(last, step)
         way = self._row(found) - self._row(last)
         back = self.near(found, last.pair - found.pair)

@@ -15,20 +15,7 @@ SIGMA = 4.0
 
 
 def linked(places: NDArray[np.float64], merits: NDArray[np.float64]) -> Sequence[int]:
-    """Numbers of the places that have none of less merit near them, the least merit first.
-
-    Parameters
-    ----------
-    places : ndarray of float, shape (m, d)
-        In a box whose sides are 1.
-    merits : ndarray of float, shape (m,)
-        Of each; the less, the better.
-
-    Returns
-    -------
-    sequence of int
-        All of them but for those with a better one within the critical distance.
-    """
+    """Numbers of the places that have none of less merit near them, the least merit first."""
     count = len(merits)
     if not count:
         return []

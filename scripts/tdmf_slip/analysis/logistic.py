@@ -7,20 +7,7 @@ RIDGE, ITERATIONS = 1e-3, 25
 
 
 def logistic_weights(features: NDArray[np.float64], falls: NDArray[np.bool_]) -> NDArray[np.float64]:
-    """Intercept and weights by which the odds of an event are told from features.
-
-    Parameters
-    ----------
-    features : ndarray of float, shape (n, k)
-        Of n cases.
-    falls : ndarray of bool, shape (n,)
-        In which of them it came.
-
-    Returns
-    -------
-    ndarray of float, shape (1 + k,)
-        Of the logarithm of the odds.
-    """
+    """Intercept and weights by which the odds of an event are told from features."""
     rows = np.concatenate([np.ones((len(features), 1)), features], axis=1)
     weights = np.zeros(rows.shape[1])
     ridge = RIDGE * len(rows) * np.eye(rows.shape[1])

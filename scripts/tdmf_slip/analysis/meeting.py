@@ -32,13 +32,7 @@ class Places:
         return place
 
     def add(self, place: NDArray[np.float64]) -> None:
-        """One more place.
-
-        Parameters
-        ----------
-        place : ndarray of float
-            Over the scales.
-        """
+        """One more place."""
         if self._count == len(self._rows):
             self._rows = np.concatenate([self._rows, np.empty_like(self._rows)])
         self._rows[self._count] = place
@@ -47,18 +41,7 @@ class Places:
     def beside(
         self, begin: NDArray[np.float64], end: NDArray[np.float64]
     ) -> Iterator[tuple[int, NDArray[np.float64]]]:
-        """The numbers of places beside a straight way, and the nearest place on it to each.
-
-        Parameters
-        ----------
-        begin, end : ndarray of float
-            The ends of the way; what is at its beginning is not told.
-
-        Yields
-        ------
-        tuple of int and ndarray of float
-            In the order in which they were added.
-        """
+        """The numbers of places beside a straight way, and the nearest place on it to each."""
         way = end - begin
         away = self._rows[: self._count] - begin
         shares = away @ way / (way @ way)
@@ -80,32 +63,13 @@ class Track:
             self.add(point)
 
     def add(self, point: Point) -> None:
-        """One more point.
-
-        Parameters
-        ----------
-        point : Point
-            Of the branch.
-        """
+        """One more point."""
         self._points.append(point)
         for apex in (point.gait.apex, *point.gait.following):
             self._places.add(np.append(apex, point.value) / self.family.scales)
 
     def met(self, last: Point, following: Point) -> tuple[Point, str] | None:
-        """The point of the track that the branch goes through in its next step.
-
-        Parameters
-        ----------
-        last : Point
-            The newest of the track.
-        following : Point
-            The next one, not of the track yet.
-
-        Returns
-        -------
-        tuple of Point and str, or None
-            That point, and in words what the branch does there; None where it meets none.
-        """
+        """The point of the track that the branch goes through in its next step."""
         for number, beside in self._places.beside(self.family.place(last), self.family.place(following)):
             if self._goes_through(self._places[number], beside, last, following):
                 number, stride = divmod(number, self.family.strides)
@@ -113,18 +77,7 @@ class Track:
         return None
 
     def is_new(self, points: Sequence[Point]) -> bool:
-        """The branch has not been yet where it leads along some points.
-
-        Parameters
-        ----------
-        points : sequence of Point
-            The newest of the track, and then some that are not of it.
-
-        Returns
-        -------
-        bool
-            It meets none of the track between them.
-        """
+        """The branch has not been yet where it leads along some points."""
         return all(self.met(*pair) is None for pair in pairwise(points))
 
     def _goes_through(

@@ -40,24 +40,7 @@ def nearest_from(
     steps: Sequence[float] = LONGEST_STEPS,
     iterations: int = ITERATIONS,
 ) -> Place:
-    """The gait nearest to a target, of those that are reached from some gaits.
-
-    Parameters
-    ----------
-    target : Target
-        Which the gaits do not meet.
-    places : sequence of Place
-        Of the gaits.
-    steps : sequence of float
-        Longest steps to be tried.
-    iterations : int, default 30
-        Of each, with steps that are refused.
-
-    Returns
-    -------
-    Place
-        Of a gait that is not farther from the target than any of those given.
-    """
+    """The gait nearest to a target, of those that are reached from some gaits."""
     return min(
         (_descended(target, place, step, iterations) for place in places for step in steps), key=target.gap
     )
@@ -128,23 +111,6 @@ def parameters_that_help(
     Those whose derivatives promise most, at the nearest gait or at the first one, are varied one by one from
     the first gait on, as a user who varies them begins. Those are named with which the target is met, or a
     gait is found that is nearer to it.
-
-    Parameters
-    ----------
-    target : Target
-        Which cannot be met.
-    nearest : Place
-        The gait nearest to it.
-    first : Gait
-        The gait that the search began with.
-    progress : bool, default False
-        A bar on stderr.
-
-    Returns
-    -------
-    tuple of Help
-        The best first: those that meet the target by the least change, then those that leave least of it.
-        What is zero stays zero: a push on the body or a slope of the ground is not told.
     """
     maximum, near = HELPING * target.gap(nearest), target.gait(nearest)
     promising = _promising(target, (near, first))

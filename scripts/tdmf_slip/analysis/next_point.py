@@ -30,31 +30,7 @@ MAX_BACK = 100
 
 
 def next_point(family: Family, last: Point, step: float, largest: float) -> tuple[Point, float]:
-    """The next point by a step along the tangent, and how long the next step may be.
-
-    Parameters
-    ----------
-    family : Family
-        Whose branch it is.
-    last : Point
-        On it.
-    step : float
-        To be tried first; it is halved where it does not succeed.
-    largest : float
-        It may become.
-
-    Returns
-    -------
-    tuple of Point and float
-        The point, and the length of the next step.
-
-    Raises
-    ------
-    InputError
-        However short the step, a value of the parameter is not allowed.
-    RunError
-        However short the step, there is no gait.
-    """
+    """The next point by a step along the tangent, and how long the next step may be."""
     step = min(step, largest)
     while True:
         goal = family.place(last) + step * last.direction
@@ -76,22 +52,7 @@ def next_point(family: Family, last: Point, step: float, largest: float) -> tupl
 def past_corner(
     family: Family, last: Point, is_new: Callable[[Sequence[Point]], bool] = lambda _points: True
 ) -> list[Point]:
-    """Points of the branch beyond a change of the events at which it turns.
-
-    Parameters
-    ----------
-    family : Family
-        Whose branch it is.
-    last : Point
-        On it, beside the corner.
-    is_new : callable, optional
-        Whether the branch has not been yet where it leads along some points, the first of which is `last`.
-
-    Returns
-    -------
-    list of Point
-        In their order: one, or several where the branch had to be walked back to the corner; or none.
-    """
+    """Points of the branch beyond a change of the events at which it turns."""
     for distance in BEYOND:
         try:
             other = family.look(family.place(last) + distance * last.direction)
@@ -145,16 +106,5 @@ def _way_to(family: Family, corner: Point, found: Point) -> list[Point]:
 
 
 def reverse(point: Point) -> Point:
-    """The same point of the branch in the other direction.
-
-    Parameters
-    ----------
-    point : Point
-        Of a branch.
-
-    Returns
-    -------
-    Point
-        Whose tangent leads the other way.
-    """
+    """The same point of the branch in the other direction."""
     return replace(point, direction=-point.direction)

@@ -40,37 +40,13 @@ class Meetings(ByContents):
 
 
 def contact_angle_of(gait: Gait) -> float:
-    """The angle of the leg from the ground at touchdown, on a gait.
-
-    Parameters
-    ----------
-    gait : Gait
-        By the reduced map.
-
-    Returns
-    -------
-    float
-        Degrees; 90 for an upright leg.
-    """
+    """The angle of the leg from the ground at touchdown, on a gait."""
     angle = dict(zip(("x", "y", "length", "angle"), gait.events[0].state, strict=False))["angle"]
     return 90.0 - math.degrees(angle)
 
 
 def landing_at(gait: Gait, contact_angle: float) -> Runner | None:
-    """The runner of a gait whose leg is placed so that it comes down at an angle, from the gait's apex.
-
-    Parameters
-    ----------
-    gait : Gait
-        By the reduced map, on level ground.
-    contact_angle : float
-        Degrees from the ground.
-
-    Returns
-    -------
-    Runner or None
-        None where the apex is too low for the leg, or it would have to start beyond the horizontal.
-    """
+    """The runner of a gait whose leg is placed so that it comes down at an angle, from the gait's apex."""
     values, at = gait.runner.values, math.radians(90.0 - contact_angle)
     share = values["body.mass"] / (values["body.mass"] + values["foot.mass"])
     drop = float(gait.apex[0]) - share * values["leg.free_length"] * math.cos(at)
@@ -83,29 +59,7 @@ def landing_at(gait: Gait, contact_angle: float) -> Runner | None:
 def meet_patch(
     gaits: Sequence[Gait], contact_angles: Sequence[float], friction: float, strides: int = 1
 ) -> Meetings:
-    """What comes of runners on gaits that meet a patch.
-
-    Parameters
-    ----------
-    gaits : sequence of Gait
-        By the reduced map, on level ground.
-    contact_angles : sequence of float
-        Of the leg at the first touchdown on the patch, degrees from the ground.
-    friction : float
-        Of the patch.
-    strides : int, default 1
-        That it is long.
-
-    Returns
-    -------
-    Meetings
-        Falls, and slips.
-
-    Raises
-    ------
-    InputError
-        The friction is refused.
-    """
+    """What comes of runners on gaits that meet a patch."""
     shape = len(gaits), len(contact_angles)
     fell, slips = np.full(shape, np.nan), np.full(shape, np.nan)
     landings = {

@@ -49,18 +49,7 @@ class Place(ByContents):
 
 
 def bialternate(matrix: NDArray[np.float64]) -> NDArray[np.float64]:
-    """The bialternate product of a matrix with itself: its eigenvalues are the products of pairs.
-
-    Parameters
-    ----------
-    matrix : ndarray of float, shape (n, n)
-        Any matrix.
-
-    Returns
-    -------
-    ndarray of float, shape (n (n - 1) / 2, n (n - 1) / 2)
-        Of the minors of order two.
-    """
+    """The bialternate product of a matrix with itself: its eigenvalues are the products of pairs."""
     pairs = list(combinations(range(len(matrix)), 2))
     rows = [[matrix[i, k] * matrix[j, m] - matrix[i, m] * matrix[j, k] for k, m in pairs] for i, j in pairs]
     return np.array(rows)
@@ -82,13 +71,7 @@ class Plane:
     """Gaits of one runner over two parameters."""
 
     def __init__(self, runner: Runner, names: tuple[str, str], kind: str, strides: int = 1) -> None:
-        """Whose gaits, over which parameters or inputs, and which bifurcation is looked for.
-
-        Raises
-        ------
-        InputError
-            No such parameter or input.
-        """
+        """Whose gaits, over which parameters or inputs, and which bifurcation is looked for."""
         for name in names:
             check_varied(name, "name")
         self.runner, self.names, self.kind, self.strides = runner, names, kind, strides
@@ -107,13 +90,7 @@ class Plane:
         return TESTS[self.kind](gait.jacobian)
 
     def place(self, at: NDArray[np.float64]) -> Place:
-        """A place with all derivatives: those of g by differences.
-
-        Raises
-        ------
-        RunError
-            A stride does not close near it.
-        """
+        """A place with all derivatives: those of g by differences."""
         both = [self.strides_at(at, name) for name in self.names]
         scales, dimension = self.scales[:-2], len(at) - 2
         by_parameters = np.array([gait.by_parameter for gait in both]).T
@@ -129,15 +106,7 @@ class Plane:
         return Place(at, both[0], matrix)
 
     def corrected(self, goal: NDArray[np.float64], normal: NDArray[np.float64]) -> Place:
-        """The place of the curve near a goal on the plane across a direction.
-
-        Raises
-        ------
-        InputError
-            A value is not allowed.
-        RunError
-            There is none.
-        """
+        """The place of the curve near a goal on the plane across a direction."""
         at, place = goal, None
         for number in range(ITERATIONS):
             if place is None or number % REFRESHED == 0:
@@ -156,13 +125,7 @@ class Plane:
     def _change(
         self, at: NDArray[np.float64], near: Place, goal: NDArray[np.float64], normal: NDArray[np.float64]
     ) -> NDArray[np.float64]:
-        """A step of Newton's method from a place, with the derivatives of one near it.
-
-        Raises
-        ------
-        LinAlgError
-            There is none.
-        """
+        """A step of Newton's method from a place, with the derivatives of one near it."""
         gait = self.strides_at(at, self.names[0])
         off = [*(gait.left_over / self.scales[:-2]), self.zero(gait), (at - goal) @ normal]
         change: NDArray[np.float64] = np.linalg.solve(np.vstack([near.matrix, normal]), -np.array(off))
@@ -172,18 +135,6 @@ class Plane:
         """The corrector that starts from one place's tangent finds another, from which the first was found.
 
         Where it does not, they are of two curves, or the way from one to the other is too long.
-
-        Parameters
-        ----------
-        found : Place
-            The new place.
-        known : Place
-            That from which it was found.
-
-        Returns
-        -------
-        bool
-            Whether it does.
         """
         tangent, way = found.tangent, found.at - known.at
         goal = at = found.at - (way @ tangent) * tangent

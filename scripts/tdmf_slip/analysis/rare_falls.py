@@ -159,13 +159,7 @@ def rare_falls(
 
 
 def _check_is_rough(ground: RoughGround) -> None:
-    """Refuse ground without steps, and friction that hangs together.
-
-    Raises
-    ------
-    InputError
-        It is such.
-    """
+    """Refuse ground without steps, and friction that hangs together."""
     if ground.roughness < SMOOTHEST:
         raise InputError(f"roughness = {ground.roughness:g} is not allowed; allowed: {SMOOTHEST:g} m or more")
     if ground.friction_weights:

@@ -11,18 +11,7 @@ from .spread import search_from_spread
 
 
 def model_of(runner: Runner) -> dict[str, str]:
-    """What the attributes of a file say of a runner's map from apex to apex.
-
-    Parameters
-    ----------
-    runner : Runner
-        Whose results are on file.
-
-    Returns
-    -------
-    dict of str to str
-        Nothing for the full model.
-    """
+    """What the attributes of a file say of a runner's map from apex to apex."""
     return {"model": "reduced"} if runner.reduced else {}
 
 
@@ -34,34 +23,7 @@ def periodic_gait(
     model: str | None = None,
     fmu: Fmu | None = None,
 ) -> Gait:
-    """The gait of `find_gait` without a target, differentiated along a parameter too where that is wanted.
-
-    Parameters
-    ----------
-    runner : Runner or mapping of str to float, optional
-        Whose gait, as in `find_gait`.
-    guess : sequence of float, optional
-        An apex near the gait's, as in `find_gait`.
-    along : str or mapping of str to float, optional
-        A parameter or input by which the next apex is differentiated, too; or a direction of several.
-    model : str, optional
-        One of `MODELS`; by default that of the runner.
-    fmu : Fmu, optional
-        Whose start values hold; by default that of `fmu_path`.
-
-    Returns
-    -------
-    Gait
-        Where `along` is given, with its derivative by that.
-
-    Raises
-    ------
-    InputError
-        The guess is no apex, the start values are refused or not in flight, `along` or `model` is unknown, or
-        the friction is 0.
-    GaitNotFoundError
-        No gait was found; the message says what happened on the way.
-    """
+    """The gait of `find_gait` without a target, differentiated along a parameter too where that is wanted."""
     runner = Runner.of(runner, fmu, model=model)
     if guess is not None:
         return gait_near(runner, guess, along=along)

@@ -42,20 +42,7 @@ class Settled(ByContents):
 
 
 def evenly(count: int, dimension: int, first: int = 0) -> NDArray[np.float64]:
-    """Places that fill a box evenly: multiples of powers of a generalized golden ratio, modulo 1.
-
-    Parameters
-    ----------
-    count, dimension : int
-        How many, of how many coordinates.
-    first : int, default 0
-        How many of the same places come before them.
-
-    Returns
-    -------
-    ndarray of float, shape (count, dimension)
-        From 0 to 1.
-    """
+    """Places that fill a box evenly: multiples of powers of a generalized golden ratio, modulo 1."""
     ratio = 1.5
     for _ in range(60):
         ratio = (1.0 + ratio) ** (1.0 / (dimension + 1))
@@ -68,23 +55,7 @@ def evenly(count: int, dimension: int, first: int = 0) -> NDArray[np.float64]:
 def settled_gaits(
     runner: Runner, varied: Mapping[str, NDArray[np.float64]], begin: NDArray[np.float64]
 ) -> Settled:
-    """Which runners settle on a gait, and where.
-
-    Parameters
-    ----------
-    runner : Runner
-        Whose values all have but for those that vary.
-    varied : mapping of str to ndarray of float, shape (runners,)
-        Parameters and inputs of each, within their ranges. Runners whose values do not go together are left
-        out.
-    begin : ndarray of float, shape (n,)
-        An apex to begin with.
-
-    Returns
-    -------
-    Settled
-        Those whose gaits lead forward.
-    """
+    """Which runners settle on a gait, and where."""
     runs = _Runs(runner, varied, begin)
     runs.begin()
     for _ in range(LOOKS):

@@ -43,18 +43,7 @@ class Slice(ByContents):
 
 
 def fates_of_slice(part: Slice) -> NDArray[np.void]:
-    """What becomes of each start of a block, in its shape: the fields `fate` and `strides`.
-
-    Parameters
-    ----------
-    part : Slice
-        The block.
-
-    Returns
-    -------
-    structured ndarray, shape (rows, columns)
-        As `run_ensemble` gives it.
-    """
+    """What becomes of each start of a block, in its shape: the fields `fate` and `strides`."""
     starts, columns = part.starts(), len(part.columns)
     if part.law is None or not part.law.is_noisy:
         return fates(part.runner, part.apex, starts, law=part.law, ball=part.ball).reshape(-1, columns)

@@ -70,22 +70,7 @@ class RareEvent(ByContents):
 
 
 def levels_of(scores: NDArray[np.float64], highest: float, count: int) -> NDArray[np.float64]:
-    """Levels of a score: at each about half as many walkers arrive as at the one before.
-
-    Parameters
-    ----------
-    scores : ndarray of float, shape (n,)
-        Of walkers that were not split.
-    highest : float
-        The score at the event, or near it.
-    count : int
-        How many levels there may be.
-
-    Returns
-    -------
-    ndarray of float
-        Rising.
-    """
+    """Levels of a score: at each about half as many walkers arrive as at the one before."""
     seen = int(math.log2(max(len(scores), 2))) - 4
     shares = 1.0 - 0.5 ** np.arange(1, max(2, min(seen, count)) + 1)
     levels = np.unique(np.quantile(scores, shares))
@@ -98,26 +83,7 @@ def levels_of(scores: NDArray[np.float64], highest: float, count: int) -> NDArra
 def resampled(
     weights: NDArray[np.float64], level: NDArray[np.intp], keep: int, random: np.random.Generator
 ) -> tuple[NDArray[np.intp], NDArray[np.float64]]:
-    """Which walkers go on, with which weights: as many at each level that has any.
-
-    Parameters
-    ----------
-    weights : ndarray of float, shape (n,)
-        Of the walkers.
-    level : ndarray of int, shape (n,)
-        Where each is.
-    keep : int
-        Walkers of a level.
-    random : numpy.random.Generator
-        By which they are chosen, so that the expected weight of each stays what it was.
-
-    Returns
-    -------
-    chosen : ndarray of int
-        Numbers of walkers, some more than once.
-    weights : ndarray of float
-        Of the chosen; their sum is that of all.
-    """
+    """Which walkers go on, with which weights: as many at each level that has any."""
     chosen, shares = [], []
     for number in np.unique(level):
         here = np.flatnonzero(level == number)
@@ -134,30 +100,7 @@ def resampled(
 def split_run(
     chain: Chain, levels: NDArray[np.float64], keep: int, steps: int, seed: int
 ) -> tuple[float, int, int]:
-    """One run: the weight that meets the event in a step, how many walkers did, and the steps of all.
-
-    Parameters
-    ----------
-    chain : Chain
-        What is stepped.
-    levels : ndarray of float
-        Of its score.
-    keep : int
-        Walkers of a level.
-    steps : int
-        Of each walker, the burn-in included.
-    seed : int
-        Of everything that is drawn.
-
-    Returns
-    -------
-    rate : float
-        After the burn-in.
-    events : int
-        After the burn-in.
-    made : int
-        Steps of all walkers.
-    """
+    """One run: the weight that meets the event in a step, how many walkers did, and the steps of all."""
     random = np.random.default_rng(seed)
     rows, weights = chain.begin(keep), np.full(keep, 1.0 / keep)
     burn_in = int(BURN_IN * steps)
@@ -186,30 +129,7 @@ def rare_event(
     replicas: int = REPLICAS,
     done: Any = None,
 ) -> RareEvent:
-    """The mean time to an event, by independent runs.
-
-    Parameters
-    ----------
-    chain : Chain
-        What is stepped; its seeds are those of the runs.
-    levels : ndarray of float
-        Of its score.
-    keep : int
-        Walkers of a level.
-    steps : int
-        Of each walker, in each run.
-    seed : int
-        Of everything that is drawn.
-    replicas : int, default 12
-        Runs.
-    done : callable, optional
-        Called after each run.
-
-    Returns
-    -------
-    RareEvent
-        With its interval.
-    """
+    """The mean time to an event, by independent runs."""
     seeds = np.random.SeedSequence(seed).generate_state(replicas, np.uint64)
     runs = []
     for one in seeds:

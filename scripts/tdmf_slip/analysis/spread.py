@@ -65,22 +65,7 @@ class Spread(ByContents):
 
 
 def starts_of(runner: Runner, count: int, seed: int = SEED) -> NDArray[np.float64]:
-    """Apexes all over the part of the section where gaits may be.
-
-    Parameters
-    ----------
-    runner : Runner
-        Whose.
-    count : int
-        How many.
-    seed : int, optional
-        Of the drawing.
-
-    Returns
-    -------
-    ndarray of float, shape (count, n)
-        In the order of the runner's `coordinates`.
-    """
+    """Apexes all over the part of the section where gaits may be."""
     source = np.random.default_rng(seed)
     scales = runner.model.scales
     weightless = scales.length / (scales.time**2 * runner.values["gravity"])
@@ -101,24 +86,7 @@ def starts_of(runner: Runner, count: int, seed: int = SEED) -> NDArray[np.float6
 def search_from_spread(
     runner: Runner, *, along: Along | None = None, max_gaits: int = 1, max_strides: int = MAX_STRIDES
 ) -> Spread:
-    """Gaits of a runner from starts all over the section, but for those that lead backwards.
-
-    Parameters
-    ----------
-    runner : Runner
-        Whose gaits.
-    along : str or mapping of str to float, optional
-        A parameter or input by which the next apex is differentiated, too; or a direction of several.
-    max_gaits : int, default 1
-        Stop after so many stable ones.
-    max_strides : int, optional
-        Of all runners together.
-
-    Returns
-    -------
-    Spread
-        With those that were found.
-    """
+    """Gaits of a runner from starts all over the section, but for those that lead backwards."""
     found = _Found(runner, along)
     runs = _Runs(runner, starts_of(runner, STARTS), max_strides)
     nearest: list[tuple[float, NDArray[np.float64]]] = []

@@ -189,24 +189,7 @@ def sweep(
 
 
 def sweep_row(runner: Runner, name: str, values: Values, progress: bool = False) -> Sweep:
-    """`sweep` over values that are checked already.
-
-    Parameters
-    ----------
-    runner : Runner
-        Whose gaits.
-    name : str
-        Of the parameter that is varied.
-    values : sequence of float
-        In order.
-    progress : bool, default False
-        A bar on stderr.
-
-    Returns
-    -------
-    Sweep
-        As `sweep` gives it.
-    """
+    """`sweep` over values that are checked already."""
     gaits: list[Gait | None] = [None] * len(values)
     borders: list[Border] = []
     problems: list[str] = []
@@ -278,17 +261,7 @@ def _borders(runner: Runner, name: str, gaits: Sequence[Gait]) -> tuple[list[Bor
 
 
 def check_values(runner: Runner, name: str, values: Values) -> None:
-    """Refuse, before any work, values at which there is no gait to follow.
-
-    Parameters
-    ----------
-    runner : Runner
-        Whose gaits are to be found.
-    name : str
-        Of the parameter that is varied.
-    values : sequence of float
-        At which.
-    """
+    """Refuse, before any work, values at which there is no gait to follow."""
     for value in values:
         other = runner.but(name, value)
         _ = other.system

@@ -30,22 +30,7 @@ OPPOSITE = -0.5
 
 
 def reported_branch(family: Family, points: Sequence[Point], began: str, ended: str) -> Branch:
-    """Points as a branch, with all that happens between them.
-
-    Parameters
-    ----------
-    family : Family
-        Whose branch it is.
-    points : sequence of Point
-        In the branch's order.
-    began, ended : str
-        Why it has no more points on either side.
-
-    Returns
-    -------
-    Branch
-        Without branches that it gives rise to.
-    """
+    """Points as a branch, with all that happens between them."""
     borders: list[Border] = []
     specials: list[Special] = []
     for index, (before, after) in enumerate(pairwise(points)):
@@ -70,24 +55,7 @@ def with_doubled_branches(
     limits: Limits,
     step_finished: Callable[[], None] = lambda: None,
 ) -> Branch:
-    """A branch with those of twice the period from its period doublings, each once, and with theirs.
-
-    Parameters
-    ----------
-    branch : Branch
-        On which the period may double.
-    family_of : callable
-        The family of gaits that repeat themselves after so many strides.
-    limits : Limits
-        Where to stop.
-    step_finished : callable, optional
-        Called after each gait.
-
-    Returns
-    -------
-    Branch
-        Its `branches` begin beside period doublings; one whose gaits are not followed says `why`.
-    """
+    """A branch with those of twice the period from its period doublings, each once, and with theirs."""
     strides = 2 * branch.strides
     met: list[float] = []
     found: list[Branch] = []
@@ -137,20 +105,7 @@ def _meets_halves(family: Family, branch: Branch) -> Callable[[Point, Point], st
 
 
 def departure(family: Family, doubling: Special) -> Point | None:
-    """The first gait of twice the period beside a period doubling, in the direction away from it.
-
-    Parameters
-    ----------
-    family : Family
-        Of gaits of twice the period.
-    doubling : Special
-        On a branch of the same runner and parameter.
-
-    Returns
-    -------
-    Point or None
-        None where none is found.
-    """
+    """The first gait of twice the period beside a period doubling, in the direction away from it."""
     gait, scales = doubling.gait, family.scales
     eigenvalues, vectors = np.linalg.eig(gait.jacobian)
     vector = vectors[:, np.argmin(np.abs(eigenvalues + 1.0))].real / scales[:-1]

@@ -78,13 +78,7 @@ class Target:
         return self.look(np.append(gait.apex, values) / self.scales)
 
     def look(self, at: NDArray[np.float64]) -> Place:
-        """The stride from a place.
-
-        Raises
-        ------
-        RunError
-            It does not close, has no derivatives, or a parameter is beyond its range.
-        """
+        """The stride from a place."""
         count = len(self._apex_scales)
         try:
             runner = self.runner_at(at)
@@ -94,13 +88,7 @@ class Target:
         return Place(at, varied)
 
     def gait(self, place: Place) -> Gait:
-        """The gait at a place where the stride leads back to its apex.
-
-        Raises
-        ------
-        RunError
-            There is none.
-        """
+        """The gait at a place where the stride leads back to its apex."""
         return gait_near(self.runner_at(place.at), (place.at * self.scales)[: len(self._apex_scales)])
 
     def deviations(self, place: Place) -> NDArray[np.float64]:
@@ -123,20 +111,6 @@ class Target:
 
         Newton's method alone, from the place given; where it fails, through targets between what the gait
         has and what is prescribed, a share at a time.
-
-        Parameters
-        ----------
-        place : Place
-            That of a gait.
-        steps : int, default 40
-            Of the way at the most.
-
-        Returns
-        -------
-        place : Place
-            That of a gait.
-        share : float
-            Of the way that was gone: 1 where the target is met.
         """
         with contextlib.suppress(RunError):
             return self._by_newton(place, self.prescribed), 1.0
@@ -158,13 +132,7 @@ class Target:
         return place, done
 
     def closed_near(self, at: NDArray[np.float64]) -> Place:
-        """The gait near a place, by the shortest steps that lead to one.
-
-        Raises
-        ------
-        RunError
-            There is none.
-        """
+        """The gait near a place, by the shortest steps that lead to one."""
         return self._by_newton(self.look(at), None, CLOSE_ITERATIONS, CLOSE_SHORTENINGS)
 
     def _by_newton(

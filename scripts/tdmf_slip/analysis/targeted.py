@@ -167,13 +167,7 @@ def _met_from_elsewhere(
 
 
 def _met(target: Target, place: Place) -> Gait:
-    """The gait at a place that meets the target.
-
-    Raises
-    ------
-    RunError
-        It is so sensitive that its own Newton's method leads elsewhere.
-    """
+    """The gait at a place that meets the target."""
     gait = target.gait(place)
     has = np.array([*quantities_of(gait, target.names).values()])
     if not np.all(np.abs(has - target.prescribed) <= MET * target.quantity_scales):

@@ -116,29 +116,7 @@ def continue_branch(
 
 
 def first_gait(runner: Runner, name: str, begin: float, end: float, fmu: Fmu) -> Gait:
-    """A gait in a range of a parameter: at its first end, or as near to it as one is found.
-
-    Parameters
-    ----------
-    runner : Runner
-        Whose gait.
-    name : str
-        Of the parameter.
-    begin, end : float
-        The range.
-    fmu : Fmu
-        For the search along the friction.
-
-    Returns
-    -------
-    Gait
-        At a value within the range.
-
-    Raises
-    ------
-    RunError
-        None is found; the message tells of the first end.
-    """
+    """A gait in a range of a parameter: at its first end, or as near to it as one is found."""
     why: RunError | None = None
     home = runner.values[name]
     inside = [home] if min(begin, end) <= home <= max(begin, end) else []
@@ -181,38 +159,6 @@ def trace(
 
     Pseudo-arclength continuation: each gait is sought on the plane across the branch's tangent. Lengths along
     the branch are measured over the coordinates' scales, and over the first value of the parameter.
-
-    Parameters
-    ----------
-    runner : Runner or mapping of str to float
-        Whose gaits.
-    name : str
-        Parameter or input that is varied.
-    first : Gait
-        A gait to begin at.
-    end : float
-        Value of the parameter at which to stop.
-    begin : float, optional
-        The other end of the range: by default the value at the first gait; else the branch is followed in
-        both directions.
-    max_step : float, default 0.2
-        Along the branch.
-    max_points : int, default 1000
-        Stop after so many gaits, in each direction.
-    step_finished : callable, optional
-        Called after each gait.
-
-    Returns
-    -------
-    Branch
-        The gaits in their order, with borders and bifurcations.
-
-    Raises
-    ------
-    InputError
-        No such parameter, no range, or what is given is none.
-    RunError
-        The first gait cannot be found again.
     """
     runner = Family(runner, name).runner
     check_is_gait(first, "first")
@@ -237,24 +183,7 @@ def trace(
 def whole_branch(
     family: Family, first: Point, limits: Limits, step_finished: Callable[[], None] = lambda: None
 ) -> Branch:
-    """The branch through a point, in its direction, and back from it unless it is at the range's beginning.
-
-    Parameters
-    ----------
-    family : Family
-        Whose branch it is.
-    first : Point
-        On it.
-    limits : Limits
-        Where to stop.
-    step_finished : callable, optional
-        Called after each gait.
-
-    Returns
-    -------
-    Branch
-        With all that happens on it.
-    """
+    """The branch through a point, in its direction, and back from it unless at the range's beginning."""
     points, ended = follow(family, first, limits, step_finished)
     began = ended if ended.startswith("closed") and points[-1] is first else BEGINNING
     if began == BEGINNING and first.value != limits.begins_at:

@@ -111,18 +111,7 @@ class Drawing(ByContents):
 
 
 def count_fates(drawing: Drawing) -> NDArray[np.int64]:
-    """How many of a block's starts have each of `ensemble.FATES`.
-
-    Parameters
-    ----------
-    drawing : Drawing
-        The block.
-
-    Returns
-    -------
-    ndarray of int, shape (fates,)
-        In the order of `FATES`.
-    """
+    """How many of a block's starts have each of `ensemble.FATES`."""
     ends = fates(
         drawing.runner,
         drawing.apex,

@@ -15,20 +15,6 @@ def leads_back(family: Family, found: Point, known: Point) -> bool:
     """The corrector that starts from one gait's tangent finds another, from which the first was found.
 
     Where it does not, they are of two branches, or the way from one to the other is too long.
-
-    Parameters
-    ----------
-    family : Family
-        Whose branch it is.
-    found : Point
-        The new gait.
-    known : Point
-        That from which it was found.
-
-    Returns
-    -------
-    bool
-        Whether it does.
     """
     begin, there = family.place(found), family.place(known)
     goal = begin - ((begin - there) @ found.direction) * found.direction

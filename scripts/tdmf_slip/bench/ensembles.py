@@ -40,13 +40,7 @@ def measure_lanes(
 
 
 def measure_batches(many: Runners, effort: float) -> Iterator[Measurement]:
-    """Time heyoka's batch integrators over the same starts: as a whole, and the integrators alone.
-
-    Raises
-    ------
-    ImportError
-        It is not installed.
-    """
+    """Time heyoka's batch integrators over the same starts: as a whole, and the integrators alone."""
     from .peers.heyoka_peer import BatchPeer
 
     full = -(-len(many.judged) // BatchPeer.lanes) * BatchPeer.lanes  # the last batch is filled up

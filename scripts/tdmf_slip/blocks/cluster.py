@@ -20,23 +20,7 @@ SILENCE = logging.CRITICAL + 1
 
 @contextlib.contextmanager
 def client_of(scheduler: str) -> "Iterator[Client]":
-    """A client whose end makes the scheduler forget what it has not done yet.
-
-    Parameters
-    ----------
-    scheduler : str
-        Address of a Dask scheduler.
-
-    Yields
-    ------
-    distributed.Client
-        Connected.
-
-    Raises
-    ------
-    InputError
-        Dask is missing, or no scheduler answers.
-    """
+    """A client whose end makes the scheduler forget what it has not done yet."""
     try:
         from distributed.utils import silence_logging_cmgr
     except ImportError:

@@ -38,30 +38,6 @@ def run_blocks(
     What is not begun at its end is given up, and what is begun is not waited for. Here the work is done by
     threads of this process, for the C library and the unit leave Python's lock while they compute. On a
     cluster, a block that a dying worker leaves behind is done again by another; nothing else is.
-
-    Parameters
-    ----------
-    work : callable
-        A function of one block; for a cluster one that can be pickled.
-    blocks : sequence
-        What it is called with; for a cluster picklable, as the results have to be.
-    scheduler : str, optional
-        Address of a Dask scheduler; this package has to be installed where it and its workers run.
-    threads : int, optional
-        How many on this machine, by default one for each processor. One is this thread itself.
-
-    Yields
-    ------
-    iterator of (int, result)
-        The number of a block and what the work on it gave, as they come.
-
-    Raises
-    ------
-    InputError
-        No scheduler answers, there are less than one thread, or both of them are given.
-    RunError
-        A block killed every worker of a cluster that tried it, the cluster cannot run it, or the scheduler is
-        gone.
     """
     if threads is not None and (not isinstance(threads, int) or threads < 1):
         raise InputError(f"threads {threads!r}: allowed: a whole number, 1 or more")

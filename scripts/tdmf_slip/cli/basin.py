@@ -153,13 +153,7 @@ def basin_command(
 
 
 def _axes(spans: tuple[str, ...], coordinates: Sequence[str]) -> dict[str, str]:
-    """Ranges of --axes by name, each empty where it is to be around the gait.
-
-    Raises
-    ------
-    InputError
-        There are not two, they are the same, or one is no coordinate.
-    """
+    """Ranges of --axes by name, each empty where it is to be around the gait."""
     if len(spans) not in (0, 2):
         raise InputError(f"--axes is given {len(spans)} times; allowed: twice, or not at all")
     parts = [tuple(part.strip() for part in text.partition("=")) for text in spans or AXES]

@@ -169,13 +169,7 @@ def _curves(
 
 
 def span_of(fmu: Fmu, name: str, span: str) -> tuple[float, float]:
-    """The range of a parameter or input that A:B stands for.
-
-    Raises
-    ------
-    InputError
-        It is not of that form, or there is no such parameter or value.
-    """
+    """The range of a parameter or input that A:B stands for."""
     check_varied(name, "--vary")
     return ends_of(span, fmu.variables[name], f"--vary {name} =")
 

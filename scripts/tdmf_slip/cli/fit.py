@@ -153,13 +153,7 @@ def fit_command(
 
 
 def _priors(given: tuple[str, ...]) -> dict[str, tuple[str, float]]:
-    """Of --prior.
-
-    Raises
-    ------
-    InputError
-        One is not of the form NAME=VALUE,ERROR, or given twice.
-    """
+    """Of --prior."""
     priors: dict[str, tuple[str, float]] = {}
     for text in given:
         name, _, pair = (part.strip() for part in text.partition("="))

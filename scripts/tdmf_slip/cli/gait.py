@@ -81,13 +81,7 @@ def gait_command(
 
 
 def _names(vary: str | None, target: Mapping[str, float]) -> list[str]:
-    """Of --vary, which has a meaning with a target only.
-
-    Raises
-    ------
-    InputError
-        One is given without the other.
-    """
+    """Of --vary, which has a meaning with a target only."""
     if vary is not None and not target:
         raise InputError(f"--vary {vary}: nothing is prescribed; allowed: with --target QUANTITY=VALUE")
     if vary is None and target:

@@ -12,18 +12,7 @@ GAIT = "what `tdmf-slip gait --json` prints"
 
 
 def read_gait(name: str) -> dict[str, Any]:
-    """Start values of a run on a gait, from what `tdmf-slip gait --json` prints.
-
-    Parameters
-    ----------
-    name : str
-        Path of the file; `-` is standard input.
-
-    Raises
-    ------
-    InputError
-        Unreadable, or no such gait.
-    """
+    """Start values of a run on a gait, from what `tdmf-slip gait --json` prints."""
     where = "standard input" if name == "-" else name
     try:
         if name == "-" and sys.stdin is None:

@@ -64,13 +64,7 @@ class LazyGroup(click.Group):
     def resolve_command(
         self, ctx: click.Context, args: list[str]
     ) -> tuple[str | None, click.Command | None, list[str]]:
-        """The command that is asked for.
-
-        Raises
-        ------
-        UsageError
-            There is none; the message has the nearest names.
-        """
+        """The command that is asked for."""
         if args and not args[0].startswith("-") and args[0] not in COMMANDS:
             near = near_matches(args[0], COMMANDS)
             ctx.fail(f"{shown(args[0])} is no command{near}; allowed: {', '.join(COMMANDS)}")

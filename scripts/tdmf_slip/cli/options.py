@@ -24,13 +24,7 @@ class Command(click.Command):
     """A command that refuses an option given twice, where click would take the last in silence."""
 
     def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
-        """Read the command line.
-
-        Raises
-        ------
-        UsageError
-            An option that takes one value has two, or there is no such option.
-        """
+        """Read the command line."""
         try:
             _, _, given = self.make_parser(ctx).parse_args(args=list(args))
         except click.UsageError as problem:
@@ -56,13 +50,7 @@ class Number(click.ParamType[float]):
         self.low, self.high, self.whole = low, high, whole
 
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> float | int:
-        """The number that a text stands for.
-
-        Raises
-        ------
-        InputError
-            It is beyond the range.
-        """
+        """The number that a text stands for."""
         name = param.opts[0] if param is not None else self.name
         if self.whole:
             return checked_whole(name, click.INT.convert(value, param, ctx), int(self.low), int(self.high))
@@ -117,13 +105,7 @@ THREADS_OPTION = click.option(
 
 
 def pairs_given(texts: Sequence[str], option: str, allowed: str) -> dict[str, str]:
-    """What NAME=TEXT gives, by name.
-
-    Raises
-    ------
-    InputError
-        It is not of that form, or a name is given twice.
-    """
+    """What NAME=TEXT gives, by name."""
     given: dict[str, str] = {}
     for text in texts:
         name, _, value = (part.strip() for part in text.partition("="))
@@ -136,13 +118,7 @@ def pairs_given(texts: Sequence[str], option: str, allowed: str) -> dict[str, st
 
 
 def targets_given(targets: tuple[str, ...]) -> dict[str, float]:
-    """Of --target, by quantity.
-
-    Raises
-    ------
-    InputError
-        One is not of the form QUANTITY=VALUE, or given twice.
-    """
+    """Of --target, by quantity."""
     allowed = "QUANTITY=VALUE, a number in SI units"
     values: dict[str, float] = {}
     for name, value in pairs_given(targets, "--target", allowed).items():
@@ -159,13 +135,7 @@ def names_given(names: str | None) -> list[str]:
 
 
 def values_given(friction: float | None, settings: tuple[str, ...]) -> dict[str, tuple[str, Given]]:
-    """By name of a variable: the option, --friction or --set, and the value that it gives.
-
-    Raises
-    ------
-    InputError
-        A variable is given twice, or a setting is not of the form NAME=VALUE.
-    """
+    """By name of a variable: the option, --friction or --set, and the value that it gives."""
     given: dict[str, tuple[str, Given]] = {} if friction is None else {FRICTION: ("--friction", friction)}
     for setting in settings:
         name, _, value = (part.strip() for part in setting.partition("="))
@@ -208,35 +178,14 @@ def start_values(
 
 
 def file_values(fmu: Fmu, parameters: str | None) -> dict[str, Value]:
-    """Start values of --parameters.
-
-    Raises
-    ------
-    InputError
-        The file is none, or the unit refuses a value.
-    """
+    """Start values of --parameters."""
     if parameters is None:
         return {}
     return fmu.start_values(read_parameters(parameters), f"--parameters {parameters}")
 
 
 def refuse_given(given: Mapping[str, tuple[str, Given]], name: str, by: str) -> None:
-    """Refuse a start value for what another option says already.
-
-    Parameters
-    ----------
-    given : mapping of str to pairs
-        See `values_given`.
-    name : str
-        Of the variable.
-    by : str
-        The other option.
-
-    Raises
-    ------
-    InputError
-        There is one.
-    """
+    """Refuse a start value for what another option says already."""
     if name.strip() in given:
         option = given[name.strip()][0]
         shown = option if option == "--friction" else f"{option} {name.strip()}"

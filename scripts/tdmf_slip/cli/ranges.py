@@ -15,22 +15,7 @@ SPACINGS: Mapping[str, Callable[[float, float, int], NDArray[np.float64]]] = {
 
 
 def ends_of(text: str, variable: Variable, where: str) -> tuple[float, float]:
-    """Both ends of a range A:B of a variable, in its unit.
-
-    Parameters
-    ----------
-    text : str
-        As in `1:4` or `20 deg:40 deg`.
-    variable : Variable
-        What the values are of.
-    where : str
-        The option, for messages.
-
-    Raises
-    ------
-    InputError
-        It is not of that form, the ends are one, or a value is not allowed.
-    """
+    """Both ends of a range A:B of a variable, in its unit."""
     parts = text.split(":")
     if len(parts) != 2:
         raise InputError(f"{where} {text}: allowed: A:B, as in {_example(variable)}")
@@ -41,24 +26,7 @@ def ends_of(text: str, variable: Variable, where: str) -> tuple[float, float]:
 
 
 def values_of(text: str, spacing: str, variable: Variable, where: str) -> NDArray[np.float64]:
-    """The values of a variable that A:B:N stands for, in its unit.
-
-    Parameters
-    ----------
-    text : str
-        As in `0.1:1:20` or `35 deg:45 deg:11`.
-    spacing : str
-        One of `SPACINGS`.
-    variable : Variable
-        What the values are of.
-    where : str
-        The option, for messages.
-
-    Raises
-    ------
-    InputError
-        It is not of that form, a value is not allowed, N does not reach from A to B, or the spacing cannot.
-    """
+    """The values of a variable that A:B:N stands for, in its unit."""
     parts = text.split(":")
     if len(parts) != 3:
         raise InputError(

@@ -141,13 +141,7 @@ def rough_command(
 
 
 def _check_alone(*names: str) -> None:
-    """Refuse options that --rare has no use for.
-
-    Raises
-    ------
-    InputError
-        One is given.
-    """
+    """Refuse options that --rare has no use for."""
     context = click.get_current_context()
     for name in names:
         if context.get_parameter_source(name) is click.core.ParameterSource.COMMANDLINE:

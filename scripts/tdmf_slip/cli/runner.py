@@ -13,13 +13,7 @@ from .options import file_values, start_values
 def runner_of(
     fmu: Fmu, parameters: str | None, given: Mapping[str, tuple[str, Given]], model: str | None = None
 ) -> Runner:
-    """The runner of the options.
-
-    Raises
-    ------
-    InputError
-        A value is refused, or has no part in a gait.
-    """
+    """The runner of the options."""
     starts = start_values(fmu, file_values(fmu, parameters), given)
     for name, (option, _) in given.items():
         if name not in (*VARIED, *STATES):

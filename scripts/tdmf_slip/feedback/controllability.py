@@ -120,20 +120,7 @@ def controllability(
 
 
 def controllability_of(modes: Modes, inputs: tuple[str, ...]) -> Controllability:
-    """The same of modes that are known.
-
-    Parameters
-    ----------
-    modes : Modes
-        Which.
-    inputs : tuple of str
-        Those of the input matrix, in its order.
-
-    Returns
-    -------
-    Controllability
-        As `controllability` gives it.
-    """
+    """The same of modes that are known."""
     eigenvalues, left = _left_eigenvectors(modes.state_matrix)
     vectors, values, _ = np.linalg.svd(controllability_matrix(modes))
     rank = int(np.count_nonzero(values > RANK_TOLERANCE * values[0]))
@@ -152,20 +139,7 @@ def controllability_of(modes: Modes, inputs: tuple[str, ...]) -> Controllability
 
 
 def controllability_matrix(modes: Modes, strides: int | None = None) -> NDArray[np.float64]:
-    """What settings do to the modes in several strides: [G, F G, F^2 G, ...].
-
-    Parameters
-    ----------
-    modes : Modes
-        Which.
-    strides : int, optional
-        How many; by default as many as modes.
-
-    Returns
-    -------
-    ndarray of float, shape (modes, k strides)
-        The last stride's settings first.
-    """
+    """What settings do to the modes in several strides: [G, F G, F^2 G, ...]."""
     parts = [modes.input_matrix]
     while len(parts) < (modes.count if strides is None else strides):
         parts.append(modes.state_matrix @ parts[-1])

@@ -14,25 +14,7 @@ TOLERANCE = 1e-9
 def dead_beat_gain(
     state_matrix: NDArray[np.float64], input_matrix: NDArray[np.float64]
 ) -> NDArray[np.float64]:
-    """The gain K with which F + G K is nilpotent, of the lowest index.
-
-    Parameters
-    ----------
-    state_matrix : ndarray of float, shape (n, n)
-        F.
-    input_matrix : ndarray of float, shape (n, k)
-        G.
-
-    Returns
-    -------
-    ndarray of float, shape (k, n)
-        The gain.
-
-    Raises
-    ------
-    ArithmeticError
-        F and G are not controllable.
-    """
+    """The gain K with which F + G K is nilpotent, of the lowest index."""
     count = len(state_matrix)
     min_moved = TOLERANCE * float(np.linalg.norm(input_matrix, 2))
     min_kept = TOLERANCE * float(np.linalg.norm(state_matrix, 2))

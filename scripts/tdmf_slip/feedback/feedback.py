@@ -62,31 +62,7 @@ def feedback_of(
     strides: int | None = None,
     fmu: Fmu | None = None,
 ) -> Feedback:
-    """The feedback that a gain makes.
-
-    Parameters
-    ----------
-    model : Linearization
-        The gait and its settings.
-    gain : ndarray of float, shape (k, n)
-        Change of each setting by each coordinate of the apex, in their units.
-    limits : mapping of str to (float, float), optional
-        By setting: the least and the largest value, in its unit; by default its range.
-    strides : int, optional
-        Of a dead-beat law.
-    fmu : Fmu, optional
-        Whose ranges hold; by default that of `fmu_path`.
-
-    Returns
-    -------
-    Feedback
-        With the closed loop's eigenvalues.
-
-    Raises
-    ------
-    InputError
-        Limits of another setting, that are no range, or that the gait's own settings are beyond.
-    """
+    """The feedback that a gain makes."""
     low, high = _checked_limits(model, limits, load_fmu(fmu))
     found: NDArray[Any] = np.linalg.eigvals(model.closed_loop(gain))
     return Feedback(

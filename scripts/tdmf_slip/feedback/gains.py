@@ -204,25 +204,7 @@ def riccati_gain(
     state_weight: NDArray[np.float64],
     input_weight: NDArray[np.float64],
 ) -> NDArray[np.float64]:
-    """The gain G of the linear quadratic regulator of x' = A x + B u, in u = G x.
-
-    Parameters
-    ----------
-    state_matrix, input_matrix : ndarray of float
-        A, of shape (n, n), and B, of shape (n, k).
-    state_weight, input_weight : ndarray of float
-        Q, of shape (n, n), and R, of shape (k, k).
-
-    Returns
-    -------
-    ndarray of float, shape (k, n)
-        The gain.
-
-    Raises
-    ------
-    InputError
-        No feedback makes the cost finite.
-    """
+    """The gain G of the linear quadratic regulator of x' = A x + B u, in u = G x."""
     from scipy.linalg import solve_discrete_are  # slow to load
 
     try:

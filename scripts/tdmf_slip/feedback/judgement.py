@@ -84,25 +84,7 @@ def judge(
 
 
 def judge_all(trials: Sequence[Trial], *, progress: bool = False) -> list[Judgement]:
-    """`judge` for many gaits and feedbacks, side by side.
-
-    Parameters
-    ----------
-    trials : sequence of Trial
-        Which.
-    progress : bool, default False
-        A bar on stderr.
-
-    Returns
-    -------
-    list of Judgement
-        In the order of the trials.
-
-    Raises
-    ------
-    InputError
-        No trials in a list.
-    """
+    """`judge` for many gaits and feedbacks, side by side."""
     check_kind(trials, Sequence, "trials", "Trials in a list")
     for trial in trials:
         check_kind(trial, Trial, "trials", "Trials in a list")

@@ -71,49 +71,14 @@ class Linearization(ByContents):
         return scaled
 
     def closed_loop(self, gain: NDArray[np.float64]) -> NDArray[np.float64]:
-        """The state matrix of the loop that a feedback closes, of deviations over their scales.
-
-        Parameters
-        ----------
-        gain : ndarray of float, shape (k, n)
-            Change of each setting by each coordinate, in their units.
-
-        Returns
-        -------
-        ndarray of float, shape (n, n)
-            A + B G over the scales.
-        """
+        """The state matrix of the loop that a feedback closes, of deviations over their scales."""
         closed = self.state_matrix + self.input_matrix @ gain
         scaled: NDArray[np.float64] = closed * self.scales / self.scales[:, None]
         return scaled
 
 
 def linearize(gait: Gait, inputs: Sequence[str], *, fmu: Fmu | None = None) -> Linearization:
-    """The return map of a gait to first order, by the apex and by settings.
-
-    Parameters
-    ----------
-    gait : Gait
-        The gait, of one stride.
-    inputs : sequence of str
-        Which settings are chosen at each apex, of `CHOSEN`.
-    fmu : Fmu, optional
-        Whose ranges hold; by default that of `fmu_path`.
-
-    Returns
-    -------
-    Linearization
-        Both matrices, exact.
-
-    Raises
-    ------
-    InputError
-        No gait, a gait of several strides, or a stride that does not lead back to its apex; no settings, an
-        unknown one, one named twice, one that does not act at this gait, or one at the end of its range,
-        where it can be moved to one side only.
-    RunError
-        The stride has no derivatives.
-    """
+    """The return map of a gait to first order, by the apex and by settings."""
     _check_gait(gait)
     runner, fmu = gait.runner, load_fmu(fmu)
     names = _checked_names(inputs)

@@ -37,44 +37,13 @@ class Modes(ByContents):
         return len(self.state_matrix)
 
     def gain_of(self, model: Linearization, gain: NDArray[np.float64]) -> NDArray[np.float64]:
-        """A gain on the modes as one on the apex.
-
-        Parameters
-        ----------
-        model : Linearization
-            Whose modes these are.
-        gain : ndarray of float, shape (k, modes)
-            Change of each setting by each mode, over the scales.
-
-        Returns
-        -------
-        ndarray of float, shape (k, n)
-            Change of each setting by each coordinate, in their units.
-        """
+        """A gain on the modes as one on the apex."""
         on_apex: NDArray[np.float64] = gain @ self.directions.T
         return on_apex * model.setting_scales[:, None] / model.scales
 
 
 def lasting_modes(model: Linearization, negligible: float = NEGLIGIBLE) -> Modes:
-    """The modes that are to be moved.
-
-    Parameters
-    ----------
-    model : Linearization
-        The gait and its settings.
-    negligible : float, default 1e-5
-        Modes whose eigenvalue is smaller are left alone; at least 1e-9, which rounding may leave of 0.
-
-    Returns
-    -------
-    Modes
-        With their own state and input matrix.
-
-    Raises
-    ------
-    InputError
-        The bound is out of range, or no mode lasts.
-    """
+    """The modes that are to be moved."""
     from scipy.linalg import schur  # slow to load
 
     if not is_number(negligible) or not 1e-9 <= negligible < 1.0:

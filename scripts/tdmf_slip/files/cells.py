@@ -14,26 +14,7 @@ SEPARATORS = {",": ",", ";": ";", "\t": "a tabulator"}
 
 
 def cells_of(lines: Iterable[tuple[int, str]], where: str) -> list[tuple[int, list[str]]]:
-    """The cells of lines of which the first is the header; it says what is between cells.
-
-    Parameters
-    ----------
-    lines : iterable of (int, str)
-        With their numbers in the file, none of them empty.
-    where : str
-        What is read, for messages.
-
-    Returns
-    -------
-    list of (int, list of str)
-        The same lines in cells, without spaces about them. Where no comma is between
-        them, a decimal comma is a point.
-
-    Raises
-    ------
-    InputError
-        A cell is too long, or quotes are not closed; the message has its line and column.
-    """
+    """The cells of lines of which the first is the header; it says what is between cells."""
     found: list[tuple[int, list[str]]] = []
     separator = ","
     for number, line in lines:

@@ -27,65 +27,19 @@ def new_netcdf(form: Format = "NETCDF4") -> Dataset:
 
 
 def netcdf_of(data: xarray.Dataset, form: Format = "NETCDF4") -> bytes:
-    """A dataset as the content of a NetCDF file.
-
-    Parameters
-    ----------
-    data : xarray.Dataset
-        All of it.
-    form : {"NETCDF4", "NETCDF3_64BIT_DATA"}, default "NETCDF4"
-        The format, or `CLASSIC`.
-
-    Returns
-    -------
-    bytes
-        Of the file.
-    """
+    """A dataset as the content of a NetCDF file."""
     dataset = new_netcdf(form)
     data.dump_to_store(NetCDF4DataStore(dataset))
     return bytes(dataset.close())
 
 
 def write_dataset(path: Path, data: xarray.Dataset, form: Format = "NETCDF4") -> None:
-    """A dataset as NetCDF.
-
-    Parameters
-    ----------
-    path : Path
-        Of the file; whole at the end, or as it was.
-    data : xarray.Dataset
-        All of it.
-    form : {"NETCDF4", "NETCDF3_64BIT_DATA"}, default "NETCDF4"
-        The format, or `CLASSIC`.
-
-    Raises
-    ------
-    InputError
-        Nothing can be written there.
-    """
+    """A dataset as NetCDF."""
     with whole(path) as beside:
         beside.write_bytes(netcdf_of(data, form))
 
 
 def read_dataset(path: Path) -> xarray.Dataset:
-    """A dataset from a NetCDF file, all of it.
-
-    Parameters
-    ----------
-    path : Path
-        Of the file.
-
-    Returns
-    -------
-    xarray.Dataset
-        In memory; the file is closed.
-
-    Raises
-    ------
-    InputError
-        There is something else than a file.
-    OSError, ValueError
-        It cannot be read, or is no such file.
-    """
+    """A dataset from a NetCDF file, all of it."""
     content = destination(path, str(path)).read_bytes()
     return xarray.load_dataset(NetCDF4DataStore(Dataset(IN_MEMORY, memory=content)))

@@ -14,27 +14,7 @@ from .netcdf import read_dataset
 
 
 def resumed(path: Path, blank: xarray.Dataset, what: str) -> xarray.Dataset:
-    """What a file holds already of the work that would fill `blank`, or `blank` where there is no file.
-
-    Parameters
-    ----------
-    path : Path
-        Of the NetCDF file.
-    blank : xarray.Dataset
-        The result before any of it is done, with all variables, coordinates and attributes.
-    what : str
-        The work, as in `sweep`, for messages.
-
-    Returns
-    -------
-    xarray.Dataset
-        With what is done already.
-
-    Raises
-    ------
-    InputError
-        The file holds something else; the message says what differs.
-    """
+    """What a file holds already of the work that would fill `blank`, or `blank` where there is no file."""
     try:
         data = read_dataset(path)
     except FileNotFoundError:
@@ -49,18 +29,7 @@ def resumed(path: Path, blank: xarray.Dataset, what: str) -> xarray.Dataset:
 
 
 def refuse_resumable(path: Path) -> None:
-    """Refuse, before any work, to write something else over results on file, which have taken long.
-
-    Parameters
-    ----------
-    path : Path
-        Where something else is to be written.
-
-    Raises
-    ------
-    InputError
-        The file is a grid of gaits or a map.
-    """
+    """Refuse, before any work, to write something else over results on file, which have taken long."""
     with contextlib.suppress(OSError, ValueError):
         data = read_dataset(path)
         if "done" in data or "fate" in data:
@@ -74,24 +43,7 @@ def same_values(
     relative: float = 0.0,
     rounding: Mapping[str, float] | None = None,
 ) -> bool:
-    """Whether all variables of one dataset are those of another, NaN where it is NaN.
-
-    Parameters
-    ----------
-    found : xarray.Dataset
-        Has at least these variables, in the same shapes.
-    wanted : xarray.Dataset
-        Whose variables are looked at.
-    relative : float, default 0.0
-        By how much of a variable's largest value, here, numbers may be off.
-    rounding : mapping of str to float, optional
-        By how much those of a variable may be off all the same, in its unit: some are zero but for rounding.
-
-    Returns
-    -------
-    bool
-        True where none differs.
-    """
+    """Whether all variables of one dataset are those of another, NaN where it is NaN."""
     minimum = rounding or {}
     return all(
         _close(found[name].values, wanted[name].values, relative, minimum.get(str(name), 0.0))

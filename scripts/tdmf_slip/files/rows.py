@@ -26,20 +26,7 @@ class RowFile:
     """A NetCDF file that holds a dataset, row by row as they are ready; readable at any time."""
 
     def __init__(self, path: Path, data: xarray.Dataset) -> None:
-        """Begin it, unless a file of this layout is there.
-
-        Parameters
-        ----------
-        path : Path
-            Of the file.
-        data : xarray.Dataset
-            All variables and attributes, with what is ready; the file holds the same, if it is there.
-
-        Raises
-        ------
-        InputError
-            Nothing can be written there.
-        """
+        """Begin it, unless a file of this layout is there."""
         self.path, self.data = path, data
         place = destination(path, str(path))
         if not place.exists() or _start_of(place, len(MAGIC)) != MAGIC:
@@ -47,20 +34,7 @@ class RowFile:
         self.places = _places(place)
 
     def write(self, names: Sequence[str], rows: Sequence[int]) -> None:
-        """Write rows of some variables, each whole before the next: what tells of a row is ready comes last.
-
-        Parameters
-        ----------
-        names : sequence of str
-            Variables whose first dimension the rows are.
-        rows : sequence of int
-            Their numbers.
-
-        Raises
-        ------
-        InputError
-            Nothing can be written there.
-        """
+        """Write rows of variables, each whole before the next: what tells of a row is ready comes last."""
         try:
             with interrupts.held(), destination(self.path, str(self.path)).open("r+b") as file:
                 for name in names:

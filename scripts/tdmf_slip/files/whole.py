@@ -96,13 +96,7 @@ def _flush(place: Path, flags: int) -> None:
 
 
 def destination(path: Path, what: str) -> Path:
-    """The file that a path stands for, be it there or not: through symbolic links.
-
-    Raises
-    ------
-    InputError
-        There is something else than a file, or one that may not be written.
-    """
+    """The file that a path stands for, be it there or not: through symbolic links."""
     place = Path(path)
     try:
         place = Path(os.path.realpath(path))
@@ -121,27 +115,7 @@ def destination(path: Path, what: str) -> Path:
 
 
 def check_place(path: Path | str, allowed: Iterable[str], what: str) -> Path:
-    """Refuse, before any work, a path whose suffix names no format or that cannot be written.
-
-    Parameters
-    ----------
-    path : Path or str
-        Of a file that is to be written.
-    allowed : iterable of str
-        Suffixes, with their dots, in lower case.
-    what : str
-        The argument or option, for messages.
-
-    Returns
-    -------
-    Path
-        The path.
-
-    Raises
-    ------
-    InputError
-        Either, or its folder is not there.
-    """
+    """Refuse, before any work, a path whose suffix names no format or that cannot be written."""
     check_kind(path, (str, os.PathLike), what, "the path of a file")
     path = Path(path)
     if path.suffix.lower() not in allowed:
@@ -158,18 +132,6 @@ def check_folder(folder: Path, what: str) -> None:
 
     One that is missing, in a folder that is there, is made, and goes again: if the work fails, nothing is
     left.
-
-    Parameters
-    ----------
-    folder : Path
-        Where files are to be written.
-    what : str
-        The argument or option, for messages.
-
-    Raises
-    ------
-    InputError
-        It cannot be made or written to.
     """
     try:
         missing = not folder.exists()

@@ -25,15 +25,7 @@ class Across:
     """Residuals of quantities and of closing, over parameters and apices."""
 
     def __init__(self, problem: Problem, unknowns: NDArray[np.float64]) -> None:
-        """From the gaits at which the problem's Jacobian was asked for last.
-
-        Parameters
-        ----------
-        problem : Problem
-            Whose fit it is.
-        unknowns : ndarray of float
-            Of the problem, there.
-        """
+        """From the gaits at which the problem's Jacobian was asked for last."""
         self.problem = problem
         self._apexes = np.array(problem.apexes())
         self._steps = FIRST_STEP * problem.runner.scales
@@ -76,13 +68,7 @@ class Across:
         return np.concatenate([*parts, problem.off_priors(values)])
 
     def jacobian(self, at: NDArray[np.float64]) -> NDArray[np.float64]:
-        """Of the residuals.
-
-        Raises
-        ------
-        RunError
-            A stride has no derivatives.
-        """
+        """Of the residuals."""
         problem, values = self.problem, self.problem.values(self.unknowns(at))
         width = self._apexes.shape[1]
         blocks = []

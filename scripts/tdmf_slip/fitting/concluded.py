@@ -64,13 +64,7 @@ class Conclusion:
         return self.scale * float(stdtrit(self.request.degrees_of_freedom, 0.5 + 0.5 * CONFIDENCE))
 
     def fit(self) -> Fit:
-        """All of it.
-
-        Raises
-        ------
-        BetterFitError
-            Within an interval the data are met better: the search has to go on from there.
-        """
+        """All of it."""
         problem, request = self.problem, self.request
         values = problem.values(self.found.at)
         labels = [parameter.label for parameter in problem.parameters]
@@ -187,39 +181,13 @@ class Conclusion:
 
 
 def is_met(loss: float, request: Request) -> bool:
-    """Whether the residuals are such as come by chance.
-
-    Parameters
-    ----------
-    loss : float
-        The sum of their squares, or of the loss.
-    request : Request
-        Which fit.
-
-    Returns
-    -------
-    bool
-        Up to the chance `result.UNLIKELY`.
-    """
+    """Whether the residuals are such as come by chance."""
     probability = probability_of(loss, request.degrees_of_freedom)
     return bool(loss < 1.0 if np.isnan(probability) else probability >= UNLIKELY)
 
 
 def probability_of(chi_square: float, degrees_of_freedom: int) -> float:
-    """That the chi square distribution exceeds a value.
-
-    Parameters
-    ----------
-    chi_square : float
-        The value.
-    degrees_of_freedom : int
-        Of the distribution.
-
-    Returns
-    -------
-    float
-        Not a number where there are no degrees of freedom.
-    """
+    """That the chi square distribution exceeds a value."""
     from scipy.special import gammaincc  # slow to load
 
     if degrees_of_freedom == 0:

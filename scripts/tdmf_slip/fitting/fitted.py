@@ -155,13 +155,7 @@ def fit(
 
 
 def _first(runner: Runner, guess: Apex | None, fmu: Fmu | None) -> Gait:
-    """The gait that all rows begin with; where nothing settles on it, the one near the start values.
-
-    Raises
-    ------
-    RunError
-        There is neither.
-    """
+    """The gait that all rows begin with; where nothing settles on it, the one near the start values."""
     try:
         return periodic_gait(runner, guess=guess, fmu=fmu)
     except RunError as problem:
@@ -176,29 +170,7 @@ def _first(runner: Runner, guess: Apex | None, fmu: Fmu | None) -> Gait:
 def fitted_from(
     request: Request, first: Gait, others: Iterator[Gait], strides_made: Callable[[int], object]
 ) -> Fit:
-    """The best fit from some gaits.
-
-    Parameters
-    ----------
-    request : Request
-        What is asked.
-    first : Gait
-        A gait to begin with.
-    others : iterator of Gait
-        Others.
-    strides_made : callable
-        Called with how many strides were made.
-
-    Returns
-    -------
-    Fit
-        With intervals.
-
-    Raises
-    ------
-    RunError
-        From none of them a fit could be made.
-    """
+    """The best fit from some gaits."""
     best, count = _begun(request, first, strides_made), 1
     for other in others:
         count += 1
@@ -217,27 +189,7 @@ def _begun(request: Request, first: Gait, strides_made: Callable[[int], object])
 
 
 def concluded(request: Request, problem: Problem, begin: NDArray[np.float64]) -> Fit:
-    """The fit from gaits that a problem has.
-
-    Parameters
-    ----------
-    request : Request
-        What is asked.
-    problem : Problem
-        With its gaits.
-    begin : ndarray of float
-        Its unknowns.
-
-    Returns
-    -------
-    Fit
-        With intervals.
-
-    Raises
-    ------
-    RunError
-        A gait has no derivatives.
-    """
+    """The fit from gaits that a problem has."""
     return _reported(request, problem, _found(request, problem, begin), 1)
 
 

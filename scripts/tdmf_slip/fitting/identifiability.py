@@ -63,25 +63,7 @@ class Identified(ByContents):
 def identified(
     jacobian: NDArray[np.float64], labels: Sequence[str], scales: NDArray[np.float64], quantile: float
 ) -> Identified:
-    """What a weighted Jacobian tells of the parameters.
-
-    Parameters
-    ----------
-    jacobian : ndarray of float, shape (m, p)
-        Changes of the residuals by the parameters over their scales; at least as many rows as columns.
-    labels : sequence of str
-        Of the parameters.
-    scales : ndarray of float, shape (p,)
-        Of the parameters.
-    quantile : float
-        Standard errors to each side of an interval: a combination whose interval is wider than the parameters
-        themselves is told badly.
-
-    Returns
-    -------
-    Identified
-        Their covariance, and the combinations that are not told.
-    """
+    """What a weighted Jacobian tells of the parameters."""
     _, sizes, directions = np.linalg.svd(jacobian, full_matrices=False)
     none = sizes <= ROUNDING * max(sizes[0], np.finfo(float).tiny)
     unseen = _simplest(directions[none])

@@ -31,24 +31,7 @@ HEAVY = 1e4
 
 
 def past_kinks(problem: Problem, ended: Ended, bounds: Bounds, robust: bool) -> Ended:
-    """Go on along kinks, to where the loss is least.
-
-    Parameters
-    ----------
-    problem : Problem
-        Whose search has ended.
-    ended : Ended
-        Where it is not level.
-    bounds : pair of ndarray of float
-        Of its unknowns.
-    robust : bool
-        As in `search.searched`.
-
-    Returns
-    -------
-    Ended
-        With `on_border` where it is least on a kink.
-    """
+    """Go on along kinks, to where the loss is least."""
     walk = _Walk(problem, bounds, robust)
     for _ in range(ROUNDS):
         try:

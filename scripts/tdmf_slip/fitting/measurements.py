@@ -91,24 +91,7 @@ def shipped(name: str) -> Path:
 
 
 def measurements_of(given: "Measurements | str | Path") -> Measurements:
-    """Measurements as they are given, or those of a file.
-
-    Parameters
-    ----------
-    given : Measurements, str or Path
-        Or the path of a CSV file, see `read_measurements`, or the name of one that comes with the package,
-        without its suffix.
-
-    Returns
-    -------
-    Measurements
-        One or more rows.
-
-    Raises
-    ------
-    InputError
-        It is neither, or the file is no such table.
-    """
+    """Measurements as they are given, or those of a file."""
     if isinstance(given, Measurements):
         return given
     if is_table(given):
@@ -138,23 +121,6 @@ def read_measurements(path: Path, name: str | None = None) -> Measurements:
     `slip_distance [m]`, `peak_force [N]`, and for each its standard error, as in `speed_error [m/s]`. Each
     row is a condition; a quantity that was not measured in it has both of its cells empty. Between cells is a
     comma, or a semicolon, and then the decimal sign may be a comma. Lines that begin with `#` are skipped.
-
-    Parameters
-    ----------
-    path : Path
-        Of the file.
-    name : str, optional
-        For messages; by default the path.
-
-    Returns
-    -------
-    Measurements
-        One or more rows.
-
-    Raises
-    ------
-    InputError
-        It cannot be read, or is no such table; the message names the column and the row.
     """
     where = f"table {name or path}"
     try:

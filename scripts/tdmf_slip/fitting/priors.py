@@ -16,27 +16,7 @@ PriorGiven: TypeAlias = "tuple[Given, float] | Sequence[float]"
 
 
 def checked_priors(given: object, each: Sequence[str], fmu: Fmu) -> tuple[Prior, ...]:
-    """The priors of a fit.
-
-    Parameters
-    ----------
-    given : object
-        What was given as a mapping of names to values and errors, or None.
-    each : sequence of str
-        Parameters of which each row has its own.
-    fmu : Fmu
-        Whose ranges hold.
-
-    Returns
-    -------
-    tuple of Prior
-        In the order in which they were given.
-
-    Raises
-    ------
-    InputError
-        A name is unknown or of a parameter of each row, or a value or an error is refused.
-    """
+    """The priors of a fit."""
     priors = []
     for name, pair in mapping_of(given, "priors", "pairs of value and standard error by name").items():
         check_varied(name, "priors")

@@ -58,21 +58,7 @@ class Problem:
         strides_made: Callable[[int], object] = lambda count: None,
         priors: Sequence[Prior] = (),
     ) -> None:
-        """All are taken as they are; `fitted.fit` checks them.
-
-        Parameters
-        ----------
-        first : Gait
-            The gait that each row begins with.
-        measurements : Measurements
-            What is to be met.
-        shared, each : sequence of str
-            Parameters that all rows share, and those of which each has its own.
-        strides_made : callable, optional
-            Called with how many strides were made.
-        priors : sequence of Prior, optional
-            Of shared parameters, each a residual of its own behind those of the rows.
-        """
+        """All are taken as they are; `fitted.fit` checks them."""
         self._strides_made = strides_made
         self.runner, self.rows = first.runner, measurements.rows
         count = len(self.rows)
@@ -177,20 +163,7 @@ class Problem:
         return over
 
     def restart(self, unknowns: NDArray[np.float64], apexes: Sequence[NDArray[np.float64]]) -> None:
-        """Go on from other gaits.
-
-        Parameters
-        ----------
-        unknowns : ndarray of float
-            Where they are.
-        apexes : sequence of ndarray of float
-            One for each row.
-
-        Raises
-        ------
-        RunError
-            One of them has no derivatives.
-        """
+        """Go on from other gaits."""
         values = self.values(unknowns)
         places = [
             _Place(apex, self._varied(values, row, apex), values[self.columns[row]])
@@ -199,13 +172,7 @@ class Problem:
         self._bases, self._tried, self._linear_at = places, None, None
 
     def jacobian(self, unknowns: NDArray[np.float64]) -> NDArray[np.float64]:
-        """Of the residuals; the search goes on from there.
-
-        Raises
-        ------
-        RunError
-            A gait has no derivatives.
-        """
+        """Of the residuals; the search goes on from there."""
         if self._tried is None or not np.array_equal(self._tried[0], unknowns):
             self._residuals(unknowns)
         assert self._tried is not None
@@ -245,15 +212,7 @@ class Problem:
             ) from None
 
     def _gait(self, values: NDArray[np.float64], row: int) -> tuple[NDArray[np.float64], PlainStride]:
-        """The gait of a row, from the one at which the Jacobian was asked for last.
-
-        Raises
-        ------
-        InputError
-            A value is refused.
-        RunError
-            None is found.
-        """
+        """The gait of a row, from the one at which the Jacobian was asked for last."""
         runner, base, names = self.runner_of(values, row), self._bases[row], tuple(self.rows[row])
         moved = values[self.columns[row]] - base.values
         apex = predicted = base.apex + base.varied.apex_by_parameters @ moved
@@ -278,20 +237,7 @@ class Problem:
 def bounds_of(
     problem: Problem, ranges: Mapping[str, tuple[float, float]]
 ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """The unknowns' least and greatest values.
-
-    Parameters
-    ----------
-    problem : Problem
-        Whose unknowns.
-    ranges : mapping of str to pair of float
-        Of each parameter, by its name.
-
-    Returns
-    -------
-    pair of ndarray of float
-        Infinite where there is no bound.
-    """
+    """The unknowns' least and greatest values."""
     ends = np.array([ranges[parameter.name] for parameter in problem.parameters]).T
     scaled = (ends - problem.begin) / problem.scales
     bounded: NDArray[np.float64] = np.where(np.abs(scaled) > FAR, [[-np.inf], [np.inf]], scaled) / FIRST_STEP

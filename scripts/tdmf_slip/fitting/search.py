@@ -52,28 +52,7 @@ def searched(
     fixed: int | None = None,
     change: float = CHANGE,
 ) -> Ended:
-    """What SciPy's `least_squares` finds.
-
-    Parameters
-    ----------
-    problem : Problem
-        Whose residuals.
-    begin : ndarray of float
-        Unknowns to begin with.
-    bounds : pair of ndarray of float
-        Of all of them.
-    robust : bool
-        Huber's loss instead of squares.
-    fixed : int, optional
-        An unknown that stays as it is.
-    change : float, optional
-        Of loss, unknowns and slope, where the search ends.
-
-    Returns
-    -------
-    Ended
-        With residuals that are not finite where there are no gaits to begin with.
-    """
+    """What SciPy's `least_squares` finds."""
     from scipy.optimize import least_squares  # slow to load
 
     free = np.arange(len(begin)) != (-1 if fixed is None else fixed)
@@ -126,22 +105,7 @@ def weights_of(residuals: NDArray[np.float64], robust: bool) -> NDArray[np.float
 
 
 def is_stationary(ended: Ended, jacobian: NDArray[np.float64], robust: bool) -> bool:
-    """Whether no parameter within its range could make the loss less, to first order.
-
-    Parameters
-    ----------
-    ended : Ended
-        Where.
-    jacobian : ndarray of float
-        Of the residuals there.
-    robust : bool
-        As in `searched`.
-
-    Returns
-    -------
-    bool
-        False where the search ended for want of gaits.
-    """
+    """Whether no parameter within its range could make the loss less, to first order."""
     weights = weights_of(ended.residuals, robust)
     residuals, slopes = weights * ended.residuals, weights[:, None] * jacobian
     sizes = np.linalg.norm(slopes, axis=0)

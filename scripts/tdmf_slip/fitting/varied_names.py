@@ -11,25 +11,7 @@ from .measurements import Measurements
 
 
 def profiled_names(profile: object, names: Sequence[str]) -> tuple[str, ...]:
-    """Names of the parameters whose intervals are by the profile likelihood.
-
-    Parameters
-    ----------
-    profile : object
-        As given: whether all or none, or a list of names.
-    names : sequence of str
-        What varies.
-
-    Returns
-    -------
-    tuple of str
-        Some of them.
-
-    Raises
-    ------
-    InputError
-        One does not vary.
-    """
+    """Names of the parameters whose intervals are by the profile likelihood."""
     if isinstance(profile, bool | np.bool_):
         return tuple(names) if profile else ()
     chosen = tuple(row_of(profile, "profile", "True, False, or a list of names of varied parameters"))
@@ -40,25 +22,7 @@ def profiled_names(profile: object, names: Sequence[str]) -> tuple[str, ...]:
 
 
 def checked_names(given: object, what: str) -> tuple[str, ...]:
-    """Names of parameters, each once.
-
-    Parameters
-    ----------
-    given : object
-        A list of names.
-    what : str
-        It is, for the message.
-
-    Returns
-    -------
-    tuple of str
-        The names.
-
-    Raises
-    ------
-    InputError
-        It is no list, a name is unknown or given twice.
-    """
+    """Names of parameters, each once."""
     names = tuple(row_of(given, what, "a list of names of parameters and inputs"))
     for name in names:
         check_varied(name, what)
@@ -68,22 +32,7 @@ def checked_names(given: object, what: str) -> tuple[str, ...]:
 
 
 def check_names(shared: Sequence[str], each: Sequence[str], measurements: Measurements, priors: int) -> None:
-    """Refuse names that are shared and not, and more of them than data.
-
-    Parameters
-    ----------
-    shared, each : sequence of str
-        Names of what all rows share, and of what each has of its own.
-    measurements : Measurements
-        What is fitted to.
-    priors : int
-        How many parameters have one.
-
-    Raises
-    ------
-    InputError
-        A name is in both, nothing varies, or more than is measured.
-    """
+    """Refuse names that are shared and not, and more of them than data."""
     both = next((name for name in shared if name in each), None)
     if both is not None:
         raise InputError(f"vary and vary_each: {both} is in both; allowed: in one of them")

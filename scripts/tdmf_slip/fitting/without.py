@@ -27,18 +27,7 @@ class LeftOut(ByContents):
     """Of all the others, with linear intervals."""
 
     def shifts(self, of: Fit) -> Mapping[str, float]:
-        """By label: how far shared estimates move, over their standard errors in the whole fit.
-
-        Parameters
-        ----------
-        of : Fit
-            Of all data.
-
-        Returns
-        -------
-        dict of str to float
-            Zero where the datum is of no account.
-        """
+        """By label: how far shared estimates move, over their standard errors in the whole fit."""
         shared = [estimate for estimate in of.estimates if estimate.label == estimate.name]
         return {
             one.label: (self.fit.parameters[one.label].value - one.value) / one.standard_error

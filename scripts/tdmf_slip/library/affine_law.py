@@ -186,20 +186,7 @@ class AffineLaw(ByContents):
 
 
 def check_law(law: object, runner: Runner) -> None:
-    """Refuse what is no affine law for a runner.
-
-    Parameters
-    ----------
-    law : AffineLaw or None
-        What was given as one; None is fine.
-    runner : Runner
-        Who is set by it.
-
-    Raises
-    ------
-    InputError
-        It is something else, or does not fit the runner.
-    """
+    """Refuse what is no affine law for a runner."""
     if law is not None:
         check_kind(law, AffineLaw, "law", "an AffineLaw")
         assert isinstance(law, AffineLaw)

@@ -47,13 +47,7 @@ def library_path() -> Path:
 
 
 def _library() -> Any:
-    """The library, loaded.
-
-    Raises
-    ------
-    InputError
-        It is missing, or no library that this machine can load.
-    """
+    """The library, loaded."""
     path = library_path()
     try:
         return ffi.dlopen(str(path))

@@ -58,18 +58,7 @@ class Case(ByContents):
 
 
 def check_alike(cases: Sequence[Case]) -> None:
-    """Refuse cases that the engine does not run together.
-
-    Parameters
-    ----------
-    cases : sequence of Case
-        One or more.
-
-    Raises
-    ------
-    InputError
-        They are by different maps, or on rough ground by the reduced one.
-    """
+    """Refuse cases that the engine does not run together."""
     reduced = cases[0].runner.reduced
     if any(case.runner.reduced != reduced for case in cases):
         raise InputError("cases: by the full model and by the reduced map; allowed: all by one of them")
@@ -78,29 +67,7 @@ def check_alike(cases: Sequence[Case]) -> None:
 
 
 def c_cases(cases: Sequence[Case], max_strides: int, near: float) -> tuple[Struct, list[object]]:
-    """The cases as the library takes them, and what has to live as long.
-
-    Parameters
-    ----------
-    cases : sequence of Case
-        One or more.
-    max_strides : int
-        Of each runner.
-    near : float
-        Distance from a gait at which a runner counts as settled.
-
-    Returns
-    -------
-    cases : Struct
-        The library's `tdmf_ensemble_case *`.
-    kept : list
-        Structs that they point to.
-
-    Raises
-    ------
-    InputError
-        Gaits of another shape, or a runner whose values are refused.
-    """
+    """The cases as the library takes them, and what has to live as long."""
     made = ffi.new("tdmf_ensemble_case[]", len(cases))
     kept: list[object] = []
     for case, its in zip(cases, made, strict=True):
@@ -139,27 +106,7 @@ def _c_balls(balls: Sequence[NDArray[np.float64]], coordinates: int) -> Any:
 
 
 def sections_of(name: str, given: object, coordinates: Sequence[str]) -> NDArray[np.float64]:
-    """Apices one to a row, with zeros for the coordinates that the reduced map has not.
-
-    Parameters
-    ----------
-    name : str
-        The argument, for the message.
-    given : array_like of float, shape (runners, n)
-        What was given.
-    coordinates : sequence of str, shape (n,)
-        Which an apex has.
-
-    Returns
-    -------
-    ndarray of float, shape (runners, 6)
-        In C's order.
-
-    Raises
-    ------
-    InputError
-        Another shape, or no numbers.
-    """
+    """Apices one to a row, with zeros for the coordinates that the reduced map has not."""
     try:
         rows = np.asarray(in_order(given, coordinates))
         check_size(name, len(rows) if rows.ndim else 1, "rows")

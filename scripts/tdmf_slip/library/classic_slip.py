@@ -141,20 +141,7 @@ def stance(
 
 
 def highest(parameters: Classic, energy: float = ENERGY) -> float:
-    """Apex height, m, at which all energy, J, is potential.
-
-    Parameters
-    ----------
-    parameters : Classic
-        Of the SLIP.
-    energy : float, default 6000
-        J.
-
-    Returns
-    -------
-    float
-        m.
-    """
+    """Apex height, m, at which all energy, J, is potential."""
     return energy / (parameters.mass * parameters.gravity)
 
 

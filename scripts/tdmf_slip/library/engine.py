@@ -20,25 +20,7 @@ LOOKING_UP = 0.1
 
 
 def run(ensemble: Ensemble, ends: NDArray[np.void]) -> Any:
-    """Run a request whose values are checked.
-
-    Parameters
-    ----------
-    ensemble : Ensemble
-        The library's `tdmf_ensemble *`.
-    ends : structured ndarray, shape (runners,)
-        Of the type `END`: what became of each runner is written there.
-
-    Returns
-    -------
-    Struct
-        The library's `tdmf_ensemble_work *`.
-
-    Raises
-    ------
-    MemoryError
-        There is no memory.
-    """
+    """Run a request whose values are checked."""
     work = ffi.new("tdmf_ensemble_work *")
     if threading.current_thread() is threading.main_thread() and len(ends) > FEW:
         complete = _run_beside(ensemble, ends, work)

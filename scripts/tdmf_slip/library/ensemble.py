@@ -168,33 +168,7 @@ def ensemble_of(
     threads: int | None,
     instructions: str | None,
 ) -> Ensemble:
-    """A request of the library that is complete but for its cases.
-
-    Parameters
-    ----------
-    runner : Runner
-        By whose map all go.
-    sections : ndarray of float, shape (runners, 6)
-        Where they start; it has to live as long as the request.
-    first_number : int
-        As in `run_ensemble`, as what follows.
-    tolerance : float
-        Of a step.
-    threads : int or None
-        At once.
-    instructions : str or None
-        One of `instruction_sets()`.
-
-    Returns
-    -------
-    Ensemble
-        The library's `tdmf_ensemble *`.
-
-    Raises
-    ------
-    InputError
-        A value that is not allowed.
-    """
+    """A request of the library that is complete but for its cases."""
     ensemble: Ensemble = ffi.new("tdmf_ensemble *")
     settings = {
         "map": c.TDMF_REDUCED_MAP if runner.reduced else c.TDMF_RETURN_MAP,
@@ -240,18 +214,7 @@ def _number(instructions: str | None) -> int:
 
 
 def dtype_of(struct: Any) -> np.dtype[np.void]:
-    """A C struct of numbers, structs and arrays as NumPy sees it.
-
-    Parameters
-    ----------
-    struct : CType
-        As `ffi.typeof` gives it.
-
-    Returns
-    -------
-    numpy.dtype
-        With the struct's members as fields.
-    """
+    """A C struct of numbers, structs and arrays as NumPy sees it."""
     codes = {"int": "i4", "double": "f8"}
 
     def code(kind: Any) -> Any:

@@ -157,73 +157,17 @@ class Gait(ByContents, Drawable):
 
 
 def check_is_gait(given: object, what: str) -> None:
-    """Refuse what is no gait of the return map.
-
-    Parameters
-    ----------
-    given : object
-        What was given as one.
-    what : str
-        The argument, for the message.
-
-    Raises
-    ------
-    InputError
-        It is something else.
-    """
+    """Refuse what is no gait of the return map."""
     check_kind(given, Gait, what, "a Gait, as find_gait gives")
 
 
 def gait_near(runner: Runner, guess: Apex, *, along: Along | None = None) -> Gait:
-    """The periodic gait near a guess, by Newton's method.
-
-    Parameters
-    ----------
-    runner : Runner
-        Whose gait.
-    guess : sequence of float, shape (n,)
-        An apex near the gait's, in the order of the runner's `coordinates`.
-    along : str or mapping of str to float, optional
-        A parameter or input by which the next apex is differentiated, too; or a direction of several.
-
-    Returns
-    -------
-    Gait
-        The gait to rounding, unless it is very sensitive.
-
-    Raises
-    ------
-    InputError
-        The guess is no apex, `along` is unknown, or the friction is 0.
-    RunError
-        The runner falls, no gait is near, the solver does not get through a stride, or the gait has no
-        derivatives.
-    """
+    """The periodic gait near a guess, by Newton's method."""
     return _search(runner, checked_apex(guess, runner.coordinates), 0, along)
 
 
 def settled_gait(runner: Runner, *, along: Along | None = None) -> Gait:
-    """The periodic gait that a runner settles on from its start, at the end by Newton's method.
-
-    Parameters
-    ----------
-    runner : Runner
-        Whose gait, and where it starts.
-    along : str or mapping of str to float, optional
-        A parameter or input by which the next apex is differentiated, too; or a direction of several.
-
-    Returns
-    -------
-    Gait
-        The gait near where the runner is after `SETTLING_STRIDES` strides.
-
-    Raises
-    ------
-    InputError
-        The start values are refused or not in flight, `along` is unknown, or the friction is 0.
-    RunError
-        As in `gait_near`.
-    """
+    """The periodic gait that a runner settles on from its start, at the end by Newton's method."""
     check_has_gaits(runner.values[FRICTION])
     return _search(runner, runner.start_apex(), SETTLING_STRIDES, along)
 
@@ -250,26 +194,7 @@ def _search(runner: Runner, apex: NDArray[np.float64], settling: int, along: Alo
 def gait_of_stride(
     runner: Runner, apex: NDArray[np.float64], stride: Return, log: EventLog, along: Along | None
 ) -> Gait:
-    """A stride as the library gives it, whether it leads back to its apex or not.
-
-    Parameters
-    ----------
-    runner : Runner
-        Whose stride.
-    apex : ndarray of float, shape (n,)
-        Where it begins.
-    stride : Return
-        Closed and measured, with its derivatives.
-    log : EventLog
-        What the solver has noted of it.
-    along : str or mapping of str to float, optional
-        By what it is differentiated, too.
-
-    Returns
-    -------
-    Gait
-        As of a gait.
-    """
+    """A stride as the library gives it, whether it leads back to its apex or not."""
     jacobian, by_parameter = derivatives(runner, stride)
     reported = {name: float(getattr(stride.stride, name)) for name in STRIDE_QUANTITIES}
     reported |= {name: float(getattr(stride, name)) for name in LEDGER}

@@ -29,40 +29,13 @@ class Map:
 
 
 def map_of(runner: Runner) -> Map:
-    """The map that a runner goes by.
-
-    Parameters
-    ----------
-    runner : Runner
-        Which runner.
-
-    Returns
-    -------
-    Map
-        The return map, or the reduced one.
-
-    Raises
-    ------
-    InputError
-        The runner's ground has a patch, which is at a place that no apex tells.
-    """
+    """The map that a runner goes by."""
     refuse_patch(runner.values)
     return _MAPS[runner.reduced]
 
 
 def refuse_patch(values: Mapping[str, float]) -> None:
-    """Refuse a patch of ground: an apex does not tell where the foot is.
-
-    Parameters
-    ----------
-    values : mapping of str to float
-        A runner's, by the unit's names.
-
-    Raises
-    ------
-    InputError
-        There is one.
-    """
+    """Refuse a patch of ground: an apex does not tell where the foot is."""
     begin, end = values["ground.patch_begin"], values["ground.patch_end"]
     if begin < end:
         raise InputError(
@@ -73,24 +46,7 @@ def refuse_patch(values: Mapping[str, float]) -> None:
 
 
 def why_no_gait(runner: Runner, found: FoundGait, settling: bool, ran: int) -> str:
-    """Why a search found no gait, in words.
-
-    Parameters
-    ----------
-    runner : Runner
-        Whose gait.
-    found : FoundGait
-        How the search ended.
-    settling : bool
-        It ended before the runner had settled.
-    ran : int
-        After so many strides.
-
-    Returns
-    -------
-    str
-        For a message.
-    """
+    """Why a search found no gait, in words."""
     where = f"no gait at friction {runner.values[FRICTION]:g}"
     if found.outcome != c.TDMF_ORBIT_NOT_FOUND:
         why = why_no_return(found.stride)
@@ -104,18 +60,7 @@ def why_no_gait(runner: Runner, found: FoundGait, settling: bool, ran: int) -> s
 
 
 def why_no_return(stride: Return) -> str | None:
-    """What ended a stride, in words to follow in a message; None where it closed.
-
-    Parameters
-    ----------
-    stride : Return
-        That did not close.
-
-    Returns
-    -------
-    str
-        In words.
-    """
+    """What ended a stride, in words to follow in a message; None where it closed."""
     if stride.outcome == c.TDMF_RETURN_CLOSED:
         return None
     if stride.outcome == c.TDMF_RETURN_UNSOLVED:

@@ -51,37 +51,13 @@ _GREATEST = ("greatest_slip_velocity", "greatest_foot_height")
 
 
 def apex_quantities(runner: Runner, apex: Apex) -> dict[str, float]:
-    """Where a stride begins, by the names of quantities.
-
-    Parameters
-    ----------
-    runner : Runner
-        Whose stride.
-    apex : sequence of float, shape (n,)
-        In the order of the runner's `coordinates`.
-
-    Returns
-    -------
-    dict of str to float
-        By the names of `APEX_QUANTITIES`, as far as the runner's map has them.
-    """
+    """Where a stride begins, by the names of quantities."""
     at = dict(zip(runner.coordinates, map(float, apex), strict=True))
     return {name: at[of] for name, of in APEX_QUANTITIES.items() if of in at}
 
 
 def measures_of(measured: Measured) -> dict[str, float]:
-    """What the library has measured along a stride, or the change of it.
-
-    Parameters
-    ----------
-    measured : Measured
-        A stride of the full model, or how it changes.
-
-    Returns
-    -------
-    dict of str to float
-        By the names of `MEASURES`, but for those of the apex and for what is per weight and distance.
-    """
+    """What the library has measured along a stride, or the change of it."""
     reported = {name: float(getattr(measured.measures, name)) for name in (*_ALONG, *_GREATEST)}
     reported["foot_clearance"] = float(measured.foot_clearance)
     reported["positive_work"] = reported["positive_hip_work"] + reported["positive_leg_work"]
@@ -89,38 +65,12 @@ def measures_of(measured: Measured) -> dict[str, float]:
 
 
 def weight_of(runner: Runner) -> float:
-    """Of body and foot, N.
-
-    Parameters
-    ----------
-    runner : Runner
-        Whose.
-
-    Returns
-    -------
-    float
-        Mass times gravity.
-    """
+    """Of body and foot, N."""
     return (runner.values["body.mass"] + runner.values["foot.mass"]) * runner.values["gravity"]
 
 
 def all_measures(runner: Runner, apex: Apex, stride: Return) -> dict[str, float]:
-    """Of a stride of the full model.
-
-    Parameters
-    ----------
-    runner : Runner
-        Whose.
-    apex : sequence of float, shape (6,)
-        Where it begins.
-    stride : Return
-        As the library gives it.
-
-    Returns
-    -------
-    dict of str to float
-        By the names of `MEASURES`.
-    """
+    """Of a stride of the full model."""
     reported = {**apex_quantities(runner, apex), **measures_of(stride)}
     distance = weight_of(runner) * stride.stride.length
     reported["positive_cost_of_transport"] = reported["positive_work"] / distance if distance else 0.0

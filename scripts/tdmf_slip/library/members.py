@@ -56,20 +56,7 @@ VARIED = tuple(member.name for member in (*PARAMETERS, *INPUTS))
 
 
 def check_varied(name: object, what: str) -> None:
-    """Refuse a name that a gait cannot be followed along.
-
-    Parameters
-    ----------
-    name : object
-        What was given as one.
-    what : str
-        The argument, for the message.
-
-    Raises
-    ------
-    InputError
-        It is that of neither a parameter nor an input of the model.
-    """
+    """Refuse a name that a gait cannot be followed along."""
     if not is_one_of(name, VARIED):
         raise InputError(
             f"{what} {shown(name)} is not allowed; allowed: a parameter or input of the model"
@@ -78,25 +65,7 @@ def check_varied(name: object, what: str) -> None:
 
 
 def varied_alone(vary: object, allowed: str) -> tuple[str, Any]:
-    """The one name that varies, and what is given of it.
-
-    Parameters
-    ----------
-    vary : object
-        A mapping with one name of a parameter or input.
-    allowed : str
-        What it may be, for messages.
-
-    Returns
-    -------
-    pair of str and object
-        Name and what it stands for.
-
-    Raises
-    ------
-    InputError
-        It is none, or the name is that of neither a parameter nor an input.
-    """
+    """The one name that varies, and what is given of it."""
     given = mapping_of(vary, "vary", allowed)
     if len(given) != 1:
         raise InputError(f"vary: {len(given)} names; allowed: {allowed}")
@@ -106,18 +75,7 @@ def varied_alone(vary: object, allowed: str) -> tuple[str, Any]:
 
 
 def check_has_gaits(friction: float) -> None:
-    """Refuse friction 0: nothing then fixes the speed, and gaits of any speed are neighbours.
-
-    Parameters
-    ----------
-    friction : float
-        Of the ground.
-
-    Raises
-    ------
-    InputError
-        It is 0.
-    """
+    """Refuse friction 0: nothing then fixes the speed, and gaits of any speed are neighbours."""
     if friction == 0.0:
         raise InputError(
             "ground.friction = 0: nothing fixes a runner's speed, so that no gait is one of its own; "

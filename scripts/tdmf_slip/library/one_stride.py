@@ -22,28 +22,7 @@ def next_apices(
     tolerance: float = TOLERANCE,
     threads: int | None = None,
 ) -> tuple[NDArray[np.int8], NDArray[np.float64]]:
-    """Where one stride leads from each of many apices, each with settings of its own.
-
-    Parameters
-    ----------
-    runner : Runner
-        Who makes them.
-    apices : ndarray of float, shape (strides, n)
-        Where they begin, in the order of the runner's `coordinates`.
-    settings : mapping of str to ndarray of float, shape (strides,)
-        By the names of `settings.SETTINGS`, one or more; in force from the apex on, and checked.
-    tolerance : float, default 2e-10
-        Relative tolerance of a step.
-    threads : int, optional
-        By default one for each processor. Results do not depend on it.
-
-    Returns
-    -------
-    fates : ndarray of int8, shape (strides,)
-        Numbers into `noted_strides.STRIDE_FATES`.
-    next_apices : ndarray of float, shape (strides, n)
-        NaN where the stride did not close.
-    """
+    """Where one stride leads from each of many apices, each with settings of its own."""
     sections = np.zeros((len(apices), len(COORDINATES)))
     sections[:, : apices.shape[1]] = apices
     ensemble = ensemble_of(runner, sections, 0, tolerance, threads, None)

@@ -32,27 +32,7 @@ class Population(ByContents):
 
     @classmethod
     def of(cls, given: object, fmu: Fmu | None = None, model: str | None = None) -> "Population":
-        """A runner, or start values by name of which some are one for each runner.
-
-        Parameters
-        ----------
-        given : object
-            A runner in any of its ways; or start values by name, with arrays of shape (runners,).
-        fmu : Fmu, optional
-            Whose start values and ranges hold.
-        model : str, optional
-            One of `MODELS`.
-
-        Returns
-        -------
-        Population
-            With values in range.
-
-        Raises
-        ------
-        InputError
-            A name or value that is not allowed, or arrays of different lengths.
-        """
+        """A runner, or start values by name of which some are one for each runner."""
         if given is None or isinstance(given, str | os.PathLike | Runner) or hasattr(given, "runner"):
             return cls(Runner.of(given, fmu, model=model))
         by_name = mapping_of(given, "runner", "a Runner, or numbers or arrays by name")
@@ -85,44 +65,11 @@ class Population(ByContents):
         return len(next(iter(self.varied.values()))) if self.varied else None
 
     def part(self, first: int, count: int) -> "Population":
-        """Some of the runners.
-
-        Parameters
-        ----------
-        first : int
-            From this one on.
-        count : int
-            So many.
-
-        Returns
-        -------
-        Population
-            The same where all are alike.
-        """
+        """Some of the runners."""
         return replace(self, varied={name: row[first : first + count] for name, row in self.varied.items()})
 
     def c_cases(self, ground: RoughGround, law: AffineLaw | None) -> tuple[Any, list[object]]:
-        """A case for each runner, or one for all, and what has to live as long.
-
-        Parameters
-        ----------
-        ground : RoughGround
-            What they run on.
-        law : AffineLaw or None
-            By which they are set.
-
-        Returns
-        -------
-        cases : Struct
-            The library's `tdmf_ensemble_case *`.
-        kept : list
-            What they point to.
-
-        Raises
-        ------
-        InputError
-            A runner's values do not go together.
-        """
+        """A case for each runner, or one for all, and what has to live as long."""
         count = self.size or 1
         cases = ffi.new("tdmf_ensemble_case[]", count)
         models = ffi.new("tdmf_model[]", count)

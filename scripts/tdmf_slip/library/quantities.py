@@ -35,56 +35,19 @@ SIGNED = ("apex_leg_angle",)
 
 
 def quantities_of(gait: Gait, names: Sequence[str]) -> dict[str, float]:
-    """What a gait has of the quantities that one can be ordered by.
-
-    Parameters
-    ----------
-    gait : Gait
-        The gait.
-    names : sequence of str
-        Of `QUANTITIES`.
-
-    Returns
-    -------
-    dict of str to float
-        By these names, in SI units.
-    """
+    """What a gait has of the quantities that one can be ordered by."""
     check_quantities(gait.runner, names)
     apex = apex_quantities(gait.runner, gait.apex)
     return {name: quantity_of(name, {**gait.stride, **apex}) for name in names}
 
 
 def known_quantities(runner: Runner) -> tuple[str, ...]:
-    """The quantities that a runner's map has.
-
-    Parameters
-    ----------
-    runner : Runner
-        Whose gait.
-
-    Returns
-    -------
-    tuple of str
-        `QUANTITIES`, or in the reduced map `REDUCED_QUANTITIES`.
-    """
+    """The quantities that a runner's map has."""
     return REDUCED_QUANTITIES if runner.reduced else QUANTITIES
 
 
 def check_quantities(runner: Runner, names: Sequence[str]) -> None:
-    """Refuse quantities that the runner's map does not have.
-
-    Parameters
-    ----------
-    runner : Runner
-        Whose gait.
-    names : sequence of str
-        Of `QUANTITIES`.
-
-    Raises
-    ------
-    InputError
-        The map is the reduced one, and has not one of them.
-    """
+    """Refuse quantities that the runner's map does not have."""
     for name in names:
         if name not in known_quantities(runner):
             raise InputError(
@@ -94,36 +57,10 @@ def check_quantities(runner: Runner, names: Sequence[str]) -> None:
 
 
 def quantity_of(name: str, reported: Mapping[str, float]) -> float:
-    """A quantity of a stride.
-
-    Parameters
-    ----------
-    name : str
-        Of `QUANTITIES`.
-    reported : mapping of str to float
-        What the stride is told by: the library's quantities and measures of it.
-
-    Returns
-    -------
-    float
-        In SI units.
-    """
+    """A quantity of a stride."""
     return float(OF_STRIDE[name](reported) if name in OF_STRIDE else reported[name])
 
 
 def scales_of(runner: Runner, parameters: Sequence[str]) -> NDArray[np.float64]:
-    """Scales of the coordinates and of parameters: of these the value that each has, or 1 where it is 0.
-
-    Parameters
-    ----------
-    runner : Runner
-        Whose.
-    parameters : sequence of str
-        By name.
-
-    Returns
-    -------
-    ndarray of float
-        Shape (n + p,).
-    """
+    """Scales of the coordinates and of parameters: of these the value that each has, or 1 where it is 0."""
     return np.array([*runner.scales, *(abs(runner.values[name]) or 1.0 for name in parameters)])

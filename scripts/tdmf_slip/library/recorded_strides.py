@@ -61,20 +61,7 @@ class Request(ByContents):
     """Where the feet are at the first apex, m, shape (runners,); by default all at 0."""
 
     def part(self, first: int, count: int) -> "Request":
-        """Some of the runners.
-
-        Parameters
-        ----------
-        first : int
-            From this one on.
-        count : int
-            So many.
-
-        Returns
-        -------
-        Request
-            The same strides.
-        """
+        """Some of the runners."""
         some = slice(first, first + count)
         return replace(
             self,
@@ -87,24 +74,7 @@ class Request(ByContents):
 
 
 def recorded_strides(request: Request, law: Law | None = None) -> Columns:
-    """All strides of a block of runners.
-
-    Parameters
-    ----------
-    request : Request
-        Whose values are checked.
-    law : callable, optional
-        Called at each apex, for all runners at once; what it gives is checked, and of the same names each
-        time.
-
-    Returns
-    -------
-    dict of str to ndarray
-        `fate`, a number into `STRIDE_FATES`; where it is closed `apex`, `next_apex`, the quantities of the
-        stride and its `word`, else NaN or empty: but for the apex and the settings of the stride in which a
-        run ends. By the full model `foot.x`, where the foot is at the next apex. Settings by their names;
-        `ground.height` where it is rough.
-    """
+    """All strides of a block of runners."""
     engine = _Engine(request, goes_on=law is not None)
     if law is None:
         return engine.run(0, request.strides, request.given)
@@ -200,22 +170,7 @@ class _Engine:
 
 
 def given_settings(given: Mapping[str, NDArray[np.float64]], first: int) -> tuple[Any, object]:
-    """Settings as the library takes them.
-
-    Parameters
-    ----------
-    given : mapping of str to ndarray of float, shape (runners, strides)
-        By name, one or more; their values are checked.
-    first : int
-        Number of the first of these strides.
-
-    Returns
-    -------
-    settings : Struct
-        The library's `tdmf_given_settings *`.
-    kept : object
-        What has to live as long.
-    """
+    """Settings as the library takes them."""
     values = np.ascontiguousarray(np.stack(list(given.values()), axis=-1))
     settings = ffi.new("int[]", [setting_number(name, "settings") for name in given])
     made = ffi.new("tdmf_given_settings *")

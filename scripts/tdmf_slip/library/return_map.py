@@ -23,33 +23,7 @@ Along: TypeAlias = str | Mapping[str, float]
 def stride_from(
     runner: Runner | Mapping[str, Given], apex: Apex, along: Along
 ) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
-    """One stride from an apex: the next apex, and how it changes.
-
-    Parameters
-    ----------
-    runner : Runner or mapping of str to float
-        Who makes the stride, or start values by name.
-    apex : sequence of float, shape (n,)
-        In the order of the runner's `coordinates`.
-    along : str or mapping of str to float
-        A parameter or input by which the next apex is differentiated, too; or a direction of several.
-
-    Returns
-    -------
-    next_apex : ndarray of float, shape (n,)
-        Where the stride closes.
-    jacobian : ndarray of float, shape (n, n)
-        [i, k] is the change of coordinate i of the next apex by coordinate k of this one.
-    by_parameter : ndarray of float, shape (n,)
-        The next apex's change along the parameter.
-
-    Raises
-    ------
-    InputError
-        Not an apex, or not a parameter or input.
-    RunError
-        No stride closes from there, or it has no derivatives.
-    """
+    """One stride from an apex: the next apex, and how it changes."""
     runner = Runner.of(runner)
     map, section = map_of(runner), list(checked_apex(apex, runner.coordinates))
     stride = map.stride(runner.solver(), runner.system, section, np.inf, True, direction(along), 1)

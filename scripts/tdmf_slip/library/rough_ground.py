@@ -28,23 +28,7 @@ WEIGHTLESS = 1e-12
 
 
 def correlated_weights(correlation: float) -> tuple[float, ...]:
-    """Weights of deviates of which each is correlated with the one before, the farther ones by its powers.
-
-    Parameters
-    ----------
-    correlation : float
-        From -0.99 to 0.99.
-
-    Returns
-    -------
-    tuple of float
-        Of the deviate itself, of the one before and so on; the sum of squares is 1.
-
-    Raises
-    ------
-    InputError
-        A correlation out of range.
-    """
+    """Weights of deviates of which each is correlated with the one before, the farther ones by its powers."""
     correlation = checked("correlation", correlation, -0.99, 0.99)
     if correlation == 0.0:
         return ()
@@ -53,24 +37,7 @@ def correlated_weights(correlation: float) -> tuple[float, ...]:
 
 
 def spectrum_weights(density: ArrayLike) -> tuple[float, ...]:
-    """Weights of deviates that have a given spectrum.
-
-    Parameters
-    ----------
-    density : array_like of float, shape (n,)
-        Power at n frequencies, evenly from 0 to half a cycle for each stride, in any unit: only its shape
-        counts.
-
-    Returns
-    -------
-    tuple of float
-        2 n - 1 of them; the sum of squares is 1.
-
-    Raises
-    ------
-    InputError
-        Fewer than two numbers, some below 0, or all 0.
-    """
+    """Weights of deviates that have a given spectrum."""
     power = np.asarray(density, dtype=float)
     if power.ndim != 1 or not 2 <= len(power) <= MAX_WEIGHTS // 2 or not np.all(np.isfinite(power)):
         raise InputError(
@@ -125,18 +92,7 @@ class RoughGround:
         return bool(self.roughness or self.friction_spread)
 
     def write(self, rules: Any) -> list[object]:
-        """Write it into the rules of a case.
-
-        Parameters
-        ----------
-        rules : Struct
-            The library's `tdmf_ensemble_rules`.
-
-        Returns
-        -------
-        list
-            What has to live as long.
-        """
+        """Write it into the rules of a case."""
         rules.roughness, rules.seed, rules.trips = self.roughness, self.seed, self.trips
         rules.friction_spread = self.friction_spread
         steps, friction = (
@@ -148,25 +104,7 @@ class RoughGround:
         return [steps, friction]
 
     def frictions(self, runner: int, count: int) -> NDArray[np.float64]:
-        """Factors of the friction in the first strides of one runner.
-
-        Parameters
-        ----------
-        runner : int
-            Its number, from 0 on.
-        count : int
-            How many strides.
-
-        Returns
-        -------
-        ndarray of float, shape (count,)
-            What the runner's own friction is multiplied by.
-
-        Raises
-        ------
-        InputError
-            A number is out of range.
-        """
+        """Factors of the friction in the first strides of one runner."""
         return np.exp(
             self.friction_spread * self._drawn(c.tdmf_friction_deviate, self.friction_weights, runner, count)
         )
@@ -184,25 +122,7 @@ class RoughGround:
         return np.convolve(drawn, weights, "valid") if len(strides) else np.zeros(0)
 
     def steps(self, runner: int, count: int) -> NDArray[np.float64]:
-        """The first steps of one runner.
-
-        Parameters
-        ----------
-        runner : int
-            Its number, from 0 on.
-        count : int
-            How many steps.
-
-        Returns
-        -------
-        ndarray of float, shape (count,)
-            In m, positive upwards: what `ground.height` gains at the start, at the first apex, and so on.
-
-        Raises
-        ------
-        InputError
-            A number is out of range.
-        """
+        """The first steps of one runner."""
         return self.roughness * self._drawn(c.tdmf_ground_step, self.step_weights, runner, count)
 
 

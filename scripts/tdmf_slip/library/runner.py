@@ -260,17 +260,6 @@ def _check(refusal: Refusal) -> None:
 
 
 def text_of(characters: object) -> str:
-    """A text of the library, a `char *`.
-
-    Parameters
-    ----------
-    characters : char *
-        Ended by a zero, or an array of them.
-
-    Returns
-    -------
-    str
-        Decoded from UTF-8.
-    """
+    """A text of the library, a `char *`."""
     text: bytes = ffi.string(characters)
     return text.decode()

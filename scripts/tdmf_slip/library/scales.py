@@ -7,21 +7,7 @@ ROUNDING = 5.0
 
 
 def scale_of(runner: Runner, unit: str) -> float:
-    """The scale of a runner's quantities in a unit.
-
-    Parameters
-    ----------
-    runner : Runner
-        With the length l0, the time sqrt(m/k) and the energy k l0^2.
-    unit : str
-        Of a quantity of the stride or the apex, a parameter or an input: `m`, `N.s/m` and so on, as the
-        unit's variables have them.
-
-    Returns
-    -------
-    float
-        In that unit.
-    """
+    """The scale of a runner's quantities in a unit."""
     scales = runner.model.scales
     return {
         "m": scales.length,
@@ -44,18 +30,5 @@ def scale_of(runner: Runner, unit: str) -> float:
 
 
 def rounding_of(runner: Runner, unit: str) -> float:
-    """What a quantity of a stride may be off by that is zero but for rounding, as the rise on level ground.
-
-    Parameters
-    ----------
-    runner : Runner
-        Whose stride.
-    unit : str
-        Of the quantity, see `scale_of`.
-
-    Returns
-    -------
-    float
-        In that unit.
-    """
+    """What a quantity of a stride may be off by that is zero but for rounding, as the rise on the level."""
     return ROUNDING * runner.tolerance * scale_of(runner, unit)

@@ -23,25 +23,7 @@ Apex = Sequence[float] | NDArray[np.float64]
 
 
 def checked_apex(apex: Apex, coordinates: Sequence[str] = COORDINATES) -> NDArray[np.float64]:
-    """An apex as an array.
-
-    Parameters
-    ----------
-    apex : sequence of float, shape (n,)
-        In the order of the coordinates.
-    coordinates : sequence of str, shape (n,), default COORDINATES
-        Which an apex has: `REDUCED` in the reduced map.
-
-    Returns
-    -------
-    ndarray of float, shape (n,)
-        The same numbers.
-
-    Raises
-    ------
-    InputError
-        There are not so many, or they are no numbers.
-    """
+    """An apex as an array."""
     values = in_order(apex, coordinates)
     if np.shape(values) != (len(coordinates),):
         raise InputError(f"an apex of shape {np.shape(values)}: allowed: {', '.join(coordinates)}")
@@ -52,20 +34,7 @@ def checked_apex(apex: Apex, coordinates: Sequence[str] = COORDINATES) -> NDArra
 
 
 def check_axes(axes: Sequence[str], coordinates: Sequence[str] = COORDINATES) -> None:
-    """Refuse names that are not those of coordinates of the section.
-
-    Parameters
-    ----------
-    axes : sequence of str
-        What was given as names.
-    coordinates : sequence of str, optional
-        Those that there are.
-
-    Raises
-    ------
-    InputError
-        One is not.
-    """
+    """Refuse names that are not those of coordinates of the section."""
     for axis in axes:
         if not is_one_of(axis, coordinates):
             raise InputError(f"axes: {shown(axis)} is not allowed; allowed: {', '.join(coordinates)}")

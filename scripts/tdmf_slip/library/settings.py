@@ -26,25 +26,7 @@ BY_GAINS = (
 
 
 def setting_number(name: object, what: str) -> int:
-    """A setting as the library knows it.
-
-    Parameters
-    ----------
-    name : str
-        In the unit.
-    what : str
-        The argument, for the message.
-
-    Returns
-    -------
-    int
-        Its number.
-
-    Raises
-    ------
-    InputError
-        It cannot change in a run, or there is no such name.
-    """
+    """A setting as the library knows it."""
     if is_one_of(name, SETTINGS):
         return int(c.tdmf_setting_of(name.encode()))
     if is_one_of(name, VARIED):
@@ -54,24 +36,7 @@ def setting_number(name: object, what: str) -> int:
 
 
 def check_acts(name: str, runner: Runner, set_too: Sequence[str], what: str) -> None:
-    """Refuse a setting that changes nothing in a runner's motion, whatever its value.
-
-    Parameters
-    ----------
-    name : str
-        One of `SETTINGS`.
-    runner : Runner
-        Who is set.
-    set_too : sequence of str
-        All that is set.
-    what : str
-        The argument, for the message.
-
-    Raises
-    ------
-    InputError
-        It does not act.
-    """
+    """Refuse a setting that changes nothing in a runner's motion, whatever its value."""
     if runner.reduced:
         if name in OF_FLIGHT:
             raise InputError(
@@ -87,31 +52,7 @@ def check_acts(name: str, runner: Runner, set_too: Sequence[str], what: str) -> 
 def checked_values(
     name: str, values: NDArray[np.float64], what: str, first: Mapping[str, int], fmu: Fmu | None = None
 ) -> NDArray[np.float64]:
-    """Values of a setting, all within its range.
-
-    Parameters
-    ----------
-    name : str
-        One of `SETTINGS`.
-    values : ndarray of float
-        Of any shape.
-    what : str
-        The argument, for the message.
-    first : mapping of str to int
-        By axis of the values: what it is called, and the number of its first place.
-    fmu : Fmu, optional
-        Whose ranges hold.
-
-    Returns
-    -------
-    ndarray of float
-        The same.
-
-    Raises
-    ------
-    InputError
-        One is out of range or not a number; the message says which.
-    """
+    """Values of a setting, all within its range."""
     variable = load_fmu(fmu).variables[name]
     within = (values >= variable.minimum) & (values <= variable.maximum)
     if not within.all():

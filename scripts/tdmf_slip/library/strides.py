@@ -32,31 +32,7 @@ BETWEEN_WORDS = " "
 
 
 def strides_from(runner: Runner, apex: Apex, strides: int = 1, *, along: Along | None = None) -> Gait:
-    """Strides in a row from an apex, whether they lead back to it or not.
-
-    Parameters
-    ----------
-    runner : Runner
-        Who makes them.
-    apex : sequence of float, shape (n,)
-        In the order of the runner's `coordinates`.
-    strides : int, default 1
-        How many.
-    along : str or mapping of str to float, optional
-        A parameter or input by which the last apex is differentiated, too; or a direction of several.
-
-    Returns
-    -------
-    Gait
-        As of a gait; `error` says how far the last apex is from the first.
-
-    Raises
-    ------
-    InputError
-        Not an apex, `along` is unknown, or the friction is 0.
-    RunError
-        A stride does not close, or has no derivatives.
-    """
+    """Strides in a row from an apex, whether they lead back to it or not."""
     check_has_gaits(runner.values[FRICTION])
     made = [_stride(runner, checked_apex(apex, runner.coordinates), along)]
     while len(made) < strides:
@@ -65,31 +41,7 @@ def strides_from(runner: Runner, apex: Apex, strides: int = 1, *, along: Along |
 
 
 def repeated_gait_near(runner: Runner, guess: Apex, strides: int = 1, *, along: Along | None = None) -> Gait:
-    """The gait near a guess that repeats itself after some strides, by Newton's method.
-
-    Parameters
-    ----------
-    runner : Runner
-        Whose gait.
-    guess : sequence of float, shape (n,)
-        An apex near the gait's, in the order of the runner's `coordinates`.
-    strides : int, default 1
-        After how many. A gait that repeats itself after a part of them is one of these as well.
-    along : str or mapping of str to float, optional
-        A parameter or input by which the last apex is differentiated, too; or a direction of several.
-
-    Returns
-    -------
-    Gait
-        The gait to rounding, unless it is very sensitive.
-
-    Raises
-    ------
-    InputError
-        The guess is no apex, `along` is unknown, or the friction is 0.
-    RunError
-        The runner falls, no gait is near, or it has no derivatives.
-    """
+    """The gait near a guess that repeats itself after some strides, by Newton's method."""
     if strides == 1:
         return gait_near(runner, guess, along=along)
     gait = strides_from(runner, guess, strides, along=along)
@@ -125,18 +77,7 @@ def _improved(gait: Gait, strides: int, along: Along | None) -> Gait | None:
 
 
 def longest_stride(runner: Runner) -> float:
-    """The time, s, after which a stride counts as none.
-
-    Parameters
-    ----------
-    runner : Runner
-        Whose stride.
-
-    Returns
-    -------
-    float
-        `LONGEST_STRIDE` of the runner's sqrt(m/k).
-    """
+    """The time, s, after which a stride counts as none."""
     return float(LONGEST_STRIDE * (runner.values["body.mass"] / runner.values["leg.stiffness"]) ** 0.5)
 
 

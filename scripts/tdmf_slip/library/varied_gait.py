@@ -33,29 +33,6 @@ def varied_gait(
     """A gait, with the derivatives of its quantities and of its apex by parameters.
 
     By the implicit function theorem: with the return map P, dP/dz dz + dP/dp dp = dz along the gaits.
-
-    Parameters
-    ----------
-    runner : Runner
-        Whose gait.
-    apex : ndarray of float, shape (n,)
-        Of the gait.
-    names : sequence of str
-        Of `QUANTITIES`.
-    parameters : sequence of str
-        Parameters and inputs by which it is differentiated.
-
-    Returns
-    -------
-    VariedGait
-        All of it is finite.
-
-    Raises
-    ------
-    InputError
-        A value of the runner is refused.
-    RunError
-        The stride does not close, or has no derivatives; or the gait has none, as in a fold.
     """
     stride, count = varied_stride(runner, apex, names, parameters), len(apex)
     try:

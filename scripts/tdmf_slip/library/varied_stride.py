@@ -53,31 +53,7 @@ class VariedStride(ByContents):
 def varied_stride(
     runner: Runner, apex: NDArray[np.float64], names: Sequence[str], parameters: Sequence[str]
 ) -> VariedStride:
-    """One stride from an apex, whether it leads back there or not, with all its derivatives.
-
-    Parameters
-    ----------
-    runner : Runner
-        Who makes it.
-    apex : ndarray of float, shape (n,)
-        Where it begins.
-    names : sequence of str
-        Of `quantities.QUANTITIES`.
-    parameters : sequence of str
-        Parameters and inputs by which it is differentiated.
-
-    Returns
-    -------
-    VariedStride
-        All of it is finite.
-
-    Raises
-    ------
-    InputError
-        A value of the runner is refused.
-    RunError
-        The stride does not close, or has no derivatives.
-    """
+    """One stride from an apex, whether it leads back there or not, with all its derivatives."""
     check_quantities(runner, names)
     stride, changes = _changes(runner, apex, parameters)
     reported = _read(runner, apex, stride)
@@ -106,29 +82,7 @@ class PlainStride(ByContents):
 
 
 def plain_stride(runner: Runner, apex: NDArray[np.float64], names: Sequence[str]) -> PlainStride:
-    """One stride from an apex, whether it leads back there or not; with derivatives it takes much longer.
-
-    Parameters
-    ----------
-    runner : Runner
-        Who makes it.
-    apex : ndarray of float, shape (n,)
-        Where it begins.
-    names : sequence of str
-        Of `quantities.QUANTITIES`.
-
-    Returns
-    -------
-    PlainStride
-        As it closes.
-
-    Raises
-    ------
-    InputError
-        A value of the runner is refused.
-    RunError
-        The stride does not close.
-    """
+    """One stride from an apex, whether it leads back there or not; with derivatives it takes much longer."""
     check_quantities(runner, names)
     stride = _stride(runner, apex, (), False)
     reported = _read(runner, apex, stride)

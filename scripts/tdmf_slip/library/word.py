@@ -61,18 +61,7 @@ class Letter:
 
 
 def letters_of(events: Sequence[Event]) -> tuple[Letter, ...]:
-    """The letters of a stride's word; graze and flight add none.
-
-    Parameters
-    ----------
-    events : sequence of Event
-        Of one stride, by time.
-
-    Returns
-    -------
-    tuple of Letter
-        In the order of the word, each with how long its mode lasts.
-    """
+    """The letters of a stride's word; graze and flight add none."""
     found: list[Letter] = []
     flown = True
     for event, following in pairwise(events):

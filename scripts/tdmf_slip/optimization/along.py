@@ -58,26 +58,7 @@ class AlongBorder(Problem):
 
 
 def best_along(gaits: Gaits, problem: Problem, border: Border, region: Region, stationary: float) -> Border:
-    """The best place on a border, as the region on this side has it.
-
-    Parameters
-    ----------
-    gaits : Gaits
-        Of which runner, over which parameters.
-    problem : Problem
-        What is asked.
-    border : Border
-        Where to begin.
-    region : Region
-        On this side.
-    stationary : float
-        Fall of the merit that counts as none.
-
-    Returns
-    -------
-    Border
-        There, or where the search came to.
-    """
+    """The best place on a border, as the region on this side has it."""
     at = border.short.at
     off_bounds = (at > AT_BOUND) & (at < 1.0 - AT_BOUND)
     for free in (off_bounds, np.ones_like(off_bounds)):

@@ -102,13 +102,7 @@ def between(gaits: Gaits, inside: Candidate, outside: Candidate, is_inside: Call
 
 
 def _border(short: Candidate, beyond: Candidate, way: NDArray[np.float64]) -> Border:
-    """With its normal, which leads to the side that the way does.
-
-    Raises
-    ------
-    RunError
-        The gaits on both sides are no neighbours.
-    """
+    """With its normal, which leads to the side that the way does."""
     scales = short.gait.runner.scales[:, None]
     if np.max(np.abs(beyond.gait.apex - short.gait.apex) / scales[:, 0]) > CONTINUOUS:
         raise RunError("the gaits end where the word changes")

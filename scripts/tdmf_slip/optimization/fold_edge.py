@@ -29,44 +29,14 @@ INWARDS, LONGEST = 1e-5, 0.1
 
 
 def is_near(gait: Candidate) -> bool:
-    """Whether a gait is next to the edge.
-
-    Parameters
-    ----------
-    gait : Candidate
-        With its spectrum.
-
-    Returns
-    -------
-    bool
-        By `NEAR`.
-    """
+    """Whether a gait is next to the edge."""
     return abs(gait.spectrum.fold / OFF_FOLD - 1.0) < NEAR
 
 
 def best_on_edge(
     gaits: Gaits, problem: Problem, begin: Candidate, region: Region, stationary: float
 ) -> Candidate:
-    """The best gait on the edge that is reached from one near it.
-
-    Parameters
-    ----------
-    gaits : Gaits
-        Of which runner, over which parameters.
-    problem : Problem
-        What is asked.
-    begin : Candidate
-        A gait near the edge.
-    region : Region
-        On which it is.
-    stationary : float
-        Fall of the merit that counts as none.
-
-    Returns
-    -------
-    Candidate
-        On the edge; the one given where nothing better is found.
-    """
+    """The best gait on the edge that is reached from one near it."""
     if len(begin.at) < 2:
         return begin
     without = Problem(replace(problem.goal, fold=False), problem.scales)
@@ -115,13 +85,7 @@ class _Chart:
         return self._point(gait, np.zeros(self.basis.shape[1]))
 
     def follow(self, near: Candidate, u: NDArray[np.float64]) -> OnBorder:
-        """The gait on the edge at u, from one that is known; by Newton's method along the normal.
-
-        Raises
-        ------
-        RunError
-            There is none.
-        """
+        """The gait on the edge at u, from one that is known; by Newton's method along the normal."""
         assert isinstance(near, OnBorder)
         known = near.border.short
         gait = self._off_fold(known, known.at + near.plane @ (u - near.at))

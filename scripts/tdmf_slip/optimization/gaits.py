@@ -146,13 +146,7 @@ class Gaits:
         number: int,
         known: Mapping[int, NDArray[np.float64]],
     ) -> NDArray[np.float64]:
-        """The change by a parameter, from that in a direction between it and another.
-
-        Raises
-        ------
-        RunError
-            No such direction stays on the region.
-        """
+        """The change by a parameter, from that in a direction between it and another."""
         for (other, change), slant in product(known.items(), SLANTS):
             try:
                 return along(axes[number] + slant * axes[other]) - slant * change
@@ -216,13 +210,7 @@ def _side(gait: Gait) -> bool:
 
 
 def _jacobian_change(gait: Gait, stride: Callable[[float], Gait]) -> NDArray[np.float64]:
-    """By strides on both sides of a gait, or on one, where on the other is another region or nothing.
-
-    Raises
-    ------
-    RunError
-        There is on neither.
-    """
+    """By strides on both sides of a gait, or on one, where on the other is another region or nothing."""
     for length, weights in product(DIFFERENCES, (CENTRAL, FORWARD, BACKWARD, OPEN_FORWARD, OPEN_BACKWARD)):
         try:
             gaits = [stride(length * steps) if steps else gait for steps in weights]

@@ -59,13 +59,7 @@ class Optimizer:
     """Optima of one runner over some parameters."""
 
     def __init__(self, before: Gait, space: Space, starts: int) -> None:
-        """The gait of the runner as it is given; where the searches begin, and how many.
-
-        Raises
-        ------
-        RunError
-            No gait within the bounds is reached from the one given.
-        """
+        """The gait of the runner as it is given; where the searches begin, and how many."""
         self.before, self.space = before, space
         gaits = Gaits(before.runner, space, ["speed"])
         given = Start(space.place_of(before.runner), before)
@@ -114,15 +108,7 @@ class Optimizer:
         return self._gaits(goal).candidate(self.first.gait, self.first.at)
 
     def best(self, goal: Goal, bar: Bar, starts: Sequence[Start] = ()) -> "Best":
-        """Of all searches, the best gait that meets the constraints.
-
-        Raises
-        ------
-        TargetNotMetError
-            None does.
-        RunError
-            No search could begin.
-        """
+        """Of all searches, the best gait that meets the constraints."""
         problem = Problem(goal, self.scales(goal))
         found, begun, trouble = [], starts or self.starts(problem), ""
         for start in begun:

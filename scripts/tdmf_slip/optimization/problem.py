@@ -108,20 +108,7 @@ class Problem:
         return self.objective(gait)[0] + (PENALTY * violation if violation > MET else 0.0)
 
     def rough_merit(self, quantities: NDArray[np.float64], weight: float) -> float:
-        """The merit of a gait of which no more than its quantities is known: of its eigenvalues nothing.
-
-        Parameters
-        ----------
-        quantities : ndarray of float, shape (q,)
-            By the goal's `names`, in SI units.
-        weight : float
-            Of a violation.
-
-        Returns
-        -------
-        float
-            The less, the better.
-        """
+        """The merit of a gait of which no more than its quantities is known: of its eigenvalues nothing."""
         goal, by_name = self.goal, dict(zip(self.goal.names, quantities, strict=True))
         off = sum(abs(by_name[name] - value) / self.scales[name] for name, value in goal.at.items())
         over = sum(
@@ -135,22 +122,7 @@ class Problem:
     def steepest(
         self, gait: Candidate, normal: NDArray[np.float64] | None = None, *, along: bool = False
     ) -> float:
-        """How much less the merit could be, over the size of the step, to first order.
-
-        Parameters
-        ----------
-        gait : Candidate
-            Where.
-        normal : ndarray of float, shape (d,), optional
-            Steps may lead to this side only.
-        along : bool, default False
-            Steps may not lead to either side.
-
-        Returns
-        -------
-        float
-            Zero at an optimum; never negative.
-        """
+        """How much less the merit could be, over the size of the step, to first order."""
         from scipy.optimize import linprog  # slow to load
 
         gradient = self.objective(gait)[1]

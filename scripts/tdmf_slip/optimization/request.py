@@ -20,25 +20,7 @@ LARGEST_RADIUS = 0.99
 
 
 def checked_quantity(name: object, what: str) -> str:
-    """The name of a quantity.
-
-    Parameters
-    ----------
-    name : object
-        What was given as one.
-    what : str
-        The argument, for the message.
-
-    Returns
-    -------
-    str
-        The same.
-
-    Raises
-    ------
-    InputError
-        There is no such quantity.
-    """
+    """The name of a quantity."""
     if not is_one_of(name, QUANTITIES):
         raise InputError(
             f"{what} {shown(name)} is not allowed; allowed: {', '.join(QUANTITIES)}"
@@ -48,23 +30,7 @@ def checked_quantity(name: object, what: str) -> str:
 
 
 def checked_objective(minimize: str | None, maximize: str | None) -> tuple[str, float]:
-    """The quantity of an objective, and its sign: 1 to minimize, -1 to maximize.
-
-    Parameters
-    ----------
-    minimize, maximize : str, optional
-        One of them.
-
-    Returns
-    -------
-    pair of str and float
-        Name and sign.
-
-    Raises
-    ------
-    InputError
-        Both are given, or neither, or there is no such quantity.
-    """
+    """The quantity of an objective, and its sign: 1 to minimize, -1 to maximize."""
     if (minimize is None) == (maximize is None):
         given = "neither" if minimize is None else "both"
         raise InputError(f"minimize, maximize: {given} given; allowed: one of them, {', '.join(QUANTITIES)}")
@@ -74,25 +40,7 @@ def checked_objective(minimize: str | None, maximize: str | None) -> tuple[str, 
 
 
 def checked_space(vary: object, fmu: Fmu) -> Space:
-    """The parameters that are varied, between bounds that the unit allows.
-
-    Parameters
-    ----------
-    vary : object
-        What was given as a mapping of names to bounds.
-    fmu : Fmu
-        Whose ranges hold.
-
-    Returns
-    -------
-    Space
-        Of these.
-
-    Raises
-    ------
-    InputError
-        Not so many parameters, no parameter, no bounds, or bounds that the unit refuses.
-    """
+    """The parameters that are varied, between bounds that the unit allows."""
     given = mapping_of(vary, "vary", "bounds (A, B) by the names of parameters and inputs")
     if not 1 <= len(given) <= MAX_PARAMETERS:
         raise InputError(
@@ -113,27 +61,7 @@ def checked_space(vary: object, fmu: Fmu) -> Space:
 
 
 def checked_values(target: object, objectives: tuple[str, ...], space: Space) -> dict[str, float]:
-    """The quantities that are prescribed.
-
-    Parameters
-    ----------
-    target : object
-        What was given as a mapping of quantities to values, or None.
-    objectives : tuple of str
-        What is to be the least or the most.
-    space : Space
-        By which parameters.
-
-    Returns
-    -------
-    dict of str to float
-        By name.
-
-    Raises
-    ------
-    InputError
-        A quantity is unknown or an objective, a value is refused, or there are too many.
-    """
+    """The quantities that are prescribed."""
     given = mapping_of(target, "target", f"numbers by name: {', '.join(QUANTITIES)}")
     for name in given:
         checked_quantity(name, "target")
@@ -154,43 +82,14 @@ def checked_values(target: object, objectives: tuple[str, ...], space: Space) ->
 
 
 def checked_radius(stable: object) -> float | None:
-    """The largest spectral radius that is asked for.
-
-    Parameters
-    ----------
-    stable : object
-        False for none, True for `LARGEST_RADIUS`, or a number.
-
-    Returns
-    -------
-    float or None
-        None where any will do.
-
-    Raises
-    ------
-    InputError
-        It is something else.
-    """
+    """The largest spectral radius that is asked for."""
     if isinstance(stable, bool | np.bool_):
         return LARGEST_RADIUS if stable else None
     return checked("stable", stable, 1e-3, 1.0)
 
 
 def check_action(gait: Candidate, space: Space) -> None:
-    """Refuse parameters that do not act on a gait.
-
-    Parameters
-    ----------
-    gait : Candidate
-        The first one.
-    space : Space
-        Which parameters.
-
-    Raises
-    ------
-    InputError
-        One does not.
-    """
+    """Refuse parameters that do not act on a gait."""
     for k, name in enumerate(space.bounds):
         if max(np.max(np.abs(gait.apex_slopes[:, k])), np.max(np.abs(gait.slopes[:, k]))) <= NO_ACTION:
             raise InputError(f"vary {name}: does not act on this gait; allowed: a parameter that changes it")

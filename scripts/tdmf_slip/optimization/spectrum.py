@@ -55,27 +55,7 @@ class Spectrum(ByContents):
 def spectrum_of(
     jacobian: NDArray[np.float64], changes: Sequence[NDArray[np.float64]], simple: bool = True
 ) -> Spectrum:
-    """The leading eigenvalues' sizes, and how they change.
-
-    Parameters
-    ----------
-    jacobian : ndarray of float, shape (n, n)
-        Of the map.
-    changes : sequence of ndarray of float, shape (n, n)
-        Of the Jacobian, by each parameter.
-    simple : bool, default True
-        Whether the eigenvalues have to be apart; else their sizes alone are told.
-
-    Returns
-    -------
-    Spectrum
-        Of `LEADING` eigenvalues; zero where there are not so many.
-
-    Raises
-    ------
-    RunError
-        Two of them meet, and have no derivative.
-    """
+    """The leading eigenvalues' sizes, and how they change."""
     values, right = np.linalg.eig(jacobian)
     leading = [k for k in np.argsort(-np.abs(values), kind="stable") if values[k].imag >= 0.0][:LEADING]
     sizes, slopes = np.zeros(LEADING), np.zeros((LEADING, len(changes)))

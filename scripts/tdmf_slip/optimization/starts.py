@@ -45,15 +45,7 @@ class Spread:
         self.places, self.apexes = places[found.numbers], found.apexes
 
     def starts(self, problem: Problem, first: Start) -> Iterator[Start]:
-        """Where to begin a search for a problem, the most promising first.
-
-        Parameters
-        ----------
-        problem : Problem
-            What is asked.
-        first : Start
-            Where a search begins anyhow.
-        """
+        """Where to begin a search for a problem, the most promising first."""
         runners = [self.space.runner_at(self.runner, place) for place in self.places]
         names = problem.goal.names
         merits, known = [], []

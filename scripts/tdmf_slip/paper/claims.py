@@ -68,25 +68,7 @@ class Evidence(ByContents):
 
 
 def gather(runner: Runner, progress: bool = False) -> Evidence:
-    """Compute everything that the claims are judged by.
-
-    Parameters
-    ----------
-    runner : Runner
-        With the paper's parameters.
-    progress : bool, default False
-        A bar on stderr.
-
-    Returns
-    -------
-    Evidence
-        Gaits over the friction, and the SLIP's.
-
-    Raises
-    ------
-    RunError
-        A gait was not found.
-    """
+    """Compute everything that the claims are judged by."""
     found = sweep(runner, {"ground.friction": SWEPT}, progress=progress)
     stable = classic_slip.fixed_points(math.radians(SLIP_ANGLE))[0]
     return Evidence(found, stable, classic_slip.fold())

@@ -58,18 +58,7 @@ class Map(ByContents):
         return np.array([gait.stride["speed"] for gait in self.gaits])
 
     def borders(self, friction: float) -> NDArray[np.float64]:
-        """Contact angles down to which gaits stay up, degrees; begun at the one nearest to their own.
-
-        Parameters
-        ----------
-        friction : float
-            Of the patch.
-
-        Returns
-        -------
-        ndarray of float, shape (gaits,)
-            Not a number where it falls at all angles.
-        """
+        """Contact angles down to which gaits stay up, degrees; begun at the one nearest to their own."""
         found = np.full(len(self.gaits), np.nan)
         for row, gait in enumerate(self.gaits):
             up = self.meetings[friction].fell[row] == 0.0
@@ -82,18 +71,7 @@ class Map(ByContents):
 
 
 def runner_of(leg_length: float | None = None) -> Runner:
-    """The runner that stands for a bird, by the reduced map, at the speed that the others are continued from.
-
-    Parameters
-    ----------
-    leg_length : float, optional
-        Another one than that of `guinea_fowl.toml`, m.
-
-    Returns
-    -------
-    Runner
-        With a stiffness and a torque in proportion to its weight.
-    """
+    """The runner that stands for a bird, by the reduced map, at the speed where the others begin."""
     its, gravity = published()["runner"], 9.81
     length = leg_length or its["leg_length"]
     stiffness = its["stiffness"] * its["mass"] * gravity / length

@@ -78,27 +78,7 @@ class OwnClaims(ByContents):
 
 
 def own_claims(*, recompute: bool = False, seed: int = 1, progress: bool = False) -> OwnClaims:
-    """The claims of this project, on request recomputed.
-
-    Parameters
-    ----------
-    recompute : bool, default False
-        Some minutes; without it the claims and their commands are told.
-    seed : int, default 1
-        Of what is drawn.
-    progress : bool, default False
-        A bar on stderr.
-
-    Returns
-    -------
-    OwnClaims
-        Each beside what is stated.
-
-    Raises
-    ------
-    RunError
-        A gait is not found.
-    """
+    """The claims of this project, on request recomputed."""
     found = []
     with progress_bar("claims", len(CLAIMS), "claims", progress and recompute) as bar:
         for claim in CLAIMS:

@@ -75,22 +75,7 @@ def gaits() -> tuple[ReferenceGait, ...]:
 
 
 def drifts(run: SettledRun, reference: ReferenceGait, fmu: Fmu) -> list[Drift]:
-    """All recorded values of a gait beside their references.
-
-    Parameters
-    ----------
-    run : SettledRun
-        Of the unit, on the gait.
-    reference : ReferenceGait
-        Of the same friction.
-    fmu : Fmu
-        Whose start values hold where the run has none.
-
-    Returns
-    -------
-    list of Drift
-        The word, the stride's quantities, and the coordinates of the apex.
-    """
+    """All recorded values of a gait beside their references."""
     mu, scales = run.friction, Runner.of(run.start_values, fmu).scales
     found = [Drift(mu, "word", run.word, reference.word, float(run.word != reference.word), 0.0)]
     for name in REPORTED:

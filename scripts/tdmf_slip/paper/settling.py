@@ -78,31 +78,6 @@ def settle_unit(
 
     The gaits of the library, by `find_gait`, are found faster and to rounding, unstable ones too: this is
     how the unit is held against them.
-
-    Parameters
-    ----------
-    given : mapping of str to float, optional
-        Start values by name: parameters, and where to begin.
-    tolerance : float, default 1e-10
-        Of CVODE.
-    max_strides : int, default 2000
-        Give up after so many.
-    progress : bool, default False
-        A bar on stderr.
-    fmu : Fmu, optional
-        The unit to run; by default that of `fmu_path`.
-
-    Returns
-    -------
-    SettledRun
-        The last stride, and what a run that begins with it starts from.
-
-    Raises
-    ------
-    InputError
-        Something given is not allowed; nothing was run.
-    RunError
-        The runner fell, or did not settle.
     """
     fmu = load_fmu(fmu)
     starts = fmu.start_values(mapping_of(given, "given", "start values by name"), "start values")

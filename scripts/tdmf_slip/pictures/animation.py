@@ -44,13 +44,7 @@ FORCE_SCALE = 1.5
 
 
 def frame_times(stride: Stride, frames: int = FRAMES) -> NDArray[np.float64]:
-    """Times of the frames: evenly spaced but for the stance, which is slowed down, and without the end.
-
-    Returns
-    -------
-    ndarray
-        Array of `frames` times from 0 on; the next one would be the stride's end.
-    """
+    """Times of the frames: evenly spaced but for the stance, which is slowed down, and without the end."""
     grid = np.linspace(0.0, stride.time[-1], 20001)
     start, end = stride.stance_times
     edge = 0.25 * (end - start)
@@ -64,24 +58,7 @@ def frame_times(stride: Stride, frames: int = FRAMES) -> NDArray[np.float64]:
 def draw(
     path: Path, stride: Stride, *, frames: int = FRAMES, step_finished: Callable[[], object] = lambda: None
 ) -> None:
-    """Write the animation.
-
-    Parameters
-    ----------
-    path : Path
-        Of the file; its suffix says which format.
-    stride : Stride
-        What is shown, again and again.
-    frames : int, default 120
-        In one stride.
-    step_finished : callable, optional
-        Called after each frame.
-
-    Raises
-    ------
-    InputError
-        Another suffix than those of `FORMATS`, ffmpeg is missing, or nothing can be written there.
-    """
+    """Write the animation."""
     check_place(path, FORMATS, "animation")
     writer = _writer(path)
     with style.styled():

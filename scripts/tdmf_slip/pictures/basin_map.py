@@ -64,20 +64,7 @@ def draw(path: Path, data: xarray.Dataset) -> None:
 
 
 def paint(axes: Axes, data: xarray.Dataset) -> list[Artist]:
-    """Paint the map into axes of a figure.
-
-    Parameters
-    ----------
-    axes : Axes
-        Empty.
-    data : xarray.Dataset
-        As `basin` gives it.
-
-    Returns
-    -------
-    list of Artist
-        For a legend: the gait, and the fates that are not told by strides.
-    """
+    """Paint the map into axes of a figure."""
     vertical, horizontal = map(str, data["fate"].dims)
     edges = _edges(data[horizontal].values), _edges(data[vertical].values)
     fate, strides = data["fate"].values, data["strides_until_known"].values

@@ -33,28 +33,7 @@ def figure_of(
     fmu: Fmu,
     display: DisplayUnits | None = None,
 ) -> Figure:
-    """Three panels over a parameter; unstable gaits are dashed.
-
-    Parameters
-    ----------
-    name : str
-        Of the parameter or input.
-    values : sequence of float
-        Of it, in the order of the gaits.
-    gaits : sequence of Gait
-        The gaits.
-    borders : sequence of Border
-        Where the word changes.
-    fmu : Fmu
-        For units.
-    display : Told, optional
-        In which unit the parameter is told; by default in its own.
-
-    Returns
-    -------
-    Figure
-        Of matplotlib.
-    """
+    """Three panels over a parameter; unstable gaits are dashed."""
     with style.styled():
         figure, panels = plt.subplots(
             len(PANELS) + 1, 1, figsize=(7.6, 7.2), sharex=True, layout="constrained"
@@ -80,19 +59,7 @@ def figure_of(
 
 
 def draw(path: Path, found: Sweep, fmu: Fmu, display: DisplayUnits | None = None) -> None:
-    """Draw a sweep into a file.
-
-    Parameters
-    ----------
-    path : Path
-        Of the picture.
-    found : Sweep
-        What is drawn.
-    fmu : Fmu
-        For units.
-    display : Told, optional
-        See `figure_of`.
-    """
+    """Draw a sweep into a file."""
     style.save(figure_of(*drawn_of(found), fmu, display), path)
 
 

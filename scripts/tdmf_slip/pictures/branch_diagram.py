@@ -46,25 +46,7 @@ BESIDE, ASLANT = 6.0, 0.35
 
 
 def values_of(gait: Gait, quantity: str) -> list[float]:
-    """A quantity of a gait: for each of its apexes, or one for all of its strides.
-
-    Parameters
-    ----------
-    gait : Gait
-        The gait.
-    quantity : str
-        Coordinate of the apex, quantity of a stride, or `lambda_max`.
-
-    Returns
-    -------
-    list of float
-        One or more.
-
-    Raises
-    ------
-    InputError
-        There is no such quantity.
-    """
+    """A quantity of a gait: for each of its apexes, or one for all of its strides."""
     coordinates = gait.runner.coordinates
     if is_one_of(quantity, coordinates):
         return [float(apex[coordinates.index(quantity)]) for apex in (gait.apex, *gait.following)]
@@ -79,27 +61,7 @@ def values_of(gait: Gait, quantity: str) -> list[float]:
 
 
 def figure_of(branch: Branch, quantity: str = DRAWN, display: DisplayUnits | None = None) -> Figure:
-    """A quantity of the gaits, and the size of their largest eigenvalue, over the parameter.
-
-    Parameters
-    ----------
-    branch : Branch
-        What is drawn, with the branches of more strides that it gives rise to.
-    quantity : str, default "com_speed"
-        See `values_of`.
-    display : Told, optional
-        In which unit the parameter is told; by default in its own.
-
-    Returns
-    -------
-    Figure
-        Of matplotlib; the title says why the branch ends.
-
-    Raises
-    ------
-    InputError
-        There is no such quantity.
-    """
+    """A quantity of the gaits, and the size of their largest eigenvalue, over the parameter."""
     values_of(branch.gaits[0], quantity)
     fmu = load_fmu()
     display = display or DisplayUnits(fmu)
@@ -125,19 +87,7 @@ def figure_of(branch: Branch, quantity: str = DRAWN, display: DisplayUnits | Non
 
 
 def draw(path: Path, branch: Branch, quantity: str, display: DisplayUnits | None = None) -> None:
-    """Draw a branch into a file.
-
-    Parameters
-    ----------
-    path : Path
-        Of the picture.
-    branch : Branch
-        What is drawn.
-    quantity : str
-        See `values_of`.
-    display : Told, optional
-        See `figure_of`.
-    """
+    """Draw a branch into a file."""
     style.save(figure_of(branch, quantity, display), path)
 
 

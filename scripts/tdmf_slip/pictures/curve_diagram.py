@@ -19,22 +19,7 @@ from .branch_diagram import ASLANT, BESIDE, MARKS
 def figure_of(
     curves: Sequence[Curve], over: Mapping[str, tuple[float, float]], display: DisplayUnits | None = None
 ) -> Figure:
-    """The curves in the plane of the parameters: borders thin, with each word on its side.
-
-    Parameters
-    ----------
-    curves : sequence of Curve
-        What is drawn.
-    over : mapping of str to pair of float
-        By name of both parameters: the ends of their ranges, as the curves were followed from.
-    display : Told, optional
-        In which units the parameters are told; by default in their own.
-
-    Returns
-    -------
-    Figure
-        Of matplotlib.
-    """
+    """The curves in the plane of the parameters: borders thin, with each word on its side."""
     display = display or DisplayUnits(load_fmu())
     with style.styled():
         figure, axes = plt.subplots(figsize=(7.6, 5.4), layout="constrained")
@@ -95,17 +80,5 @@ def draw(
     over: Mapping[str, tuple[float, float]],
     display: DisplayUnits | None = None,
 ) -> None:
-    """Draw the curves into a file.
-
-    Parameters
-    ----------
-    path : Path
-        Of the picture.
-    curves : sequence of Curve
-        What is drawn.
-    over : mapping of str to pair of float
-        See `figure_of`.
-    display : Told, optional
-        See `figure_of`.
-    """
+    """Draw the curves into a file."""
     style.save(figure_of(curves, over, display), path)

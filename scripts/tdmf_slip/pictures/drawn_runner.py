@@ -65,19 +65,7 @@ class DrawnRunner:
     """A runner in some axes, drawn once and moved as often as needed."""
 
     def __init__(self, axes: Axes, opacity: float = 1.0, line_width: float = 1.6, size: float = 1.0) -> None:
-        """Make the artists, without a place yet.
-
-        Parameters
-        ----------
-        axes : Axes
-            Where to draw, x and y over l0 at equal scale.
-        opacity : float, default 1.0
-            0 to 1.
-        line_width : float, default 1.6
-            Of the leg, in points.
-        size : float, default 1.0
-            Of body and foot, over their usual radii.
-        """
+        """Make the artists, without a place yet."""
         (self.leg,) = axes.plot([], [], color=style.INK, linewidth=line_width, alpha=opacity, zorder=4)
         self.body = Circle((0, 0), size * BODY_RADIUS, facecolor=style.BODY, alpha=opacity, zorder=5)
         self.foot = Circle(

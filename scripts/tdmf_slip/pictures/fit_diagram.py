@@ -24,31 +24,12 @@ FEW = 12
 
 
 def draw(path: Path, fit: Fit) -> None:
-    """Draw a fit into a file.
-
-    Parameters
-    ----------
-    path : Path
-        With a suffix of `overview.FORMATS`.
-    fit : Fit
-        What to draw.
-    """
+    """Draw a fit into a file."""
     style.save(figure_of(fit), path)
 
 
 def figure_of(fit: Fit) -> Figure:
-    """A panel for each quantity, and one for the residuals over their errors.
-
-    Parameters
-    ----------
-    fit : Fit
-        What to draw.
-
-    Returns
-    -------
-    Figure
-        Over the measured speed where each row has one of its own, else over the rows' numbers.
-    """
+    """A panel for each quantity, and one for the residuals over their errors."""
     names = [name for name in UNITS if any(of.name == name for of in fit.residuals)]
     places, title = _places(fit)
     shown = [name for name in names if title.startswith("row") or name != "speed"] or names

@@ -26,24 +26,12 @@ PANELS: Sequence[tuple[str, Sequence[tuple[str, str]]]] = (
 
 
 def draw(path: Path, run: Run, fmu: Fmu) -> None:
-    """Draw a run as .png, .svg or .pdf, in the units of its table.
-
-    Raises
-    ------
-    InputError
-        The run did not record what is drawn, or nothing can be written there.
-    """
+    """Draw a run as .png, .svg or .pdf, in the units of its table."""
     style.save(figure_of(run, fmu), path)
 
 
 def figure_of(run: Run, fmu: Fmu) -> Figure:
-    """A run's panels, in the units of its table.
-
-    Raises
-    ------
-    InputError
-        The run did not record what is drawn.
-    """
+    """A run's panels, in the units of its table."""
     missing = {MODE, *(name for _, curves in PANELS for name, _ in curves)} - set(run.names)
     if missing:
         raise InputError(f"plot: the run has not recorded {', '.join(sorted(missing))}")

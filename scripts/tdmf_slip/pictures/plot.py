@@ -18,23 +18,7 @@ from .stride import Stride
 
 
 def plot(result: object) -> Figure:
-    """The picture of a result.
-
-    Parameters
-    ----------
-    result : Run, Gait, Sweep, Branch, Fit or Viability
-        What to draw.
-
-    Returns
-    -------
-    Figure
-        Of matplotlib.
-
-    Raises
-    ------
-    InputError
-        There is no picture of such a thing, or it has not recorded what is drawn.
-    """
+    """The picture of a result."""
     figure = _figure_of(result)
     plt.close(figure)  # else a notebook shows it once more, at the end of the cell
     return figure

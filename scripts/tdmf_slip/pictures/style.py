@@ -198,22 +198,7 @@ class _Scaled(AutoLocator):
 
 
 def tell_in(axis: Axis, name: str, display: DisplayUnits) -> str:
-    """Have an axis, whose values are in a variable's own unit, marked in the one that it is told in.
-
-    Parameters
-    ----------
-    axis : Axis
-        Linear.
-    name : str
-        Of the variable.
-    display : Told
-        Units.
-
-    Returns
-    -------
-    str
-        The axis' label.
-    """
+    """Have an axis, whose values are in a variable's own unit, marked in the one that it is told in."""
     factor = display.factor(name)
     if factor != 1.0:
         axis.set_major_locator(_Scaled(factor))

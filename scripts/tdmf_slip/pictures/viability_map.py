@@ -29,18 +29,7 @@ def draw(path: Path, found: Viability) -> None:
 
 
 def figure_of(found: Viability) -> Figure:
-    """The sets as a figure.
-
-    Parameters
-    ----------
-    found : Viability
-        What to draw.
-
-    Returns
-    -------
-    Figure
-        Of matplotlib.
-    """
+    """The sets as a figure."""
     with style.styled():
         return _figure(found)
 
@@ -67,22 +56,7 @@ def _figure(found: Viability) -> Figure:
 
 
 def paint(axes: Axes, found: Viability, maximum: float | None = None) -> ScalarMappable:
-    """Paint the sets into axes of a figure.
-
-    Parameters
-    ----------
-    axes : Axes
-        Empty.
-    found : Viability
-        What to paint.
-    maximum : float, optional
-        Share of the actions that has the darkest colour; by default the largest there is.
-
-    Returns
-    -------
-    ScalarMappable
-        For a colour bar.
-    """
+    """Paint the sets into axes of a figure."""
     heights, speeds = found.grid.edges.values()
     states = found.inner_states + found.outer_states.astype(int)
     for level, colour in ((0, NOT_VIABLE), (1, OPEN)):

@@ -26,26 +26,7 @@ Numbers = dict[str, float]
 
 
 def solver_errors(proof: Proof) -> dict[str, Numbers]:
-    """How far each solver's stride, from the proved apex, may be from the gait at the most.
-
-    Parameters
-    ----------
-    proof : Proof
-        Of a gait.
-
-    Returns
-    -------
-    dict of str to dict of str to float
-        By solver: upper bounds of the errors in `QUANTITIES`, in their own units, and `apex`, the largest of
-        the next apex, in units of the coordinates' scales. The start is the enclosure's middle as doubles.
-
-    Raises
-    ------
-    InputError
-        It is not proved.
-    RunError
-        A solver gave up.
-    """
+    """How far each solver's stride, from the proved apex, may be from the gait at the most."""
     if not proof.proved:
         raise InputError("proof: undecided; allowed: a gait that is proved")
     runner = Runner.of({name: float(value.ball()) for name, value in proof.values.items()})

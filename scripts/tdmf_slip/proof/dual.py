@@ -93,34 +93,10 @@ class Dual:
 
 
 def value_of(number: Number) -> Number:
-    """The number without its gradient.
-
-    Parameters
-    ----------
-    number : number
-        A dual or any other.
-
-    Returns
-    -------
-    number
-        What the dual's value is, else the number itself.
-    """
+    """The number without its gradient."""
     return number.value if isinstance(number, Dual) else number
 
 
 def slope_of(number: Number, name: str) -> Number:
-    """A partial derivative.
-
-    Parameters
-    ----------
-    number : number
-        A dual or any other.
-    name : str
-        By what.
-
-    Returns
-    -------
-    number
-        Zero where the number does not depend on it.
-    """
+    """A partial derivative."""
     return number.gradient.get(name, 0) if isinstance(number, Dual) else 0

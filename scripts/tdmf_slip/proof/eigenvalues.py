@@ -75,37 +75,12 @@ def is_contracting(matrix: arb_mat) -> bool:
     """Whether it is proved that all eigenvalues of every matrix in an enclosure are inside the unit circle.
 
     In a basis in which the matrix is nearly diagonal, the largest weighted sum of a row bounds them all.
-
-    Parameters
-    ----------
-    matrix : arb_mat, shape (n, n)
-        The enclosure.
-
-    Returns
-    -------
-    bool
-        False says nothing.
     """
     return contraction(matrix)[0] < 1
 
 
 def contraction(matrix: arb_mat) -> tuple[arb, acb_mat, list[float]]:
-    """A norm in which every matrix of an enclosure is small, and how small.
-
-    Parameters
-    ----------
-    matrix : arb_mat, shape (n, n)
-        The enclosure.
-
-    Returns
-    -------
-    arb
-        An upper bound of all norms.
-    acb_mat
-        The basis S.
-    list of float
-        Weights w: the norm of x is the largest ``|(S^-1 x)_i| / w_i``.
-    """
+    """A norm in which every matrix of an enclosure is small, and how small."""
     basis = _basis(matrix, np.inf)
     turned = basis.solve(acb_mat(matrix) * basis)
     sizes = absolute(turned)

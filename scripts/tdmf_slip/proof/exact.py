@@ -45,28 +45,7 @@ def ball_of(value: Fraction) -> arb:
 
 
 def exact_value(variable: Variable, given: object, where: str) -> Exact:
-    """The number that is meant by a value as it is given.
-
-    Parameters
-    ----------
-    variable : Variable
-        Of which it is.
-    given : float, Fraction or str
-        A float is the binary number that it is, a Fraction itself, a text the decimal or the fraction that it
-        reads as, with a unit if it has one: `40 deg` is 2 pi/9.
-    where : str
-        Where it was given, for messages.
-
-    Returns
-    -------
-    Exact
-        In the variable's unit.
-
-    Raises
-    ------
-    InputError
-        It is no number, or out of the variable's range.
-    """
+    """The number that is meant by a value as it is given."""
     if not isinstance(given, str):
         if isinstance(given, bool) or not isinstance(given, Rational | float | np.floating):
             raise InputError(
@@ -91,18 +70,7 @@ def exact_value(variable: Variable, given: object, where: str) -> Exact:
 
 
 def default_value(variable: Variable) -> Exact:
-    """The unit's own start value as it is meant: the decimal, and an angle of whole degrees by pi.
-
-    Parameters
-    ----------
-    variable : Variable
-        Which has one.
-
-    Returns
-    -------
-    Exact
-        2 pi/9 for the angle of touchdown of Table 1.
-    """
+    """The unit's own start value as it is meant: the decimal, and an angle of whole degrees by pi."""
     assert variable.start is not None, variable.name
     start = float(variable.start)
     degrees = round(math.degrees(start))
@@ -112,22 +80,7 @@ def default_value(variable: Variable) -> Exact:
 
 
 def exact_values(fmu: Fmu, values: Mapping[str, float], given: Mapping[str, object]) -> dict[str, Exact]:
-    """All values of a runner as they are meant.
-
-    Parameters
-    ----------
-    fmu : Fmu
-        Whose variables they are.
-    values : mapping of str to float
-        Of the runner.
-    given : mapping of str to object
-        Those that are told more exactly than by floats.
-
-    Returns
-    -------
-    dict of str to Exact
-        Where neither says anything else, a value that is the unit's own start is that, exactly.
-    """
+    """All values of a runner as they are meant."""
     found = {}
     for name, value in values.items():
         variable = fmu.variables[name]

@@ -26,20 +26,7 @@ Values = dict[str, arb]
 
 
 def with_direction(runner: Any, values: Mapping[str, Any]) -> dict[str, Any]:
-    """The numbers of a motion with the leg's sine and cosine over the ground.
-
-    Parameters
-    ----------
-    runner : Record
-        Parameters.
-    values : mapping of str to number
-        Balls, or duals of them.
-
-    Returns
-    -------
-    dict of str to number
-        Those given, and these.
-    """
+    """The numbers of a motion with the leg's sine and cosine over the ground."""
     angle = values["angle"] - runner.slope
     return {**values, "sine": angle.sin(), "cosine": angle.cos()}
 
@@ -74,27 +61,7 @@ class Flow:
     def __init__(
         self, runner: Any, mode: Mode, start: Values, degree: int, maximum: arb | None = None
     ) -> None:
-        """Solve from a set of starts.
-
-        Parameters
-        ----------
-        runner : Record
-            Parameters.
-        mode : Mode
-            That lasts for the step.
-        start : dict of str to arb
-            By the names of the mode.
-        degree : int
-            Of the polynomials.
-        maximum : arb, optional
-            Length that the step has at the most; else it is as long as the series is exact to the working
-            precision.
-
-        Raises
-        ------
-        UndecidedError
-            No remainder can be enclosed, however short the step is.
-        """
+        """Solve from a set of starts."""
         self.runner, self.mode, self.names = runner, mode, names_of(runner, mode)
         self.start, self.degree = start, degree
         whole = with_helpers(runner, mode, start)

@@ -32,25 +32,7 @@ Radius = float | str | Fraction
 
 
 def gait_of(gait: Given) -> tuple[Gait, dict[str, Exact]]:
-    """A gait, and its runner's parameters exactly.
-
-    Parameters
-    ----------
-    gait : Gait, Runner or mapping of str to value, optional
-        As in `prove`.
-
-    Returns
-    -------
-    Gait
-        In doubles.
-    dict of str to Exact
-        By the unit's names.
-
-    Raises
-    ------
-    InputError
-        It is something else, or has no proofs.
-    """
+    """A gait, and its runner's parameters exactly."""
     fmu = load_fmu()
     given: dict[str, object] = {}
     if isinstance(gait, Gait):
@@ -77,18 +59,7 @@ def gait_of(gait: Given) -> tuple[Gait, dict[str, Exact]]:
 
 
 def check_laws(values: Mapping[str, float]) -> None:
-    """Refuse a runner of laws that are not enclosed here, such as a patch of ground.
-
-    Parameters
-    ----------
-    values : mapping of str to float
-        By the unit's names.
-
-    Raises
-    ------
-    InputError
-        What the prover does not know of is not at its start value.
-    """
+    """Refuse a runner of laws that are not enclosed here, such as a patch of ground."""
     fmu = load_fmu()
     for name, value in values.items():
         start = fmu.start_of(name)
@@ -99,46 +70,14 @@ def check_laws(values: Mapping[str, float]) -> None:
 
 
 def floats_of(given: Mapping[str, object]) -> dict[str, Any]:
-    """Start values as floats, near those that are meant.
-
-    Parameters
-    ----------
-    given : mapping of str to value
-        Floats, fractions and texts, by the unit's names.
-
-    Returns
-    -------
-    dict of str to float
-        What is no variable's is left as it is.
-
-    Raises
-    ------
-    InputError
-        A value is none.
-    """
+    """Start values as floats, near those that are meant."""
     fmu = load_fmu()
     exact = exact_values(fmu, {name: 0.0 for name in given if name in fmu.variables}, given)
     return {name: float(exact[name].ball()) if name in exact else value for name, value in given.items()}
 
 
 def radius_of(box: Radius) -> Fraction:
-    """A radius that is asked for.
-
-    Parameters
-    ----------
-    box : float, str or Fraction
-        A float is the decimal that it is written as.
-
-    Returns
-    -------
-    Fraction
-        Above 0, up to 1.
-
-    Raises
-    ------
-    InputError
-        It is none.
-    """
+    """A radius that is asked for."""
     try:
         radius = Fraction(repr(box) if isinstance(box, float) else box)
     except (TypeError, ValueError, OverflowError, ZeroDivisionError):

@@ -107,13 +107,7 @@ def slopes_of(stride: Stride, tilt: Sequence[arb] = ()) -> arb_mat:
 
 
 def middle_of(matrix: arb_mat) -> NDArray[np.float64]:
-    """Its midpoints as doubles.
-
-    Raises
-    ------
-    UndecidedError
-        One is not finite.
-    """
+    """Its midpoints as doubles."""
     middle = np.array([[float(x.mid()) for x in row] for row in matrix.tolist()])
     if not np.all(np.isfinite(middle)):
         raise UndecidedError("the derivative of the stride")
@@ -138,31 +132,7 @@ def unique_box(
     beyond: int,
     forced: Forced | None = None,
 ) -> Box:
-    """The first of some boxes in which exactly one fixed point is proved to lie.
-
-    Parameters
-    ----------
-    parameters : Parameters
-        Whose stride.
-    radii : sequence of Fraction
-        In units of the scales, the larger first, one at least.
-    box_of : callable
-        The box of a radius.
-    beyond : int
-        Bits of the working precision beyond those of the radius.
-    forced : Forced, optional
-        Of a border.
-
-    Returns
-    -------
-    Box
-        One of them.
-
-    Raises
-    ------
-    UndecidedError
-        It is proved of none; the problem is that of the last.
-    """
+    """The first of some boxes in which exactly one fixed point is proved to lie."""
     problem = UndecidedError("the inclusion of the fixed point in the box")
     for radius in radii:
         fine, box = Fineness(max(COARSE_BITS, beyond + round(-math.log2(radius)))), box_of(radius)
@@ -189,23 +159,7 @@ class Inclusion:
     """Krawczyk's operator on a box, and what it proves."""
 
     def __init__(self, starts: Starts, stride: Stride, fineness: Fineness) -> None:
-        """Of a box and its stride.
-
-        Parameters
-        ----------
-        starts : Starts
-            The box. What is varied is an unknown where an event is forced, else a range, for each value of
-            which there is a fixed point.
-        stride : Stride
-            Of it, with derivative.
-        fineness : Fineness
-            Of the operator's arithmetic.
-
-        Raises
-        ------
-        UndecidedError
-            The operator does not map the box into itself.
-        """
+        """Of a box and its stride."""
         with ctx.workprec(fineness.bits):
             self._solve(starts, residual(stride, starts.centre), slopes_of(stride, starts.tilt))
 

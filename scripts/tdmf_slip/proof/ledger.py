@@ -23,15 +23,7 @@ class Ledger:
         self.liftoff_angle: arb | None = None
 
     def add(self, flow: Flow, end: arb) -> None:
-        """A part of a step.
-
-        Parameters
-        ----------
-        flow : Flow
-            Its tubes.
-        end : arb
-            Until when.
-        """
+        """A part of a step."""
         at, mode, runner = flow.record(), flow.mode, self.runner
         share = runner.body_share
         if mode.contact == "flight":

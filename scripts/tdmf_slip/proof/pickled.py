@@ -19,18 +19,7 @@ def _part(number: arb) -> Part:
 
 
 def ball_of_parts(middle: Part, radius: Part) -> arb:
-    """A ball again.
-
-    Parameters
-    ----------
-    middle, radius : pair of int or str
-        Mantissa and exponent of two, or a number that is not finite.
-
-    Returns
-    -------
-    arb
-        With exactly these, whatever the working precision.
-    """
+    """A ball again."""
     asked = arb(radius)
     if isinstance(radius, str) or asked.is_zero():
         return arb(middle, asked)

@@ -198,20 +198,7 @@ class Proof:
 
 
 def text_of(ball: arb, digits: int) -> str:
-    """A ball in decimals, which holds it.
-
-    Parameters
-    ----------
-    ball : arb
-        Of which.
-    digits : int
-        That were asked for; as many more are printed as are known, up to a limit.
-
-    Returns
-    -------
-    str
-        `[mid +/- radius]`.
-    """
+    """A ball in decimals, which holds it."""
     text: str = ball.str(digits + FURTHER if digits > 3 else digits)
     return text
 

@@ -131,31 +131,7 @@ def prove(
 def prove_exactly(
     gait: Gait, values: Mapping[str, Exact], digits: int, box: Radius | None, *, given: bool
 ) -> Proof:
-    """A gait whose parameters are known exactly.
-
-    Parameters
-    ----------
-    gait : Gait
-        In doubles.
-    values : mapping of str to Exact
-        The parameters.
-    digits : int
-        As in `prove`.
-    box : float, str or Fraction, optional
-        As in `prove`.
-    given : bool
-        The box is around the gait's own apex, else around the one that is found from it.
-
-    Returns
-    -------
-    Proof
-        As of `prove`.
-
-    Raises
-    ------
-    InputError
-        The box or the digits are refused.
-    """
+    """A gait whose parameters are known exactly."""
     digits = checked_whole("digits", digits, 5, MAX_DIGITS)
     asked = None if box is None else radius_of(box)
     return _Prover(gait, values, digits, given).proof(asked)

@@ -56,36 +56,7 @@ def prove_range(
     processes: int | None = None,
     progress: bool = False,
 ) -> RangeProof:
-    """Gaits over a range of a parameter, by subdivision.
-
-    Parameters
-    ----------
-    gait : Gait
-        A gait of the runner.
-    values : mapping of str to Exact
-        Its parameters.
-    name : str
-        What is varied.
-    ends : pair of Fraction
-        Of the range, the lower first.
-    output : Path, optional
-        A file of JSON lines, to which each part of the range is added as it is done; what it has already of
-        the same range is not proved again.
-    processes : int, optional
-        Pythons side by side; by default one for each processor.
-    progress : bool, default False
-        A bar on stderr.
-
-    Returns
-    -------
-    RangeProof
-        With what is proved, and what is left.
-
-    Raises
-    ------
-    InputError
-        The file is of something else.
-    """
+    """Gaits over a range of a parameter, by subdivision."""
     parts = cut(*ends, parts_of(*ends))
     head = {"vary": name, "range": [str(end) for end in ends], "parameters": _reported(values, name)}
     done = _done(output, head)

@@ -57,18 +57,7 @@ class RangeProver:
         self.growth = 1.0
 
     def subintervals(self, begin: Fraction, end: Fraction) -> Iterator[Subinterval]:
-        """Pieces from one end to the other.
-
-        Parameters
-        ----------
-        begin, end : Fraction
-            Of a range.
-
-        Yields
-        ------
-        Subinterval
-            In order, without gaps.
-        """
+        """Pieces from one end to the other."""
         width, gait, shrinkage = end - begin, None, FIRST
         maximum = width
         while begin < end:
@@ -144,27 +133,7 @@ def at_least(size: float) -> float:
 
 
 def proved_subinterval(parameters: Parameters, subinterval: Subinterval) -> tuple[Subinterval, Inclusion]:
-    """What is proved of a subinterval in its box.
-
-    Parameters
-    ----------
-    parameters : Parameters
-        Of the runner, with what is varied.
-    subinterval : Subinterval
-        With centre, tilt and box.
-
-    Returns
-    -------
-    Subinterval
-        With the word, the stability and the enclosure.
-    Inclusion
-        That proves it.
-
-    Raises
-    ------
-    UndecidedError
-        Nothing is proved of it.
-    """
+    """What is proved of a subinterval in its box."""
     fine = Fineness(BITS)
     with ctx.workprec(BITS):
         value = subinterval.middle()

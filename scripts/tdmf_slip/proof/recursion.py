@@ -24,18 +24,7 @@ class Unfolding:
         self._next, self.terms = following, terms
 
     def to(self, order: int) -> list[arb]:
-        """All coefficients up to an order.
-
-        Parameters
-        ----------
-        order : int
-            Of the last one that is wanted.
-
-        Returns
-        -------
-        list of arb
-            At least as many.
-        """
+        """All coefficients up to an order."""
         following = self._next
         while len(self.terms) <= order:
             self.terms.append(ZERO if following is None else following(len(self.terms)))

@@ -25,18 +25,7 @@ class Guard:
         self.power = tube.span.degree + 1 - order
 
     def over(self, begin: arb, end: arb) -> arb:
-        """All values between two times, over the power of t.
-
-        Parameters
-        ----------
-        begin, end : arb
-            Both without radius.
-
-        Returns
-        -------
-        arb
-            By the mean value form, intersected with the plain one.
-        """
+        """All values between two times, over the power of t."""
         times = begin.union(end)
         middle = times.mid()
         value = self.polynomial(middle) + self.slope(times) * (times - middle)

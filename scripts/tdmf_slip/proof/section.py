@@ -12,22 +12,7 @@ COORDINATES = ("com_height", "com_speed", "leg_length", "leg_angle", "leg_length
 
 
 def motion_at(runner: Any, apex: Sequence[Number], parameter: Number | None = None) -> dict[str, Number]:
-    """The numbers of the motion in flight at an apex.
-
-    Parameters
-    ----------
-    runner : Record
-        Parameters.
-    apex : sequence of number, shape (6,)
-        Height of the centre of mass above the ground below it, its speed, and the leg.
-    parameter : number, optional
-        What is varied.
-
-    Returns
-    -------
-    dict of str to number
-        By the names of the mode.
-    """
+    """The numbers of the motion in flight at an apex."""
     height, speed, length, angle, length_rate, angle_rate = apex
     values: dict[str, Number] = {
         "length": length,

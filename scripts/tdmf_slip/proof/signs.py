@@ -41,29 +41,7 @@ def foot_rests(velocity: Number) -> bool:
 
 
 def absolute(number: Number, what: str, runner: Any, fall: Number) -> Number:
-    """The absolute value; where the sign is open, a bound that is enough to tell that an impact sticks.
-
-    Parameters
-    ----------
-    number : number
-        Of which.
-    what : str
-        Whose sign, for the message.
-    runner : Record
-        Parameters.
-    fall : number
-        ``|v_n|``, which tells up to where the sign does not matter.
-
-    Returns
-    -------
-    number
-        Not negative.
-
-    Raises
-    ------
-    UndecidedError
-        The sign is open and matters.
-    """
+    """The absolute value; where the sign is open, a bound that is enough to tell that an impact sticks."""
     value = value_of(number)
     if value > 0:
         return number

@@ -28,15 +28,7 @@ class Spread:
         """Each A_k, and what was enclosed before it."""
 
     def follow(self, derivative: arb_mat, *, is_event: bool = False) -> None:
-        """Go on by the derivative of a step or of an event.
-
-        Parameters
-        ----------
-        derivative : arb_mat
-            Of shape (numbers after it, numbers before it).
-        is_event : bool, default False
-            It is an event's.
-        """
+        """Go on by the derivative of a step or of an event."""
         self._factors.append((derivative, self.product))
         self.product = derivative * self.product
         if is_event or len(self._factors) % OFTEN == 0:
@@ -61,15 +53,7 @@ class Drift:
         self._frame, self._inside = identity(size), arb_mat(size, 1)
 
     def follow(self, derivative: arb_mat, fresh: list[arb]) -> None:
-        """Go on by the derivative of a step, which adds errors of its own.
-
-        Parameters
-        ----------
-        derivative : arb_mat
-            Of shape (numbers after it, numbers before it).
-        fresh : list of arb
-            By number, around zero.
-        """
+        """Go on by the derivative of a step, which adds errors of its own."""
         turned = derivative * self._frame
         self._frame, inside = _frame_of(turned, self._inside), self._inside
         back = self._frame.inv()

@@ -88,19 +88,7 @@ class Traveller:
         fineness: Fineness,
         forced: Forced | None = None,
     ) -> None:
-        """From an apex.
-
-        Parameters
-        ----------
-        parameters : Parameters
-            Whose runner.
-        centre : sequence of arb, shape (6,) or (7,)
-            An apex, and the value of what is varied.
-        fineness : Fineness
-            Of the motion.
-        forced : Forced, optional
-            An event that is taken as on one side of a border.
-        """
+        """From an apex."""
         self.fine, self.parameters, self.forced = fineness, parameters, forced
         self.margin = arb(0)
         self.margin_slopes: list[arb] = []
@@ -123,13 +111,7 @@ class Traveller:
     # ---- steps -----------------------------------------------------------------------------------------
 
     def stride(self) -> Stride:
-        """Follow to the next apex.
-
-        Raises
-        ------
-        UndecidedError
-            An event is not proved to be the next, or a sign that decides is open.
-        """
+        """Follow to the next apex."""
         for _ in range(MAX_STEPS):
             try:
                 if self.step():
@@ -271,24 +253,7 @@ class Traveller:
 
 
 def gradient_of_guard(runner: Any, mode: Mode, name: str, values: Values) -> list[arb]:
-    """Of a guard by the numbers of the motion, in their order.
-
-    Parameters
-    ----------
-    runner : Record
-        Parameters; what is varied may be a dual.
-    mode : Mode
-        That watches the guard.
-    name : str
-        Of the event.
-    values : dict of str to arb
-        The motion's numbers at an instant.
-
-    Returns
-    -------
-    list of arb
-        One for each number.
-    """
+    """Of a guard by the numbers of the motion, in their order."""
     numbers = dict(zip(values, seeds(list(values.values()), list(values)), strict=True))
     found = FUNCTIONS[name](runner, mode, Record(**with_direction(runner, numbers)))
     return [arb(slope_of(found, of)) for of in values]

@@ -47,19 +47,7 @@ class SetTraveller(Traveller):
         coarseness: Fineness,
         forced: Forced | None = None,
     ) -> None:
-        """From their apexes.
-
-        Parameters
-        ----------
-        parameters : Parameters
-            Whose runner.
-        starts : Starts
-            Where from.
-        fineness, coarseness : Fineness
-            Of the centre, and of the set around it with its derivatives.
-        forced : Forced, optional
-            An event that is taken as on one side of a border.
-        """
+        """From their apexes."""
         super().__init__(parameters, starts.centre, fineness, forced)
         self.coarse = coarseness
         self.columns = (*COORDINATES, *([PARAMETER] if self.varied else []))

@@ -41,18 +41,7 @@ class Tube:
         return self._range
 
     def at(self, time: arb) -> arb:
-        """The value at a time, or at any of a ball of times, within the span.
-
-        Parameters
-        ----------
-        time : arb
-            Within [0, reach].
-
-        Returns
-        -------
-        arb
-            It holds them all.
-        """
+        """The value at a time, or at any of a ball of times, within the span."""
         value: arb = self.polynomial(time) + time ** (self.span.degree + 1) * self.remainder
         return value
 
@@ -114,20 +103,7 @@ class Tube:
 
 
 def inverse_series(polynomial: arb_poly, terms: int) -> arb_poly:
-    """One over a polynomial, as a series that is cut off.
-
-    Parameters
-    ----------
-    polynomial : arb_poly
-        Whose constant term is not zero.
-    terms : int
-        How many coefficients are wanted.
-
-    Returns
-    -------
-    arb_poly
-        By Newton's method, which doubles the number of right coefficients.
-    """
+    """One over a polynomial, as a series that is cut off."""
     inverted, right = arb_poly([1 / polynomial[0]]), 1
     while right < terms:
         right = min(2 * right, terms)

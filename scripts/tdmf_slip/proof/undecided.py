@@ -5,14 +5,6 @@ class UndecidedError(Exception):
     """A guard, a sign or an inclusion that the enclosures leave open; it says nothing about the gait."""
 
     def __init__(self, guard: str, time: float | None = None) -> None:
-        """What is open, and when in the stride.
-
-        Parameters
-        ----------
-        guard : str
-            Of which quantity the enclosure is too wide.
-        time : float, optional
-            Since the apex, s; None where it is not about one time.
-        """
+        """What is open, and when in the stride."""
         super().__init__(guard)
         self.guard, self.time = guard, time

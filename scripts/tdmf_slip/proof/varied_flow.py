@@ -25,13 +25,7 @@ class VariedFlow(Flow):
     """A step with the derivative by its start."""
 
     def vary(self, dual_runner: Any) -> None:
-        """Solve the variational equation along the tubes.
-
-        Parameters
-        ----------
-        dual_runner : Record
-            Parameters, of which the varied one is a dual.
-        """
+        """Solve the variational equation along the tubes."""
         self.dual_runner = dual_runner
         self.active = moving_names(self.runner, self.mode) + kept_names(self.runner, self.mode)
         self._solve(self._matrices())

@@ -74,22 +74,7 @@ class _Worker:
 def side_by_side(
     function: Callable[..., Any], tasks: Sequence[Sequence[Any]], processes: int
 ) -> Iterator[Any]:
-    """Values of a function, by so many processes.
-
-    Parameters
-    ----------
-    function : callable
-        Of a module.
-    tasks : sequence of sequence
-        Its arguments, once for each value.
-    processes : int
-        How many processes; with one, it is done in this.
-
-    Yields
-    ------
-    object
-        Each value, in the order of the tasks.
-    """
+    """Values of a function, by so many processes."""
     if processes == 1 or len(tasks) < 2:
         for arguments in tasks:
             yield function(*arguments)

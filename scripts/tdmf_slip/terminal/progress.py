@@ -15,19 +15,7 @@ would leave behind; each bar is drawn by one process."""
 
 
 def progress_bar(what: str, total: float | None, unit: str, show: bool = True) -> Bar:
-    """A progress bar on stderr; rare lines where stderr is not a terminal.
-
-    Parameters
-    ----------
-    what : str
-        What is going on.
-    total : float or None
-        How many units there will be, or None where nobody knows.
-    unit : str
-        What is counted.
-    show : bool, default True
-        False for a bar that prints nothing.
-    """
+    """A progress bar on stderr; rare lines where stderr is not a terminal."""
     from tqdm import tqdm  # slow to load, and not needed for short work
 
     tqdm.set_lock(LOCK)

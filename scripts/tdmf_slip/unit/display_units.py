@@ -9,16 +9,7 @@ class DisplayUnits:
     """Units of the unit's variables, some of them as they were given."""
 
     def __init__(self, fmu: Fmu, given: Mapping[str, object] | None = None) -> None:
-        """With what was given, by the variables' names.
-
-        Parameters
-        ----------
-        fmu : Fmu
-            Whose variables.
-        given : mapping of str to object, optional
-            Values, or ranges with a colon, as they were written: of `40 deg` and `40 deg:60 deg` the unit is
-            deg.
-        """
+        """With what was given, by the variables' names."""
         self._variables = fmu.variables
         self._units = {name: _unit_in(text) for name, text in (given or {}).items() if isinstance(text, str)}
 

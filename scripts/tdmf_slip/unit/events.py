@@ -28,18 +28,6 @@ def events_of(table: NDArray[np.void], fmu: Fmu) -> list[Event]:
 
     What begins and ends in zero time inside one event, such as an impact that leaves at once, is not seen:
     the unit's `event.count` counts that too.
-
-    Parameters
-    ----------
-    table : structured ndarray, shape (rows,)
-        With the contact mode and the hip phase.
-    fmu : Fmu
-        For the names of modes and phases.
-
-    Returns
-    -------
-    list of Event
-        By time.
     """
     modes, phases = fmu.variables[MODE].items, fmu.variables[PHASE].items
     changed = np.flatnonzero((np.diff(table[MODE]) != 0) | (np.diff(table[PHASE]) != 0))

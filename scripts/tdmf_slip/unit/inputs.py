@@ -26,27 +26,7 @@ an index `time`, and a column for each input, will do, too, and a Series over su
 def signals(
     fmu: Fmu, tables: InputTables | None, start_values: Mapping[str, Value]
 ) -> NDArray[np.void] | None:
-    """All inputs, and what else has a table, on one time grid, as FMPy wants them; None without tables.
-
-    Parameters
-    ----------
-    fmu : Fmu
-        Whose inputs.
-    tables : InputTables
-        By name of an input or a tunable parameter.
-    start_values : mapping of str to float
-        Of inputs without a table.
-
-    Returns
-    -------
-    structured ndarray, shape (times,), or None
-        `time` and a column for each input.
-
-    Raises
-    ------
-    InputError
-        A name that is neither, times that go back, a value out of range.
-    """
+    """All inputs, and what else has a table, on one time grid, as FMPy wants them; None without tables."""
     checked = {name: _checked(fmu, name, table, "inputs") for name, table in _tables(tables).items()}
     if not checked:
         return None
@@ -92,23 +72,6 @@ def read_tables(path: Path | str, fmu: Fmu) -> InputTables:
 
     Columns may be of tunable parameters, too. A value is a number in its column's unit, or has a unit after a
     space.
-
-    Parameters
-    ----------
-    path : Path or str
-        Of the file.
-    fmu : Fmu
-        Whose inputs.
-
-    Returns
-    -------
-    InputTables
-        Checked, as `simulate` takes them.
-
-    Raises
-    ------
-    InputError
-        Unreadable, not such a file, or not inputs of the unit.
     """
     path = Path(path)
     try:

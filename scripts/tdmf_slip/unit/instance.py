@@ -119,26 +119,6 @@ class Instance:
 
         An interrupt is delivered where `step_finished` is called: in CVODE's calls of Python it would be lost
         with the numbers that they were about to give.
-
-        Parameters
-        ----------
-        experiment : Experiment
-            What to run.
-        step_finished : callable
-            Called with the time and FMPy's recorder after each output interval and each event, except a fall;
-            False ends the run.
-
-        Returns
-        -------
-        structured ndarray, shape (rows,)
-            What was recorded: `time` and the experiment's variables.
-
-        Raises
-        ------
-        InputError
-            The unit refused a start value, or how several go together.
-        RunError
-            FMPy or the unit failed; the message has what both said.
         """
         with interrupts.held() as interrupt:
 
@@ -176,20 +156,7 @@ class Instance:
             raise self._account_of(problem) from problem
 
     def start(self, values: Mapping[str, float | int | bool], tolerance: float | None = None) -> None:
-        """Set start values and initialize, to go on by `advance` (Co-Simulation).
-
-        Parameters
-        ----------
-        values : mapping of str to float, int or bool
-            By the variables' names, in their units.
-        tolerance : float, optional
-            Of the importer.
-
-        Raises
-        ------
-        InputError
-            The unit refused a value, or how several go together.
-        """
+        """Set start values and initialize, to go on by `advance` (Co-Simulation)."""
         try:
             self._set(values)
             self._fmu.setupExperiment(tolerance=tolerance)
@@ -199,18 +166,7 @@ class Instance:
             raise self._account_of(problem) from problem
 
     def set(self, values: Mapping[str, float | int | bool]) -> None:
-        """Set inputs or tunable parameters between two steps.
-
-        Parameters
-        ----------
-        values : mapping of str to float, int or bool
-            By the variables' names, in their units.
-
-        Raises
-        ------
-        InputError
-            The unit refused a value.
-        """
+        """Set inputs or tunable parameters between two steps."""
         try:
             self._set(values)
         except FMICallException as problem:
@@ -223,20 +179,7 @@ class Instance:
             setters.get(variable.type, self._fmu.setInteger)([variable.reference], [value])
 
     def advance(self, time: float, duration: float) -> None:
-        """One communication step from `time` on; both in s.
-
-        Parameters
-        ----------
-        time : float
-            Where the step begins, s.
-        duration : float
-            How long it is, s.
-
-        Raises
-        ------
-        RunError
-            The unit could not take it; the message has what it said.
-        """
+        """One communication step from `time` on; both in s."""
         try:
             self._fmu.doStep(currentCommunicationPoint=time, communicationStepSize=duration)
         except FMICallException as problem:
@@ -261,25 +204,7 @@ class Instance:
 
 @contextmanager
 def opened(fmu: Fmu, interface: str = "me") -> Iterator[Instance]:
-    """An instance that is freed at the end, whatever happens.
-
-    Parameters
-    ----------
-    fmu : Fmu
-        Which unit.
-    interface : str, default 'me'
-        `me` (Model Exchange) or `cs` (Co-Simulation).
-
-    Yields
-    ------
-    Instance
-        Ready to be started.
-
-    Raises
-    ------
-    InputError
-        The unit does not offer the interface.
-    """
+    """An instance that is freed at the end, whatever happens."""
     instance = Instance(fmu, interface)
     try:
         yield instance

@@ -35,21 +35,6 @@ def read_parameters(name: str | Path) -> dict[str, Any]:
     (TOML's `leg.stiffness`, or a table `[leg]`); a value is a number in the variable's unit, or a text with
     a unit, such as `"40 deg"`. Names and values are checked where they are used.
 
-    Parameters
-    ----------
-    name : str or Path
-        Path of a .toml or .json file, or a preset's name.
-
-    Returns
-    -------
-    dict of str to float, bool or str
-        By the variables' whole names.
-
-    Raises
-    ------
-    InputError
-        Neither, unreadable, or not such a file.
-
     Examples
     --------
     >>> import tdmf_slip
@@ -76,24 +61,7 @@ def read_parameters(name: str | Path) -> dict[str, Any]:
 
 
 def start_values_of(runner: object) -> Mapping[str, Any]:
-    """What a runner, given in whatever way, says of start values.
-
-    Parameters
-    ----------
-    runner : object
-        None, a mapping of the unit's names, a Series, a preset's name, a parameter file's path, or a Runner
-        or Gait, which has start values of its own.
-
-    Returns
-    -------
-    mapping of str to float, bool or str
-        By the unit's names.
-
-    Raises
-    ------
-    InputError
-        It is none of these.
-    """
+    """What a runner, given in whatever way, says of start values."""
     if isinstance(runner, str | os.PathLike):
         return read_parameters(Path(runner) if isinstance(runner, os.PathLike) else runner)
     for name in ("start_values", "values"):  # of a Gait, and of a Runner
@@ -104,13 +72,7 @@ def start_values_of(runner: object) -> Mapping[str, Any]:
 
 
 def parsed(text: str, loads: Callable[[str], object], allowed: str) -> Mapping[str, Any]:
-    """The names and values of a text, which is to be what `allowed` says.
-
-    Raises
-    ------
-    ValueError
-        There are none.
-    """
+    """The names and values of a text, which is to be what `allowed` says."""
     if not text.strip():
         raise ValueError(f"is empty; allowed: {allowed}")
     try:

@@ -143,41 +143,13 @@ def simulate(
 
 
 def time_unit(fmu: Fmu, starts: Mapping[str, Value]) -> float:
-    """The paper's unit of time, sqrt(m/k), in s.
-
-    Parameters
-    ----------
-    fmu : Fmu
-        Whose start values hold where `starts` has none.
-    starts : mapping of str to float
-        Start values by name.
-
-    Returns
-    -------
-    float
-        Seconds.
-    """
+    """The paper's unit of time, sqrt(m/k), in s."""
     mass, stiffness = (starts.get(name, fmu.start_of(name)) for name in ("body.mass", "leg.stiffness"))
     return math.sqrt(mass / stiffness)
 
 
 def longest_time(fmu: Fmu, starts: Mapping[str, Value], strides: int) -> float:
-    """A time, in s, in which so many strides have closed if they close at all.
-
-    Parameters
-    ----------
-    fmu : Fmu
-        Whose start values hold where `starts` has none.
-    starts : mapping of str to float
-        Start values by name.
-    strides : int
-        How many.
-
-    Returns
-    -------
-    float
-        Seconds.
-    """
+    """A time, in s, in which so many strides have closed if they close at all."""
     length, gravity = (starts.get(name, fmu.start_of(name)) for name in ("leg.free_length", "gravity"))
     return strides * LONGEST_STRIDE * (math.sqrt(length / gravity) + time_unit(fmu, starts))
 

@@ -16,22 +16,7 @@ if TYPE_CHECKING:
 
 
 def write_table(path: Path | str, run: Run, fmu: Fmu) -> None:
-    """A run's recorded rows as CSV (a header of names) or NetCDF (with units, flags and the run's end).
-
-    Parameters
-    ----------
-    path : Path or str
-        Of the file; its suffix says which format.
-    run : Run
-        Whose rows.
-    fmu : Fmu
-        For units and descriptions.
-
-    Raises
-    ------
-    InputError
-        Another suffix than .csv or .nc, or nothing can be written there.
-    """
+    """A run's recorded rows as CSV (a header of names) or NetCDF (with units, flags and the run's end)."""
     path = check_place(path, WRITERS, "output")
     with whole(path) as beside:
         WRITERS[path.suffix.lower()](beside, run, fmu)
@@ -51,20 +36,7 @@ def _write_netcdf(path: Path, run: Run, fmu: Fmu) -> None:
 
 
 def dataset_of(run: Run, fmu: Fmu) -> "xarray.Dataset":
-    """A run's recorded rows over the time, with units, flags and the run's end.
-
-    Parameters
-    ----------
-    run : Run
-        Whose rows.
-    fmu : Fmu
-        For units and descriptions.
-
-    Returns
-    -------
-    xarray.Dataset
-        A variable for each column, over the coordinate `time`, in which an event has two rows.
-    """
+    """A run's recorded rows over the time, with units, flags and the run's end."""
     from ..files.datasets import xarray  # slow to load, and seldom asked for
 
     data = xarray.Dataset()

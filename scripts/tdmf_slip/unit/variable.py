@@ -111,13 +111,7 @@ class Variable(ByContents):
         return tuple(name for name in (self.unit, *others) if name)
 
     def factor_of(self, unit: str) -> float | None:
-        """How many of a unit make one of the variable's own; None where it is of something else.
-
-        Parameters
-        ----------
-        unit : str
-            Its name; empty for the variable's own.
-        """
+        """How many of a unit make one of the variable's own; None where it is of something else."""
         if unit in ("", self.unit):
             return 1.0
         own, factor = OTHER_UNITS.get(unit, ("", 1.0))
@@ -126,26 +120,7 @@ class Variable(ByContents):
         return self.display_units.get(unit)
 
     def value_of(self, given: Given, where: str) -> Value:
-        """A start value for this variable, checked against its range.
-
-        Parameters
-        ----------
-        given : float, bool or str
-            A number, or a text: a number, alone or followed by the unit or a display unit; of an enumeration
-            also a name.
-        where : str
-            Where the value was given, for the message.
-
-        Returns
-        -------
-        float or bool
-            In the variable's unit.
-
-        Raises
-        ------
-        InputError
-            Not a number, an unknown unit, or out of range.
-        """
+        """A start value for this variable, checked against its range."""
         if self.type == "Boolean":
             return self._boolean(given, where)
         value = self._parsed(given, where) if isinstance(given, str) else self._number(given, given, where)
@@ -154,25 +129,7 @@ class Variable(ByContents):
         return value
 
     def values_of(self, given: object, where: str) -> NDArray[np.float64]:
-        """One or more numbers for this variable, checked against its range.
-
-        Parameters
-        ----------
-        given : sequence of float, shape (n,)
-            In the variable's unit.
-        where : str
-            Where they were given, for the message.
-
-        Returns
-        -------
-        ndarray of float, shape (n,)
-            The same numbers.
-
-        Raises
-        ------
-        InputError
-            Not a row of such numbers.
-        """
+        """One or more numbers for this variable, checked against its range."""
         refusal = InputError(
             f"{where} = {reprlib.repr(given)} is not allowed; allowed: a row of values of {self.name}"
         )
@@ -230,20 +187,7 @@ class Variable(ByContents):
 
 
 def variable_of(variable: ModelVariable, factors: Mapping[str, Mapping[str, float]]) -> Variable:
-    """A variable as the unit's description has it.
-
-    Parameters
-    ----------
-    variable : ModelVariable
-        As FMPy read it.
-    factors : mapping of str to mapping of str to float
-        By unit: its display units, and how many of each make one.
-
-    Returns
-    -------
-    Variable
-        With its declared type folded in.
-    """
+    """A variable as the unit's description has it."""
     declared = variable.declaredType
     unit = variable.unit or (declared.unit if declared is not None else None) or ""
     items = getattr(declared, "items", None) or []

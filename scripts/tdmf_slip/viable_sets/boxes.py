@@ -42,41 +42,12 @@ class Boxes(ByContents):
     """Last row and column, shape (2, pairs)."""
 
     def some(self, which: NDArray[np.bool_] | NDArray[np.intp]) -> "Boxes":
-        """Some of the pairs.
-
-        Parameters
-        ----------
-        which : ndarray of bool or int
-            Which of them.
-
-        Returns
-        -------
-        Boxes
-            Only those.
-        """
+        """Some of the pairs."""
         return Boxes(self.cells[which], self.actions[which], self.low[:, which], self.high[:, which])
 
 
 def boxes_of(transitions: Transitions, scales: NDArray[np.float64], factor: float, *, inner: bool) -> Boxes:
-    """The pairs that may count, and the boxes of cells in which their images are.
-
-    Parameters
-    ----------
-    transitions : Transitions
-        From all corners.
-    scales : ndarray of float, shape (2,)
-        Of height and speed, by which the engine's accuracy is told.
-    factor : float
-        Of the derivatives at the corners.
-    inner : bool
-        Pairs whose corners all have an image, all of it within the ranges; else those with an image at some
-        corner, some of it within.
-
-    Returns
-    -------
-    Boxes
-        By rising cell, then action.
-    """
+    """The pairs that may count, and the boxes of cells in which their images are."""
     parts = list(_parts(transitions, scales, factor, inner))
     return Boxes(
         np.concatenate([part.cells for part in parts]),

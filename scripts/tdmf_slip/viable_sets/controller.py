@@ -134,18 +134,7 @@ class ViableController(ByContents):
         return GRADES[int(self.inner[row, column].any()) + int(self.outer[row, column].any())]
 
     def __call__(self, apices: NDArray[np.float64]) -> dict[str, NDArray[np.float64]]:
-        """What is set at the apices of many runners, as `stride_map` calls a law.
-
-        Parameters
-        ----------
-        apices : ndarray of float, shape (runners, n)
-            Height and speed first.
-
-        Returns
-        -------
-        dict of str to ndarray of float, shape (runners,)
-            By setting.
-        """
+        """What is set at the apices of many runners, as `stride_map` calls a law."""
         cells = self.grid.cell_of(apices[:, : len(REDUCED)])
         best = np.full(len(apices), -1)
         for number in np.unique(cells[cells >= 0]):

@@ -64,22 +64,7 @@ def lands(boxes: Boxes, states: NDArray[np.bool_], *, inner: bool) -> NDArray[np
 
 
 def largest_kept(boxes: Boxes, shape: tuple[int, int], *, inner: bool) -> Kept:
-    """The largest set in which every state has a pair that leads back into it.
-
-    Parameters
-    ----------
-    boxes : Boxes
-        Of all pairs that do not fail.
-    shape : (int, int)
-        Rows and columns of states.
-    inner : bool
-        A pair counts where its whole box does; else where some of it does.
-
-    Returns
-    -------
-    Kept
-        Possibly empty.
-    """
+    """The largest set in which every state has a pair that leads back into it."""
     alive = np.arange(len(boxes.cells))
     before, states = None, _with_pairs(boxes.cells, shape)
     passes = 0
@@ -92,22 +77,7 @@ def largest_kept(boxes: Boxes, shape: tuple[int, int], *, inner: bool) -> Kept:
 
 
 def strides_to(boxes: Boxes, target: NDArray[np.bool_], *, inner: bool) -> NDArray[np.int32]:
-    """The fewest strides in which some choice of actions leads from each state into a set.
-
-    Parameters
-    ----------
-    boxes : Boxes
-        Of the pairs that may be chosen.
-    target : ndarray of bool, shape (rows, columns)
-        The set.
-    inner : bool
-        For sure, by whole boxes; else perhaps, by some of them.
-
-    Returns
-    -------
-    ndarray of int, shape (rows, columns)
-        0 in the set itself; -1 where no choice leads there.
-    """
+    """The fewest strides in which some choice of actions leads from each state into a set."""
     strides = np.where(target, 0, -1).astype(np.int32)
     count = 0
     while True:

@@ -79,18 +79,7 @@ class Grid(ByContents):
         return middles
 
     def cell_of(self, apices: NDArray[np.float64]) -> NDArray[np.intp]:
-        """The cells that hold apices.
-
-        Parameters
-        ----------
-        apices : ndarray of float, shape (apices, 2)
-            In the order of the grid's coordinates; NaN is in no cell.
-
-        Returns
-        -------
-        ndarray of int, shape (apices,)
-            Row by row; -1 of those outside.
-        """
+        """The cells that hold apices."""
         places = np.floor((apices - self.origin) / self.sizes)
         inside: NDArray[np.bool_] = np.logical_and.reduce((places >= 0) & (places < self.cells), axis=1)
         rows, columns = np.where(inside[:, np.newaxis], places, 0).astype(np.intp).T
@@ -98,31 +87,7 @@ class Grid(ByContents):
 
 
 def grid_of(runner: Runner, axes: Any, vary: Any, n: Any, fmu: Fmu) -> Grid:
-    """The grid that is asked for.
-
-    Parameters
-    ----------
-    runner : Runner
-        Whose it is.
-    axes : mapping of str to pair of float
-        Ranges of the two coordinates.
-    vary : mapping of str to (low, high) or (low, high, values)
-        Ranges of the settings.
-    n : int or pair of int
-        Cells along each coordinate.
-    fmu : Fmu
-        Whose ranges hold.
-
-    Returns
-    -------
-    Grid
-        With the coordinates in the order of the reduced map.
-
-    Raises
-    ------
-    InputError
-        Something of it is not allowed.
-    """
+    """The grid that is asked for."""
     ranges = mapping_of(axes, "axes", "a mapping of both coordinates to ranges (low, high)")
     check_axes(tuple(ranges), REDUCED)
     missing = next((axis for axis in REDUCED if axis not in ranges), None)
@@ -161,18 +126,6 @@ def starts_at(runner: Runner, apices: NDArray[np.float64]) -> NDArray[np.float64
 
     Of the full model the leg is at rest where the runner's own settings have placed it, as long as it is
     unloaded: what the last placement leaves.
-
-    Parameters
-    ----------
-    runner : Runner
-        Whose they are.
-    apices : ndarray of float, shape (apices, 2)
-        Heights and speeds.
-
-    Returns
-    -------
-    ndarray of float, shape (apices, n)
-        In the order of the runner's `coordinates`.
     """
     check_kind(runner, Runner, "runner", "a Runner")
     if runner.reduced:

@@ -39,27 +39,7 @@ class Reached(ByContents):
 
 
 def target_of(grid: Grid, gait: Gait | Apex, within: float) -> NDArray[np.bool_]:
-    """The cells about a gait's apex.
-
-    Parameters
-    ----------
-    grid : Grid
-        Of cells.
-    gait : Gait or sequence of float
-        Its apex, of which height and speed count.
-    within : float
-        Sides of a cell.
-
-    Returns
-    -------
-    ndarray of bool, shape (rows, columns)
-        Those of which every point is as near.
-
-    Raises
-    ------
-    InputError
-        None is.
-    """
+    """The cells about a gait's apex."""
     within = checked("within", within, 0.5, FARTHEST)
     apex = gait.apex if isinstance(gait, Gait) else np.asarray(gait)
     place = checked_apex(apex[: len(REDUCED)], REDUCED)

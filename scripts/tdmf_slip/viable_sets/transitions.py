@@ -64,20 +64,7 @@ class Corners(ByContents):
 
 
 def strides_of(part: Corners) -> tuple[NDArray[np.int8], NDArray[np.float32]]:
-    """All actions from all corners of a block.
-
-    Parameters
-    ----------
-    part : Corners
-        The block.
-
-    Returns
-    -------
-    fates : ndarray of int8, shape (rows, nodes, actions)
-        As `Transitions` has them.
-    next_apices : ndarray of float32, shape (2, rows, nodes, actions)
-        Likewise.
-    """
+    """All actions from all corners of a block."""
     grid, count = part.grid, part.grid.action_count
     heights, speeds = grid.edges.values()
     nodes = np.array([(height, speed) for height in heights[list(part.rows)] for speed in speeds])
@@ -108,35 +95,7 @@ def make_transitions(
     progress: bool = False,
     what: str = "strides",
 ) -> Transitions:
-    """All strides of a grid, made anew but for those on file.
-
-    Parameters
-    ----------
-    runner : Runner
-        Who makes them.
-    grid : Grid
-        From which corners, by which actions.
-    path : Path, optional
-        Of a NetCDF file, which is written block by block, and gone on with.
-    threads : int, optional
-        On this machine, by default one for each processor.
-    scheduler : str, optional
-        Of a Dask cluster, see `run_blocks`.
-    progress : bool, default False
-        A bar on stderr.
-    what : str, default 'strides'
-        It is called.
-
-    Returns
-    -------
-    Transitions
-        Whoever computed it.
-
-    Raises
-    ------
-    InputError
-        The file holds something else.
-    """
+    """All strides of a grid, made anew but for those on file."""
     shape = (*grid.nodes, grid.action_count)
     made = Transitions(
         grid, np.full(shape, NOT_YET, np.int8), np.full((len(REDUCED), *shape), np.nan, np.float32)
@@ -165,20 +124,7 @@ def make_transitions(
 
 
 def dataset_of(runner: Runner, made: Transitions) -> "xarray.Dataset":
-    """Transitions as a dataset.
-
-    Parameters
-    ----------
-    runner : Runner
-        Who made them.
-    made : Transitions
-        What is done of them.
-
-    Returns
-    -------
-    xarray.Dataset
-        `fate` and the next height and speed, over the corners and the settings. It shares their memory.
-    """
+    """Transitions as a dataset."""
     from ..files.datasets import xarray  # slow to load
 
     grid = made.grid

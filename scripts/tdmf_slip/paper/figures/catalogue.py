@@ -85,35 +85,7 @@ def draw(
     appearance: style.Appearance = style.DESIGNED,
     progress: bool = False,
 ) -> list[Path]:
-    """Draw the figures into a folder.
-
-    Parameters
-    ----------
-    folder : Path
-        Where the files go; made where it is missing.
-    fmu : Fmu
-        Run for one stride of a gait.
-    only : str, optional
-        Only figures whose name begins like this.
-    measure : bool, default False
-        Compute anew what takes minutes, and else is as it was last measured.
-    formats : sequence of str, default ('png', 'svg')
-        Of `FORMATS`.
-    appearance : Appearance, optional
-        Width, resolution and style.
-    progress : bool, default False
-        A bar on stderr.
-
-    Returns
-    -------
-    list of Path
-        The files written.
-
-    Raises
-    ------
-    InputError
-        No figure has such a name, or nothing can be written there.
-    """
+    """Draw the figures into a folder."""
     known = _figures(fmu, measure)
     chosen = {name: figure for name, figure in known.items() if name.startswith(only or "")}
     if not chosen:

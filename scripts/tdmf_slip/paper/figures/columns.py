@@ -14,13 +14,7 @@ Columns: TypeAlias = Mapping[str, Sequence[Any] | NDArray[Any]]
 
 
 def write_columns(path: Path, columns: Columns) -> None:
-    """Write columns as CSV, whole or not at all.
-
-    Raises
-    ------
-    InputError
-        Nothing can be written there.
-    """
+    """Write columns as CSV, whole or not at all."""
     with whole(path) as beside, beside.open("w", newline="", encoding="utf-8") as file:
         writer = csv.writer(file)
         writer.writerow(columns)

@@ -15,27 +15,7 @@ from . import figure_5, figure_6, figure_7, figure_8
 
 
 def draw(folder: Path, fmu: Fmu, progress: bool = False) -> list[Path]:
-    """Draw figures 5 to 8 of the paper, one stride as snapshots and as an animation, and the model.
-
-    Parameters
-    ----------
-    folder : Path
-        Where the files go; made where it is missing.
-    fmu : Fmu
-        Run for one stride of each gait.
-    progress : bool, default False
-        A bar on stderr.
-
-    Returns
-    -------
-    list of Path
-        The files written.
-
-    Raises
-    ------
-    InputError
-        Nothing can be written there.
-    """
+    """Draw figures 5 to 8 of the paper, one stride as snapshots and as an animation, and the model."""
     folder.mkdir(exist_ok=True)
     runner = Runner.of(read_parameters("paper"), fmu)
     with progress_bar("pictures", len(WORDS) + 7, "", progress) as bar:

@@ -32,19 +32,7 @@ def leading(gaits: Sequence[Gait]) -> NDArray[np.float64]:
 
 
 def draw(axes: Axes, values: Sequence[float], gaits: Sequence[Gait], *, named: bool = False) -> None:
-    """Draw both over a parameter, solid where the gait is stable, and the borders of stability.
-
-    Parameters
-    ----------
-    axes : Axes
-        To draw in.
-    values : sequence of float
-        Of the parameter.
-    gaits : sequence of Gait
-        The gaits.
-    named : bool, default False
-        Whether the curves are named in a legend.
-    """
+    """Draw both over a parameter, solid where the gait is stable, and the borders of stability."""
     stable = np.array([gait.stable for gait in gaits])
     for heights, colour, name in zip(
         leading(gaits).T, COLOURS, ("the greater", "the other, of height"), strict=True
@@ -56,17 +44,7 @@ def draw(axes: Axes, values: Sequence[float], gaits: Sequence[Gait], *, named: b
 
 
 def mark(axes: Axes, branch: Branch, *, named: bool = False) -> None:
-    """Mark folds and period doublings on the border of stability that they are at.
-
-    Parameters
-    ----------
-    axes : Axes
-        To draw in.
-    branch : Branch
-        Whose bifurcations.
-    named : bool, default False
-        Whether they are named in a legend.
-    """
+    """Mark folds and period doublings on the border of stability that they are at."""
     for kind, marker in MARKS.items():
         found = [special.value for special in branch.specials if special.kind == kind]
         height = 1.0 if kind == FOLD else -1.0

@@ -33,22 +33,7 @@ def like(reference: Gait, gait: Gait, hold: Sequence[str] = HOLD, vary: Sequence
 
 
 def changed(gait: Gait, values: Mapping[str, float], steps: int = 1) -> Gait | None:
-    """The gait near another, of other values.
-
-    Parameters
-    ----------
-    gait : Gait
-        The other.
-    values : mapping of str to float
-        By name.
-    steps : int, default 1
-        In which the values are changed.
-
-    Returns
-    -------
-    Gait or None
-        None where there is none.
-    """
+    """The gait near another, of other values."""
     begin = {name: gait.runner.values[name] for name in values}
     for step in range(1, steps + 1):
         runner = gait.runner

@@ -124,18 +124,7 @@ def table(found: Mapping[float, tuple[Gait, ...]]) -> Columns:
 
 
 def actuated(data: Columns) -> dict[str, NDArray[np.bool_]]:
-    """Which rows of the data are of which actuation.
-
-    Parameters
-    ----------
-    data : mapping of str to sequence
-        Of `table`.
-
-    Returns
-    -------
-    dict of str to ndarray of bool
-        By the actuation's name. Thrust added to a torque begins at a gait of the torque alone.
-    """
+    """Which rows of the data are of which actuation."""
     torque, thrust = np.asarray(data["hip_torque"], float), np.asarray(data["thrust"], float)
     beside = torque[np.flatnonzero((torque > 0.0) & (thrust > 0.0))[0]]
     angle = np.asarray(data["touchdown_angle"], float)

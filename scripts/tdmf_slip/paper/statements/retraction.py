@@ -23,18 +23,7 @@ GAIT = (
 
 @cache
 def retracting(is_matched: bool) -> Gait:
-    """The runner that retracts.
-
-    Parameters
-    ----------
-    is_matched : bool
-        With speed, apex height and leg angle of the one that does not retract.
-
-    Returns
-    -------
-    Gait
-        Its gait.
-    """
+    """The runner that retracts."""
     one = gait(SLIPS)
     for rate in (0.5 * RETRACTS, RETRACTS):
         one = gait_near(one.runner.but(RATE, rate), one.apex)
