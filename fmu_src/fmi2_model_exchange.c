@@ -12,11 +12,13 @@ fmi2Status fmi2NewDiscreteStates(fmi2Component component, fmi2EventInfo *info) {
     if (!call_is_allowed(component, call, EVENT_MODE) || !array_is_given(component, call, info, 1, 1)) {
         return fmi2Error;
     }
-    discrete_update update = {false, false};
+    discrete_update update = {0};
     const call_status status = update_discrete_states(component, call, &update);
     memset(info, 0, sizeof *info);
     info->valuesOfContinuousStatesChanged = update.states_changed ? fmi2True : fmi2False;
     info->terminateSimulation = update.terminate ? fmi2True : fmi2False;
+    info->nextEventTimeDefined = update.next_time_defined ? fmi2True : fmi2False;
+    info->nextEventTime = update.next_time;
     return (fmi2Status)status;
 }
 

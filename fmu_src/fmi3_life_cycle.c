@@ -136,14 +136,14 @@ fmi3Status fmi3UpdateDiscreteStates(fmi3Instance component, fmi3Boolean *needs_u
         !array_is_given(component, call, next_time, 1, 1)) {
         return fmi3Error;
     }
-    discrete_update update = {false, false};
+    discrete_update update = {0};
     const call_status status = update_discrete_states(component, call, &update);
     *needs_update = fmi3False;
     *terminate_simulation = update.terminate;
     *nominals_changed = fmi3False;
     *states_changed = update.states_changed;
-    *next_time_defined = fmi3False;
-    *next_time = 0.0;
+    *next_time_defined = update.next_time_defined;
+    *next_time = update.next_time;
     return (fmi3Status)status;
 }
 

@@ -72,6 +72,7 @@ void fmu_evaluate(const fmu *fmu, fmu_view *view) {
     fmu_event_indicators(fmu, view->guards);
     view->work.solver.steps = as_integer(fmu->solver.steps);
     view->work.solver.evaluations = as_integer(fmu->solver.evaluations);
+    view->work.solver.layer_steps = as_integer(fmu->solver.layer_steps);
     memcpy(view->states, fmu->motion.state, sizeof view->states);
 }
 
@@ -165,6 +166,13 @@ bool fmu_try_state(fmu *fmu, const double state[TDMF_STATE_COUNT]) {
         fmu->motion.state[i] = within_largest(state[i]);
     }
     return true;
+}
+
+void fmu_derivatives(const fmu *fmu, double derivatives[TDMF_STATE_COUNT]) {
+    tdmf_derivatives(fmu_system(fmu), &fmu->motion.mode, fmu->motion.state, derivatives);
+    for (int i = 0; i < TDMF_STATE_COUNT; ++i) {
+        derivatives[i] = isnan(derivatives[i]) ? fmu_largest_state : within_largest(derivatives[i]);
+    }
 }
 
 void fmu_event_indicators(const fmu *fmu, double indicators[TDMF_GUARD_COUNT]) {

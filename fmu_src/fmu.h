@@ -58,6 +58,7 @@ typedef struct {
     struct {
         int steps;
         int evaluations;
+        int layer_steps;
     } solver;
 } fmu_work;
 
@@ -105,6 +106,10 @@ bool fmu_is_time(double time);
 /* Takes a solver's trial state. Values beyond any motion are cut, so that all that follows stays finite;
  * false, and nothing taken, if one is not a number. */
 bool fmu_try_state(fmu *fmu, const double state[TDMF_STATE_COUNT]);
+
+/* Cut as trial states are: a friction that falls with speed grows beyond all numbers where a trial goes past
+ * the foot's rest, and an importer's solver then has to see that its step was too long. */
+void fmu_derivatives(const fmu *fmu, double derivatives[TDMF_STATE_COUNT]);
 
 void fmu_event_indicators(const fmu *fmu, double indicators[TDMF_GUARD_COUNT]);
 

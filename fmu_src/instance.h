@@ -186,6 +186,8 @@ call_status enter_event_mode(instance *instance, const char *call, unsigned allo
 typedef struct {
     bool states_changed;
     bool terminate;
+    bool next_time_defined;
+    double next_time; /* of a time event, by which the solver's step has to end; or 0 */
 } discrete_update;
 call_status update_discrete_states(instance *instance, const char *call, discrete_update *update);
 

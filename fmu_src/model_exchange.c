@@ -2,6 +2,7 @@
  * transitions. Event mode serves Co-Simulation too, where FMI has it. */
 #include "instance.h"
 
+#include <math.h>
 #include <string.h>
 
 static const unsigned evaluable =
@@ -19,6 +20,7 @@ call_status enter_event_mode(instance *instance, const char *call, unsigned allo
     return CALL_OK;
 }
 
+/* An importer's solver makes steps as long as it likes, but none beyond a time event. */
 call_status update_discrete_states(instance *instance, const char *call, discrete_update *update) {
     if (!call_is_allowed(instance, call, EVENT_MODE)) {
         return CALL_ERROR;
@@ -33,6 +35,9 @@ call_status update_discrete_states(instance *instance, const char *call, discret
     update->states_changed = resolution.state_changed;
     update->terminate = instance->interface == MODEL_EXCHANGE && fmu->motion.mode.fallen &&
                         fmu->settings.status.terminate_on_fall;
+    const double longest = tdmf_longest_step(fmu_system(fmu), &fmu->motion.mode, fmu->motion.state);
+    update->next_time_defined = instance->interface == MODEL_EXCHANGE && isfinite(longest);
+    update->next_time = update->next_time_defined ? fmu->motion.time + longest : 0.0;
     return CALL_OK;
 }
 
@@ -102,7 +107,7 @@ call_status get_derivatives(instance *instance, const char *call, double derivat
     call_status status = CALL_OK;
     const fmu *fmu = present_unit(instance, call, &preview, &status);
     if (fmu != NULL) {
-        tdmf_derivatives(fmu_system(fmu), &fmu->motion.mode, fmu->motion.state, derivatives);
+        fmu_derivatives(fmu, derivatives);
     }
     return status;
 }

@@ -318,6 +318,7 @@ static void pass_surroundings(transfer *bytes, fmu *fmu) {
     pass_work(bytes, "the steps done", &fmu->solver.steps);
     pass_work(bytes, "the events found", &fmu->solver.events);
     pass_work(bytes, "the evaluations done", &fmu->solver.evaluations);
+    pass_work(bytes, "the steps in the layer", &fmu->solver.layer_steps);
 }
 
 /* Parameters and inputs are read and checked as those of a unit. Nobody need have told which guard fired. */

@@ -267,6 +267,9 @@ static void step_and_sort(integration *integration, batch_kind kind) {
         integration->before = batch->members;
     }
     const lane_outcome outcome = step_batch(integration, kind);
+    for (unsigned limited = movemask(outcome.in_layer); limited != 0; limited >>= 1) {
+        integration->work.layer_steps += limited & 1;
+    }
     if (is_recorded) {
         record_steps(integration, kind, outcome);
     }

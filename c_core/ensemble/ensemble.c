@@ -71,7 +71,7 @@ const char *tdmf_instructions_name(tdmf_instructions instructions) {
 static bool run_one_by_one(const tdmf_ensemble *ensemble, tdmf_starts *starts, int order,
                            tdmf_ensemble_end *ends, tdmf_ensemble_work *work) {
     tdmf_solver solver = tdmf_solver_default();
-    const tdmf_ensemble_work none = {0, 0, 0, 0, 0, 0};
+    const tdmf_ensemble_work none = {0};
     (void)order;
     *work = none;
     solver.relative_tolerance = ensemble->relative_tolerance;
@@ -86,6 +86,7 @@ static bool run_one_by_one(const tdmf_ensemble *ensemble, tdmf_starts *starts, i
     work->steps = work->lane_steps = solver.steps;
     work->events = solver.events;
     work->evaluations = solver.evaluations;
+    work->layer_steps = solver.layer_steps;
     return true;
 }
 
@@ -116,6 +117,7 @@ static void add_work(tdmf_ensemble_work *sum, const tdmf_ensemble_work *part) {
     sum->steps += part->steps;
     sum->lane_steps += part->lane_steps;
     sum->evaluations += part->evaluations;
+    sum->layer_steps += part->layer_steps;
 }
 
 bool tdmf_run_ensemble(const tdmf_ensemble *ensemble, tdmf_ensemble_end *ends, tdmf_ensemble_work *work) {
@@ -140,7 +142,7 @@ bool tdmf_run_ensemble(const tdmf_ensemble *ensemble, tdmf_ensemble_end *ends, t
     }
     tdmf_run_in_threads(run_share, &all, threads);
     if (work) {
-        const tdmf_ensemble_work none = {0, 0, 0, 0, 0, 0};
+        const tdmf_ensemble_work none = {0};
         *work = none;
         for (int i = 0; i < threads; ++i) {
             add_work(work, &all.works[i]);

@@ -12,6 +12,7 @@ typedef struct {
     integer event; /* see event_search */
     mask late;     /* no time left to close the stride */
     mask stuck;    /* no finite step, none left, or too stiff */
+    mask in_layer; /* where friction falls, and a step may be no longer */
     real size;     /* for which its series were expanded */
     real end;      /* of it, or at its event */
 } lane_outcome;
@@ -89,7 +90,9 @@ static inline lane_outcome step_standing(standing_member *m, mask live, ground_c
     event_search search;
     elapsed_time elapsed;
     real longest;
-    const real trusted = expand_ground_step(c, &m->layer, &m->at, is, order, tolerance, g, &longest);
+    mask in_layer;
+    const real trusted =
+        expand_ground_step(c, &m->layer, &m->at, is, order, tolerance, g, &longest, &in_layer);
     const real change = begin_lane_search(&search, &m->now, m->time_left, &c->mode, trusted, g->length, order,
                                           tolerance, live);
     watch_ground(&search, c, g, &m->at, is, change);
@@ -101,7 +104,9 @@ static inline lane_outcome step_standing(standing_member *m, mask live, ground_c
     if (is.grazes) {
         m->constants.servo.torque += end * c->servo.torque_rate;
     }
-    return move_on(&m->now, m->time_left, &c->mode, &search, too_stiff, end);
+    lane_outcome outcome = move_on(&m->now, m->time_left, &c->mode, &search, too_stiff, end);
+    outcome.in_layer = live & in_layer;
+    return outcome;
 }
 
 #endif

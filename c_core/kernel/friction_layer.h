@@ -8,6 +8,7 @@
 #ifndef TDMF_KERNEL_FRICTION_LAYER_H
 #define TDMF_KERNEL_FRICTION_LAYER_H
 
+#include "margins.h"
 #include "motion_series.h"
 #include "powers.h"
 #include "step_size.h"
@@ -17,18 +18,11 @@ typedef struct {
     real growth_rate; /* kappa/f_n */
 } friction_layer;
 
-/* The width is in v_s: e^-60 is 1e-26. */
-static const double layer_width = 60.0;
-
-/* A step changes the speed, in v_s, by no more than this, and lasts no longer, in 1/kappa: up to there an
- * exponential's series of the least order that steps have is as good as their tolerance. */
-static const double max_change_in_layer = 3.0, max_growth_in_layer = 3.0;
-
 /* The size of a step that its series may be trusted for, or less. */
 static inline real size_by_layer(const friction_layer *layer, real slip_sign, const ground_series *g,
                                  real size, int order) {
-    const real few = max_change_in_layer * layer->velocity;
-    const real beyond = slip_sign * g->foot_vx[0] - layer_width * layer->velocity;
+    const real few = TDMF_CHANGE_IN_LAYER * layer->velocity;
+    const real beyond = slip_sign * g->foot_vx[0] - TDMF_LAYER_WIDTH * layer->velocity;
     const real maximum = real_max(beyond, few);
     real power[SERIES_TERMS];
     set_powers(power, size, order);
@@ -37,8 +31,8 @@ static inline real size_by_layer(const friction_layer *layer, real slip_sign, co
     set_powers(power, size, order);
     const real force = real_abs(g->normal_force[0]) + largest_change(g->normal_force, power, order - 1);
     const real growth = size * layer->growth_rate * force;
-    const mask too_long = (beyond < few) & (growth > max_growth_in_layer);
-    return select(too_long, size * max_growth_in_layer / growth, size);
+    const mask too_long = (beyond < few) & (growth > TDMF_GROWTH_IN_LAYER);
+    return select(too_long, size * TDMF_GROWTH_IN_LAYER / growth, size);
 }
 
 #endif

@@ -42,10 +42,11 @@ static inline bool foot_is_free(ground_case is) {
 }
 
 /* Expands the motion and returns how far it may be trusted; `longest` is what its law allows. The layer is
- * that of a friction that falls with speed, if it does. */
+ * that of a friction that falls with speed, if it does, and `in_layer` tells whether that is what allows no
+ * more. */
 static inline real expand_ground_step(const ground_constants *c, const friction_layer *layer,
                                       const ground_coordinates *at, ground_case is, int order,
-                                      double tolerance, ground_series *g, real *longest) {
+                                      double tolerance, ground_series *g, real *longest, mask *in_layer) {
     series_remainder remainder = {broadcast(0.0), broadcast(0.0)};
     expand_ground(&c->law, &at->at, order, is, g);
     add_to_remainder(&remainder, g->normal_force, order - 1, c->mode.force_scale);
@@ -56,7 +57,9 @@ static inline real expand_ground_step(const ground_constants *c, const friction_
     const real size = size_for_loss(
         g->speed_square, c->mode.energy_scale / (c->mode.damping * c->mode.time_scale),
         trusted_size(&remainder, *longest, order - 1, broadcast(tolerance)), order - 1, tolerance);
-    return is.falls ? size_by_layer(layer, c->slip_sign, g, size, order) : size;
+    const real allowed = is.falls ? size_by_layer(layer, c->slip_sign, g, size, order) : size;
+    *in_layer = allowed < size;
+    return allowed;
 }
 
 /* The hip's work since the start of the step. */

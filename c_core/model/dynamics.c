@@ -93,6 +93,10 @@ void tdmf_state_scales(const tdmf_model *model, double scales[TDMF_STATE_COUNT])
     }
     scales[TDMF_FOOT_X] = scales[TDMF_FOOT_Y] = scales[TDMF_LEG_LENGTH] = units->length;
     scales[TDMF_FOOT_VX] = scales[TDMF_FOOT_VY] = scales[TDMF_LEG_LENGTH_RATE] = units->speed;
+    if (tdmf_friction_falls(model)) {
+        const double layer = model->parameters.ground.stribeck_velocity;
+        scales[TDMF_FOOT_VX] = layer < units->speed ? layer : units->speed;
+    }
     scales[TDMF_LEG_ANGLE] = 1.0;
     scales[TDMF_LEG_ANGLE_RATE] = 1.0 / units->time;
     scales[TDMF_HIP_PLACE_TIME] = units->time;

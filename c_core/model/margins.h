@@ -40,6 +40,13 @@ static inline double tdmf_margin_factor(int false_crossings) {
 /* Up to this a foot is on a border of a patch, which belongs to where the foot is going. */
 #define TDMF_ON_BORDER 1e-12
 
+/* The layer in which friction falls is so wide, in v_s: e^-60 is 1e-26. In it a step changes the foot's speed
+ * by so many v_s at the most, and lasts so long, in 1/kappa: up to there an exponential's series of the least
+ * order that steps have is as good as their tolerance. */
+#define TDMF_LAYER_WIDTH     60.0
+#define TDMF_CHANGE_IN_LAYER 3.0
+#define TDMF_GROWTH_IN_LAYER 3.0
+
 /* The apex has a margin of its own, for a centre of mass that rises. */
 #define TDMF_APEX_MARGIN (1e-3 * TDMF_GUARD_MARGIN)
 

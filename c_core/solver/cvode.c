@@ -14,6 +14,7 @@
 #include "tdmf_slip/dynamics.h"
 
 #include <cvode/cvode.h>
+#include <math.h>
 #include <nvector/nvector_serial.h>
 #include <string.h>
 #include <sunlinsol/sunlinsol_dense.h>
@@ -83,7 +84,9 @@ static int right_hand_side(realtype time, N_Vector integrated, N_Vector slope, v
                        state[TDMF_LEG_LENGTH], problem->rates->leg.extension);
     leave_out_clock(derivatives, slope);
     ++problem->options->evaluations;
-    return 0;
+    /* A trial past the zero of a speed over which friction falls may be beyond all numbers: it is made again,
+     * with a shorter step. */
+    return tdmf_is_finite_state(derivatives) ? 0 : 1;
 }
 
 static int root_functions(realtype time, N_Vector integrated, realtype *guards, void *data) {
@@ -200,6 +203,39 @@ static void update_rest_length(const problem *problem) {
     motion->mode.rest_length = tdmf_rest_length(problem->model, &inputs, &motion->mode);
 }
 
+/* How long the next step may be. */
+static double longest_step(const workspace *space, const problem *problem, double since_restart) {
+    const tdmf_inputs inputs = inputs_after(problem, since_restart);
+    double state[TDMF_STATE_COUNT];
+    add_clock(problem, since_restart, space->state, state);
+    return tdmf_longest_step((tdmf_system){problem->model, &inputs}, &problem->motion->mode, state);
+}
+
+/* Goes on from a restart until `left` later or to the first root, and says when that is. Where friction falls
+ * with speed CVODE is called for every step, and stopped where that may be no longer: a maximum of its own
+ * would bind the step after the next only. */
+static int go_on(workspace *space, problem *problem, double left, long steps_left, realtype *time) {
+    for (*time = 0.0;;) {
+        const double longest = longest_step(space, problem, *time);
+        const bool in_layer = *time + longest < left;
+        long steps = 0;
+        if (CVodeGetNumSteps(space->integrator, &steps) != CV_SUCCESS ||
+            CVodeSetMaxNumSteps(space->integrator, steps_left - steps) != CV_SUCCESS ||
+            CVodeSetStopTime(space->integrator, in_layer ? *time + longest : left) != CV_SUCCESS) {
+            return CV_ILL_INPUT;
+        }
+        const int flag =
+            CVode(space->integrator, left, space->state, time, isfinite(longest) ? CV_ONE_STEP : CV_NORMAL);
+        problem->options->layer_steps += flag == CV_TSTOP_RETURN && in_layer;
+        if (flag < 0 || flag == CV_ROOT_RETURN || !(*time < left)) {
+            return flag;
+        }
+        if (steps + 1 >= steps_left) {
+            return CV_TOO_MUCH_WORK;
+        }
+    }
+}
+
 static tdmf_outcome integrate(workspace *space, problem *problem, double until) {
     tdmf_motion *motion = problem->motion;
     const tdmf_instant end = {until, 0.0};
@@ -213,13 +249,9 @@ static tdmf_outcome integrate(workspace *space, problem *problem, double until) 
         if (steps_left <= 0) {
             return TDMF_TOO_MANY_STEPS;
         }
-        if (CVodeSetStopTime(space->integrator, left) != CV_SUCCESS ||
-            CVodeSetMaxNumSteps(space->integrator, steps_left) != CV_SUCCESS) {
-            return TDMF_NO_PROGRESS;
-        }
         realtype time = 0.0;
         long steps = 0;
-        const int flag = CVode(space->integrator, left, space->state, &time, CV_NORMAL);
+        const int flag = go_on(space, problem, left, steps_left, &time);
         CVodeGetNumSteps(space->integrator, &steps); /* since the last restart */
         problem->options->steps += steps;
         steps_left -= steps;

@@ -395,6 +395,7 @@ static tdmf_outcome advance_once(integration *integration) {
     open_step(integration);
     tdmf_step_expand(step, integration->order, integration->solver->relative_tolerance);
     integration->solver->evaluations += step->order;
+    integration->solver->layer_steps += step->in_layer;
     if (mode_is_too_stiff(integration)) {
         return TDMF_TOO_STIFF;
     }

@@ -38,8 +38,12 @@ static double expand_leg_in_flight(tdmf_step *step) {
 
 static double expand_standing_leg(tdmf_step *step) {
     const ground_coordinates at = tdmf_step_ground_coordinates(&step->equations->start);
-    return expand_ground_step(&step->constants.ground, &step->layer, &at, tdmf_step_ground_case(step),
-                              step->order, step->tolerance, &step->series.ground, &step->longest);
+    mask in_layer;
+    const double size =
+        expand_ground_step(&step->constants.ground, &step->layer, &at, tdmf_step_ground_case(step),
+                           step->order, step->tolerance, &step->series.ground, &step->longest, &in_layer);
+    step->in_layer = in_layer;
+    return size;
 }
 
 void tdmf_step_open(tdmf_step *step, const tdmf_mode_equations *equations, const tdmf_mode *mode,
@@ -59,6 +63,7 @@ void tdmf_step_open(tdmf_step *step, const tdmf_mode_equations *equations, const
 void tdmf_step_expand(tdmf_step *step, int order, double tolerance) {
     step->order = order;
     step->tolerance = tolerance;
+    step->in_layer = false;
     step->size = flies(step) ? expand_leg_in_flight(step) : expand_standing_leg(step);
 }
 

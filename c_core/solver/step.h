@@ -12,6 +12,7 @@ typedef struct {
     int order;
     double tolerance;
     double longest; /* that the law of the mode allows */
+    bool in_layer;  /* where friction falls, and a step may be no longer */
     double size;
     double length_change; /* in the step, of the leg */
     event_search search;

@@ -181,6 +181,7 @@ typedef struct {
     int64_t steps;           /* of runners */
     int64_t lane_steps;      /* lanes stepped; the steps in them over their number is how full they were */
     int64_t evaluations;     /* coefficients of series, as in tdmf_solver */
+    int64_t layer_steps;     /* of the steps, as in tdmf_solver */
     int64_t begun; /* runners, from the first on: of the others, where the run was stopped, no end is
                       written */
 } tdmf_ensemble_work;

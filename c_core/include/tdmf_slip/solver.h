@@ -43,6 +43,7 @@ typedef struct {
     /* Work done so far, for whoever wants to know. */
     int64_t steps, events;
     int64_t evaluations; /* of the right-hand side, or of a coefficient of its series */
+    int64_t layer_steps; /* of the steps, those that might be no longer where friction falls with speed */
 } tdmf_solver;
 
 /* The native solver gives up a runner that takes more steps than this within sqrt(m/k): at once where its

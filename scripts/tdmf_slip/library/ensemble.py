@@ -60,6 +60,8 @@ class Work:
     """Lanes stepped, with or without a runner in them."""
     evaluations: int
     """Coefficients of series."""
+    layer_steps: int
+    """Of the steps, those that might be no longer because friction falls with speed."""
 
 
 def instruction_sets() -> tuple[str, ...]:
@@ -157,7 +159,8 @@ def run_ensemble(
     ends = np.zeros(len(sections), dtype=END)
     work = run(ensemble, ends)
     del made, kept
-    return ends, Work(work.strides, work.events, work.steps, work.lane_steps, work.evaluations)
+    told = Work(work.strides, work.events, work.steps, work.lane_steps, work.evaluations, work.layer_steps)
+    return ends, told
 
 
 def ensemble_of(
