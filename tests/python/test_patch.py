@@ -117,12 +117,11 @@ def test_where_a_foot_lands_decides():
         lambda: tdmf_slip.find_gait(PATCH, model="reduced"),
         lambda: tdmf_slip.sweep(PATCH, {"leg.damping": [0.2, 0.21]}),
         lambda: tdmf_slip.basin(PATCH, n=2),
-        lambda: tdmf_slip.strides_to_fall(PATCH, roughness=0.1),
         lambda: tdmf_slip.library.ensemble.run_ensemble(
             [tdmf_slip.library.ensemble.Case(PATCH, [RUNS[0]["apex"]])], [RUNS[0]["apex"]], max_strides=1
         ),
     ],
-    ids=["gait", "reduced gait", "sweep", "basin", "strides to fall", "ensemble with a gait"],
+    ids=["gait", "reduced gait", "sweep", "basin", "ensemble with a gait"],
 )
 def test_what_has_no_place_for_a_patch_says_so(refused):
     with pytest.raises(tdmf_slip.InputError, match=r"ground\.patch_end = 12\.52"):
@@ -141,3 +140,36 @@ def test_what_has_no_place_for_a_patch_says_so(refused):
 def test_a_place_that_is_none_is_refused(foot_x, said):
     with pytest.raises(tdmf_slip.InputError, match=said):
         tdmf_slip.stride_map(PATCH, [RUNS[0]["apex"]] * 2, foot_x=foot_x)
+
+
+# ---- strides until the fall -----------------------------------------------------------------------------
+
+# Downhill the foot is sped up on ice, and falls where grip returns.
+DOWNHILL = {
+    "ground.friction": 10.0,
+    "ground.slope": np.radians(-4.0),
+    "ground.patch_begin": 100.0,
+    "ground.patch_end": 500.0,
+    "ground.patch_friction": 0.02,
+}
+
+
+def test_strides_to_fall_begins_on_the_gait_without_the_patch_at_any_phase():
+    """Falls are those of the same strides by the stride map, runner by runner."""
+    gait = tdmf_slip.find_gait(DOWNHILL | {"ground.patch_end": 100.0})
+    found = tdmf_slip.strides_to_fall(DOWNHILL, 0.0, runners=40, max_strides=120, seed=3, foot_x="random")
+    assert found.word == gait.word and found.falls > 0
+    places = 100.0 - np.random.default_rng(3).uniform(1.0, 2.0, 40) * gait.stride["length"]
+    run = tdmf_slip.stride_map(DOWNHILL, gait.apex, strides=120, foot_x=places)
+    fell = (run["fate"].values == 1).any(axis=1)
+    assert found.falls == np.count_nonzero(fell)
+    given = tdmf_slip.strides_to_fall(DOWNHILL, 0.0, runners=40, max_strides=120, foot_x=places)
+    assert (given.falls, given.strides) == (found.falls, found.strides)
+    behind = tdmf_slip.strides_to_fall(DOWNHILL, 0.0, runners=4, max_strides=120, foot_x=600.0)
+    assert behind.falls == 0
+
+
+@pytest.mark.parametrize("foot_x", ["anywhere", [0.0, 1.0], float("inf")])
+def test_strides_to_fall_refuses_places_that_are_none(foot_x):
+    with pytest.raises(tdmf_slip.InputError, match="foot_x"):
+        tdmf_slip.strides_to_fall(DOWNHILL, 0.0, runners=3, max_strides=1, foot_x=foot_x)

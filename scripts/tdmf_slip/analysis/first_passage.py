@@ -9,7 +9,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from ..blocks.running import run_blocks
 from ..checks import checked_whole
@@ -18,6 +18,7 @@ from ..errors import InputError
 from ..library import ensemble
 from ..library.affine_law import AffineLaw, check_law
 from ..library.gait import Gait, check_is_gait
+from ..library.population import numbers
 from ..library.rough_ground import RoughGround
 from ..library.runner import Runner
 from ..terminal.progress import progress_bar
@@ -135,6 +136,8 @@ class Share(ByContents):
     """Of each."""
     law: AffineLaw | None = None
     """By which they are set."""
+    foot_x: NDArray[np.float64] | None = None
+    """Where their feet are at the start, m, shape (count,); by default at 0."""
 
 
 def count_falls(share: Share) -> NDArray[np.int64]:
@@ -147,6 +150,7 @@ def count_falls(share: Share) -> NDArray[np.int64]:
         first_number=share.first,
         tolerance=TOLERANCE,
         threads=1,
+        foot_x=share.foot_x,
     )
     falls = np.count_nonzero(ends["fate"] == FELL)
     strides = ends["strides"].sum(dtype=np.int64) + falls
@@ -164,6 +168,7 @@ def strides_to_fall(
     *,
     gait: Gait | None = None,
     law: AffineLaw | None = None,
+    foot_x: ArrayLike | None = None,
     scheduler: str | None = None,
     threads: int | None = None,
     progress: bool = False,
@@ -175,6 +180,10 @@ def strides_to_fall(
     those of each runner, which are numbered from 0. A runner whose foot is below its step for a whole stride
     has fallen, too. Runners start from the gait on level ground. The fall is
     that of the library's solver at a relative tolerance of 1e-5 a step.
+
+    Where the ground has a patch, the gait is that without it, and what comes of a runner depends on where its
+    foot is at the start. A patch is left behind sooner or later, and strides until the fall are then not
+    geometric: what counts are the falls of so many runners.
 
     Parameters
     ----------
@@ -194,6 +203,10 @@ def strides_to_fall(
     law : AffineLaw, optional
         By which settings are made anew at each apex, the start's too, from its height above the ground before
         it steps.
+    foot_x : array_like of float, shape () or (runners,), or "random", optional
+        Where the feet are at the start, m, by default at 0. Those that are "random" are drawn evenly from the
+        last stride's length of the gait before the patch, by the ground's seed: so the patch begins at any
+        phase of a stride.
     scheduler : str, optional
         Of a Dask cluster, see `run_blocks`. The result does not depend on who computes it.
     threads : int, optional
@@ -233,11 +246,12 @@ def strides_to_fall(
     max_strides = checked_whole("max_strides", max_strides, 1, MAX_STRIDES)
     if gait is not None:
         check_is_gait(gait, "gait")
-    start = periodic_gait(runner, fmu=fmu) if gait is None else gait
+    start = periodic_gait(_without_patch(runner), fmu=fmu) if gait is None else gait
     runner, apex = Runner(runner.values), tuple(start.apex)
+    feet = _feet(foot_x, start, runner, runners, ground.seed)
     size = min(MAX_IN_A_BLOCK, max(MIN_IN_A_BLOCK, STRIDES_IN_A_BLOCK // max_strides))
     shares = [
-        Share(runner, apex, ground, first, min(size, runners - first), max_strides, law)
+        Share(runner, apex, ground, first, min(size, runners - first), max_strides, law, feet[first:][:size])
         for first in range(0, runners, size)
     ]
     counted = np.zeros(4, dtype=np.int64)
@@ -249,3 +263,22 @@ def strides_to_fall(
             counted += found
             bar.update(shares[number].count)
     return FirstPassage(start.word, ground.roughness, runners, *map(int, counted))
+
+
+def _without_patch(runner: Runner) -> Runner:
+    return runner.but("ground.patch_end", runner.values["ground.patch_begin"])
+
+
+def _feet(
+    foot_x: ArrayLike | None, start: Gait, runner: Runner, runners: int, seed: int
+) -> NDArray[np.float64]:
+    """Where the feet are at the start, shape (runners,)."""
+    if isinstance(foot_x, str) and foot_x == "random":
+        before = np.random.default_rng(seed).uniform(1.0, 2.0, runners)
+        return runner.values["ground.patch_begin"] - before * float(start.stride["length"])
+    feet = numbers("foot_x", 0.0 if foot_x is None else foot_x, 1)
+    if feet.size not in (1, runners) or not np.isfinite(feet).all():
+        raise InputError(
+            f'foot_x of shape {feet.shape}; allowed: a finite number, ({runners},) of them, or "random"'
+        )
+    return np.broadcast_to(feet.ravel(), (runners,)).copy()

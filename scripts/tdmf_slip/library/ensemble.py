@@ -86,6 +86,7 @@ def run_ensemble(
     tolerance: float = TOLERANCE,
     threads: int | None = None,
     instructions: str | None = None,
+    foot_x: NDArray[np.float64] | None = None,
 ) -> tuple[NDArray[np.void], Work]:
     """Follow runners from their starts until they settle, fall, or have made the most strides.
 
@@ -110,6 +111,8 @@ def run_ensemble(
         By default one for each processor. Results do not depend on it.
     instructions : str, optional
         One of `instruction_sets()`; by default the fastest. Results differ by rounding.
+    foot_x : ndarray of float, shape (runners,), optional
+        Where the feet are at the start, m, by default at 0; the ground may have a patch.
 
     Returns
     -------
@@ -149,6 +152,14 @@ def run_ensemble(
     check_size("apices", len(apices) if isinstance(apices, Sized) else 1, "runners", MAX_RUNNERS)
     sections = sections_of("apices", apices, runner.coordinates)
     ensemble = ensemble_of(runner, sections, first_number, tolerance, threads, instructions)
+    places = None if foot_x is None else np.ascontiguousarray(foot_x, dtype=float)
+    if places is not None:
+        if places.shape != (len(sections),) or not np.isfinite(places).all():
+            raise InputError(
+                f"foot_x of shape {places.shape}; allowed: finite numbers, ({len(sections)},), for each "
+                "runner one"
+            )
+        ensemble.foot_x = ffi.cast("double *", ffi.from_buffer(places))
     max_strides, near = _whole("max_strides", max_strides), _within("near", near, 0.0, np.inf)
     made, kept = c_cases(all_cases, max_strides, near)
     ensemble.cases = made
