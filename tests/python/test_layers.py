@@ -15,7 +15,7 @@ KNOWS = {
     "files": {"terminal"},
     "blocks": {"terminal"},
     "unit": {"terminal", "files", "blocks"},
-    "library": {"unit"},
+    "library": {"unit", "terminal"},
     "analysis": {"library", "unit", "blocks", "files", "terminal"},
     "feedback": {"analysis", "library", "unit", "blocks", "files", "terminal"},
     "fitting": {"analysis", "library", "unit", "files", "terminal"},

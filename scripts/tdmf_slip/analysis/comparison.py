@@ -9,6 +9,7 @@ from dataclasses import dataclass
 
 from ..checks import is_one_of, near_matches, shown
 from ..contents import ByContents
+from ..drawable import Drawable
 from ..errors import InputError
 from ..given import row_of
 from ..library.gait import Gait
@@ -54,8 +55,8 @@ class MatchedRunner(ByContents):
     """The gait that it has with what is held as the reference has it, or as near to it as was found."""
 
 
-@dataclass(frozen=True, eq=False)
-class Comparison(ByContents):
+@dataclass(frozen=True, eq=False, repr=False)
+class Comparison(ByContents, Drawable):
     """Runners with the same speed, clearance or the like, whose differences have fewer causes."""
 
     hold: tuple[str, ...]
@@ -71,6 +72,12 @@ class Comparison(ByContents):
     def gaits(self) -> tuple[Gait, ...]:
         """Of the matched runners."""
         return tuple(matched.after for matched in self.runners)
+
+    def __repr__(self) -> str:
+        """In a line: how many runners, what is held equal by what, and what could not be."""
+        missed = f", {len(self.not_held)} not held" if self.not_held else ""
+        hold, vary = ", ".join(self.hold), ", ".join(self.vary)
+        return f"<Comparison of {len(self.runners)} runners, {hold} held by {vary}{missed}>"
 
     def as_json(self) -> dict[str, object]:
         """The comparison as a plain object."""

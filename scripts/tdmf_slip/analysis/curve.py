@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..contents import ByContents
+from ..drawable import Drawable
 
 LONGEST = 1 / 15
 """Of the ranges: a step along a curve."""
@@ -15,8 +16,8 @@ CLOSED = "closed: back where it has been"
 """Why a curve ends that meets itself."""
 
 
-@dataclass(frozen=True, eq=False)
-class Curve(ByContents):
+@dataclass(frozen=True, eq=False, repr=False)
+class Curve(ByContents, Drawable):
     """Special points of one kind over two parameters."""
 
     kind: str
@@ -31,6 +32,11 @@ class Curve(ByContents):
     """Why it has no more."""
     words: tuple[str, str] | None = None
     """On both sides of a word border."""
+
+    def __repr__(self) -> str:
+        """In a line: what kind, over what, and how many points."""
+        names = " and ".join(self.names)
+        return f"<Curve of a {self.kind} over {names}: {len(self.points)} points, {self.ended}>"
 
     def as_json(self) -> dict[str, object]:
         """As a plain object; a point is a pair in the order of `over`."""

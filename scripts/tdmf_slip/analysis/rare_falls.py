@@ -10,6 +10,7 @@ from dataclasses import dataclass
 
 from ..checks import checked_whole
 from ..contents import ByContents
+from ..drawable import Drawable
 from ..errors import InputError
 from ..library.affine_law import AffineLaw, check_law
 from ..library.gait import Gait, check_is_gait
@@ -28,8 +29,8 @@ SMOOTHEST = 1e-9
 """Roughness, m."""
 
 
-@dataclass(frozen=True, eq=False)
-class RareFalls(ByContents):
+@dataclass(frozen=True, eq=False, repr=False)
+class RareFalls(ByContents, Drawable):
     """Strides until a rare fall, estimated by splitting."""
 
     word: str
@@ -58,6 +59,14 @@ class RareFalls(ByContents):
     def strides(self) -> int:
         """Made by all walkers."""
         return self.found.steps
+
+    def __repr__(self) -> str:
+        """In a line: the mean with its interval."""
+        low, high = self.interval
+        return (
+            f"<RareFalls of {self.word} on steps of {self.roughness:.4g} m: {self.mean_strides:.4g} strides, "
+            f"{low:.4g} to {high:.4g}>"
+        )
 
     def as_json(self) -> dict[str, object]:
         """The estimate as a plain object."""

@@ -1,5 +1,7 @@
 """The stride map of many runners: from apex to apex, with settings that may change from stride to stride."""
 
+from __future__ import annotations
+
 import json
 import math
 import reprlib

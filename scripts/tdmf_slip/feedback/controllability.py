@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..contents import ByContents
+from ..drawable import Drawable
 from ..library.gait import Gait
 from ..unit.unit import Fmu
 from .linearization import linearize
@@ -22,7 +23,7 @@ RANK_TOLERANCE = 1e-9
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class Controllability(ByContents):
+class Controllability(ByContents, Drawable):
     """Which modes of a gait its settings can move, and how far; everything over the scales."""
 
     inputs: tuple[str, ...]

@@ -1,5 +1,7 @@
 """A feedback: an affine law from the apex to settings, with what its closed loop does to first order."""
 
+from __future__ import annotations
+
 from collections.abc import Mapping
 from dataclasses import dataclass, fields
 from typing import Any, TypeAlias
@@ -8,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..checks import is_number, is_one_of, near_matches, shown
+from ..drawable import Drawable
 from ..errors import InputError
 from ..given import mapping_of, row_of
 from ..library.affine_law import AffineLaw
@@ -19,7 +22,7 @@ Limits: TypeAlias = Mapping[str, tuple[float, float]]
 
 
 @dataclass(frozen=True, eq=False, repr=False, kw_only=True)
-class Feedback(AffineLaw):
+class Feedback(AffineLaw, Drawable):
     """An affine law that holds a gait, as `law=` takes it; `dataclasses.replace` gives it noise or limits."""
 
     linearization: Linearization

@@ -3,6 +3,8 @@
 Each is an affine law from the apex to the settings of the stride that follows, with limits on each setting.
 """
 
+from __future__ import annotations
+
 import reprlib
 from collections.abc import Sequence
 from typing import Any

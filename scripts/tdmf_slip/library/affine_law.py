@@ -1,5 +1,7 @@
 """A law from apex to settings that the ensemble engine follows by itself, with limits and noise."""
 
+from __future__ import annotations
+
 from collections.abc import Sequence
 from dataclasses import asdict, dataclass
 

@@ -24,7 +24,7 @@ TOLERANCE = 1e-13
 so is the gait itself, unless it is very sensitive, as near a fold."""
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Runner(ByContents):
     """Parameters, inputs and a start, as the C library takes them.
 
@@ -44,6 +44,14 @@ class Runner(ByContents):
         missing = next((name for name in (*VARIED, *STATES) if name not in self.values), None)
         if missing is not None:
             raise InputError(f"values: {missing} is missing; allowed: all of them, as Runner.of gives them")
+
+    def __repr__(self) -> str:
+        """In a line: what tells one from another at first sight."""
+        some = ("ground.friction", "body.mass", "leg.stiffness", "hip.stance_torque", "hip.touchdown_angle")
+        model = "reduced" if self.reduced else "full"
+        return (
+            f"<Runner, {model} model: {', '.join(f'{name} {self.values[name]:.6g}' for name in some)}, ...>"
+        )
 
     @classmethod
     def of(cls, given: object = None, fmu: Fmu | None = None, *, model: str | None = None) -> "Runner":

@@ -4,6 +4,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 from ..contents import ByContents
+from ..drawable import Drawable
 from ..library.gait import Gait
 from ..library.quantities import known_quantities, quantities_of
 from ..library.scales import scale_of
@@ -41,7 +42,7 @@ def reported(gait: Gait) -> dict[str, float]:
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class Optimum(ByContents):
+class Optimum(ByContents, Drawable):
     """The best runner that was found: a gait, and what says that there is no better one near it."""
 
     objective: str

@@ -9,6 +9,7 @@ from ..analysis.search import periodic_gait
 from ..analysis.targeted import TargetNotMetError
 from ..checks import checked_whole
 from ..contents import ByContents
+from ..drawable import Drawable
 from ..errors import InputError
 from ..library.runner import Runner
 from ..terminal.progress import Bar, progress_bar
@@ -24,14 +25,18 @@ from .starts import Start
 POINTS, MAX_POINTS = 7, 1000
 
 
-@dataclass(frozen=True, eq=False)
-class Front(ByContents):
+@dataclass(frozen=True, eq=False, repr=False)
+class Front(ByContents, Drawable):
     """Runners of which none is better in one quantity without being worse in the other."""
 
     objectives: tuple[str, str]
     """The two quantities."""
     optima: tuple[Optimum, ...]
     """From the best in the first to the best in the second."""
+
+    def __repr__(self) -> str:
+        """In a line: how many runners, between which two quantities."""
+        return f"<Front of {' and '.join(self.objectives)}: {len(self.optima)} runners>"
 
     def as_json(self) -> dict[str, object]:
         """As a plain object."""

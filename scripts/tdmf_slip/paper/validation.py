@@ -5,6 +5,7 @@ from collections.abc import Sequence
 from dataclasses import asdict, dataclass, field
 
 from ..contents import ByContents
+from ..drawable import Drawable
 from ..library.runner import Runner
 from ..terminal.text import table
 from ..unit.parameters import read_parameters
@@ -17,8 +18,8 @@ from .reference_gaits import Drift
 from .settling import DEFAULT_TOLERANCE, SettledRun, settle_unit
 
 
-@dataclass(frozen=True, eq=False)
-class Validation(ByContents):
+@dataclass(frozen=True, eq=False, repr=False)
+class Validation(ByContents, Drawable):
     """The five gaits, what the paper says of them, and how far they are from the reference."""
 
     gaits: Sequence[SettledRun]
@@ -39,6 +40,10 @@ class Validation(ByContents):
     def differing(self) -> list[Claim]:
         """The statements that what is computed does not bear out."""
         return [claim for claim in self.claims if not claim.agrees]
+
+    def __repr__(self) -> str:
+        """In a line: how many statements, and how many of them differ."""
+        return f"<Validation of {len(self.claims)} statements: {len(self.differing)} differ>"
 
     def as_json(self) -> dict[str, object]:
         """Everything as a plain object."""

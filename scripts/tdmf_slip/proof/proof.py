@@ -9,6 +9,7 @@ from typing import Protocol
 import flint
 from flint import acb, arb
 
+from ..drawable import Drawable
 from ..unit.unit import FRICTION, load_fmu
 from .exact import Exact, ball_of, default_value
 from .section import COORDINATES
@@ -119,8 +120,8 @@ def statement(proof: Proved) -> dict[str, object]:
     return {"proved": proof.proved, "sentence": proof.sentence, "assumptions": assumptions()}
 
 
-@dataclass(frozen=True)
-class Proof:
+@dataclass(frozen=True, repr=False)
+class Proof(Drawable):
     """A gait with enclosures of all that is told of it, or what could not be decided."""
 
     proved: bool
@@ -155,6 +156,10 @@ class Proof:
     def assumptions(self) -> Sequence[str]:
         """What the proof rests on."""
         return assumptions()
+
+    def __repr__(self) -> str:
+        """The sentence, of as much as fits two lines."""
+        return f"<Proof: {self.sentence[:160]}{'...' if len(self.sentence) > 160 else ''}>"
 
     def as_json(self) -> dict[str, object]:
         """As a plain object, in which enclosures are texts `[mid +/- radius]`."""

@@ -11,6 +11,7 @@ from fractions import Fraction
 
 from flint import acb_mat, arb, ctx
 
+from ..drawable import Drawable
 from .eigenvalues import contraction
 from .exact import ball_of
 from .given import Given, gait_of
@@ -25,8 +26,8 @@ BOXES = tuple(Fraction(digit, 10**places) for places in range(3, 13) for digit i
 BITS = 64
 
 
-@dataclass(frozen=True)
-class Attraction:
+@dataclass(frozen=True, repr=False)
+class Attraction(Drawable):
     """Starts that are proved to settle on a gait."""
 
     proved: bool
@@ -45,6 +46,10 @@ class Attraction:
     """The norm's w, shape (6,)."""
     undecided: str = ""
     """What could not be decided."""
+
+    def __repr__(self) -> str:
+        """The sentence, of as much as fits two lines."""
+        return f"<Attraction: {self.sentence[:160]}{'...' if len(self.sentence) > 160 else ''}>"
 
     def as_json(self) -> dict[str, object]:
         """As a plain object."""

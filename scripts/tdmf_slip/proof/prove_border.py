@@ -10,6 +10,7 @@ from flint import arb, ctx
 from ..analysis.borders import Border
 from ..analysis.search import periodic_gait
 from ..checks import check_kind, checked_whole
+from ..drawable import Drawable
 from ..library.gait import Gait
 from ..library.members import VARIED, check_varied
 from ..library.runner import Runner
@@ -31,8 +32,8 @@ BESIDE = 1e-7
 ROUGH = 1e-12
 
 
-@dataclass(frozen=True)
-class BorderProof:
+@dataclass(frozen=True, repr=False)
+class BorderProof(Drawable):
     """A border between gait words, with enclosures, or what could not be decided."""
 
     proved: bool
@@ -62,6 +63,10 @@ class BorderProof:
     def words(self) -> tuple[str, ...]:
         """On the sides whose gait is proved, in the parameter's order."""
         return tuple(side.word for side in self.sides if side.proved)
+
+    def __repr__(self) -> str:
+        """The sentence, of as much as fits two lines."""
+        return f"<BorderProof: {self.sentence[:160]}{'...' if len(self.sentence) > 160 else ''}>"
 
     def as_json(self) -> dict[str, object]:
         """As a plain object, in which enclosures are texts `[mid +/- radius]`."""

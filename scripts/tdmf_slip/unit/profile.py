@@ -1,5 +1,7 @@
 """Uneven ground: a profile of straight lines."""
 
+from __future__ import annotations
+
 import math
 from dataclasses import dataclass
 
@@ -62,7 +64,7 @@ class Profile:
             raise InputError("profile: places have to be ascending, from left to right")
 
     @classmethod
-    def steps(cls, edges: ArrayLike, heights: ArrayLike) -> "Profile":
+    def steps(cls, edges: ArrayLike, heights: ArrayLike) -> Profile:
         """Level ground with steps.
 
         Parameters
@@ -92,7 +94,7 @@ class Profile:
     @classmethod
     def random_steps(
         cls, count: int, tread: float, roughness: float, seed: int, begin: float = 0.0
-    ) -> "Profile":
+    ) -> Profile:
         """Level ground up to `begin`, and then steps of a random walk.
 
         Parameters

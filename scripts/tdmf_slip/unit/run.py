@@ -2,13 +2,15 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from ..checks import is_one_of, near_matches, shown
 from ..contents import ByContents
 from ..drawable import Drawable
+from ..errors import InputError
 from .events import Event
 from .unit import Fmu, load_fmu
 
@@ -49,6 +51,16 @@ class Run(ByContents, Drawable):
     def strides(self) -> int:
         """How many were completed."""
         return int(self.final["stride.count"])
+
+    def __getitem__(self, name: str) -> NDArray[Any]:
+        """A column of the table, as in `run["com.x"]`."""
+        if not is_one_of(name, self.names):
+            raise InputError(f"{shown(name)} was not recorded{near_matches(name, self.names)}")
+        return self.table[name]
+
+    def _shown(self) -> Mapping[str, Any]:
+        """How it ended, and the last stride."""
+        return {"fallen": self.fallen, "strides": self.strides, **self.stride}
 
     def __repr__(self) -> str:
         """In a line: how far it went, and the last stride."""

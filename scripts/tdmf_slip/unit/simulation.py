@@ -1,5 +1,7 @@
 """One run of the unit through FMPy."""
 
+from __future__ import annotations
+
 import math
 from collections.abc import Iterable, Mapping
 

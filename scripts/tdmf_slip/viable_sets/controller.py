@@ -1,5 +1,7 @@
 """A law from apex to settings that keeps a runner viable: the viable action nearest to a wish."""
 
+from __future__ import annotations
+
 from collections.abc import Mapping
 from dataclasses import dataclass
 
@@ -60,7 +62,7 @@ class ViableController(ByContents):
         outer: NDArray[np.bool_],
         runner: Runner,
         wish: Mapping[str, float] | None,
-    ) -> "ViableController":
+    ) -> ViableController:
         """A controller with a wish that is checked.
 
         Parameters

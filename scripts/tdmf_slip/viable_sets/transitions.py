@@ -39,7 +39,7 @@ class Transitions(ByContents):
     grid: Grid
     """Of corners and actions."""
     fate: NDArray[np.int8]
-    """Numbers into `library.noted_strides.STRIDE_FATES`, shape (nodes, nodes, actions)."""
+    """Numbers into `library.recorded_strides.STRIDE_FATES`, shape (nodes, nodes, actions)."""
     next_apex: NDArray[np.float32]
     """Height and speed, NaN where the stride did not close, shape (2, nodes, nodes, actions)."""
 

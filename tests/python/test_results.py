@@ -1,0 +1,68 @@
+"""Results show themselves: in a line, as a table of a notebook, as a dataset; arrays go by names."""
+
+import inspect
+import pydoc
+
+import numpy as np
+import pytest
+import tdmf_slip
+from tdmf_slip import InputError
+from tdmf_slip.drawable import Drawable
+
+ANGLE, TORQUE = "hip.touchdown_angle", "hip.stance_torque"
+RESULTS = [
+    *("Attraction", "BorderProof", "Branch", "Comparison", "Controllability", "Curve", "Feedback", "Fit"),
+    *("Front", "Gait", "Optimum", "Proof", "RareFalls", "Run", "Sweep", "Validation"),
+    *("Viability",),
+]
+MADE = {
+    "gait": lambda gait: gait,
+    "run": lambda gait: tdmf_slip.simulate(gait, strides=2),
+    "sweep": lambda gait: tdmf_slip.sweep({}, {"ground.friction": [0.6, 0.5]}),
+    "controllability": lambda gait: tdmf_slip.controllability(gait, [ANGLE, TORQUE]),
+    "feedback": lambda gait: tdmf_slip.dead_beat(gait, [ANGLE, TORQUE]),
+    "optimum": lambda gait: tdmf_slip.optimize(gait, {TORQUE: (0.19, 0.21)}, maximize="speed", starts=1),
+    "comparison": lambda gait: tdmf_slip.compare(
+        [{"ground.friction": 0.6}, {"ground.friction": 0.7}], hold=["speed"], vary=[TORQUE]
+    ),
+}
+
+
+@pytest.fixture(scope="module")
+def gait():
+    return tdmf_slip.find_gait({"ground.friction": 0.6})
+
+
+@pytest.mark.parametrize("name", RESULTS)
+def test_results_have_a_picture_a_dataset_and_a_table(name):
+    assert issubclass(getattr(tdmf_slip, name), Drawable)
+
+
+@pytest.mark.parametrize("name", MADE)
+def test_a_result_fits_a_page_and_is_equal_to_itself_made_anew(name, gait):
+    result, again = MADE[name](gait), MADE[name](gait)
+    text = repr(result)
+    assert text.startswith("<") and len(text) < 400 and "\n" not in text
+    page = result._repr_html_()
+    assert page.startswith("<table>") and len(page) < 6000 and page.count("<tr>") >= 3
+    assert result == again
+    data = result.to_xarray()
+    assert len(data.data_vars) >= 2 and data.identical(again.to_xarray())
+
+
+def test_the_columns_of_a_run_go_by_their_names(gait):
+    run = tdmf_slip.simulate(gait, strides=1)
+    assert run["com.x"] is not None and np.array_equal(run["com.x"], run.table["com.x"])
+    with pytest.raises(InputError, match=r"'com.z' was not recorded.*com.x"):
+        run["com.z"]
+
+
+def test_help_names_the_types_of_arrays():
+    """And not what stands behind that name, which fills a screen."""
+    shown = 0
+    for name in tdmf_slip.__all__:
+        thing = getattr(tdmf_slip, name)
+        if inspect.isfunction(thing) or inspect.isclass(thing):
+            assert "_NestedSequence" not in pydoc.plain(pydoc.render_doc(thing)), name
+            shown += 1
+    assert shown > 40 and "ArrayLike" in pydoc.render_doc(tdmf_slip.stride_map)
