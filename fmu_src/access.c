@@ -45,7 +45,7 @@ static call_status get_number(instance *instance, const char *call, unsigned typ
     const bool calculated = follows_from_start(instance, variable);
     const fmu_view *view = is_stored(variable) && !calculated ? NULL : current_view(instance, call, &status);
     if (status == CALL_OK) {
-        *value = calculated ? view->states[variable->place] : fmu_get_number(&instance->fmu, view, variable);
+        *value = calculated ? view->states[variable->offset] : fmu_get_number(&instance->fmu, view, variable);
     }
     return status;
 }
@@ -159,7 +159,7 @@ static call_status set_number(instance *instance, const char *call, uint32_t ref
         return same ? CALL_OK : warn_of_value_kept(instance, call, variable);
     }
     if (is_trial(instance, variable)) {
-        try_state(&instance->fmu, variable->place, value);
+        try_state(&instance->fmu, variable->offset, value);
     } else {
         fmu_set_number(&instance->fmu, variable, value);
     }

@@ -134,7 +134,7 @@ char *time_text(double time, char text[TIME_CAPACITY]) {
 static const char *name_of_guard(int guard) {
     static const char group[] = "guard.";
     size_t i = 0;
-    while (fmu_variables[i].storage != STORED_GUARD || fmu_variables[i].place != (size_t)guard) {
+    while (fmu_variables[i].storage != STORED_GUARD || fmu_variables[i].offset != (size_t)guard) {
         ++i;
     }
     return fmu_variables[i].name + sizeof group - 1;

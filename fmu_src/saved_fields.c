@@ -26,7 +26,7 @@ static const double margin = 1e-6;
 typedef struct {
     unsigned char *target;       /* written to, or NULL */
     const unsigned char *source; /* read from, or NULL */
-    size_t place;
+    size_t offset;
     const char *refused; /* the first field that may not be what it is */
 } transfer;
 
@@ -35,12 +35,12 @@ typedef struct {
 /* Moves one value between `value` and the bytes; true where it was read. */
 static bool pass(transfer *bytes, void *value, size_t size) {
     if (bytes->target != NULL) {
-        memcpy(bytes->target + bytes->place, value, size);
+        memcpy(bytes->target + bytes->offset, value, size);
     }
     if (bytes->source != NULL) {
-        memcpy(value, bytes->source + bytes->place, size);
+        memcpy(value, bytes->source + bytes->offset, size);
     }
-    bytes->place += size;
+    bytes->offset += size;
     return bytes->source != NULL;
 }
 
@@ -257,7 +257,7 @@ static void pass_record(transfer *bytes, tdmf_record *record) {
     pass_open_stride(bytes, &record->progress.open);
 }
 
-static void pass_place(transfer *bytes, tdmf_motion *motion) {
+static void pass_position(transfer *bytes, tdmf_motion *motion) {
     pass_time(bytes, "time", &motion->time);
     for (int i = 0; i < TDMF_STATE_COUNT; ++i) {
         const bool sums = i >= TDMF_MECHANICAL_COUNT && i != TDMF_HIP_PLACE_TIME;
@@ -329,7 +329,7 @@ static void pass_pending_event(transfer *bytes, fmu *fmu) {
     pass_between(bytes, "how far before its event the run stands", &fmu->event_lead, 0.0, DBL_MAX);
     pass_integer(bytes, "the guard of its event", &fmu->event_guard, -1, TDMF_GUARD_COUNT - 1);
     pass_variables(bytes, &at_event, 1U << STORED_PARAMETER | 1U << STORED_INPUT);
-    pass_place(bytes, &fmu->after_event);
+    pass_position(bytes, &fmu->after_event);
     pass_history(bytes, &fmu->after_event);
     fmu->event_parameters = at_event.parameters;
     fmu->event_inputs = at_event.inputs;
@@ -348,7 +348,7 @@ static void pass_run(transfer *bytes, saved_run *run) {
     pass_flag(bytes, "whether the run has begun", &begun);
     pass_flag(bytes, "the pending event", &run->fmu.event_is_pending);
     pass_surroundings(bytes, &run->fmu);
-    pass_place(bytes, &run->fmu.motion);
+    pass_position(bytes, &run->fmu.motion);
     if (begun) {
         pass_history(bytes, &run->fmu.motion);
         pass_accounted_leg(bytes, &run->fmu);
@@ -480,7 +480,7 @@ size_t saved_run_size(void) {
     run.fmu.motion.mode.contact = TDMF_CONTACT_FLIGHT;
     run.fmu.event_is_pending = true;
     pass_run(&bytes, &run);
-    return bytes.place;
+    return bytes.offset;
 }
 
 void write_saved_run(saved_run *run, unsigned char *bytes) {

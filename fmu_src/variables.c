@@ -30,7 +30,7 @@ static const void *storage_of(const fmu *fmu, const fmu_view *view, fmu_storage 
 static size_t byte_offset(const fmu_variable *variable) {
     const bool indexed = variable->storage == STORED_STATE || variable->storage == STORED_DERIVATIVE ||
                          variable->storage == STORED_GUARD;
-    return indexed ? variable->place * sizeof(double) : variable->place;
+    return indexed ? variable->offset * sizeof(double) : variable->offset;
 }
 
 bool fmu_is_set_at_events(const fmu_variable *variable) {
@@ -47,29 +47,29 @@ tdmf_refusal fmu_refuse_value(const fmu_variable *variable, double value) {
 }
 
 double fmu_get_number(const fmu *fmu, const fmu_view *view, const fmu_variable *variable) {
-    const char *place = (const char *)storage_of(fmu, view, variable->storage) + byte_offset(variable);
+    const char *address = (const char *)storage_of(fmu, view, variable->storage) + byte_offset(variable);
     if (variable->type == VARIABLE_REAL) {
         double value;
-        memcpy(&value, place, sizeof value);
+        memcpy(&value, address, sizeof value);
         return value;
     }
     int value;
-    memcpy(&value, place, sizeof value);
+    memcpy(&value, address, sizeof value);
     return value;
 }
 
 const char *fmu_get_text(const fmu_view *view, const fmu_variable *variable) {
-    return (const char *)&view->outputs + variable->place;
+    return (const char *)&view->outputs + variable->offset;
 }
 
 void fmu_set_number(fmu *fmu, const fmu_variable *variable, double value) {
     /* Settable variables live in the unit; the view is never written through here. */
-    char *place = (char *)(size_t)storage_of(fmu, NULL, variable->storage) + byte_offset(variable);
+    char *address = (char *)(size_t)storage_of(fmu, NULL, variable->storage) + byte_offset(variable);
     if (variable->type == VARIABLE_REAL) {
-        memcpy(place, &value, sizeof value);
+        memcpy(address, &value, sizeof value);
     } else {
         const int number = (int)value;
-        memcpy(place, &number, sizeof number);
+        memcpy(address, &number, sizeof number);
     }
 }
 

@@ -41,7 +41,7 @@ typedef struct {
     const char *unit;
     fmu_variable_type type;
     fmu_storage storage;
-    size_t place;
+    size_t offset;
     fmu_variability variability;
     bool settable_before_start;
     bool changes_at_events; /* FMI's reinit: a state that an event may make jump */

@@ -154,7 +154,7 @@ static bool may_have_patch(const tdmf_ensemble_case *its_case, const tdmf_ensemb
            (its_case->rules.gait_count == 0 && ensemble->map == TDMF_RETURN_MAP);
 }
 
-static bool are_places(const double *foot_x, int64_t count) {
+static bool are_foot_positions(const double *foot_x, int64_t count) {
     for (int64_t i = 0; foot_x != NULL && i < count; ++i) {
         if (!tdmf_in_range(&tdmf_state_ranges[TDMF_FOOT_X], foot_x[i])) {
             return false;
@@ -201,7 +201,8 @@ static bool has_checkpoints(const tdmf_ensemble *ensemble) {
 
 bool tdmf_is_sound_ensemble(const tdmf_ensemble *ensemble, const tdmf_ensemble_end *ends) {
     return ensemble != NULL && is_array(ends, ensemble->count) &&
-           is_array(ensemble->starts, ensemble->count) && are_places(ensemble->foot_x, ensemble->count) &&
+           is_array(ensemble->starts, ensemble->count) &&
+           are_foot_positions(ensemble->foot_x, ensemble->count) &&
            is_array(ensemble->cases, ensemble->case_count) && ensemble->threads > 0 &&
            tdmf_is_tolerance(ensemble->relative_tolerance) && tdmf_has_instructions(ensemble->instructions) &&
            (ensemble->map == TDMF_RETURN_MAP || ensemble->map == TDMF_REDUCED_MAP) &&

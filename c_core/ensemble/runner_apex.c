@@ -198,7 +198,7 @@ static bool begin_next_stride(tdmf_runner *runner) {
 
 /* ---- where a run begins ------------------------------------------------------------------------------- */
 
-static double start_place(const tdmf_runner *runner) {
+static double start_foot_x(const tdmf_runner *runner) {
     return runner->ensemble->foot_x ? runner->ensemble->foot_x[runner->index] : 0.0;
 }
 
@@ -211,7 +211,8 @@ static bool start(tdmf_runner *runner, const double section[TDMF_SECTION_COUNT])
                TDMF_RETURN_CLOSED;
     }
     motion->time = 0.0;
-    tdmf_section_state_at((tdmf_system){model, &runner->inputs}, start_place(runner), section, motion->state);
+    tdmf_section_state_at((tdmf_system){model, &runner->inputs}, start_foot_x(runner), section,
+                          motion->state);
     return !tdmf_start((tdmf_system){model, &runner->inputs}, motion).variable &&
            motion->record.progress.open.began_at_apex;
 }
@@ -246,7 +247,7 @@ static bool begin(tdmf_runner *runner) {
     tdmf_ensemble_end *end = runner->end;
     *end = nothing_yet;
     memcpy(end->apex, section, sizeof end->apex);
-    end->foot_x = start_place(runner);
+    end->foot_x = start_foot_x(runner);
     if (runner->ensemble->checkpoints) {
         runner->ensemble->checkpoints[runner->index].stands = false;
     }

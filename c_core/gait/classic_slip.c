@@ -189,9 +189,9 @@ static double steepest_in(const tdmf_classic *slip, const stance_series *s, doub
         }
         turning[k] *= power[k];
     }
-    const root turn = first_sign_change(turning, ORDER, 1e-14 * moment, 0.0, 1.0, true);
+    const root extremum = first_sign_change(turning, ORDER, 1e-14 * moment, 0.0, 1.0, true);
     const double at_end = steepness(slip, point_at(s, size));
-    return turn.is_root ? fmax(at_end, steepness(slip, point_at(s, turn.time * size))) : at_end;
+    return extremum.is_root ? fmax(at_end, steepness(slip, point_at(s, extremum.time * size))) : at_end;
 }
 
 /* Runs a stance to its end or up to a time; steps that do not end, or are not finite, count as a fall. */

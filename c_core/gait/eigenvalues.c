@@ -74,7 +74,7 @@ static rotation rotation_of(complex_number a, complex_number b) {
 }
 
 /* Turns two rows in the columns from `from` to before `to`. */
-static void turn_rows(matrix_rows h, int i, int k, int from, int to, rotation r) {
+static void rotate_rows(matrix_rows h, int i, int k, int from, int to, rotation r) {
     for (int j = from; j < to; ++j) {
         const complex_number a = h[i][j], b = h[k][j];
         h[i][j] = sum(product(conjugate(r.c), a), product(conjugate(r.s), b));
@@ -82,7 +82,7 @@ static void turn_rows(matrix_rows h, int i, int k, int from, int to, rotation r)
     }
 }
 
-static void turn_columns(matrix_rows h, int i, int k, int from, int to, rotation r) {
+static void rotate_columns(matrix_rows h, int i, int k, int from, int to, rotation r) {
     for (int j = from; j < to; ++j) {
         const complex_number a = h[j][i], b = h[j][k];
         h[j][i] = sum(product(r.c, a), product(r.s, b));
@@ -124,8 +124,8 @@ static void make_hessenberg(int count, matrix_rows h) {
     for (int column = 0; column + 2 < count; ++column) {
         for (int row = count - 1; row > column + 1; --row) {
             const rotation r = rotation_of(h[row - 1][column], h[row][column]);
-            turn_rows(h, row - 1, row, column, count, r);
-            turn_columns(h, row - 1, row, 0, count, r);
+            rotate_rows(h, row - 1, row, column, count, r);
+            rotate_columns(h, row - 1, row, 0, count, r);
             h[row][column] = of_parts(0.0, 0.0);
         }
     }
@@ -152,10 +152,10 @@ static void sweep(matrix_rows h, int first, int last, complex_number shift) {
     }
     for (int i = first; i < last; ++i) {
         rotations[i] = rotation_of(h[i][i], h[i + 1][i]);
-        turn_rows(h, i, i + 1, i, last + 1, rotations[i]);
+        rotate_rows(h, i, i + 1, i, last + 1, rotations[i]);
     }
     for (int i = first; i < last; ++i) {
-        turn_columns(h, i, i + 1, first, i + 2, rotations[i]);
+        rotate_columns(h, i, i + 1, first, i + 2, rotations[i]);
     }
     for (int i = first; i <= last; ++i) {
         h[i][i] = sum(h[i][i], shift);

@@ -181,11 +181,11 @@ static void close_variations(stride_variations *along, const stride_request *req
 }
 
 static bool is_sound(const tdmf_solver *solver, const stride_request *request) {
-    const bool has_place = request->foot_x != NULL;
+    const bool has_foot_x = request->foot_x != NULL;
     return tdmf_is_sound_solver(solver) && request->system.model != NULL && request->system.inputs != NULL &&
            request->section != NULL &&
-           tdmf_are_sound_seeds(request->seeds, request->count, TDMF_RETURN_MAP_SEEDS - has_place) &&
-           (has_place || !tdmf_has_patch(request->system.model));
+           tdmf_are_sound_seeds(request->seeds, request->count, TDMF_RETURN_MAP_SEEDS - has_foot_x) &&
+           (has_foot_x || !tdmf_has_patch(request->system.model));
 }
 
 /* False where the start is no apex. */

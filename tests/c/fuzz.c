@@ -13,7 +13,7 @@ void die(const char *what) {
     abort();
 }
 
-size_t pick(random_source *source, size_t count) {
+size_t random_index(random_source *source, size_t count) {
     return (size_t)random_uniform(source, 0.0, (double)count) % count;
 }
 
@@ -21,7 +21,7 @@ double random_value(random_source *source) {
     static const double special[] = {0.0,  -0.0, 1.0,     -1.0,    1e-300,   -1e-300,  5e-324,
                                      1e12, 1e60, DBL_MAX, DBL_MIN, -DBL_MAX, INFINITY, NAN};
     if (random_chance(source, 0.3)) {
-        return special[pick(source, sizeof special / sizeof special[0])];
+        return special[random_index(source, sizeof special / sizeof special[0])];
     }
     return random_uniform(source, -1.0, 1.0) * random_magnitude(source, 1e-6, 1e6);
 }
@@ -42,19 +42,19 @@ uint32_t random_setting(random_source *source, bool at_event) {
             settings[count++] = i;
         }
     }
-    return settings[pick(source, count)];
+    return settings[random_index(source, count)];
 }
 
 uint32_t random_reference(random_source *source) {
-    return (uint32_t)pick(source, fmu_variable_count + 2);
+    return (uint32_t)random_index(source, fmu_variable_count + 2);
 }
 
 void forge(random_source *source, unsigned char *bytes, size_t size) {
     const bool in_header = random_chance(source, 0.1);
-    size_t place =
-        in_header ? pick(source, FORGE_CONTENT) : FORGE_CONTENT + pick(source, size - FORGE_CONTENT);
-    for (size_t left = 1 + pick(source, sizeof(double)); left > 0 && place < size; --left) {
-        bytes[place++] = (unsigned char)pick(source, 256);
+    size_t offset = in_header ? random_index(source, FORGE_CONTENT)
+                              : FORGE_CONTENT + random_index(source, size - FORGE_CONTENT);
+    for (size_t left = 1 + random_index(source, sizeof(double)); left > 0 && offset < size; --left) {
+        bytes[offset++] = (unsigned char)random_index(source, 256);
     }
     if (!in_header) {
         forge_checksum(bytes, size);
@@ -71,6 +71,6 @@ void expect_numbers(int status, const double *values, size_t count) {
 
 void call_until_used_up(random_source *source, void (*const calls[])(void *), size_t count, void *subject) {
     while (random_bytes_left() > 0) {
-        calls[pick(source, count)](subject);
+        calls[random_index(source, count)](subject);
     }
 }

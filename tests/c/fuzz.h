@@ -15,7 +15,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size);
 /* Ends the program with the unit's last message. */
 void die(const char *what);
 
-size_t pick(random_source *source, size_t count);
+size_t random_index(random_source *source, size_t count);
 double random_value(random_source *source);
 
 /* A value near the variable's own start, or within its range some hundredths off 0: these instances run. */

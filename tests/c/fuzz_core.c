@@ -31,11 +31,11 @@ static void expect_numbers_of_motion(const subject *on) {
     expect_numbers(0, derivatives, TDMF_STATE_COUNT);
     expect_numbers(0, guards, TDMF_GUARD_COUNT);
     const tdmf_outputs outputs = tdmf_outputs_of(SYSTEM_OF(on), motion);
-    const double told[] = {outputs.com.y,        outputs.contact.fx,     outputs.contact.fy,
-                           outputs.hip.torque,   outputs.energy.total,   outputs.energy.impact_loss,
-                           outputs.stride.speed, outputs.stride.work,    outputs.stride.cost_of_transport,
-                           outputs.apex.time,    outputs.apex.com_speed, outputs.apex.com_height};
-    expect_numbers(0, told, sizeof told / sizeof told[0]);
+    const double numbers[] = {outputs.com.y,        outputs.contact.fx,     outputs.contact.fy,
+                              outputs.hip.torque,   outputs.energy.total,   outputs.energy.impact_loss,
+                              outputs.stride.speed, outputs.stride.work,    outputs.stride.cost_of_transport,
+                              outputs.apex.time,    outputs.apex.com_speed, outputs.apex.com_height};
+    expect_numbers(0, numbers, sizeof numbers / sizeof numbers[0]);
 }
 
 static double random_time(const subject *on) {
@@ -162,7 +162,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size) {
     random_source source = {0};
     subject on = {.source = &source, .solver = tdmf_solver_default()};
     random_draw_from(bytes, size);
-    on.decades = decades[pick(&source, sizeof decades / sizeof decades[0])];
+    on.decades = decades[random_index(&source, sizeof decades / sizeof decades[0])];
     const declared_runner runner = declared_random(&source, on.decades);
     on.inputs = runner.inputs;
     if (random_chance(&source, 0.5)) {

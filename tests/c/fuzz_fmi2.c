@@ -55,7 +55,7 @@ static void set_any(void *self) {
         on->careful ? random_setting(on->source, on->type == fmi2CoSimulation) : random_reference(on->source);
     const bool tame = reference < fmu_variable_count && random_chance(on->source, 0.7);
     const double real = tame ? tame_value(on->source, &fmu_variables[reference]) : random_value(on->source);
-    const int integer = (int)pick(on->source, 5) - 1;
+    const int integer = (int)random_index(on->source, 5) - 1;
     const char *text = "x";
     if (reference >= fmu_variable_count || fmu_variables[reference].type == VARIABLE_REAL) {
         fmi2SetReal(on->component, &reference, 1, &real);
@@ -72,7 +72,7 @@ static void change_mode(void *self) {
     subject *on = self;
     fmi2EventInfo info;
     fmi2Boolean enter, stop;
-    switch (on->careful ? 9 : pick(on->source, 9)) {
+    switch (on->careful ? 9 : random_index(on->source, 9)) {
     case 0:
         fmi2EnterInitializationMode(on->component);
         break;
@@ -109,7 +109,7 @@ static void change_mode(void *self) {
 /* Before the start any variable may be set; most of these runners run. */
 static void set_before_start(subject *on) {
     for (int i = 0; i < 5; ++i) {
-        const fmi2ValueReference reference = (fmi2ValueReference)pick(on->source, fmu_variable_count);
+        const fmi2ValueReference reference = (fmi2ValueReference)random_index(on->source, fmu_variable_count);
         const fmu_variable *variable = &fmu_variables[reference];
         const bool settable = variable->settable_before_start && variable->type == VARIABLE_REAL;
         const double value =
@@ -154,7 +154,7 @@ static void evaluate(void *self) {
     }
     double states[TDMF_STATE_COUNT], values[TDMF_GUARD_COUNT + TDMF_STATE_COUNT];
     tdmf_default_state(states);
-    states[pick(on->source, TDMF_STATE_COUNT)] = random_value(on->source);
+    states[random_index(on->source, TDMF_STATE_COUNT)] = random_value(on->source);
     fmi2SetContinuousStates(on->component, states, TDMF_STATE_COUNT);
     expect_numbers((int)fmi2GetContinuousStates(on->component, values, TDMF_STATE_COUNT), values,
                    TDMF_STATE_COUNT);
@@ -171,7 +171,7 @@ static void differentiate(void *self) {
     const fmi2ValueReference unknown =
         on->careful ? reference_of("der(foot.vx)") : random_reference(on->source);
     const fmi2ValueReference known = on->careful ? reference_of("leg.angle") : random_reference(on->source);
-    const fmi2Integer order = (fmi2Integer)pick(on->source, 3);
+    const fmi2Integer order = (fmi2Integer)random_index(on->source, 3);
     const double seed = random_value(on->source);
     double value = 0.0;
     const fmi2Status status =
@@ -206,7 +206,7 @@ static void step(void *self) {
 
 static void save_and_restore(void *self) {
     subject *on = self;
-    switch (pick(on->source, 5)) {
+    switch (random_index(on->source, 5)) {
     case 0:
         if (fmi2GetFMUstate(on->component, &on->saved) == fmi2OK &&
             fmi2SetFMUstate(on->component, on->saved) != fmi2OK) {

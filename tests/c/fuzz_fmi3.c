@@ -38,7 +38,7 @@ static void get_any(void *self) {
     }
     fmi3GetInt32(on->instance, &reference, 1, &integer, 1);
     fmi3GetInt64(on->instance, &reference, 1, &item, 1);
-    fmi3GetBoolean(on->instance, &reference, 1, &truth, pick(on->source, 3));
+    fmi3GetBoolean(on->instance, &reference, 1, &truth, random_index(on->source, 3));
     if (random_chance(on->source, 0.1)) {
         fmi3GetFloat32(on->instance, &reference, 1, &single, 1);
     }
@@ -67,7 +67,7 @@ static void set_any(void *self) {
     const double real = is_there && random_chance(on->source, 0.7)
                             ? tame_value(on->source, &fmu_variables[reference])
                             : random_value(on->source);
-    const fmi3Int64 item = (fmi3Int64)pick(on->source, 5) - 1;
+    const fmi3Int64 item = (fmi3Int64)random_index(on->source, 5) - 1;
     const fmi3Boolean truth = random_chance(on->source, 0.5);
     const char *text = "x";
     switch (is_there ? fmu_variables[reference].type : VARIABLE_REAL) {
@@ -90,7 +90,7 @@ static void change_mode(void *self) {
     update_answer answer;
     fmi3Boolean enter, stop;
     size_t count;
-    switch (on->careful ? 10 : pick(on->source, 10)) {
+    switch (on->careful ? 10 : random_index(on->source, 10)) {
     case 0:
         fmi3EnterInitializationMode(on->instance, random_chance(on->source, 0.5), random_value(on->source),
                                     random_value(on->source), random_chance(on->source, 0.5),
@@ -130,7 +130,7 @@ static void change_mode(void *self) {
 /* Before the start any variable may be set; most of these runners run. */
 static void set_before_start(subject *on) {
     for (int i = 0; i < 5; ++i) {
-        const uint32_t reference = (uint32_t)pick(on->source, fmu_variable_count);
+        const uint32_t reference = (uint32_t)random_index(on->source, fmu_variable_count);
         const fmu_variable *variable = &fmu_variables[reference];
         const double value =
             random_chance(on->source, 0.9) ? tame_value(on->source, variable) : random_value(on->source);
@@ -174,7 +174,7 @@ static void evaluate(void *self) {
     }
     double states[TDMF_STATE_COUNT], values[TDMF_GUARD_COUNT + TDMF_STATE_COUNT];
     tdmf_default_state(states);
-    states[pick(on->source, TDMF_STATE_COUNT)] = random_value(on->source);
+    states[random_index(on->source, TDMF_STATE_COUNT)] = random_value(on->source);
     fmi3SetContinuousStates(on->instance, states, TDMF_STATE_COUNT);
     expect_numbers((int)fmi3GetContinuousStates(on->instance, values, TDMF_STATE_COUNT), values,
                    TDMF_STATE_COUNT);
@@ -190,7 +190,7 @@ static void differentiate(void *self) {
     subject *on = self;
     const uint32_t unknown = on->careful ? reference_of("der(foot.vx)") : random_reference(on->source);
     const uint32_t known = on->careful ? reference_of("leg.angle") : random_reference(on->source);
-    const fmi3Int32 order = (fmi3Int32)pick(on->source, 3);
+    const fmi3Int32 order = (fmi3Int32)random_index(on->source, 3);
     const double seed = random_value(on->source);
     double value = 0.0;
     fmi3Status status =
@@ -240,7 +240,7 @@ static void step(void *self) {
 
 static void save_and_restore(void *self) {
     subject *on = self;
-    switch (pick(on->source, 5)) {
+    switch (random_index(on->source, 5)) {
     case 0:
         if (fmi3GetFMUState(on->instance, &on->saved) == fmi3OK &&
             fmi3SetFMUState(on->instance, on->saved) != fmi3OK) {
@@ -287,7 +287,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size) {
     memset(&on, 0, sizeof on);
     on.source = &source;
     on.careful = random_chance(&source, 0.5);
-    on.kind = (kind)pick(&source, KINDS);
+    on.kind = (kind)random_index(&source, KINDS);
     on.instance = on.kind == EXCHANGE ? new_exchange()
                                       : new_stepper(on.kind != STEPS, on.kind == STEPS_WITH_EARLY_RETURN);
     start_over(&on);

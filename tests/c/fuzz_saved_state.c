@@ -97,7 +97,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size) {
     random_source source = {0};
     serialized state, before, after;
     random_draw_from(bytes, size);
-    const kind kind = (enum kind_of_instance)pick(&source, KINDS);
+    const kind kind = (enum kind_of_instance)random_index(&source, KINDS);
     const double length = random_magnitude(&source, 1e-3, 30.0);
     fmi3Instance instance = new_of_kind(kind);
     begin(&source, instance, kind);

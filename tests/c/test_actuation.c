@@ -55,7 +55,7 @@ static void set_thrust(run *run, double thrust) {
 /* ---- ramps --------------------------------------------------------------------------------------------- */
 
 enum { PIECES = 24 };
-static const double piece = 3.1;
+static const double duration = 3.1;
 
 static tdmf_inputs random_rates(random_source *source) {
     tdmf_inputs rates = {.ground = {.friction = random_uniform(source, -0.02, 0.02)}};
@@ -75,7 +75,7 @@ static run ramped(uint64_t seed, solver_call advance, double tolerance, double l
     run run = begin(0.03, tolerance);
     tdmf_inputs rates = {.ground = {.friction = 0.0}};
     for (int i = 0; i < PIECES; ++i) {
-        const double until = run.motion.time + piece;
+        const double until = run.motion.time + duration;
         if (i % 2 == 0) {
             rates = random_rates(&source);
         } else {
@@ -85,7 +85,7 @@ static run ramped(uint64_t seed, solver_call advance, double tolerance, double l
             }
         }
         assert_int_equal(advance(&run.solver, SYSTEM_OF(&run), &rates, until, &run.motion), TDMF_ARRIVED);
-        run.inputs = tdmf_inputs_after(&run.inputs, &rates, piece);
+        run.inputs = tdmf_inputs_after(&run.inputs, &rates, duration);
         assert_close(error_of_ledger(&run), 0.0, ledger_tolerance);
     }
     return run;
@@ -225,17 +225,17 @@ static void the_native_solver_notes_a_thrust_of_zero(void **state) {
 }
 
 static void an_impact_on_a_lengthening_leg_thrusts_before_it_is_asked_whether_it_stays(void **state) {
-    runner held = scene_at_impact(TDMF_PHASE_PLACE, -0.3, -0.02), free = held;
-    tdmf_parameters parameters = held.model.parameters;
+    runner thrusting = scene_at_impact(TDMF_PHASE_PLACE, -0.3, -0.02), free = thrusting;
+    tdmf_parameters parameters = thrusting.model.parameters;
     (void)state;
     parameters.leg.thrust = 0.5;
-    assert_null(tdmf_model_create(&held.model, &parameters).variable);
-    held.motion.state[TDMF_LEG_LENGTH_RATE] += 0.3;
+    assert_null(tdmf_model_create(&thrusting.model, &parameters).variable);
+    thrusting.motion.state[TDMF_LEG_LENGTH_RATE] += 0.3;
     free.motion.state[TDMF_LEG_LENGTH_RATE] += 0.3;
-    scene_resolve(&held);
+    scene_resolve(&thrusting);
     scene_resolve(&free);
-    assert_true(tdmf_in_contact(&held.motion.mode) && held.motion.mode.thrusts);
-    assert_int_equal(held.motion.record.event_count, 2);
+    assert_true(tdmf_in_contact(&thrusting.motion.mode) && thrusting.motion.mode.thrusts);
+    assert_int_equal(thrusting.motion.record.event_count, 2);
     assert_false(tdmf_in_contact(&free.motion.mode));
 }
 
@@ -300,7 +300,7 @@ static void a_push_that_ramps_may_lift_and_drop_in_place(void **state) {
 /* No hang, and nothing that is not a number: the outcome says what became of it. */
 static void the_extremes_of_every_range_are_survived(void **state) {
     static const double ends[] = {1e18, -1e18, 1e9, -1e9, 1e3};
-    int told[TDMF_REFUSED + 1] = {0};
+    int counts[TDMF_REFUSED + 1] = {0};
     (void)state;
     for (int i = 0; i < 5 * 16; ++i) {
         const double end = ends[i % 5], length = fmin(fabs(end), 1e6) * (end < 0.0 ? -1.0 : 1.0);
@@ -312,13 +312,13 @@ static void the_extremes_of_every_range_are_survived(void **state) {
         run.solver.step_limit = run.solver.event_limit = 30000;
         const tdmf_outcome outcome =
             tdmf_native_advance(&run.solver, SYSTEM_OF(&run), NULL, 40.0, &run.motion);
-        ++told[outcome];
+        ++counts[outcome];
         for (int k = 0; k < TDMF_STATE_COUNT; ++k) {
             assert_true(isfinite(run.motion.state[k]));
         }
     }
-    assert_int_equal(told[TDMF_REFUSED], 0);
-    assert_true(told[TDMF_ARRIVED] + told[TDMF_FELL] > 5);
+    assert_int_equal(counts[TDMF_REFUSED], 0);
+    assert_true(counts[TDMF_ARRIVED] + counts[TDMF_FELL] > 5);
 }
 
 /* ---- stops --------------------------------------------------------------------------------------------- */
@@ -333,13 +333,13 @@ static run actuated(void) {
 
 static void stops_make_no_difference(void **state) {
     const double end = 60.0;
-    run whole = actuated(), pieces = actuated(), events = actuated();
+    run whole = actuated(), stepped = actuated(), events = actuated();
     tdmf_event_log log = {0};
     (void)state;
     whole.solver.log = &log;
     tdmf_native_advance(&whole.solver, SYSTEM_OF(&whole), NULL, end, &whole.motion);
     for (int i = 1; i <= 200; ++i) {
-        tdmf_native_advance(&pieces.solver, SYSTEM_OF(&pieces), NULL, end * i / 200.0, &pieces.motion);
+        tdmf_native_advance(&stepped.solver, SYSTEM_OF(&stepped), NULL, end * i / 200.0, &stepped.motion);
     }
     assert_true(log.count > 15 && log.count <= TDMF_EVENT_CAPACITY);
     for (int i = 0; i <= log.count; ++i) {
@@ -347,10 +347,10 @@ static void stops_make_no_difference(void **state) {
                             i < log.count ? log.events[i].time : end, &events.motion);
     }
     for (int k = 0; k < TDMF_STATE_COUNT; ++k) {
-        assert_close(pieces.motion.state[k], whole.motion.state[k], 1e-9);
+        assert_close(stepped.motion.state[k], whole.motion.state[k], 1e-9);
         assert_close(events.motion.state[k], whole.motion.state[k], 1e-9);
     }
-    assert_int_equal(pieces.motion.record.event_count, whole.motion.record.event_count);
+    assert_int_equal(stepped.motion.record.event_count, whole.motion.record.event_count);
     assert_int_equal(events.motion.record.event_count, whole.motion.record.event_count);
 }
 

@@ -43,11 +43,11 @@ static void changes_are_those_of_the_step(void **state) {
         for (int k = 0; k < 5; ++k, ++compared) {
             const double h = sizes[k];
             const tdmf_classic_step ahead = shifted(slip, 1.3, k, h), behind = shifted(slip, 1.3, k, -h);
-            const tdmf_classic_variation *told = change_of(&step, k);
+            const tdmf_classic_variation *exact = change_of(&step, k);
             const double scale = k == 1 ? 1e-3 : 1.0;
-            assert_close(told->height, (ahead.next_height - behind.next_height) / (2.0 * h), 1e-6 * scale);
-            assert_close(told->length, (ahead.length - behind.length) / (2.0 * h), 1e-5 * scale);
-            assert_close(told->energy, (ahead.next_energy - behind.next_energy) / (2.0 * h), 2e-2 * scale);
+            assert_close(exact->height, (ahead.next_height - behind.next_height) / (2.0 * h), 1e-6 * scale);
+            assert_close(exact->length, (ahead.length - behind.length) / (2.0 * h), 1e-5 * scale);
+            assert_close(exact->energy, (ahead.next_energy - behind.next_energy) / (2.0 * h), 2e-2 * scale);
         }
     }
     assert_int_equal(compared, 180);
@@ -92,16 +92,16 @@ static void retraction_is_an_angle_that_depends_on_the_fall(void **state) {
         const tdmf_classic slip = with(44.0, 6.0, rate);
         const tdmf_classic_step step = tdmf_classic_return_map(&slip, energy, 1.5);
         assert_int_equal(step.outcome, TDMF_CLASSIC_FLIES);
-        tdmf_classic held = slip;
-        held.touchdown_angle = slip.touchdown_angle + rate * step.touchdown.vy / slip.gravity;
-        held.retraction_rate = 0.0;
-        const tdmf_classic_step same = tdmf_classic_return_map(&held, energy, 1.5);
+        tdmf_classic at_rest = slip;
+        at_rest.touchdown_angle = slip.touchdown_angle + rate * step.touchdown.vy / slip.gravity;
+        at_rest.retraction_rate = 0.0;
+        const tdmf_classic_step same = tdmf_classic_return_map(&at_rest, energy, 1.5);
         assert_close(step.next_height, same.next_height, 1e-12);
         assert_close(step.length, same.length, 1e-11);
         /* How that angle changes with the height, from the touchdown of the held leg, by the chain rule. */
         const double foot_fall = step.touchdown.vy - step.touchdown.vx * tan(slip.ground_slope);
-        const double l0_swing = slip.free_length * (sin(held.touchdown_angle) -
-                                                    tan(slip.ground_slope) * cos(held.touchdown_angle));
+        const double l0_swing = slip.free_length * (sin(at_rest.touchdown_angle) -
+                                                    tan(slip.ground_slope) * cos(at_rest.touchdown_angle));
         const double time = -step.touchdown.vy / slip.gravity;
         const double by_height = 1.0 + tan(slip.ground_slope) * time * slip.gravity / step.touchdown.vx;
         const double time_by_height = -by_height / (foot_fall - rate * l0_swing);

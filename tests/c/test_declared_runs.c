@@ -82,19 +82,19 @@ static void note_energies(run *run, const tdmf_inputs *from) {
 static const char *not_a_number(const run *run) {
     const tdmf_motion *motion = &run->motion;
     const tdmf_outputs outputs = tdmf_outputs_of(SYSTEM_OF(run), motion);
-    const double told[] = {motion->time,           outputs.body.y,
-                           outputs.com.vx,         outputs.contact.fx,
-                           outputs.contact.fy,     outputs.hip.torque,
-                           outputs.energy.total,   outputs.energy.impact_loss,
-                           outputs.stride.speed,   outputs.stride.cost_of_transport,
-                           outputs.apex.com_height};
+    const double numbers[] = {motion->time,           outputs.body.y,
+                              outputs.com.vx,         outputs.contact.fx,
+                              outputs.contact.fy,     outputs.hip.torque,
+                              outputs.energy.total,   outputs.energy.impact_loss,
+                              outputs.stride.speed,   outputs.stride.cost_of_transport,
+                              outputs.apex.com_height};
     for (int i = 0; i < TDMF_STATE_COUNT; ++i) {
         if (!isfinite(motion->state[i])) {
             return "a state is not finite";
         }
     }
-    for (size_t i = 0; i < sizeof told / sizeof told[0]; ++i) {
-        if (isnan(told[i])) {
+    for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; ++i) {
+        if (isnan(numbers[i])) {
             return "an output is not a number";
         }
     }

@@ -14,15 +14,15 @@
 #include <string.h>
 
 enum { X, Y, R, THETA, FREEDOMS, FX = FREEDOMS, FY, TAU, UNKNOWNS };
-enum { FOOT_ALONG_X, FOOT_ALONG_Y, BODY_ALONG_X, BODY_ALONG_Y, PLACES };
+enum { FOOT_ALONG_X, FOOT_ALONG_Y, BODY_ALONG_X, BODY_ALONG_Y, POSITIONS };
 
 /* ---- Lagrangian of two point masses and a spring ---------------------------------------------------- */
 
-static void places(const long double q[FREEDOMS], long double place[PLACES]) {
-    place[FOOT_ALONG_X] = q[X];
-    place[FOOT_ALONG_Y] = q[Y];
-    place[BODY_ALONG_X] = q[X] - q[R] * sinl(q[THETA]);
-    place[BODY_ALONG_Y] = q[Y] + q[R] * cosl(q[THETA]);
+static void positions_of(const long double q[FREEDOMS], long double position[POSITIONS]) {
+    position[FOOT_ALONG_X] = q[X];
+    position[FOOT_ALONG_Y] = q[Y];
+    position[BODY_ALONG_X] = q[X] - q[R] * sinl(q[THETA]);
+    position[BODY_ALONG_Y] = q[Y] + q[R] * cosl(q[THETA]);
 }
 
 typedef struct {
@@ -43,10 +43,10 @@ static void move(const motion *motion, long double t, long double q[FREEDOMS]) {
 
 static long double place_on_path(long double t, const void *context) {
     const motion *path = context;
-    long double q[FREEDOMS], place[PLACES];
+    long double q[FREEDOMS], position[POSITIONS];
     move(path, t, q);
-    places(q, place);
-    return place[path->index];
+    positions_of(q, position);
+    return position[path->index];
 }
 
 /* Of all coordinates only the angle enters otherwise than linearly: move it by a hundredth. */
@@ -55,15 +55,15 @@ static long double differentiate_along(function_of_time f, const motion *motion)
 }
 
 /* How fast a place changes when q moves in `direction`. */
-static long double speed_of(motion motion, const long double direction[FREEDOMS], int place) {
+static long double speed_of(motion motion, const long double direction[FREEDOMS], int position) {
     memcpy(motion.direction, direction, sizeof motion.direction);
-    motion.index = place;
+    motion.index = position;
     return differentiate_along(place_on_path, &motion);
 }
 
 static long double kinetic_energy(const motion *motion, const long double rate[FREEDOMS]) {
     long double sum = 0.0L;
-    for (int i = 0; i < PLACES; ++i) {
+    for (int i = 0; i < POSITIONS; ++i) {
         const bool foot = i == FOOT_ALONG_X || i == FOOT_ALONG_Y;
         const double mass = foot ? motion->parameters->foot.mass : motion->parameters->body.mass;
         const long double speed = speed_of(*motion, rate, i);
@@ -75,13 +75,13 @@ static long double kinetic_energy(const motion *motion, const long double rate[F
 static long double potential_energy(const motion *motion) {
     const tdmf_parameters *p = motion->parameters;
     const long double compression = (long double)motion->rest_length - motion->q[R];
-    long double place[PLACES];
-    places(motion->q, place);
-    return (long double)p->gravity * ((long double)p->foot.mass * place[FOOT_ALONG_Y] +
-                                      (long double)p->body.mass * place[BODY_ALONG_Y]) +
+    long double position[POSITIONS];
+    positions_of(motion->q, position);
+    return (long double)p->gravity * ((long double)p->foot.mass * position[FOOT_ALONG_Y] +
+                                      (long double)p->body.mass * position[BODY_ALONG_Y]) +
            0.5L * (long double)p->leg.stiffness * compression * compression -
-           (long double)motion->force_x * place[BODY_ALONG_X] -
-           (long double)motion->force_y * place[BODY_ALONG_Y];
+           (long double)motion->force_x * position[BODY_ALONG_X] -
+           (long double)motion->force_y * position[BODY_ALONG_Y];
 }
 
 /* dT/d(rate_i). T is a quadratic form of the rates, for which this difference is exact. */

@@ -74,7 +74,7 @@ typedef struct {
 
 static void run_and_check(const runner *runner, double tolerance, tally *seen) {
     enum { CALLS = 5 };
-    static const tdmf_inputs held = {.ground = {.friction = 0.0}};
+    static const tdmf_inputs no_rates = {.ground = {.friction = 0.0}};
     const tdmf_model *model = &runner->model;
     tdmf_solver solver = tdmf_solver_default();
     tdmf_outcome outcome = TDMF_ARRIVED;
@@ -87,7 +87,7 @@ static void run_and_check(const runner *runner, double tolerance, tally *seen) {
     double most = energy_in(model, runner->motion.state);
     solver.relative_tolerance = tolerance;
     for (int call = 0; call < CALLS && outcome == TDMF_ARRIVED; ++call) {
-        outcome = tdmf_native_advance(&solver, (tdmf_system){model, &runner->inputs}, &held,
+        outcome = tdmf_native_advance(&solver, (tdmf_system){model, &runner->inputs}, &no_rates,
                                       motion.time + 2.0 * model->scales.time, &motion);
         const double change =
             energy_of(model, motion.state).total - energy_of(model, runner->motion.state).total;

@@ -78,7 +78,7 @@ static uint64_t seed_of(int runner) {
     return number < sizeof seldom / sizeof seldom[0] ? seldom[number] : 20261121 + number;
 }
 
-static population *make_population(put_runner *place, int max_strides) {
+static population *make_population(put_runner *put, int max_strides) {
     population *population = calloc(1, sizeof *population);
     assert_non_null(population);
     for (int i = 0; i < RUNNERS; ++i) {
@@ -86,7 +86,7 @@ static population *make_population(put_runner *place, int max_strides) {
         population->case_of[i] = RUNNERS - 1 - i;
         tdmf_ensemble_case *its_case = &population->cases[population->case_of[i]];
         tdmf_model *model = &population->models[i];
-        place(&source, model, its_case, population->starts[i]);
+        put(&source, model, its_case, population->starts[i]);
         its_case->model = model;
         its_case->rules.max_strides = max_strides;
     }

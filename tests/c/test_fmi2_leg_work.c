@@ -41,16 +41,16 @@ static void derivatives_at(fmi2Component component, double time, const double x[
 /* A step of Runge and Kutta's method; the unit stands at its end. */
 static void integrate_step(fmi2Component component, double time, double step, extension_at extension,
                            double x[TDMF_STATE_COUNT]) {
-    static const double places[] = {0.0, 0.5, 0.5, 1.0},
+    static const double nodes[] = {0.0, 0.5, 0.5, 1.0},
                         weights[] = {1.0 / 6.0, 1.0 / 3.0, 1.0 / 3.0, 1.0 / 6.0};
     double slopes[4][TDMF_STATE_COUNT], sum[TDMF_STATE_COUNT], trial[TDMF_STATE_COUNT];
     memcpy(sum, x, sizeof sum);
     for (int stage = 0; stage < 4; ++stage) {
         memcpy(trial, x, sizeof trial);
         for (int i = 0; stage > 0 && i < TDMF_STATE_COUNT; ++i) {
-            trial[i] += places[stage] * step * slopes[stage - 1][i];
+            trial[i] += nodes[stage] * step * slopes[stage - 1][i];
         }
-        derivatives_at(component, time + places[stage] * step, trial, extension, slopes[stage]);
+        derivatives_at(component, time + nodes[stage] * step, trial, extension, slopes[stage]);
         for (int i = 0; i < TDMF_STATE_COUNT; ++i) {
             sum[i] += weights[stage] * step * slopes[stage][i];
         }

@@ -194,11 +194,11 @@ static void every_event_of_a_step_is_logged_with_its_time(void **state) {
 
 /* What is said of an event that the importer takes is what is said of one that the unit takes itself. */
 static void an_event_is_told_alike_in_event_mode(void **state) {
-    static char told[EVENTS_OF_TEN_STRIDES][MESSAGE_LENGTH];
+    static char expected[EVENTS_OF_TEN_STRIDES][MESSAGE_LENGTH];
     double time = 0.0;
     (void)state;
     fmi2FreeInstance(stepped(fmi2True, SOLVER_NATIVE, ten_strides));
-    memcpy(told, messages, sizeof told);
+    memcpy(expected, messages, sizeof expected);
     forget_messages();
     fmi3Instance instance = new_stepper(true, true);
     assert_int_equal(fmi3SetDebugLogging(instance, true, 0, NULL), fmi3OK);
@@ -214,8 +214,8 @@ static void an_event_is_told_alike_in_event_mode(void **state) {
             assert_int_equal(fmi3EnterEventMode(instance), fmi3OK);
             assert_int_equal(update(instance, &after), fmi3OK);
             assert_int_equal(message_count, before + 1);
-            assert_true(is_same_event(last_message, told[before]));
-            assert_close(time_of(last_message), time_of(told[before]), 1e-8);
+            assert_true(is_same_event(last_message, expected[before]));
+            assert_close(time_of(last_message), time_of(expected[before]), 1e-8);
             assert_int_equal(fmi3EnterStepMode(instance), fmi3OK);
         }
     }

@@ -168,14 +168,14 @@ static void read_unknowns(fmi2Component component, double values[MOST_VARIABLES]
 static void differences(fmi2Component component, const char *known, double values[MOST_VARIABLES],
                         double noise[MOST_VARIABLES]) {
     static const double weights[] = {1.0 / 12.0, -2.0 / 3.0, 2.0 / 3.0, -1.0 / 12.0};
-    static const int places[] = {-2, -1, 1, 2};
+    static const int multiples[] = {-2, -1, 1, 2};
     const double at = get_real(component, known);
     const double step = at == 0.0 ? 1e-4 : 1e-4 * fabs(at);
     memset(values, 0, MOST_VARIABLES * sizeof *values);
     memset(noise, 0, MOST_VARIABLES * sizeof *noise);
     for (int k = 0; k < 4; ++k) {
         double found[MOST_VARIABLES];
-        assert_int_equal(set_real(component, known, at + places[k] * step), fmi2OK);
+        assert_int_equal(set_real(component, known, at + multiples[k] * step), fmi2OK);
         read_unknowns(component, found);
         for (size_t i = 0; i < fmu_variable_count; ++i) {
             if (is_unknown(&fmu_variables[i])) {

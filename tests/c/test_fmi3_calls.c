@@ -60,7 +60,7 @@ static void an_importer_that_offers_intermediate_updates_is_never_called_back(vo
     forget_messages();
     for (int way = 0; way < 4; ++way) {
         const fmi3Boolean event_mode = way >= 2, early_return = way % 2 == 1;
-        double places[2];
+        double foot_x[2];
         for (int offers = 0; offers < 2; ++offers) {
             fmi3Instance instance = fmi3InstantiateCoSimulation(
                 "runner", FMU_GUID, NULL, false, false, event_mode, early_return, offers ? wanted : NULL,
@@ -82,10 +82,10 @@ static void an_importer_that_offers_intermediate_updates_is_never_called_back(vo
                 }
             }
             assert_int_equal(answer.event, way == 3);
-            places[offers] = get_float(instance, "foot.x");
+            foot_x[offers] = get_float(instance, "foot.x");
             fmi3FreeInstance(instance);
         }
-        assert_true(places[0] == places[1]);
+        assert_true(foot_x[0] == foot_x[1]);
     }
     assert_int_equal(message_count, 0);
 }
@@ -288,19 +288,19 @@ static const struct {
     {"fmi3Reset", fmi3Reset, EVERYWHERE},
 };
 
-static fmi3Instance instance_at(unsigned place) {
-    const bool exchange = place <= ME_ENDED;
-    fmi3Instance instance = exchange ? new_exchange() : new_stepper(place != CS_PLAIN_STEP, false);
-    if (place == ME_INITIALIZING) {
+static fmi3Instance instance_at(unsigned situation) {
+    const bool exchange = situation <= ME_ENDED;
+    fmi3Instance instance = exchange ? new_exchange() : new_stepper(situation != CS_PLAIN_STEP, false);
+    if (situation == ME_INITIALIZING) {
         assert_int_equal(call_enter_initialization(instance), fmi3OK);
-    } else if (place != ME_BEFORE) {
+    } else if (situation != ME_BEFORE) {
         initialize3(instance);
     }
-    if (place == ME_CONTINUOUS) {
+    if (situation == ME_CONTINUOUS) {
         assert_int_equal(fmi3EnterContinuousTimeMode(instance), fmi3OK);
-    } else if (place == CS_STEP) {
+    } else if (situation == CS_STEP) {
         assert_int_equal(fmi3EnterStepMode(instance), fmi3OK);
-    } else if ((place & ENDED) != 0) {
+    } else if ((situation & ENDED) != 0) {
         assert_int_equal(fmi3Terminate(instance), fmi3OK);
     }
     forget_messages();
@@ -311,10 +311,10 @@ static void follows_the_call_sequence_and_stays_as_it_was_where_that_is_broken(v
     int refused = 0;
     (void)state;
     for (size_t i = 0; i < sizeof calls / sizeof calls[0]; ++i) {
-        for (unsigned place = 1; place < EVERYWHERE; place <<= 1) {
-            const bool allowed = (calls[i].allowed & place) != 0;
+        for (unsigned situation = 1; situation < EVERYWHERE; situation <<= 1) {
+            const bool allowed = (calls[i].allowed & situation) != 0;
             fmi3Byte before[SERIALIZED_BYTES], after[SERIALIZED_BYTES];
-            fmi3Instance instance = instance_at(place);
+            fmi3Instance instance = instance_at(situation);
             const size_t size = serialize3(instance, before);
             assert_int_equal(calls[i].call(instance), allowed ? fmi3OK : fmi3Error);
             assert_int_equal(message_count, allowed ? 0 : 1);
@@ -580,7 +580,7 @@ static double difference(fmi3Instance instance, const char *unknown, const char 
         } else {
             double moved[TDMF_STATE_COUNT];
             memcpy(moved, states, sizeof moved);
-            moved[fmu_variables[reference].place] += shift;
+            moved[fmu_variables[reference].offset] += shift;
             assert_int_equal(fmi3SetContinuousStates(instance, moved, TDMF_STATE_COUNT), fmi3OK);
             values[i] = get_float(instance, unknown);
             assert_int_equal(fmi3SetContinuousStates(instance, states, TDMF_STATE_COUNT), fmi3OK);

@@ -125,10 +125,10 @@ static void forge_everywhere(kind kind, long *refused, long *accepted) {
     serialize(instance, &good);
     for (size_t f = 0; f < sizeof forgeries / sizeof forgeries[0]; ++f) {
         /* A share of the places, others with each forgery. */
-        for (size_t place = FORGE_CONTENT + f % TDMF_SAMPLE_DIVISOR; place + forgeries[f].size <= good.size;
-             place += TDMF_SAMPLE_DIVISOR) {
+        for (size_t offset = FORGE_CONTENT + f % TDMF_SAMPLE_DIVISOR; offset + forgeries[f].size <= good.size;
+             offset += TDMF_SAMPLE_DIVISOR) {
             bad = good;
-            memcpy(bad.bytes + place, forgeries[f].value.bytes, forgeries[f].size);
+            memcpy(bad.bytes + offset, forgeries[f].value.bytes, forgeries[f].size);
             forge_checksum(bad.bytes, bad.size);
             if (restore(instance, &bad) == fmi3OK) {
                 ++*accepted;
@@ -162,9 +162,9 @@ static void no_field_holds_what_is_not_a_number(void **unused) {
     long refused = 0;
     fmi3Instance instance = new_on_its_way(STEPS);
     serialize(instance, &good);
-    for (size_t place = FORGE_CONTENT; place + sizeof nan <= good.size; place += TDMF_SAMPLE_DIVISOR) {
+    for (size_t offset = FORGE_CONTENT; offset + sizeof nan <= good.size; offset += TDMF_SAMPLE_DIVISOR) {
         bad = good;
-        memcpy(bad.bytes + place, &nan, sizeof nan);
+        memcpy(bad.bytes + offset, &nan, sizeof nan);
         forge_checksum(bad.bytes, bad.size);
         assert_int_equal(restore(instance, &good), fmi3OK);
         refused += restore(instance, &bad) != fmi3OK;
@@ -181,15 +181,15 @@ static void no_field_holds_what_is_not_a_number(void **unused) {
 
 /* Where a value stands in the bytes for the n-th time, counted from 0; asserts that it does. */
 static size_t nth_place_of(const serialized *state, const void *value, size_t size, int n) {
-    size_t place = FORGE_CONTENT;
-    for (; place + size < state->size; ++place) {
-        n -= memcmp(state->bytes + place, value, size) == 0;
+    size_t offset = FORGE_CONTENT;
+    for (; offset + size < state->size; ++offset) {
+        n -= memcmp(state->bytes + offset, value, size) == 0;
         if (n < 0) {
             break;
         }
     }
-    assert_memory_equal(state->bytes + place, value, size);
-    return place;
+    assert_memory_equal(state->bytes + offset, value, size);
+    return offset;
 }
 
 static size_t place_of(const serialized *state, const void *value, size_t size) {
@@ -244,13 +244,13 @@ static void a_rate_of_a_discrete_input_is_refused(void **unused) {
     fmi3Instance instance = new_on_its_way(STEPS);
     ((struct instance *)instance)->fmu.input_rates.ground.friction = rate;
     serialize(instance, &state);
-    size_t place = place_of(&state, &rate, sizeof rate); /* the rates of all inputs begin with it */
+    size_t offset = place_of(&state, &rate, sizeof rate); /* the rates of all inputs begin with it */
     for (size_t i = 0; i < fmu_variable_count; ++i) {
         if (fmu_variables[i].storage == STORED_INPUT) {
             serialized forged = state;
-            memcpy(forged.bytes + place, &rate, sizeof rate);
+            memcpy(forged.bytes + offset, &rate, sizeof rate);
             forge_checksum(forged.bytes, forged.size);
-            place += sizeof rate;
+            offset += sizeof rate;
             if (fmu_variables[i].variability == VARIABILITY_DISCRETE) {
                 assert_refused(STEPS, &forged, "the rate of an input");
                 ++refused;
@@ -286,8 +286,8 @@ static void a_clock_of_no_phase_is_refused(void **unused) {
     }
     serialize(instance, &landed);
     const double work = get_float(instance, "hip.work");
-    const size_t place = place_of(&landed, &work, sizeof work) + sizeof work; /* the state after it */
-    landed.bytes[place + sizeof(double) - 1] = 0x3f;
+    const size_t offset = place_of(&landed, &work, sizeof work) + sizeof work; /* the state after it */
+    landed.bytes[offset + sizeof(double) - 1] = 0x3f;
     assert_refused(STEPS, &landed, "hip.place_time");
     fmi3FreeInstance(instance);
 }
@@ -296,10 +296,10 @@ static void a_word_without_an_end_is_refused(void **unused) {
     (void)unused;
     serialized state;
     save_on_its_way(STEPS, &state);
-    const size_t place = place_of(&state, "+0-0+\0\0\0", 8);
+    const size_t offset = place_of(&state, "+0-0+\0\0\0", 8);
     const size_t open = nth_place_of(&state, "+0-0+\0\0\0", 8, 1); /* at 40 s the next is written */
     serialized bad = state;
-    memset(bad.bytes + place, '+', 64);
+    memset(bad.bytes + offset, '+', 64);
     assert_refused(STEPS, &bad, "stride.word");
     bad = state;
     memset(bad.bytes + open, '+', 64);
@@ -310,10 +310,10 @@ static void a_word_of_other_letters_or_code_is_refused(void **unused) {
     (void)unused;
     serialized state;
     save_on_its_way(STEPS, &state);
-    const size_t place = place_of(&state, "+0-0+\0\0\0", 8);
-    state.bytes[place + 1] = 'x';
+    const size_t offset = place_of(&state, "+0-0+\0\0\0", 8);
+    state.bytes[offset + 1] = 'x';
     assert_refused(STEPS, &state, "stride.word");
-    state.bytes[place + 1] = '-';
+    state.bytes[offset + 1] = '-';
     assert_refused(STEPS, &state, "stride.word_code");
 }
 
@@ -327,8 +327,8 @@ static void a_time_of_the_past_that_lies_ahead_is_refused(void **unused) {
         serialized state;
         serialize(instance, &state);
         const double time = get_float(instance, names[i]);
-        const size_t place = nth_place_of(&state, &time, sizeof time, 2 * i); /* outputs come first */
-        memcpy(state.bytes + place, &ahead, sizeof ahead);
+        const size_t offset = nth_place_of(&state, &time, sizeof time, 2 * i); /* outputs come first */
+        memcpy(state.bytes + offset, &ahead, sizeof ahead);
         assert_refused(STEPS, &state, reasons[i]);
     }
     fmi3FreeInstance(instance);
@@ -386,9 +386,9 @@ static void a_contact_in_the_air_is_refused(void **unused) {
     assert_true(foot_y > 0.0);
     assert_int_equal(do_step(instance, 1.0, 11.8, &step), fmi3OK);
     assert_int_equal(get_enumeration(instance, "contact.mode"), TDMF_CONTACT_STICK);
-    const size_t place = place_of(&state, &foot_y, sizeof foot_y);
+    const size_t offset = place_of(&state, &foot_y, sizeof foot_y);
     serialize(instance, &state);
-    memcpy(state.bytes + place, &foot_y, sizeof foot_y);
+    memcpy(state.bytes + offset, &foot_y, sizeof foot_y);
     fmi3FreeInstance(instance);
     assert_refused(STEPS, &state, "foot.y");
 }
@@ -481,11 +481,11 @@ static void fill_counter(serialized *state, kind kind, const char *name) {
     const serialized good = *state;
     const int full = INT_MAX;
     fmi3Instance instance = new_of_kind(kind);
-    size_t place = FORGE_CONTENT;
+    size_t offset = FORGE_CONTENT;
     do {
-        assert_true(place + sizeof full <= good.size);
+        assert_true(offset + sizeof full <= good.size);
         *state = good;
-        memcpy(state->bytes + place++, &full, sizeof full);
+        memcpy(state->bytes + offset++, &full, sizeof full);
         forge_checksum(state->bytes, state->size);
     } while (restore(instance, state) != fmi3OK || get_int(instance, name) != full);
     fmi3FreeInstance(instance);

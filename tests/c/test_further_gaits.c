@@ -13,7 +13,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const tdmf_inputs held = {.ground = {.friction = 0.0}};
+static const tdmf_inputs no_rates = {.ground = {.friction = 0.0}};
 static const double tight = 1e-12;
 static const double clamp_time =
     1.3e-8; /* it is due at twice its dead band of 1e-10: 1.1e-8 at the slowest */
@@ -182,7 +182,7 @@ static void cvode_comes_back_to_the_apex(void **state) {
         solver.relative_tolerance = 1e-12;
         /* A hundredth past the apex, in which neither a loss nor the angle of lift-off changes any more but
          * for the damper's, whose leg is at rest by then. */
-        assert_int_equal(tdmf_cvode_advance(&solver, SYSTEM_OF(&runner), &held,
+        assert_int_equal(tdmf_cvode_advance(&solver, SYSTEM_OF(&runner), &no_rates,
                                             further_gaits[i].gait.period + 0.01, &motion),
                          TDMF_ARRIVED);
         assert_is_gait(&motion, &further_gaits[i], 1e-8);

@@ -13,10 +13,10 @@ static const double margin_of_apex = 1e-16;
 /* Puts the guarded quantity, in units of its scale, to `distance` from its event. */
 typedef void (*placement)(runner *runner, double distance);
 
-static void assert_guards(runner runner, tdmf_guard guard, placement place, double width) {
+static void assert_guards(runner runner, tdmf_guard guard, placement put, double width) {
     const double distances[] = {1e-2, 1e-9, 2.0 * width, 0.0, -0.5 * width, -2.0 * width, -1e-9, -1e-2};
     for (int i = 0; i < 8; ++i) {
-        place(&runner, distances[i]);
+        put(&runner, distances[i]);
         const double value = scene_guard(&runner, guard);
         assert_close(value, distances[i] + width, 0.1 * width + 1e-12 * fabs(distances[i]));
         assert_true((value > 0.0) == (distances[i] > -width));
@@ -35,10 +35,10 @@ static void touchdown_watches_the_foots_height(void **unused) {
     assert_guards(scene_in_flight(TDMF_PHASE_RETRACT, 0.1), TDMF_GUARD_TOUCHDOWN, raise_foot, margin);
 }
 
-static void assert_apex(runner runner, placement place) {
+static void assert_apex(runner runner, placement put) {
     static const double rates[] = {1e-2, 1e-9, 1e-15, -1e-15, -1e-9, -1e-2};
     for (int i = 0; i < 6; ++i) {
-        place(&runner, rates[i]);
+        put(&runner, rates[i]);
         const double value = scene_guard(&runner, TDMF_GUARD_APEX);
         assert_close(value, rates[i] + margin_of_apex, 3e-16);
         assert_true((value > 0.0) == (rates[i] > 0.0));

@@ -14,7 +14,7 @@
 static const double frictions[] = {1e3, 3e3, 1e4, 1e5, 3e5, 1e6};
 enum { FRICTIONS = sizeof frictions / sizeof *frictions, STRIDES = 300, STEPS_OF_A_STRIDE = 500 };
 
-static const tdmf_inputs held = {.ground = {.friction = 0.0}};
+static const tdmf_inputs no_rates = {.ground = {.friction = 0.0}};
 
 static tdmf_motion motion_of(const runner *runner) {
     tdmf_motion motion = {
@@ -82,9 +82,10 @@ static void the_two_solvers_agree(void **unused) {
         const runner runner = started(frictions[i]);
         tdmf_motion native = motion_of(&runner), cvode = native;
         tdmf_solver solver = tdmf_solver_default();
-        assert_int_equal(tdmf_native_advance(&solver, SYSTEM_OF(&runner), &held, 110.0, &native),
+        assert_int_equal(tdmf_native_advance(&solver, SYSTEM_OF(&runner), &no_rates, 110.0, &native),
                          TDMF_ARRIVED);
-        assert_int_equal(tdmf_cvode_advance(&solver, SYSTEM_OF(&runner), &held, 110.0, &cvode), TDMF_ARRIVED);
+        assert_int_equal(tdmf_cvode_advance(&solver, SYSTEM_OF(&runner), &no_rates, 110.0, &cvode),
+                         TDMF_ARRIVED);
         assert_int_equal(native.record.event_count, cvode.record.event_count);
         assert_int_equal(native.record.stride.count, 4);
         for (int k = 0; k < TDMF_MECHANICAL_COUNT; ++k) {

@@ -8,7 +8,7 @@
 #include <math.h>
 #include <string.h>
 
-static const tdmf_inputs held = {.ground = {.friction = 0.0}};
+static const tdmf_inputs no_rates = {.ground = {.friction = 0.0}};
 
 static tdmf_motion motion_of(const runner *runner) {
     tdmf_motion motion;
@@ -20,7 +20,7 @@ static tdmf_motion motion_of(const runner *runner) {
 }
 
 static void assert_arrives(tdmf_solver *solver, const runner *runner, double until, tdmf_motion *motion) {
-    assert_int_equal(tdmf_native_advance(solver, SYSTEM_OF(runner), &held, until, motion), TDMF_ARRIVED);
+    assert_int_equal(tdmf_native_advance(solver, SYSTEM_OF(runner), &no_rates, until, motion), TDMF_ARRIVED);
     assert_true(motion->time == until);
 }
 
@@ -104,7 +104,7 @@ static void random_runs_have_the_same_events(void **state) {
         while (runner.motion.time < 60.0 && runner_advance(&runner, 2e-3)) {
         }
         const tdmf_outcome outcome =
-            tdmf_native_advance(&solver, SYSTEM_OF(&runner), &held, runner.motion.time, &motion);
+            tdmf_native_advance(&solver, SYSTEM_OF(&runner), &no_rates, runner.motion.time, &motion);
         assert_int_equal(outcome, runner.motion.mode.fallen ? TDMF_FELL : TDMF_ARRIVED);
         assert_int_equal(motion.record.event_count, runner.motion.record.event_count);
         assert_string_equal(motion.record.stride.word, runner.motion.record.stride.word);
@@ -198,7 +198,7 @@ static void a_spinning_leg_touches_down_in_time(void **state) {
         tdmf_motion motion = motion_of(&runner);
         tdmf_solver solver = tdmf_solver_default();
         solver.log = &log;
-        tdmf_native_advance(&solver, SYSTEM_OF(&runner), &held, touchdown + 1e-6, &motion);
+        tdmf_native_advance(&solver, SYSTEM_OF(&runner), &no_rates, touchdown + 1e-6, &motion);
         int first = 0;
         while (first < log.count && log.events[first].guard != TDMF_GUARD_TOUCHDOWN) {
             ++first;
@@ -225,7 +225,7 @@ static void a_ramp_is_the_limit_of_small_steps(void **state) {
         tdmf_inputs inputs = runner.inputs;
         inputs.ground.friction += ramp.ground.friction * middle;
         inputs.hip.external_torque += ramp.hip.external_torque * middle;
-        assert_int_equal(tdmf_native_advance(&solver, (tdmf_system){&runner.model, &inputs}, &held,
+        assert_int_equal(tdmf_native_advance(&solver, (tdmf_system){&runner.model, &inputs}, &no_rates,
                                              until * (i + 1) / PIECES, &stepped),
                          TDMF_ARRIVED);
     }
@@ -352,11 +352,11 @@ static void limits_end_a_call_and_leave_a_valid_motion(void **state) {
     tdmf_motion motion = motion_of(&runner);
     tdmf_solver solver = tdmf_solver_default();
     solver.step_limit = 10;
-    assert_int_equal(tdmf_native_advance(&solver, SYSTEM_OF(&runner), &held, 100.0, &motion),
+    assert_int_equal(tdmf_native_advance(&solver, SYSTEM_OF(&runner), &no_rates, 100.0, &motion),
                      TDMF_TOO_MANY_STEPS);
     solver.step_limit = 100000;
     solver.event_limit = 2;
-    assert_int_equal(tdmf_native_advance(&solver, SYSTEM_OF(&runner), &held, 100.0, &motion),
+    assert_int_equal(tdmf_native_advance(&solver, SYSTEM_OF(&runner), &no_rates, 100.0, &motion),
                      TDMF_TOO_MANY_EVENTS);
     assert_true(motion.time > 10.0 && motion.time < 100.0);
     solver.event_limit = 100000;
@@ -371,9 +371,9 @@ static void a_fall_is_where_the_run_stays(void **state) {
     runner_start(&runner);
     tdmf_motion motion = motion_of(&runner);
     tdmf_solver solver = tdmf_solver_default();
-    assert_int_equal(tdmf_native_advance(&solver, SYSTEM_OF(&runner), &held, 1e4, &motion), TDMF_FELL);
+    assert_int_equal(tdmf_native_advance(&solver, SYSTEM_OF(&runner), &no_rates, 1e4, &motion), TDMF_FELL);
     const double time = motion.time;
-    assert_int_equal(tdmf_native_advance(&solver, SYSTEM_OF(&runner), &held, 2e4, &motion), TDMF_FELL);
+    assert_int_equal(tdmf_native_advance(&solver, SYSTEM_OF(&runner), &no_rates, 2e4, &motion), TDMF_FELL);
     assert_true(motion.time == time);
 }
 
@@ -399,19 +399,19 @@ static void requests_without_sense_are_refused(void **state) {
     (void)state;
     runner.motion.time = 1.0;
     for (size_t i = 0; i < sizeof no_tolerances / sizeof no_tolerances[0]; ++i) {
-        assert_refused(&runner, no_tolerances[i], runner.inputs, held, 30.0);
+        assert_refused(&runner, no_tolerances[i], runner.inputs, no_rates, 30.0);
     }
     for (size_t i = 0; i < sizeof no_numbers / sizeof no_numbers[0]; ++i) {
         tdmf_inputs inputs = runner.inputs;
-        tdmf_inputs rates = held;
+        tdmf_inputs rates = no_rates;
         inputs.ground.friction = no_numbers[i];
-        assert_refused(&runner, 1e-9, inputs, held, 30.0);
+        assert_refused(&runner, 1e-9, inputs, no_rates, 30.0);
         inputs = runner.inputs;
         inputs.hip.external_torque = no_numbers[i];
-        assert_refused(&runner, 1e-9, inputs, held, 30.0);
+        assert_refused(&runner, 1e-9, inputs, no_rates, 30.0);
         rates.ground.friction = no_numbers[i];
         assert_refused(&runner, 1e-9, runner.inputs, rates, 30.0);
-        rates = held;
+        rates = no_rates;
         rates.hip.external_torque = no_numbers[i];
         assert_refused(&runner, 1e-9, runner.inputs, rates, 30.0);
     }
@@ -419,8 +419,8 @@ static void requests_without_sense_are_refused(void **state) {
     for (size_t i = 0; i < sizeof leaving / sizeof leaving[0]; ++i) {
         assert_refused(&runner, 1e-9, runner.inputs, leaving[i], 30.0); /* by then out of range */
     }
-    assert_refused(&runner, 1e-9, runner.inputs, held, NAN);
-    assert_refused(&runner, 1e-9, runner.inputs, held, 0.5);
+    assert_refused(&runner, 1e-9, runner.inputs, no_rates, NAN);
+    assert_refused(&runner, 1e-9, runner.inputs, no_rates, 0.5);
     assert_non_null(strstr(tdmf_outcome_text(TDMF_REFUSED), "out of range"));
 }
 
@@ -432,9 +432,9 @@ static void a_call_for_no_time_changes_nothing(void **state) {
         tdmf_motion motion = motion_of(&runner);
         tdmf_solver solver = tdmf_solver_default();
         const double until = random_uniform(&source, 0.0, 30.0);
-        tdmf_native_advance(&solver, SYSTEM_OF(&runner), &held, until, &motion);
+        tdmf_native_advance(&solver, SYSTEM_OF(&runner), &no_rates, until, &motion);
         const tdmf_motion before = motion;
-        tdmf_native_advance(&solver, SYSTEM_OF(&runner), &held, motion.time, &motion);
+        tdmf_native_advance(&solver, SYSTEM_OF(&runner), &no_rates, motion.time, &motion);
         assert_memory_equal(motion.state, before.state, sizeof motion.state);
     }
 }

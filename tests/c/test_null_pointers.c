@@ -10,7 +10,7 @@
 
 typedef tdmf_outcome advance(tdmf_solver *, tdmf_system, const tdmf_inputs *, double, tdmf_motion *);
 
-static const tdmf_inputs held = {.ground = {.friction = 0.0}};
+static const tdmf_inputs no_rates = {.ground = {.friction = 0.0}};
 static const tdmf_seed nothing_given = {0};
 
 static runner started(void) {
@@ -41,7 +41,7 @@ static void without_rates_inputs_are_held(void **unused) {
     for (int i = 0; i < 1 + tdmf_cvode_is_available(); ++i) {
         tdmf_motion given = motion_of(&runner), none = given;
         tdmf_solver solver = tdmf_solver_default();
-        assert_int_equal(solvers[i](&solver, SYSTEM_OF(&runner), &held, 30.0, &given), TDMF_ARRIVED);
+        assert_int_equal(solvers[i](&solver, SYSTEM_OF(&runner), &no_rates, 30.0, &given), TDMF_ARRIVED);
         assert_int_equal(solvers[i](&solver, SYSTEM_OF(&runner), NULL, 30.0, &none), TDMF_ARRIVED);
         assert_same_numbers(none.state, given.state, TDMF_STATE_COUNT);
         assert_int_equal(none.record.event_count, given.record.event_count);

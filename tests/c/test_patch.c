@@ -139,7 +139,7 @@ static void cvode_makes_each_run(void **state) {
 }
 
 /* With the feet elsewhere, and the patches as far. */
-static void assert_lanes_make_each_run(tdmf_instructions instructions, double place) {
+static void assert_lanes_make_each_run(tdmf_instructions instructions, double shift) {
     tdmf_model models[PATCH_RUNS];
     tdmf_ensemble_case cases[PATCH_RUNS];
     int case_of[PATCH_RUNS];
@@ -148,21 +148,21 @@ static void assert_lanes_make_each_run(tdmf_instructions instructions, double pl
     for (int i = 0; i < PATCH_RUNS; ++i) {
         const patch_run *run = &patch_runs[i];
         tdmf_parameters parameters = parameters_of_patch_run(run);
-        parameters.ground.patch_begin += place;
-        parameters.ground.patch_end += place;
+        parameters.ground.patch_begin += shift;
+        parameters.ground.patch_end += shift;
         assert_null(tdmf_model_create(&models[i], &parameters).variable);
         const tdmf_ensemble_case its_case = {
             &models[i], inputs_of_patch_run(run), {.max_strides = run->strides + (run->fall_time > 0.0)}};
         cases[i] = its_case;
         case_of[i] = i;
-        foot_x[i] = place;
+        foot_x[i] = shift;
         memcpy(starts[i], run->start, sizeof starts[i]);
     }
     const tdmf_ensemble ensemble = {.cases = cases,
                                     .case_count = PATCH_RUNS,
                                     .case_of = case_of,
                                     .starts = (const double(*)[TDMF_SECTION_COUNT])starts,
-                                    .foot_x = place == 0.0 ? NULL : foot_x,
+                                    .foot_x = shift == 0.0 ? NULL : foot_x,
                                     .count = PATCH_RUNS,
                                     .relative_tolerance = 1e-13,
                                     .threads = 1,
@@ -174,7 +174,7 @@ static void assert_lanes_make_each_run(tdmf_instructions instructions, double pl
         assert_int_equal(ends[i].fate, falls ? TDMF_FATE_FELL : TDMF_FATE_UNDECIDED);
         assert_int_equal(ends[i].strides, run->strides);
         assert_apex(ends[i].apex, run->end_apex, falls ? 1e-7 : 1e-9);
-        assert_close(ends[i].foot_x - place, run->end_foot_x, falls ? 1e-6 : 1e-9 * fabs(run->end_foot_x));
+        assert_close(ends[i].foot_x - shift, run->end_foot_x, falls ? 1e-6 : 1e-9 * fabs(run->end_foot_x));
     }
 }
 

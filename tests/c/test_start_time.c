@@ -117,15 +117,15 @@ static void strides_one_by_one(void **state) {
 static void instants_lose_nothing(void **state) {
     enum { PIECES = 100000 };
     const tdmf_instant start = {1.7e9, 0.0};
-    const double piece = 0x1.23456789abcdep-20;
+    const double step = 0x1.23456789abcdep-20;
     tdmf_instant now = start;
     (void)state;
     for (int i = 0; i < PIECES; ++i) {
-        now = tdmf_instant_after(now, piece);
+        now = tdmf_instant_after(now, step);
         assert_true(now.time + now.rest == now.time);
     }
-    assert_relatively_close(tdmf_time_between(start, now), PIECES * piece, 1e-15);
-    now = tdmf_instant_after(now, -PIECES * piece);
+    assert_relatively_close(tdmf_time_between(start, now), PIECES * step, 1e-15);
+    now = tdmf_instant_after(now, -PIECES * step);
     assert_close(tdmf_time_between(start, now), 0.0, 1e-17);
 }
 
@@ -138,12 +138,12 @@ static void a_time_set_anew_is_taken_as_it_is(void **state) {
     assert_true(tdmf_native_stride(&solver, SYSTEM_OF(&runner), INFINITY, &motion).closed);
     tdmf_motion moved = motion;
     moved.time = 8.0;
-    static const tdmf_inputs held = {.ground = {.friction = 0.0}};
-    assert_int_equal(tdmf_native_advance(&solver, SYSTEM_OF(&runner), &held, 9.0, &moved), TDMF_ARRIVED);
+    static const tdmf_inputs no_rates = {.ground = {.friction = 0.0}};
+    assert_int_equal(tdmf_native_advance(&solver, SYSTEM_OF(&runner), &no_rates, 9.0, &moved), TDMF_ARRIVED);
     assert_true(moved.time == 9.0 && moved.record.progress.now.time == 9.0 &&
                 moved.record.progress.now.rest == 0.0);
     const tdmf_instant end = tdmf_instant_after(motion.record.progress.now, 1.0);
-    assert_int_equal(tdmf_native_advance(&solver, SYSTEM_OF(&runner), &held, end.time, &motion),
+    assert_int_equal(tdmf_native_advance(&solver, SYSTEM_OF(&runner), &no_rates, end.time, &motion),
                      TDMF_ARRIVED);
     for (int s = 0; s < TDMF_STATE_COUNT; ++s) {
         assert_close(motion.state[s], moved.state[s], 1e-6);

@@ -61,9 +61,9 @@ static double error_of(const tdmf_mode_equations *from, const tdmf_mode_coordina
 /* Steps on for as long as the leg makes sense, through settling and beyond, whatever events there are. */
 static void assert_steps_are_exact(const runner *runner, double tolerance) {
     enum { STEPS = 100 };
-    static const tdmf_inputs held = {.ground = {.friction = 0.0}};
+    static const tdmf_inputs no_rates = {.ground = {.friction = 0.0}};
     tdmf_mode_equations equations;
-    tdmf_open_mode(&equations, SYSTEM_OF(runner), &held, &runner->motion.mode, runner->motion.state,
+    tdmf_open_mode(&equations, SYSTEM_OF(runner), &no_rates, &runner->motion.mode, runner->motion.state,
                    tdmf_leg_direction_of(runner->motion.state));
     for (int i = 0; i < STEPS; ++i) {
         tdmf_step step;

@@ -9,7 +9,7 @@
 #include <math.h>
 #include <string.h>
 
-static const tdmf_inputs held = {.ground = {.friction = 0.0}};
+static const tdmf_inputs no_rates = {.ground = {.friction = 0.0}};
 
 static runner runner_of(const tdmf_parameters *parameters) {
     runner runner = runner_default(0.6);
@@ -48,7 +48,7 @@ static tdmf_parameters stiff_parameters(int kind) {
 static void assert_given_up_at_once(const runner *runner) {
     tdmf_motion motion = motion_of(runner);
     tdmf_solver solver = tdmf_solver_default();
-    const tdmf_outcome outcome = tdmf_native_advance(&solver, SYSTEM_OF(runner), &held, 0.1, &motion);
+    const tdmf_outcome outcome = tdmf_native_advance(&solver, SYSTEM_OF(runner), &no_rates, 0.1, &motion);
     assert_int_equal(outcome, TDMF_TOO_STIFF);
     assert_true(solver.steps <= 1);
     assert_non_null(strstr(tdmf_outcome_text(outcome), "CVODE"));
@@ -90,7 +90,8 @@ static void no_call_makes_more_steps_than_the_limit(void **state) {
         runner_start(&runner);
         tdmf_motion motion = motion_of(&runner);
         tdmf_solver solver = tdmf_solver_default();
-        const tdmf_outcome outcome = tdmf_native_advance(&solver, SYSTEM_OF(&runner), &held, 1.0, &motion);
+        const tdmf_outcome outcome =
+            tdmf_native_advance(&solver, SYSTEM_OF(&runner), &no_rates, 1.0, &motion);
         assert_true(outcome == TDMF_ARRIVED || outcome == TDMF_TOO_STIFF);
         assert_true(solver.steps <= TDMF_STIFFNESS_LIMIT);
         assert_true(outcome == TDMF_ARRIVED || solver.steps <= 1 || solver.steps == TDMF_STIFFNESS_LIMIT);
@@ -118,7 +119,8 @@ static void in_slip_the_steps_are_counted(void **state) {
     scene_assert_mode(&runner, TDMF_CONTACT_SLIP_NEGATIVE, TDMF_PHASE_COAST);
     tdmf_motion motion = motion_of(&runner);
     tdmf_solver solver = tdmf_solver_default();
-    assert_int_equal(tdmf_native_advance(&solver, SYSTEM_OF(&runner), &held, 100.0, &motion), TDMF_TOO_STIFF);
+    assert_int_equal(tdmf_native_advance(&solver, SYSTEM_OF(&runner), &no_rates, 100.0, &motion),
+                     TDMF_TOO_STIFF);
     assert_int_equal(solver.steps, TDMF_STIFFNESS_LIMIT);
     assert_true(motion.time > 0.0 && motion.time < 1.0);
     assert_close(energy_missing(&runner, &motion), 0.0, 1e-9);
@@ -131,7 +133,7 @@ static void long_calls_may_make_more_steps(void **state) {
     tdmf_motion motion = motion_of(&runner);
     tdmf_solver solver = tdmf_solver_default();
     solver.relative_tolerance = 1e-14;
-    assert_int_equal(tdmf_native_advance(&solver, SYSTEM_OF(&runner), &held, 3e4, &motion), TDMF_ARRIVED);
+    assert_int_equal(tdmf_native_advance(&solver, SYSTEM_OF(&runner), &no_rates, 3e4, &motion), TDMF_ARRIVED);
     assert_true(solver.steps > 2 * TDMF_STIFFNESS_LIMIT);
 }
 
@@ -145,7 +147,8 @@ static void cvode_takes_stiff_runners(void **state) {
     runner_start(&runner);
     tdmf_motion motion = motion_of(&runner);
     tdmf_solver solver = tdmf_solver_default();
-    assert_int_equal(tdmf_cvode_advance(&solver, SYSTEM_OF(&runner), &held, 100.0, &motion), TDMF_ARRIVED);
+    assert_int_equal(tdmf_cvode_advance(&solver, SYSTEM_OF(&runner), &no_rates, 100.0, &motion),
+                     TDMF_ARRIVED);
     assert_close(energy_missing(&runner, &motion), 0.0, 1e-8);
 }
 

@@ -81,12 +81,13 @@ static void touchdown_upright_is_driven_unless_the_leg_falls(void **unused) {
 }
 
 static tdmf_motion run_from_start(runner *runner, double until, int64_t max_events) {
-    static const tdmf_inputs held = {.ground = {.friction = 0.0}};
+    static const tdmf_inputs no_rates = {.ground = {.friction = 0.0}};
     tdmf_solver solver = tdmf_solver_default();
     runner_start(runner);
     tdmf_motion motion = {.mode = runner->motion.mode, .record = runner->motion.record};
     memcpy(motion.state, runner->motion.state, sizeof motion.state);
-    assert_int_equal(tdmf_native_advance(&solver, SYSTEM_OF(runner), &held, until, &motion), TDMF_ARRIVED);
+    assert_int_equal(tdmf_native_advance(&solver, SYSTEM_OF(runner), &no_rates, until, &motion),
+                     TDMF_ARRIVED);
     assert_true(solver.events <= max_events);
     return motion;
 }

@@ -147,7 +147,7 @@ static void assert_guard_varies(const guard_line *on, const tdmf_local_seed *d, 
 /* Along the line and, in a shorter step, along the motion. */
 static bool compare_guard(guard_line on) {
     const runner *at = on.line.runner;
-    const tdmf_seed held = {0};
+    const tdmf_seed zero = {0};
     const tdmf_local_seed d = tdmf_local_seed_of(&at->model, &on.line.seed, &on.line.variation);
     if (scene_guard(at, on.guard) == 1.0 || !is_smooth(&on, LINE_STEP)) {
         return false;
@@ -155,7 +155,7 @@ static bool compare_guard(guard_line on) {
     assert_guard_varies(&on, &d, LINE_STEP);
     double derivatives[TDMF_STATE_COUNT];
     tdmf_derivatives(SYSTEM_OF(at), &at->motion.mode, at->motion.state, derivatives);
-    on.line.seed = held;
+    on.line.seed = zero;
     on.line.variation.liftoff_angle = 0.0;
     memcpy(on.line.variation.state, derivatives, sizeof derivatives);
     const tdmf_local_seed along = tdmf_seed_of_motion(derivatives);

@@ -10,7 +10,7 @@
 #include <string.h>
 
 static const double turn = 6.283185307179586476925;
-static const tdmf_inputs held = {.ground = {.friction = 0.0}};
+static const tdmf_inputs no_rates = {.ground = {.friction = 0.0}};
 
 static tdmf_motion started(const runner *runner) {
     tdmf_motion motion = {.time = 0.0};
@@ -48,10 +48,10 @@ static void without_a_hip_turns_do_not_matter(void **unused) {
         tdmf_motion wound = started(&runner);
         tdmf_solver solver = tdmf_solver_default();
         const double until = 2.0;
-        if (tdmf_native_advance(&solver, SYSTEM_OF(&runner), &held, until, &plain) != TDMF_ARRIVED) {
+        if (tdmf_native_advance(&solver, SYSTEM_OF(&runner), &no_rates, until, &plain) != TDMF_ARRIVED) {
             continue;
         }
-        assert_int_equal(tdmf_native_advance(&solver, SYSTEM_OF(&runner), &held, until, &wound),
+        assert_int_equal(tdmf_native_advance(&solver, SYSTEM_OF(&runner), &no_rates, until, &wound),
                          TDMF_ARRIVED);
         wound.state[TDMF_LEG_ANGLE] -= turns * turn;
         for (int k = 0; k < TDMF_MECHANICAL_COUNT; ++k) {
@@ -76,7 +76,8 @@ static void wound_legs_run_until_they_fall(void **unused) {
         runner.model.parameters.hip.kd *= pow(10.0, random_uniform(&source, -6.0, 0.0));
         tdmf_motion motion = started(&runner);
         tdmf_solver solver = tdmf_solver_default();
-        const tdmf_outcome outcome = tdmf_native_advance(&solver, SYSTEM_OF(&runner), &held, 50.0, &motion);
+        const tdmf_outcome outcome =
+            tdmf_native_advance(&solver, SYSTEM_OF(&runner), &no_rates, 50.0, &motion);
         fell += outcome == TDMF_FELL;
         arrived += outcome == TDMF_ARRIVED;
     }

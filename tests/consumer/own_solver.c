@@ -22,10 +22,10 @@ static void shift(const double from[], double step, const double rate[], double 
 /* The state a step later in the present mode, whatever its guards say. */
 static void runge_kutta(const run *r, double step, double after[TDMF_STATE_COUNT]) {
     const double *state = r->motion.state, share[4] = {0.0, 0.5, 0.5, 1.0};
-    double rate[4][TDMF_STATE_COUNT], place[TDMF_STATE_COUNT];
+    double rate[4][TDMF_STATE_COUNT], point[TDMF_STATE_COUNT];
     for (int stage = 0; stage < 4; ++stage) {
-        shift(state, share[stage] * step, rate[stage > 0 ? stage - 1 : 0], place);
-        tdmf_derivatives(system_of(r), &r->motion.mode, stage > 0 ? place : state, rate[stage]);
+        shift(state, share[stage] * step, rate[stage > 0 ? stage - 1 : 0], point);
+        tdmf_derivatives(system_of(r), &r->motion.mode, stage > 0 ? point : state, rate[stage]);
     }
     for (int i = 0; i < TDMF_STATE_COUNT; ++i)
         after[i] = state[i] + step / 6.0 * (rate[0][i] + 2.0 * rate[1][i] + 2.0 * rate[2][i] + rate[3][i]);

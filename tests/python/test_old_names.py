@@ -31,7 +31,11 @@ REPLACED = {
         tdmf_change tdmf_direction tdmf_direction_of tdmf_tangent tdmf_tangent_along tdmf_stride_change
         tdmf_classic_change tdmf_reduced_change tdmf_reduced_return tdmf_reduced_orbit tdmf_reduced_outcome
         TDMF_RETURN_CHANGES TDMF_REDUCED_CHANGES by_section by_parameter bundle
+        are_places start_place has_place pass_place turn_rows turn_columns tdmf_record_instant
         unit_settings unit_work unit_view unit_variable unit_variables unit_reset unit_start unit_prepare
+    """,
+    ("fmu_src", "tests/c", "documentation", "examples"): """
+        held pick piece pieces place told
     """,
     ("c_core",): """
         choice pick whole not fall places held stretch least noted

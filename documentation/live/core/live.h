@@ -40,7 +40,7 @@ enum { LIVE_VALUE_CAPACITY = 64, LIVE_OUTPUT_CAPACITY = 96 };
 typedef enum { LIVE_STATE, LIVE_DOUBLE, LIVE_INT } live_kind;
 typedef struct {
     live_kind kind;
-    size_t place; /* of a state its index, else the offset in tdmf_outputs */
+    size_t offset; /* of a state its index, else the offset in tdmf_outputs */
 } live_output;
 extern const live_output live_outputs[];
 extern const int live_output_count;

@@ -77,18 +77,18 @@ bool live_accept(void) {
 void live_write_outputs(const tdmf_outputs *from, const double state[TDMF_STATE_COUNT]) {
     for (int i = 0; i < live_output_count; ++i) {
         const live_output *output = &live_outputs[i];
-        const char *place = (const char *)from + output->place;
-        int whole = 0;
+        const char *offset = (const char *)from + output->offset;
+        int integer = 0;
         switch (output->kind) {
         case LIVE_STATE:
-            outputs[i] = state[output->place];
+            outputs[i] = state[output->offset];
             break;
         case LIVE_DOUBLE:
-            memcpy(&outputs[i], place, sizeof outputs[i]);
+            memcpy(&outputs[i], offset, sizeof outputs[i]);
             break;
         default:
-            memcpy(&whole, place, sizeof whole);
-            outputs[i] = whole;
+            memcpy(&integer, offset, sizeof integer);
+            outputs[i] = integer;
         }
     }
 }
