@@ -97,7 +97,7 @@ void fmu_differentiate_start(const fmu *given, const struct fmu *started, const 
 /* The direction in which the unit itself moves: derivatives of its states, rates of its inputs. */
 void fmu_flow(const fmu *fmu, struct fmu *direction);
 
-/* Far beyond any motion, and far enough from overflow for every product of the equations. */
+/* This is far beyond any motion, and far enough from overflow for every product of the equations. */
 extern const double fmu_largest_state;
 
 /* Whether a clock may show this time: differences, sums and ratios of such times are numbers. */

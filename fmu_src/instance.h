@@ -164,7 +164,7 @@ call_status adjoint_derivative(instance *instance, const char *call, const uint3
                                size_t unknown_count, const uint32_t knowns[], size_t known_count,
                                const double seeds[], double values[]);
 
-/* First derivatives of outputs by time. */
+/* Gives the first derivatives of outputs by time. */
 call_status output_derivatives(instance *instance, const char *call, const uint32_t references[],
                                size_t count, const int orders[], double values[]);
 

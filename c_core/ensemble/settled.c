@@ -1,4 +1,4 @@
-/* Near a gait, or in its ball of attraction. */
+/* A runner has settled near a gait, or in its ball of attraction. */
 #include "settled.h"
 
 #include "tdmf_slip/orbit.h"

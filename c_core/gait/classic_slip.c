@@ -46,7 +46,7 @@ static double partial_product(const double *a, const double *b, int from, int k)
     return sum;
 }
 
-/* Coefficient k of a product. */
+/* Gives coefficient k of a product. */
 static double product(const double *a, const double *b, int k) {
     return partial_product(a, b, 0, k) + a[k] * b[0];
 }

@@ -42,7 +42,7 @@ typedef struct {
     real normal_jerk, rise_jerk, new_normal_jerk;
 } ballistic;
 
-/* A height some time later. */
+/* Gives a height some time later. */
 static inline height_above height_after(height_above from, real gravity, real elapsed) {
     const height_above to = {from.height + elapsed * (from.rate - 0.5 * gravity * elapsed),
                              from.rate - gravity * elapsed};

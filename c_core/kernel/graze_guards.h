@@ -6,7 +6,7 @@
 #include "ground_step.h"
 #include "guard_series.h"
 
-/* theta, by its rate. */
+/* Integrates the rate of theta. */
 static inline void integrate_angle(const ground_series *g, real angle, int order, real series[SERIES_TERMS]) {
     series[0] = angle;
     for (int k = 1; k <= order; ++k) {

@@ -108,7 +108,7 @@ static inline bool any(mask selected) {
     return movemask(selected) != 0;
 }
 
-/* Neither infinite nor not a number. */
+/* Tells in which lanes a number is neither infinite nor not a number. */
 static inline mask is_finite(real x) {
     return real_abs(x) < broadcast(INFINITY);
 }

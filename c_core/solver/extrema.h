@@ -15,11 +15,11 @@ typedef struct {
     tdmf_peak normal, vertical;
 } tdmf_force_peaks;
 
-/* The largest peaks up to `end` of the ground force, across the ground and vertically. In contact only. The
+/* The largest peaks up to `end` of the ground force, across the ground and vertically, in contact only. The
  * mode says whether either rises, at the start of the step and on return at `end`. */
 tdmf_force_peaks tdmf_largest_peaks(const tdmf_step *step, double end, tdmf_mode *mode);
 
-/* Whether the leg lengthens at some time in the step up to `end`. On the ground only. */
+/* Whether the leg, of a foot on the ground, lengthens at some time in the step up to `end`. */
 bool tdmf_leg_lengthens(const tdmf_step *step, double end);
 
 /* Gives the part of the hip's work since the start of the step that is done up to `end` at positive power;

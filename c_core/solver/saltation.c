@@ -17,7 +17,7 @@
 #include <math.h>
 #include <string.h>
 
-/* To one side, at least. */
+/* This holds to one side, at least. */
 static bool has_no_friction(tdmf_system system, double x) {
     return tdmf_friction_towards(system, x, 1.0) == 0.0 || tdmf_friction_towards(system, x, -1.0) == 0.0;
 }

@@ -35,8 +35,8 @@ typedef struct {
  */
 TDMF_API tdmf_refusal tdmf_start(tdmf_system system, tdmf_motion *motion);
 
-/* Values of all guards in the present mode; of a fallen run all are 1, of a contact or phase that there is
- * not none is a number. */
+/* Writes the values of all guards in the present mode. Those of a fallen run are 1; in a contact or phase
+ * that there is not, none is a number. */
 TDMF_API void tdmf_guards(tdmf_system system, const tdmf_mode *mode, const double state[TDMF_STATE_COUNT],
                           double guards[TDMF_GUARD_COUNT]);
 
@@ -51,7 +51,7 @@ TDMF_API tdmf_guard tdmf_first_due(tdmf_system system, const tdmf_mode *mode,
  * Of a contact or phase that there is not, nothing is changed, and it is reported as unresolved. */
 TDMF_API tdmf_resolution tdmf_resolve(tdmf_system system, tdmf_motion *motion);
 
-/* Transitions at one instant, at the most. */
+/* No chain has more transitions at one instant. */
 enum { TDMF_CHAIN_LIMIT = 64 };
 
 /* Notes the ground force of this instant, for the stride's peak. tdmf_resolve does so by itself; whoever is

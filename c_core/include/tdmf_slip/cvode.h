@@ -13,9 +13,9 @@ extern "C" {
 /* Whether the library was built with SUNDIALS. */
 bool tdmf_cvode_is_available(void);
 
-/* As tdmf_native_advance, by CVODE (BDF) and its root finding. Keeps nothing between calls: its memory is
- * allocated and freed in each. Reads tolerance and limits from `options` and counts its work there. Where
- * SUNDIALS is missing, returns TDMF_REFUSED. */
+/* Does what tdmf_native_advance does, by CVODE (BDF) and its root finding. Keeps nothing between calls: its
+ * memory is allocated and freed in each. Reads tolerance and limits from `options` and counts its work there.
+ * Where SUNDIALS is missing, returns TDMF_REFUSED. */
 tdmf_outcome tdmf_cvode_advance(tdmf_solver *options, tdmf_system system, const tdmf_inputs *rates,
                                 double until, tdmf_motion *motion);
 

@@ -10,9 +10,9 @@
 extern "C" {
 #endif
 
-/* Time derivative of the state in the given mode (8). A frozen run (mode->fallen) gives zeros. Finite for
- * leg lengths at or below zero too, as a solver may probe beyond an event; the leg's rates are not a number
- * where contact or phase are none. `derivatives` may be `state`. */
+/* Writes the time derivative of the state in the given mode (8). A frozen run (mode->fallen) gives zeros.
+ * Finite for leg lengths at or below zero too, as a solver may probe beyond an event; the leg's rates are not
+ * a number where contact or phase are none. `derivatives` may be `state`. */
 TDMF_API void tdmf_derivatives(tdmf_system system, const tdmf_mode *mode,
                                const double state[TDMF_STATE_COUNT], double derivatives[TDMF_STATE_COUNT]);
 

@@ -161,7 +161,7 @@ typedef enum {
     TDMF_FATE_STOPPED    /* the run was stopped before */
 } tdmf_fate;
 
-/* What became of a runner. */
+/* Tells what became of a runner. */
 typedef struct {
     int fate;                                 /* a tdmf_fate */
     int gait;                                 /* which, counted from 0; -1 for none */
@@ -217,7 +217,7 @@ TDMF_API bool tdmf_has_instructions(tdmf_instructions instructions);
 /* Which TDMF_BEST_INSTRUCTIONS stands for. */
 TDMF_API tdmf_instructions tdmf_best_instructions(void);
 
-/* "avx512" and so on. */
+/* Gives the name of the instructions, as "avx512". */
 TDMF_API const char *tdmf_instructions_name(tdmf_instructions instructions);
 
 #ifdef __cplusplus

@@ -10,8 +10,8 @@
 extern "C" {
 #endif
 
-/* Total torque on the hip, N.m: the law of the present mode plus the external torque; in graze the torque
- * that holds the foot at the ground; not a number where contact or phase are none. */
+/* Gives the total torque on the hip, N.m: the law of the present mode plus the external torque; in graze the
+ * torque that holds the foot at the ground; not a number where contact or phase are none. */
 TDMF_API double tdmf_hip_torque(tdmf_system system, const tdmf_mode *mode,
                                 const double state[TDMF_STATE_COUNT]);
 

@@ -15,17 +15,17 @@ typedef struct {
     double x, y, vx, vy; /* m, m/s */
 } tdmf_point;
 
-/* The body: x_m = x - r sin(theta), y_m = y + r cos(theta)  (7), and its rate. */
+/* Gives the body: x_m = x - r sin(theta), y_m = y + r cos(theta)  (7), and its rate. */
 TDMF_API tdmf_point tdmf_body(const double state[TDMF_STATE_COUNT]);
 
-/* The centre of mass of body and foot. */
+/* Gives the centre of mass of body and foot. */
 TDMF_API tdmf_point tdmf_center_of_mass(const tdmf_model *model, const double state[TDMF_STATE_COUNT]);
 
 /* The centre of mass in flight, where it is ballistic, `time`, s, after it was at `from`; the inputs' force
  * on the body is held. */
 TDMF_API tdmf_point tdmf_center_of_mass_after(tdmf_system system, tdmf_point from, double time);
 
-/* The foot in the axes of the ground: x along the line from its pivot, y away from it. */
+/* Gives the foot in the axes of the ground: x runs along the line from its pivot, y away from it. */
 TDMF_API tdmf_point tdmf_foot_over_ground(const tdmf_ground_line *ground,
                                           const double state[TDMF_STATE_COUNT]);
 

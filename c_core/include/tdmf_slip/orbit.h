@@ -9,7 +9,7 @@
 extern "C" {
 #endif
 
-/* How the search for a gait ended. */
+/* Tells how the search for a gait ended. */
 typedef enum {
     TDMF_ORBIT_FOUND,     /* a gait */
     TDMF_ORBIT_NOT_FOUND, /* Newton's method did not converge: no gait near the guess */

@@ -112,7 +112,7 @@ TDMF_API tdmf_return tdmf_measured_return_map(tdmf_solver *solver, tdmf_system s
                                               const double section[TDMF_SECTION_COUNT], double until,
                                               bool derivatives, const tdmf_seed *seeds, int count);
 
-/* An outcome in words. */
+/* Says an outcome in words. */
 TDMF_API const char *tdmf_return_outcome_text(tdmf_return_outcome outcome);
 
 #ifdef __cplusplus

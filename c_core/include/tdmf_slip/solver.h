@@ -51,7 +51,7 @@ typedef struct {
  * CVODE is made for such runners. */
 enum { TDMF_STIFFNESS_LIMIT = 10000 };
 
-/* How a call of a solver ended. */
+/* Tells how a call of a solver ended. */
 typedef enum {
     TDMF_ARRIVED,         /* at the time asked for */
     TDMF_FELL,            /* at the fall; the motion stays there */
@@ -75,7 +75,7 @@ TDMF_API tdmf_solver tdmf_solver_default(void);
 TDMF_API tdmf_outcome tdmf_native_advance(tdmf_solver *solver, tdmf_system system, const tdmf_inputs *rates,
                                           double until, tdmf_motion *motion);
 
-/* How the integration of a stride ended. */
+/* Tells how the integration of a stride ended. */
 typedef struct {
     tdmf_outcome outcome; /* TDMF_ARRIVED: at `until`, or where the stride closed */
     bool closed;          /* the stride has closed, and is the record's last */
@@ -105,7 +105,7 @@ TDMF_API tdmf_stride_outcome tdmf_native_stance(tdmf_solver *solver, tdmf_system
                                                 tdmf_motion *motion, const tdmf_seed *seeds,
                                                 tdmf_variation *variations, int count);
 
-/* An outcome in words. */
+/* Says an outcome in words. */
 TDMF_API const char *tdmf_outcome_text(tdmf_outcome outcome);
 
 #ifdef __cplusplus
