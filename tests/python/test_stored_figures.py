@@ -9,7 +9,7 @@ import pytest
 from tdmf_slip import Runner, compare, find_gait, strides_to_fall
 from tdmf_slip import viability as find_viable
 from tdmf_slip.library.quantities import quantities_of
-from tdmf_slip.paper.figures import optimal, rough, slope, stored, thrust, viability
+from tdmf_slip.paper.figures import optimal, rough, slippery_patch, slope, stored, thrust, viability
 from tdmf_slip.pictures import style
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
@@ -70,6 +70,23 @@ def test_gaits_of_each_actuation_are_what_is_kept():
                     assert stride[name] == pytest.approx(data[name][place], rel=1e-7)
                 compared += 1
     assert compared == 10
+
+
+def test_patches_fell_downhill_by_the_grip_beyond_them_and_nobody_on_level_ground():
+    """Some places measured again, and what the guide says of all."""
+    data = stored.columns("slippery_patch")
+    assert len(data["falls"]) == 2 * 5 * 11 * 21 and not data["falls"][data["slope"] == 0.0].any()
+    first = {
+        friction: slippery_patch.shortest(data, friction, matched=False) for friction in (10.0, 1.2, 0.6)
+    }
+    assert [round(first[friction][2]) for friction in (10.0, 1.2)] == [252, 1002]
+    assert first[0.6][2] == np.inf and np.all(first[10.0] <= first[1.2])
+    its = slippery_patch.gaits(Runner.of({}), -4.0)
+    for gait, matched in its:
+        rows = (data["slope"] == -4.0) & (data["matched"] == matched) & (data["friction"] == gait.friction)
+        for place in np.flatnonzero(rows)[[3, 60, 100]]:
+            friction, length = data["patch_friction"][place], data["length"][place]
+            assert slippery_patch.falls(gait, friction, length) == data["falls"][place]
 
 
 def test_matched_runners_with_thrust_hop_as_high_as_by_the_hip_alone_and_slip_more():
@@ -163,7 +180,16 @@ def test_figures_are_drawn_of_what_is_kept_and_no_legend_is_cut_off(command, mon
         save(figure, path, *arguments)
 
     monkeypatch.setattr(style, "save", look)
-    for name in ("feedback", "guinea_fowl", "optimal", "rough", "slope", "thrust", "viability"):
+    for name in (
+        "feedback",
+        "guinea_fowl",
+        "optimal",
+        "rough",
+        "slippery_patch",
+        "slope",
+        "thrust",
+        "viability",
+    ):
         assert command("figures", "--only", name, "--output", "made", "--format", "png")[0] == 0
     assert len(found) >= 5 and all(found)
 

@@ -38,6 +38,7 @@ from . import (
     reduced,
     retraction,
     rough,
+    slippery_patch,
     slope,
     stored,
     thrust,
@@ -162,6 +163,10 @@ def _figures(fmu: Fmu, measure: bool = False) -> dict[str, Figure]:
         return thrust.table(thrust.gaits(runner)) if measure else stored.columns("thrust")
 
     @cache
+    def patches() -> Columns:
+        return slippery_patch.measure(runner) if measure else stored.columns("slippery_patch")
+
+    @cache
     def saved() -> Columns:
         if measure:
             return viability.table(viability.measure(Runner.of(runner, model="reduced"), progress=True))
@@ -199,6 +204,7 @@ def _figures(fmu: Fmu, measure: bool = False) -> dict[str, Figure]:
         "guinea_fowl": Figure(
             lambda path: guinea_fowl.draw(path, falls()), lambda: guinea_fowl.table(falls())
         ),
+        "slippery_patch": Figure(lambda path: slippery_patch.draw(path, patches()), patches),
         "thrust": Figure(lambda path: thrust.draw(path, thrusts()), thrusts),
         "viability": Figure(lambda path: viability.draw(path, saved()), saved),
         "reduced_region": Figure(

@@ -1,0 +1,102 @@
+"""How long a slippery patch is survived, downhill, by its friction and by that of the ground beyond it."""
+
+from pathlib import Path
+
+import matplotlib.pyplot as plt
+import numpy as np
+from numpy.typing import NDArray
+
+from ...analysis.first_passage import strides_to_fall
+from ...analysis.search import periodic_gait
+from ...analysis.targeted import find_gait
+from ...errors import RunError
+from ...library.gait import Gait
+from ...library.runner import Runner
+from ...pictures import style
+from ...unit.unit import FRICTION
+from .columns import Columns
+
+SLOPES = (-4.0, 0.0)
+"""Degrees."""
+OUTSIDE = (10.0, 1.2, 0.6)
+"""Frictions of the ground around the patch."""
+ON_PATCH = np.linspace(0.0, 0.1, 11)
+LENGTHS = np.geomspace(20.0, 2000.0, 21)
+"""m."""
+RUNNERS, STRIDES_AFTER = 32, 60
+"""At so many phases; and strides beyond the patch."""
+MATCHED = ("hip.stance_torque", "hip.touchdown_angle")
+BEGIN = 100.0
+COLOURS = ("#22303c", "#0b7a75", "#e07b00")
+NEVER = 1.25 * LENGTHS[-1]
+"""Where a patch is drawn that fells nobody at any length."""
+
+
+def gaits(runner: Runner, slope: float) -> list[tuple[Gait, bool]]:
+    """On each ground, and those at the speed and apex height of the least friction's, with True."""
+    its = runner.but("ground.slope", float(np.radians(slope)))
+    own = [periodic_gait(its.but(FRICTION, friction)) for friction in OUTSIDE]
+    target = {"speed": float(own[-1].stride["speed"]), "apex_height": float(own[-1].apex[0])}
+    found = [(gait, False) for gait in own]
+    for gait in own[:-1]:
+        try:
+            found.append((find_gait(gait.runner, target=target, vary=MATCHED, guess=gait.apex), True))
+        except RunError:
+            continue
+    return found
+
+
+def falls(gait: Gait, friction: float, length: float, seed: int = 0) -> int:
+    """Of `RUNNERS` that come to a patch on a gait, each at a phase of its own."""
+    runner = gait.runner.but("ground.patch_begin", BEGIN).but("ground.patch_end", BEGIN + length)
+    runner = runner.but("ground.patch_friction", friction)
+    strides = int(length / gait.stride["length"]) + STRIDES_AFTER
+    return strides_to_fall(runner, 0.0, RUNNERS, seed, strides, gait=gait, foot_x="random", threads=1).falls
+
+
+def measure(runner: Runner) -> Columns:
+    """Falls over slope, ground, friction and length of the patch, in minutes."""
+    rows = [
+        (slope, gait.friction, matched, gait.stride["speed"], friction, length, falls(gait, friction, length))
+        for slope in SLOPES
+        for gait, matched in gaits(runner, slope)
+        for friction in ON_PATCH
+        for length in LENGTHS
+    ]
+    names = ("slope", "friction", "matched", "speed", "patch_friction", "length", "falls")
+    return {name: [row[k] for row in rows] for k, name in enumerate(names)}
+
+
+def shortest(data: Columns, friction: float, matched: bool) -> NDArray[np.float64]:
+    """Downhill, by the friction of the patch: the shortest one that fells any, infinite where none does."""
+    columns = {name: np.asarray(values, float) for name, values in data.items()}
+    its = (columns["slope"] == SLOPES[0]) & (columns["friction"] == friction)
+    its &= (columns["matched"] == matched) & (columns["falls"] > 0.0)
+    return np.array(
+        [
+            np.min(columns["length"][its & np.isclose(columns["patch_friction"], on_patch)], initial=np.inf)
+            for on_patch in ON_PATCH
+        ]
+    )
+
+
+def draw(path: Path, data: Columns) -> None:
+    """Draw a curve for each ground; crosses for runners as fast and as high as that of the least friction."""
+    with style.styled():
+        figure, axes = plt.subplots(figsize=(6.4, 4.6), layout="constrained")
+        for friction, colour in zip(OUTSIDE, COLOURS, strict=True):
+            own = shortest(data, friction, matched=False)
+            axes.plot(ON_PATCH, np.minimum(own, NEVER), "o-", color=colour, label=f"ground of {friction:g}")
+            if friction != OUTSIDE[-1]:
+                alike = shortest(data, friction, matched=True)
+                axes.plot(ON_PATCH, np.minimum(alike, NEVER), "x", color=colour, markersize=8)
+        axes.plot([], [], "x", color=style.INK, label="at equal speed and apex height")
+        axes.axhline(LENGTHS[-1], **style.LIMIT_LINE)
+        axes.axvline(np.tan(np.radians(-SLOPES[0])), **style.LIMIT_LINE)
+        axes.text(ON_PATCH[-1], 0.97 * LENGTHS[-1], "above: none up to here", ha="right", va="top")
+        axes.set_yscale("log")
+        axes.set_ylim(100.0, 1.4 * NEVER)
+        axes.set_xlabel("friction of the patch")
+        axes.set_ylabel("shortest patch that fells a runner  / l₀")
+        axes.legend(loc="lower right")
+        style.save(figure, path)
