@@ -4,6 +4,8 @@ That is the mean first-passage time by which K. Byl and R. Tedrake, "Metastable 
 Robot. Res. 28, 1040 (2009), measure the stability of what falls for certain, sooner or later.
 """
 
+from __future__ import annotations
+
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass
