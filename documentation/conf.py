@@ -19,6 +19,7 @@ release = version = tdmf_slip.__version__
 INSTALL = "pip install ."  # in the folder of the sources
 REPOSITORY = ""  # address of the sources
 SITE = ""  # address of this site
+VERSIONS = ""  # the list of its versions, from here: "../versions.json" where each has a folder
 
 extensions = [
     "myst_nb",
@@ -38,6 +39,7 @@ extensions = [
     "page_description",
     "python_reference",
     "variable_reference",
+    "versions",
 ]
 exclude_patterns = ["data", "extensions", "live", "templates"]
 templates_path = ["templates"]
@@ -73,9 +75,11 @@ html_title = "TDMF-SLIP"
 html_baseurl = SITE
 html_static_path = ["static"]
 html_css_files = ["site.css"]
+versions_file = VERSIONS
 html_sidebars = {
     "**": [
         "sidebar/brand.html",
+        "versions.html",
         "sidebar/search.html",
         "live_link.html",
         "sidebar/scroll-start.html",

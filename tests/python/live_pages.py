@@ -1,5 +1,6 @@
 """The live page in a browser, for its tests: the page's fixtures, and what a person does on it."""
 
+import functools
 import pathlib
 import shutil
 import subprocess
@@ -28,13 +29,19 @@ EQUAL = 1e-8
 SCREENS = {"desk": (1280, 900, False), "phone in the dark": (360, 740, True)}
 
 
-@pytest.fixture(scope="module")
-def built(tmp_path_factory):
-    """The folder of the page."""
+@functools.cache
+def build_once(tmp_path_factory):
+    """Fixtures that several files import are made for each of them; the page is built for all."""
     folder = tmp_path_factory.mktemp("site")
     made = subprocess.run([LIVE / "build", folder], capture_output=True, text=True)
     assert made.returncode == 0, made.stderr
     return folder
+
+
+@pytest.fixture(scope="session")
+def built(tmp_path_factory):
+    """The folder of the page."""
+    return build_once(tmp_path_factory)
 
 
 @pytest.fixture(scope="module")

@@ -19,6 +19,7 @@ const BESIDE = 2.2; // legs of ground beside runners that race
 const RIVAL = 0.55; // opacity
 const TICK_EVERY = 120; // px of the ruler, about
 const TICK_DIGITS = 7;
+const RULER_HEIGHT = 28; // px
 
 export class Scene {
   constructor(canvas, redraw) {
@@ -71,7 +72,7 @@ export class Scene {
       scale,
       centre,
       x: (x) => 0.5 * width + (x - centre) * scale,
-      y: (y) => 0.9 * height - (y - base) * scale,
+      y: (y) => Math.min(0.9 * height, height - RULER_HEIGHT) - (y - base) * scale,
     };
   }
 
