@@ -10,6 +10,7 @@
 #include "instant.h"
 #include "longest_stride.h"
 #include "margins.h"
+#include "positive_work.h"
 #include "record.h"
 #include "reduced_stride.h"
 #include "static_assert.h"

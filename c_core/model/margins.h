@@ -68,7 +68,4 @@ static inline double tdmf_margin_factor(int false_crossings) {
  * tells which side of the kink the law is on. */
 #define TDMF_ZERO_CLAMP_ARGUMENT 1e-12
 
-/* The factors of the hip's power up to which they count as zero. */
-#define TDMF_ZERO_POWER 1e-14
-
 #endif

@@ -1,5 +1,5 @@
-/* What a step passes that is no event, but is noted: peaks of the ground force, the leg's greatest
- * compression where it makes no difference yet, and turns of the hip's power. */
+/* What a step passes that is no event, but is noted: peaks of the ground force, and the leg's greatest
+ * compression where it makes no difference yet. */
 #ifndef TDMF_SOLVER_EXTREMA_H
 #define TDMF_SOLVER_EXTREMA_H
 
@@ -21,18 +21,5 @@ tdmf_force_peaks tdmf_largest_peaks(const tdmf_step *step, double end, tdmf_mode
 
 /* Whether the leg, of a foot on the ground, lengthens at some time in the step up to `end`. */
 bool tdmf_leg_lengthens(const tdmf_step *step, double end);
-
-/* Gives the part of the hip's work since the start of the step that is done up to `end` at positive power;
- * all of it is `total`. */
-double tdmf_positive_work(const tdmf_step *step, double end, double total);
-
-/* Parts of a step. */
-typedef struct {
-    int count;
-    double from[SERIES_ORDER_LIMIT + 1], to[SERIES_ORDER_LIMIT + 1];
-} tdmf_spans;
-
-/* Where in the step up to `end` the hip's power is positive. */
-void tdmf_positive_spans(const tdmf_step *step, double end, double total, tdmf_spans *spans);
 
 #endif

@@ -11,6 +11,7 @@
 #include "instant.h"
 #include "margins.h"
 #include "mode_variation.h"
+#include "positive_work.h"
 #include "record.h"
 #include "request.h"
 #include "saltation.h"

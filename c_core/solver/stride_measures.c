@@ -5,10 +5,10 @@
 
 #include "constant_laws.h"
 #include "evaluation.h"
-#include "extrema.h"
 #include "first_root.h"
 #include "ground_line.h"
 #include "guard_series.h"
+#include "positive_work.h"
 #include "series_products.h"
 #include "series_sums.h"
 #include "step_size.h"

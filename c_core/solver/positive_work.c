@@ -1,0 +1,276 @@
+/* The power of the hip changes its sign where the torque does or the leg's angular rate, each of which is a
+ * polynomial in the time since the start of the step. Times here are shares of the part that is looked at.
+ *
+ * Where a polynomial is monotone it changes its sign at most once, and then that shows at the ends. What it
+ * may do is bounded from the middle of a part on by its third derivative; a part of which neither a sign nor
+ * a direction is known is halved.
+ *
+ * Work is stationary in the time of a turn, so that an error of the turn counts by its square. */
+#include "positive_work.h"
+
+#include "first_root.h"
+
+#include <math.h>
+
+/* A correction of Newton's method after which the next would be as small as its square. */
+static const double small_correction = 1e-5;
+
+/* Bisection alone would have come to the last bit. */
+enum { CORRECTION_LIMIT = 60 };
+
+/* In a part as short as this two changes of a sign are not told apart: what lies between them counts for no
+ * more than its cube. */
+static const double shortest_part = 1e-6;
+enum { HALVING_LIMIT = 20 };
+
+typedef struct {
+    double c[SERIES_TERMS];
+    int order;
+} polynomial;
+
+typedef struct {
+    double value, slope;
+} value_and_slope;
+
+/* Times in ascending order. */
+typedef struct {
+    double at[2 * SERIES_TERMS];
+    int count;
+} turns;
+
+/* ---- polynomials on [0, 1] ---------------------------------------------------------------------------- */
+
+/* What the sizes of the coefficients add up to without the first: of the polynomial and of its derivative. */
+typedef struct {
+    double value, slope;
+} sums_of_rest;
+
+static sums_of_rest rest_of(const polynomial *f) {
+    double value[2] = {0.0, 0.0}, slope[2] = {0.0, 0.0};
+    int k = 2;
+    for (; k < f->order; k += 2) {
+        const double even = fabs(f->c[k]), odd = fabs(f->c[k + 1]);
+        value[0] += even;
+        value[1] += odd;
+        slope[0] += (double)k * even;
+        slope[1] += (double)(k + 1) * odd;
+    }
+    if (k == f->order) {
+        value[0] += fabs(f->c[k]);
+        slope[0] += (double)k * fabs(f->c[k]);
+    }
+    const sums_of_rest sums = {fabs(f->c[1]) + (value[0] + value[1]), slope[0] + slope[1]};
+    return sums;
+}
+
+/* A polynomial on [0, 1] is a mean of its partial sums; see event_search.h. */
+static bool keeps_sign(const polynomial *f) {
+    double sum = f->c[0], minimum = sum, maximum = sum;
+    for (int k = 1; k <= f->order; ++k) {
+        sum += f->c[k];
+        minimum = real_min(minimum, sum);
+        maximum = real_max(maximum, sum);
+    }
+    return minimum > 0.0 || maximum < 0.0;
+}
+
+static void differentiate(const polynomial *f, polynomial *derivative) {
+    derivative->order = f->order - 1;
+    for (int k = 0; k < f->order; ++k) {
+        derivative->c[k] = (double)(k + 1) * f->c[k + 1];
+    }
+}
+
+/* Even and odd powers apart: one sum would wait for each of its terms. */
+static value_and_slope at_time(const polynomial *f, double t) {
+    const double square = t * t;
+    double even = 0.0, odd = 0.0, even_rate = 0.0, odd_rate = 0.0; /* the rates are by the square */
+    int k = f->order;
+    if (k % 2 == 0) {
+        even = f->c[k--];
+    }
+    for (; k > 0; k -= 2) {
+        odd_rate = odd_rate * square + odd;
+        even_rate = even_rate * square + even;
+        odd = odd * square + f->c[k];
+        even = even * square + f->c[k - 1];
+    }
+    const value_and_slope at = {even + t * odd, 2.0 * t * even_rate + (odd + 2.0 * square * odd_rate)};
+    return at;
+}
+
+/* A part of [0, 1], and the values at its ends. */
+typedef struct {
+    double from, to, start, end;
+} part;
+
+/* The zero of a polynomial between two times at which its signs differ, by Newton's method from where its
+ * chord is zero, and by bisection where that leads out. */
+static double zero_between(const polynomial *f, const part *in) {
+    double from = in->from, to = in->to;
+    double t = from + (to - from) * (in->start / (in->start - in->end));
+    for (int i = 0; i < CORRECTION_LIMIT; ++i) {
+        const value_and_slope at = at_time(f, t);
+        const bool before = (at.value < 0.0) == (in->start < 0.0);
+        from = before ? t : from;
+        to = before ? to : t;
+        const double next = t - at.value / at.slope;
+        const bool is_within = next >= from && next <= to;
+        if (is_within && fabs(next - t) <= small_correction) {
+            return next;
+        }
+        t = is_within ? next : 0.5 * (from + to);
+    }
+    return t;
+}
+
+/* From the middle of a part on, its third derivative is bounded by `bound`. */
+typedef struct {
+    bool is_monotone, keeps_sign;
+} behaviour;
+
+static behaviour behaviour_in(const part *in, const expansion *middle, double bound) {
+    const double half = 0.5 * (in->to - in->from);
+    const double slope_changes = half * (fabs(middle->curvature) + half * bound * (1.0 / 2));
+    const double value_changes =
+        half *
+        (fabs(middle->slope) + half * (fabs(middle->curvature) * (1.0 / 2) + half * bound * (1.0 / 6)));
+    const behaviour found = {fabs(middle->slope) >= slope_changes, !(fabs(middle->value) <= value_changes)};
+    return found;
+}
+
+static bool changes_sign(const part *in) {
+    return (in->start < 0.0 && in->end > 0.0) || (in->start > 0.0 && in->end < 0.0);
+}
+
+static void insert(turns *all, double time) {
+    int place = all->count++;
+    for (; place > 0 && all->at[place - 1] > time; --place) {
+        all->at[place] = all->at[place - 1];
+    }
+    all->at[place] = time;
+}
+
+/* Adds all changes of a polynomial's sign. */
+static void find_turns(const polynomial *f, turns *all) {
+    part waiting[HALVING_LIMIT + 1] = {{0.0, 1.0, f->c[0], at_time(f, 1.0).value}};
+    const double bound = bound_of_derivative(f->c, third_derivative, f->order);
+    const int limit = all->count + f->order;
+    int count = 1;
+    while (count > 0 && all->count < limit) {
+        const part in = waiting[--count];
+        const double time = 0.5 * (in.from + in.to);
+        const expansion middle = expansion_at(f->c, f->order, time);
+        const behaviour is = behaviour_in(&in, &middle, bound);
+        if (is.is_monotone || in.to - in.from < shortest_part) {
+            if (changes_sign(&in)) {
+                insert(all, zero_between(f, &in));
+            }
+        } else if (!is.keeps_sign) {
+            const part first = {in.from, time, in.start, middle.value};
+            const part second = {time, in.to, middle.value, in.end};
+            waiting[count++] = second;
+            waiting[count++] = first;
+        }
+    }
+}
+
+/* ---- the hip's power ---------------------------------------------------------------------------------- */
+
+static bool has_no_torque(const tdmf_step *step) {
+    const tdmf_hip_law *law = &step->equations->law;
+    const bool is_zero =
+        law->torque == 0.0 && law->torque_rate == 0.0 && law->gain == 0.0 && law->rate_gain == 0.0;
+    return is_zero && step->equations->contact != TDMF_CONTACT_GRAZE;
+}
+
+static void take_series(const double *series, const double *power, int order, polynomial *f) {
+    f->order = order;
+    for (int k = 0; k <= order; ++k) {
+        f->c[k] = series[k] * power[k];
+    }
+}
+
+static void add_turns_of(const polynomial *f, double rest, turns *all) {
+    if (!(fabs(f->c[0]) > rest) && !keeps_sign(f)) {
+        find_turns(f, all);
+    }
+}
+
+/* The rate has the sign of the momentum, and the torque follows from what it makes of the momentum. */
+static void add_turns_in_flight(const tdmf_step *step, const double *power, turns *all) {
+    polynomial momentum, torque;
+    take_series(step->series.flight.momentum, power, step->order, &momentum);
+    const sums_of_rest rest = rest_of(&momentum);
+    const bool is_forced = step->equations->is_forced;
+    add_turns_of(&momentum, rest.value, all);
+    if (!is_forced && fabs(momentum.c[1]) > rest.slope) {
+        return;
+    }
+    differentiate(&momentum, &torque);
+    for (int k = 0; k <= torque.order && is_forced; ++k) {
+        torque.c[k] -= step->series.flight.push_moment[k] * power[k + 1];
+    }
+    add_turns_of(&torque, rest_of(&torque).value, all);
+}
+
+static void add_turns_on_ground(const tdmf_step *step, const double *power, turns *all) {
+    const ground_series *g = &step->series.ground;
+    const int torque_order = step->equations->contact == TDMF_CONTACT_GRAZE ? step->order - 1 : 1;
+    polynomial moment, torque;
+    take_series(g->moment, power, step->order, &moment);
+    take_series(g->torque, power, torque_order, &torque);
+    add_turns_of(&moment, rest_of(&moment).value, all);
+    add_turns_of(&torque, rest_of(&torque).value, all);
+}
+
+static void find_turns_of_power(const tdmf_step *step, double end, turns *all) {
+    double of_end[SERIES_TERMS];
+    const double *power = step->search.power;
+    all->count = 0;
+    if (end < step->size) {
+        set_powers(of_end, end, step->order);
+        power = of_end;
+    }
+    if (step->equations->contact == TDMF_CONTACT_FLIGHT) {
+        add_turns_in_flight(step, power, all);
+    } else {
+        add_turns_on_ground(step, power, all);
+    }
+}
+
+/* One more, if work is done in it. */
+static void add_span(tdmf_spans *spans, double from, double to, double work) {
+    if (spans != NULL && work > 0.0) {
+        spans->from[spans->count] = from;
+        spans->to[spans->count++] = to;
+    }
+}
+
+/* The work done at positive power; where that is, for whoever asks. */
+static double split_work(const tdmf_step *step, double end, double total, tdmf_spans *spans) {
+    double from = 0.0, done = 0.0, positive = 0.0;
+    if (has_no_torque(step)) {
+        return 0.0;
+    }
+    turns all;
+    find_turns_of_power(step, end, &all);
+    for (int i = 0; i <= all.count; ++i) {
+        const double to = i < all.count ? all.at[i] * end : end;
+        const double done_then = i < all.count ? tdmf_step_work(step, to) : total;
+        add_span(spans, from, to, done_then - done);
+        positive += real_max(0.0, done_then - done);
+        done = done_then;
+        from = to;
+    }
+    return positive;
+}
+
+double tdmf_positive_work(const tdmf_step *step, double end, double total) {
+    return split_work(step, end, total, NULL);
+}
+
+void tdmf_positive_spans(const tdmf_step *step, double end, double total, tdmf_spans *spans) {
+    spans->count = 0;
+    split_work(step, end, total, spans);
+}
