@@ -191,3 +191,20 @@ EVENTS = [
     Event("graze_to_contact", graze_to_contact, "force", GRAZE, reach="margin"),
     Event("graze_to_flight", graze_to_flight, "force", GRAZE, varied="by hand", reach="margin"),
 ]
+
+# C of a row: functions that are written by hand, margins, and the modes of each contact.
+BY_HAND = {
+    "reset": "void tdmf_take_{}(tdmf_run *run)",
+    "vary_reset": "void tdmf_vary_take_{}(const tdmf_model *model, const tdmf_inputs *inputs, "
+    "const tdmf_ground_line *ground, const double before[TDMF_STATE_COUNT], "
+    "const tdmf_local_seed *d, double d_state[TDMF_STATE_COUNT])",
+    "guard": "double tdmf_armed_{}(const tdmf_evaluation *at)",
+    "vary_guard": "double tdmf_vary_armed_{}(const tdmf_evaluation *at, const tdmf_evaluation *d)",
+}
+BANDS = {"": "TDMF_GUARD_MARGIN", "dead": "TDMF_DEAD_BAND", "apex": "TDMF_APEX_MARGIN"}
+CONTACTS = {
+    "flight": ["FLIGHT"],
+    "stick": ["STICK"],
+    "slip": ["SLIP_POSITIVE", "SLIP_NEGATIVE"],
+    "graze": ["GRAZE"],
+}

@@ -3,26 +3,10 @@
 from functools import partial, update_wrapper
 from typing import Any
 
-from ..events import ALL, EVENTS, Event
+from ..events import ALL, BANDS, BY_HAND, CONTACTS, EVENTS, Event
 from .c import header
 from .values import Function, symbol
 
-# Functions of a row that are written by hand.
-BY_HAND = {
-    "reset": "void tdmf_take_{}(tdmf_run *run)",
-    "vary_reset": "void tdmf_vary_take_{}(const tdmf_model *model, const tdmf_inputs *inputs, "
-    "const tdmf_ground_line *ground, const double before[TDMF_STATE_COUNT], "
-    "const tdmf_local_seed *d, double d_state[TDMF_STATE_COUNT])",
-    "guard": "double tdmf_armed_{}(const tdmf_evaluation *at)",
-    "vary_guard": "double tdmf_vary_armed_{}(const tdmf_evaluation *at, const tdmf_evaluation *d)",
-}
-BANDS = {"": "TDMF_GUARD_MARGIN", "dead": "TDMF_DEAD_BAND", "apex": "TDMF_APEX_MARGIN"}
-CONTACTS = {
-    "flight": ["FLIGHT"],
-    "stick": ["STICK"],
-    "slip": ["SLIP_POSITIVE", "SLIP_NEGATIVE"],
-    "graze": ["GRAZE"],
-}
 TABLE = """\
 static const tdmf_event_kind kinds[TDMF_GUARD_COUNT] = {{
 {rows}}};

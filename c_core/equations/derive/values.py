@@ -11,24 +11,9 @@ from collections.abc import Callable, Container
 from types import SimpleNamespace as Record
 from typing import Any
 
+from ..in_c import FLAGS, LINES, POINTERS, WITHOUT_CHANGE, WORDS
 from .c import c_text, comment
 from .expressions import FUNCTIONS, Expression, derivative, forget, leaves, lift, ordered, parameters, trace
-
-WORDS = {"contact": "TDMF_CONTACT_", "phase": "TDMF_PHASE_", "zone": "TDMF_ZONE_"}
-FLAGS = (
-    "clamp_closed",
-    "thrusts",
-    "mid_stance_pending",
-    "drives",
-    "sticks",
-    "falls",
-    "upright",
-    "rises",
-    "forward",
-)
-POINTERS = ("model", "inputs", "mode")  # as members of a struct
-LINES = ("line", "ground")  # their sine and cosine are those of their slope
-WITHOUT_CHANGE = ("bool", "int", "tdmf_contact_mode", "tdmf_hip_phase", "tdmf_zone", "const elapsed_time *")
 
 decided: dict[str, bool] = {}
 known: dict[Expression, str] = {}  # what C has under a name already

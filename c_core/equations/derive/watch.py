@@ -9,54 +9,23 @@ is seen more cheaply for several events at once, is by hand in the kernel: `BY_H
 from functools import partial
 from types import SimpleNamespace as Record
 
-from .. import flight, ground
 from ..events import EVENTS, Event
+from ..motions import (
+    BY_HAND,
+    CASES,
+    CONSTANTS,
+    FLAGS,
+    GIVEN,
+    MODES,
+    MOTIONS,
+    PARAMETERS,
+    SERIES,
+    SHORTER,
+)
 from .c import c_text, comment, header, struct
 from .expressions import Expression, derivative, forget, leaves, lift, parameters, replaced
 from .values import Function, symbol
 
-PAGES = {"flight": flight, "ground": ground}
-# The modes of each motion, and by which flags of the case those are told that watch an event.
-MODES = {"flight": ("flight",), "ground": ("stick", "slip", "graze")}
-CASES = {
-    ("stick", "slip"): "!is.grazes",
-    ("stick",): "!is.slips && !is.grazes",
-    ("slip",): "is.slips",
-    ("graze",): "is.grazes",
-}
-# Flags of the mode that must be set, or must not, as the lanes have them.
-FLAGS = {"not thrusts": "c->awaits_thrust > 0.0", "mid_stance_pending": "c->drives > 0.0"}
-# What guards are made of: series of the motion, which laws of the table know by other names, and constants.
-SERIES = {
-    "at->leg.length": "length",
-    "at->leg.length_rate": "length_rate",
-    "at->force.normal": "normal_force",
-}
-SHORTER = ("length_rate", "normal_force", "tangential_push")  # on the ground, by one coefficient
-CONSTANTS = ("slip_sign",)
-PARAMETERS = "at->model->parameters."
-FORCES = "watch_forces(search, c, s, !is.slips, !is.slips && is.meets_border);"
-GRAZE = "watch_graze(search, c, s, at->angle);"
-HEIGHTS = "watch_heights(search, c, s, tolerance, s->length[0] + length_change, com);"
-BY_HAND = {
-    "flight": {
-        "new_ground": "if (is.awaits_ground) {watch_new_ground(search, c, s, tolerance, com);}",
-        "body_down": HEIGHTS,
-        "touchdown": HEIGHTS,
-        "apex": "watch_apex(search, c, com, is.rising);",
-        "clamp": "if (is.retracts) {watch_clamp(search, c, s);}",
-    },
-    "ground": {
-        "mid_stance": "watch_mid_stance(search, c, s);",
-        **dict.fromkeys(("lift_off", "slip_onset_positive", "slip_onset_negative"), FORCES),
-        "patch_border": "if (is.meets_border) {watch_patch_border(search, c, s, at);}",
-        **dict.fromkeys(("apex", "graze_to_contact", "graze_to_flight"), GRAZE),
-    },
-}
-GIVEN = {
-    "flight": "const ballistic *com, flight_case is, real length_change, double tolerance",
-    "ground": "const ground_coordinates *at, ground_case is, real length_change",
-}
 WATCH_ALL = """\
 /* What ends a step, in the order of the table. */
 static inline void watch_{motion}(event_search *search, const {motion}_constants *c, const {motion}_series *s,
@@ -69,7 +38,7 @@ static inline void watch_{motion}(event_search *search, const {motion}_constants
 def guard(event: Event, motion: str) -> tuple[Expression, Expression]:
     """Give an event's guard in a motion, and the series that it is, but for a factor and its start."""
     forget()
-    law = getattr(PAGES[motion], event.name, None)
+    law = getattr(MOTIONS[motion]["page"], event.name, None)
     if law is None:
         law = event.law
         traced = lift(law(symbol("at", pointer=True)))

@@ -1,0 +1,249 @@
+"""What C has of the laws: functions, a header a topic; the types of what they are handed; words and flags.
+
+This page is a table, as that of the events is: no law stands here.
+"""
+
+from collections.abc import Callable
+from typing import Any, NamedTuple
+
+from . import (
+    constants,
+    coordinates,
+    dynamics,
+    energy,
+    free_fall,
+    friction,
+    graze,
+    ground_force,
+    ground_line,
+    hip,
+    impact,
+    leg,
+    prescribed_flight,
+    runner,
+)
+
+
+class InC(NamedTuple):
+    """A law that is a function of C.
+
+    `declared` is the type of what it gives, "void" for what is written to a state, and the function's name.
+    `call` makes of the parameters of C those of the law, where they are not the same. `value` is the name
+    of the parameter by which a variation is given the value; one that is not `varied` has none.
+    """
+
+    declared: str
+    law: Callable[..., Any]
+    call: Callable[..., Any] | None = None
+    value: str = ""
+    varied: bool = True
+
+
+FUNCTIONS = {
+    "runner": [
+        InC(
+            "tdmf_mass_constants mass_constants_of",
+            runner.derived,
+            lambda model: (model.parameters.body.mass, model.parameters.foot.mass),
+            value="constants",
+        ),
+    ],
+    "ground_line": [
+        InC("double velocity_along", ground_line.along, lambda line, vx, vy: (line, vx, vy)),
+        InC("double velocity_off", ground_line.off, lambda line, vx, vy: (line, vx, vy), varied=False),
+        InC("double offset_along", ground_line.offset_along),
+        InC("double height_over", ground_line.height_over),
+        InC("double ground_height_at", ground_line.height_at),
+        InC("double path_to", ground_line.path_to),
+        InC("tdmf_point point_on", ground_line.point_on),
+        InC("tdmf_vector vector_on", ground_line.vector_on),
+    ],
+    "hip": [
+        InC("tdmf_hip_law external_law", hip.external),
+        InC(
+            "tdmf_hip_law stance_law",
+            hip.stance,
+            lambda model, inputs, rates, mode: (model, inputs, rates, mode.mid_stance_pending),
+        ),
+        InC(
+            "tdmf_hip_law servo",
+            hip.servo,
+            lambda model, inputs, mode, place_time: (
+                model,
+                inputs,
+                mode.phase,
+                mode.liftoff_angle,
+                place_time,
+            ),
+        ),
+        InC(
+            "tdmf_hip_law flight_law",
+            hip.flight,
+            lambda model, inputs, rates, mode, place_time: (
+                model,
+                inputs,
+                rates,
+                mode.phase,
+                mode.clamp_closed,
+                mode.liftoff_angle,
+                place_time,
+            ),
+        ),
+        InC(
+            "double servo_torque",
+            hip.servo_torque,
+            lambda model, inputs, mode, state: (model, inputs, state, mode.phase, mode.liftoff_angle),
+        ),
+        InC("double torque_in", hip.torque_in_mode, value="torque"),
+        InC("tdmf_hip_law law_after", hip.after, varied=False),
+        InC("void begin_place", hip.begin_place),
+    ],
+    "leg": [
+        InC("double leg_thrust", leg.thrust, varied=False),
+        InC("double rest_length", leg.rest_length, lambda model, inputs, mode: (model, inputs, mode.thrusts)),
+        InC(
+            "tdmf_leg leg_with",
+            leg.evaluate,
+            lambda model, line, state, direction, rest_length: (
+                model,
+                line,
+                state,
+                direction,
+                rest_length,
+                leg.bounded_length(model, state),
+            ),
+            value="leg",
+        ),
+        InC(
+            "double leg_power",
+            leg.power,
+            lambda model, rest_length, length, rest_length_rate: (
+                model.parameters.leg.stiffness,
+                rest_length,
+                length,
+                rest_length_rate,
+            ),
+            varied=False,
+        ),
+        InC(
+            "double leg_work_of_jump",
+            leg.work_of_jump,
+            lambda model, length, before, after: (model.parameters.leg.stiffness, length, before, after),
+        ),
+    ],
+    "friction": [
+        InC("double friction_below", friction.below),
+        InC("double border_ahead", friction.border_ahead),
+        InC("double static_friction", friction.static),
+        InC("double sliding_friction", friction.sliding),
+        InC("double friction_excess", friction.excess),
+        InC("double friction_fading", friction.fading),
+        InC("double friction_growth_rate", friction.growth_rate, varied=False),
+        InC("double stopped_speed", friction.stopped_speed, varied=False),
+        InC("double cone_width", friction.width, varied=False),
+        InC("tdmf_cone cone_of", friction.cone, varied=False),
+    ],
+    "ground_force": [
+        InC("tdmf_ground_force force_under", ground_force.under, varied=False),
+        InC("tdmf_ground_force force_in", ground_force.in_mode),
+    ],
+    "graze": [
+        InC("tdmf_ground_force force_in_stance", graze.force_in_stance, varied=False),
+        InC("tdmf_ground_force force_in_flight", graze.force_in_flight, varied=False),
+    ],
+    "free_fall": [
+        InC("tdmf_vector push_on_body", free_fall.push_on_body),
+        InC("tdmf_vector body_acceleration", free_fall.of_body),
+        InC("tdmf_vector com_acceleration", free_fall.of_center),
+        InC("tdmf_point ballistic_after", free_fall.ballistic),
+    ],
+    "coordinate": [
+        InC("tdmf_point body_from_foot", coordinates.body_from_foot),
+        InC("tdmf_point body_along", coordinates.body),
+        InC("tdmf_point center_of_mass_along", coordinates.center_of_mass),
+        InC("tdmf_point foot_below", coordinates.foot_below),
+        InC("tdmf_leg_rates leg_rates_with_foot", coordinates.leg_rates_with_foot, varied=False),
+        InC("tdmf_point foot_over", coordinates.foot_over_ground, varied=False),
+        InC("tdmf_flying flying_of", coordinates.in_flight, varied=False),
+        InC("void state_of_flying", coordinates.from_flight, varied=False),
+        InC("tdmf_standing standing_of", coordinates.on_ground),
+        InC(
+            "void state_of_standing",
+            coordinates.from_ground,
+            lambda line, standing, winding: (line, standing, winding),
+            value="state",
+        ),
+        InC("double angle_seen", coordinates.angle_seen, varied=False),
+    ],
+    "dynamics": [
+        InC("tdmf_vector acceleration_of_foot", dynamics.foot_acceleration),
+        InC("tdmf_leg_rates acceleration_of_leg", dynamics.leg_acceleration),
+        InC("double external_power", dynamics.external_power),
+        InC("void rates_with", dynamics.rates),
+    ],
+    "prescribed_flight": [
+        InC("void placed_leg", prescribed_flight.placed_leg),
+        InC("void prescribed_rates", prescribed_flight.rates, varied=False),
+        InC("double rise_time", prescribed_flight.time_to_apex),
+    ],
+    "impact": [
+        InC("tdmf_after_impact impact_with", impact.after),
+    ],
+    "energy": [
+        InC("tdmf_energy energy_with", energy.mechanical),
+    ],
+    "constant": [
+        InC("flight_coefficients flight_coefficients_of", constants.of_flight),
+        InC("ground_coefficients ground_coefficients_of", constants.on_ground),
+        InC("signed_law signed_law", hip.signed, varied=False),
+    ],
+}
+
+# By the names of parameters; all others are numbers.
+TYPES = {
+    "state": "const double[TDMF_STATE_COUNT]",
+    "written": "double[TDMF_STATE_COUNT]",
+    "rates": "const tdmf_inputs *",
+    "line": "const tdmf_ground_line *",
+    "law": "const tdmf_hip_law *",
+    "at": "const tdmf_evaluation *",
+    "direction": "tdmf_leg_direction",
+    "contact": "tdmf_contact_mode",
+    "zone": "tdmf_zone",
+    "force": "tdmf_ground_force",
+    "leg_acceleration": "tdmf_leg_rates",
+    **{name: f"const tdmf_{name} *" for name in ("model", "inputs", "mode", "leg", "standing", "flying")},
+    **dict.fromkeys(("body", "center", "start"), "tdmf_point"),
+    **dict.fromkeys(("push", "acceleration", "free_body", "jerk", "foot"), "tdmf_vector"),
+    **dict.fromkeys(("upright", "sticks", "falls", "forward"), "bool"),
+}
+# Parameters that do not change in a variation, besides those of a type that cannot.
+FIXED = ("direction", "sign", "sine", "winding", "place_rate")
+WITHOUT_CHANGE = ("bool", "int", "tdmf_contact_mode", "tdmf_hip_phase", "tdmf_zone", "const elapsed_time *")
+
+# Parameters that C makes of others, by a law, before it calls.
+MADE = {"direction": lambda state: leg.direction(state.leg_angle)}
+# Lines of the ground, whose sine and cosine C has beside their slope.
+LINES = ("line", "ground")
+
+# Words and flags of a mode, which a law may branch on, and structs that are handed on by pointer.
+WORDS = {"contact": "TDMF_CONTACT_", "phase": "TDMF_PHASE_", "zone": "TDMF_ZONE_"}
+FLAGS = (
+    "clamp_closed",
+    "thrusts",
+    "mid_stance_pending",
+    "drives",
+    "sticks",
+    "falls",
+    "upright",
+    "rises",
+    "forward",
+)
+POINTERS = ("model", "inputs", "mode")
+
+# Headers whose structs are not those of quantities.h, and laws whose results are structs of their own.
+HEADERS = {"constant": "coefficients.h"}
+STRUCTS = {
+    "hip": {"tdmf_hip_law": hip.law_of},
+    "coordinate": {"tdmf_flying": coordinates.in_flight, "tdmf_standing": coordinates.on_ground},
+}

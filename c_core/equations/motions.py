@@ -1,0 +1,115 @@
+"""The motions: what each is told in its cases, what of it is noted, and who watches its events.
+
+The laws of a motion are on its page. This page is a table, as that of the events is: of a motion the
+constants, of which `ramps` change in time, by the word "drift" in any width, by "ramp" where inputs ramp; the
+`rates`, quantities that are rates of others; the series that are `noted`; those `varied` have variations.
+"""
+
+from . import constants, flight, ground, hip
+
+GROUND = {
+    "page": ground,
+    "start": "x y vx vy foot_vx",
+    "constants": constants.on_ground,
+    "ramps": dict.fromkeys(("rest_length", "gravity_x", "gravity_y", "friction", "torque"), "ramp"),
+    "rates": {"length_rate": "length"},
+    "noted": "length length_rate normal_force tangential_push torque power speed_square",
+    "varied": "torque power friction_power",
+    "cases": {
+        # Without a torque the leg does not turn, but a torque that varies would turn it.
+        "stick": {"contact": "stick", "has_torque": False, "noted": "square turning along off"},
+        "stick_with_torque": {"contact": "stick", "has_torque": True},
+        "slip": {"contact": "slip", "has_torque": False, "noted": "square turning along off friction_power"},
+        "slip_with_torque": {"contact": "slip", "has_torque": True, "noted": "friction_power"},
+        "falling_slip": {"contact": "slip", "has_torque": True, "falls": True, "noted": "friction_power"},
+        "graze": {"contact": "graze", "has_torque": True, "noted": "angle_rate axial_y"},
+    },
+}
+FLIGHT = {
+    "page": flight,
+    "start": "length angle length_rate angle_rate",
+    "constants": constants.of_flight,
+    "ramps": {"torque": "drift", "rest_length": "ramp", "push_x": "ramp", "push_y": "ramp"},
+    "rates": {},
+    "noted": "square angle_rate rate_square speed_square",
+    "varied": "torque power",
+    "cases": {
+        "flight": {"pushed": False, "ramp": False},
+        "pushed_flight": {"pushed": True, "noted": "push_moment"},
+    },
+}
+MOTIONS = {"flight": FLIGHT, "ground": GROUND}
+# Structs of the model, and the cases of each header, whose first part is the name of its motion or of a mode.
+COORDINATES = {"flight": "tdmf_flying", "ground": "tdmf_standing"}
+HEADERS = {
+    "ground": ("ground", []),
+    "stick": ("ground", ["stick", "stick_with_torque"]),
+    "slip": ("ground", ["slip", "slip_with_torque"]),
+    "falling_slip": ("ground", ["falling_slip"]),
+    "graze": ("ground", ["graze"]),
+    "flight": ("flight", ["flight", "pushed_flight"]),
+}
+
+# ---- guards as series --------------------------------------------------------------------------------------
+
+# Laws of series of the motion, in one header with a struct of what some are handed: of each what it is handed
+# that is no series, as constants and with what rate they drift, and the rates of angles.
+STRUCT = ("signed_law", hip.signed)
+SERVO = {name: f"servo->{name}" for name in ("gain", "rate_gain", "target")}
+SERVO["torque"] = ("servo->torque", "servo->torque_rate")
+SLOPE = {"sine": "slope_sine", "cosine": "slope_cosine"}
+CONE = {"normal": ("cone_normal", "cone_normal_rate"), "tangential": "cone_tangential"}
+GUARDS = [
+    (ground.ahead, {"slope": SLOPE}),
+    (ground.room, {"cone": CONE, "side": "side"}),
+    (ground.rise, {"slope": SLOPE, "share": "share"}),
+    (ground.lever, {}),
+    (ground.load, {"weight_y": "weight_y"}),
+    (hip.torque, {"law": SERVO}),
+    (flight.drop, {"slope": "slope"}, {"angle": "angle_rate"}),
+]
+
+# ---- who watches -------------------------------------------------------------------------------------------
+
+# The modes of each motion, and by which flags of the case those are told that watch an event.
+MODES = {"flight": ("flight",), "ground": ("stick", "slip", "graze")}
+CASES = {
+    ("stick", "slip"): "!is.grazes",
+    ("stick",): "!is.slips && !is.grazes",
+    ("slip",): "is.slips",
+    ("graze",): "is.grazes",
+}
+# Flags of the mode that must be set, or must not, as the lanes have them.
+FLAGS = {"not thrusts": "c->awaits_thrust > 0.0", "mid_stance_pending": "c->drives > 0.0"}
+# What guards are made of: series of the motion, which laws of the table know by other names, and constants.
+SERIES = {
+    "at->leg.length": "length",
+    "at->leg.length_rate": "length_rate",
+    "at->force.normal": "normal_force",
+}
+SHORTER = ("length_rate", "normal_force", "tangential_push")  # on the ground, by one coefficient
+CONSTANTS = ("slip_sign",)
+PARAMETERS = "at->model->parameters."
+FORCES = "watch_forces(search, c, s, !is.slips, !is.slips && is.meets_border);"
+GRAZE = "watch_graze(search, c, s, at->angle);"
+HEIGHTS = "watch_heights(search, c, s, tolerance, s->length[0] + length_change, com);"
+# What is more than one series, or is seen more cheaply for several events at once: calls of the kernel.
+BY_HAND = {
+    "flight": {
+        "new_ground": "if (is.awaits_ground) {watch_new_ground(search, c, s, tolerance, com);}",
+        "body_down": HEIGHTS,
+        "touchdown": HEIGHTS,
+        "apex": "watch_apex(search, c, com, is.rising);",
+        "clamp": "if (is.retracts) {watch_clamp(search, c, s);}",
+    },
+    "ground": {
+        "mid_stance": "watch_mid_stance(search, c, s);",
+        **dict.fromkeys(("lift_off", "slip_onset_positive", "slip_onset_negative"), FORCES),
+        "patch_border": "if (is.meets_border) {watch_patch_border(search, c, s, at);}",
+        **dict.fromkeys(("apex", "graze_to_contact", "graze_to_flight"), GRAZE),
+    },
+}
+GIVEN = {
+    "flight": "const ballistic *com, flight_case is, real length_change, double tolerance",
+    "ground": "const ground_coordinates *at, ground_case is, real length_change",
+}
