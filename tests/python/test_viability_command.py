@@ -1,5 +1,6 @@
 """The command `viability`, its picture, and the work on a cluster."""
 
+import csv
 import json
 
 import pytest
@@ -34,6 +35,37 @@ def test_the_command_draws_writes_and_goes_on(command, tmp_path):
     assert "holds another viable set" in said
 
 
+def test_the_command_tells_of_the_gait_and_writes_a_controller(command, tmp_path):
+    file = tmp_path / "controller.csv"
+    wide = ("--axes", "com_height=0.5:2", "--axes", "com_speed=0:2", *GRID[4:])
+    status, out, _ = command("viability", *wide, "--n", 24, "--gait", "--controller", file, "--json")
+    assert status == 0
+    told = json.loads(out)
+    found = tdmf_slip.viability(
+        None,
+        axes={"com_height": (0.5, 2), "com_speed": (0, 2)},
+        vary=SETTINGS["vary"],
+        n=24,
+    )
+    gait = tdmf_slip.find_gait(model="reduced")
+    reached = found.reached(gait)
+    assert told["reached"] == reached.as_json()
+    assert told["reached"]["outer_share"] == (reached.outer >= 0).mean() > 0
+    assert told["largest_drop"]["outer"] == found.largest_drop()[1][reached.target].min()
+    law = found.controller()
+    with file.open(encoding="utf-8") as opened:
+        rows = list(csv.DictReader(opened))
+    assert len(rows) == 24 * 24
+    assert {row["grade"] for row in rows} >= {"viable", "open"}
+    for row in rows[::17]:
+        apex = [float(row["com_height"]), float(row["com_speed"])]
+        assert float(row[ANGLE]) == law.inputs_at(apex)[ANGLE]
+        assert row["grade"] == law.grade_at(apex)
+    status, out, _ = command("viability", *wide, "--n", 24, "--gait")
+    assert status == 0
+    assert "lead to the gait" in out
+
+
 def test_units_are_read_and_sixteen_values_are_tried(command):
     grid = (*GRID[:4], "--vary", "hip.touchdown_angle=20 deg:60 deg")
     status, out, _ = command("viability", *grid, "--n", 4, "--model", "full", "--json")
@@ -61,6 +93,7 @@ def test_units_are_read_and_sixteen_values_are_tried(command):
         ((*GRID, "--factor", 0.9), "--factor = 0.9 is not allowed"),
         ((*GRID, "--output", "viable.csv"), "viable.csv"),
         ((*GRID, "--plot", "viable.gif"), "viable.gif"),
+        ((*GRID, "--controller", "viable.txt"), "viable.txt"),
     ],
 )
 def test_what_the_command_does_not_allow(command, options, message):

@@ -1,18 +1,23 @@
 """The command `viability`: from which apices some choice of actions avoids a fall."""
 
+import csv
 from collections.abc import Mapping, Sequence
+from math import isnan
 from pathlib import Path
 from typing import Any
 
 import click
 
+from ..analysis.targeted import find_gait
 from ..errors import InputError
-from ..files.whole import check_place
+from ..files.whole import check_place, whole
+from ..library.gait import Gait
 from ..library.members import VARIED
 from ..library.section import MODELS, REDUCED
 from ..terminal.text import columns
 from ..unit.unit import Fmu, load_fmu
 from ..viable_sets.grid import MAX_CELLS, VALUES
+from ..viable_sets.result import Viability
 from ..viable_sets.viability import FACTOR, LARGEST_FACTOR, viability
 from .options import (
     FRICTION_OPTION,
@@ -82,6 +87,19 @@ from .runner import runner_of
 @click.option(
     "--plot", type=click.Path(path_type=Path), metavar="FILE", help="Draw the sets: .png, .svg or .pdf."
 )
+@click.option(
+    "--gait",
+    "of_gait",
+    is_flag=True,
+    help="Also from which cells some choice leads to the runner's gait, and the largest drop of the ground "
+    "at its apex after which something is viable.",
+)
+@click.option(
+    "--controller",
+    type=click.Path(path_type=Path),
+    metavar="FILE",
+    help="Write for each cell the viable action nearest to the runner's settings: .csv.",
+)
 @SCHEDULER_OPTION
 @THREADS_OPTION
 @SET_OPTION
@@ -96,6 +114,8 @@ def viability_command(
     model: str,
     output: Path | None,
     plot: Path | None,
+    of_gait: bool,
+    controller: Path | None,
     scheduler: str | None,
     threads: int | None,
     settings: tuple[str, ...],
@@ -113,8 +133,11 @@ def viability_command(
         from ..pictures import overview, viability_map  # matplotlib is slow to load
 
         check_place(plot, overview.FORMATS, "--plot")
+    if controller is not None:
+        check_place(controller, (".csv",), "--controller")
     fmu = load_fmu()
     runner = runner_of(fmu, parameters, values_given(friction, settings), model)
+    gait = find_gait(runner, fmu=fmu) if of_gait else None
     found = viability(
         runner,
         axes=_axes_given(axes, fmu),
@@ -130,8 +153,24 @@ def viability_command(
     )
     if plot is not None:
         viability_map.draw(plot, found)
-    result = found.as_json()
+    if controller is not None:
+        with whole(controller) as place, place.open("w", encoding="utf-8", newline="") as file:
+            csv.writer(file).writerows(found.controller().as_table())
+    result = found.as_json() | ({} if gait is None else _around(found, gait))
     print(json_text(result) if as_json_object else _text(result))
+
+
+def _around(found: Viability, gait: Gait) -> dict[str, object]:
+    """Which cells lead to a gait, and what drop all of those at its apex stand."""
+    reached = found.reached(gait)
+    drops = {
+        name: float(drop[reached.target].min())
+        for name, drop in zip(("inner", "outer"), found.largest_drop(), strict=True)
+    }
+    return {
+        "reached": reached.as_json(),
+        "largest_drop": {name: None if isnan(drop) else drop for name, drop in drops.items()},
+    }
 
 
 def _axes_given(texts: Sequence[str], fmu: Fmu) -> dict[str, tuple[float, float]]:
@@ -168,4 +207,11 @@ def _text(result: Mapping[str, Any]) -> str:
         f"{100 * result['outer_robustness']:.2f} % in the mean over all cells",
         "factor": f"{result['factor']:g}, of the derivatives at corners (an estimate)",
     }
+    if "reached" in result:
+        reached, drop = result["reached"], result["largest_drop"]
+        rows |= {
+            "lead to the gait": f"{100 * reached['inner_share']:.2f} to {100 * reached['outer_share']:.2f} % "
+            f"of the cells, from inside in up to {reached['inner_strides']} strides",
+            "drop at its apex": " to ".join("none" if m is None else f"{m:.3g} m" for m in drop.values()),
+        }
     return columns(rows)

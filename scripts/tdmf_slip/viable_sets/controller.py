@@ -147,6 +147,22 @@ class ViableController(ByContents):
             for name, wished in zip(self.grid.actions, self.wish, strict=True)
         }
 
+    def as_table(self) -> list[tuple[str | float, ...]]:
+        """The choice of each cell, as rows of a table.
+
+        Returns
+        -------
+        list of tuple
+            Names first; then of each cell its middle, its grade and what is set, in SI units.
+        """
+        rows, columns = (self.grid.centers(axis) for axis in self.grid.edges)
+        middles = np.stack(np.meshgrid(rows, columns, indexing="ij"), axis=-1).reshape(-1, len(REDUCED))
+        chosen = np.stack([values.tolist() for values in self(middles).values()], axis=-1)
+        table: list[tuple[str | float, ...]] = [(*self.grid.edges, "grade", *self.grid.actions)]
+        for middle, values in zip(middles, chosen, strict=True):
+            table.append((*middle.tolist(), self.grade_at(middle), *values.tolist()))
+        return table
+
     def _choice(self, cell: int) -> int:
         """The number of the action for a cell, -1 for none."""
         row, column = divmod(cell, self.grid.cells[1])

@@ -37,6 +37,16 @@ class Reached(ByContents):
         """The same from outside."""
         return float((self.outer >= 0).mean())
 
+    def as_json(self) -> dict[str, object]:
+        """What there is of it in a few numbers."""
+        return {
+            "cells": int(self.target.sum()),
+            "inner_share": self.inner_share,
+            "outer_share": self.outer_share,
+            "inner_strides": int(self.inner.max()),
+            "outer_strides": int(self.outer.max()),
+        }
+
 
 def target_of(grid: Grid, gait: Gait | Apex, within: float) -> NDArray[np.bool_]:
     """The cells about a gait's apex."""
