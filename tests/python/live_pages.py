@@ -30,9 +30,10 @@ SCREENS = {"desk": (1280, 900, False), "phone in the dark": (360, 740, True)}
 
 
 @functools.cache
-def build_once(tmp_path_factory):
-    """Fixtures that several files import are made for each of them; the page is built for all."""
-    folder = tmp_path_factory.mktemp("site")
+def build_once(session):
+    """Build it once in a session: a fixture that several files import is made for each of them."""
+    folder = session / "site"
+    folder.mkdir()
     made = subprocess.run([LIVE / "build", folder], capture_output=True, text=True)
     assert made.returncode == 0, made.stderr
     return folder
@@ -41,7 +42,7 @@ def build_once(tmp_path_factory):
 @pytest.fixture(scope="session")
 def built(tmp_path_factory):
     """The folder of the page."""
-    return build_once(tmp_path_factory)
+    return build_once(tmp_path_factory.getbasetemp())
 
 
 @pytest.fixture(scope="module")
