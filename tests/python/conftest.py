@@ -1,6 +1,7 @@
 """What all tests of the unit share: the FMU, the reference gaits, and runs that start on a gait."""
 
 import ctypes
+import fcntl
 import importlib.resources
 import json
 import pathlib
@@ -167,12 +168,14 @@ def succeed(*command, **options):
 
 @pytest.fixture(scope="session")
 def installed_library(tmp_path_factory):
-    """Folder into which `cmake --install` has put the library."""
-    build = tmp_path_factory.mktemp("library")
-    prefix = build / "prefix"
-    succeed("cmake", "-S", ROOT, "-B", build, "-DTDMF_SLIP_BUILD_FMU=OFF")
-    succeed("cmake", "--build", build)
-    succeed("cmake", "--install", build, "--component", "library", "--prefix", prefix)
+    """Folder into which `cmake --install` has put the library; all workers compile it once."""
+    build, prefix = ROOT / "build" / "library", tmp_path_factory.mktemp("prefix")
+    build.mkdir(parents=True, exist_ok=True)
+    with (build / "lock").open("w") as lock:
+        fcntl.flock(lock, fcntl.LOCK_EX)
+        succeed("cmake", "-S", ROOT, "-B", build, "-DTDMF_SLIP_BUILD_FMU=OFF")
+        succeed("cmake", "--build", build, "--parallel", "2")
+        succeed("cmake", "--install", build, "--component", "library", "--prefix", prefix)
     return prefix
 
 
