@@ -11,6 +11,9 @@
 /* Beyond this, sums of products would not be finite. */
 static const double largest = 1e100;
 
+/* A height of ground, m. */
+static const double largest_height = 1e9;
+
 static bool is_moderate(double value) {
     return fabs(value) <= largest; /* NaN is not */
 }
@@ -135,6 +138,40 @@ static bool has_ground(const tdmf_ensemble_rules *rules, const tdmf_ensemble *en
            are_weights(rules->friction_weights, rules->friction_weight_count);
 }
 
+static bool is_held(const char *what, const tdmf_ensemble_rules *rules, const tdmf_ensemble *ensemble) {
+    return is_drawn_alone(1.0, what, rules, ensemble);
+}
+
+static bool are_heights(const tdmf_terrain *terrain) {
+    for (int64_t i = 0; terrain->heights != NULL && i < terrain->height_count; ++i) {
+        if (!isfinite(terrain->heights[i]) || fabs(terrain->heights[i]) > largest_height) {
+            return false;
+        }
+    }
+    return terrain->heights == NULL || terrain->height_count > 0;
+}
+
+/* Level pieces, over which the centre of mass is ballistic, and of which a gait or a checkpoint knows
+ * nothing. */
+static bool is_terrain(const tdmf_ensemble_case *its_case, const tdmf_ensemble *ensemble) {
+    static const char *const held[] = {"ground.height", "ground.slope", "body.external_fx",
+                                       "body.external_fy"};
+    const tdmf_ensemble_rules *rules = &its_case->rules;
+    const tdmf_inputs *inputs = &its_case->inputs;
+    if (rules->terrain.length == 0.0) {
+        return true;
+    }
+    for (size_t i = 0; i < sizeof held / sizeof held[0]; ++i) {
+        if (!is_held(held[i], rules, ensemble)) {
+            return false;
+        }
+    }
+    return rules->terrain.length >= TDMF_LEAST_PIECE * its_case->model->scales.length &&
+           isfinite(rules->terrain.length) && are_heights(&rules->terrain) && rules->gait_count == 0 &&
+           ensemble->checkpoints == NULL && inputs->ground.slope == 0.0 && inputs->body.external_fx == 0.0 &&
+           inputs->body.external_fy == 0.0;
+}
+
 static bool are_balls(const tdmf_ball *balls, int count) {
     for (int gait = 0; balls && gait < count; ++gait) {
         for (int i = 0; i < TDMF_SECTION_COUNT; ++i) {
@@ -167,7 +204,8 @@ static bool is_case(const tdmf_ensemble_case *its_case, const tdmf_ensemble *ens
     const tdmf_ensemble_rules *rules = &its_case->rules;
     return its_case->model != NULL && may_have_patch(its_case, ensemble) &&
            is_array(rules->gaits, rules->gait_count) && are_balls(rules->balls, rules->gait_count) &&
-           (rules->law == NULL || is_law(rules->law, ensemble)) && has_ground(rules, ensemble);
+           (rules->law == NULL || is_law(rules->law, ensemble)) && has_ground(rules, ensemble) &&
+           is_terrain(its_case, ensemble);
 }
 
 static bool has_cases(const tdmf_ensemble *ensemble) {

@@ -243,16 +243,46 @@ static bool fly(tdmf_runner *runner) {
     return tdmf_runner_close_stride(runner);
 }
 
+static bool flies(const tdmf_mode *mode) {
+    return mode->contact == TDMF_CONTACT_FLIGHT;
+}
+
+/* Ground of place before an event: there may be no piece where the foot has come down, or it has a friction
+ * of its own. Returns the guard that is still reached. */
+static tdmf_guard meet_piece(tdmf_runner *runner, tdmf_guard reached, bool *ended) {
+    *ended = false;
+    if (reached != TDMF_GUARD_TOUCHDOWN || !tdmf_has_terrain(&runner->its_case->rules)) {
+        return reached;
+    }
+    return tdmf_meets_piece(runner, ended) ? reached : TDMF_GUARD_COUNT;
+}
+
+/* Ground of place after one: the foot flies, or is over a height that it was below. */
+static bool look_at_terrain(tdmf_runner *runner, const tdmf_mode *before, tdmf_guard reached) {
+    const bool looks =
+        tdmf_has_terrain(&runner->its_case->rules) && flies(&runner->motion.mode) &&
+        (!flies(before) || reached == TDMF_GUARD_NEW_GROUND || reached == TDMF_GUARD_TOUCHDOWN);
+    return !looks || tdmf_look_at_terrain(runner);
+}
+
 bool tdmf_runner_take_event(tdmf_runner *runner, const double *fields, tdmf_guard reached) {
     tdmf_motion *motion = &runner->motion;
     const tdmf_mode before = motion->mode;
+    bool ended;
     store(runner, fields);
+    reached = meet_piece(runner, reached, &ended);
+    if (ended) {
+        return false;
+    }
     tdmf_run run = {tdmf_runner_system(runner), motion, runner->direction};
     observe(runner);
     const bool resolved = tdmf_take_transitions(&run, reached);
     observe(runner);
     if (motion->mode.fallen) {
         tdmf_runner_give_up(runner, TDMF_FATE_FELL);
+        return false;
+    }
+    if (!look_at_terrain(runner, &before, reached)) {
         return false;
     }
     runner->false_crossings = tdmf_same_mode(&before, &motion->mode) ? runner->false_crossings + 1 : 0;
@@ -277,10 +307,56 @@ static tdmf_fate fate_of(tdmf_outcome outcome) {
     }
 }
 
+/* Takes the event at which the native solver has left ground of place to the runner. False where the run has
+ * ended. */
+static bool take_left_event(tdmf_runner *runner, const tdmf_mode *before, tdmf_guard reached) {
+    tdmf_motion *motion = &runner->motion;
+    bool ended = false;
+    if (reached == TDMF_GUARD_COUNT) {
+        return look_at_terrain(runner, before, reached);
+    }
+    const tdmf_mode at_event = motion->mode;
+    reached = meet_piece(runner, reached, &ended);
+    if (ended) {
+        return false;
+    }
+    tdmf_resolve_along(tdmf_runner_system(runner), motion, runner->direction, reached);
+    if (motion->mode.fallen) {
+        tdmf_runner_give_up(runner, TDMF_FATE_FELL);
+        return false;
+    }
+    return look_at_terrain(runner, &at_event, reached);
+}
+
+/* A stride over ground of place, from one meeting with a height of it to the next. False where the run has
+ * ended. */
+static bool stride_over_terrain(tdmf_runner *runner, tdmf_solver *solver, double until) {
+    tdmf_motion *motion = &runner->motion;
+    while (motion->record.stride.count == runner->end->strides) {
+        const tdmf_mode before = motion->mode;
+        tdmf_guard reached;
+        const tdmf_stride_outcome part =
+            tdmf_native_to_ground(solver, tdmf_runner_system(runner), until, motion, &reached);
+        runner->direction = tdmf_leg_direction_of(motion->state);
+        const bool goes_on = part.outcome == TDMF_ARRIVED && (part.closed || motion->time < until);
+        if (!goes_on || --runner->events_left <= 0) {
+            tdmf_runner_give_up(runner, goes_on ? TDMF_FATE_UNSOLVED : fate_of(part.outcome));
+            return false;
+        }
+        if (!take_left_event(runner, &before, reached)) {
+            return false;
+        }
+    }
+    return tdmf_runner_close_stride(runner);
+}
+
 bool tdmf_runner_stride(tdmf_runner *runner, tdmf_solver *solver) {
     const tdmf_model *model = runner->model;
     const bool reduced = runner->map == TDMF_REDUCED_MAP;
     const double until = runner->stride_began + TDMF_LONGEST_STRIDE * model->scales.time;
+    if (tdmf_has_terrain(&runner->its_case->rules)) {
+        return stride_over_terrain(runner, solver, until);
+    }
     const tdmf_stride_outcome stride =
         reduced ? tdmf_native_stance(solver, (tdmf_system){model, &runner->inputs}, until, &runner->motion,
                                      NULL, NULL, 0)

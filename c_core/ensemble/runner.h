@@ -8,6 +8,7 @@
 #include "tdmf_slip/automaton.h"
 #include "tdmf_slip/ensemble.h"
 #include "tdmf_slip/solver.h"
+#include "terrain.h"
 
 /* Runners in the same kind of motion share a batch. */
 typedef enum {
@@ -50,7 +51,7 @@ enum {
     TDMF_RECORDED_SERIES = TDMF_RECORDED_POWER + 1
 };
 
-typedef struct {
+struct tdmf_runner {
     const tdmf_ensemble *ensemble;
     int64_t index; /* in the ensemble */
     const tdmf_ensemble_case *its_case;
@@ -65,9 +66,10 @@ typedef struct {
     double stride_began;
     step_count steps; /* in the stride */
     long events_left;
-    int false_crossings; /* since the mode changed */
-    tdmf_model set;      /* the case's, with the settings of the stride */
-} tdmf_runner;
+    int false_crossings;       /* since the mode changed */
+    tdmf_model set;            /* the case's, with the settings of the stride */
+    tdmf_terrain_view terrain; /* ground of place, if there is any */
+};
 
 static inline tdmf_system tdmf_runner_system(const tdmf_runner *runner) {
     const tdmf_system system = {runner->model, &runner->inputs};

@@ -1,6 +1,7 @@
 /* A runner at an apex: where it begins and where a stride closes, what it is set to, and its ground. */
 #include "runner.h"
 
+#include "drawn_ground.h"
 #include "events.h"
 #include "ground_line.h"
 #include "longest_stride.h"
@@ -105,37 +106,20 @@ static bool resolve(tdmf_runner *runner) {
     return true;
 }
 
-typedef double deviate_of_stride(uint64_t seed, uint64_t runner, uint32_t stride);
-
-/* Sums the deviates of this stride and of those before; numbers of strides before the first wrap. */
-static double weighted_deviates(const tdmf_runner *runner, deviate_of_stride *deviate, const double *weights,
-                                int count) {
-    const uint64_t seed = runner->its_case->rules.seed;
-    const uint32_t stride = (uint32_t)runner->end->strides;
-    double sum = 0.0;
-    if (weights == NULL) {
-        return deviate(seed, runner->number, stride);
-    }
-    for (int j = 0; j < count; ++j) {
-        sum += weights[j] * deviate(seed, runner->number, stride - (uint32_t)j);
-    }
-    return sum;
+static bool steps_by_stride(const tdmf_runner *runner) {
+    const tdmf_ensemble_rules *rules = &runner->its_case->rules;
+    return rules->roughness != 0.0 && !tdmf_has_terrain(rules);
 }
 
 static void step_ground(tdmf_runner *runner) {
-    const tdmf_ensemble_rules *rules = &runner->its_case->rules;
     runner->inputs.ground.height +=
-        rules->roughness *
-        weighted_deviates(runner, tdmf_ground_step, rules->step_weights, rules->step_weight_count);
+        tdmf_drawn_step(&runner->its_case->rules, runner->number, (uint32_t)runner->end->strides);
 }
 
 static void draw_friction(tdmf_runner *runner) {
-    const tdmf_ensemble_rules *rules = &runner->its_case->rules;
-    const double largest = tdmf_setting_range(tdmf_setting_of("ground.friction"))->maximum;
-    const double factor =
-        exp(rules->friction_spread * weighted_deviates(runner, tdmf_friction_deviate, rules->friction_weights,
-                                                       rules->friction_weight_count));
-    runner->inputs.ground.friction = fmin(largest, runner->its_case->inputs.ground.friction * factor);
+    const tdmf_ensemble_case *its_case = runner->its_case;
+    runner->inputs.ground.friction = tdmf_drawn_friction(&its_case->rules, its_case->inputs.ground.friction,
+                                                         runner->number, (uint32_t)runner->end->strides);
 }
 
 /* The foot is below the step that has just come. */
@@ -158,17 +142,18 @@ static void record_beginning(tdmf_runner *runner) {
     tdmf_ensemble_stride *record = open_stride_record(runner);
     if (record) {
         record->began = 1;
-        record->ground_height = runner->inputs.ground.height;
+        record->ground_height = tdmf_has_terrain(&runner->its_case->rules) ? tdmf_height_below(runner)
+                                                                           : runner->inputs.ground.height;
     }
 }
 
 /* Goes on from an apex with the settings of the stride that begins. Returns false where the run has ended. */
 static bool begin_stride(tdmf_runner *runner) {
-    const bool is_rough = runner->its_case->rules.roughness != 0.0;
+    const bool is_rough = steps_by_stride(runner);
     if (is_rough) {
         step_ground(runner);
     }
-    if (runner->its_case->rules.friction_spread != 0.0) {
+    if (runner->its_case->rules.friction_spread != 0.0 && !tdmf_has_terrain(&runner->its_case->rules)) {
         draw_friction(runner);
     }
     record_beginning(runner);
@@ -184,7 +169,8 @@ static bool begin_stride(tdmf_runner *runner) {
 
 /* Goes on from the apex at which a stride has closed. Returns false where the run has ended. */
 static bool begin_next_stride(tdmf_runner *runner) {
-    if ((is_set(runner) || runner->its_case->rules.roughness != 0.0) && !is_above_ground(runner)) {
+    if ((is_set(runner) || steps_by_stride(runner)) && !tdmf_has_terrain(&runner->its_case->rules) &&
+        !is_above_ground(runner)) {
         return false;
     }
     if (is_set(runner)) {
@@ -206,6 +192,9 @@ static double start_foot_x(const tdmf_runner *runner) {
 static bool start(tdmf_runner *runner, const double section[TDMF_SECTION_COUNT]) {
     const tdmf_model *model = runner->model;
     tdmf_motion *motion = &runner->motion;
+    if (tdmf_has_terrain(&runner->its_case->rules)) {
+        runner->inputs.ground.height = tdmf_enter_terrain(runner, start_foot_x(runner));
+    }
     if (runner->map == TDMF_REDUCED_MAP) {
         return tdmf_reduced_begin((tdmf_system){model, &runner->inputs}, section, motion) ==
                TDMF_RETURN_CLOSED;
@@ -260,6 +249,9 @@ static bool begin(tdmf_runner *runner) {
     }
     runner->direction = tdmf_leg_direction_of(runner->motion.state);
     open_stride(runner);
+    if (tdmf_has_terrain(&runner->its_case->rules) && !tdmf_look_at_terrain(runner)) {
+        return false;
+    }
     return runner->its_case->rules.max_strides > 0 && !settles(runner, tdmf_gait_of_ball(runner, section)) &&
            begin_stride(runner);
 }
@@ -295,6 +287,9 @@ static void record_apex(tdmf_runner *runner) {
                                              record->apex.leg_length,      record->apex.leg_angle,
                                              record->apex.leg_length_rate, record->apex.leg_angle_rate};
     memcpy(end->apex, apex, sizeof apex);
+    if (tdmf_has_terrain(&runner->its_case->rules)) {
+        end->apex[0] += runner->motion.mode.ground.height - tdmf_height_below(runner);
+    }
     end->foot_x = state[TDMF_FOOT_X];
     end->time = record->apex.time;
     end->distance += record->stride.length;

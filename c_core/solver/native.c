@@ -25,7 +25,7 @@
 #include <string.h>
 
 /* Where an integration ends, if not sooner: at the time asked for. */
-typedef enum { AT_TIME, AT_APEX, AT_LIFT_OFF } integration_end;
+typedef enum { AT_TIME, AT_APEX, AT_LIFT_OFF, AT_GROUND } integration_end;
 
 typedef struct {
     tdmf_solver *solver;
@@ -53,6 +53,8 @@ typedef struct {
     tdmf_mode_variation varied_mode[TDMF_VARIATION_LIMIT];
     motion_variation varied_series[TDMF_VARIATION_LIMIT]; /* along the step */
     tdmf_measured *measured;                              /* of the stride, or NULL */
+    tdmf_guard met;                                       /* AT_GROUND: what waits to be taken */
+    bool flies;                                           /* AT_GROUND: since an event */
 } integration;
 
 tdmf_solver tdmf_solver_default(void) {
@@ -275,6 +277,14 @@ static bool resolve(integration *integration, const tdmf_step_end *end) {
     return true;
 }
 
+static bool meets_ground(tdmf_guard guard) {
+    return guard == TDMF_GUARD_TOUCHDOWN || guard == TDMF_GUARD_NEW_GROUND;
+}
+
+static bool flies(const integration *integration) {
+    return integration->motion->mode.contact == TDMF_CONTACT_FLIGHT;
+}
+
 /* Takes the event that ends a step. */
 static void stop_at_event(integration *integration, const tdmf_step_end *end,
                           const tdmf_mode_coordinates *reached) {
@@ -282,7 +292,14 @@ static void stop_at_event(integration *integration, const tdmf_step_end *end,
     write_state(integration, end->time, reached);
     move_time(integration, end->time);
     move_inputs(integration, end->time);
+    if (integration->end == AT_GROUND && meets_ground(end->reached)) {
+        integration->met = end->reached;
+        integration->equations_are_ahead = false;
+        return;
+    }
+    const bool flew = flies(integration);
     integration->solver->events += resolve(integration, end);
+    integration->flies = flies(integration) && !flew;
     ++integration->events_in_span;
     open_mode(integration);
 }
@@ -457,6 +474,8 @@ static bool begin(integration *integration, tdmf_solver *solver, tdmf_system sys
     integration->measured = NULL;
     integration->varies_thrust = integration->varies_push = false;
     integration->events_in_span = 0;
+    integration->met = TDMF_GUARD_COUNT;
+    integration->flies = false;
     /* An input may have jumped since the last call. */
     integration->direction = tdmf_leg_direction_of(motion->state);
     tdmf_resolve_along(system, motion, integration->direction, TDMF_GUARD_COUNT);
@@ -465,8 +484,15 @@ static bool begin(integration *integration, tdmf_solver *solver, tdmf_system sys
 }
 
 static bool is_at_end(const integration *integration, int strides_before) {
-    return (integration->end == AT_APEX && integration->motion->record.stride.count > strides_before) ||
-           stance_is_over(integration);
+    const bool closed = integration->motion->record.stride.count > strides_before;
+    switch (integration->end) {
+    case AT_APEX:
+        return closed;
+    case AT_GROUND:
+        return closed || integration->met != TDMF_GUARD_COUNT || integration->flies;
+    default:
+        return stance_is_over(integration);
+    }
 }
 
 static tdmf_outcome advance(integration *integration) {
@@ -505,6 +531,21 @@ static tdmf_stride_outcome advance_a_stride(integration *integration) {
 }
 
 static const tdmf_stride_outcome refused = {TDMF_REFUSED, false};
+
+tdmf_stride_outcome tdmf_native_to_ground(tdmf_solver *solver, tdmf_system system, double until,
+                                          tdmf_motion *motion, tdmf_guard *reached) {
+    integration integration;
+    *reached = TDMF_GUARD_COUNT;
+    if (!begin(&integration, solver, system, tdmf_rates_or_zero(NULL), until, motion)) {
+        return refused;
+    }
+    const int count = motion->record.stride.count;
+    integration.end = AT_GROUND;
+    const tdmf_outcome outcome = advance(&integration);
+    *reached = integration.met;
+    const tdmf_stride_outcome result = {outcome, motion->record.stride.count > count};
+    return result;
+}
 
 tdmf_stride_outcome tdmf_native_stride(tdmf_solver *solver, tdmf_system system, double until,
                                        tdmf_motion *motion) {

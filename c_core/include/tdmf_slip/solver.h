@@ -85,6 +85,12 @@ typedef struct {
 TDMF_API tdmf_stride_outcome tdmf_native_stride(tdmf_solver *solver, tdmf_system system, double until,
                                                 tdmf_motion *motion);
 
+/* As tdmf_native_stride, but stops, too, where the foot comes to the line in force or to the one that waits,
+ * before that event is taken: `reached` is then its guard, which is due there, unless the caller
+ * changes the lines; and where flight has begun, with TDMF_GUARD_COUNT as else. */
+TDMF_API tdmf_stride_outcome tdmf_native_to_ground(tdmf_solver *solver, tdmf_system system, double until,
+                                                   tdmf_motion *motion, tdmf_guard *reached);
+
 /* As many directions are integrated at once: the section's six coordinates and two parameters. */
 enum { TDMF_VARIATION_LIMIT = 8 };
 

@@ -168,11 +168,18 @@ def rare_falls(
 
 
 def _check_is_rough(ground: RoughGround) -> None:
-    """Refuse ground without steps, and friction that hangs together."""
+    """Refuse ground without steps, ground of place, and friction that hangs together."""
     if ground.roughness < SMOOTHEST:
         raise InputError(f"roughness = {ground.roughness:g} is not allowed; allowed: {SMOOTHEST:g} m or more")
+    if ground.piece_length:
+        raise InputError(
+            f"piece_length = {ground.piece_length:g} m: rare_falls copies walkers from apex to apex, and "
+            "copies would have the same pieces ahead; allowed: ground by stride (piece_length of 0), or "
+            "strides_to_fall"
+        )
     if ground.friction_weights:
         raise InputError(
-            "friction_weights: friction that hangs together is not known to rare_falls; allowed: a friction "
-            "of its own for each stride (friction_spread), or strides_to_fall"
+            "friction_weights: friction that hangs together has a past, which rare_falls would have to copy "
+            "with each walker and copies of steps alone; allowed: a friction of its own for each stride "
+            "(friction_spread), or strides_to_fall"
         )

@@ -14,6 +14,7 @@ from ..library.rough_ground import (
     LAST_SEED,
     RoughGround,
     correlated_weights,
+    read_heights,
 )
 from ..terminal.text import columns, quantity
 from ..unit.unit import Fmu, load_fmu
@@ -37,9 +38,8 @@ from .runner import runner_of
 @click.option(
     "--roughness",
     type=Number(0.0, LARGEST),
-    required=True,
     metavar="S",
-    help="Standard deviation, in m, of the steps that the ground takes at each apex.",
+    help="Standard deviation, in m, of the ground's steps at each apex, or of heights of pieces.",
 )
 @click.option(
     "--runners",
@@ -83,6 +83,18 @@ from .runner import runner_of
     help="Standard deviation of the logarithm of each stride's friction, about the runner's.",
 )
 @click.option(
+    "--piece-length",
+    type=Number(0.0, LARGEST),
+    default=0.0,
+    metavar="L",
+    help="Of level pieces, in m: heights and frictions are of places, and no longer of strides.",
+)
+@click.option(
+    "--heights",
+    metavar="FILE",
+    help="Heights of the pieces, in m, in place of --roughness; after the last the first comes again.",
+)
+@click.option(
     "--rare",
     is_flag=True,
     help="By multilevel splitting, for falls that hardly ever come; without --runners and --max-strides.",
@@ -94,13 +106,15 @@ from .runner import runner_of
 @JSON_OPTION
 def rough_command(
     friction: float | None,
-    roughness: float,
+    roughness: float | None,
     runners: int,
     seed: int,
     max_strides: int,
     correlation: float,
     trips: bool,
     friction_spread: float,
+    piece_length: float,
+    heights: str | None,
     rare: bool,
     scheduler: str | None,
     threads: int | None,
@@ -114,12 +128,17 @@ def rough_command(
     """
     fmu = load_fmu()
     runner = runner_of(fmu, parameters, values_given(friction, settings))
+    if (roughness is None) == (heights is None):
+        given = "neither is given" if heights is None else "both are given"
+        raise InputError(f"--roughness, --heights: {given}; allowed: one of them")
     ground = RoughGround(
-        roughness,
+        0.0 if roughness is None else roughness,
         seed,
         step_weights=correlated_weights(correlation),
         trips=trips,
         friction_spread=friction_spread,
+        piece_length=piece_length,
+        heights=() if heights is None else read_heights(heights),
     )
     if rare:
         _check_alone("runners", "max_strides", "scheduler", "threads")

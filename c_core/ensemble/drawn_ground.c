@@ -1,0 +1,38 @@
+/* Heights and frictions from deviates that may hang together. */
+#include "drawn_ground.h"
+
+#include "settings.h"
+
+#include <math.h>
+
+typedef double deviate_of_number(uint64_t seed, uint64_t runner, uint32_t number);
+
+/* Sums the deviates of this number and of those before; numbers before the first wrap. */
+static double weighted(deviate_of_number *deviate, const double *weights, int count, uint64_t seed,
+                       uint64_t runner, uint32_t number) {
+    double sum = 0.0;
+    if (weights == NULL) {
+        return deviate(seed, runner, number);
+    }
+    for (int j = 0; j < count; ++j) {
+        sum += weights[j] * deviate(seed, runner, number - (uint32_t)j);
+    }
+    return sum;
+}
+
+double tdmf_drawn_step(const tdmf_ensemble_rules *rules, uint64_t runner, uint32_t number) {
+    return rules->roughness * weighted(tdmf_ground_step, rules->step_weights, rules->step_weight_count,
+                                       rules->seed, runner, number);
+}
+
+double tdmf_piece_height(const tdmf_ensemble_rules *rules, uint64_t runner, int64_t piece) {
+    return rules->roughness == 0.0 ? 0.0 : tdmf_drawn_step(rules, runner, (uint32_t)piece);
+}
+
+double tdmf_drawn_friction(const tdmf_ensemble_rules *rules, double about, uint64_t runner, uint32_t number) {
+    const double largest = tdmf_setting_range(tdmf_setting_of("ground.friction"))->maximum;
+    const double factor =
+        exp(rules->friction_spread * weighted(tdmf_friction_deviate, rules->friction_weights,
+                                              rules->friction_weight_count, rules->seed, runner, number));
+    return fmin(largest, about * factor);
+}

@@ -1,0 +1,199 @@
+"""Ground of place: level pieces of which the foot meets the one below it, against ground set by stride."""
+
+import json
+
+import numpy as np
+import pytest
+from tdmf_slip import InputError, find_gait, stride_map, strides_to_fall
+from tdmf_slip.analysis.rare_falls import rare_falls
+from tdmf_slip.library.ensemble import FATES, Case, instruction_sets, run_ensemble
+from tdmf_slip.library.rough_ground import RoughGround, correlated_weights, read_heights, spectrum_weights
+
+FELL, UNDECIDED = FATES.index("fell"), FATES.index("undecided")
+TOUCHDOWN, LIFTOFF = 12.3768, 12.5868
+"""Where the foot of the gait at friction 0.6 comes down first, and where it then lifts off, m."""
+
+
+@pytest.fixture(scope="module")
+def gait():
+    return find_gait({"ground.friction": 0.6})
+
+
+def runs(gait, ground, runners=1, strides=3, **how):
+    starts = np.tile(gait.apex, (runners, 1))
+    how = {"tolerance": 1e-11, **how}
+    return run_ensemble([Case(gait.runner, ground=ground)], starts, max_strides=strides, **how)[0]
+
+
+def by_stride(gait, heights):
+    """The first is that of the start, above which its apex is."""
+    data = stride_map(
+        gait.runner, [gait.apex], strides=len(heights), inputs={"ground.height": np.array([heights])}
+    )
+    return data["next_apex"].values[0, -1]
+
+
+@pytest.mark.parametrize("length", [0.7, 2.0, 30.0])
+def test_pieces_without_heights_change_no_bit(gait, length):
+    level = runs(gait, RoughGround(), strides=10)
+    pieces = runs(gait, RoughGround(piece_length=length), strides=10)
+    assert level.tobytes() == pieces.tobytes()
+
+
+@pytest.mark.parametrize("step", [-0.2, 0.1, 0.3])
+def test_a_step_at_a_place_is_that_of_the_stride_that_meets_it(gait, step):
+    """The edge at 20 m is passed high above it, on the way to the second landing."""
+    ground = RoughGround(piece_length=20.0, heights=(0.0, step, step))
+    placed = runs(gait, ground, strides=2)[0]
+    # Both last apices are told above the upper ground.
+    assert placed["apex"] == pytest.approx(by_stride(gait, [0.0, step]), abs=1e-9)
+
+
+def test_pieces_as_long_as_strides_are_steps_by_stride(gait):
+    steps = RoughGround(0.05, 3)
+    length = float(gait.stride["length"])
+    for runner in range(4):
+        heights = np.cumsum(steps.steps(runner, 5))
+        # Runner 0 of the ground of place begins on its first piece, which is its own level.
+        ground = RoughGround(piece_length=length, heights=tuple(heights))
+        placed = runs(gait, ground, strides=4)[0]
+        # Apices are above an edge, and on which side of it tells only their height.
+        assert placed["apex"][1:] == pytest.approx(by_stride(gait, heights[:4] - heights[0])[1:], abs=1e-8)
+
+
+def test_the_piece_below_the_foot_counts_and_not_its_neighbour(gait):
+    level = runs(gait, RoughGround(), strides=1)[0]["apex"]
+    lower = (0.0, -0.1, -0.1, -0.1)
+    beyond = runs(gait, RoughGround(piece_length=TOUCHDOWN + 1e-3, heights=lower), strides=1)[0]["apex"]
+    before = runs(gait, RoughGround(piece_length=TOUCHDOWN - 1e-3, heights=lower), strides=1)[0]["apex"]
+    assert beyond[1:] == pytest.approx(level[1:], abs=1e-9)
+    assert abs(before[1] - level[1]) > 1e-4
+
+
+def test_an_edge_belongs_to_the_piece_ahead(gait):
+    """The foot starts on the edge of pieces 0 and -1, whose height is the last one given."""
+    start = runs(gait, RoughGround(piece_length=50.0, heights=(0.0, 0.4)), strides=1)[0]
+    assert start["apex"] == pytest.approx(runs(gait, RoughGround(), strides=1)[0]["apex"], abs=1e-12)
+
+
+def test_a_foot_that_slips_over_an_edge_keeps_its_height(gait):
+    level = runs(gait, RoughGround(), strides=1)[0]["apex"]
+    length = 0.5 * (TOUCHDOWN + LIFTOFF)
+    for height in (-0.1, 0.05):
+        heights = (0.0, height, height, height)
+        slipped = runs(gait, RoughGround(piece_length=length, heights=heights), strides=1)[0]
+        # The apex is above the piece below the foot, the second or third.
+        assert slipped["apex"][0] == pytest.approx(level[0] - height, abs=1e-9)
+        assert slipped["apex"][1:] == pytest.approx(level[1:], abs=1e-9)
+    tripping = RoughGround(piece_length=length, heights=(0.0, 0.05, 0.05, 0.05), trips=True)
+    assert runs(gait, tripping)["fate"][0] == FELL
+    falling = RoughGround(piece_length=length, heights=(0.0, -0.05, -0.05, -0.05), trips=True)
+    assert runs(gait, falling, strides=1)["fate"][0] == UNDECIDED
+
+
+@pytest.mark.parametrize(("length", "falls"), [(TOUCHDOWN - 0.3, True), (TOUCHDOWN - 3.0, False)])
+def test_a_foot_that_swings_into_a_face_trips_or_is_borne_by_the_piece_it_came_from(gait, length, falls):
+    """Within 0.3 m of its touchdown the foot is below 0.1 m, 3 m before it is above."""
+    heights = (0.0, 0.1, 0.1, 0.1)
+    trips = runs(gait, RoughGround(piece_length=length, heights=heights, trips=True), strides=1)[0]
+    assert (trips["fate"] == FELL) == falls
+    passes = runs(gait, RoughGround(piece_length=length, heights=heights), strides=1)[0]
+    level = runs(gait, RoughGround(), strides=1)[0]["apex"]
+    motion = passes["apex"][1:]
+    assert (np.abs(motion - level[1:]).max() < 1e-9) == falls
+
+
+@pytest.mark.parametrize("length", [0.6, 3.0, 40.0])
+def test_lanes_make_what_the_native_solver_makes(gait, length):
+    ground = RoughGround(0.2, 3, correlated_weights(0.5), piece_length=length, friction_spread=0.2)
+    alone = runs(gait, ground, 24, 6, instructions="one by one")
+    for instructions in instruction_sets():
+        lanes = runs(gait, ground, 24, 6, instructions=instructions)
+        assert np.array_equal(lanes["fate"], alone["fate"])
+        assert np.array_equal(lanes["strides"], alone["strides"])
+        assert lanes["apex"] == pytest.approx(alone["apex"], abs=1e-9)
+
+
+@pytest.mark.parametrize("weights", [(), correlated_weights(0.8), spectrum_weights([0.0, 1.0, 2.0, 0.5])])
+def test_heights_that_are_drawn_are_those_that_are_told(gait, weights):
+    drawn = RoughGround(0.1, 5, step_weights=weights, piece_length=1.5)
+    # Feet do not come back behind the start by more than a piece, the one that is never looked at here.
+    told = RoughGround(piece_length=1.5, heights=tuple(drawn.piece_heights(0, 400)))
+    assert runs(gait, drawn, strides=8)["apex"] == pytest.approx(
+        runs(gait, told, strides=8)["apex"], abs=1e-9
+    )
+
+
+def test_runner_n_begins_on_piece_n(gait):
+    heights = (0.0, 0.1, -0.1, 0.05, 0.2)
+    both = runs(gait, RoughGround(piece_length=25.0, heights=heights), runners=2)
+    second = runs(gait, RoughGround(piece_length=25.0, heights=(*heights[1:], heights[0])))
+    assert both["apex"][1] == pytest.approx(second["apex"][0], abs=1e-12)
+    assert RoughGround(piece_length=25.0, heights=heights).piece_heights(1, 3) == pytest.approx(
+        [0.1, -0.1, 0.05]
+    )
+
+
+def test_friction_is_that_of_the_piece_that_the_foot_comes_down_on(gait):
+    """With pieces of a stride the number of the piece is that of the stride."""
+    length = float(gait.stride["length"])
+    placed = runs(gait, RoughGround(0.0, 7, friction_spread=0.2, piece_length=length), strides=4)
+    strides = runs(gait, RoughGround(0.0, 7, friction_spread=0.2), strides=4)
+    assert placed["apex"] == pytest.approx(strides["apex"], abs=1e-9)
+    level = runs(gait, RoughGround(), strides=4)
+    assert np.abs(placed["apex"] - level["apex"]).max() > 1e-3
+
+
+def test_strides_to_fall_counts_on_it(gait):
+    rough = strides_to_fall(
+        gait.runner, RoughGround(0.3, 1, piece_length=2.0), 200, max_strides=200, gait=gait
+    )
+    trips = strides_to_fall(
+        gait.runner, RoughGround(0.3, 1, piece_length=2.0, trips=True), 200, max_strides=200, gait=gait
+    )
+    assert rough.unsolved == trips.unsolved == 0
+    assert trips.interval[1] < rough.interval[0]
+
+
+@pytest.mark.parametrize(
+    ("values", "ground", "words"),
+    [
+        ({}, {"piece_length": -1.0}, "piece_length"),
+        ({}, {"piece_length": 1e-4}, "piece_length = 0.0001 m .* allowed: 0.001 m or more"),
+        ({}, {"heights": (0.1, 0.2)}, "heights without a piece_length"),
+        ({}, {"piece_length": 1.0, "heights": (0.1,), "roughness": 0.1}, "roughness = 0.1 with heights"),
+        ({}, {"piece_length": 1.0, "heights": (np.nan,)}, "heights"),
+        ({"ground.slope": 0.05}, {"piece_length": 1.0}, "ground.slope = 0.05 on ground of place"),
+        ({"body.external_fx": 1e-3}, {"piece_length": 1.0}, "body.external_fx"),
+    ],
+)
+def test_what_does_not_go_together_is_refused(gait, values, ground, words):
+    with pytest.raises(InputError, match=words):
+        Case({**gait.runner.values, **values}, ground=RoughGround(**ground))
+
+
+def test_where_no_apex_comes_back_nothing_settles_and_nothing_is_split(gait):
+    with pytest.raises(InputError, match="gaits on ground of place"):
+        Case(gait.runner, gaits=[gait.apex], ground=RoughGround(piece_length=1.0))
+    with pytest.raises(InputError, match="piece_length"):
+        rare_falls(gait.runner, RoughGround(0.1, piece_length=1.0), gait=gait)
+
+
+def test_heights_come_from_a_file(tmp_path):
+    path = tmp_path / "heights.csv"
+    path.write_text("0, 0.1  # the first two\n\n-0.05\n", encoding="utf-8")
+    assert read_heights(str(path)) == (0.0, 0.1, -0.05)
+    path.write_text("0\nhigh\n", encoding="utf-8")
+    with pytest.raises(InputError, match="line 2: 'high'"):
+        read_heights(str(path))
+    with pytest.raises(InputError, match="No such file"):
+        read_heights(str(tmp_path / "none"))
+
+
+def test_the_command_has_it(tmp_path, command):
+    path = tmp_path / "heights.txt"
+    path.write_text("0 0.02 -0.02", encoding="utf-8")
+    given = ["rough", "--runners", "4", "--max-strides", "4", "--json", "--piece-length", "3"]
+    told = json.loads(command(*given, "--heights", str(path))[1])
+    drawn = json.loads(command(*given, "--roughness", "0.02")[1])
+    assert told["strides"] == drawn["strides"] == 16
