@@ -154,15 +154,15 @@ static bool are_heights(const tdmf_terrain *terrain) {
 /* Level pieces, over which the centre of mass is ballistic, and of which a gait or a checkpoint knows
  * nothing. */
 static bool is_terrain(const tdmf_ensemble_case *its_case, const tdmf_ensemble *ensemble) {
-    static const char *const held[] = {"ground.height", "ground.slope", "body.external_fx",
-                                       "body.external_fy"};
+    static const char *const fixed[] = {"ground.height", "ground.slope", "body.external_fx",
+                                        "body.external_fy"};
     const tdmf_ensemble_rules *rules = &its_case->rules;
     const tdmf_inputs *inputs = &its_case->inputs;
     if (rules->terrain.length == 0.0) {
         return true;
     }
-    for (size_t i = 0; i < sizeof held / sizeof held[0]; ++i) {
-        if (!is_held(held[i], rules, ensemble)) {
+    for (size_t i = 0; i < sizeof fixed / sizeof fixed[0]; ++i) {
+        if (!is_held(fixed[i], rules, ensemble)) {
             return false;
         }
     }

@@ -57,7 +57,7 @@ def test_what_the_papers_text_tells_is_marked_on_the_curves_or_off_them(monkeypa
     monkeypatch.setattr(style, "save", lambda figure, path: kept.append(figure))
     figure_4.draw(tmp_path / "4.png")
     gaits = tdmf_slip.sweep({}, {"ground.friction": [10.0, 1.2, 0.6, 0.5]})
-    figure_9.draw(tmp_path / "9.png", gaits)
+    figure_9.draw(tmp_path / "9.png", gaits, ())
     off = {}
     for axes in (axes for figure in kept for axes in figure.axes):
         marks = [line for line in axes.lines if line.get_label() == style.PUBLISHED["label"]]

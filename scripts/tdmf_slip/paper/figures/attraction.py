@@ -21,29 +21,34 @@ DISTURBANCES = {
 """Names and colours of the disturbances that are shown."""
 
 
-def table(measured: Sequence[Attraction]) -> Columns:
-    """The figure's data, by column; a disturbance beyond the largest tried is inf."""
+def table(measured: Sequence[Attraction], matched: Sequence[Attraction] = ()) -> Columns:
+    """The figure's data, by column; a disturbance beyond the largest tried is inf. Equal runners have a 1."""
+    rows = [*measured, *matched]
     return {
-        "friction": [one.friction for one in measured],
-        "word": [one.word for one in measured],
-        "lambda_max": [one.lambda_max for one in measured],
-        "attracted_share": [one.volume.share for one in measured],
-        "attracted_share_low": [one.volume.interval[0] for one in measured],
-        "attracted_share_high": [one.volume.interval[1] for one in measured],
-        "samples": [one.volume.samples for one in measured],
+        "matched": [0] * len(measured) + [1] * len(matched),
+        "friction": [one.friction for one in rows],
+        "word": [one.word for one in rows],
+        "lambda_max": [one.lambda_max for one in rows],
+        "attracted_share": [one.volume.share for one in rows],
+        "attracted_share_low": [one.volume.interval[0] for one in rows],
+        "attracted_share_high": [one.volume.interval[1] for one in rows],
+        "samples": [one.volume.samples for one in rows],
         **{
-            name: [getattr(one.robustness, name) for one in measured]
+            name: [getattr(one.robustness, name) for one in rows]
             for name in ("push_forward", "push_backward", "step_down", "step_up")
         },
     }
 
 
-def draw(path: Path, sweep: Sweep, measured: Sequence[Attraction]) -> None:
+def draw(path: Path, sweep: Sweep, measured: Sequence[Attraction], matched: Sequence[Attraction]) -> None:
     """Draw the share of the section that is attracted, the largest eigenvalue, and the disturbances."""
-    data = table(measured)
+    data, equal = table(measured), table(matched)
     with style.styled():
         figure, axes = plt.subplots(3, 1, figsize=(7.6, 7.6), sharex=True, layout="constrained")
         _draw_share(axes[0], data)
+        axes[0].plot(equal["friction"], equal["attracted_share"], **figure_9.CONTROL)
+        axes[0].legend(loc="lower left")
+        axes[1].plot(equal["friction"], equal["lambda_max"], **figure_9.CONTROL)
         axes[1].plot(
             [gait.friction for gait in sweep.gaits],
             [gait.lambda_max for gait in sweep.gaits],
@@ -51,6 +56,10 @@ def draw(path: Path, sweep: Sweep, measured: Sequence[Attraction]) -> None:
         )
         axes[1].set_title(r"(b) largest eigenvalue $\lambda_{max}$")
         _draw_disturbances(axes[2], data)
+        for name, (_, colour) in DISTURBANCES.items():
+            axes[2].plot(
+                equal["friction"], np.minimum(equal[name], FARTHEST), "--", linewidth=1.0, color=colour
+            )
         for panel in axes:
             figure_9.mark_borders(panel, sweep)
         figure_9.name_words(axes[0], sweep, height=0.2)
@@ -74,7 +83,6 @@ def _draw_share(axes: Axes, data: Columns) -> None:
     )
     axes.set_ylim(0.0, 1.0)
     axes.set_title("(a) share of a box in all six coordinates of the apex that the gait attracts", pad=18)
-    axes.legend(loc="lower left")
 
 
 def _draw_disturbances(axes: Axes, data: Columns) -> None:

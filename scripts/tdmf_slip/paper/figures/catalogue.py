@@ -13,6 +13,7 @@ from ...analysis.stability import StabilityMap
 from ...analysis.sweep import Sweep, sweep
 from ...errors import InputError
 from ...files.datasets import xarray
+from ...library.gait import Gait
 from ...library.runner import Runner
 from ...pictures import style
 from ...pictures.stride import Stride
@@ -34,6 +35,7 @@ from . import (
     figure_8,
     figure_9,
     guinea_fowl,
+    matched,
     optimal,
     reduced,
     retraction,
@@ -52,6 +54,8 @@ SWEPT = np.geomspace(10.0, 0.05, 200)
 """Frictions of figure 9."""
 MEASURED = 26
 """So many of these have their region of attraction measured."""
+EQUAL, MEASURED_EQUAL = 48, 12
+"""So many are made equal in speed and apex, and of these have theirs measured."""
 STRIDE_COLUMNS = (
     "time",
     "com.y",
@@ -125,6 +129,14 @@ def _figures(fmu: Fmu, measure: bool = False) -> dict[str, Figure]:
         chosen = [found[i] for i in np.linspace(0, len(found) - 1, MEASURED).round().astype(int)]
         return measure_all(chosen)
 
+    @cache
+    def equal() -> list[Gait]:
+        return matched.over_friction(gaits().gaits, EQUAL)
+
+    @cache
+    def measured_equal() -> list[Attraction]:
+        return measure_all(equal()[:: EQUAL // MEASURED_EQUAL])
+
     retracting = cache(lambda: retraction.branches(runner))
     alike = cache(lambda: retraction.matched(runner))
 
@@ -188,11 +200,16 @@ def _figures(fmu: Fmu, measure: bool = False) -> dict[str, Figure]:
             lambda path: figure_8.draw(path, (stride(first), stride(second))),
             lambda: _stride_table([stride(first), stride(second)]),
         ),
-        "figure_9": Figure(lambda path: figure_9.draw(path, gaits()), lambda: figure_9.table(gaits())),
-        "attraction": Figure(
-            lambda path: attraction.draw(path, gaits(), measured()), lambda: attraction.table(measured())
+        "figure_9": Figure(
+            lambda path: figure_9.draw(path, gaits(), equal()), lambda: figure_9.table(gaits(), equal())
         ),
-        "energy": Figure(lambda path: energy.draw(path, gaits()), lambda: energy.table(gaits())),
+        "attraction": Figure(
+            lambda path: attraction.draw(path, gaits(), measured(), measured_equal()),
+            lambda: attraction.table(measured(), measured_equal()),
+        ),
+        "energy": Figure(
+            lambda path: energy.draw(path, gaits(), equal()), lambda: energy.table(gaits().gaits, equal())
+        ),
         "feedback": Figure(lambda path: feedback.draw(path, feedbacks()), feedbacks),
         "optimal": Figure(lambda path: optimal.draw(path, optima()), optima),
         "retraction": Figure(

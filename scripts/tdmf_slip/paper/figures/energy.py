@@ -1,12 +1,14 @@
 """Why slipping pays: where the hip's work of a stride goes, over the friction, by weight and length."""
 
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
 import matplotlib.pyplot as plt
-import numpy as np
+from matplotlib.axes import Axes
 
 from ...analysis.sweep import Sweep
+from ...library.gait import Gait
 from ...pictures import style
 from . import figure_9
 from .columns import Columns
@@ -19,15 +21,16 @@ SHARES = {
 """Names and colours of what takes energy, from below."""
 
 
-def table(sweep: Sweep) -> Columns:
-    """The figure's data, by column: energies of a stride over weight and length."""
+def table(gaits: Sequence[Gait], matched: Sequence[Gait] = ()) -> Columns:
+    """The figure's data, by column: energies over weight and length; 1 where runners are equal."""
     columns: dict[str, list[Any]] = {
+        "matched": [0] * len(gaits) + [1] * len(matched),
         "friction": [],
         "word": [],
         "cost_of_transport": [],
         **{n: [] for n in SHARES},
     }
-    for gait in sweep.gaits:
+    for gait in [*gaits, *matched]:
         values = gait.runner.values
         weight = (values["body.mass"] + values["foot.mass"]) * values["gravity"]
         columns["friction"].append(gait.friction)
@@ -38,23 +41,38 @@ def table(sweep: Sweep) -> Columns:
     return columns
 
 
-def draw(path: Path, sweep: Sweep) -> None:
-    """Draw the losses one on the other, under the hip's work."""
-    data = table(sweep)
+def draw(path: Path, sweep: Sweep, matched: Sequence[Gait]) -> None:
+    """Draw the losses one on the other, under the hip's work: as runners come, and where they are equal."""
     with style.styled():
-        figure, axes = plt.subplots(figsize=(7.6, 4.4), layout="constrained")
-        axes.stackplot(
-            data["friction"],
-            [data[name] for name in SHARES],
-            labels=[label for label, _ in SHARES.values()],
-            colors=[colour for _, colour in SHARES.values()],
-            linewidth=0,
+        figure, panels = plt.subplots(
+            2, 1, figsize=(7.6, 7.6), sharex=True, sharey=True, layout="constrained"
         )
-        axes.plot(data["friction"], data["cost_of_transport"], color=style.INK, label="work of the hip")
-        figure_9.mark_borders(axes, sweep)
-        figure_9.name_words(axes, sweep, height=0.2)
-        figure_9.friction_axis(axes, data["friction"])
-        axes.set_ylim(0.0, 1.2 * np.max(data["cost_of_transport"]))
-        axes.set_ylabel("energy of a stride  / weight · length")
-        axes.legend(loc="upper center", ncols=4)
+        for axes, gaits, title in zip(
+            panels,
+            (sweep.gaits, matched),
+            (
+                "(a) runners as they come",
+                "(b) with speed, apex height and leg angle of the one on friction 10",
+            ),
+            strict=True,
+        ):
+            _draw_shares(axes, table(gaits))
+            axes.set_title(title, pad=18 if axes is panels[0] else None)
+        figure_9.mark_borders(panels[0], sweep)
+        figure_9.name_words(panels[0], sweep, height=0.2)
+        figure_9.friction_axis(panels[1], [gait.friction for gait in sweep.gaits])
+        panels[0].set_ylim(0.0, 1.2 * max(table([*sweep.gaits, *matched])["cost_of_transport"]))
+        panels[0].legend(loc="upper center", ncols=4)
         style.save(figure, path)
+
+
+def _draw_shares(axes: Axes, data: Columns) -> None:
+    axes.stackplot(
+        data["friction"],
+        [data[name] for name in SHARES],
+        labels=[label for label, _ in SHARES.values()],
+        colors=[colour for _, colour in SHARES.values()],
+        linewidth=0,
+    )
+    axes.plot(data["friction"], data["cost_of_transport"], color=style.INK, label="work of the hip")
+    axes.set_ylabel("energy of a stride  / weight · length")

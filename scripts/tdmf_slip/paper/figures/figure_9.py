@@ -13,11 +13,14 @@ from matplotlib.axes import Axes
 from matplotlib.patches import Patch
 
 from ...analysis.sweep import Sweep
+from ...library.gait import Gait
 from ...pictures import style
 from ...unit.variable import Values
 from ..claims import BEST_FRICTION, COST_GAIN, SPEED_GAIN
 from .columns import Columns
 
+CONTROL = {"color": "#7a5195", "linestyle": "--", "zorder": 3, "label": "speed and apex of the runner on 10"}
+"""Of runners that are made equal in speed, apex height and leg angle."""
 NARROW = 1.02
 """Ratio of two borders of friction between which no word can be written."""
 PAPER_SHOWS = {"eigenvalue": ((0.3, 2.0), (7.0, 10.0)), "gait": ((0.1, 2.0), (7.0, 10.0))}
@@ -26,10 +29,11 @@ TINT = "#eef3e6"
 TICKS = (0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0)
 
 
-def table(sweep: Sweep) -> Columns:
-    """The figure's data, by column."""
-    gaits = sweep.gaits
+def table(sweep: Sweep, matched: Sequence[Gait]) -> Columns:
+    """The figure's data, by column; 1 where a runner is made equal to the first in speed and apex."""
+    gaits = [*sweep.gaits, *matched]
     return {
+        "matched": [0] * len(sweep.gaits) + [1] * len(matched),
         "friction": [gait.friction for gait in gaits],
         "word": [gait.word for gait in gaits],
         "lambda_max": [gait.lambda_max for gait in gaits],
@@ -38,9 +42,9 @@ def table(sweep: Sweep) -> Columns:
     }
 
 
-def draw(path: Path, sweep: Sweep) -> None:
-    """Draw the three panels."""
-    data = table(sweep)
+def draw(path: Path, sweep: Sweep, matched: Sequence[Gait]) -> None:
+    """Draw the three panels, dashed the runners that are made equal in speed, apex height and leg angle."""
+    data, equal = table(sweep, ()), table(sweep, matched)
     panels = (
         ("lambda_max", r"(a) largest eigenvalue $\lambda_{max}$", "eigenvalue"),
         ("speed", r"(b) average speed $V$  / l₀√(k/m)", "gait"),
@@ -51,6 +55,7 @@ def draw(path: Path, sweep: Sweep) -> None:
         for panel, (name, title, shown) in zip(axes, panels, strict=True):
             tint(panel, PAPER_SHOWS[shown], data["friction"])
             panel.plot(data["friction"], data[name], color=style.CURVE, zorder=3)
+            (control,) = panel.plot(*_matched(equal, name), **CONTROL)
             panel.set_title(title, pad=18 if panel is axes[0] else None)
             mark_borders(panel, sweep)
         for panel, name, gain in ((axes[1], "speed", SPEED_GAIN), (axes[2], "cost_of_transport", COST_GAIN)):
@@ -58,9 +63,15 @@ def draw(path: Path, sweep: Sweep) -> None:
             (mark,) = panel.plot(BEST_FRICTION, (1.0 + gain / 100.0) * without, **style.PUBLISHED)
         name_words(axes[0], sweep)
         missing = Patch(color=TINT, label="not in the paper's figure")
-        axes[1].legend(handles=[mark, missing], loc="lower right")
+        axes[1].legend(handles=[control, mark, missing], loc="lower right")
         friction_axis(axes[-1], data["friction"])
         style.save(figure, path)
+
+
+def _matched(data: Columns, name: str) -> tuple[list[float], list[float]]:
+    """Frictions, and what is drawn over them."""
+    rows = [k for k, matched in enumerate(data["matched"]) if matched]
+    return [data["friction"][k] for k in rows], [data[name][k] for k in rows]
 
 
 def tint(axes: Axes, shown: Sequence[tuple[float, float]], frictions: Values) -> None:

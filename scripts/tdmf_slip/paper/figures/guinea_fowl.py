@@ -15,6 +15,12 @@ from .. import guinea_fowl
 from .columns import Columns
 
 FALLS, UP = "#b3216f", "#cfe8e6"
+NOT_CONTROLLED = (
+    "In a column the runner is the same up to its last apex and the angle alone differs; from column to\n"
+    "column apex height, hip torque and retraction go with the speed and are not held. Panels differ in\n"
+    "friction alone."
+)
+"""What is said above the panels."""
 SHOWN = (50.5, 75.5)
 """Contact angles, degrees."""
 
@@ -44,6 +50,7 @@ def draw(path: Path, found: guinea_fowl.Map) -> None:
             axes.set_xlabel("speed  / m/s")
         for axes in panels[:, 0]:
             axes.set_ylabel("contact angle of the leg  / °")
+        figure.suptitle(NOT_CONTROLLED, fontsize=9)
         figure.legend(handles=_key(), loc="outside lower center", ncols=3)
         style.save(figure, path)
 

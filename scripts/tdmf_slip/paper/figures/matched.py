@@ -2,6 +2,8 @@
 
 from collections.abc import Mapping, Sequence
 
+import numpy as np
+
 from ...analysis.comparison import compare
 from ...errors import RunError
 from ...library.gait import Gait, gait_near
@@ -44,3 +46,23 @@ def changed(gait: Gait, values: Mapping[str, float], steps: int = 1) -> Gait | N
         except RunError:
             return None
     return gait
+
+
+def over_friction(gaits: Sequence[Gait], count: int) -> list[Gait]:
+    """Some of the gaits, evenly, made equal to the first; those that cannot be are left out.
+
+    Parameters
+    ----------
+    gaits : sequence of Gait
+        Over the friction.
+    count : int
+        How many are tried.
+
+    Returns
+    -------
+    list of Gait
+        In their order.
+    """
+    chosen = [gaits[i] for i in np.linspace(0, len(gaits) - 1, count).round().astype(int)]
+    equal = [like(gaits[0], gait) for gait in chosen]
+    return [gait for gait in equal if gait is not None]

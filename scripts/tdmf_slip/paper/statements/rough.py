@@ -18,6 +18,16 @@ MATCH = (
 ROUGH = f"tdmf-slip rough --friction {SLIPS} --roughness {ROUGHNESS} --runners {RUNNERS} --seed {{seed}}"
 
 
+PIECE, HEIGHT = 5.0, 0.4
+"""Of ground of place: length of a piece, and standard deviation of heights, l0."""
+
+
+def _strides_on_pieces(one: Gait, seed: int) -> float:
+    ground = RoughGround(HEIGHT, seed, piece_length=PIECE)
+    found = strides_to_fall(one.runner, ground, RUNNERS, max_strides=MAX_STRIDES, gait=one, threads=1)
+    return found.mean_strides
+
+
 def strides(one: Gait, seed: int, correlation: float = 0.0) -> float:
     """Mean number until the fall.
 
@@ -51,6 +61,10 @@ def _at_slips_kinematics(seed: int) -> float:
 def _on_hills(seed: int) -> float:
     control = matched(SLIPS, STICKS)
     return strides(gait(SLIPS), seed, CORRELATION) / strides(control, seed + 1, CORRELATION)
+
+
+def _on_pieces(seed: int) -> float:
+    return _strides_on_pieces(gait(SLIPS), seed) / _strides_on_pieces(matched(SLIPS, STICKS), seed + 1)
 
 
 def _at_sticks_kinematics(seed: int) -> float:
@@ -96,6 +110,14 @@ CLAIMS = (
         0.66,
         0.98,
         _on_hills,
+    ),
+    OwnClaim(
+        "  the same on level pieces of 5 l0, heights 0.4 l0, where how the foot comes down is not held",
+        f"tdmf-slip rough --friction {SLIPS} --roughness {HEIGHT} --piece-length {PIECE:g} "
+        f"--runners {RUNNERS} --seed {{seed}}",
+        1.65,
+        2.35,
+        _on_pieces,
     ),
     OwnClaim(
         "  and with those of the latter, on independent steps",
