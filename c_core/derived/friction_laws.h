@@ -123,6 +123,11 @@ static inline double tdmf_stopped_speed(const tdmf_model *model, double friction
     return model->parameters.ground.static_friction_ratio * friction * compression;
 }
 
+/* rho mu f_n + s f_t, up to the edge of the cone beyond which a foot at rest slips to the side s (2). */
+static inline double tdmf_room_in_cone(double friction, double sign, tdmf_ground_force force) {
+    return friction * force.normal + sign * force.tangential;
+}
+
 /* max(1, rho mu), by which the room in a cone is measured: so a wide one has the forces' own rounding. */
 static inline double tdmf_cone_width(const tdmf_model *model, double friction) {
     return (1.0 >= model->parameters.ground.static_friction_ratio * friction

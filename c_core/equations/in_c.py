@@ -140,6 +140,7 @@ FUNCTIONS = {
         InC("double friction_fading", friction.fading),
         InC("double friction_growth_rate", friction.growth_rate, varied=False),
         InC("double stopped_speed", friction.stopped_speed, varied=False),
+        InC("double room_in_cone", friction.room, varied=False),
         InC("double cone_width", friction.width, varied=False),
         InC("tdmf_cone cone_of", friction.cone, varied=False),
     ],

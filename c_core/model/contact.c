@@ -15,5 +15,5 @@ tdmf_ground_force tdmf_contact_force(tdmf_system system, const tdmf_mode *mode,
 }
 
 bool tdmf_inside_friction_cone(tdmf_ground_force force, double friction) {
-    return fabs(force.tangential) <= friction * force.normal;
+    return tdmf_room_in_cone(friction, 1.0, force) >= 0.0 && tdmf_room_in_cone(friction, -1.0, force) >= 0.0;
 }
