@@ -9,6 +9,7 @@ import click
 from ..analysis.axes import AXES
 from ..analysis.ball import CHOICES, Ball
 from ..analysis.fates import MAX_ALONG
+from ..analysis.preview import REFINEMENTS
 from ..analysis.robustness import DISTURBED, robustness
 from ..analysis.volume import volume
 from ..errors import InputError
@@ -75,6 +76,14 @@ from .runner import runner_of
     help="A ball around the gait in which a start has settled: tested by strides from points of it, where "
     "that saves more than it costs; proved, small and slow; or none: each is followed until near the gait.",
 )
+@click.option(
+    "--refine",
+    type=click.Choice(REFINEMENTS),
+    default="exact",
+    show_default=True,
+    help="Follow every start; or, for a preview, those near a border and corners of squares: quick, but an "
+    "island of fewer than 16 starts can be missed.",
+)
 @SCHEDULER_OPTION
 @THREADS_OPTION
 @SET_OPTION
@@ -89,6 +98,7 @@ def basin_command(
     plot: Path | None,
     samples: int,
     ball: str,
+    refine: str,
     scheduler: str | None,
     threads: int | None,
     settings: tuple[str, ...],
@@ -127,6 +137,7 @@ def basin_command(
         axes,
         count,
         ball=around,
+        refine=refine,
         path=output,
         scheduler=scheduler,
         threads=threads,
@@ -140,7 +151,7 @@ def basin_command(
         "word": gait.word,
         "starts": data["fate"].size,
         **fates,
-        "strides": int(data["strides_until_known"].sum()),
+        **_made(data),
         "settled_share": data.attrs["settled_share"],
         "settled_area": data.attrs["settled_area"],
         **{name: value for name, value in data.attrs.items() if name.startswith("ball")},
@@ -150,6 +161,15 @@ def basin_command(
         found = volume(gait, samples, ball=around, scheduler=scheduler, threads=threads, progress=True)
         result["volume"] = found.as_json()
     print(json_text(result) if as_json_object else _basin_text(result, tuple(axes), fmu))
+
+
+def _made(data: Any) -> dict[str, int]:
+    """How many strides were made, and of a preview how many starts were followed."""
+    strides = data["strides_until_known"].values
+    if "is_followed" not in data:
+        return {"strides": int(strides.sum())}
+    is_followed = data["is_followed"].values == 1
+    return {"strides": int(strides[is_followed].sum()), "followed": int(is_followed.sum())}
 
 
 def _axes(spans: tuple[str, ...], coordinates: Sequence[str]) -> dict[str, str]:

@@ -110,7 +110,11 @@ def _without_palest(name: str) -> Colormap:
 
 def _title(data: xarray.Dataset, settled: NDArray[np.bool_]) -> str:
     friction, word = data.attrs["ground.friction"], style.word(data.attrs["word"])
-    return f"friction {friction:g}, gait {word}: {settled.mean():.1%} of {settled.size:,} starts settle"
+    title = f"friction {friction:g}, gait {word}: {settled.mean():.1%} of {settled.size:,} starts settle"
+    if "is_followed" in data:
+        share = data["is_followed"].values.mean()
+        title += f"\npreview: {share:.1%} of the starts followed, the rest painted; islands may be missed"
+    return title
 
 
 def _cross(axes: Axes, data: xarray.Dataset, horizontal: str, vertical: str) -> Line2D:

@@ -1,0 +1,92 @@
+"""A preview of a region of attraction: the exact map's fates near every border, by far fewer strides."""
+
+import json
+
+import numpy as np
+import pytest
+import tdmf_slip
+import xarray
+from tdmf_slip import InputError
+from tdmf_slip.analysis.preview import LARGEST_SQUARE, preview_of
+
+AXES = {"com_height": None, "com_speed": None}
+
+
+def followed(fates):
+    """A preview of fates that are known, and how many starts it asked for."""
+    ends = np.zeros(fates.shape, dtype=[("fate", "i4"), ("strides", "i4")])
+    ends["fate"], ends["strides"] = fates, 1 + np.arange(fates.size).reshape(fates.shape)
+    asked = np.zeros(fates.shape, dtype=int)
+
+    def follow(rows, columns):
+        np.add.at(asked, (rows, columns), 1)
+        return ends[rows, columns]
+
+    return preview_of(fates.shape, follow), asked
+
+
+@pytest.mark.parametrize("shape", [(200, 170), (33, 16), (17, 2), (1, 40), (1, 1), (2, 1), (129, 3)])
+def test_a_disc_is_painted_as_it_is(shape):
+    """Its border is nowhere bent as sharply as a square is wide; no start is followed twice."""
+    rows, columns = np.indices(shape)
+    disc = (np.hypot(rows - 90.3, columns - 80.7) < 55.0).astype("i4")
+    found, asked = followed(disc)
+    np.testing.assert_array_equal(found.fate, disc)
+    np.testing.assert_array_equal(asked, found.is_followed)
+    if min(shape) > 100:
+        assert found.is_followed.mean() < 0.2
+
+
+def test_uniform_squares_stop_at_their_corners():
+    found, _ = followed(np.full((161, 161), 3, dtype="i4"))
+    assert (found.fate == 3).all() and found.is_followed.sum() == 11 * 11
+
+
+@pytest.mark.parametrize("corner", [(1, 1), (7, 9), (40, 33)])
+def test_an_island_as_wide_as_a_square_is_found_and_a_smaller_one_may_be_missed(corner):
+    row, column = corner
+    for width, is_found in ((LARGEST_SQUARE, True), (LARGEST_SQUARE // 2 - 2, corner != (1, 1) and None)):
+        fates = np.zeros((100, 100), dtype="i4")
+        fates[row : row + width, column : column + width] = 1
+        found, _ = followed(fates)
+        if is_found is not None:
+            assert (found.fate == fates).all() == is_found
+
+
+@pytest.mark.parametrize("friction", [1.2, 10.0])
+def test_a_preview_is_the_exact_map_where_a_border_crosses_it(friction):
+    """Where there are both fates, and by a fifth of the strides at the most."""
+    exact = tdmf_slip.basin({"ground.friction": friction}, AXES, n=96, threads=1)
+    preview = tdmf_slip.basin({"ground.friction": friction}, AXES, n=96, threads=1, refine="preview")
+    assert len(np.unique(exact["fate"])) > 1
+    assert (preview["fate"] != exact["fate"]).mean() < 2e-3
+    is_followed = preview["is_followed"].values == 1
+    strides = exact["strides_until_known"].values
+    np.testing.assert_array_equal(preview["strides_until_known"].values[is_followed], strides[is_followed])
+    assert strides[is_followed].sum() < 0.35 * strides.sum()
+
+
+def test_a_preview_is_the_same_whoever_computes_it_and_kept_apart_from_the_exact_map(tmp_path):
+    runner, path = {"ground.friction": 10.0}, tmp_path / "map.nc"
+    one = tdmf_slip.basin(runner, AXES, n=20, threads=1, refine="preview")
+    two = tdmf_slip.basin(runner, AXES, n=20, threads=2, refine="preview", path=path)
+    xarray.testing.assert_identical(one, two)
+    again = tdmf_slip.basin(runner, AXES, n=20, refine="preview", path=path)
+    xarray.testing.assert_equal(again, one)
+    with pytest.raises(InputError, match="another slice"):
+        tdmf_slip.basin(runner, AXES, n=20, path=path)
+
+
+def test_other_words_are_refused():
+    with pytest.raises(InputError, match="refine = 'coarse' is not allowed; allowed: exact, preview"):
+        tdmf_slip.basin({}, AXES, n=4, refine="coarse")
+
+
+def test_the_command_tells_how_many_starts_were_followed(command, tmp_path):
+    status, out, _ = command(
+        "basin", "--friction", 10, "--n", 40, "--refine", "preview", "--samples", 0, "--json",
+        "--plot", tmp_path / "map.png",
+    )  # fmt: skip
+    found = json.loads(out)
+    assert status == 0 and 0 < found["followed"] < found["starts"] == 1600
+    assert (tmp_path / "map.png").stat().st_size > 10_000
