@@ -32,7 +32,7 @@ from .axes import range_around as range_around
 from .ball import Ball, attributes_of, ball_of
 from .controlled_gait import stable_gait as stable_gait
 from .fates import MAX_ALONG, MAX_STRIDES, STARTS_AT_ONCE
-from .preview import MAX_POINTS_AT_ONCE, PREVIEW, REFINEMENTS, Points, fates_of_points, preview_of
+from .preview import PREVIEW, REFINEMENTS, follow_points, preview_of
 from .search import model_of
 from .slice_block import Slice, fates_of_slice
 
@@ -208,21 +208,7 @@ def _paint(data: xarray.Dataset, plan: Slice, blocks: Callable[..., Any], progre
     if (data["fate"].values != NOT_YET).all():
         return
     with progress_bar("preview of a basin", None, "starts", progress) as bar:
-
-        def follow(rows: NDArray[np.intp], columns: NDArray[np.intp]) -> NDArray[np.void]:
-            values = np.column_stack([np.asarray(plan.rows)[rows], np.asarray(plan.columns)[columns]])
-            parts = [
-                Points(plan.runner, plan.apex, plan.axes, part, plan.law, plan.ball)
-                for part in np.array_split(values, -(-len(values) // MAX_POINTS_AT_ONCE))
-            ]
-            ends: dict[int, NDArray[np.void]] = {}
-            with blocks(fates_of_points, parts) as results:
-                for number, found in results:
-                    ends[number] = found
-                    bar.update(len(found))
-            return np.concatenate([ends[number] for number in range(len(parts))])
-
-        found = preview_of(data["fate"].shape, follow)
+        found = preview_of(data["fate"].shape, functools.partial(follow_points, plan, blocks, bar.update))
     data["fate"].values[:], data[STRIDES].values[:] = found.fate, found.strides
     data["is_followed"].values[:] = found.is_followed
 

@@ -6,6 +6,7 @@ another fate that touches no corner is missed: the map is a preview, and says so
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,6 +17,7 @@ from ..library.runner import Runner
 from ..library.section import COORDINATES
 from .ball import Ball
 from .fates import fates
+from .slice_block import Slice
 
 PREVIEW = "preview"
 REFINEMENTS = ("exact", PREVIEW)
@@ -52,6 +54,27 @@ def fates_of_points(points: Points) -> NDArray[np.void]:
     starts = np.tile(points.apex, (len(points.values), 1))
     starts[:, [COORDINATES.index(axis) for axis in points.axes]] = points.values
     return fates(points.runner, points.apex, starts, law=points.law, ball=points.ball)
+
+
+def follow_points(
+    plan: Slice,
+    blocks: Callable[..., Any],
+    report: Callable[[int], object],
+    rows: NDArray[np.intp],
+    columns: NDArray[np.intp],
+) -> NDArray[np.void]:
+    """What becomes of starts of a slice, by rows and columns, in blocks; how many are done is reported."""
+    values = np.column_stack([np.asarray(plan.rows)[rows], np.asarray(plan.columns)[columns]])
+    parts = [
+        Points(plan.runner, plan.apex, plan.axes, part, plan.law, plan.ball)
+        for part in np.array_split(values, -(-len(values) // MAX_POINTS_AT_ONCE))
+    ]
+    ends: dict[int, NDArray[np.void]] = {}
+    with blocks(fates_of_points, parts) as results:
+        for number, found in results:
+            ends[number] = found
+            report(len(found))
+    return np.concatenate([ends[number] for number in range(len(parts))])
 
 
 @dataclass(frozen=True, eq=False)
