@@ -4,7 +4,7 @@ import json
 
 import numpy as np
 import pytest
-from tdmf_slip.bench import one_runner, results, runners, running
+from tdmf_slip.bench import growth, one_runner, results, runners, running
 from tdmf_slip.cli import bench as command_module
 from tdmf_slip.library import ensemble
 
@@ -104,3 +104,20 @@ def test_bench_command(command, measured, monkeypatch):
     assert status == 0 and json.loads(out)["threads"] >= 1
     assert command("bench", "--effort", 0.02)[1].startswith("one runner, to 1e-08; ratios to native")
     assert asked == [(0.01, True), (0.02, True)]
+
+
+def test_growth_times_each_question_by_its_size(command, monkeypatch):
+    """All but the searches for an optimum, which take long at any effort, are really asked."""
+    asked = []
+    monkeypatch.setattr(growth, "optimize", lambda *_, **given: asked.append(given["minimize"]))
+    status, out, _ = command("bench", "--growth", "--effort", 1e-4, "--json")
+    found = json.loads(out)
+    assert status == 0 and asked == ["cost_of_transport"] * 2
+    assert {row["question"] for row in found["timings"]} == {
+        *("basin", "ensemble", "optimize", "fit", "continue"),
+    }
+    assert len({(row["question"], row["size"], row["threads"]) for row in found["timings"]}) == len(
+        found["timings"]
+    )
+    assert all(row["seconds"] > 0 and row["processor_seconds"] > 0 for row in found["timings"])
+    assert "processor" in found["versions"]

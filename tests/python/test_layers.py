@@ -37,7 +37,7 @@ KNOWS = {
             "terminal",
         )
     },
-    "bench": {"library", "unit", "terminal"},
+    "bench": {"optimization", "fitting", "analysis", "library", "unit", "terminal"},
     "cli": {
         *("bench", "paper", "pictures", "viable_sets", "proof", "optimization", "fitting", "analysis"),
         *("library", "unit", "files", "terminal"),

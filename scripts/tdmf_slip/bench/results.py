@@ -1,9 +1,13 @@
 """What a benchmark found: a measurement for each solver and accuracy, as an object and as tables."""
 
+import datetime
+import platform
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass
+from importlib.metadata import version
 
 from ..contents import ByContents
+from ..library.binding import c, ffi
 from ..terminal.text import table
 
 ACCURACIES = (1e-8, 1e-5)
@@ -103,3 +107,22 @@ class Bench(ByContents):
                 for m in rows
             ],
         )
+
+
+def versions_here() -> dict[str, str]:
+    """The day, this machine, and what was measured."""
+    return {
+        "date": datetime.date.today().isoformat(),
+        "processor": f"{_processor()}, {platform.system()} {platform.machine()}",
+        "compiler": ffi.string(c.tdmf_compiler()).decode(),
+        "tdmf-slip": version("tdmf-slip"),
+        "python": platform.python_version(),
+    }
+
+
+def _processor() -> str:
+    try:
+        with open("/proc/cpuinfo", encoding="utf-8") as file:
+            return next(line.split(":", 1)[1].strip() for line in file if line.startswith("model name"))
+    except (OSError, StopIteration):
+        return platform.processor() or "unknown processor"

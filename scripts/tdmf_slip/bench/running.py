@@ -1,21 +1,17 @@
 """Solvers and the ensemble engine against peers: the same strides, each at the loosest accurate tolerance."""
 
-import datetime
 import functools
 import importlib
 import os
-import platform
 from collections.abc import Callable, Iterator
-from importlib.metadata import version
 
 from ..checks import checked
 from ..library import ensemble
-from ..library.binding import c, ffi
 from ..terminal.progress import progress_bar
 from ..unit.unit import Fmu, load_fmu
 from .ensembles import measure_batches, measure_lanes, measure_scaling
 from .one_runner import STRIDES, measure_peer, measure_unit
-from .results import MANY, ONE, REDUCED, Bench, Measurement
+from .results import MANY, ONE, REDUCED, Bench, Measurement, versions_here
 from .runners import Runners, runners_about_the_gait
 
 
@@ -79,22 +75,4 @@ def bench(*, effort: float = 1.0, progress: bool = False, fmu: Fmu | None = None
         scaling = measure_scaling(many, threads, effort)
         bar.update(1)
     ours = {ONE: "native", MANY: sets[-1], REDUCED: sets[-1]}
-    return Bench(tuple(measurements), ours, threads, scaling, _versions(), tuple(missing))
-
-
-def _versions() -> dict[str, str]:
-    return {
-        "date": datetime.date.today().isoformat(),
-        "processor": f"{_processor()}, {platform.system()} {platform.machine()}",
-        "compiler": ffi.string(c.tdmf_compiler()).decode(),
-        "tdmf-slip": version("tdmf-slip"),
-        "python": platform.python_version(),
-    }
-
-
-def _processor() -> str:
-    try:
-        with open("/proc/cpuinfo", encoding="utf-8") as file:
-            return next(line.split(":", 1)[1].strip() for line in file if line.startswith("model name"))
-    except (OSError, StopIteration):
-        return platform.processor() or "unknown processor"
+    return Bench(tuple(measurements), ours, threads, scaling, versions_here(), tuple(missing))

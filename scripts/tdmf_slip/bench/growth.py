@@ -1,0 +1,168 @@
+"""How the time of whole questions grows with their size, each asked once of each size."""
+
+import functools
+import os
+import time
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import asdict, dataclass
+from typing import NamedTuple
+
+import numpy as np
+
+from ..analysis.basin import basin
+from ..analysis.tracing import continue_branch
+from ..checks import checked
+from ..contents import ByContents
+from ..fitting.fitted import fit
+from ..fitting.measurements import Measured, Measurements
+from ..library import ensemble
+from ..optimization.optimize import optimize
+from ..terminal.progress import progress_bar
+from ..terminal.text import table
+from ..unit.unit import load_fmu
+from .results import versions_here
+from .runners import FRICTION, Runners, runners_about_the_gait
+
+STRIDES_EACH = 4
+"""Of an ensemble's runners."""
+RUNNER = {"ground.friction": FRICTION}
+TORQUE, ANGLE = "hip.stance_torque", "hip.touchdown_angle"
+
+
+@dataclass(frozen=True)
+class Timing:
+    """One question of one size."""
+
+    question: str
+    """What is asked."""
+    size: str
+    """How much of it."""
+    threads: int
+    """That it may use."""
+    seconds: float
+    """Of the wall clock."""
+    processor_seconds: float
+    """Of all processors together."""
+
+
+@dataclass(frozen=True, eq=False)
+class Growth(ByContents):
+    """What was timed, and on what."""
+
+    timings: tuple[Timing, ...]
+    """In the order of the table."""
+    versions: Mapping[str, str]
+    """Of the machine and the libraries."""
+
+    def as_json(self) -> dict[str, object]:
+        """The timings as a plain object."""
+        return {"timings": [asdict(timing) for timing in self.timings], "versions": dict(self.versions)}
+
+    def as_text(self) -> str:
+        """The timings as a table."""
+        rows = [
+            (t.question, t.size, str(t.threads), f"{t.seconds:.3g}", f"{t.processor_seconds:.3g}")
+            for t in self.timings
+        ]
+        header = ("question", "size", "threads", "seconds", "processor seconds")
+        return "\n".join(
+            [table(header, rows), "", *(f"{key}: {what}" for key, what in self.versions.items())]
+        )
+
+
+class Question(NamedTuple):
+    """What is asked, of which size, by how many threads, and what answers it."""
+
+    question: str
+    size: str
+    threads: int
+    answer: Callable[[], object]
+
+
+def _timed(asked: Question) -> Timing:
+    wall, own = time.perf_counter(), time.process_time()
+    asked.answer()
+    return Timing(
+        asked.question, asked.size, asked.threads, time.perf_counter() - wall, time.process_time() - own
+    )
+
+
+def _basins(effort: float, threads: int) -> Iterator[Question]:
+    for side in (128, 256, 512, 1024):
+        n = max(2, round(side * effort**0.5))
+        yield Question(
+            "basin", f"{n} x {n} starts", threads, functools.partial(basin, RUNNER, n=n, threads=threads)
+        )
+
+
+def _run(many: Runners, count: int, threads: int) -> None:
+    starts = np.resize(many.starts, (count, many.starts.shape[1]))
+    ensemble.run_ensemble([many.case], starts, max_strides=STRIDES_EACH, threads=threads)
+
+
+def _ensembles(effort: float, threads: int) -> Iterator[Question]:
+    many = runners_about_the_gait(load_fmu(None))
+    for exponent in (4, 5, 6):
+        count = max(1, round(effort * 10**exponent))
+        for used in dict.fromkeys((1, threads)):
+            size = f"{count:,} runners, {STRIDES_EACH} strides each"
+            yield Question("ensemble", size, used, functools.partial(_run, many, count, used))
+
+
+def _optima() -> Iterator[Question]:
+    bounds = {TORQUE: (0.1, 0.3), ANGLE: (0.5, 0.9)}
+    for count in (1, 2):
+        vary = dict(list(bounds.items())[:count])
+        search = functools.partial(optimize, RUNNER, vary, minimize="cost_of_transport", starts=1)
+        yield Question("optimize", f"{count} parameters, from one start", 1, search)
+
+
+def _fits() -> Iterator[Question]:
+    for rows in (1, 4):
+        speeds = np.linspace(0.95, 1.05, rows) if rows > 1 else np.array([1.0])
+        data = Measurements(tuple({"speed": Measured(float(v), 0.01)} for v in speeds), "speeds")
+        search = functools.partial(fit, RUNNER, data, vary_each=[TORQUE])
+        yield Question("fit", f"{rows} gaits, a torque each", 1, search)
+
+
+def _branches() -> Iterator[Question]:
+    for end in (0.5, 0.2):
+        follow = functools.partial(continue_branch, None, {"ground.friction": (FRICTION, end)})
+        yield Question("continue", f"friction {FRICTION} to {end}", 1, follow)
+
+
+def growth(*, effort: float = 1.0, progress: bool = False) -> Growth:
+    """Time whole questions by their size on this machine.
+
+    Parameters
+    ----------
+    effort : float, default 1.0
+        Scales how many starts and runners there are.
+    progress : bool, default False
+        A bar on stderr.
+
+    Returns
+    -------
+    Growth
+        Wall clock and processor time of each.
+
+    Raises
+    ------
+    InputError
+        The effort is out of range.
+    """
+    checked("effort", effort, 1e-4, 1.0)
+    threads = os.cpu_count() or 1
+    questions = [
+        *_basins(effort, threads),
+        *_ensembles(effort, threads),
+        *_optima(),
+        *_fits(),
+        *_branches(),
+    ]
+    timings = []
+    with progress_bar("growth", len(questions), "questions", progress) as bar:
+        for question in questions:
+            timings.append(_timed(question))
+            bar.update(1)
+    return Growth(tuple(timings), versions_here())
