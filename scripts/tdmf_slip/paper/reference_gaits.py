@@ -43,6 +43,8 @@ class ReferenceGait:
     """In the order of `COORDINATES`."""
     events: Sequence[object]
     """Of the stride, as they were recorded."""
+    clamp_release: float
+    """Time at which the clamp of the hip opens, by which its torque is 0 in flight  (12)."""
 
 
 @dataclass(frozen=True)
