@@ -70,7 +70,7 @@ class Growth(ByContents):
         )
 
 
-class Question(NamedTuple):
+class _Question(NamedTuple):
     """What is asked, of which size, by how many threads, and what answers it."""
 
     question: str
@@ -79,7 +79,7 @@ class Question(NamedTuple):
     answer: Callable[[], object]
 
 
-def _timed(asked: Question) -> Timing:
+def _timed(asked: _Question) -> Timing:
     wall, own = time.perf_counter(), time.process_time()
     asked.answer()
     return Timing(
@@ -87,10 +87,10 @@ def _timed(asked: Question) -> Timing:
     )
 
 
-def _basins(effort: float, threads: int) -> Iterator[Question]:
+def _basins(effort: float, threads: int) -> Iterator[_Question]:
     for side in (128, 256, 512, 1024):
         n = max(2, round(side * effort**0.5))
-        yield Question(
+        yield _Question(
             "basin", f"{n} x {n} starts", threads, functools.partial(basin, RUNNER, n=n, threads=threads)
         )
 
@@ -100,35 +100,35 @@ def _run(many: Runners, count: int, threads: int) -> None:
     ensemble.run_ensemble([many.case], starts, max_strides=STRIDES_EACH, threads=threads)
 
 
-def _ensembles(effort: float, threads: int) -> Iterator[Question]:
+def _ensembles(effort: float, threads: int) -> Iterator[_Question]:
     many = runners_about_the_gait(load_fmu(None))
     for exponent in (4, 5, 6):
         count = max(1, round(effort * 10**exponent))
         for used in dict.fromkeys((1, threads)):
             size = f"{count:,} runners, {STRIDES_EACH} strides each"
-            yield Question("ensemble", size, used, functools.partial(_run, many, count, used))
+            yield _Question("ensemble", size, used, functools.partial(_run, many, count, used))
 
 
-def _optima() -> Iterator[Question]:
+def _optima() -> Iterator[_Question]:
     bounds = {TORQUE: (0.1, 0.3), ANGLE: (0.5, 0.9)}
     for count in (1, 2):
         vary = dict(list(bounds.items())[:count])
         search = functools.partial(optimize, RUNNER, vary, minimize="cost_of_transport", starts=1)
-        yield Question("optimize", f"{count} parameters, from one start", 1, search)
+        yield _Question("optimize", f"{count} parameters, from one start", 1, search)
 
 
-def _fits() -> Iterator[Question]:
+def _fits() -> Iterator[_Question]:
     for rows in (1, 4):
         speeds = np.linspace(0.95, 1.05, rows) if rows > 1 else np.array([1.0])
         data = Measurements(tuple({"speed": Measured(float(v), 0.01)} for v in speeds), "speeds")
         search = functools.partial(fit, RUNNER, data, vary_each=[TORQUE])
-        yield Question("fit", f"{rows} gaits, a torque each", 1, search)
+        yield _Question("fit", f"{rows} gaits, a torque each", 1, search)
 
 
-def _branches() -> Iterator[Question]:
+def _branches() -> Iterator[_Question]:
     for end in (0.5, 0.2):
         follow = functools.partial(continue_branch, None, {"ground.friction": (FRICTION, end)})
-        yield Question("continue", f"friction {FRICTION} to {end}", 1, follow)
+        yield _Question("continue", f"friction {FRICTION} to {end}", 1, follow)
 
 
 def growth(*, effort: float = 1.0, progress: bool = False) -> Growth:
