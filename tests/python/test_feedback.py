@@ -508,7 +508,7 @@ def test_eigenvalues_that_cannot_be_placed_are_refused(gaits, wanted, says):
 
 def test_a_bound_on_what_is_forgotten_is_checked(gaits):
     for bound in (0.0, 1.0, "small", np.nan):
-        with pytest.raises(InputError, match="forgotten = "):
+        with pytest.raises(InputError, match="negligible = "):
             dead_beat(gaits[0.6], [ANGLE], negligible=bound)
     with pytest.raises(InputError, match="no mode of this gait lasts longer"):
         dead_beat(gaits[0.6], [ANGLE], negligible=0.99)

@@ -27,11 +27,14 @@ from tdmf_slip.library import engine, ensemble
 gait = find_gait({"ground.friction": 0.6})
 starts = np.tile(gait.apex, (10_000, 1))
 stopped = left = 0
+WAITS = (engine._wait.__code__, threading.Thread.start.__code__)
 
 
-def interrupt(*_):
+def interrupt(_number, frame):
     global left
-    if any(thread.name == engine.ENGINE for thread in threading.enumerate()):
+    while frame is not None and frame.f_code not in WAITS:
+        frame = frame.f_back
+    if frame is not None:
         left -= 1
         if left == 0:
             signal.setitimer(signal.ITIMER_REAL, 0.0)

@@ -112,8 +112,8 @@ def controllability(
     --------
     >>> import tdmf_slip
     >>> gait = tdmf_slip.find_gait({"ground.friction": 0.6})
-    >>> told = tdmf_slip.controllability(gait, ["hip.touchdown_angle", "hip.stance_torque"])
-    >>> told.rank, told.forgotten, told.strides
+    >>> found = tdmf_slip.controllability(gait, ["hip.touchdown_angle", "hip.stance_torque"])
+    >>> found.rank, found.negligible, found.strides
     (3, 3, 2)
     """
     model = linearize(gait, inputs, fmu=fmu)

@@ -47,13 +47,13 @@ def lasting_modes(model: Linearization, negligible: float = NEGLIGIBLE) -> Modes
     from scipy.linalg import schur  # slow to load
 
     if not is_number(negligible) or not 1e-9 <= negligible < 1.0:
-        raise InputError(f"forgotten = {negligible!r} is not allowed; allowed: 1e-9 to below 1")
+        raise InputError(f"negligible = {negligible!r} is not allowed; allowed: 1e-9 to below 1")
 
     def lasts(real: float, imaginary: float = 0.0) -> bool:
         return abs(complex(real, imaginary)) > negligible
 
     transposed, vectors, count = schur(model.scaled_state_matrix.T, output="real", sort=lasts)
     if not count:
-        raise InputError(f"forgotten = {negligible:g}: no mode of this gait lasts longer; allowed: less")
+        raise InputError(f"negligible = {negligible:g}: no mode of this gait lasts longer; allowed: less")
     directions = vectors[:, :count]
     return Modes(directions, transposed[:count, :count].T, directions.T @ model.scaled_input_matrix)
