@@ -66,3 +66,12 @@ def test_help_names_the_types_of_arrays():
             assert "_NestedSequence" not in pydoc.plain(pydoc.render_doc(thing)), name
             shown += 1
     assert shown > 40 and "ArrayLike" in pydoc.render_doc(tdmf_slip.stride_map)
+
+
+def test_a_gait_runs_in_a_file_that_says_its_speed(tmp_path):
+    gait = tdmf_slip.find_gait()
+    assert gait.speed == gait.stride["length"] / gait.stride["period"]
+    written = gait.animate(tmp_path / "stride.gif", frames=12)
+    assert written.read_bytes().startswith(b"GIF8")
+    with pytest.raises(tdmf_slip.InputError, match="frames = 5 is not allowed"):
+        gait.animate(tmp_path / "few.gif", frames=5)

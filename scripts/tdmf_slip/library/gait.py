@@ -6,6 +6,8 @@ The C library does the work: one stride with its exact Jacobian, and Newton's me
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from functools import cached_property
+from importlib import import_module
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -94,6 +96,34 @@ class Gait(ByContents, Drawable):
     def period(self) -> float:
         """Of the stride, s."""
         return self.stride["period"]
+
+    @property
+    def speed(self) -> float:
+        """Average over the stride, m/s."""
+        return self.stride["speed"]
+
+    def animate(self, path: Path | str = "stride.gif", *, frames: int = 120) -> Path:
+        """Write one stride as an animation that loops, the stance in slow motion.
+
+        Parameters
+        ----------
+        path : Path or str, default "stride.gif"
+            Where it goes: .gif, .mp4 where ffmpeg is, or .html.
+        frames : int, default 120
+            Frames in the stride, twenty a second.
+
+        Returns
+        -------
+        Path
+            Of the file.
+
+        Raises
+        ------
+        InputError
+            Another kind of file, or too few or too many frames.
+        """
+        written: Path = import_module("..pictures.animation", __package__).animate(self, path, frames)
+        return written
 
     @cached_property
     def start_values(self) -> dict[str, float]:

@@ -16,9 +16,12 @@ from matplotlib.patches import FancyArrowPatch
 from matplotlib.text import Text
 from numpy.typing import NDArray
 
+from ..checks import checked_whole
 from ..errors import InputError
 from ..files.whole import check_place, whole
+from ..library.gait import Gait
 from ..unit.events import SLIPS
+from ..unit.unit import load_fmu
 from . import style
 from .drawn_runner import DrawnRunner, bare, pose
 from .film_page import PageWriter
@@ -26,6 +29,8 @@ from .stride import Stride
 
 FRICTION = 0.43
 FRAMES = 120
+FRAMES_ALLOWED = 12, 2000
+"""The least and the most in a stride."""
 FRAMES_PER_SECOND = 20
 DOTS_PER_INCH = 100
 SIZE = (8.0, 4.0)
@@ -75,6 +80,13 @@ def draw(
                 )
         finally:
             plt.close(figure)
+
+
+def animate(gait: Gait, path: Path | str, frames: int = FRAMES) -> Path:
+    """Write one stride of a gait, as `Gait.animate` says."""
+    path = check_place(path, FORMATS, "path")
+    draw(path, Stride(gait, load_fmu()), frames=checked_whole("frames", frames, *FRAMES_ALLOWED))
+    return path
 
 
 def _writer(path: Path) -> AbstractMovieWriter:
