@@ -72,7 +72,7 @@ typedef struct {
     const double *heights; /* m, over the inputs' height; after the last the first comes again. Runner n
                               begins on piece n. NULL: heights are drawn as steps by stride are, each by the
                               number of its piece, with the roughness as their standard deviation */
-    int64_t height_count;
+    int64_t height_count;  /* how many there are; 0 where heights is NULL */
 } tdmf_terrain;
 
 /* When a runner counts as settled: its apex is this near that of a gait, over the section's scales, or in the

@@ -92,8 +92,12 @@ def draw(path: Path, data: Columns) -> None:
                 axes.plot(ON_PATCH, np.minimum(alike, NEVER), "x", color=colour, markersize=8)
         axes.plot([], [], "x", color=style.INK, label="at equal speed and apex height")
         axes.axhline(LENGTHS[-1], **style.LIMIT_LINE)
-        axes.axvline(np.tan(np.radians(-SLOPES[0])), **style.LIMIT_LINE)
-        axes.text(ON_PATCH[-1], 0.97 * LENGTHS[-1], "above: none up to here", ha="right", va="top")
+        slope = float(np.tan(np.radians(-SLOPES[0])))
+        axes.axvline(slope, **style.LIMIT_LINE)
+        axes.text(slope, 110.0, "tangent of the slope ", ha="right", va="bottom")
+        axes.text(
+            ON_PATCH[-1], 1.3 * NEVER, "above the dashed line: none up to 2,000 l₀", ha="right", va="top"
+        )
         axes.set_yscale("log")
         axes.set_ylim(100.0, 1.4 * NEVER)
         axes.set_xlabel("friction of the patch")
