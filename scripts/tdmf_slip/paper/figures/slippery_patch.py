@@ -94,10 +94,8 @@ def draw(path: Path, data: Columns) -> None:
         axes.axhline(LENGTHS[-1], **style.LIMIT_LINE)
         slope = float(np.tan(np.radians(-SLOPES[0])))
         axes.axvline(slope, **style.LIMIT_LINE)
-        axes.text(slope, 110.0, "tangent of the slope ", ha="right", va="bottom")
-        axes.text(
-            ON_PATCH[-1], 1.3 * NEVER, "above the dashed line: none up to 2,000 l₀", ha="right", va="top"
-        )
+        axes.text(slope, 220.0, "tangent of the slope", ha="right", va="bottom", rotation=90)
+        axes.text(ON_PATCH[0], 1.1 * NEVER, "above the dashed line: none up to 2,000 l₀", va="bottom")
         axes.set_yscale("log")
         axes.set_ylim(100.0, 1.4 * NEVER)
         axes.set_xlabel("friction of the patch")
