@@ -18,7 +18,12 @@ PHONE = 700
 
 
 class _Handler(http.server.SimpleHTTPRequestHandler):
-    """Files, and nothing said about it."""
+    """Files as they are at each request, and nothing said about it."""
+
+    def end_headers(self):
+        """Forbid a copy: a file changed within a second has the same date, and would not be read again."""
+        self.send_header("Cache-Control", "no-store")
+        super().end_headers()
 
     def log_message(self, *_):
         """Say nothing."""

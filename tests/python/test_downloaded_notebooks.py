@@ -103,7 +103,7 @@ def test_pieces_of_an_output_are_joined_as_they_came():
         return [new_output("stream", name=name, text=text) for name, text in regions]
 
     assert coalesce_streams(torn())[0]["text"] != "length\n 26.24\n"  # else nothing is torn, nothing to join
-    joined = notebooks.undivided(torn(), coalesce_streams)
+    joined = notebooks.in_one_piece(torn(), coalesce_streams)
     assert [(one["name"], one["text"]) for one in joined] == [
         ("stdout", "length\n 26.24\n"),
         ("stderr", "a\n"),
