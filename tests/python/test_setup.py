@@ -240,3 +240,17 @@ def test_no_workflow_may_write_to_the_repository_unless_a_job_asks_for_it():
     assert len(workflows) >= 1
     for path in workflows:
         assert yaml.safe_load(path.read_text(encoding="utf-8"))["permissions"] == {"contents": "read"}, path
+
+
+def test_a_workflow_runs_actions_by_their_commit_and_leaves_no_credentials():
+    yaml = pytest.importorskip("yaml")
+    pinned, checkouts = 0, 0
+    for path in (ROOT / ".github" / "workflows").glob("*.yml"):
+        jobs = yaml.safe_load(path.read_text(encoding="utf-8"))["jobs"].values()
+        for step in (step for job in jobs for step in job["steps"] if "uses" in step):
+            assert re.fullmatch(r"[\w-]+/[\w-]+@[0-9a-f]{40}", step["uses"]), f"{path.name}: {step['uses']}"
+            pinned += 1
+            if step["uses"].startswith("actions/checkout@"):
+                assert step["with"]["persist-credentials"] is False, path.name
+                checkouts += 1
+    assert pinned >= 7 and checkouts >= 2
