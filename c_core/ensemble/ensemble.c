@@ -75,6 +75,7 @@ static bool run_one_by_one(const tdmf_ensemble *ensemble, tdmf_starts *starts, i
     (void)order;
     *work = none;
     solver.relative_tolerance = ensemble->relative_tolerance;
+    solver.without_peaks_and_positive_work = !tdmf_records_strides(ensemble);
     for (int64_t i = tdmf_next_start(starts); i >= 0; i = tdmf_next_start(starts)) {
         tdmf_runner runner;
         bool goes_on = tdmf_runner_begin(&runner, ensemble, i, &ends[i]);

@@ -7,8 +7,8 @@
 
 #include <string.h>
 
-tdmf_resolution tdmf_resolve_along(tdmf_system system, tdmf_motion *motion, tdmf_leg_direction direction,
-                                   tdmf_guard reached) {
+static tdmf_resolution resolve(tdmf_system system, tdmf_motion *motion, tdmf_leg_direction direction,
+                               tdmf_guard reached, bool observes) {
     static const tdmf_resolution no_mode = {.unresolved = true};
     if (!tdmf_is_mode(&motion->mode)) {
         return no_mode;
@@ -21,9 +21,13 @@ tdmf_resolution tdmf_resolve_along(tdmf_system system, tdmf_motion *motion, tdmf
     if (!motion->mode.fallen) {
         tdmf_account_for_rest_length(&run);
     }
-    tdmf_observe_along(system, motion, direction);
+    if (observes) {
+        tdmf_observe_along(system, motion, direction);
+    }
     const bool resolved = tdmf_take_transitions(&run, reached);
-    tdmf_observe_along(system, motion, direction);
+    if (observes) {
+        tdmf_observe_along(system, motion, direction);
+    }
 
     const tdmf_resolution resolution = {
         .state_changed = memcmp(state_before, motion->state, sizeof state_before) != 0,
@@ -31,6 +35,16 @@ tdmf_resolution tdmf_resolve_along(tdmf_system system, tdmf_motion *motion, tdmf
         .unresolved = !resolved,
     };
     return resolution;
+}
+
+tdmf_resolution tdmf_resolve_along(tdmf_system system, tdmf_motion *motion, tdmf_leg_direction direction,
+                                   tdmf_guard reached) {
+    return resolve(system, motion, direction, reached, true);
+}
+
+tdmf_resolution tdmf_resolve_unobserved(tdmf_system system, tdmf_motion *motion, tdmf_leg_direction direction,
+                                        tdmf_guard reached) {
+    return resolve(system, motion, direction, reached, false);
 }
 
 tdmf_resolution tdmf_resolve(tdmf_system system, tdmf_motion *motion) {

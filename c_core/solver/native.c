@@ -135,6 +135,19 @@ static void vary_peak_forces(integration *integration, double elapsed, bool norm
     }
 }
 
+/* Whether somebody asks for the hip's positive work and the peaks of the ground force. */
+static bool notes_peaks_and_positive_work(const integration *integration) {
+    return !integration->solver->without_peaks_and_positive_work || integration->count > 0 ||
+           integration->measured;
+}
+
+/* The hip's work at positive power in the step. */
+static void add_positive_work(integration *integration, double end, const tdmf_mode_coordinates *reached) {
+    tdmf_mode_equations *equations = &integration->equations;
+    equations->positive_work +=
+        tdmf_positive_work(&integration->step, end, reached->work - equations->start.work);
+}
+
 /* Notes the largest peaks of the ground force. They change nothing but the record, so the step goes on. */
 static void observe_ground_force(integration *integration, double end) {
     tdmf_motion *motion = integration->motion;
@@ -238,7 +251,9 @@ static void end_thrust(integration *integration) {
 static bool take_transitions(integration *integration, tdmf_guard reached) {
     tdmf_motion *motion = integration->motion;
     const tdmf_resolution taken =
-        tdmf_resolve_along(system_of(integration), motion, integration->direction, reached);
+        notes_peaks_and_positive_work(integration)
+            ? tdmf_resolve_along(system_of(integration), motion, integration->direction, reached)
+            : tdmf_resolve_unobserved(system_of(integration), motion, integration->direction, reached);
     if (stance_is_over(integration)) {
         end_thrust(integration);
     }
@@ -433,13 +448,14 @@ static tdmf_outcome advance_once(integration *integration) {
         return TDMF_NO_PROGRESS;
     }
     count_one_step(integration, end.time);
-    observe_ground_force(integration, end.time);
+    if (notes_peaks_and_positive_work(integration)) {
+        observe_ground_force(integration, end.time);
+        add_positive_work(integration, end.time, &reached);
+    }
     observe_leg(integration, end.time);
     if (integration->measured) {
         measure_step(integration, &end);
     }
-    integration->equations.positive_work +=
-        tdmf_positive_work(step, end.time, reached.work - integration->equations.start.work);
     for (int i = 0; i < integration->count; ++i) {
         tdmf_advance_mode_variation(step, end.time, &integration->seeds[i], &integration->varied_series[i],
                                     &integration->varied_mode[i]);

@@ -24,6 +24,30 @@ static void assert_arrives(tdmf_solver *solver, const runner *runner, double unt
     assert_true(motion->time == until);
 }
 
+/* Without them the motion is the same, bit by bit, and the record but for them. */
+static void peaks_and_positive_work_are_left_out(void **state) {
+    (void)state;
+    for (size_t i = 0; i < REFERENCE_GAITS; ++i) {
+        const runner runner = runner_at_reference_apex(&reference_gaits[i]);
+        tdmf_motion with = motion_of(&runner), without = motion_of(&runner);
+        tdmf_solver noting = tdmf_solver_default(), plain = tdmf_solver_default();
+        plain.without_peaks_and_positive_work = true;
+        for (int k = 0; k < 3; ++k) {
+            assert_true(tdmf_native_stride(&noting, SYSTEM_OF(&runner), INFINITY, &with).closed);
+            assert_true(tdmf_native_stride(&plain, SYSTEM_OF(&runner), INFINITY, &without).closed);
+        }
+        assert_int_equal(noting.steps, plain.steps);
+        assert_int_equal(noting.events, plain.events);
+        assert_true(with.record.stride.peak_force > 0.0 && with.record.stride.positive_work > 0.0);
+        assert_true(without.record.stride.peak_force == 0.0 && without.record.stride.positive_work == 0.0);
+        assert_true(without.record.stride.work == with.record.stride.work);
+        assert_string_equal(without.record.stride.word, with.record.stride.word);
+        without.state[TDMF_HIP_POSITIVE_WORK] = with.state[TDMF_HIP_POSITIVE_WORK];
+        assert_memory_equal(without.state, with.state, sizeof with.state);
+        assert_true(without.time == with.time);
+    }
+}
+
 /* ---- accuracy ----------------------------------------------------------------------------------------- */
 
 static void a_stride_of_every_gait(void **state) {
@@ -441,6 +465,7 @@ static void a_call_for_no_time_changes_nothing(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(peaks_and_positive_work_are_left_out),
         cmocka_unit_test(a_stride_of_every_gait),
         cmocka_unit_test(the_ledger_closes_whatever_the_communication_step),
         cmocka_unit_test(random_runs_have_the_same_events),

@@ -13,6 +13,7 @@
 #include "tdmf_slip/parameters.h"
 #include "tdmf_slip/variation.h"
 
+#include <stdbool.h>
 #include <stdint.h>
 
 #ifdef __cplusplus
@@ -40,6 +41,9 @@ typedef struct {
     long step_limit;           /* steps in one call */
     long event_limit;          /* events in one call */
     tdmf_event_log *log;       /* or NULL */
+    /* Leaves out of the record what nothing else depends on: the hip's positive work and the peaks of the
+     * ground force, which stay as they are. Not so where variations are carried along. */
+    bool without_peaks_and_positive_work;
     /* Work done so far, for whoever wants to know. */
     int64_t steps, events;
     int64_t evaluations; /* of the right-hand side, or of a coefficient of its series */

@@ -20,6 +20,10 @@ typedef struct {
 tdmf_resolution tdmf_resolve_along(tdmf_system system, tdmf_motion *motion, tdmf_leg_direction direction,
                                    tdmf_guard reached);
 
+/* The same, without the peaks of the ground force in the record. */
+tdmf_resolution tdmf_resolve_unobserved(tdmf_system system, tdmf_motion *motion, tdmf_leg_direction direction,
+                                        tdmf_guard reached);
+
 /* The run in a mode as it is now, or in another that it might be in. */
 tdmf_evaluation tdmf_evaluate_run(const tdmf_run *run, const tdmf_mode *mode);
 

@@ -19,9 +19,9 @@ if TYPE_CHECKING:
 
 
 def measure_lanes(
-    many: Runners, instructions: str, effort: float, group: str = MANY
+    many: Runners, instructions: str, effort: float, group: str = MANY, name: str | None = None
 ) -> Iterator[Measurement]:
-    """Time the engine by one instruction set, in one thread."""
+    """Time the engine by one instruction set, in one thread; the table's name of it, if another."""
 
     def error_at(tolerance: float) -> float:
         return many.error(many.ends(instructions, tolerance)["apex"])
@@ -30,7 +30,7 @@ def measure_lanes(
         seconds, work = many.run(instructions, tolerance, 1, effort)
         yield Measurement(
             group,
-            instructions,
+            name or instructions,
             accuracy,
             tolerance,
             error,

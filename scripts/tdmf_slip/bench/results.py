@@ -14,6 +14,9 @@ ACCURACIES = (1e-8, 1e-5)
 """Wanted of the apex after one stride, over its scales, from the gait's apex and all around it."""
 ALONE = ", integrators alone"
 """Without the transitions between modes, which a user of heyoka writes in Python."""
+MOTION = "native, without peaks and positive work"
+"""The native solver by the ensemble engine, which makes the peaks of the ground force and the hip's positive
+work only for whoever asks for its strides. Peers make neither."""
 ONE, MANY = "one runner", "ensemble, on one processor"
 REDUCED = "reduced map, on one processor"
 """The groups."""

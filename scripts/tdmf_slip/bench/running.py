@@ -11,7 +11,7 @@ from ..terminal.progress import progress_bar
 from ..unit.unit import Fmu, load_fmu
 from .ensembles import measure_batches, measure_lanes, measure_scaling
 from .one_runner import STRIDES, measure_peer, measure_unit
-from .results import MANY, ONE, REDUCED, Bench, Measurement, versions_here
+from .results import MANY, MOTION, ONE, REDUCED, Bench, Measurement, versions_here
 from .runners import Runners, runners_about_the_gait
 
 
@@ -54,6 +54,7 @@ def bench(*, effort: float = 1.0, progress: bool = False, fmu: Fmu | None = None
             (solver, functools.partial(measure_unit, fmu, many, solver, effort))
             for solver in ("native", "cvode")
         ),
+        ("native", functools.partial(measure_lanes, many, "one by one", effort, ONE, MOTION)),
         *_peers(many, effort),
         *((name, functools.partial(measure_lanes, many, name, effort)) for name in reversed(sets)),
         ("heyoka", functools.partial(measure_batches, many, effort)),
