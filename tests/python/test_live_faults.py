@@ -28,6 +28,18 @@ from tdmf_slip.unit.parameters import read_parameters
 built, address, driver, page = live_pages.built, live_pages.address, live_pages.driver, live_pages.page
 
 FRICTION = "tdmfSlip.state.values['ground.friction']"
+COLOURED_PIXELS = """
+const scene = document.getElementById('scene'), colour = document.createElement('canvas').getContext('2d');
+colour.fillStyle = getComputedStyle(document.documentElement).getPropertyValue('--second');
+colour.fillRect(0, 0, 1, 1);
+const [r, g, b] = colour.getImageData(0, 0, 1, 1).data;
+const below = Math.round(0.8 * scene.height), height = scene.height - below;
+const all = scene.getContext('2d').getImageData(0, below, scene.width, height).data;
+let count = 0;
+for (let i = 0; i < all.length; i += 4) { count += all[i] === r && all[i + 1] === g && all[i + 2] === b; }
+return count;
+"""
+"""Of the colour of a patch, in the lowest fifth of the picture of the runner."""
 FALLING = "#ground.friction=0&leg.angle_rate=4"
 
 
@@ -184,6 +196,20 @@ def test_no_gait_blames_what_was_changed(driver, address):
     wait(driver, f"{hint('gait-hint')}.startsWith('No gait')", "the reason")
     text = find(driver, "gait-hint").text
     assert "friction" not in text and text.endswith("With ground.slope = 40°.")
+
+
+@pytest.mark.parametrize("end", [-50, 50], ids=["no patch", "patch"])
+def test_a_patch_is_drawn_and_has_no_gait(driver, address, end):
+    patch = f"ground.patch_begin=-50&ground.patch_end={end}&ground.patch_friction=0.05"
+    open_page(driver, address, f"#ground.friction=1&{patch}")
+    wait(driver, f"Boolean({hint('gait-hint')}.match(/^(Gait|No gait)/))", "the gait or the reason")
+    driver.execute_script("tdmfSlip.view.draw()")
+    shown = driver.execute_script(COLOURED_PIXELS)
+    text = find(driver, "gait-hint").text
+    if end == 50:
+        assert shown > 200 and text.startswith("No gait was looked for: on a patch") and "apex" not in text
+    else:
+        assert shown == 0 and text.startswith("Gait ")
 
 
 def test_a_fallen_runner_does_not_slip(driver, address):

@@ -73,6 +73,10 @@ static void write_stride(const tdmf_return *stride) {
     memcpy(word, stride->stride.word, sizeof word);
 }
 
+static bool has_patch(void) {
+    return live.model.parameters.ground.patch_begin < live.model.parameters.ground.patch_end;
+}
+
 /* The gait near the apex in the section, which becomes the gait's; its stride is in the outputs. Where there
  * is none, the message says why. */
 LIVE_EXPORT(live_find_gait)
@@ -84,6 +88,13 @@ bool live_find_gait(void) {
                  "ground.friction = 0: nothing fixes a runner's speed, so that no gait is one of its own; "
                  "allowed for "
                  "gaits: above 0");
+        return false;
+    }
+    if (has_patch()) {
+        snprintf(
+            live.message, sizeof live.message,
+            "No gait was looked for: on a patch of ground a stride depends on where the foot is; allowed for "
+            "gaits: ground.patch_begin = ground.patch_end, which is none.");
         return false;
     }
     const tdmf_orbit orbit = tdmf_find_orbit(&solver, live_system(), live.section, NULL, 0);

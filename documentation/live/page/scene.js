@@ -6,6 +6,7 @@ import { Surface } from "./canvas.js";
 import { isLoaded, modeName } from "./run.js";
 import { niceTicks } from "./axes.js";
 import { digits } from "./numbers.js";
+import { drawPatch, frictionBelow } from "./patch.js";
 import { DISTANCE } from "./race.js";
 import { disc, spring } from "./shapes.js";
 import { palette } from "./theme.js";
@@ -40,6 +41,7 @@ export class Scene {
     context.fillStyle = palette().card;
     context.fillRect(0, 0, this.surface.width, this.surface.height);
     this.ground(context);
+    drawPatch(context, given, this.place, (x) => this.groundAt(x), this.surface.width);
     this.nextGround(context, given);
     if (race) {
       this.lanes(context, race);
@@ -217,7 +219,7 @@ export class Scene {
     const { cone } = palette();
     const { x, y, scale, length } = this.place;
     const resting = modeName(outputs["contact.mode"]) === "stick" ? (given["ground.static_friction_ratio"] ?? 1) : 1;
-    const half = Math.atan(resting * given["ground.friction"]);
+    const half = Math.atan(resting * frictionBelow(given, outputs["foot.x"]));
     const upright = -0.5 * Math.PI - this.line.slope;
     context.fillStyle = cone;
     context.beginPath();
