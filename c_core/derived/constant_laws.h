@@ -128,4 +128,19 @@ static inline signed_law tdmf_signed_law(const tdmf_hip_law *law, double sign) {
     return result;
 }
 
+/* The weights of f_n, of what drifts with it and of |f_t| in the room of a cone, by its largest width.
+ *
+ * Its friction, rho mu, drifts at a rate for a time. */
+static inline friction_cone tdmf_friction_cone_of(double friction, double rate, double time) {
+    const double last = friction + rate * time;
+    const double largest = (friction >= last ? friction : last);
+    const double widest = (1.0 >= largest ? 1.0 : largest);
+    const friction_cone result = {
+        .normal = friction / widest,
+        .normal_rate = rate / widest,
+        .tangential = 1.0 / widest,
+    };
+    return result;
+}
+
 #endif

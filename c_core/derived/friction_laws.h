@@ -135,14 +135,4 @@ static inline double tdmf_cone_width(const tdmf_model *model, double friction) {
                 : model->parameters.ground.static_friction_ratio * friction);
 }
 
-/* The weights of f_n and |f_t| in the room that a cone leaves, measured by its width. */
-static inline tdmf_cone tdmf_cone_of(double static_friction) {
-    const double widest = (1.0 >= static_friction ? 1.0 : static_friction);
-    const tdmf_cone result = {
-        .normal = static_friction / widest,
-        .tangential = 1.0 / widest,
-    };
-    return result;
-}
-
 #endif

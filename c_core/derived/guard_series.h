@@ -1,4 +1,5 @@
-/* Derived from c_core/equations/ground.py, flight.py and hip.py by equations/derive: edit that, not this. */
+/* Derived from c_core/equations/ground.py, flight.py, friction.py and hip.py by equations/derive: edit that,
+ * not this. */
 #ifndef TDMF_DERIVED_GUARD_SERIES_H
 #define TDMF_DERIVED_GUARD_SERIES_H
 
@@ -13,6 +14,15 @@ typedef struct {
     real torque_rate;
 } signed_law;
 
+/* The weights of f_n, of what drifts with it and of |f_t| in the room of a cone, by its largest width.
+ *
+ * Its friction, rho mu, drifts at a rate for a time. */
+typedef struct {
+    real normal;
+    real normal_rate;
+    real tangential;
+} friction_cone;
+
 /* r sin theta, how far the foot is ahead of the body: it falls through 0 with theta. */
 static inline void expand_ahead(const real *x, const real *y, real slope_sine, real slope_cosine, int order,
                                 real ahead[SERIES_TERMS]) {
@@ -23,14 +33,13 @@ static inline void expand_ahead(const real *x, const real *y, real slope_sine, r
 }
 
 /* rho mu f_n + s f_t, by the cone's width: what is left up to its edge on the side s (2). */
-static inline void expand_room(const real *normal_force, const real *tangential_push, real cone_normal,
-                               real cone_normal_rate, real cone_tangential, real side, int order,
-                               real room[SERIES_TERMS]) {
-    const real side_times_cone_tangential = side * cone_tangential;
+static inline void expand_room(const real *normal_force, const real *tangential_push,
+                               const friction_cone *cone, real side, int order, real room[SERIES_TERMS]) {
+    const real side_times_tangential = side * cone->tangential;
     int k = 0;
     do {
-        room[k] = drift_times(k, cone_normal, cone_normal_rate, normal_force) -
-                  side_times_cone_tangential * tangential_push[k];
+        room[k] = drift_times(k, cone->normal, cone->normal_rate, normal_force) -
+                  side_times_tangential * tangential_push[k];
     } while (++k <= order);
 }
 
@@ -84,6 +93,11 @@ static inline void expand_drop(const real *length, const real *angle, real slope
         turn_by(k, seen, angle_rate, sin_of_seen, cos_of_seen);
         drop[k] = product(length, cos_of_seen, k);
     } while (++k <= order);
+}
+
+/* rho mu f_n - |f_t|, by the cone's width: what is left up to its nearer edge; `drifted` is t f_n. */
+static inline real tdmf_least_room(const friction_cone *cone, real normal, real drifted, real tangential) {
+    return cone->normal * normal + cone->normal_rate * drifted - cone->tangential * real_abs(tangential);
 }
 
 #endif

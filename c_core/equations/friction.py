@@ -76,10 +76,20 @@ def width(model, friction):
     return larger(1, static(model, friction))
 
 
-def cone(static_friction):
-    """The weights of f_n and |f_t| in the room that a cone leaves, measured by its width."""
-    widest = larger(1, static_friction)
-    return Record(normal=static_friction / widest, tangential=1 / widest)
+def cone(friction, rate, time):
+    """The weights of f_n, of what drifts with it and of |f_t| in the room of a cone, by its largest width.
+
+    Its friction, rho mu, drifts at a rate for a time.
+    """
+    last = friction + rate * time
+    largest = larger(friction, last)
+    widest = larger(1, largest)
+    return Record(normal=friction / widest, normal_rate=rate / widest, tangential=1 / widest)
+
+
+def least_room(cone, normal, drifted, tangential):
+    """rho mu f_n - |f_t|, by the cone's width: what is left up to its nearer edge; `drifted` is t f_n."""
+    return cone.normal * normal + cone.normal_rate * drifted - cone.tangential * abs(tangential)
 
 
 # ---- impact: dv = -s mu(v) dP, P from 0 to |v_n-|, by the foot's mass --------------------------------------

@@ -142,7 +142,6 @@ FUNCTIONS = {
         InC("double stopped_speed", friction.stopped_speed, varied=False),
         InC("double room_in_cone", friction.room, varied=False),
         InC("double cone_width", friction.width, varied=False),
-        InC("tdmf_cone cone_of", friction.cone, varied=False),
     ],
     "ground_force": [
         InC("tdmf_ground_force force_under", ground_force.under, varied=False),
@@ -197,6 +196,7 @@ FUNCTIONS = {
         InC("flight_coefficients flight_coefficients_of", constants.of_flight),
         InC("ground_coefficients ground_coefficients_of", constants.on_ground),
         InC("signed_law signed_law", hip.signed, varied=False),
+        InC("friction_cone friction_cone_of", friction.cone, varied=False),
     ],
 }
 

@@ -5,7 +5,7 @@ constants, of which `ramps` change in time, by the word "drift" in any width, by
 `rates`, quantities that are rates of others; the series that are `noted`; those `varied` have variations.
 """
 
-from . import constants, flight, ground, hip
+from . import constants, flight, friction, ground, hip
 
 GROUND = {
     "page": ground,
@@ -52,13 +52,14 @@ HEADERS = {
 
 # ---- guards as series --------------------------------------------------------------------------------------
 
-# Laws of series of the motion, in one header with a struct of what some are handed: of each what it is handed
-# that is no series, as constants and with what rate they drift, and the rates of angles.
-STRUCT = ("signed_law", hip.signed)
+# Laws of series of the motion, in one header with structs of what some are handed, by the parameters' names:
+# of each what it is handed that is no series, as constants and with what rate they drift, and the rates of
+# angles. Of the last a law alone is wanted, of numbers.
+STRUCTS = {"servo": ("signed_law", hip.signed), "cone": ("friction_cone", friction.cone)}
 SERVO = {name: f"servo->{name}" for name in ("gain", "rate_gain", "target")}
 SERVO["torque"] = ("servo->torque", "servo->torque_rate")
 SLOPE = {"sine": "slope_sine", "cosine": "slope_cosine"}
-CONE = {"normal": ("cone_normal", "cone_normal_rate"), "tangential": "cone_tangential"}
+CONE = {"normal": ("cone->normal", "cone->normal_rate"), "tangential": "cone->tangential"}
 GUARDS = [
     (ground.ahead, {"slope": SLOPE}),
     (ground.room, {"cone": CONE, "side": "side"}),
@@ -68,6 +69,7 @@ GUARDS = [
     (hip.torque, {"law": SERVO}),
     (flight.drop, {"slope": "slope"}, {"angle": "angle_rate"}),
 ]
+OF_NUMBERS = [friction.least_room]
 
 # ---- who watches -------------------------------------------------------------------------------------------
 

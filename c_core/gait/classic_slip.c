@@ -6,6 +6,7 @@
  * the guards alone. It is expanded into Taylor series together with its variations. */
 #include "classic_flight.h"
 #include "first_root.h"
+#include "friction_laws.h"
 #include "ground_line.h"
 #include "powers.h"
 #include "series_sums.h"
@@ -127,6 +128,12 @@ static double first_time(const polynomial *p, double scale, double size) {
     return found.is_root ? found.time * size : INFINITY;
 }
 
+/* What the cone leaves for a force along the leg: a foot that never slips is in it while it pushes down. */
+static double room_in_cone(const tdmf_classic *slip, double side, double along, double off) {
+    const tdmf_ground_force along_leg = {.tangential = along, .normal = off};
+    return isinf(slip->friction) ? off : tdmf_room_in_cone(slip->friction, side, along_leg);
+}
+
 static stance_end find_end(const tdmf_classic *slip, const stance_series *s, double *size) {
     const double length = slip->free_length;
     polynomial compressed, above_ground;
@@ -139,8 +146,8 @@ static stance_end find_end(const tdmf_classic *slip, const stance_series *s, dou
         const double along = tdmf_offset_along(&line, s->x[k], s->y[k]) * power[k];
         const double off = tdmf_height_over(&line, s->x[k], s->y[k]) * power[k];
         compressed.c[k] = (k == 0 ? length * length : 0.0) - s->square[k] * power[k];
-        inside_cone[0].c[k] = isinf(slip->friction) ? off : slip->friction * off - along;
-        inside_cone[1].c[k] = isinf(slip->friction) ? off : slip->friction * off + along;
+        inside_cone[0].c[k] = room_in_cone(slip, -1.0, along, off);
+        inside_cone[1].c[k] = room_in_cone(slip, 1.0, along, off);
         above_ground.c[k] = off;
     }
     const double take_off = first_time(&compressed, length * length, *size);

@@ -39,18 +39,22 @@ static inline void watch_patch_border(event_search *search, const ground_constan
           search->beyond_margin * c->mode.length_scale);
 }
 
-/* One edge of the friction cone: mu f_n + sign f_t. */
+/* One edge of the friction cone. */
 static inline void watch_edge(event_search *search, const ground_constants *c, const ground_series *g,
-                              double sign, bool on_border, mask near) {
+                              const friction_cone *cone, double sign, mask near) {
     const int order = search->order - 1;
-    const bool other = on_border && sign < 0.0;
     real room[SERIES_TERMS];
-    expand_room(g->normal_force, g->tangential_push, other ? c->border.cone_normal : c->cone_normal,
-                other ? c->border.cone_normal_rate : c->cone_normal_rate,
-                other ? c->border.cone_tangential : c->cone_tangential, broadcast(sign), order, room);
+    expand_room(g->normal_force, g->tangential_push, cone, broadcast(sign), order, room);
     const guard_series edge = {room, broadcast(1.0), room[0], order};
     watch(search, sign > 0.0 ? TDMF_GUARD_SLIP_ONSET_POSITIVE : TDMF_GUARD_SLIP_ONSET_NEGATIVE, near, &edge,
           search->beyond_margin * c->mode.force_scale);
+}
+
+/* What is left in the cone, and on a border in both. */
+static inline real least_room(const ground_constants *c, bool on_border, real normal, real drifted,
+                              real tangential) {
+    const real room = tdmf_least_room(&c->cone, normal, drifted, tangential);
+    return on_border ? real_min(room, tdmf_least_room(&c->border.cone, normal, drifted, tangential)) : room;
 }
 
 /* Lift-off and the cone, by partial sums of the forces: see event_search.h. Both edges of the cone are as
@@ -58,30 +62,16 @@ static inline void watch_edge(event_search *search, const ground_constants *c, c
 static inline void watch_forces(event_search *search, const ground_constants *c, const ground_series *g,
                                 bool sticks, bool on_border) {
     const int order = search->order - 1;
-    const patch_border *border = &c->border;
     real normal = g->normal_force[0], tangential = g->tangential_push[0];
     real min_normal = normal;
-    real min_room = c->cone_normal * normal - c->cone_tangential * real_abs(tangential);
-    if (on_border) {
-        min_room =
-            real_min(min_room, border->cone_normal * normal - border->cone_tangential * real_abs(tangential));
-    }
+    real min_room = least_room(c, on_border, normal, broadcast(0.0), tangential);
     for (int k = 1; k <= order; ++k) {
-        const real before = normal;
+        const real drifted = INPUTS_RAMP ? search->size * normal : broadcast(0.0);
         normal += g->normal_force[k] * search->power[k];
         min_normal = real_min(min_normal, normal);
         if (sticks) {
             tangential += g->tangential_push[k] * search->power[k];
-            real room = c->cone_normal * normal - c->cone_tangential * real_abs(tangential);
-            if (INPUTS_RAMP) {
-                room += c->cone_normal_rate * search->size * before;
-            }
-            min_room = real_min(min_room, room);
-            if (on_border) {
-                min_room = real_min(min_room, border->cone_normal * normal -
-                                                  border->cone_tangential * real_abs(tangential) +
-                                                  border->cone_normal_rate * search->size * before);
-            }
+            min_room = real_min(min_room, least_room(c, on_border, normal, drifted, tangential));
         }
     }
     const mask may_lift = search->live & mask_not(min_normal > 0.0);
@@ -92,8 +82,8 @@ static inline void watch_forces(event_search *search, const ground_constants *c,
     }
     const mask may_slip = search->live & mask_not(min_room > 0.0);
     if (sticks && any(may_slip)) {
-        watch_edge(search, c, g, 1.0, on_border, may_slip);
-        watch_edge(search, c, g, -1.0, on_border, may_slip);
+        watch_edge(search, c, g, &c->cone, 1.0, may_slip);
+        watch_edge(search, c, g, on_border ? &c->border.cone : &c->cone, -1.0, may_slip);
     }
 }
 

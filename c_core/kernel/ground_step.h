@@ -18,18 +18,18 @@ typedef struct {
 
 /* What a foot meets at the border of a patch. */
 typedef struct {
-    real ahead;                                          /* slip: where it is along the line */
-    real cone_normal, cone_normal_rate, cone_tangential; /* at rest on it: of the edge to slip backward */
+    real ahead;         /* slip: where it is along the line */
+    friction_cone cone; /* at rest on it: of the edge to slip backward */
 } patch_border;
 
 typedef struct {
     mode_constants mode;
-    real cone_normal, cone_normal_rate, cone_tangential; /* weights of the forces in the cone's edges */
-    real slip_sign;                                      /* of u */
-    real drives;                                         /* above 0 until mid-stance */
-    real awaits_thrust;                                  /* above 0 until the leg's greatest compression */
-    real slope_sine, slope_cosine;                       /* of the line */
-    ground_coefficients law;                             /* its rates come last */
+    friction_cone cone;
+    real slip_sign;                /* of u */
+    real drives;                   /* above 0 until mid-stance */
+    real awaits_thrust;            /* above 0 until the leg's greatest compression */
+    real slope_sine, slope_cosine; /* of the line */
+    ground_coefficients law;       /* its rates come last */
     /* Graze: the laws that the torque lies between, of which `law` has the torque from outside, and the share
      * of the body in the mass while retracting, else 0. */
     signed_law servo, stance;

@@ -47,6 +47,10 @@ static inline double tdmf_margin_factor(int false_crossings) {
 #define TDMF_CHANGE_IN_LAYER 3.0
 #define TDMF_GROWTH_IN_LAYER 3.0
 
+/* A layer narrower than this is refused: its v_s would be near to the margins in which a velocity counts as
+ * zero, and a slip that it ends would not be told from one that begins. */
+#define TDMF_NARROWEST_LAYER 1e-11
+
 /* The apex has a margin of its own, for a centre of mass that rises. */
 #define TDMF_APEX_MARGIN (1e-3 * TDMF_GUARD_MARGIN)
 

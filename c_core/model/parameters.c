@@ -4,6 +4,7 @@
 #include "tdmf_slip/parameters.h"
 
 #include "input_rates.h"
+#include "margins.h"
 #include "ranges.h"
 #include "runner_laws.h"
 #include "seed.h"
@@ -83,6 +84,29 @@ static void set_mass_constants(tdmf_model *model, const tdmf_mass_constants *con
     model->body_share = constants->body_share;
 }
 
+/* Limits that depend on other parameters. */
+static tdmf_refusal first_beyond_another(const tdmf_parameters *p) {
+    tdmf_refusal refusal = accepted;
+    const double narrowest = TDMF_NARROWEST_LAYER * scales_of(p).speed;
+    if (p->leg.min_length > p->leg.free_length) {
+        refusal =
+            tdmf_out_of_range(parameter_range(offsetof(tdmf_parameters, leg.min_length)), p->leg.min_length);
+        refusal.maximum = p->leg.free_length;
+        refusal.bound_by = "leg.free_length";
+    } else if (p->ground.patch_begin > p->ground.patch_end) {
+        refusal = tdmf_out_of_range(parameter_range(offsetof(tdmf_parameters, ground.patch_end)),
+                                    p->ground.patch_end);
+        refusal.minimum = p->ground.patch_begin;
+        refusal.bound_by = "ground.patch_begin";
+    } else if (p->ground.stribeck_velocity > 0.0 && p->ground.stribeck_velocity < narrowest) {
+        refusal = tdmf_out_of_range(parameter_range(offsetof(tdmf_parameters, ground.stribeck_velocity)),
+                                    p->ground.stribeck_velocity);
+        refusal.minimum = narrowest;
+        refusal.bound_by = "or 0";
+    }
+    return refusal;
+}
+
 tdmf_refusal tdmf_model_create(tdmf_model *model, const tdmf_parameters *parameters) {
     if (model == NULL || parameters == NULL) {
         return tdmf_absent(model == NULL ? "model" : "parameters");
@@ -91,19 +115,8 @@ tdmf_refusal tdmf_model_create(tdmf_model *model, const tdmf_parameters *paramet
     if (refusal.variable != NULL) {
         return refusal;
     }
-    if (parameters->leg.min_length > parameters->leg.free_length) {
-        refusal.variable = "leg.min_length";
-        refusal.unit = "m";
-        refusal.value = parameters->leg.min_length;
-        refusal.maximum = parameters->leg.free_length;
-        refusal.bound_by = "leg.free_length";
-        return refusal;
-    }
-    if (parameters->ground.patch_begin > parameters->ground.patch_end) {
-        refusal = tdmf_out_of_range(parameter_range(offsetof(tdmf_parameters, ground.patch_end)),
-                                    parameters->ground.patch_end);
-        refusal.minimum = parameters->ground.patch_begin;
-        refusal.bound_by = "ground.patch_begin";
+    refusal = first_beyond_another(parameters);
+    if (refusal.variable != NULL) {
         return refusal;
     }
     model->parameters = *parameters;

@@ -41,11 +41,6 @@ typedef struct {
     double loss; /* J */
 } tdmf_after_impact;
 
-/* The edges of the friction cone as guards, normal f_n + tangential f_t and normal f_n - tangential f_t. */
-typedef struct {
-    double normal, tangential;
-} tdmf_cone;
-
 /* The constants of a model that are made of its masses. */
 typedef struct {
     double inverse_body_mass, inverse_foot_mass, inverse_reduced_mass, total_mass, body_share;

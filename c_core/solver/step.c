@@ -1,6 +1,7 @@
 /* Steps of the native solver by the kernel, for one runner. */
 #include "step.h"
 
+#include "constant_laws.h"
 #include "flight_watch.h"
 #include "friction.h"
 #include "ground_watch.h"
@@ -120,18 +121,12 @@ static void search_flight(tdmf_step *step, const tdmf_mode *mode) {
 
 /* Weighs the cone by the largest friction in the step. */
 static void weigh_cone(ground_constants *c, const tdmf_mode_equations *equations, double size) {
-    const double friction = equations->static_friction, rate = equations->static_friction_rate;
-    const double backward = equations->backward_friction, backward_rate = equations->backward_friction_rate;
-    if (rate != 0.0) {
-        c->cone_tangential = tdmf_cone_of(real_max(friction, friction + rate * size)).tangential;
-        c->cone_normal = c->cone_tangential * friction;
-        c->cone_normal_rate = c->cone_tangential * rate;
+    if (equations->static_friction_rate != 0.0) {
+        c->cone = tdmf_friction_cone_of(equations->static_friction, equations->static_friction_rate, size);
     }
-    if (backward_rate != 0.0) {
-        c->border.cone_tangential =
-            tdmf_cone_of(real_max(backward, backward + backward_rate * size)).tangential;
-        c->border.cone_normal = c->border.cone_tangential * backward;
-        c->border.cone_normal_rate = c->border.cone_tangential * backward_rate;
+    if (equations->backward_friction_rate != 0.0) {
+        c->border.cone =
+            tdmf_friction_cone_of(equations->backward_friction, equations->backward_friction_rate, size);
     }
 }
 

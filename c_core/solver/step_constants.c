@@ -72,12 +72,10 @@ flight_constants tdmf_step_flight_constants(const tdmf_mode_equations *equations
 
 ground_constants tdmf_step_ground_constants(const tdmf_mode_equations *equations, const tdmf_mode *mode,
                                             double margin_factor) {
-    const tdmf_cone cone = tdmf_cone_of(equations->static_friction);
     ground_constants constants = {
         .mode = mode_constants_of(equations->model, margin_factor),
         .law = tdmf_ground_coefficients(equations),
-        .cone_normal = cone.normal,
-        .cone_tangential = cone.tangential,
+        .cone = tdmf_friction_cone_of(equations->static_friction, 0.0, 0.0),
         .slip_sign = tdmf_slip_sign(mode),
         /* A leg that has wound past a half turn passes upright no more. */
         .drives = mode->mid_stance_pending && equations->winding == 0.0 ? 1.0 : 0.0,
@@ -89,10 +87,8 @@ ground_constants tdmf_step_ground_constants(const tdmf_mode_equations *equations
         .retracting_share = mode->phase == TDMF_PHASE_RETRACT ? equations->model->body_share : 0.0,
     };
     if (equations->meets_border) {
-        const tdmf_cone backward = tdmf_cone_of(equations->backward_friction);
         constants.border.ahead = equations->border;
-        constants.border.cone_normal = backward.normal;
-        constants.border.cone_tangential = backward.tangential;
+        constants.border.cone = tdmf_friction_cone_of(equations->backward_friction, 0.0, 0.0);
     }
     return constants;
 }

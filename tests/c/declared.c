@@ -55,7 +55,7 @@ static dimension dimension_of(const char *unit) {
     return product;
 }
 
-static double fmu_of(const tdmf_parameters *p, const tdmf_range *range) {
+static double unit_of(const tdmf_parameters *p, const tdmf_range *range) {
     const dimension d = dimension_of(range->unit);
     return pow(p->leg.free_length, d.length) * pow(p->body.mass, d.mass) * pow(p->leg.stiffness, d.stiffness);
 }
@@ -110,13 +110,13 @@ tdmf_inputs declared_inputs(random_source *source, const tdmf_parameters *parame
     const tdmf_range *friction = input_at(offsetof(tdmf_inputs, ground.friction));
     const tdmf_range *external_torque = input_at(offsetof(tdmf_inputs, hip.external_torque));
     tdmf_inputs inputs = tdmf_default_inputs();
-    inputs.ground.friction = value_of(source, friction, fmu_of(parameters, friction), decades);
+    inputs.ground.friction = value_of(source, friction, unit_of(parameters, friction), decades);
     /* Its start is 0: a share of the stance torque. */
     const tdmf_range *torque = parameter_at(offsetof(tdmf_parameters, hip.stance_torque));
     inputs.hip.external_torque =
         random_chance(source, 0.5)
             ? 0.0
-            : clip(external_torque, 0.1 * value_of(source, torque, fmu_of(parameters, torque), decades));
+            : clip(external_torque, 0.1 * value_of(source, torque, unit_of(parameters, torque), decades));
     return inputs;
 }
 
@@ -127,7 +127,7 @@ void declared_further_inputs(random_source *source, const tdmf_parameters *param
         const bool is_further = range->offset != offsetof(tdmf_inputs, ground.friction) &&
                                 range->offset != offsetof(tdmf_inputs, hip.external_torque);
         if (is_further && random_chance(source, 0.5)) {
-            const double value = value_of(source, range, fmu_of(parameters, range), decades);
+            const double value = value_of(source, range, unit_of(parameters, range), decades);
             *(double *)((char *)inputs + range->offset) = random_chance(source, 0.5) ? -value : value;
         }
     }
@@ -156,11 +156,15 @@ declared_runner declared_random(random_source *source, double decades) {
         const tdmf_range *range = &tdmf_parameter_ranges[i];
         if (!is_scale(range)) {
             *place_of(&runner.parameters, range) =
-                value_of(source, range, fmu_of(&runner.parameters, range), decades);
+                value_of(source, range, unit_of(&runner.parameters, range), decades);
         }
     }
     runner.parameters.leg.min_length =
         fmin(runner.parameters.leg.min_length, runner.parameters.leg.free_length);
+    const tdmf_range *fall = parameter_at(offsetof(tdmf_parameters, ground.stribeck_velocity));
+    if (runner.parameters.ground.stribeck_velocity < 1e-10 * unit_of(&runner.parameters, fall)) {
+        runner.parameters.ground.stribeck_velocity = 0.0;
+    }
     /* No more than its end, so that half of the patches are none. */
     runner.parameters.ground.patch_begin =
         fmin(runner.parameters.ground.patch_begin, runner.parameters.ground.patch_end);
@@ -169,7 +173,7 @@ declared_runner declared_random(random_source *source, double decades) {
         const tdmf_range *range = &tdmf_state_ranges[i];
         const double near = i == TDMF_LEG_ANGLE || i == TDMF_LEG_LENGTH ? fmin(decades, 0.3) : decades;
         runner.state[i] =
-            value_of(source, range, fmu_of(&runner.parameters, range), isinf(decades) ? decades : near);
+            value_of(source, range, unit_of(&runner.parameters, range), isinf(decades) ? decades : near);
     }
     return runner;
 }
@@ -178,7 +182,7 @@ void declared_settings(random_source *source, double decades, tdmf_parameters *p
     for (size_t i = 0; i < tdmf_parameter_count; ++i) {
         const tdmf_range *range = &tdmf_parameter_ranges[i];
         if (range->at_events && random_chance(source, 0.5)) {
-            *place_of(parameters, range) = value_of(source, range, fmu_of(parameters, range), decades);
+            *place_of(parameters, range) = value_of(source, range, unit_of(parameters, range), decades);
         }
     }
 }

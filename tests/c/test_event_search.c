@@ -87,8 +87,8 @@ static ground_constants standing_on(double friction) {
     ground_constants c;
     memset(&c, 0, sizeof c);
     c.mode.margin_factor = c.mode.force_scale = c.mode.energy_scale = 1.0;
-    c.cone_normal = friction;
-    c.cone_tangential = 1.0;
+    c.cone.normal = friction;
+    c.cone.tangential = 1.0;
     return c;
 }
 

@@ -112,6 +112,27 @@ static void minimum_length_may_not_exceed_the_free_length(void **unused) {
     assert_true(refusal.maximum == parameters.leg.free_length);
 }
 
+/* 0 is another law, and not the end of this one. */
+static void a_friction_may_fall_at_once_but_not_within_next_to_nothing(void **unused) {
+    (void)unused;
+    tdmf_parameters parameters = tdmf_default_parameters();
+    tdmf_model model;
+    char text[256];
+    parameters.body.mass = 80.0;
+    parameters.leg.stiffness = 20480.0; /* so that k/m is 256/s2 */
+    parameters.leg.free_length = 0.5;
+    parameters.ground.stribeck_velocity = 8.001e-11;
+    assert_null(tdmf_model_create(&model, &parameters).variable);
+    parameters.ground.stribeck_velocity = 5e-324;
+    const tdmf_refusal refusal = tdmf_model_create(&model, &parameters);
+    assert_string_equal(refusal.variable, "ground.stribeck_velocity");
+    assert_string_equal(tdmf_refusal_text(&refusal, text, sizeof text),
+                        "ground.stribeck_velocity = 4.94065646e-324 m/s is refused: allowed from 8e-11 to "
+                        "1e+09 m/s (or 0)");
+    parameters.ground.stribeck_velocity = 0.0;
+    assert_null(tdmf_model_create(&model, &parameters).variable);
+}
+
 static void scales_follow_from_the_parameters(void **unused) {
     (void)unused;
     tdmf_parameters parameters = tdmf_default_parameters();
@@ -311,6 +332,7 @@ int main(void) {
         cmocka_unit_test(every_parameter_has_a_range),
         cmocka_unit_test(ranges_exclude_what_makes_no_sense),
         cmocka_unit_test(minimum_length_may_not_exceed_the_free_length),
+        cmocka_unit_test(a_friction_may_fall_at_once_but_not_within_next_to_nothing),
         cmocka_unit_test(scales_follow_from_the_parameters),
         cmocka_unit_test(inputs_have_ranges),
         cmocka_unit_test(every_state_has_a_range),

@@ -54,6 +54,9 @@ class Expression:
     def __neg__(self) -> "Expression":
         return made("negative", self)
 
+    def __abs__(self) -> "Expression":
+        return Expression("real_abs", self)
+
     def __bool__(self) -> bool:
         raise TypeError("a page branches on a value")
 

@@ -4,6 +4,7 @@ from collections.abc import Callable
 from types import SimpleNamespace as Record
 from typing import Any
 
+from ..motions import STRUCTS
 from .c import c_text, comment
 from .expressions import forget, lift, parameters, symbol, trace
 from .series import Expansion
@@ -54,6 +55,7 @@ def handed(name: str, given: Any) -> tuple[Any, list[str]]:
     value, *rate = texts = given if isinstance(given, tuple) else (given,)
     marks = {"ramp": symbol(rate[0], constant=True), "word": "drift"} if rate else {"constant": True}
     declared = [f"real {text}" for text in texts]
-    return symbol(value, **marks), declared if "->" not in value else [
-        f"const signed_law *{value.split('->')[0]}"
-    ]
+    pointer = value.split("->")[0]
+    if pointer != value:
+        declared = [f"const {STRUCTS[pointer][0]} *{pointer}"]
+    return symbol(value, **marks), declared

@@ -1,11 +1,14 @@
 """Headers of the motions, from the table of these: series, guards as series, where motions begin and lead."""
 
+from collections.abc import Callable
 from functools import partial
 from types import SimpleNamespace as Record
 from typing import Any
 
 from .. import motions
+from ..motions import STRUCTS
 from .c import comment, header, struct
+from .expressions import parameters
 from .law_series import law_series
 from .motion import Family
 from .values import Function, members
@@ -55,11 +58,18 @@ def ends() -> str:
 
 def guard_series() -> str:
     """Write guards that are made of series of the motion, and what they are made of."""
-    name, law = motions.STRUCT
-    given = comment(law.__doc__) + struct(name, members(law), "real")
+    given = [comment(law.__doc__) + struct(name, members(law), "real") for name, law in STRUCTS.values()]
     laws = [law_series(*told) for told in motions.GUARDS]
+    numbers = [of_numbers(law).c() for law in motions.OF_NUMBERS]
     include = '#include "series_products.h"\n'
-    return header("guard_series", "ground.py, flight.py and hip.py", include, given, *laws)
+    pages = "ground.py, flight.py, friction.py and hip.py"
+    return header("guard_series", pages, include, *given, *laws, *numbers)
+
+
+def of_numbers(law: Callable[..., Any]) -> Function:
+    """Give the function of a law of numbers as lanes have them."""
+    types = {n: f"const {STRUCTS[n][0]} *" if n in STRUCTS else "real" for n in parameters(law)}
+    return Function("real", law.__name__, types, law, varied=False, number="real")
 
 
 FILES = {f"{mode}_series.h": partial(of_cases, mode, *told) for mode, told in motions.HEADERS.items()}

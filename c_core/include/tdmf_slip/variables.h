@@ -24,7 +24,7 @@ typedef struct {
     struct {
         double static_friction_ratio; /* Friction of a foot at rest over that of one that slips, rho */
         double stribeck_velocity; /* Speed over which friction falls from that of a foot at rest to that of
-                                     one that slips, v_s; 0: at once, m/s */
+                                     one that slips, v_s: at least 1e-11 l0 sqrt(k/m); 0: at once, m/s */
         double patch_begin;    /* Where a patch of ground with a friction of its own begins, horizontally; no
                                   patch where it is the end, m */
         double patch_end;      /* Where the patch ends, no less than where it begins, m */
