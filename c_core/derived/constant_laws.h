@@ -102,10 +102,10 @@ static inline ground_coefficients tdmf_vary_ground_coefficients_of(
         .inverse_body_mass = d_model->inverse_body_mass,
         .inverse_foot_mass = d_model->inverse_foot_mass,
         .foot_weight_x = d_weight * line->sine + weight * (line->cosine * d_line->slope),
-        .foot_weight_y = d_weight * line->cosine + weight * (-line->sine * d_line->slope),
-        .gravity_x = -(-line->sine * d_line->slope * push.x + line->cosine * d_push.x +
+        .foot_weight_y = d_weight * line->cosine + weight * -(line->sine * d_line->slope),
+        .gravity_x = -(-(line->sine * d_line->slope) * push.x + line->cosine * d_push.x +
                        (line->cosine * d_line->slope * y + line->sine * d_y)),
-        .gravity_y = -(-line->sine * d_line->slope * y + line->cosine * d_y -
+        .gravity_y = -(-(line->sine * d_line->slope) * y + line->cosine * d_y -
                        (line->cosine * d_line->slope * push.x + line->sine * d_push.x)),
         .torque = d_law->torque,
         .torque_rate = d_law->torque_rate,

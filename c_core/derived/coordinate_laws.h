@@ -48,12 +48,12 @@ static inline tdmf_point tdmf_vary_body_from_foot(const double state[TDMF_STATE_
         .x = -d_state[TDMF_LEG_LENGTH] * direction.sine +
              -state[TDMF_LEG_LENGTH] * (direction.cosine * d_state[TDMF_LEG_ANGLE]),
         .y = d_state[TDMF_LEG_LENGTH] * direction.cosine +
-             state[TDMF_LEG_LENGTH] * (-direction.sine * d_state[TDMF_LEG_ANGLE]),
+             state[TDMF_LEG_LENGTH] * -(direction.sine * d_state[TDMF_LEG_ANGLE]),
         .vx = -d_state[TDMF_LEG_LENGTH_RATE] * direction.sine +
               -state[TDMF_LEG_LENGTH_RATE] * (direction.cosine * d_state[TDMF_LEG_ANGLE]) -
-              (d_across * direction.cosine + across * (-direction.sine * d_state[TDMF_LEG_ANGLE])),
+              (d_across * direction.cosine + across * -(direction.sine * d_state[TDMF_LEG_ANGLE])),
         .vy = d_state[TDMF_LEG_LENGTH_RATE] * direction.cosine +
-              state[TDMF_LEG_LENGTH_RATE] * (-direction.sine * d_state[TDMF_LEG_ANGLE]) -
+              state[TDMF_LEG_LENGTH_RATE] * -(direction.sine * d_state[TDMF_LEG_ANGLE]) -
               (d_across * direction.sine + across * (direction.cosine * d_state[TDMF_LEG_ANGLE])),
     };
     return result;
@@ -82,15 +82,15 @@ static inline tdmf_point tdmf_vary_body_along(const double state[TDMF_STATE_COUN
     const double d_x = -d_state[TDMF_LEG_LENGTH] * direction.sine +
                        -state[TDMF_LEG_LENGTH] * (direction.cosine * d_state[TDMF_LEG_ANGLE]);
     const double d_y = d_state[TDMF_LEG_LENGTH] * direction.cosine +
-                       state[TDMF_LEG_LENGTH] * (-direction.sine * d_state[TDMF_LEG_ANGLE]);
+                       state[TDMF_LEG_LENGTH] * -(direction.sine * d_state[TDMF_LEG_ANGLE]);
     const double d_across = d_state[TDMF_LEG_LENGTH] * state[TDMF_LEG_ANGLE_RATE] +
                             state[TDMF_LEG_LENGTH] * d_state[TDMF_LEG_ANGLE_RATE];
     const double across = state[TDMF_LEG_LENGTH] * state[TDMF_LEG_ANGLE_RATE];
     const double d_vx = -d_state[TDMF_LEG_LENGTH_RATE] * direction.sine +
                         -state[TDMF_LEG_LENGTH_RATE] * (direction.cosine * d_state[TDMF_LEG_ANGLE]) -
-                        (d_across * direction.cosine + across * (-direction.sine * d_state[TDMF_LEG_ANGLE]));
+                        (d_across * direction.cosine + across * -(direction.sine * d_state[TDMF_LEG_ANGLE]));
     const double d_vy = d_state[TDMF_LEG_LENGTH_RATE] * direction.cosine +
-                        state[TDMF_LEG_LENGTH_RATE] * (-direction.sine * d_state[TDMF_LEG_ANGLE]) -
+                        state[TDMF_LEG_LENGTH_RATE] * -(direction.sine * d_state[TDMF_LEG_ANGLE]) -
                         (d_across * direction.sine + across * (direction.cosine * d_state[TDMF_LEG_ANGLE]));
     const tdmf_point result = {
         .x = d_state[TDMF_FOOT_X] + d_x,
@@ -130,17 +130,17 @@ static inline tdmf_point tdmf_vary_center_of_mass_along(const tdmf_model *model,
                        -state[TDMF_LEG_LENGTH] * (direction.cosine * d_state[TDMF_LEG_ANGLE]);
     const double y = state[TDMF_LEG_LENGTH] * direction.cosine;
     const double d_y = d_state[TDMF_LEG_LENGTH] * direction.cosine +
-                       state[TDMF_LEG_LENGTH] * (-direction.sine * d_state[TDMF_LEG_ANGLE]);
+                       state[TDMF_LEG_LENGTH] * -(direction.sine * d_state[TDMF_LEG_ANGLE]);
     const double across = state[TDMF_LEG_LENGTH] * state[TDMF_LEG_ANGLE_RATE];
     const double vx = -state[TDMF_LEG_LENGTH_RATE] * direction.sine - across * direction.cosine;
     const double d_across = d_state[TDMF_LEG_LENGTH] * state[TDMF_LEG_ANGLE_RATE] +
                             state[TDMF_LEG_LENGTH] * d_state[TDMF_LEG_ANGLE_RATE];
     const double d_vx = -d_state[TDMF_LEG_LENGTH_RATE] * direction.sine +
                         -state[TDMF_LEG_LENGTH_RATE] * (direction.cosine * d_state[TDMF_LEG_ANGLE]) -
-                        (d_across * direction.cosine + across * (-direction.sine * d_state[TDMF_LEG_ANGLE]));
+                        (d_across * direction.cosine + across * -(direction.sine * d_state[TDMF_LEG_ANGLE]));
     const double vy = state[TDMF_LEG_LENGTH_RATE] * direction.cosine - across * direction.sine;
     const double d_vy = d_state[TDMF_LEG_LENGTH_RATE] * direction.cosine +
-                        state[TDMF_LEG_LENGTH_RATE] * (-direction.sine * d_state[TDMF_LEG_ANGLE]) -
+                        state[TDMF_LEG_LENGTH_RATE] * -(direction.sine * d_state[TDMF_LEG_ANGLE]) -
                         (d_across * direction.sine + across * (direction.cosine * d_state[TDMF_LEG_ANGLE]));
     const tdmf_point result = {
         .x = d_state[TDMF_FOOT_X] + (d_model->body_share * x + model->body_share * d_x),
@@ -179,17 +179,17 @@ static inline tdmf_point tdmf_vary_foot_below(const tdmf_model *model, tdmf_poin
                        -state[TDMF_LEG_LENGTH] * (direction.cosine * d_state[TDMF_LEG_ANGLE]);
     const double y = state[TDMF_LEG_LENGTH] * direction.cosine;
     const double d_y = d_state[TDMF_LEG_LENGTH] * direction.cosine +
-                       state[TDMF_LEG_LENGTH] * (-direction.sine * d_state[TDMF_LEG_ANGLE]);
+                       state[TDMF_LEG_LENGTH] * -(direction.sine * d_state[TDMF_LEG_ANGLE]);
     const double across = state[TDMF_LEG_LENGTH] * state[TDMF_LEG_ANGLE_RATE];
     const double vx = -state[TDMF_LEG_LENGTH_RATE] * direction.sine - across * direction.cosine;
     const double d_across = d_state[TDMF_LEG_LENGTH] * state[TDMF_LEG_ANGLE_RATE] +
                             state[TDMF_LEG_LENGTH] * d_state[TDMF_LEG_ANGLE_RATE];
     const double d_vx = -d_state[TDMF_LEG_LENGTH_RATE] * direction.sine +
                         -state[TDMF_LEG_LENGTH_RATE] * (direction.cosine * d_state[TDMF_LEG_ANGLE]) -
-                        (d_across * direction.cosine + across * (-direction.sine * d_state[TDMF_LEG_ANGLE]));
+                        (d_across * direction.cosine + across * -(direction.sine * d_state[TDMF_LEG_ANGLE]));
     const double vy = state[TDMF_LEG_LENGTH_RATE] * direction.cosine - across * direction.sine;
     const double d_vy = d_state[TDMF_LEG_LENGTH_RATE] * direction.cosine +
-                        state[TDMF_LEG_LENGTH_RATE] * (-direction.sine * d_state[TDMF_LEG_ANGLE]) -
+                        state[TDMF_LEG_LENGTH_RATE] * -(direction.sine * d_state[TDMF_LEG_ANGLE]) -
                         (d_across * direction.sine + across * (direction.cosine * d_state[TDMF_LEG_ANGLE]));
     const tdmf_point result = {
         .x = d_center.x - (d_model->body_share * x + model->body_share * d_x),
@@ -271,16 +271,16 @@ static inline tdmf_standing tdmf_vary_standing_of(const tdmf_ground_line *line,
                                                   const double d_state[TDMF_STATE_COUNT]) {
     const double sine = direction.sine * line->cosine - direction.cosine * line->sine;
     const double d_sine = direction.cosine * d_state[TDMF_LEG_ANGLE] * line->cosine +
-                          direction.sine * (-line->sine * d_line->slope) -
-                          (-direction.sine * d_state[TDMF_LEG_ANGLE] * line->sine +
+                          direction.sine * -(line->sine * d_line->slope) -
+                          (-(direction.sine * d_state[TDMF_LEG_ANGLE]) * line->sine +
                            direction.cosine * (line->cosine * d_line->slope));
     const double cosine = direction.cosine * line->cosine + direction.sine * line->sine;
-    const double d_cosine = -direction.sine * d_state[TDMF_LEG_ANGLE] * line->cosine +
-                            direction.cosine * (-line->sine * d_line->slope) +
+    const double d_cosine = -(direction.sine * d_state[TDMF_LEG_ANGLE]) * line->cosine +
+                            direction.cosine * -(line->sine * d_line->slope) +
                             (direction.cosine * d_state[TDMF_LEG_ANGLE] * line->sine +
                              direction.sine * (line->cosine * d_line->slope));
     const double d_foot_vx =
-        -line->sine * d_line->slope * state[TDMF_FOOT_VX] + line->cosine * d_state[TDMF_FOOT_VX] +
+        -(line->sine * d_line->slope) * state[TDMF_FOOT_VX] + line->cosine * d_state[TDMF_FOOT_VX] +
         (line->cosine * d_line->slope * state[TDMF_FOOT_VY] + line->sine * d_state[TDMF_FOOT_VY]);
     const double d_across = d_state[TDMF_LEG_LENGTH] * state[TDMF_LEG_ANGLE_RATE] +
                             state[TDMF_LEG_LENGTH] * d_state[TDMF_LEG_ANGLE_RATE];
@@ -293,7 +293,7 @@ static inline tdmf_standing tdmf_vary_standing_of(const tdmf_ground_line *line,
         .vx = d_foot_vx + d_vx,
         .vy = d_state[TDMF_LEG_LENGTH_RATE] * cosine + state[TDMF_LEG_LENGTH_RATE] * d_cosine -
               (d_across * sine + across * d_sine),
-        .foot_x = -line->sine * d_line->slope * state[TDMF_FOOT_X] + line->cosine * d_state[TDMF_FOOT_X] +
+        .foot_x = -(line->sine * d_line->slope) * state[TDMF_FOOT_X] + line->cosine * d_state[TDMF_FOOT_X] +
                   (line->cosine * d_line->slope * (state[TDMF_FOOT_Y] - line->height) +
                    line->sine * (d_state[TDMF_FOOT_Y] - d_line->height)),
         .foot_vx = d_foot_vx,
@@ -328,7 +328,8 @@ static inline void tdmf_vary_state_of_standing(const tdmf_ground_line *line, con
     const double d_length = 0.5 *
                             (2.0 * (standing->x * d_standing->x) + 2.0 * (standing->y * d_standing->y)) /
                             state[TDMF_LEG_LENGTH];
-    written[TDMF_FOOT_X] = -line->sine * d_line->slope * standing->foot_x + line->cosine * d_standing->foot_x;
+    written[TDMF_FOOT_X] =
+        -(line->sine * d_line->slope) * standing->foot_x + line->cosine * d_standing->foot_x;
     written[TDMF_FOOT_Y] =
         d_line->height + (line->cosine * d_line->slope * standing->foot_x + line->sine * d_standing->foot_x);
     written[TDMF_LEG_LENGTH] = d_length;
@@ -336,7 +337,7 @@ static inline void tdmf_vary_state_of_standing(const tdmf_ground_line *line, con
                                   (-standing->x * -standing->x + standing->y * standing->y) +
                               d_line->slope;
     written[TDMF_FOOT_VX] =
-        -line->sine * d_line->slope * standing->foot_vx + line->cosine * d_standing->foot_vx;
+        -(line->sine * d_line->slope) * standing->foot_vx + line->cosine * d_standing->foot_vx;
     written[TDMF_FOOT_VY] =
         line->cosine * d_line->slope * standing->foot_vx + line->sine * d_standing->foot_vx;
     written[TDMF_LEG_LENGTH_RATE] = (d_standing->x * (standing->vx - standing->foot_vx) +

@@ -81,7 +81,7 @@ tdmf_vary_acceleration_of_foot(const tdmf_model *model, const tdmf_ground_line *
         .x = ((d_force.tangential - d_tangential) * model->inverse_foot_mass +
               (force.tangential - tangential) * d_model->inverse_foot_mass) *
                  line->cosine +
-             (force.tangential - tangential) * model->inverse_foot_mass * (-line->sine * d_line->slope),
+             (force.tangential - tangential) * model->inverse_foot_mass * -(line->sine * d_line->slope),
         .y = ((d_force.tangential - d_tangential) * model->inverse_foot_mass +
               (force.tangential - tangential) * d_model->inverse_foot_mass) *
                  line->sine +

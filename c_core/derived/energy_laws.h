@@ -48,9 +48,9 @@ static inline tdmf_energy tdmf_vary_energy_with(const tdmf_model *model, const d
                             state[TDMF_LEG_LENGTH] * d_state[TDMF_LEG_ANGLE_RATE];
     const double d_vx = -d_state[TDMF_LEG_LENGTH_RATE] * direction.sine +
                         -state[TDMF_LEG_LENGTH_RATE] * (direction.cosine * d_state[TDMF_LEG_ANGLE]) -
-                        (d_across * direction.cosine + across * (-direction.sine * d_state[TDMF_LEG_ANGLE]));
+                        (d_across * direction.cosine + across * -(direction.sine * d_state[TDMF_LEG_ANGLE]));
     const double d_vy = d_state[TDMF_LEG_LENGTH_RATE] * direction.cosine +
-                        state[TDMF_LEG_LENGTH_RATE] * (-direction.sine * d_state[TDMF_LEG_ANGLE]) -
+                        state[TDMF_LEG_LENGTH_RATE] * -(direction.sine * d_state[TDMF_LEG_ANGLE]) -
                         (d_across * direction.sine + across * (direction.cosine * d_state[TDMF_LEG_ANGLE]));
     const double d_body_square = 2.0 * ((state[TDMF_FOOT_VX] + vx) * (d_state[TDMF_FOOT_VX] + d_vx)) +
                                  2.0 * ((state[TDMF_FOOT_VY] + vy) * (d_state[TDMF_FOOT_VY] + d_vy));
@@ -63,7 +63,7 @@ static inline tdmf_energy tdmf_vary_energy_with(const tdmf_model *model, const d
                (d_model->parameters.foot.mass * foot_square + model->parameters.foot.mass * d_foot_square));
     const double y = state[TDMF_LEG_LENGTH] * direction.cosine;
     const double d_y = d_state[TDMF_LEG_LENGTH] * direction.cosine +
-                       state[TDMF_LEG_LENGTH] * (-direction.sine * d_state[TDMF_LEG_ANGLE]);
+                       state[TDMF_LEG_LENGTH] * -(direction.sine * d_state[TDMF_LEG_ANGLE]);
     const double d_potential =
         d_model->parameters.gravity * (model->parameters.body.mass * (state[TDMF_FOOT_Y] + y) +
                                        model->parameters.foot.mass * state[TDMF_FOOT_Y]) +

@@ -80,13 +80,9 @@ static inline void tdmf_vary_begin_flight(const flight_start *start, const fligh
                            start->length * start->length * d_start->angle_rate;
 }
 
-/* Factors that all coefficients have, and what is divided by. */
+/* What is divided by. */
 typedef struct {
     real inverse_square;
-    real inverse_reduced_mass_times_stiffness;
-    real inverse_reduced_mass_times_damping;
-    real inverse_reduced_mass_times_gain;
-    real inverse_reduced_mass_times_rate_gain;
 } flight_factors;
 
 /* Inner terms of a coefficient: all without coefficient 0 of a factor, of squares half. */
@@ -98,7 +94,7 @@ typedef struct {
     real speed_square;
 } flight_sums;
 
-/* Adds the terms with coefficient i of one factor and j of the other. */
+/* Adds the terms with coefficient i of one factor and j of the other; of what is known ahead, of j + 1. */
 KERNEL void add_flight_sums(const flight_series *s, int i, int j, flight_sums *sum) {
     sum->square += s->length[i] * s->length[j];
     sum->angle_rate += s->angle_rate[i] * s->square[j];
@@ -143,15 +139,14 @@ KERNEL void expand_flight_on(const flight_coefficients *c, const flight_factors 
     s->speed_square[k] = square_of(k, sum->speed_square, s->length_rate);
     integrate(s->length_rate, k,
               with_constant(k,
-                            length_times_rate_square -
-                                by->inverse_reduced_mass_times_stiffness * s->length[k] -
-                                by->inverse_reduced_mass_times_damping * s->length_rate[k],
+                            length_times_rate_square - c->inverse_reduced_mass * c->stiffness * s->length[k] -
+                                c->inverse_reduced_mass * c->damping * s->length_rate[k],
                             c->inverse_reduced_mass * (c->stiffness * c->rest_length)));
     integrate(s->angle, k, s->angle_rate[k]);
     integrate(s->momentum, k,
               with_drift(k,
-                         -by->inverse_reduced_mass_times_gain * s->angle[k] -
-                             by->inverse_reduced_mass_times_rate_gain * s->angle_rate[k],
+                         -(c->inverse_reduced_mass * c->gain * s->angle[k]) -
+                             c->inverse_reduced_mass * c->rate_gain * s->angle_rate[k],
                          c->inverse_reduced_mass * (c->gain * c->target + c->torque),
                          c->inverse_reduced_mass * c->torque_rate));
 }
@@ -164,10 +159,6 @@ KERNEL void expand_flight(const flight_coefficients *given, int order, flight_se
     s->square[0] = s->length[0] * s->length[0];
     const flight_factors factors = {
         .inverse_square = 1.0 / s->square[0],
-        .inverse_reduced_mass_times_stiffness = c->inverse_reduced_mass * c->stiffness,
-        .inverse_reduced_mass_times_damping = c->inverse_reduced_mass * c->damping,
-        .inverse_reduced_mass_times_gain = c->inverse_reduced_mass * c->gain,
-        .inverse_reduced_mass_times_rate_gain = c->inverse_reduced_mass * c->rate_gain,
     };
     const flight_factors *by = &factors;
     expand_flight_on(c, by, 0, &sum, s);
@@ -185,13 +176,9 @@ KERNEL void expand_flight(const flight_coefficients *given, int order, flight_se
     }
 }
 
-/* Factors that all coefficients have, and what is divided by. */
+/* What is divided by. */
 typedef struct {
     real inverse_square;
-    real inverse_reduced_mass_times_stiffness;
-    real inverse_reduced_mass_times_damping;
-    real inverse_reduced_mass_times_gain;
-    real inverse_reduced_mass_times_rate_gain;
 } pushed_flight_factors;
 
 /* Inner terms of a coefficient: all without coefficient 0 of a factor, of squares half. */
@@ -204,7 +191,7 @@ typedef struct {
     real speed_square;
 } pushed_flight_sums;
 
-/* Adds the terms with coefficient i of one factor and j of the other. */
+/* Adds the terms with coefficient i of one factor and j of the other; of what is known ahead, of j + 1. */
 KERNEL void add_pushed_flight_sums(const flight_series *s, int i, int j, pushed_flight_sums *sum) {
     sum->square += s->length[i] * s->length[j];
     sum->angle_rate += s->angle_rate[i] * s->square[j];
@@ -271,15 +258,15 @@ KERNEL void expand_pushed_flight_on(const flight_coefficients *c, const pushed_f
     s->speed_square[k] = square_of(k, sum->speed_square, s->length_rate);
     integrate(s->length_rate, k,
               with_ramp(k,
-                        length_times_rate_square - by->inverse_reduced_mass_times_stiffness * s->length[k] -
-                            by->inverse_reduced_mass_times_damping * s->length_rate[k] + push_along,
+                        length_times_rate_square - c->inverse_reduced_mass * c->stiffness * s->length[k] -
+                            c->inverse_reduced_mass * c->damping * s->length_rate[k] + push_along,
                         c->inverse_reduced_mass * (c->stiffness * c->rest_length),
                         c->inverse_reduced_mass * (c->stiffness * c->rest_length_rate)));
     integrate(s->angle, k, s->angle_rate[k]);
     integrate(s->momentum, k,
               with_drift(k,
-                         -by->inverse_reduced_mass_times_gain * s->angle[k] -
-                             by->inverse_reduced_mass_times_rate_gain * s->angle_rate[k] + s->push_moment[k],
+                         -(c->inverse_reduced_mass * c->gain * s->angle[k]) -
+                             c->inverse_reduced_mass * c->rate_gain * s->angle_rate[k] + s->push_moment[k],
                          c->inverse_reduced_mass * (c->gain * c->target + c->torque),
                          c->inverse_reduced_mass * c->torque_rate));
 }
@@ -292,10 +279,6 @@ KERNEL void expand_pushed_flight(const flight_coefficients *given, int order, fl
     s->square[0] = s->length[0] * s->length[0];
     const pushed_flight_factors factors = {
         .inverse_square = 1.0 / s->square[0],
-        .inverse_reduced_mass_times_stiffness = c->inverse_reduced_mass * c->stiffness,
-        .inverse_reduced_mass_times_damping = c->inverse_reduced_mass * c->damping,
-        .inverse_reduced_mass_times_gain = c->inverse_reduced_mass * c->gain,
-        .inverse_reduced_mass_times_rate_gain = c->inverse_reduced_mass * c->rate_gain,
     };
     const pushed_flight_factors *by = &factors;
     expand_pushed_flight_on(c, by, 0, &sum, s);
@@ -326,17 +309,18 @@ static inline void vary_flight(const flight_coefficients *c, const flight_series
         t->rate_square[k] = 2.0 * product(s->angle_rate, t->angle_rate, k);
         const real d_length_times_rate_square =
             product(t->length, s->rate_square, k) + product(s->length, t->rate_square, k);
-        const real axial_force = with_constant(
-            k, -c->stiffness * s->length[k] - c->damping * s->length_rate[k], c->stiffness * c->rest_length);
+        const real axial_force =
+            with_constant(k, -(c->stiffness * s->length[k]) - c->damping * s->length_rate[k],
+                          c->stiffness * c->rest_length);
         const real d_axial_force =
             with_constant(k,
-                          -d->stiffness * s->length[k] - c->stiffness * t->length[k] -
+                          -(d->stiffness * s->length[k]) - c->stiffness * t->length[k] -
                               d->damping * s->length_rate[k] - c->damping * t->length_rate[k],
                           d->stiffness * c->rest_length + c->stiffness * d->rest_length);
-        torque[k] = with_drift(k, -c->gain * s->angle[k] - c->rate_gain * s->angle_rate[k],
+        torque[k] = with_drift(k, -(c->gain * s->angle[k]) - c->rate_gain * s->angle_rate[k],
                                c->gain * c->target + c->torque, c->torque_rate);
         t->torque[k] = with_drift(k,
-                                  -d->gain * s->angle[k] - c->gain * t->angle[k] -
+                                  -(d->gain * s->angle[k]) - c->gain * t->angle[k] -
                                       d->rate_gain * s->angle_rate[k] - c->rate_gain * t->angle_rate[k],
                                   d->gain * c->target + c->gain * d->target + d->torque, d->torque_rate);
         t->power[k] = product(t->torque, s->angle_rate, k) + product(torque, t->angle_rate, k);
@@ -362,11 +346,11 @@ static inline void vary_pushed_flight(const flight_coefficients *c, const flight
         t->rate_square[k] = 2.0 * product(s->angle_rate, t->angle_rate, k);
         const real d_length_times_rate_square =
             product(t->length, s->rate_square, k) + product(s->length, t->rate_square, k);
-        const real axial_force = with_ramp(k, -c->stiffness * s->length[k] - c->damping * s->length_rate[k],
+        const real axial_force = with_ramp(k, -(c->stiffness * s->length[k]) - c->damping * s->length_rate[k],
                                            c->stiffness * c->rest_length, c->stiffness * c->rest_length_rate);
         const real d_axial_force =
             with_ramp(k,
-                      -d->stiffness * s->length[k] - c->stiffness * t->length[k] -
+                      -(d->stiffness * s->length[k]) - c->stiffness * t->length[k] -
                           d->damping * s->length_rate[k] - c->damping * t->length_rate[k],
                       d->stiffness * c->rest_length + c->stiffness * d->rest_length,
                       d->stiffness * c->rest_length_rate + c->stiffness * d->rest_length_rate);
@@ -377,10 +361,10 @@ static inline void vary_pushed_flight(const flight_coefficients *c, const flight
         const real d_push_x_times_sine = ramp_times(k, d->push_x, d->push_x_rate, s->sine) +
                                          ramp_times(k, c->push_x, c->push_x_rate, t->sine);
         const real d_push_along = d_push_y_times_cosine - d_push_x_times_sine;
-        torque[k] = with_drift(k, -c->gain * s->angle[k] - c->rate_gain * s->angle_rate[k],
+        torque[k] = with_drift(k, -(c->gain * s->angle[k]) - c->rate_gain * s->angle_rate[k],
                                c->gain * c->target + c->torque, c->torque_rate);
         t->torque[k] = with_drift(k,
-                                  -d->gain * s->angle[k] - c->gain * t->angle[k] -
+                                  -(d->gain * s->angle[k]) - c->gain * t->angle[k] -
                                       d->rate_gain * s->angle_rate[k] - c->rate_gain * t->angle_rate[k],
                                   d->gain * c->target + c->gain * d->target + d->torque, d->torque_rate);
         const real d_push_x_times_cosine = ramp_times(k, d->push_x, d->push_x_rate, s->cosine) +

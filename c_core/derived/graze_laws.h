@@ -61,12 +61,13 @@ static inline tdmf_ground_force tdmf_force_in_flight(const tdmf_model *model, co
         return result;
     }
     const double clamped =
-        ((model->parameters.hip.kp *
-              (model->parameters.hip.liftoff_angle_factor * mode->liftoff_angle - state[TDMF_LEG_ANGLE]) -
-          model->parameters.hip.kd * state[TDMF_LEG_ANGLE_RATE]) >= 0.0
-             ? (model->parameters.hip.kp * (model->parameters.hip.liftoff_angle_factor * mode->liftoff_angle -
-                                            state[TDMF_LEG_ANGLE]) -
-                model->parameters.hip.kd * state[TDMF_LEG_ANGLE_RATE])
+        (model->parameters.hip.kp * (model->parameters.hip.liftoff_angle_factor * mode->liftoff_angle -
+                                     state[TDMF_LEG_ANGLE]) -
+                     model->parameters.hip.kd * state[TDMF_LEG_ANGLE_RATE] >=
+                 0.0
+             ? model->parameters.hip.kp * (model->parameters.hip.liftoff_angle_factor * mode->liftoff_angle -
+                                           state[TDMF_LEG_ANGLE]) -
+                   model->parameters.hip.kd * state[TDMF_LEG_ANGLE_RATE]
              : 0.0);
     const double weight = model->parameters.foot.mass * model->parameters.gravity;
     const tdmf_ground_force result = {

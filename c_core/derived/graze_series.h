@@ -4,7 +4,7 @@
 
 #include "ground_series.h"
 
-/* Factors that all coefficients have, and what is divided by. */
+/* What is divided by. */
 typedef struct {
     real inverse_length;
     real inverse_x;
@@ -28,15 +28,11 @@ typedef struct {
     real angle_rate;
 } graze_sums;
 
-/* Adds the terms with coefficient i of one factor and j of the other + 1. */
-KERNEL void add_graze_sums_ahead(const ground_series *s, int i, int j, graze_sums *sum) {
+/* Adds the terms with coefficient i of one factor and j of the other; of what is known ahead, of j + 1. */
+KERNEL void add_graze_sums(const ground_series *s, int i, int j, graze_sums *sum) {
     sum->x_times_x += s->x[i] * s->x[j + 1];
     sum->y_times_y += s->y[i] * s->y[j + 1];
     sum->length += s->length[i] * s->length[j + 1];
-}
-
-/* Adds the terms with coefficient i of one factor and j of the other. */
-KERNEL void add_graze_sums(const ground_series *s, int i, int j, graze_sums *sum) {
     sum->axial += s->axial[i] * s->length[j];
     sum->axial += s->length[i] * s->axial[j];
     sum->axial_times_x += s->axial[i] * s->x[j];
@@ -108,7 +104,7 @@ KERNEL void expand_graze_on(const ground_coefficients *c, const graze_factors *b
     s->length_rate[k] = (double)(k + 1) * s->length[k + 1];
     /* axial = (stiffness * (rest_length - length) - damping * length_rate) / length */
     s->axial[k] = quotient_of(k, sum->axial,
-                              with_ramp(k, -c->stiffness * s->length[k] - c->damping * s->length_rate[k],
+                              with_ramp(k, -(c->stiffness * s->length[k]) - c->damping * s->length_rate[k],
                                         c->stiffness * c->rest_length, c->stiffness * c->rest_length_rate),
                               s->axial, s->length, by->inverse_length);
     /* axial_times_x = axial * x */
@@ -149,7 +145,7 @@ KERNEL void expand_graze_on(const ground_coefficients *c, const graze_factors *b
               with_ramp(k, c->inverse_body_mass * s->along[k] - s->foot_acceleration[k], -c->gravity_x,
                         -c->gravity_x_rate));
     integrate(s->vy, k,
-              ramp_of(k, -c->foot_weight_y * c->inverse_body_mass - c->gravity_y, -c->gravity_y_rate));
+              ramp_of(k, -(c->foot_weight_y * c->inverse_body_mass) - c->gravity_y, -c->gravity_y_rate));
     integrate(s->foot_vx, k, s->foot_acceleration[k]);
     integrate(s->moment, k,
               c->inverse_body_mass * s->torque[k] - gravity_y_times_x + gravity_x_times_y +
@@ -175,15 +171,10 @@ KERNEL void expand_graze(const ground_coefficients *given, int order, ground_ser
     for (int k = 2; k < order; k += 2) {
         begin_graze_sums(s, k / 2, &sum, &next);
         for (int i = k / 2, j = i + 1; i > 1; --i, ++j) {
-            add_graze_sums_ahead(s, i, j, &next);
-            add_graze_sums_ahead(s, i - 1, j, &sum);
-        }
-        for (int i = k / 2, j = i + 1; i > 1; --i, ++j) {
             add_graze_sums(s, i, j, &next);
             add_graze_sums(s, i - 1, j, &sum);
         }
         expand_graze_on(c, by, k, &sum, s);
-        add_graze_sums_ahead(s, 1, k, &next);
         add_graze_sums(s, 1, k, &next);
         expand_graze_on(c, by, k + 1, &next, s);
     }
@@ -206,7 +197,7 @@ static inline void vary_graze(const ground_coefficients *c, const ground_series 
             (0.5 * t->square[k + 1] - product_so_far(t->length, s->length, k + 1)) / s->length[0];
         const real d_length_rate = (double)(k + 1) * t->length[k + 1];
         t->axial[k] = (with_ramp(k,
-                                 -d->stiffness * s->length[k] - c->stiffness * t->length[k] -
+                                 -(d->stiffness * s->length[k]) - c->stiffness * t->length[k] -
                                      d->damping * s->length_rate[k] - c->damping * d_length_rate -
                                      product(s->axial, t->length, k),
                                  d->stiffness * c->rest_length + c->stiffness * d->rest_length,

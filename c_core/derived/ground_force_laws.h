@@ -64,7 +64,7 @@ static inline tdmf_ground_force tdmf_force_in(const tdmf_model *model, double fr
         const double weight = model->parameters.foot.mass * model->parameters.gravity;
         const double normal = off + weight * line->cosine;
         const tdmf_ground_force result = {
-            .tangential = -sliding * share * normal,
+            .tangential = -(sliding * share * normal),
             .normal = normal,
         };
         return result;
@@ -75,7 +75,7 @@ static inline tdmf_ground_force tdmf_force_in(const tdmf_model *model, double fr
     const double weight = model->parameters.foot.mass * model->parameters.gravity;
     const double normal = off + weight * line->cosine;
     const tdmf_ground_force result = {
-        .tangential = -sliding * normal,
+        .tangential = -(sliding * normal),
         .normal = normal,
     };
     return result;
@@ -116,7 +116,7 @@ tdmf_vary_force_in(const tdmf_model *model, double friction, const tdmf_ground_l
                              (d_across * -leg->ground_sine + across * -d_leg->ground_sine);
         const tdmf_ground_force result = {
             .tangential = d_along + (d_weight * line->sine + weight * (line->cosine * d_line->slope)),
-            .normal = d_off + (d_weight * line->cosine + weight * (-line->sine * d_line->slope)),
+            .normal = d_off + (d_weight * line->cosine + weight * -(line->sine * d_line->slope)),
         };
         return result;
     }
@@ -133,7 +133,7 @@ tdmf_vary_force_in(const tdmf_model *model, double friction, const tdmf_ground_l
                 model->parameters.ground.stribeck_velocity *
                 (line->cosine * state[TDMF_FOOT_VX] + line->sine * state[TDMF_FOOT_VY]) +
             -sign / model->parameters.ground.stribeck_velocity *
-                (-line->sine * d_line->slope * state[TDMF_FOOT_VX] + line->cosine * d_state[TDMF_FOOT_VX] +
+                (-(line->sine * d_line->slope) * state[TDMF_FOOT_VX] + line->cosine * d_state[TDMF_FOOT_VX] +
                  (line->cosine * d_line->slope * state[TDMF_FOOT_VY] + line->sine * d_state[TDMF_FOOT_VY]));
         const double d_decay = decay * d_exponent;
         const double d_share = d_model->parameters.ground.static_friction_ratio * decay +
@@ -148,7 +148,7 @@ tdmf_vary_force_in(const tdmf_model *model, double friction, const tdmf_ground_l
                              (d_across * -leg->ground_sine + across * -d_leg->ground_sine);
         const double d_weight = d_model->parameters.foot.mass * model->parameters.gravity +
                                 model->parameters.foot.mass * d_model->parameters.gravity;
-        const double d_normal = d_off + (d_weight * line->cosine + weight * (-line->sine * d_line->slope));
+        const double d_normal = d_off + (d_weight * line->cosine + weight * -(line->sine * d_line->slope));
         const tdmf_ground_force result = {
             .tangential = -((d_sliding * share + sliding * d_share) * normal + sliding * share * d_normal),
             .normal = d_normal,
@@ -166,7 +166,7 @@ tdmf_vary_force_in(const tdmf_model *model, double friction, const tdmf_ground_l
                          (d_across * -leg->ground_sine + across * -d_leg->ground_sine);
     const double d_weight = d_model->parameters.foot.mass * model->parameters.gravity +
                             model->parameters.foot.mass * d_model->parameters.gravity;
-    const double d_normal = d_off + (d_weight * line->cosine + weight * (-line->sine * d_line->slope));
+    const double d_normal = d_off + (d_weight * line->cosine + weight * -(line->sine * d_line->slope));
     const tdmf_ground_force result = {
         .tangential = -(d_sliding * normal + sliding * d_normal),
         .normal = d_normal,

@@ -14,7 +14,7 @@ static inline double tdmf_velocity_along(const tdmf_ground_line *line, double vx
 /* Its change. */
 static inline double tdmf_vary_velocity_along(const tdmf_ground_line *line, double vx, double vy,
                                               const tdmf_ground_line *d_line, double d_vx, double d_vy) {
-    return -line->sine * d_line->slope * vx + line->cosine * d_vx +
+    return -(line->sine * d_line->slope) * vx + line->cosine * d_vx +
            (line->cosine * d_line->slope * vy + line->sine * d_vy);
 }
 
@@ -31,7 +31,7 @@ static inline double tdmf_offset_along(const tdmf_ground_line *line, double x, d
 /* Its change. */
 static inline double tdmf_vary_offset_along(const tdmf_ground_line *line, double x, double y,
                                             const tdmf_ground_line *d_line, double d_x, double d_y) {
-    return -line->sine * d_line->slope * x + line->cosine * d_x +
+    return -(line->sine * d_line->slope) * x + line->cosine * d_x +
            (line->cosine * d_line->slope * (y - line->height) + line->sine * (d_y - d_line->height));
 }
 
@@ -43,7 +43,7 @@ static inline double tdmf_height_over(const tdmf_ground_line *line, double x, do
 /* Its change. */
 static inline double tdmf_vary_height_over(const tdmf_ground_line *line, double x, double y,
                                            const tdmf_ground_line *d_line, double d_x, double d_y) {
-    return -line->sine * d_line->slope * (y - line->height) + line->cosine * (d_y - d_line->height) -
+    return -(line->sine * d_line->slope) * (y - line->height) + line->cosine * (d_y - d_line->height) -
            (line->cosine * d_line->slope * x + line->sine * d_x);
 }
 
@@ -57,7 +57,7 @@ static inline double tdmf_vary_ground_height_at(const tdmf_ground_line *line, do
                                                 const tdmf_ground_line *d_line, double d_x) {
     return d_line->height +
            (d_x * (line->sine / line->cosine) +
-            x * ((line->cosine * d_line->slope - line->sine / line->cosine * (-line->sine * d_line->slope)) /
+            x * ((line->cosine * d_line->slope - line->sine / line->cosine * -(line->sine * d_line->slope)) /
                  line->cosine));
 }
 
@@ -69,7 +69,7 @@ static inline double tdmf_path_to(const tdmf_ground_line *line, double x) {
 /* Its change. */
 static inline double tdmf_vary_path_to(const tdmf_ground_line *line, double x, const tdmf_ground_line *d_line,
                                        double d_x) {
-    return (d_x - x / line->cosine * (-line->sine * d_line->slope)) / line->cosine;
+    return (d_x - x / line->cosine * -(line->sine * d_line->slope)) / line->cosine;
 }
 
 /* The point at a distance from the pivot that moves along the line. */
@@ -88,9 +88,9 @@ static inline tdmf_point tdmf_vary_point_on(const tdmf_ground_line *line, double
                                             const tdmf_ground_line *d_line, double d_along,
                                             double d_velocity) {
     const tdmf_point result = {
-        .x = -line->sine * d_line->slope * along + line->cosine * d_along,
+        .x = -(line->sine * d_line->slope) * along + line->cosine * d_along,
         .y = d_line->height + (line->cosine * d_line->slope * along + line->sine * d_along),
-        .vx = -line->sine * d_line->slope * velocity + line->cosine * d_velocity,
+        .vx = -(line->sine * d_line->slope) * velocity + line->cosine * d_velocity,
         .vy = line->cosine * d_line->slope * velocity + line->sine * d_velocity,
     };
     return result;
@@ -110,10 +110,10 @@ static inline tdmf_vector tdmf_vary_vector_on(const tdmf_ground_line *line, doub
                                               const tdmf_ground_line *d_line, double d_tangential,
                                               double d_normal) {
     const tdmf_vector result = {
-        .x = d_tangential * line->cosine + tangential * (-line->sine * d_line->slope) -
+        .x = d_tangential * line->cosine + tangential * -(line->sine * d_line->slope) -
              (d_normal * line->sine + normal * (line->cosine * d_line->slope)),
         .y = d_tangential * line->sine + tangential * (line->cosine * d_line->slope) +
-             (d_normal * line->cosine + normal * (-line->sine * d_line->slope)),
+             (d_normal * line->cosine + normal * -(line->sine * d_line->slope)),
     };
     return result;
 }

@@ -15,7 +15,7 @@ static inline double tdmf_new_ground_guard(const tdmf_evaluation *at, const tdmf
 /* Its change. */
 static inline double tdmf_vary_new_ground_guard(const tdmf_evaluation *at, const tdmf_ground_line *line,
                                                 const tdmf_evaluation *d_at, const tdmf_ground_line *d_line) {
-    return -(-line->sine * d_line->slope * (at->state[TDMF_FOOT_Y] - line->height) +
+    return -(-(line->sine * d_line->slope) * (at->state[TDMF_FOOT_Y] - line->height) +
              line->cosine * (d_at->state[TDMF_FOOT_Y] - d_line->height) -
              (line->cosine * d_line->slope * at->state[TDMF_FOOT_X] + line->sine * d_at->state[TDMF_FOOT_X]));
 }
@@ -81,7 +81,7 @@ static inline double tdmf_touchdown_guard(const tdmf_evaluation *at) {
 
 /* Its change. */
 static inline double tdmf_vary_touchdown_guard(const tdmf_evaluation *at, const tdmf_evaluation *d_at) {
-    return -at->mode->ground.sine * d_at->mode->ground.slope *
+    return -(at->mode->ground.sine * d_at->mode->ground.slope) *
                (at->state[TDMF_FOOT_Y] - at->mode->ground.height) +
            at->mode->ground.cosine * (d_at->state[TDMF_FOOT_Y] - d_at->mode->ground.height) -
            (at->mode->ground.cosine * d_at->mode->ground.slope * at->state[TDMF_FOOT_X] +
@@ -250,7 +250,7 @@ static inline double tdmf_slip_velocity_zero_guard(const tdmf_evaluation *at) {
 static inline double tdmf_vary_slip_velocity_zero_guard(const tdmf_evaluation *at,
                                                         const tdmf_evaluation *d_at) {
     return tdmf_sign_of_slip(at->mode) *
-           (-at->mode->ground.sine * d_at->mode->ground.slope * at->state[TDMF_FOOT_VX] +
+           (-(at->mode->ground.sine * d_at->mode->ground.slope) * at->state[TDMF_FOOT_VX] +
             at->mode->ground.cosine * d_at->state[TDMF_FOOT_VX] +
             (at->mode->ground.cosine * d_at->mode->ground.slope * at->state[TDMF_FOOT_VY] +
              at->mode->ground.sine * d_at->state[TDMF_FOOT_VY]));
@@ -322,7 +322,7 @@ static inline double tdmf_vary_graze_to_contact_guard(const tdmf_evaluation *at,
                                 at->model->parameters.foot.mass * d_at->model->parameters.gravity;
         const double weight = at->model->parameters.foot.mass * at->model->parameters.gravity;
         const double d_normal = d_off + (d_weight * at->mode->ground.cosine +
-                                         weight * (-at->mode->ground.sine * d_at->mode->ground.slope));
+                                         weight * -(at->mode->ground.sine * d_at->mode->ground.slope));
         return -d_normal;
     }
     const double d_weight = d_at->model->parameters.foot.mass * at->model->parameters.gravity +
@@ -334,7 +334,7 @@ static inline double tdmf_vary_graze_to_contact_guard(const tdmf_evaluation *at,
           at->inputs->hip.external_torque * d_at->leg.inverse_length) *
              -at->leg.ground_sine +
          at->inputs->hip.external_torque * at->leg.inverse_length * -d_at->leg.ground_sine) +
-        (d_weight * at->mode->ground.cosine + weight * (-at->mode->ground.sine * d_at->mode->ground.slope)));
+        (d_weight * at->mode->ground.cosine + weight * -(at->mode->ground.sine * d_at->mode->ground.slope)));
 }
 
 /* N of the flight law: it lifts the foot. */
@@ -353,14 +353,15 @@ static inline double tdmf_graze_to_flight_guard(const tdmf_evaluation *at) {
         return normal / at->model->scales.force + TDMF_GUARD_MARGIN;
     }
     const double clamped =
-        ((at->model->parameters.hip.kp *
-              (at->model->parameters.hip.liftoff_angle_factor * at->mode->liftoff_angle -
-               at->state[TDMF_LEG_ANGLE]) -
-          at->model->parameters.hip.kd * at->state[TDMF_LEG_ANGLE_RATE]) >= 0.0
-             ? (at->model->parameters.hip.kp *
-                    (at->model->parameters.hip.liftoff_angle_factor * at->mode->liftoff_angle -
-                     at->state[TDMF_LEG_ANGLE]) -
-                at->model->parameters.hip.kd * at->state[TDMF_LEG_ANGLE_RATE])
+        (at->model->parameters.hip.kp *
+                         (at->model->parameters.hip.liftoff_angle_factor * at->mode->liftoff_angle -
+                          at->state[TDMF_LEG_ANGLE]) -
+                     at->model->parameters.hip.kd * at->state[TDMF_LEG_ANGLE_RATE] >=
+                 0.0
+             ? at->model->parameters.hip.kp *
+                       (at->model->parameters.hip.liftoff_angle_factor * at->mode->liftoff_angle -
+                        at->state[TDMF_LEG_ANGLE]) -
+                   at->model->parameters.hip.kd * at->state[TDMF_LEG_ANGLE_RATE]
              : 0.0);
     const double weight = at->model->parameters.foot.mass * at->model->parameters.gravity;
     return (at->leg.axial_force * at->leg.ground_cosine +
@@ -400,32 +401,34 @@ static inline double tdmf_vary_graze_to_flight_guard(const tdmf_evaluation *at, 
                                 at->model->parameters.foot.mass * d_at->model->parameters.gravity;
         const double weight = at->model->parameters.foot.mass * at->model->parameters.gravity;
         return d_off + (d_weight * at->mode->ground.cosine +
-                        weight * (-at->mode->ground.sine * d_at->mode->ground.slope));
+                        weight * -(at->mode->ground.sine * d_at->mode->ground.slope));
     }
     const double d_clamped =
-        ((at->model->parameters.hip.kp *
-              (at->model->parameters.hip.liftoff_angle_factor * at->mode->liftoff_angle -
-               at->state[TDMF_LEG_ANGLE]) -
-          at->model->parameters.hip.kd * at->state[TDMF_LEG_ANGLE_RATE]) >= 0.0
-             ? (d_at->model->parameters.hip.kp *
-                    (at->model->parameters.hip.liftoff_angle_factor * at->mode->liftoff_angle -
-                     at->state[TDMF_LEG_ANGLE]) +
-                at->model->parameters.hip.kp *
-                    (d_at->model->parameters.hip.liftoff_angle_factor * at->mode->liftoff_angle +
-                     at->model->parameters.hip.liftoff_angle_factor * d_at->mode->liftoff_angle -
-                     d_at->state[TDMF_LEG_ANGLE]) -
-                (d_at->model->parameters.hip.kd * at->state[TDMF_LEG_ANGLE_RATE] +
-                 at->model->parameters.hip.kd * d_at->state[TDMF_LEG_ANGLE_RATE]))
+        (at->model->parameters.hip.kp *
+                         (at->model->parameters.hip.liftoff_angle_factor * at->mode->liftoff_angle -
+                          at->state[TDMF_LEG_ANGLE]) -
+                     at->model->parameters.hip.kd * at->state[TDMF_LEG_ANGLE_RATE] >=
+                 0.0
+             ? d_at->model->parameters.hip.kp *
+                       (at->model->parameters.hip.liftoff_angle_factor * at->mode->liftoff_angle -
+                        at->state[TDMF_LEG_ANGLE]) +
+                   at->model->parameters.hip.kp *
+                       (d_at->model->parameters.hip.liftoff_angle_factor * at->mode->liftoff_angle +
+                        at->model->parameters.hip.liftoff_angle_factor * d_at->mode->liftoff_angle -
+                        d_at->state[TDMF_LEG_ANGLE]) -
+                   (d_at->model->parameters.hip.kd * at->state[TDMF_LEG_ANGLE_RATE] +
+                    at->model->parameters.hip.kd * d_at->state[TDMF_LEG_ANGLE_RATE])
              : 0.0);
     const double clamped =
-        ((at->model->parameters.hip.kp *
-              (at->model->parameters.hip.liftoff_angle_factor * at->mode->liftoff_angle -
-               at->state[TDMF_LEG_ANGLE]) -
-          at->model->parameters.hip.kd * at->state[TDMF_LEG_ANGLE_RATE]) >= 0.0
-             ? (at->model->parameters.hip.kp *
-                    (at->model->parameters.hip.liftoff_angle_factor * at->mode->liftoff_angle -
-                     at->state[TDMF_LEG_ANGLE]) -
-                at->model->parameters.hip.kd * at->state[TDMF_LEG_ANGLE_RATE])
+        (at->model->parameters.hip.kp *
+                         (at->model->parameters.hip.liftoff_angle_factor * at->mode->liftoff_angle -
+                          at->state[TDMF_LEG_ANGLE]) -
+                     at->model->parameters.hip.kd * at->state[TDMF_LEG_ANGLE_RATE] >=
+                 0.0
+             ? at->model->parameters.hip.kp *
+                       (at->model->parameters.hip.liftoff_angle_factor * at->mode->liftoff_angle -
+                        at->state[TDMF_LEG_ANGLE]) -
+                   at->model->parameters.hip.kd * at->state[TDMF_LEG_ANGLE_RATE]
              : 0.0);
     const double d_weight = d_at->model->parameters.foot.mass * at->model->parameters.gravity +
                             at->model->parameters.foot.mass * d_at->model->parameters.gravity;
@@ -436,7 +439,7 @@ static inline double tdmf_vary_graze_to_flight_guard(const tdmf_evaluation *at, 
                 -at->leg.ground_sine +
             (clamped + at->inputs->hip.external_torque) * at->leg.inverse_length * -d_at->leg.ground_sine) +
            (d_weight * at->mode->ground.cosine +
-            weight * (-at->mode->ground.sine * d_at->mode->ground.slope));
+            weight * -(at->mode->ground.sine * d_at->mode->ground.slope));
 }
 
 #endif

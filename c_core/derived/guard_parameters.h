@@ -5,6 +5,7 @@
 #include "tdmf_slip/parameters.h"
 #include "width.h"
 
+/* What guards are made of, in any width. */
 typedef struct {
     real leg_min_length;
 } guard_parameters;

@@ -35,22 +35,19 @@ static inline void expand_ahead(const real *x, const real *y, real slope_sine, r
 /* rho mu f_n + s f_t, by the cone's width: what is left up to its edge on the side s (2). */
 static inline void expand_room(const real *normal_force, const real *tangential_push,
                                const friction_cone *cone, real side, int order, real room[SERIES_TERMS]) {
-    const real side_times_tangential = side * cone->tangential;
     int k = 0;
     do {
         room[k] = drift_times(k, cone->normal, cone->normal_rate, normal_force) -
-                  side_times_tangential * tangential_push[k];
+                  side * cone->tangential * tangential_push[k];
     } while (++k <= order);
 }
 
 /* The rate at which the centre of mass rises, with the body's share of the mass. */
 static inline void expand_rise(const real *vx, const real *vy, const real *foot_vx, real slope_sine,
                                real slope_cosine, real share, int order, real rise[SERIES_TERMS]) {
-    const real share_times_slope_cosine = share * slope_cosine;
-    const real share_times_slope_sine = share * slope_sine;
     int k = 0;
     do {
-        rise[k] = share_times_slope_cosine * vy[k] + share_times_slope_sine * vx[k] + slope_sine * foot_vx[k];
+        rise[k] = share * slope_cosine * vy[k] + share * slope_sine * vx[k] + slope_sine * foot_vx[k];
     } while (++k <= order);
 }
 
@@ -76,7 +73,7 @@ static inline void expand_torque(const signed_law *servo, const real *angle, con
                                  int order, real torque[SERIES_TERMS]) {
     int k = 0;
     do {
-        torque[k] = with_drift(k, -servo->gain * angle[k] - servo->rate_gain * angle_rate[k],
+        torque[k] = with_drift(k, -(servo->gain * angle[k]) - servo->rate_gain * angle_rate[k],
                                servo->gain * servo->target + servo->torque, servo->torque_rate);
     } while (++k <= order);
 }

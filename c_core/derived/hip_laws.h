@@ -301,7 +301,7 @@ static inline double tdmf_vary_torque_in(const tdmf_model *model, const tdmf_inp
                                     model->parameters.foot.mass * d_model->parameters.gravity) *
                                        mode->ground.cosine +
                                    model->parameters.foot.mass * model->parameters.gravity *
-                                       (-mode->ground.sine * d_mode->ground.slope));
+                                       -(mode->ground.sine * d_mode->ground.slope));
             return (d_load - torque * (sine * d_leg->inverse_length)) / (sine * leg->inverse_length);
         }
         const double d_load = d_leg->axial_force * leg->ground_cosine +
@@ -310,7 +310,7 @@ static inline double tdmf_vary_torque_in(const tdmf_model *model, const tdmf_inp
                                 model->parameters.foot.mass * d_model->parameters.gravity) *
                                    mode->ground.cosine +
                                model->parameters.foot.mass * model->parameters.gravity *
-                                   (-mode->ground.sine * d_mode->ground.slope));
+                                   -(mode->ground.sine * d_mode->ground.slope));
         return (d_load - torque * (d_leg->ground_sine * leg->inverse_length +
                                    leg->ground_sine * d_leg->inverse_length)) /
                (leg->ground_sine * leg->inverse_length);

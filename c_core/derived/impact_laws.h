@@ -39,14 +39,15 @@ static inline tdmf_after_impact tdmf_impact_with(const tdmf_model *model, double
         const double taken = friction * -off;
         const double left = sign * along - taken;
         const double along_after =
-            sign * ((left + model->parameters.ground.stribeck_velocity *
-                                log1p(-(-(model->parameters.ground.static_friction_ratio - 1.0) *
-                                        expm1(-taken / model->parameters.ground.stribeck_velocity)) *
-                                      exp(-left / model->parameters.ground.stribeck_velocity))) >= 0.0
-                        ? (left + model->parameters.ground.stribeck_velocity *
-                                      log1p(-(-(model->parameters.ground.static_friction_ratio - 1.0) *
-                                              expm1(-taken / model->parameters.ground.stribeck_velocity)) *
-                                            exp(-left / model->parameters.ground.stribeck_velocity)))
+            sign * (left + model->parameters.ground.stribeck_velocity *
+                                    log1p(-(-(model->parameters.ground.static_friction_ratio - 1.0) *
+                                            expm1(-taken / model->parameters.ground.stribeck_velocity)) *
+                                          exp(-left / model->parameters.ground.stribeck_velocity)) >=
+                            0.0
+                        ? left + model->parameters.ground.stribeck_velocity *
+                                     log1p(-(-(model->parameters.ground.static_friction_ratio - 1.0) *
+                                             expm1(-taken / model->parameters.ground.stribeck_velocity)) *
+                                           exp(-left / model->parameters.ground.stribeck_velocity))
                         : 0.0);
         const double vx = line->cosine * along_after;
         const double vy = line->sine * along_after;
@@ -97,29 +98,29 @@ tdmf_vary_impact_with(const tdmf_model *model, double friction, const tdmf_groun
     if (sticks) {
         const double place =
             line->cosine * state[TDMF_FOOT_X] + line->sine * (state[TDMF_FOOT_Y] - line->height);
-        const double d_place = -line->sine * d_line->slope * state[TDMF_FOOT_X] +
+        const double d_place = -(line->sine * d_line->slope) * state[TDMF_FOOT_X] +
                                line->cosine * d_state[TDMF_FOOT_X] +
                                (line->cosine * d_line->slope * (state[TDMF_FOOT_Y] - line->height) +
                                 line->sine * (d_state[TDMF_FOOT_Y] - d_line->height));
         const double along = line->cosine * state[TDMF_FOOT_VX] + line->sine * state[TDMF_FOOT_VY];
         const double off = line->cosine * state[TDMF_FOOT_VY] - line->sine * state[TDMF_FOOT_VX];
         const double d_along =
-            -line->sine * d_line->slope * state[TDMF_FOOT_VX] + line->cosine * d_state[TDMF_FOOT_VX] +
+            -(line->sine * d_line->slope) * state[TDMF_FOOT_VX] + line->cosine * d_state[TDMF_FOOT_VX] +
             (line->cosine * d_line->slope * state[TDMF_FOOT_VY] + line->sine * d_state[TDMF_FOOT_VY]);
         const double d_off =
-            -line->sine * d_line->slope * state[TDMF_FOOT_VY] + line->cosine * d_state[TDMF_FOOT_VY] -
+            -(line->sine * d_line->slope) * state[TDMF_FOOT_VY] + line->cosine * d_state[TDMF_FOOT_VY] -
             (line->cosine * d_line->slope * state[TDMF_FOOT_VX] + line->sine * d_state[TDMF_FOOT_VX]);
         const tdmf_after_impact result = {
-            .foot_x = -line->sine * d_line->slope * place + line->cosine * d_place,
+            .foot_x = -(line->sine * d_line->slope) * place + line->cosine * d_place,
             .foot_y = d_line->height + (line->cosine * d_line->slope * place + line->sine * d_place),
             .leg_length_rate = d_state[TDMF_LEG_LENGTH_RATE] +
-                               (-direction.sine * d_state[TDMF_LEG_ANGLE] * state[TDMF_FOOT_VY] +
+                               (-(direction.sine * d_state[TDMF_LEG_ANGLE]) * state[TDMF_FOOT_VY] +
                                 direction.cosine * d_state[TDMF_FOOT_VY] -
                                 (direction.cosine * d_state[TDMF_LEG_ANGLE] * state[TDMF_FOOT_VX] +
                                  direction.sine * d_state[TDMF_FOOT_VX])),
             .leg_angle_rate =
                 d_state[TDMF_LEG_ANGLE_RATE] -
-                (-direction.sine * d_state[TDMF_LEG_ANGLE] * state[TDMF_FOOT_VX] +
+                (-(direction.sine * d_state[TDMF_LEG_ANGLE]) * state[TDMF_FOOT_VX] +
                  direction.cosine * d_state[TDMF_FOOT_VX] +
                  (direction.cosine * d_state[TDMF_LEG_ANGLE] * state[TDMF_FOOT_VY] +
                   direction.sine * d_state[TDMF_FOOT_VY]) -
@@ -134,7 +135,7 @@ tdmf_vary_impact_with(const tdmf_model *model, double friction, const tdmf_groun
     if (falls) {
         const double place =
             line->cosine * state[TDMF_FOOT_X] + line->sine * (state[TDMF_FOOT_Y] - line->height);
-        const double d_place = -line->sine * d_line->slope * state[TDMF_FOOT_X] +
+        const double d_place = -(line->sine * d_line->slope) * state[TDMF_FOOT_X] +
                                line->cosine * d_state[TDMF_FOOT_X] +
                                (line->cosine * d_line->slope * (state[TDMF_FOOT_Y] - line->height) +
                                 line->sine * (d_state[TDMF_FOOT_Y] - d_line->height));
@@ -143,54 +144,56 @@ tdmf_vary_impact_with(const tdmf_model *model, double friction, const tdmf_groun
         const double taken = friction * -off;
         const double left = sign * along - taken;
         const double along_after =
-            sign * ((left + model->parameters.ground.stribeck_velocity *
-                                log1p(-(-(model->parameters.ground.static_friction_ratio - 1.0) *
-                                        expm1(-taken / model->parameters.ground.stribeck_velocity)) *
-                                      exp(-left / model->parameters.ground.stribeck_velocity))) >= 0.0
-                        ? (left + model->parameters.ground.stribeck_velocity *
-                                      log1p(-(-(model->parameters.ground.static_friction_ratio - 1.0) *
-                                              expm1(-taken / model->parameters.ground.stribeck_velocity)) *
-                                            exp(-left / model->parameters.ground.stribeck_velocity)))
+            sign * (left + model->parameters.ground.stribeck_velocity *
+                                    log1p(-(-(model->parameters.ground.static_friction_ratio - 1.0) *
+                                            expm1(-taken / model->parameters.ground.stribeck_velocity)) *
+                                          exp(-left / model->parameters.ground.stribeck_velocity)) >=
+                            0.0
+                        ? left + model->parameters.ground.stribeck_velocity *
+                                     log1p(-(-(model->parameters.ground.static_friction_ratio - 1.0) *
+                                             expm1(-taken / model->parameters.ground.stribeck_velocity)) *
+                                           exp(-left / model->parameters.ground.stribeck_velocity))
                         : 0.0);
         const double d_along =
-            -line->sine * d_line->slope * state[TDMF_FOOT_VX] + line->cosine * d_state[TDMF_FOOT_VX] +
+            -(line->sine * d_line->slope) * state[TDMF_FOOT_VX] + line->cosine * d_state[TDMF_FOOT_VX] +
             (line->cosine * d_line->slope * state[TDMF_FOOT_VY] + line->sine * d_state[TDMF_FOOT_VY]);
         const double d_off =
-            -line->sine * d_line->slope * state[TDMF_FOOT_VY] + line->cosine * d_state[TDMF_FOOT_VY] -
+            -(line->sine * d_line->slope) * state[TDMF_FOOT_VY] + line->cosine * d_state[TDMF_FOOT_VY] -
             (line->cosine * d_line->slope * state[TDMF_FOOT_VX] + line->sine * d_state[TDMF_FOOT_VX]);
         const double d_taken = d_friction * -off + friction * -d_off;
         const double d_left = sign * d_along - d_taken;
         const double d_along_after =
-            sign * ((left + model->parameters.ground.stribeck_velocity *
-                                log1p(-(-(model->parameters.ground.static_friction_ratio - 1.0) *
-                                        expm1(-taken / model->parameters.ground.stribeck_velocity)) *
-                                      exp(-left / model->parameters.ground.stribeck_velocity))) >= 0.0
-                        ? (d_left +
-                           (d_model->parameters.ground.stribeck_velocity *
-                                log1p(-(-(model->parameters.ground.static_friction_ratio - 1.0) *
-                                        expm1(-taken / model->parameters.ground.stribeck_velocity)) *
-                                      exp(-left / model->parameters.ground.stribeck_velocity)) +
-                            model->parameters.ground.stribeck_velocity *
-                                ((-(-d_model->parameters.ground.static_friction_ratio *
-                                        expm1(-taken / model->parameters.ground.stribeck_velocity) +
-                                    -(model->parameters.ground.static_friction_ratio - 1.0) *
-                                        ((expm1(-taken / model->parameters.ground.stribeck_velocity) + 1.0) *
-                                         ((-d_taken - -taken / model->parameters.ground.stribeck_velocity *
-                                                          d_model->parameters.ground.stribeck_velocity) /
-                                          model->parameters.ground.stribeck_velocity))) *
-                                      exp(-left / model->parameters.ground.stribeck_velocity) +
-                                  -(-(model->parameters.ground.static_friction_ratio - 1.0) *
-                                    expm1(-taken / model->parameters.ground.stribeck_velocity)) *
-                                      (exp(-left / model->parameters.ground.stribeck_velocity) *
-                                       ((-d_left - -left / model->parameters.ground.stribeck_velocity *
-                                                       d_model->parameters.ground.stribeck_velocity) /
-                                        model->parameters.ground.stribeck_velocity))) /
-                                 (-(-(model->parameters.ground.static_friction_ratio - 1.0) *
-                                    expm1(-taken / model->parameters.ground.stribeck_velocity)) *
-                                      exp(-left / model->parameters.ground.stribeck_velocity) +
-                                  1.0))))
-                        : 0.0);
-        const double d_vx = -line->sine * d_line->slope * along_after + line->cosine * d_along_after;
+            sign *
+            (left + model->parameters.ground.stribeck_velocity *
+                             log1p(-(-(model->parameters.ground.static_friction_ratio - 1.0) *
+                                     expm1(-taken / model->parameters.ground.stribeck_velocity)) *
+                                   exp(-left / model->parameters.ground.stribeck_velocity)) >=
+                     0.0
+                 ? d_left + (d_model->parameters.ground.stribeck_velocity *
+                                 log1p(-(-(model->parameters.ground.static_friction_ratio - 1.0) *
+                                         expm1(-taken / model->parameters.ground.stribeck_velocity)) *
+                                       exp(-left / model->parameters.ground.stribeck_velocity)) +
+                             model->parameters.ground.stribeck_velocity *
+                                 ((-(-d_model->parameters.ground.static_friction_ratio *
+                                         expm1(-taken / model->parameters.ground.stribeck_velocity) +
+                                     -(model->parameters.ground.static_friction_ratio - 1.0) *
+                                         ((expm1(-taken / model->parameters.ground.stribeck_velocity) + 1.0) *
+                                          ((-d_taken - -taken / model->parameters.ground.stribeck_velocity *
+                                                           d_model->parameters.ground.stribeck_velocity) /
+                                           model->parameters.ground.stribeck_velocity))) *
+                                       exp(-left / model->parameters.ground.stribeck_velocity) +
+                                   -(-(model->parameters.ground.static_friction_ratio - 1.0) *
+                                     expm1(-taken / model->parameters.ground.stribeck_velocity)) *
+                                       (exp(-left / model->parameters.ground.stribeck_velocity) *
+                                        ((-d_left - -left / model->parameters.ground.stribeck_velocity *
+                                                        d_model->parameters.ground.stribeck_velocity) /
+                                         model->parameters.ground.stribeck_velocity))) /
+                                  (-(-(model->parameters.ground.static_friction_ratio - 1.0) *
+                                     expm1(-taken / model->parameters.ground.stribeck_velocity)) *
+                                       exp(-left / model->parameters.ground.stribeck_velocity) +
+                                   1.0)))
+                 : 0.0);
+        const double d_vx = -(line->sine * d_line->slope) * along_after + line->cosine * d_along_after;
         const double d_vy = line->cosine * d_line->slope * along_after + line->sine * d_along_after;
         const double vy = line->sine * along_after;
         const double lost_y = state[TDMF_FOOT_VY] - vy;
@@ -199,17 +202,17 @@ tdmf_vary_impact_with(const tdmf_model *model, double friction, const tdmf_groun
         const double lost_x = state[TDMF_FOOT_VX] - vx;
         const double d_lost_x = d_state[TDMF_FOOT_VX] - d_vx;
         const tdmf_after_impact result = {
-            .foot_x = -line->sine * d_line->slope * place + line->cosine * d_place,
+            .foot_x = -(line->sine * d_line->slope) * place + line->cosine * d_place,
             .foot_y = d_line->height + (line->cosine * d_line->slope * place + line->sine * d_place),
             .foot_vx = d_vx,
             .foot_vy = d_vy,
             .leg_length_rate =
                 d_state[TDMF_LEG_LENGTH_RATE] +
-                (-direction.sine * d_state[TDMF_LEG_ANGLE] * lost_y + direction.cosine * d_lost_y -
+                (-(direction.sine * d_state[TDMF_LEG_ANGLE]) * lost_y + direction.cosine * d_lost_y -
                  (direction.cosine * d_state[TDMF_LEG_ANGLE] * lost_x + direction.sine * d_lost_x)),
             .leg_angle_rate =
                 d_state[TDMF_LEG_ANGLE_RATE] -
-                (-direction.sine * d_state[TDMF_LEG_ANGLE] * lost_x + direction.cosine * d_lost_x +
+                (-(direction.sine * d_state[TDMF_LEG_ANGLE]) * lost_x + direction.cosine * d_lost_x +
                  (direction.cosine * d_state[TDMF_LEG_ANGLE] * lost_y + direction.sine * d_lost_y) -
                  (direction.cosine * lost_x + direction.sine * lost_y) / state[TDMF_LEG_LENGTH] *
                      d_state[TDMF_LEG_LENGTH]) /
@@ -223,36 +226,36 @@ tdmf_vary_impact_with(const tdmf_model *model, double friction, const tdmf_groun
         return result;
     }
     const double place = line->cosine * state[TDMF_FOOT_X] + line->sine * (state[TDMF_FOOT_Y] - line->height);
-    const double d_place = -line->sine * d_line->slope * state[TDMF_FOOT_X] +
+    const double d_place = -(line->sine * d_line->slope) * state[TDMF_FOOT_X] +
                            line->cosine * d_state[TDMF_FOOT_X] +
                            (line->cosine * d_line->slope * (state[TDMF_FOOT_Y] - line->height) +
                             line->sine * (d_state[TDMF_FOOT_Y] - d_line->height));
     const double along = line->cosine * state[TDMF_FOOT_VX] + line->sine * state[TDMF_FOOT_VY];
     const double off = line->cosine * state[TDMF_FOOT_VY] - line->sine * state[TDMF_FOOT_VX];
     const double d_along =
-        -line->sine * d_line->slope * state[TDMF_FOOT_VX] + line->cosine * d_state[TDMF_FOOT_VX] +
+        -(line->sine * d_line->slope) * state[TDMF_FOOT_VX] + line->cosine * d_state[TDMF_FOOT_VX] +
         (line->cosine * d_line->slope * state[TDMF_FOOT_VY] + line->sine * d_state[TDMF_FOOT_VY]);
     const double d_off =
-        -line->sine * d_line->slope * state[TDMF_FOOT_VY] + line->cosine * d_state[TDMF_FOOT_VY] -
+        -(line->sine * d_line->slope) * state[TDMF_FOOT_VY] + line->cosine * d_state[TDMF_FOOT_VY] -
         (line->cosine * d_line->slope * state[TDMF_FOOT_VX] + line->sine * d_state[TDMF_FOOT_VX]);
-    const double d_foot_vx = -line->sine * d_line->slope * (along + sign * friction * off) +
+    const double d_foot_vx = -(line->sine * d_line->slope) * (along + sign * friction * off) +
                              line->cosine * (d_along + (sign * d_friction * off + sign * friction * d_off));
     const double d_foot_vy = line->cosine * d_line->slope * (along + sign * friction * off) +
                              line->sine * (d_along + (sign * d_friction * off + sign * friction * d_off));
     const double foot_vy = line->sine * (along + sign * friction * off);
     const double foot_vx = line->cosine * (along + sign * friction * off);
     const tdmf_after_impact result = {
-        .foot_x = -line->sine * d_line->slope * place + line->cosine * d_place,
+        .foot_x = -(line->sine * d_line->slope) * place + line->cosine * d_place,
         .foot_y = d_line->height + (line->cosine * d_line->slope * place + line->sine * d_place),
         .foot_vx = d_foot_vx,
         .foot_vy = d_foot_vy,
         .leg_length_rate = d_state[TDMF_LEG_LENGTH_RATE] +
-                           (-direction.sine * d_state[TDMF_LEG_ANGLE] * (state[TDMF_FOOT_VY] - foot_vy) +
+                           (-(direction.sine * d_state[TDMF_LEG_ANGLE]) * (state[TDMF_FOOT_VY] - foot_vy) +
                             direction.cosine * (d_state[TDMF_FOOT_VY] - d_foot_vy) -
                             (direction.cosine * d_state[TDMF_LEG_ANGLE] * (state[TDMF_FOOT_VX] - foot_vx) +
                              direction.sine * (d_state[TDMF_FOOT_VX] - d_foot_vx))),
         .leg_angle_rate = d_state[TDMF_LEG_ANGLE_RATE] -
-                          (-direction.sine * d_state[TDMF_LEG_ANGLE] * (state[TDMF_FOOT_VX] - foot_vx) +
+                          (-(direction.sine * d_state[TDMF_LEG_ANGLE]) * (state[TDMF_FOOT_VX] - foot_vx) +
                            direction.cosine * (d_state[TDMF_FOOT_VX] - d_foot_vx) +
                            (direction.cosine * d_state[TDMF_LEG_ANGLE] * (state[TDMF_FOOT_VY] - foot_vy) +
                             direction.sine * (d_state[TDMF_FOOT_VY] - d_foot_vy)) -

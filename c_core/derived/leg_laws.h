@@ -10,8 +10,8 @@
  *
  * A leg that grew shorter would leave a ground that it comes down to at once, for ever. */
 static inline double tdmf_leg_thrust(const tdmf_model *model, const tdmf_inputs *inputs) {
-    return ((model->parameters.leg.thrust + inputs->control.thrust) >= 0.0
-                ? (model->parameters.leg.thrust + inputs->control.thrust)
+    return (model->parameters.leg.thrust + inputs->control.thrust >= 0.0
+                ? model->parameters.leg.thrust + inputs->control.thrust
                 : 0.0);
 }
 
@@ -20,8 +20,8 @@ static inline double tdmf_rest_length(const tdmf_model *model, const tdmf_inputs
                                       const tdmf_mode *mode) {
     if (mode->thrusts) {
         const double length = model->parameters.leg.free_length + inputs->leg.extension;
-        return length + ((model->parameters.leg.thrust + inputs->control.thrust) >= 0.0
-                             ? (model->parameters.leg.thrust + inputs->control.thrust)
+        return length + (model->parameters.leg.thrust + inputs->control.thrust >= 0.0
+                             ? model->parameters.leg.thrust + inputs->control.thrust
                              : 0.0);
     }
     return model->parameters.leg.free_length + inputs->leg.extension;
@@ -34,8 +34,8 @@ static inline double tdmf_vary_rest_length(const tdmf_model *model, const tdmf_i
     (void)d_mode;
     if (mode->thrusts) {
         const double d_length = d_model->parameters.leg.free_length + d_inputs->leg.extension;
-        return d_length + ((model->parameters.leg.thrust + inputs->control.thrust) >= 0.0
-                               ? (d_model->parameters.leg.thrust + d_inputs->control.thrust)
+        return d_length + (model->parameters.leg.thrust + inputs->control.thrust >= 0.0
+                               ? d_model->parameters.leg.thrust + d_inputs->control.thrust
                                : 0.0);
     }
     return d_model->parameters.leg.free_length + d_inputs->leg.extension;
@@ -72,21 +72,21 @@ static inline tdmf_leg tdmf_vary_leg_with(const tdmf_model *model, const tdmf_gr
     (void)direction;
     const tdmf_leg result = {
         .length = d_state[TDMF_LEG_LENGTH],
-        .inverse_length = -leg->inverse_length * leg->inverse_length *
-                          (state[TDMF_LEG_LENGTH] >= 0.5 * model->parameters.leg.min_length
-                               ? d_state[TDMF_LEG_LENGTH]
-                               : 0.5 * d_model->parameters.leg.min_length),
+        .inverse_length = -(leg->inverse_length * leg->inverse_length *
+                            (state[TDMF_LEG_LENGTH] >= 0.5 * model->parameters.leg.min_length
+                                 ? d_state[TDMF_LEG_LENGTH]
+                                 : 0.5 * d_model->parameters.leg.min_length)),
         .length_rate = d_state[TDMF_LEG_LENGTH_RATE],
         .angle_rate = d_state[TDMF_LEG_ANGLE_RATE],
         .sine = leg->cosine * d_state[TDMF_LEG_ANGLE],
-        .cosine = -leg->sine * d_state[TDMF_LEG_ANGLE],
+        .cosine = -(leg->sine * d_state[TDMF_LEG_ANGLE]),
         .ground_sine = leg->cosine * d_state[TDMF_LEG_ANGLE] * line->cosine +
-                       leg->sine * (-line->sine * d_line->slope) -
-                       (-leg->sine * d_state[TDMF_LEG_ANGLE] * line->sine +
+                       leg->sine * -(line->sine * d_line->slope) -
+                       (-(leg->sine * d_state[TDMF_LEG_ANGLE]) * line->sine +
                         leg->cosine * (line->cosine * d_line->slope)),
         .ground_cosine =
-            -leg->sine * d_state[TDMF_LEG_ANGLE] * line->cosine +
-            leg->cosine * (-line->sine * d_line->slope) +
+            -(leg->sine * d_state[TDMF_LEG_ANGLE]) * line->cosine +
+            leg->cosine * -(line->sine * d_line->slope) +
             (leg->cosine * d_state[TDMF_LEG_ANGLE] * line->sine + leg->sine * (line->cosine * d_line->slope)),
         .rest_length = d_rest_length,
         .axial_force = d_model->parameters.leg.stiffness * (rest_length - state[TDMF_LEG_LENGTH]) +

@@ -27,12 +27,12 @@ static inline tdmf_mass_constants tdmf_vary_mass_constants_of(const tdmf_model *
                                                               const tdmf_model *d_model) {
     (void)model;
     const double d_inverse_body_mass =
-        -constants->inverse_body_mass * constants->inverse_body_mass * d_model->parameters.body.mass;
+        -(constants->inverse_body_mass * constants->inverse_body_mass * d_model->parameters.body.mass);
     const double d_total_mass = d_model->parameters.body.mass + d_model->parameters.foot.mass;
     const tdmf_mass_constants result = {
         .inverse_body_mass = d_inverse_body_mass,
         .inverse_foot_mass =
-            -constants->inverse_foot_mass * constants->inverse_foot_mass * d_model->parameters.foot.mass,
+            -(constants->inverse_foot_mass * constants->inverse_foot_mass * d_model->parameters.foot.mass),
         .inverse_reduced_mass = d_inverse_body_mass - constants->inverse_foot_mass *
                                                           constants->inverse_foot_mass *
                                                           d_model->parameters.foot.mass,

@@ -4,7 +4,7 @@
 
 #include "ground_series.h"
 
-/* Factors that all coefficients have, and what is divided by. */
+/* What is divided by. */
 typedef struct {
     real inverse_length;
 } slip_factors;
@@ -22,15 +22,11 @@ typedef struct {
     real friction_power;
 } slip_sums;
 
-/* Adds the terms with coefficient i of one factor and j of the other + 1. */
-KERNEL void add_slip_sums_ahead(const ground_series *s, int i, int j, slip_sums *sum) {
+/* Adds the terms with coefficient i of one factor and j of the other; of what is known ahead, of j + 1. */
+KERNEL void add_slip_sums(const ground_series *s, int i, int j, slip_sums *sum) {
     sum->x_times_x += s->x[i] * s->x[j + 1];
     sum->y_times_y += s->y[i] * s->y[j + 1];
     sum->length += s->length[i] * s->length[j + 1];
-}
-
-/* Adds the terms with coefficient i of one factor and j of the other. */
-KERNEL void add_slip_sums(const ground_series *s, int i, int j, slip_sums *sum) {
     sum->axial += s->axial[i] * s->length[j];
     sum->axial += s->length[i] * s->axial[j];
     sum->along += s->axial[i] * s->x[j];
@@ -86,7 +82,7 @@ KERNEL void expand_slip_on(const ground_coefficients *c, const slip_factors *by,
     s->length_rate[k] = (double)(k + 1) * s->length[k + 1];
     /* axial = (stiffness * (rest_length - length) - damping * length_rate) / length */
     s->axial[k] = quotient_of(k, sum->axial,
-                              with_ramp(k, -c->stiffness * s->length[k] - c->damping * s->length_rate[k],
+                              with_ramp(k, -(c->stiffness * s->length[k]) - c->damping * s->length_rate[k],
                                         c->stiffness * c->rest_length, c->stiffness * c->rest_length_rate),
                               s->axial, s->length, by->inverse_length);
     /* along = axial * x */
@@ -143,21 +139,16 @@ KERNEL void expand_slip(const ground_coefficients *given, int order, ground_seri
     for (int k = 2; k < order; k += 2) {
         begin_slip_sums(s, k / 2, &sum, &next);
         for (int i = k / 2, j = i + 1; i > 1; --i, ++j) {
-            add_slip_sums_ahead(s, i, j, &next);
-            add_slip_sums_ahead(s, i - 1, j, &sum);
-        }
-        for (int i = k / 2, j = i + 1; i > 1; --i, ++j) {
             add_slip_sums(s, i, j, &next);
             add_slip_sums(s, i - 1, j, &sum);
         }
         expand_slip_on(c, by, k, &sum, s);
-        add_slip_sums_ahead(s, 1, k, &next);
         add_slip_sums(s, 1, k, &next);
         expand_slip_on(c, by, k + 1, &next, s);
     }
 }
 
-/* Factors that all coefficients have, and what is divided by. */
+/* What is divided by. */
 typedef struct {
     real inverse_length;
     real inverse_square;
@@ -180,16 +171,11 @@ typedef struct {
     real friction_power;
 } slip_with_torque_sums;
 
-/* Adds the terms with coefficient i of one factor and j of the other + 1. */
-KERNEL void add_slip_with_torque_sums_ahead(const ground_series *s, int i, int j,
-                                            slip_with_torque_sums *sum) {
+/* Adds the terms with coefficient i of one factor and j of the other; of what is known ahead, of j + 1. */
+KERNEL void add_slip_with_torque_sums(const ground_series *s, int i, int j, slip_with_torque_sums *sum) {
     sum->x_times_x += s->x[i] * s->x[j + 1];
     sum->y_times_y += s->y[i] * s->y[j + 1];
     sum->length += s->length[i] * s->length[j + 1];
-}
-
-/* Adds the terms with coefficient i of one factor and j of the other. */
-KERNEL void add_slip_with_torque_sums(const ground_series *s, int i, int j, slip_with_torque_sums *sum) {
     sum->axial += s->axial[i] * s->length[j];
     sum->axial += s->length[i] * s->axial[j];
     sum->axial_times_x += s->axial[i] * s->x[j];
@@ -262,7 +248,7 @@ KERNEL void expand_slip_with_torque_on(const ground_coefficients *c, const slip_
     s->length_rate[k] = (double)(k + 1) * s->length[k + 1];
     /* axial = (stiffness * (rest_length - length) - damping * length_rate) / length */
     s->axial[k] = quotient_of(k, sum->axial,
-                              with_ramp(k, -c->stiffness * s->length[k] - c->damping * s->length_rate[k],
+                              with_ramp(k, -(c->stiffness * s->length[k]) - c->damping * s->length_rate[k],
                                         c->stiffness * c->rest_length, c->stiffness * c->rest_length_rate),
                               s->axial, s->length, by->inverse_length);
     /* axial_times_x = axial * x */
@@ -333,15 +319,10 @@ KERNEL void expand_slip_with_torque(const ground_coefficients *given, int order,
     for (int k = 2; k < order; k += 2) {
         begin_slip_with_torque_sums(s, k / 2, &sum, &next);
         for (int i = k / 2, j = i + 1; i > 1; --i, ++j) {
-            add_slip_with_torque_sums_ahead(s, i, j, &next);
-            add_slip_with_torque_sums_ahead(s, i - 1, j, &sum);
-        }
-        for (int i = k / 2, j = i + 1; i > 1; --i, ++j) {
             add_slip_with_torque_sums(s, i, j, &next);
             add_slip_with_torque_sums(s, i - 1, j, &sum);
         }
         expand_slip_with_torque_on(c, by, k, &sum, s);
-        add_slip_with_torque_sums_ahead(s, 1, k, &next);
         add_slip_with_torque_sums(s, 1, k, &next);
         expand_slip_with_torque_on(c, by, k + 1, &next, s);
     }
@@ -364,7 +345,7 @@ static inline void vary_slip_with_torque(const ground_coefficients *c, const gro
             (0.5 * t->square[k + 1] - product_so_far(t->length, s->length, k + 1)) / s->length[0];
         const real d_length_rate = (double)(k + 1) * t->length[k + 1];
         t->axial[k] = (with_ramp(k,
-                                 -d->stiffness * s->length[k] - c->stiffness * t->length[k] -
+                                 -(d->stiffness * s->length[k]) - c->stiffness * t->length[k] -
                                      d->damping * s->length_rate[k] - c->damping * d_length_rate -
                                      product(s->axial, t->length, k),
                                  d->stiffness * c->rest_length + c->stiffness * d->rest_length,

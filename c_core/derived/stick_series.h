@@ -4,7 +4,7 @@
 
 #include "ground_series.h"
 
-/* Factors that all coefficients have, and what is divided by. */
+/* What is divided by. */
 typedef struct {
     real inverse_length;
 } stick_factors;
@@ -20,15 +20,11 @@ typedef struct {
     real speed_square;
 } stick_sums;
 
-/* Adds the terms with coefficient i of one factor and j of the other + 1. */
-KERNEL void add_stick_sums_ahead(const ground_series *s, int i, int j, stick_sums *sum) {
+/* Adds the terms with coefficient i of one factor and j of the other; of what is known ahead, of j + 1. */
+KERNEL void add_stick_sums(const ground_series *s, int i, int j, stick_sums *sum) {
     sum->x_times_x += s->x[i] * s->x[j + 1];
     sum->y_times_y += s->y[i] * s->y[j + 1];
     sum->length += s->length[i] * s->length[j + 1];
-}
-
-/* Adds the terms with coefficient i of one factor and j of the other. */
-KERNEL void add_stick_sums(const ground_series *s, int i, int j, stick_sums *sum) {
     sum->axial += s->axial[i] * s->length[j];
     sum->axial += s->length[i] * s->axial[j];
     sum->along += s->axial[i] * s->x[j];
@@ -76,7 +72,7 @@ KERNEL void expand_stick_on(const ground_coefficients *c, const stick_factors *b
     s->length_rate[k] = (double)(k + 1) * s->length[k + 1];
     /* axial = (stiffness * (rest_length - length) - damping * length_rate) / length */
     s->axial[k] = quotient_of(k, sum->axial,
-                              with_ramp(k, -c->stiffness * s->length[k] - c->damping * s->length_rate[k],
+                              with_ramp(k, -(c->stiffness * s->length[k]) - c->damping * s->length_rate[k],
                                         c->stiffness * c->rest_length, c->stiffness * c->rest_length_rate),
                               s->axial, s->length, by->inverse_length);
     /* along = axial * x */
@@ -121,21 +117,16 @@ KERNEL void expand_stick(const ground_coefficients *given, int order, ground_ser
     for (int k = 2; k < order; k += 2) {
         begin_stick_sums(s, k / 2, &sum, &next);
         for (int i = k / 2, j = i + 1; i > 1; --i, ++j) {
-            add_stick_sums_ahead(s, i, j, &next);
-            add_stick_sums_ahead(s, i - 1, j, &sum);
-        }
-        for (int i = k / 2, j = i + 1; i > 1; --i, ++j) {
             add_stick_sums(s, i, j, &next);
             add_stick_sums(s, i - 1, j, &sum);
         }
         expand_stick_on(c, by, k, &sum, s);
-        add_stick_sums_ahead(s, 1, k, &next);
         add_stick_sums(s, 1, k, &next);
         expand_stick_on(c, by, k + 1, &next, s);
     }
 }
 
-/* Factors that all coefficients have, and what is divided by. */
+/* What is divided by. */
 typedef struct {
     real inverse_length;
     real inverse_square;
@@ -156,16 +147,11 @@ typedef struct {
     real speed_square;
 } stick_with_torque_sums;
 
-/* Adds the terms with coefficient i of one factor and j of the other + 1. */
-KERNEL void add_stick_with_torque_sums_ahead(const ground_series *s, int i, int j,
-                                             stick_with_torque_sums *sum) {
+/* Adds the terms with coefficient i of one factor and j of the other; of what is known ahead, of j + 1. */
+KERNEL void add_stick_with_torque_sums(const ground_series *s, int i, int j, stick_with_torque_sums *sum) {
     sum->x_times_x += s->x[i] * s->x[j + 1];
     sum->y_times_y += s->y[i] * s->y[j + 1];
     sum->length += s->length[i] * s->length[j + 1];
-}
-
-/* Adds the terms with coefficient i of one factor and j of the other. */
-KERNEL void add_stick_with_torque_sums(const ground_series *s, int i, int j, stick_with_torque_sums *sum) {
     sum->axial += s->axial[i] * s->length[j];
     sum->axial += s->length[i] * s->axial[j];
     sum->axial_times_x += s->axial[i] * s->x[j];
@@ -230,7 +216,7 @@ KERNEL void expand_stick_with_torque_on(const ground_coefficients *c, const stic
     s->length_rate[k] = (double)(k + 1) * s->length[k + 1];
     /* axial = (stiffness * (rest_length - length) - damping * length_rate) / length */
     s->axial[k] = quotient_of(k, sum->axial,
-                              with_ramp(k, -c->stiffness * s->length[k] - c->damping * s->length_rate[k],
+                              with_ramp(k, -(c->stiffness * s->length[k]) - c->damping * s->length_rate[k],
                                         c->stiffness * c->rest_length, c->stiffness * c->rest_length_rate),
                               s->axial, s->length, by->inverse_length);
     /* axial_times_x = axial * x */
@@ -289,15 +275,10 @@ KERNEL void expand_stick_with_torque(const ground_coefficients *given, int order
     for (int k = 2; k < order; k += 2) {
         begin_stick_with_torque_sums(s, k / 2, &sum, &next);
         for (int i = k / 2, j = i + 1; i > 1; --i, ++j) {
-            add_stick_with_torque_sums_ahead(s, i, j, &next);
-            add_stick_with_torque_sums_ahead(s, i - 1, j, &sum);
-        }
-        for (int i = k / 2, j = i + 1; i > 1; --i, ++j) {
             add_stick_with_torque_sums(s, i, j, &next);
             add_stick_with_torque_sums(s, i - 1, j, &sum);
         }
         expand_stick_with_torque_on(c, by, k, &sum, s);
-        add_stick_with_torque_sums_ahead(s, 1, k, &next);
         add_stick_with_torque_sums(s, 1, k, &next);
         expand_stick_with_torque_on(c, by, k + 1, &next, s);
     }
@@ -320,7 +301,7 @@ static inline void vary_stick_with_torque(const ground_coefficients *c, const gr
             (0.5 * t->square[k + 1] - product_so_far(t->length, s->length, k + 1)) / s->length[0];
         const real d_length_rate = (double)(k + 1) * t->length[k + 1];
         t->axial[k] = (with_ramp(k,
-                                 -d->stiffness * s->length[k] - c->stiffness * t->length[k] -
+                                 -(d->stiffness * s->length[k]) - c->stiffness * t->length[k] -
                                      d->damping * s->length_rate[k] - c->damping * d_length_rate -
                                      product(s->axial, t->length, k),
                                  d->stiffness * c->rest_length + c->stiffness * d->rest_length,

@@ -3,55 +3,43 @@
 Layout is the formatter's business: lines are broken where that is easy.
 """
 
+import ast
 import textwrap
 from collections.abc import Callable, Iterable
-from typing import Any
 
 from .expressions import Expression
 
-BINARY = ("+", "-", "*", "/")
+OPERATORS = {"+": ast.Add(), "-": ast.Sub(), "*": ast.Mult(), "/": ast.Div()}
 TextOf = Callable[[Expression], str | None]
 
 
-def c_number(value: Any) -> str:
-    """Write a number; a fraction that is not a double's value as a quotient."""
-    if float(value) == value:
-        return repr(float(value))
-    return f"{float(value.numerator)!r} / {float(value.denominator)!r}"
-
-
 def c_text(expression: Expression, text_of: TextOf = lambda node: None, functions: str = "") -> str:
-    """Write an expression in C with the fewest parentheses.
+    """Write an expression in C, whose operators and parentheses are those of Python.
 
     `text_of` gives the text of what has a name of its own, else None; `functions` begins those of C.
     """
 
-    def write(node: Expression, least: int) -> str:
-        own = text_of(node)
-        strength, text = (3, own) if own is not None else written(node)
-        return text if strength >= least else f"({text})"
+    def tree(node: Expression) -> ast.expr:
+        own = text_of(node) or (str(node.value) if node.operation == "symbol" else None)
+        operands = () if own else [tree(operand) for operand in node.operands]
+        match node.operation:
+            case _ if own:
+                return ast.Name(own)
+            case "number" if float(node.value) == node.value:
+                return ast.Constant(float(node.value))
+            case "number":  # it is no double's value
+                parts = [ast.Constant(float(part)) for part in node.value.as_integer_ratio()]
+                return ast.BinOp(parts[0], ast.Div(), parts[1])
+            case "negative":
+                return ast.UnaryOp(ast.USub(), operands[0])
+            case "larger" | "choose":
+                a, b, *chosen = map(ast.unparse, (*operands, *operands)[:4])
+                return ast.Name(f"({a} >= {b} ? {chosen[0]} : {chosen[1]})")
+            case operation if operation in OPERATORS:
+                return ast.BinOp(operands[0], OPERATORS[operation], operands[1])
+        return ast.Call(ast.Name(functions + node.operation), operands, [])
 
-    def written(node: Expression) -> tuple[int, str]:
-        operation, operands = node.operation, node.operands
-        if operation == "symbol":
-            return 3, str(node.value)
-        if operation == "number":
-            text = c_number(node.value)
-            return 1 if "/" in text or node.value < 0 else 3, text
-        if operation == "negative":
-            strength = 1 if operands[0].operation in "*/" else 2
-            text = write(operands[0], strength)
-            return strength, f"-({text})" if text.startswith("-") else f"-{text}"
-        if operation in ("larger", "choose"):
-            a, b, *chosen = (write(operand, 1) for operand in (*operands, *operands)[:4])
-            return -1, f"{a} >= {b} ? {chosen[0]} : {chosen[1]}"
-        if operation not in BINARY:
-            return 3, f"{functions}{operation}({', '.join(write(operand, 0) for operand in operands)})"
-        strength = 0 if operation in "+-" else 1
-        left, right = (write(operand, strength + i) for i, operand in enumerate(operands))
-        return strength, f"{left} {operation} {right}"
-
-    return write(expression, 0)
+    return ast.unparse(tree(expression))
 
 
 def comment(text: str | None, more: str = "") -> str:
@@ -61,10 +49,10 @@ def comment(text: str | None, more: str = "") -> str:
     return "/* " + "\n *\n * ".join(" ".join(paragraph.split()) for paragraph in paragraphs) + f"{more} */\n"
 
 
-def struct(name: str, members: Iterable[str], number: str = "double", size: str = "") -> str:
-    """Write a struct of numbers."""
+def struct(what: str, name: str, members: Iterable[str], number: str = "double", size: str = "") -> str:
+    """Write a struct of numbers, below what it is."""
     declared = "".join(f"{number} {member}{size};\n" for member in dict.fromkeys(members))
-    return f"typedef struct {{\n{declared}}} {name};\n"
+    return f"{comment(what)}typedef struct {{\n{declared}}} {name};\n"
 
 
 def header(name: str, source: str, includes: str, *parts: str) -> str:

@@ -5,7 +5,7 @@ from types import SimpleNamespace as Record
 from typing import Any
 
 from ..motions import STRUCTS
-from .c import c_text, comment
+from .c import comment
 from .expressions import forget, lift, parameters, symbol, trace
 from .series import Expansion
 
@@ -33,13 +33,11 @@ def law_series(law: Callable[..., Any], given: dict[str, Any], rates: dict[str, 
     quantity = lift(trace(law, *(value for value, _ in told[: len(names)])))
     expansion = Expansion({name: quantity}, {symbol(of): symbol(rate) for of, rate in rates.items()})
     step = expansion.quantities()
-    arrays = [expansion.arrays[node] for node in expansion.made if node in expansion.arrays]
-    constants = [f"const real {factor} = {c_text(node)};\n" for node, factor in expansion.factors.items()]
     return LAW.format(
         what=comment(law.__doc__),
         name=name,
         parameters=", ".join(dict.fromkeys(text for _, declared in told for text in declared)),
-        local="".join([*(f"real {array}[SERIES_TERMS];\n" for array in arrays if array != name), *constants]),
+        local=expansion.own_arrays(),
         step="\n".join(step),
     )
 

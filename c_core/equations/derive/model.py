@@ -6,7 +6,7 @@ from typing import Any
 
 from .. import in_c
 from . import events
-from .c import comment, header, struct
+from .c import header, struct
 from .expressions import parameters
 from .values import Function, given, members
 
@@ -28,17 +28,13 @@ def function(row: in_c.InC) -> Function:
     return Function(result, name, types, row.law, arguments, in_c.FIXED, row.value, row.varied)
 
 
-def record(name: str, law: Any) -> str:
-    """Write the struct that a law gives."""
-    return comment(law.__doc__) + struct(name, members(law))
-
-
 def laws(topic: str) -> str:
     """Write the header of a topic."""
     functions = [function(row) for row in in_c.FUNCTIONS[topic]]
     page = inspect.getmodulename(functions[0].law.__code__.co_filename)
     includes = f'#include "{in_c.HEADERS.get(topic, "quantities.h")}"\n\n#include <math.h>\n'
-    records = [record(*told) for told in in_c.STRUCTS.get(topic, {}).items()]
+    given = in_c.STRUCTS.get(topic, {})
+    records = [struct(law.__doc__ or "", name, members(law)) for name, law in given.items()]
     return header(f"{topic}_laws", f"{page}.py", includes, *records, *(f.c() for f in functions))
 
 

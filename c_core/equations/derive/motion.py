@@ -25,22 +25,15 @@ from .expressions import (
 from .series import RECURSIONS, Expansion, kind_of
 from .values import Function
 
-STRUCTS = """\
-/* What the motions depend on, and its rates where it changes in time. */
-{coefficients}
-/* Series of the states and of what is made of them, up to the order or one less. */
-{series}
-/* The first variations of some. */
-{variation}
-/* What a motion starts with. */
-{start}
-"""
+FACTORS = "What is divided by."
+SUMS = "Inner terms of a coefficient: all without coefficient 0 of a factor, of squares half."
 SERIES = """\
-/* Factors that all coefficients have, and what is divided by. */
 {factors}
-/* Inner terms of a coefficient: all without coefficient 0 of a factor, of squares half. */
 {sums}
-{pairs}
+/* Adds the terms with coefficient i of one factor and j of the other; of what is known ahead, of j + 1. */
+KERNEL void add_{case}_sums(const {family}_series *s, int i, int j, {case}_sums *sum) {{
+{pairs}}}
+
 /* Sets the sums of coefficients 2 i and 2 i + 1 to the terms in the middle. */
 KERNEL void begin_{case}_sums(const {family}_series *s, int i, {case}_sums *sum, {case}_sums *next) {{
 {middle}}}
@@ -63,22 +56,14 @@ KERNEL void expand_{case}(const {family}_coefficients *given, int order, {family
     expand_{case}_on(c, by, 1, &next, s);
     for (int k = 2; k < order; k += 2) {{
         begin_{case}_sums(s, k / 2, &sum, &next);
-{loops}        expand_{case}_on(c, by, k, &sum, s);
-{last}        expand_{case}_on(c, by, k + 1, &next, s);
+        for (int i = k / 2, j = i + 1; i > 1; --i, ++j) {{
+            add_{case}_sums(s, i, j, &next);
+            add_{case}_sums(s, i - 1, j, &sum);
+        }}
+        expand_{case}_on(c, by, k, &sum, s);
+        add_{case}_sums(s, 1, k, &next);
+        expand_{case}_on(c, by, k + 1, &next, s);
     }}
-}}
-"""
-# One for all inner terms, and before it another for those of what is known a coefficient ahead.
-ADD = """\
-/* Adds the terms with coefficient i of one factor and j of the other{ahead}. */
-KERNEL void add_{sums}(const {family}_series *s, int i, int j, {case}_sums *sum) {{
-{pairs}}}
-
-"""
-LOOP = """\
-for (int i = k / 2, j = i + 1; i > 1; --i, ++j) {{
-    add_{sums}(s, i, j, &next);
-    add_{sums}(s, i - 1, j, &sum);
 }}
 """
 VARIATION = """\
@@ -116,25 +101,23 @@ class Family:
         """Write the structs, and the states by what a motion starts with."""
         motions = [self.motion(case) for case in self.cases]
         given = [*self.constants, *self.ramps, *(ramp + "_rate" for ramp in self.ramps)]
+        series, varied = ([m for motion in motions for m in motion.members(of)] for of in ("s->", "t->"))
         types = {"start": f"const {self.name}_start *", "written": f"{self.name}_series *"}
         begin = Function("void", f"begin_{self.name}", types, self.page.start, number="real")
-        stored = {
-            what: struct(
-                f"{self.name}_{what}",
-                (m for motion in motions for m in motion.members(of)),
-                "real",
-                "[SERIES_TERMS]",
-            )
-            for what, of in (("series", "s->"), ("variation", "t->"))
-        }
-        return (
-            STRUCTS.format(
-                coefficients=struct(f"{self.name}_coefficients", given, "real"),
-                start=struct(f"{self.name}_start", self.start, "real"),
-                **stored,
-            )
-            + begin.c()
-        )
+        structs = [
+            ("What the motions depend on, and its rates where it changes in time.", "coefficients", given),
+            (
+                "Series of the states and of what is made of them, up to the order or one less.",
+                *("series", series, "[SERIES_TERMS]"),
+            ),
+            ("The first variations of some.", "variation", varied, "[SERIES_TERMS]"),
+            ("What a motion starts with.", "start", self.start),
+        ]
+        written = [
+            struct(what, f"{self.name}_{name}", members, "real", *size)
+            for what, name, members, *size in structs
+        ]
+        return "\n".join([*written, begin.c()])
 
     def end(self) -> str:
         """Write where a motion leads in some time, and the change of that."""
@@ -207,12 +190,8 @@ class Motion:
         """Write the functions of the case, the last of which expands the series."""
         value, arrays, step = self.value, self.value.arrays, self.value.step()
         summed = [node for node in value.made if "{inner}" in "".join(RECURSIONS.get(kind_of(node), ""))]
-        ahead = [node for node in summed if node in value.ahead]
-        groups = {f"{self.case}_sums_ahead": ahead} if ahead else {}
-        groups[f"{self.case}_sums"] = [node for node in summed if node not in ahead]
         divisors = [value.series_in(node)[-1] for node in summed if kind_of(node) in ("quotient", "sqrt")]
         made = {f"inverse_{node.name}": f"1.0 / {arrays[node]}[0]" for node in divisors}
-        made |= {name: c_text(node) for node, name in value.factors.items()}
         first = [node for node in ordered(divisors) if node in arrays and node.operands]
         zero = {node: f"{array}[0]" for node, array in arrays.items()}
         lines = [
@@ -223,20 +202,9 @@ class Motion:
             family=self.family.name,
             case=self.case,
             what=comment(self.family.page.motion.__doc__, " From coefficient k of the states to the next."),
-            factors=struct(f"{self.case}_factors", made, "real"),
-            sums=struct(f"{self.case}_sums", [str(node.name) for node in summed], "real"),
-            pairs="".join(
-                ADD.format(
-                    ahead=" + 1" if "ahead" in sums else "",
-                    pairs="".join(map(self.pairs, nodes)),
-                    sums=sums,
-                    family=self.family.name,
-                    case=self.case,
-                )
-                for sums, nodes in groups.items()
-            ),
-            loops="".join(LOOP.format(sums=sums) for sums in groups),
-            last="".join(f"add_{sums}(s, 1, k, &next);\n" for sums in groups),
+            factors=struct(FACTORS, f"{self.case}_factors", made, "real"),
+            sums=struct(SUMS, f"{self.case}_sums", [str(node.name) for node in summed], "real"),
+            pairs="".join(map(self.pairs, summed)),
             middle="".join(map(self.middle, summed)) + ("" if value.ahead else "(void)next;\n"),
             step="\n".join(step),
             first="\n".join(lines),
@@ -262,12 +230,10 @@ class Motion:
     def variation(self) -> str:
         """Write the first variation of the series."""
         begin, step = self.varied.begin(), self.varied.step()
-        local = [array for array in self.varied.arrays.values() if "->" not in array]
-        factors = [f"const real {name} = {c_text(node)};\n" for node, name in self.varied.factors.items()]
         return VARIATION.format(
             family=self.family.name,
             case=self.case,
-            local="".join([*(f"real {array}[SERIES_TERMS];\n" for array in local), *factors]),
+            local=self.varied.own_arrays(),
             begin="".join(f"{line}\n" for line in begin),
             step="\n".join(step),
         )

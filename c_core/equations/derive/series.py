@@ -73,7 +73,6 @@ class Expansion:
         by_pairs: bool = False,
     ) -> None:
         self.wanted, self.rates, self.known, self.by_pairs = wanted, rates, known or {}, by_pairs
-        self.factors: dict[Expression, str] = {}  # products of constants, which all coefficients have
         roots = [*rates.values(), *wanted.values(), *rates]
         turned = [node.operands[0] for node in ordered(roots, self.known) if node.operation in TURNS]
         self.turned = {angle: (angle.sin(), angle.cos()) for angle in turned}
@@ -164,7 +163,7 @@ class Expansion:
         steady = replaced(node, held)
         ramps = {leaf: leaf.marks["ramp"] for leaf in leaves([steady]) if "ramp" in leaf.marks}
         rate = derivative(steady, ramps)
-        parts = [c_text(moving, self.factor)]
+        parts = [c_text(moving)]
         parts += [f"broadcast({c_text(p)})" if p.operation == "number" else c_text(p) for p in (steady, rate)]
         word = min(leaf.marks["word"] for leaf in ramps) if ramps else "constant"
         parts = parts if ramps else parts[:2]
@@ -181,15 +180,6 @@ class Expansion:
             found |= dict.fromkeys([part] if is_one else self.atoms(part))
         return list(found)
 
-    def factor(self, node: Expression) -> str | None:
-        """Name a product of constants, which is made before the first coefficient."""
-        if not node.is_constant or not node.operands:
-            return None
-        name = self.factors.setdefault(node, name_of(node))
-        if list(self.factors.values()).count(name) > 1:
-            raise ValueError(f"two constants are called {name}: give them variables in their page")
-        return f"by->{name}" if self.by_pairs else name
-
     def define(self, node: Expression, k: str) -> list[str]:
         """Write coefficient k of a quantity into its place, below the page's formula."""
         if not self.stands(node):
@@ -203,6 +193,15 @@ class Expansion:
             line = f"{place} = {self.recursion(node, k)};"
         formula = c_text(node, lambda part: part.name if part is not node else None)
         return [f"/* {node.name} = {formula} */", line] if self.by_pairs else [line]
+
+    def own_arrays(self) -> str:
+        """Declare the arrays that nobody has asked for."""
+        own = [self.arrays[node] for node in self.made if node in self.arrays]
+        return "".join(
+            f"real {array}[SERIES_TERMS];\n"
+            for array in own
+            if array.isidentifier() and array not in self.wanted
+        )
 
     def begin(self) -> list[str]:
         """Write coefficient 0 of what is expanded ahead."""

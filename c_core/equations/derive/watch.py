@@ -112,13 +112,11 @@ def guard_parameters() -> str:
         """Parameters that guards are made of."""
         return Record(**{name: Expression("broadcast", symbol(path)) for name, path in found.items()})
 
-    function = Function(
-        "guard_parameters", "guard_parameters_of", {"model": "const tdmf_model *"}, law, varied=False
-    )
+    types = {"model": "const tdmf_model *"}
+    function = Function("guard_parameters", "guard_parameters_of", types, law, varied=False)
     includes = '#include "tdmf_slip/parameters.h"\n#include "width.h"\n'
-    return header(
-        "guard_parameters", "events.py", includes, struct("guard_parameters", found, "real"), function.c()
-    )
+    filled = struct("What guards are made of, in any width.", "guard_parameters", found, "real")
+    return header("guard_parameters", "events.py", includes, filled, function.c())
 
 
 FILES = {
