@@ -3,6 +3,7 @@
  * from the rest: model, solver's limits, views. */
 #include "saved_fields.h"
 
+#include "ranges.h"
 #include "static_assert.h"
 #include "tdmf_slip/kinematics.h"
 
@@ -260,7 +261,7 @@ static void pass_record(transfer *bytes, tdmf_record *record) {
 static void pass_position(transfer *bytes, tdmf_motion *motion) {
     pass_time(bytes, "time", &motion->time);
     for (int i = 0; i < TDMF_STATE_COUNT; ++i) {
-        const bool sums = i >= TDMF_MECHANICAL_COUNT && i != TDMF_HIP_PLACE_TIME;
+        const bool sums = tdmf_state_quantities[i] == TDMF_QUANTITY_ENERGY;
         const double largest = sums ? largest_sum : fmu_largest_state;
         pass_between(bytes, "a continuous state", &motion->state[i], -largest, largest);
     }

@@ -19,6 +19,7 @@ import argparse
 import hashlib
 import html
 import pathlib
+import re
 import uuid
 import xml.etree.ElementTree as ElementTree
 
@@ -45,6 +46,7 @@ class Variable:
         self.type = self.value.tag
         declared = types.get(self.value.get("declaredType"))
         self.unit = self.value.get("unit") or (declared.get("unit") if declared is not None else None)
+        self.quantity = declared.get("quantity") if declared is not None else None
         self.items = [] if declared is None else list(declared)
         self.derivative = self.value.get("derivative")
 
@@ -200,11 +202,18 @@ def range_row(variable, offset):
     return f'    {{"{variable.name}", {unit}, {limits}, {variable.start}, {changes}, {offset}}},'
 
 
+def quantity(variable):
+    """The C enumerator of what a variable is: AngularVelocity -> TDMF_QUANTITY_ANGULAR_VELOCITY."""
+    words = re.findall("[A-Z][a-z]*", variable.quantity)
+    return "_".join(["TDMF_QUANTITY", *map(str.upper, words)])
+
+
 def ranges(table):
     """The C file behind c_core/model/ranges.h."""
     parameters = [range_row(v, f"offsetof(tdmf_parameters, {v.name})") for v in table.core_parameters()]
     inputs = [range_row(v, f"offsetof(tdmf_inputs, {v.name})") for v in table.inputs()]
     mechanical = [range_row(v, "0") for v in table.states if v.value.get("start")]
+    quantities = [f"    [{v.constant}] = {quantity(v)}," for v in table.states]
     return generated(
         [
             '#include "ranges.h"',
@@ -223,6 +232,10 @@ def ranges(table):
             "",
             "const tdmf_range tdmf_state_ranges[TDMF_MECHANICAL_COUNT] = {",
             *mechanical,
+            "};",
+            "",
+            "const tdmf_quantity tdmf_state_quantities[TDMF_STATE_COUNT] = {",
+            *quantities,
             "};",
         ]
     )

@@ -6,6 +6,7 @@
 #include "free_fall.h"
 #include "ground_line.h"
 #include "kinematics.h"
+#include "ranges.h"
 
 #include <string.h>
 
@@ -88,18 +89,19 @@ void tdmf_vary_rates_of_state(const tdmf_evaluation *at, const tdmf_evaluation *
 
 void tdmf_state_scales(const tdmf_model *model, double scales[TDMF_STATE_COUNT]) {
     const tdmf_scales *units = &model->scales;
+    const double of_quantity[TDMF_QUANTITY_COUNT] = {
+        [TDMF_QUANTITY_LENGTH] = units->length,  [TDMF_QUANTITY_ANGLE] = 1.0,
+        [TDMF_QUANTITY_VELOCITY] = units->speed, [TDMF_QUANTITY_ANGULAR_VELOCITY] = 1.0 / units->time,
+        [TDMF_QUANTITY_TIME] = units->time,      [TDMF_QUANTITY_TORQUE] = units->energy,
+        [TDMF_QUANTITY_ENERGY] = units->energy,
+    };
     for (int i = 0; i < TDMF_STATE_COUNT; ++i) {
-        scales[i] = units->energy;
+        scales[i] = of_quantity[tdmf_state_quantities[i]];
     }
-    scales[TDMF_FOOT_X] = scales[TDMF_FOOT_Y] = scales[TDMF_LEG_LENGTH] = units->length;
-    scales[TDMF_FOOT_VX] = scales[TDMF_FOOT_VY] = scales[TDMF_LEG_LENGTH_RATE] = units->speed;
     if (tdmf_friction_falls(model)) {
         const double layer = model->parameters.ground.stribeck_velocity;
         scales[TDMF_FOOT_VX] = layer < units->speed ? layer : units->speed;
     }
-    scales[TDMF_LEG_ANGLE] = 1.0;
-    scales[TDMF_LEG_ANGLE_RATE] = 1.0 / units->time;
-    scales[TDMF_HIP_PLACE_TIME] = units->time;
 }
 
 /* ---- how the ground force changes --------------------------------------------------------------------- */

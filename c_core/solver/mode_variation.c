@@ -84,10 +84,7 @@ static void advance_ground(const tdmf_step *step, const elapsed_time *elapsed,
 tdmf_mode_variation tdmf_open_mode_variation(const tdmf_mode_equations *equations,
                                              const double state[TDMF_STATE_COUNT], const tdmf_seed *seed,
                                              const tdmf_variation *variation) {
-    tdmf_mode_variation varied_mode = {.liftoff_angle = variation->liftoff_angle,
-                                       .place_time = variation->state[TDMF_HIP_PLACE_TIME],
-                                       .leg_work = variation->state[TDMF_LEG_WORK],
-                                       .stance = variation->stance};
+    tdmf_mode_variation varied_mode = {.held = *variation};
     varied_mode.at.work = variation->state[TDMF_HIP_WORK];
     const tdmf_local_seed d = tdmf_local_seed_of(equations->model, seed, variation);
     if (equations->contact == TDMF_CONTACT_FLIGHT) {
@@ -110,9 +107,7 @@ double tdmf_expand_mode_variation(const tdmf_step *step, const tdmf_mode *mode, 
     const tdmf_scales *scales = &step->equations->model->scales;
     const int order = step->order;
     const tdmf_mode_coordinates *from = &step->equations->start, *at = &varied_mode->at;
-    tdmf_variation variation = {.liftoff_angle = varied_mode->liftoff_angle};
-    variation.state[TDMF_HIP_PLACE_TIME] = varied_mode->place_time;
-    const tdmf_local_seed d = tdmf_local_seed_of(step->equations->model, seed, &variation);
+    const tdmf_local_seed d = tdmf_local_seed_of(step->equations->model, seed, &varied_mode->held);
     double sizes[SERIES_TERMS] = {0.0};
     if (step->equations->contact == TDMF_CONTACT_FLIGHT) {
         flight_variation *flight = &varied_series->flight;
@@ -157,10 +152,8 @@ void tdmf_advance_mode_variation(const tdmf_step *step, double elapsed, const td
 tdmf_variation tdmf_variation_in_mode(const tdmf_mode_equations *equations,
                                       const double state[TDMF_STATE_COUNT], const tdmf_seed *seed,
                                       const tdmf_mode_variation *varied_mode) {
-    tdmf_variation variation = {.liftoff_angle = varied_mode->liftoff_angle, .stance = varied_mode->stance};
+    tdmf_variation variation = varied_mode->held;
     variation.state[TDMF_HIP_WORK] = varied_mode->at.work;
-    variation.state[TDMF_HIP_PLACE_TIME] = varied_mode->place_time;
-    variation.state[TDMF_LEG_WORK] = varied_mode->leg_work;
     const tdmf_local_seed d = tdmf_local_seed_of(equations->model, seed, NULL);
     if (equations->contact == TDMF_CONTACT_FLIGHT) {
         flight_variation_of_state(equations->model, state, &d, varied_mode, variation.state);

@@ -39,6 +39,15 @@ static tdmf_parameters scaled_parameters(tdmf_parameters p, const factors *by) {
     return p;
 }
 
+/* All that is no clock and not mechanical is an energy. */
+static double factor_of_element(const factors *by, int i) {
+    const double speed = by->length / time_factor(by);
+    const double mechanical[TDMF_MECHANICAL_COUNT] = {
+        by->length, by->length, by->length, 1.0, speed, speed, speed, 1.0 / time_factor(by)};
+    const double other = i == TDMF_HIP_PLACE_TIME ? time_factor(by) : energy_factor(by);
+    return i < TDMF_MECHANICAL_COUNT ? mechanical[i] : other;
+}
+
 static runner scaled(const runner *original, const factors *by) {
     runner runner = *original;
     const tdmf_parameters parameters = scaled_parameters(runner.model.parameters, by);
@@ -46,13 +55,10 @@ static runner scaled(const runner *original, const factors *by) {
     runner.inputs.hip.external_torque *= energy_factor(by);
     runner.inputs.ground.height *= by->length;
     runner.motion.mode.ground.height *= by->length;
-    const double speed = by->length / time_factor(by);
-    const double by_element[TDMF_MECHANICAL_COUNT] = {
-        by->length, by->length, by->length, 1.0, speed, speed, speed, 1.0 / time_factor(by)};
     for (int i = 0; i < TDMF_MECHANICAL_COUNT; ++i) {
-        runner.motion.state[i] *= by_element[i];
+        runner.motion.state[i] *= factor_of_element(by, i);
     }
-    runner.motion.state[TDMF_HIP_PLACE_TIME] *= time_factor(by);
+    runner.motion.state[TDMF_HIP_PLACE_TIME] *= factor_of_element(by, TDMF_HIP_PLACE_TIME);
     return runner;
 }
 
@@ -60,6 +66,22 @@ static runner scaled(const runner *original, const factors *by) {
 static factors to_unity(const tdmf_parameters *p) {
     const factors factors = {1.0 / p->body.mass, 1.0 / p->leg.stiffness, 1.0 / p->leg.free_length};
     return factors;
+}
+
+static void scales_of_states_are_in_the_units_of_states(void **unused) {
+    (void)unused;
+    const factors by = {2.0, 3.0, 5.0};
+    const tdmf_parameters original = tdmf_default_parameters(), changed = scaled_parameters(original, &by);
+    tdmf_model models[2];
+    double scales[2][TDMF_STATE_COUNT];
+    assert_null(tdmf_model_create(&models[0], &original).variable);
+    assert_null(tdmf_model_create(&models[1], &changed).variable);
+    tdmf_state_scales(&models[0], scales[0]);
+    tdmf_state_scales(&models[1], scales[1]);
+    for (int i = 0; i < TDMF_STATE_COUNT; ++i) {
+        const double expected = scales[0][i] * factor_of_element(&by, i);
+        assert_close(scales[1][i], expected, 1e-14 * expected);
+    }
 }
 
 /* Guards are pure numbers: they don't know the units. */
@@ -117,6 +139,7 @@ static void gait_is_the_same_in_scaled_units(void **unused) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(scales_of_states_are_in_the_units_of_states),
         cmocka_unit_test(guards_are_dimensionless),
         cmocka_unit_test(gait_is_the_same_in_scaled_units),
     };
