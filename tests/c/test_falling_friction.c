@@ -1,5 +1,5 @@
 /* Friction that falls with speed: the impact's law and its tangent, the limits in which it is Coulomb's
- * again, the energy that it takes, and steps that respect the layer in which it falls. The gaits of an
+ * again, the energy that it takes, and friction that ramps. The gaits of an
  * independent program are in test_further_gaits.c. */
 #include "compare.h"
 #include "friction.h"
@@ -132,12 +132,70 @@ static void the_widest_fall_is_none_and_the_narrowest_is_one_at_once(void **stat
     }
 }
 
+/* ---- while the friction ramps -------------------------------------------------------------------------- */
+
+/* A runner whose ground gets slippery, or grips more and more, with a patch or without. */
+typedef struct {
+    double friction, rate, velocity, patch_begin, patch_end;
+} ramped_run;
+
+static const ramped_run ramped_runs[] = {{0.6, -0.01, 0.1, 0.0, 0.0},     {0.2, 0.01, 0.1, 0.0, 0.0},
+                                         {0.3, -0.01, 1e-3, 0.0, 0.0},    {0.6, -0.01, 0.1, 1.0, 30.0},
+                                         {0.2, 0.005, 0.02, 10.0, 40.0},  {0.05, -0.005, 0.1, 0.0, 0.0},
+                                         {0.4, -0.005, 10.0, -1.0, 25.0}, {0.4, 0.03, 1e-3, -10.0, 100.0}};
+enum { RAMPED_RUNS = sizeof ramped_runs / sizeof *ramped_runs };
+
+static int slips_of(const tdmf_event_log *log) {
+    int slips = 0;
+    for (int i = 0; i < log->count; ++i) {
+        slips += log->events[i].guard == TDMF_GUARD_SLIP_VELOCITY_ZERO ||
+                 log->events[i].guard == TDMF_GUARD_PATCH_BORDER;
+    }
+    return slips;
+}
+
+/* CVODE asks the right-hand side for mu(t); the native solver has the ramp in its series. */
+static void series_of_a_ramped_friction_agree_with_cvode(void **state) {
+    int slips = 0;
+    (void)state;
+    for (int i = 0; i < RAMPED_RUNS && tdmf_cvode_is_available(); ++i) {
+        const ramped_run *run = &ramped_runs[i];
+        runner native = runner_default(run->friction);
+        tdmf_parameters parameters = native.model.parameters;
+        const tdmf_inputs rates = {.ground.friction = run->rate};
+        tdmf_event_log log = {0};
+        tdmf_solver solver = tdmf_solver_default();
+        solver.relative_tolerance = 1e-13;
+        parameters.ground.static_friction_ratio = 1.5;
+        parameters.ground.stribeck_velocity = run->velocity;
+        parameters.ground.patch_begin = run->patch_begin;
+        parameters.ground.patch_end = run->patch_end;
+        assert_null(tdmf_model_create(&native.model, &parameters).variable);
+        runner_start(&native);
+        runner cvode = native;
+        solver.log = &log;
+        assert_int_equal(tdmf_native_advance(&solver, SYSTEM_OF(&native), &rates, 60.0, &native.motion),
+                         TDMF_ARRIVED);
+        solver.log = NULL;
+        assert_int_equal(tdmf_cvode_advance(&solver, SYSTEM_OF(&cvode), &rates, 60.0, &cvode.motion),
+                         TDMF_ARRIVED);
+        assert_int_equal(native.motion.record.event_count, cvode.motion.record.event_count);
+        for (int k = 0; k < TDMF_STATE_COUNT; ++k) {
+            assert_close(native.motion.state[k], cvode.motion.state[k],
+                         1e-8 * fmax(1.0, fabs(cvode.motion.state[k])));
+        }
+        slips += slips_of(&log);
+    }
+    assert_true(!tdmf_cvode_is_available() || slips >= RAMPED_RUNS);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(impacts_are_those_of_the_integral),
         cmocka_unit_test(an_impact_loses_what_the_foot_does),
         cmocka_unit_test(the_impacts_tangent_is_a_ratio_of_frictions),
         cmocka_unit_test(the_widest_fall_is_none_and_the_narrowest_is_one_at_once),
+        cmocka_unit_test(series_of_a_ramped_friction_agree_with_cvode),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -369,6 +369,103 @@ static void a_foot_at_rest_on_a_border_slips_where_it_is_held_less(void **state)
     }
 }
 
+/* ---- a border that is met as the slip ends ------------------------------------------------------------- */
+
+enum { SHIFTS = 13 };
+static const double shifts[SHIFTS] = {-1e-5, -1e-7, -1e-9, -1e-11, -1e-13, -1e-15, 0.0,
+                                      1e-15, 1e-13, 1e-11, 1e-9,   1e-7,   1e-5};
+static const double slip_ends_by = 0.2;
+
+/* A foot that slips forward and comes to rest, its leg leaning by an angle, which pushes it on or back. */
+static tdmf_motion motion_that_slips(double angle) {
+    tdmf_motion motion = {
+        .state = {[TDMF_FOOT_VX] = 0.02, [TDMF_LEG_LENGTH] = 0.9, [TDMF_LEG_ANGLE] = angle}};
+    const double unit[2] = {sin(angle), cos(angle)};
+    motion.state[TDMF_LEG_LENGTH_RATE] = motion.state[TDMF_FOOT_VX] * unit[0];
+    motion.state[TDMF_LEG_ANGLE_RATE] = motion.state[TDMF_FOOT_VX] * unit[1] / 0.9;
+    return motion;
+}
+
+static double energy_and_losses(tdmf_system system, const tdmf_motion *motion) {
+    const double *state = motion->state;
+    return tdmf_mechanical_energy(system, &motion->mode, state).total + state[TDMF_ENERGY_DAMPER_LOSS] +
+           state[TDMF_ENERGY_FRICTION_LOSS];
+}
+
+/* Where it is then, on ground of friction 1 with a slippery patch from `border` on. */
+static tdmf_motion slip_to_a_border(double angle, double border, bool by_cvode) {
+    tdmf_parameters parameters = tdmf_default_parameters();
+    tdmf_inputs inputs = tdmf_default_inputs();
+    tdmf_motion motion = motion_that_slips(angle);
+    tdmf_solver solver = tdmf_solver_default();
+    tdmf_model model;
+    parameters.ground.patch_begin = border;
+    parameters.ground.patch_end = 5.0;
+    parameters.hip.stance_torque = 0.0;
+    inputs.ground.friction = 1.0;
+    solver.relative_tolerance = 1e-12;
+    assert_null(tdmf_model_create(&model, &parameters).variable);
+    const tdmf_system system = {&model, &inputs};
+    assert_null(tdmf_start(system, &motion).variable);
+    assert_int_equal(motion.mode.contact, TDMF_CONTACT_SLIP_POSITIVE);
+    const double before = energy_and_losses(system, &motion);
+    assert_int_equal(
+        (by_cvode ? tdmf_cvode_advance : tdmf_native_advance)(&solver, system, NULL, slip_ends_by, &motion),
+        TDMF_ARRIVED);
+    assert_close(energy_and_losses(system, &motion), before, 1e-11);
+    assert_true(motion.record.event_count < 10);
+    return motion;
+}
+
+/* Pushed back, it is held by the ground that it comes from, or slips back to it: the border makes the less of
+ * a difference the later it is met. */
+static void a_foot_that_is_pushed_back_ends_where_it_would_without_the_border(void **state) {
+    int compared = 0;
+    (void)state;
+    for (int by_cvode = 0; by_cvode <= (int)tdmf_cvode_is_available(); ++by_cvode) {
+        const tdmf_motion without = slip_to_a_border(-0.5, 4.0, by_cvode);
+        assert_int_equal(without.mode.contact, TDMF_CONTACT_STICK);
+        for (int i = 0; i < SHIFTS; ++i) {
+            const double border = without.state[TDMF_FOOT_X] + shifts[i];
+            const tdmf_motion motion = slip_to_a_border(-0.5, border, by_cvode);
+            assert_int_equal(motion.mode.contact, TDMF_CONTACT_STICK);
+            for (int k = 0; k < TDMF_MECHANICAL_COUNT; ++k) {
+                assert_close(motion.state[k], without.state[k], 1e-10 + 20.0 * fmax(0.0, -shifts[i]));
+            }
+            ++compared;
+        }
+    }
+    assert_int_equal(compared, SHIFTS * (1 + tdmf_cvode_is_available()));
+}
+
+/* Pushed on, it rests before the border, or slips on from it. At the border itself it is one or the other. */
+static void a_foot_that_is_pushed_on_rests_before_the_border_or_slips_on(void **state) {
+    int rested = 0, slipped = 0;
+    (void)state;
+    for (int by_cvode = 0; by_cvode <= (int)tdmf_cvode_is_available(); ++by_cvode) {
+        const tdmf_motion without = slip_to_a_border(0.5, 4.0, by_cvode);
+        const double rest = without.state[TDMF_FOOT_X];
+        const double gone = slip_to_a_border(0.5, rest - 1e-10, by_cvode).state[TDMF_FOOT_X] - rest;
+        assert_int_equal(without.mode.contact, TDMF_CONTACT_STICK);
+        assert_true(gone > 2e-3);
+        for (int i = 0; i < SHIFTS; ++i) {
+            const tdmf_motion motion = slip_to_a_border(0.5, rest + shifts[i], by_cvode);
+            const double way = motion.state[TDMF_FOOT_X] - rest;
+            if (motion.mode.contact == TDMF_CONTACT_STICK) {
+                assert_true(shifts[i] > -1e-10);
+                assert_close(way, 0.0, 1e-10);
+                ++rested;
+            } else {
+                assert_int_equal(motion.mode.contact, TDMF_CONTACT_SLIP_POSITIVE);
+                assert_true(shifts[i] < 1e-10);
+                assert_close(way, gone, 0.3 * sqrt(fabs(shifts[i])) + 1e-5);
+                ++slipped;
+            }
+        }
+    }
+    assert_true(rested >= 3 && slipped >= 3);
+}
+
 /* ---- what is refused ----------------------------------------------------------------------------------- */
 
 static void a_patch_that_ends_before_it_begins_is_refused_by_name(void **state) {
@@ -408,6 +505,8 @@ int main(void) {
         cmocka_unit_test(each_stride_is_differentiated_by_place_and_patch),
         cmocka_unit_test(without_a_crossing_the_place_is_carried_along),
         cmocka_unit_test(a_foot_at_rest_on_a_border_slips_where_it_is_held_less),
+        cmocka_unit_test(a_foot_that_is_pushed_back_ends_where_it_would_without_the_border),
+        cmocka_unit_test(a_foot_that_is_pushed_on_rests_before_the_border_or_slips_on),
         cmocka_unit_test(a_patch_that_ends_before_it_begins_is_refused_by_name),
         cmocka_unit_test(maps_without_a_place_refuse_a_patch),
     };
