@@ -52,6 +52,16 @@ get_sundials() {
     export CVODE_ROOT=$folder/usr
 }
 
+# The package, the source distribution and the library that is installed compile the core alike: by ccache they do so
+# once. It knows a file by its compiler and all flags, with folders as seen from the build's own, and without the locale,
+# which the test that installs the source distribution does not hand on.
+share_compilations() {
+    need_debian_packages ccache
+    command -v ccache >/dev/null || return 0
+    export CMAKE_C_COMPILER_LAUNCHER=ccache CCACHE_DIR=${CCACHE_DIR:-$PWD/build/ccache} CCACHE_BASEDIR=/
+    export CCACHE_SLOPPINESS=locale CC=${CC:-gcc} CMAKE_GENERATOR=Ninja
+}
+
 # Whatever python3 it is: Debian keeps what makes environments in a package of its own.
 need_python() {
     command -v python3 >/dev/null || need_debian_packages python3

@@ -4,9 +4,12 @@ import ctypes
 import fcntl
 import importlib.resources
 import json
+import os
 import pathlib
+import shutil
 import signal
 import subprocess
+import sys
 import sysconfig
 import venv
 
@@ -168,15 +171,32 @@ def succeed(*command, **options):
 
 @pytest.fixture(scope="session")
 def installed_library(tmp_path_factory):
-    """Folder into which `cmake --install` has put the library; all workers compile it once."""
-    build, prefix = ROOT / "build" / "library", tmp_path_factory.mktemp("prefix")
+    """Folder into which `cmake --install` has put the library; all workers compile it once.
+
+    By the CMake that has built the package, in a folder that lies as deep in `build` as the package's: then
+    the commands are the same, and ccache, where scripts/test has set it up, has what they make.
+    """
+    build, prefix = ROOT / "build" / "library" / "installed", tmp_path_factory.mktemp("prefix")
+    programs = pathlib.Path(sys.executable).parent
+    cmake = shutil.which("cmake", path=f"{programs}{os.pathsep}{os.environ['PATH']}")
     build.mkdir(parents=True, exist_ok=True)
-    with (build / "lock").open("w") as lock:
+    with (build.parent / "lock").open("w") as lock:
         fcntl.flock(lock, fcntl.LOCK_EX)
-        succeed("cmake", "-S", ROOT, "-B", build, "-DTDMF_SLIP_BUILD_FMU=OFF")
-        succeed("cmake", "--build", build, "--parallel", "2")
-        succeed("cmake", "--install", build, "--component", "library", "--prefix", prefix)
+        succeed(cmake, "-S", ROOT, "-B", build, "-DTDMF_SLIP_BUILD_FMU=OFF")
+        succeed(cmake, "--build", build, "--parallel", "2")
+        succeed(cmake, "--install", build, "--component", "library", "--prefix", prefix)
     return prefix
+
+
+COMPILING = (
+    "CC",
+    "CCACHE_BASEDIR",
+    "CCACHE_DIR",
+    "CCACHE_SLOPPINESS",
+    "CMAKE_C_COMPILER_LAUNCHER",
+    "CMAKE_GENERATOR",
+)
+"""Variables by which scripts/test lets nothing be compiled twice."""
 
 
 class Environment:
@@ -192,6 +212,8 @@ class Environment:
     def install(self, package, path=None):
         """With nothing on the PATH but the environment itself, unless `path` says otherwise."""
         variables = {"PATH": path or str(self.programs), "HOME": str(self.folder)}
+        if path is not None:
+            variables |= {name: os.environ[name] for name in COMPILING if name in os.environ}
         options = ("--no-deps", "--no-build-isolation", "--ignore-installed", "--disable-pip-version-check")
         pip = (self.programs / "python", "-m", "pip", "install")
         succeed(*pip, *options, "--no-index", package, env=variables)
