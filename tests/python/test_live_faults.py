@@ -208,6 +208,9 @@ def test_a_patch_is_drawn_and_has_no_gait(driver, address, end):
     text = find(driver, "gait-hint").text
     if end == 50:
         assert shown > 200 and text.startswith("No gait was looked for: on a patch") and "apex" not in text
+        assert [find(driver, f"{card}-hint").text for card in ("friction", "region")] == [
+            "There is no gait."
+        ] * 2
     else:
         assert shown == 0 and text.startswith("Gait ")
 

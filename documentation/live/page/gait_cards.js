@@ -13,6 +13,8 @@ import { GaitSearch } from "./search.js";
 
 const PAINT_DELAY = 600; // ms
 const REGION_HINT = $("region-hint").textContent;
+const FRICTION_HINT = $("friction-hint").textContent;
+const NO_GAIT = "There is no gait.";
 
 export class GaitCards {
   /**
@@ -54,8 +56,11 @@ export class GaitCards {
     if (gait) {
       performance.mark("gait found");
       this.paintSoon();
+    } else {
+      $("region-hint").textContent = this.region.map ? `${NO_GAIT} Painted for other values.` : NO_GAIT;
     }
     $("friction-hint").hidden = Boolean(gait);
+    $("friction-hint").textContent = NO_GAIT;
     const text = gait ? gaitText(gait) : withChanges(message, this.state.values);
     $("gait-hint").textContent = text;
     if (this.aloud) {
@@ -68,6 +73,7 @@ export class GaitCards {
     this.frictionPlot.clear();
     $("start-gait").disabled = true;
     $("friction-hint").hidden = false;
+    $("friction-hint").textContent = FRICTION_HINT;
     $("gait-hint").textContent = "Newton’s method on the return map, from where the runner settles.";
   }
 
@@ -118,7 +124,7 @@ export class GaitCards {
       }
       const { gait } = this.search;
       if (!gait || lambdaMax(gait) >= 1) {
-        $("region-hint").textContent = gait ? "The gait is unstable: it attracts nothing." : "There is no gait.";
+        $("region-hint").textContent = gait ? "The gait is unstable: it attracts nothing." : NO_GAIT;
         return;
       }
       $("region-hint").textContent = "Painting …";
