@@ -15,6 +15,7 @@ from ..contents import ByContents
 from ..given import row_of
 from ..library.affine_law import AffineLaw
 from ..library.gait import Gait, check_is_gait
+from ..library.rough_ground import RoughGround
 from ..terminal.progress import progress_bar
 
 SAMPLES = 4000
@@ -35,6 +36,11 @@ class Trial(ByContents):
     """Standard deviations of a step of the ground, m."""
     seed: int = 0
     """Of starts and ground."""
+
+    def __post_init__(self) -> None:
+        """Refuse a ground that cannot be, before a judgement has taken seconds."""
+        for roughness in self.roughness:
+            RoughGround(roughness, self.seed)
 
 
 @dataclass(frozen=True, eq=False)
