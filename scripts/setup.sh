@@ -196,7 +196,7 @@ build_distribution() {
 draw_gallery() {
     local name data
     mkdir -p "$1"
-    for name in figure_ energy feedback guinea_fowl optimal reduced_ retraction rough slippery_patch slope thrust viability; do
+    for name in figure_ energy falling_friction feedback guinea_fowl optimal reduced_ retraction rough slippery_patch slope thrust viability; do
         .venv/bin/tdmf-slip figures --only "$name" --format png --output "$1" || return 1
     done
     for data in documentation/data/figures/*.csv; do

@@ -181,6 +181,7 @@ def test_figures_are_drawn_of_what_is_kept_and_no_legend_is_cut_off(command, mon
 
     monkeypatch.setattr(style, "save", look)
     for name in (
+        "falling_friction",
         "feedback",
         "guinea_fowl",
         "optimal",

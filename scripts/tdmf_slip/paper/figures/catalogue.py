@@ -24,6 +24,7 @@ from .. import guinea_fowl as slippery
 from . import (
     attraction,
     energy,
+    falling_friction,
     feedback,
     figure_1,
     figure_2,
@@ -179,6 +180,10 @@ def _figures(fmu: Fmu, measure: bool = False) -> dict[str, Figure]:
         return slippery_patch.measure(runner) if measure else stored.columns("slippery_patch")
 
     @cache
+    def falling() -> Columns:
+        return falling_friction.measure(runner) if measure else stored.columns("falling_friction")
+
+    @cache
     def saved() -> Columns:
         if measure:
             return viability.table(viability.measure(Runner.of(runner, model="reduced"), progress=True))
@@ -210,6 +215,7 @@ def _figures(fmu: Fmu, measure: bool = False) -> dict[str, Figure]:
         "energy": Figure(
             lambda path: energy.draw(path, gaits(), equal()), lambda: energy.table(gaits().gaits, equal())
         ),
+        "falling_friction": Figure(lambda path: falling_friction.draw(path, falling()), falling),
         "feedback": Figure(lambda path: feedback.draw(path, feedbacks()), feedbacks),
         "optimal": Figure(lambda path: optimal.draw(path, optima()), optima),
         "retraction": Figure(

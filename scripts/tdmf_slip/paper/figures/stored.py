@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-TEXTS = ("law", "word")
+TEXTS = ("kind", "law", "word")
 """Columns that hold no numbers."""
 
 

@@ -1,0 +1,183 @@
+"""Gaits under a friction that falls with speed: speed, cost and eigenvalues over where it falls."""
+
+from collections.abc import Iterator, Mapping
+from itertools import pairwise
+from pathlib import Path
+
+import matplotlib.pyplot as plt
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.patheffects import withStroke
+from numpy.typing import NDArray
+
+from ...analysis.bifurcations import FOLD, WORD_BORDER
+from ...analysis.branch import Branch
+from ...analysis.continuation import gaits_over
+from ...analysis.search import periodic_gait
+from ...analysis.tracing import trace
+from ...library.gait import Gait
+from ...library.runner import Runner
+from ...pictures import style
+from ...unit.unit import FRICTION
+from .columns import Columns
+
+SLOPE, RATIO, VELOCITY = "ground.slope", "ground.static_friction_ratio", "ground.stribeck_velocity"
+LEVEL, DOWNHILL = 0.0, -3.0
+"""Degrees."""
+FRICTIONS: Mapping[float, float] = {LEVEL: 0.3, DOWNHILL: 0.0515}
+"""Sliding ones, by slope; downhill a little less than the slope's tangent."""
+RATIOS: Mapping[float, tuple[float, ...]] = {LEVEL: (1.2, 1.5, 2.0, 3.0), DOWNHILL: (1.5, 2.0, 3.0)}
+COLOURS: Mapping[float, str] = {1.2: "#5b2a86", 1.5: "#0b7a75", 2.0: "#e07b00", 3.0: "#22303c"}
+"""By ratio."""
+DECADES = (1e-3, 1e-2, 1e-1, 1.0, 10.0)
+"""On the level each is followed by itself, for the steps of a branch are measured over its first velocity."""
+BEGIN, RANGE, POINTS = 0.1, (0.005, 1.0), 110
+"""Downhill: of the gait that is followed both ways, how far, and by how many gaits at most."""
+MARKS: Mapping[str, str] = {WORD_BORDER: "|", FOLD: "o"}
+DRAWN = {
+    "speed": "average speed  / l₀√(k/m)",
+    "cost_of_transport": "cost of transport",
+    "lambda_max": "size of the largest eigenvalue",
+}
+SHOWN = 2.0
+"""Speed up to which gaits are drawn; those that never rest go on beyond."""
+SHORT_RUN = 0.4
+"""Decades: a word that holds over less is not written."""
+
+Row = tuple[float, str, Gait]
+"""A velocity, what happens there, nothing for a gait of the branch, and the gait."""
+
+
+def runner_of(runner: Runner, slope: float, ratio: float, velocity: float) -> Runner:
+    """A runner at one place of the figure."""
+    its = runner.but(SLOPE, float(np.radians(slope))).but(FRICTION, FRICTIONS[slope])
+    return its.but(RATIO, ratio).but(VELOCITY, velocity)
+
+
+def level(runner: Runner, ratio: float) -> list[Row]:
+    """Along the branch on level ground, decade by decade."""
+    rows: list[Row] = []
+    for begin, end in pairwise(DECADES):
+        its = runner_of(runner, LEVEL, ratio, begin)
+        rows += _rows(trace(its, VELOCITY, periodic_gait(its), end))
+    return rows
+
+
+def downhill(runner: Runner, ratio: float) -> list[Row]:
+    """Along the branch downhill: through its fold, and on with gaits that never rest."""
+    its = runner_of(runner, DOWNHILL, RATIOS[DOWNHILL][0], BEGIN)
+    first = periodic_gait(its)
+    if ratio != RATIOS[DOWNHILL][0]:
+        first = next(gaits_over(its, RATIO, [ratio], first))
+    low, high = RANGE
+    return _rows(trace(first.runner, VELOCITY, first, low, begin=high, max_points=POINTS))
+
+
+def _rows(branch: Branch) -> list[Row]:
+    """Gaits and what happens between them, in the order of the branch."""
+    rows: list[Row] = []
+    for index, (velocity, gait) in enumerate(zip(branch.values, branch.gaits, strict=True)):
+        rows.append((float(velocity), "", gait))
+        rows += [
+            (special.value, special.kind, special.gait)
+            for special in branch.specials
+            if special.index == index
+        ]
+    return rows
+
+
+def measure(runner: Runner) -> Columns:
+    """All branches, by column, in some minutes."""
+    found = {(LEVEL, ratio): level(runner, ratio) for ratio in RATIOS[LEVEL]}
+    found |= {(DOWNHILL, ratio): downhill(runner, ratio) for ratio in RATIOS[DOWNHILL]}
+    rows = [(slope, ratio, *row) for (slope, ratio), branch in found.items() for row in branch]
+    gaits = [gait for *_, gait in rows]
+    return {
+        "slope_degrees": [slope for slope, *_ in rows],
+        "static_friction_ratio": [ratio for _, ratio, *_ in rows],
+        "stribeck_velocity": [velocity for _, _, velocity, *_ in rows],
+        "kind": [kind for *_, kind, _ in rows],
+        "word": [gait.word for gait in gaits],
+        "stable": [gait.stable for gait in gaits],
+        "speed": [gait.stride["speed"] for gait in gaits],
+        "cost_of_transport": [gait.stride["cost_of_transport"] for gait in gaits],
+        "lambda_max": [gait.lambda_max for gait in gaits],
+    }
+
+
+def branch_of(data: Columns, slope: float, ratio: float) -> dict[str, NDArray[np.generic]]:
+    """One branch of the data, in its order."""
+    its = (np.asarray(data["slope_degrees"]) == slope) & (np.asarray(data["static_friction_ratio"]) == ratio)
+    return {name: np.asarray(values)[its] for name, values in data.items()}
+
+
+def _shown(its: Mapping[str, NDArray[np.generic]]) -> dict[str, NDArray[np.generic]]:
+    slow = np.asarray(its["speed"], float) < SHOWN
+    return {name: values[slow] for name, values in its.items()}
+
+
+def draw(path: Path, data: Columns) -> None:
+    """Draw level ground on the left and the slope on the right; dashed where gaits are unstable."""
+    with style.styled():
+        figure, panels = plt.subplots(3, 2, figsize=(9.6, 9.0), sharex="col", layout="constrained")
+        for column, slope in zip(panels.T, RATIOS, strict=True):
+            for axes, (name, what) in zip(column, DRAWN.items(), strict=True):
+                for ratio in RATIOS[slope]:
+                    _curve(axes, _shown(branch_of(data, slope, ratio)), name, COLOURS[ratio])
+                axes.set_ylabel(what)
+                axes.set_xscale("log")
+            _write_words(column[0], data, slope)
+            column[2].axhline(1.0, **style.LIMIT_LINE)
+            column[0].set_title(f"{_named(slope)}, sliding friction {FRICTIONS[slope]:g}")
+            column[2].set_xlabel("velocity over which friction falls, $v_s$  / l₀√(k/m)")
+        _key(panels[0, 0])
+        figure.legend(loc="outside lower center", ncols=5)
+        style.save(figure, path)
+
+
+def _named(slope: float) -> str:
+    return f"slope of {slope:g}°".replace("-", "−") if slope else "level ground"
+
+
+def _curve(axes: Axes, its: Mapping[str, NDArray[np.generic]], name: str, colour: str) -> None:
+    velocities, heights = its["stribeck_velocity"], np.asarray(its[name], float)
+    axes.plot(velocities, heights, color=colour, linewidth=1.0, linestyle=style.SLIP_DASHES)
+    axes.plot(velocities, np.where(its["stable"], heights, np.nan), color=colour)
+    for kind, marker in MARKS.items():
+        here = its["kind"] == kind
+        axes.plot(velocities[here], heights[here], marker, color=colour, markersize=6, zorder=4)
+
+
+def _key(axes: Axes) -> None:
+    for ratio, colour in COLOURS.items():
+        axes.plot([], [], color=colour, label=rf"$\rho$ = {ratio:g}")
+    axes.plot([], [], color=style.INK, linewidth=1.0, linestyle=style.SLIP_DASHES, label="unstable")
+    for kind, marker in MARKS.items():
+        axes.plot([], [], marker, color=style.INK, label=kind)
+
+
+def _runs(its: Mapping[str, NDArray[np.generic]]) -> Iterator[tuple[str, NDArray[np.intp]]]:
+    """Words in the order of a branch, and the rows that have each."""
+    borders = np.flatnonzero(its["word"][1:] != its["word"][:-1]) + 1
+    for rows in np.split(np.arange(len(its["word"])), borders):
+        yield str(its["word"][rows[0]]), rows
+
+
+def _write_words(axes: Axes, data: Columns, slope: float) -> None:
+    """Each where it holds for long enough, on its curve."""
+    for ratio in RATIOS[slope]:
+        its = _shown(branch_of(data, slope, ratio))
+        for word, rows in _runs(its):
+            decades = np.log10(np.asarray(its["stribeck_velocity"], float)[rows])
+            if np.ptp(decades) < SHORT_RUN:
+                continue
+            middle = rows[int(np.argmin(np.abs(decades - 0.5 * (decades.min() + decades.max()))))]
+            axes.annotate(
+                style.word(word),
+                (float(its["stribeck_velocity"][middle]), float(its["speed"][middle])),
+                (0, 4),
+                textcoords="offset points",
+                ha="center",
+                color=COLOURS[ratio],
+                path_effects=[withStroke(linewidth=2.5, foreground="white")],
+            )
