@@ -18,14 +18,21 @@ static inline real lowest_center_of_mass(const event_search *search, const fligh
     return real_min(com->ground.height, com->ground.height + t * rate);
 }
 
-/* A leg does not drop further than its longest at the angle that brings it nearest to the ground's normal. */
-static inline real max_drop(const event_search *search, const flight_constants *c, const flight_series *f,
-                            real longest, real sine, real cosine) {
+/* How far the ends of the leg are below the centre of mass. */
+typedef struct {
+    real foot, body;
+} leg_drops;
+
+/* No end drops further than that of the longest leg at the angle that brings it nearest to the ground's
+ * normal. */
+static inline leg_drops max_drops(const event_search *search, const flight_constants *c,
+                                  const flight_series *f, real longest, real sine, real cosine) {
     const real turn = largest_deviation(search, f->angle, search->order);
     const real change = turn * (real_abs(sine) + 0.5 * turn);
     const real down = c->body_share * longest * real_min(cosine + change, broadcast(1.0));
     const real up = (1.0 - c->body_share) * longest * real_min(change - cosine, broadcast(1.0));
-    return real_max(real_max(down, up), broadcast(0.0));
+    const leg_drops drops = {real_max(down, broadcast(0.0)), real_max(up, broadcast(0.0))};
+    return drops;
 }
 
 /* A leg that spins at a steady rate has long steps, and a drop that is not. */
@@ -37,38 +44,46 @@ static inline void trust_drop(event_search *search, const flight_constants *c, c
     record_end(search, lanes, trusted / search->size, integer_of(KINK));
 }
 
-/* The heights of foot and body: a parabola and a share of the leg's drop. */
+/* The height of an end of the leg: a parabola and a share of the leg's drop. */
+static inline void watch_height(event_search *search, int guard, mask low, const flight_constants *c,
+                                const real *drop, real share, const ballistic *com) {
+    const int order = search->order;
+    real height[SERIES_TERMS];
+    if (!any(low)) {
+        return;
+    }
+    for (int k = 1; k <= order; ++k) {
+        height[k] = share * drop[k];
+    }
+    height[1] += com->ground.rate;
+    height[2] -= 0.5 * c->normal_gravity;
+    if (INPUTS_RAMP) {
+        height[3] += com->normal_jerk * (1.0 / 6);
+    }
+    const guard_series g = {height, broadcast(1.0), com->ground.height + share * drop[0], order};
+    watch(search, guard, low, &g, search->beyond_margin * c->mode.length_scale);
+}
+
+/* The heights of foot and body. Mostly one of them is seen to be out of reach. */
 static inline void watch_heights(event_search *search, const flight_constants *c, const flight_series *f,
                                  double tolerance, real longest, const ballistic *com) {
     const real lowest = lowest_center_of_mass(search, c, com);
-    mask low = search->live & mask_not(lowest > longest * real_max(c->body_share, 1.0 - c->body_share));
+    const mask low = search->live & mask_not(lowest > longest * real_max(c->body_share, 1.0 - c->body_share));
     real sine, cosine, drop[SERIES_TERMS];
     if (!any(low)) {
         return;
     }
     sine_and_cosine(f->angle[0] - c->slope, &sine, &cosine);
-    low &= mask_not(lowest > max_drop(search, c, f, longest, sine, cosine));
-    if (!any(low)) {
+    const leg_drops drops = max_drops(search, c, f, longest, sine, cosine);
+    const mask foot_is_low = low & mask_not(lowest > drops.foot);
+    const mask body_is_low = low & mask_not(lowest > drops.body);
+    if (!any(foot_is_low | body_is_low)) {
         return;
     }
     expand_drop(f->length, f->angle, c->slope, f->angle_rate, search->order, drop);
-    trust_drop(search, c, drop, tolerance, low);
-    const int order = search->order;
-    const real floor = search->beyond_margin * c->mode.length_scale;
-    real height[SERIES_TERMS];
-    for (int end = 0; end < 2; ++end) {
-        const real share = end == 0 ? -c->body_share : 1.0 - c->body_share;
-        for (int k = 1; k <= order; ++k) {
-            height[k] = share * drop[k];
-        }
-        height[1] += com->ground.rate;
-        height[2] -= 0.5 * c->normal_gravity;
-        if (INPUTS_RAMP) {
-            height[3] += com->normal_jerk * (1.0 / 6);
-        }
-        const guard_series g = {height, broadcast(1.0), com->ground.height + share * drop[0], order};
-        watch(search, end == 0 ? TDMF_GUARD_TOUCHDOWN : TDMF_GUARD_BODY_DOWN, low, &g, floor);
-    }
+    trust_drop(search, c, drop, tolerance, foot_is_low | body_is_low);
+    watch_height(search, TDMF_GUARD_TOUCHDOWN, foot_is_low, c, drop, -c->body_share, com);
+    watch_height(search, TDMF_GUARD_BODY_DOWN, body_is_low, c, drop, 1.0 - c->body_share, com);
 }
 
 /* The foot comes up from below a ground that waits for that. */
