@@ -45,6 +45,7 @@ def test_a_gait_loads_what_it_needs():
         "errors",
         "given",
         "library",
+        "numerics",
         "renamed",
         "terminal",
         "unit",

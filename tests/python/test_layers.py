@@ -12,14 +12,15 @@ PAGES = ROOT / "c_core/equations"
 GROUND = {"checks", "contents", "drawable", "errors", "given", "renamed", "version"}
 KNOWS = {
     "terminal": GROUND,
+    "numerics": GROUND,
     "files": {"terminal"},
     "blocks": {"terminal"},
     "unit": {"terminal", "files", "blocks"},
-    "library": {"unit", "terminal"},
-    "analysis": {"library", "unit", "blocks", "files", "terminal"},
+    "library": {"unit", "numerics", "terminal"},
+    "analysis": {"library", "unit", "blocks", "files", "numerics", "terminal"},
     "feedback": {"analysis", "library", "unit", "blocks", "files", "terminal"},
     "fitting": {"analysis", "library", "unit", "files", "terminal"},
-    "optimization": {"analysis", "library", "unit", "terminal"},
+    "optimization": {"analysis", "library", "unit", "numerics", "terminal"},
     "proof": {"analysis", "library", "unit", "terminal"},
     "viable_sets": {"analysis", "library", "unit", "blocks", "files", "terminal"},
     "pictures": {"viable_sets", "fitting", "analysis", "library", "unit", "files", "terminal"},
@@ -98,6 +99,7 @@ def test_a_part_imports_what_is_below_it_only(part):
         ("analysis", "def late():\n    from .. import cli"),
         ("paper", "from ..bench.running import bench"),
         ("files", "from ..unit import section as where"),
+        ("numerics", "from ..library.gait import Gait"),
         ("analysis", "from ..equations import leg"),
     ],
 )

@@ -9,6 +9,7 @@ from ..errors import RunError
 from ..given import row_of
 from ..library.gait import Gait, check_is_gait
 from ..library.runner import Runner
+from ..numerics.halving import walk as steps_to
 from ..unit.variable import Given, Values
 from .family import Family
 from .walking_back import reaches
@@ -67,26 +68,20 @@ def walk(family: Family, gait: Gait, at: float, to: float, shortest: float = SHO
     RunError
         The branch cannot be followed so far.
     """
-    step = to - at
-    if step == 0.0:
+    if at == to:
         yield family.gait(to, gait.apex)
         return
+
+    def advance(gait: Gait, at: float, value: float) -> Gait:
+        nearby = _predicted(family, gait, value - at)
+        following = family.gait(value, nearby)
+        _check_near(family, gait, nearby, following)
+        _check_leads_back(family, gait, following)
+        return following
+
     smallest = shortest * max(abs(at), abs(to))
-    while at != to:
-        step = np.clip(step, -abs(to - at), abs(to - at))
-        value = to if abs(to - at - step) < smallest else at + step
-        try:
-            nearby = _predicted(family, gait, value - at)
-            following = family.gait(value, nearby)
-            _check_near(family, gait, nearby, following)
-            _check_leads_back(family, gait, following)
-        except RunError:
-            step *= 0.5
-            if abs(step) < smallest:
-                raise
-            continue
+    for _, following in steps_to(gait, at, to, advance, shortest=smallest):
         yield following
-        gait, at, step = following, value, 2.0 * step
 
 
 def _predicted(family: Family, gait: Gait, step: float) -> NDArray[np.float64]:

@@ -1,18 +1,23 @@
 """Newton's method to a branch of gaits, on a plane across a direction."""
 
 from collections.abc import Iterator
-from typing import Any, Protocol
+from dataclasses import dataclass
+from typing import Any, Protocol, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ..errors import InputError, RunError
 from ..library.gait import Gait
+from ..numerics.newton import newton_iterates
 
 NEWTON_ITERATIONS = 24
 SHORTENINGS = 12
 CONVERGED, GOOD_ENOUGH = 1e-13, 1e-11
 """Largest difference of the apex and the next, over the scales."""
+
+Iterate: TypeAlias = tuple[NDArray[np.float64], Gait]
+"""A place over the scales, and the strides from there."""
 
 
 class Strides(Protocol):
@@ -36,43 +41,56 @@ def iterates(
     Steps that make the error larger are shortened so many times, or taken all the same: where an event is
     just touched the map has a square root, and only whole steps lead across.
     """
-    place, gait = goal, family.look(goal)
+    plane = _OnPlane(family, goal, normal)
+    begin = goal, family.look(goal)
+    if shortenings == 0:
+        yield from _whole_steps(plane, begin)
+        return
+    for (place, gait), step in newton_iterates(
+        plane, begin, iterations=NEWTON_ITERATIONS, shortenings=shortenings
+    ):
+        yield gait, place if step is None else place + step
+
+
+def _whole_steps(plane: "_OnPlane", iterate: Iterate) -> Iterator[tuple[Gait, NDArray[np.float64]]]:
+    """Without damping, until a step leads away from what is good enough."""
     for _ in range(NEWTON_ITERATIONS):
-        if gait.error <= CONVERGED:
+        if plane.is_solved(iterate):
             break
-        off = np.append(gait.left_over / family.scales[:-1], (place - goal) @ normal)
-        change: NDArray[Any] = np.linalg.solve(np.vstack([family.rows(gait), normal]), -off)
-        yield gait, place + change
-        improved = _improved(family, place, change, gait, shortenings)
-        if improved is None:
+        step = plane.step(iterate)
+        place, gait = iterate
+        yield gait, place + step
+        iterate = plane.moved(iterate, step)
+        if gait.error <= GOOD_ENOUGH <= iterate[1].error:
             return
-        place, gait = improved
+    place, gait = iterate
     yield gait, place
 
 
-def _improved(
-    family: Strides, place: NDArray[np.float64], change: NDArray[Any], gait: Gait, shortenings: int
-) -> tuple[NDArray[np.float64], Gait] | None:
-    """Goes a step, or the part of it that makes the error smaller; None where none does."""
-    if shortenings == 0:
-        there = _tried(family, place + change)
-        return None if gait.error <= GOOD_ENOUGH <= there.error else (place + change, there)
-    for shortening in range(shortenings):
-        tried = place + 0.5**shortening * change
+@dataclass(frozen=True)
+class _OnPlane:
+    """That strides lead back to their apex, of a place on a plane."""
+
+    family: Strides
+    goal: NDArray[np.float64]
+    normal: NDArray[np.float64]
+
+    def error(self, iterate: Iterate) -> float:
+        return iterate[1].error
+
+    def is_solved(self, iterate: Iterate) -> bool:
+        return iterate[1].error <= CONVERGED
+
+    def step(self, iterate: Iterate) -> NDArray[Any]:
+        place, gait = iterate
+        off = np.append(gait.left_over / self.family.scales[:-1], (place - self.goal) @ self.normal)
+        step: NDArray[Any] = np.linalg.solve(np.vstack([self.family.rows(gait), self.normal]), -off)
+        return step
+
+    def moved(self, iterate: Iterate, step: NDArray[Any]) -> Iterate:
+        """A place that is not allowed is one without strides."""
+        place = iterate[0] + step
         try:
-            there = _tried(family, tried)
-        except RunError:
-            if shortening == shortenings - 1:
-                raise
-            continue
-        if there.error < gait.error:
-            return tried, there
-    return None
-
-
-def _tried(family: Strides, place: NDArray[np.float64]) -> Gait:
-    """The strides where a step leads; a place that is not allowed is one without strides."""
-    try:
-        return family.look(place)
-    except InputError as problem:
-        raise RunError(f"Newton's method leads to what is not allowed, {problem}") from None
+            return place, self.family.look(place)
+        except InputError as problem:
+            raise RunError(f"Newton's method leads to what is not allowed, {problem}") from None

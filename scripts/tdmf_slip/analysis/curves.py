@@ -1,6 +1,7 @@
 """Curves of special points of gaits over two parameters: bifurcations, and borders between words."""
 
 from collections.abc import Callable, Mapping, Sequence
+from functools import partial
 
 import numpy as np
 from numpy.typing import NDArray
@@ -9,7 +10,9 @@ from ..checks import checked_whole, shown
 from ..errors import InputError, RunError
 from ..given import mapping_of, row_of
 from ..library.members import check_varied
+from ..library.quantities import scales_of
 from ..library.runner import Runner
+from ..numerics.halving import halved
 from ..terminal.progress import progress_bar
 from ..unit.unit import Fmu, load_fmu
 from ..unit.variable import Given
@@ -90,7 +93,7 @@ def continue_curves(
     if not spans[1].min() <= home <= spans[1].max():
         runner = runner.but(second, float(spans[1, 0]))
     branch = continue_branch(runner, {first: (float(spans[0, 0]), float(spans[0, 1]))}, switch=False, fmu=fmu)
-    sizes = np.array([abs(runner.values[name]) or 1.0 for name in names])
+    sizes = scales_of(runner, names)[-2:]
     box = Box(spans.min(axis=1) / sizes, spans.max(axis=1) / sizes)
     found: list[Curve] = []
     with progress_bar("curves", None, "points", progress) as bar:
@@ -183,17 +186,11 @@ def _followed(
     while len(found) < max_points:
         longest = LONGEST / max(np.max(np.abs(direction[-2:]) / box.size), 0.05)
         try:
-            goal = last.at + step * longest * direction
-            following = plane.corrected(goal, direction)
-            if np.linalg.norm(following.at - goal) > FARTHEST * step * longest:
-                raise RunError("the curve turns sharply")
-            if not plane.leads_back(following, last):
-                raise RunError("no place is found that leads back")
+            following, step = halved(
+                partial(_stepped, plane, last, longest * direction), step, SHORTEST / LONGEST
+            )
         except (InputError, RunError) as problem:
-            step *= 0.5
-            if step * LONGEST < SHORTEST:
-                return found, _lost(plane, last, direction, problem)
-            continue
+            return found, _lost(plane, last, direction, problem)
         tell()
         if box.outside(following.at[-2:]):
             share = box.share(last.at[-2:], following.at[-2:])
@@ -209,6 +206,17 @@ def _followed(
         last, direction = following, tangent if tangent @ direction > 0.0 else -tangent
         step = min(1.0, 1.5 * step)
     return found, f"number of points: {max_points}"
+
+
+def _stepped(plane: Plane, last: Place, way: NDArray[np.float64], share: float) -> Place:
+    """The place of the curve a share of a way further, from which it leads back."""
+    goal = last.at + share * way
+    following = plane.corrected(goal, way / np.linalg.norm(way))
+    if np.linalg.norm(following.at - goal) > FARTHEST * share * np.linalg.norm(way):
+        raise RunError("the curve turns sharply")
+    if not plane.leads_back(following, last):
+        raise RunError("no place is found that leads back")
+    return following
 
 
 def _met(plane: Plane, places: Sequence[Place], last: Place, following: Place) -> Place | None:

@@ -13,6 +13,7 @@ from ..contents import ByContents
 from ..errors import RunError
 from ..library.gait import Gait
 from ..library.members import check_varied
+from ..library.quantities import scales_of
 from ..library.return_map import Along
 from ..library.runner import Runner
 from ..library.section import Apex
@@ -54,7 +55,7 @@ class Family:
         self.name = name
         self.along = name
         self.strides = strides
-        self.scales = np.append(runner.scales, abs(runner.values[name]) or 1.0)
+        self.scales = scales_of(runner, [name])
 
     def runner_at(self, value: float) -> Runner:
         """The runner at a value of the parameter, in its unit."""

@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from functools import partial
 
 import numpy as np
 from numpy.typing import NDArray
@@ -10,6 +11,7 @@ from ..contents import ByContents
 from ..errors import InputError, RunError
 from ..library.gait import Gait
 from ..library.runner import Runner
+from ..numerics.halving import halved
 from .bifurcations import WORD_BORDER, Special
 from .borders import Crossing, crossings
 from .branch import Branch
@@ -196,12 +198,9 @@ def _border_followed(
     while len(found) < max_points:
         longest = LONGEST / np.max(np.abs(way) / box.size)
         try:
-            following = track.stepped(last, step * longest * way)
+            following, step = halved(partial(_stepped, track, last, longest * way), step, SHORTEST / LONGEST)
         except (InputError, RunError) as problem:
-            step *= 0.5
-            if step * LONGEST < SHORTEST:
-                return found, f"lost: {problem}"
-            continue
+            return found, f"lost: {problem}"
         tell()
         if box.outside(following.pair):
             share = box.share(last.pair, following.pair)
@@ -215,3 +214,8 @@ def _border_followed(
         track.add(following)
         last, step = following, min(1.0, 2.0 * step)
     return found, f"number of points: {max_points}"
+
+
+def _stepped(track: BorderTrack, last: Place, way: Pair, share: float) -> Place:
+    """The place of a border a share of a way further."""
+    return track.stepped(last, share * way)

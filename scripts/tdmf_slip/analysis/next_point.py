@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..errors import InputError, RunError
+from ..numerics.halving import halved
 from .family import Family, Point
 from .walking_back import leads_back
 
@@ -31,22 +32,20 @@ MAX_BACK = 100
 
 def next_point(family: Family, last: Point, step: float, largest: float) -> tuple[Point, float]:
     """The next point by a step along the tangent, and how long the next step may be."""
-    step = min(step, largest)
-    while True:
+
+    def attempt(step: float) -> tuple[Point, float]:
         goal = family.place(last) + step * last.direction
-        try:
-            following = family.on_plane(goal, last.direction)
-            off = float(np.linalg.norm(family.place(following) - goal))
-            turns = following.direction @ last.direction < STRAIGHT
-            if off > NEAR * step or (step > SHARP and (turns or off > FARTHEST * step)):
-                raise RunError(f"the branch turns sharply at {family.name} = {last.value:g}")
-            if not leads_back(family, following, last):
-                raise RunError(f"from {family.name} = {last.value:g} no gait is found that leads back to it")
-            return following, min(largest, (1.5 if off < 0.1 * step else 1.0) * step)
-        except (InputError, RunError):
-            if step < SHORTEST_STEP:
-                raise
-            step *= 0.5
+        following = family.on_plane(goal, last.direction)
+        off = float(np.linalg.norm(family.place(following) - goal))
+        turns = following.direction @ last.direction < STRAIGHT
+        if off > NEAR * step or (step > SHARP and (turns or off > FARTHEST * step)):
+            raise RunError(f"the branch turns sharply at {family.name} = {last.value:g}")
+        if not leads_back(family, following, last):
+            raise RunError(f"from {family.name} = {last.value:g} no gait is found that leads back to it")
+        return following, off
+
+    (following, off), step = halved(attempt, min(step, largest), 0.5 * SHORTEST_STEP)
+    return following, min(largest, (1.5 if off < 0.1 * step else 1.0) * step)
 
 
 def past_corner(

@@ -16,6 +16,7 @@ from ..contents import ByContents
 from ..errors import InputError, RunError
 from ..library.gait import Gait
 from ..library.members import check_varied
+from ..library.quantities import scales_of
 from ..library.runner import Runner
 from ..library.strides import strides_from
 from .bifurcations import FOLD, NEIMARK_SACKER, PERIOD_DOUBLING
@@ -75,7 +76,7 @@ class Plane:
         for name in names:
             check_varied(name, "name")
         self.runner, self.names, self.kind, self.strides = runner, names, kind, strides
-        self.scales = np.append(runner.scales, [abs(runner.values[name]) or 1.0 for name in names])
+        self.scales = scales_of(runner, names)
 
     def strides_at(self, at: NDArray[np.float64], along: str) -> Gait:
         """The strides from a place over the scales, differentiated by one of the parameters, too."""

@@ -6,6 +6,7 @@ Runners settle on stable gaits. Newton's method from where strides come back nea
 import contextlib
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,7 +17,8 @@ from ..library.ensemble import Case, run_ensemble
 from ..library.gait import Gait, gait_near
 from ..library.return_map import Along
 from ..library.runner import Runner
-from ..library.strides import strides_from
+from ..library.strides import newton_step, strides_from
+from ..numerics.newton import last_iterate
 
 MAX_STRIDES = 150_000
 """Of all runners of a search, about a second of two processors."""
@@ -169,20 +171,30 @@ class _Found:
 
     def _approached(self, place: NDArray[np.float64]) -> NDArray[np.float64] | None:
         """A place next to a gait; None as soon as Newton's method does not lead to one at a good pace."""
-        strides = self._strides_from(place)
-        for _ in range(ITERATIONS):
-            if strides.error < CLOSE:
-                return strides.apex
-            step = np.linalg.solve(np.eye(len(strides.apex)) - strides.jacobian, strides.left_over)
-            for shortening in range(SHORTENINGS):
-                with contextlib.suppress(RunError):
-                    further = self._strides_from(strides.apex + 0.5**shortening * step)
-                    if further.error < GAIN * strides.error:
-                        strides = further
-                        break
-            else:
-                return None
-        return None
+        strides, _ = last_iterate(
+            self,
+            self._strides_from(place),
+            iterations=ITERATIONS,
+            shortenings=SHORTENINGS,
+            gain=GAIN,
+        )
+        return strides.apex if self.is_solved(strides) else None
+
+    def error(self, strides: Gait) -> float:
+        """See `numerics.newton.Equations`."""
+        return strides.error
+
+    def is_solved(self, strides: Gait) -> bool:
+        """Whether the C library's own method takes over."""
+        return strides.error < CLOSE
+
+    def step(self, strides: Gait) -> NDArray[Any]:
+        """The whole step of Newton's method."""
+        return newton_step(strides)
+
+    def moved(self, strides: Gait, step: NDArray[Any]) -> Gait:
+        """The strides from a step further."""
+        return self._strides_from(strides.apex + step)
 
     def _strides_from(self, place: NDArray[np.float64]) -> Gait:
         self.strides += 1

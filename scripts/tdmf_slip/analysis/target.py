@@ -18,6 +18,8 @@ from ..library.gait import Gait, gait_near
 from ..library.quantities import scales_of
 from ..library.runner import Runner
 from ..library.varied_stride import VariedStride, varied_stride
+from ..numerics.halving import walk
+from ..numerics.newton import last_iterate
 
 NEWTON_ITERATIONS, SHORTENINGS = 40, 6
 """To what is prescribed at once."""
@@ -115,20 +117,18 @@ class Target:
         with contextlib.suppress(RunError):
             return self._by_newton(place, self.prescribed), 1.0
         begin, way = place.varied.quantities, self.prescribed - place.varied.quantities
-        done, step = 0.0, 0.5
-        for _ in range(steps):
-            to = min(done + step, 1.0)
+        attempts = iter(range(steps))
+
+        def advance(place: Place, _at: float, to: float) -> Place:
+            if next(attempts, None) is None:
+                raise RunError("too many steps on the way to the target")
             goal = self.prescribed if to == 1.0 else begin + to * way
-            try:
-                place = self._by_newton(place, goal, CLOSE_ITERATIONS, CLOSE_SHORTENINGS)
-            except RunError:
-                step *= 0.5
-                if step < SHORTEST_SHARE:
-                    break
-                continue
-            done, step = to, 2.0 * step
-            if done == 1.0:
-                break
+            return self._by_newton(place, goal, CLOSE_ITERATIONS, CLOSE_SHORTENINGS)
+
+        done = 0.0
+        with contextlib.suppress(RunError):
+            for share, there in walk(place, 0.0, 1.0, advance, shortest=SHORTEST_SHARE, first=0.5):
+                place, done = there, share
         return place, done
 
     def closed_near(self, at: NDArray[np.float64]) -> Place:
@@ -143,43 +143,44 @@ class Target:
         shortenings: int = SHORTENINGS,
     ) -> Place:
         """With quantities as the goal says, or with whatever they are."""
-        for _ in range(iterations):
-            off = self._off(place, goal)
-            if np.max(np.abs(off)) <= CONVERGED:
-                break
-            try:
-                step = np.linalg.lstsq(self.rows(place)[: len(off)], -off)[0]
-            except np.linalg.LinAlgError as problem:
-                raise RunError(f"Newton's method: {problem}") from None
-            step *= min(1.0, LONGEST_STEP / (float(np.max(np.abs(step))) or 1.0))
-            improved = self._improved(place, step, goal, shortenings)
-            if improved is None:
-                break
-            place = improved
-        if np.max(np.abs(self._off(place, goal))) > GOOD_ENOUGH:
+        closing = _Closing(self, goal)
+        place, _ = last_iterate(closing, place, iterations=iterations, shortenings=shortenings)
+        if closing.largest(place) > GOOD_ENOUGH:
             raise RunError("Newton's method does not converge")
         return place
-
-    def _off(self, place: Place, goal: NDArray[np.float64] | None) -> NDArray[np.float64]:
-        closing = self.closing(place)
-        if goal is None:
-            return closing
-        return np.append(closing, (place.varied.quantities - goal) / self.quantity_scales)
-
-    def _improved(
-        self, place: Place, step: NDArray[Any], goal: NDArray[np.float64] | None, shortenings: int
-    ) -> Place | None:
-        """A step, or the part of it that makes the error smaller; None where none does."""
-        error = np.linalg.norm(self._off(place, goal))
-        for shortening in range(shortenings):
-            try:
-                tried = self.look(place.at + 0.5**shortening * step)
-            except RunError:
-                continue
-            if np.linalg.norm(self._off(tried, goal)) < error:
-                return tried
-        return None
 
     def gap(self, place: Place) -> float:
         """How far a gait is from the target: the root of the sum of squared deviations."""
         return float(np.linalg.norm(self.deviations(place)))
+
+
+@dataclass(frozen=True)
+class _Closing:
+    """That a stride closes and, with a goal, that its quantities are these."""
+
+    target: Target
+    goal: NDArray[np.float64] | None
+
+    def error(self, place: Place) -> float:
+        return float(np.linalg.norm(self._off(place)))
+
+    def largest(self, place: Place) -> float:
+        return float(np.max(np.abs(self._off(place))))
+
+    def is_solved(self, place: Place) -> bool:
+        return self.largest(place) <= CONVERGED
+
+    def step(self, place: Place) -> NDArray[Any]:
+        """Of least length, and no longer than `LONGEST_STEP`."""
+        off = self._off(place)
+        step: NDArray[Any] = np.linalg.lstsq(self.target.rows(place)[: len(off)], -off)[0]
+        return step * min(1.0, LONGEST_STEP / (float(np.max(np.abs(step))) or 1.0))
+
+    def moved(self, place: Place, step: NDArray[Any]) -> Place:
+        return self.target.look(place.at + step)
+
+    def _off(self, place: Place) -> NDArray[np.float64]:
+        closing = self.target.closing(place)
+        if self.goal is None:
+            return closing
+        return np.append(closing, (place.varied.quantities - self.goal) / self.target.quantity_scales)

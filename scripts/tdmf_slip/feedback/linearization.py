@@ -22,6 +22,7 @@ from ..given import row_of
 from ..library.gait import Gait, check_is_gait
 from ..library.return_map import stride_from
 from ..library.runner import Runner
+from ..library.scales import scale_of
 from ..library.settings import SETTINGS
 from ..unit.unit import Fmu, load_fmu
 
@@ -95,7 +96,7 @@ def linearize(gait: Gait, inputs: Sequence[str], *, fmu: Fmu | None = None) -> L
         nominal=np.array([runner.values[name] for name in names]),
         state_matrix=jacobian,
         input_matrix=np.array(by_setting).T,
-        setting_scales=np.array([_scale(runner, fmu.variables[name].unit) for name in names]),
+        setting_scales=np.array([scale_of(runner, fmu.variables[name].unit) for name in names]),
     )
     moved = np.max(np.abs(model.scaled_input_matrix), axis=0)
     for name, maximum in zip(names, moved, strict=True):
@@ -148,22 +149,3 @@ def _check_inside(runner: Runner, name: str, fmu: Fmu) -> None:
             f"inputs: {name} = {value:g} at this gait is at the end of its range, so that it can be moved "
             f"to one side only and its derivative is one-sided; allowed: inside {variable.allowed}"
         )
-
-
-def _scale(runner: Runner, unit: str) -> float:
-    """Of a setting, by its unit: what m, k and l0 make of it."""
-    mass, stiffness, length = (
-        runner.values[name] for name in ("body.mass", "leg.stiffness", "leg.free_length")
-    )
-    energy, frequency = stiffness * length**2, (stiffness / mass) ** 0.5
-    scales: dict[str, float] = {
-        "1": 1.0,
-        "rad": 1.0,
-        "m": length,
-        "rad/s": frequency,
-        "N": stiffness * length,
-        "N.m": energy,
-        "N.m/rad": energy,
-        "N.m.s/rad": energy / frequency,
-    }
-    return scales[unit]

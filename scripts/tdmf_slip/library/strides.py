@@ -4,12 +4,14 @@ With the map P^n of n strides and its Jacobian J, a step of Newton's method solv
 """
 
 from collections.abc import Mapping, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ..errors import RunError
+from ..numerics.newton import last_iterate
 from ..unit.unit import FRICTION
 from .binding import ffi
 from .gait import Gait, gait_near, gait_of_stride
@@ -44,14 +46,13 @@ def repeated_gait_near(runner: Runner, guess: Apex, strides: int = 1, *, along: 
     """The gait near a guess that repeats itself after some strides, by Newton's method."""
     if strides == 1:
         return gait_near(runner, guess, along=along)
-    gait = strides_from(runner, guess, strides, along=along)
-    for iterations in range(NEWTON_ITERATIONS):
-        if gait.error <= CONVERGED:
-            break
-        improved = _improved(gait, strides, along)
-        if improved is None:
-            break
-        gait = replace(improved, iterations=iterations + 1)
+    gait, iterations = last_iterate(
+        _Repetition(strides, along),
+        strides_from(runner, guess, strides, along=along),
+        iterations=NEWTON_ITERATIONS,
+        shortenings=SHORTENINGS,
+    )
+    gait = replace(gait, iterations=iterations)
     if gait.error > GOOD_ENOUGH:
         raise RunError(
             f"no gait of {strides} strides at friction {gait.friction:g}: Newton's method stopped after "
@@ -60,20 +61,30 @@ def repeated_gait_near(runner: Runner, guess: Apex, strides: int = 1, *, along: 
     return gait
 
 
-def _improved(gait: Gait, strides: int, along: Along | None) -> Gait | None:
-    """A step of Newton's method, or the part of it that makes the error smaller; None where none does."""
-    try:
-        step = np.linalg.solve(np.eye(len(gait.apex)) - gait.jacobian, gait.left_over)
-    except np.linalg.LinAlgError:
-        return None
-    for shortening in range(SHORTENINGS):
-        try:
-            tried = strides_from(gait.runner, gait.apex + 0.5**shortening * step, strides, along=along)
-        except RunError:
-            continue
-        if tried.error < gait.error:
-            return tried
-    return None
+@dataclass(frozen=True)
+class _Repetition:
+    """That an apex comes back after some strides."""
+
+    strides: int
+    along: Along | None
+
+    def error(self, gait: Gait) -> float:
+        return gait.error
+
+    def is_solved(self, gait: Gait) -> bool:
+        return gait.error <= CONVERGED
+
+    def step(self, gait: Gait) -> NDArray[Any]:
+        return newton_step(gait)
+
+    def moved(self, gait: Gait, step: NDArray[Any]) -> Gait:
+        return strides_from(gait.runner, gait.apex + step, self.strides, along=self.along)
+
+
+def newton_step(gait: Gait) -> NDArray[Any]:
+    """From the apex of strides to where, by their Jacobian, they come back to it."""
+    step: NDArray[Any] = np.linalg.solve(np.eye(len(gait.apex)) - gait.jacobian, gait.left_over)
+    return step
 
 
 def longest_stride(runner: Runner) -> float:

@@ -8,6 +8,7 @@ that begin on the tangent of the gaits.
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import product
+from typing import TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,6 +19,7 @@ from ..library.gait import Gait, gait_near
 from ..library.runner import Runner
 from ..library.strides import strides_from
 from ..library.varied_gait import varied_gait
+from ..numerics.halving import walk
 from .space import Space
 from .spectrum import Spectrum, spectrum_of
 
@@ -44,6 +46,10 @@ SLANTS = (1.0, -1.0, 10.0, -10.0)
 ON_EDGE = "the gait is on the edge of an event, where its eigenvalues have no derivatives"
 ROOM, OFF_FOLDS = 0.05, 1e-2
 """Below its limit and off folds by so much, it does not matter how the spectrum changes."""
+
+
+Known: TypeAlias = tuple[Gait, NDArray[np.float64]]
+"""A gait, and the changes of its apex by the parameters."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -165,23 +171,20 @@ class Gaits:
         RunError
             The branch does not lead so far: it folds, the runner falls, or a value is refused.
         """
-        begin, gait, slopes = near.at, near.gait, near.apex_slopes
-        done, step = 0.0, 1.0
-        while True:
-            to = min(1.0, done + step)
-            there = at if to == 1.0 else begin + to * (at - begin)
-            guess = gait.apex + slopes @ (there - (begin + done * (at - begin)))
+        way = at - near.at
+
+        def advance(known: Known, done: float, to: float) -> Known:
+            gait, slopes = known
+            there = at if to == 1.0 else near.at + to * way
+            guess = gait.apex + slopes @ (there - (near.at + done * way))
             try:
                 found = self._checked(there, guess, gait)
-                if to == 1.0:
-                    return found
-                slopes = self.candidate(found, there).apex_slopes
-            except (InputError, RunError) as problem:
-                step *= 0.5
-                if step < SHORTEST_SHARE:
-                    raise RunError(str(problem)) from None
-                continue
-            gait, done, step = found, to, 2.0 * step
+                return found, slopes if to == 1.0 else self.candidate(found, there).apex_slopes
+            except InputError as problem:
+                raise RunError(str(problem)) from None
+
+        *_, (_, (found, _)) = walk((near.gait, near.apex_slopes), 0.0, 1.0, advance, shortest=SHORTEST_SHARE)
+        return found
 
     def _checked(self, at: NDArray[np.float64], guess: NDArray[np.float64], before: Gait) -> Gait:
         found = gait_near(self.space.runner_at(self.runner, at), guess)

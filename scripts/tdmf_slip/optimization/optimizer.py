@@ -14,6 +14,7 @@ from ..contents import ByContents
 from ..errors import RunError
 from ..library.gait import Gait
 from ..library.runner import Runner
+from ..numerics.halving import halved
 from ..terminal.progress import Bar
 from .gaits import Candidate, Gaits
 from .optimum import FOLD, STABILITY, Optimum, reported
@@ -217,10 +218,12 @@ def _reached(gaits: Gaits, begin: Start, place: NDArray[np.float64], tries: int)
         first = gaits.candidate(begin.gait, begin.at)
     except RunError:
         return None
-    for number in range(tries):
-        at = begin.at + 0.5**number * (place - begin.at)
-        try:
-            return Start(at, gaits.gait_from(first, at))
-        except RunError:
-            continue
-    return None
+
+    def attempt(share: float) -> Start:
+        at = begin.at + share * (place - begin.at)
+        return Start(at, gaits.gait_from(first, at))
+
+    try:
+        return halved(attempt, 1.0, 0.5 ** (tries - 1))[0]
+    except RunError:
+        return None

@@ -1,0 +1,88 @@
+"""Steps that are halved where they fail: a single one, and those of a walk from a known value to another."""
+
+from collections.abc import Callable, Iterator
+from functools import partial
+from typing import TypeVar
+
+from ..errors import InputError, RunError
+
+Found = TypeVar("Found")
+Known = TypeVar("Known")
+
+
+def halved(
+    attempt: Callable[[float], Found],
+    step: float,
+    shortest: float,
+    failures: tuple[type[Exception], ...] = (InputError, RunError),
+) -> tuple[Found, float]:
+    """What an attempt finds by the longest of a step, its half, its quarter and so on, and that step.
+
+    Raises
+    ------
+    Exception
+        One of the failures: no step that is as long as the shortest succeeds: what the last attempt raised.
+    """
+    while True:
+        try:
+            return attempt(step), step
+        except failures:
+            step *= 0.5
+            if abs(step) < shortest:
+                raise
+
+
+def walk(
+    known: Known,
+    begin: float,
+    end: float,
+    advance: Callable[[Known, float, float], Known],
+    *,
+    shortest: float,
+    first: float | None = None,
+) -> Iterator[tuple[float, Known]]:
+    """What is found on the way from a value to another, each from what is known at the value before.
+
+    Parameters
+    ----------
+    known : Known
+        At the first value.
+    begin, end : float
+        Values.
+    advance : callable
+        From what is known at a value to another one. Where it raises RunError the step is halved, where it
+        succeeds the next one is twice as long.
+    shortest : float
+        Of steps. What is left of the way behind a step is not shorter, either.
+    first : float, optional
+        Step; the whole way by default.
+
+    Yields
+    ------
+    float, Known
+        Value and what was found there; the last value is the end itself.
+
+    Raises
+    ------
+    RunError
+        The end is not reached.
+    """
+    at, step = begin, end - begin if first is None else first
+    while at != end:
+        step = max(-abs(end - at), min(step, abs(end - at)))
+        attempt = partial(_advanced, advance, known, at, end, shortest)
+        (at, known), step = halved(attempt, step, shortest, (RunError,))
+        yield at, known
+        step *= 2.0
+
+
+def _advanced(
+    advance: Callable[[Known, float, float], Known],
+    known: Known,
+    at: float,
+    end: float,
+    shortest: float,
+    step: float,
+) -> tuple[float, Known]:
+    to = end if abs(end - at - step) < shortest else at + step
+    return to, advance(known, at, to)
