@@ -22,6 +22,13 @@ class Drawable:
     def plot(self) -> "Figure":
         """Draw it; a notebook shows the figure, and `savefig` writes it.
 
+        A run is drawn over time, a gait as velocities and force ratio of its stride, a sweep and a branch
+        over their parameter, a curve over its two; a fit by its residuals, an optimum and a comparison by
+        relative changes of all quantities, a front by one objective over the other; modes, feedbacks and
+        proofs by eigenvalues beside the unit circle; strides until a fall by the probability of being up
+        still, an attraction by the bound of the distance from stride to stride, a viable set over its grid, a
+        validation by deviations over what is allowed.
+
         Returns
         -------
         Figure
@@ -31,6 +38,14 @@ class Drawable:
         ------
         InputError
             There is nothing to draw.
+
+        Examples
+        --------
+        >>> import tdmf_slip
+        >>> gait = tdmf_slip.find_gait({"ground.friction": 0.6})
+        >>> law = tdmf_slip.dead_beat(gait, ["hip.touchdown_angle", "hip.stance_torque"])
+        >>> law.plot().axes[0].get_xlabel()
+        'real part of the eigenvalue'
         """
         figure: Figure = importlib.import_module(f"{__package__}.pictures.plot").plot(self)
         return figure

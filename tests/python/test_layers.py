@@ -23,7 +23,10 @@ KNOWS = {
     "optimization": {"analysis", "library", "unit", "numerics", "terminal"},
     "proof": {"analysis", "library", "unit", "terminal"},
     "viable_sets": {"analysis", "library", "unit", "blocks", "files", "terminal"},
-    "pictures": {"viable_sets", "fitting", "analysis", "library", "unit", "files", "terminal"},
+    "pictures": {
+        *("viable_sets", "proof", "optimization", "feedback", "fitting", "analysis"),
+        *("library", "unit", "files", "terminal"),
+    },
     "paper": {
         *(
             "pictures",

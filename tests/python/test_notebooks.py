@@ -57,7 +57,7 @@ def test_a_picture_is_shown_once(results):
 
 
 def test_what_has_no_picture_is_refused():
-    with pytest.raises(tdmf_slip.InputError, match="int has no picture; allowed: Run, Gait"):
+    with pytest.raises(tdmf_slip.InputError, match="int has no picture; allowed: results"):
         plot(3)
 
 

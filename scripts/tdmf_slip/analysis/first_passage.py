@@ -16,6 +16,7 @@ from numpy.typing import ArrayLike, NDArray
 from ..blocks.running import run_blocks
 from ..checks import checked_whole
 from ..contents import ByContents
+from ..drawable import Drawable
 from ..errors import InputError
 from ..library import ensemble
 from ..library.affine_law import AffineLaw, check_law
@@ -41,7 +42,7 @@ FELL, UNDECIDED, UNSOLVED = (ensemble.FATES.index(name) for name in ("fell", "un
 
 
 @dataclass(frozen=True)
-class FirstPassage:
+class FirstPassage(Drawable):
     """Strides until the fall, estimated from runners of whom some are still up at the end.
 
     The number of strides is taken as geometric, which it is once the start is forgotten. The estimate is then

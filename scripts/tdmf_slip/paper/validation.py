@@ -3,6 +3,7 @@
 import math
 from collections.abc import Sequence
 from dataclasses import asdict, dataclass, field
+from typing import TYPE_CHECKING
 
 from ..contents import ByContents
 from ..drawable import Drawable
@@ -16,6 +17,9 @@ from .claims import WORDS, Claim, claims, gather, recorded
 from .own_claims import OwnClaims, own_claims
 from .reference_gaits import Drift
 from .settling import DEFAULT_TOLERANCE, SettledRun, settle_unit
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -40,6 +44,12 @@ class Validation(ByContents, Drawable):
     def differing(self) -> list[Claim]:
         """The statements that what is computed does not bear out."""
         return [claim for claim in self.claims if not claim.agrees]
+
+    def plot(self) -> "Figure":
+        """Every recorded value, over its deviation from the reference."""
+        from . import drift_diagram  # Matplotlib is slow to load
+
+        return drift_diagram.figure_of(self.drifts)
 
     def __repr__(self) -> str:
         """In a line: how many statements, and how many of them differ."""

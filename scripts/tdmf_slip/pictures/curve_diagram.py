@@ -1,6 +1,7 @@
 """Curves of special points over two parameters, in a file."""
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from pathlib import Path
 
 import matplotlib.pyplot as plt
@@ -43,6 +44,19 @@ def figure_of(
         begin, end = over[curves[0].names[0]] if curves else (0.0, 0.0)
         for curve in curves:
             _write_words(axes, curve, begin < end)
+    return figure
+
+
+def figure_of_one(curve: Curve) -> Figure:
+    """A curve alone: its legend names the words on its sides."""
+    bounds = {
+        name: (float(row.min()), float(row.max()))
+        for name, row in zip(curve.names, curve.points.T, strict=True)
+    }
+    figure = figure_of([replace(curve, words=None)], bounds)
+    (axes,) = figure.axes
+    words = "" if curve.words is None else f": {style.word(curve.words[0])} | {style.word(curve.words[1])}"
+    axes.legend([curve.kind + words])
     return figure
 
 

@@ -1,5 +1,7 @@
-"""The picture of a result, by its kind: what `plot()` of a run, a gait, a sweep or a branch shows."""
+"""The picture of a result, by its kind: what its `plot()` shows."""
 
+import importlib
+from collections.abc import Mapping
 from functools import singledispatch
 
 import matplotlib.pyplot as plt
@@ -16,6 +18,21 @@ from ..viable_sets.result import Viability
 from . import branch, branch_diagram, fit_diagram, overview, velocity_and_ratio, viability_map
 from .stride import Stride
 
+BY_NAME: Mapping[str, tuple[str, str]] = {
+    "Attraction": ("decay_diagram", "of_attraction"),
+    "BorderProof": ("eigenvalue_diagram", "of_border"),
+    "Comparison": ("quantity_diagram", "of_comparison"),
+    "Controllability": ("eigenvalue_diagram", "of_controllability"),
+    "Curve": ("curve_diagram", "figure_of_one"),
+    "Feedback": ("eigenvalue_diagram", "of_feedback"),
+    "FirstPassage": ("decay_diagram", "of_falls"),
+    "Front": ("quantity_diagram", "of_front"),
+    "Optimum": ("quantity_diagram", "of_optimum"),
+    "Proof": ("eigenvalue_diagram", "of_proof"),
+    "RareFalls": ("decay_diagram", "of_falls"),
+}
+"""Module and function by the kind's name: kinds whose modules are loaded only by those who use them."""
+
 
 def plot(result: object) -> Figure:
     """The picture of a result."""
@@ -26,9 +43,17 @@ def plot(result: object) -> Figure:
 
 @singledispatch
 def _figure_of(result: object) -> Figure:
-    raise InputError(
-        f"plot: {type(result).__name__} has no picture; allowed: Run, Gait, Sweep, Branch, Fit, Viability"
-    )
+    """Of a kind that is registered below, or that `BY_NAME` has."""
+    name = next((kind.__name__ for kind in type(result).__mro__ if kind.__name__ in BY_NAME), None)
+    if name is None:
+        raise InputError(f"plot: {type(result).__name__} has no picture; allowed: results of this package")
+    module, function = BY_NAME[name]
+    figure: Figure = getattr(importlib.import_module(f"{__package__}.{module}"), function)(result)
+    return figure
+
+
+PICTURES = _figure_of
+"""By the kind itself; other kinds are in `BY_NAME`."""
 
 
 @_figure_of.register

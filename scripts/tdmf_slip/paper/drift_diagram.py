@@ -1,0 +1,51 @@
+"""Every value of the five gaits beside its recorded reference: how much of what is allowed it is off."""
+
+from collections.abc import Sequence
+
+import matplotlib.pyplot as plt
+import numpy as np
+from matplotlib.figure import Figure
+
+from ..pictures import style
+from .reference_gaits import Drift
+
+SMALLEST, LARGEST = 1e-6, 1e6
+"""Of what is allowed: the least and the largest share that is drawn; beyond, they are drawn as these."""
+OTHER = "of no single gait"
+
+
+def figure_of(drifts: Sequence[Drift]) -> Figure:
+    """A mark for each value, over the share of the allowed deviation; beyond the line is what differs."""
+    names = list(dict.fromkeys(_gait(drift) for drift in drifts))
+    shares = np.clip([_share(drift) for drift in drifts], SMALLEST, LARGEST)
+    rows = np.array([names.index(_gait(drift)) for drift in drifts])
+    passed = np.array([drift.passed for drift in drifts], dtype=bool)
+    with style.styled():
+        figure, axes = plt.subplots(figsize=(7.2, 3.8), layout="constrained")
+        for where, name, colour in (
+            (passed, "as recorded", style.SECOND_CURVE),
+            (~passed, "differs", style.MODE_COLOURS["slip_negative"]),
+        ):
+            if where.any():
+                label = f"{name}: {np.sum(where)} values"
+                axes.plot(shares[where], rows[where], "o", color=colour, alpha=0.5, label=label)
+        axes.axvline(1.0, label="allowed", **style.LIMIT_LINE)
+        axes.set_xscale("log")
+        axes.set_yticks(range(len(names)), names)
+        axes.set_ylim(len(names) - 0.5, -0.5)
+        style.label(
+            axes, f"deviation over what is allowed ({SMALLEST:g}: as little or less)", "gait at friction"
+        )
+        figure.legend(*axes.get_legend_handles_labels(), loc="outside upper right", ncols=3)
+    return figure
+
+
+def _gait(drift: Drift) -> str:
+    return f"{drift.friction:g}" if np.isfinite(drift.friction) else OTHER
+
+
+def _share(drift: Drift) -> float:
+    """Of what is allowed; a word has to be the same."""
+    if drift.allowed > 0.0:
+        return drift.deviation / drift.allowed
+    return 0.0 if drift.passed else LARGEST

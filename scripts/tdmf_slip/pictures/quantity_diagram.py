@@ -1,0 +1,127 @@
+"""Quantities of gaits: changes of all of them over those of a reference, and one over another."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING
+
+import matplotlib.pyplot as plt
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from ..library.measures import MEASURE_UNITS
+from ..library.quantities import known_quantities, quantities_of
+from ..unit.unit import load_fmu
+from . import style
+
+if TYPE_CHECKING:
+    from ..analysis.comparison import Comparison
+    from ..optimization.optimum import Optimum
+    from ..optimization.pareto import Front
+
+LAMBDA_MAX = "lambda_max"
+ZERO = 1e-12
+"""A value of a reference that is as small has no relative change."""
+HEIGHT, BAR = 1.6, 0.2
+"""Inches: of a figure without bars, and of a row of them."""
+
+
+def of_optimum(found: Optimum) -> Figure:
+    """What the optimum changes: quantities of the gait, and the parameters that were varied."""
+    names = known_quantities(found.gait.runner)
+    before = quantities_of(found.before, names) | {LAMBDA_MAX: found.before.lambda_max}
+    after = quantities_of(found.gait, names) | {LAMBDA_MAX: found.gait.lambda_max}
+    given = {name: found.before.runner.values[name] for name in found.parameters}
+    rows = len(before) + len(given)
+    with style.styled():
+        figure, (upper, lower) = plt.subplots(
+            *(2, 1),
+            figsize=(7.6, HEIGHT + BAR * rows),
+            layout="constrained",
+            height_ratios=[len(before), max(2, len(given))],
+        )
+        _changes(upper, before, {"optimum": after}, bold=(found.objective,))
+        _changes(lower, given, {"optimum": found.parameters})
+        style.label(upper, "change from the runner that was given (%)", "quantity")
+        style.label(lower, "change from the runner that was given (%)", "parameter")
+        upper.set_title(f"{'least' if found.is_minimum else 'most'} {_words(found.objective)}")
+    return figure
+
+
+def of_comparison(found: Comparison) -> Figure:
+    """How the matched runners' quantities differ from the reference's; those that are held are bold."""
+    names = known_quantities(found.runners[0].after.runner)
+    reference, *others = (quantities_of(gait, names) | {LAMBDA_MAX: gait.lambda_max} for gait in found.gaits)
+    with style.styled():
+        figure, axes = plt.subplots(
+            figsize=(7.6, HEIGHT + BAR * len(reference) * max(1, len(others))), layout="constrained"
+        )
+        runners = {f"runner {number}": values for number, values in enumerate(others, 1)}
+        _changes(axes, reference, runners, bold=found.hold)
+        style.label(axes, "difference from runner 0 (%)", "quantity; bold: held")
+        figure.legend(*axes.get_legend_handles_labels(), loc="outside upper right", ncols=4)
+    return figure
+
+
+def of_front(front: Front) -> Figure:
+    """One objective over the other, a mark for each runner; hollow where its gait is unstable."""
+    first, second = front.objectives
+    points = np.array(
+        [[quantities_of(best.gait, front.objectives)[n] for n in front.objectives] for best in front.optima]
+    )
+    with style.styled():
+        figure, axes = plt.subplots(figsize=(6.4, 4.6), layout="constrained")
+        axes.plot(*points.T, color=style.FAINT, linewidth=1.0, zorder=1)
+        stable = np.array([best.stable for best in front.optima], dtype=bool)
+        for where, name, face in ((stable, "stable", style.SECOND_CURVE), (~stable, "unstable", "white")):
+            if where.any():
+                axes.plot(
+                    *points[where].T,
+                    linestyle="",
+                    marker="o",
+                    color=style.SECOND_CURVE,
+                    markerfacecolor=face,
+                    label=name,
+                )
+        style.label(axes, _with_unit(first), _with_unit(second))
+        figure.legend(*axes.get_legend_handles_labels(), loc="outside upper right", ncols=2)
+    return figure
+
+
+def _changes(
+    axes: Axes,
+    reference: Mapping[str, float],
+    others: Mapping[str, Mapping[str, float]],
+    bold: Sequence[str] = (),
+) -> None:
+    """Relative changes in per cent, as bars; what the reference has none of is named without one."""
+    names = list(reference)
+    width = 0.8 / max(1, len(others))
+    for number, (label, values) in enumerate(others.items()):
+        changes = [
+            100.0 * (values[name] / reference[name] - 1.0) if abs(reference[name]) > ZERO else np.nan
+            for name in names
+        ]
+        axes.barh(
+            np.arange(len(names)) + (number - 0.5 * (len(others) - 1)) * width, changes, width, label=label
+        )
+    axes.axvline(0.0, color=style.INK, linewidth=0.8)
+    shown = [_words(name) + ("" if abs(reference[name]) > ZERO else " (reference: 0)") for name in names]
+    axes.set_yticks(range(len(names)), shown)
+    for name, text in zip(names, axes.get_yticklabels(), strict=True):
+        text.set_fontweight("bold" if name in bold else "normal")
+    axes.set_ylim(len(names) - 0.4, -0.6)
+
+
+def _with_unit(name: str) -> str:
+    variables = load_fmu().variables
+    units = {"frequency": "Hz", **MEASURE_UNITS}
+    return style.with_unit(_words(name), units.get(name) or variables[f"stride.{name}"].unit)
+
+
+def _words(name: str) -> str:
+    """A quantity as it is read; a parameter, whose name has a dot, as it is."""
+    if name == LAMBDA_MAX:
+        return "largest eigenvalue"
+    return name if "." in name else name.replace("_", " ")

@@ -1,0 +1,176 @@
+"""Every result draws itself: what its axes name, and that the marks are its numbers."""
+
+import math
+
+import numpy as np
+import pytest
+import tdmf_slip
+from matplotlib.collections import PolyCollection
+from tdmf_slip.analysis.first_passage import FirstPassage
+from tdmf_slip.analysis.rare_falls import RareFalls
+from tdmf_slip.analysis.splitting import RareEvent
+from tdmf_slip.drawable import Drawable
+from tdmf_slip.paper.reference_gaits import Drift
+from tdmf_slip.pictures import style
+from tdmf_slip.pictures.plot import BY_NAME, PICTURES
+
+ANGLE, TORQUE, FRICTION = "hip.touchdown_angle", "hip.stance_torque", "ground.friction"
+
+
+@pytest.fixture(scope="module")
+def gait():
+    return tdmf_slip.find_gait({FRICTION: 0.6})
+
+
+def labels(axes):
+    return axes.get_xlabel(), axes.get_ylabel()
+
+
+def line(axes, label):
+    (found,) = [one for one in axes.lines if one.get_label() == label]
+    return np.array(found.get_xdata()), np.array(found.get_ydata())
+
+
+def legend(figure):
+    return [text.get_text() for one in figure.legends for text in one.get_texts()]
+
+
+def kinds(of=Drawable):
+    for kind in of.__subclasses__():
+        yield kind
+        yield from kinds(kind)
+
+
+def test_every_kind_of_result_has_a_picture():
+    for name in tdmf_slip.__all__:
+        getattr(tdmf_slip, name)  # loads the modules of all results
+    names = {kind.__name__ for kind in kinds()}
+    assert len(names) >= 18
+    drawn = {*BY_NAME, *(kind.__name__ for kind in PICTURES.registry)}
+    assert names - drawn == {"Validation"}  # draws itself: pictures know nothing of the paper
+
+
+def test_controllability_shows_modes_beside_the_unit_circle(gait):
+    found = tdmf_slip.controllability(gait, [ANGLE, TORQUE])
+    figure = found.plot()
+    left, right = figure.axes
+    assert labels(left) == ("real part of the eigenvalue", "imaginary part of the eigenvalue")
+    x, y = line(left, "can be moved")
+    assert np.array_equal(x + 1j * y, found.eigenvalues)
+    circle = np.hypot(*line(left, "unit circle"))
+    assert np.allclose(circle, 1.0, rtol=1e-12)
+    heights = np.array([bar.get_height() for bar in right.patches]).reshape(2, -1)
+    assert np.array_equal(heights.T, found.modal_controllability)
+    assert {ANGLE, TORQUE} <= set(legend(figure))
+
+
+def test_a_feedback_shows_eigenvalues_with_and_without_it(gait):
+    law = tdmf_slip.dead_beat(gait, [ANGLE, TORQUE])
+    figure = law.plot()
+    left, right = figure.axes
+    x, y = line(left, "without")
+    assert np.array_equal(x + 1j * y, gait.eigenvalues)
+    x, y = line(left, "with the law")
+    assert np.array_equal(x + 1j * y, law.eigenvalues)
+    assert len(right.patches) == 2 * 6 and right.get_xlabel() == "coordinate of the apex"
+
+
+def test_an_optimum_shows_what_it_changed(gait):
+    found = tdmf_slip.optimize(gait, {TORQUE: (0.19, 0.21)}, maximize="speed", starts=1)
+    upper, lower = found.plot().axes
+    assert upper.get_xlabel() == "change from the runner that was given (%)"
+    names = [text.get_text() for text in upper.get_yticklabels()]
+    width = upper.patches[names.index("speed")].get_width()
+    assert width == pytest.approx(100.0 * (found.value / gait.speed - 1.0), rel=1e-12) and width > 0.0
+    (bar,) = lower.patches
+    assert bar.get_width() == pytest.approx(
+        100.0 * (found.parameters[TORQUE] / gait.runner.values[TORQUE] - 1.0), rel=1e-12
+    )
+
+
+def test_a_comparison_has_no_bar_where_a_quantity_is_held():
+    found = tdmf_slip.compare([{FRICTION: 0.6}, {FRICTION: 0.7}], hold=["speed"], vary=[TORQUE])
+    (axes,) = found.plot().axes
+    names = [text.get_text() for text in axes.get_yticklabels()]
+    widths = dict(zip(names, (bar.get_width() for bar in axes.patches), strict=True))
+    assert abs(widths["speed"]) < 1e-5 and abs(widths["slip distance"]) > 0.1
+    assert axes.get_xlabel() == "difference from runner 0 (%)"
+
+
+def test_a_front_shows_one_objective_over_the_other():
+    front = tdmf_slip.pareto_front(
+        {}, {TORQUE: (0.15, 0.25)}, minimize=["cost_of_transport"], maximize=["speed"], points=2, starts=1
+    )
+    (axes,) = front.plot().axes
+    assert labels(axes) == ("cost of transport", "speed (m/s)")
+    speeds = [best.gait.speed for best in front.optima]
+    assert np.allclose(axes.lines[0].get_ydata(), speeds, rtol=1e-12)
+
+
+def test_strides_to_fall_show_who_is_still_up():
+    found = FirstPassage("+0+", 0.02, runners=100, falls=80, strides=1600)
+    figure = found.plot()
+    (axes,) = figure.axes
+    assert labels(axes) == ("strides begun", "probability of not having fallen")
+    strides, still_up = line(axes, "mean 20 strides until the fall")
+    assert np.allclose(still_up, 0.95**strides, rtol=1e-9)
+    (band,) = [one for one in axes.collections if isinstance(one, PolyCollection)]
+    low, high = found.interval
+    vertices = band.get_paths()[0].vertices
+    at = vertices[np.isclose(vertices[:, 0], strides[200], rtol=1e-12), 1]
+    assert sorted(at) == pytest.approx(sorted((1.0 - 1.0 / np.array([low, high])) ** strides[200]), rel=1e-9)
+
+
+def test_rare_falls_are_drawn_also_where_the_interval_is_open():
+    rates = np.array([0.0, 0.0, 3e-6])
+    found = RareFalls("+0+", 0.01, RareEvent(rates, 3, 1000))
+    assert math.isinf(found.interval[1])
+    (axes,) = found.plot().axes
+    strides, still_up = line(axes, "mean 1e+06 strides until the fall")
+    assert np.allclose(still_up, np.exp(-1e-6 * strides), rtol=1e-4)
+
+
+def test_a_curve_lies_over_its_two_parameters():
+    points = np.array([[0.5, 0.1], [0.6, 0.2], [0.7, 0.25]])
+    curve = tdmf_slip.Curve("fold", (FRICTION, "leg.damping"), points, "edge", "edge")
+    (axes,) = curve.plot().axes
+    assert labels(axes) == (FRICTION, "leg.damping (N·s/m)")
+    assert np.array_equal(np.transpose(axes.lines[0].get_data()), points)
+
+
+def test_a_proved_gait_shows_its_eigenvalues_and_enclosures():
+    pytest.importorskip("flint")
+    proof = tdmf_slip.prove({FRICTION: 0.6})
+    left, right = proof.plot().axes
+    x, _ = line(left, style.word(proof.word))
+    assert np.max(np.abs(x)) < 1.0 and len(x) == 6
+    names = [text.get_text() for text in right.get_yticklabels()]
+    assert names[:2] == ["com height (m)", "com speed (m/s)"] and len(right.patches) == 6
+    assert right.patches[0].get_width() == pytest.approx(float(proof.apex[0].rad()))
+
+
+def test_a_proved_attraction_bounds_the_distance_stride_by_stride():
+    pytest.importorskip("flint")
+    from tdmf_slip.proof.prove_attraction import Attraction
+
+    proof = Attraction(proved=True, radius=1e-3, rate=0.5, norm_radius=2e-3)
+    (axes,) = proof.plot().axes
+    strides, bound = axes.lines[0].get_data()
+    assert np.allclose(bound, 2e-3 * 0.5**strides) and axes.get_xlabel() == "strides"
+    with pytest.raises(tdmf_slip.InputError, match="nothing is proved, the word"):
+        Attraction(proved=False, undecided="the word").plot()
+
+
+def test_a_validation_shows_each_value_beside_what_is_allowed():
+    drifts = [
+        Drift(0.6, "period", 1.0, 1.0, 0.0, 1e-6),
+        Drift(0.6, "speed", 1.0, 1.1, 1e-5, 1e-6),
+        Drift(0.6, "word", "+0+", "+0+", 0.0, 0.0),
+        Drift(math.nan, "fold", 1.0, 1.0, 1e-9, 1e-6),
+    ]
+    figure = tdmf_slip.Validation([], [], drifts).plot()
+    (axes,) = figure.axes
+    assert sorted(line(axes, "as recorded: 3 values")[0]) == pytest.approx([1e-6, 1e-6, 1e-3])
+    assert line(axes, "differs: 1 values")[0] == pytest.approx([10.0])
+    assert [text.get_text() for text in axes.get_yticklabels()] == ["0.6", "of no single gait"]
+    assert "allowed" in axes.get_xlabel()
