@@ -31,7 +31,7 @@ class Point(ByContents):
     value: float
     """Of the parameter."""
     direction: NDArray[np.float64]
-    """Fmu tangent of the branch, over the scales: the coordinates, then the parameter."""
+    """Unit tangent of the branch, over the scales: the coordinates, then the parameter."""
 
     @property
     def rises(self) -> bool:

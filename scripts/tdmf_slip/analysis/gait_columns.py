@@ -23,12 +23,12 @@ class Column:
     """Where there is none."""
 
     def attributes(self, fmu: Fmu) -> dict[str, str]:
-        """Fmu and description, by the names that CF gives them."""
+        """Unit and description, by the names that CF gives them."""
         return {"units": self.unit} if self.variable is None else attributes_of(fmu, self.variable)
 
 
 def attributes_of(fmu: Fmu, name: str) -> dict[str, str]:
-    """Fmu and description of one of the unit's variables, by the names that CF gives them."""
+    """Unit and description of one of the unit's variables, by the names that CF gives them."""
     variable = fmu.variables[name]
     return {"units": variable.unit or "1", "long_name": variable.description}
 

@@ -44,7 +44,7 @@ class Place(ByContents):
 
     @property
     def tangent(self) -> NDArray[np.float64]:
-        """Fmu tangent of the curve."""
+        """Unit tangent of the curve."""
         tangent: NDArray[np.float64] = np.linalg.svd(self.matrix)[2][-1]
         return tangent
 

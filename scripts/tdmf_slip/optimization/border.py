@@ -40,7 +40,7 @@ class Border(ByContents):
     is_smooth: bool
     """Nothing has a kink here."""
     normal: NDArray[np.float64]
-    """Fmu vector across it, towards `beyond`, shape (d,)."""
+    """Unit vector across it, towards `beyond`, shape (d,)."""
 
     @property
     def sides(self) -> tuple["Side", "Side"]:
@@ -55,7 +55,7 @@ class Side(ByContents):
     gait: Candidate
     """The gait."""
     away: NDArray[np.float64]
-    """Fmu vector that leads away from the border, shape (d,)."""
+    """Unit vector that leads away from the border, shape (d,)."""
 
     def gain(self, problem: Problem) -> float:
         """How much steeper the merit falls away from the border than along it."""

@@ -25,7 +25,7 @@ class Run(ByContents, Drawable):
     table: NDArray[np.void]
     """Recorded rows: structured array, fields `time` and variables' names; two rows at each event."""
     units: Mapping[str, str]
-    """Fmu of each field."""
+    """Unit of each field."""
     fallen: bool
     """The run ended in a fall."""
     fall_time: float | None

@@ -53,7 +53,7 @@ class Variable(ByContents):
     type: str
     """Real, Integer, Boolean, String or Enumeration."""
     unit: str
-    """Fmu of every value, empty where there is none."""
+    """Unit of every value, empty where there is none."""
     description: str
     """Its meaning."""
     causality: str
