@@ -93,7 +93,7 @@ static inline void expand_drop(const real *length, const real *angle, real slope
 }
 
 /* rho mu f_n - |f_t|, by the cone's width: what is left up to its nearer edge; `drifted` is t f_n. */
-static inline real tdmf_least_room(const friction_cone *cone, real normal, real drifted, real tangential) {
+static inline real tdmf_smallest_room(const friction_cone *cone, real normal, real drifted, real tangential) {
     return cone->normal * normal + cone->normal_rate * drifted - cone->tangential * real_abs(tangential);
 }
 

@@ -87,7 +87,7 @@ def cone(friction, rate, time):
     return Record(normal=friction / widest, normal_rate=rate / widest, tangential=1 / widest)
 
 
-def least_room(cone, normal, drifted, tangential):
+def smallest_room(cone, normal, drifted, tangential):
     """rho mu f_n - |f_t|, by the cone's width: what is left up to its nearer edge; `drifted` is t f_n."""
     return cone.normal * normal + cone.normal_rate * drifted - cone.tangential * abs(tangential)
 

@@ -69,7 +69,7 @@ GUARDS = [
     (hip.torque, {"law": SERVO}),
     (flight.drop, {"slope": "slope"}, {"angle": "angle_rate"}),
 ]
-OF_NUMBERS = [friction.least_room]
+OF_NUMBERS = [friction.smallest_room]
 
 # ---- who watches -------------------------------------------------------------------------------------------
 

@@ -51,10 +51,11 @@ static inline void watch_edge(event_search *search, const ground_constants *c, c
 }
 
 /* What is left in the cone, and on a border in both. */
-static inline real least_room(const ground_constants *c, bool on_border, real normal, real drifted,
-                              real tangential) {
-    const real room = tdmf_least_room(&c->cone, normal, drifted, tangential);
-    return on_border ? real_min(room, tdmf_least_room(&c->border.cone, normal, drifted, tangential)) : room;
+static inline real smallest_room(const ground_constants *c, bool on_border, real normal, real drifted,
+                                 real tangential) {
+    const real room = tdmf_smallest_room(&c->cone, normal, drifted, tangential);
+    return on_border ? real_min(room, tdmf_smallest_room(&c->border.cone, normal, drifted, tangential))
+                     : room;
 }
 
 /* Lift-off and the cone, by partial sums of the forces: see event_search.h. Both edges of the cone are as
@@ -64,14 +65,14 @@ static inline void watch_forces(event_search *search, const ground_constants *c,
     const int order = search->order - 1;
     real normal = g->normal_force[0], tangential = g->tangential_push[0];
     real min_normal = normal;
-    real min_room = least_room(c, on_border, normal, broadcast(0.0), tangential);
+    real min_room = smallest_room(c, on_border, normal, broadcast(0.0), tangential);
     for (int k = 1; k <= order; ++k) {
         const real drifted = INPUTS_RAMP ? search->size * normal : broadcast(0.0);
         normal += g->normal_force[k] * search->power[k];
         min_normal = real_min(min_normal, normal);
         if (sticks) {
             tangential += g->tangential_push[k] * search->power[k];
-            min_room = real_min(min_room, least_room(c, on_border, normal, drifted, tangential));
+            min_room = real_min(min_room, smallest_room(c, on_border, normal, drifted, tangential));
         }
     }
     const mask may_lift = search->live & mask_not(min_normal > 0.0);

@@ -84,7 +84,7 @@ static void advance_ground(const tdmf_step *step, const elapsed_time *elapsed,
 tdmf_mode_variation tdmf_open_mode_variation(const tdmf_mode_equations *equations,
                                              const double state[TDMF_STATE_COUNT], const tdmf_seed *seed,
                                              const tdmf_variation *variation) {
-    tdmf_mode_variation varied_mode = {.held = *variation};
+    tdmf_mode_variation varied_mode = {.constant = *variation};
     varied_mode.at.work = variation->state[TDMF_HIP_WORK];
     const tdmf_local_seed d = tdmf_local_seed_of(equations->model, seed, variation);
     if (equations->contact == TDMF_CONTACT_FLIGHT) {
@@ -107,7 +107,7 @@ double tdmf_expand_mode_variation(const tdmf_step *step, const tdmf_mode *mode, 
     const tdmf_scales *scales = &step->equations->model->scales;
     const int order = step->order;
     const tdmf_mode_coordinates *from = &step->equations->start, *at = &varied_mode->at;
-    const tdmf_local_seed d = tdmf_local_seed_of(step->equations->model, seed, &varied_mode->held);
+    const tdmf_local_seed d = tdmf_local_seed_of(step->equations->model, seed, &varied_mode->constant);
     double sizes[SERIES_TERMS] = {0.0};
     if (step->equations->contact == TDMF_CONTACT_FLIGHT) {
         flight_variation *flight = &varied_series->flight;
@@ -152,7 +152,7 @@ void tdmf_advance_mode_variation(const tdmf_step *step, double elapsed, const td
 tdmf_variation tdmf_variation_in_mode(const tdmf_mode_equations *equations,
                                       const double state[TDMF_STATE_COUNT], const tdmf_seed *seed,
                                       const tdmf_mode_variation *varied_mode) {
-    tdmf_variation variation = varied_mode->held;
+    tdmf_variation variation = varied_mode->constant;
     variation.state[TDMF_HIP_WORK] = varied_mode->at.work;
     const tdmf_local_seed d = tdmf_local_seed_of(equations->model, seed, NULL);
     if (equations->contact == TDMF_CONTACT_FLIGHT) {
