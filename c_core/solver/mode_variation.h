@@ -8,9 +8,8 @@
 
 typedef struct {
     tdmf_mode_coordinates at;
-    tdmf_point com; /* in flight */
-    tdmf_variation
-        constant; /* what no series moves: the lift-off angle and its like, states without a series */
+    tdmf_point com;          /* in flight */
+    tdmf_variation constant; /* what no series moves: the angle of lift-off and states without a series */
 } tdmf_mode_variation;
 
 /* The variation in a mode just opened on `state`. */

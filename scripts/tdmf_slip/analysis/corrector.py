@@ -7,6 +7,7 @@ from typing import Any, Protocol, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
+from ..contents import ByContents
 from ..errors import InputError, RunError
 from ..library.gait import Gait
 from ..numerics.newton import newton_iterates
@@ -67,8 +68,8 @@ def _whole_steps(plane: "_OnPlane", iterate: Iterate) -> Iterator[tuple[Gait, ND
     yield gait, place
 
 
-@dataclass(frozen=True)
-class _OnPlane:
+@dataclass(frozen=True, eq=False)
+class _OnPlane(ByContents):
     """That strides lead back to their apex, of a place on a plane."""
 
     family: Strides

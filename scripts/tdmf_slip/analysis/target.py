@@ -154,8 +154,8 @@ class Target:
         return float(np.linalg.norm(self.deviations(place)))
 
 
-@dataclass(frozen=True)
-class _Closing:
+@dataclass(frozen=True, eq=False)
+class _Closing(ByContents):
     """That a stride closes and, with a goal, that its quantities are these."""
 
     target: Target
