@@ -48,6 +48,22 @@ def unpacked(fmu, tmp_path_factory):
     return fmpy.extract(fmu, str(tmp_path_factory.mktemp("unit")))
 
 
+@pytest.fixture(scope="session")
+def fmu3():
+    """The same of FMI 3."""
+    return str(tdmf_slip.fmu_path(fmi=3))
+
+
+@pytest.fixture(scope="session")
+def description3(fmu3):
+    return fmpy.read_model_description(fmu3)
+
+
+@pytest.fixture(scope="session")
+def unpacked3(fmu3, tmp_path_factory):
+    return fmpy.extract(fmu3, str(tmp_path_factory.mktemp("unit3")))
+
+
 def reference_gaits():
     file = importlib.resources.files("tdmf_slip.paper").joinpath("reference_gaits.json")
     return json.loads(file.read_text(encoding="utf-8"))["gaits"]

@@ -66,17 +66,18 @@ OUTPUT = [f"apex.{name}" for name in COORDINATES] + [
 
 
 @pytest.mark.parametrize(
-    ("interface", "method", "tolerance"),
+    ("interface", "method", "tolerance", "version"),
     [
-        ("CoSimulation", 1, 1e-11),
-        ("CoSimulation", 2, 1e-11),
-        ("CoSimulation", 2, 1e-9),
-        ("ModelExchange", 1, 1e-11),
+        ("CoSimulation", 1, 1e-11, ""),
+        ("CoSimulation", 2, 1e-11, ""),
+        ("CoSimulation", 2, 1e-9, ""),
+        ("ModelExchange", 1, 1e-11, ""),
+        ("ModelExchange", 1, 1e-11, "3"),
     ],
-    ids=["native", "CVODE", "CVODE, coarsely", "Model Exchange"],
+    ids=["native", "CVODE", "CVODE, coarsely", "Model Exchange", "Model Exchange, FMI 3"],
 )
 @pytest.mark.parametrize(("friction", "ratio"), [(0.6, 1.5), (0.3, 2.0)])
-def test_no_solver_jumps_over_the_layer(friction, ratio, interface, method, tolerance, unpacked, description):
+def test_no_solver_jumps_over_the_layer(friction, ratio, interface, method, tolerance, version, request):
     """To a hundredth of what the layer does to the stride, which without it would be that of v = 0."""
     runner, apex = runner_and_apex(friction, ratio)
     falling = runner | {"ground.stribeck_velocity": SMALLEST}
@@ -84,8 +85,8 @@ def test_no_solver_jumps_over_the_layer(friction, ratio, interface, method, tole
     _, (end,) = end_of_stride(runner, apex, SMALLEST)
     period = tdmf_slip.stride_map(falling, apex)["period"].item()
     rows = fmpy.simulate_fmu(
-        unpacked,
-        model_description=description,
+        request.getfixturevalue(f"unpacked{version}"),
+        model_description=request.getfixturevalue(f"description{version}"),
         fmi_type=interface,
         stop_time=1.001 * period,
         output_interval=period / 100,

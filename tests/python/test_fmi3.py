@@ -8,7 +8,6 @@ from xml.etree import ElementTree
 import fmpy
 import numpy as np
 import pytest
-import tdmf_slip
 from conftest import apex_start, reference_gaits
 from fmpy.fmi3 import FMU3Model, FMU3Slave
 from fmpy.validation import validate_fmu
@@ -21,21 +20,6 @@ CO_SIMULATION = {
     "event mode": {"use_event_mode": True},
     "early return": {"use_event_mode": True, "early_return_allowed": True},
 }
-
-
-@pytest.fixture(scope="module")
-def fmu3():
-    return str(tdmf_slip.fmu_path(fmi=3))
-
-
-@pytest.fixture(scope="module")
-def description3(fmu3):
-    return fmpy.read_model_description(fmu3)
-
-
-@pytest.fixture(scope="module")
-def unpacked3(fmu3, tmp_path_factory):
-    return fmpy.extract(fmu3, str(tmp_path_factory.mktemp("unit3")))
 
 
 def start_of(gait):
