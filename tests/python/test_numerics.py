@@ -132,3 +132,11 @@ def test_halving_finds_the_longest_step_that_succeeds():
     assert halved(attempt, 1.0, 0.25) == ("found", 0.25)
     with pytest.raises(RunError, match="too long"):
         halved(attempt, 1.0, 0.26)
+
+
+def test_a_step_that_is_not_a_number_ends_with_the_failure():
+    def refuse(step):
+        raise RunError("nothing there")
+
+    with pytest.raises(RunError, match="nothing there"):
+        halved(refuse, math.nan, 0.1)

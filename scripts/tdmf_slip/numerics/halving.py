@@ -28,7 +28,7 @@ def halved(
             return attempt(step), step
         except failures:
             step *= 0.5
-            if abs(step) < shortest:
+            if not abs(step) >= shortest:  # also where it is not a number
                 raise
 
 
