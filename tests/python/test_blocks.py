@@ -103,7 +103,7 @@ def test_a_block_that_kills_its_workers_is_said():
     from distributed import LocalCluster
 
     with (
-        LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=None) as cluster,
+        LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address="127.0.0.1:0") as cluster,
         pytest.raises(RunError, match="killed every worker"),
         run_blocks(die, [0, 1], scheduler=cluster.scheduler_address) as found,
     ):

@@ -105,7 +105,7 @@ def test_what_the_command_does_not_allow(command, options, message):
 
 def test_a_cluster_makes_the_same_strides():
     alone = tdmf_slip.viability(None, **SETTINGS)
-    with LocalCluster(n_workers=1, threads_per_worker=1, dashboard_address=None) as cluster:
+    with LocalCluster(n_workers=1, threads_per_worker=1, dashboard_address="127.0.0.1:0") as cluster:
         assert tdmf_slip.viability(None, **SETTINGS, scheduler=cluster.scheduler_address) == alone
 
 
