@@ -84,25 +84,26 @@ static void set_mass_constants(tdmf_model *model, const tdmf_mass_constants *con
     model->body_share = constants->body_share;
 }
 
+static tdmf_refusal refused_parameter(const tdmf_parameters *parameters, size_t offset,
+                                      const char *bound_by) {
+    tdmf_refusal refusal = tdmf_out_of_range(parameter_range(offset), value_at(parameters, offset));
+    refusal.bound_by = bound_by;
+    return refusal;
+}
+
 /* Limits that depend on other parameters. */
 static tdmf_refusal first_beyond_another(const tdmf_parameters *p) {
     tdmf_refusal refusal = accepted;
     const double narrowest = TDMF_NARROWEST_LAYER * scales_of(p).speed;
     if (p->leg.min_length > p->leg.free_length) {
-        refusal =
-            tdmf_out_of_range(parameter_range(offsetof(tdmf_parameters, leg.min_length)), p->leg.min_length);
+        refusal = refused_parameter(p, offsetof(tdmf_parameters, leg.min_length), "leg.free_length");
         refusal.maximum = p->leg.free_length;
-        refusal.bound_by = "leg.free_length";
     } else if (p->ground.patch_begin > p->ground.patch_end) {
-        refusal = tdmf_out_of_range(parameter_range(offsetof(tdmf_parameters, ground.patch_end)),
-                                    p->ground.patch_end);
+        refusal = refused_parameter(p, offsetof(tdmf_parameters, ground.patch_end), "ground.patch_begin");
         refusal.minimum = p->ground.patch_begin;
-        refusal.bound_by = "ground.patch_begin";
     } else if (p->ground.stribeck_velocity > 0.0 && p->ground.stribeck_velocity < narrowest) {
-        refusal = tdmf_out_of_range(parameter_range(offsetof(tdmf_parameters, ground.stribeck_velocity)),
-                                    p->ground.stribeck_velocity);
+        refusal = refused_parameter(p, offsetof(tdmf_parameters, ground.stribeck_velocity), "or 0");
         refusal.minimum = narrowest;
-        refusal.bound_by = "or 0";
     }
     return refusal;
 }
