@@ -49,7 +49,9 @@ def comment(text: str | None, more: str = "") -> str:
     return "/* " + "\n *\n * ".join(" ".join(paragraph.split()) for paragraph in paragraphs) + f"{more} */\n"
 
 
-def struct(what: str, name: str, members: Iterable[str], number: str = "double", size: str = "") -> str:
+def struct(
+    what: str | None, name: str, members: Iterable[str], number: str = "double", size: str = ""
+) -> str:
     """Write a struct of numbers, below what it is."""
     declared = "".join(f"{number} {member}{size};\n" for member in dict.fromkeys(members))
     return f"{comment(what)}typedef struct {{\n{declared}}} {name};\n"

@@ -34,7 +34,7 @@ def laws(topic: str) -> str:
     page = inspect.getmodulename(functions[0].law.__code__.co_filename)
     includes = f'#include "{in_c.HEADERS.get(topic, "quantities.h")}"\n\n#include <math.h>\n'
     given = in_c.STRUCTS.get(topic, {})
-    records = [struct(law.__doc__ or "", name, members(law)) for name, law in given.items()]
+    records = [struct(law.__doc__, name, members(law)) for name, law in given.items()]
     return header(f"{topic}_laws", f"{page}.py", includes, *records, *(f.c() for f in functions))
 
 

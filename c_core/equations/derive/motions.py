@@ -58,7 +58,7 @@ def ends() -> str:
 
 def guard_series() -> str:
     """Write guards that are made of series of the motion, and what they are made of."""
-    given = [struct(law.__doc__ or "", name, members(law), "real") for name, law in STRUCTS.values()]
+    given = [struct(law.__doc__, name, members(law), "real") for name, law in STRUCTS.values()]
     laws = [law_series(*told) for told in motions.GUARDS]
     numbers = [of_numbers(law).c() for law in motions.OF_NUMBERS]
     include = '#include "series_products.h"\n'
