@@ -32,6 +32,8 @@ ANGLES = np.arange(50.0, 76.0, 1.0)
 """Contact angles, degrees from the ground."""
 NEAR = 5.0
 """Degrees: how far a border may be from the published one and agree, for the friction is not known."""
+GRAVITY = 9.81
+"""m/s2."""
 MAXIMUM = 0.9
 """Share that counts as nearly all."""
 
@@ -72,9 +74,9 @@ class Map(ByContents):
 
 def runner_of(leg_length: float | None = None) -> Runner:
     """The runner that stands for a bird, by the reduced map, at the speed where the others begin."""
-    its, gravity = published()["runner"], 9.81
+    its = published()["runner"]
     length = leg_length or its["leg_length"]
-    stiffness = its["stiffness"] * its["mass"] * gravity / length
+    stiffness = its["stiffness"] * its["mass"] * GRAVITY / length
     values = {
         "body.mass": its["mass"] / (1.0 + its["foot_share"]),
         "foot.mass": its["mass"] * its["foot_share"] / (1.0 + its["foot_share"]),
@@ -82,7 +84,7 @@ def runner_of(leg_length: float | None = None) -> Runner:
         "leg.damping": 2.0 * its["damping_ratio"] * math.sqrt(its["mass"] * stiffness),
         "leg.free_length": length,
         "leg.min_length": 0.05 * length,
-        "gravity": gravity,
+        "gravity": GRAVITY,
         "hip.stance_torque": its["start_torque"] * stiffness * length**2,
         "hip.touchdown_angle": math.radians(its["touchdown_angle"]),
         "hip.retraction_rate": its["start_speed"] / length,

@@ -17,7 +17,7 @@ from ..contents import ByContents
 from ..library.gait import Gait, gait_near
 from ..library.runner import Runner
 from ..unit.unit import FRICTION
-from .guinea_fowl import published
+from .guinea_fowl import GRAVITY, published
 
 PHASES = 64
 """Places of the foot at the start, over the length of a stride."""
@@ -39,9 +39,9 @@ class Crossing(ByContents):
 def runner_of() -> Runner:
     """The bird by all laws: Table 1 in its units, with what `guinea_fowl.toml` has of its own."""
     birds, its, ours = published()["runner"], published()["full_runner"], Runner.of({}).values
-    length, gravity = birds["leg_length"], 9.81
+    length = birds["leg_length"]
     mass = birds["mass"] / (1.0 + ours["foot.mass"])
-    stiffness = its["stiffness"] * mass * gravity / length
+    stiffness = its["stiffness"] * mass * GRAVITY / length
     time = math.sqrt(mass / stiffness)
     moment = stiffness * length**2
     values = {
@@ -51,7 +51,7 @@ def runner_of() -> Runner:
         "leg.damping": ours["leg.damping"] * stiffness * time,
         "leg.free_length": length,
         "leg.min_length": ours["leg.min_length"] * length,
-        "gravity": gravity,
+        "gravity": GRAVITY,
         TORQUE: its["stance_torque"] * moment,
         "hip.kp": ours["hip.kp"] * moment,
         "hip.kd": ours["hip.kd"] * moment * time,
