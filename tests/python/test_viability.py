@@ -411,6 +411,12 @@ def test_what_is_not_allowed_is_refused(bad, message):
         tdmf_slip.viability(STICKING, **(GOOD | bad))
 
 
+@pytest.mark.parametrize("model", ["reduced", "full"])
+def test_a_patch_of_ground_is_refused_for_an_apex_does_not_tell_where_the_foot_is(model):
+    with pytest.raises(InputError, match=r"ground\.patch_end = 3"):
+        tdmf_slip.viability({**STICKING, "ground.patch_end": 3.0}, model=model, **GOOD)
+
+
 @pytest.mark.parametrize(
     ("wish", "message"),
     [

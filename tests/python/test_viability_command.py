@@ -86,7 +86,7 @@ def test_units_are_read_and_sixteen_values_are_tried(command):
         ((*GRID[:4], "--vary", "hip.touchdown_angle=0:1:2:3"), "N being how many values"),
         ((*GRID[:4], "--vary", "hip.touchdown_angle=0:1:-2"), "N being how many values"),
         ((*GRID[:4], "--vary", "hip.touchdown_angle=0:1:0"), "values = 0 is not allowed"),
-        ((*GRID[:4], "--vary", "hip.angle=0:1"), "no such setting"),
+        ((*GRID[:4], "--vary", "hip.angle=0:1"), "--vary: 'hip.angle' is not a setting"),
         ((*GRID[:4], "--vary", "hip.touchdown_angle=1:0"), "the lower one first"),
         ((*GRID[:4], "--vary", "hip.touchdown_angle=nan:1"), "hip.touchdown_angle"),
         ((*GRID, "--n", 1), "--n = 1 is not allowed"),

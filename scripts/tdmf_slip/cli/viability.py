@@ -12,8 +12,8 @@ from ..analysis.targeted import find_gait
 from ..errors import InputError
 from ..files.whole import check_place, whole
 from ..library.gait import Gait
-from ..library.members import VARIED
 from ..library.section import MODELS, REDUCED
+from ..library.settings import setting_number
 from ..terminal.text import columns
 from ..unit.unit import Fmu, load_fmu
 from ..viable_sets.grid import MAX_CELLS, VALUES
@@ -186,8 +186,7 @@ def _axes_given(texts: Sequence[str], fmu: Fmu) -> dict[str, tuple[float, float]
 def _vary_given(texts: Sequence[str], fmu: Fmu) -> dict[str, tuple[float, ...]]:
     ranges: dict[str, tuple[float, ...]] = {}
     for name, span in pairs_given(texts, "--vary", "NAME=A:B or NAME=A:B:N").items():
-        if name not in VARIED:
-            raise InputError(f"--vary {name}={span}: no such setting; allowed: one that may change in a run")
+        setting_number(name, "--vary")
         parts = span.split(":")
         ends = ends_of(":".join(parts[:2]), fmu.variables[name], f"--vary {name}")
         counts = parts[2:]

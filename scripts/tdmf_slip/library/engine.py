@@ -27,7 +27,7 @@ def run(ensemble: Ensemble, ends: NDArray[np.void]) -> Any:
     else:
         complete = c.tdmf_run_ensemble(ensemble, _c_ends(ends), work)
     if not complete:
-        raise MemoryError("the ensemble engine found no memory")
+        raise MemoryError("the ensemble engine found no memory, or its request was not sound")
     return work
 
 

@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from ..checks import checked, checked_whole
 from ..files.whole import check_place
+from ..library.maps import refuse_patch
 from ..library.runner import Runner
 from ..unit.unit import Fmu, load_fmu
 from ..unit.variable import Given
@@ -86,7 +87,7 @@ def viability(
     Raises
     ------
     InputError
-        A range, a name or a number is not allowed, or the file holds something else.
+        A range, a name or a number is not allowed, the ground has a patch, or the file holds something else.
 
     Examples
     --------
@@ -110,6 +111,7 @@ def viability(
     """
     fmu = load_fmu(fmu)
     runner = Runner.of(runner, fmu, model=model)
+    refuse_patch(runner.values)
     factor = checked("factor", factor, 1.0, LARGEST_FACTOR)
     threads = None if threads is None else checked_whole("threads", threads, 1, MAX_THREADS)
     path = None if path is None else check_place(path, (".nc",), "path")
