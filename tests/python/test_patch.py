@@ -117,11 +117,15 @@ def test_where_a_foot_lands_decides():
         lambda: tdmf_slip.find_gait(PATCH, model="reduced"),
         lambda: tdmf_slip.sweep(PATCH, {"leg.damping": [0.2, 0.21]}),
         lambda: tdmf_slip.basin(PATCH, n=2),
+        lambda: tdmf_slip.stride_map(PATCH, [1.4, 1.05], model="reduced"),
+        lambda: tdmf_slip.stride_map(
+            PATCH | {"ground.patch_end": [12.45, 12.52]}, [[1.4, 1.05]] * 2, model="reduced"
+        ),
         lambda: tdmf_slip.library.ensemble.run_ensemble(
             [tdmf_slip.library.ensemble.Case(PATCH, [RUNS[0]["apex"]])], [RUNS[0]["apex"]], max_strides=1
         ),
     ],
-    ids=["gait", "reduced gait", "sweep", "basin", "ensemble with a gait"],
+    ids=["gait", "reduced gait", "sweep", "basin", "reduced strides", "one of many", "ensemble with a gait"],
 )
 def test_what_has_no_place_for_a_patch_says_so(refused):
     with pytest.raises(tdmf_slip.InputError, match=r"ground\.patch_end = 12\.52"):

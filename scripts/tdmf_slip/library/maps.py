@@ -13,6 +13,8 @@ from .binding import c
 from .runner import Runner, text_of
 from .structs import FoundGait, Return
 
+PATCH = ("ground.patch_begin", "ground.patch_end")
+
 
 @dataclass(frozen=True)
 class Map:
@@ -36,12 +38,12 @@ def map_of(runner: Runner) -> Map:
 
 def refuse_patch(values: Mapping[str, float]) -> None:
     """Refuse a patch of ground: an apex does not tell where the foot is."""
-    begin, end = values["ground.patch_begin"], values["ground.patch_end"]
+    begin, end = (values[name] for name in PATCH)
     if begin < end:
         raise InputError(
             f"ground.patch_end = {end:g}: gaits and maps of apices have no place for a patch of ground; "
-            f"allowed: ground.patch_begin = {begin:g}, which is none; simulate and "
-            "stride_map take a patch"
+            f"allowed: ground.patch_begin = {begin:g}, which is none; simulate, and "
+            "stride_map by the full model, take a patch"
         )
 
 

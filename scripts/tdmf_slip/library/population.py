@@ -15,6 +15,7 @@ from ..given import mapping_of
 from ..unit.unit import Fmu, load_fmu
 from .affine_law import AffineLaw
 from .binding import c, ffi
+from .maps import PATCH, refuse_patch
 from .members import INPUTS, PARAMETERS, VARIED
 from .rough_ground import RoughGround
 from .runner import Runner, text_of
@@ -71,6 +72,8 @@ class Population(ByContents):
     def c_cases(self, ground: RoughGround, law: AffineLaw | None) -> tuple[Any, list[object]]:
         """A case for each runner, or one for all, and what has to live as long."""
         count = self.size or 1
+        if self.runner.reduced:
+            self._refuse_patch(count)
         cases = ffi.new("tdmf_ensemble_case[]", count)
         models = ffi.new("tdmf_model[]", count)
         parameters = ffi.new("tdmf_parameters[]", count)
@@ -93,6 +96,13 @@ class Population(ByContents):
         for k in range(count):
             _check(c.tdmf_model_create(models + k, parameters + k), k)
         return cases, kept
+
+    def _refuse_patch(self, count: int) -> None:
+        begin, end = (
+            np.broadcast_to(self.varied.get(name, self.runner.values[name]), count) for name in PATCH
+        )
+        longest = np.argmax(end - begin)
+        refuse_patch(dict(zip(PATCH, (begin[longest], end[longest]), strict=True)))
 
 
 def numbers(what: str, given: object, dimensions: int) -> NDArray[np.float64]:
