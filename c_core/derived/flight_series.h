@@ -33,8 +33,8 @@ typedef struct {
     real momentum[SERIES_TERMS];
     real angle[SERIES_TERMS];
     real push_moment[SERIES_TERMS];
-    real cosine[SERIES_TERMS];
     real sine[SERIES_TERMS];
+    real cosine[SERIES_TERMS];
     real push_across[SERIES_TERMS];
 } flight_series;
 
@@ -135,20 +135,17 @@ KERNEL void expand_flight_on(const flight_coefficients *c, const flight_factors 
     /* length_times_rate_square = length * rate_square */
     const real length_times_rate_square =
         product_of(k, sum->length_times_rate_square, s->length, s->rate_square);
+    /* axial_force = stiffness * (rest_length - length) - damping * length_rate */
+    const real axial_force = with_constant(k, -(c->stiffness * s->length[k]) - c->damping * s->length_rate[k],
+                                           c->stiffness * c->rest_length);
+    /* torque = gain * (target - angle) - rate_gain * angle_rate + torque */
+    const real torque = with_drift(k, -(c->gain * s->angle[k]) - c->rate_gain * s->angle_rate[k],
+                                   c->gain * c->target + c->torque, c->torque_rate);
     /* speed_square = length_rate * length_rate */
     s->speed_square[k] = square_of(k, sum->speed_square, s->length_rate);
-    integrate(s->length_rate, k,
-              with_constant(k,
-                            length_times_rate_square - c->inverse_reduced_mass * c->stiffness * s->length[k] -
-                                c->inverse_reduced_mass * c->damping * s->length_rate[k],
-                            c->inverse_reduced_mass * (c->stiffness * c->rest_length)));
+    integrate(s->length_rate, k, length_times_rate_square + c->inverse_reduced_mass * axial_force);
     integrate(s->angle, k, s->angle_rate[k]);
-    integrate(s->momentum, k,
-              with_drift(k,
-                         -(c->inverse_reduced_mass * c->gain * s->angle[k]) -
-                             c->inverse_reduced_mass * c->rate_gain * s->angle_rate[k],
-                         c->inverse_reduced_mass * (c->gain * c->target + c->torque),
-                         c->inverse_reduced_mass * c->torque_rate));
+    integrate(s->momentum, k, c->inverse_reduced_mass * torque);
 }
 
 /* From coefficient 0 of the states up to `order`; an odd order gets one coefficient more. */
@@ -237,6 +234,9 @@ KERNEL void expand_pushed_flight_on(const flight_coefficients *c, const pushed_f
     /* length_times_rate_square = length * rate_square */
     const real length_times_rate_square =
         product_of(k, sum->length_times_rate_square, s->length, s->rate_square);
+    /* axial_force = stiffness * (rest_length - length) - damping * length_rate */
+    const real axial_force = with_ramp(k, -(c->stiffness * s->length[k]) - c->damping * s->length_rate[k],
+                                       c->stiffness * c->rest_length, c->stiffness * c->rest_length_rate);
     /* cosine = cos(angle) */
     turn_by(k, s->angle, s->angle_rate, s->sine, s->cosine);
     /* push_y_times_cosine = push_y * cosine */
@@ -246,6 +246,9 @@ KERNEL void expand_pushed_flight_on(const flight_coefficients *c, const pushed_f
     const real push_x_times_sine = ramp_times(k, c->push_x, c->push_x_rate, s->sine);
     /* push_along = push_y_times_cosine - push_x_times_sine */
     const real push_along = push_y_times_cosine - push_x_times_sine;
+    /* torque = gain * (target - angle) - rate_gain * angle_rate + torque */
+    const real torque = with_drift(k, -(c->gain * s->angle[k]) - c->rate_gain * s->angle_rate[k],
+                                   c->gain * c->target + c->torque, c->torque_rate);
     /* push_x_times_cosine = push_x * cosine */
     const real push_x_times_cosine = ramp_times(k, c->push_x, c->push_x_rate, s->cosine);
     /* push_y_times_sine = push_y * sine */
@@ -257,18 +260,9 @@ KERNEL void expand_pushed_flight_on(const flight_coefficients *c, const pushed_f
     /* speed_square = length_rate * length_rate */
     s->speed_square[k] = square_of(k, sum->speed_square, s->length_rate);
     integrate(s->length_rate, k,
-              with_ramp(k,
-                        length_times_rate_square - c->inverse_reduced_mass * c->stiffness * s->length[k] -
-                            c->inverse_reduced_mass * c->damping * s->length_rate[k] + push_along,
-                        c->inverse_reduced_mass * (c->stiffness * c->rest_length),
-                        c->inverse_reduced_mass * (c->stiffness * c->rest_length_rate)));
+              length_times_rate_square + c->inverse_reduced_mass * axial_force + push_along);
     integrate(s->angle, k, s->angle_rate[k]);
-    integrate(s->momentum, k,
-              with_drift(k,
-                         -(c->inverse_reduced_mass * c->gain * s->angle[k]) -
-                             c->inverse_reduced_mass * c->rate_gain * s->angle_rate[k] + s->push_moment[k],
-                         c->inverse_reduced_mass * (c->gain * c->target + c->torque),
-                         c->inverse_reduced_mass * c->torque_rate));
+    integrate(s->momentum, k, c->inverse_reduced_mass * torque + s->push_moment[k]);
 }
 
 /* From coefficient 0 of the states up to `order`; an odd order gets one coefficient more. */

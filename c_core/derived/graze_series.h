@@ -141,6 +141,7 @@ KERNEL void expand_graze_on(const ground_coefficients *c, const graze_factors *b
     s->angle_rate[k] =
         quotient_of(k, sum->angle_rate, s->moment[k], s->angle_rate, s->square, by->inverse_square);
     s->normal_force[k] = broadcast(0.0);
+    s->off[k] = constant_of(k, -c->foot_weight_y);
     integrate(s->vx, k,
               with_ramp(k, c->inverse_body_mass * s->along[k] - s->foot_acceleration[k], -c->gravity_x,
                         -c->gravity_x_rate));

@@ -7,20 +7,20 @@
 #include <math.h>
 
 /* t.(x, y), what of a vector is along the line. */
-static inline double tdmf_velocity_along(const tdmf_ground_line *line, double vx, double vy) {
-    return line->cosine * vx + line->sine * vy;
+static inline double tdmf_velocity_along(const tdmf_ground_line *line, double x, double y) {
+    return line->cosine * x + line->sine * y;
 }
 
 /* Its change. */
-static inline double tdmf_vary_velocity_along(const tdmf_ground_line *line, double vx, double vy,
-                                              const tdmf_ground_line *d_line, double d_vx, double d_vy) {
-    return -(line->sine * d_line->slope) * vx + line->cosine * d_vx +
-           (line->cosine * d_line->slope * vy + line->sine * d_vy);
+static inline double tdmf_vary_velocity_along(const tdmf_ground_line *line, double x, double y,
+                                              const tdmf_ground_line *d_line, double d_x, double d_y) {
+    return -(line->sine * d_line->slope) * x + line->cosine * d_x +
+           (line->cosine * d_line->slope * y + line->sine * d_y);
 }
 
 /* n.(x, y), what of a vector is across the line. */
-static inline double tdmf_velocity_off(const tdmf_ground_line *line, double vx, double vy) {
-    return line->cosine * vy - line->sine * vx;
+static inline double tdmf_velocity_off(const tdmf_ground_line *line, double x, double y) {
+    return line->cosine * y - line->sine * x;
 }
 
 /* t.(p - (0, h)), from the pivot along the line. */

@@ -32,13 +32,13 @@ typedef struct {
     real length_rate[SERIES_TERMS];
     real normal_force[SERIES_TERMS];
     real tangential_push[SERIES_TERMS];
+    real along[SERIES_TERMS];
+    real off[SERIES_TERMS];
     real torque[SERIES_TERMS];
     real power[SERIES_TERMS];
     real speed_square[SERIES_TERMS];
     real square[SERIES_TERMS];
     real turning[SERIES_TERMS];
-    real along[SERIES_TERMS];
-    real off[SERIES_TERMS];
     real vx[SERIES_TERMS];
     real vy[SERIES_TERMS];
     real x[SERIES_TERMS];

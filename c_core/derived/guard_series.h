@@ -69,12 +69,12 @@ static inline void expand_load(const real *axial_y, const real *torque, const re
 }
 
 /* gain (target - theta) - rate_gain thetadot + torque, now. */
-static inline void expand_torque(const signed_law *servo, const real *angle, const real *angle_rate,
-                                 int order, real torque[SERIES_TERMS]) {
+static inline void expand_torque(const signed_law *law, const real *angle, const real *angle_rate, int order,
+                                 real torque[SERIES_TERMS]) {
     int k = 0;
     do {
-        torque[k] = with_drift(k, -(servo->gain * angle[k]) - servo->rate_gain * angle_rate[k],
-                               servo->gain * servo->target + servo->torque, servo->torque_rate);
+        torque[k] = with_drift(k, -(law->gain * angle[k]) - law->rate_gain * angle_rate[k],
+                               law->gain * law->target + law->torque, law->torque_rate);
     } while (++k <= order);
 }
 

@@ -97,9 +97,9 @@ def slip_velocity_zero(foot_vx, slip_sign):
     return slip_sign * foot_vx
 
 
-def ahead(x, y, slope):
+def ahead(x, y, slope_sine, slope_cosine):
     """r sin theta, how far the foot is ahead of the body: it falls through 0 with theta."""
-    return slope.sine * y - slope.cosine * x
+    return slope_sine * y - slope_cosine * x
 
 
 def room(normal_force, tangential_push, cone, side):
@@ -107,9 +107,9 @@ def room(normal_force, tangential_push, cone, side):
     return cone.normal * normal_force - side * (cone.tangential * tangential_push)
 
 
-def rise(vx, vy, foot_vx, slope, share):
+def rise(vx, vy, foot_vx, slope_sine, slope_cosine, share):
     """The rate at which the centre of mass rises, with the body's share of the mass."""
-    return share * slope.cosine * vy + share * slope.sine * vx + slope.sine * foot_vx
+    return share * slope_cosine * vy + share * slope_sine * vx + slope_sine * foot_vx
 
 
 def lever(x, square):

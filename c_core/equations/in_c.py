@@ -49,8 +49,8 @@ FUNCTIONS = {
         ),
     ],
     "ground_line": [
-        InC("double velocity_along", ground_line.along, lambda line, vx, vy: (line, vx, vy)),
-        InC("double velocity_off", ground_line.off, lambda line, vx, vy: (line, vx, vy), varied=False),
+        InC("double velocity_along", ground_line.along),
+        InC("double velocity_off", ground_line.off, varied=False),
         InC("double offset_along", ground_line.offset_along),
         InC("double height_over", ground_line.height_over),
         InC("double ground_height_at", ground_line.height_at),
@@ -222,10 +222,8 @@ TYPES = {
 FIXED = ("direction", "sign", "sine", "winding", "place_rate")
 WITHOUT_CHANGE = ("bool", "int", "tdmf_contact_mode", "tdmf_hip_phase", "tdmf_zone", "const elapsed_time *")
 
-# Parameters that C makes of others, by a law, before it calls.
-MADE = {"direction": lambda state: leg.direction(state.leg_angle)}
-# Lines of the ground, whose sine and cosine C has beside their slope.
-LINES = ("line", "ground")
+# What has sine and cosine of an angle, and where C has that, after its own name and the arrow or point.
+ANGLES = {"line": "{}slope", "ground": "{}slope", "direction": "state[TDMF_LEG_ANGLE]"}
 
 # Words and flags of a mode, which a law may branch on, and structs that are handed on by pointer.
 WORDS = {"contact": "TDMF_CONTACT_", "phase": "TDMF_PHASE_", "zone": "TDMF_ZONE_"}

@@ -1,44 +1,68 @@
 """The motions: what each is told in its cases, what of it is noted, and who watches its events.
 
-The laws of a motion are on its page. This page is a table, as that of the events is: of a motion the
-constants, of which `ramps` change in time, by the word "drift" in any width, by "ramp" where inputs ramp; the
-`rates`, quantities that are rates of others; the series that are `noted`; those `varied` have variations.
+The laws of a motion are on its page. This page is a table, as that of the events is.
 """
+
+from collections.abc import Callable
+from typing import Any, NamedTuple
 
 from . import constants, flight, friction, ground, hip
 
-GROUND = {
-    "page": ground,
-    "start": "x y vx vy foot_vx",
-    "constants": constants.on_ground,
-    "ramps": dict.fromkeys(("rest_length", "gravity_x", "gravity_y", "friction", "torque"), "ramp"),
-    "rates": {"length_rate": "length"},
-    "noted": "length length_rate normal_force tangential_push torque power speed_square",
-    "varied": "torque power friction_power",
-    "cases": {
+
+class Family(NamedTuple):
+    """Motions of one page that share the structs of their series.
+
+    `start` is what a motion starts with, `constants` the law that gives what it depends on. Of that `ramps`
+    change in time, by the word "drift" in any width, by "ramp" where inputs ramp. `rates` are quantities that
+    are rates of others; the series that are `noted` are asked for, and those `varied` have variations.
+    `cases` tell the page what it asks, and of a case what else is noted, and that nothing ramps.
+    """
+
+    name: str
+    page: Any
+    start: str
+    constants: Callable[..., Any]
+    ramps: dict[str, str]
+    rates: dict[str, str]
+    noted: str
+    varied: str
+    cases: dict[str, dict[str, Any]]
+
+
+GROUND = Family(
+    name="ground",
+    page=ground,
+    start="x y vx vy foot_vx",
+    constants=constants.on_ground,
+    ramps=dict.fromkeys(("rest_length", "gravity_x", "gravity_y", "friction", "torque"), "ramp"),
+    rates={"length_rate": "length"},
+    noted="length length_rate normal_force tangential_push along off torque power speed_square",
+    varied="torque power friction_power",
+    cases={
         # Without a torque the leg does not turn, but a torque that varies would turn it.
-        "stick": {"contact": "stick", "has_torque": False, "noted": "square turning along off"},
+        "stick": {"contact": "stick", "has_torque": False, "noted": "square turning"},
         "stick_with_torque": {"contact": "stick", "has_torque": True},
-        "slip": {"contact": "slip", "has_torque": False, "noted": "square turning along off friction_power"},
+        "slip": {"contact": "slip", "has_torque": False, "noted": "square turning friction_power"},
         "slip_with_torque": {"contact": "slip", "has_torque": True, "noted": "friction_power"},
         "falling_slip": {"contact": "slip", "has_torque": True, "falls": True, "noted": "friction_power"},
         "graze": {"contact": "graze", "has_torque": True, "noted": "angle_rate axial_y"},
     },
-}
-FLIGHT = {
-    "page": flight,
-    "start": "length angle length_rate angle_rate",
-    "constants": constants.of_flight,
-    "ramps": {"torque": "drift", "rest_length": "ramp", "push_x": "ramp", "push_y": "ramp"},
-    "rates": {},
-    "noted": "square angle_rate rate_square speed_square",
-    "varied": "torque power",
-    "cases": {
+)
+FLIGHT = Family(
+    name="flight",
+    page=flight,
+    start="length angle length_rate angle_rate",
+    constants=constants.of_flight,
+    ramps={"torque": "drift", "rest_length": "ramp", "push_x": "ramp", "push_y": "ramp"},
+    rates={},
+    noted="square angle_rate rate_square speed_square",
+    varied="torque power",
+    cases={
         "flight": {"pushed": False, "ramp": False},
         "pushed_flight": {"pushed": True, "noted": "push_moment"},
     },
-}
-MOTIONS = {"flight": FLIGHT, "ground": GROUND}
+)
+MOTIONS = {family.name: family for family in (FLIGHT, GROUND)}
 # Structs of the model, and the cases of each header, whose first part is the name of its motion or of a mode.
 COORDINATES = {"flight": "tdmf_flying", "ground": "tdmf_standing"}
 HEADERS = {
@@ -52,23 +76,10 @@ HEADERS = {
 
 # ---- guards as series --------------------------------------------------------------------------------------
 
-# Laws of series of the motion, in one header with structs of what some are handed, by the parameters' names:
-# of each what it is handed that is no series, as constants and with what rate they drift, and the rates of
-# angles. Of the last a law alone is wanted, of numbers.
-STRUCTS = {"servo": ("signed_law", hip.signed), "cone": ("friction_cone", friction.cone)}
-SERVO = {name: f"servo->{name}" for name in ("gain", "rate_gain", "target")}
-SERVO["torque"] = ("servo->torque", "servo->torque_rate")
-SLOPE = {"sine": "slope_sine", "cosine": "slope_cosine"}
-CONE = {"normal": ("cone->normal", "cone->normal_rate"), "tangential": "cone->tangential"}
-GUARDS = [
-    (ground.ahead, {"slope": SLOPE}),
-    (ground.room, {"cone": CONE, "side": "side"}),
-    (ground.rise, {"slope": SLOPE, "share": "share"}),
-    (ground.lever, {}),
-    (ground.load, {"weight_y": "weight_y"}),
-    (hip.torque, {"law": SERVO}),
-    (flight.drop, {"slope": "slope"}, {"angle": "angle_rate"}),
-]
+# Laws of series of a motion, in one header: what a law is handed that is none of these is constant, or a
+# struct of such. Of the last a law alone is wanted, of numbers.
+STRUCTS = {"law": ("signed_law", hip.signed), "cone": ("friction_cone", friction.cone)}
+GUARDS = [ground.ahead, ground.room, ground.rise, ground.lever, ground.load, hip.torque, flight.drop]
 OF_NUMBERS = [friction.smallest_room]
 
 # ---- who watches -------------------------------------------------------------------------------------------
@@ -82,15 +93,8 @@ CASES = {
     ("graze",): "is.grazes",
 }
 # Flags of the mode that must be set, or must not, as the lanes have them.
-FLAGS = {"not thrusts": "c->awaits_thrust > 0.0", "mid_stance_pending": "c->drives > 0.0"}
-# What guards are made of: series of the motion, which laws of the table know by other names, and constants.
-SERIES = {
-    "at->leg.length": "length",
-    "at->leg.length_rate": "length_rate",
-    "at->force.normal": "normal_force",
-}
-SHORTER = ("length_rate", "normal_force", "tangential_push")  # on the ground, by one coefficient
-CONSTANTS = ("slip_sign",)
+FLAGS = {"not thrusts": "c->awaits_thrust > 0.0"}
+# Parameters that guards are made of, as the table's laws have them.
 PARAMETERS = "at->model->parameters."
 FORCES = "watch_forces(search, c, s, !is.slips, !is.slips && is.meets_border);"
 GRAZE = "watch_graze(search, c, s, at->angle);"

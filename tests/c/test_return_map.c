@@ -151,7 +151,7 @@ static void parameters_and_inputs_are_differentiated(void **state) {
             }
             /* Nothing depends on where the ground is, so that its height may move far. */
             const double unit = k == GROUND_HEIGHT ? 100.0 : 0.01;
-            const double step = 1e-5 * fmax(unit, fabs(*coordinate(&scene, k)));
+            const double step = 3e-5 * fmax(unit, fabs(*coordinate(&scene, k)));
             assert_differentiated(&scene, k, step, 1e-7);
         }
     }

@@ -75,7 +75,7 @@ def evaluate(node, values, expressions):
     text = expressions.c_text(node, lambda node: None)
     text = re.sub(r"^\((.*) >= (.*) \? (.*) : (.*)\)$", r"\3 if \1 >= \2 else \4", text)
     functions = {
-        name: getattr(math, name) for name in ("sqrt", "sin", "cos", "exp", "log", "expm1", "log1p", "atan2")
+        name: getattr(math, name) for name in ("sqrt", "sin", "cos", "exp", "expm1", "log1p", "atan2")
     }
     return eval(text, {**functions, **values})
 
@@ -94,7 +94,7 @@ def test_derivatives_agree_with_differences(expressions):
         "angle": (a * b).atan2(c - a),
         "larger": (a * b).larger(c),
         "smaller": (a - b).larger(c * c * a),
-        "logarithms": (a + b).log() * (b * c).log1p() - (-a),
+        "logarithm": (b * c).log1p() - (-a),
     }
     changes = {a: 0.3, b: -0.7, c: 1.1}
     at = {"a": 0.8, "b": 1.7, "c": 0.6}

@@ -24,7 +24,8 @@ def derive():
     try:
         return Record(
             motion=importlib.import_module("equations.derive.motion"),
-            laws=importlib.import_module("equations.derive.law_series"),
+            laws=importlib.import_module("equations.derive.motions"),
+            table=importlib.import_module("equations.motions"),
             functions=importlib.import_module("equations.functions"),
         )
     finally:
@@ -58,7 +59,12 @@ def page(functions):
             power=acceleration * s.v,
         )
 
-    return Record(__name__="oscillator", start=start, end=end, motion=motion)
+    return Record(start=start, end=end, motion=motion)
+
+
+def constants_of(model):
+    """What the motion depends on."""
+    return Record(stiffness=model.stiffness, damping=model.damping, pull=model.pull)
 
 
 QUANTITIES = ["x", "v", "distance", "distance_rate", "ratio", "wave", "growth", "pulled", "power"]
@@ -107,19 +113,19 @@ def change_of_closed_form(t, name):
 
 def program(derive, lanes):
     """Expand the motion and each of its variations, and print all coefficients of the first lane."""
-    family = derive.motion.Family(
-        "oscillator",
-        page(derive.functions),
+    family = derive.table.Family(
+        name="oscillator",
+        page=page(derive.functions),
         start="x v energy",
-        constants=["stiffness", "damping"],
+        constants=constants_of,
         ramps={"pull": "drift"},
         rates={"distance_rate": "distance"},
         noted=" ".join(QUANTITIES[2:]),
         varied=" ".join(QUANTITIES[2:]),
         cases={"swinging": {}},
     )
-    motion = family.motion("swinging")
-    code = [family.structs(), family.end(), motion.source(), motion.variation()]
+    motion = derive.motion.Motion(family, "swinging")
+    code = [derive.motion.structs(family), derive.motion.end(family), motion.source(), motion.variation()]
     lane = "[0]" if lanes else ""
     show = [
         f'for (int k = 0; k <= {ORDER}; ++k) printf("%.17g ", (double)%s.{q}[k]{lane});' for q in QUANTITIES
@@ -218,21 +224,21 @@ def test_ends_vary_as_those_of_the_closed_form(coefficients):
 
 def made_of(derive, quantities, noted, rates=()):
     """An oscillator of which a page makes `quantities`."""
-    family = derive.motion.Family(
-        "oscillator",
-        Record(
+    family = derive.table.Family(
+        name="oscillator",
+        page=Record(
             start=page(derive.functions).start,
             motion=lambda c, s: Record(rates=Record(x=s.v, v=-s.x), **quantities(s)),
         ),
         start="x v",
-        constants=["stiffness"],
+        constants=constants_of,
         ramps={},
         rates=dict(rates),
         noted=noted,
         varied="",
         cases={"swinging": {}},
     )
-    return family.motion("swinging")
+    return derive.motion.Motion(family, "swinging")
 
 
 def test_what_is_not_known_ahead_has_no_rate(derive):
@@ -267,14 +273,26 @@ def test_a_law_of_series_has_no_root(derive):
         return derive.functions.sqrt(x * x)
 
     with pytest.raises(ValueError, match="is a root"):
-        derive.laws.law_series(distance, {})
+        derive.laws.law_series(distance, {"x"}, {})
 
 
 def test_a_law_of_series_is_handed_what_it_asks_for(derive):
-    def height(length, share):
-        """Some of it."""
-        return share.part * length
+    def height(length, share, more):
+        """Some of it, and more."""
+        return share.part * length + share.whole * more
 
-    text = derive.laws.law_series(height, {"share": {"part": ("part", "part_rate")}})
-    assert "const real *length, real part, real part_rate, int order" in text
-    assert "height[k] = drift_times(k, part, part_rate, length);" in text
+    shares = {"share": ("const shares *share", ["part", "part_rate", "whole"])}
+    text = derive.laws.law_series(height, {"length"}, shares)
+    assert "const real *length, const shares *share, real more, int order" in text
+    drifts = "drift_times(k, share->part, share->part_rate, length)"
+    assert f"height[k] = with_constant(k, {drifts}, share->whole * more);" in text
+
+
+def test_a_law_of_series_turns_by_the_rate_of_its_angle(derive):
+    def ahead(angle, slope):
+        """The sine of an angle."""
+        return derive.functions.sin(angle - slope)
+
+    text = derive.laws.law_series(ahead, {"angle", "angle_rate"}, {})
+    assert "const real *angle, real slope, const real *angle_rate, int order" in text
+    assert "turn_by(k, angle_minus_slope, angle_rate, ahead, cos_of_angle_minus_slope);" in text

@@ -103,9 +103,9 @@ def test_saltation_of_an_oscillator_is_that_of_its_closed_form(values, tmp_path,
     handed = {"model": "const oscillator *", "state": "const double[TDMF_STATE_COUNT]"}
     written = {"written": "double[TDMF_STATE_COUNT]"}
     functions = [
-        values.Function("void", "rates", {**handed, **written}, rates),
-        values.Function("double", "guard", handed, guard),
-        values.Function("void", "reset", {**handed, "sticks": "bool", **written}, reset, value="after"),
+        values.Function(values.InC("void rates", rates), {**handed, **written}),
+        values.Function(values.InC("double guard", guard), handed),
+        values.Function(values.InC("void reset", reset, value="after"), {**handed, **written}),
     ]
     laws = '#include "quantities.h"\n' + "\n".join(function.c() for function in functions)
     time = meeting(**GIVEN)

@@ -5,8 +5,7 @@ from pathlib import Path
 
 from . import events, model, motions, watch
 
-FILES = model.FILES | motions.FILES | watch.FILES
-FILES |= {"event_declarations.h": events.declarations, "event_table.h": events.table}
+FILES = model.FILES | events.FILES | motions.FILES | watch.FILES
 
 folder = Path(sys.argv[1]) if len(sys.argv) > 1 else Path(__file__).parents[2] / "derived"
 folder.mkdir(exist_ok=True)

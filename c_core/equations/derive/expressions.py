@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any, ClassVar
 
 ARITHMETIC = {"+": operator.add, "-": operator.sub, "*": operator.mul, "negative": operator.neg}
-FUNCTIONS = ("sqrt", "sin", "cos", "exp", "log", "expm1", "log1p", "atan2", "larger")
+FUNCTIONS = ("sqrt", "sin", "cos", "exp", "expm1", "log1p", "atan2", "larger")
 DERIVE = Path(__file__).parent
 
 Changes = dict["Expression", Any]
@@ -78,11 +78,6 @@ class Expression:
         return self.operation == "number" and bool(self.value == value)
 
 
-def number(value: Any) -> Expression:
-    """Give an exact number: fractions stay fractions until they are written."""
-    return Expression("number", value=Fraction(value))
-
-
 def symbol(text: str, name: str | None = None, **marks: Any) -> Expression:
     """Give a leaf that is written as C `text`; `marks` are for whoever makes it, `constant` is known here."""
     made = Expression("symbol", value=text, **marks)
@@ -91,8 +86,8 @@ def symbol(text: str, name: str | None = None, **marks: Any) -> Expression:
 
 
 def lift(value: Any) -> Expression:
-    """Give an expression for a Python number."""
-    return value if isinstance(value, Expression) else number(value)
+    """Give an expression for a Python number, exactly: fractions stay fractions until they are written."""
+    return value if isinstance(value, Expression) else Expression("number", value=Fraction(value))
 
 
 def forget() -> None:
@@ -111,12 +106,10 @@ def made(operation: str, *operands: Expression) -> Expression:
     """
     a, b = operands[0], operands[-1]
     if operation in ARITHMETIC and all(operand.operation == "number" for operand in operands):
-        return number(ARITHMETIC[operation](*(operand.value for operand in operands)))
+        return lift(ARITHMETIC[operation](*(operand.value for operand in operands)))
     match operation:
         case "negative" if a.operation == "negative":
             return a.operands[0]
-        case "-" if a is b:
-            return number(0)
         case "+" | "-" if b.is_number(0):
             return a
         case "+" | "-" if a.is_number(0):
@@ -134,7 +127,7 @@ def made(operation: str, *operands: Expression) -> Expression:
         case "*" if is_minus(a) or is_minus(b):
             return -(-a * b) if is_minus(a) else -(a * -b)
         case "/" if b.operation == "number":
-            return a * number(1 / b.value)
+            return a * lift(1 / b.value)
     return Expression(operation, *operands)
 
 
@@ -159,7 +152,6 @@ VARIATIONS: dict[str, Callable[..., Expression]] = {
     "sin": lambda y, a, d_a: a.cos() * d_a,
     "cos": lambda y, a, d_a: -(a.sin() * d_a),
     "exp": lambda y, a, d_a: y * d_a,
-    "log": lambda y, a, d_a: d_a / a,
     "expm1": lambda y, a, d_a: (y + 1) * d_a,
     "log1p": lambda y, a, d_a: d_a / (a + 1),
     "atan2": lambda y, a, b, d_a, d_b: (b * d_a - a * d_b) / (a * a + b * b),
@@ -179,7 +171,7 @@ def derivative(expression: Expression, changes: Changes, prefix: str = "") -> Ex
         if node not in found:
             of_operands = [found[operand] for operand in node.operands]
             varies = any(not change.is_number(0) for change in of_operands)
-            found[node] = number(0)
+            found[node] = lift(0)
             if varies:
                 found[node] = VARIATIONS[node.operation](node, *node.operands, *of_operands)
             if prefix and node.name:

@@ -8,9 +8,10 @@ coefficients, which have just been found, are needed last.
 from types import SimpleNamespace as Record
 from typing import Any
 
+from ..in_c import InC
+from ..motions import Family
 from .c import c_text, comment, struct
 from .expressions import (
-    Changes,
     Expression,
     derivative,
     forget,
@@ -23,7 +24,7 @@ from .expressions import (
     trace,
 )
 from .series import RECURSIONS, Expansion, kind_of
-from .values import Function
+from .values import Function, members
 
 FACTORS = "What is divided by."
 SUMS = "Inner terms of a coefficient: all without coefficient 0 of a factor, of squares half."
@@ -47,8 +48,7 @@ KERNEL void expand_{case}(const {family}_coefficients *given, int order, {family
     const {family}_coefficients copy = *given, *c = &copy;
     static const {case}_sums none = {{0}};
     {case}_sums sum = none, next = none;
-{first}
-    const {case}_factors factors = {{
+{first}    const {case}_factors factors = {{
 {products}    }};
     const {case}_factors *by = &factors;
     expand_{case}_on(c, by, 0, &sum, s);
@@ -76,115 +76,47 @@ static inline void vary_{case}(const {family}_coefficients *c, const {family}_se
 """
 
 
-class Family:
-    """Motions that share the structs of their series; `cases` has what the page is told of each.
-
-    `constants` are all that is given, `ramps` of them what changes in time, with the word "drift" in any
-    width, with "ramp" where inputs ramp; `rates` are quantities that are rates of others; of `varied` the
-    variation is asked for, besides that of the states.
-    """
-
-    def __init__(self, name: str, page: Any, **given: Any) -> None:
-        self.name, self.page = name, page
-        self.noted, self.varied = given["noted"].split(), given["varied"].split()
-        self.ramps, self.rates, self.cases = given["ramps"], given["rates"], given["cases"]
-        self.constants = [c for c in given["constants"] if c.removesuffix("_rate") not in self.ramps]
-        asked = Record(**dict.fromkeys(given["start"].split(), 1.0))
-        self.start, self.states = list(vars(asked)), list(vars(page.start(asked)))
-
-    def motion(self, case: str) -> "Motion":
-        """Trace one case, alone."""
-        forget()
-        return Motion(self, case, **self.cases[case])
-
-    def structs(self) -> str:
-        """Write the structs, and the states by what a motion starts with."""
-        motions = [self.motion(case) for case in self.cases]
-        given = [*self.constants, *self.ramps, *(ramp + "_rate" for ramp in self.ramps)]
-        series, varied = ([m for motion in motions for m in motion.members(of)] for of in ("s->", "t->"))
-        types = {"start": f"const {self.name}_start *", "written": f"{self.name}_series *"}
-        begin = Function("void", f"begin_{self.name}", types, self.page.start, number="real")
-        structs = [
-            ("What the motions depend on, and its rates where it changes in time.", "coefficients", given),
-            (
-                "Series of the states and of what is made of them, up to the order or one less.",
-                *("series", series, "[SERIES_TERMS]"),
-            ),
-            ("The first variations of some.", "variation", varied, "[SERIES_TERMS]"),
-            ("What a motion starts with.", "start", self.start),
-        ]
-        written = [
-            struct(what, f"{self.name}_{name}", members, "real", *size)
-            for what, name, members, *size in structs
-        ]
-        return "\n".join([*written, begin.c()])
-
-    def end(self) -> str:
-        """Write where a motion leads in some time, and the change of that."""
-
-        def handed(s: Any, elapsed: Expression, order: Expression, *case: Any) -> Any:
-            """Give the states then."""
-            states = {name: Expression("value_at", getattr(s, name), elapsed, order) for name in self.states}
-            return Record(**{name: value.named(name) for name, value in states.items()}), *case
-
-        types = {"s": f"const {self.name}_series *", "elapsed": "const elapsed_time *", "order": "int"}
-        types |= dict.fromkeys(parameters(self.page.end)[1:], "bool")
-        return Function(
-            f"{self.name}_start", f"end_{self.name}", types, self.page.end, handed, number="real"
-        ).c()
-
-
 class Motion:
-    """One case of a family, traced: its expansion, and that of its variation."""
+    """One case of a family, traced alone: its expansion, and that of its variation."""
 
-    def __init__(self, family: Family, case: str, noted: str = "", ramp: bool = True, **told: Any) -> None:
+    def __init__(self, family: Family, case: str) -> None:
+        forget()
         self.family, self.case = family, case
-        held = {name: symbol(f"c->{name}", constant=True) for name in family.constants}
+        told = {"noted": "", "ramp": True} | family.cases[case]
+        names = f"{family.noted} {told.pop('noted')}".split()
+        held = {name: symbol(f"c->{name}", constant=True) for name in constants(family)}
         for name, word in family.ramps.items():
             rate = symbol(f"c->{name}_rate", constant=True)
-            marks = {"ramp": rate, "word": word} if ramp or word == "drift" else {"constant": True}
+            marks = {"ramp": rate, "word": word} if told["ramp"] or word == "drift" else {"constant": True}
             held[name] = symbol(f"c->{name}", **marks)
-        states = {name: symbol(f"s->{name}") for name in family.states}
-        traced = vars(trace(family.page.motion, Record(**held), Record(**states), **told))
-        rates = {states[name]: lift(rate) for name, rate in vars(traced.pop("rates")).items()}
-        names = [*family.noted, *noted.split()]
-        found, rates = self.with_rates({name: lift(value) for name, value in traced.items()}, rates, names)
-        self.value = Expansion({f"s->{n}": found[n] for n in names}, rates, "s->{}".format, by_pairs=True)
-        self.vary({name: found[name] for name in family.varied}, rates)
-
-    def with_rates(
-        self, found: dict[str, Expression], rates: Changes, noted: list[str]
-    ) -> tuple[dict[str, Expression], Changes]:
-        """Name what a page gives, and put rates of quantities for what the page makes these of."""
-        for name in [*found, *noted]:
+        del told["ramp"]
+        states = {name: symbol(f"s->{name}") for name in states_of(family)}
+        found = vars(trace(family.page.motion, Record(**held), Record(**states), **told))
+        rates = {states[name]: lift(rate) for name, rate in vars(found.pop("rates")).items()}
+        found = {name: lift(value) for name, value in found.items()}
+        for name in [*found, *names]:
             found[name].name = name if found[name].operands else found[name].name
-        new: Changes = {}
-        for name, of in self.family.rates.items():
+        # Rates of quantities stand for what the page makes these of.
+        new: dict[Expression, Any] = {}
+        for name, of in family.rates.items():
             new[found[name]] = Expression("rate", replaced(found[of], new))
             new[found[name]].name = name
-        return (
-            {name: replaced(value, new) for name, value in found.items()},
-            {state: replaced(rate, new) for state, rate in rates.items()},
-        )
+        found = {name: replaced(value, new) for name, value in found.items()}
+        rates = {state: replaced(rate, new) for state, rate in rates.items()}
+        self.value = Expansion({f"s->{n}": found[n] for n in names}, rates, "s->{}".format, by_pairs=True)
+        self.vary({name: found[name] for name in family.varied.split()}, rates)
 
-    def vary(self, varied: dict[str, Expression], rates: Changes) -> None:
+    def vary(self, varied: dict[str, Expression], rates: dict[Expression, Expression]) -> None:
         """Differentiate: the variation is an expansion, of which the motion's series are known."""
         changes = {leaf: change_of(leaf) for leaf in leaves([*rates, *rates.values(), *varied.values()])}
-        stored = {node: self.value.arrays.get(node, f"s->{node.name}") for node in self.value.nodes}
-        known = {node: array for node, array in stored.items() if self.value.stands(node)}
+        stored = {n: f"s->{n.name}" for n in self.value.nodes if kind_of(n) != "linear"} | self.value.arrays
         self.varied = Expansion(
             {f"t->{name}": derivative(value, changes, "d_") for name, value in varied.items()},
             {changes[state]: derivative(rate, changes, "d_") for state, rate in rates.items()},
             lambda name: f"t->{name.removeprefix('d_')}" if name.startswith("d_") else name,
-            known,
+            stored,
         )
-        self.value.arrays |= {node: known[node] for node in self.varied.reads()}
-
-    def members(self, of: str) -> list[str]:
-        """Name the series that are stored in a struct."""
-        expansion = self.value if of == "s->" else self.varied
-        arrays = [*expansion.wanted, *expansion.arrays.values()]
-        return [array.removeprefix(of) for array in arrays if array.startswith(of)]
+        self.value.arrays |= {node: stored[node] for node in self.varied.reads()}
 
     def source(self) -> str:
         """Write the functions of the case, the last of which expands the series."""
@@ -192,11 +124,11 @@ class Motion:
         summed = [node for node in value.made if "{inner}" in "".join(RECURSIONS.get(kind_of(node), ""))]
         divisors = [value.series_in(node)[-1] for node in summed if kind_of(node) in ("quotient", "sqrt")]
         made = {f"inverse_{node.name}": f"1.0 / {arrays[node]}[0]" for node in divisors}
-        first = [node for node in ordered(divisors) if node in arrays and node.operands]
         zero = {node: f"{array}[0]" for node, array in arrays.items()}
         lines = [
-            f"{zero[node]} = {c_text(node, {n: t for n, t in zero.items() if n is not node}.get, 'real_')};"
-            for node in first
+            f"{zero[node]} = {c_text(node, {n: t for n, t in zero.items() if n is not node}.get, 'real_')};\n"
+            for node in ordered(divisors)
+            if node in arrays and node.operands
         ]
         return SERIES.format(
             family=self.family.name,
@@ -207,7 +139,7 @@ class Motion:
             pairs="".join(map(self.pairs, summed)),
             middle="".join(map(self.middle, summed)) + ("" if value.ahead else "(void)next;\n"),
             step="\n".join(step),
-            first="\n".join(lines),
+            first="".join(lines),
             products="".join(f".{name} = {text},\n" for name, text in made.items()),
         )
 
@@ -229,13 +161,13 @@ class Motion:
 
     def variation(self) -> str:
         """Write the first variation of the series."""
-        begin, step = self.varied.begin(), self.varied.step()
+        begin = [line for node in self.varied.ahead for line in self.varied.define(node, "0")]
         return VARIATION.format(
             family=self.family.name,
             case=self.case,
             local=self.varied.own_arrays(),
             begin="".join(f"{line}\n" for line in begin),
-            step="\n".join(step),
+            step="\n".join(self.varied.step()),
         )
 
 
@@ -247,3 +179,63 @@ def change_of(leaf: Expression) -> Expression:
     if "ramp" in marks:
         marks["ramp"] = change_of(marks["ramp"])
     return symbol("d" + leaf.value[1:], f"d_{leaf.name}", **marks)
+
+
+# ---- what the cases of a family share ---------------------------------------------------------------------
+
+
+def constants(family: Family) -> list[str]:
+    """Name what does not change in time."""
+    return [c for c in members(family.constants) if c.removesuffix("_rate") not in family.ramps]
+
+
+def states_of(family: Family) -> list[str]:
+    """Name the states, by what a motion starts with."""
+    return list(vars(family.page.start(Record(**dict.fromkeys(family.start.split(), 1.0)))))
+
+
+def series_of(family: Family) -> set[str]:
+    """Name the states, and what is noted in one case or another."""
+    noted = " ".join(case.get("noted", "") for case in family.cases.values())
+    return {*states_of(family), *family.noted.split(), *noted.split()}
+
+
+def structs(family: Family) -> str:
+    """Write the structs, and the states by what a motion starts with."""
+    name, motions = family.name, [Motion(family, case) for case in family.cases]
+    given = [*constants(family), *family.ramps, *(f"{ramp}_rate" for ramp in family.ramps)]
+
+    def stored(expansions: list[Expansion], of: str) -> list[str]:
+        arrays = [array for found in expansions for array in [*found.wanted, *found.arrays.values()]]
+        return [array.removeprefix(of) for array in arrays if array.startswith(of)]
+
+    what = "Series of the states and of what is made of them, up to the order or one less."
+    size = "[SERIES_TERMS]"
+    series = stored([motion.value for motion in motions], "s->")
+    varied = stored([motion.varied for motion in motions], "t->")
+    depends = "What the motions depend on, and its rates where it changes in time."
+    types = {"start": f"const {name}_start *", "written": f"{name}_series *"}
+    return "\n".join(
+        [
+            struct(depends, f"{name}_coefficients", given, "real"),
+            struct(what, f"{name}_series", series, "real", size),
+            struct("The first variations of some.", f"{name}_variation", varied, "real", size),
+            struct("What a motion starts with.", f"{name}_start", family.start.split(), "real"),
+            Function(InC(f"void begin_{name}", family.page.start, lambda start: (start,)), types, "real").c(),
+        ]
+    )
+
+
+def end(family: Family) -> str:
+    """Write where a motion leads in some time, and the change of that."""
+    name, cases = family.name, parameters(family.page.end)[1:]
+
+    def at_time(s: Any, elapsed: Expression, order: Expression, *case: Any) -> Any:
+        """Give the states then."""
+        states = {n: Expression("value_at", getattr(s, n), elapsed, order) for n in states_of(family)}
+        return Record(**{n: value.named(n) for n, value in states.items()}), *case
+
+    types = {"s": f"const {name}_series *", "elapsed": "const elapsed_time *", "order": "int"}
+    types |= dict.fromkeys(cases, "bool")
+    row = InC(f"{name}_start end_{name}", family.page.end, at_time)
+    return Function(row, types, "real").c()

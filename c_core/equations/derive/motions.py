@@ -1,50 +1,53 @@
 """Headers of the motions, from the table of these: series, guards as series, where motions begin and lead."""
 
+import re
 from collections.abc import Callable
 from functools import partial
 from types import SimpleNamespace as Record
 from typing import Any
 
-from .. import motions
-from ..motions import STRUCTS
-from .c import header, struct
-from .expressions import parameters
-from .law_series import law_series
-from .motion import Family
+from ..in_c import InC
+from ..motions import COORDINATES, GUARDS, HEADERS, MOTIONS, OF_NUMBERS, STRUCTS
+from .c import comment, header, struct
+from .expressions import forget, lift, parameters, symbol, trace
+from .motion import Motion, end, series_of, structs
+from .series import Expansion
 from .values import Function, members
 
-FAMILIES = {
-    name: Family(name, **(given | {"constants": members(given["constants"])}))
-    for name, given in motions.MOTIONS.items()
-}
+LAW = """\
+{what}static inline void expand_{name}({declared}, int order, real {name}[SERIES_TERMS]) {{
+{local}int k = 0;
+do {{
+{step}
+}} while (++k <= order);
+}}
+"""
 
 
 def of_cases(mode: str, name: str, cases: list[str]) -> str:
     """Write a header of some cases; without a torque variations are those of a leg that turns."""
-    family = FAMILIES[name]
-    parts = [family.motion(case).source() for case in cases]
-    parts += [family.motion(case).variation() for case in cases if family.cases[case].get("has_torque", True)]
-    is_first = mode == name
-    include = "series_products.h" if is_first else f"{name}_series.h"
-    parts = [family.structs(), *parts] if is_first else parts
+    family, include = MOTIONS[name], "series_products.h" if mode == name else f"{name}_series.h"
+    parts = [structs(family)] if mode == name else []
+    parts += [Motion(family, case).source() for case in cases]
+    varied = [case for case in cases if family.cases[case].get("has_torque", True)]
+    parts += [Motion(family, case).variation() for case in varied]
     return header(f"{mode}_series", f"{name}.py", f'#include "{include}"\n', *parts)
 
 
 def copies() -> str:
     """Write copies between what motions start with and the coordinates of the model."""
     parts = []
-    for name, family in FAMILIES.items():
+    for name, family in MOTIONS.items():
 
-        def same(at: Any, family: Family = family) -> Record:
+        def same(at: Any, *, names: str = family.start) -> Record:
             """What a motion starts with, of the model's coordinates, or back."""
-            return Record(**{name: getattr(at, name) for name in family.start})
+            return Record(**{name: getattr(at, name) for name in names.split()})
 
-        model, start = motions.COORDINATES[name], f"{name}_start"
-        types = {"at": f"const {start} *", "written": f"{model} *"}
-        parts += [
-            Function(start, f"{name}_start_of", {"at": f"const {model} *"}, same, varied=False).c(),
-            Function("void", f"set_{name}", types, same, varied=False).c(),
-        ]
+        model, start = COORDINATES[name], f"{name}_start"
+        to_start = InC(f"{start} {start}_of", same, varied=False)
+        parts.append(Function(to_start, {"at": f"const {model} *"}).c())
+        back, types = InC(f"void set_{name}", same, varied=False), {"at": f"const {start} *"}
+        parts.append(Function(back, types | {"written": f"{model} *"}).c())
     includes = "".join(f'#include "{name}.h"\n' for name in ("coordinate_laws", "motion_series"))
     return header("motion_coordinates", "flight.py and ground.py", includes, *parts)
 
@@ -52,25 +55,49 @@ def copies() -> str:
 def ends() -> str:
     """Write where motions lead."""
     includes = '#include "motion_series.h"\n#include "step_sums.h"\n'
-    ends = [family.end() for family in FAMILIES.values()]
-    return header("motion_ends", "flight.py and ground.py", includes, *ends)
+    return header("motion_ends", "flight.py and ground.py", includes, *map(end, MOTIONS.values()))
 
 
 def guard_series() -> str:
     """Write guards that are made of series of the motion, and what they are made of."""
     given = [struct(law.__doc__, name, members(law), "real") for name, law in STRUCTS.values()]
-    laws = [law_series(*told) for told in motions.GUARDS]
-    numbers = [of_numbers(law).c() for law in motions.OF_NUMBERS]
-    include = '#include "series_products.h"\n'
+    structs = {name: (f"const {type_} *{name}", members(law)) for name, (type_, law) in STRUCTS.items()}
+    series = {guard.__name__ for guard in GUARDS}.union(*map(series_of, MOTIONS.values()))
+    laws = [law_series(law, series, structs) for law in GUARDS]
+    for law in OF_NUMBERS:
+        types = {name: f"const {STRUCTS[name][0]} *" for name in parameters(law) if name in STRUCTS}
+        laws.append(Function(InC(f"real {law.__name__}", law, varied=False), types, "real").c())
     pages = "ground.py, flight.py, friction.py and hip.py"
-    return header("guard_series", pages, include, *given, *laws, *numbers)
+    return header("guard_series", pages, '#include "series_products.h"\n', *given, *laws)
 
 
-def of_numbers(law: Callable[..., Any]) -> Function:
-    """Give the function of a law of numbers as lanes have them."""
-    types = {n: f"const {STRUCTS[n][0]} *" if n in STRUCTS else "real" for n in parameters(law)}
-    return Function("real", law.__name__, types, law, varied=False, number="real")
+def law_series(law: Callable[..., Any], series: set[str], structs: dict[str, tuple[str, list[str]]]) -> str:
+    """Write a function that expands a law of series, of what is constant and of structs of that.
+
+    A member of these that has a rate beside it drifts; an angle turns by the series of its rate.
+    """
+    forget()
+    name, handed, declared = law.__name__, [], {}
+    for n in parameters(law):
+        declared[n], members = structs.get(n, (f"const real *{n}" if n in series else f"real {n}", []))
+        drifts = {m: symbol(f"{n}->{m}_rate", constant=True) for m in members if f"{m}_rate" in members}
+        marks = {m: {"ramp": rate, "word": "drift"} for m, rate in drifts.items()}
+        record = {m: symbol(f"{n}->{m}", **marks.get(m, {"constant": True})) for m in members}
+        handed.append(Record(**record) if members else symbol(n, constant=n not in series))
+    quantity = lift(trace(law, *handed))
+    rates = {symbol(n): symbol(f"{n}_rate") for n in declared if {n, f"{n}_rate"} <= series}
+    expansion = Expansion({name: quantity}, rates)
+    step = "\n".join(expansion.quantities())
+    for rate in (str(rate.value) for rate in rates.values()):
+        declared |= {rate: f"const real *{rate}"} if re.search(rf"\b{rate}\b", step) else {}
+    return LAW.format(
+        what=comment(law.__doc__),
+        name=name,
+        declared=", ".join(declared.values()),
+        local=expansion.own_arrays(),
+        step=step,
+    )
 
 
-FILES = {f"{mode}_series.h": partial(of_cases, mode, *told) for mode, told in motions.HEADERS.items()}
+FILES = {f"{mode}_series.h": partial(of_cases, mode, *told) for mode, told in HEADERS.items()}
 FILES |= {"guard_series.h": guard_series, "motion_coordinates.h": copies, "motion_ends.h": ends}

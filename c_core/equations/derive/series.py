@@ -8,10 +8,11 @@ from collections import Counter
 from collections.abc import Callable
 
 from .c import c_text
-from .expressions import Expression, derivative, leaves, number, ordered, replaced, symbol
+from .expressions import Expression, derivative, leaves, lift, ordered, replaced, symbol
 
-# Of n = a * b and the like: the series that coefficient k is made of; how it is made of the inner terms that
-# pairs of coefficients have added to; how by a sum of its own, where that is another text.
+# Of n = a * b and the like: the series that coefficient k is made of, r being the rate of the angle a, s and
+# c its sine and cosine; how it is made of the inner terms that pairs of coefficients have added to; how by a
+# sum of its own, where that is another text.
 RECURSIONS = {
     "product": ("ab", "product_of({k}, {inner}, {a}, {b})", "product({a}, {b}, {k})"),
     "square": ("aa", "square_of({k}, {inner}, {a})", "product({a}, {a}, {k})"),
@@ -24,8 +25,9 @@ RECURSIONS = {
     "ramp": ("b", "{ramp}_times({k}, {value}, {rate}, {b})"),
     "rate": ("a", "(double)({k} + 1) * {a}[{k} + 1]"),
     "exp": ("an", "exp_of({k}, {a}, {n})"),
+    "sin": ("arsc", "turn_by({k}, {a}, {r}, {s}, {c})"),
+    "cos": ("arsc", "turn_by({k}, {a}, {r}, {s}, {c})"),
 }
-TURNS = ("sin", "cos")  # are made at once, by the angle's rate
 WORDS = {"*": "_times_", "/": "_over_", "+": "_plus_", "-": "_minus_", "negative": "minus_"}
 
 
@@ -38,14 +40,14 @@ def kind_of(node: Expression) -> str:
     """Give the kind of recursion, "linear" for none."""
     if is_steady(node) or node.operation in ("+", "-", "negative"):
         return "linear"
-    if not node.operands:
+    if node.operation not in ("*", "/"):
         return node.operation
-    a, b = node.operands[0], node.operands[-1]
-    if node.operation in ("*", "/") and (a if node.operation == "*" else b).is_constant:
+    a, b = node.operands
+    if (a if node.operation == "*" else b).is_constant:
         return "linear"
-    if node.operation == "*":
-        return "square" if a is b else "ramp" if "ramp" in a.marks else "product"
-    return "quotient" if node.operation == "/" else node.operation
+    if node.operation == "/":
+        return "quotient"
+    return "square" if a is b else "ramp" if "ramp" in a.marks else "product"
 
 
 def name_of(node: Expression) -> str:
@@ -74,12 +76,14 @@ class Expansion:
     ) -> None:
         self.wanted, self.rates, self.known, self.by_pairs = wanted, rates, known or {}, by_pairs
         roots = [*rates.values(), *wanted.values(), *rates]
-        turned = [node.operands[0] for node in ordered(roots, self.known) if node.operation in TURNS]
-        self.turned = {angle: (angle.sin(), angle.cos()) for angle in turned}
-        roots += [turn for both in self.turned.values() for turn in both]
+        turns = [node for node in ordered(roots, self.known) if kind_of(node) in ("sin", "cos")]
+        self.turns = {
+            angle: {"a": angle, "r": derivative(angle, rates), "s": angle.sin(), "c": angle.cos()}
+            for angle in (node.operands[0] for node in turns)
+        }
+        roots += [parts[letter] for parts in self.turns.values() for letter in "sc"]
         self.nodes = [node for node in ordered(roots, self.known) if not is_steady(node)]
         self.made = [node for node in self.nodes if node.operands and node not in self.known]
-        self.uses = [operand for node in self.nodes for operand in node.operands] + roots
         self.arrays = {leaf: str(leaf.value) for leaf in self.nodes if not leaf.operands} | self.known
         self.arrays |= {node: array for array, node in wanted.items() if node in self.made}
         self.find_ahead()
@@ -104,29 +108,19 @@ class Expansion:
         if late & set(ordered(needed, self.known)) or any(node.operation == "rate" for node in self.ahead):
             raise ValueError("a page asks for the rate of what is not known a coefficient ahead")
 
+    def parts(self, node: Expression) -> dict[str, Expression]:
+        """Give what a recursion may ask for; the rate is that of an angle that is linear in states."""
+        a, b = node.operands[0], node.operands[-1]
+        return self.turns[a] if kind_of(node) in ("sin", "cos") else {"n": node, "a": a, "b": b}
+
     def series_in(self, node: Expression) -> list[Expression]:
         """Give the series that all coefficients are needed of."""
-        if node.operation in TURNS:
-            return [node.operands[0], self.rate_of(node.operands[0]), node]
-        letters = RECURSIONS[kind_of(node)][0] if kind_of(node) in RECURSIONS else ""
-        return [{"n": node, "a": node.operands[0], "b": node.operands[-1]}[letter] for letter in letters]
-
-    def rate_of(self, angle: Expression) -> Expression:
-        """Give the rate of what is linear in states."""
-        return derivative(angle, self.rates)
+        letters, *_ = RECURSIONS.get(kind_of(node), ("",))
+        return [self.parts(node)[letter] for letter in letters]
 
     def stands(self, node: Expression) -> bool:
-        """Whether a quantity has a C variable of its own: it is stored, no sum, or named.
-
-        Of a constant times a sum that is used there alone the constant is multiplied in, once for all.
-        """
-        if node in self.arrays or node not in self.made:
-            return node in self.arrays
-        if not self.by_pairs or kind_of(node) != "linear":
-            return self.by_pairs or node.name is not None
-        users = [user for user in self.nodes if node in user.operands]
-        spreads = self.uses.count(node) == 1 and any(user.operands[0].is_constant for user in users)
-        return node.name is not None and not spreads
+        """Whether a quantity has a C variable of its own: it is stored, or named."""
+        return node in self.arrays or (node in self.made and node.name is not None)
 
     # ---- C of coefficients --------------------------------------------------------------------------------
 
@@ -141,36 +135,34 @@ class Expansion:
         if kind_of(node) == "linear":
             return self.linear(node, k)
         _, *texts = RECURSIONS[kind_of(node)]
-        text = texts[0] if self.by_pairs else texts[-1]
-        a, b = node.operands[0], node.operands[-1]
-        arrays = {name: self.arrays.get(part) for name, part in (("n", node), ("a", a), ("b", b))}
-        names = {"inner": f"sum->{node.name}", "inverse": f"inverse_{self.series_in(node)[-1].name}"}
         if node.operation == "sqrt" and not self.by_pairs:
             raise ValueError(f"{node.name} is a root, which a motion alone can expand: let it have it")
-        if "over" in text:
-            arrays["over"] = self.coefficient(a, k)
+        a, text = node.operands[0], texts[0] if self.by_pairs else texts[-1]
+        told = {letter: self.arrays.get(part) for letter, part in self.parts(node).items()}
+        told |= {"inner": f"sum->{node.name}", "inverse": f"inverse_{self.series_in(node)[-1].name}"}
+        if "{over}" in text:
+            told["over"] = self.coefficient(a, k)
         if kind_of(node) == "ramp":
-            arrays |= {"ramp": a.marks["word"], "value": a.value, "rate": a.marks["ramp"].value}
-        return text.format(k=k, **names, **arrays)
+            told |= {"ramp": a.marks["word"], "value": a.value, "rate": a.marks["ramp"].value}
+        return text.format(k=k, **told)
 
     def linear(self, node: Expression, k: str) -> str:
         """Write coefficient k of a sum: constants stand in coefficient 0 alone, ramps in 0 and 1."""
         atoms = self.atoms(node)
-        held = dict.fromkeys(atoms, number(0))
-        moving = number(0)
+        held = dict.fromkeys(atoms, lift(0))
+        moving = lift(0)
         for atom in atoms:
             moving = moving + derivative(node, {**held, atom: 1}) * symbol(self.coefficient(atom, k))
         steady = replaced(node, held)
         ramps = {leaf: leaf.marks["ramp"] for leaf in leaves([steady]) if "ramp" in leaf.marks}
-        rate = derivative(steady, ramps)
-        parts = [c_text(moving)]
-        parts += [f"broadcast({c_text(p)})" if p.operation == "number" else c_text(p) for p in (steady, rate)]
         word = min(leaf.marks["word"] for leaf in ramps) if ramps else "constant"
-        parts = parts if ramps else parts[:2]
+        told = [steady, derivative(steady, ramps)] if ramps else [steady]
+        texts = [f"broadcast({c_text(p)})" if p.operation == "number" else c_text(p) for p in told]
+        if steady.is_number(0) and not ramps:
+            return texts[0] if moving.is_number(0) else c_text(moving)
         if moving.is_number(0):
-            nothing = steady.is_number(0) and not ramps
-            return parts[1] if nothing else f"{word}_of({k}, {', '.join(parts[1:])})"
-        return parts[0] if parts[1:] == ["broadcast(0.0)"] else f"with_{word}({k}, {', '.join(parts)})"
+            return f"{word}_of({k}, {', '.join(texts)})"
+        return f"with_{word}({k}, {', '.join([c_text(moving), *texts])})"
 
     def atoms(self, node: Expression) -> list[Expression]:
         """Give what a sum is made of, of all that moves: what stands, or is no sum."""
@@ -184,28 +176,17 @@ class Expansion:
         """Write coefficient k of a quantity into its place, below the page's formula."""
         if not self.stands(node):
             return []
-        if node.operation in TURNS:
-            angle = node.operands[0]
-            parts = [angle, self.rate_of(angle), *self.turned[angle]]
-            line = f"turn_by({k}, {', '.join(self.arrays[part] for part in parts)});"
-        else:
-            place = f"{self.arrays[node]}[{k}]" if node in self.arrays else f"const real {node.name}"
-            line = f"{place} = {self.recursion(node, k)};"
+        place = f"{self.arrays[node]}[{k}]" if node in self.arrays else f"const real {node.name}"
+        line = f"{self.recursion(node, k)};"
+        line = line if line.startswith("turn_by") else f"{place} = {line}"
         formula = c_text(node, lambda part: part.name if part is not node else None)
         return [f"/* {node.name} = {formula} */", line] if self.by_pairs else [line]
 
     def own_arrays(self) -> str:
         """Declare the arrays that nobody has asked for."""
         own = [self.arrays[node] for node in self.made if node in self.arrays]
-        return "".join(
-            f"real {array}[SERIES_TERMS];\n"
-            for array in own
-            if array.isidentifier() and array not in self.wanted
-        )
-
-    def begin(self) -> list[str]:
-        """Write coefficient 0 of what is expanded ahead."""
-        return [line for node in self.ahead for line in self.define(node, "0")]
+        own = [array for array in own if array.isidentifier() and array not in self.wanted]
+        return "".join(f"real {array}[SERIES_TERMS];\n" for array in own)
 
     def quantities(self) -> list[str]:
         """Write coefficient k of all but the states, and k + 1 of what is expanded ahead."""
@@ -218,12 +199,13 @@ class Expansion:
 
     def step(self) -> list[str]:
         """Write coefficient k of all, and k + 1 of the states."""
-        late = [state for state in self.rates if state not in self.early]
-        return [*map(self.integral, self.early), *self.quantities(), *map(self.integral, late)]
 
-    def integral(self, state: Expression) -> str:
-        """Write the next coefficient of a state, by that of its rate."""
-        return f"integrate({self.arrays[state]}, k, {self.coefficient(self.rates[state], 'k')});"
+        def integrals(are_early: bool) -> list[str]:
+            states = [state for state in self.rates if (state in self.early) == are_early]
+            rates = [self.coefficient(self.rates[state], "k") for state in states]
+            return [f"integrate({self.arrays[s]}, k, {r});" for s, r in zip(states, rates, strict=True)]
+
+        return [*integrals(True), *self.quantities(), *integrals(False)]
 
     def reads(self) -> list[Expression]:
         """Give what is needed of what was known."""

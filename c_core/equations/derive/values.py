@@ -7,11 +7,11 @@ variation.
 """
 
 import re
-from collections.abc import Callable, Container
+from collections.abc import Callable
 from types import SimpleNamespace as Record
 from typing import Any
 
-from ..in_c import FLAGS, LINES, POINTERS, WITHOUT_CHANGE, WORDS
+from ..in_c import ANGLES, FIXED, FLAGS, POINTERS, TYPES, WITHOUT_CHANGE, WORDS, InC
 from .c import c_text, comment
 from .expressions import FUNCTIONS, Expression, derivative, forget, leaves, lift, ordered, parameters, trace
 
@@ -24,7 +24,7 @@ class UndecidedError(Exception):
 
 
 class Member(Expression):
-    """A parameter of a C function, or what is in it: a symbol, a struct, a word or a flag of a mode."""
+    """A parameter of a C function, or what is in it: a number, a struct, a word or a flag of a mode."""
 
     @property
     def own_name(self) -> str:
@@ -32,17 +32,19 @@ class Member(Expression):
         return re.split(r"\.|->", self.value)[-1]
 
     def __getattr__(self, name: str) -> Any:
-        """Give a member of the struct."""
+        """Give a member of the struct; the sine and cosine of a known angle are known, too."""
         if name.startswith("_") or name in FUNCTIONS:
             return Expression.__getattr__(self, name)
         if self.own_name == "state":
             return symbol(f"{self.value}[TDMF_{name.upper()}]")
         is_inside = self.own_name != self.value
         arrow = "->" if self.marks.get("pointer") or (is_inside and self.own_name in POINTERS) else "."
-        if self.own_name in LINES and name in ("sine", "cosine"):
-            of_slope = {"sine": self.slope.sin(), "cosine": self.slope.cos()}
-            return vars(given(self.value, Record(**of_slope), arrow))[name]
-        return symbol(f"{self.value}{arrow}{name}")
+        before = f"{self.value}{arrow}"
+        if self.own_name in ANGLES and name in ("sine", "cosine"):
+            angle = symbol(ANGLES[self.own_name].format(before))
+            known.update({angle.sin(): f"{before}sine", angle.cos(): f"{before}cosine"})
+            return angle.sin() if name == "sine" else angle.cos()
+        return symbol(before + name)
 
     def __eq__(self, other: object) -> bool:
         """Whether a mode's word is this one."""
@@ -63,12 +65,6 @@ class Member(Expression):
 def symbol(text: str, **marks: Any) -> Member:
     """Give a symbol that is written so in C."""
     return Member("symbol", value=text, **marks)  # type: ignore[return-value]
-
-
-def given(name: str, record: Record, arrow: str = ".") -> Record:
-    """Note that C has a record's values already, as members of a struct."""
-    known.update({value: f"{name}{arrow}{member}" for member, value in vars(record).items()})
-    return record
 
 
 def ask(condition: str) -> bool:
@@ -99,36 +95,27 @@ def of_all_cases(write: Callable[[], str]) -> str:
 
 
 class Function:
-    """A C function of a law.
+    """A C function of a row of the table of what C has.
 
-    `types` are those of its parameters, by their names; "written" is what the function writes to. `arguments`
-    makes of what is handed in what the law is handed; without it that is the same. `fixed` are parameters
-    that do not change in a variation. `value` is the name under which a variation is given the value.
+    `types` are those of its parameters, where they have not the types of the table, by their names; "written"
+    is what a function of no result writes to.
     """
 
-    def __init__(
-        self,
-        result: str,
-        name: str,
-        types: dict[str, str],
-        law: Callable[..., Any],
-        arguments: Callable[..., Any] = lambda *handed: handed,
-        fixed: tuple[str, ...] = (),
-        value: str = "",
-        varied: bool = True,
-        number: str = "double",
-    ) -> None:
-        self.result, self.name, self.law, self.arguments = result, name, law, arguments
-        self.value, self.varied, self.number = value, varied, number
-        self.types = dict(types)
-        self.written = self.types.pop("written", "")
-        self.fixed = {n for n, type_ in types.items() if type_ in WITHOUT_CHANGE or n in fixed}
+    def __init__(self, row: InC, types: dict[str, str] | None = None, number: str = "double") -> None:
+        self.law, self.call, self.value, self.is_varied = row.law, row.call, row.value, row.varied
+        self.result, self.name = row.declared.split()
+        self.number, types = number, types or {}
+        names = dict.fromkeys([*parameters(row.call or row.law), *types])
+        told = {name: (TYPES | types).get(name, number) for name in [*names, "written"]}
+        written = told.pop("written")
+        self.types, self.written = told, {"written": written} if self.result == "void" else {}
+        self.fixed = {n for n, type_ in self.types.items() if type_ in WITHOUT_CHANGE or n in FIXED}
 
     def run(self) -> dict[str, Expression]:
         """Give the law's results by their names as members, that of a single number as ''."""
         known.clear()
         handed = [symbol(name, pointer=type_.endswith("*")) for name, type_ in self.types.items()]
-        results = trace(self.law, *self.arguments(*handed))
+        results = trace(self.law, *(self.call(*handed) if self.call else handed))
         members = vars(results) if isinstance(results, Record) else {"": results}
         return {name: lift(result) for name, result in members.items()}
 
@@ -136,43 +123,40 @@ class Function:
         """Give the changes of the results."""
         results = self.run()
         if self.value:
-            places = {v: self.place(self.value, name) for name, v in results.items() if v.operands}
-            known.update(places)
-        parameters = {leaf: re.split(r"\W", leaf.value)[0] for leaf in leaves(results.values())}
+            known.update({v: self.place(self.value, name) for name, v in results.items() if v.operands})
         changes = {
             leaf: symbol(f"d_{leaf.value}")
-            for leaf, parameter in parameters.items()
-            if parameter not in self.fixed and not leaf.is_constant
+            for leaf in leaves(results.values())
+            if re.split(r"\W", leaf.value)[0] not in self.fixed and not leaf.is_constant
         }
         return {name: derivative(value, changes, "d_") for name, value in results.items()}
 
     def place(self, of: str, name: str) -> str:
         """Write where a result is, in what has all."""
-        if self.written.endswith("*"):
-            return f"{of}->{name}" + ("[0]" if re.search("series|variation", self.written) else "")
-        if self.written:
+        written = "".join(self.written.values())
+        if "[" in written:
             return f"{of}[TDMF_{name.upper()}]"
-        return f"{of}->{name}" if name else of
+        member = f"{of}->{name}" if name else of
+        return f"{member}[0]" if re.search("series|variation", written) else member
 
     def c(self) -> str:
         """Write the function, and its variation."""
-        return f"{self.c_of_value()}\n{self.c_of_change()}" if self.varied else self.c_of_value()
+        return f"{self.c_of_value()}\n{self.c_of_change()}" if self.is_varied else self.c_of_value()
 
     def c_of_value(self) -> str:
         """Write the function alone."""
-        types = self.types | ({"written": self.written} if self.written else {})
-        return comment(self.law.__doc__) + self.function(self.name, types, self.run)
+        return comment(self.law.__doc__) + self.function(self.name, self.types | self.written, self.run)
 
     def c_of_change(self) -> str:
         """Write its variation, which is handed the value, if it asks for that, and the changes."""
         types = dict(self.types)
         if self.value:
-            is_number = not self.written and self.result == "double"
-            types[self.value] = "double" if is_number else f"const {self.written or self.result + ' *'}"
-        changing = {name: type_ for name, type_ in self.types.items() if name not in self.fixed}
-        changing |= {"written": self.written} if self.written else {}
-        for name, type_ in changing.items():
-            types[name if name == "written" else f"d_{name}"] = type_.replace("series", "variation")
+            of_struct = f"const {self.result} *" if self.result != "double" else self.result
+            types[self.value] = f"const {self.written['written']}" if self.written else of_struct
+        types |= {
+            f"d_{name}": type_ for name, type_ in self.types.items() if name not in self.fixed
+        } | self.written
+        types = {n: t.replace("series", "variation") if n not in self.types else t for n, t in types.items()}
         return "/* Its change. */\n" + self.function(f"vary_{self.name}", types, self.vary)
 
     def function(self, name: str, types: dict[str, str], results: Callable[[], dict[str, Expression]]) -> str:
@@ -184,7 +168,7 @@ class Function:
         declared = re.sub(r"(\[\w+\]) (\w+)", r" \2\1", declared)
         return f"static inline {self.result} tdmf_{name}({declared}) {{\n{voids}{body}}}\n"
 
-    def statements(self, results: dict[str, Expression], taken: Container[str]) -> str:
+    def statements(self, results: dict[str, Expression], taken: dict[str, str]) -> str:
         """Write what makes the results, and gives them.
 
         What the law has given a name is a C variable; what has none stands where it is used.

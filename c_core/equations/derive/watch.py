@@ -10,20 +10,11 @@ from functools import partial
 from types import SimpleNamespace as Record
 
 from ..events import EVENTS, Event
-from ..motions import (
-    BY_HAND,
-    CASES,
-    CONSTANTS,
-    FLAGS,
-    GIVEN,
-    MODES,
-    MOTIONS,
-    PARAMETERS,
-    SERIES,
-    SHORTER,
-)
+from ..in_c import InC
+from ..motions import BY_HAND, CASES, FLAGS, GIVEN, MODES, MOTIONS, PARAMETERS
 from .c import c_text, comment, header, struct
 from .expressions import Expression, derivative, forget, leaves, lift, parameters, replaced
+from .motion import series_of, states_of
 from .values import Function, symbol
 
 WATCH_ALL = """\
@@ -35,51 +26,51 @@ static inline void watch_{motion}(event_search *search, const {motion}_constants
 """
 
 
-def guard(event: Event, motion: str) -> tuple[Expression, Expression]:
+def guard(event: Event, motion: str) -> tuple[Expression, str]:
     """Give an event's guard in a motion, and the series that it is, but for a factor and its start."""
     forget()
-    law = getattr(MOTIONS[motion]["page"], event.name, None)
+    law = getattr(MOTIONS[motion].page, event.name, None)
     if law is None:
-        law = event.law
-        traced = lift(law(symbol("at", pointer=True)))
-        value = replaced(traced, {leaf: of_step(leaf.value) for leaf in leaves([traced])})
+        traced = lift(event.law(symbol("at", pointer=True)))
+        value = replaced(traced, {leaf: of_step(leaf.value, motion) for leaf in leaves([traced])})
     else:
-        value = lift(law(*(of_step(name) for name in parameters(law))))
+        value = lift(law(*(of_step(name, motion) for name in parameters(law))))
     series = [leaf for leaf in leaves([value]) if not leaf.is_constant]
     if len(series) != 1 or not derivative(value, {series[0]: 1}).is_constant:
         raise ValueError(f"{event.name}: give it a function by hand, it is more than a series in {motion}")
-    return value, series[0]
+    return value, series[0].value
 
 
-def of_step(text: str) -> Expression:
-    """Give what a guard asks for, as a step has it."""
+def of_step(text: str, motion: str) -> Expression:
+    """Give what a guard asks for, as a step has it: a parameter, a series or a constant of the motion."""
     if text.startswith(PARAMETERS):
         name = text.removeprefix(PARAMETERS).replace(".", "_")
         return symbol(f"c->mode.guards.{name}", constant=True, path=text.removeprefix("at->"))
-    return (
-        symbol(f"c->{text}", constant=True) if text in CONSTANTS else symbol(f"s->{SERIES.get(text, text)}")
-    )
+    name = text.rpartition(".")[2]
+    is_series = name in series_of(MOTIONS[motion])
+    return symbol(f"s->{name}") if is_series else symbol(f"c->{name}", constant=True)
 
 
 def watched(event: Event, motion: str) -> str:
     """Write the call that watches an event whose guard is one series."""
     value, series = guard(event, motion)
-    factor = derivative(value, {series: 1})
-    start = c_text(value, lambda node: f"{node.value}[0]" if node is series else None)
+    factor = derivative(value, {symbol(series): 1})
+    start = c_text(value, lambda node: f"{series}[0]" if node.value == series else None)
     watching = "search->live"
     if event.only_while:
         watching += f" & ({FLAGS[event.only_while]})"
-    if series.value == "s->length" and (factor.is_number(1) or factor.is_number(-1)):
+    if series == "s->length" and (factor.is_number(1) or factor.is_number(-1)):
         watching += f" & mask_not({start} > length_change)"
-    order = "search->order - 1" if series.value.removeprefix("s->") in SHORTER else "search->order"
-    band = (
-        "TDMF_BEYOND_DEAD_BAND * c->mode.margin_factor" if event.band == "dead" else "search->beyond_margin"
-    )
+    family, name = MOTIONS[motion], series.removeprefix("s->")
+    is_whole = name in states_of(family) or name in family.rates.values()
+    order = "search->order" if is_whole else "search->order - 1"
+    is_dead = event.band == "dead"
+    floor = "TDMF_BEYOND_DEAD_BAND * c->mode.margin_factor" if is_dead else "search->beyond_margin"
+    floor += f" * c->mode.{event.scale}_scale" if event.scale else ""
     weight = f"broadcast({c_text(factor)})" if factor.operation == "number" else c_text(factor)
-    floor = f"{band} * c->mode.{event.scale}_scale" if event.scale else band
-    told = f"{series.value}, {weight}, {start}, {order}, {floor}"
     law = comment(event.law.__doc__) if event.law else ""
-    return f"{law}watch_series(search, TDMF_GUARD_{event.name.upper()}, {watching}, {told});\n"
+    told = f"TDMF_GUARD_{event.name.upper()}, {watching}, {series}, {weight}, {start}, {order}, {floor}"
+    return f"{law}watch_series(search, {told});\n"
 
 
 def by_motion(motion: str) -> list[Event]:
@@ -112,14 +103,11 @@ def guard_parameters() -> str:
         """Parameters that guards are made of."""
         return Record(**{name: Expression("broadcast", symbol(path)) for name, path in found.items()})
 
-    types = {"model": "const tdmf_model *"}
-    function = Function("guard_parameters", "guard_parameters_of", types, law, varied=False)
+    row = InC("guard_parameters guard_parameters_of", law, varied=False)
     includes = '#include "tdmf_slip/parameters.h"\n#include "width.h"\n'
     filled = struct("What guards are made of, in any width.", "guard_parameters", found, "real")
-    return header("guard_parameters", "events.py", includes, filled, function.c())
+    return header("guard_parameters", "events.py", includes, filled, Function(row).c())
 
 
-FILES = {
-    "guard_parameters.h": guard_parameters,
-    **{f"{motion}_watch.h": partial(watch, motion) for motion in MODES},
-}
+FILES = {"guard_parameters.h": guard_parameters}
+FILES |= {f"{motion}_watch.h": partial(watch, motion) for motion in MODES}
