@@ -9,7 +9,7 @@ the one in which the stride closed, as each unit gets at the beginning of a step
 end of the last. `fmucontainer -container held_runner.ssp:0.1` makes one unit of the system.
 
 How much that delay costs, against an angle set at the apex itself: after 8 strides, while the angle still
-changes, the runner's place differs by 1.8e-4, 2.8e-5 and 3.2e-6 leg lengths with communication steps of 1,
+changes, the runner's position differs by 1.8e-4, 2.8e-5 and 3.2e-6 leg lengths with communication steps of 1,
 0.1 and 0.01 sqrt(m/k); after 20, when the speed is held, by 2.5e-5, 2.3e-6 and 2.6e-7.
 """
 
@@ -60,7 +60,7 @@ class Held:
         return self.motion.record.stride.count
 
     @property
-    def place(self):
+    def position(self):
         """Of the centre of mass."""
         return c.tdmf_center_of_mass(self.model, self.motion.state).x
 
@@ -86,7 +86,7 @@ class Held:
 
 
 def by_communication(step, stop_time=LONGEST, delay=1):
-    """The library's run with changes at communication points: rows (time, place, leg angle, speed, angle)."""
+    """The library's run with changes at communication points: (time, position, leg angle, speed, angle)."""
     held, rows, time, ordered = Held(), [], 0.0, [0.0] * (1 + delay)
     while time < stop_time:
         held.inputs.control.touchdown_angle = ordered[0]
@@ -94,23 +94,23 @@ def by_communication(step, stop_time=LONGEST, delay=1):
         ordered = [*ordered[1:], held.controlled_angle() if closed else ordered[-1]]
         speed = held.motion.record.stride.speed
         angle = held.motion.state[c.TDMF_LEG_ANGLE]
-        rows.append((time, held.place, angle, speed, held.inputs.control.touchdown_angle))
+        rows.append((time, held.position, angle, speed, held.inputs.control.touchdown_angle))
         time += step
     return rows
 
 
 def at_the_apex(stop_time=LONGEST):
-    """The library's run with changes at the apex itself: its place at the end."""
+    """The library's run with changes at the apex itself: its position at the end."""
     held = Held()
     while held.advance_to_apex(stop_time):
         held.inputs.control.touchdown_angle = held.controlled_angle()
-    return held.place
+    return held.position
 
 
 def cost_of_delay(step, stop_time=500.0):
-    """How far off the place is at the end where changes wait for communication points."""
-    end, place, *_ = by_communication(step, stop_time)[-1]
-    return abs(place - at_the_apex(end + step))
+    """How far off the position is at the end where changes wait for communication points."""
+    end, position, *_ = by_communication(step, stop_time)[-1]
+    return abs(position - at_the_apex(end + step))
 
 
 def main():
@@ -121,10 +121,12 @@ def main():
     for i in np.flatnonzero(np.diff(rows["controller.strides"])) + 2:  # the controller's step is done
         stride, speed, angle = (rows[name][i] for name in ("controller.strides", "speed", "touchdown_angle"))
         print(f"stride {stride:2}  speed {speed:.5f}  angle {angle:+.5f} rad")
-    off = max(abs(place - row[1]) for place, row in zip(rows["place"], by_communication(step), strict=True))
-    print(f"place off the library's by {off:.1e}")
+    off = max(
+        abs(position - row[1]) for position, row in zip(rows["position"], by_communication(step), strict=True)
+    )
+    print(f"position off the library's by {off:.1e}")
     for step in (1.0, 0.1, 0.01):
-        print(f"step {step:4}: place off that of changes at the apex by {cost_of_delay(step):.1e}")
+        print(f"step {step:4}: position off that of changes at the apex by {cost_of_delay(step):.1e}")
 
 
 if __name__ == "__main__":

@@ -15,12 +15,12 @@ STEP = 0.05
 
 
 def friction_at(x):
-    """Coefficient of friction of the ground at a place."""
+    """Coefficient of friction of the ground at a position."""
     return FRICTION_ON_ICE if ICE[0] <= x <= ICE[1] else FRICTION_ELSEWHERE
 
 
 def cross(strides=20):
-    """Run; return (place, word, speed) of each completed stride."""
+    """Run; return (position, word, speed) of each completed stride."""
     seen = []
     with Runner(STEP) as runner:
         while len(seen) < strides and not runner["status.fallen"]:
@@ -31,6 +31,6 @@ def cross(strides=20):
 
 
 if __name__ == "__main__":
-    for place, word, speed in cross():
-        ground = "ice" if friction_at(place) == FRICTION_ON_ICE else ""
-        print(f"x = {place:7.1f}   {word:8}  speed {speed:.3f}  {ground}")
+    for position, word, speed in cross():
+        ground = "ice" if friction_at(position) == FRICTION_ON_ICE else ""
+        print(f"x = {position:7.1f}   {word:8}  speed {speed:.3f}  {ground}")

@@ -41,8 +41,8 @@ def draw(path, profile, rows):
     axes.plot(rows["com.x"], rows["com.y"], color="tab:blue", label="centre of mass")
     axes.plot(rows["foot.x"], rows["foot.y"], color="tab:orange", linewidth=0.8, label="foot")
     loaded = np.flatnonzero(rows["contact.normal"] > 0)[::4]
-    places = (rows["foot.x"], rows["body.x"]), (rows["foot.y"], rows["body.y"])
-    legs = [np.array([foot[loaded], body[loaded]]) for foot, body in places]
+    coordinates = (rows["foot.x"], rows["body.x"]), (rows["foot.y"], rows["body.y"])
+    legs = [np.array([foot[loaded], body[loaded]]) for foot, body in coordinates]
     axes.plot(*legs, color="black", linewidth=0.7, alpha=0.6)
     axes.set(xlim=(0.0, end), ylim=(y.min() - 0.4, 3.0), xlabel="x (l0)", ylabel="height (l0)")
     axes.legend(loc="upper right", ncols=2)

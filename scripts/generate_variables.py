@@ -267,7 +267,7 @@ def storage(variable, table):
 
 def variable_row(variable, table):
     """A row of `fmu_variable`."""
-    kind, place = storage(variable, table)
+    kind, member = storage(variable, table)
     unit = f'"{variable.unit}"' if variable.unit else "NULL"
     settable_before_start = (
         "true" if variable.initial == "exact" or variable.causality == "input" else "false"
@@ -277,7 +277,7 @@ def variable_row(variable, table):
     if variable.type in ("Boolean", "String"):
         limits = f"0, 1, {variable.start}"
     return (
-        f'    {{"{variable.name}", {unit}, VARIABLE_{variable.type.upper()}, STORED_{kind}, {place}, '
+        f'    {{"{variable.name}", {unit}, VARIABLE_{variable.type.upper()}, STORED_{kind}, {member}, '
         f"VARIABILITY_{variable.variability.upper()}, {settable_before_start}, {changes_at_events}, "
         f"{limits}}},"
     )

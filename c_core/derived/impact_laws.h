@@ -15,13 +15,13 @@ static inline tdmf_after_impact tdmf_impact_with(const tdmf_model *model, double
                                                  tdmf_leg_direction direction, double sign, bool sticks,
                                                  bool falls) {
     if (sticks) {
-        const double place =
+        const double offset =
             line->cosine * state[TDMF_FOOT_X] + line->sine * (state[TDMF_FOOT_Y] - line->height);
         const double along = line->cosine * state[TDMF_FOOT_VX] + line->sine * state[TDMF_FOOT_VY];
         const double off = line->cosine * state[TDMF_FOOT_VY] - line->sine * state[TDMF_FOOT_VX];
         const tdmf_after_impact result = {
-            .foot_x = line->cosine * place,
-            .foot_y = line->height + line->sine * place,
+            .foot_x = line->cosine * offset,
+            .foot_y = line->height + line->sine * offset,
             .leg_length_rate = state[TDMF_LEG_LENGTH_RATE] + (direction.cosine * state[TDMF_FOOT_VY] -
                                                               direction.sine * state[TDMF_FOOT_VX]),
             .leg_angle_rate = state[TDMF_LEG_ANGLE_RATE] - (direction.cosine * state[TDMF_FOOT_VX] +
@@ -32,7 +32,7 @@ static inline tdmf_after_impact tdmf_impact_with(const tdmf_model *model, double
         return result;
     }
     if (falls) {
-        const double place =
+        const double offset =
             line->cosine * state[TDMF_FOOT_X] + line->sine * (state[TDMF_FOOT_Y] - line->height);
         const double along = line->cosine * state[TDMF_FOOT_VX] + line->sine * state[TDMF_FOOT_VY];
         const double off = line->cosine * state[TDMF_FOOT_VY] - line->sine * state[TDMF_FOOT_VX];
@@ -54,8 +54,8 @@ static inline tdmf_after_impact tdmf_impact_with(const tdmf_model *model, double
         const double lost_y = state[TDMF_FOOT_VY] - vy;
         const double lost_x = state[TDMF_FOOT_VX] - vx;
         const tdmf_after_impact result = {
-            .foot_x = line->cosine * place,
-            .foot_y = line->height + line->sine * place,
+            .foot_x = line->cosine * offset,
+            .foot_y = line->height + line->sine * offset,
             .foot_vx = vx,
             .foot_vy = vy,
             .leg_length_rate =
@@ -67,14 +67,15 @@ static inline tdmf_after_impact tdmf_impact_with(const tdmf_model *model, double
         };
         return result;
     }
-    const double place = line->cosine * state[TDMF_FOOT_X] + line->sine * (state[TDMF_FOOT_Y] - line->height);
+    const double offset =
+        line->cosine * state[TDMF_FOOT_X] + line->sine * (state[TDMF_FOOT_Y] - line->height);
     const double along = line->cosine * state[TDMF_FOOT_VX] + line->sine * state[TDMF_FOOT_VY];
     const double off = line->cosine * state[TDMF_FOOT_VY] - line->sine * state[TDMF_FOOT_VX];
     const double foot_vx = line->cosine * (along + sign * friction * off);
     const double foot_vy = line->sine * (along + sign * friction * off);
     const tdmf_after_impact result = {
-        .foot_x = line->cosine * place,
-        .foot_y = line->height + line->sine * place,
+        .foot_x = line->cosine * offset,
+        .foot_y = line->height + line->sine * offset,
         .foot_vx = foot_vx,
         .foot_vy = foot_vy,
         .leg_length_rate = state[TDMF_LEG_LENGTH_RATE] + (direction.cosine * (state[TDMF_FOOT_VY] - foot_vy) -
@@ -96,12 +97,12 @@ tdmf_vary_impact_with(const tdmf_model *model, double friction, const tdmf_groun
                       bool sticks, bool falls, const tdmf_model *d_model, double d_friction,
                       const tdmf_ground_line *d_line, const double d_state[TDMF_STATE_COUNT]) {
     if (sticks) {
-        const double place =
+        const double offset =
             line->cosine * state[TDMF_FOOT_X] + line->sine * (state[TDMF_FOOT_Y] - line->height);
-        const double d_place = -(line->sine * d_line->slope) * state[TDMF_FOOT_X] +
-                               line->cosine * d_state[TDMF_FOOT_X] +
-                               (line->cosine * d_line->slope * (state[TDMF_FOOT_Y] - line->height) +
-                                line->sine * (d_state[TDMF_FOOT_Y] - d_line->height));
+        const double d_offset = -(line->sine * d_line->slope) * state[TDMF_FOOT_X] +
+                                line->cosine * d_state[TDMF_FOOT_X] +
+                                (line->cosine * d_line->slope * (state[TDMF_FOOT_Y] - line->height) +
+                                 line->sine * (d_state[TDMF_FOOT_Y] - d_line->height));
         const double along = line->cosine * state[TDMF_FOOT_VX] + line->sine * state[TDMF_FOOT_VY];
         const double off = line->cosine * state[TDMF_FOOT_VY] - line->sine * state[TDMF_FOOT_VX];
         const double d_along =
@@ -111,8 +112,8 @@ tdmf_vary_impact_with(const tdmf_model *model, double friction, const tdmf_groun
             -(line->sine * d_line->slope) * state[TDMF_FOOT_VY] + line->cosine * d_state[TDMF_FOOT_VY] -
             (line->cosine * d_line->slope * state[TDMF_FOOT_VX] + line->sine * d_state[TDMF_FOOT_VX]);
         const tdmf_after_impact result = {
-            .foot_x = -(line->sine * d_line->slope) * place + line->cosine * d_place,
-            .foot_y = d_line->height + (line->cosine * d_line->slope * place + line->sine * d_place),
+            .foot_x = -(line->sine * d_line->slope) * offset + line->cosine * d_offset,
+            .foot_y = d_line->height + (line->cosine * d_line->slope * offset + line->sine * d_offset),
             .leg_length_rate = d_state[TDMF_LEG_LENGTH_RATE] +
                                (-(direction.sine * d_state[TDMF_LEG_ANGLE]) * state[TDMF_FOOT_VY] +
                                 direction.cosine * d_state[TDMF_FOOT_VY] -
@@ -133,12 +134,12 @@ tdmf_vary_impact_with(const tdmf_model *model, double friction, const tdmf_groun
         return result;
     }
     if (falls) {
-        const double place =
+        const double offset =
             line->cosine * state[TDMF_FOOT_X] + line->sine * (state[TDMF_FOOT_Y] - line->height);
-        const double d_place = -(line->sine * d_line->slope) * state[TDMF_FOOT_X] +
-                               line->cosine * d_state[TDMF_FOOT_X] +
-                               (line->cosine * d_line->slope * (state[TDMF_FOOT_Y] - line->height) +
-                                line->sine * (d_state[TDMF_FOOT_Y] - d_line->height));
+        const double d_offset = -(line->sine * d_line->slope) * state[TDMF_FOOT_X] +
+                                line->cosine * d_state[TDMF_FOOT_X] +
+                                (line->cosine * d_line->slope * (state[TDMF_FOOT_Y] - line->height) +
+                                 line->sine * (d_state[TDMF_FOOT_Y] - d_line->height));
         const double along = line->cosine * state[TDMF_FOOT_VX] + line->sine * state[TDMF_FOOT_VY];
         const double off = line->cosine * state[TDMF_FOOT_VY] - line->sine * state[TDMF_FOOT_VX];
         const double taken = friction * -off;
@@ -202,8 +203,8 @@ tdmf_vary_impact_with(const tdmf_model *model, double friction, const tdmf_groun
         const double lost_x = state[TDMF_FOOT_VX] - vx;
         const double d_lost_x = d_state[TDMF_FOOT_VX] - d_vx;
         const tdmf_after_impact result = {
-            .foot_x = -(line->sine * d_line->slope) * place + line->cosine * d_place,
-            .foot_y = d_line->height + (line->cosine * d_line->slope * place + line->sine * d_place),
+            .foot_x = -(line->sine * d_line->slope) * offset + line->cosine * d_offset,
+            .foot_y = d_line->height + (line->cosine * d_line->slope * offset + line->sine * d_offset),
             .foot_vx = d_vx,
             .foot_vy = d_vy,
             .leg_length_rate =
@@ -225,11 +226,12 @@ tdmf_vary_impact_with(const tdmf_model *model, double friction, const tdmf_groun
         };
         return result;
     }
-    const double place = line->cosine * state[TDMF_FOOT_X] + line->sine * (state[TDMF_FOOT_Y] - line->height);
-    const double d_place = -(line->sine * d_line->slope) * state[TDMF_FOOT_X] +
-                           line->cosine * d_state[TDMF_FOOT_X] +
-                           (line->cosine * d_line->slope * (state[TDMF_FOOT_Y] - line->height) +
-                            line->sine * (d_state[TDMF_FOOT_Y] - d_line->height));
+    const double offset =
+        line->cosine * state[TDMF_FOOT_X] + line->sine * (state[TDMF_FOOT_Y] - line->height);
+    const double d_offset = -(line->sine * d_line->slope) * state[TDMF_FOOT_X] +
+                            line->cosine * d_state[TDMF_FOOT_X] +
+                            (line->cosine * d_line->slope * (state[TDMF_FOOT_Y] - line->height) +
+                             line->sine * (d_state[TDMF_FOOT_Y] - d_line->height));
     const double along = line->cosine * state[TDMF_FOOT_VX] + line->sine * state[TDMF_FOOT_VY];
     const double off = line->cosine * state[TDMF_FOOT_VY] - line->sine * state[TDMF_FOOT_VX];
     const double d_along =
@@ -245,8 +247,8 @@ tdmf_vary_impact_with(const tdmf_model *model, double friction, const tdmf_groun
     const double foot_vy = line->sine * (along + sign * friction * off);
     const double foot_vx = line->cosine * (along + sign * friction * off);
     const tdmf_after_impact result = {
-        .foot_x = -(line->sine * d_line->slope) * place + line->cosine * d_place,
-        .foot_y = d_line->height + (line->cosine * d_line->slope * place + line->sine * d_place),
+        .foot_x = -(line->sine * d_line->slope) * offset + line->cosine * d_offset,
+        .foot_y = d_line->height + (line->cosine * d_line->slope * offset + line->sine * d_offset),
         .foot_vx = d_foot_vx,
         .foot_vy = d_foot_vy,
         .leg_length_rate = d_state[TDMF_LEG_LENGTH_RATE] +

@@ -28,8 +28,8 @@ def after(model, friction, line, state, direction, sign, sticks, falls):
         along_after = law.after_falling_impact(model, friction, sign, along, off)
     else:
         along_after = law.after_impact(friction, sign, along, off)
-    place = ground_line.offset_along(line, state.foot_x, state.foot_y)
-    foot = ground_line.point_on(line, place, along_after)
+    offset = ground_line.offset_along(line, state.foot_x, state.foot_y)
+    foot = ground_line.point_on(line, offset, along_after)
     leg = leg_rates_with_foot(state, direction, foot.vx, foot.vy)
     return Record(
         foot_x=foot.x,

@@ -144,11 +144,11 @@ static bool changes_sign(const part *in) {
 }
 
 static void insert(turns *all, double time) {
-    int place = all->count++;
-    for (; place > 0 && all->at[place - 1] > time; --place) {
-        all->at[place] = all->at[place - 1];
+    int index = all->count++;
+    for (; index > 0 && all->at[index - 1] > time; --index) {
+        all->at[index] = all->at[index - 1];
     }
-    all->at[place] = time;
+    all->at[index] = time;
 }
 
 /* Adds all changes of a polynomial's sign. */

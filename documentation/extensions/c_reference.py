@@ -116,10 +116,12 @@ def _of_entry(header: Header, entry: Entry) -> Iterator[str]:
         else:
             yield from [f"{indent}``{member.text}``"]
             yield from (2 * indent + line if line else "" for line in marked_up(member.comment))
-    place = f"c\\_core/include/tdmf\\_slip/{SPECIAL.sub(chr(92) * 2 + r'1', header.name)}, line {entry.line}"
+    location = (
+        f"c\\_core/include/tdmf\\_slip/{SPECIAL.sub(chr(92) * 2 + r'1', header.name)}, line {entry.line}"
+    )
     if entry.kind == "function":
-        place += f"; defined in {SPECIAL.sub(chr(92) * 2 + r'1', defined_in(entry.name))}"
-    yield from [f"{indent}.. container:: source-place", "", f"{indent}   {place}", ""]
+        location += f"; defined in {SPECIAL.sub(chr(92) * 2 + r'1', defined_in(entry.name))}"
+    yield from [f"{indent}.. container:: source-place", "", f"{indent}   {location}", ""]
 
 
 def check_all_shown(app: Sphinx, env: object) -> None:

@@ -133,7 +133,7 @@ class Notebook:
 
     def linked(self, text: str, target: str) -> str:
         """Name a page of the site; link it where the site has an address."""
-        page, _, place = target.partition("#")
+        page, _, anchor = target.partition("#")
         source = (self.folder / page).resolve()
         docname = self.app.env.path2doc(str(source))
         known = docname is not None and docname in self.app.env.titles
@@ -142,7 +142,7 @@ class Notebook:
         if not base:
             return title if text else f"“{title}”"
         address = f"{docname}.html" if known else target
-        return f"[{title}]({base.rstrip('/')}/{address}{'#' + place if place else ''})"
+        return f"[{title}]({base.rstrip('/')}/{address}{'#' + anchor if anchor else ''})"
 
 
 def finish_downloads(app: Sphinx, problem: Exception | None) -> None:

@@ -37,7 +37,7 @@ def starts_of(table):
 def outputs_of(table):
     """Numbers that are read off a run: states, and what the core's outputs hold."""
     rows = [(v, *storage(v, table)) for v in table.variables if v.type != "String"]
-    return [(v, place) for v, kind, place in rows if kind in ("STATE", "OUTPUT")]
+    return [(v, storage_name) for v, kind, storage_name in rows if kind in ("STATE", "OUTPUT")]
 
 
 def c_table(table):
@@ -48,9 +48,9 @@ def c_table(table):
         for v in values_of(table)
     ]
     outputs = []
-    for variable, place in outputs_of(table):
+    for variable, storage_name in outputs_of(table):
         kind = "LIVE_DOUBLE" if variable.type == "Real" else "LIVE_INT"
-        outputs.append(f"    {{{'LIVE_STATE' if variable in table.states else kind}, {place}}},")
+        outputs.append(f"    {{{'LIVE_STATE' if variable in table.states else kind}, {storage_name}}},")
     return generated(
         [
             '#include "live.h"',

@@ -125,7 +125,7 @@ static void put(importer *runner, double time, const double states[]) {
     check(runner->call.set_states(runner->unit, states, runner->states), "fmi2SetContinuousStates");
 }
 
-/* The change of the states over h, were they to change as they do at a place. */
+/* The change of the states over h, were they to change as they do at a point. */
 static void change(importer *runner, double time, const double states[], double h, double changes[]) {
     put(runner, time, states);
     check(runner->call.get_derivatives(runner->unit, changes, runner->states), "fmi2GetDerivatives");

@@ -133,7 +133,7 @@ void declared_further_inputs(random_source *source, const tdmf_parameters *param
     }
 }
 
-static double *place_of(tdmf_parameters *parameters, const tdmf_range *range) {
+static double *member_of(tdmf_parameters *parameters, const tdmf_range *range) {
     return (double *)((char *)parameters + range->offset);
 }
 
@@ -149,13 +149,13 @@ declared_runner declared_random(random_source *source, double decades) {
     for (size_t i = 0; i < tdmf_parameter_count; ++i) {
         const tdmf_range *range = &tdmf_parameter_ranges[i];
         if (is_scale(range)) {
-            *place_of(&runner.parameters, range) = anywhere(source, range);
+            *member_of(&runner.parameters, range) = anywhere(source, range);
         }
     }
     for (size_t i = 0; i < tdmf_parameter_count; ++i) {
         const tdmf_range *range = &tdmf_parameter_ranges[i];
         if (!is_scale(range)) {
-            *place_of(&runner.parameters, range) =
+            *member_of(&runner.parameters, range) =
                 value_of(source, range, unit_of(&runner.parameters, range), decades);
         }
     }
@@ -182,7 +182,7 @@ void declared_settings(random_source *source, double decades, tdmf_parameters *p
     for (size_t i = 0; i < tdmf_parameter_count; ++i) {
         const tdmf_range *range = &tdmf_parameter_ranges[i];
         if (range->at_events && random_chance(source, 0.5)) {
-            *place_of(parameters, range) = value_of(source, range, unit_of(parameters, range), decades);
+            *member_of(parameters, range) = value_of(source, range, unit_of(parameters, range), decades);
         }
     }
 }

@@ -139,7 +139,7 @@ static void an_input_that_has_jumped_is_met_before_the_first_step(void **state) 
 
 /* CVODE does not integrate the clock; its steps read it all the same. */
 static void a_leg_that_is_retracted_goes_by_the_clock(void **state) {
-    int placed = 0, others = 0;
+    int in_place = 0, others = 0;
     (void)state;
     if (!tdmf_cvode_is_available()) {
         skip();
@@ -157,15 +157,15 @@ static void a_leg_that_is_retracted_goes_by_the_clock(void **state) {
         assert_int_equal(
             tdmf_native_advance(&native_solver, SYSTEM_OF(&run.runner), &no_rates, until, &native),
             TDMF_ARRIVED);
-        const bool places = run.motion.mode.phase == TDMF_PHASE_PLACE;
-        assert_true(places == (run.motion.state[TDMF_HIP_PLACE_TIME] > 0.0));
+        const bool is_placing = run.motion.mode.phase == TDMF_PHASE_PLACE;
+        assert_true(is_placing == (run.motion.state[TDMF_HIP_PLACE_TIME] > 0.0));
         assert_close(run.motion.state[TDMF_HIP_PLACE_TIME], native.state[TDMF_HIP_PLACE_TIME], 1e-6);
         assert_close(run.motion.state[TDMF_LEG_ANGLE], native.state[TDMF_LEG_ANGLE], 1e-6);
-        placed += places;
-        others += !places;
+        in_place += is_placing;
+        others += !is_placing;
     }
     assert_int_equal(run.motion.record.stride.count, native.record.stride.count);
-    assert_true(placed > 5 && others > 5);
+    assert_true(in_place > 5 && others > 5);
 }
 
 int main(void) {

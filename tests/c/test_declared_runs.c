@@ -34,8 +34,8 @@ typedef struct {
     tdmf_solver solver;
     tdmf_motion motion;
     double start_energy;
-    double turnover;      /* the largest energy met, J */
-    double push_by_place; /* the largest product of a push and of the body's place met, J */
+    double turnover;    /* the largest energy met, J */
+    double push_energy; /* the largest product of a push and of the body's place met, J */
 } run;
 
 /* What the sample has met. */
@@ -65,7 +65,7 @@ static double largest_energy(const run *run) {
            run->motion.record.impact_loss;
 }
 
-static double push_by_place(const run *run, const tdmf_inputs *inputs) {
+static double push_energy(const run *run, const tdmf_inputs *inputs) {
     const double *state = run->motion.state;
     const double length = state[TDMF_LEG_LENGTH];
     return fabs(inputs->body.external_fx) * (fabs(state[TDMF_FOOT_X]) + length) +
@@ -75,8 +75,7 @@ static double push_by_place(const run *run, const tdmf_inputs *inputs) {
 /* Of the last piece of a run, from its first inputs to its last. */
 static void note_energies(run *run, const tdmf_inputs *from) {
     run->turnover = fmax(run->turnover, largest_energy(run));
-    run->push_by_place =
-        fmax(run->push_by_place, fmax(push_by_place(run, from), push_by_place(run, &run->inputs)));
+    run->push_energy = fmax(run->push_energy, fmax(push_energy(run, from), push_energy(run, &run->inputs)));
 }
 
 static const char *not_a_number(const run *run) {
@@ -128,7 +127,7 @@ static const char *open_ledger(const run *run) {
                          run->model.total_mass * run->model.parameters.gravity * run->model.scales.length;
     const double steps = (double)(run->solver.steps + run->solver.events) + 10.0;
     const double allowed = (10.0 * run->solver.relative_tolerance * steps + ledger_rounding) * scale +
-                           4.0 * DBL_EPSILON * steps * run->push_by_place;
+                           4.0 * DBL_EPSILON * steps * run->push_energy;
     return fabs(loss_of_ledger(run)) <= allowed ? NULL : "the energy ledger does not close";
 }
 

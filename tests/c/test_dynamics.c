@@ -41,7 +41,7 @@ static void move(const motion *motion, long double t, long double q[FREEDOMS]) {
     }
 }
 
-static long double place_on_path(long double t, const void *context) {
+static long double position_on_path(long double t, const void *context) {
     const motion *path = context;
     long double q[FREEDOMS], position[POSITIONS];
     move(path, t, q);
@@ -58,7 +58,7 @@ static long double differentiate_along(function_of_time f, const motion *motion)
 static long double speed_of(motion motion, const long double direction[FREEDOMS], int position) {
     memcpy(motion.direction, direction, sizeof motion.direction);
     motion.index = position;
-    return differentiate_along(place_on_path, &motion);
+    return differentiate_along(position_on_path, &motion);
 }
 
 static long double kinetic_energy(const motion *motion, const long double rate[FREEDOMS]) {

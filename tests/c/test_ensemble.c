@@ -43,7 +43,7 @@ static void vary_case(random_source *source, tdmf_model *model, tdmf_ensemble_ca
 }
 
 /* Around a gait's apex, some of them below the ground. */
-static void place_near_the_gait(random_source *source, tdmf_model *model, tdmf_ensemble_case *its_case,
+static void start_near_the_gait(random_source *source, tdmf_model *model, tdmf_ensemble_case *its_case,
                                 double start[TDMF_SECTION_COUNT]) {
     vary_case(source, model, its_case);
     memcpy(start, &reference_gaits[2].apex, TDMF_SECTION_COUNT * sizeof *start);
@@ -53,7 +53,7 @@ static void place_near_the_gait(random_source *source, tdmf_model *model, tdmf_e
 }
 
 /* Anything: most of these fall, by every way there is. */
-static void place_anywhere(random_source *source, tdmf_model *model, tdmf_ensemble_case *its_case,
+static void start_anywhere(random_source *source, tdmf_model *model, tdmf_ensemble_case *its_case,
                            double start[TDMF_SECTION_COUNT]) {
     const runner anybody = scene_random(source, TDMF_CONTACT_FLIGHT);
     const tdmf_point com = tdmf_center_of_mass(&anybody.model, anybody.motion.state);
@@ -233,18 +233,18 @@ static void assert_agreement(population *population, double tolerance) {
 
 static void runners_near_the_gait_end_as_by_the_native_solver(void **state) {
     (void)state;
-    assert_agreement(make_population(place_near_the_gait, 3), 1e-12);
+    assert_agreement(make_population(start_near_the_gait, 3), 1e-12);
 }
 
 static void any_runner_ends_as_by_the_native_solver(void **state) {
     (void)state;
-    assert_agreement(make_population(place_anywhere, 2), 1e-12);
+    assert_agreement(make_population(start_anywhere, 2), 1e-12);
 }
 
 /* ---- neighbours and threads --------------------------------------------------------------------------- */
 
 static void threads_do_not_matter(void **state) {
-    population *population = make_population(place_near_the_gait, 4);
+    population *population = make_population(start_near_the_gait, 4);
     (void)state;
     tdmf_ensemble_end *alone = run(&population->ensemble, NULL);
     for (int threads = 2; threads <= 7; threads += 5) {
@@ -258,7 +258,7 @@ static void threads_do_not_matter(void **state) {
 }
 
 static void neighbours_do_not_matter(void **state) {
-    population *population = make_population(place_near_the_gait, 4);
+    population *population = make_population(start_near_the_gait, 4);
     (void)state;
     tdmf_ensemble_end *together = run(&population->ensemble, NULL);
     tdmf_ensemble one = population->ensemble;
@@ -285,7 +285,7 @@ static double mechanical_energy(const tdmf_model *model, const double apex[TDMF_
 }
 
 static void energy_is_accounted_for(void **state) {
-    population *population = make_population(place_near_the_gait, 20);
+    population *population = make_population(start_near_the_gait, 20);
     (void)state;
     tdmf_ensemble_end *ends = run(&population->ensemble, NULL);
     for (int i = 0; i < RUNNERS; ++i) {
@@ -436,7 +436,7 @@ static void what_the_solver_does_not_get_through_is_no_fall(void **state) {
 }
 
 static void work_is_counted(void **state) {
-    population *population = make_population(place_near_the_gait, 5);
+    population *population = make_population(start_near_the_gait, 5);
     tdmf_ensemble_work work;
     long strides = 0, fallen = 0, closed_none = 0;
     (void)state;
@@ -457,7 +457,7 @@ static void work_is_counted(void **state) {
 }
 
 static void unsound_ensembles_are_refused(void **state) {
-    population *population = make_population(place_near_the_gait, 1);
+    population *population = make_population(start_near_the_gait, 1);
     tdmf_ensemble_end end = {.strides = 77};
     (void)state;
     const double tolerances[] = {0.0, -1.0, 1.0, NAN, INFINITY};

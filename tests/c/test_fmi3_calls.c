@@ -243,13 +243,13 @@ enum {
     CS_STEP = 64,
     CS_PLAIN_STEP = 128,
     CS_ENDED = 256,
-    PLACES = 9,
+    SITUATIONS = 9,
     EVENT = ME_EVENT | CS_EVENT,
     STEP = CS_STEP | CS_PLAIN_STEP,
     ENDED = ME_ENDED | CS_ENDED,
     RUN = EVENT | ME_CONTINUOUS | STEP,
     EVALUABLE = ME_INITIALIZING | EVENT | ME_CONTINUOUS | ENDED,
-    EVERYWHERE = (1 << PLACES) - 1
+    EVERYWHERE = (1 << SITUATIONS) - 1
 };
 
 /* The state machines of FMI 3.0, sections 2.3, 3.2 and 4.2, and start values beside them, which importers ask

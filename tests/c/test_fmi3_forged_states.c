@@ -180,7 +180,7 @@ static void no_field_holds_what_is_not_a_number(void **unused) {
  */
 
 /* Where a value stands in the bytes for the n-th time, counted from 0; asserts that it does. */
-static size_t nth_place_of(const serialized *state, const void *value, size_t size, int n) {
+static size_t nth_offset_of(const serialized *state, const void *value, size_t size, int n) {
     size_t offset = FORGE_CONTENT;
     for (; offset + size < state->size; ++offset) {
         n -= memcmp(state->bytes + offset, value, size) == 0;
@@ -192,8 +192,8 @@ static size_t nth_place_of(const serialized *state, const void *value, size_t si
     return offset;
 }
 
-static size_t place_of(const serialized *state, const void *value, size_t size) {
-    return nth_place_of(state, value, size, 0);
+static size_t offset_of(const serialized *state, const void *value, size_t size) {
+    return nth_offset_of(state, value, size, 0);
 }
 
 static void assert_refused(kind kind, serialized *state, const char *reason) {
@@ -215,7 +215,7 @@ static void save_on_its_way(kind kind, serialized *state) {
 }
 
 static void replace_number(serialized *state, double from, double to) {
-    memcpy(state->bytes + place_of(state, &from, sizeof from), &to, sizeof to);
+    memcpy(state->bytes + offset_of(state, &from, sizeof from), &to, sizeof to);
 }
 
 static void a_parameter_out_of_range_is_refused(void **unused) {
@@ -244,7 +244,7 @@ static void a_rate_of_a_discrete_input_is_refused(void **unused) {
     fmi3Instance instance = new_on_its_way(STEPS);
     ((struct instance *)instance)->fmu.input_rates.ground.friction = rate;
     serialize(instance, &state);
-    size_t offset = place_of(&state, &rate, sizeof rate); /* the rates of all inputs begin with it */
+    size_t offset = offset_of(&state, &rate, sizeof rate); /* the rates of all inputs begin with it */
     for (size_t i = 0; i < fmu_variable_count; ++i) {
         if (fmu_variables[i].storage == STORED_INPUT) {
             serialized forged = state;
@@ -275,10 +275,10 @@ static void a_clock_of_no_phase_is_refused(void **unused) {
     fmi3Instance instance = new_on_its_way(STEPS);
     int phase = 0;
     assert_int_equal(do_step(instance, 40.0, 15.0, &step), fmi3OK);
-    const double placed = get_float(instance, "hip.place_time");
+    const double place_time = get_float(instance, "hip.place_time");
     serialize(instance, &state);
-    assert_true(placed > 5.0);
-    replace_number(&state, placed, -placed);
+    assert_true(place_time > 5.0);
+    replace_number(&state, place_time, -place_time);
     assert_refused(STEPS, &state, "hip.place_time");
     while (phase != TDMF_PHASE_COAST) {
         assert_int_equal(do_step(instance, get_float(instance, "time"), 0.01, &step), fmi3OK);
@@ -286,7 +286,7 @@ static void a_clock_of_no_phase_is_refused(void **unused) {
     }
     serialize(instance, &landed);
     const double work = get_float(instance, "hip.work");
-    const size_t offset = place_of(&landed, &work, sizeof work) + sizeof work; /* the state after it */
+    const size_t offset = offset_of(&landed, &work, sizeof work) + sizeof work; /* the state after it */
     landed.bytes[offset + sizeof(double) - 1] = 0x3f;
     assert_refused(STEPS, &landed, "hip.place_time");
     fmi3FreeInstance(instance);
@@ -296,8 +296,8 @@ static void a_word_without_an_end_is_refused(void **unused) {
     (void)unused;
     serialized state;
     save_on_its_way(STEPS, &state);
-    const size_t offset = place_of(&state, "+0-0+\0\0\0", 8);
-    const size_t open = nth_place_of(&state, "+0-0+\0\0\0", 8, 1); /* at 40 s the next is written */
+    const size_t offset = offset_of(&state, "+0-0+\0\0\0", 8);
+    const size_t open = nth_offset_of(&state, "+0-0+\0\0\0", 8, 1); /* at 40 s the next is written */
     serialized bad = state;
     memset(bad.bytes + offset, '+', 64);
     assert_refused(STEPS, &bad, "stride.word");
@@ -310,7 +310,7 @@ static void a_word_of_other_letters_or_code_is_refused(void **unused) {
     (void)unused;
     serialized state;
     save_on_its_way(STEPS, &state);
-    const size_t offset = place_of(&state, "+0-0+\0\0\0", 8);
+    const size_t offset = offset_of(&state, "+0-0+\0\0\0", 8);
     state.bytes[offset + 1] = 'x';
     assert_refused(STEPS, &state, "stride.word");
     state.bytes[offset + 1] = '-';
@@ -327,7 +327,7 @@ static void a_time_of_the_past_that_lies_ahead_is_refused(void **unused) {
         serialized state;
         serialize(instance, &state);
         const double time = get_float(instance, names[i]);
-        const size_t offset = nth_place_of(&state, &time, sizeof time, 2 * i); /* outputs come first */
+        const size_t offset = nth_offset_of(&state, &time, sizeof time, 2 * i); /* outputs come first */
         memcpy(state.bytes + offset, &ahead, sizeof ahead);
         assert_refused(STEPS, &state, reasons[i]);
     }
@@ -365,10 +365,10 @@ static void an_event_elsewhere_is_refused(void **unused) {
     const double time = get_float(instance, "time");
     const double later = nextafter(time, INFINITY), ahead = time + 1.0;
     bad = good;
-    memcpy(bad.bytes + nth_place_of(&good, &time, sizeof time, 2), &later, sizeof later);
+    memcpy(bad.bytes + nth_offset_of(&good, &time, sizeof time, 2), &later, sizeof later);
     assert_refused(STEPS_WITH_EVENTS, &bad, "the pending event");
     bad = good;
-    memcpy(bad.bytes + nth_place_of(&good, &time, sizeof time, 3), &ahead, sizeof ahead);
+    memcpy(bad.bytes + nth_offset_of(&good, &time, sizeof time, 3), &ahead, sizeof ahead);
     assert_refused(STEPS_WITH_EVENTS, &bad, "event.last_time");
     fmi3FreeInstance(instance);
 }
@@ -386,7 +386,7 @@ static void a_contact_in_the_air_is_refused(void **unused) {
     assert_true(foot_y > 0.0);
     assert_int_equal(do_step(instance, 1.0, 11.8, &step), fmi3OK);
     assert_int_equal(get_enumeration(instance, "contact.mode"), TDMF_CONTACT_STICK);
-    const size_t offset = place_of(&state, &foot_y, sizeof foot_y);
+    const size_t offset = offset_of(&state, &foot_y, sizeof foot_y);
     serialize(instance, &state);
     memcpy(state.bytes + offset, &foot_y, sizeof foot_y);
     fmi3FreeInstance(instance);
@@ -457,7 +457,7 @@ static void a_phase_of_another_contact_is_refused(void **unused) {
     const int found[] = {get_enumeration(instance, "contact.mode"), get_enumeration(instance, "hip.phase")};
     assert_int_equal(found[0], TDMF_CONTACT_FLIGHT);
     const int wanted[] = {TDMF_CONTACT_FLIGHT, TDMF_PHASE_DRIVE};
-    memcpy(state.bytes + place_of(&state, found, sizeof found), wanted, sizeof wanted);
+    memcpy(state.bytes + offset_of(&state, found, sizeof found), wanted, sizeof wanted);
     fmi3FreeInstance(instance);
     assert_refused(STEPS, &state, "hip.phase");
 }
@@ -470,7 +470,7 @@ static void work_that_no_run_has_done_is_refused(void **unused) {
         fmi3Instance instance = new_on_its_way(STEPS);
         serialize(instance, &state);
         const int64_t steps = get_int(instance, "solver.steps");
-        memcpy(state.bytes + place_of(&state, &steps, sizeof steps), &claims[i], sizeof steps);
+        memcpy(state.bytes + offset_of(&state, &steps, sizeof steps), &claims[i], sizeof steps);
         fmi3FreeInstance(instance);
         assert_refused(STEPS, &state, "the steps done");
     }

@@ -193,7 +193,7 @@ static void lanes_make_each_run_wherever_it_is(void **state) {
 
 /* ---- derivatives --------------------------------------------------------------------------------------- */
 
-enum { PLACE = TDMF_SECTION_COUNT, COORDINATES, BORDERS = 3, DIRECTIONS = COORDINATES + BORDERS };
+enum { FOOT_X = TDMF_SECTION_COUNT, COORDINATES, BORDERS = 3, DIRECTIONS = COORDINATES + BORDERS };
 
 typedef struct {
     tdmf_parameters parameters;
@@ -214,20 +214,21 @@ static tdmf_return stride_at(const scene_of_stride *scene, const tdmf_seed *seed
     tdmf_solver solver = tdmf_solver_default();
     solver.relative_tolerance = 1e-14;
     assert_null(tdmf_model_create(&model, &scene->parameters).variable);
-    const tdmf_return stride = tdmf_return_map_at(&solver, (tdmf_system){&model, &scene->inputs},
-                                                  scene->at[PLACE], scene->at, 1e3, true, seed, seed != NULL);
+    const tdmf_return stride =
+        tdmf_return_map_at(&solver, (tdmf_system){&model, &scene->inputs}, scene->at[FOOT_X], scene->at, 1e3,
+                           true, seed, seed != NULL);
     assert_int_equal(stride.outcome, TDMF_RETURN_CLOSED);
     return stride;
 }
 
 static void write_end(const tdmf_return *stride, double end[COORDINATES]) {
     memcpy(end, stride->apex, sizeof stride->apex);
-    end[PLACE] = stride->foot_x;
+    end[FOOT_X] = stride->foot_x;
 }
 
 static void write_change(const tdmf_stride_variation *change, double end[COORDINATES]) {
     memcpy(end, change->apex, sizeof change->apex);
-    end[PLACE] = change->foot_x;
+    end[FOOT_X] = change->foot_x;
 }
 
 static void exact_change(const scene_of_stride *scene, int k, double change[COORDINATES]) {
@@ -235,7 +236,7 @@ static void exact_change(const scene_of_stride *scene, int k, double change[COOR
     *direction_of(&directions, k) = 1.0;
     const tdmf_seed along = {.parameters = directions.parameters};
     const tdmf_return stride = stride_at(scene, k < COORDINATES ? NULL : &along);
-    write_change(&stride.variations[k < PLACE ? k : PLACE], change);
+    write_change(&stride.variations[k < FOOT_X ? k : FOOT_X], change);
 }
 
 /* Of eighth order. */
@@ -256,8 +257,8 @@ static void difference(const scene_of_stride *scene, int k, double step, double 
     }
 }
 
-static void each_stride_is_differentiated_by_place_and_patch(void **state) {
-    int compared = 0, moved_by_place = 0, moved_by_patch = 0;
+static void each_stride_is_differentiated_by_foot_x_and_patch(void **state) {
+    int compared = 0, moved_by_foot_x = 0, moved_by_patch = 0;
     (void)state;
     for (int i = 0; i < PATCH_RUNS; ++i) {
         const patch_run *run = &patch_runs[i];
@@ -277,28 +278,28 @@ static void each_stride_is_differentiated_by_place_and_patch(void **state) {
                 assert_close(exact[c], expected[c], 1e-7 * size);
                 ++compared;
             }
-            moved_by_place += k == PLACE && fabs(exact[0]) > 1e-6;
-            moved_by_patch += k > PLACE && fabs(exact[0]) > 1e-6;
+            moved_by_foot_x += k == FOOT_X && fabs(exact[0]) > 1e-6;
+            moved_by_patch += k > FOOT_X && fabs(exact[0]) > 1e-6;
         }
     }
     assert_int_equal(compared, 7 * DIRECTIONS * COORDINATES);
-    assert_true(moved_by_place >= 4 && moved_by_patch >= 8);
+    assert_true(moved_by_foot_x >= 4 && moved_by_patch >= 8);
 }
 
 /* Where no border is crossed, the stride goes with its place. */
-static void without_a_crossing_the_place_is_carried_along(void **state) {
+static void without_a_crossing_foot_x_is_carried_along(void **state) {
     scene_of_stride scene = {tdmf_default_parameters(), tdmf_default_inputs(), {0.0}};
-    double by_place[COORDINATES];
+    double by_foot_x[COORDINATES];
     (void)state;
     memcpy(scene.at, patch_runs[0].start, sizeof patch_runs[0].start);
     scene.inputs.ground.friction = 0.6;
     scene.parameters.ground.patch_begin = 5.0;
     scene.parameters.ground.patch_end = 9.0;
-    exact_change(&scene, PLACE, by_place);
-    for (int c = 0; c < PLACE; ++c) {
-        assert_close(by_place[c], 0.0, 1e-12);
+    exact_change(&scene, FOOT_X, by_foot_x);
+    for (int c = 0; c < FOOT_X; ++c) {
+        assert_close(by_foot_x[c], 0.0, 1e-12);
     }
-    assert_close(by_place[PLACE], 1.0, 1e-13);
+    assert_close(by_foot_x[FOOT_X], 1.0, 1e-13);
 }
 
 /* ---- at rest on a border ------------------------------------------------------------------------------- */
@@ -481,7 +482,7 @@ static void a_patch_that_ends_before_it_begins_is_refused_by_name(void **state) 
 }
 
 /* A patch is at a place, which these maps have not. */
-static void maps_without_a_place_refuse_a_patch(void **state) {
+static void maps_without_foot_x_refuse_a_patch(void **state) {
     const patch_run *run = &patch_runs[0];
     const tdmf_model model = model_of(run);
     const tdmf_inputs inputs = inputs_of_patch_run(run);
@@ -502,13 +503,13 @@ int main(void) {
         cmocka_unit_test(the_native_solver_makes_each_run_word_by_word),
         cmocka_unit_test(cvode_makes_each_run),
         cmocka_unit_test(lanes_make_each_run_wherever_it_is),
-        cmocka_unit_test(each_stride_is_differentiated_by_place_and_patch),
-        cmocka_unit_test(without_a_crossing_the_place_is_carried_along),
+        cmocka_unit_test(each_stride_is_differentiated_by_foot_x_and_patch),
+        cmocka_unit_test(without_a_crossing_foot_x_is_carried_along),
         cmocka_unit_test(a_foot_at_rest_on_a_border_slips_where_it_is_held_less),
         cmocka_unit_test(a_foot_that_is_pushed_back_ends_where_it_would_without_the_border),
         cmocka_unit_test(a_foot_that_is_pushed_on_rests_before_the_border_or_slips_on),
         cmocka_unit_test(a_patch_that_ends_before_it_begins_is_refused_by_name),
-        cmocka_unit_test(maps_without_a_place_refuse_a_patch),
+        cmocka_unit_test(maps_without_foot_x_refuse_a_patch),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -9,7 +9,7 @@ from tdmf_slip.library.gait import Gait
 class MapFamily(Family):
     """Fixed points of the n-th iterate of x' = step(x, p), with derivatives by x and p.
 
-    `step` gives the next place, the Jacobian, the change by the parameter, and the word.
+    `step` gives the next point, the Jacobian, the change by the parameter, and the word.
     """
 
     def __init__(self, step, dimension, strides=1, low=-np.inf):
@@ -20,17 +20,17 @@ class MapFamily(Family):
     def strides_at(self, value, apex):
         if value < self.low:
             raise InputError(f"p = {value:g} is not allowed")
-        place, jacobian, change = np.array(apex, dtype=float), np.eye(len(apex)), np.zeros(len(apex))
-        places, words = [], []
+        point, jacobian, change = np.array(apex, dtype=float), np.eye(len(apex)), np.zeros(len(apex))
+        points, words = [], []
         for _ in range(self.strides):
-            places.append(place)
-            place, by_place, by_parameter, word = self.step(place, value)
-            jacobian, change = by_place @ jacobian, by_place @ change + by_parameter
+            points.append(point)
+            point, by_point, by_parameter, word = self.step(point, value)
+            jacobian, change = by_point @ jacobian, by_point @ change + by_parameter
             words.append(word)
-        left_over = place - places[0]
+        left_over = point - points[0]
         return Gait(
             runner=None,
-            apex=places[0],
+            apex=points[0],
             word=" ".join(words),
             liftoff_angle=0.0,
             stride={"p": value},
@@ -40,7 +40,7 @@ class MapFamily(Family):
             error=float(np.max(np.abs(left_over))),
             iterations=0,
             events=(),
-            following=tuple(places[1:]),
+            following=tuple(points[1:]),
             left_over=left_over,
         )
 
@@ -68,8 +68,8 @@ def logistic(x, p):
     return p * x * (1 - x), np.array([p * (1 - 2 * x)]), x * (1 - x), "x"
 
 
-def henon(place, a, b=0.3):
-    x, y = place
+def henon(point, a, b=0.3):
+    x, y = point
     return (
         np.array([1 - a * x**2 + y, b * x]),
         np.array([[-2 * a * x, 1.0], [b, 0.0]]),
@@ -78,8 +78,8 @@ def henon(place, a, b=0.3):
     )
 
 
-def delayed_logistic(place, p):
-    x, y = place
+def delayed_logistic(point, p):
+    x, y = point
     return (
         np.array([p * x * (1 - y), x]),
         np.array([[p * (1 - y), -p * x], [1.0, 0.0]]),
@@ -99,9 +99,9 @@ def swapping_ring(x, p):
     return -x * (1 + 0.3 * off), np.array([-(1 + 0.3 * off) - 0.6 * x**2]), -0.6 * x * p, "x"
 
 
-def saddle(place, p):
+def saddle(point, p):
     """Eigenvalues p and 1/2: their product passes 1 at 2."""
-    x, y = place
+    x, y = point
     return np.array([p * x, y / 2]), np.array([[p, 0.0], [0.0, 0.5]]), np.array([x, 0.0]), "x"
 
 
@@ -118,10 +118,10 @@ def tent(left, right):
 def collision(left, right):
     """The normal form in two dimensions: trace and determinant on both sides of x = 0."""
 
-    def step(place, p):
-        (trace, determinant), word = (left, "-") if place[0] < 0.0 else (right, "+")
+    def step(point, p):
+        (trace, determinant), word = (left, "-") if point[0] < 0.0 else (right, "+")
         matrix = np.array([[trace, 1.0], [-determinant, 0.0]])
-        return matrix @ place + np.array([p, 0.0]), matrix, np.array([1.0, 0.0]), word
+        return matrix @ point + np.array([p, 0.0]), matrix, np.array([1.0, 0.0]), word
 
     return step
 
@@ -142,7 +142,7 @@ def two_sheets(gap):
 
 
 def falling(x, p):
-    """Beyond x = 1 there is no next place."""
+    """Beyond x = 1 there is no next point."""
     if x[0] > 1.0:
         raise RunError("the runner fell")
     return p + 0.5 * x, np.array([[0.5]]), np.ones(1), "-"

@@ -25,8 +25,8 @@ class Made(Family):
 
     def made(self, s, along=1.0):
         jacobian = np.zeros((6, 6))
-        for place, entry in enumerate(self.eigenvalues(s)):
-            jacobian[2 * place : 2 * place + 2, 2 * place : 2 * place + 2] = entry
+        for number, entry in enumerate(self.eigenvalues(s)):
+            jacobian[2 * number : 2 * number + 2, 2 * number : 2 * number + 2] = entry
         value = float(self.at(s))
         gait = replace(
             self.gait,

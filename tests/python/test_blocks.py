@@ -257,12 +257,12 @@ def interrupted(program, folder, *arguments):
         ("os.replace", ["grid.nc"]),
     ],
 )
-def test_an_interrupt_ends_a_grid_and_leaves_whole_rows(places, left, tmp_path):
+def test_an_interrupt_ends_a_grid_and_leaves_whole_rows(functions, left, tmp_path):
     """While threads start, compute, or a row is written."""
     folder = tmp_path / "folder"
     folder.mkdir()
     grid = ("sweep", "--friction", "0.5:0.6:2", "--vary", "leg.damping=0.1:0.3:500", "--output", "grid.nc")
-    status, said = interrupted(INTERRUPT_AT, folder, places, *grid, "--threads", "2")
+    status, said = interrupted(INTERRUPT_AT, folder, functions, *grid, "--threads", "2")
     assert status == 130
     assert said[-1].endswith(INTERRUPTED) and no_more_than_a_bar(said[:-1], "sweep"), said
     assert [path.name for path in folder.iterdir()] == left
@@ -274,11 +274,11 @@ def test_an_interrupt_ends_a_grid_and_leaves_whole_rows(places, left, tmp_path):
 
 @pytest.mark.skipif(sys.platform == "win32", reason="the interrupt is a POSIX signal")
 @pytest.mark.parametrize("places", ["running.Threads", "running._next_done"])
-def test_an_interrupt_ends_a_map(places, tmp_path):
+def test_an_interrupt_ends_a_map(functions, tmp_path):
     folder = tmp_path / "folder"
     folder.mkdir()
     options = ("--n", "128", "--samples", "0", "--output", "map.nc", "--threads", "2")
-    status, said = interrupted(INTERRUPT_AT, folder, places, "basin", *options)
+    status, said = interrupted(INTERRUPT_AT, folder, functions, "basin", *options)
     assert status == 130
     assert said[-1].endswith(INTERRUPTED) and no_more_than_a_bar(said[:-1], "basin"), said
     assert list(folder.iterdir()) == []

@@ -96,7 +96,7 @@ def test_gaits_of_two_strides_are_those_of_plain_strides(over_torque):
     for gait in doubled.gaits[len(doubled.gaits) // 3 :: 4]:
         apex, ran = settled(gait.runner, gait.apex + 1e-3 * gait.runner.scales)
         assert ran == STRIDES
-        both = [apart(gait.runner, apex, place) for place in (gait.apex, *gait.following)]
+        both = [apart(gait.runner, apex, other) for other in (gait.apex, *gait.following)]
         assert min(both) < 1e-9 < 1e-3 < max(both)
         next_apex, _ = settled(gait.runner, apex, 1)
         assert apart(gait.runner, next_apex, apex) == pytest.approx(max(both), rel=1e-6)
@@ -119,9 +119,9 @@ def test_gaits_of_four_strides_are_those_of_plain_strides(over_rate):
     assert gait.stable and gait.runner.values["hip.retraction_rate"] == four.values[-1] == 0.03
     apexes = [gait.apex, *gait.following]
     apex, ran = settled(gait.runner, gait.apex + 1e-4 * gait.runner.scales)
-    number = int(np.argmin([apart(gait.runner, apex, place) for place in apexes]))
+    number = int(np.argmin([apart(gait.runner, apex, other) for other in apexes]))
     for stride in range(9):
-        distances = [apart(gait.runner, apex, place) for place in apexes]
+        distances = [apart(gait.runner, apex, other) for other in apexes]
         assert int(np.argmin(distances)) == (number + stride) % 4 and min(distances) < 1e-8
         assert sorted(distances)[1] > 1e-4
         apex, _ = settled(gait.runner, apex, 1)
@@ -146,9 +146,9 @@ def test_a_branch_does_not_jump_to_another_sheet(unit):
     assert branch.ended.startswith(f"no convergence at {ANGLE}") and 0.7332 < branch.values[-1] < 0.734
     met = [(s.kind, s.words) for s in branch.specials if s.kind in ("word border", "fold", "Neimark-Sacker")]
     assert len(met) == len(set(met)) >= 2
-    places = np.array([np.append(o.apex / o.runner.scales, o.runner.values[ANGLE]) for o in branch.gaits])
-    ways = np.linalg.norm(np.diff(places, axis=0), axis=1)
-    apart = np.linalg.norm(places[:, None] - places, axis=2)
+    points = np.array([np.append(o.apex / o.runner.scales, o.runner.values[ANGLE]) for o in branch.gaits])
+    ways = np.linalg.norm(np.diff(points, axis=0), axis=1)
+    apart = np.linalg.norm(points[:, None] - points, axis=2)
     for number, (before, after) in enumerate(pairwise(ways), 1):
         nearest = np.delete(apart[number], [number - 1, number, number + 1]).min()
         assert nearest > 0.5 * min(before, after), number

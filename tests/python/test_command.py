@@ -241,7 +241,7 @@ def test_inputs_are_not_written_over(command, tmp_path):
 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="a folder that even root cannot write to is /proc")
-def test_a_place_where_nothing_can_be_written_is_known_before_the_work(command):
+def test_a_path_where_nothing_can_be_written_is_known_before_the_work(command):
     status, out, message = command("simulate", "--strides", 10**6, "--output", "/proc/run.csv")
     assert (status, out) == (2, "") and "/proc" in message
 

@@ -36,18 +36,18 @@ def kinds(branch):
     return [special.kind for special in branch.specials if special.kind != "word border"]
 
 
-def places_told(branch):
-    """How often the number of unstable eigenvalues changes or the branch turns; each time it is told."""
+def special_points_met(branch):
+    """How often the number of unstable eigenvalues changes or the branch turns; each time a special point is reported."""
     told = [special for special in branch.specials if special.kind != "word border"]
-    places = 0
+    changes = 0
     for (before, low), (after, high) in pairwise(zip(branch.gaits, branch.values, strict=True)):
         if before.unstable != after.unstable:
             slack = 0.5 * abs(high - low) + 1e-3 * abs(high)  # a fold lies beyond both
             assert any(min(low, high) - slack <= s.value <= max(low, high) + slack for s in told)
-            places += 1
+            changes += 1
     turns = np.count_nonzero(np.diff(np.sign(np.diff(branch.values))))
     assert turns <= len(told)
-    return places + turns
+    return changes + turns
 
 
 def assert_judged_rightly(special):
@@ -89,14 +89,14 @@ def test_a_branch_turns_at_a_fold(runner):
     assert_judged_rightly(fold)
     assert max(branch.values) <= fold.value + 1e-9
     assert branch.gaits[0].stable and not branch.gaits[-1].stable
-    assert places_told(branch) >= 2
+    assert special_points_met(branch) >= 2
 
 
 def test_a_fold_beside_word_borders_is_found(human):
     """In one step of the branch the word changes and the parameter turns back: the fold is told as well."""
     branch = trace(human, FRICTION, find_gait(human), 0.2)
     assert kinds(branch) == ["fold"]
-    assert places_told(branch) >= 1
+    assert special_points_met(branch) >= 1
     assert branch.gaits[0].stable and not branch.gaits[-1].stable
     assert branch.ended == "back at ground.friction = 0.6"
     words = [branch.gaits[0].word, *(border.after for border in branch.borders)]
@@ -138,7 +138,7 @@ def test_a_complex_pair_that_crosses_the_unit_circle_is_one(runner):
 )
 def test_nothing_is_passed_over_where_gaits_are_wild(human, name, end, most):
     branch = trace(human, name, find_gait(human), end, max_step=0.1, max_points=most)
-    assert places_told(branch) >= 1
+    assert special_points_met(branch) >= 1
     for special in branch.specials:
         assert_judged_rightly(special)
         low, high = sorted(special.between)
@@ -196,7 +196,7 @@ def test_a_border_on_which_the_branch_turns_is_not_judged(human):
     """As near as gaits are told apart: no eigenvalue has to be 1 there, so that it is not called a fold."""
     family = Family(human, FRICTION)
     start = family.point(family.gait(0.6, find_gait(human).apex), np.append(np.zeros(6), -1.0))
-    end = family.on_plane(family.place(start) + 0.5 * SHORTEST * start.direction, start.direction)
+    end = family.on_plane(family.coordinates(start) + 0.5 * SHORTEST * start.direction, start.direction)
     other = Point(replace(end.gait, word="+0-0+"), end.value, -start.direction)
     borders, specials = special_points(family, start, other)
     assert [special.kind for special in specials] == ["word border", "not judged"]

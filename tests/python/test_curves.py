@@ -22,13 +22,13 @@ class HenonPlane(Plane):
         self.names, self.kind, self.scales = ("a", "b"), kind, np.ones(4)
 
     def strides_at(self, at, along):
-        *place, a, b = at
-        family = MapFamily(lambda place, a: self.step(place, a, b, along), 2)
-        return family.strides_at(a, place)
+        *point, a, b = at
+        family = MapFamily(lambda point, a: self.step(point, a, b, along), 2)
+        return family.strides_at(a, point)
 
-    def step(self, place, a, b, along):
-        image, jacobian, by_a, word = henon(place, a, b)
-        return image, jacobian, by_a if along == "a" else np.array([0.0, place[0]]), word
+    def step(self, point, a, b, along):
+        image, jacobian, by_a, word = henon(point, a, b)
+        return image, jacobian, by_a if along == "a" else np.array([0.0, point[0]]), word
 
 
 def fixed_point(a, b, sign=1.0):
@@ -136,7 +136,7 @@ def test_a_border_has_each_word_on_its_side(unit, turned):
     assert [text.get_text() for text in texts] == ["+0−0+", "+0+"]
     line = axes.transData.transform(curves[0].points)
     for text in texts:
-        assert not any(text.get_window_extent().contains(*place) for place in line)
+        assert not any(text.get_window_extent().contains(*point) for point in line)
 
 
 def test_two_parameters_are_two(unit, command):

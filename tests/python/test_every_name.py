@@ -12,9 +12,9 @@ NOTHING_MOVES = {"ground.height", "ground.stribeck_velocity", "ground.patch_fric
 """Of these the unit's own gait does not depend: its foot at rest has no more friction than one that slips."""
 
 
-PLACES = {"ground.patch_begin", "ground.patch_end"}
+BORDERS = {"ground.patch_begin", "ground.patch_end"}
 """They make a patch, which is at a place that no apex tells: whatever rests on the return map refuses it."""
-NAMES = [name for name in VARIED if name not in PLACES]
+NAMES = [name for name in VARIED if name not in BORDERS]
 
 
 @pytest.fixture(scope="module")
@@ -25,7 +25,7 @@ def spans(unit):
         start, variable = unit.start_of(name), unit.variables[name]
         low, high = (0.98 * start, 1.03 * start) if start else (0.0, 0.002)
         found[name] = max(low, float(variable.minimum)), high
-    assert len(found) == len(PARAMETERS) + len(INPUTS) - len(PLACES) == 27
+    assert len(found) == len(PARAMETERS) + len(INPUTS) - len(BORDERS) == 27
     return found
 
 

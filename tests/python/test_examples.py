@@ -22,7 +22,9 @@ def test_the_runner_crosses_the_ice_and_recovers(load):
     example = load("ice_patch")
     strides = example.cross(strides=40)
     assert len(strides) == 40
-    on_ice = [word for place, word, _ in strides if example.friction_at(place) == example.FRICTION_ON_ICE]
+    on_ice = [
+        word for position, word, _ in strides if example.friction_at(position) == example.FRICTION_ON_ICE
+    ]
     assert on_ice and all("0" not in word for word in on_ice)
     speeds = [speed for _, _, speed in strides]
     assert min(speeds) < 1.03 < 1.0615 < speeds[-1]

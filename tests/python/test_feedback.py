@@ -451,10 +451,10 @@ def test_a_setting_at_the_end_of_its_range_and_one_that_does_not_act_are_refused
         InputError, match=r"hip.liftoff_angle_factor = 0 at this gait is at the end of its range"
     ):
         lqr(no_derivative_gain, ["hip.liftoff_angle_factor"])
-    placed = find_gait(model="reduced")
+    gait = find_gait(model="reduced")
     with pytest.raises(InputError, match=r"hip.kp does not act at this gait"):
-        lqr(placed, [ANGLE, "hip.kp"])
-    assert lqr(placed, [ANGLE, TORQUE]).lambda_max < placed.lambda_max
+        lqr(gait, [ANGLE, "hip.kp"])
+    assert lqr(gait, [ANGLE, TORQUE]).lambda_max < gait.lambda_max
 
 
 def test_what_is_no_gait_is_refused(gaits):

@@ -76,9 +76,9 @@ def test_what_is_kept_of_the_figure_is_what_is_measured(few, monkeypatch):
     name = "quadratic regulator: touchdown angle"
     law = dataclasses.replace(feedback.laws(gait)[name], noise=[feedback.NOISE] * 6, seed=feedback.SEED)
     found = judgement.judge(gait, law, roughness=[0.5], seed=feedback.SEED)
-    (place,) = np.flatnonzero((data["law"] == name) & (data["friction"] == 10.0))
-    assert found.first_passages[0].mean_strides == pytest.approx(data["mean_strides_0.5"][place], rel=0.05)
-    assert found.robustness.push_backward == pytest.approx(data["push_backward"][place], abs=0.01)
+    (row,) = np.flatnonzero((data["law"] == name) & (data["friction"] == 10.0))
+    assert found.first_passages[0].mean_strides == pytest.approx(data["mean_strides_0.5"][row], rel=0.05)
+    assert found.robustness.push_backward == pytest.approx(data["push_backward"][row], abs=0.01)
     low, high = found.volume.interval
-    assert low < data["attracted_share"][place] < high
-    assert law.lambda_max == pytest.approx(data["lambda_max"][place], rel=1e-6)
+    assert low < data["attracted_share"][row] < high
+    assert law.lambda_max == pytest.approx(data["lambda_max"][row], rel=1e-6)

@@ -63,8 +63,8 @@ def test_what_the_papers_text_tells_is_marked_on_the_curves_or_off_them(monkeypa
         marks = [line for line in axes.lines if line.get_label() == style.PUBLISHED["label"]]
         curves = [line.get_xydata() for line in axes.lines if line.get_linestyle() != "None"]
         rising = [curve[np.argsort(curve[:, 0])].T for curve in curves if len(curve) > 2]
-        for place, value in (point for mark in marks for point in mark.get_xydata()):
-            off[place, value] = min(abs(np.interp(place, *curve) / value - 1.0) for curve in rising)
+        for x, value in (point for mark in marks for point in mark.get_xydata()):
+            off[x, value] = min(abs(np.interp(x, *curve) / value - 1.0) for curve in rising)
     speed, cost = (gaits.gaits[0].stride[name] for name in ("speed", "cost_of_transport"))
     assert list(off) == [
         (40.0, 0.84),

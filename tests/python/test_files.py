@@ -82,17 +82,17 @@ def test_figures_tell_of_a_full_disk(tmp_path):
 @POSIX_ONLY
 @pytest.mark.parametrize("kind", ["pipe", "device", "link in a circle"])
 def test_what_is_no_file_is_refused_before_the_work(writer, kind, command, tmp_path):
-    place = tmp_path / file_of(writer, "result")
+    path = tmp_path / file_of(writer, "result")
     if kind == "pipe":
-        os.mkfifo(place)
+        os.mkfifo(path)
     else:
-        place.symlink_to("/dev/null" if kind == "device" else place)
-    before = place.lstat()
+        path.symlink_to("/dev/null" if kind == "device" else path)
+    before = path.lstat()
     status, out, message = command(*arguments(writer, "result"))
     assert (status, out) == (2, "") and len(message.strip().splitlines()) == 1
     reason = "symbolic links" if kind == "link in a circle" else "a pipe or device; allowed: a file"
     assert reason in message
-    assert place.lstat().st_ino == before.st_ino and len(list(tmp_path.iterdir())) == 1
+    assert path.lstat().st_ino == before.st_ino and len(list(tmp_path.iterdir())) == 1
 
 
 @POSIX_ONLY
@@ -196,7 +196,7 @@ def test_an_error_leaves_the_old_file_and_no_other(tmp_path):
         beside.write_text("new")
         assert beside.parent == tmp_path and beside.suffix == ".csv" and file.read_text() == "old"
         _ = 1 / 0
-    assert [place.name for place in tmp_path.iterdir()] == ["old.csv"] and file.read_text() == "old"
+    assert [path.name for path in tmp_path.iterdir()] == ["old.csv"] and file.read_text() == "old"
 
 
 @POSIX_ONLY
@@ -205,7 +205,7 @@ def test_an_interrupt_waits_until_the_file_is_there(tmp_path):
     with pytest.raises(KeyboardInterrupt), whole.whole(file) as beside:
         signal.raise_signal(signal.SIGINT)
         beside.write_text("new")
-    assert [place.name for place in tmp_path.iterdir()] == ["new.csv"] and file.read_text() == "new"
+    assert [path.name for path in tmp_path.iterdir()] == ["new.csv"] and file.read_text() == "new"
 
 
 def test_a_folder_that_cannot_be_is_refused(tmp_path):
@@ -213,8 +213,8 @@ def test_a_folder_that_cannot_be_is_refused(tmp_path):
     with pytest.raises(InputError, match=r"what: .*cannot be written to"):
         whole.check_folder(tmp_path / "file" / "folder", "what")
     with pytest.raises(InputError, match=r"what: .*no folder"):
-        whole.check_place(tmp_path / "none" / "run.csv", [".csv"], "what")
-    assert [place.name for place in tmp_path.iterdir()] == ["file"]
+        whole.check_destination(tmp_path / "none" / "run.csv", [".csv"], "what")
+    assert [path.name for path in tmp_path.iterdir()] == ["file"]
 
 
 def test_a_dataset_comes_back_as_it_was(command, tmp_path):

@@ -36,11 +36,11 @@ def page(functions):
     """xddot = pull - stiffness x - 2 damping xdot, and one quantity of each kind made of it."""
 
     def start(at):
-        """Place and velocity."""
+        """Position and velocity."""
         return Record(x=at.x, v=at.v)
 
     def end(s):
-        """Place and velocity at a time, and the energy of a unit spring."""
+        """Position and velocity at a time, and the energy of a unit spring."""
         return Record(x=s.x, v=s.v, energy=(s.x * s.x + s.v * s.v) / 2)
 
     def motion(c, s):
@@ -80,9 +80,9 @@ def closed_form(t, stiffness, damping, pull, pull_rate, x, v):
     a, decay = x - level, math.exp(-damping * t)
     b = (v - slope + damping * a) / frequency
     sine, cosine = math.sin(frequency * t), math.cos(frequency * t)
-    place = decay * (a * cosine + b * sine)
-    at = level + slope * t + place
-    rate = slope - damping * place + decay * frequency * (b * cosine - a * sine)
+    swing = decay * (a * cosine + b * sine)
+    at = level + slope * t + swing
+    rate = slope - damping * swing + decay * frequency * (b * cosine - a * sine)
     force = pull + pull_rate * t
     distance = math.sqrt(1 + at * at)
     acceleration = force - stiffness * at - 2 * damping * rate

@@ -44,9 +44,9 @@ def test_pieces_without_heights_change_no_bit(gait, length):
 def test_a_step_at_a_place_is_that_of_the_stride_that_meets_it(gait, step):
     """The edge at 20 m is passed high above it, on the way to the second landing."""
     ground = RoughGround(piece_length=20.0, heights=(0.0, step, step))
-    placed = runs(gait, ground, strides=2)[0]
+    on_terrain = runs(gait, ground, strides=2)[0]
     # Both last apices are told above the upper ground.
-    assert placed["apex"] == pytest.approx(by_stride(gait, [0.0, step]), abs=1e-9)
+    assert on_terrain["apex"] == pytest.approx(by_stride(gait, [0.0, step]), abs=1e-9)
 
 
 def test_pieces_as_long_as_strides_are_steps_by_stride(gait):
@@ -56,9 +56,11 @@ def test_pieces_as_long_as_strides_are_steps_by_stride(gait):
         heights = np.cumsum(steps.steps(runner, 5))
         # Runner 0 of the ground of place begins on its first piece, which is its own level.
         ground = RoughGround(piece_length=length, heights=tuple(heights))
-        placed = runs(gait, ground, strides=4)[0]
+        on_terrain = runs(gait, ground, strides=4)[0]
         # Apices are above an edge, and on which side of it tells only their height.
-        assert placed["apex"][1:] == pytest.approx(by_stride(gait, heights[:4] - heights[0])[1:], abs=1e-8)
+        assert on_terrain["apex"][1:] == pytest.approx(
+            by_stride(gait, heights[:4] - heights[0])[1:], abs=1e-8
+        )
 
 
 def test_the_piece_below_the_foot_counts_and_not_its_neighbour(gait):
@@ -137,11 +139,11 @@ def test_runner_n_begins_on_piece_n(gait):
 def test_friction_is_that_of_the_piece_that_the_foot_comes_down_on(gait):
     """With pieces of a stride the number of the piece is that of the stride."""
     length = float(gait.stride["length"])
-    placed = runs(gait, RoughGround(0.0, 7, friction_spread=0.2, piece_length=length), strides=4)
+    on_terrain = runs(gait, RoughGround(0.0, 7, friction_spread=0.2, piece_length=length), strides=4)
     strides = runs(gait, RoughGround(0.0, 7, friction_spread=0.2), strides=4)
-    assert placed["apex"] == pytest.approx(strides["apex"], abs=1e-9)
+    assert on_terrain["apex"] == pytest.approx(strides["apex"], abs=1e-9)
     level = runs(gait, RoughGround(), strides=4)
-    assert np.abs(placed["apex"] - level["apex"]).max() > 1e-3
+    assert np.abs(on_terrain["apex"] - level["apex"]).max() > 1e-3
 
 
 def test_strides_to_fall_counts_on_it(gait):

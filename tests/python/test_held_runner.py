@@ -52,7 +52,7 @@ def system(example, tmp_path_factory):
 
 @pytest.fixture(scope="module")
 def expected(example):
-    """The library's run: time, place, leg angle, speed and touchdown angle after each step."""
+    """The library's run: time, position, leg angle, speed and touchdown angle after each step."""
     return np.array(example.by_communication(STEP, STOP_TIME))
 
 
@@ -64,7 +64,7 @@ def test_fmpy_runs_the_system_as_the_library(system, expected):
     rows = simulate_ssp(str(system), stop_time=STOP_TIME, step_size=STEP)
     assert rows["runner.stride.count"][-1] == 5 and len(rows) == len(expected)
     assert len(np.unique(expected[:, 4])) == 6  # none at first, then one for each stride
-    for name, column in (("place", 1), ("leg_angle", 2), ("speed", 3)):
+    for name, column in (("position", 1), ("leg_angle", 2), ("speed", 3)):
         assert rows[name] == pytest.approx(expected[:, column], rel=1e-8, abs=1e-8), name
 
 
@@ -80,7 +80,7 @@ def test_a_container_runs_the_system_as_the_library(system, expected, tmp_path):
     rows = np.load(table)[1:]
     count = min(len(rows), len(expected))
     assert count > 1490
-    for name, column in (("place", 1), ("leg_angle", 2), ("speed", 3)):
+    for name, column in (("position", 1), ("leg_angle", 2), ("speed", 3)):
         assert rows[name][:count] == pytest.approx(expected[:count, column], rel=1e-8, abs=1e-8), name
 
 

@@ -59,10 +59,10 @@ def logistic_period(r, longest=16):
     x = 0.4
     for _ in range(200_000):
         x = r * x * (1.0 - x)
-    places = [x]
+    orbit = [x]
     for _ in range(longest):
-        places.append(r * places[-1] * (1.0 - places[-1]))
-    return next(n for n in range(1, longest + 1) if abs(places[n] - x) < 1e-6)
+        orbit.append(r * orbit[-1] * (1.0 - orbit[-1]))
+    return next(n for n in range(1, longest + 1) if abs(orbit[n] - x) < 1e-6)
 
 
 def test_a_period_that_doubles_again_is_followed_and_a_third_time_is_told():
@@ -76,8 +76,8 @@ def test_a_period_that_doubles_again_is_followed_and_a_third_time_is_told():
     assert told(four) == [("period doubling", 3.544090359551)]
     assert four.specials[0].why == "gaits of 8 strides are not followed"
     assert four.specials[0].as_json()["why"] == four.specials[0].why
-    places = [special.specials[0].value for special in (doubled, two, four)]
-    for number, value in enumerate(places):
+    orbit = [special.specials[0].value for special in (doubled, two, four)]
+    for number, value in enumerate(orbit):
         assert [logistic_period(value + off) for off in (-3e-3, 3e-3)] == [2**number, 2 ** (number + 1)]
     compared = 0
     for r, gait in zip(four.values, four.gaits, strict=True):

@@ -10,7 +10,7 @@ from tdmf_slip import AffineLaw, InputError, Runner, basin, find_gait, strides_t
 from tdmf_slip.analysis import basin as basin_module
 from tdmf_slip.analysis.controlled_gait import check_attracts, jacobian_under
 from tdmf_slip.analysis.fates import fates
-from tdmf_slip.analysis.first_passages import Place, stay
+from tdmf_slip.analysis.first_passages import Trial, first_passage
 from tdmf_slip.analysis.robustness import robustness
 from tdmf_slip.analysis.volume import volume
 from tdmf_slip.library.return_map import stride_from
@@ -75,8 +75,8 @@ def test_a_law_that_settles_a_runner_keeps_it_up_longer(gait, settling):
         for law in (None, settling)
     )
     assert held.interval[0] > free.interval[1]
-    places = [Place(gait.runner, 0.5, 200, 1, 60, law) for law in (None, settling)]
-    assert [stay(place) for place in places] == [free, held]
+    trials = [Trial(gait.runner, 0.5, 200, 1, 60, law) for law in (None, settling)]
+    assert [first_passage(trial) for trial in trials] == [free, held]
 
 
 def test_a_law_that_settles_a_runner_lets_it_recover_from_more(gait, settling):
@@ -86,7 +86,7 @@ def test_a_law_that_settles_a_runner_lets_it_recover_from_more(gait, settling):
     assert in_the_box[1] > in_the_box[0]
 
 
-def test_noise_is_drawn_by_the_place_in_the_slice(gait, settling, monkeypatch, tmp_path):
+def test_noise_is_drawn_by_the_number_in_the_slice(gait, settling, monkeypatch, tmp_path):
     """Not by the block, nor by who computes it, nor by where a file was gone on with."""
     noisy = AffineLaw(
         settling.inputs,

@@ -13,32 +13,32 @@ LOW, HIGH = np.array([0.4, 0.05]), np.array([0.9, 0.5])
 
 
 def test_each_basin_of_a_wavy_function_is_begun_in():
-    """cos 4 pi x cos 4 pi y has its least, -1, at twelve places of the square, all but four on its edges."""
-    places = evenly(2000, 2)
-    merits = np.prod(np.cos(4.0 * np.pi * places), axis=1)
-    begun = places[list(linked(places, merits))]
+    """cos 4 pi x cos 4 pi y has its least, -1, at twelve points of the square, all but four on its edges."""
+    points = evenly(2000, 2)
+    merits = np.prod(np.cos(4.0 * np.pi * points), axis=1)
+    begun = points[list(linked(points, merits))]
     grid = [(x, y) for x in np.arange(5) / 4.0 for y in np.arange(5) / 4.0]
-    least = [place for place in grid if np.prod(np.cos(4.0 * np.pi * np.array(place))) < -0.9]
+    least = [point for point in grid if np.prod(np.cos(4.0 * np.pi * np.array(point))) < -0.9]
     assert len(least) == 12
-    for place in least:
-        assert np.min(np.linalg.norm(begun - place, axis=1)) < 0.05
+    for point in least:
+        assert np.min(np.linalg.norm(begun - point, axis=1)) < 0.05
     assert len(begun) < 40
 
 
 def test_one_basin_is_begun_in_once():
-    places = evenly(500, 3)
-    begun = linked(places, np.sum((places - 0.4) ** 2, axis=1))
+    points = evenly(500, 3)
+    begun = linked(points, np.sum((points - 0.4) ** 2, axis=1))
     assert len(begun) == 1
-    assert linked(places[:0], np.zeros(0)) == []
+    assert linked(points[:0], np.zeros(0)) == []
 
 
 @pytest.mark.parametrize("dimension", [1, 2, 5])
-def test_places_fill_a_box_evenly(dimension):
+def test_points_fill_a_box_evenly(dimension):
     """Each half of each side has half of them."""
-    places = evenly(1000, dimension)
-    assert np.all((places >= 0.0) & (places < 1.0))
-    assert np.mean(places < 0.5, axis=0) == pytest.approx(0.5, abs=0.01)
-    assert np.array_equal(evenly(10, dimension, 990), places[990:])
+    points = evenly(1000, dimension)
+    assert np.all((points >= 0.0) & (points < 1.0))
+    assert np.mean(points < 0.5, axis=0) == pytest.approx(0.5, abs=0.01)
+    assert np.array_equal(evenly(10, dimension, 990), points[990:])
 
 
 @pytest.mark.parametrize("model", ["full", "reduced"])

@@ -282,7 +282,7 @@ def test_a_fall_and_a_runner_too_stiff_are_told(driver, address):
     assert "too stiff" in sentence(driver)
 
 
-def test_a_place_on_the_page_is_no_runner(driver, address):
+def test_a_fragment_of_the_page_is_no_runner(driver, address):
     open_page(driver, address, "#ground.friction=0.3")
     driver.execute_script("location.hash = '#gait-title'")
     wait(driver, "location.hash === '#gait-title'", "the address")

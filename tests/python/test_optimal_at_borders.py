@@ -128,7 +128,7 @@ def test_gradients_are_the_same_on_both_sides_of_borders_between_words(friction,
     space = Space({"ground.friction": (0.1, 2.0), "hip.touchdown_angle": (0.6, 0.8)})
     ends = [find_gait({"ground.friction": value}) for value in (0.99 * friction, 1.01 * friction)]
     gaits = Gaits(ends[0].runner, space, QUANTITIES)
-    inside, outside = (gaits.candidate(gait, space.place_of(gait.runner)) for gait in ends)
+    inside, outside = (gaits.candidate(gait, space.coordinates_of(gait.runner)) for gait in ends)
     border = between(gaits, inside, outside, lambda gait: gait.word == words[0])
     assert (border.short.gait.word, border.beyond.gait.word) == words
     assert border.is_smooth

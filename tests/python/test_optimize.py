@@ -32,7 +32,7 @@ def test_gradients_are_those_of_differences_of_solved_gaits(runner, model):
     first = find_gait(runner, model=model)
     space, step = space_around(first), 1e-5
     gaits = Gaits(first.runner, space, known_quantities(first.runner), spectrum=True)
-    gait = gaits.candidate(first, space.place_of(first.runner))
+    gait = gaits.candidate(first, space.coordinates_of(first.runner))
     compared = 0
     for k in range(len(space.bounds)):
         aside = step * np.eye(len(space.bounds))[k]
@@ -76,10 +76,10 @@ def test_an_optimum_over_one_parameter_is_that_of_a_fine_grid(sign):
     best = optimize(setting, {over: (low, high)}, starts=1, **{asked: quantity})
     grid = sweep(setting, {over: np.linspace(low, high, 41)})
     values = np.array([gait.stride[quantity] for gait in grid.gaits])
-    place = np.argmin(sign * values)
-    assert len(values) == 41 and 0 < place < 40
-    assert best.parameters[over] == pytest.approx(grid.values[place], abs=(high - low) / 40)
-    assert 0.0 <= sign * (values[place] - best.value) < 1e-3 * best.value
+    index = np.argmin(sign * values)
+    assert len(values) == 41 and 0 < index < 40
+    assert best.parameters[over] == pytest.approx(grid.values[index], abs=(high - low) / 40)
+    assert 0.0 <= sign * (values[index] - best.value) < 1e-3 * best.value
     assert best.why == "" and max(best.falls.values()) <= 1e-4
 
 
@@ -267,7 +267,7 @@ def test_a_search_goes_through_pieces_too_narrow_for_differences():
     assert best.why == "" and best.value < 0.0138 and best.gait.lambda_max < 0.99
 
 
-def test_the_best_place_along_the_edge_of_a_fold_is_found():
+def test_the_best_point_along_the_edge_of_a_fold_is_found():
     """Of two parameters one is left along the edge; by a grid over it there is no better place."""
     slow, over = {**STICKING, TORQUE: 0.11}, {TORQUE: (0.1, 0.12), "leg.damping": (0.19, 0.21)}
     best = optimize(slow, over, minimize="cost_of_transport", starts=1)

@@ -87,7 +87,7 @@ def test_model_exchange(run_over, run):
 
 @pytest.mark.parametrize("friction", [10.0, 1.2, 0.6, 0.43, 0.2])
 def test_a_patch_of_no_length_changes_no_bit(friction):
-    """Of the published gaits' strides, whatever its friction and place."""
+    """Of the published gaits' strides, whatever its friction and position."""
     runner = {"ground.friction": friction}
     apex = tdmf_slip.find_gait(runner).apex
     as_ever = tdmf_slip.stride_map(runner, apex, strides=2)
@@ -100,13 +100,13 @@ def test_a_patch_of_no_length_changes_no_bit(friction):
 
 
 def test_where_a_foot_lands_decides():
-    """Runners that differ in the place of their feet alone: over the patch, before and behind it."""
+    """Runners that differ in the position of their feet alone: over the patch, before and behind it."""
     (first,) = (run for run in RUNS if run["name"] == "P1")
-    places = np.array([0.0, -30.0, 30.0])
-    made = tdmf_slip.stride_map(first["start_values"], first["apex"], foot_x=places)
+    positions = np.array([0.0, -30.0, 30.0])
+    made = tdmf_slip.stride_map(first["start_values"], first["apex"], foot_x=positions)
     over, before, behind = made["next_apex"].values[:, 0]
     assert before == pytest.approx(behind, rel=1e-9) and abs(over - before).max() > 0.01
-    length = made["foot.x"].values[:, 0] - places
+    length = made["foot.x"].values[:, 0] - positions
     assert length[1] == pytest.approx(length[2], rel=1e-9) and abs(length[0] - length[1]) > 0.1
 
 
@@ -127,7 +127,7 @@ def test_where_a_foot_lands_decides():
     ],
     ids=["gait", "reduced gait", "sweep", "basin", "reduced strides", "one of many", "ensemble with a gait"],
 )
-def test_what_has_no_place_for_a_patch_says_so(refused):
+def test_what_has_no_foot_x_refuses_a_patch(refused):
     with pytest.raises(tdmf_slip.InputError, match=r"ground\.patch_end = 12\.52"):
         refused()
 
@@ -141,7 +141,7 @@ def test_what_has_no_place_for_a_patch_says_so(refused):
         ("here", "foot_x"),
     ],
 )
-def test_a_place_that_is_none_is_refused(foot_x, said):
+def test_a_foot_x_that_is_none_is_refused(foot_x, said):
     with pytest.raises(tdmf_slip.InputError, match=said):
         tdmf_slip.stride_map(PATCH, [RUNS[0]["apex"]] * 2, foot_x=foot_x)
 
@@ -163,17 +163,17 @@ def test_strides_to_fall_begins_on_the_gait_without_the_patch_at_any_phase():
     gait = tdmf_slip.find_gait(DOWNHILL | {"ground.patch_end": 100.0})
     found = tdmf_slip.strides_to_fall(DOWNHILL, 0.0, runners=40, max_strides=120, seed=3, foot_x="random")
     assert found.word == gait.word and found.falls > 0
-    places = 100.0 - np.random.default_rng(3).uniform(1.0, 2.0, 40) * gait.stride["length"]
-    run = tdmf_slip.stride_map(DOWNHILL, gait.apex, strides=120, foot_x=places)
+    positions = 100.0 - np.random.default_rng(3).uniform(1.0, 2.0, 40) * gait.stride["length"]
+    run = tdmf_slip.stride_map(DOWNHILL, gait.apex, strides=120, foot_x=positions)
     fell = (run["fate"].values == 1).any(axis=1)
     assert found.falls == np.count_nonzero(fell)
-    given = tdmf_slip.strides_to_fall(DOWNHILL, 0.0, runners=40, max_strides=120, foot_x=places)
+    given = tdmf_slip.strides_to_fall(DOWNHILL, 0.0, runners=40, max_strides=120, foot_x=positions)
     assert (given.falls, given.strides) == (found.falls, found.strides)
     behind = tdmf_slip.strides_to_fall(DOWNHILL, 0.0, runners=4, max_strides=120, foot_x=600.0)
     assert behind.falls == 0
 
 
 @pytest.mark.parametrize("foot_x", ["anywhere", [0.0, 1.0], float("inf")])
-def test_strides_to_fall_refuses_places_that_are_none(foot_x):
+def test_strides_to_fall_refuses_a_foot_x_that_is_none(foot_x):
     with pytest.raises(tdmf_slip.InputError, match="foot_x"):
         tdmf_slip.strides_to_fall(DOWNHILL, 0.0, runners=3, max_strides=1, foot_x=foot_x)

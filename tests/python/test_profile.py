@@ -9,8 +9,8 @@ from tdmf_slip import InputError, Profile, simulate
 
 def test_a_profile_has_the_height_of_its_lines():
     profile = Profile([0.0, 10.0, 10.0, 30.0], [0.0, 1.0, 2.0, -2.0])
-    places = np.array([-5.0, 0.0, 5.0, 9.999999, 10.0, 20.0, 30.0, 99.0])
-    assert profile.height(places) == pytest.approx([0.0, 0.0, 0.5, 1.0, 2.0, 0.0, -2.0, -2.0], abs=1e-6)
+    positions = np.array([-5.0, 0.0, 5.0, 9.999999, 10.0, 20.0, 30.0, 99.0])
+    assert profile.height(positions) == pytest.approx([0.0, 0.0, 0.5, 1.0, 2.0, 0.0, -2.0, -2.0], abs=1e-6)
     line = profile.line(20.0)
     assert math.tan(line.slope) == pytest.approx(-0.2) and line.height == pytest.approx(4.0)
     assert profile.steepest == pytest.approx(math.atan(-0.2))

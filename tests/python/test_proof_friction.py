@@ -51,8 +51,8 @@ def test_a_range_of_the_speed_at_which_friction_falls_is_proved():
     assert proof.proved, proof.sentence
     assert proof.words == ("+-",)
     assert proof.stable
-    place = np.array(proof.subintervals[0].centre)
-    assert np.allclose(place, apex, atol=1e-5)
+    centre = np.array(proof.subintervals[0].centre)
+    assert np.allclose(centre, apex, atol=1e-5)
 
 
 def test_a_patch_is_refused_by_name():

@@ -31,7 +31,7 @@ def filled(data, rows):
         data["fate"].values[row] = [0, 1, 0]
 
 
-def test_a_row_is_written_in_its_place_and_no_other_byte_changes(tmp_path):
+def test_a_row_is_written_at_its_offset_and_no_other_byte_changes(tmp_path):
     path, data = tmp_path / "größe.nc", blank()
     file = RowFile(path, data)
     assert read_dataset(path).identical(blank())

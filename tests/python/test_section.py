@@ -9,16 +9,16 @@ APEX = (1.4, 1.1, 0.97, 0.6, -0.03, 0.2)
 
 @pytest.mark.parametrize("masses", [{}, {"body.mass": 80.0, "foot.mass": 4.0}])
 def test_the_state_at_an_apex_has_its_centre_of_mass_there(masses):
-    """By its own definition: the bodies' places and velocities (7), weighted by their masses."""
+    """By its own definition: the bodies' positions and velocities (7), weighted by their masses."""
     runner = Runner.of(masses)
     values = runner.state_at(APEX)
     body, foot = masses.get("body.mass", 1.0), masses.get("foot.mass", 0.1)
     r, angle = values["leg.length"], values["leg.angle"]
     rate, turn = values["leg.length_rate"], values["leg.angle_rate"]
     along, across = np.array([-np.sin(angle), np.cos(angle)]), np.array([-np.cos(angle), -np.sin(angle)])
-    place = np.array([values["foot.x"], values["foot.y"]])
+    foot_position = np.array([values["foot.x"], values["foot.y"]])
     velocity = np.array([values["foot.vx"], values["foot.vy"]])
-    center = place + body / (body + foot) * r * along
+    center = foot_position + body / (body + foot) * r * along
     moves = velocity + body / (body + foot) * (rate * along + r * turn * across)
     assert (center[1], values["foot.x"]) == pytest.approx((APEX[0], 0.0), abs=1e-14)
     assert moves == pytest.approx([APEX[1], 0.0], abs=1e-14)

@@ -64,8 +64,8 @@ def test_the_python_way_with_only_the_wheel(environment, runner, gait):
 
 @pytest.mark.skipif(shutil.which("pkg-config") is None, reason="pkg-config is not installed")
 def test_the_c_way_against_the_installed_library(installed_library, tmp_path, runner, gait):
-    (place,) = re.findall(r"```\{literalinclude\} (\S+\.c)\n", PRINTED)
-    code = with_values((GUIDES / place).read_text(encoding="utf-8"), "{} = {};", runner)
+    (path,) = re.findall(r"```\{literalinclude\} (\S+\.c)\n", PRINTED)
+    code = with_values((GUIDES / path).read_text(encoding="utf-8"), "{} = {};", runner)
     (tmp_path / "strides.c").write_text(code, encoding="utf-8")
     (folder,) = {path.parent for path in installed_library.rglob("tdmf_slip.pc")}
     variables = os.environ | {"PKG_CONFIG_PATH": str(folder)}

@@ -20,11 +20,11 @@ OF_THE_GAITS = {"snapshots", "stride"}
 def test_a_mean_on_rough_ground_is_what_is_kept():
     data = stored.columns("rough")
     of_it = (data["roughness"] == 0.5) & (data["friction"] == 1.2)
-    (place,) = np.flatnonzero(of_it & (data["matched"] == 0.0))
+    (row,) = np.flatnonzero(of_it & (data["matched"] == 0.0))
     found = strides_to_fall(
         {"ground.friction": 1.2}, 0.5, rough.RUNNERS, rough.SEED, rough.MAX_STRIDES, threads=1
     )
-    assert found.mean_strides == pytest.approx(data["mean_strides"][place], rel=0.05)
+    assert found.mean_strides == pytest.approx(data["mean_strides"][row], rel=0.05)
 
 
 def test_matched_runners_on_rough_ground_are_what_is_kept():
@@ -39,18 +39,18 @@ def test_matched_runners_on_rough_ground_are_what_is_kept():
     )
     runner = Runner(runners.gaits[1].runner.values)
     found = strides_to_fall(runner, 0.5, rough.RUNNERS, rough.SEED, rough.MAX_STRIDES, threads=1)
-    (place,) = np.flatnonzero(matched & (data["friction"] == 10.0))
-    assert found.mean_strides == pytest.approx(data["mean_strides"][place], rel=0.1)
+    (row,) = np.flatnonzero(matched & (data["friction"] == 10.0))
+    assert found.mean_strides == pytest.approx(data["mean_strides"][row], rel=0.1)
 
 
 def test_gaits_on_slopes_are_what_is_kept():
     data = stored.columns("slope")
     for friction in slope.COLOURS:
-        place = np.flatnonzero(data["friction"] == friction)[0]
-        angle = np.radians(data["slope_degrees"][place])
+        row = np.flatnonzero(data["friction"] == friction)[0]
+        angle = np.radians(data["slope_degrees"][row])
         gait = find_gait(Runner.of({"ground.friction": friction, "ground.slope": angle}))
         for name in ("speed", "cost_of_transport"):
-            assert gait.stride[name] == pytest.approx(data[name][place], rel=1e-7)
+            assert gait.stride[name] == pytest.approx(data[name][row], rel=1e-7)
 
 
 def test_gaits_of_each_actuation_are_what_is_kept():
@@ -58,16 +58,16 @@ def test_gaits_of_each_actuation_are_what_is_kept():
     compared = 0
     for friction in thrust.FRICTIONS:
         for chosen in thrust.actuated(data).values():
-            places = np.flatnonzero(chosen & (data["friction"] == friction) & (data["stable"] > 0.0))
-            for place in places[len(places) // 2 :][:1]:
-                torque, thrusts = (data[name][place] for name in ("hip_torque", "thrust"))
+            rows = np.flatnonzero(chosen & (data["friction"] == friction) & (data["stable"] > 0.0))
+            for row in rows[len(rows) // 2 :][:1]:
+                torque, thrusts = (data[name][row] for name in ("hip_torque", "thrust"))
                 start = {"ground.friction": friction, thrust.TORQUE: torque, thrust.THRUST: thrusts}
-                start[thrust.ANGLE] = data["touchdown_angle"][place]
+                start[thrust.ANGLE] = data["touchdown_angle"][row]
                 stride = find_gait(Runner.of(start)).stride
                 slip = stride["slip_distance"] / stride["length"]
-                assert slip == pytest.approx(data["slip_per_length"][place], rel=1e-7, abs=1e-12)
+                assert slip == pytest.approx(data["slip_per_length"][row], rel=1e-7, abs=1e-12)
                 for name in ("speed", "cost_of_transport"):
-                    assert stride[name] == pytest.approx(data[name][place], rel=1e-7)
+                    assert stride[name] == pytest.approx(data[name][row], rel=1e-7)
                 compared += 1
     assert compared == 10
 
@@ -84,9 +84,9 @@ def test_patches_fell_downhill_by_the_grip_beyond_them_and_nobody_on_level_groun
     its = slippery_patch.gaits(Runner.of({}), -4.0)
     for gait, matched in its:
         rows = (data["slope"] == -4.0) & (data["matched"] == matched) & (data["friction"] == gait.friction)
-        for place in np.flatnonzero(rows)[[3, 60, 100]]:
-            friction, length = data["patch_friction"][place], data["length"][place]
-            assert slippery_patch.falls(gait, friction, length) == data["falls"][place]
+        for row in np.flatnonzero(rows)[[3, 60, 100]]:
+            friction, length = data["patch_friction"][row], data["length"][row]
+            assert slippery_patch.falls(gait, friction, length) == data["falls"][row]
 
 
 def test_matched_runners_with_thrust_hop_as_high_as_by_the_hip_alone_and_slip_more():
@@ -124,9 +124,9 @@ def test_viable_shares_of_matched_runners_are_what_is_kept():
     assert tuple(data["friction"]) == viability.FRICTIONS
     assert (data["inner_share"] <= data["outer_share"]).all()
     assert (data["inner_robustness"] <= data["outer_robustness"]).all()
-    (place,) = np.flatnonzero(data["friction"] == 1.2)
+    (row,) = np.flatnonzero(data["friction"] == 1.2)
     names = ("hip.stance_torque", "hip.touchdown_angle")
-    values = {"ground.friction": 1.2, **{name: data[name][place] for name in names}}
+    values = {"ground.friction": 1.2, **{name: data[name][row] for name in names}}
     gait, reference = (
         find_gait(of, model="reduced") for of in (values, {"ground.friction": viability.REFERENCE})
     )
@@ -134,30 +134,30 @@ def test_viable_shares_of_matched_runners_are_what_is_kept():
         (value,), (wanted,) = (quantities_of(of, [name]).values() for of in (gait, reference))
         assert value == pytest.approx(wanted, rel=1e-6)
     found = find_viable(values, axes=viability.AXES, vary=viability.CHOSEN, n=viability.CELLS)
-    assert found.inner_share == pytest.approx(data["inner_share"][place], abs=1e-3)
-    assert found.outer_robustness.mean() == pytest.approx(data["outer_robustness"][place], abs=1e-3)
+    assert found.inner_share == pytest.approx(data["inner_share"][row], abs=1e-3)
+    assert found.outer_robustness.mean() == pytest.approx(data["outer_robustness"][row], abs=1e-3)
 
 
 def test_optimal_runners_are_what_is_kept():
     """They are gaits, the search finds no better ones from there, and the cheapest slips on purpose."""
     data = stored.columns("optimal")
     costs, slips = {}, {}
-    for place in np.flatnonzero((data["friction"] > 0.58) & (data["friction"] < 0.6)):
+    for row in np.flatnonzero((data["friction"] > 0.58) & (data["friction"] < 0.6)):
         values = {
-            "ground.friction": data["friction"][place],
-            optimal.ANGLE: data["touchdown_angle"][place],
-            optimal.TORQUE: data["stance_torque"][place],
-            optimal.THRUST: data["thrust"][place],
+            "ground.friction": data["friction"][row],
+            optimal.ANGLE: data["touchdown_angle"][row],
+            optimal.TORQUE: data["stance_torque"][row],
+            optimal.THRUST: data["thrust"][row],
         }
         gait = find_gait(Runner.of(values))
-        objective = optimal.CHEAPEST if data["cheapest"][place] else optimal.MIN_SLIP
+        objective = optimal.CHEAPEST if data["cheapest"][row] else optimal.MIN_SLIP
         (again,) = optimal.best(gait.runner, objective, [SimpleNamespace(gait=gait)])
         assert again.why == ""
         for name in ("speed", "cost_of_transport", "slip_distance"):
-            assert gait.stride[name] == pytest.approx(data[name][place], rel=1e-6)
-            assert again.gait.stride[name] == pytest.approx(data[name][place], rel=1e-4)
+            assert gait.stride[name] == pytest.approx(data[name][row], rel=1e-6)
+            assert again.gait.stride[name] == pytest.approx(data[name][row], rel=1e-4)
         costs[objective], slips[objective] = (
-            data[name][place] for name in ("cost_of_transport", "slip_distance")
+            data[name][row] for name in ("cost_of_transport", "slip_distance")
         )
     assert costs[optimal.CHEAPEST] < costs[optimal.MIN_SLIP]
     assert slips[optimal.CHEAPEST] > 1.5 * slips[optimal.MIN_SLIP]

@@ -54,7 +54,9 @@ def marks(axis):
     low, high = sorted(axis.get_view_interval())
     pairs = zip(axis.get_ticklocs(), axis.get_ticklabels(), strict=True)
     return [
-        (place, float(text.get_text().replace("−", "-"))) for place, text in pairs if low <= place <= high
+        (position, float(text.get_text().replace("−", "-")))
+        for position, text in pairs
+        if low <= position <= high
     ]
 
 
@@ -62,8 +64,8 @@ def check_degrees(axis, label):
     assert label == f"{ANGLE} (deg)"
     found = marks(axis)
     assert len(found) >= 3
-    for place, written in found:
-        assert written == pytest.approx(math.degrees(place), abs=1e-4)
+    for position, written in found:
+        assert written == pytest.approx(math.degrees(position), abs=1e-4)
         assert written == pytest.approx(round(written, 2), abs=1e-9)  # round in degrees
 
 

@@ -92,8 +92,8 @@ def test_a_wheel_is_what_its_name_says(tag):
         found = metadata.Metadata.from_email(wheel.read(f"{about}/METADATA"), validate=True)
         assert (found.name, str(found.version)) == (name, str(version))
         assert "dist-info/licenses/LICENSE" in " ".join(listed)
-        for unit, place in UNITS.items():
-            assert wheel.read(place) == (ROOT / "dist" / unit).read_bytes()
+        for unit, member in UNITS.items():
+            assert wheel.read(member) == (ROOT / "dist" / unit).read_bytes()
     libraries = {member for member in listed if member.endswith((".so", ".dll", ".dylib", ".lib", ".a"))}
     assert libraries == {f"tdmf_slip/native/{PLATFORMS[tag][2]}"}
 

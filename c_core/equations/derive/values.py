@@ -123,7 +123,7 @@ class Function:
         """Give the changes of the results."""
         results = self.run()
         if self.value:
-            known.update({v: self.place(self.value, name) for name, v in results.items() if v.operands})
+            known.update({v: self.member(self.value, name) for name, v in results.items() if v.operands})
         changes = {
             leaf: symbol(f"d_{leaf.value}")
             for leaf in leaves(results.values())
@@ -131,7 +131,7 @@ class Function:
         }
         return {name: derivative(value, changes, "d_") for name, value in results.items()}
 
-    def place(self, of: str, name: str) -> str:
+    def member(self, of: str, name: str) -> str:
         """Write where a result is, in what has all."""
         written = "".join(self.written.values())
         if "[" in written:
@@ -183,7 +183,7 @@ class Function:
                 variables[node] = node.name
         texts = {name: c_text(value, variables.get) for name, value in results.items()}
         if self.written:
-            lines += [f"{self.place('written', name)} = {text};" for name, text in texts.items()]
+            lines += [f"{self.member('written', name)} = {text};" for name, text in texts.items()]
         elif "" in texts:
             lines.append(f"return {texts['']};")
         else:

@@ -1,5 +1,5 @@
 /* What the live page asks of the core, as functions that JavaScript can call: numbers go through arrays of
- * doubles whose places are told by name in the page's own table. There is one runner to an instance. No
+ * doubles whose offsets are given by name in the page's own table. There is one runner to an instance. No
  * physics here. */
 #ifndef LIVE_H
 #define LIVE_H

@@ -1,4 +1,4 @@
-/* The page's values and what is read off a run, by the places of the generated tables. */
+/* The page's values and what is read off a run, by the offsets of the generated tables. */
 #include "values.h"
 
 #include <string.h>
@@ -10,7 +10,7 @@ static double outputs[LIVE_OUTPUT_CAPACITY];
 
 /* Parameters, then inputs, in the order of the table. */
 LIVE_EXPORT(live_values)
-double *live_values_place(void) {
+double *live_values_address(void) {
     return values;
 }
 
@@ -20,7 +20,7 @@ int live_values_counted(void) {
 }
 
 LIVE_EXPORT(live_outputs)
-double *live_outputs_place(void) {
+double *live_outputs_address(void) {
     return outputs;
 }
 
@@ -30,12 +30,12 @@ int live_outputs_counted(void) {
 }
 
 LIVE_EXPORT(live_section)
-double *live_section_place(void) {
+double *live_section_address(void) {
     return live.section;
 }
 
 LIVE_EXPORT(live_message)
-const char *live_message_place(void) {
+const char *live_message_address(void) {
     return live.message;
 }
 

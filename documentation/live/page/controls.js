@@ -22,13 +22,13 @@ const ASCENDING = ["ground.patch_begin", "ground.patch_end"];
 
 /** A variable's range, and within it that to the neighbours it is ordered with. */
 function rangeOf({ name, min = -Infinity, max = Infinity }, state) {
-  const place = ASCENDING.indexOf(name);
-  if (place < 0) {
+  const index = ASCENDING.indexOf(name);
+  if (index < 0) {
     return { min, max };
   }
   return {
-    min: Math.max(min, state[ASCENDING[place - 1]] ?? min),
-    max: Math.min(max, state[ASCENDING[place + 1]] ?? max),
+    min: Math.max(min, state[ASCENDING[index - 1]] ?? min),
+    max: Math.min(max, state[ASCENDING[index + 1]] ?? max),
   };
 }
 

@@ -16,8 +16,8 @@ const SECTION = 6;
 
 /** The core needs nothing of a system but a number for checking its stack. */
 const system = (memory) => ({
-  random_get: (place, size) => {
-    crypto.getRandomValues(new Uint8Array(memory().buffer, place, size));
+  random_get: (address, size) => {
+    crypto.getRandomValues(new Uint8Array(memory().buffer, address, size));
     return 0;
   },
 });
@@ -51,14 +51,14 @@ export class Core {
   }
 
   /** A view of doubles in the core's memory, good until the next call. */
-  doubles(place, count) {
-    return new Float64Array(this.exports.memory.buffer, place, count);
+  doubles(address, count) {
+    return new Float64Array(this.exports.memory.buffer, address, count);
   }
 
   /** A text in the core's memory. */
-  text(place) {
+  text(address) {
     const bytes = new Uint8Array(this.exports.memory.buffer);
-    return new TextDecoder().decode(bytes.subarray(place, bytes.indexOf(0, place)));
+    return new TextDecoder().decode(bytes.subarray(address, bytes.indexOf(0, address)));
   }
 
   /** What the last call refused, or why it failed; else empty. */
@@ -72,8 +72,8 @@ export class Core {
    * @returns {boolean} Accepted; else `message` says why not.
    */
   accept(given) {
-    const place = this.doubles(this.exports.live_values(), values.length);
-    values.forEach(({ name }, i) => (place[i] = given[name]));
+    const array = this.doubles(this.exports.live_values(), values.length);
+    values.forEach(({ name }, i) => (array[i] = given[name]));
     return Boolean(this.exports.live_accept());
   }
 
@@ -84,8 +84,8 @@ export class Core {
   }
 
   putState(given) {
-    const place = this.doubles(this.exports.live_state(), starts.length);
-    starts.forEach(({ name }, i) => (place[i] = given[name]));
+    const array = this.doubles(this.exports.live_state(), starts.length);
+    starts.forEach(({ name }, i) => (array[i] = given[name]));
   }
 
   /** The run goes on with the values accepted last. */
@@ -118,8 +118,8 @@ export class Core {
   }
 
   named() {
-    const place = this.doubles(this.exports.live_outputs(), outputs.length);
-    return Object.fromEntries(outputs.map(({ name }, i) => [name, place[i]]));
+    const array = this.doubles(this.exports.live_outputs(), outputs.length);
+    return Object.fromEntries(outputs.map(({ name }, i) => [name, array[i]]));
   }
 
   get time() {
@@ -163,8 +163,8 @@ export class Core {
   stateAt(apex) {
     this.section = apex;
     this.exports.live_state_at_section();
-    const place = this.doubles(this.exports.live_state(), starts.length);
-    return Object.fromEntries(starts.map(({ name }, i) => [name, place[i]]));
+    const array = this.doubles(this.exports.live_state(), starts.length);
+    return Object.fromEntries(starts.map(({ name }, i) => [name, array[i]]));
   }
 
   /** The apex that has the height, the speed and the leg of states by name. */

@@ -50,9 +50,9 @@ export class FrictionPlot {
 
   /** Puts a gait into the curve. */
   add(friction, gait) {
-    const place = this.points.findIndex((point) => point.friction >= friction);
-    const same = place >= 0 && this.points[place].friction === friction;
-    this.points.splice(place < 0 ? this.points.length : place, same ? 1 : 0, { friction, gait });
+    const index = this.points.findIndex((point) => point.friction >= friction);
+    const same = index >= 0 && this.points[index].friction === friction;
+    this.points.splice(index < 0 ? this.points.length : index, same ? 1 : 0, { friction, gait });
     this.schedule();
   }
 

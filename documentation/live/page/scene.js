@@ -41,7 +41,7 @@ export class Scene {
     context.fillStyle = palette().card;
     context.fillRect(0, 0, this.surface.width, this.surface.height);
     this.ground(context);
-    drawPatch(context, given, this.place, (x) => this.groundAt(x), this.surface.width);
+    drawPatch(context, given, this.view, (x) => this.groundAt(x), this.surface.width);
     this.nextGround(context, given);
     if (race) {
       this.lanes(context, race);
@@ -69,7 +69,7 @@ export class Scene {
     const wanted = Math.max(SHOWN_HEIGHT, (1.2 * high) / length, (0.86 * height * wide) / (width * length));
     this.tall += (wanted - this.tall) * (wanted > this.tall ? 1 : 0.02);
     const scale = (0.86 * height) / (this.tall * length);
-    this.place = {
+    this.view = {
       length,
       scale,
       centre,
@@ -81,7 +81,7 @@ export class Scene {
   /** The start, the finish, and the rival, faint. */
   lanes(context, { rival, frictions }) {
     const { soft, sans } = palette();
-    const { x, y, length } = this.place;
+    const { x, y, length } = this.view;
     context.strokeStyle = context.fillStyle = soft;
     context.font = `12px ${sans}`;
     context.textAlign = "center";
@@ -103,7 +103,7 @@ export class Scene {
 
   /** Whose body it is. */
   label(context, outputs, text, colour) {
-    const { x, y, scale, length } = this.place;
+    const { x, y, scale, length } = this.view;
     context.font = `600 13px ${palette().sans}`;
     context.fillStyle = colour;
     context.textAlign = "center";
@@ -119,7 +119,7 @@ export class Scene {
   ground(context) {
     const { ink, ground, soft, sans } = palette();
     const { width, height } = this.surface;
-    const { x, y, scale, centre } = this.place;
+    const { x, y, scale, centre } = this.view;
     const half = (0.5 * width) / scale;
     const ends = [centre - half, centre + half];
     context.fillStyle = ground;
@@ -155,7 +155,7 @@ export class Scene {
       return;
     }
     const { width } = this.surface;
-    const { x, y, scale } = this.place;
+    const { x, y, scale } = this.view;
     context.strokeStyle = palette().soft;
     context.setLineDash([6, 5]);
     context.beginPath();
@@ -169,7 +169,7 @@ export class Scene {
 
   trail(context, points) {
     const { soft } = palette();
-    const { x, y } = this.place;
+    const { x, y } = this.view;
     context.strokeStyle = soft;
     context.lineWidth = 1.2;
     context.setLineDash([1, 4]);
@@ -182,7 +182,7 @@ export class Scene {
   /** Where the foot has slipped. */
   tracks(context, tracks) {
     const colours = palette();
-    const { x, y } = this.place;
+    const { x, y } = this.view;
     context.lineWidth = 5;
     for (const { from, to, mode } of tracks) {
       context.strokeStyle = colours[modeName(mode)];
@@ -197,8 +197,8 @@ export class Scene {
     const { outputs } = run;
     if (isLoaded(outputs["contact.mode"])) {
       this.cone(context, outputs, given);
-      const peak = outputs["stride.peak_force"] || given["leg.stiffness"] * this.place.length;
-      const to = FORCE_LENGTH * this.place.length;
+      const peak = outputs["stride.peak_force"] || given["leg.stiffness"] * this.view.length;
+      const to = FORCE_LENGTH * this.view.length;
       const arrow = [(outputs["contact.fx"] / peak) * to, (outputs["contact.fy"] / peak) * to];
       this.arrow(context, [outputs["foot.x"], outputs["foot.y"]], arrow, palette()[modeName(outputs["contact.mode"])]);
     }
@@ -211,13 +211,13 @@ export class Scene {
     const weight = given["body.mass"] * given.gravity;
     const share = ["body.external_fx", "body.external_fy"].map((name) => (given[name] ?? 0) / weight);
     const most = Math.max(1, Math.hypot(...share));
-    const arrow = share.map((part) => (part / most) * this.place.length);
+    const arrow = share.map((part) => (part / most) * this.view.length);
     this.arrow(context, [outputs["body.x"], outputs["body.y"]], arrow, palette().second);
   }
 
   cone(context, outputs, given) {
     const { cone } = palette();
-    const { x, y, scale, length } = this.place;
+    const { x, y, scale, length } = this.view;
     const resting = modeName(outputs["contact.mode"]) === "stick" ? (given["ground.static_friction_ratio"] ?? 1) : 1;
     const half = Math.atan(resting * frictionBelow(given, outputs["foot.x"]));
     const upright = -0.5 * Math.PI - this.line.slope;
@@ -230,7 +230,7 @@ export class Scene {
   }
 
   arrow(context, from, by, colour) {
-    const { x, y } = this.place;
+    const { x, y } = this.view;
     const start = [x(from[0]), y(from[1])];
     const end = [x(from[0] + by[0]), y(from[1] + by[1])];
     const size = Math.hypot(end[0] - start[0], end[1] - start[1]);
@@ -256,7 +256,7 @@ export class Scene {
   /** The hip's torque as an arc about the body, as long as the torque is large. */
   torque(context, outputs, given) {
     const { second } = palette();
-    const { x, y, scale, length } = this.place;
+    const { x, y, scale, length } = this.view;
     const most = Math.abs(given["hip.stance_torque"]) || given["leg.stiffness"] * length ** 2;
     const share = Math.max(-1, Math.min(1, outputs["hip.torque"] / most));
     if (Math.abs(share) < 0.01) {
@@ -282,7 +282,7 @@ export class Scene {
 
   runner(context, outputs, fallen) {
     const { ink, card } = palette();
-    const { x, y, scale, length } = this.place;
+    const { x, y, scale, length } = this.view;
     const foot = [x(outputs["foot.x"]), y(outputs["foot.y"])];
     const body = [x(outputs["body.x"]), y(outputs["body.y"])];
     spring(context, foot, body, 0.055 * length * scale, ink);

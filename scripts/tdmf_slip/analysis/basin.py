@@ -18,7 +18,7 @@ from ..files.datasets import xarray
 from ..files.netcdf import CLASSIC, write_dataset
 from ..files.resume import resumed
 from ..files.rows import RowFile
-from ..files.whole import check_place
+from ..files.whole import check_destination
 from ..given import counts_given
 from ..library import ensemble
 from ..library.affine_law import AffineLaw
@@ -169,7 +169,7 @@ def basin_at(
 ) -> xarray.Dataset:
     """`basin` of a stable gait, at values of two coordinates that may be at any distance from each other."""
     fmu, runner = load_fmu(fmu), gait.runner
-    path = None if path is None else check_place(path, (".nc",), "path")
+    path = None if path is None else check_destination(path, (".nc",), "path")
     axes, along = _checked_slice(values, runner.coordinates, fmu)
     _check_refine(refine, law)
     around = ball_of(gait, ball, len(along[0]) * len(along[1]), law)

@@ -17,7 +17,7 @@ from ..library.varied_stride import plain_stride
 from ..unit.unit import Fmu
 from .linkage import linked
 from .settled import evenly, settled_gaits
-from .target import Place, Target
+from .target import Iterate, Target
 
 RUNNERS = 1024
 """Spread over the varied parameters."""
@@ -29,7 +29,7 @@ NONE = 1e-6
 """Of what is prescribed: less counts as none of it."""
 
 
-def beginnings(target: Target, first: Gait, fmu: Fmu) -> Iterator[Place]:
+def beginnings(target: Target, first: Gait, fmu: Fmu) -> Iterator[Iterate]:
     """Gaits from which a target may be reached, the nearest to it first."""
     runner = first.runner
     shares = evenly(RUNNERS, len(target.vary))
@@ -39,7 +39,7 @@ def beginnings(target: Target, first: Gait, fmu: Fmu) -> Iterator[Place]:
     }
     found = settled_gaits(runner, varied, first.apex)
     values = np.column_stack(list(varied.values()))
-    known, places, gaps = [], [], []
+    known, points, gaps = [], [], []
     for number, apex in zip(found.numbers, found.apexes, strict=True):
         at = np.append(apex, values[number]) / target.scales
         try:
@@ -47,9 +47,9 @@ def beginnings(target: Target, first: Gait, fmu: Fmu) -> Iterator[Place]:
         except (InputError, RunError):
             continue
         known.append(at)
-        places.append(shares[number])
+        points.append(shares[number])
         gaps.append(_gap(quantities, target.prescribed))
-    for k in linked(np.array(places), np.array(gaps)):
+    for k in linked(np.array(points), np.array(gaps)):
         try:
             yield target.closed_near(known[k])
         except RunError:

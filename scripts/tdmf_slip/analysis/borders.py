@@ -92,20 +92,20 @@ class _Chord:
     """The straight way between two points of a branch, and how far along it other points are."""
 
     def __init__(self, family: Family, first: Point, last: Point) -> None:
-        self.family, self.begin = family, family.place(first)
-        way = family.place(last) - self.begin
+        self.family, self.begin = family, family.coordinates(first)
+        way = family.coordinates(last) - self.begin
         self.normal = way / np.linalg.norm(way)
 
     def along(self, point: Point) -> float:
         """How far a point is along the way."""
-        return float((self.family.place(point) - self.begin) @ self.normal)
+        return float((self.family.coordinates(point) - self.begin) @ self.normal)
 
     def at(self, distance: float, inside: Point, outside: Point) -> Point:
         """The point of the branch that is so far along the way, between two that are known."""
         low, high = self.along(inside), self.along(outside)
         if distance in (low, high):
             return inside if distance == low else outside
-        begin, end = self.family.place(inside), self.family.place(outside)
+        begin, end = self.family.coordinates(inside), self.family.coordinates(outside)
         goal = begin + (distance - low) / (high - low) * (end - begin)
         return self.family.on_plane(goal, self.normal)
 
@@ -129,8 +129,8 @@ def _border(chord: _Chord, inside: Point, last: Point) -> tuple[Point, Point]:
         if vanishing is not None:
             near, end = vanishing
             if abs(near - end) <= CLOSE_TO_BORDER:
-                places = np.clip([end - SURE, end + SURE], low, high)
-                short, beyond = (chord.at(place, inside, outside) for place in places)
+                distances = np.clip([end - SURE, end + SURE], low, high)
+                short, beyond = (chord.at(coordinates, inside, outside) for coordinates in distances)
                 if short.gait.word == inside.gait.word != beyond.gait.word:
                     return short, beyond
             elif looks % 2 == 0 and low < end + 0.1 * (near - end) < high:
@@ -147,7 +147,7 @@ def _border(chord: _Chord, inside: Point, last: Point) -> tuple[Point, Point]:
 
 def _approached(family: Family, point: Point, reach: float, way: int) -> Point:
     """The last point of the same word from one on, along its tangent, no farther than a reach."""
-    begin, direction = family.place(point), way * point.direction
+    begin, direction = family.coordinates(point), way * point.direction
     low, high, last = 0.0, reach, point
     while high - low > ROOT_ACCURACY:
         middle = 0.5 * (low + high)

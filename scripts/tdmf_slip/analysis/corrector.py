@@ -18,7 +18,7 @@ CONVERGED, GOOD_ENOUGH = 1e-13, 1e-11
 """Largest difference of the apex and the next, over the scales."""
 
 Iterate: TypeAlias = tuple[NDArray[np.float64], Gait]
-"""A place over the scales, and the strides from there."""
+"""A point over the scales, and the strides from there."""
 
 
 class Strides(Protocol):
@@ -27,8 +27,8 @@ class Strides(Protocol):
     scales: NDArray[np.float64]
     """Of the coordinates and the parameter."""
 
-    def look(self, place: NDArray[np.float64]) -> Gait:
-        """The strides from a place over the scales."""
+    def evaluate(self, coordinates: NDArray[np.float64]) -> Gait:
+        """The strides from a point over the scales."""
 
     def rows(self, gait: Gait) -> NDArray[np.float64]:
         """How what is left over of the strides changes, all over the scales."""
@@ -37,20 +37,20 @@ class Strides(Protocol):
 def iterates(
     family: Strides, goal: NDArray[np.float64], normal: NDArray[np.float64], shortenings: int
 ) -> Iterator[tuple[Gait, NDArray[np.float64]]]:
-    """The strides at each place of Newton's method, and where its whole step leads from there.
+    """The strides at each point of Newton's method, and where its whole step leads from there.
 
     Steps that make the error larger are shortened so many times, or taken all the same: where an event is
     just touched the map has a square root, and only whole steps lead across.
     """
     plane = _OnPlane(family, goal, normal)
-    begin = goal, family.look(goal)
+    begin = goal, family.evaluate(goal)
     if shortenings == 0:
         yield from _whole_steps(plane, begin)
         return
-    for (place, gait), step in newton_iterates(
+    for (coordinates, gait), step in newton_iterates(
         plane, begin, iterations=NEWTON_ITERATIONS, shortenings=shortenings
     ):
-        yield gait, place if step is None else place + step
+        yield gait, coordinates if step is None else coordinates + step
 
 
 def _whole_steps(plane: "_OnPlane", iterate: Iterate) -> Iterator[tuple[Gait, NDArray[np.float64]]]:
@@ -59,18 +59,18 @@ def _whole_steps(plane: "_OnPlane", iterate: Iterate) -> Iterator[tuple[Gait, ND
         if plane.is_solved(iterate):
             break
         step = plane.step(iterate)
-        place, gait = iterate
-        yield gait, place + step
+        coordinates, gait = iterate
+        yield gait, coordinates + step
         iterate = plane.moved(iterate, step)
         if gait.error <= GOOD_ENOUGH <= iterate[1].error:
             return
-    place, gait = iterate
-    yield gait, place
+    coordinates, gait = iterate
+    yield gait, coordinates
 
 
 @dataclass(frozen=True, eq=False)
 class _OnPlane(ByContents):
-    """That strides lead back to their apex, of a place on a plane."""
+    """That strides lead back to their apex, of a point on a plane."""
 
     family: Strides
     goal: NDArray[np.float64]
@@ -83,15 +83,15 @@ class _OnPlane(ByContents):
         return iterate[1].error <= CONVERGED
 
     def step(self, iterate: Iterate) -> NDArray[Any]:
-        place, gait = iterate
-        off = np.append(gait.left_over / self.family.scales[:-1], (place - self.goal) @ self.normal)
+        coordinates, gait = iterate
+        off = np.append(gait.left_over / self.family.scales[:-1], (coordinates - self.goal) @ self.normal)
         step: NDArray[Any] = np.linalg.solve(np.vstack([self.family.rows(gait), self.normal]), -off)
         return step
 
     def moved(self, iterate: Iterate, step: NDArray[Any]) -> Iterate:
-        """A place that is not allowed is one without strides."""
-        place = iterate[0] + step
+        """A point that is not allowed is one without strides."""
+        coordinates = iterate[0] + step
         try:
-            return place, self.family.look(place)
+            return coordinates, self.family.evaluate(coordinates)
         except InputError as problem:
             raise RunError(f"Newton's method leads to what is not allowed, {problem}") from None

@@ -19,8 +19,8 @@ from ..unit.variable import Given
 from .bifurcations import NEIMARK_SACKER, NOT_JUDGED, WORD_BORDER, Special
 from .curve import CLOSED, LONGEST, SHORTEST, Box, Curve
 from .lines import border_curve
-from .meeting import Places
-from .plane import Place, Plane
+from .meeting import PointSet
+from .plane import CurvePoint, Plane
 from .tracing import continue_branch
 
 FARTHEST = 0.5
@@ -30,7 +30,7 @@ ON_CURVE = 0.02
 MAX_POINTS = 10_000
 """Of a curve, in each direction."""
 SAME = 1e-6
-"""Two places of a curve that are as near, over the scales, are one."""
+"""Two points of a curve that are as near, over the scales, are one."""
 
 
 def continue_curves(
@@ -108,8 +108,8 @@ def continue_curves(
             if special.kind == WORD_BORDER:
                 curve = border_curve(runner, names, sizes, box, branch, special, max_points, tell)
             elif special.words is None:
-                place = np.append(special.gait.apex / runner.scales, at)
-                curve = curve_through(Plane(runner, names, special.kind), box, place, max_points, tell)
+                point = np.append(special.gait.apex / runner.scales, at)
+                curve = curve_through(Plane(runner, names, special.kind), box, point, max_points, tell)
             else:
                 continue  # on a word border, whose curve has it
             found.append(curve)
@@ -160,28 +160,28 @@ def curve_through(
     tell: Callable[[], None] = lambda: None,
 ) -> Curve:
     """The curve of bifurcations through one of them, both ways."""
-    here = plane.place(at)
+    here = plane.evaluate(at)
     back, began = _followed(plane, box, [here], -here.tangent, max_points, tell)
-    forth: list[Place] = []
+    forth: list[CurvePoint] = []
     ended = began
     if began != CLOSED:
         forth, ended = _followed(plane, box, [*back[::-1], here], here.tangent, max_points, tell)
-    places = [*back[::-1], here, *forth]
-    points = np.array([(place.at * plane.scales)[-2:] for place in places])
+    whole = [*back[::-1], here, *forth]
+    points = np.array([(point.at * plane.scales)[-2:] for point in whole])
     return Curve(plane.kind, plane.names, points, began, ended)
 
 
 def _followed(
     plane: Plane,
     box: Box,
-    known: Sequence[Place],
+    known: Sequence[CurvePoint],
     direction: NDArray[np.float64],
     max_points: int,
     tell: Callable[[], None],
-) -> tuple[list[Place], str]:
-    """The curve from the last of the places on that are known, without it, and why it stops."""
-    found: list[Place] = []
-    places = list(known)
+) -> tuple[list[CurvePoint], str]:
+    """The curve from the last of the points that are known, without it, and why it stops."""
+    found: list[CurvePoint] = []
+    points = list(known)
     last, step = known[-1], 1.0
     while len(found) < max_points:
         longest = LONGEST / max(np.max(np.abs(direction[-2:]) / box.size), 0.05)
@@ -195,11 +195,11 @@ def _followed(
         if box.outside(following.at[-2:]):
             share = box.share(last.at[-2:], following.at[-2:])
             return [*found, _at_edge(plane, box, last, following, share)], "edge of the ranges"
-        again = _met(plane, places, last, following)
+        again = _met(plane, points, last, following)
         if again is not None:
             return [*found, again], CLOSED
         found.append(following)
-        places.append(following)
+        points.append(following)
         if plane.kind == NEIMARK_SACKER and not _is_complex(following):
             return found, "the eigenvalues become real: beyond, their product is 1 and none is on the circle"
         tangent = following.tangent
@@ -208,35 +208,37 @@ def _followed(
     return found, f"number of points: {max_points}"
 
 
-def _stepped(plane: Plane, last: Place, way: NDArray[np.float64], share: float) -> Place:
-    """The place of the curve a share of a way further, from which it leads back."""
+def _stepped(plane: Plane, last: CurvePoint, way: NDArray[np.float64], share: float) -> CurvePoint:
+    """The point of the curve a share of a way further, from which it leads back."""
     goal = last.at + share * way
     following = plane.corrected(goal, way / np.linalg.norm(way))
     if np.linalg.norm(following.at - goal) > FARTHEST * share * np.linalg.norm(way):
         raise RunError("the curve turns sharply")
     if not plane.leads_back(following, last):
-        raise RunError("no place is found that leads back")
+        raise RunError("no point is found that leads back")
     return following
 
 
-def _met(plane: Plane, places: Sequence[Place], last: Place, following: Place) -> Place | None:
-    """The place at which the curve has been that it goes through in its next step, or None."""
-    track = Places(len(plane.scales))
-    for place in places:
-        track.add(place.at)
+def _met(
+    plane: Plane, points: Sequence[CurvePoint], last: CurvePoint, following: CurvePoint
+) -> CurvePoint | None:
+    """The point at which the curve has been that it goes through in its next step, or None."""
+    track = PointSet(len(plane.scales))
+    for point in points:
+        track.add(point.at)
     way = (following.at - last.at) / np.linalg.norm(following.at - last.at)
     for number, beside in track.beside(last.at, following.at):
         try:
             found = plane.corrected(beside, way)
         except (InputError, RunError):
             continue
-        if np.linalg.norm(found.at - places[number].at) < SAME:
-            return places[number]
+        if np.linalg.norm(found.at - points[number].at) < SAME:
+            return points[number]
     return None
 
 
-def _at_edge(plane: Plane, box: Box, last: Place, following: Place, share: float) -> Place:
-    """The place of the curve on the edge of the ranges; the last one within where it is not found."""
+def _at_edge(plane: Plane, box: Box, last: CurvePoint, following: CurvePoint, share: float) -> CurvePoint:
+    """The point of the curve on the edge of the ranges; the last one within where it is not found."""
     goal = last.at + share * (following.at - last.at)
     across = np.zeros(len(goal))
     beyond = np.maximum(box.low - following.at[-2:], following.at[-2:] - box.high) / box.size
@@ -247,13 +249,13 @@ def _at_edge(plane: Plane, box: Box, last: Place, following: Place, share: float
         return last
 
 
-def _is_complex(place: Place) -> bool:
-    values = place.gait.eigenvalues
+def _is_complex(point: CurvePoint) -> bool:
+    values = point.gait.eigenvalues
     on_circle = values[np.argmin(np.abs(np.abs(values) - 1.0))]
     return bool(on_circle.imag != 0.0)
 
 
-def _lost(plane: Plane, last: Place, direction: NDArray[np.float64], problem: Exception) -> str:
+def _lost(plane: Plane, last: CurvePoint, direction: NDArray[np.float64], problem: Exception) -> str:
     """Why a curve cannot be followed on."""
     try:
         beyond = plane.strides_at(last.at + 1e-3 * direction, plane.names[0])

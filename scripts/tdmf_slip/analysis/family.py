@@ -96,14 +96,14 @@ class Family:
             raise RunError(f"the gait at {self.name} = {self.value_of(gait):g} has no derivative")
         return rows
 
-    def place(self, point: Point) -> NDArray[np.float64]:
+    def coordinates(self, point: Point) -> NDArray[np.float64]:
         """Apex and parameter of a point over the scales: the coordinates, then the parameter."""
-        place: NDArray[np.float64] = np.append(point.gait.apex, point.value) / self.scales
-        return place
+        coordinates: NDArray[np.float64] = np.append(point.gait.apex, point.value) / self.scales
+        return coordinates
 
-    def look(self, place: NDArray[np.float64]) -> Gait:
+    def evaluate(self, coordinates: NDArray[np.float64]) -> Gait:
         """The strides from an apex at a value of the parameter."""
-        return self.strides_at(place[-1] * self.scales[-1], place[:-1] * self.scales[:-1])
+        return self.strides_at(coordinates[-1] * self.scales[-1], coordinates[:-1] * self.scales[:-1])
 
     def on_plane(self, goal: NDArray[np.float64], normal: NDArray[np.float64]) -> Point:
         """The point of the branch near a goal, on the plane across a direction there: by Newton's method."""
@@ -130,9 +130,9 @@ class Family:
 
     def between(self, before: Point, after: Point, share: float) -> Point:
         """The point of the branch beside a share of the straight way from one point to the next."""
-        begin, end = self.place(before), self.place(after)
+        begin, end = self.coordinates(before), self.coordinates(after)
         return self.on_plane(begin + share * (end - begin), (end - begin) / np.linalg.norm(end - begin))
 
     def distance(self, before: Point, after: Point) -> float:
         """Between two points of a branch, over the scales."""
-        return float(np.linalg.norm(self.place(after) - self.place(before)))
+        return float(np.linalg.norm(self.coordinates(after) - self.coordinates(before)))

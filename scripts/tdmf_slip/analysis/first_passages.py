@@ -12,7 +12,7 @@ from .first_passage import FirstPassage, strides_to_fall
 
 
 @dataclass(frozen=True, eq=False)
-class Place(ByContents):
+class Trial(ByContents):
     """Who runs on what: a block of work."""
 
     runner: Runner
@@ -29,12 +29,12 @@ class Place(ByContents):
     """By which the runners are set."""
 
 
-def stay(place: Place) -> FirstPassage:
-    """Strides until the fall at one place, by one thread.
+def first_passage(trial: Trial) -> FirstPassage:
+    """Strides until the fall of one trial, by one thread.
 
     Parameters
     ----------
-    place : Place
+    trial : Trial
         Who runs on what.
 
     Returns
@@ -43,24 +43,24 @@ def stay(place: Place) -> FirstPassage:
         As `strides_to_fall` gives it.
     """
     return strides_to_fall(
-        place.runner,
-        place.roughness,
-        place.runners,
-        place.seed,
-        place.max_strides,
-        law=place.law,
+        trial.runner,
+        trial.roughness,
+        trial.runners,
+        trial.seed,
+        trial.max_strides,
+        law=trial.law,
         threads=1,
     )
 
 
-def stay_all(places: Sequence[Place], *, progress: bool = False) -> list[FirstPassage]:
-    """`stay` at many places, side by side."""
+def first_passages(trials: Sequence[Trial], *, progress: bool = False) -> list[FirstPassage]:
+    """`first_passage` of many trials, side by side."""
     found: dict[int, FirstPassage] = {}
     with (
-        progress_bar("rough", len(places), "means", progress) as bar,
-        run_blocks(stay, places) as results,
+        progress_bar("rough", len(trials), "means", progress) as bar,
+        run_blocks(first_passage, trials) as results,
     ):
         for number, one in results:
             found[number] = one
             bar.update()
-    return [found[number] for number in range(len(places))]
+    return [found[number] for number in range(len(trials))]

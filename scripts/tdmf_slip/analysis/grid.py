@@ -14,7 +14,7 @@ from ..errors import InputError, TdmfSlipError
 from ..files.datasets import xarray
 from ..files.netcdf import write_dataset
 from ..files.resume import resumed, same_values
-from ..files.whole import check_place
+from ..files.whole import check_destination
 from ..given import mapping_of
 from ..library.gait import Gait, gait_near
 from ..library.members import STATES, check_has_gaits, check_varied
@@ -56,8 +56,8 @@ def grid_over(
 ) -> xarray.Dataset:
     """`grid` in memory, by a file that is not kept where none is asked for."""
     with tempfile.TemporaryDirectory() as folder:
-        place = Path(folder) / "grid.nc" if path is None else path
-        return grid(runner, vary, place, **where).load()
+        file = Path(folder) / "grid.nc" if path is None else path
+        return grid(runner, vary, file, **where).load()
 
 
 def grid(
@@ -129,7 +129,7 @@ def grid(
     blank["done"] = (name,), np.zeros(len(down), dtype="i1")
     blank["problem"] = (name,), np.full(len(down), "", dtype=object)
     blank.attrs = attributes
-    path = check_place(path, (".nc",), "path")
+    path = check_destination(path, (".nc",), "path")
     data = resumed(path, blank, "sweep")
     _check_rows(path, data, blank, runner, fmu, progress)
     missing = np.flatnonzero(data["done"].values == 0)

@@ -18,7 +18,7 @@ from .branch import Branch
 from .continuation import walk
 from .curve import CLOSED, LONGEST, SHORTEST, Box, Curve
 from .family import Family
-from .meeting import Places
+from .meeting import PointSet
 from .walking_back import RETURNED
 
 Pair = NDArray[np.float64]
@@ -28,7 +28,7 @@ SHORTEST_PART = 0.02
 WIDTHS = (0.25, 0.5, 1.0)
 """Of the lines to both sides of where a border is expected, over the step to there."""
 SAME = 1e-6
-"""Two places of a curve that are as near, over the scales, are one."""
+"""Two points of a curve that are as near, over the scales, are one."""
 
 
 class Line(Family):
@@ -117,19 +117,19 @@ def border_curve(
     family = Family(branch.gaits[0].runner, names[0])
     around = family.points(*branch.gaits[special.index : special.index + 2])
     known = next(c for c in crossings(family, *around) if (c.border.before, c.border.after) == special.words)
-    here = Place(np.array([special.value, runner.values[names[1]]]) / sizes, known)
+    here = BorderPoint(np.array([special.value, runner.values[names[1]]]) / sizes, known)
     track = BorderTrack(runner, names, sizes, [here])
     back, began = _border_followed(track, box, here, -1.0, max_points, tell)
-    forth: list[Place] = []
+    forth: list[BorderPoint] = []
     ended = began
     if began != CLOSED:
         forth, ended = _border_followed(track, box, here, 1.0, max_points, tell)
-    points = np.array([place.pair for place in (*back[::-1], here, *forth)]) * sizes
+    points = np.array([point.pair for point in (*back[::-1], here, *forth)]) * sizes
     return Curve(WORD_BORDER, names, points, began, ended, special.words)
 
 
 @dataclass(frozen=True, eq=False)
-class Place(ByContents):
+class BorderPoint(ByContents):
     """A point of a curve of borders."""
 
     pair: Pair
@@ -141,28 +141,30 @@ class Place(ByContents):
 class BorderTrack:
     """A curve of borders as far as it has been followed."""
 
-    def __init__(self, runner: Runner, names: tuple[str, str], sizes: Pair, places: Sequence[Place]) -> None:
+    def __init__(
+        self, runner: Runner, names: tuple[str, str], sizes: Pair, points: Sequence[BorderPoint]
+    ) -> None:
         """Whose gaits, over which parameters with which scales, and where it has been already."""
         self.runner, self.names, self.sizes = runner, names, sizes
-        self._places: list[Place] = []
-        self._rows = Places(len(runner.scales) + len(names))
-        for place in places:
-            self.add(place)
+        self._points: list[BorderPoint] = []
+        self._rows = PointSet(len(runner.scales) + len(names))
+        for point in points:
+            self.add(point)
 
-    def add(self, place: Place) -> None:
-        """One more place."""
-        self._places.append(place)
-        self._rows.add(self._row(place))
+    def add(self, point: BorderPoint) -> None:
+        """One more point."""
+        self._points.append(point)
+        self._rows.add(self._row(point))
 
-    def _row(self, place: Place) -> NDArray[np.float64]:
-        return np.append(place.crossing.short.gait.apex / self.runner.scales, place.pair)
+    def _row(self, point: BorderPoint) -> NDArray[np.float64]:
+        return np.append(point.crossing.short.gait.apex / self.runner.scales, point.pair)
 
-    def near(self, known: Place, step: Pair) -> Place:
-        """The place of the curve a step away from one that is known."""
-        return Place(*border_near(self.runner, self.names, self.sizes, known.crossing, step))
+    def near(self, known: BorderPoint, step: Pair) -> BorderPoint:
+        """The point of the curve a step away from one that is known."""
+        return BorderPoint(*border_near(self.runner, self.names, self.sizes, known.crossing, step))
 
-    def stepped(self, last: Place, step: Pair) -> Place:
-        """The place a step away, if the same step back leads to where it came from."""
+    def stepped(self, last: BorderPoint, step: Pair) -> BorderPoint:
+        """The point a step away, if the same step back leads to where it came from."""
         found = self.near(last, step)
         way = self._row(found) - self._row(last)
         back = self.near(found, last.pair - found.pair)
@@ -170,30 +172,30 @@ class BorderTrack:
             raise RunError("no border is found that leads back")
         return found
 
-    def met(self, last: Place, following: Place) -> Place | None:
-        """The place of the track that the curve goes through in its next step, or None."""
+    def met(self, last: BorderPoint, following: BorderPoint) -> BorderPoint | None:
+        """The point of the track that the curve goes through in its next step, or None."""
         for number, beside in self._rows.beside(self._row(last), self._row(following)):
-            place = self._places[number]
+            point = self._points[number]
             try:
                 found = self.near(last, beside[-2:] - last.pair)
             except (InputError, RunError):
                 continue
-            if np.linalg.norm(self._row(found) - self._row(place)) < SAME:
-                return place
+            if np.linalg.norm(self._row(found) - self._row(point)) < SAME:
+                return point
         return None
 
 
 def _border_followed(
     track: BorderTrack,
     box: Box,
-    last: Place,
+    last: BorderPoint,
     sign: float,
     max_points: int,
     tell: Callable[[], None],
-) -> tuple[list[Place], str]:
-    """The curve of a border from a place on, without it, and why it stops."""
+) -> tuple[list[BorderPoint], str]:
+    """The curve of a border from a point on, without it, and why it stops."""
     way = np.array([0.0, sign])
-    found: list[Place] = []
+    found: list[BorderPoint] = []
     step = 0.1
     while len(found) < max_points:
         longest = LONGEST / np.max(np.abs(way) / box.size)
@@ -205,7 +207,7 @@ def _border_followed(
         if box.outside(following.pair):
             share = box.share(last.pair, following.pair)
             edge = last.pair + share * (following.pair - last.pair)
-            return [*found, Place(edge, following.crossing)], "edge of the ranges"
+            return [*found, BorderPoint(edge, following.crossing)], "edge of the ranges"
         again = track.met(last, following)
         if again is not None:
             return [*found, again], CLOSED
@@ -216,6 +218,6 @@ def _border_followed(
     return found, f"number of points: {max_points}"
 
 
-def _stepped(track: BorderTrack, last: Place, way: Pair, share: float) -> Place:
-    """The place of a border a share of a way further."""
+def _stepped(track: BorderTrack, last: BorderPoint, way: Pair, share: float) -> BorderPoint:
+    """The point of a border a share of a way further."""
     return track.stepped(last, share * way)

@@ -13,35 +13,35 @@ from .walking_back import leads_back
 SAME = 1e-8
 """Two points of a branch that are as near are one."""
 BESIDE = 0.5
-"""Of a step: a place that is farther from the straight way is not gone through."""
+"""Of a step: a point that is farther from the straight way is not gone through."""
 AT_FIRST = 64
-"""So many places there is room for at first."""
+"""So many points there is room for at first."""
 
 
-class Places:
-    """Places in a row, and those that are beside a straight way."""
+class PointSet:
+    """Points in a row, and those that are beside a straight way."""
 
     def __init__(self, dimension: int) -> None:
-        """Without any place yet."""
+        """Without any point yet."""
         self._rows = np.empty((AT_FIRST, dimension))
         self._count = 0
 
     def __getitem__(self, number: int) -> NDArray[np.float64]:
-        """A place by its number."""
-        place: NDArray[np.float64] = self._rows[: self._count][number]
-        return place
+        """A point by its number."""
+        coordinates: NDArray[np.float64] = self._rows[: self._count][number]
+        return coordinates
 
-    def add(self, place: NDArray[np.float64]) -> None:
-        """One more place."""
+    def add(self, coordinates: NDArray[np.float64]) -> None:
+        """One more point."""
         if self._count == len(self._rows):
             self._rows = np.concatenate([self._rows, np.empty_like(self._rows)])
-        self._rows[self._count] = place
+        self._rows[self._count] = coordinates
         self._count += 1
 
     def beside(
         self, begin: NDArray[np.float64], end: NDArray[np.float64]
     ) -> Iterator[tuple[int, NDArray[np.float64]]]:
-        """The numbers of places beside a straight way, and the nearest place on it to each."""
+        """The numbers of points beside a straight way, and the nearest point on it to each."""
         way = end - begin
         away = self._rows[: self._count] - begin
         shares = away @ way / (way @ way)
@@ -58,7 +58,7 @@ class Track:
         """Whose branch it is, and where it has been already."""
         self.family = family
         self._points: list[Point] = []
-        self._places = Places(len(family.scales))
+        self._visited = PointSet(len(family.scales))
         for point in points:
             self.add(point)
 
@@ -66,12 +66,14 @@ class Track:
         """One more point."""
         self._points.append(point)
         for apex in (point.gait.apex, *point.gait.following):
-            self._places.add(np.append(apex, point.value) / self.family.scales)
+            self._visited.add(np.append(apex, point.value) / self.family.scales)
 
     def met(self, last: Point, following: Point) -> tuple[Point, str] | None:
         """The point of the track that the branch goes through in its next step."""
-        for number, beside in self._places.beside(self.family.place(last), self.family.place(following)):
-            if self._goes_through(self._places[number], beside, last, following):
+        for number, beside in self._visited.beside(
+            self.family.coordinates(last), self.family.coordinates(following)
+        ):
+            if self._goes_through(self._visited[number], beside, last, following):
                 number, stride = divmod(number, self.family.strides)
                 return self._points[number], self._reported(self._points[number], following, stride)
         return None
@@ -81,18 +83,18 @@ class Track:
         return all(self.met(*pair) is None for pair in pairwise(points))
 
     def _goes_through(
-        self, place: NDArray[np.float64], beside: NDArray[np.float64], last: Point, following: Point
+        self, coordinates: NDArray[np.float64], beside: NDArray[np.float64], last: Point, following: Point
     ) -> bool:
-        """The branch beside a place of the track is at it, and leads to both points.
+        """The branch beside a point of the track is at it, and leads to both points.
 
-        Close to where the branch turns sharply, the corrector finds gaits of both sides from one place.
+        Close to where the branch turns sharply, the corrector finds gaits of both sides from one point.
         """
-        way = self.family.place(following) - self.family.place(last)
+        way = self.family.coordinates(following) - self.family.coordinates(last)
         try:
             found = self.family.on_plane(beside, way / np.linalg.norm(way))
         except (InputError, RunError):
             return False
-        if np.linalg.norm(self.family.place(found) - place) >= SAME:
+        if np.linalg.norm(self.family.coordinates(found) - coordinates) >= SAME:
             return False
         return all(leads_back(self.family, found, other) for other in (last, following))
 

@@ -15,7 +15,7 @@ from ..errors import RunError
 from ..library.gait import Gait
 from ..library.members import VARIED
 from ..terminal.progress import progress_bar
-from .target import GOOD_ENOUGH, Place, Target
+from .target import GOOD_ENOUGH, Iterate, Target
 
 ITERATIONS, LOOK_AHEAD = 30, 8
 """Of the search for the nearest gait, and to see whether a further parameter helps."""
@@ -36,44 +36,45 @@ NOT_THE_RUNNERS = ("gravity",)
 
 def nearest_from(
     target: Target,
-    places: Sequence[Place],
+    iterates: Sequence[Iterate],
     steps: Sequence[float] = LONGEST_STEPS,
     iterations: int = ITERATIONS,
-) -> Place:
+) -> Iterate:
     """The gait nearest to a target, of those that are reached from some gaits."""
     return min(
-        (_descended(target, place, step, iterations) for place in places for step in steps), key=target.gap
+        (_descended(target, iterate, step, iterations) for iterate in iterates for step in steps),
+        key=target.gap,
     )
 
 
-def _descended(target: Target, place: Place, longest: float, iterations: int) -> Place:
+def _descended(target: Target, iterate: Iterate, longest: float, iterations: int) -> Iterate:
     """Where the gap gets no smaller."""
     damping = 1e-3
     for _ in range(iterations):
-        gap = target.gap(place)
-        tried = _stepped(target, place, damping, longest)
+        gap = target.gap(iterate)
+        tried = _stepped(target, iterate, damping, longest)
         if tried is None or target.gap(tried) >= gap:
             damping *= 10.0
             if damping > MAX_DAMPING:
                 break
             continue
-        place, damping = tried, max(0.1 * damping, MIN_DAMPING)
+        iterate, damping = tried, max(0.1 * damping, MIN_DAMPING)
         if target.gap(tried) <= GOOD_ENOUGH or gap - target.gap(tried) < LITTLE * gap:
             break
-    return place
+    return iterate
 
 
-def _stepped(target: Target, place: Place, damping: float, longest: float) -> Place | None:
+def _stepped(target: Target, iterate: Iterate, damping: float, longest: float) -> Iterate | None:
     """A step towards the target along the gaits; None where there is no gait."""
-    count = len(target.closing(place))
-    rows = target.rows(place)
+    count = len(target.closing(iterate))
+    rows = target.rows(iterate)
     tangents = _null_space(rows[:count])
     slopes = rows[count:] @ tangents
     square = slopes.T @ slopes + damping * np.eye(tangents.shape[1])
-    step = tangents @ np.linalg.solve(square, -slopes.T @ target.deviations(place))
+    step = tangents @ np.linalg.solve(square, -slopes.T @ target.deviations(iterate))
     step *= min(1.0, longest / (float(np.linalg.norm(step)) or 1.0))
     try:
-        return target.closed_near(place.at + step)
+        return target.closed_near(iterate.at + step)
     except RunError:
         return None
 
@@ -104,7 +105,7 @@ class Help:
 
 
 def parameters_that_help(
-    target: Target, nearest: Place, first: Gait, progress: bool = False
+    target: Target, nearest: Iterate, first: Gait, progress: bool = False
 ) -> tuple[Help, ...]:
     """Parameters and inputs that bring the target nearer, each varied beside the others or instead of one.
 
@@ -130,10 +131,10 @@ def _with_one_more(target: Target, name: str, first: Gait, near: Gait, maximum: 
     """What is left of the gap where one more parameter varies."""
     wider = target.with_more(name)
     try:
-        begin = wider.place_of(first)
+        begin = wider.iterate_of(first)
         there, share = wider.solved_from(begin, STEPS)
         if wider.gap(there) > maximum:
-            there = nearest_from(wider, (wider.place_of(near),), LONGEST_STEPS[:1], LOOK_AHEAD)
+            there = nearest_from(wider, (wider.iterate_of(near),), LONGEST_STEPS[:1], LOOK_AHEAD)
     except RunError:
         return Help(name, "", np.inf, np.inf)
     changed = float(np.linalg.norm(there.at - begin.at))
@@ -144,7 +145,7 @@ def _with_one_instead(target: Target, name: str, other: str, first: Gait) -> Hel
     """Whether the target is met where one parameter varies instead of another."""
     changed = target.with_one_for(other, name)
     try:
-        begin = changed.place_of(first)
+        begin = changed.iterate_of(first)
         there, share = changed.solved_from(begin)
     except RunError:
         share = 0.0
@@ -161,17 +162,17 @@ def _promising(target: Target, gaits: Sequence[Gait]) -> list[str]:
     left = dict.fromkeys(names, np.inf)
     for gait in gaits:
         with contextlib.suppress(RunError):
-            place = widest.place_of(gait)
+            iterate = widest.iterate_of(gait)
             kept = list(range(len(gait.apex) + len(target.vary)))
             for further, name in enumerate(names, len(kept)):
-                left[name] = min(left[name], _promised(widest, place, [*kept, further]))
+                left[name] = min(left[name], _promised(widest, iterate, [*kept, further]))
     return sorted(names, key=lambda name: left[name])[:MAX_TRIED]
 
 
-def _promised(target: Target, place: Place, columns: list[int]) -> float:
+def _promised(target: Target, iterate: Iterate, columns: list[int]) -> float:
     """The share of the gap that is left after the longest step, along gaits, by some of what is varied."""
-    off, count = target.deviations(place), len(target.closing(place))
-    rows = target.rows(place)[:, columns]
+    off, count = target.deviations(iterate), len(target.closing(iterate))
+    rows = target.rows(iterate)[:, columns]
     tangents = _null_space(rows[:count])
     slopes = rows[count:] @ tangents
     step = -np.linalg.lstsq(slopes, off)[0]

@@ -34,9 +34,9 @@ def next_point(family: Family, last: Point, step: float, largest: float) -> tupl
     """The next point by a step along the tangent, and how long the next step may be."""
 
     def attempt(step: float) -> tuple[Point, float]:
-        goal = family.place(last) + step * last.direction
+        goal = family.coordinates(last) + step * last.direction
         following = family.on_plane(goal, last.direction)
-        off = float(np.linalg.norm(family.place(following) - goal))
+        off = float(np.linalg.norm(family.coordinates(following) - goal))
         turns = following.direction @ last.direction < STRAIGHT
         if off > NEAR * step or (step > SHARP and (turns or off > FARTHEST * step)):
             raise RunError(f"the branch turns sharply at {family.name} = {last.value:g}")
@@ -54,7 +54,7 @@ def past_corner(
     """Points of the branch beyond a change of the events at which it turns."""
     for distance in BEYOND:
         try:
-            other = family.look(family.place(last) + distance * last.direction)
+            other = family.evaluate(family.coordinates(last) + distance * last.direction)
             if other.sequence == last.gait.sequence:
                 continue
             tangent = family.point(other, last.direction).direction
@@ -71,10 +71,10 @@ def _on_other_side(family: Family, last: Point, step: NDArray[np.float64]) -> li
     """A gait with other events a step away, if its branch leads back; and those on the way there."""
     length = np.linalg.norm(step)
     try:
-        found = family.on_plane(family.place(last) + step, step / length)
+        found = family.on_plane(family.coordinates(last) + step, step / length)
     except (InputError, RunError):
         return []
-    way = family.place(found) - family.place(last)
+    way = family.coordinates(found) - family.coordinates(last)
     if np.linalg.norm(way) > NEAR * length or found.gait.sequence == last.gait.sequence:
         return []
     found = found if found.direction @ way > 0.0 else reverse(found)

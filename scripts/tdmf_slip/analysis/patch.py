@@ -52,8 +52,8 @@ def landing_at(gait: Gait, contact_angle: float) -> Runner | None:
     drop = float(gait.apex[0]) - share * values["leg.free_length"] * math.cos(at)
     if drop <= 0.0:
         return None
-    placed = at + values["hip.retraction_rate"] * math.sqrt(2.0 * drop / values["gravity"])
-    return gait.runner.but("hip.touchdown_angle", placed) if placed < STEEPEST else None
+    touchdown_angle = at + values["hip.retraction_rate"] * math.sqrt(2.0 * drop / values["gravity"])
+    return gait.runner.but("hip.touchdown_angle", touchdown_angle) if touchdown_angle < STEEPEST else None
 
 
 def meet_patch(
@@ -68,33 +68,33 @@ def meet_patch(
         for column, angle in enumerate(contact_angles)
         if (runner := landing_at(gait, angle)) is not None
     }
-    places, apices = list(landings), [gaits[row].apex for row, _ in landings]
-    for place, apex in zip(places, apices, strict=True):
-        slips[place] = _slip(landings[place], apex)
-    for place in places:
-        fell[place] = 1.0
-    up, apices = _followed(places, [Case(landings[place]) for place in places], apices, 1)
+    cells, apices = list(landings), [gaits[row].apex for row, _ in landings]
+    for cell, apex in zip(cells, apices, strict=True):
+        slips[cell] = _slip(landings[cell], apex)
+    for cell in cells:
+        fell[cell] = 1.0
+    up, apices = _followed(cells, [Case(landings[cell]) for cell in cells], apices, 1)
     if strides > 1:
         on_patch = [Case(gaits[row].runner.but(FRICTION, friction)) for row, _ in up]
         up, apices = _followed(up, on_patch, apices, strides - 1)
     after = [Case(gaits[row].runner, [gaits[row].apex]) for row, _ in up]
-    for place in _followed(up, after, apices, AFTER)[0]:
-        fell[place] = 0.0
+    for cell in _followed(up, after, apices, AFTER)[0]:
+        fell[cell] = 0.0
     return Meetings(fell, slips)
 
 
 def _followed(
-    places: Sequence[tuple[int, int]],
+    cells: Sequence[tuple[int, int]],
     cases: Sequence[Case],
     apices: Sequence[NDArray[np.float64]],
     strides: int,
 ) -> tuple[list[tuple[int, int]], list[NDArray[np.float64]]]:
     """Those that are up after some strides, and their apices then."""
-    if not places:
+    if not cells:
         return [], []
     ends, _ = run_ensemble(cases, np.array(apices), range(len(cases)), max_strides=strides)
     kept = [k for k, fate in enumerate(ends["fate"]) if fate in UP]
-    return [places[k] for k in kept], [ends["apex"][k][: len(apices[k])] for k in kept]
+    return [cells[k] for k in kept], [ends["apex"][k][: len(apices[k])] for k in kept]
 
 
 def _slip(runner: Runner, apex: NDArray[np.float64]) -> float:

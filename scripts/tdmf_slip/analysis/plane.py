@@ -1,6 +1,6 @@
 """Gaits over two parameters at which an eigenvalue is where a bifurcation puts it.
 
-With a gait's place u, its apex z and both parameters, the equations are P(u) - z = 0 and g(u) = 0. On a curve
+With a gait's point u, its apex z and both parameters, the equations are P(u) - z = 0 and g(u) = 0. On a curve
 of folds g is det(J - I), on one of period doublings det(J + I), and on one of Neimark-Sacker points the
 determinant of J's bialternate product less I: the product of all (a b - 1) over pairs of eigenvalues.
 """
@@ -23,16 +23,16 @@ from .bifurcations import FOLD, NEIMARK_SACKER, PERIOD_DOUBLING
 from .walking_back import RETURNED
 
 DIFFERENCE = 1e-6
-"""Over the scales: by how much places differ by which g is differentiated."""
+"""Over the scales: by how much points differ by which g is differentiated."""
 ITERATIONS = 12
 REFRESHED = 4
 """After so many the derivatives are made anew."""
 CONVERGED, GOOD_ENOUGH = 1e-10, 1e-11
-"""Of the last change of the place, and of the apex and the next."""
+"""Of the last change of the point, and of the apex and the next."""
 
 
 @dataclass(frozen=True, eq=False)
-class Place(ByContents):
+class CurvePoint(ByContents):
     """A gait over two parameters, with the derivatives of its equations."""
 
     at: NDArray[np.float64]
@@ -79,7 +79,7 @@ class Plane:
         self.scales = scales_of(runner, names)
 
     def strides_at(self, at: NDArray[np.float64], along: str) -> Gait:
-        """The strides from a place over the scales, differentiated by one of the parameters, too."""
+        """The strides from a point over the scales, differentiated by one of the parameters, too."""
         values = at * self.scales
         runner = self.runner
         for name, value in zip(self.names, values[-2:], strict=True):
@@ -90,8 +90,8 @@ class Plane:
         """The function that is zero on the curve."""
         return TESTS[self.kind](gait.jacobian)
 
-    def place(self, at: NDArray[np.float64]) -> Place:
-        """A place with all derivatives: those of g by differences."""
+    def evaluate(self, at: NDArray[np.float64]) -> CurvePoint:
+        """A point with all derivatives: those of g by differences."""
         both = [self.strides_at(at, name) for name in self.names]
         scales, dimension = self.scales[:-2], len(at) - 2
         by_parameters = np.array([gait.by_parameter for gait in both]).T
@@ -104,36 +104,40 @@ class Plane:
         matrix = np.vstack([rows, gradient])
         if not np.isfinite(matrix).all():
             raise RunError("a gait has no derivatives")
-        return Place(at, both[0], matrix)
+        return CurvePoint(at, both[0], matrix)
 
-    def corrected(self, goal: NDArray[np.float64], normal: NDArray[np.float64]) -> Place:
-        """The place of the curve near a goal on the plane across a direction."""
-        at, place = goal, None
+    def corrected(self, goal: NDArray[np.float64], normal: NDArray[np.float64]) -> CurvePoint:
+        """The point of the curve near a goal on the plane across a direction."""
+        at, point = goal, None
         for number in range(ITERATIONS):
-            if place is None or number % REFRESHED == 0:
-                place = self.place(at)
+            if point is None or number % REFRESHED == 0:
+                point = self.evaluate(at)
             try:
-                change = self._change(at, place, goal, normal)
+                change = self._change(at, point, goal, normal)
             except np.linalg.LinAlgError:
                 break
             at = at + change
             if np.max(np.abs(change)) < CONVERGED:
-                found = self.place(at)
+                found = self.evaluate(at)
                 if found.gait.error <= GOOD_ENOUGH:
                     return found
         raise RunError("no convergence")
 
     def _change(
-        self, at: NDArray[np.float64], near: Place, goal: NDArray[np.float64], normal: NDArray[np.float64]
+        self,
+        at: NDArray[np.float64],
+        near: CurvePoint,
+        goal: NDArray[np.float64],
+        normal: NDArray[np.float64],
     ) -> NDArray[np.float64]:
-        """A step of Newton's method from a place, with the derivatives of one near it."""
+        """A step of Newton's method from a point, with the derivatives of one near it."""
         gait = self.strides_at(at, self.names[0])
         off = [*(gait.left_over / self.scales[:-2]), self.zero(gait), (at - goal) @ normal]
         change: NDArray[np.float64] = np.linalg.solve(np.vstack([near.matrix, normal]), -np.array(off))
         return change
 
-    def leads_back(self, found: Place, known: Place) -> bool:
-        """The corrector that starts from one place's tangent finds another, from which the first was found.
+    def leads_back(self, found: CurvePoint, known: CurvePoint) -> bool:
+        """The corrector that starts from one point's tangent finds another, from which the first was found.
 
         Where it does not, they are of two curves, or the way from one to the other is too long.
         """

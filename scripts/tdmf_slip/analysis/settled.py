@@ -42,14 +42,14 @@ class Settled(ByContents):
 
 
 def evenly(count: int, dimension: int, first: int = 0) -> NDArray[np.float64]:
-    """Places that fill a box evenly: multiples of powers of a generalized golden ratio, modulo 1."""
+    """Points that fill a box evenly: multiples of powers of a generalized golden ratio, modulo 1."""
     ratio = 1.5
     for _ in range(60):
         ratio = (1.0 + ratio) ** (1.0 / (dimension + 1))
     steps = ratio ** -np.arange(1.0, dimension + 1)
     numbers = first + 1.0 + np.arange(count)
-    places: NDArray[np.float64] = (0.5 + numbers[:, None] * steps) % 1.0
-    return places
+    points: NDArray[np.float64] = (0.5 + numbers[:, None] * steps) % 1.0
+    return points
 
 
 def settled_gaits(
@@ -72,7 +72,7 @@ class _Runs:
         self.runner, self.varied = runner, varied
         rows = np.column_stack(list(varied.values()))
         low, high = rows.min(axis=0), rows.max(axis=0)
-        self.places = (rows - low) / np.where(high > low, high - low, 1.0)
+        self.points = (rows - low) / np.where(high > low, high - low, 1.0)
         self.able = np.array([_goes_together(runner, varied, k) for k in range(len(rows))])
         self.apexes = np.tile(begin, (len(rows), 1))
         self.running = np.zeros(len(rows), dtype=bool)
@@ -89,7 +89,7 @@ class _Runs:
             if not (fallen.any() and self.running.any()):
                 return
             runners = np.flatnonzero(self.running)
-            far, nearest = KDTree(self.places[runners]).query(self.places[fallen])
+            far, nearest = KDTree(self.points[runners]).query(self.points[fallen])
             near = np.zeros_like(fallen)
             near[np.flatnonzero(fallen)[far <= TAKEN_IN]] = True
             self.apexes[near] = self.apexes[runners[nearest[far <= TAKEN_IN]]]

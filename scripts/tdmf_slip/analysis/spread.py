@@ -33,11 +33,11 @@ ROUNDS = (0, 0, 1, 2, 4, 8, 16, 32, 64, 128)
 KEPT = 2_048
 """Runners that go on after each look: those whose strides come back nearest."""
 PROMISING, MAX_TRIED = 12, 48
-"""Places from which Newton's method begins: after each look, and in the end of all looks together."""
+"""Points from which Newton's method begins: after each look, and in the end of all looks together."""
 ITERATIONS, SHORTENINGS, GAIN, CLOSE = 16, 6, 0.9, 1e-6
 """Of each, to within so much of the scales, as long as a step makes what is left smaller by this factor."""
 APART = 1e-2
-"""Over the scales: a place as near to one that was tried is not tried."""
+"""Over the scales: a point as near to one that was tried is not tried."""
 SAME = 1e-6
 """Over the scales: gaits as near are one."""
 SETTLED = 1e-4
@@ -92,16 +92,16 @@ def search_from_spread(
     found = _Found(runner, along)
     runs = _Runs(runner, starts_of(runner, STARTS), max_strides)
     nearest: list[tuple[float, NDArray[np.float64]]] = []
-    for places, returns in runs.looks():
+    for apices, returns in runs.looks():
         order = np.argsort(returns)[:PROMISING]
-        nearest += [(float(returns[k]), places[k]) for k in order]
+        nearest += [(float(returns[k]), apices[k]) for k in order]
         for k in order[returns[order] < SETTLED]:
-            found.try_from(places[k])
+            found.try_from(apices[k])
         if found.stable >= max_gaits:
             break
     else:
-        for _, place in sorted(nearest, key=lambda pair: pair[0]):
-            found.try_from(place)
+        for _, apex in sorted(nearest, key=lambda pair: pair[0]):
+            found.try_from(apex)
     gaits = sorted(found.gaits, key=lambda gait: (not gait.stable, gait.lambda_max))
     return Spread(tuple(gaits), STARTS, runs.made + found.strides)
 
@@ -113,7 +113,7 @@ class _Runs:
         self.runner, self.apexes, self.left, self.made = runner, starts, max_strides, 0
 
     def looks(self) -> Iterator[tuple[NDArray[np.float64], NDArray[np.float64]]]:
-        """Places, and how near to them a stride from there comes back, over the scales: again and again."""
+        """Points, and how near to them a stride from there comes back, over the scales: again and again."""
         for strides in ROUNDS:
             if strides:
                 self.apexes = self._after(strides)[1]
@@ -136,7 +136,7 @@ class _Runs:
 
 
 class _Found:
-    """Gaits by Newton's method from one place after the other."""
+    """Gaits by Newton's method from one point after the other."""
 
     def __init__(self, runner: Runner, along: Along | None) -> None:
         self.runner, self.along = runner, along
@@ -149,13 +149,13 @@ class _Found:
         """How many of them are."""
         return sum(gait.stable for gait in self.gaits)
 
-    def try_from(self, place: NDArray[np.float64]) -> None:
-        """Once more, unless a place near this one was tried or is a gait's."""
-        if len(self._tried) >= MAX_TRIED or self._is_near(place, self._tried, APART):
+    def try_from(self, apex: NDArray[np.float64]) -> None:
+        """Once more, unless a point near this one was tried or is a gait's."""
+        if len(self._tried) >= MAX_TRIED or self._is_near(apex, self._tried, APART):
             return
-        self._tried.append(place)
+        self._tried.append(apex)
         with contextlib.suppress(InputError, RunError, np.linalg.LinAlgError):
-            near = self._approached(place)
+            near = self._approached(apex)
             if near is None or self._is_near(near, [gait.apex for gait in self.gaits], SAME):
                 return
             gait = gait_near(self.runner, near, along=self.along)
@@ -165,15 +165,15 @@ class _Found:
                 self.gaits.append(gait)
 
     def _is_near(
-        self, place: NDArray[np.float64], others: Sequence[NDArray[np.float64]], distance: float
+        self, apex: NDArray[np.float64], others: Sequence[NDArray[np.float64]], distance: float
     ) -> bool:
-        return any(np.linalg.norm((place - other) / self.runner.scales) < distance for other in others)
+        return any(np.linalg.norm((apex - other) / self.runner.scales) < distance for other in others)
 
-    def _approached(self, place: NDArray[np.float64]) -> NDArray[np.float64] | None:
-        """A place next to a gait; None as soon as Newton's method does not lead to one at a good pace."""
+    def _approached(self, apex: NDArray[np.float64]) -> NDArray[np.float64] | None:
+        """A point next to a gait; None as soon as Newton's method does not lead to one at a good pace."""
         strides, _ = last_iterate(
             self,
-            self._strides_from(place),
+            self._strides_from(apex),
             iterations=ITERATIONS,
             shortenings=SHORTENINGS,
             gain=GAIN,
@@ -196,6 +196,6 @@ class _Found:
         """The strides from a step further."""
         return self._strides_from(strides.apex + step)
 
-    def _strides_from(self, place: NDArray[np.float64]) -> Gait:
+    def _strides_from(self, apex: NDArray[np.float64]) -> Gait:
         self.strides += 1
-        return strides_from(self.runner, place)
+        return strides_from(self.runner, apex)

@@ -87,8 +87,8 @@ def stability(
     lambda_max = np.full(shape, np.nan)
     word = np.full(shape, "", dtype=object)
     with progress_bar("stability", lambda_max.size, "points", progress) as bar:
-        for place, gait in _spread(runner, names, values, bar):
-            lambda_max[place], word[place] = gait.lambda_max, gait.word
+        for cell, gait in _spread(runner, names, values, bar):
+            lambda_max[cell], word[cell] = gait.lambda_max, gait.word
     return StabilityMap(names, *values, lambda_max, word)
 
 
@@ -113,10 +113,10 @@ def _spread(
     values: tuple[NDArray[np.float64], NDArray[np.float64]],
     bar: Bar,
 ) -> Iterator[tuple[tuple[int, int], Gait]]:
-    """Gaits with their places, from the first on to neighbours, and from these on to theirs."""
+    """Gaits with their cells, from the first on to neighbours, and from these on to theirs."""
 
-    def at(place: tuple[int, int]) -> Runner:
-        return runner.but(names[0], values[0][place[0]]).but(names[1], values[1][place[1]])
+    def at(cell: tuple[int, int]) -> Runner:
+        return runner.but(names[0], values[0][cell[0]]).but(names[1], values[1][cell[1]])
 
     row, column = (
         int(np.argmin(np.abs(along - runner.values[name]))) for along, name in zip(values, names, strict=True)
@@ -129,16 +129,16 @@ def _spread(
     edge = deque([((row, column), first)])
     while edge:
         (row, column), gait = edge.popleft()
-        for place in ((row + 1, column), (row - 1, column), (row, column + 1), (row, column - 1)):
-            if place in found or not (0 <= place[0] < len(values[0]) and 0 <= place[1] < len(values[1])):
+        for cell in ((row + 1, column), (row - 1, column), (row, column + 1), (row, column - 1)):
+            if cell in found or not (0 <= cell[0] < len(values[0]) and 0 <= cell[1] < len(values[1])):
                 continue
-            if place not in seen:
-                seen.add(place)
+            if cell not in seen:
+                seen.add(cell)
                 bar.update()
             try:
-                neighbour = gait_near(at(place), gait.apex)
+                neighbour = gait_near(at(cell), gait.apex)
             except RunError:
                 continue
-            found.add(place)
-            edge.append((place, neighbour))
-            yield place, neighbour
+            found.add(cell)
+            edge.append((cell, neighbour))
+            yield cell, neighbour

@@ -115,7 +115,7 @@ def _longest(family: Family, last: Point, limits: Limits) -> float:
 
 def _at_value(family: Family, before: Point, after: Point, value: float) -> Point:
     """The point of the branch at a value of the parameter; the one after it where that is not found."""
-    begin, end = family.place(before), family.place(after)
+    begin, end = family.coordinates(before), family.coordinates(after)
     share = (value - before.value) / (after.value - before.value)
     try:
         gait = family.gait(value, (begin + share * (end - begin))[:-1] * family.scales[:-1])
@@ -131,7 +131,7 @@ def _lost(family: Family, last: Point, problem: Exception) -> str:
     if isinstance(problem, InputError):
         return f"limit of what is allowed at {where}: {problem}"
     try:
-        other = family.look(family.place(last) + BEYOND[0] * last.direction)
+        other = family.evaluate(family.coordinates(last) + BEYOND[0] * last.direction)
     except (InputError, RunError) as fate:
         return f"the gait is lost at {where}: just beyond, {fate}"
     if other.sequence != last.gait.sequence:

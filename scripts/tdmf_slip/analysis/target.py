@@ -26,7 +26,7 @@ NEWTON_ITERATIONS, SHORTENINGS = 40, 6
 LONGEST_STEP = 1.0
 """Of Newton's method, over the scales of apex and parameters: far beyond them a stride may take an age."""
 CLOSE_ITERATIONS, CLOSE_SHORTENINGS = 10, 3
-"""Where a place is near a gait that is sought, or else is of no use."""
+"""Where a point is near a gait that is sought, or else is of no use."""
 STEPS = 40
 """Of the way from the first gait's quantities to those prescribed, with those that are refused."""
 CONVERGED, GOOD_ENOUGH = 1e-13, 1e-11
@@ -36,7 +36,7 @@ SHORTEST_SHARE = 5e-3
 
 
 @dataclass(frozen=True, eq=False)
-class Place(ByContents):
+class Iterate(ByContents):
     """An apex and parameters, with the stride from there."""
 
     at: NDArray[np.float64]
@@ -68,90 +68,90 @@ class Target:
         return Target(self.runner, quantities, [other if varied == name else varied for varied in self.vary])
 
     def runner_at(self, at: NDArray[np.float64]) -> Runner:
-        """The runner with the varied parameters' values at a place."""
+        """The runner with the varied parameters' values at a point."""
         runner = self.runner
         for name, value in zip(self.vary, (at * self.scales)[-len(self.vary) :], strict=True):
             runner = runner.but(name, float(value))
         return runner
 
-    def place_of(self, gait: Gait) -> Place:
+    def iterate_of(self, gait: Gait) -> Iterate:
         """That of a gait of this runner, whatever its varied parameters."""
         values = [gait.runner.values[name] for name in self.vary]
-        return self.look(np.append(gait.apex, values) / self.scales)
+        return self.evaluate(np.append(gait.apex, values) / self.scales)
 
-    def look(self, at: NDArray[np.float64]) -> Place:
-        """The stride from a place."""
+    def evaluate(self, at: NDArray[np.float64]) -> Iterate:
+        """The stride from a point."""
         count = len(self._apex_scales)
         try:
             runner = self.runner_at(at)
             varied = varied_stride(runner, (at * self.scales)[:count], self.names, self.vary)
         except InputError as problem:
             raise RunError(str(problem)) from None
-        return Place(at, varied)
+        return Iterate(at, varied)
 
-    def gait(self, place: Place) -> Gait:
-        """The gait at a place where the stride leads back to its apex."""
-        return gait_near(self.runner_at(place.at), (place.at * self.scales)[: len(self._apex_scales)])
+    def gait(self, iterate: Iterate) -> Gait:
+        """The gait at a point where the stride leads back to its apex."""
+        return gait_near(self.runner_at(iterate.at), (iterate.at * self.scales)[: len(self._apex_scales)])
 
-    def deviations(self, place: Place) -> NDArray[np.float64]:
-        """How far a place's quantities are from those prescribed, over these."""
-        off: NDArray[np.float64] = (place.varied.quantities - self.prescribed) / self.quantity_scales
+    def deviations(self, iterate: Iterate) -> NDArray[np.float64]:
+        """How far a point's quantities are from those prescribed, over these."""
+        off: NDArray[np.float64] = (iterate.varied.quantities - self.prescribed) / self.quantity_scales
         return off
 
-    def rows(self, place: Place) -> NDArray[np.float64]:
-        """Changes of what is left over and of the quantities by the place, all over the scales."""
+    def rows(self, iterate: Iterate) -> NDArray[np.float64]:
+        """Changes of what is left over and of the quantities by the point, all over the scales."""
         scales = np.append(self._apex_scales, self.quantity_scales)
-        rows: NDArray[np.float64] = place.varied.by_all * self.scales / scales[:, None]
+        rows: NDArray[np.float64] = iterate.varied.by_all * self.scales / scales[:, None]
         return rows
 
-    def closing(self, place: Place) -> NDArray[np.float64]:
+    def closing(self, iterate: Iterate) -> NDArray[np.float64]:
         """What is left over of the stride, over the scales."""
-        return place.varied.left_over / self._apex_scales
+        return iterate.varied.left_over / self._apex_scales
 
-    def solved_from(self, place: Place, steps: int = STEPS) -> tuple[Place, float]:
-        """The place that meets the target, or the last one on the way to it.
+    def solved_from(self, iterate: Iterate, steps: int = STEPS) -> tuple[Iterate, float]:
+        """The point that meets the target, or the last one on the way to it.
 
-        Newton's method alone, from the place given; where it fails, through targets between what the gait
+        Newton's method alone, from the point given; where it fails, through targets between what the gait
         has and what is prescribed, a share at a time.
         """
         with contextlib.suppress(RunError):
-            return self._by_newton(place, self.prescribed), 1.0
-        begin, way = place.varied.quantities, self.prescribed - place.varied.quantities
+            return self._by_newton(iterate, self.prescribed), 1.0
+        begin, way = iterate.varied.quantities, self.prescribed - iterate.varied.quantities
         attempts = iter(range(steps))
 
-        def advance(place: Place, _at: float, to: float) -> Place:
+        def advance(iterate: Iterate, _at: float, to: float) -> Iterate:
             if next(attempts, None) is None:
                 raise RunError("too many steps on the way to the target")
             goal = self.prescribed if to == 1.0 else begin + to * way
-            return self._by_newton(place, goal, CLOSE_ITERATIONS, CLOSE_SHORTENINGS)
+            return self._by_newton(iterate, goal, CLOSE_ITERATIONS, CLOSE_SHORTENINGS)
 
         done = 0.0
         with contextlib.suppress(RunError):
-            for share, there in walk(place, 0.0, 1.0, advance, shortest=SHORTEST_SHARE, first=0.5):
-                place, done = there, share
-        return place, done
+            for share, there in walk(iterate, 0.0, 1.0, advance, shortest=SHORTEST_SHARE, first=0.5):
+                iterate, done = there, share
+        return iterate, done
 
-    def closed_near(self, at: NDArray[np.float64]) -> Place:
-        """The gait near a place, by the shortest steps that lead to one."""
-        return self._by_newton(self.look(at), None, CLOSE_ITERATIONS, CLOSE_SHORTENINGS)
+    def closed_near(self, at: NDArray[np.float64]) -> Iterate:
+        """The gait near a point, by the shortest steps that lead to one."""
+        return self._by_newton(self.evaluate(at), None, CLOSE_ITERATIONS, CLOSE_SHORTENINGS)
 
     def _by_newton(
         self,
-        place: Place,
+        iterate: Iterate,
         goal: NDArray[np.float64] | None,
         iterations: int = NEWTON_ITERATIONS,
         shortenings: int = SHORTENINGS,
-    ) -> Place:
+    ) -> Iterate:
         """With quantities as the goal says, or with whatever they are."""
         closing = _Closing(self, goal)
-        place, _ = last_iterate(closing, place, iterations=iterations, shortenings=shortenings)
-        if closing.largest(place) > GOOD_ENOUGH:
+        iterate, _ = last_iterate(closing, iterate, iterations=iterations, shortenings=shortenings)
+        if closing.largest(iterate) > GOOD_ENOUGH:
             raise RunError("Newton's method does not converge")
-        return place
+        return iterate
 
-    def gap(self, place: Place) -> float:
+    def gap(self, iterate: Iterate) -> float:
         """How far a gait is from the target: the root of the sum of squared deviations."""
-        return float(np.linalg.norm(self.deviations(place)))
+        return float(np.linalg.norm(self.deviations(iterate)))
 
 
 @dataclass(frozen=True, eq=False)
@@ -161,26 +161,26 @@ class _Closing(ByContents):
     target: Target
     goal: NDArray[np.float64] | None
 
-    def error(self, place: Place) -> float:
-        return float(np.linalg.norm(self._off(place)))
+    def error(self, iterate: Iterate) -> float:
+        return float(np.linalg.norm(self._off(iterate)))
 
-    def largest(self, place: Place) -> float:
-        return float(np.max(np.abs(self._off(place))))
+    def largest(self, iterate: Iterate) -> float:
+        return float(np.max(np.abs(self._off(iterate))))
 
-    def is_solved(self, place: Place) -> bool:
-        return self.largest(place) <= CONVERGED
+    def is_solved(self, iterate: Iterate) -> bool:
+        return self.largest(iterate) <= CONVERGED
 
-    def step(self, place: Place) -> NDArray[Any]:
+    def step(self, iterate: Iterate) -> NDArray[Any]:
         """Of least length, and no longer than `LONGEST_STEP`."""
-        off = self._off(place)
-        step: NDArray[Any] = np.linalg.lstsq(self.target.rows(place)[: len(off)], -off)[0]
+        off = self._off(iterate)
+        step: NDArray[Any] = np.linalg.lstsq(self.target.rows(iterate)[: len(off)], -off)[0]
         return step * min(1.0, LONGEST_STEP / (float(np.max(np.abs(step))) or 1.0))
 
-    def moved(self, place: Place, step: NDArray[Any]) -> Place:
-        return self.target.look(place.at + step)
+    def moved(self, iterate: Iterate, step: NDArray[Any]) -> Iterate:
+        return self.target.evaluate(iterate.at + step)
 
-    def _off(self, place: Place) -> NDArray[np.float64]:
-        closing = self.target.closing(place)
+    def _off(self, iterate: Iterate) -> NDArray[np.float64]:
+        closing = self.target.closing(iterate)
         if self.goal is None:
             return closing
-        return np.append(closing, (place.varied.quantities - self.goal) / self.target.quantity_scales)
+        return np.append(closing, (iterate.varied.quantities - self.goal) / self.target.quantity_scales)

@@ -19,7 +19,7 @@ from ..unit.variable import Given
 from .beginnings import beginnings
 from .nearest import Help, nearest_from, parameters_that_help
 from .search import periodic_gait
-from .target import Place, Target
+from .target import Iterate, Target
 
 TRAVEL = ("speed", "frequency", "length")
 """Any two of them set the third."""
@@ -136,39 +136,39 @@ def find_gait(
     check_quantities(starting, list(wanted))
     first = periodic_gait(starting, guess, fmu=fmu)
     system = Target(first.runner, wanted, names)
-    begin = system.place_of(first)
+    begin = system.iterate_of(first)
     _check_action(system, begin)
-    place, share = system.solved_from(begin)
+    iterate, share = system.solved_from(begin)
     if share < 1.0:
         others = beginnings(system, first, load_fmu(fmu))
-        place, share, nearest = _met_from_elsewhere(system, (begin, place), others)
+        iterate, share, nearest = _met_from_elsewhere(system, (begin, iterate), others)
         if share < 1.0:
             helps = parameters_that_help(system, nearest, first, progress)
             raise _not_met(system, nearest, helps, load_fmu(fmu))
-    return _met(system, place)
+    return _met(system, iterate)
 
 
 def _met_from_elsewhere(
-    target: Target, known: Sequence[Place], others: Iterator[Place]
-) -> tuple[Place, float, Place]:
+    target: Target, known: Sequence[Iterate], others: Iterator[Iterate]
+) -> tuple[Iterate, float, Iterate]:
     """From gaits all over the varied parameters, and from the nearest one that the nearest of them lead to.
 
-    The place that was come to, the share of the way to the target, and the nearest of all that were seen.
+    The point that was come to, the share of the way to the target, and the nearest of all that were seen.
     """
     seen = [*known]
     for other in islice(others, MAX_BEGINNINGS):
-        place, share = target.solved_from(other, LAST_STEPS)
-        seen += [other, place]
+        iterate, share = target.solved_from(other, LAST_STEPS)
+        seen += [other, iterate]
         if share == 1.0:
-            return place, share, place
+            return iterate, share, iterate
     nearest = nearest_from(target, sorted(seen, key=target.gap)[:DESCENTS])
-    place, share = target.solved_from(nearest, LAST_STEPS)
-    return place, share, min(nearest, place, key=target.gap)
+    iterate, share = target.solved_from(nearest, LAST_STEPS)
+    return iterate, share, min(nearest, iterate, key=target.gap)
 
 
-def _met(target: Target, place: Place) -> Gait:
-    """The gait at a place that meets the target."""
-    gait = target.gait(place)
+def _met(target: Target, iterate: Iterate) -> Gait:
+    """The gait at a point that meets the target."""
+    gait = target.gait(iterate)
     has = np.array([*quantities_of(gait, target.names).values()])
     if not np.all(np.abs(has - target.prescribed) <= MET * target.quantity_scales):
         raise RunError(
@@ -212,10 +212,10 @@ def _checked_vary(vary: object, target: Mapping[str, float]) -> tuple[str, ...]:
     return names
 
 
-def _check_action(target: Target, place: Place) -> None:
+def _check_action(target: Target, iterate: Iterate) -> None:
     """Refuse parameters that do not act on the first gait, or not each in a way of its own."""
-    count = len(target.closing(place))
-    rows = target.rows(place)
+    count = len(target.closing(iterate))
+    rows = target.rows(iterate)
     for name, column in zip(target.vary, rows[:, count:].T, strict=True):
         if np.max(np.abs(column)) <= NO_ACTION:
             raise InputError(f"vary {name}: does not act on this gait; allowed: a parameter that changes it")
@@ -227,7 +227,7 @@ def _check_action(target: Target, place: Place) -> None:
         )
 
 
-def _not_met(target: Target, nearest: Place, helps: Sequence[Help], fmu: Fmu) -> TargetNotMetError:
+def _not_met(target: Target, nearest: Iterate, helps: Sequence[Help], fmu: Fmu) -> TargetNotMetError:
     """With the nearest gait, and what would help."""
     gait = target.gait(nearest)
     has = quantities_of(gait, target.names)

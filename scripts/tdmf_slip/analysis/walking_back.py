@@ -16,7 +16,7 @@ def leads_back(family: Family, found: Point, known: Point) -> bool:
 
     Where it does not, they are of two branches, or the way from one to the other is too long.
     """
-    begin, there = family.place(found), family.place(known)
+    begin, there = family.coordinates(found), family.coordinates(known)
     goal = begin - ((begin - there) @ found.direction) * found.direction
     return reaches(family, goal, found.direction, there, float(np.linalg.norm(begin - there)))
 
@@ -48,8 +48,8 @@ def reaches(
     """
     for shortenings in (SHORTENINGS, 0):
         try:
-            for _, place in iterates(family, goal, normal, shortenings):
-                if np.linalg.norm(place - known) <= RETURNED * step:
+            for _, coordinates in iterates(family, goal, normal, shortenings):
+                if np.linalg.norm(coordinates - known) <= RETURNED * step:
                     return True
         except (InputError, RunError, np.linalg.LinAlgError):
             continue

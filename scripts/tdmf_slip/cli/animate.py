@@ -7,7 +7,7 @@ import click
 
 from ..analysis.search import periodic_gait
 from ..errors import InputError
-from ..files.whole import check_place
+from ..files.whole import check_destination
 from ..library.runner import Runner
 from ..terminal.progress import progress_bar
 from ..unit.unit import load_fmu
@@ -63,7 +63,7 @@ def animate_command(
     from ..pictures import animation  # matplotlib is slow to load
     from ..pictures.stride import Stride
 
-    check_place(output, animation.FORMATS, "--output")
+    check_destination(output, animation.FORMATS, "--output")
     fmu = load_fmu()
     given = values_given(friction, settings)
     if from_gait is None:

@@ -13,7 +13,7 @@ from ..analysis.preview import REFINEMENTS
 from ..analysis.robustness import DISTURBED, robustness
 from ..analysis.volume import volume
 from ..errors import InputError
-from ..files.whole import check_place
+from ..files.whole import check_destination
 from ..library.ensemble import FATES
 from ..library.section import COORDINATES, MODELS, check_axes
 from ..terminal.text import columns, quantity
@@ -115,11 +115,11 @@ def basin_command(
 
     named = _axes(spans, MODELS[model])
     if output is not None:
-        check_place(output, (".nc",), "--output")
+        check_destination(output, (".nc",), "--output")
     if plot is not None:
         from ..pictures import basin_map, overview  # matplotlib is slow to load
 
-        check_place(plot, overview.FORMATS, "--plot")
+        check_destination(plot, overview.FORMATS, "--plot")
     fmu = load_fmu()
     runner = runner_of(fmu, parameters, values_given(friction, settings), model)
     axes = {

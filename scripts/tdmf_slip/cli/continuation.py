@@ -11,7 +11,7 @@ from ..analysis.curves import continue_curves
 from ..analysis.next_point import SHORTEST_STEP
 from ..analysis.tracing import LARGEST_STEP, MAX_POINTS, continue_branch
 from ..errors import InputError
-from ..files.whole import check_place
+from ..files.whole import check_destination
 from ..library.members import check_varied
 from ..library.runner import Runner
 from ..terminal.text import headed, table
@@ -112,11 +112,11 @@ def continue_command(
     if output is not None:
         from ..files.netcdf import write_dataset  # xarray is slow to load
 
-        check_place(output, (".nc",), "--output")
+        check_destination(output, (".nc",), "--output")
     if plot is not None:
         from ..pictures import overview  # matplotlib is slow to load
 
-        check_place(plot, overview.FORMATS, "--plot")
+        check_destination(plot, overview.FORMATS, "--plot")
     runner = runner_of(fmu, parameters, given, model)
     display = DisplayUnits(fmu, texts)
     if len(spans) == 2:

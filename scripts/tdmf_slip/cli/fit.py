@@ -6,7 +6,7 @@ from pathlib import Path
 import click
 
 from ..errors import InputError
-from ..files.whole import check_place
+from ..files.whole import check_destination
 from ..fitting.fitted import MAX_STARTS, STARTS, fit
 from ..fitting.result import Fit
 from ..fitting.without import LeftOut
@@ -116,11 +116,11 @@ def fit_command(
     if plot is not None:
         from ..pictures import overview  # matplotlib is slow to load
 
-        check_place(plot, overview.FORMATS, "--plot")
+        check_destination(plot, overview.FORMATS, "--plot")
     if report is not None:
         from ..pictures import fit_page
 
-        check_place(report, fit_page.FORMATS, "--report")
+        check_destination(report, fit_page.FORMATS, "--report")
     runner = runner_of(fmu, parameters, values_given(friction, settings), model)
     found = fit(
         runner,

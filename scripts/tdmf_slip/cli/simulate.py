@@ -6,7 +6,7 @@ from pathlib import Path
 import click
 
 from ..errors import InputError
-from ..files.whole import check_place
+from ..files.whole import check_destination
 from ..terminal.text import columns, quantity
 from ..unit.events import as_json
 from ..unit.inputs import read_tables
@@ -110,7 +110,7 @@ def simulate_command(
     A fall ends the run and is a result, not an error.
     """
     if output is not None:
-        check_place(output, WRITERS, "--output")
+        check_destination(output, WRITERS, "--output")
         for what, file in (("inputs", inputs), ("gait", from_gait and Path(from_gait))):
             if file and output.resolve() == file.resolve():
                 raise InputError(f"--output {output}: holds the {what}; allowed: another file name")
@@ -121,7 +121,7 @@ def simulate_command(
     if plot is not None:
         from ..pictures import overview  # matplotlib is slow to load
 
-        check_place(plot, overview.FORMATS, "--plot")
+        check_destination(plot, overview.FORMATS, "--plot")
     fmu = load_fmu()
     if parameters is not None and from_gait is not None:
         raise InputError("--parameters: --from-gait says what the parameters are; allowed: one of the two")

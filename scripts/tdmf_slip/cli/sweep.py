@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from ..analysis.sweep import Sweep, short, sweep
 from ..errors import InputError, RunError
-from ..files.whole import check_place, whole
+from ..files.whole import check_destination, whole
 from ..library.members import check_varied
 from ..library.runner import Runner
 from ..terminal.text import table
@@ -96,11 +96,11 @@ def sweep_command(
     if output == STDOUT:
         output, as_json_object = None, True
     if output is not None:
-        check_place(output, FORMATS, "--output")
+        check_destination(output, FORMATS, "--output")
     if plot is not None:
         from ..pictures import overview  # matplotlib is slow to load
 
-        check_place(plot, overview.FORMATS, "--plot")
+        check_destination(plot, overview.FORMATS, "--plot")
     fmu = load_fmu()
     given = values_given(None, settings)
     texts = pairs_given(vary, "--vary", "NAME=A:B:N")

@@ -10,7 +10,7 @@ import click
 
 from ..analysis.targeted import find_gait
 from ..errors import InputError
-from ..files.whole import check_place, whole
+from ..files.whole import check_destination, whole
 from ..library.gait import Gait
 from ..library.section import MODELS, REDUCED
 from ..library.settings import setting_number
@@ -128,13 +128,13 @@ def viability_command(
     What is in the one and not in the other is left open by the grid.
     """
     if output is not None:
-        check_place(output, (".nc",), "--output")
+        check_destination(output, (".nc",), "--output")
     if plot is not None:
         from ..pictures import overview, viability_map  # matplotlib is slow to load
 
-        check_place(plot, overview.FORMATS, "--plot")
+        check_destination(plot, overview.FORMATS, "--plot")
     if controller is not None:
-        check_place(controller, (".csv",), "--controller")
+        check_destination(controller, (".csv",), "--controller")
     fmu = load_fmu()
     runner = runner_of(fmu, parameters, values_given(friction, settings), model)
     gait = find_gait(runner, fmu=fmu) if of_gait else None
@@ -154,7 +154,7 @@ def viability_command(
     if plot is not None:
         viability_map.draw(plot, found)
     if controller is not None:
-        with whole(controller) as place, place.open("w", encoding="utf-8", newline="") as file:
+        with whole(controller) as path, path.open("w", encoding="utf-8", newline="") as file:
             csv.writer(file).writerows(found.controller().as_table())
     result = found.as_json() | ({} if gait is None else _around(found, gait))
     print(json_text(result) if as_json_object else _text(result))

@@ -1,7 +1,7 @@
 """Rows of a result written into its NetCDF file, so that a long work does not write the whole each time.
 
 In the classic format (CDF-5, see the NetCDF Users Guide, appendix "File Format Specifications") each variable
-without an unlimited dimension has one place, big-endian and without gaps, which the header tells.
+without an unlimited dimension has one offset, big-endian and without gaps, which the header tells.
 """
 
 import os
@@ -28,10 +28,10 @@ class RowFile:
     def __init__(self, path: Path, data: xarray.Dataset) -> None:
         """Begin it, unless a file of this layout is there."""
         self.path, self.data = path, data
-        place = destination(path, str(path))
-        if not place.exists() or _start_of(place, len(MAGIC)) != MAGIC:
+        resolved = destination(path, str(path))
+        if not resolved.exists() or _start_of(resolved, len(MAGIC)) != MAGIC:
             write_dataset(path, data, CLASSIC)
-        self.places = _places(place)
+        self.offsets = _offsets(resolved)
 
     def write(self, names: Sequence[str], rows: Sequence[int]) -> None:
         """Write rows of variables, each whole before the next: what tells of a row is ready comes last."""
@@ -40,7 +40,7 @@ class RowFile:
                 for name in names:
                     values = self.data[name].values
                     for row in rows:
-                        file.seek(self.places[name] + row * values[row].nbytes)
+                        file.seek(self.offsets[name] + row * values[row].nbytes)
                         file.write(
                             np.ascontiguousarray(values[row], values.dtype.newbyteorder(">")).tobytes()
                         )
@@ -50,32 +50,32 @@ class RowFile:
             raise InputError(f"{self.path}: cannot be written: {problem.strerror or problem}") from problem
 
 
-def _start_of(place: Path, count: int) -> bytes:
-    with place.open("rb") as file:
+def _start_of(resolved: Path, count: int) -> bytes:
+    with resolved.open("rb") as file:
         return file.read(count)
 
 
-def _places(place: Path) -> dict[str, int]:
+def _offsets(resolved: Path) -> dict[str, int]:
     """Where each variable begins, bytes from the file's beginning on."""
-    header = _Header(place.read_bytes())
+    header = _Header(resolved.read_bytes())
     header.at = len(MAGIC) + 8
     for _ in range(header.count()):
         header.name()
         header.whole()
     header.skip_attributes()
-    places = {}
+    offsets = {}
     for _ in range(header.count()):
         name = header.name()
         for _ in range(header.whole()):
             header.whole()
         header.skip_attributes()
         header.at += 4 + 8
-        places[name] = header.whole()
-    return places
+        offsets[name] = header.whole()
+    return offsets
 
 
 class _Header:
-    """Of a file of the classic format, read from one place on."""
+    """Of a file of the classic format, read from one offset on."""
 
     def __init__(self, content: bytes) -> None:
         self.content, self.at = content, 0

@@ -1,4 +1,4 @@
-"""A file is written whole or not at all: beside its place first, then moved there."""
+"""A file is written whole or not at all: beside its destination first, then moved there."""
 
 import contextlib
 import errno
@@ -42,38 +42,38 @@ def whole(path: Path) -> Iterator[Path]:
 
 
 def _whole(path: Path) -> Iterator[Path]:
-    place = destination(path, str(path))
+    resolved = destination(path, str(path))
     try:
-        beside = _created(place, path.suffix)
+        beside = _created(resolved, path.suffix)
     except OSError as problem:
         raise InputError(f"{path}: cannot be written: {problem.strerror}") from problem
     try:
         yield beside
         _flush(beside, os.O_RDWR)
-        _hand_on_mode(place, beside)
-        os.replace(beside, place)
+        _hand_on_mode(resolved, beside)
+        os.replace(beside, resolved)
         if os.name == "posix":  # elsewhere a folder cannot be opened
-            _flush(place.parent, os.O_RDONLY)
+            _flush(resolved.parent, os.O_RDONLY)
     except OSError as problem:
         raise InputError(f"{path}: cannot be written: {problem.strerror or problem}") from problem
     finally:
         beside.unlink(missing_ok=True)
 
 
-def _created(place: Path, suffix: str) -> Path:
-    """An empty file beside a place, with the mode of any new file, or private where it is to hand on one."""
-    mode = 0o600 if place.exists() else 0o666  # less what the process's mask takes away
+def _created(resolved: Path, suffix: str) -> Path:
+    """An empty file beside a path, with the mode of any new file, or private where it is to hand on one."""
+    mode = 0o600 if resolved.exists() else 0o666  # less what the process's mask takes away
     while True:
-        beside = place.with_name(f".tdmf-slip-{secrets.token_hex(8)}{suffix}")
+        beside = resolved.with_name(f".tdmf-slip-{secrets.token_hex(8)}{suffix}")
         with contextlib.suppress(FileExistsError):
             os.close(os.open(beside, os.O_CREAT | os.O_EXCL | os.O_WRONLY, mode))
             return beside
 
 
-def _hand_on_mode(place: Path, beside: Path) -> None:
+def _hand_on_mode(resolved: Path, beside: Path) -> None:
     """Give a file owner and mode of what it replaces, if there is such a file."""
     try:
-        old = place.stat()
+        old = resolved.stat()
     except FileNotFoundError:
         return
     if hasattr(os, "chown"):  # not on Windows
@@ -83,9 +83,9 @@ def _hand_on_mode(place: Path, beside: Path) -> None:
     os.chmod(beside, stat.S_IMODE(old.st_mode))
 
 
-def _flush(place: Path, flags: int) -> None:
+def _flush(resolved: Path, flags: int) -> None:
     """Have the disk take what was written: a name may reach it before the content that it stands for."""
-    handle = os.open(place, flags)
+    handle = os.open(resolved, flags)
     try:
         os.fsync(handle)
     except OSError as problem:
@@ -97,33 +97,33 @@ def _flush(place: Path, flags: int) -> None:
 
 def destination(path: Path, what: str) -> Path:
     """The file that a path stands for, be it there or not: through symbolic links."""
-    place = Path(path)
+    resolved = Path(path)
     try:
-        place = Path(os.path.realpath(path))
-        kind = place.stat().st_mode
+        resolved = Path(os.path.realpath(path))
+        kind = resolved.stat().st_mode
     except FileNotFoundError:
-        return place
+        return resolved
     except (OSError, ValueError) as problem:
         raise InputError(f"{what}: {reason(problem)}") from None
     if stat.S_ISDIR(kind):
         raise InputError(f"{what}: a folder; allowed: a file")
     if not stat.S_ISREG(kind):
         raise InputError(f"{what}: a pipe or device; allowed: a file")
-    if not os.access(place, os.W_OK):
+    if not os.access(resolved, os.W_OK):
         raise InputError(f"{what}: cannot be written: {os.strerror(errno.EACCES)}")
-    return place
+    return resolved
 
 
-def check_place(path: Path | str, allowed: Iterable[str], what: str) -> Path:
+def check_destination(path: Path | str, allowed: Iterable[str], what: str) -> Path:
     """Refuse, before any work, a path whose suffix names no format or that cannot be written."""
     check_kind(path, (str, os.PathLike), what, "the path of a file")
     path = Path(path)
     if path.suffix.lower() not in allowed:
         raise InputError(f"{what}: {path}: format {path.suffix or '(none)'}; allowed: {', '.join(allowed)}")
-    place = destination(path, f"{what}: {path}")
-    if not place.parent.is_dir():
-        raise InputError(f"{what}: {path}: there is no folder {place.parent}; allowed: one that is there")
-    check_folder(place.parent, what)
+    resolved = destination(path, f"{what}: {path}")
+    if not resolved.parent.is_dir():
+        raise InputError(f"{what}: {path}: there is no folder {resolved.parent}; allowed: one that is there")
+    check_folder(resolved.parent, what)
     return path
 
 

@@ -37,7 +37,7 @@ CHORDS = 16
 
 
 @dataclass(frozen=True, eq=False)
-class _Place(ByContents):
+class _Iterate(ByContents):
     """A gait of a row and how it changes."""
 
     apex: NDArray[np.float64]
@@ -82,7 +82,7 @@ class Problem:
         self.log = SearchLog(words=[[first.word] for _ in self.rows])
         start = varied_gait(self.runner, first.apex, (), self.vary)
         own = np.array([self.runner.values[name] for name in self.vary])
-        self._bases = [_Place(first.apex, start, own)] * count
+        self._bases = [_Iterate(first.apex, start, own)] * count
         self._words = [first.word] * count
         self._tried: tuple[NDArray[np.float64], list[tuple[NDArray[np.float64], PlainStride]]] | None = None
         self._linear_at: NDArray[np.float64] | None = None
@@ -165,11 +165,11 @@ class Problem:
     def restart(self, unknowns: NDArray[np.float64], apexes: Sequence[NDArray[np.float64]]) -> None:
         """Go on from other gaits."""
         values = self.values(unknowns)
-        places = [
-            _Place(apex, self._varied(values, row, apex), values[self.columns[row]])
+        iterates = [
+            _Iterate(apex, self._varied(values, row, apex), values[self.columns[row]])
             for row, apex in enumerate(apexes)
         ]
-        self._bases, self._tried, self._linear_at = places, None, None
+        self._bases, self._tried, self._linear_at = iterates, None, None
 
     def jacobian(self, unknowns: NDArray[np.float64]) -> NDArray[np.float64]:
         """Of the residuals; the search goes on from there."""
@@ -181,7 +181,7 @@ class Problem:
         rows = []
         for number, ((apex, stride), row) in enumerate(zip(self._tried[1], self.rows, strict=True)):
             varied = self._varied(values, number, apex)
-            self._bases[number] = _Place(apex, varied, values[self.columns[number]])
+            self._bases[number] = _Iterate(apex, varied, values[self.columns[number]])
             self._words[number] = stride.word
             if stride.word not in self.log.words[number]:
                 self.log.words[number].append(stride.word)

@@ -45,7 +45,7 @@ def starts(first: Gait, measurements: Measurements, vary: Sequence[str], fmu: Fm
         for name, row in zip(vary, shares.T, strict=True)
     }
     found = settled_gaits(runner, varied, first.apex)
-    runners, apexes, places, losses = [], [], [], []
+    runners, apexes, points, losses = [], [], [], []
     for number, apex in zip(found.numbers, found.apexes, strict=True):
         other = runner
         for name, row in varied.items():
@@ -55,9 +55,9 @@ def starts(first: Gait, measurements: Measurements, vary: Sequence[str], fmu: Fm
             continue
         runners.append(other)
         apexes.append(apex)
-        places.append(shares[number])
+        points.append(shares[number])
         losses.append(loss)
-    for k in linked(np.array(places), np.array(losses)):
+    for k in linked(np.array(points), np.array(losses)):
         try:
             yield gait_near(runners[k], apexes[k])
         except RunError:

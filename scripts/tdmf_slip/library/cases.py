@@ -19,7 +19,7 @@ from .runner import Runner
 from .section import COORDINATES, Apex
 from .structs import Struct
 
-PLACE = ("ground.height", "ground.slope", "body.external_fx", "body.external_fy")
+HELD_ON_TERRAIN = ("ground.height", "ground.slope", "body.external_fx", "body.external_fy")
 """What nobody sets on ground of place."""
 LARGEST = 1e100
 """Of a ball's numbers: beyond, the library refuses them."""
@@ -50,7 +50,7 @@ class Case(ByContents):
         """Make the runner; refuse gaits that are none, and a law that does not fit the runner."""
         object.__setattr__(self, "runner", Runner.of(self.runner))
         check_kind(self.ground, RoughGround, "ground", "a RoughGround")
-        self.ground.check_place(self.runner.values, self.runner.scales)
+        self.ground.check_runner(self.runner.values, self.runner.scales)
         if not is_table(self.gaits):
             check_row(self.gaits, "gaits", f"rows of {', '.join(COORDINATES)}")
         check_law(self.law, self.runner)
@@ -62,14 +62,14 @@ class Case(ByContents):
                 "comes back; allowed: one of the two"
             )
         if self.law is not None and self.ground.piece_length:
-            _check_sets_no_place(self.law)
+            _check_keeps_terrain(self.law)
         if len(self.balls) not in (0, len(self.gaits)):
             raise InputError(f"balls: {len(self.balls)}; allowed: none, or one for each of the gaits")
 
 
-def _check_sets_no_place(law: AffineLaw) -> None:
+def _check_keeps_terrain(law: AffineLaw) -> None:
     for name in law.inputs:
-        if name in PLACE:
+        if name in HELD_ON_TERRAIN:
             raise InputError(f"law sets {name} on ground of place (piece_length); allowed: it sets others")
 
 

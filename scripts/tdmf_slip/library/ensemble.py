@@ -56,7 +56,7 @@ class Work:
     """Taken by all runners."""
     steps: int
     """Of all runners."""
-    places: int
+    positions: int
     """Lanes stepped, with or without a runner in them."""
     evaluations: int
     """Coefficients of series."""
@@ -152,14 +152,14 @@ def run_ensemble(
     check_size("apices", len(apices) if isinstance(apices, Sized) else 1, "runners", MAX_RUNNERS)
     sections = sections_of("apices", apices, runner.coordinates)
     ensemble = ensemble_of(runner, sections, first_number, tolerance, threads, instructions)
-    places = None if foot_x is None else np.ascontiguousarray(foot_x, dtype=float)
-    if places is not None:
-        if places.shape != (len(sections),) or not np.isfinite(places).all():
+    positions = None if foot_x is None else np.ascontiguousarray(foot_x, dtype=float)
+    if positions is not None:
+        if positions.shape != (len(sections),) or not np.isfinite(positions).all():
             raise InputError(
-                f"foot_x of shape {places.shape}; allowed: finite numbers, ({len(sections)},), for each "
+                f"foot_x of shape {positions.shape}; allowed: finite numbers, ({len(sections)},), for each "
                 "runner one"
             )
-        ensemble.foot_x = ffi.cast("double *", ffi.from_buffer(places))
+        ensemble.foot_x = ffi.cast("double *", ffi.from_buffer(positions))
     max_strides, near = _whole("max_strides", max_strides), _within("near", near, 0.0, np.inf)
     made, kept = c_cases(all_cases, max_strides, near)
     ensemble.cases = made

@@ -129,7 +129,7 @@ class RoughGround:
         rules.terrain.height_count = len(self.heights)
         return [steps, friction, heights]
 
-    def check_place(self, values: Mapping[str, float | bool], scales: NDArray[np.float64]) -> None:
+    def check_runner(self, values: Mapping[str, float | bool], scales: NDArray[np.float64]) -> None:
         """Refuse a runner that does not fit ground of place.
 
         Parameters

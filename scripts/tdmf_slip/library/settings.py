@@ -56,11 +56,11 @@ def checked_values(
     variable = load_fmu(fmu).variables[name]
     within = (values >= variable.minimum) & (values <= variable.maximum)
     if not within.all():
-        place = tuple(int(index) for index in np.argwhere(~within)[0])
+        index = tuple(int(index) for index in np.argwhere(~within)[0])
         where = ", ".join(
-            f"{axis} {at + begin}" for (axis, begin), at in zip(first.items(), place, strict=True)
+            f"{axis} {at + begin}" for (axis, begin), at in zip(first.items(), index, strict=True)
         )
-        value = f"{name} = {values[place]:.9g}"
+        value = f"{name} = {values[index]:.9g}"
         raise InputError(
             f"{what}: {where + ': ' if where else ''}{value} is not allowed; allowed: {variable.allowed}"
         )

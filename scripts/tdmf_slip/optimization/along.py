@@ -1,4 +1,4 @@
-"""The search along a border between two regions, for the best place on it.
+"""The search along a border between two regions, for the best point on it.
 
 Parameters on the border are x = x0 + T u + n s(u), with the normal n at x0, a basis T of the plane across it,
 and s(u) solved for. So the objective and the constraints are functions of u alone, as smooth as those of the
@@ -58,7 +58,7 @@ class AlongBorder(Problem):
 
 
 def best_along(gaits: Gaits, problem: Problem, border: Border, region: Region, stationary: float) -> Border:
-    """The best place on a border, as the region on this side has it."""
+    """The best point on a border, as the region on this side has it."""
     at = border.short.at
     off_bounds = (at > AT_BOUND) & (at < 1.0 - AT_BOUND)
     for free in (off_bounds, np.ones_like(off_bounds)):
@@ -107,7 +107,7 @@ class _Chart:
         self.basis = np.eye(len(free))[:, free] @ np.linalg.svd(border.normal[None, free])[2][1:].T
 
     def point(self, border: Border, u: NDArray[np.float64]) -> OnBorder:
-        """A place on the border, where its normal says how it bends off the plane."""
+        """A point on the border, where its normal says how it bends off the plane."""
         bend = -(border.normal @ self.basis) / (border.normal @ self.normal)
         plane = self.basis + np.outer(self.normal, bend)
         short = border.short
@@ -123,7 +123,7 @@ class _Chart:
         )
 
     def follow(self, near: Candidate, u: NDArray[np.float64]) -> OnBorder:
-        """The border at u, from a place on it."""
+        """The border at u, from a point on it."""
         assert isinstance(near, OnBorder)
         at = near.border.short.at + near.plane @ (u - near.at)
         return self.point(across(self.gaits, near.border.short, at, self.normal, self.region.has), u)

@@ -120,16 +120,16 @@ def across(
     direction: NDArray[np.float64],
     is_inside: Callable[[Gait], bool],
 ) -> Border:
-    """The border where a line through a place meets it.
+    """The border where a line through a point meets it.
 
     Parameters
     ----------
     gaits : Gaits
         Of which runner, over which parameters.
     near : Candidate
-        A gait near the place.
+        A gait near the point.
     at : ndarray of float, shape (d,)
-        The place, near the border.
+        The point, near the border.
     direction : ndarray of float, shape (d,)
         Of the line, from the region to what is beyond; a unit vector.
     is_inside : callable

@@ -25,7 +25,7 @@ RADIUS, SMALLEST, ROUNDS = 0.1, 1e-5, 12
 ON_EDGE, NEWTON = 1e-9, 12
 """What is left over of the edge's equation, and steps towards it."""
 INWARDS, LONGEST = 1e-5, 0.1
-"""Of the bounds' width: first and last step off the fold, where a place is beyond it."""
+"""Of the bounds' width: first and last step off the fold, where a point is beyond it."""
 
 
 def is_near(gait: Candidate) -> bool:
@@ -69,7 +69,7 @@ def best_on_edge(
 
 
 class _Chart:
-    """Coordinates u on the edge: parameters are a place, a step across u, and one along the normal there."""
+    """Coordinates u on the edge: parameters are a point, a step across u, and one along the normal there."""
 
     def __init__(self, gaits: Gaits, begin: Candidate) -> None:
         self.gaits = gaits
@@ -100,7 +100,7 @@ class _Chart:
         raise RunError("the edge of the fold is not met")
 
     def _off_fold(self, near: Candidate, at: NDArray[np.float64]) -> Candidate:
-        """The gait at a place or, where none is there, as little off it as one is."""
+        """The gait at a point or, where none is there, as little off it as one is."""
         step = 0.0
         while step <= LONGEST:
             try:

@@ -161,7 +161,7 @@ class Gaits:
         raise RunError(ON_EDGE)
 
     def gait_from(self, near: Candidate, at: NDArray[np.float64]) -> Gait:
-        """The gait at a place, from one that is known, on the same branch.
+        """The gait at a point, from one that is known, on the same branch.
 
         The way is gone in shorter steps where a gait is not near where the tangent predicts it, or where the
         sign of det(I - J) says that it is of another branch. Only gaits that run forward count.
@@ -197,7 +197,7 @@ class Gaits:
         return found
 
     def follow(self, near: Candidate, at: NDArray[np.float64]) -> Candidate:
-        """The gait at a place, with its gradients, from one that is known.
+        """The gait at a point, with its gradients, from one that is known.
 
         Raises
         ------

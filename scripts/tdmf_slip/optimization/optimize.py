@@ -34,7 +34,7 @@ def optimize(
     By sequential quadratic programming (SLSQP), with gradients that are exact through the gait. These change
     smoothly only while the gait word and the events of the stride stay, so that each run of SLSQP is on one
     region. Where an iterate is on another, the border between the two is located. If the objective gets
-    better away from the border on one side, the search goes on there; if on neither, the best place on the
+    better away from the border on one side, the search goes on there; if on neither, the best point on the
     border is found by SLSQP along it. That it is an optimum is then told by both sides' gradients, in
     `falls`. Where an iterate is no gait, because of a fold or a fall, the search backs off; near a fold it
     stops where the leading eigenvalue is 0.99 or so, and tells so in `limits`.

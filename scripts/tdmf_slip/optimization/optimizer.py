@@ -63,7 +63,7 @@ class Optimizer:
         """The gait of the runner as it is given; where the searches begin, and how many."""
         self.before, self.space = before, space
         gaits = Gaits(before.runner, space, ["speed"])
-        given = Start(space.place_of(before.runner), before)
+        given = Start(space.coordinates_of(before.runner), before)
         first = _reached(gaits, given, np.clip(given.at, 0.0, 1.0), 1)
         if first is None:
             raise RunError(
@@ -80,15 +80,15 @@ class Optimizer:
     def starts(self, problem: Problem) -> list[Start]:
         """Where the searches for a problem begin: at the runner's own gait, and where it promises most.
 
-        Where too few runners settle, from places that are reached along the gaits from the first.
+        Where too few runners settle, from points that are reached along the gaits from the first.
         """
         more = self.count - 1
         if not more:
             return [self.first]
         found = list(islice(self.spread.starts(problem, self.first), more))
         if not found:
-            places = evenly(more, len(self.space.bounds))
-            reached = (_reached(self._gaits_of, self.first, place, TRIES) for place in places)
+            points = evenly(more, len(self.space.bounds))
+            reached = (_reached(self._gaits_of, self.first, point, TRIES) for point in points)
             found = [start for start in reached if start is not None]
         return [self.first, *found]
 
@@ -212,15 +212,15 @@ def _natural(gait: Gait) -> NDArray[np.float64]:
     return Runner.of(gait, model="full").scales
 
 
-def _reached(gaits: Gaits, begin: Start, place: NDArray[np.float64], tries: int) -> Start | None:
-    """The gait at a place or, where the branch does not lead so far, on the way there."""
+def _reached(gaits: Gaits, begin: Start, point: NDArray[np.float64], tries: int) -> Start | None:
+    """The gait at a point or, where the branch does not lead so far, on the way there."""
     try:
         first = gaits.candidate(begin.gait, begin.at)
     except RunError:
         return None
 
     def attempt(share: float) -> Start:
-        at = begin.at + share * (place - begin.at)
+        at = begin.at + share * (point - begin.at)
         return Start(at, gaits.gait_from(first, at))
 
     try:

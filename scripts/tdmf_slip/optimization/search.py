@@ -5,7 +5,7 @@ the stride stay. So each run of SLSQP is on one region, in a box. Where an itera
 border between the two is located, with the gradients on both sides:
 
 * where the merit falls away from the border on a side, the search goes on there;
-* where it falls on neither, the best place on the border is looked for, by SLSQP along it; this is an optimum
+* where it falls on neither, the best point on the border is looked for, by SLSQP along it; this is an optimum
   where, on both sides, no step makes the merit less, to first order.
 
 The eigenvalues are not even continuous across a border. Where one side violates a constraint on them and the

@@ -53,7 +53,7 @@ def minimize(
     problem : Problem
         What is asked.
     follow : callable
-        From a gait to the one at a place.
+        From a gait to the one at a point.
     begin : Candidate
         Where to begin.
     low, high : ndarray of float, shape (d,)
@@ -71,12 +71,12 @@ def minimize(
     seen = [begin]
     ended: dict[str, Any] = {"beyond": None, "lost": ""}
 
-    def at(place: NDArray[np.float64]) -> Candidate:
-        near = min(reversed(seen), key=lambda gait: float(np.linalg.norm(gait.at - place)))
-        if np.array_equal(near.at, place):
+    def at(coordinates: NDArray[np.float64]) -> Candidate:
+        near = min(reversed(seen), key=lambda gait: float(np.linalg.norm(gait.at - coordinates)))
+        if np.array_equal(near.at, coordinates):
             return near
         try:
-            gait = follow(near, place.copy())
+            gait = follow(near, coordinates.copy())
         except RunError as problem:
             ended["lost"] = str(problem)
             raise _LeftError from None
@@ -89,17 +89,17 @@ def minimize(
     constraints = [
         {
             "type": kind,
-            "fun": lambda place, rows=rows: rows(at(place))[0],
-            "jac": lambda place, rows=rows: rows(at(place))[1],
+            "fun": lambda coordinates, rows=rows: rows(at(coordinates))[0],
+            "jac": lambda coordinates, rows=rows: rows(at(coordinates))[1],
         }
         for kind, rows in (("eq", problem.equations), ("ineq", problem.margins))
         if _count(rows, begin)
     ]
     with contextlib.suppress(_LeftError):
         by_scipy(
-            lambda place: problem.objective(at(place))[0],
+            lambda coordinates: problem.objective(at(coordinates))[0],
             begin.at,
-            jac=lambda place: problem.objective(at(place))[1],
+            jac=lambda coordinates: problem.objective(at(coordinates))[1],
             method="SLSQP",
             bounds=list(zip(low, high, strict=True)),
             constraints=constraints,

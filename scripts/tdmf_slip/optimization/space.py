@@ -41,16 +41,16 @@ class Space(ByContents):
         return dict(zip(self.bounds, map(float, values), strict=True))
 
     def runner_at(self, runner: Runner, at: NDArray[np.float64]) -> Runner:
-        """A runner with the values of a place in the space."""
+        """A runner with the values of a point in the space."""
         for name, value in self.values(at).items():
             runner = runner.but(name, value)
         return runner
 
-    def place_of(self, runner: Runner) -> NDArray[np.float64]:
+    def coordinates_of(self, runner: Runner) -> NDArray[np.float64]:
         """Where a runner's values are, inside the bounds from 0 to 1, shape (d,)."""
         values = np.array([runner.values[name] for name in self.bounds])
-        place: NDArray[np.float64] = (values - self.low) / self.width
-        return place
+        coordinates: NDArray[np.float64] = (values - self.low) / self.width
+        return coordinates
 
     def active(self, at: NDArray[np.float64]) -> dict[str, str]:
         """By name of the parameters that are at a bound: `lower` or `upper`."""

@@ -38,15 +38,15 @@ class Spread:
     def __init__(self, first: Start, space: Space) -> None:
         """From a gait that is known, over the space."""
         self.space, self.runner = space, first.gait.runner
-        places = evenly(RUNNERS, len(space.bounds))
-        values = space.low + places * space.width
+        points = evenly(RUNNERS, len(space.bounds))
+        values = space.low + points * space.width
         varied = {name: np.ascontiguousarray(row) for name, row in zip(space.bounds, values.T, strict=True)}
         found = settled_gaits(self.runner, varied, first.gait.apex)
-        self.places, self.apexes = places[found.numbers], found.apexes
+        self.points, self.apexes = points[found.numbers], found.apexes
 
     def starts(self, problem: Problem, first: Start) -> Iterator[Start]:
         """Where to begin a search for a problem, the most promising first."""
-        runners = [self.space.runner_at(self.runner, place) for place in self.places]
+        runners = [self.space.runner_at(self.runner, point) for point in self.points]
         names = problem.goal.names
         merits, known = [], []
         for number, (runner, apex) in enumerate(zip(runners, self.apexes, strict=True)):
@@ -56,8 +56,8 @@ class Spread:
                 continue
             merits.append(problem.rough_merit(quantities, VIOLATED))
             known.append(number)
-        for k in linked(self.places[known], np.array(merits)):
+        for k in linked(self.points[known], np.array(merits)):
             try:
-                yield Start(self.places[known[k]], gait_near(runners[known[k]], self.apexes[known[k]]))
+                yield Start(self.points[known[k]], gait_near(runners[known[k]], self.apexes[known[k]]))
             except RunError:
                 continue

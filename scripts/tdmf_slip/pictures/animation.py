@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 
 from ..checks import checked_whole
 from ..errors import InputError
-from ..files.whole import check_place, whole
+from ..files.whole import check_destination, whole
 from ..library.gait import Gait
 from ..unit.events import SLIPS
 from ..unit.unit import load_fmu
@@ -42,7 +42,7 @@ MAX_REPEATED = 50
 SLOWED = 40.0
 """How many times more frames a unit of time gets in the stance than in flight."""
 HEADROOM = 0.15
-"""Shown above the highest place of body and foot, over l0."""
+"""Shown above the highest position of body and foot, over l0."""
 FORMATS = (".gif", ".mp4", ".html")
 FORCE_SCALE = 1.5
 """Length of a force arrow, over l0, for a force k l0."""
@@ -64,7 +64,7 @@ def draw(
     path: Path, stride: Stride, *, frames: int = FRAMES, step_finished: Callable[[], object] = lambda: None
 ) -> None:
     """Write the animation."""
-    check_place(path, FORMATS, "animation")
+    check_destination(path, FORMATS, "animation")
     writer = _writer(path)
     with style.styled():
         figure = plt.figure(figsize=SIZE, dpi=DOTS_PER_INCH)
@@ -84,7 +84,7 @@ def draw(
 
 def animate(gait: Gait, path: Path | str, frames: int = FRAMES) -> Path:
     """Write one stride of a gait, as `Gait.animate` says."""
-    path = check_place(path, FORMATS, "path")
+    path = check_destination(path, FORMATS, "path")
     draw(path, Stride(gait, load_fmu()), frames=checked_whole("frames", frames, *FRAMES_ALLOWED))
     return path
 
@@ -156,7 +156,7 @@ class _Scene:
         )
 
     def line(self, x: NDArray[np.float64]) -> NDArray[np.float64]:
-        """Height of the ground at a place."""
+        """Height of the ground at a position."""
         values = self.stride.gait.runner.values
         height = values.get("ground.height", 0.0) / values["leg.free_length"]
         return height + np.asarray(x) * math.tan(values.get("ground.slope", 0.0))
@@ -180,7 +180,7 @@ class _Scene:
         self.axes.set_xlim(middle - self.half_width, middle + self.half_width)
         self.axes.set_ylim(below + LOW, below + self.top)
         where = pose(stride, time)
-        self.runner.place(where, colour)
+        self.runner.set_pose(where, colour)
         self._push(where.foot, time, colour)
         self._leave_streaks(time)
         self.mode.set_text(style.MODE_NAMES[mode])

@@ -129,10 +129,10 @@ def _segments(
     gaits = list(zip(branch.values, branch.gaits, strict=True))
     for index, ((low, before), (high, after)) in enumerate(pairwise(gaits)):
         met = [special for special in by_index.get(index, []) if special.kind != NOT_JUDGED]
-        places = [(low, before), *((s.value, s.gait) for s in met), (high, after)]
+        points = [(low, before), *((s.value, s.gait) for s in met), (high, after)]
         changes = [number for number, s in enumerate(met, 1) if s.kind != WORD_BORDER]
-        change = changes[0] if changes else len(places) - 1
-        for number, (begin, end) in enumerate(pairwise(places)):
+        change = changes[0] if changes else len(points) - 1
+        for number, (begin, end) in enumerate(pairwise(points)):
             stable = before.stable if number < change else after.stable
             if not changes:
                 stable = before.stable and after.stable
@@ -168,15 +168,15 @@ def _write_words(axes: Axes, branch: Branch, quantity: str, depth: int = 0) -> N
 
 
 def _runs_of_words(branch: Branch, quantity: str) -> Iterator[tuple[str, NDArray[np.float64]]]:
-    """Each word with the places of its gaits, from one border to the next, in the branch's order."""
+    """Each word with the points of its gaits, from one border to the next, in the branch's order."""
     gaits = list(zip(branch.values, branch.gaits, strict=True))
     borders = {s.index: (s.value, s.gait) for s in branch.specials if s.kind == WORD_BORDER}
     begin = 0
     for word, run in groupby(gaits, key=lambda gait: gait[1].word):
         end = begin + len(list(run))
         ends = [borders.get(begin - 1), *gaits[begin:end], borders.get(end - 1)]
-        places = [(gait[0], values_of(gait[1], quantity)[0]) for gait in ends if gait is not None]
-        yield word, np.array(places)
+        points = [(gait[0], values_of(gait[1], quantity)[0]) for gait in ends if gait is not None]
+        yield word, np.array(points)
         begin = end
 
 

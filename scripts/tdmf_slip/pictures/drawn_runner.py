@@ -65,7 +65,7 @@ class DrawnRunner:
     """A runner in some axes, drawn once and moved as often as needed."""
 
     def __init__(self, axes: Axes, opacity: float = 1.0, line_width: float = 1.6, size: float = 1.0) -> None:
-        """Make the artists, without a place yet."""
+        """Make the artists, without a pose yet."""
         (self.leg,) = axes.plot([], [], color=style.INK, linewidth=line_width, alpha=opacity, zorder=4)
         self.body = Circle((0, 0), size * BODY_RADIUS, facecolor=style.BODY, alpha=opacity, zorder=5)
         self.foot = Circle(
@@ -80,7 +80,7 @@ class DrawnRunner:
         axes.add_patch(self.body)
         axes.add_patch(self.foot)
 
-    def place(self, where: Pose, colour: str) -> None:
+    def set_pose(self, where: Pose, colour: str) -> None:
         """Move the runner, and give the foot a contact mode's colour."""
         self.leg.set_data(*spring(where.foot, where.body))
         self.body.center = where.body

@@ -31,7 +31,7 @@ def draw(path: Path, fit: Fit) -> None:
 def figure_of(fit: Fit) -> Figure:
     """A panel for each quantity, and one for the residuals over their errors."""
     names = [name for name in UNITS if any(of.name == name for of in fit.residuals)]
-    places, title = _places(fit)
+    ticks, title = _tick_positions(fit)
     shown = [name for name in names if title.startswith("row") or name != "speed"] or names
     lines = (len(shown) + 1) // 2
     with style.styled():
@@ -40,14 +40,14 @@ def figure_of(fit: Fit) -> Figure:
         for number, name in enumerate(shown):
             whole = number == len(shown) - 1 and number % 2 == 0
             axes = figure.add_subplot(grid[number // 2, :] if whole else grid[number // 2, number % 2])
-            _quantity(axes, [of for of in fit.residuals if of.name == name], places)
+            _quantity(axes, [of for of in fit.residuals if of.name == name], ticks)
             axes.set_xlabel(title)
-        _residuals(figure.add_subplot(grid[lines, :]), fit, names, places, title)
+        _residuals(figure.add_subplot(grid[lines, :]), fit, names, ticks, title)
         figure.axes[0].legend()
     return figure
 
 
-def _places(fit: Fit) -> tuple[Sequence[float], str]:
+def _tick_positions(fit: Fit) -> tuple[Sequence[float], str]:
     """Of the rows on the horizontal axis, and its title."""
     speeds = [row["speed"].value for row in fit.measurements.rows if "speed" in row]
     if len(speeds) > 1 and len(set(speeds)) == len(fit.measurements.rows):
@@ -55,17 +55,17 @@ def _places(fit: Fit) -> tuple[Sequence[float], str]:
     return range(1, len(fit.measurements.rows) + 1), "row"
 
 
-def _ticks(axes: Axes, places: Sequence[float]) -> None:
+def _ticks(axes: Axes, ticks: Sequence[float]) -> None:
     """Whole numbers, and room at both sides."""
-    if isinstance(places, range):
-        if len(places) <= FEW:
-            axes.set_xticks(list(places))
-        axes.set_xlim(0.5, len(places) + 0.5)
+    if isinstance(ticks, range):
+        if len(ticks) <= FEW:
+            axes.set_xticks(list(ticks))
+        axes.set_xlim(0.5, len(ticks) + 0.5)
 
 
-def _quantity(axes: Axes, residuals: Sequence[Residual], places: Sequence[float]) -> None:
+def _quantity(axes: Axes, residuals: Sequence[Residual], ticks: Sequence[float]) -> None:
     """A quantity as it was measured, with one standard error, and as it was fitted."""
-    at = [places[of.row - 1] for of in residuals]
+    at = [ticks[of.row - 1] for of in residuals]
     axes.errorbar(
         at,
         [of.measured for of in residuals],
@@ -80,15 +80,15 @@ def _quantity(axes: Axes, residuals: Sequence[Residual], places: Sequence[float]
     axes.plot(at, [of.fitted for of in residuals], "x", color=FITTED, markersize=7, label="fitted", zorder=4)
     unit = UNITS[residuals[0].name]
     axes.set_title(NAMES[residuals[0].name] + ("" if unit == "1" else f"  / {unit}"))
-    _ticks(axes, places)
+    _ticks(axes, ticks)
 
 
-def _residuals(axes: Axes, fit: Fit, names: Sequence[str], places: Sequence[float], title: str) -> None:
+def _residuals(axes: Axes, fit: Fit, names: Sequence[str], ticks: Sequence[float], title: str) -> None:
     """Residuals over their errors, and where 95 % of them are to be."""
     for name, colour in zip(UNITS, cycle(COLOURS), strict=False):
         its = [of for of in fit.residuals if of.name == name]
         if name in names:
-            at = [places[of.row - 1] for of in its]
+            at = [ticks[of.row - 1] for of in its]
             axes.plot(at, [of.residual for of in its], "o", color=colour, markersize=4, label=NAMES[name])
     axes.axhline(0.0, color=style.GROUND, linewidth=0.8, zorder=0)
     for side in (-QUANTILE, QUANTILE):
@@ -97,5 +97,5 @@ def _residuals(axes: Axes, fit: Fit, names: Sequence[str], places: Sequence[floa
     axes.set_ylim(-1.15 * largest, 1.15 * largest)
     axes.set_title("fitted less measured, over the standard error; dashed: 95 %")
     axes.set_xlabel(title)
-    _ticks(axes, places)
+    _ticks(axes, ticks)
     axes.legend(ncols=3)

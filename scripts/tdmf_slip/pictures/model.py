@@ -13,7 +13,7 @@ from . import style
 from .drawn_runner import spring
 
 Point: TypeAlias = tuple[float, float] | NDArray[np.float64]
-"""A place, x and y."""
+"""A point, x and y."""
 ANGLE = np.radians(33.0)
 LENGTH = 1.0
 FOOT = np.array([0.0, 0.0])
@@ -122,9 +122,9 @@ def _forces(axes: Axes) -> None:
     _name(axes, (0.42, -0.175), r"friction $\mu$", size=-3)
 
 
-def _name(axes: Axes, place: Point, text: str, colour: str = style.INK, size: int = 0) -> None:
-    """A text centred at a place; `size` is in points over the usual one."""
-    x, y = place
+def _name(axes: Axes, point: Point, text: str, colour: str = style.INK, size: int = 0) -> None:
+    """A text centred at a point; `size` is in points over the usual one."""
+    x, y = point
     axes.text(x, y, text, size=TEXT + size, color=colour, ha="center", va="center", zorder=6)
 
 
@@ -151,6 +151,6 @@ def _arrow(
     axes.add_patch(arrow)
 
 
-def _pair(place: Point) -> tuple[float, float]:
-    x, y = place
+def _pair(point: Point) -> tuple[float, float]:
+    x, y = point
     return float(x), float(y)

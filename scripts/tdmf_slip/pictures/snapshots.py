@@ -52,7 +52,7 @@ def _whole(axes: Axes, stride: Stride) -> None:
     axes.plot(stride["com.x"], stride["com.y"], color=style.FAINT, linewidth=0.8, zorder=2)
     for time in np.linspace(0.0, stride.time[-1], IN_STRIDE):
         runner = DrawnRunner(axes, line_width=0.7, size=1.2)
-        runner.place(pose(stride, time), style.MODE_COLOURS[stride.mode_at(time)])
+        runner.set_pose(pose(stride, time), style.MODE_COLOURS[stride.mode_at(time)])
 
 
 def _stance(axes: Axes, stride: Stride, limits: tuple[float, float]) -> None:
@@ -66,7 +66,7 @@ def _stance(axes: Axes, stride: Stride, limits: tuple[float, float]) -> None:
     shown = {"touchdown": start, "mid-stance": stride.times_of("midstance")[0], "lift-off": end - 1e-9}
     for name, time in shown.items():
         where = pose(stride, time)
-        DrawnRunner(axes, size=0.6).place(where, style.MODE_COLOURS[stride.mode_at(time)])
+        DrawnRunner(axes, size=0.6).set_pose(where, style.MODE_COLOURS[stride.mode_at(time)])
         axes.annotate(name, where.body, xytext=(0, 19), textcoords="offset points", ha="center")
 
 
@@ -89,7 +89,7 @@ def _path(axes: Axes, stride: Stride, limits: tuple[float, float]) -> None:
             )
     axes.set_xlim(*limits)
     axes.invert_yaxis()
-    style.label(axes, "place along the ground  x / l₀", "t √(k/m)\nfrom touchdown")
+    style.label(axes, "position along the ground  x / l₀", "t √(k/m)\nfrom touchdown")
     axes.legend(
         handles=panels.mode_key(stride, style.LOADED),
         loc="lower left",

@@ -45,8 +45,8 @@ class Box:
     @classmethod
     def around(cls, centre: Sequence[arb], radius: Fraction, scales: Sequence[float]) -> "Box":
         """Of a radius in units of the scales, around decimals near a point."""
-        places = 3 - math.floor(math.log10(float(radius)))
-        rounded = [Fraction(round(exactly(x) * 10**places), 10**places) for x in centre]
+        decimals = 3 - math.floor(math.log10(float(radius)))
+        rounded = [Fraction(round(exactly(x) * 10**decimals), 10**decimals) for x in centre]
         return cls(rounded, [radius * Fraction(scale) for scale in scales])
 
     def starts(self) -> Starts:
@@ -77,13 +77,13 @@ def exactly(point: arb) -> Fraction:
 
 def decimal(value: Fraction, digits: int = 60) -> str:
     """A decimal as it is, or a fraction."""
-    for places in range(digits):
-        if (value * 10**places).denominator == 1:
-            shown = int(value * 10**places)
-            if not places:
+    for decimals in range(digits):
+        if (value * 10**decimals).denominator == 1:
+            shown = int(value * 10**decimals)
+            if not decimals:
                 return str(shown)
-            text = f"{abs(shown):0{places + 1}d}"
-            return f"{'-' if shown < 0 else ''}{text[:-places]}.{text[-places:]}"
+            text = f"{abs(shown):0{decimals + 1}d}"
+            return f"{'-' if shown < 0 else ''}{text[:-decimals]}.{text[-decimals:]}"
     return str(value)
 
 

@@ -27,11 +27,11 @@ from .starts import Fineness, Starts
 from .undecided import UndecidedError
 
 DEFAULT_DIGITS = 20
-BOXES = tuple(Fraction(1, 10**places) for places in (6, 8, 10, 13, 16))
+BOXES = tuple(Fraction(1, 10**decimals) for decimals in (6, 8, 10, 13, 16))
 """Radii that are tried where none is asked for, in units of the coordinates' scales."""
 BEYOND = 8
 """Decimal places by which the box of the enclosures is smaller than what is asked for."""
-MIN_PLACES = 16
+MIN_DECIMALS = 16
 """Of that box: a wider one costs as much, and eigenvalues get too few digits."""
 REFINEMENTS = 3
 """How often the box of the enclosures is made smaller where digits are missing."""
@@ -166,9 +166,9 @@ def _over(
     return prove_range(found, values, name, (begin, end), output=path, processes=processes, progress=progress)
 
 
-def bits_for(places: int) -> int:
+def bits_for(decimals: int) -> int:
     """Of the working precision, for a box of so many decimal places."""
-    return round(3.33 * places) + GUARD_BITS
+    return round(3.33 * decimals) + GUARD_BITS
 
 
 def known_digits(balls: Sequence[arb | acb]) -> int:
@@ -189,7 +189,7 @@ class _Prover:
     def proof(self, box: Fraction | None) -> Proof:
         """With a box, or the largest that is proved."""
         smallest = 0 if box is None else math.ceil(-math.log10(box))
-        self._work_to(max(self.digits + BEYOND, MIN_PLACES, smallest + 3))
+        self._work_to(max(self.digits + BEYOND, MIN_DECIMALS, smallest + 3))
         tried = self._box(self.start, BOXES[0] if box is None else box)
         try:
             near = self._near(self.start)
@@ -199,9 +199,9 @@ class _Prover:
             undecided = {"guard": problem.guard, "time": problem.time}
             return Proof(False, self.values, tried, self.digits, undecided=undecided)
 
-    def _work_to(self, places: int) -> None:
+    def _work_to(self, decimals: int) -> None:
         """Of the box that enclosures are from: its decimal places, and the precision for them."""
-        self.narrow, self.fine = places, Fineness(bits_for(places))
+        self.narrow, self.fine = decimals, Fineness(bits_for(decimals))
 
     def _near(self, start: Sequence[arb]) -> list[arb]:
         """A point near the gait."""

@@ -21,7 +21,7 @@ from .proof import short, statement
 from .starts import Fineness, Starts
 from .undecided import UndecidedError
 
-BOXES = tuple(Fraction(digit, 10**places) for places in range(3, 13) for digit in (5, 2, 1))
+BOXES = tuple(Fraction(digit, 10**decimals) for decimals in range(3, 13) for digit in (5, 2, 1))
 """Radii that are tried, in units of the coordinates' scales."""
 BITS = 64
 

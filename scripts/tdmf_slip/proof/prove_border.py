@@ -124,7 +124,7 @@ def prove_border(
     Parameters
     ----------
     border : Border or float
-        One of a sweep's `borders`, or its place.
+        One of a sweep's `borders`, or its value.
     runner : Runner or mapping of str to value, optional
         Whose gaits; exact as in `prove`.
     vary : str, default "ground.friction"
@@ -156,22 +156,22 @@ def prove_border(
     check_varied(vary, "vary")
     digits = checked_whole("digits", digits, 5, MAX_DIGITS)
     if not isinstance(border, Border):
-        check_kind(border, (float, int), "border", "one of a sweep's borders, or its place")
-    place = border.value if isinstance(border, Border) else float(border)
+        check_kind(border, (float, int), "border", "one of a sweep's borders, or its value")
+    value = border.value if isinstance(border, Border) else float(border)
     if not isinstance(runner, Runner):
         check_kind(runner or {}, Mapping, "runner", "a Runner, or start values by name")
-    return _BorderProver(runner, vary, place, digits, sides).proof()
+    return _BorderProver(runner, vary, value, digits, sides).proof()
 
 
 class _BorderProver:
     """One border."""
 
     def __init__(
-        self, runner: Runner | Mapping[str, object] | None, name: str, place: float, digits: int, sides: bool
+        self, runner: Runner | Mapping[str, object] | None, name: str, value: float, digits: int, sides: bool
     ) -> None:
         self.given = {} if runner is None or isinstance(runner, Runner) else dict(runner)
         floats = runner if isinstance(runner, Runner) else floats_of(self.given)
-        self.runner, self.name, self.place, self.digits = Runner.of(floats), name, place, digits
+        self.runner, self.name, self.value, self.digits = Runner.of(floats), name, value, digits
         self.with_sides = sides
         own = {of: self.runner.values[of] for of in VARIED}
         check_laws(own)
@@ -189,11 +189,11 @@ class _BorderProver:
             return BorderProof(False, self.name, self.values, self.digits, undecided=undecided)
 
     def _proof(self) -> BorderProof:
-        step = BESIDE * max(abs(self.place), BESIDE)
-        sides = [periodic_gait(self.runner.but(self.name, self.place + by)) for by in (-step, step)]
+        step = BESIDE * max(abs(self.value), BESIDE)
+        sides = [periodic_gait(self.runner.but(self.name, self.value + by)) for by in (-step, step)]
         forced, gait = _distinguished(*(self._seen(side) for side in sides))
-        scales = [*(float(scale) for scale in gait.runner.scales), max(abs(self.place), 1.0)]
-        start = [*(arb(float(x)) for x in gait.apex), arb(self.place)]
+        scales = [*(float(scale) for scale in gait.runner.scales), max(abs(self.value), 1.0)]
+        start = [*(arb(float(x)) for x in gait.apex), arb(self.value)]
         rough = Fineness(COARSE_BITS)
         stride = proved_stride(self.parameters, self._starts(start, scales, arb(ROUGH)), rough, rough, forced)
         jacobian = middle_of(slopes_of(stride))
@@ -231,9 +231,9 @@ class _BorderProver:
 
     def _sides(self, value: arb) -> tuple[Proof, ...]:
         """Gaits at decimals below and above."""
-        places = 1 - math.floor(math.log10(BESIDE * max(abs(self.place), BESIDE)))
-        middle = Fraction(round(exactly(value) * 10**places), 10**places)
-        step = Fraction(20, 10**places)
+        decimals = 1 - math.floor(math.log10(BESIDE * max(abs(self.value), BESIDE)))
+        middle = Fraction(round(exactly(value) * 10**decimals), 10**decimals)
+        step = Fraction(20, 10**decimals)
         return tuple(prove_at(self.values, self.name, middle + by, self.runner) for by in (-step, step))
 
 

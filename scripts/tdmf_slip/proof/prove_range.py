@@ -42,8 +42,8 @@ def parts_of(begin: Fraction, end: Fraction) -> int:
 
 def cut(begin: Fraction, end: Fraction, number: int) -> list[tuple[Fraction, Fraction]]:
     """A range in so many parts of one width."""
-    places = [begin + (end - begin) * k / number for k in range(number + 1)]
-    return list(itertools.pairwise(places))
+    ends = [begin + (end - begin) * k / number for k in range(number + 1)]
+    return list(itertools.pairwise(ends))
 
 
 def prove_range(

@@ -67,12 +67,12 @@ class Subinterval:
     def _has_in_box(self, other: "Subinterval", value: Fraction) -> bool:
         """Whether another's gait is in the box in which its own is the only one, at a value of both."""
         with ctx.workprec(COMPARING_BITS):
-            places = [_place(subinterval, value) for subinterval in (self, other)]
-            rows = zip(*places, other.enclosure, self.box, strict=True)
+            centres = [_centre_at(subinterval, value) for subinterval in (self, other)]
+            rows = zip(*centres, other.enclosure, self.box, strict=True)
             return all(abs(a - b) + arb(radius) < arb(room) for a, b, radius, room in rows)
 
 
-def _place(subinterval: Subinterval, value: Fraction) -> list[arb]:
+def _centre_at(subinterval: Subinterval, value: Fraction) -> list[arb]:
     away = ball_of(value) - subinterval.middle()
     return [arb(x) + arb(slope) * away for x, slope in zip(subinterval.centre, subinterval.tilt, strict=True)]
 

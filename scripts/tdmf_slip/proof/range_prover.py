@@ -122,9 +122,9 @@ class RangeProver:
         raise UndecidedError("the inclusion of the fixed point in the box")
 
 
-def rounded(values: Sequence[float] | NDArray[np.float64], places: int) -> list[float]:
+def rounded(values: Sequence[float] | NDArray[np.float64], decimals: int) -> list[float]:
     """Short decimals near numbers that only have to be near something."""
-    return [round(float(value), places) for value in values]
+    return [round(float(value), decimals) for value in values]
 
 
 def at_least(size: float) -> float:
@@ -158,5 +158,5 @@ def _is_stable(stride: Stride) -> bool | None:
 
 def short_decimal(width: Fraction, digits: int = 2) -> Fraction:
     """A decimal near a width and not above, so that the ends of subintervals stay short."""
-    places = digits - 1 - math.floor(math.log10(width))
-    return Fraction(math.floor(width * 10**places), 10**places)
+    decimals = digits - 1 - math.floor(math.log10(width))
+    return Fraction(math.floor(width * 10**decimals), 10**decimals)

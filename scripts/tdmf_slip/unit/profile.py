@@ -41,27 +41,28 @@ class Profile:
         Parameters
         ----------
         x : array_like of float, shape (points,)
-            Horizontal places, m, ascending; one that is given twice is a step.
+            Horizontal positions, m, ascending; one that is given twice is a step.
         y : array_like of float, shape (points,)
             Heights, m.
 
         Raises
         ------
         InputError
-            Not two rows of finite numbers that are equally long, or places that go back.
+            Not two rows of finite numbers that are equally long, or positions that go back.
         """
         try:
             self.x, self.y = (np.array(row, dtype=float) for row in (x, y))
         except (TypeError, ValueError):
-            raise InputError("profile: allowed: two rows of numbers, places and heights") from None
+            raise InputError("profile: allowed: two rows of numbers, positions and heights") from None
         if self.x.ndim != 1 or self.x.shape != self.y.shape or not len(self.x):
             raise InputError(
-                f"profile: places {self.x.shape} and heights {self.y.shape}; allowed: two rows equally long"
+                f"profile: positions {self.x.shape} and heights {self.y.shape}; "
+                "allowed: two rows equally long"
             )
         if not np.all(np.isfinite([self.x, self.y])):
-            raise InputError("profile: places and heights have to be finite")
+            raise InputError("profile: positions and heights have to be finite")
         if np.any(np.diff(self.x) < 0):
-            raise InputError("profile: places have to be ascending, from left to right")
+            raise InputError("profile: positions have to be ascending, from left to right")
 
     @classmethod
     def steps(cls, edges: ArrayLike, heights: ArrayLike) -> Profile:
@@ -84,12 +85,13 @@ class Profile:
         InputError
             Not such rows.
         """
-        places, levels = np.atleast_1d(np.asarray(edges)), np.atleast_1d(np.asarray(heights))
-        if places.ndim != 1 or levels.shape != (len(places) + 1,) or not len(places):
+        positions, levels = np.atleast_1d(np.asarray(edges)), np.atleast_1d(np.asarray(heights))
+        if positions.ndim != 1 or levels.shape != (len(positions) + 1,) or not len(positions):
             raise InputError(
-                f"profile: edges {places.shape} and heights {levels.shape}; allowed: a height more than edges"
+                f"profile: edges {positions.shape} and heights {levels.shape}; "
+                "allowed: a height more than edges"
             )
-        return cls(np.repeat(places, 2), np.repeat(levels, 2)[1:-1])
+        return cls(np.repeat(positions, 2), np.repeat(levels, 2)[1:-1])
 
     @classmethod
     def random_steps(
@@ -128,27 +130,27 @@ class Profile:
         return cls.steps(begin + tread * np.arange(count), [0.0, *heights])
 
     def height(self, x: ArrayLike) -> NDArray[np.float64]:
-        """Height of the ground at places, on an edge that of the ground behind it.
+        """Height of the ground at positions, on an edge that of the ground behind it.
 
         Parameters
         ----------
         x : array_like of float
-            Horizontal places, m.
+            Horizontal positions, m.
 
         Returns
         -------
         ndarray of float
             Heights, m, shaped as `x`.
         """
-        places = np.asarray(x, dtype=float)
-        lines = [self.line(place) for place in places.ravel()]
+        positions = np.asarray(x, dtype=float)
+        lines = [self.line(position) for position in positions.ravel()]
         heights = np.array(
             [
-                line.height + place * math.tan(line.slope)
-                for line, place in zip(lines, places.ravel(), strict=True)
+                line.height + position * math.tan(line.slope)
+                for line, position in zip(lines, positions.ravel(), strict=True)
             ]
         )
-        return heights.reshape(places.shape)
+        return heights.reshape(positions.shape)
 
     @property
     def steepest(self) -> float:
@@ -158,12 +160,12 @@ class Profile:
         return float(max(slopes, key=abs, default=0.0))
 
     def line(self, x: float) -> Line:
-        """The line of ground at a place, as the unit's inputs want it.
+        """The line of ground at a position, as the unit's inputs want it.
 
         Parameters
         ----------
         x : float
-            Horizontal place, m.
+            Horizontal position, m.
 
         Returns
         -------

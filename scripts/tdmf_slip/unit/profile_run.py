@@ -44,8 +44,8 @@ def run_over(
     """A row at the start and after each output interval, up to a fall, the strides or the stop time."""
     fmu, step = instance.fmu, experiment.output_interval
     names = experiment.variables
-    place = float(experiment.start_values.get("foot.x", fmu.start_of("foot.x")))
-    instance.start({**experiment.start_values, **_line_below(profile, place)}, experiment.tolerance)
+    position = float(experiment.start_values.get("foot.x", fmu.start_of("foot.x")))
+    instance.start({**experiment.start_values, **_line_below(profile, position)}, experiment.tolerance)
     rows = [(0.0, *instance.read(names).values())]
     total, unit = (experiment.stop_time, "s") if strides is None else (strides, "strides")
     with progress_bar("simulate", total, unit, progress) as bar:
@@ -65,7 +65,7 @@ def run_over(
     return np.array(rows, dtype=kinds)
 
 
-def _line_below(profile: Profile, place: float) -> dict[str, float]:
-    """The unit's inputs for the line of ground at a place."""
-    line = profile.line(place)
+def _line_below(profile: Profile, position: float) -> dict[str, float]:
+    """The unit's inputs for the line of ground at a position."""
+    line = profile.line(position)
     return {HEIGHT: line.height, SLOPE: line.slope}

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ..files.whole import check_place, whole
+from ..files.whole import check_destination, whole
 from .run import Run
 from .unit import Fmu
 
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 def write_table(path: Path | str, run: Run, fmu: Fmu) -> None:
     """A run's recorded rows as CSV (a header of names) or NetCDF (with units, flags and the run's end)."""
-    path = check_place(path, WRITERS, "output")
+    path = check_destination(path, WRITERS, "output")
     with whole(path) as beside:
         WRITERS[path.suffix.lower()](beside, run, fmu)
 

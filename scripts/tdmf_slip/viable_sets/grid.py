@@ -80,9 +80,9 @@ class Grid(ByContents):
 
     def cell_of(self, apices: NDArray[np.float64]) -> NDArray[np.intp]:
         """The cells that hold apices."""
-        places = np.floor((apices - self.origin) / self.sizes)
-        inside: NDArray[np.bool_] = np.logical_and.reduce((places >= 0) & (places < self.cells), axis=1)
-        rows, columns = np.where(inside[:, np.newaxis], places, 0).astype(np.intp).T
+        indices = np.floor((apices - self.origin) / self.sizes)
+        inside: NDArray[np.bool_] = np.logical_and.reduce((indices >= 0) & (indices < self.cells), axis=1)
+        rows, columns = np.where(inside[:, np.newaxis], indices, 0).astype(np.intp).T
         return np.where(inside, rows * self.cells[1] + columns, -1)
 
 
@@ -130,6 +130,6 @@ def starts_at(runner: Runner, apices: NDArray[np.float64]) -> NDArray[np.float64
     check_kind(runner, Runner, "runner", "a Runner")
     if runner.reduced:
         return apices
-    placed = Runner.of(runner, model="reduced").state_at([1.0, 0.0])
-    leg = [placed[f"leg.{name}"] for name in ("length", "angle", "length_rate", "angle_rate")]
+    state = Runner.of(runner, model="reduced").state_at([1.0, 0.0])
+    leg = [state[f"leg.{name}"] for name in ("length", "angle", "length_rate", "angle_rate")]
     return np.column_stack([apices, np.tile(leg, (len(apices), 1))])

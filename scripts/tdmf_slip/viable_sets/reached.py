@@ -52,14 +52,14 @@ def target_of(grid: Grid, gait: Gait | Apex, within: float) -> NDArray[np.bool_]
     """The cells about a gait's apex."""
     within = checked("within", within, 0.5, FARTHEST)
     apex = gait.apex if isinstance(gait, Gait) else np.asarray(gait)
-    place = checked_apex(apex[: len(REDUCED)], REDUCED)
+    point = checked_apex(apex[: len(REDUCED)], REDUCED)
     near = [
         (edges[:-1] >= at - within * side) & (edges[1:] <= at + within * side)
-        for edges, at, side in zip(grid.edges.values(), place, grid.sizes, strict=True)
+        for edges, at, side in zip(grid.edges.values(), point, grid.sizes, strict=True)
     ]
     target: NDArray[np.bool_] = near[0][:, None] & near[1]
     if not target.any():
         raise InputError(
-            f"gait: at {', '.join(f'{at:g}' for at in place)}: no cell is as near; allowed: one in range"
+            f"gait: at {', '.join(f'{at:g}' for at in point)}: no cell is as near; allowed: one in range"
         )
     return target

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..checks import checked, checked_whole
-from ..files.whole import check_place
+from ..files.whole import check_destination
 from ..library.maps import refuse_patch
 from ..library.runner import Runner
 from ..unit.unit import Fmu, load_fmu
@@ -114,7 +114,7 @@ def viability(
     refuse_patch(runner.values)
     factor = checked("factor", factor, 1.0, LARGEST_FACTOR)
     threads = None if threads is None else checked_whole("threads", threads, 1, MAX_THREADS)
-    path = None if path is None else check_place(path, (".nc",), "path")
+    path = None if path is None else check_destination(path, (".nc",), "path")
     grid = grid_of(runner, axes, vary, n, fmu)
     made = make_transitions(runner, grid, path=path, threads=threads, scheduler=scheduler, progress=progress)
     found = viable_sets(runner, made, factor)

@@ -147,7 +147,7 @@ static double *direction_of(tdmf_parameters *parameters, tdmf_inputs *inputs, do
 
 /* Over `wider` steps. False where a neighbour does not do the same. */
 static bool difference(const scene *scene_at, int k, double wider, double differences[RESULTS]) {
-    static const double weights[4] = {8.0L, -8.0L, -1.0L, 1.0L}, places[4] = {1.0L, -1.0L, 2.0L, -2.0L};
+    static const double weights[4] = {8.0L, -8.0L, -1.0L, 1.0L}, offsets[4] = {1.0L, -1.0L, 2.0L, -2.0L};
     const tdmf_return here = stride_of(scene_at);
     memset(differences, 0, RESULTS * sizeof *differences);
     for (int i = 0; i < 4; ++i) {
@@ -155,7 +155,7 @@ static bool difference(const scene *scene_at, int k, double wider, double differ
         double results[RESULTS];
         double *moved = direction_of(&there.parameters, &there.inputs, there.apex, k);
         const double h = wider * (k < TDMF_SECTION_COUNT ? step : step * *moved);
-        *moved += places[i] * h;
+        *moved += offsets[i] * h;
         const tdmf_return stride = stride_of(&there);
         if (stride.outcome != TDMF_RETURN_CLOSED || stride.stride.word_code != here.stride.word_code) {
             return false;

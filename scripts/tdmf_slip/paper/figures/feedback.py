@@ -46,7 +46,7 @@ COLOURS: Mapping[str, str] = {
 }
 DISTURBANCES = ("push_forward", "push_backward", "step_down", "step_up")
 BESIDE, MARGIN = 1.06, 1.2
-"""Ratios of frictions: of the places of two laws at the same one, and beyond the first and the last."""
+"""Ratios of frictions: of the positions of two laws at the same one, and beyond the first and the last."""
 MAX_SHOWN = 5e5
 """Mean strides; intervals go on above where one runner fell."""
 COUNTED = ("falls", "strides", "stopped", "unsolved")
@@ -141,10 +141,10 @@ def draw(path: Path, data: Columns) -> None:
     with style.styled():
         figure, panels = plt.subplots(2, 3, figsize=(12.6, 6.8), sharex=True, layout="constrained")
         (share, push, step), (eigenvalue, *strides) = panels
-        for place, (name, colour) in enumerate(COLOURS.items()):
+        for number, (name, colour) in enumerate(COLOURS.items()):
             rows = np.asarray(data["law"]) == name
             its = {key: np.asarray(data[key])[rows] for key in data}
-            its["friction"] = its["friction"] * BESIDE ** (place - 0.5 * (len(COLOURS) - 1))
+            its["friction"] = its["friction"] * BESIDE ** (number - 0.5 * (len(COLOURS) - 1))
             _with_confidence(share, its, "attracted_share", colour, name)
             _of_two(push, its, "push_forward", "push_backward", colour)
             _of_two(step, its, "step_down", "step_up", colour)

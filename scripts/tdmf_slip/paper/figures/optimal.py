@@ -109,7 +109,7 @@ def best(runner: Runner, objective: str, near: Sequence[Optimum], *, begin: bool
 
 def _starts(space: Space, runner: Runner, near: Sequence[Optimum]) -> Iterator[Start]:
     for optimum in near:
-        at = space.place_of(optimum.gait.runner)
+        at = space.coordinates_of(optimum.gait.runner)
         try:
             yield Start(at, gait_near(space.runner_at(runner, at), optimum.gait.apex))
         except RunError:

@@ -131,8 +131,8 @@ def plane_table(maps: tuple[StabilityMap, StabilityMap]) -> Columns:
     """Both planes, one after the other: parameters by name and value, eigenvalue and word."""
     columns: dict[str, list[Any]] = {}
     for one in maps:
-        places = np.meshgrid(one.rows, one.columns, indexing="ij")
-        for which, name, values in zip(("first", "second"), one.names, places, strict=True):
+        grid = np.meshgrid(one.rows, one.columns, indexing="ij")
+        for which, name, values in zip(("first", "second"), one.names, grid, strict=True):
             columns.setdefault(f"{which}_parameter", []).extend([name] * values.size)
             columns.setdefault(f"{which}_value", []).extend(values.ravel())
         columns.setdefault("lambda_max", []).extend(one.lambda_max.ravel())

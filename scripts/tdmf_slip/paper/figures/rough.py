@@ -12,7 +12,7 @@ from matplotlib.axes import Axes
 
 from ...analysis.comparison import compare
 from ...analysis.first_passage import FirstPassage
-from ...analysis.first_passages import Place, stay_all
+from ...analysis.first_passages import Trial, first_passages
 from ...library.runner import Runner
 from ...pictures import style
 from ...unit.unit import FRICTION
@@ -50,18 +50,18 @@ def measure(runner: Runner, *, progress: bool = False) -> Measured:
     sequence of (float, bool, FirstPassage)
         Frictions, whether the runner was matched, and what was found.
     """
-    places = [
-        Place(runner.but(FRICTION, friction), roughness, RUNNERS, SEED, MAX_STRIDES)
+    trials = [
+        Trial(runner.but(FRICTION, friction), roughness, RUNNERS, SEED, MAX_STRIDES)
         for roughness in ROUGHNESS
         for friction in FRICTIONS
     ]
-    as_they_come = len(places)
+    as_they_come = len(trials)
     for one in _matched(runner):
-        places.append(Place(one, MATCHED_ROUGHNESS, RUNNERS, SEED, MAX_STRIDES))
-    found = stay_all(places, progress=progress)
+        trials.append(Trial(one, MATCHED_ROUGHNESS, RUNNERS, SEED, MAX_STRIDES))
+    found = first_passages(trials, progress=progress)
     return [
-        (place.runner.values[FRICTION], number >= as_they_come, one)
-        for number, (place, one) in enumerate(zip(places, found, strict=True))
+        (trial.runner.values[FRICTION], number >= as_they_come, one)
+        for number, (trial, one) in enumerate(zip(trials, found, strict=True))
     ]
 
 
