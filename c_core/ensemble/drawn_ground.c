@@ -25,8 +25,8 @@ double tdmf_drawn_step(const tdmf_ensemble_rules *rules, uint64_t runner, uint32
                                        rules->seed, runner, number);
 }
 
-double tdmf_piece_height(const tdmf_ensemble_rules *rules, uint64_t runner, int64_t piece) {
-    return rules->roughness == 0.0 ? 0.0 : tdmf_drawn_step(rules, runner, (uint32_t)piece);
+double tdmf_segment_height(const tdmf_ensemble_rules *rules, uint64_t runner, int64_t segment) {
+    return rules->roughness == 0.0 ? 0.0 : tdmf_drawn_step(rules, runner, (uint32_t)segment);
 }
 
 double tdmf_drawn_friction(const tdmf_ensemble_rules *rules, double about, uint64_t runner, uint32_t number) {

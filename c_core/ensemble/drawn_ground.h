@@ -1,4 +1,4 @@
-/* Ground that is drawn, by the number of a stride or of a piece. */
+/* Ground that is drawn, by the number of a stride or of a segment. */
 #ifndef TDMF_ENSEMBLE_DRAWN_GROUND_H
 #define TDMF_ENSEMBLE_DRAWN_GROUND_H
 

@@ -247,17 +247,17 @@ static bool flies(const tdmf_mode *mode) {
     return mode->contact == TDMF_CONTACT_FLIGHT;
 }
 
-/* Ground of place before an event: there may be no piece where the foot has come down, or it has a friction
+/* A terrain before an event: there may be no segment where the foot has come down, or it has a friction
  * of its own. Returns the guard that is still reached. */
-static tdmf_guard meet_piece(tdmf_runner *runner, tdmf_guard reached, bool *ended) {
+static tdmf_guard meet_segment(tdmf_runner *runner, tdmf_guard reached, bool *ended) {
     *ended = false;
     if (reached != TDMF_GUARD_TOUCHDOWN || !tdmf_has_terrain(&runner->its_case->rules)) {
         return reached;
     }
-    return tdmf_meets_piece(runner, ended) ? reached : TDMF_GUARD_COUNT;
+    return tdmf_meets_segment(runner, ended) ? reached : TDMF_GUARD_COUNT;
 }
 
-/* Ground of place after one: the foot flies, or is over a height that it was below. */
+/* A terrain after one: the foot flies, or is over a height that it was below. */
 static bool look_at_terrain(tdmf_runner *runner, const tdmf_mode *before, tdmf_guard reached) {
     const bool looks =
         tdmf_has_terrain(&runner->its_case->rules) && flies(&runner->motion.mode) &&
@@ -270,7 +270,7 @@ bool tdmf_runner_take_event(tdmf_runner *runner, const double *fields, tdmf_guar
     const tdmf_mode before = motion->mode;
     bool ended;
     store(runner, fields);
-    reached = meet_piece(runner, reached, &ended);
+    reached = meet_segment(runner, reached, &ended);
     if (ended) {
         return false;
     }
@@ -307,7 +307,7 @@ static tdmf_fate fate_of(tdmf_outcome outcome) {
     }
 }
 
-/* Takes the event at which the native solver has left ground of place to the runner. False where the run has
+/* Takes the event at which the native solver has left the terrain to the runner. False where the run has
  * ended. */
 static bool take_left_event(tdmf_runner *runner, const tdmf_mode *before, tdmf_guard reached) {
     tdmf_motion *motion = &runner->motion;
@@ -316,7 +316,7 @@ static bool take_left_event(tdmf_runner *runner, const tdmf_mode *before, tdmf_g
         return look_at_terrain(runner, before, reached);
     }
     const tdmf_mode at_event = motion->mode;
-    reached = meet_piece(runner, reached, &ended);
+    reached = meet_segment(runner, reached, &ended);
     if (ended) {
         return false;
     }
@@ -328,7 +328,7 @@ static bool take_left_event(tdmf_runner *runner, const tdmf_mode *before, tdmf_g
     return look_at_terrain(runner, &at_event, reached);
 }
 
-/* A stride over ground of place, from one meeting with a height of it to the next. False where the run has
+/* A stride over a terrain, from one meeting with a height of it to the next. False where the run has
  * ended. */
 static bool stride_over_terrain(tdmf_runner *runner, tdmf_solver *solver, double until) {
     tdmf_motion *motion = &runner->motion;

@@ -68,7 +68,7 @@ struct tdmf_runner {
     long events_left;
     int false_crossings;       /* since the mode changed */
     tdmf_model set;            /* the case's, with the settings of the stride */
-    tdmf_terrain_view terrain; /* ground of place, if there is any */
+    tdmf_terrain_view terrain; /* terrain, if there is any */
 };
 
 static inline tdmf_system tdmf_runner_system(const tdmf_runner *runner) {

@@ -20,6 +20,7 @@ OPTIONS: Mapping[str, str] = {
     "--free-each": "--vary-each NAME,NAME",
     "--most-strides": "--max-strides",
     "--over": "--vary NAME=A:B",
+    "--piece-length": "--segment-length",
     "--workers": "--threads",
     "--range": "--axes NAME=A:B",
     **{

@@ -37,7 +37,7 @@ def kinds(branch):
 
 
 def special_points_met(branch):
-    """How often the number of unstable eigenvalues changes or the branch turns; each time a special point is reported."""
+    """How often the number of unstable eigenvalues changes or the branch turns: at special points."""
     told = [special for special in branch.specials if special.kind != "word border"]
     changes = 0
     for (before, low), (after, high) in pairwise(zip(branch.gaits, branch.values, strict=True)):

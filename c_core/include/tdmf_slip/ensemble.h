@@ -60,18 +60,18 @@ typedef struct {
                                                               first two rows and columns */
 } tdmf_ball;
 
-/* Ground of place: level pieces of one length, piece k from x = k length up to, without it, (k + 1) length;
- * an edge belongs to the piece ahead. The foot comes down on the piece below it, and no edge is missed. A
- * stance belongs to the piece on which it began: a foot that slips over an edge keeps its height and its
- * friction until it lifts off. A foot that swings into the face of a piece passes that step on its way up;
- * until then the piece from which it came goes on below it. With `trips` a foot that swings or slips into a
+/* Terrain: level segments of one length, segment k from x = k length up to, without it, (k + 1) length;
+ * an edge belongs to the segment ahead. The foot comes down on the segment below it, and no edge is missed. A
+ * stance belongs to the segment on which it began: a foot that slips over an edge keeps its height and its
+ * friction until it lifts off. A foot that swings into the face of a segment passes that step on its way up;
+ * until then the segment from which it came goes on below it. With `trips` a foot that swings or slips into a
  * face has fallen there. */
-#define TDMF_LEAST_PIECE 1e-3 /* over l0 */
+#define TDMF_MIN_SEGMENT 1e-3 /* over l0 */
 typedef struct {
-    double length;         /* m, of a piece; 0: the ground is by stride, not by place */
+    double length;         /* m, of a segment; 0: the ground is set by stride */
     const double *heights; /* m, over the inputs' height; after the last the first comes again. Runner n
-                              begins on piece n. NULL: heights are drawn as steps by stride are, each by the
-                              number of its piece, with the roughness as their standard deviation */
+                              begins on segment n. NULL: heights are drawn as steps by stride are, each by the
+                              number of its segment, with the roughness as their standard deviation */
     int64_t height_count;  /* how many there are; 0 where heights is NULL */
 } tdmf_terrain;
 
@@ -98,8 +98,9 @@ typedef struct {
     double friction_spread;
     const double *friction_weights;
     int friction_weight_count;
-    /* With a length, heights and frictions are of pieces, no longer of strides. Ground is level then and the
-     * body is not pushed; heights of apices are above the piece below the foot. Of the return map only */
+    /* With a length, heights and frictions are of segments, no longer of strides. Ground is level then and
+     * the body is not pushed; heights of apices are above the segment below the foot. Of the return map only
+     */
     tdmf_terrain terrain;
     uint64_t seed;              /* of steps and friction */
     const tdmf_affine_law *law; /* by which it sets at each apex, the start's too; NULL: nothing */
@@ -210,7 +211,7 @@ typedef struct {
  * none of those given, or has a patch of ground and gaits to settle on, which a place has not, or goes by the
  * reduced map, a roughness is not finite, below 0 or above 0 in the reduced map, the map is none, a
  * setting is none, is set twice or gets a value out of its range, heights of rough ground or a friction that
- * is drawn are set, terrain has a length that is not finite or below TDMF_LEAST_PIECE l0, or comes with a
+ * is drawn are set, terrain has a length that is not finite or below TDMF_MIN_SEGMENT l0, or comes with a
  * slope, a push, gaits to settle on, checkpoints, the reduced map or settings of any of these, a height of it
  * is not finite, weights or a spread are not finite or the spread is below 0 or above it in the reduced map,
  * a number of a law or a ball is beyond 1e100 or its limits are no range, a number of elements is below 0 or
@@ -223,8 +224,8 @@ TDMF_API bool tdmf_run_ensemble(const tdmf_ensemble *ensemble, tdmf_ensemble_end
  * Normal with mean 0 and standard deviation 1, and the same bits on every machine. */
 TDMF_API double tdmf_ground_step(uint64_t seed, uint64_t runner, uint32_t stride);
 
-/* The height of a piece of terrain that is drawn, m, over the inputs' height. */
-TDMF_API double tdmf_piece_height(const tdmf_ensemble_rules *rules, uint64_t runner, int64_t piece);
+/* The height of a segment of terrain that is drawn, m, over the inputs' height. */
+TDMF_API double tdmf_segment_height(const tdmf_ensemble_rules *rules, uint64_t runner, int64_t segment);
 
 /* The logarithm of a stride's friction over what it is drawn about, over its spread: as the step, drawn by
  * itself. */

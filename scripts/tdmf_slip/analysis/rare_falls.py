@@ -168,13 +168,13 @@ def rare_falls(
 
 
 def _check_is_rough(ground: RoughGround) -> None:
-    """Refuse ground without steps, ground of place, and friction that hangs together."""
+    """Refuse ground without steps, a terrain, and friction that hangs together."""
     if ground.roughness < SMOOTHEST:
         raise InputError(f"roughness = {ground.roughness:g} is not allowed; allowed: {SMOOTHEST:g} m or more")
-    if ground.piece_length:
+    if ground.segment_length:
         raise InputError(
-            f"piece_length = {ground.piece_length:g} m: rare_falls copies walkers from apex to apex, and "
-            "copies would have the same pieces ahead; allowed: ground by stride (piece_length of 0), or "
+            f"segment_length = {ground.segment_length:g} m: rare_falls copies walkers from apex to apex, and "
+            "copies would have the same segments ahead; allowed: ground by stride (segment_length of 0), or "
             "strides_to_fall"
         )
     if ground.friction_weights:

@@ -39,7 +39,7 @@ from .runner import runner_of
     "--roughness",
     type=Number(0.0, LARGEST),
     metavar="S",
-    help="Standard deviation, in m, of the ground's steps at each apex, or of heights of pieces.",
+    help="Standard deviation, in m, of the ground's steps at each apex, or of heights of segments.",
 )
 @click.option(
     "--runners",
@@ -83,16 +83,16 @@ from .runner import runner_of
     help="Standard deviation of the logarithm of each stride's friction, about the runner's.",
 )
 @click.option(
-    "--piece-length",
+    "--segment-length",
     type=Number(0.0, LARGEST),
     default=0.0,
     metavar="L",
-    help="Of level pieces, in m: heights and frictions are of places, and no longer of strides.",
+    help="Of level segments, in m: heights and frictions belong to the ground there, no longer to strides.",
 )
 @click.option(
     "--heights",
     metavar="FILE",
-    help="Heights of the pieces, in m, in place of --roughness; after the last the first comes again.",
+    help="Heights of the segments, in m, in place of --roughness; after the last the first comes again.",
 )
 @click.option(
     "--rare",
@@ -113,7 +113,7 @@ def rough_command(
     correlation: float,
     trips: bool,
     friction_spread: float,
-    piece_length: float,
+    segment_length: float,
     heights: str | None,
     rare: bool,
     scheduler: str | None,
@@ -137,7 +137,7 @@ def rough_command(
         step_weights=correlated_weights(correlation),
         trips=trips,
         friction_spread=friction_spread,
-        piece_length=piece_length,
+        segment_length=segment_length,
         heights=() if heights is None else read_heights(heights),
     )
     if rare:

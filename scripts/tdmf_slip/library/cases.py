@@ -20,7 +20,7 @@ from .section import COORDINATES, Apex
 from .structs import Struct
 
 HELD_ON_TERRAIN = ("ground.height", "ground.slope", "body.external_fx", "body.external_fy")
-"""What nobody sets on ground of place."""
+"""What no law sets on a terrain."""
 LARGEST = 1e100
 """Of a ball's numbers: beyond, the library refuses them."""
 
@@ -56,12 +56,12 @@ class Case(ByContents):
         check_law(self.law, self.runner)
         if len(self.gaits) or self.runner.reduced:
             refuse_patch(self.runner.values)
-        if len(self.gaits) and self.ground.piece_length:
+        if len(self.gaits) and self.ground.segment_length:
             raise InputError(
-                f"gaits on ground of place (piece_length = {self.ground.piece_length:g} m), where no apex "
+                f"gaits on a terrain (segment_length = {self.ground.segment_length:g} m), where no apex "
                 "comes back; allowed: one of the two"
             )
-        if self.law is not None and self.ground.piece_length:
+        if self.law is not None and self.ground.segment_length:
             _check_keeps_terrain(self.law)
         if len(self.balls) not in (0, len(self.gaits)):
             raise InputError(f"balls: {len(self.balls)}; allowed: none, or one for each of the gaits")
@@ -70,7 +70,7 @@ class Case(ByContents):
 def _check_keeps_terrain(law: AffineLaw) -> None:
     for name in law.inputs:
         if name in HELD_ON_TERRAIN:
-            raise InputError(f"law sets {name} on ground of place (piece_length); allowed: it sets others")
+            raise InputError(f"law sets {name} on a terrain (segment_length); allowed: it sets others")
 
 
 def check_alike(cases: Sequence[Case]) -> None:

@@ -1,4 +1,4 @@
-"""Random ground, the same for a seed: steps and friction by stride, or level pieces of place."""
+"""Random ground, the same for a seed: steps and friction by stride, or level segments of a terrain."""
 
 import math
 from collections.abc import Callable, Mapping
@@ -15,7 +15,7 @@ from .binding import c, ffi
 
 LARGEST = 1e9
 """Roughness, m."""
-SHORTEST_PIECE = 1e-3
+MIN_SEGMENT = 1e-3
 """Over l0; shorter ones the library refuses."""
 LARGEST_SPREAD = 10.0
 """Of the logarithm of friction."""
@@ -61,17 +61,17 @@ class RoughGround:
     """What a runner meets: steps by which the ground's height changes at its apices, and friction by stride.
 
     Both are drawn by a counter from the seed, the runner's number and the stride's: results do not depend on
-    lanes, threads or workers. With a `piece_length` the ground is of place instead: level pieces, each with a
-    height and a friction of its own, of which the foot meets the one below it.
+    lanes, threads or workers. With a `segment_length` the ground is a terrain instead: level segments, each
+    with a height and a friction of its own, of which the foot meets the one below it.
 
-    Piece k reaches from x = k `piece_length` to the next, to which the edge between them belongs; foot and
-    ground begin at x = 0. No edge is missed. A stance belongs to the piece on which it begins: a foot that
+    Segment k reaches from x = k `segment_length` to the next, to which the edge between them belongs; foot
+    and ground begin at x = 0. No edge is missed. A stance belongs to the segment on which it begins: a foot that
     slips over an edge keeps its height and its friction until it lifts off. A foot that swings into the face
-    of a piece passes that step on its way up; until then the piece from which it came goes on below it.
+    of a segment passes that step on its way up; until then the segment from which it came goes on below it.
     """
 
     roughness: float = 0.0
-    """Standard deviation of a step, or of the height of a piece, m; their mean is 0."""
+    """Standard deviation of a step, or of the height of a segment, m; their mean is 0."""
     seed: int = 0
     """Of all steps, and of friction."""
     step_weights: tuple[float, ...] = ()
@@ -79,18 +79,18 @@ class RoughGround:
     `correlated_weights` and `spectrum_weights`."""
     trips: bool = False
     """A foot that is below a step as it comes has met it, and the runner falls. By default it passes the step
-    on its way up, and falls only where it stays below for a whole stride. On ground of place a foot trips
-    where it swings or slips into the face of a piece."""
+    on its way up, and falls only where it stays below for a whole stride. On a terrain a foot trips
+    where it swings or slips into the face of a segment."""
     friction_spread: float = 0.0
     """Standard deviation of the logarithm of a stride's friction, about the runner's own."""
     friction_weights: tuple[float, ...] = ()
     """As those of the steps."""
-    piece_length: float = 0.0
-    """Of level pieces, m, from `SHORTEST_PIECE` l0 on: heights and frictions are then of pieces, drawn as
-    steps and frictions of strides are else, by the piece's number. By default the ground is by stride."""
+    segment_length: float = 0.0
+    """Of level segments, m, from `MIN_SEGMENT` l0 on: heights and frictions are then of segments, drawn as
+    steps and frictions of strides are else, by the segment's number. By default the ground is by stride."""
     heights: tuple[float, ...] = ()
-    """Of the pieces, m, in place of those that are drawn; after the last the first comes again, and runner n
-    begins on piece n."""
+    """Of the segments, m, instead of those that are drawn; after the last the first comes again, and runner
+    n begins on segment n."""
 
     def __post_init__(self) -> None:
         """Refuse values out of range."""
@@ -100,10 +100,12 @@ class RoughGround:
         object.__setattr__(self, "friction_spread", spread)
         for name in ("step_weights", "friction_weights"):
             object.__setattr__(self, name, _checked_weights(name, getattr(self, name)))
-        object.__setattr__(self, "piece_length", checked("piece_length", self.piece_length, 0.0, LARGEST))
+        object.__setattr__(
+            self, "segment_length", checked("segment_length", self.segment_length, 0.0, LARGEST)
+        )
         object.__setattr__(self, "heights", _checked_heights(self.heights))
-        if self.heights and not self.piece_length:
-            raise InputError("heights without a piece_length; allowed: with one above 0 m")
+        if self.heights and not self.segment_length:
+            raise InputError("heights without a segment_length; allowed: with one above 0 m")
         if self.heights and self.roughness:
             raise InputError(
                 f"roughness = {self.roughness:g} with heights; allowed: one of them, the other left out"
@@ -112,7 +114,7 @@ class RoughGround:
     @property
     def is_drawn(self) -> bool:
         """It is not the ground of the runner's inputs alone."""
-        return bool(self.roughness or self.friction_spread or self.piece_length)
+        return bool(self.roughness or self.friction_spread or self.segment_length)
 
     def write(self, rules: Any) -> list[object]:
         """Write it into the rules of a case."""
@@ -125,12 +127,12 @@ class RoughGround:
         rules.step_weights, rules.step_weight_count = steps, len(self.step_weights)
         rules.friction_weights, rules.friction_weight_count = friction, len(self.friction_weights)
         heights = ffi.new("double[]", list(self.heights)) if self.heights else ffi.NULL
-        rules.terrain.length, rules.terrain.heights = self.piece_length, heights
+        rules.terrain.length, rules.terrain.heights = self.segment_length, heights
         rules.terrain.height_count = len(self.heights)
         return [steps, friction, heights]
 
     def check_runner(self, values: Mapping[str, float | bool], scales: NDArray[np.float64]) -> None:
-        """Refuse a runner that does not fit ground of place.
+        """Refuse a runner that does not fit a terrain.
 
         Parameters
         ----------
@@ -142,18 +144,18 @@ class RoughGround:
         Raises
         ------
         InputError
-            Pieces are shorter than `SHORTEST_PIECE` l0, the runner is pushed, or its ground is not level.
+            Segments are shorter than `MIN_SEGMENT` l0, the runner is pushed, or its ground is not level.
         """
-        if not self.piece_length:
+        if not self.segment_length:
             return
-        least = SHORTEST_PIECE * float(scales[0])
-        if self.piece_length < least:
+        least = MIN_SEGMENT * float(scales[0])
+        if self.segment_length < least:
             raise InputError(
-                f"piece_length = {self.piece_length:g} m is not allowed; allowed: {least:g} m or more"
+                f"segment_length = {self.segment_length:g} m is not allowed; allowed: {least:g} m or more"
             )
         for name in ("ground.slope", "body.external_fx", "body.external_fy"):
             if values.get(name, 0.0) != 0.0:
-                raise InputError(f"{name} = {values[name]:g} on ground of place (piece_length); allowed: 0")
+                raise InputError(f"{name} = {values[name]:g} on a terrain (segment_length); allowed: 0")
 
     def frictions(self, runner: int, count: int) -> NDArray[np.float64]:
         """Factors of the friction in the first strides of one runner."""
@@ -177,15 +179,15 @@ class RoughGround:
         """The first steps of one runner."""
         return self.roughness * self._drawn(c.tdmf_ground_step, self.step_weights, runner, count)
 
-    def piece_heights(self, runner: int, count: int) -> NDArray[np.float64]:
-        """Heights of the first pieces below one runner, from x = 0 on.
+    def segment_heights(self, runner: int, count: int) -> NDArray[np.float64]:
+        """Heights of the first segments below one runner, from x = 0 on.
 
         Parameters
         ----------
         runner : int
             Its number, from 0 on.
         count : int
-            How many pieces.
+            How many segments.
 
         Returns
         -------
@@ -197,17 +199,17 @@ class RoughGround:
         InputError
             A number is out of range, or the ground is by stride.
         """
-        if not self.piece_length:
-            raise InputError("piece_length = 0: the ground is by stride; allowed: ground of place")
+        if not self.segment_length:
+            raise InputError("segment_length = 0: the ground is by stride; allowed: a terrain")
         if not self.heights:
             return self.steps(runner, count)
         runner = checked_whole("runner", runner, 0, LAST_RUNNER)
-        pieces = runner + np.arange(checked_whole("count", count, 0, MAX_STEPS))
-        return np.array(self.heights)[pieces % len(self.heights)]
+        segments = runner + np.arange(checked_whole("count", count, 0, MAX_STEPS))
+        return np.array(self.heights)[segments % len(self.heights)]
 
 
 def read_heights(path: str) -> tuple[float, ...]:
-    """Heights of pieces from a file.
+    """Heights of segments from a file.
 
     Parameters
     ----------

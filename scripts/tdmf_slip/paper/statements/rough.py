@@ -18,12 +18,12 @@ MATCH = (
 ROUGH = f"tdmf-slip rough --friction {SLIPS} --roughness {ROUGHNESS} --runners {RUNNERS} --seed {{seed}}"
 
 
-PIECE, HEIGHT = 5.0, 0.4
-"""Of ground of place: length of a piece, and standard deviation of heights, l0."""
+SEGMENT, HEIGHT = 5.0, 0.4
+"""Of the terrain: length of a segment, and standard deviation of heights, l0."""
 
 
-def _strides_on_pieces(one: Gait, seed: int) -> float:
-    ground = RoughGround(HEIGHT, seed, piece_length=PIECE)
+def _strides_on_segments(one: Gait, seed: int) -> float:
+    ground = RoughGround(HEIGHT, seed, segment_length=SEGMENT)
     found = strides_to_fall(one.runner, ground, RUNNERS, max_strides=MAX_STRIDES, gait=one, threads=1)
     return found.mean_strides
 
@@ -63,8 +63,8 @@ def _on_hills(seed: int) -> float:
     return strides(gait(SLIPS), seed, CORRELATION) / strides(control, seed + 1, CORRELATION)
 
 
-def _on_pieces(seed: int) -> float:
-    return _strides_on_pieces(gait(SLIPS), seed) / _strides_on_pieces(matched(SLIPS, STICKS), seed + 1)
+def _on_segments(seed: int) -> float:
+    return _strides_on_segments(gait(SLIPS), seed) / _strides_on_segments(matched(SLIPS, STICKS), seed + 1)
 
 
 def _at_sticks_kinematics(seed: int) -> float:
@@ -112,12 +112,12 @@ CLAIMS = (
         _on_hills,
     ),
     OwnClaim(
-        "  the same on level pieces of 5 l0, heights 0.4 l0, where how the foot comes down is not held",
-        f"tdmf-slip rough --friction {SLIPS} --roughness {HEIGHT} --piece-length {PIECE:g} "
+        "  the same on level segments of 5 l0, heights 0.4 l0, where how the foot comes down is not held",
+        f"tdmf-slip rough --friction {SLIPS} --roughness {HEIGHT} --segment-length {SEGMENT:g} "
         f"--runners {RUNNERS} --seed {{seed}}",
         1.65,
         2.35,
-        _on_pieces,
+        _on_segments,
     ),
     OwnClaim(
         "  and with those of the latter, on independent steps",

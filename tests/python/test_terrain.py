@@ -1,4 +1,4 @@
-"""Ground of place: level pieces of which the foot meets the one below it, against ground set by stride."""
+"""Terrain: level segments of which the foot meets the one below it, against ground set by stride."""
 
 import json
 
@@ -34,28 +34,28 @@ def by_stride(gait, heights):
 
 
 @pytest.mark.parametrize("length", [0.7, 2.0, 30.0])
-def test_pieces_without_heights_change_no_bit(gait, length):
+def test_segments_without_heights_change_no_bit(gait, length):
     level = runs(gait, RoughGround(), strides=10)
-    pieces = runs(gait, RoughGround(piece_length=length), strides=10)
-    assert level.tobytes() == pieces.tobytes()
+    segments = runs(gait, RoughGround(segment_length=length), strides=10)
+    assert level.tobytes() == segments.tobytes()
 
 
 @pytest.mark.parametrize("step", [-0.2, 0.1, 0.3])
 def test_a_step_at_a_place_is_that_of_the_stride_that_meets_it(gait, step):
     """The edge at 20 m is passed high above it, on the way to the second landing."""
-    ground = RoughGround(piece_length=20.0, heights=(0.0, step, step))
+    ground = RoughGround(segment_length=20.0, heights=(0.0, step, step))
     on_terrain = runs(gait, ground, strides=2)[0]
     # Both last apices are told above the upper ground.
     assert on_terrain["apex"] == pytest.approx(by_stride(gait, [0.0, step]), abs=1e-9)
 
 
-def test_pieces_as_long_as_strides_are_steps_by_stride(gait):
+def test_segments_as_long_as_strides_are_steps_by_stride(gait):
     steps = RoughGround(0.05, 3)
     length = float(gait.stride["length"])
     for runner in range(4):
         heights = np.cumsum(steps.steps(runner, 5))
-        # Runner 0 of the ground of place begins on its first piece, which is its own level.
-        ground = RoughGround(piece_length=length, heights=tuple(heights))
+        # Runner 0 of the terrain begins on its first segment, which is its own level.
+        ground = RoughGround(segment_length=length, heights=tuple(heights))
         on_terrain = runs(gait, ground, strides=4)[0]
         # Apices are above an edge, and on which side of it tells only their height.
         assert on_terrain["apex"][1:] == pytest.approx(
@@ -63,18 +63,18 @@ def test_pieces_as_long_as_strides_are_steps_by_stride(gait):
         )
 
 
-def test_the_piece_below_the_foot_counts_and_not_its_neighbour(gait):
+def test_the_segment_below_the_foot_counts_and_not_its_neighbour(gait):
     level = runs(gait, RoughGround(), strides=1)[0]["apex"]
     lower = (0.0, -0.1, -0.1, -0.1)
-    beyond = runs(gait, RoughGround(piece_length=TOUCHDOWN + 1e-3, heights=lower), strides=1)[0]["apex"]
-    before = runs(gait, RoughGround(piece_length=TOUCHDOWN - 1e-3, heights=lower), strides=1)[0]["apex"]
+    beyond = runs(gait, RoughGround(segment_length=TOUCHDOWN + 1e-3, heights=lower), strides=1)[0]["apex"]
+    before = runs(gait, RoughGround(segment_length=TOUCHDOWN - 1e-3, heights=lower), strides=1)[0]["apex"]
     assert beyond[1:] == pytest.approx(level[1:], abs=1e-9)
     assert abs(before[1] - level[1]) > 1e-4
 
 
-def test_an_edge_belongs_to_the_piece_ahead(gait):
-    """The foot starts on the edge of pieces 0 and -1, whose height is the last one given."""
-    start = runs(gait, RoughGround(piece_length=50.0, heights=(0.0, 0.4)), strides=1)[0]
+def test_an_edge_belongs_to_the_segment_ahead(gait):
+    """The foot starts on the edge of segments 0 and -1, whose height is the last one given."""
+    start = runs(gait, RoughGround(segment_length=50.0, heights=(0.0, 0.4)), strides=1)[0]
     assert start["apex"] == pytest.approx(runs(gait, RoughGround(), strides=1)[0]["apex"], abs=1e-12)
 
 
@@ -83,23 +83,23 @@ def test_a_foot_that_slips_over_an_edge_keeps_its_height(gait):
     length = 0.5 * (TOUCHDOWN + LIFTOFF)
     for height in (-0.1, 0.05):
         heights = (0.0, height, height, height)
-        slipped = runs(gait, RoughGround(piece_length=length, heights=heights), strides=1)[0]
-        # The apex is above the piece below the foot, the second or third.
+        slipped = runs(gait, RoughGround(segment_length=length, heights=heights), strides=1)[0]
+        # The apex is above the segment below the foot, the second or third.
         assert slipped["apex"][0] == pytest.approx(level[0] - height, abs=1e-9)
         assert slipped["apex"][1:] == pytest.approx(level[1:], abs=1e-9)
-    tripping = RoughGround(piece_length=length, heights=(0.0, 0.05, 0.05, 0.05), trips=True)
+    tripping = RoughGround(segment_length=length, heights=(0.0, 0.05, 0.05, 0.05), trips=True)
     assert runs(gait, tripping)["fate"][0] == FELL
-    falling = RoughGround(piece_length=length, heights=(0.0, -0.05, -0.05, -0.05), trips=True)
+    falling = RoughGround(segment_length=length, heights=(0.0, -0.05, -0.05, -0.05), trips=True)
     assert runs(gait, falling, strides=1)["fate"][0] == UNDECIDED
 
 
 @pytest.mark.parametrize(("length", "falls"), [(TOUCHDOWN - 0.3, True), (TOUCHDOWN - 3.0, False)])
-def test_a_foot_that_swings_into_a_face_trips_or_is_borne_by_the_piece_it_came_from(gait, length, falls):
+def test_a_foot_that_swings_into_a_face_trips_or_is_borne_by_the_segment_it_came_from(gait, length, falls):
     """Within 0.3 m of its touchdown the foot is below 0.1 m, 3 m before it is above."""
     heights = (0.0, 0.1, 0.1, 0.1)
-    trips = runs(gait, RoughGround(piece_length=length, heights=heights, trips=True), strides=1)[0]
+    trips = runs(gait, RoughGround(segment_length=length, heights=heights, trips=True), strides=1)[0]
     assert (trips["fate"] == FELL) == falls
-    passes = runs(gait, RoughGround(piece_length=length, heights=heights), strides=1)[0]
+    passes = runs(gait, RoughGround(segment_length=length, heights=heights), strides=1)[0]
     level = runs(gait, RoughGround(), strides=1)[0]["apex"]
     motion = passes["apex"][1:]
     assert (np.abs(motion - level[1:]).max() < 1e-9) == falls
@@ -107,7 +107,7 @@ def test_a_foot_that_swings_into_a_face_trips_or_is_borne_by_the_piece_it_came_f
 
 @pytest.mark.parametrize("length", [0.6, 3.0, 40.0])
 def test_lanes_make_what_the_native_solver_makes(gait, length):
-    ground = RoughGround(0.2, 3, correlated_weights(0.5), piece_length=length, friction_spread=0.2)
+    ground = RoughGround(0.2, 3, correlated_weights(0.5), segment_length=length, friction_spread=0.2)
     alone = runs(gait, ground, 24, 6, instructions="one by one")
     for instructions in instruction_sets():
         lanes = runs(gait, ground, 24, 6, instructions=instructions)
@@ -118,28 +118,28 @@ def test_lanes_make_what_the_native_solver_makes(gait, length):
 
 @pytest.mark.parametrize("weights", [(), correlated_weights(0.8), spectrum_weights([0.0, 1.0, 2.0, 0.5])])
 def test_heights_that_are_drawn_are_those_that_are_told(gait, weights):
-    drawn = RoughGround(0.1, 5, step_weights=weights, piece_length=1.5)
-    # Feet do not come back behind the start by more than a piece, the one that is never looked at here.
-    told = RoughGround(piece_length=1.5, heights=tuple(drawn.piece_heights(0, 400)))
+    drawn = RoughGround(0.1, 5, step_weights=weights, segment_length=1.5)
+    # Feet do not come back behind the start by more than a segment, the one that is never looked at here.
+    told = RoughGround(segment_length=1.5, heights=tuple(drawn.segment_heights(0, 400)))
     assert runs(gait, drawn, strides=8)["apex"] == pytest.approx(
         runs(gait, told, strides=8)["apex"], abs=1e-9
     )
 
 
-def test_runner_n_begins_on_piece_n(gait):
+def test_runner_n_begins_on_segment_n(gait):
     heights = (0.0, 0.1, -0.1, 0.05, 0.2)
-    both = runs(gait, RoughGround(piece_length=25.0, heights=heights), runners=2)
-    second = runs(gait, RoughGround(piece_length=25.0, heights=(*heights[1:], heights[0])))
+    both = runs(gait, RoughGround(segment_length=25.0, heights=heights), runners=2)
+    second = runs(gait, RoughGround(segment_length=25.0, heights=(*heights[1:], heights[0])))
     assert both["apex"][1] == pytest.approx(second["apex"][0], abs=1e-12)
-    assert RoughGround(piece_length=25.0, heights=heights).piece_heights(1, 3) == pytest.approx(
+    assert RoughGround(segment_length=25.0, heights=heights).segment_heights(1, 3) == pytest.approx(
         [0.1, -0.1, 0.05]
     )
 
 
-def test_friction_is_that_of_the_piece_that_the_foot_comes_down_on(gait):
-    """With pieces of a stride the number of the piece is that of the stride."""
+def test_friction_is_that_of_the_segment_that_the_foot_comes_down_on(gait):
+    """With segments of a stride the number of the segment is that of the stride."""
     length = float(gait.stride["length"])
-    on_terrain = runs(gait, RoughGround(0.0, 7, friction_spread=0.2, piece_length=length), strides=4)
+    on_terrain = runs(gait, RoughGround(0.0, 7, friction_spread=0.2, segment_length=length), strides=4)
     strides = runs(gait, RoughGround(0.0, 7, friction_spread=0.2), strides=4)
     assert on_terrain["apex"] == pytest.approx(strides["apex"], abs=1e-9)
     level = runs(gait, RoughGround(), strides=4)
@@ -148,10 +148,10 @@ def test_friction_is_that_of_the_piece_that_the_foot_comes_down_on(gait):
 
 def test_strides_to_fall_counts_on_it(gait):
     rough = strides_to_fall(
-        gait.runner, RoughGround(0.3, 1, piece_length=2.0), 200, max_strides=200, gait=gait
+        gait.runner, RoughGround(0.3, 1, segment_length=2.0), 200, max_strides=200, gait=gait
     )
     trips = strides_to_fall(
-        gait.runner, RoughGround(0.3, 1, piece_length=2.0, trips=True), 200, max_strides=200, gait=gait
+        gait.runner, RoughGround(0.3, 1, segment_length=2.0, trips=True), 200, max_strides=200, gait=gait
     )
     assert rough.unsolved == trips.unsolved == 0
     assert trips.interval[1] < rough.interval[0]
@@ -160,13 +160,13 @@ def test_strides_to_fall_counts_on_it(gait):
 @pytest.mark.parametrize(
     ("values", "ground", "words"),
     [
-        ({}, {"piece_length": -1.0}, "piece_length"),
-        ({}, {"piece_length": 1e-4}, "piece_length = 0.0001 m .* allowed: 0.001 m or more"),
-        ({}, {"heights": (0.1, 0.2)}, "heights without a piece_length"),
-        ({}, {"piece_length": 1.0, "heights": (0.1,), "roughness": 0.1}, "roughness = 0.1 with heights"),
-        ({}, {"piece_length": 1.0, "heights": (np.nan,)}, "heights"),
-        ({"ground.slope": 0.05}, {"piece_length": 1.0}, "ground.slope = 0.05 on ground of place"),
-        ({"body.external_fx": 1e-3}, {"piece_length": 1.0}, "body.external_fx"),
+        ({}, {"segment_length": -1.0}, "segment_length"),
+        ({}, {"segment_length": 1e-4}, "segment_length = 0.0001 m .* allowed: 0.001 m or more"),
+        ({}, {"heights": (0.1, 0.2)}, "heights without a segment_length"),
+        ({}, {"segment_length": 1.0, "heights": (0.1,), "roughness": 0.1}, "roughness = 0.1 with heights"),
+        ({}, {"segment_length": 1.0, "heights": (np.nan,)}, "heights"),
+        ({"ground.slope": 0.05}, {"segment_length": 1.0}, "ground.slope = 0.05 on a terrain"),
+        ({"body.external_fx": 1e-3}, {"segment_length": 1.0}, "body.external_fx"),
     ],
 )
 def test_what_does_not_go_together_is_refused(gait, values, ground, words):
@@ -175,10 +175,10 @@ def test_what_does_not_go_together_is_refused(gait, values, ground, words):
 
 
 def test_where_no_apex_comes_back_nothing_settles_and_nothing_is_split(gait):
-    with pytest.raises(InputError, match="gaits on ground of place"):
-        Case(gait.runner, gaits=[gait.apex], ground=RoughGround(piece_length=1.0))
-    with pytest.raises(InputError, match="piece_length"):
-        rare_falls(gait.runner, RoughGround(0.1, piece_length=1.0), gait=gait)
+    with pytest.raises(InputError, match="gaits on a terrain"):
+        Case(gait.runner, gaits=[gait.apex], ground=RoughGround(segment_length=1.0))
+    with pytest.raises(InputError, match="segment_length"):
+        rare_falls(gait.runner, RoughGround(0.1, segment_length=1.0), gait=gait)
 
 
 def test_heights_come_from_a_file(tmp_path):
@@ -195,7 +195,7 @@ def test_heights_come_from_a_file(tmp_path):
 def test_the_command_has_it(tmp_path, command):
     path = tmp_path / "heights.txt"
     path.write_text("0 0.02 -0.02", encoding="utf-8")
-    given = ["rough", "--runners", "4", "--max-strides", "4", "--json", "--piece-length", "3"]
+    given = ["rough", "--runners", "4", "--max-strides", "4", "--json", "--segment-length", "3"]
     told = json.loads(command(*given, "--heights", str(path))[1])
     drawn = json.loads(command(*given, "--roughness", "0.02")[1])
     assert told["strides"] == drawn["strides"] == 16
