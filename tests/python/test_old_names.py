@@ -27,7 +27,8 @@ REPLACED = {
         tdmf_held_inputs tdmf_rates_or_held tdmf_are_held
         most_strides most_change most_drop least_sum least_height most_change_in_layer most_growth_in_layer
         tdmf_least_sine least_normal least_room most_events PIECES_IN_A_CALL
-        tdmf_piece_height TDMF_LEAST_PIECE tdmf_meets_piece live_values_place live_section_place place_of place_near_the_gait
+        tdmf_piece_height TDMF_LEAST_PIECE tdmf_meets_piece live_values_place
+        live_section_place place_of place_near_the_gait
         TDMF_NOTED_SERIES tdmf_notes_strides tdmf_runner_note_step note_found note_remainder crowd
         tdmf_change tdmf_direction tdmf_direction_of tdmf_tangent tdmf_tangent_along tdmf_stride_change
         tdmf_classic_change tdmf_reduced_change tdmf_reduced_return tdmf_reduced_orbit tdmf_reduced_outcome

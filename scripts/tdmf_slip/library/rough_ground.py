@@ -67,7 +67,7 @@ class RoughGround:
     Segment k reaches from x = k `segment_length` to the next, to which the edge between them belongs; foot
     and ground begin at x = 0. No edge is missed. A stance belongs to the segment on which it begins: a foot
     that slips over an edge keeps its height and its friction until it lifts off. A foot that swings into the
-    face of a segment passes that step on its way up; until then the segment from which it came goes on below it.
+    face of a segment passes that step on its way up; until then the segment from which it came goes on below.
     """
 
     roughness: float = 0.0
