@@ -62,7 +62,7 @@ class Expansion:
     """Quantities, and those that they are made of, a coefficient after the other.
 
     `wanted` are those that are asked for, by the arrays of C that they go to, `rates` of states what their
-    integrals are. `known` are series that there are, by their arrays. `place` gives the array of another that
+    integrals are. `known` are series that there are, by their arrays. `array_of` gives that of another that
     is needed as a series, by its name. `by_pairs` is whether inner terms of sums are added up outside.
     """
 
@@ -70,7 +70,7 @@ class Expansion:
         self,
         wanted: dict[str, Expression],
         rates: dict[Expression, Expression],
-        place: Callable[[str], str] = str,
+        array_of: Callable[[str], str] = str,
         known: dict[Expression, str] | None = None,
         by_pairs: bool = False,
     ) -> None:
@@ -94,7 +94,7 @@ class Expansion:
                 if series not in self.nodes:
                     raise ValueError(f"{c_text(series)} is needed as a series: let its page give it")
                 series.name = name_of(series)
-                self.arrays.setdefault(series, place(series.name))
+                self.arrays.setdefault(series, array_of(series.name))
         twice = [array for array, count in Counter(self.arrays.values()).items() if count > 1]
         if twice:
             raise ValueError(f"two series are called {twice[0]}: give one another name in its page")
@@ -176,9 +176,9 @@ class Expansion:
         """Write coefficient k of a quantity into its place, below the page's formula."""
         if not self.stands(node):
             return []
-        place = f"{self.arrays[node]}[{k}]" if node in self.arrays else f"const real {node.name}"
+        array = f"{self.arrays[node]}[{k}]" if node in self.arrays else f"const real {node.name}"
         line = f"{self.recursion(node, k)};"
-        line = line if line.startswith("turn_by") else f"{place} = {line}"
+        line = line if line.startswith("turn_by") else f"{array} = {line}"
         formula = c_text(node, lambda part: part.name if part is not node else None)
         return [f"/* {node.name} = {formula} */", line] if self.by_pairs else [line]
 
