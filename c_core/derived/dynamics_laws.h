@@ -90,7 +90,11 @@ tdmf_vary_acceleration_of_foot(const tdmf_model *model, const tdmf_ground_line *
     return result;
 }
 
-/* rddot = r thetadot^2 + u.(a_body - a_foot), r thetaddot = t.(a_body - a_foot) - 2 rdot thetadot (9). */
+/* rddot = r thetadot^2 + u.(a_body - a_foot), r thetaddot = t.(a_body - a_foot) - 2 rdot thetadot (9).
+ *
+ * `across` is tau/r. By the body's mass `free_body` is what it would have without the leg and `foot` what the
+ * foot has. In flight they may be taken together: by the reduced mass `free_body` is the push alone, and a
+ * foot has no acceleration. */
 static inline tdmf_leg_rates tdmf_acceleration_of_leg(const tdmf_model *model, const tdmf_leg *leg,
                                                       double torque, tdmf_vector free_body,
                                                       tdmf_vector foot) {

@@ -8,13 +8,19 @@ from .functions import Record, atan2, sqrt
 from .leg import direction_over
 
 
+def way_from_foot(length, direction):
+    """r u, the way to the body; u = (-sin, cos)."""
+    return Record(x=-length * direction.sine, y=length * direction.cosine)
+
+
 def body_from_foot(state, direction):
     """r u and rdot u + r thetadot t, what body has more than foot; u = (-sin, cos), t = (-cos, -sin)."""
+    way = way_from_foot(state.leg_length, direction)
     along = state.leg_length_rate
     across = state.leg_length * state.leg_angle_rate
     return Record(
-        x=-state.leg_length * direction.sine,
-        y=state.leg_length * direction.cosine,
+        x=way.x,
+        y=way.y,
         vx=-along * direction.sine - across * direction.cosine,
         vy=along * direction.cosine - across * direction.sine,
     )

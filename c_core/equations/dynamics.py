@@ -33,14 +33,24 @@ def foot_acceleration(model, line, leg, torque, force, contact):
     if contact == "stick":
         return Record(x=0, y=0)
     held = ground_force.under(model, line, leg, torque)
-    along = (force.tangential - held.tangential) * model.inverse_foot_mass
+    along = along_ground(model.inverse_foot_mass, force.tangential, held.tangential)
     return Record(x=along * line.cosine, y=along * line.sine)
 
 
-def leg_acceleration(model, leg, torque, free_body, foot):
-    """rddot = r thetadot^2 + u.(a_body - a_foot), r thetaddot = t.(a_body - a_foot) - 2 rdot thetadot (9)."""
+def along_ground(inverse_foot_mass, tangential, held):
+    """m_f a = f_t - f_stick, of a foot on the ground  (8)."""
+    return (tangential - held) * inverse_foot_mass
+
+
+def leg_acceleration(inverse_mass, leg, across, free_body, foot):
+    """rddot = r thetadot^2 + u.(a_body - a_foot), r thetaddot = t.(a_body - a_foot) - 2 rdot thetadot (9).
+
+    `across` is tau/r. By the body's mass `free_body` is what it would have without the leg and `foot` what
+    the foot has. In flight they may be taken together: by the reduced mass `free_body` is the push alone, and
+    a foot has no acceleration.
+    """
     turning = (
-        torque * leg.inverse_length * model.inverse_body_mass
+        across * inverse_mass
         - (free_body.x * leg.cosine + free_body.y * leg.sine)
         + foot.x * leg.cosine
         + foot.y * leg.sine
@@ -48,7 +58,7 @@ def leg_acceleration(model, leg, torque, free_body, foot):
     )
     return Record(
         length=leg.length * leg.angle_rate * leg.angle_rate
-        + leg.axial_force * model.inverse_body_mass
+        + leg.axial_force * inverse_mass
         + (free_body.y * leg.cosine - free_body.x * leg.sine)
         + foot.x * leg.sine
         - foot.y * leg.cosine,

@@ -177,7 +177,17 @@ FUNCTIONS = {
     ],
     "dynamics": [
         InC("tdmf_vector acceleration_of_foot", dynamics.foot_acceleration),
-        InC("tdmf_leg_rates acceleration_of_leg", dynamics.leg_acceleration),
+        InC(
+            "tdmf_leg_rates acceleration_of_leg",
+            dynamics.leg_acceleration,
+            lambda model, leg, torque, free_body, foot: (
+                model.inverse_body_mass,
+                leg,
+                torque * leg.inverse_length,
+                free_body,
+                foot,
+            ),
+        ),
         InC("double external_power", dynamics.external_power),
         InC("void rates_with", dynamics.rates),
     ],

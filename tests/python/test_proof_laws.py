@@ -241,7 +241,7 @@ def test_impacts_are_those_of_the_library():
     sticks = slides = 0
     for _ in range(POINTS):
         point = Point(rng, "flight")
-        point.values["height"] = float(point.balls.body_share * point.at.length * point.at.cosine)
+        point.values["height"] = float(point.balls.model.body_share * point.at.length * point.at.cosine)
         point.at.height = arb(point.values["height"])
         point._fill()
         if float(laws.foot_velocity(point.balls, point.at).off) >= 0:

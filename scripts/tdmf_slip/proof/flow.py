@@ -11,6 +11,7 @@ from typing import Any
 
 from flint import arb, arb_poly, ctx
 
+from ..equations import coordinates
 from .laws import fades, fading_of, rates
 from .modes import Mode, kept_names, moving_names, names_of
 from .recursion import coefficients
@@ -27,7 +28,7 @@ Values = dict[str, arb]
 
 def with_direction(runner: Any, values: Mapping[str, Any]) -> dict[str, Any]:
     """The numbers of a motion with the leg's sine and cosine over the ground."""
-    angle = values["angle"] - runner.slope
+    angle = values["angle"] - runner.line.slope
     return {**values, "sine": angle.sin(), "cosine": angle.cos()}
 
 
@@ -41,8 +42,7 @@ def with_helpers(runner: Any, mode: Mode, values: Mapping[str, Any]) -> dict[str
 
 def fall(runner: Any) -> tuple[Any, Any]:
     """Acceleration of the centre of mass in flight, along the line and away from it."""
-    share = runner.body_share
-    return runner.push_along * share - runner.gravity_along, runner.push_off * share - runner.gravity_off
+    return runner.free_center.x, runner.free_center.y
 
 
 def speeds(runner: Any, mode: Mode, values: Values) -> Values:
@@ -126,9 +126,10 @@ class Flow:
         }
         self.tubes |= {name: Tube(self.span, arb_poly(row), zero) for name, row in rows.items()}
 
-    def direction_at(self, time: arb) -> Values:
-        """The leg's length and direction at a time."""
-        return {name: self.tubes[name].at(time) for name in ("length", "sine")}
+    def body_ahead_of_foot(self, time: arb) -> arb:
+        """How far the body is along the line at a time more than the foot."""
+        at = Record(**{name: self.tubes[name].at(time) for name in ("length", "sine", "cosine")})
+        return arb(coordinates.way_from_foot(at.length, at).x)
 
     def record(self) -> Record:
         """All tubes by name, and what is kept."""

@@ -79,14 +79,14 @@ def unloading(runner: Any, mode: Mode, at: Any) -> Number:
 def holding(runner: Any, mode: Mode, at: Any) -> Number:
     """f_n under the flight law, in graze: the foot flies where it falls through 0."""
     axial = laws.axial_force(runner, mode, at)
-    return laws.normal_force(runner, at, axial, laws.flight_torque(runner, mode, at) / at.length)
+    return laws.holding_force(runner, at, axial, laws.flight_torque(runner, mode, at) / at.length).normal
 
 
 def body_height(runner: Any, mode: Mode, at: Any) -> Number:
     """Of the body above the line: a fall."""
     if mode.contact == "flight":
-        return at.height + (1 - runner.body_share) * (at.length * at.cosine)
-    return at.length * at.cosine
+        return at.height + (1 - runner.model.body_share) * laws.body_over_foot(at)
+    return laws.body_over_foot(at)
 
 
 def leg_room(runner: Any, mode: Mode, at: Any) -> Number:

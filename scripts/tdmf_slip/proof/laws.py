@@ -1,10 +1,10 @@
 """The model's laws in axes of the ground, over any kind of number: balls, tubes, series, and duals of them.
 
-Forces, torques, friction and impact are those of the pages in `c_core/equations`. What is added here is the
-motion in each mode, which `equations/dynamics.py` has in other axes: t along the line and n away from it. The
-leg's angle is measured from n where its sine and cosine are taken. Both are carried along as states, as is
-the exponential of a friction that falls with speed, so that nothing but sums, products and quotients by the
-leg's length, and in graze by that sine, remains.
+All of them are those of the pages in `c_core/equations`, which do not ask in which axes a vector is told:
+here x is along the line and y away from it, and the leg's sine and cosine are those of its angle from the
+normal. What is added is how these two move, and the exponential of a friction that falls with speed. They are
+carried along as states, so that nothing but sums, products and quotients by the leg's length, and in graze by
+that sine, remains.
 
 `runner` is a record of parameters, `at` one of the motion: length, angle, length_rate, angle_rate, sine,
 cosine, and by mode foot_speed, decay, latched_angle, clock.
@@ -13,9 +13,34 @@ cosine, and by mode foot_speed, decay, latched_angle, clock.
 from types import SimpleNamespace as Record
 from typing import Any
 
-from ..equations import coordinates, friction, ground_force, hip, leg
+from ..equations import coordinates, dynamics, friction, ground_force, ground_line, hip, leg
 from .dual import Number
 from .modes import Mode
+
+
+class _Nothing:
+    """0, which costs nothing: a product with it is it, and a sum the other one."""
+
+    def __neg__(self) -> "_Nothing":
+        return self
+
+    def __add__(self, other: Number) -> Number:
+        return other
+
+    __radd__ = __add__
+
+    def __sub__(self, other: Number) -> Number:
+        return -other
+
+    def __rsub__(self, other: Number) -> Number:
+        return other
+
+    def __mul__(self, other: Number) -> "_Nothing":
+        return self
+
+
+_NOTHING = _Nothing()
+_AT_REST = Record(x=_NOTHING, y=_NOTHING)
 
 # ---- leg and hip: c_core/equations/leg.py, hip.py -----------------------------------------------------
 
@@ -61,16 +86,6 @@ def holding_force(runner: Any, at: Any, axial: Number, across: Number) -> Any:
     return ground_force.holding_force(
         axial, across, -at.sine, at.cosine, runner.foot_weight_along, runner.foot_weight_off
     )
-
-
-def normal_force(runner: Any, at: Any, axial: Number, across: Number) -> Number:
-    """f_n = F_s cos - (tau/r) sin + m_f g cos(slope) (10)."""
-    return holding_force(runner, at, axial, across).normal
-
-
-def push(runner: Any, at: Any, axial: Number, across: Number) -> Number:
-    """What pushes the foot along the line: p = -f_t of (10)."""
-    return -holding_force(runner, at, axial, across).tangential
 
 
 def grazing_across(runner: Any, at: Any, axial: Number) -> Number:
@@ -129,7 +144,7 @@ def fades(runner: Any, mode: Mode) -> bool:
     return bool(mode.contact == "slip" and runner.friction_falls)
 
 
-# ---- motion --------------------------------------------------------------------------------------------
+# ---- motion: c_core/equations/dynamics.py --------------------------------------------------------------
 
 
 def torque_across(runner: Any, mode: Mode, at: Any, axial: Number, inverse: Number) -> Number:
@@ -141,47 +156,37 @@ def torque_across(runner: Any, mode: Mode, at: Any, axial: Number, inverse: Numb
 
 
 def foot_acceleration(runner: Any, mode: Mode, at: Any, axial: Number, across: Number) -> Number:
-    """Of a foot on the ground along the line, in slip and graze: m_f a = p + f_t, where f_t = -s mu f_n."""
-    pushed = push(runner, at, axial, across)
+    """Of a foot on the ground along the line, in slip and graze (8)."""
+    held = holding_force(runner, at, axial, across)
+    tangential: Number = _NOTHING
     if mode.contact == "slip":
-        sliding = sliding_friction(runner, mode, at)
-        pushed = pushed - friction.sliding_force(sliding, normal_force(runner, at, axial, across))
-    return pushed * runner.inverse_foot_mass
+        tangential = -friction.sliding_force(sliding_friction(runner, mode, at), held.normal)
+    return dynamics.along_ground(runner.model.inverse_foot_mass, tangential, held.tangential)
 
 
 def rates(runner: Any, mode: Mode, at: Any) -> dict[str, Number]:
-    """Time derivatives of what moves in the mode, with those of sine and cosine (8).
-
-    rddot = r thetadot^2 + u.(a_body - a_foot), r thetaddot = theta.(a_body - a_foot) - 2 rdot thetadot, with
-    u = (-sin, cos) and theta = (-cos, -sin).
-    """
+    """Time derivatives of what moves in the mode (8)-(9), with those of sine and cosine."""
     inverse = 1 / at.length
     axial = axial_force(runner, mode, at)
     across = torque_across(runner, mode, at, axial, inverse)
-    flies = mode.contact == "flight"
-    inertia = runner.inverse_reduced_mass if flies else runner.inverse_body_mass
-    along_leg, across_leg = axial * inertia, across * inertia
-    if not flies:
-        pull_along, pull_off = runner.push_along - runner.gravity_along, runner.push_off - runner.gravity_off
-    elif runner.is_pushed:
-        pull_along, pull_off = runner.push_along, runner.push_off
-    if not flies or runner.is_pushed:
-        along_leg = along_leg - pull_along * at.sine + pull_off * at.cosine
-        across_leg = across_leg - pull_along * at.cosine - pull_off * at.sine
-    changes: dict[str, Number] = {}
+    free_body, inertia = runner.free_body, runner.model.inverse_body_mass
+    if mode.contact == "flight":
+        free_body = runner.push if runner.is_pushed else _AT_REST
+        inertia = runner.model.inverse_reduced_mass
+    foot, changes = _AT_REST, dict[str, Number]()
     if mode.contact in ("slip", "graze"):
         acceleration = foot_acceleration(runner, mode, at, axial, across)
-        along_leg = along_leg + at.sine * acceleration
-        across_leg = across_leg + at.cosine * acceleration
+        foot = Record(x=acceleration, y=_NOTHING)
         changes["foot_speed"] = acceleration
         if fades(runner, mode):
             changes["decay"] = fading_of(runner, mode) * acceleration * at.decay
-    turn = at.length * at.angle_rate
+    leg_at = Record(**vars(at), inverse_length=inverse, axial_force=axial)
+    of_leg = dynamics.leg_acceleration(inertia, leg_at, across, free_body, foot)
     changes |= {
         "length": at.length_rate,
         "angle": at.angle_rate,
-        "length_rate": turn * at.angle_rate + along_leg,
-        "angle_rate": (across_leg - 2 * at.length_rate * at.angle_rate) * inverse,
+        "length_rate": of_leg.length,
+        "angle_rate": of_leg.angle,
         "sine": at.cosine * at.angle_rate,
         "cosine": -(at.sine * at.angle_rate),
     }
@@ -197,48 +202,51 @@ def torque(runner: Any, mode: Mode, at: Any) -> Number:
     return flight_torque(runner, mode, at) if mode.contact == "flight" else stance_torque(runner, mode)
 
 
-# ---- where body and foot are ---------------------------------------------------------------------------
+# ---- where body and foot are: c_core/equations/coordinates.py, impact.py --------------------------------
+
+
+def _state(at: Any, foot_vx: Number = 0, foot_vy: Number = 0) -> Any:
+    """The leg as the pages have it, over a foot in the origin that moves so."""
+    return Record(
+        foot_x=0,
+        foot_y=0,
+        foot_vx=foot_vx,
+        foot_vy=foot_vy,
+        leg_length=at.length,
+        leg_length_rate=at.length_rate,
+        leg_angle_rate=at.angle_rate,
+    )
 
 
 def fly(runner: Any, at: Any, speed: Number) -> Record:
     """A foot on the ground with a speed along it, told by the centre of mass: height, along, off."""
-    share = runner.body_share
-    turn = at.length * at.angle_rate
-    return Record(
-        height=share * at.length * at.cosine,
-        along=speed - share * (at.length_rate * at.sine + turn * at.cosine),
-        off=share * (at.length_rate * at.cosine - turn * at.sine),
-    )
+    center = coordinates.center_of_mass(runner.model, _state(at, speed), at)
+    return Record(height=center.y, along=center.vx, off=center.vy)
 
 
 def foot_velocity(runner: Any, at: Any) -> Record:
     """Of a foot in flight: along, off."""
-    share = runner.body_share
-    turn = at.length * at.angle_rate
-    return Record(
-        along=at.along + share * (at.length_rate * at.sine + turn * at.cosine),
-        off=at.off - share * (at.length_rate * at.cosine - turn * at.sine),
-    )
+    center = Record(x=0, y=at.height, vx=at.along, vy=at.off)
+    foot = coordinates.foot_below(runner.model, center, _state(at), at)
+    return Record(along=foot.vx, off=foot.vy)
+
+
+def body_over_foot(at: Any) -> Number:
+    """How far the body is away from the line more than the foot."""
+    return coordinates.way_from_foot(at.length, at).y
 
 
 def foot_height(runner: Any, at: Any) -> Number:
     """Of a foot in flight above the line."""
-    return at.height - runner.body_share * (at.length * at.cosine)
+    return at.height - runner.model.body_share * body_over_foot(at)
 
 
 def kick(at: Any, lost_along: Number, lost_off: Number) -> Record:
     """Rates of the leg after an impact that takes a velocity from the foot and leaves the body its own."""
-    state = Record(
-        leg_length=at.length,
-        leg_length_rate=at.length_rate,
-        leg_angle_rate=at.angle_rate,
-        foot_vx=lost_along,
-        foot_vy=lost_off,
-    )
-    rates_after = coordinates.leg_rates_with_foot(state, at, 0, 0)
+    rates_after = coordinates.leg_rates_with_foot(_state(at, lost_along, lost_off), at, 0, 0)
     return Record(length_rate=rates_after.length, angle_rate=rates_after.angle)
 
 
 def rise(runner: Any, along: Number, off: Number) -> Number:
     """The vertical part of a velocity in axes of the ground."""
-    return along * runner.slope_sine + off * runner.slope_cosine
+    return ground_line.vector_on(runner.line, along, off).y

@@ -25,12 +25,11 @@ class Ledger:
     def add(self, flow: Flow, end: arb) -> None:
         """A part of a step."""
         at, mode, runner = flow.record(), flow.mode, self.runner
-        share = runner.body_share
         if mode.contact == "flight":
             self.along += integral(at.along, end)
         else:
-            begun, ended = (flow.direction_at(time) for time in (arb(0), end))
-            self.along -= share * (ended["length"] * ended["sine"] - begun["length"] * begun["sine"])
+            begun, ended = (flow.body_ahead_of_foot(time) for time in (arb(0), end))
+            self.along += runner.model.body_share * (ended - begun)
             if mode.contact != "stick":
                 path = integral(at.foot_speed, end)
                 self.along += path
@@ -53,12 +52,13 @@ class Ledger:
         if before.thrusts != after.thrusts:
             length = entered.values["length"]
             old, new = laws.rest_length(self.runner, before), laws.rest_length(self.runner, after)
-            self.leg_work += leg.work_of_jump(self.runner.stiffness, length, old, new)
+            self.leg_work += leg.work_of_jump(self.runner.model.parameters.leg.stiffness, length, old, new)
 
     def quantities(self, period: arb) -> dict[str, arb]:
         """Of the whole stride, by the names of the unit's group `stride`, and the angle at lift-off."""
         runner = self.runner
-        length = self.along * runner.slope_cosine
+        length = self.along * runner.line.cosine
+        weight = runner.model.total_mass * runner.model.parameters.gravity
         work = self.hip_work + self.leg_work
         found = {
             "period": period,
@@ -67,7 +67,7 @@ class Ledger:
             "work": work,
             "hip_work": self.hip_work,
             "leg_work": self.leg_work,
-            "cost_of_transport": work / (runner.total_mass * runner.gravity * length),
+            "cost_of_transport": work / (weight * length),
             "slip_distance": self.slid,
             "stance_time": self.stance_time,
             "duty_factor": self.stance_time / period,

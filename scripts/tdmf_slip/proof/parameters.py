@@ -7,6 +7,8 @@ from typing import Any
 
 from flint import arb
 
+from ..equations import free_fall, ground_force, ground_line
+from ..equations.runner import derived
 from .dual import Dual, Number, value_of
 from .exact import Exact
 from .modes import PARAMETER
@@ -53,37 +55,35 @@ def _record(of: Mapping[str, Number], exact: Mapping[str, Exact], varied: str | 
         return name == varied or exact[name] != Exact(Fraction(none))
 
     slope = of["ground.slope"]
-    sine, cosine = slope.sin(), slope.cos()
-    body, foot, gravity = of["body.mass"], of["foot.mass"], of["gravity"]
-    push_x, push_y = of["body.external_fx"], of["body.external_fy"]
-    inverse_reduced_mass = value_of(1 / body + 1 / foot)
+    line = Record(height=of["ground.height"], slope=slope, sine=slope.sin(), cosine=slope.cos())
+    masses = derived(of["body.mass"], of["foot.mass"])
+    model = Record(parameters=nested(of), **vars(masses))
+    inputs = model.parameters
+    push = free_fall.push_on_body(model, inputs)
+    weight = ground_force.foot_weight(model)
+    inverse_reduced_mass = value_of(masses.inverse_reduced_mass)
     stiffness, damping = value_of(of["leg.stiffness"]), value_of(of["leg.damping"])
     swing = float((stiffness * inverse_reduced_mass).sqrt())
-    time = float((value_of(body) / value_of(of["leg.stiffness"])).sqrt())
+    time = float((value_of(of["body.mass"]) / stiffness).sqrt())
     length = float(value_of(of["leg.free_length"]))
-    model = Record(parameters=nested(of))
+
+    def along_line(vector: Any) -> Any:
+        """A vector in the axes of the ground."""
+        x, y = vector.x, vector.y
+        return Record(x=ground_line.along(line, x, y), y=ground_line.off(line, x, y))
+
     return Record(
         model=model,
-        inputs=model.parameters,
+        inputs=inputs,
+        line=line,
         min_length=of["leg.min_length"],
         has_thrust=bool(value_of(of["leg.thrust"] + of["control.thrust"]) > 0),
-        stiffness=of["leg.stiffness"],
-        inverse_foot_mass=1 / foot,
-        foot_weight_along=foot * gravity * sine,
-        foot_weight_off=foot * gravity * cosine,
-        inverse_body_mass=1 / body,
-        inverse_reduced_mass=1 / body + 1 / foot,
-        total_mass=body + foot,
-        body_share=body / (body + foot),
-        gravity=gravity,
-        gravity_along=gravity * sine,
-        gravity_off=gravity * cosine,
-        push_along=(push_x * cosine + push_y * sine) / body,
-        push_off=(push_y * cosine - push_x * sine) / body,
+        foot_weight_along=weight * line.sine,
+        foot_weight_off=weight * line.cosine,
+        push=along_line(push),
+        free_body=along_line(free_fall.of_body(model, push)),
+        free_center=along_line(free_fall.of_center(model, push)),
         is_pushed=matters("body.external_fx") or matters("body.external_fy"),
-        slope=slope,
-        slope_sine=sine,
-        slope_cosine=cosine,
         friction_falls=matters("ground.stribeck_velocity"),
         is_stickier=matters("ground.static_friction_ratio", 1),
         retracts=matters("hip.retraction_rate"),

@@ -5,6 +5,7 @@ from typing import Any
 
 from flint import arb
 
+from ..equations import ground_line
 from .dual import Dual, Number
 from .modes import PARAMETER
 
@@ -19,9 +20,9 @@ def motion_at(runner: Any, apex: Sequence[Number], parameter: Number | None = No
         "angle": angle,
         "length_rate": length_rate,
         "angle_rate": angle_rate,
-        "height": height * runner.slope_cosine,
-        "along": speed * runner.slope_cosine,
-        "off": -(speed * runner.slope_sine),
+        "height": height * runner.line.cosine,
+        "along": ground_line.along(runner.line, speed, 0),
+        "off": ground_line.off(runner.line, speed, 0),
     }
     if runner.retracts:
         values["clock"] = arb(0)
@@ -33,8 +34,8 @@ def motion_at(runner: Any, apex: Sequence[Number], parameter: Number | None = No
 def apex_of(runner: Any, values: Mapping[str, Number]) -> list[Number]:
     """The coordinates of the section at an apex, where the centre of mass has no vertical velocity."""
     return [
-        values["height"] / runner.slope_cosine,
-        values["along"] * runner.slope_cosine - values["off"] * runner.slope_sine,
+        values["height"] / runner.line.cosine,
+        ground_line.vector_on(runner.line, values["along"], values["off"]).x,
         *(values[name] for name in ("length", "angle", "length_rate", "angle_rate")),
     ]
 

@@ -17,6 +17,7 @@ from .entered import Entered
 from .flow import Flow, Values, speeds
 from .forced import Forced
 from .guards import FUNCTIONS
+from .laws import rise
 from .ledger import Ledger
 from .matrices import identity
 from .modes import PARAMETER
@@ -71,8 +72,7 @@ class SetTraveller(Traveller):
     def _check_gravity(self) -> None:
         """In flight the centre of mass falls."""
         runner = self.wide
-        lift = runner.push_along * runner.slope_sine + runner.push_off * runner.slope_cosine
-        if not runner.gravity > lift * runner.body_share:
+        if not rise(runner, runner.free_center.x, runner.free_center.y) < 0:
             raise UndecidedError("whether the centre of mass falls in flight", 0.0)
 
     @staticmethod

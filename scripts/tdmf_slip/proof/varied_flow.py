@@ -110,7 +110,7 @@ class VariedFlow(Flow):
 
 def slopes_of_slope(runner: Any) -> dict[str, arb]:
     """By what is varied: how the leg's angle from the ground's normal changes."""
-    slope = slope_of(runner.slope, PARAMETER)
+    slope = slope_of(runner.line.slope, PARAMETER)
     return {} if slope == 0 else {PARAMETER: -slope}
 
 

@@ -78,7 +78,8 @@ def accelerations(
     force = ground_force.in_mode(_MODEL, friction, _LEVEL, of, at, total, mode, 1, False)
     foot = dynamics.foot_acceleration(_MODEL, _LEVEL, at, total, force, mode)
     fall = free_fall.of_body(_MODEL, _NO_PUSH)
-    of_leg = dynamics.leg_acceleration(_MODEL, at, total, fall, foot)
+    across = total * at.inverse_length
+    of_leg = dynamics.leg_acceleration(_MODEL.inverse_body_mass, at, across, fall, foot)
     return foot.x, foot.y, of_leg.length, of_leg.angle
 
 
