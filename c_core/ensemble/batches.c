@@ -22,6 +22,12 @@ typedef union {
     real fields[MEMBER_FIELDS];
 } batch_members;
 
+/* What a runner that waits takes along into a lane. */
+typedef struct {
+    double fields[MEMBER_FIELDS];
+    int count; /* 0 where its mode has yet to be opened */
+} waiting_member;
+
 typedef struct {
     batch_members members;
     mask live;
@@ -40,6 +46,7 @@ typedef struct {
         ground_series ground;
     } series;
     tdmf_runner runners[RUNNERS];
+    waiting_member members[RUNNERS];
     const tdmf_ensemble *ensemble;
     tdmf_starts *starts;
     tdmf_ensemble_end *ends;
@@ -80,16 +87,25 @@ static void read_lane(const batch_members *members, int lane, double *fields, in
     }
 }
 
+static void enter_lane(integration *integration, batch *batch, int lane, int index) {
+    waiting_member *member = &integration->members[index];
+    if (member->count == 0) {
+        member->count = tdmf_runner_load(&integration->runners[index], member->fields);
+    }
+    batch->fields = member->count;
+    write_lane(&batch->members, lane, member->fields, member->count);
+    member->count = 0;
+    batch->runner_in[lane] = index;
+    batch->live[lane] = -1;
+    ++batch->count;
+}
+
 /* Fills empty lanes. One that stays empty doubles another, so that no lane computes with nothing. */
 static void fill_lanes(integration *integration, batch *batch) {
     double fields[MEMBER_FIELDS];
     for (int lane = 0; lane < LANES; ++lane) {
         if (batch->runner_in[lane] == EMPTY && batch->waiting_count > 0) {
-            batch->runner_in[lane] = batch->waiting[--batch->waiting_count];
-            batch->fields = tdmf_runner_load(&integration->runners[batch->runner_in[lane]], fields);
-            write_lane(&batch->members, lane, fields, batch->fields);
-            batch->live[lane] = -1;
-            ++batch->count;
+            enter_lane(integration, batch, lane, batch->waiting[--batch->waiting_count]);
         }
     }
     if (batch->count == LANES) {
@@ -189,16 +205,30 @@ static lane_outcome step_batch(integration *integration, batch_kind kind) {
     }
 }
 
+/* Takes the event of a lane. False where the run of its runner has ended. */
+static bool take_event(integration *integration, const batch *batch, int lane, tdmf_guard reached) {
+    const int index = batch->runner_in[lane];
+    tdmf_runner *runner = &integration->runners[index];
+    waiting_member *member = &integration->members[index];
+    if (tdmf_runner_may_change_law(runner, reached)) {
+        read_lane(&batch->members, lane, member->fields, batch->fields);
+        if (tdmf_runner_change_law(runner, member->fields, reached)) {
+            member->count = batch->fields;
+            return true;
+        }
+    }
+    read_lane(&batch->members, lane, member->fields, CHANGING_FIELDS);
+    return tdmf_runner_take_event(runner, member->fields, reached);
+}
+
 static void empty_lane(integration *integration, batch_kind kind, int lane, const lane_outcome *outcome) {
     batch *batch = &integration->batches[kind];
-    double fields[CHANGING_FIELDS];
     const int index = batch->runner_in[lane];
     tdmf_runner *runner = &integration->runners[index];
     bool goes_on = false;
     if (outcome->at_event[lane]) {
         const int strides = runner->end->strides;
-        read_lane(&batch->members, lane, fields, CHANGING_FIELDS);
-        goes_on = tdmf_runner_take_event(runner, fields, guard_at_zero((int)outcome->event[lane]));
+        goes_on = take_event(integration, batch, lane, guard_at_zero((int)outcome->event[lane]));
         integration->work.strides += runner->end->strides - strides;
         ++integration->work.events;
     } else {

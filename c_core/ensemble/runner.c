@@ -7,7 +7,6 @@
 #include "ground_line.h"
 #include "hip_law.h"
 #include "input_rates.h"
-#include "instant.h"
 #include "longest_stride.h"
 #include "margins.h"
 #include "positive_work.h"
@@ -156,8 +155,7 @@ static void store(tdmf_runner *runner, const double *fields) {
     const member_progress now =
         motion->mode.contact == TDMF_CONTACT_FLIGHT ? read_flying(fields, &at) : read_standing(fields, &at);
     runner->direction = tdmf_state_in_mode(&runner->equations, now.elapsed, &at, motion->state);
-    motion->record.progress.now = tdmf_instant_after(motion->record.progress.now, now.elapsed);
-    motion->time = motion->record.progress.now.time;
+    tdmf_runner_pass_time(runner, now.elapsed);
     runner->steps = now.steps;
 }
 

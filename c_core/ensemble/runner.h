@@ -2,6 +2,7 @@
 #ifndef TDMF_ENSEMBLE_RUNNER_H
 #define TDMF_ENSEMBLE_RUNNER_H
 
+#include "instant.h"
 #include "mode_equations.h"
 #include "series.h"
 #include "step_limits.h"
@@ -76,6 +77,13 @@ static inline tdmf_system tdmf_runner_system(const tdmf_runner *runner) {
     return system;
 }
 
+/* Time goes on, in a lane. */
+static inline void tdmf_runner_pass_time(tdmf_runner *runner, double elapsed) {
+    tdmf_instant *now = &runner->motion.record.progress.now;
+    *now = tdmf_instant_after(*now, elapsed);
+    runner->motion.time = now->time;
+}
+
 /* Begins at an apex, the start of a runner of the ensemble, or where it stands. False where there is nothing
  * to run: `end` says why. */
 bool tdmf_runner_begin(tdmf_runner *runner, const tdmf_ensemble *ensemble, int64_t index,
@@ -106,6 +114,13 @@ void tdmf_runner_record_step(tdmf_runner *runner, const tdmf_lane_step *lane);
 /* Takes the event that the lane has come to: its first CHANGING_FIELDS fields, and the guard whose zero it
  * has reached, see tdmf_resolve_along. False where the run has ended. */
 bool tdmf_runner_take_event(tdmf_runner *runner, const double *fields, tdmf_guard reached);
+
+/* Whether it may be that an event changes a law of the runner and nothing else of its lane. */
+bool tdmf_runner_may_change_law(const tdmf_runner *runner, tdmf_guard reached);
+
+/* Takes such an event, and changes the law in `fields`, all those of the lane. False, with nothing changed,
+ * where there is more to it. */
+bool tdmf_runner_change_law(tdmf_runner *runner, double *fields, tdmf_guard reached);
 
 /* Makes a stride by the native solver. False where the run has ended. */
 bool tdmf_runner_stride(tdmf_runner *runner, tdmf_solver *solver);

@@ -11,6 +11,8 @@
 
 #if LANES > 2
 #include <immintrin.h>
+#elif defined(__SSE2__)
+#include <emmintrin.h>
 #endif
 
 typedef double real __attribute__((vector_size(8 * LANES)));
@@ -49,7 +51,11 @@ static inline mask mask_not(mask selected) {
 
 /* Takes a in the lanes selected, b in the others. */
 static inline real select(mask selected, real a, real b) {
+#if LANES == 4
+    return (real)_mm256_blendv_pd((__m256d)b, (__m256d)a, (__m256d)selected);
+#else
     return (real)(((bits)a & selected) | ((bits)b & ~selected));
+#endif
 }
 
 static inline integer select_integer(mask selected, integer a, integer b) {
@@ -60,12 +66,29 @@ static inline real real_abs(real x) {
     return (real)((bits)x & bits_of(INT64_MAX));
 }
 
+/* One instruction where there is such a one, which has select's rule for what is not a number. */
 static inline real real_min(real a, real b) {
+#if LANES == 8
+    return (real)_mm512_min_pd((__m512d)a, (__m512d)b);
+#elif LANES == 4
+    return (real)_mm256_min_pd((__m256d)a, (__m256d)b);
+#elif defined(__SSE2__)
+    return (real)_mm_min_pd((__m128d)a, (__m128d)b);
+#else
     return select(a < b, a, b);
+#endif
 }
 
 static inline real real_max(real a, real b) {
+#if LANES == 8
+    return (real)_mm512_max_pd((__m512d)a, (__m512d)b);
+#elif LANES == 4
+    return (real)_mm256_max_pd((__m256d)a, (__m256d)b);
+#elif defined(__SSE2__)
+    return (real)_mm_max_pd((__m128d)a, (__m128d)b);
+#else
     return select(a > b, a, b);
+#endif
 }
 
 static inline real real_sqrt(real x) {

@@ -72,14 +72,15 @@ static inline real product_with_rate(const real *a, const real *b, int k) {
     return sum;
 }
 
-/* Writes coefficient k of sin(a) and cos(a), which follows from those up to k - 1 and the rate of a. */
+/* Writes coefficient k of sin(a) and cos(a), which follows from those up to k - 1 and the rate of a. The
+ * newest of them come last: the sums need not wait for them. */
 static inline void turn_by(int k, const real *a, const real *rate, real *sine, real *cosine) {
     real sum_with_cosine = broadcast(0.0), sum_with_sine = broadcast(0.0);
     if (k == 0) {
         sine_and_cosine(a[0], &sine[0], &cosine[0]);
         return;
     }
-    for (int i = 0; i < k; ++i) {
+    for (int i = k - 1; i >= 0; --i) {
         sum_with_cosine += rate[i] * cosine[k - 1 - i];
         sum_with_sine += rate[i] * sine[k - 1 - i];
     }
@@ -108,7 +109,29 @@ static inline real product(const real *a, const real *b, int k) {
     return sum;
 }
 
-/* The same without the last coefficient of a: what a division still has to find. */
+/* All coefficients of a b up to an order. Four sums at once: one would wait for each of its terms. */
+static inline void all_products(const real *a, const real *b, int order, real *products) {
+    int k = 0;
+    for (; k + 3 <= order; k += 4) {
+        real sum[4] = {broadcast(0.0), broadcast(0.0), broadcast(0.0), broadcast(0.0)};
+        for (int i = 0; i <= k; ++i) {
+            for (int next = 0; next < 4; ++next) {
+                sum[next] += a[i] * b[k + next - i];
+            }
+        }
+        for (int next = 0; next < 4; ++next) {
+            for (int i = k + 1; i <= k + next; ++i) {
+                sum[next] += a[i] * b[k + next - i];
+            }
+            products[k + next] = sum[next];
+        }
+    }
+    for (; k <= order; ++k) {
+        products[k] = product(a, b, k);
+    }
+}
+
+/* Coefficient k of a b without the last coefficient of a: what a division still has to find. */
 static inline real product_so_far(const real *a, const real *b, int k) {
     real sum = broadcast(0.0);
     for (int i = 0; i < k; ++i) {

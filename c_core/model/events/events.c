@@ -15,10 +15,15 @@ typedef struct {
     int phases;
 } watched;
 
-/* Events that have a reset come first, up to `observed`. */
 typedef struct {
-    const watched *first, *observed, *end;
+    const watched *first, *end;
+    /* Gives the guard of the transition that is taken first, if any is due, as tdmf_take_transitions asks. */
+    tdmf_guard (*first_due)(const tdmf_evaluation *at, int phase, tdmf_guard reached);
 } watch_list;
+
+static inline bool is_due(double guard, bool is_reached, double reach) {
+    return guard <= 0.0 || (is_reached && guard <= reach);
+}
 
 #include "event_table.h"
 
@@ -44,20 +49,9 @@ void tdmf_guards(tdmf_system system, const tdmf_mode *mode, const double state[T
     }
 }
 
-/* The guard of the transition that is taken first, if any is due. */
 static tdmf_guard first_due(const tdmf_evaluation *at, tdmf_guard reached) {
-    const watch_list list = watched_by[at->mode->contact];
-    const int phase = at->mode->fallen ? 0 : 1 << at->mode->phase;
-    for (const watched *event = list.first; event != list.observed; ++event) {
-        if ((event->phases & phase) != 0) {
-            const tdmf_event_kind *kind = &kinds[event->guard];
-            const double value = kind->guard(at);
-            if (value <= 0.0 || (event->guard == reached && value <= kind->reach)) {
-                return event->guard;
-            }
-        }
-    }
-    return TDMF_GUARD_COUNT;
+    return at->mode->fallen ? TDMF_GUARD_COUNT
+                            : watched_by[at->mode->contact].first_due(at, 1 << at->mode->phase, reached);
 }
 
 tdmf_guard tdmf_first_due(tdmf_system system, const tdmf_mode *mode, const double state[TDMF_STATE_COUNT]) {

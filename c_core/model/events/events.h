@@ -42,8 +42,6 @@ typedef struct {
     void (*vary_reset)(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_ground_line *ground,
                        const double before[TDMF_STATE_COUNT], const tdmf_local_seed *d,
                        double d_state[TDMF_STATE_COUNT]);
-    /* The guard is due up to this value where a solver has come to its zero. */
-    double reach;
     bool is_impact; /* the foot comes to the ground with a velocity */
 } tdmf_event_kind;
 
