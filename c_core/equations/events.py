@@ -189,7 +189,7 @@ EVENTS = [
     Event("force_peak", None, "", CONTACT, band="by hand", takes="", varied=False),
     Event("vertical_force_peak", None, "", CONTACT, band="by hand", takes="", varied=False),
     Event("graze_to_contact", graze_to_contact, "force", GRAZE, reach="margin"),
-    Event("graze_to_flight", graze_to_flight, "force", GRAZE, varied="by hand", reach="margin"),
+    Event("graze_to_flight", graze_to_flight, "force", GRAZE, varied="by hand"),
 ]
 
 # C of a row: functions that are written by hand, margins, and the modes of each contact.

@@ -456,6 +456,37 @@ static void work_is_counted(void **state) {
     free(population);
 }
 
+/* Of the word +0-0+: touchdown, two slips that end and two that begin, mid-stance, lift-off, the end of
+ * graze, the clamp and the apex. At this tolerance too each is due where a series has found it, and not once
+ * more. */
+static void each_event_is_met_once(void **state) {
+    enum { EVENTS = 10, STRIDES = 7 };
+    const tdmf_parameters parameters = tdmf_default_parameters();
+    tdmf_model model;
+    double starts[1][TDMF_SECTION_COUNT];
+    int sets = 0;
+    (void)state;
+    assert_null(tdmf_model_create(&model, &parameters).variable);
+    memcpy(starts[0], &reference_gaits[2].apex, sizeof starts[0]);
+    const tdmf_ensemble_case its_case = {&model, tdmf_default_inputs(), {.max_strides = STRIDES}};
+    tdmf_ensemble ensemble = {.cases = &its_case,
+                              .case_count = 1,
+                              .starts = (const double(*)[TDMF_SECTION_COUNT])starts,
+                              .count = 1,
+                              .relative_tolerance = 1e-8,
+                              .threads = 1};
+    for (int set = TDMF_TWO_LANES; set < TDMF_INSTRUCTIONS_COUNT; ++set) {
+        tdmf_ensemble_work work;
+        ensemble.instructions = (tdmf_instructions)set;
+        if (tdmf_has_instructions(ensemble.instructions)) {
+            free(run(&ensemble, &work));
+            assert_int_equal(work.events, EVENTS * STRIDES);
+            ++sets;
+        }
+    }
+    assert_int_equal(sets, instruction_sets(TDMF_TWO_LANES));
+}
+
 static void unsound_ensembles_are_refused(void **state) {
     population *population = make_population(start_near_the_gait, 1);
     tdmf_ensemble_end end = {.strides = 77};
@@ -495,6 +526,7 @@ int main(void) {
         cmocka_unit_test(a_runner_that_sinks_into_a_stand_is_undecided),
         cmocka_unit_test(what_the_solver_does_not_get_through_is_no_fall),
         cmocka_unit_test(work_is_counted),
+        cmocka_unit_test(each_event_is_met_once),
         cmocka_unit_test(unsound_ensembles_are_refused),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

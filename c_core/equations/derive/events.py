@@ -15,10 +15,20 @@ static const tdmf_event_kind kinds[TDMF_GUARD_COUNT] = {{
 /* In the order in which they are taken at one instant. */
 {lists}
 #define END(events) ((events) + sizeof(events) / sizeof((events)[0]))
-#define LIST(events, observed) {{events, END(events) - (observed), END(events)}}
+#define LIST(contact) {{in_##contact, END(in_##contact), first_due_in_##contact}}
 
 static const watch_list watched_by[] = {{
 {watched_by}}};
+"""
+
+WATCHED = """\
+static const watched in_{contact}[] = {{
+{rows}}};
+
+static tdmf_guard first_due_in_{contact}(const tdmf_evaluation *at, int phase, tdmf_guard reached) {{
+(void)phase;
+{looks}return TDMF_GUARD_COUNT;
+}}
 """
 
 
@@ -74,38 +84,43 @@ def guards() -> str:
     return header("guard_laws", "events.py", includes, *parts)
 
 
-def row(event: Event) -> str:
-    """Write an event's row."""
+def functions_of(event: Event) -> dict[str, str]:
+    """Name an event's functions, by the members of its row."""
     members = {"guard": f"tdmf_{event.name}_guard"}
     members |= {"vary_guard": f"tdmf_vary_{event.name}_guard"} if event.varied else {}
-    members |= {m: text.partition("(")[0].split()[-1] for m, text in by_hand(event).items()}
-    if event.takes != "":
-        members["reach"] = f"TDMF_REACH_WITHIN_{'MARGIN' if event.reach == 'margin' else 'DEAD_BAND'}"
-    members |= {"is_impact": "true"} if event.is_impact else {}
+    return members | {m: text.partition("(")[0].split()[-1] for m, text in by_hand(event).items()}
+
+
+def row(event: Event) -> str:
+    """Write an event's row."""
+    members = functions_of(event) | ({"is_impact": "true"} if event.is_impact else {})
     told = ", ".join(f".{member} = {text}" for member, text in members.items())
     return f"[TDMF_GUARD_{event.name.upper()}] = {{{told}}},\n"
 
 
+def look(event: Event, guard: str, phases: str) -> str:
+    """Write how an event is looked at: whether it is watched, and due."""
+    reach = f"TDMF_REACH_WITHIN_{'MARGIN' if event.reach == 'margin' else 'DEAD_BAND'}"
+    watched = "" if phases == "ALWAYS" else f"(phase & ({phases})) != 0 && "
+    due = f"is_due({functions_of(event)['guard']}(at), reached == {guard}, {reach})"
+    return f"if ({watched}{due}) {{\nreturn {guard};\n}}\n"
+
+
 def watch_list(contact: str) -> str:
-    """Write what a contact mode watches, and how many of that have no reset, which come last."""
-    rows: dict[bool, list[str]] = {False: [], True: []}
+    """Write what a contact mode watches, and who looks in that order for the first transition that is due."""
+    rows, looks = [], []
     for event in (event for event in EVENTS if contact in event.watched):
         phases = event.watched[contact]
         bits = "ALWAYS" if phases == ALL else " | ".join(phase.upper() for phase in phases)
-        rows[event.takes == ""].append(f"{{TDMF_GUARD_{event.name.upper()}, {bits}}},\n")
-    return (
-        f"static const watched in_{contact}[] = {{\n{''.join(rows[False] + rows[True])}}};\n"
-        f"enum {{ OBSERVED_IN_{contact.upper()} = {len(rows[True])} }};\n"
-    )
+        guard = f"TDMF_GUARD_{event.name.upper()}"
+        rows.append(f"{{{guard}, {bits}}},\n")
+        looks += [look(event, guard, bits)] if event.takes != "" else []
+    return WATCHED.format(contact=contact, rows="".join(rows), looks="".join(looks))
 
 
 def table() -> str:
     """Write the table."""
-    lists = [
-        f"[TDMF_CONTACT_{mode}] = LIST(in_{contact}, OBSERVED_IN_{contact.upper()}),\n"
-        for contact, modes in CONTACTS.items()
-        for mode in modes
-    ]
+    lists = [f"[TDMF_CONTACT_{mode}] = LIST({c}),\n" for c, modes in CONTACTS.items() for mode in modes]
     text = TABLE.format(
         rows="".join(map(row, EVENTS)),
         lists="\n".join(map(watch_list, CONTACTS)),
