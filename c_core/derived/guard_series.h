@@ -88,8 +88,8 @@ static inline void expand_drop(const real *length, const real *angle, real slope
     do {
         seen[k] = with_constant(k, angle[k], -slope);
         turn_by(k, seen, angle_rate, sin_of_seen, cos_of_seen);
-        drop[k] = product(length, cos_of_seen, k);
     } while (++k <= order);
+    all_products(length, cos_of_seen, order, drop);
 }
 
 /* rho mu f_n - |f_t|, by the cone's width: what is left up to its nearer edge; `drifted` is t f_n. */

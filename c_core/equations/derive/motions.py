@@ -11,7 +11,7 @@ from ..motions import COORDINATES, GUARDS, HEADERS, MOTIONS, OF_NUMBERS, STRUCTS
 from .c import comment, header, struct
 from .expressions import forget, lift, parameters, symbol, trace
 from .motion import Motion, end, series_of, structs
-from .series import Expansion
+from .series import Expansion, kind_of
 from .values import Function, members
 
 LAW = """\
@@ -20,7 +20,7 @@ LAW = """\
 do {{
 {step}
 }} while (++k <= order);
-}}
+{after}}}
 """
 
 
@@ -74,7 +74,8 @@ def guard_series() -> str:
 def law_series(law: Callable[..., Any], series: set[str], structs: dict[str, tuple[str, list[str]]]) -> str:
     """Write a function that expands a law of series, of what is constant and of structs of that.
 
-    A member of these that has a rate beside it drifts; an angle turns by the series of its rate.
+    A member of these that has a rate beside it drifts; an angle turns by the series of its rate. A law
+    that is a product of series is made at once, after these.
     """
     forget()
     name, handed, declared = law.__name__, [], {}
@@ -87,7 +88,11 @@ def law_series(law: Callable[..., Any], series: set[str], structs: dict[str, tup
     quantity = lift(trace(law, *handed))
     rates = {symbol(n): symbol(f"{n}_rate") for n in declared if {n, f"{n}_rate"} <= series}
     expansion = Expansion({name: quantity}, rates)
-    step = "\n".join(expansion.quantities())
+    steps, after = expansion.quantities(), ""
+    if kind_of(quantity) == "product":
+        a, b = (expansion.arrays[factor] for factor in quantity.operands)
+        steps, after = steps[:-1], f"all_products({a}, {b}, order, {name});\n"
+    step = "\n".join(steps)
     for rate in (str(rate.value) for rate in rates.values()):
         declared |= {rate: f"const real *{rate}"} if re.search(rf"\b{rate}\b", step) else {}
     return LAW.format(
@@ -96,6 +101,7 @@ def law_series(law: Callable[..., Any], series: set[str], structs: dict[str, tup
         declared=", ".join(declared.values()),
         local=expansion.own_arrays(),
         step=step,
+        after=after,
     )
 
 
