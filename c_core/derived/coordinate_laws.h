@@ -358,4 +358,25 @@ static inline double tdmf_angle_seen(double x, double y, double slope) {
     return atan2(-x, y) + slope;
 }
 
+/* What would hold the foot still under a torque (10), of a leg that stands or slips so. */
+static inline tdmf_ground_force tdmf_force_on_standing(const tdmf_model *model, const tdmf_ground_line *line,
+                                                       const tdmf_standing *standing, double rest_length,
+                                                       double torque) {
+    const double square = standing->x * standing->x + standing->y * standing->y;
+    const double length = sqrt(square);
+    const double rate =
+        (standing->x * (standing->vx - standing->foot_vx) + standing->y * standing->vy) / length;
+    const double axial =
+        (model->parameters.leg.stiffness * (rest_length - length) - model->parameters.leg.damping * rate) /
+        length;
+    const double along = axial * standing->x - torque / square * standing->y;
+    const double weight = model->parameters.foot.mass * model->parameters.gravity;
+    const double off = axial * standing->y + torque / square * standing->x;
+    const tdmf_ground_force result = {
+        .tangential = along + weight * line->sine,
+        .normal = off + weight * line->cosine,
+    };
+    return result;
+}
+
 #endif

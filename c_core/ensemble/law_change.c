@@ -18,7 +18,7 @@
 
 #include <math.h>
 
-/* Where a stride is noted, friction falls or the foot meets a border, an event takes more than is done here. */
+/* Where a stride is noted, friction falls or there is a patch, an event takes more than is done here. */
 static bool takes_more(const tdmf_runner *runner) {
     return tdmf_records_strides(runner->ensemble) || tdmf_has_patch(runner->model) ||
            tdmf_friction_falls(runner->model) || runner->events_left <= 1;
@@ -109,8 +109,7 @@ static void enter(tdmf_runner *runner, standing_member *m, const tdmf_mode *mode
 static bool change_stance(tdmf_runner *runner, standing_member *m, tdmf_guard reached) {
     const tdmf_mode mode = mode_after(&runner->motion.mode, reached);
     const tdmf_system system = tdmf_runner_system(runner);
-    const double torque =
-        tdmf_stance_law(system.model, system.inputs, &tdmf_zero_input_rates, &mode).torque;
+    const double torque = tdmf_stance_law(system.model, system.inputs, &tdmf_zero_input_rates, &mode).torque;
     tdmf_mode_coordinates at;
     tdmf_step_set_ground(&at, &m->at);
     if (mode.contact == TDMF_CONTACT_STICK) {

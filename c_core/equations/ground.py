@@ -84,6 +84,19 @@ def motion(c, s, contact, has_torque, falls=False):
     )
 
 
+def holding(model, line, standing, rest_length, torque):
+    """What would hold the foot still under a torque (10), of a leg that stands or slips so."""
+    s, spring = standing, model.parameters.leg
+    square = s.x * s.x + s.y * s.y
+    length = sqrt(square)
+    rate = length_rate(s.x, s.y, s.vx - s.foot_vx, s.vy, length)
+    axial = leg.axial_force(spring.stiffness, spring.damping, rest_length, length, rate) / length
+    weight = ground_force.foot_weight(model)
+    return ground_force.holding_force(
+        axial, torque / square, s.x, s.y, weight * line.sine, weight * line.cosine
+    )
+
+
 # ---- guards in these coordinates, by the names of their events, and what others are made of ---------------
 
 

@@ -14,6 +14,7 @@ from . import (
     free_fall,
     friction,
     graze,
+    ground,
     ground_force,
     ground_line,
     hip,
@@ -174,6 +175,7 @@ FUNCTIONS = {
             value="state",
         ),
         InC("double angle_seen", coordinates.angle_seen, varied=False),
+        InC("tdmf_ground_force force_on_standing", ground.holding, varied=False),
     ],
     "dynamics": [
         InC("tdmf_vector acceleration_of_foot", dynamics.foot_acceleration),
