@@ -329,6 +329,62 @@ KERNEL void expand_slip_with_torque(const ground_coefficients *given, int order,
 }
 
 /* The same differentiated, from coefficient 0 of the states of t; coefficients vary by d. */
+static inline void vary_slip(const ground_coefficients *c, const ground_series *s,
+                             const ground_coefficients *d, int order, ground_variation *t) {
+    const real d_x_times_x = 2.0 * product(s->x, t->x, 0);
+    const real d_y_times_y = 2.0 * product(s->y, t->y, 0);
+    const real d_square = d_x_times_x + d_y_times_y;
+    t->length[0] = (0.5 * d_square - product_so_far(t->length, s->length, 0)) / s->length[0];
+    for (int k = 0; k < order; ++k) {
+        integrate(t->x, k, t->vx[k]);
+        integrate(t->y, k, t->vy[k]);
+        const real d_x_times_x = 2.0 * product(s->x, t->x, k + 1);
+        const real d_y_times_y = 2.0 * product(s->y, t->y, k + 1);
+        const real d_square = d_x_times_x + d_y_times_y;
+        t->length[k + 1] = (0.5 * d_square - product_so_far(t->length, s->length, k + 1)) / s->length[0];
+        const real d_length_rate = (double)(k + 1) * t->length[k + 1];
+        t->axial[k] = (with_ramp(k,
+                                 -(d->stiffness * s->length[k]) - c->stiffness * t->length[k] -
+                                     d->damping * s->length_rate[k] - c->damping * d_length_rate -
+                                     product(s->axial, t->length, k),
+                                 d->stiffness * c->rest_length + c->stiffness * d->rest_length,
+                                 d->stiffness * c->rest_length_rate + c->stiffness * d->rest_length_rate) -
+                       product_so_far(t->axial, s->length, k)) /
+                      s->length[0];
+        const real d_along = product(t->axial, s->x, k) + product(s->axial, t->x, k);
+        const real d_tangential = with_constant(k, d_along, d->foot_weight_x);
+        const real d_tangential_push = -d_tangential;
+        const real d_off = product(t->axial, s->y, k) + product(s->axial, t->y, k);
+        t->normal_force[k] = with_constant(k, d_off, d->foot_weight_y);
+        t->friction_force[k] = ramp_times(k, d->friction, d->friction_rate, s->normal_force) +
+                               ramp_times(k, c->friction, c->friction_rate, t->normal_force);
+        t->foot_acceleration[k] =
+            d->inverse_foot_mass * s->tangential_push[k] - d->inverse_foot_mass * s->friction_force[k] +
+            c->inverse_foot_mass * d_tangential_push - c->inverse_foot_mass * t->friction_force[k];
+        const real d_gravity_x_times_y = ramp_times(k, d->gravity_x, d->gravity_x_rate, s->y) +
+                                         ramp_times(k, c->gravity_x, c->gravity_x_rate, t->y);
+        const real d_gravity_y_times_x = ramp_times(k, d->gravity_y, d->gravity_y_rate, s->x) +
+                                         ramp_times(k, c->gravity_y, c->gravity_y_rate, t->x);
+        const real d_y_times_foot_acceleration =
+            product(t->y, s->foot_acceleration, k) + product(s->y, t->foot_acceleration, k);
+        t->friction_power[k] =
+            product(t->friction_force, s->foot_vx, k) + product(s->friction_force, t->foot_vx, k);
+        t->torque[k] = broadcast(0.0);
+        t->power[k] = broadcast(0.0);
+        integrate(t->vx, k,
+                  with_ramp(k,
+                            d->inverse_body_mass * s->along[k] + c->inverse_body_mass * d_along -
+                                t->foot_acceleration[k],
+                            -d->gravity_x, -d->gravity_x_rate));
+        integrate(t->vy, k,
+                  with_ramp(k, d->inverse_body_mass * s->off[k] + c->inverse_body_mass * d_off, -d->gravity_y,
+                            -d->gravity_y_rate));
+        integrate(t->foot_vx, k, t->foot_acceleration[k]);
+        integrate(t->moment, k, d_gravity_x_times_y - d_gravity_y_times_x + d_y_times_foot_acceleration);
+    }
+}
+
+/* The same differentiated, from coefficient 0 of the states of t; coefficients vary by d. */
 static inline void vary_slip_with_torque(const ground_coefficients *c, const ground_series *s,
                                          const ground_coefficients *d, int order, ground_variation *t) {
     const real d_x_times_x = 2.0 * product(s->x, t->x, 0);

@@ -39,7 +39,7 @@ GROUND = Family(
     noted="length length_rate normal_force tangential_push along off torque power speed_square",
     varied="torque power friction_power",
     cases={
-        # Without a torque the leg does not turn, but a torque that varies would turn it.
+        # Without a torque the leg does not turn; where one varies, the variation is that of a leg that does.
         "stick": {"contact": "stick", "has_torque": False, "noted": "square turning"},
         "stick_with_torque": {"contact": "stick", "has_torque": True},
         "slip": {"contact": "slip", "has_torque": False, "noted": "square turning friction_power"},

@@ -3,8 +3,8 @@
 #ifndef TDMF_GAIT_CLASSIC_FLIGHT_H
 #define TDMF_GAIT_CLASSIC_FLIGHT_H
 
+#include "quantities.h"
 #include "tdmf_slip/classic_slip.h"
-#include "tdmf_slip/state.h"
 
 /* What a step is varied by. */
 typedef enum {

@@ -1,15 +1,13 @@
-/* Stance (1) in Cartesian coordinates about the foot, with w = l0/r:
- *
- *     m xddot = k (w - 1) x,      m yddot = k (w - 1) y - m g,      r^2 = x^2 + y^2
- *
- * with the vertical along y whatever the slope of the ground, against which the mass and the leg are held by
- * the guards alone. It is expanded into Taylor series together with its variations. */
+/* Stance (1) is the motion of a foot that sticks, in equations/ground.py, by a leg without mass and damper.
+ * Its axes are upright whatever the slope of the ground, against which the mass and the leg are held by the
+ * guards alone. */
 #include "classic_flight.h"
 #include "first_root.h"
 #include "friction_laws.h"
 #include "ground_line.h"
 #include "powers.h"
 #include "series_sums.h"
+#include "stick_series.h"
 
 #include <float.h>
 #include <stddef.h>
@@ -20,11 +18,6 @@ static const double tolerance = 1e-15;
 
 /* A guard counts as crossed beyond this, in its scale. */
 static const double beyond = -1e-14;
-
-typedef struct {
-    double x[SERIES_TERMS], y[SERIES_TERMS], vx[SERIES_TERMS], vy[SERIES_TERMS];
-    double square[SERIES_TERMS], length[SERIES_TERMS], length_ratio[SERIES_TERMS]; /* r^2, r, w */
-} stance_series;
 
 tdmf_classic tdmf_classic_default(void) {
     const tdmf_classic slip = {
@@ -38,76 +31,51 @@ tdmf_classic tdmf_classic_default(void) {
     return slip;
 }
 
-/* Sum of a[i] b[k - i] for i = from to k - 1. */
-static double partial_product(const double *a, const double *b, int from, int k) {
-    double sum = 0.0;
-    for (int i = from; i < k; ++i) {
-        sum += a[i] * b[k - i];
-    }
-    return sum;
+/* What the motion depends on: a leg without mass and damper, upright axes. */
+static ground_coefficients coefficients_of(const tdmf_classic *slip) {
+    const ground_coefficients coefficients = {
+        .stiffness = slip->stiffness,
+        .rest_length = slip->free_length,
+        .inverse_body_mass = 1.0 / slip->mass,
+        .gravity_y = slip->gravity,
+    };
+    return coefficients;
 }
 
-/* Gives coefficient k of a product. */
-static double product(const double *a, const double *b, int k) {
-    return partial_product(a, b, 0, k) + a[k] * b[0];
+static ground_start start_at(tdmf_classic_point point) {
+    const ground_start start = {.x = point.x, .y = point.y, .vx = point.vx, .vy = point.vy};
+    return start;
 }
 
-static void expand_stance(const tdmf_classic *slip, tdmf_classic_point start, stance_series *s) {
-    const double rate = slip->stiffness / slip->mass;
-    s->x[0] = start.x;
-    s->y[0] = start.y;
-    s->vx[0] = start.vx;
-    s->vy[0] = start.vy;
-    for (int k = 0; k < ORDER; ++k) {
-        const double divide = series_reciprocal[k + 1];
-        s->square[k] = product(s->x, s->x, k) + product(s->y, s->y, k);
-        s->length[k] =
-            k == 0 ? sqrt(s->square[0])
-                   : 0.5 * (s->square[k] - partial_product(s->length, s->length, 1, k)) / s->length[0];
-        s->length_ratio[k] =
-            ((k == 0 ? slip->free_length : 0.0) - partial_product(s->length_ratio, s->length, 0, k)) /
-            s->length[0];
-        s->vx[k + 1] = rate * (product(s->length_ratio, s->x, k) - s->x[k]) * divide;
-        s->vy[k + 1] =
-            (rate * (product(s->length_ratio, s->y, k) - s->y[k]) - (k == 0 ? slip->gravity : 0.0)) * divide;
-        s->x[k + 1] = s->vx[k] * divide;
-        s->y[k + 1] = s->vy[k] * divide;
-    }
-    s->square[ORDER] = product(s->x, s->x, ORDER) + product(s->y, s->y, ORDER);
+static void expand_stance(const tdmf_classic *slip, tdmf_classic_point point, ground_series *s) {
+    const ground_coefficients coefficients = coefficients_of(slip);
+    const ground_start start = start_at(point);
+    tdmf_begin_ground(&start, s);
+    expand_stick(&coefficients, ORDER, s);
 }
 
-/* The same line by line for a small change; d_ stands for the variation of what follows. */
-static void expand_variation(const tdmf_classic *slip, const stance_series *s, tdmf_classic_point start,
-                             stance_series *d) {
-    const double rate = slip->stiffness / slip->mass;
-    d->x[0] = start.x;
-    d->y[0] = start.y;
-    d->vx[0] = start.vx;
-    d->vy[0] = start.vy;
-    for (int k = 0; k < ORDER; ++k) {
-        const double divide = series_reciprocal[k + 1];
-        d->square[k] = 2.0 * (product(s->x, d->x, k) + product(s->y, d->y, k));
-        d->length[k] = (0.5 * d->square[k] - partial_product(d->length, s->length, 0, k)) / s->length[0];
-        d->length_ratio[k] =
-            -(product(s->length_ratio, d->length, k) + partial_product(d->length_ratio, s->length, 0, k)) /
-            s->length[0];
-        const double d_x = product(d->length_ratio, s->x, k) + product(s->length_ratio, d->x, k);
-        const double d_y = product(d->length_ratio, s->y, k) + product(s->length_ratio, d->y, k);
-        d->vx[k + 1] = rate * (d_x - d->x[k]) * divide;
-        d->vy[k + 1] = rate * (d_y - d->y[k]) * divide;
-        d->x[k + 1] = d->vx[k] * divide;
-        d->y[k + 1] = d->vy[k] * divide;
-    }
+/* Where a small change leads in some time. */
+static tdmf_classic_point varied_at(const tdmf_classic *slip, const ground_series *s, tdmf_classic_point from,
+                                    tdmf_classic_point d_from, double time) {
+    static const ground_coefficients unchanged = {.stiffness = 0.0};
+    const ground_coefficients coefficients = coefficients_of(slip);
+    const ground_start start = start_at(from), d_start = start_at(d_from);
+    ground_variation d;
+    tdmf_vary_begin_ground(&start, &d_start, &d);
+    vary_stick(&coefficients, s, &unchanged, ORDER, &d);
+    const tdmf_classic_point point = {series_at(d.x, ORDER, time), series_at(d.y, ORDER, time),
+                                      series_at(d.vx, ORDER, time), series_at(d.vy, ORDER, time)};
+    return point;
 }
 
-static tdmf_classic_point point_at(const stance_series *s, double t) {
-    const tdmf_classic_point point = {series_at(s->x, ORDER, t), series_at(s->y, ORDER, t),
-                                      series_at(s->vx, ORDER, t), series_at(s->vy, ORDER, t)};
+static tdmf_classic_point point_at(const ground_series *s, double time) {
+    const tdmf_classic_point point = {series_at(s->x, ORDER, time), series_at(s->y, ORDER, time),
+                                      series_at(s->vx, ORDER, time), series_at(s->vy, ORDER, time)};
     return point;
 }
 
 /* How long the series are as good as rounding. */
-static double trusted_size(const tdmf_classic *slip, const stance_series *s) {
+static double trusted_size(const tdmf_classic *slip, const ground_series *s) {
     const double speed = slip->free_length * sqrt(slip->stiffness / slip->mass);
     const double last = (fabs(s->vx[ORDER]) + fabs(s->vy[ORDER])) / speed;
     const double last_but_one = (fabs(s->vx[ORDER - 1]) + fabs(s->vy[ORDER - 1])) / speed;
@@ -134,7 +102,7 @@ static double room_in_cone(const tdmf_classic *slip, double side, double along, 
     return isinf(slip->friction) ? off : tdmf_room_in_cone(slip->friction, side, along_leg);
 }
 
-static stance_end find_end(const tdmf_classic *slip, const stance_series *s, double *size) {
+static stance_end find_end(const tdmf_classic *slip, const ground_series *s, double *size) {
     const double length = slip->free_length;
     polynomial compressed, above_ground;
     polynomial inside_cone[2]; /* the mass before the foot, and behind */
@@ -185,16 +153,12 @@ static double steepness(const tdmf_classic *slip, tdmf_classic_point at) {
 }
 
 /* The largest |tan| of that angle in a step: at its end, or where the leg turns back. */
-static double steepest_in(const tdmf_classic *slip, const stance_series *s, double size) {
+static double steepest_in(const tdmf_classic *slip, const ground_series *s, double size) {
     const double moment = slip->free_length * slip->free_length * sqrt(slip->stiffness / slip->mass);
     double turning[SERIES_TERMS], power[SERIES_TERMS];
     set_powers(power, size, ORDER);
     for (int k = 0; k <= ORDER; ++k) {
-        turning[k] = 0.0;
-        for (int i = 0; i <= k; ++i) {
-            turning[k] += s->x[i] * s->vy[k - i] - s->y[i] * s->vx[k - i];
-        }
-        turning[k] *= power[k];
+        turning[k] = s->moment[k] * power[k];
     }
     const root extremum = first_sign_change(turning, ORDER, 1e-14 * moment, 0.0, 1.0, true);
     const double at_end = steepness(slip, point_at(s, size));
@@ -205,7 +169,7 @@ static double steepest_in(const tdmf_classic *slip, const stance_series *s, doub
 static stance_end run_stance(const tdmf_classic *slip, double until, stance *run) {
     tdmf_classic_standing *standing = &run->standing;
     for (int i = 0; i < STEP_LIMIT; ++i) {
-        stance_series series, varied;
+        ground_series series;
         expand_stance(slip, standing->at, &series);
         double size = fmin(trusted_size(slip, &series), until - run->time);
         if (!(size > 0.0) || !isfinite(size)) {
@@ -213,8 +177,7 @@ static stance_end run_stance(const tdmf_classic *slip, double until, stance *run
         }
         const stance_end end = find_end(slip, &series, &size);
         for (int k = 0; k < TDMF_CLASSIC_VARIATIONS; ++k) {
-            expand_variation(slip, &series, standing->varied[k], &varied);
-            standing->varied[k] = point_at(&varied, size);
+            standing->varied[k] = varied_at(slip, &series, standing->at, standing->varied[k], size);
         }
         standing->at = point_at(&series, size);
         run->time += size;

@@ -37,15 +37,21 @@ static inline void expand_ground(const ground_coefficients *c, const ground_star
 static inline void vary_ground(const ground_coefficients *c, const ground_start *start,
                                const ground_series *g, const ground_coefficients *d,
                                const ground_start *d_start, int order, ground_case is, ground_variation *t) {
+    const real zero = broadcast(0.0);
+    const bool turns = is.has_torque || any(mask_not(d->torque == zero) | mask_not(d->torque_rate == zero));
     tdmf_vary_begin_ground(start, d_start, t);
     if (is.grazes) {
         vary_graze(c, g, d, order, t);
     } else if (is.slips && is.falls) {
         vary_falling_slip(c, g, d, order, t);
-    } else if (is.slips) {
+    } else if (is.slips && turns) {
         vary_slip_with_torque(c, g, d, order, t);
-    } else {
+    } else if (is.slips) {
+        vary_slip(c, g, d, order, t);
+    } else if (turns) {
         vary_stick_with_torque(c, g, d, order, t);
+    } else {
+        vary_stick(c, g, d, order, t);
     }
 }
 

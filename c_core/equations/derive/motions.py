@@ -25,12 +25,11 @@ do {{
 
 
 def of_cases(mode: str, name: str, cases: list[str]) -> str:
-    """Write a header of some cases; without a torque variations are those of a leg that turns."""
+    """Write a header of some cases."""
     family, include = MOTIONS[name], "series_products.h" if mode == name else f"{name}_series.h"
     parts = [structs(family)] if mode == name else []
     parts += [Motion(family, case).source() for case in cases]
-    varied = [case for case in cases if family.cases[case].get("has_torque", True)]
-    parts += [Motion(family, case).variation() for case in varied]
+    parts += [Motion(family, case).variation() for case in cases]
     return header(f"{mode}_series", f"{name}.py", f'#include "{include}"\n', *parts)
 
 
