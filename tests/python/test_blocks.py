@@ -249,7 +249,7 @@ def interrupted(program, folder, *arguments):
 
 @pytest.mark.skipif(sys.platform == "win32", reason="the interrupt is a POSIX signal")
 @pytest.mark.parametrize(
-    ("places", "left"),
+    ("functions", "left"),
     [
         ("running.Threads", []),
         ("running._next_done", []),
@@ -273,7 +273,7 @@ def test_an_interrupt_ends_a_grid_and_leaves_whole_rows(functions, left, tmp_pat
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="the interrupt is a POSIX signal")
-@pytest.mark.parametrize("places", ["running.Threads", "running._next_done"])
+@pytest.mark.parametrize("functions", ["running.Threads", "running._next_done"])
 def test_an_interrupt_ends_a_map(functions, tmp_path):
     folder = tmp_path / "folder"
     folder.mkdir()

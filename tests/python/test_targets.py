@@ -149,14 +149,14 @@ REFUSED = {
 def refused(request):
     """A target that is not met: whose, what, the error, and how many strides it took."""
     name, target, vary = REFUSED[request.param]
-    strides, honest = [], Target.look
+    strides, honest = [], Target.evaluate
 
     def counted(self, at):
         strides.append(at)
         return honest(self, at)
 
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(Target, "look", counted)
+        patch.setattr(Target, "evaluate", counted)
         with pytest.raises(TargetNotMetError, match="the nearest has speed") as error:
             find_gait(read_parameters(name), target=target, vary=vary)
     return read_parameters(name), target, vary, error.value, len(strides)
