@@ -23,7 +23,13 @@ KNOWN = next(gait for gait in PROVED["gaits"] if gait["friction"] == "0.2")
 GIVEN = {"ground.friction": "0.2"}
 BITS, DEGREE = 128, 40
 PLANE = Record(
-    slope=arb(0), longest_step=0.5, scales={}, swing=1.0, varied=False, retracts=False, parameters=None
+    line=Record(slope=arb(0)),
+    longest_step=0.5,
+    scales={},
+    swing=1.0,
+    varied=False,
+    retracts=False,
+    parameters=None,
 )
 """What a step asks of a runner, for a system of the plane: position is `length`, velocity `length_rate`."""
 
