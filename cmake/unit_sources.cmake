@@ -3,8 +3,9 @@
 # the unit they lie in one folder, so every name may occur once. SUNDIALS stays out: CVODE is refused with a message.
 function(unit_sources variable)
     set(files ${PROJECT_SOURCE_DIR}/c_core/solver/no_cvode.c)
-    foreach(target IN ITEMS tdmf_slip ${ARGN})
+    foreach(target IN ITEMS tdmf_slip tdmf_slip_internal ${ARGN})
         get_target_property(sources ${target} SOURCES)
+        list(FILTER sources EXCLUDE REGEX TARGET_OBJECTS)
         get_target_property(folder ${target} SOURCE_DIR)
         foreach(source IN LISTS sources)
             cmake_path(ABSOLUTE_PATH source BASE_DIRECTORY ${folder})
