@@ -69,38 +69,49 @@ need_python() {
     python3 -c 'import ensurepip, venv' 2>/dev/null || need_debian_packages python3-venv
 }
 
+# pip_install ARGUMENT...: into .venv. Python translates a module when it is first imported: most never are.
+pip_install() {
+    .venv/bin/python -m pip install --quiet --disable-pip-version-check --no-input --no-compile "$@"
+}
+
 # install_locked NAME [OPTION...]: exactly the Python packages of scripts/locks/NAME.txt, by their hashes; scripts/lock
 # makes these files.
 install_locked() {
     local name=$1
     shift
-    "$PWD/.venv/bin/python" -m pip install --quiet --disable-pip-version-check --no-input --require-hashes "$@" \
-        -r "scripts/locks/$name.txt"
+    pip_install --require-hashes "$@" -r "scripts/locks/$name.txt"
 }
 
-# The virtual environment .venv. Building without isolation lets the C build go on where it stopped.
+# install_once NAME: the same, where it has not been done.
+install_once() {
+    local wanted stamp=.venv/installed.$1
+    wanted=$(sha256sum "scripts/locks/$1.txt")
+    if [ "$(cat "$stamp" 2>/dev/null)" != "$wanted" ]; then
+        say "Installing Python packages: scripts/locks/$1.txt"
+        install_locked "$1"
+        printf '%s\n' "$wanted" >"$stamp"
+    fi
+}
+
+# make_environment [NAME]: the virtual environment .venv, with the package, what it needs, and what the lock NAME adds.
+# Building without isolation lets the C build go on where it stopped.
 make_environment() {
     need_python
-    local python=.venv/bin/python
-    if ! "$python" -c 'import pip' 2>/dev/null; then
+    local name
+    if ! .venv/bin/python -c 'import pip' 2>/dev/null; then
         say "Making the virtual environment .venv"
         python3 -m venv --clear .venv
     fi
-    local wanted
-    wanted=$(sha256sum scripts/locks/environment.txt)
-    if [ "$(cat .venv/installed 2>/dev/null)" != "$wanted" ]; then
-        say "Installing Python packages"
-        install_locked environment
-        printf '%s\n' "$wanted" >.venv/installed
-    fi
+    for name in environment "$@"; do
+        install_once "$name"
+    done
     say "Building the unit and installing tdmf-slip into .venv"
-    "$python" -m pip install --quiet --disable-pip-version-check --no-input --no-build-isolation --no-deps \
-        --force-reinstall .
+    pip_install --no-build-isolation --no-deps --force-reinstall .
 }
 
 # Zig, and what reads, packs and checks its results.
 get_zig() {
-    install_locked platforms
+    install_once platforms
 }
 
 # What is given out carries the time of the last commit, so that the same sources make the same bytes.
@@ -208,7 +219,7 @@ draw_gallery() {
 # The site, in dist/site, with warnings as errors, and the live page in it.
 build_site() {
     need_debian_packages graphviz
-    install_locked site
+    install_once site
     say "Building the site into dist/site"
     rm -rf dist/site build/site
     mkdir -p build/site dist

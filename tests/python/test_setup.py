@@ -21,7 +21,8 @@ DEPENDENCIES = PROJECT["project"]["dependencies"]
 EXTRAS = PROJECT["project"]["optional-dependencies"]
 PARTS = ("plots", "data", "cluster", "proof")
 """Extras that a user may leave out; `all` has every one."""
-OPTIONAL = [text for name in (*PARTS, "test", "importers", "bench") for text in EXTRAS[name]]
+OPTIONAL = [text for name in PARTS for text in EXTRAS[name]]
+OF_TESTS = [text for name in ("test", "importers", "bench") for text in EXTRAS[name]]
 HANGS = 600.0
 """Seconds after which a process is said to hang; nothing else depends on them."""
 
@@ -47,7 +48,8 @@ def locked(*names):
     [
         ("environment", PROJECT["build-system"]["requires"], 2),
         ("environment", DEPENDENCIES, 7),
-        ("environment", OPTIONAL, 13),
+        ("environment", OPTIONAL, 5),
+        ("test", OF_TESTS, 13),
         ("platforms", EXTRAS["platforms"], 4),
         ("site", EXTRAS["site"], 5),
         ("fmi_sim", EXTRAS["fmi-sim"], 1),
@@ -64,7 +66,7 @@ def test_a_lock_has_what_pyproject_asks_for(lock, requirements, least):
 def test_locks_agree_and_have_all_that_is_needed_in_turn():
     """As the installed packages tell what they need."""
     versions, checked = {}, 0
-    for lock in (locked("environment"), locked("platforms"), locked("site")):
+    for lock in map(locked, ("environment", "test", "platforms", "site")):
         assert all(versions.get(name, version) == version for name, version in lock.items())
         versions |= lock
     for name, version in versions.items():
@@ -103,7 +105,8 @@ def test_scripts_install_python_packages_by_hash_only():
         (ROOT / "scripts" / name).read_text()
         for name in ("setup.sh", "run", "test", "check", "release", "site")
     )
-    calls = re.findall(r"pip install .*", text.replace("\\\n", " "))
+    assert len(re.findall(r"pip install .*", text)) == 1  # in pip_install
+    calls = re.findall(r"^ *pip_install .*", text.replace("\\\n", " "), re.MULTILINE)
     assert len(calls) == 2
     assert all("--require-hashes" in call or re.search(r"--no-deps .*\.$", call) for call in calls), calls
 
