@@ -288,12 +288,10 @@ def test_a_unit_that_is_not_there_is_told(tmp_path):
 
 
 def test_names_of_the_package_are_there_when_they_are_used():
-    program = (
-        "import sys, tdmf_slip; print('numpy' in sys.modules);"
-        "print(all(hasattr(tdmf_slip, name) for name in tdmf_slip.__all__), 'simulate' in dir(tdmf_slip))"
-    )
+    program = "import sys, tdmf_slip; print('numpy' in sys.modules, 'simulate' in dir(tdmf_slip))"
     done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True)
-    assert done.stdout.split() == ["False", "True", "True"], done.stderr
+    assert done.stdout.split() == ["False", "True"], done.stderr
+    assert all(hasattr(tdmf_slip, name) for name in tdmf_slip.__all__)
 
 
 def test_values_of_an_enumeration_have_names(command):

@@ -1,5 +1,6 @@
 """Results on file, by every command that writes: whole or not at all, where and as the user wants them."""
 
+import json
 import os
 import pathlib
 import signal
@@ -45,38 +46,59 @@ def writer(request):
 
 
 FULL_DISK = """
-import resource, sys, tdmf_slip
+import contextlib, io, json, os, resource, sys, tdmf_slip
 from tdmf_slip.cli import main as command
 there = tdmf_slip.load_fmu().folder  # unpacked before the disk is full
+commands = json.load(sys.stdin)
 resource.setrlimit(resource.RLIMIT_FSIZE, (100, 100))
-sys.exit(command.main(sys.argv[1:]))
+for folder, options in commands.items():
+    os.chdir(folder)
+    said = io.StringIO()
+    with contextlib.redirect_stderr(said):
+        status = command.main(options)
+    print(json.dumps([folder, status, said.getvalue()]))
 """
 
 
-def with_full_disk(folder, options):
-    return subprocess.run(
-        [sys.executable, "-c", FULL_DISK, *options], capture_output=True, text=True, cwd=folder, timeout=300
+@pytest.fixture(scope="module")
+def with_full_disk(tmp_path_factory):
+    """What each command that writes says, its status and its folder, if a process may write no more.
+
+    A limit of what a process may write stands for the disk's end. All run in one process, after each other.
+    """
+    commands = {writer: arguments(writer, "result") for writer in WRITERS}
+    commands["figures"] = [*FIGURES, "figures"]
+    folders = {name: tmp_path_factory.mktemp("full") for name in commands}
+    process = subprocess.run(
+        [sys.executable, "-c", FULL_DISK],
+        input=json.dumps({str(folders[name]): options for name, options in commands.items()}),
+        capture_output=True,
+        text=True,
+        timeout=300,
     )
+    assert process.returncode == 0, process.stderr
+    assert "Traceback" not in process.stderr
+    said = {folder: (status, text) for folder, status, text in map(json.loads, process.stdout.splitlines())}
+    return {name: (*said[str(folder)], folder) for name, folder in folders.items()}
 
 
 @POSIX_ONLY
-def test_a_full_disk_is_told_and_nothing_is_left(writer, tmp_path):
-    """A limit of what a process may write stands for the disk's end."""
-    done = with_full_disk(tmp_path, arguments(writer, "result"))
-    assert done.returncode == 2, done.stderr
-    said = [line for line in done.stderr.splitlines() if line.startswith("tdmf-slip: ")]
+def test_a_full_disk_is_told_and_nothing_is_left(writer, with_full_disk):
+    status, text, folder = with_full_disk[writer]
+    assert status == 2, text
+    said = [line for line in text.splitlines() if line.startswith("tdmf-slip: ")]
     name = f"{file_of(writer, 'result')}: cannot be written: File too large"  # the user's, no temporary one
-    assert len(said) == 1 and f"tdmf-slip: {name}" in said[0], done.stderr
-    assert "Traceback" not in done.stderr
-    assert list(tmp_path.iterdir()) == []
+    assert len(said) == 1 and f"tdmf-slip: {name}" in said[0], text
+    assert "Traceback" not in text
+    assert list(folder.iterdir()) == []
 
 
 @POSIX_ONLY
-def test_figures_tell_of_a_full_disk(tmp_path):
-    done = with_full_disk(tmp_path, [*FIGURES, "figures"])
-    assert done.returncode == 2 and "cannot be written: File too large" in done.stderr, done.stderr
-    assert "Traceback" not in done.stderr
-    assert not any((tmp_path / "figures").iterdir())
+def test_figures_tell_of_a_full_disk(with_full_disk):
+    status, text, folder = with_full_disk["figures"]
+    assert status == 2 and "cannot be written: File too large" in text, text
+    assert "Traceback" not in text
+    assert not any((folder / "figures").iterdir())
 
 
 @POSIX_ONLY
