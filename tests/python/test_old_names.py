@@ -115,6 +115,10 @@ REPLACED_IN_PYTHON = {
     "largest_step",
     "held_gait",
     "communication_step",
+    "check_place",
+    "place_of",
+    "piece_length",
+    "stay_all",
 }
 REPLACED_ARGUMENTS = {
     "over",
@@ -153,7 +157,9 @@ REPLACED_ATTRIBUTES = {
     "settings",
     "pieces",
 }
-REPLACED_OPTIONS = re.compile(r"(?<![\w-])--(?:over|free|free-each|at|most-strides|workers|range)(?![\w-])")
+REPLACED_OPTIONS = re.compile(
+    r"(?<![\w-])--(?:over|free|free-each|at|most-strides|piece-length|workers|range)(?![\w-])"
+)
 CELL = re.compile(r"^```(?:\{code-cell\} python|python)\n(.*?)^```", re.MULTILINE | re.DOTALL)
 
 
