@@ -44,7 +44,7 @@ def test_a_race_on_request(page):
     assert page.execute_script("return tdmfSlip.race.winner") == 0 and lead == pytest.approx(behind, abs=0.5)
     assert page.execute_script(f"return {TOLD}") == f"Friction 0.43 wins over 100 m by {lead:.3g} m."
     seen = page.execute_script(
-        f"const {{ place, surface }} = tdmfSlip.view.scene; return [surface.width, ...{BOTH}.map((run) =>"
+        f"const {{ view, surface }} = tdmfSlip.view.scene; return [surface.width, ...{BOTH}.map((run) =>"
         "view.x(run.outputs['com.x']))]"
     )
     assert 0 < seen[2] < seen[1] < seen[0]
