@@ -151,15 +151,14 @@ static inline double tdmf_vary_external_power(const tdmf_inputs *inputs, tdmf_po
            (d_inputs->body.external_fy * body.vy + inputs->body.external_fy * d_body.vy);
 }
 
-/* The right-hand side: velocities, accelerations, and the powers whose integrals the state has.
+/* The right-hand side but for the hip's own states: velocities, accelerations, and powers.
  *
- * The hip's is tau thetadot, the damper's c rdot^2 and friction's -f_t v_t; with the inputs held the leg does
- * no work. */
+ * Of these the state has the integrals. The hip's is tau thetadot, the damper's c rdot^2 and friction's -f_t
+ * v_t; with the inputs held the leg does no work. */
 static inline void tdmf_rates_with(const tdmf_model *model, const double state[TDMF_STATE_COUNT],
                                    const tdmf_leg *leg, double torque, tdmf_ground_force force,
                                    tdmf_vector foot, tdmf_leg_rates leg_acceleration, double slip_velocity,
-                                   double place_rate, double external_power,
-                                   double written[TDMF_STATE_COUNT]) {
+                                   double external_power, double written[TDMF_STATE_COUNT]) {
     const double power = torque * leg->angle_rate;
     written[TDMF_FOOT_X] = state[TDMF_FOOT_VX];
     written[TDMF_FOOT_Y] = state[TDMF_FOOT_VY];
@@ -170,7 +169,6 @@ static inline void tdmf_rates_with(const tdmf_model *model, const double state[T
     written[TDMF_LEG_LENGTH_RATE] = leg_acceleration.length;
     written[TDMF_LEG_ANGLE_RATE] = leg_acceleration.angle;
     written[TDMF_HIP_WORK] = power;
-    written[TDMF_HIP_PLACE_TIME] = place_rate;
     written[TDMF_LEG_WORK] = 0.0;
     written[TDMF_ENERGY_DAMPER_LOSS] = model->parameters.leg.damping * leg->length_rate * leg->length_rate;
     written[TDMF_ENERGY_FRICTION_LOSS] = -force.tangential * slip_velocity;
@@ -182,7 +180,7 @@ static inline void tdmf_rates_with(const tdmf_model *model, const double state[T
 static inline void tdmf_vary_rates_with(const tdmf_model *model, const double state[TDMF_STATE_COUNT],
                                         const tdmf_leg *leg, double torque, tdmf_ground_force force,
                                         tdmf_vector foot, tdmf_leg_rates leg_acceleration,
-                                        double slip_velocity, double place_rate, double external_power,
+                                        double slip_velocity, double external_power,
                                         const tdmf_model *d_model, const double d_state[TDMF_STATE_COUNT],
                                         const tdmf_leg *d_leg, double d_torque, tdmf_ground_force d_force,
                                         tdmf_vector d_foot, tdmf_leg_rates d_leg_acceleration,
@@ -191,7 +189,6 @@ static inline void tdmf_vary_rates_with(const tdmf_model *model, const double st
     (void)state;
     (void)foot;
     (void)leg_acceleration;
-    (void)place_rate;
     (void)external_power;
     const double d_power = d_torque * leg->angle_rate + torque * d_leg->angle_rate;
     const double power = torque * leg->angle_rate;
@@ -204,7 +201,6 @@ static inline void tdmf_vary_rates_with(const tdmf_model *model, const double st
     written[TDMF_LEG_LENGTH_RATE] = d_leg_acceleration.length;
     written[TDMF_LEG_ANGLE_RATE] = d_leg_acceleration.angle;
     written[TDMF_HIP_WORK] = d_power;
-    written[TDMF_HIP_PLACE_TIME] = 0.0;
     written[TDMF_LEG_WORK] = 0.0;
     written[TDMF_ENERGY_DAMPER_LOSS] = (d_model->parameters.leg.damping * leg->length_rate +
                                         model->parameters.leg.damping * d_leg->length_rate) *

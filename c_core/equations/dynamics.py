@@ -66,13 +66,11 @@ def leg_acceleration(inverse_mass, leg, across, free_body, foot):
     )
 
 
-def rates(
-    model, state, leg, torque, force, foot, leg_acceleration, slip_velocity, place_rate, external_power
-):
-    """The right-hand side: velocities, accelerations, and the powers whose integrals the state has.
+def rates(model, state, leg, torque, force, foot, leg_acceleration, slip_velocity, external_power):
+    """The right-hand side but for the hip's own states: velocities, accelerations, and powers.
 
-    The hip's is tau thetadot, the damper's c rdot^2 and friction's -f_t v_t; with the inputs held the leg
-    does no work.
+    Of these the state has the integrals. The hip's is tau thetadot, the damper's c rdot^2 and friction's
+    -f_t v_t; with the inputs held the leg does no work.
     """
     power = torque * leg.angle_rate
     return Record(
@@ -85,7 +83,6 @@ def rates(
         leg_length_rate=leg_acceleration.length,
         leg_angle_rate=leg_acceleration.angle,
         hip_work=power,
-        hip_place_time=place_rate,
         leg_work=0,
         energy_damper_loss=damper_power(model.parameters.leg.damping, leg.length_rate),
         energy_friction_loss=-force.tangential * slip_velocity,

@@ -78,6 +78,16 @@ def flight(model, inputs, rates, phase, clamp_closed, liftoff_angle, place_time)
     return law
 
 
+def place_time_rate(phase):
+    """The clock of place runs while that lasts."""
+    return 1 if phase == "place" else 0
+
+
+def rates(phase):
+    """The right-hand side of the states that are the hip's own."""
+    return Record(hip_place_time=place_time_rate(phase))
+
+
 def begin_place():
     """The clock of place stands at 0."""
     return Record(hip_place_time=0)

@@ -98,6 +98,8 @@ FUNCTIONS = {
         ),
         InC("double torque_in", hip.torque_in_mode, value="torque"),
         InC("tdmf_hip_law law_after", hip.after, varied=False),
+        InC("double place_time_rate", hip.place_time_rate, lambda mode: (mode.phase,), varied=False),
+        InC("void hip_rates", hip.rates, lambda model, inputs, mode, state: (mode.phase,)),
         InC("void begin_place", hip.begin_place),
     ],
     "leg": [
@@ -242,7 +244,7 @@ TYPES = {
     **dict.fromkeys(("upright", "sticks", "falls", "forward"), "bool"),
 }
 # Parameters that do not change in a variation, besides those of a type that cannot.
-FIXED = ("direction", "sign", "sine", "winding", "place_rate")
+FIXED = ("direction", "sign", "sine", "winding")
 WITHOUT_CHANGE = ("bool", "int", "tdmf_contact_mode", "tdmf_hip_phase", "tdmf_zone", "const elapsed_time *")
 
 # What has sine and cosine of an angle, and where C has that, after its own name and the arrow or point.

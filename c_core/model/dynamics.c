@@ -56,6 +56,13 @@ static tdmf_point body_of(const tdmf_evaluation *at) {
     return tdmf_body_along(at->state, direction);
 }
 
+static void write_rates(const tdmf_evaluation *at, const accelerations *a, double external_power,
+                        double rates[TDMF_STATE_COUNT]) {
+    tdmf_rates_with(at->model, at->state, &at->leg, at->torque, at->force, a->foot, a->leg, slip_velocity(at),
+                    external_power, rates);
+    tdmf_hip_rates(at->model, at->inputs, at->mode, at->state, rates);
+}
+
 void tdmf_derivatives(tdmf_system system, const tdmf_mode *mode, const double state[TDMF_STATE_COUNT],
                       double derivatives[TDMF_STATE_COUNT]) {
     if (mode->fallen) {
@@ -67,8 +74,7 @@ void tdmf_derivatives(tdmf_system system, const tdmf_mode *mode, const double st
     const accelerations a = accelerate(&at);
     const double external_power =
         tdmf_is_pushed(system.inputs) ? tdmf_external_power(system.inputs, body_of(&at)) : 0.0;
-    tdmf_rates_with(system.model, state, &at.leg, at.torque, at.force, a.foot, a.leg, slip_velocity(&at),
-                    tdmf_place_time_rate(mode), external_power, rates);
+    write_rates(&at, &a, external_power, rates);
     memcpy(derivatives, rates, sizeof rates);
 }
 
@@ -82,9 +88,10 @@ void tdmf_vary_rates_of_state(const tdmf_evaluation *at, const tdmf_evaluation *
     const double d_external_power = tdmf_vary_external_power(
         at->inputs, body_of(at), d->inputs, tdmf_vary_body_along(at->state, direction, d->state));
     tdmf_vary_rates_with(at->model, at->state, &at->leg, at->torque, at->force, a.foot, a.leg,
-                         slip_velocity(at), tdmf_place_time_rate(at->mode), 0.0, d->model, d->state, &d->leg,
-                         d->torque, d->force, d_a.foot, d_a.leg, d_slip_velocity, d_external_power,
-                         derivatives);
+                         slip_velocity(at), 0.0, d->model, d->state, &d->leg, d->torque, d->force, d_a.foot,
+                         d_a.leg, d_slip_velocity, d_external_power, derivatives);
+    tdmf_vary_hip_rates(at->model, at->inputs, at->mode, at->state, d->model, d->inputs, d->mode, d->state,
+                        derivatives);
 }
 
 void tdmf_state_scales(const tdmf_model *model, double scales[TDMF_STATE_COUNT]) {
@@ -113,12 +120,8 @@ tdmf_ground_force tdmf_force_rate(const tdmf_evaluation *at) {
     const accelerations acceleration = accelerate(at);
     const tdmf_leg *leg = &at->leg;
     const tdmf_leg_direction direction = {leg->sine, leg->cosine};
-    const double rates[TDMF_STATE_COUNT] = {[TDMF_LEG_LENGTH] = leg->length_rate,
-                                            [TDMF_LEG_ANGLE] = leg->angle_rate,
-                                            [TDMF_FOOT_VX] = acceleration.foot.x,
-                                            [TDMF_FOOT_VY] = acceleration.foot.y,
-                                            [TDMF_LEG_LENGTH_RATE] = acceleration.leg.length,
-                                            [TDMF_LEG_ANGLE_RATE] = acceleration.leg.angle};
+    double rates[TDMF_STATE_COUNT];
+    write_rates(at, &acceleration, 0.0, rates); /* no force depends on the work done */
     const tdmf_leg rate_of_leg =
         tdmf_vary_leg_with(at->model, &at->mode->ground, at->state, direction, leg->rest_length, leg,
                            &unchanged, &zero.ground, rates, 0.0);

@@ -6,11 +6,6 @@
 #include "input_rates.h"
 #include "seed.h"
 
-/* How fast the time since place began runs: 1 in place, else 0. */
-static inline double tdmf_place_time_rate(const tdmf_mode *mode) {
-    return mode->phase == TDMF_PHASE_PLACE ? 1.0 : 0.0;
-}
-
 /* The servo is zero whatever the leg does, but not along the direction: no derivative tells what the clamp
  * makes of it. */
 bool tdmf_clamp_has_no_derivative(const tdmf_model *model, const tdmf_mode *mode, const tdmf_local_seed *d);
