@@ -413,4 +413,14 @@ static inline void tdmf_vary_begin_place(double written[TDMF_STATE_COUNT]) {
     written[TDMF_HIP_PLACE_TIME] = 0.0;
 }
 
+/* In any other phase, too. */
+static inline void tdmf_end_place(double written[TDMF_STATE_COUNT]) {
+    written[TDMF_HIP_PLACE_TIME] = 0.0;
+}
+
+/* Its change. */
+static inline void tdmf_vary_end_place(double written[TDMF_STATE_COUNT]) {
+    written[TDMF_HIP_PLACE_TIME] = 0.0;
+}
+
 #endif

@@ -14,6 +14,7 @@ static inline void tdmf_placed_leg(const tdmf_model *model, const tdmf_inputs *i
                               model->parameters.hip.retraction_rate * time;
     written[TDMF_LEG_LENGTH_RATE] = 0.0;
     written[TDMF_LEG_ANGLE_RATE] = -model->parameters.hip.retraction_rate;
+    written[TDMF_HIP_PLACE_TIME] = time;
 }
 
 /* Its change. */
@@ -27,6 +28,7 @@ static inline void tdmf_vary_placed_leg(const tdmf_model *model, const tdmf_inpu
         (d_model->parameters.hip.retraction_rate * time + model->parameters.hip.retraction_rate * d_time);
     written[TDMF_LEG_LENGTH_RATE] = 0.0;
     written[TDMF_LEG_ANGLE_RATE] = -d_model->parameters.hip.retraction_rate;
+    written[TDMF_HIP_PLACE_TIME] = d_time;
 }
 
 /* Where the leg has a constant length and rate, the foot swings about the centre of mass. */

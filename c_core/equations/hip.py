@@ -93,6 +93,11 @@ def begin_place():
     return Record(hip_place_time=0)
 
 
+def end_place():
+    """In any other phase, too."""
+    return Record(hip_place_time=0)
+
+
 def torque(law, angle, angle_rate):
     """gain (target - theta) - rate_gain thetadot + torque, now."""
     return law.gain * (law.target - angle) - law.rate_gain * angle_rate + law.torque

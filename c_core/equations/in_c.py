@@ -101,6 +101,7 @@ FUNCTIONS = {
         InC("double place_time_rate", hip.place_time_rate, lambda mode: (mode.phase,), varied=False),
         InC("void hip_rates", hip.rates, lambda model, inputs, mode, state: (mode.phase,)),
         InC("void begin_place", hip.begin_place),
+        InC("void end_place", hip.end_place),
     ],
     "leg": [
         InC("double leg_thrust", leg.thrust, varied=False),

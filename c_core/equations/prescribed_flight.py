@@ -16,6 +16,7 @@ def placed_leg(model, inputs, time):
         leg_angle=law.target,
         leg_length_rate=0,
         leg_angle_rate=law.target_rate,
+        hip_place_time=time,
     )
 
 

@@ -50,7 +50,6 @@ void tdmf_prescribed_state(tdmf_system system, tdmf_point apex, double time, dou
     tdmf_placed_leg(system.model, system.inputs, time, state);
     const tdmf_point center = tdmf_center_of_mass_after(system, apex, time);
     tdmf_set_foot(tdmf_foot_below(system.model, center, state, tdmf_leg_direction_of(state)), state);
-    state[TDMF_HIP_PLACE_TIME] = time;
 }
 
 void tdmf_prescribed_derivatives(tdmf_system system, const double state[TDMF_STATE_COUNT],

@@ -99,7 +99,7 @@ void tdmf_load_foot(tdmf_run *run) {
     tdmf_thrust_if_due(run);
     run->motion->mode.phase = run->motion->mode.mid_stance_pending ? TDMF_PHASE_DRIVE : TDMF_PHASE_COAST;
     run->motion->mode.clamp_closed = false;
-    run->motion->state[TDMF_HIP_PLACE_TIME] = 0.0;
+    tdmf_end_place(run->motion->state);
     tdmf_enter_contact_mode(run, mode_of_loaded_foot(run, &run->motion->mode));
 }
 
@@ -162,7 +162,7 @@ void tdmf_constrain_variation(const tdmf_mode *mode, const double state[TDMF_STA
                               const tdmf_local_seed *d, double d_state[TDMF_STATE_COUNT]) {
     const tdmf_ground_line *ground = &mode->ground, *d_ground = &d->mode.ground;
     if (mode->phase != TDMF_PHASE_PLACE) {
-        d_state[TDMF_HIP_PLACE_TIME] = 0.0;
+        tdmf_vary_end_place(d_state);
     }
     if (mode->contact == TDMF_CONTACT_FLIGHT) {
         return;
