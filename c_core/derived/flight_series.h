@@ -80,6 +80,29 @@ static inline void tdmf_vary_begin_flight(const flight_start *start, const fligh
                            start->length * start->length * d_start->angle_rate;
 }
 
+/* The highest rate at which leg, servo or what hangs in a push springs back or comes to rest. */
+static inline real tdmf_fastest_flight(const flight_coefficients *c, real length, bool pushed) {
+    if (pushed) {
+        const real inverse_length = 1.0 / length;
+        const real by_square = c->inverse_reduced_mass * inverse_length * inverse_length;
+        const real stiffness = real_max(c->inverse_reduced_mass * c->stiffness, by_square * c->gain);
+        return real_max(
+            real_sqrt(real_max(stiffness, (real_abs(c->push_x) + real_abs(c->push_y)) * inverse_length)),
+            real_max(c->inverse_reduced_mass * c->damping, by_square * c->rate_gain));
+    }
+    const real inverse_length = 1.0 / length;
+    const real by_square = c->inverse_reduced_mass * inverse_length * inverse_length;
+    const real stiffness = real_max(c->inverse_reduced_mass * c->stiffness, by_square * c->gain);
+    return real_max(real_sqrt(stiffness),
+                    real_max(c->inverse_reduced_mass * c->damping, by_square * c->rate_gain));
+}
+
+/* What drifts, some time later. */
+static inline void tdmf_drift_flight(const flight_coefficients *c, real elapsed,
+                                     flight_coefficients *written) {
+    written->torque = c->torque + elapsed * c->torque_rate;
+}
+
 /* What is divided by. */
 typedef struct {
     real inverse_square;

@@ -114,4 +114,13 @@ static inline void tdmf_vary_begin_ground(const ground_start *start, const groun
         d_start->x * start->vy + start->x * d_start->vy - (d_start->y * away + start->y * d_away);
 }
 
+/* The highest rate at which the leg springs back or comes to rest. */
+static inline real tdmf_fastest_ground(const ground_coefficients *c, bool foot_is_free) {
+    if (foot_is_free) {
+        const real inverse_mass = c->inverse_body_mass + c->inverse_foot_mass;
+        return real_max(real_sqrt(inverse_mass * c->stiffness), inverse_mass * c->damping);
+    }
+    return real_max(real_sqrt(c->inverse_body_mass * c->stiffness), c->inverse_body_mass * c->damping);
+}
+
 #endif

@@ -3,6 +3,7 @@
 #define TDMF_DERIVED_MOTION_ENDS_H
 
 #include "motion_series.h"
+#include "series_products.h"
 #include "step_sums.h"
 
 /* The leg where a motion leads, its turning by the momentum, which is known to one order more. */
@@ -82,6 +83,31 @@ static inline ground_start tdmf_vary_end_ground(const ground_series *s, const el
         .foot_vx = d_foot_vx,
     };
     return result;
+}
+
+/* The hip's torque along a motion. */
+static inline void expand_hip_torque(const flight_coefficients *c, const real *angle, const real *angle_rate,
+                                     int order, real hip_torque[SERIES_TERMS]) {
+    int k = 0;
+    do {
+        hip_torque[k] = with_drift(k, -(c->gain * angle[k]) - c->rate_gain * angle_rate[k],
+                                   c->gain * c->target + c->torque, c->torque_rate);
+    } while (++k <= order);
+}
+
+/* The hip's work while the leg turns, of a torque that is affine in angle, rate and time.
+ *
+ * The integral of t w is taken by parts. */
+static inline real tdmf_flight_work(const flight_coefficients *c, const flight_series *s,
+                                    const elapsed_time *elapsed, int order, real turned) {
+    const real by_angle = turned * (c->gain * (c->target - s->angle[0] - 0.5 * turned) + c->torque);
+    const real damped = (any(mask_not(-c->rate_gain == 0.0))
+                             ? by_angle + -c->rate_gain * (integral_to(s->rate_square, elapsed, order - 1))
+                             : by_angle);
+    return (any(mask_not(c->torque_rate == 0.0))
+                ? damped + c->torque_rate * (elapsed->power[1] * (s->angle[0] + turned) -
+                                             integral_to(s->angle, elapsed, order))
+                : damped);
 }
 
 #endif

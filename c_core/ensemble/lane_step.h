@@ -80,7 +80,7 @@ static inline lane_outcome step_flying(flying_member *m, mask live, flight_case 
     const mask too_stiff = lane_opens_too_stiff(&m->now, m->time_left, &c->mode, longest);
     set_elapsed(&elapsed, search.power, search.size, end, order);
     fly_on(c, f, order, &elapsed, &m->at);
-    m->constants.law.torque += end * c->law.torque_rate;
+    tdmf_drift_flight(&c->law, end, &m->constants.law);
     return move_on(&m->now, m->time_left, &c->mode, &search, too_stiff, end);
 }
 

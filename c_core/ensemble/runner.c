@@ -24,7 +24,7 @@
 static bool coasts(const tdmf_runner *runner) {
     const tdmf_hip_law law =
         tdmf_stance_law(runner->model, &runner->inputs, &tdmf_zero_input_rates, &runner->motion.mode);
-    return law.torque == 0.0;
+    return !tdmf_law_acts(&law);
 }
 
 static batch_kind batch_in_forced_flight(const tdmf_mode *mode, bool waits) {

@@ -6,7 +6,7 @@ t = (-cos, -sin) across it.
 """
 
 from . import hip, leg
-from .functions import Record, cos, sin
+from .functions import Record, cos, larger, plus_unless_zero, sin, sqrt
 
 
 def start(leg):
@@ -51,6 +51,31 @@ def motion(c, s, pushed):
         torque=torque,
         power=torque * angle_rate,
     )
+
+
+def hip_torque(c, angle, angle_rate):
+    """The hip's torque along a motion."""
+    return hip.torque(c, angle, angle_rate)
+
+
+def work(c, start, integrals, turned, time):
+    """The hip's work while the leg turns, of a torque that is affine in angle, rate and time.
+
+    The integral of t w is taken by parts.
+    """
+    by_angle = turned * (c.gain * (c.target - start.angle - turned / 2) + c.torque)
+    damped = plus_unless_zero(by_angle, -c.rate_gain, integrals.rate_square)
+    return plus_unless_zero(damped, c.torque_rate, time * (start.angle + turned) - integrals.angle)
+
+
+def fastest(c, length, pushed):
+    """The highest rate at which leg, servo or what hangs in a push springs back or comes to rest."""
+    inverse_length = 1 / length
+    by_square = c.inverse_reduced_mass * inverse_length * inverse_length
+    stiffness = larger(c.inverse_reduced_mass * c.stiffness, by_square * c.gain)
+    if pushed:
+        stiffness = larger(stiffness, (abs(c.push_x) + abs(c.push_y)) * inverse_length)
+    return larger(sqrt(stiffness), larger(c.inverse_reduced_mass * c.damping, by_square * c.rate_gain))
 
 
 def drop(length, angle, slope):

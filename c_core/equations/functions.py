@@ -7,7 +7,19 @@ type is, which is `math` unless `serve` has named another.
 import math
 from types import SimpleNamespace as Record
 
-__all__ = ["Record", "atan2", "cos", "exp", "expm1", "larger", "log1p", "serve", "sin", "sqrt"]
+__all__ = [
+    "Record",
+    "atan2",
+    "cos",
+    "exp",
+    "expm1",
+    "larger",
+    "log1p",
+    "plus_unless_zero",
+    "serve",
+    "sin",
+    "sqrt",
+]
 
 _modules = {}
 
@@ -34,6 +46,13 @@ atan2 = _function("atan2")
 exp = _function("exp")
 expm1 = _function("expm1")
 log1p = _function("log1p")
+
+
+def plus_unless_zero(total, factor, value):
+    """total + factor value, of which C makes the value only where the factor is not 0, as it mostly is."""
+    if hasattr(total, "plus_unless_zero"):
+        return total.plus_unless_zero(factor, value)
+    return total + factor * value
 
 
 def larger(x, y):

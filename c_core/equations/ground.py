@@ -5,7 +5,7 @@ velocity, -(g_x, g_y) the acceleration that gravity and what pushes it from outs
 """
 
 from . import friction, ground_force, leg
-from .functions import Record, sqrt
+from .functions import Record, larger, sqrt
 
 
 def start(at):
@@ -95,6 +95,12 @@ def holding(model, line, standing, rest_length, torque):
     return ground_force.holding_force(
         axial, torque / square, s.x, s.y, weight * line.sine, weight * line.cosine
     )
+
+
+def fastest(c, foot_is_free):
+    """The highest rate at which the leg springs back or comes to rest."""
+    inverse_mass = c.inverse_body_mass + c.inverse_foot_mass if foot_is_free else c.inverse_body_mass
+    return larger(sqrt(inverse_mass * c.stiffness), inverse_mass * c.damping)
 
 
 # ---- guards in these coordinates, by the names of their events, and what others are made of ---------------

@@ -242,7 +242,7 @@ TYPES = {
     **{name: f"const tdmf_{name} *" for name in ("model", "inputs", "mode", "leg", "standing", "flying")},
     **dict.fromkeys(("body", "center", "start"), "tdmf_point"),
     **dict.fromkeys(("push", "acceleration", "free_body", "jerk", "foot"), "tdmf_vector"),
-    **dict.fromkeys(("upright", "sticks", "falls", "forward"), "bool"),
+    **dict.fromkeys(("upright", "sticks", "falls", "forward", "pushed", "foot_is_free"), "bool"),
 }
 # Parameters that do not change in a variation, besides those of a type that cannot.
 FIXED = ("direction", "sign", "sine", "winding")
@@ -263,6 +263,8 @@ FLAGS = (
     "upright",
     "rises",
     "forward",
+    "pushed",
+    "foot_is_free",
 )
 POINTERS = ("model", "inputs", "mode")
 

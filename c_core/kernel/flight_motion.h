@@ -31,15 +31,7 @@ static inline void vary_flight_by_case(const flight_coefficients *c, const fligh
  * grow up to the one whose index is rate times time, however little is left to decay: in a longer step the
  * last ones do not tell what is left out. */
 static inline real longest_flight_step(const flight_coefficients *c, real length, int order, bool pushed) {
-    const real inverse_length = 1.0 / length;
-    const real by_square = c->inverse_reduced_mass * inverse_length * inverse_length;
-    real stiffness = real_max(c->inverse_reduced_mass * c->stiffness, by_square * c->gain);
-    if (pushed) { /* a pendulum under the push */
-        stiffness = real_max(stiffness, (real_abs(c->push_x) + real_abs(c->push_y)) * inverse_length);
-    }
-    const real springs_back = real_sqrt(stiffness);
-    const real comes_to_rest = real_max(c->inverse_reduced_mass * c->damping, by_square * c->rate_gain);
-    return (double)order / real_max(springs_back, comes_to_rest);
+    return (double)order / tdmf_fastest_flight(c, length, pushed);
 }
 
 #endif

@@ -62,28 +62,12 @@ static inline real expand_flight_step(const flight_constants *c, const flight_co
                          tolerance);
 }
 
-/* The hip's work since the start of the step, while the leg has turned by `turned`. */
-static inline real flight_work(const flight_constants *c, const flight_coordinates *start,
-                               const flight_series *f, int order, const elapsed_time *elapsed, real turned) {
-    const flight_coefficients *law = &c->law;
-    real work = turned * (law->gain * (law->target - start->leg.angle - 0.5 * turned) + law->torque);
-    if (any(mask_not(law->rate_gain == 0.0))) {
-        work -= law->rate_gain * integral_to(f->rate_square, elapsed, order - 1);
-    }
-    if (any(mask_not(law->torque_rate == 0.0))) {
-        /* The integral of t w is taken by parts. */
-        const real t = elapsed->power[1];
-        work += law->torque_rate * (t * (start->leg.angle + turned) - integral_to(f->angle, elapsed, order));
-    }
-    return work;
-}
-
 /* Goes on to a time within the step. */
 static inline void fly_on(const flight_constants *c, const flight_series *f, int order,
                           const elapsed_time *elapsed, flight_coordinates *at) {
-    const flight_coordinates start = *at;
+    const real angle = at->leg.angle;
     at->leg = tdmf_end_flight(f, elapsed, order);
-    at->done.work += flight_work(c, &start, f, order, elapsed, at->leg.angle - start.leg.angle);
+    at->done.work += tdmf_flight_work(&c->law, f, elapsed, order, at->leg.angle - angle);
     at->done.damper_loss += c->mode.damping * integral_to(f->speed_square, elapsed, order - 1);
 }
 

@@ -57,10 +57,7 @@ static inline void vary_ground(const ground_coefficients *c, const ground_start 
 
 /* As longest_flight_step. */
 static inline real longest_ground_step(const ground_coefficients *c, bool free, int order) {
-    const real inverse_reduced_mass =
-        free ? c->inverse_body_mass + c->inverse_foot_mass : c->inverse_body_mass;
-    const real springs_back = real_sqrt(inverse_reduced_mass * c->stiffness);
-    return (double)order / real_max(springs_back, inverse_reduced_mass * c->damping);
+    return (double)order / tdmf_fastest_ground(c, free);
 }
 
 #endif

@@ -178,16 +178,20 @@ static void find_turns(const polynomial *f, turns *all) {
 /* ---- the hip's power ---------------------------------------------------------------------------------- */
 
 static bool has_no_torque(const tdmf_step *step) {
-    const tdmf_hip_law *law = &step->equations->law;
-    const bool is_zero =
-        law->torque == 0.0 && law->torque_rate == 0.0 && law->gain == 0.0 && law->rate_gain == 0.0;
-    return is_zero && step->equations->contact != TDMF_CONTACT_GRAZE;
+    return !tdmf_law_acts(&step->equations->law) && step->equations->contact != TDMF_CONTACT_GRAZE;
 }
 
 static void take_series(const double *series, const double *power, int order, polynomial *f) {
     f->order = order;
     for (int k = 0; k <= order; ++k) {
         f->c[k] = series[k] * power[k];
+    }
+}
+
+/* A torque that is linear in time has no more than two coefficients. */
+static void leave_out_zeros(polynomial *f) {
+    while (f->order > 1 && f->c[f->order] == 0.0) {
+        --f->order;
     }
 }
 
@@ -216,10 +220,10 @@ static void add_turns_in_flight(const tdmf_step *step, const double *power, turn
 
 static void add_turns_on_ground(const tdmf_step *step, const double *power, turns *all) {
     const ground_series *g = &step->series.ground;
-    const int torque_order = step->equations->contact == TDMF_CONTACT_GRAZE ? step->order - 1 : 1;
     polynomial moment, torque;
     take_series(g->moment, power, step->order, &moment);
-    take_series(g->torque, power, torque_order, &torque);
+    take_series(g->torque, power, step->order - 1, &torque);
+    leave_out_zeros(&torque);
     add_turns_of(&moment, rest_of(&moment).value, all);
     add_turns_of(&torque, rest_of(&torque).value, all);
 }

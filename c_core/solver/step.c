@@ -22,7 +22,7 @@ ground_case tdmf_step_ground_case(const tdmf_step *step) {
     const ground_case is = {
         .slips = equations->contact != TDMF_CONTACT_STICK && !grazes,
         .grazes = grazes,
-        .has_torque = grazes || equations->law.torque != 0.0 || equations->law.torque_rate != 0.0,
+        .has_torque = grazes || tdmf_law_acts(&equations->law),
         .falls = equations->falls,
         .meets_border = equations->meets_border,
     };
@@ -182,10 +182,9 @@ double tdmf_step_work(const tdmf_step *step, double time) {
     elapsed_time elapsed;
     set_elapsed(&elapsed, step->search.power, step->size, time, step->order);
     if (flies(step)) {
-        const flight_coordinates leg = tdmf_step_flight_coordinates(&step->equations->start);
-        const double turned = change_to(step->series.flight.angle, &elapsed, step->order);
-        return flight_work(&step->constants.flight, &leg, &step->series.flight, step->order, &elapsed,
-                           turned);
+        const flight_series *f = &step->series.flight;
+        const double turned = change_to(f->angle, &elapsed, step->order);
+        return tdmf_flight_work(&step->constants.flight.law, f, &elapsed, step->order, turned);
     }
     return ground_work(&step->series.ground, tdmf_step_ground_case(step), step->order, &elapsed);
 }

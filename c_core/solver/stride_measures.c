@@ -3,7 +3,6 @@
  * that is shifted; one at an event is met where the event is. */
 #include "stride_measures.h"
 
-#include "constant_laws.h"
 #include "evaluation.h"
 #include "first_root.h"
 #include "ground_line.h"
@@ -154,12 +153,6 @@ static void measure_slip(tdmf_measured *measured, const tdmf_measured_step *alon
 
 /* ---- integrals along a step --------------------------------------------------------------------------- */
 
-/* Expands the torque of the law in flight. */
-static void expand_torque_in_flight(const tdmf_step *step, double torque[SERIES_TERMS]) {
-    const signed_law law = tdmf_signed_law(&step->equations->law, 1.0);
-    expand_torque(&law, step->series.flight.angle, step->series.flight.angle_rate, step->order - 1, torque);
-}
-
 static double integral_of_product(const double *a, const double *b, int order, double t) {
     double c[SERIES_TERMS] = {0.0};
     for (int k = 0; k <= order; ++k) {
@@ -203,7 +196,8 @@ static void measure_integrals(tdmf_measured *measured, const tdmf_measured_step 
     double in_flight[SERIES_TERMS];
     const double *torque = step->series.ground.torque;
     if (step->equations->contact == TDMF_CONTACT_FLIGHT) {
-        expand_torque_in_flight(step, in_flight);
+        const flight_series *f = &step->series.flight;
+        expand_hip_torque(&step->constants.flight.law, f->angle, f->angle_rate, step->order - 1, in_flight);
         torque = in_flight;
     }
     measured->so_far.squared_torque += integral_of_product(torque, torque, step->order - 1, along->end);

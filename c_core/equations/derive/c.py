@@ -7,9 +7,10 @@ import ast
 import textwrap
 from collections.abc import Callable, Iterable
 
-from .expressions import Expression
+from .expressions import FUNCTIONS, Expression
 
 OPERATORS = {"+": ast.Add(), "-": ast.Sub(), "*": ast.Mult(), "/": ast.Div()}
+NAMES = {"abs": "fabs", "real_larger": "real_max"}  # functions that have another name in C
 TextOf = Callable[[Expression], str | None]
 
 
@@ -32,12 +33,17 @@ def c_text(expression: Expression, text_of: TextOf = lambda node: None, function
                 return ast.BinOp(parts[0], ast.Div(), parts[1])
             case "negative":
                 return ast.UnaryOp(ast.USub(), operands[0])
-            case "larger" | "choose":
+            case "plus_unless_zero":
+                total, factor, value = map(ast.unparse, operands)
+                more = f"{total} + {factor} * ({value})"
+                return ast.Name(f"(any(mask_not({factor} == 0.0)) ? {more} : {total})")
+            case "larger" | "choose" if not functions:
                 a, b, *chosen = map(ast.unparse, (*operands, *operands)[:4])
                 return ast.Name(f"({a} >= {b} ? {chosen[0]} : {chosen[1]})")
             case operation if operation in OPERATORS:
                 return ast.BinOp(operands[0], OPERATORS[operation], operands[1])
-        return ast.Call(ast.Name(functions + node.operation), operands, [])
+        name = functions + node.operation if node.operation in FUNCTIONS else node.operation
+        return ast.Call(ast.Name(NAMES.get(name, name)), operands, [])
 
     return ast.unparse(tree(expression))
 

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any, ClassVar
 
 ARITHMETIC = {"+": operator.add, "-": operator.sub, "*": operator.mul, "negative": operator.neg}
-FUNCTIONS = ("sqrt", "sin", "cos", "exp", "expm1", "log1p", "atan2", "larger")
+FUNCTIONS = ("sqrt", "sin", "cos", "exp", "expm1", "log1p", "atan2", "abs", "larger", "plus_unless_zero")
 DERIVE = Path(__file__).parent
 
 Changes = dict["Expression", Any]
@@ -55,7 +55,7 @@ class Expression:
         return made("negative", self)
 
     def __abs__(self) -> "Expression":
-        return Expression("real_abs", self)
+        return Expression("abs", self)
 
     def __bool__(self) -> bool:
         raise TypeError("a page branches on a value")

@@ -7,10 +7,10 @@ from types import SimpleNamespace as Record
 from typing import Any
 
 from ..in_c import InC
-from ..motions import COORDINATES, GUARDS, HEADERS, MOTIONS, OF_NUMBERS, STRUCTS
+from ..motions import COORDINATES, FLIGHT, GUARDS, HEADERS, MOTIONS, OF_NUMBERS, STRUCTS
 from .c import comment, header, struct
-from .expressions import forget, lift, parameters, symbol, trace
-from .motion import Motion, end, series_of, structs
+from .expressions import Expression, forget, lift, parameters, symbol, trace
+from .motion import Family, Motion, end, series_of, states_of, structs
 from .series import Expansion, kind_of
 from .values import Function, members
 
@@ -27,10 +27,23 @@ do {{
 def of_cases(mode: str, name: str, cases: list[str]) -> str:
     """Write a header of some cases."""
     family, include = MOTIONS[name], "series_products.h" if mode == name else f"{name}_series.h"
-    parts = [structs(family)] if mode == name else []
+    parts = [structs(family), *along(family)] if mode == name else []
     parts += [Motion(family, case).source() for case in cases]
     parts += [Motion(family, case).variation() for case in cases]
     return header(f"{mode}_series", f"{name}.py", f'#include "{include}"\n', *parts)
+
+
+def along(family: Family) -> list[str]:
+    """Write laws of what a motion depends on: how fast it is, and what drifts in any width."""
+    of, drifting = f"{family.name}_coefficients *", [n for n, word in family.ramps.items() if word == "drift"]
+
+    def drift(c: Any, elapsed: Any) -> Record:
+        """What drifts, some time later."""
+        return Record(**{name: getattr(c, name) + elapsed * getattr(c, f"{name}_rate") for name in drifting})
+
+    rows = [InC(f"real fastest_{family.name}", family.page.fastest, varied=False)]
+    rows += [InC(f"void drift_{family.name}", drift, varied=False)] if drifting else []
+    return [Function(row, {"c": f"const {of}", "written": of}, "real").c() for row in rows]
 
 
 def copies() -> str:
@@ -52,9 +65,28 @@ def copies() -> str:
 
 
 def ends() -> str:
-    """Write where motions lead."""
-    includes = '#include "motion_series.h"\n#include "step_sums.h"\n'
-    return header("motion_ends", "flight.py and ground.py", includes, *map(end, MOTIONS.values()))
+    """Write where motions lead, and what the hip does on the way in flight."""
+    includes = "".join(f'#include "{name}.h"\n' for name in ("motion_series", "series_products", "step_sums"))
+    given = {"c": ("const flight_coefficients *c", members(FLIGHT.constants))}
+    torque = law_series(FLIGHT.page.hip_torque, series_of(FLIGHT), given)
+    ends = map(end, MOTIONS.values())
+    return header("motion_ends", "flight.py and ground.py", includes, *ends, torque, work(FLIGHT))
+
+
+def work(family: Family) -> str:
+    """Write the work that the hip does in a step up to a time, by what is at its start and integrals."""
+
+    def in_step(c: Any, s: Any, elapsed: Any, order: Any, turned: Any) -> Any:
+        states, known_to = states_of(family), {name: symbol("order - 1") for name in family.noted.split()}
+        start = Record(**{name: symbol(f"s->{name}[0]") for name in states})
+        known_to |= dict.fromkeys(states, order)
+        integrals = {n: Expression("integral_to", getattr(s, n), elapsed, k) for n, k in known_to.items()}
+        return c, start, Record(**integrals), turned, symbol("elapsed->power[1]")
+
+    types = {"c": f"const {family.name}_coefficients *", "s": f"const {family.name}_series *"}
+    types |= {"elapsed": "const elapsed_time *", "order": "int"}
+    row = InC(f"real {family.name}_work", family.page.work, in_step, varied=False)
+    return Function(row, types, "real").c()
 
 
 def guard_series() -> str:

@@ -174,14 +174,15 @@ class Function:
         What the law has given a name is a C variable; what has none stands where it is used.
         """
         roots, variables, lines = list(results.values()), dict(known), list[str]()
+        functions = "real_" if self.number == "real" else ""
         nodes = ordered(roots, known)
         used = {operand for node in nodes if node not in known for operand in node.operands}
         for node in nodes:
             is_result = node in roots and node not in used and roots.count(node) == 1
             if node.operands and node.name and node not in known and node.name not in taken and not is_result:
-                lines.append(f"const {self.number} {node.name} = {c_text(node, variables.get)};")
+                lines.append(f"const {self.number} {node.name} = {c_text(node, variables.get, functions)};")
                 variables[node] = node.name
-        texts = {name: c_text(value, variables.get) for name, value in results.items()}
+        texts = {name: c_text(value, variables.get, functions) for name, value in results.items()}
         if self.written:
             lines += [f"{self.member('written', name)} = {text};" for name, text in texts.items()]
         elif "" in texts:
