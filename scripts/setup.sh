@@ -1,5 +1,9 @@
 # Set-up shared by scripts/run and scripts/test: sourced by them, run from the repository's root.
 
+# pip_install leaves bytecode to the first import. Where this variable forbids to write it, as on some machines that only
+# run tests, each of the many processes that the tests start would translate every module that it imports anew.
+unset PYTHONDONTWRITEBYTECODE
+
 say() {
     printf '\n==> %s\n' "$*" >&2
 }
