@@ -20,6 +20,16 @@ import tdmf_slip
 from fmpy.fmi2 import FMU2Model
 from tdmf_slip.cli.main import main
 
+LONG = os.environ.get("TDMF_SLIP_LONG") == "1"
+"""Whether all samples are taken in full and what takes minutes is run: `scripts/test --long`."""
+long = pytest.mark.skipif(not LONG, reason="takes minutes: scripts/test --long")
+
+
+def some_of(cases, count):
+    """Up to so many of some cases, evenly from the first one on; with --long all of them."""
+    cases = list(cases)
+    return cases if LONG else cases[:: -(-len(cases) // count)]
+
 
 @pytest.fixture(scope="session", autouse=True)
 def interrupts_are_heard():

@@ -5,6 +5,7 @@ import dataclasses
 import numpy as np
 import pytest
 import tdmf_slip
+from conftest import LONG
 from tdmf_slip import InputError, Runner, find_gait
 from tdmf_slip.analysis import ball as ball_module
 from tdmf_slip.analysis.ball import attributes_of, ball_of, pays
@@ -43,8 +44,11 @@ def norms(ball, differences):
 
 
 def test_every_point_of_a_tested_ball_settles(gait, ball):
-    """A sample of its own, each followed by 1e-8 to a hundredth of where a map calls it settled."""
-    starts = gait.apex + points_in(ball, 4000)
+    """A sample of its own, each followed by 1e-8 to a hundredth of where a map calls it settled.
+
+    Of 1,000 points, or with --long of 4,000.
+    """
+    starts = gait.apex + points_in(ball, 4000 if LONG else 1000)
     ends, _ = run_ensemble(
         [Case(gait.runner, (gait.apex,))], starts, max_strides=MAX_STRIDES, near=1e-4, tolerance=1e-8
     )
@@ -94,18 +98,17 @@ def test_fates_are_equal_with_a_ball_and_without(gait, reduced):
     assert 2.0 * known["strides"][~fell].sum() < followed["strides"][~fell].sum()
 
 
-def test_a_ball_is_of_the_runner_under_its_law(gait):
-    """Under the best of some gains every point of the ball settles; without the law it has another one."""
+def test_a_ball_is_of_the_runner_under_its_law(gait, ball):
+    """Under the best of some gains points of the ball settle; without the law it has another one."""
     gains = np.zeros((1, 6))
-    without = ball_module.tested_ball(gait)
     best = min(
         np.linspace(-0.4, 0.4, 17),
         key=lambda gain: rate_under(gait, with_gain(gait, gains, gain)),
     )
     law = with_gain(gait, gains, best)
-    ball = ball_module.tested_ball(gait, law)
-    assert ball is not None and without is not None and ball != without
-    starts = gait.apex + points_in(ball, 2000)
+    under_law = ball_module.tested_ball(gait, law)
+    assert under_law is not None and ball is not None and under_law != ball
+    starts = gait.apex + points_in(under_law, 2000 if LONG else 500)
     case = Case(gait.runner, (gait.apex,), law=law)
     assert (run_ensemble([case], starts, max_strides=100, near=1e-4)[0]["fate"] == SETTLED).all()
     noisy = dataclasses.replace(law, noise=[0.01] * 6)
@@ -145,8 +148,10 @@ def test_a_map_says_by_which_ball_it_knows(unit):
     assert not (followed["strides_until_known"] == 0).any()
 
 
-def test_a_volume_is_equal_with_a_ball_and_without(gait):
-    counted = volume(gait, 20_000, threads=1), volume(gait, 20_000, ball="none", threads=1)
+def test_a_volume_is_equal_with_a_ball_and_without(gait, ball):
+    """Of 5,000 starts, or with --long of 20,000."""
+    count = 20_000 if LONG else 5_000
+    counted = [volume(gait, count, ball=of, threads=1) for of in (ball, "none")]
     assert counted[0] == counted[1]
 
 

@@ -100,9 +100,12 @@ def test_a_scheduler_that_dies_is_said(cluster, tmp_path):
 
 
 def test_a_block_that_kills_its_workers_is_said():
+    """Here the second one that dies ends it, by a setting of Dask's; a worker takes seconds to begin."""
+    import dask
     from distributed import LocalCluster
 
     with (
+        dask.config.set({"distributed.scheduler.allowed-failures": 1}),
         LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address="127.0.0.1:0") as cluster,
         pytest.raises(RunError, match="killed every worker"),
         run_blocks(die, [0, 1], scheduler=cluster.scheduler_address) as found,
@@ -118,7 +121,7 @@ def test_a_script_needs_no_guard(tmp_path):
         "import fmpy, tdmf_slip\n"  # FMPy asks ldconfig where libraries are
         "def refused(*given, **named): raise SystemExit('a process or a port')\n"
         "socket.socket.bind = subprocess.Popen.__init__ = refused\n"
-        "found = tdmf_slip.strides_to_fall({'ground.friction': 0.2}, roughness=0.5, threads=2)\n"
+        "found = tdmf_slip.strides_to_fall({'ground.friction': 0.2}, roughness=0.5, runners=20, threads=2)\n"
         "print(found.falls > 0, {'distributed', 'concurrent.futures.process'} & set(sys.modules))\n"
     )
     done = subprocess.run([sys.executable, script], capture_output=True, text=True, timeout=HANGS)

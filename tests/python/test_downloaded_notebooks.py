@@ -10,15 +10,15 @@ import sys
 
 import pytest
 import tdmf_slip
-from conftest import succeed
+from conftest import LONG, succeed
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 SITE = ROOT / "dist" / "site"
 NOTEBOOKS = {path.stem: path for path in sorted(SITE.glob("_downloads/*/*.ipynb"))}
 WHEELS = sorted((ROOT / "dist").glob("*manylinux*_x86_64.whl"))
 NEED_FILES = ("start", "controller", "c_library", "feedback")
-"""Those that need the command, a compiler or files; `TDMF_SLIP_LONG=1` runs the others, too."""
-RUN = NOTEBOOKS if os.environ.get("TDMF_SLIP_LONG") == "1" else [n for n in NEED_FILES if n in NOTEBOOKS]
+"""Those that need the command, a compiler or files; `scripts/test --long` runs the others, too."""
+RUN = NOTEBOOKS if LONG else [n for n in NEED_FILES if n in NOTEBOOKS]
 EXECUTE = (
     "import sys, nbformat, nbclient; book = nbformat.read(sys.argv[1], 4);"
     "nbclient.NotebookClient(book, timeout=600, resources={'metadata': {'path': sys.argv[2]}}).execute();"

@@ -6,6 +6,7 @@ import pathlib
 import numpy as np
 import pytest
 import tdmf_slip
+from conftest import LONG
 from tdmf_slip import (
     InputError,
     RunError,
@@ -29,6 +30,7 @@ from tdmf_slip.unit.parameters import read_parameters
 ANGLE, TORQUE, THRUST = "hip.touchdown_angle", "hip.stance_torque", "leg.thrust"
 ALL = (ANGLE, TORQUE, "hip.retraction_rate", "hip.kp", "hip.kd", "hip.liftoff_angle_factor", THRUST)
 HUMAN = pathlib.Path(__file__).parent / "fast_human.toml"
+DRAWN = 24 if LONG else 12
 FRICTIONS = (0.1, 0.2, 0.6, 1.0, 10.0)
 SIZES = {1: 1e-6, 2: 1e-5, 3: 3e-4}
 """Of what dead-beat laws of so many settings are to take away: the fewer, the farther they go on the way."""
@@ -348,9 +350,12 @@ def drawn_runner(source):
 
 
 def test_any_gait_is_held_stable_or_not():
-    """A dead-beat law leaves less than 2 % of 1e-6, of which a stride of the ensemble errs by 1e-11."""
+    """A dead-beat law leaves less than 2 % of 1e-6, of which a stride of the ensemble errs by 1e-11.
+
+    Of 12 random runners, or with --long of 24.
+    """
     source, held, unstable = np.random.default_rng(5), 0, 0
-    for _ in range(24):
+    for _ in range(DRAWN):
         try:
             gait = find_gait(drawn_runner(source))
         except RunError:
@@ -361,7 +366,7 @@ def test_any_gait_is_held_stable_or_not():
         run = tdmf_slip.stride_map(gait.runner, first, strides=law.strides + 1, law=law, tolerance=1e-13)
         assert np.abs(deviations(law, run["next_apex"].values[0, -1])).max() < 2e-8
         held, unstable = held + 1, unstable + (not gait.stable)
-    assert held >= 14 and unstable >= 1
+    assert held >= 7 * DRAWN // 12 and unstable >= DRAWN // 24
 
 
 # ---- by the engine -----------------------------------------------------------------------------------------
@@ -380,8 +385,11 @@ def test_the_engine_makes_the_strides_of_a_loop_over_the_return_map(gaits):
 @pytest.mark.parametrize("roughness", [0.0, 1e-3])
 @pytest.mark.parametrize("friction", [0.1, 10.0])
 def test_noise_spreads_the_apices_as_the_lyapunov_equation_says(gaits, friction, roughness):
-    """Of 2000 runners, so that a covariance errs by sqrt((P_ii P_jj + P_ij^2) / 2000), 3 % of a variance."""
-    gait, runners = gaits[friction], 2000
+    """Of n runners, so that a covariance errs by sqrt((P_ii P_jj + P_ij^2) / n).
+
+    That is 6 % of a variance with 500 of them, with --long 3 % with 2000.
+    """
+    gait, runners = gaits[friction], 2000 if LONG else 500
     noise = 2e-4 * gait.runner.scales
     law = dataclasses.replace(lqr(gait, [ANGLE, TORQUE], [1, 1, 0, 0, 0, 0], 0.1), noise=noise, seed=7)
     strides = 40 if friction < 1.0 else 12

@@ -1,10 +1,10 @@
 """How surely a fit tells: coverage of its intervals, priors, data far off or left out, and other starts."""
 
 import json
-import os
 
 import numpy as np
 import pytest
+from conftest import LONG
 from tdmf_slip import InputError, find_gait, fit
 from tdmf_slip.fitting.measurements import Measured, Measurements
 from tdmf_slip.fitting.problem import Problem
@@ -12,9 +12,8 @@ from tdmf_slip.fitting.result import QUANTILE
 from tdmf_slip.fitting.search import HUBER, loss_of, searched, weights_of
 from tdmf_slip.library.quantities import quantities_of
 
-LONG = bool(os.environ.get("TDMF_SLIP_LONG"))
 SEEDS, MINIMUM, MAXIMUM = (400, 0.92, 0.98) if LONG else (60, 0.87, 1.0)
-"""By chance the share of 400 is outside these limits once in 200 times, that of 60 once in 300."""
+"""By chance the share of 400 is outside these limits once in 200 times, that of 60 once in 100."""
 PRECISE = ("speed", "frequency", "stance_time", "duty_factor", "slip_distance", "peak_force")
 WEAK = ("speed", "frequency", "stance_time", "peak_force")
 TORQUES = (0.14, 0.17, 0.2, 0.24, 0.28)

@@ -1,13 +1,11 @@
 """What this project says of its own: every claim has a command; those of gaits alone are recomputed."""
 
-import os
-
 import click
 import pytest
+from conftest import long
 from tdmf_slip.cli.main import commands
 from tdmf_slip.paper.own_claims import CLAIMS, own_claims
 
-LONG = os.environ.get("TDMF_SLIP_LONG") == "1"
 SOLVED = [claim for claim in CLAIMS if "tdmf-slip gait" in claim.command]
 
 
@@ -36,7 +34,7 @@ def test_what_is_not_computed_is_not_said_to_hold():
     assert "--long computes it" in told.as_text() and "DOES NOT" not in told.as_text()
 
 
-@pytest.mark.skipif(not LONG, reason="takes minutes: TDMF_SLIP_LONG=1")
+@long
 @pytest.mark.parametrize("seed", [1, 20])
 def test_all_of_them_hold(seed):
     told = own_claims(recompute=True, seed=seed)

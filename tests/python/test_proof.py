@@ -1,7 +1,6 @@
 """Proofs of gaits: against values that were proved by another program, and where they have to fail."""
 
 import json
-import os
 import pathlib
 from dataclasses import replace
 from fractions import Fraction
@@ -9,6 +8,7 @@ from fractions import Fraction
 import numpy as np
 import pytest
 import tdmf_slip
+from conftest import long
 
 pytest.importorskip("flint")
 
@@ -25,7 +25,6 @@ EVENTS = {
     "lift-off": "liftoff",
     "flight": "fly",
 }
-LONG = pytest.mark.skipif("TDMF_SLIP_LONG" not in os.environ, reason="proofs that take minutes: --long")
 
 
 @pytest.fixture(autouse=True)
@@ -68,7 +67,7 @@ def test_a_published_gait_is_proved_with_the_values_that_another_program_proved(
     assert max(proof.box.radii) == Fraction(1, 10**6)
 
 
-@LONG
+@long
 @pytest.mark.parametrize("friction", GAITS)
 def test_every_published_gait_is_proved(friction):
     check(tdmf_slip.prove({"ground.friction": friction}, digits=30, box="1e-32"), GAITS[friction])
@@ -201,7 +200,7 @@ def test_a_side_that_is_undecided_is_told_to_be(border):
     assert [side["proved"] for side in told.as_json()["sides"]] == [False, True]
 
 
-@LONG
+@long
 @pytest.mark.parametrize("known", PROVED["borders"], ids=lambda known: known["kind"])
 def test_every_border_is_proved_with_a_gait_on_each_side(known):
     proof = tdmf_slip.prove_border(float(arb(known["friction"]).mid()), digits=25)

@@ -1,12 +1,13 @@
 """Proofs of gaits off Table 1: slopes, thrust, retraction, pushes; of random runners; what they attract."""
 
+import functools
 import json
-import os
 import pathlib
 
 import numpy as np
 import pytest
 import tdmf_slip
+from conftest import long, some_of
 from tdmf_slip.errors import TdmfSlipError
 from tdmf_slip.library.gait import gait_near
 from tdmf_slip.library.strides import strides_from
@@ -23,7 +24,6 @@ PUBLISHED = [
         "gaits"
     ]
 ]
-LONG = pytest.mark.skipif("TDMF_SLIP_LONG" not in os.environ, reason="proofs that take minutes: --long")
 FALLING = [gait for gait in FURTHER if "ground.stribeck_velocity" in gait["start_values"]]
 EVERYTHING = next(gait for gait in FURTHER if len(gait["start_values"]) > 4 and gait not in FALLING)
 RANDOM, PROVED_AT_LEAST = 40, 35
@@ -50,12 +50,13 @@ def test_a_gait_with_slope_retraction_static_friction_and_thrust_is_proved():
     check_further(EVERYTHING)
 
 
-@pytest.mark.parametrize("gait", FALLING, ids=lambda gait: str(gait["start_values"]))
-def test_every_gait_of_an_independent_program_with_falling_friction_is_proved(gait):
+@pytest.mark.parametrize("gait", some_of(FALLING, 3), ids=lambda gait: str(gait["start_values"]))
+def test_gaits_of_an_independent_program_with_falling_friction_are_proved(gait):
+    """Three of them, or with --long all."""
     check_further(gait)
 
 
-@LONG
+@long
 @pytest.mark.parametrize("gait", FURTHER, ids=lambda gait: str(gait["start_values"]))
 def test_every_gait_of_an_independent_program_is_proved(gait):
     check_further(gait)
@@ -109,7 +110,7 @@ def row_of(given, proof):
     return told | {"undecided": None if proof.proved else [proof.undecided["guard"], f"{time:.4g}"]}
 
 
-@LONG
+@long
 def test_gaits_of_random_runners_are_proved_with_the_words_that_the_library_finds():
     rows = [(row_of(given, tdmf_slip.prove(given, digits=6)), gait) for given, gait in random_gaits()]
     stored = [json.loads(line) for line in RANDOM_TABLE.read_text(encoding="utf-8").splitlines()]
@@ -138,9 +139,15 @@ def test_a_whole_range_of_unstable_gaits_is_proved_to_be():
     assert "all are unstable" in proof.sentence
 
 
-@pytest.mark.parametrize("friction", PUBLISHED)
+@functools.cache
+def attraction_of(friction):
+    return tdmf_slip.prove_attraction({"ground.friction": friction})
+
+
+@pytest.mark.parametrize("friction", some_of(PUBLISHED, 2))
 def test_starts_in_the_proved_ball_come_nearer_by_the_proved_rate(friction):
-    attraction = tdmf_slip.prove_attraction({"ground.friction": friction})
+    """Of two published gaits, or with --long of all five."""
+    attraction = attraction_of(friction)
     assert attraction.proved
     assert attraction.radius > 5e-7
     assert attraction.rate < 0.96
@@ -160,7 +167,7 @@ def test_starts_in_the_proved_ball_come_nearer_by_the_proved_rate(friction):
 
 
 def test_a_ball_is_told_with_its_norm():
-    attraction = tdmf_slip.prove_attraction({"ground.friction": "10"})
+    attraction = attraction_of(PUBLISHED[0])
     told = json.loads(json.dumps(attraction.as_json()))
     assert told["proved"] is True
     basis = np.array([[complex(*entry) for entry in row] for row in told["basis"]])

@@ -168,7 +168,7 @@ def test_the_guide_has_the_hash_of_the_long_table(long_table):
 
 def test_a_piece_is_cut_until_its_gaits_are_told_to_be_stable(monkeypatch):
     """Where every piece of more than a width is left open."""
-    prove, widest = RangeProver._subinterval, Fraction("0.0000006")
+    prove, widest = RangeProver._subinterval, Fraction("0.0000012")
 
     def open_if_wide(self, begin, end, gait):
         subinterval = prove(self, begin, end, gait)

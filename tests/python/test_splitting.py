@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from conftest import some_of
 from scipy import stats
 from tdmf_slip import InputError, rare_falls, strides_to_fall
 from tdmf_slip.analysis.factors import factor_of
@@ -131,18 +132,23 @@ def test_a_runner_falls_as_often_as_by_waiting():
     assert again == split
 
 
-@pytest.mark.parametrize(
-    "ground",
-    [
-        RoughGround(0.3, 5, step_weights=correlated_weights(0.7)),
-        RoughGround(0.3, 5, trips=True),
-        RoughGround(0.3, 5, friction_spread=1.5),
-        RoughGround(0.3, 5, step_weights=spectrum_weights([0.0, 1.0, 2.0]), trips=True, friction_spread=0.3),
-    ],
-    ids=["steps that hang together", "trips", "friction by stride", "all of it"],
-)
-def test_on_other_ground_a_runner_falls_as_often_as_by_waiting(ground):
-    """Plain steps as large make another mean, so that a ground that is passed over would be seen."""
+GROUNDS = {
+    "all of it": RoughGround(
+        0.3, 5, step_weights=spectrum_weights([0.0, 1.0, 2.0]), trips=True, friction_spread=0.3
+    ),
+    "steps that hang together": RoughGround(0.3, 5, step_weights=correlated_weights(0.7)),
+    "trips": RoughGround(0.3, 5, trips=True),
+    "friction by stride": RoughGround(0.3, 5, friction_spread=1.5),
+}
+
+
+@pytest.mark.parametrize("name", some_of(GROUNDS, 2))
+def test_on_other_ground_a_runner_falls_as_often_as_by_waiting(name):
+    """Plain steps as large make another mean, so that a ground that is passed over would be seen.
+
+    On ground with all there is and on one that trips alone; with --long on each kind alone.
+    """
+    ground = GROUNDS[name]
     runner = {"ground.friction": 0.6}
     waiting = strides_to_fall(runner, ground, 400, max_strides=2_000, threads=1)
     split = rare_falls(runner, ground, walkers=16, strides=60, seed=3, threads=1)

@@ -8,6 +8,7 @@ import fmpy
 import numpy as np
 import pytest
 import tdmf_slip
+from conftest import LONG
 from fmpy.fmi1 import FMICallException
 from fmpy.fmi2 import FMU2Model, FMU2Slave
 from fmpy.fmi3 import FMU3Model, FMU3Slave
@@ -49,6 +50,8 @@ STATES = (
     "energy.external_work",
 )
 ALL_MODES = {1, 2, 3, 4, 5}
+STARTS, RUNS, INITIAL_STARTS = (600, 60, 120) if LONG else (150, 20, 40)
+"""How many starts, runs in steps and start values are tried; with --long four and three times as many."""
 
 
 def random_start(draw):
@@ -268,7 +271,7 @@ def test_declared_dependencies_are_those_observed(version):
     declared = version.declared("outputs", "derivatives")
     observed = Observed(declared)
     seen = set()
-    for i in range(600):
+    for i in range(STARTS):
         probe = version.exchange()
         probe.begin(random_start(draw))
         probe.model.exitInitializationMode()
@@ -296,7 +299,7 @@ def runs_in_steps(version, early, **options):
     draw = random.Random(22)
     observed = Observed(version.declared("outputs"))
     strides, falls, events = 0, 0, 0
-    for i in range(60):
+    for i in range(RUNS):
         probe = version.stepper(**options)
         probe.begin({} if i % 3 == 0 else random_start(draw))
         probe.model.exitInitializationMode()
@@ -325,7 +328,7 @@ def inputs_declared(version):
 
 def test_at_communication_points_outputs_follow_the_declared_inputs(version):
     observed, strides, falls, _ = runs_in_steps(version, early=False)
-    assert strides > 20 and falls > 5
+    assert strides > RUNS // 3 and falls > RUNS // 12
     assert observed == inputs_declared(version)
 
 
@@ -333,7 +336,7 @@ def test_so_they_do_where_an_event_is_found_and_not_taken_yet(tmp_path):
     version = Unit(3, tmp_path)
     options = {"eventModeUsed": True, "earlyReturnAllowed": True}
     observed, strides, falls, events = runs_in_steps(version, early=True, **options)
-    assert strides > 10 and falls > 5 and events > 300
+    assert strides > RUNS // 6 and falls > RUNS // 12 and events > 5 * RUNS
     assert observed == inputs_declared(version)
 
 
@@ -359,7 +362,7 @@ def test_what_no_start_value_changes_is_declared_so(version):
         v for v in version.description.modelVariables if v.initial == "exact" or v.causality == "input"
     ]
     read, refused = 0, 0
-    for i in range(120):
+    for i in range(INITIAL_STARTS):
         start = initial_start(draw, i)
         probe, later = version.exchange(), version.exchange()
         probe.begin(start)
