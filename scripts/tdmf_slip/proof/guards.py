@@ -1,55 +1,63 @@
 """What each mode watches: the guards of the events that can end it, positive until then.
 
-Each is a function of the numbers of the motion, of whatever kind. Falls are guards, too: a stride in which
-one is not proved to be positive is undecided.
+Each is a function of the numbers of the motion, of whatever kind. It evaluates the table of events, in
+`c_core/equations/events.py`, unless that asks for a foot in axes of the world, or decides about the clamp
+anew, which the mode knows here. Falls are guards, too: a stride in which one is not proved to be positive is
+undecided.
 """
 
 from collections.abc import Callable
+from types import SimpleNamespace as Record
 from typing import Any
 
-from ..equations import friction
+from ..equations import events, ground
 from . import laws
 from .dual import Number
 from .modes import Mode
 
 Function = Callable[[Any, Mode, Any], Number]
 FALLS = ("the body's height", "the leg's length", "the foot's lever in graze")
+OUTSIDE = "outside"
+"""The zone of a foot: a proof knows of no patch."""
 
 
-def _force(runner: Any, mode: Mode, at: Any) -> Any:
-    """What would hold the foot still under the stance law."""
-    axial = laws.axial_force(runner, mode, at)
-    return laws.holding_force(runner, at, axial, laws.stance_torque(runner, mode) / at.length)
+class _Instant:
+    """An instant as the table of events has it."""
+
+    def __init__(self, runner: Any, mode: Mode, at: Any) -> None:
+        self.model, self.inputs, self.leg = runner.model, runner.inputs, at
+        self.mode = Record(clamp_closed=mode.clamped, liftoff_angle=getattr(at, "latched_angle", None))
+        self.state = Record(leg_angle=at.angle, leg_angle_rate=at.angle_rate, hip_place_time=0)
+        self._of = runner, mode, at
+
+    @property
+    def force(self) -> Any:
+        """What would hold the foot still under the stance law."""
+        runner, mode, at = self._of
+        axial = laws.axial_force(*self._of)
+        return laws.holding_force(runner, at, axial, laws.stance_torque(runner, mode) / at.length)
 
 
-def normal_force(runner: Any, mode: Mode, at: Any) -> Number:
-    """f_n under the stance law: lift-off where it falls through 0."""
-    return _force(runner, mode, at).normal
+def _row(guard: Callable[..., Any], **more: Any) -> Function:
+    """A guard of the table."""
+
+    def evaluated(runner: Any, mode: Mode, at: Any) -> Number:
+        found: Number = guard(_Instant(runner, mode, at), **more)
+        return found
+
+    return evaluated
 
 
-def cone_forwards(runner: Any, mode: Mode, at: Any) -> Number:
-    """Rho mu f_n + f_t: slip onset forwards where it falls through 0."""
-    return friction.room(laws.static_friction(runner), 1, _force(runner, mode, at))
-
-
-def cone_backwards(runner: Any, mode: Mode, at: Any) -> Number:
-    """Rho mu f_n - f_t: slip onset backwards."""
-    return friction.room(laws.static_friction(runner), -1, _force(runner, mode, at))
+normal_force = _row(events.lift_off)
+cone_forwards = _row(events.slip_onset_positive, zone=OUTSIDE)
+cone_backwards = _row(events.slip_onset_negative, zone=OUTSIDE)
+servo = _row(events.clamp)
 
 
 def slip_speed(runner: Any, mode: Mode, at: Any) -> Number:
     """The foot's speed in the direction of its slip."""
-    return at.foot_speed * mode.sign
-
-
-def leg_angle(runner: Any, mode: Mode, at: Any) -> Number:
-    """Theta in drive: mid-stance where it falls through 0."""
-    return at.angle
-
-
-def shortening(runner: Any, mode: Mode, at: Any) -> Number:
-    """-rdot before the thrust: greatest compression."""
-    return -at.length_rate
+    speed: Number = ground.slip_velocity_zero(at.foot_speed, mode.sign)
+    return speed
 
 
 def foot_height(runner: Any, mode: Mode, at: Any) -> Number:
@@ -63,12 +71,6 @@ def rise(runner: Any, mode: Mode, at: Any) -> Number:
         return laws.rise(runner, at.along, at.off)
     center = laws.fly(runner, at, at.foot_speed)
     return laws.rise(runner, center.along, center.off)
-
-
-def servo(runner: Any, mode: Mode, at: Any) -> Number:
-    """What the clamp is decided by, positive while it stays as it is."""
-    torque = laws.servo_torque(runner, mode, at)
-    return -torque if mode.clamped else torque
 
 
 def unloading(runner: Any, mode: Mode, at: Any) -> Number:
@@ -89,11 +91,6 @@ def body_height(runner: Any, mode: Mode, at: Any) -> Number:
     return laws.body_over_foot(at)
 
 
-def leg_room(runner: Any, mode: Mode, at: Any) -> Number:
-    """Of the leg above its least length: a fall."""
-    return at.length - runner.min_length
-
-
 FUNCTIONS: dict[str, Function] = {
     "touchdown": foot_height,
     "apex": rise,
@@ -102,12 +99,12 @@ FUNCTIONS: dict[str, Function] = {
     "slip onset forwards": cone_forwards,
     "slip onset backwards": cone_backwards,
     "end of slip": slip_speed,
-    "mid-stance": leg_angle,
-    "greatest compression": shortening,
+    "mid-stance": _row(events.mid_stance),
+    "greatest compression": _row(events.greatest_compression),
     "load": unloading,
     "flight": holding,
     "the body's height": body_height,
-    "the leg's length": leg_room,
+    "the leg's length": _row(events.leg_too_short),
 }
 """By the event's name."""
 

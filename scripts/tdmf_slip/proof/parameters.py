@@ -76,7 +76,6 @@ def _record(of: Mapping[str, Number], exact: Mapping[str, Exact], varied: str | 
         model=model,
         inputs=inputs,
         line=line,
-        min_length=of["leg.min_length"],
         has_thrust=bool(value_of(of["leg.thrust"] + of["control.thrust"]) > 0),
         foot_weight_along=weight * line.sine,
         foot_weight_off=weight * line.cosine,
