@@ -45,6 +45,7 @@ def _row(guard: Callable[..., Any], **more: Any) -> Function:
         found: Number = guard(_Instant(runner, mode, at), **more)
         return found
 
+    evaluated.__doc__ = guard.__doc__
     return evaluated
 
 
