@@ -5,12 +5,11 @@
 #include "runner.h"
 
 #include "constant_laws.h"
-#include "contact_change.h"
 #include "friction.h"
 #include "hip_law.h"
 #include "input_rates.h"
 #include "kinematics.h"
-#include "record.h"
+#include "mode_change.h"
 #include "step_constants.h"
 #include "tdmf_slip/contact.h"
 
@@ -43,7 +42,7 @@ bool tdmf_runner_may_change_law(const tdmf_runner *runner, tdmf_guard reached) {
 static void change_clamp(tdmf_runner *runner, flying_member *m) {
     const tdmf_model *model = runner->model;
     tdmf_mode *mode = &runner->motion.mode;
-    mode->clamp_closed = !mode->clamp_closed;
+    *mode = tdmf_mode_after(model, runner->motion.state, mode, TDMF_GUARD_CLAMP);
     const double place_time = runner->motion.state[TDMF_HIP_PLACE_TIME];
     const tdmf_hip_law law =
         tdmf_flight_law(model, &runner->inputs, &tdmf_zero_input_rates, mode, place_time);
@@ -57,24 +56,6 @@ static void change_clamp(tdmf_runner *runner, flying_member *m) {
 }
 
 /* ---- in stance ---------------------------------------------------------------------------------------- */
-
-/* The mode that follows an event, but for what is due in it at once. */
-static tdmf_mode mode_after(const tdmf_mode *before, tdmf_guard reached) {
-    tdmf_mode after = *before;
-    switch (reached) {
-    case TDMF_GUARD_MID_STANCE:
-        after.mid_stance_pending = false;
-        after.phase = TDMF_PHASE_COAST;
-        break;
-    case TDMF_GUARD_SLIP_VELOCITY_ZERO:
-        after.contact = TDMF_CONTACT_STICK;
-        break;
-    default:
-        after.contact = reached == TDMF_GUARD_SLIP_ONSET_POSITIVE ? TDMF_CONTACT_SLIP_POSITIVE
-                                                                  : TDMF_CONTACT_SLIP_NEGATIVE;
-    }
-    return after;
-}
 
 /* A torque that jumps may lift the foot or push it out of the cone, in which one that comes to rest may not
  * be. No force jumps where a slip begins. */
@@ -99,16 +80,12 @@ static void enter(tdmf_runner *runner, standing_member *m, const tdmf_mode *mode
     m->time_left -= m->now.elapsed;
     m->now.elapsed = 0.0;
     tdmf_set_foot(tdmf_point_on(&mode->ground, m->at.foot_x, m->at.at.foot_vx), motion->state);
-    if (mode->contact != motion->mode.contact) {
-        tdmf_enter_contact_mode(&run, mode->contact);
-    }
-    motion->mode = *mode;
-    tdmf_record_event(motion);
+    tdmf_enter_mode(&run, mode);
 }
 
 static bool change_stance(tdmf_runner *runner, standing_member *m, tdmf_guard reached) {
-    const tdmf_mode mode = mode_after(&runner->motion.mode, reached);
     const tdmf_system system = tdmf_runner_system(runner);
+    const tdmf_mode mode = tdmf_mode_after(system.model, runner->motion.state, &runner->motion.mode, reached);
     const double torque = tdmf_stance_law(system.model, system.inputs, &tdmf_zero_input_rates, &mode).torque;
     tdmf_mode_coordinates at;
     tdmf_step_set_ground(&at, &m->at);

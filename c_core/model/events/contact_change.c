@@ -8,19 +8,20 @@
 #include "greatest_compression.h"
 #include "ground_line.h"
 #include "kinematics.h"
+#include "mode_change.h"
 #include "record.h"
-
-/* A foot that slips does so on what lies ahead of it. */
-static void set_contact(const tdmf_model *model, const double state[TDMF_STATE_COUNT],
-                        tdmf_contact_mode contact, tdmf_mode *mode) {
-    mode->contact = contact;
-    const double sign = tdmf_sign_of_slip(mode);
-    mode->zone = sign == 0.0 ? TDMF_ZONE_BEFORE : tdmf_zone_towards(model, state[TDMF_FOOT_X], sign);
-}
 
 void tdmf_enter_contact_mode(tdmf_run *run, tdmf_contact_mode entered) {
     tdmf_record_contact_change(run->motion, entered);
-    set_contact(run->system.model, run->motion->state, entered, &run->motion->mode);
+    tdmf_set_contact(run->system.model, run->motion->state, entered, &run->motion->mode);
+}
+
+void tdmf_enter_mode(tdmf_run *run, const tdmf_mode *entered) {
+    if (entered->contact != run->motion->mode.contact) {
+        tdmf_record_contact_change(run->motion, entered->contact);
+    }
+    run->motion->mode = *entered;
+    tdmf_record_event(run->motion);
 }
 
 /* ---- off the ground ----------------------------------------------------------------------------------- */
@@ -120,7 +121,7 @@ static double angle_acceleration_in_drive(const tdmf_run *run) {
     tdmf_mode driven = run->motion->mode;
     driven.mid_stance_pending = true;
     driven.phase = TDMF_PHASE_DRIVE;
-    set_contact(run->system.model, run->motion->state, mode_of_loaded_foot(run, &driven), &driven);
+    tdmf_set_contact(run->system.model, run->motion->state, mode_of_loaded_foot(run, &driven), &driven);
     const tdmf_evaluation at = tdmf_evaluate_run(run, &driven);
     return tdmf_accelerate_leg(&at).angle;
 }

@@ -3,25 +3,29 @@
 #include "event_declarations.h"
 #include "guard_laws.h"
 #include "kinematics.h"
-#include "patch.h"
+#include "mode_change.h"
 #include "record.h"
+
+static tdmf_mode mode_after(const tdmf_run *run, tdmf_guard taken) {
+    return tdmf_mode_after(run->system.model, run->motion->state, &run->motion->mode, taken);
+}
+
+static void enter_mode_after(tdmf_run *run, tdmf_guard taken) {
+    const tdmf_mode entered = mode_after(run, taken);
+    tdmf_enter_mode(run, &entered);
+}
 
 /* ---- the hip ------------------------------------------------------------------------------------------- */
 
 /* The servo of retract changes its sign, and the clamp of (12) opens or closes. Neither a contact nor a phase
  * changes, so that it is not counted. */
 void tdmf_take_clamp(tdmf_run *run) {
-    run->motion->mode.clamp_closed = !run->motion->mode.clamp_closed;
+    run->motion->mode = mode_after(run, TDMF_GUARD_CLAMP);
 }
 
-/* The leg falls through the vertical, and drive turns into coast. In graze the drive waits, for the foot to
- * be loaded again, and ends alike. */
+/* The leg falls through the vertical, and drive turns into coast. */
 void tdmf_take_mid_stance(tdmf_run *run) {
-    run->motion->mode.mid_stance_pending = false;
-    if (tdmf_in_contact(&run->motion->mode)) {
-        run->motion->mode.phase = TDMF_PHASE_COAST;
-    }
-    tdmf_record_event(run->motion);
+    enter_mode_after(run, TDMF_GUARD_MID_STANCE);
 }
 
 /* ---- the foot ------------------------------------------------------------------------------------------ */
@@ -32,17 +36,12 @@ void tdmf_take_lift_off(tdmf_run *run) {
     tdmf_record_event(run->motion);
 }
 
-static void slip(tdmf_run *run, tdmf_contact_mode entered) {
-    tdmf_enter_contact_mode(run, entered);
-    tdmf_record_event(run->motion);
-}
-
 void tdmf_take_slip_onset_positive(tdmf_run *run) {
-    slip(run, TDMF_CONTACT_SLIP_POSITIVE);
+    enter_mode_after(run, TDMF_GUARD_SLIP_ONSET_POSITIVE);
 }
 
 void tdmf_take_slip_onset_negative(tdmf_run *run) {
-    slip(run, TDMF_CONTACT_SLIP_NEGATIVE);
+    enter_mode_after(run, TDMF_GUARD_SLIP_ONSET_NEGATIVE);
 }
 
 /* The foot sticks, or slips the other way. A slip that only touches zero velocity and goes on is not counted,
