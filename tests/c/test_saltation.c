@@ -168,10 +168,9 @@ static tdmf_variation taken(const runner *runner, tdmf_guard guard, const event 
                           &event->variation);
 }
 
-/* The law of retract has a kink, which a difference may not span. */
-static bool is_smooth_around(const runner *runner, tdmf_guard guard) {
-    return guard != TDMF_GUARD_GRAZE_TO_FLIGHT || runner->motion.mode.phase == TDMF_PHASE_PLACE ||
-           fabs(scene_retract_law(runner)) > 0.1;
+static bool is_smooth(const guard_line *on) {
+    return on->guard != TDMF_GUARD_GRAZE_TO_FLIGHT ||
+           on->line.runner->motion.mode.phase == TDMF_PHASE_PLACE || line_keeps_clamp(&on->line, LINE_STEP);
 }
 
 static void an_event_shifts_with_what_its_guard_watches(void **state) {
@@ -191,7 +190,7 @@ static void an_event_shifts_with_what_its_guard_watches(void **state) {
             const double shift =
                 taken(&runner, guard, &event).state[TDMF_HIP_WORK] - event.variation.state[TDMF_HIP_WORK];
             /* A clamp without gains is never due. */
-            if (!is_smooth_around(&runner, guard) || fabs(rate) < 1e-3) {
+            if (!is_smooth(&along_variation) || !is_smooth(&along_motion) || fabs(rate) < 1e-3) {
                 continue;
             }
             ++compared;

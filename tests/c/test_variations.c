@@ -106,15 +106,9 @@ static long double scale_on_line(long double t, const void *context) {
     return (long double)scale_of(&moved, on->guard);
 }
 
-/* The law of retract has a kink, which a difference may not span. */
 static bool is_smooth(const guard_line *on, double step) {
-    const runner *at = on->line.runner;
-    bool smooth = true;
-    for (int i = -4; i <= 4; ++i) {
-        const runner moved = line_at(&on->line, i * step);
-        smooth = smooth && scene_retract_law(at) * scene_retract_law(&moved) > 0.0;
-    }
-    return smooth || on->guard != TDMF_GUARD_GRAZE_TO_FLIGHT || at->motion.mode.phase == TDMF_PHASE_PLACE;
+    return on->guard != TDMF_GUARD_GRAZE_TO_FLIGHT ||
+           on->line.runner->motion.mode.phase == TDMF_PHASE_PLACE || line_keeps_clamp(&on->line, step);
 }
 
 /* The largest of what a guard is made of, by its scale: a force, the foot's weight, a torque by a short
