@@ -51,7 +51,7 @@ typedef struct {
     tdmf_starts *starts;
     tdmf_ensemble_end *ends;
     tdmf_ensemble_work work;
-    int order;
+    series_orders orders;
     double tolerance;
     batch_members before; /* a step, where strides are noted */
 } integration;
@@ -148,9 +148,17 @@ static lane_outcome step_at_border(standing_member *m, mask live, batch_kind kin
     return step_standing(m, live, is, order, tolerance, g);
 }
 
+static bool in_flight(batch_kind kind) {
+    return kind < BATCH_STICK || (kind >= BATCH_PLACE_AND_RISE && kind <= BATCH_RETRACT_FORCED_AND_WAIT);
+}
+
+static int order_of(const integration *integration, batch_kind kind) {
+    return in_flight(kind) ? integration->orders.flight : integration->orders.ground;
+}
+
 static lane_outcome step_batch(integration *integration, batch_kind kind) {
     batch *batch = &integration->batches[kind];
-    const int order = integration->order;
+    const int order = order_of(integration, kind);
     const double tolerance = integration->tolerance;
     const ground_case sticks = {.has_torque = true}, sticks_and_coasts = {.has_torque = false};
     const ground_case slips = {.slips = true, .has_torque = true}, slips_and_coasts = {.slips = true};
@@ -245,10 +253,6 @@ static void empty_lane(integration *integration, batch_kind kind, int lane, cons
     }
 }
 
-static bool in_flight(batch_kind kind) {
-    return kind < BATCH_STICK || (kind >= BATCH_PLACE_AND_RISE && kind <= BATCH_RETRACT_FORCED_AND_WAIT);
-}
-
 /* The series of one lane that are looked at, in the order in which they are noted. */
 static void read_series(const integration *integration, batch_kind kind, int lane,
                         double to[TDMF_RECORDED_SERIES][SERIES_TERMS]) {
@@ -263,7 +267,7 @@ static void read_series(const integration *integration, batch_kind kind, int lan
         in_flight(kind) ? sizeof of_flight / sizeof *of_flight : sizeof of_ground / sizeof *of_ground;
     for (int series = 0; series < count; ++series) {
         const real *from = in_flight(kind) ? of_flight[series] : of_ground[series];
-        for (int k = 0; k <= integration->order; ++k) {
+        for (int k = 0; k <= order_of(integration, kind); ++k) {
             to[series][k] = from[k][lane];
         }
     }
@@ -273,7 +277,7 @@ static void record_steps(integration *integration, batch_kind kind, lane_outcome
     const batch *batch = &integration->batches[kind];
     const unsigned stuck = movemask(outcome.stuck);
     double before[MEMBER_FIELDS], after[MEMBER_FIELDS];
-    tdmf_lane_step recorded = {.order = integration->order, .before = before, .after = after};
+    tdmf_lane_step recorded = {.order = order_of(integration, kind), .before = before, .after = after};
     for (int lane = 0; lane < LANES; ++lane) {
         if (batch->runner_in[lane] == EMPTY || (stuck >> lane & 1)) {
             continue;
@@ -291,6 +295,7 @@ static void step_and_sort(integration *integration, batch_kind kind) {
     batch *batch = &integration->batches[kind];
     fill_lanes(integration, batch);
     integration->work.steps += batch->count;
+    integration->work.evaluations += (int64_t)batch->count * order_of(integration, kind);
     integration->work.lane_steps += LANES;
     const bool is_recorded = tdmf_records_strides(integration->ensemble);
     if (is_recorded) {
@@ -348,8 +353,8 @@ static void run(integration *integration) {
     }
 }
 
-bool TDMF_RUN_BATCHES(const tdmf_ensemble *ensemble, tdmf_starts *starts, int order, tdmf_ensemble_end *ends,
-                      tdmf_ensemble_work *work) {
+bool TDMF_RUN_BATCHES(const tdmf_ensemble *ensemble, tdmf_starts *starts, series_orders orders,
+                      tdmf_ensemble_end *ends, tdmf_ensemble_work *work) {
     /* C99 has no aligned allocation. */
     const uintptr_t alignment = sizeof(real);
     void *block = calloc(1, sizeof(integration) + alignment);
@@ -360,10 +365,9 @@ bool TDMF_RUN_BATCHES(const tdmf_ensemble *ensemble, tdmf_starts *starts, int or
     integration->ensemble = ensemble;
     integration->starts = starts;
     integration->ends = ends;
-    integration->order = order;
+    integration->orders = orders;
     integration->tolerance = ensemble->relative_tolerance;
     run(integration);
-    integration->work.evaluations = integration->work.steps * order;
     *work = integration->work;
     free(block);
     return true;

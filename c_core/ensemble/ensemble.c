@@ -68,11 +68,11 @@ const char *tdmf_instructions_name(tdmf_instructions instructions) {
 
 /* ---- one by one --------------------------------------------------------------------------------------- */
 
-static bool run_one_by_one(const tdmf_ensemble *ensemble, tdmf_starts *starts, int order,
+static bool run_one_by_one(const tdmf_ensemble *ensemble, tdmf_starts *starts, series_orders orders,
                            tdmf_ensemble_end *ends, tdmf_ensemble_work *work) {
     tdmf_solver solver = tdmf_solver_default();
     const tdmf_ensemble_work none = {0};
-    (void)order;
+    (void)orders;
     *work = none;
     solver.relative_tolerance = ensemble->relative_tolerance;
     solver.without_peaks_and_positive_work = !tdmf_records_strides(ensemble);
@@ -97,7 +97,7 @@ typedef struct {
     const tdmf_ensemble *ensemble;
     tdmf_run_batches *integration;
     tdmf_starts starts;
-    int order;
+    series_orders orders;
     tdmf_ensemble_end *ends;
     tdmf_ensemble_work *works; /* of each thread */
 } everything;
@@ -106,9 +106,9 @@ static void run_share(void *shared, int number) {
     everything *all = shared;
     const tdmf_ensemble *ensemble = all->ensemble;
     /* Without memory for lanes the starts are left to whoever has some. */
-    if (!all->integration(ensemble, &all->starts, all->order, all->ends, &all->works[number]) &&
+    if (!all->integration(ensemble, &all->starts, all->orders, all->ends, &all->works[number]) &&
         number == 0) {
-        run_one_by_one(ensemble, &all->starts, all->order, all->ends, &all->works[number]);
+        run_one_by_one(ensemble, &all->starts, all->orders, all->ends, &all->works[number]);
     }
 }
 
@@ -134,7 +134,7 @@ bool tdmf_run_ensemble(const tdmf_ensemble *ensemble, tdmf_ensemble_end *ends, t
         .integration = runs[ensemble->instructions == TDMF_BEST_INSTRUCTIONS ? tdmf_best_instructions()
                                                                              : ensemble->instructions],
         .starts = {0, ensemble->count, ensemble->stop},
-        .order = tdmf_step_order(ensemble->relative_tolerance),
+        .orders = tdmf_step_orders(ensemble->relative_tolerance),
         .ends = ends,
         .works = calloc((size_t)threads, sizeof *all.works),
     };

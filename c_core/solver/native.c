@@ -38,7 +38,7 @@ typedef struct {
     bool equations_are_ahead;
     tdmf_leg_direction direction; /* of the state */
     double until;
-    int order; /* of the series */
+    series_orders orders;
     tdmf_mode_equations equations;
     tdmf_step step;
     step_count steps;
@@ -426,7 +426,7 @@ static tdmf_outcome advance_once(integration *integration) {
     ++integration->solver->steps;
     update_rising(integration);
     open_step(integration);
-    tdmf_step_expand(step, integration->order, integration->solver->relative_tolerance);
+    tdmf_step_expand(step, integration->orders, integration->solver->relative_tolerance);
     integration->solver->evaluations += step->order;
     integration->solver->layer_steps += step->in_layer;
     if (mode_is_too_stiff(integration)) {
@@ -482,7 +482,7 @@ static bool begin(integration *integration, tdmf_solver *solver, tdmf_system sys
     integration->motion = motion;
     integration->until = until;
     motion->record.progress.now = tdmf_instant_of(motion);
-    integration->order = tdmf_step_order(solver->relative_tolerance);
+    integration->orders = tdmf_step_orders(solver->relative_tolerance);
     integration->steps = opened_steps((double)solver->step_limit);
     integration->events_left = solver->event_limit;
     integration->false_crossings = 0;

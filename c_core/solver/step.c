@@ -7,9 +7,18 @@
 #include "ground_watch.h"
 #include "series_sums.h"
 
-int tdmf_step_order(double tolerance) {
-    const int order = (int)ceil(-2.0 * log10(tolerance));
-    return order < 8 ? 8 : order > SERIES_ORDER_LIMIT ? SERIES_ORDER_LIMIT : order;
+/* The nearest even order: inner sums are made by pairs, so that an odd one costs as much as the next. */
+static int even_order(double order) {
+    const int even = 2 * (int)floor(0.5 * order + 0.5);
+    return even < 8 ? 8 : even > SERIES_ORDER_LIMIT ? SERIES_ORDER_LIMIT : even;
+}
+
+/* Measured over runners that are stiff, light, fast or on slippery ground. A coefficient costs more on the
+ * ground, so that its steps had better be shorter and of a lower order. */
+series_orders tdmf_step_orders(double tolerance) {
+    const double digits = -log10(tolerance);
+    const series_orders orders = {even_order(4.5 + 1.5 * digits), even_order(4.5 + 1.25 * digits)};
+    return orders;
 }
 
 static bool flies(const tdmf_step *step) {
@@ -61,8 +70,8 @@ void tdmf_step_open(tdmf_step *step, const tdmf_mode_equations *equations, const
     }
 }
 
-void tdmf_step_expand(tdmf_step *step, int order, double tolerance) {
-    step->order = order;
+void tdmf_step_expand(tdmf_step *step, series_orders orders, double tolerance) {
+    step->order = flies(step) ? orders.flight : orders.ground;
     step->tolerance = tolerance;
     step->in_layer = false;
     step->size = flies(step) ? expand_leg_in_flight(step) : expand_standing_leg(step);

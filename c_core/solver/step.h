@@ -35,8 +35,8 @@ typedef struct {
     tdmf_guard reached; /* the same, if the step ends at its zero: see tdmf_resolve_along */
 } tdmf_step_end;
 
-/* The order at which steps of a relative tolerance cost least. */
-int tdmf_step_order(double tolerance);
+/* The orders at which steps of a relative tolerance cost least. */
+series_orders tdmf_step_orders(double tolerance);
 
 /* Which terms the series of a step on the ground have. */
 ground_case tdmf_step_ground_case(const tdmf_step *step);
@@ -47,7 +47,7 @@ void tdmf_step_open(tdmf_step *step, const tdmf_mode_equations *equations, const
 
 /* Expands the motion of the mode and finds how long its series may be trusted: step->size, not a number
  * where they are not finite. */
-void tdmf_step_expand(tdmf_step *step, int order, double tolerance);
+void tdmf_step_expand(tdmf_step *step, series_orders orders, double tolerance);
 
 /* Shortens the step to `longest` and so that the leg keeps its length nearly enough. Before this a step is
  * only expanded. */

@@ -17,19 +17,20 @@ static bool is_a_leg(const tdmf_mode_equations *equations) {
     return length > p->leg.min_length && length < 4.0 * p->leg.free_length && (flies || at->standing.y > 0.0);
 }
 
-static void expand(tdmf_step *step, const runner *runner, const tdmf_mode_equations *equations, int order,
-                   double tolerance) {
+static void expand(tdmf_step *step, const runner *runner, const tdmf_mode_equations *equations,
+                   series_orders orders, double tolerance) {
     tdmf_step_open(step, equations, &runner->motion.mode, 1.0);
-    tdmf_step_expand(step, order, tolerance);
+    tdmf_step_expand(step, orders, tolerance);
     tdmf_step_shorten(step, INFINITY);
 }
 
 /* Goes on by `time`, as exactly as can be, or until the leg makes no sense any more. */
 static bool go_on_exactly(const runner *runner, tdmf_mode_equations *equations, double time) {
+    const series_orders most = {SERIES_ORDER_LIMIT, SERIES_ORDER_LIMIT};
     double left = time;
     while (left > 0.0 && is_a_leg(equations)) {
         tdmf_step step;
-        expand(&step, runner, equations, SERIES_ORDER_LIMIT, 1e-15);
+        expand(&step, runner, equations, most, 1e-15);
         const double part = fmin(left, 0.7 * step.size);
         const tdmf_mode_coordinates reached = tdmf_step_at(&step, part);
         tdmf_shift_mode(equations, part, &reached);
@@ -68,7 +69,7 @@ static void assert_steps_are_exact(const runner *runner, double tolerance) {
     for (int i = 0; i < STEPS; ++i) {
         tdmf_step step;
         tdmf_mode_equations exact = equations;
-        expand(&step, runner, &equations, tdmf_step_order(tolerance), tolerance);
+        expand(&step, runner, &equations, tdmf_step_orders(tolerance), tolerance);
         const tdmf_mode_coordinates reached = tdmf_step_at(&step, step.size);
         if (!go_on_exactly(runner, &exact, step.size)) {
             return;
@@ -107,7 +108,27 @@ static void steps_leave_out_no_more_than_their_tolerance(void **state) {
     }
 }
 
+/* Else a step would be longer than its tolerance allows. */
+static void a_rough_root_is_never_too_large(void **state) {
+    enum { SAMPLES = 10000 };
+    static const double rounding = 2e-6; /* a high half has 20 bits of a fraction */
+    random_source source = {5};
+    (void)state;
+    for (int n = 2; n <= SERIES_ORDER_LIMIT; ++n) {
+        for (int i = 0; i < SAMPLES; ++i) {
+            const double x = pow(10.0, random_uniform(&source, -300.0, 300.0));
+            const double root = pow(x, 1.0 / n);
+            const double rough = rough_root(x, n);
+            assert_true(rough <= root && rough >= 0.94 * root * (1.0 - rounding));
+        }
+    }
+    assert_true(isinf(rough_root(INFINITY, 9)) && isinf(rough_root(NAN, 9)));
+}
+
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(steps_leave_out_no_more_than_their_tolerance)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(steps_leave_out_no_more_than_their_tolerance),
+        cmocka_unit_test(a_rough_root_is_never_too_large),
+    };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
