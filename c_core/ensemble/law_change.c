@@ -42,7 +42,7 @@ bool tdmf_runner_may_change_law(const tdmf_runner *runner, tdmf_guard reached) {
 static void change_clamp(tdmf_runner *runner, flying_member *m) {
     const tdmf_model *model = runner->model;
     tdmf_mode *mode = &runner->motion.mode;
-    *mode = tdmf_mode_after(model, runner->motion.state, mode, TDMF_GUARD_CLAMP);
+    tdmf_change_mode(model, runner->motion.state, TDMF_GUARD_CLAMP, mode);
     const double place_time = runner->motion.state[TDMF_HIP_PLACE_TIME];
     const tdmf_hip_law law =
         tdmf_flight_law(model, &runner->inputs, &tdmf_zero_input_rates, mode, place_time);
@@ -72,20 +72,21 @@ static bool lasts(const tdmf_runner *runner, const tdmf_mode *mode, const tdmf_s
             tdmf_inside_friction_cone(force, tdmf_static_friction_towards(system, 0.0, 1.0)));
 }
 
-/* Goes to the instant and the place of the event, and enters the mode. */
-static void enter(tdmf_runner *runner, standing_member *m, const tdmf_mode *mode) {
+/* Goes to the instant and the place of the event, and takes it. */
+static void take(tdmf_runner *runner, standing_member *m, tdmf_guard reached) {
     tdmf_motion *motion = &runner->motion;
     tdmf_run run = {tdmf_runner_system(runner), motion, runner->direction};
     tdmf_runner_pass_time(runner, m->now.elapsed);
     m->time_left -= m->now.elapsed;
     m->now.elapsed = 0.0;
-    tdmf_set_foot(tdmf_point_on(&mode->ground, m->at.foot_x, m->at.at.foot_vx), motion->state);
-    tdmf_enter_mode(&run, mode);
+    tdmf_set_foot(tdmf_point_on(&motion->mode.ground, m->at.foot_x, m->at.at.foot_vx), motion->state);
+    tdmf_take_mode_change(&run, reached);
 }
 
 static bool change_stance(tdmf_runner *runner, standing_member *m, tdmf_guard reached) {
     const tdmf_system system = tdmf_runner_system(runner);
-    const tdmf_mode mode = tdmf_mode_after(system.model, runner->motion.state, &runner->motion.mode, reached);
+    tdmf_mode mode = runner->motion.mode;
+    tdmf_change_mode(system.model, runner->motion.state, reached, &mode);
     const double torque = tdmf_stance_law(system.model, system.inputs, &tdmf_zero_input_rates, &mode).torque;
     tdmf_mode_coordinates at;
     tdmf_step_set_ground(&at, &m->at);
@@ -96,7 +97,7 @@ static bool change_stance(tdmf_runner *runner, standing_member *m, tdmf_guard re
         return false;
     }
     m->at.at.foot_vx = at.standing.foot_vx;
-    enter(runner, m, &mode);
+    take(runner, m, reached);
     m->constants.law.torque = torque;
     m->constants.law.friction = tdmf_signed_friction(system, &mode);
     m->constants.slip_sign = tdmf_sign_of_slip(&mode);

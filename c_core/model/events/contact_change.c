@@ -16,11 +16,12 @@ void tdmf_enter_contact_mode(tdmf_run *run, tdmf_contact_mode entered) {
     tdmf_set_contact(run->system.model, run->motion->state, entered, &run->motion->mode);
 }
 
-void tdmf_enter_mode(tdmf_run *run, const tdmf_mode *entered) {
-    if (entered->contact != run->motion->mode.contact) {
-        tdmf_record_contact_change(run->motion, entered->contact);
+void tdmf_take_mode_change(tdmf_run *run, tdmf_guard taken) {
+    const tdmf_contact_mode entered = tdmf_contact_after(&run->motion->mode, taken);
+    if (entered != run->motion->mode.contact) {
+        tdmf_record_contact_change(run->motion, entered);
     }
-    run->motion->mode = *entered;
+    tdmf_change_mode(run->system.model, run->motion->state, taken, &run->motion->mode);
     tdmf_record_event(run->motion);
 }
 

@@ -13,35 +13,37 @@ static inline void tdmf_set_contact(const tdmf_model *model, const double state[
     mode->zone = sign == 0.0 ? TDMF_ZONE_BEFORE : tdmf_zone_towards(model, state[TDMF_FOOT_X], sign);
 }
 
-/* The mode that follows an event which changes no state, but for what is due in it at once; of a foot that
- * comes to rest, that in which friction holds it. */
-static inline tdmf_mode tdmf_mode_after(const tdmf_model *model, const double state[TDMF_STATE_COUNT],
-                                        const tdmf_mode *before, tdmf_guard taken) {
-    tdmf_mode after = *before;
+/* The contact that follows an event which changes no state, but for what is due in it at once: a foot that
+ * comes to rest sticks. */
+static inline tdmf_contact_mode tdmf_contact_after(const tdmf_mode *before, tdmf_guard taken) {
     switch (taken) {
-    case TDMF_GUARD_CLAMP:
-        after.clamp_closed = !before->clamp_closed;
-        break;
-    case TDMF_GUARD_MID_STANCE: /* in graze the drive waits for the foot to be loaded again, and ends alike */
-        after.mid_stance_pending = false;
-        after.phase = tdmf_is_loaded(before) ? TDMF_PHASE_COAST : before->phase;
-        break;
     case TDMF_GUARD_SLIP_ONSET_POSITIVE:
-        tdmf_set_contact(model, state, TDMF_CONTACT_SLIP_POSITIVE, &after);
-        break;
+        return TDMF_CONTACT_SLIP_POSITIVE;
     case TDMF_GUARD_SLIP_ONSET_NEGATIVE:
-        tdmf_set_contact(model, state, TDMF_CONTACT_SLIP_NEGATIVE, &after);
-        break;
+        return TDMF_CONTACT_SLIP_NEGATIVE;
     case TDMF_GUARD_SLIP_VELOCITY_ZERO:
-        tdmf_set_contact(model, state, TDMF_CONTACT_STICK, &after);
-        break;
+        return TDMF_CONTACT_STICK;
     default:
-        break;
+        return before->contact;
     }
-    return after;
 }
 
-/* Enters a mode that follows such an event, and counts that; the record notes a contact that is over. */
-void tdmf_enter_mode(tdmf_run *run, const tdmf_mode *entered);
+/* What such an event makes of the mode. In graze a drive waits for the foot to be loaded again, and ends
+ * alike. */
+static inline void tdmf_change_mode(const tdmf_model *model, const double state[TDMF_STATE_COUNT],
+                                    tdmf_guard taken, tdmf_mode *mode) {
+    const tdmf_contact_mode contact = tdmf_contact_after(mode, taken);
+    if (contact != mode->contact) {
+        tdmf_set_contact(model, state, contact, mode);
+    } else if (taken == TDMF_GUARD_CLAMP) {
+        mode->clamp_closed = !mode->clamp_closed;
+    } else if (taken == TDMF_GUARD_MID_STANCE) {
+        mode->mid_stance_pending = false;
+        mode->phase = tdmf_is_loaded(mode) ? TDMF_PHASE_COAST : mode->phase;
+    }
+}
+
+/* The same in a run, whose record notes a contact that is over and counts the event. */
+void tdmf_take_mode_change(tdmf_run *run, tdmf_guard taken);
 
 #endif

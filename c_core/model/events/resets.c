@@ -6,26 +6,17 @@
 #include "mode_change.h"
 #include "record.h"
 
-static tdmf_mode mode_after(const tdmf_run *run, tdmf_guard taken) {
-    return tdmf_mode_after(run->system.model, run->motion->state, &run->motion->mode, taken);
-}
-
-static void enter_mode_after(tdmf_run *run, tdmf_guard taken) {
-    const tdmf_mode entered = mode_after(run, taken);
-    tdmf_enter_mode(run, &entered);
-}
-
 /* ---- the hip ------------------------------------------------------------------------------------------- */
 
 /* The servo of retract changes its sign, and the clamp of (12) opens or closes. Neither a contact nor a phase
  * changes, so that it is not counted. */
 void tdmf_take_clamp(tdmf_run *run) {
-    run->motion->mode = mode_after(run, TDMF_GUARD_CLAMP);
+    tdmf_change_mode(run->system.model, run->motion->state, TDMF_GUARD_CLAMP, &run->motion->mode);
 }
 
 /* The leg falls through the vertical, and drive turns into coast. */
 void tdmf_take_mid_stance(tdmf_run *run) {
-    enter_mode_after(run, TDMF_GUARD_MID_STANCE);
+    tdmf_take_mode_change(run, TDMF_GUARD_MID_STANCE);
 }
 
 /* ---- the foot ------------------------------------------------------------------------------------------ */
@@ -37,11 +28,11 @@ void tdmf_take_lift_off(tdmf_run *run) {
 }
 
 void tdmf_take_slip_onset_positive(tdmf_run *run) {
-    enter_mode_after(run, TDMF_GUARD_SLIP_ONSET_POSITIVE);
+    tdmf_take_mode_change(run, TDMF_GUARD_SLIP_ONSET_POSITIVE);
 }
 
 void tdmf_take_slip_onset_negative(tdmf_run *run) {
-    enter_mode_after(run, TDMF_GUARD_SLIP_ONSET_NEGATIVE);
+    tdmf_take_mode_change(run, TDMF_GUARD_SLIP_ONSET_NEGATIVE);
 }
 
 /* The foot sticks, or slips the other way. A slip that only touches zero velocity and goes on is not counted,
