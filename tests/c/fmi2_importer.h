@@ -5,6 +5,7 @@
 #include "fmi2Functions.h"
 
 #include "messages.h"
+#include "tdmf_slip/state.h"
 
 #include <stdbool.h>
 
@@ -25,5 +26,11 @@ void start_running(fmi2Component component);
 /* Writes all that an instance is, its saved state, and returns how many bytes that are; asserts that there is
  * room. */
 size_t serialize2(fmi2Component component, fmi2Byte bytes[SERIALIZED_BYTES]);
+
+/* Real start values: parameters and a tolerance, inputs, and states. */
+enum {
+    START_VALUES =
+        (sizeof(tdmf_parameters) + sizeof(tdmf_inputs)) / sizeof(double) + 1 + TDMF_MECHANICAL_COUNT
+};
 
 #endif

@@ -25,7 +25,7 @@ static void start_values_are_read_before_initialization(void **state) {
             ++read;
         }
     }
-    assert_int_equal(read, 20 + 10 + 8); /* parameters, inputs, states */
+    assert_int_equal(read, START_VALUES);
     assert_int_equal(get_integer(component, "solver.method"), SOLVER_NATIVE);
     assert_int_equal(get_enumeration(instance, "solver.method"), SOLVER_NATIVE);
     start_running(component);

@@ -235,7 +235,7 @@ static void they_are_those_of_the_start_values(void **state) {
                 ++columns;
             }
         }
-        assert_int_equal(columns + edges, 38); /* 19 parameters, a tolerance, 10 inputs, 8 states */
+        assert_int_equal(columns + edges, START_VALUES);
         assert_true(nonzero > 30);
         fmi2FreeInstance(component);
     }
