@@ -1,11 +1,14 @@
 from .analysis.basin import basin
+from .analysis.basin_result import Basin
 from .analysis.branch import Branch
 from .analysis.comparison import Comparison, compare
 from .analysis.curve import Curve
 from .analysis.curves import continue_curves
-from .analysis.first_passage import strides_to_fall
+from .analysis.first_passage import FirstPassage, strides_to_fall
+from .analysis.grid_result import GaitGrid
 from .analysis.rare_falls import RareFalls, rare_falls
 from .analysis.stride_map import stride_map
+from .analysis.strides_result import Strides
 from .analysis.sweep import Sweep, sweep
 from .analysis.targeted import TargetNotMetError, find_gait
 from .analysis.tracing import continue_branch
@@ -30,6 +33,7 @@ from .proof.prove_border import BorderProof, prove_border
 from .unit.batch import simulate_many
 from .unit.profile import Profile
 from .unit.run import Run
+from .unit.runs_result import Runs
 from .unit.simulation import simulate
 from .unit.unit import Fmu, fmu_path, load_fmu
 from .version import __version__
@@ -40,16 +44,19 @@ from .viable_sets.viability import viability
 __all__ = [
     "AffineLaw",
     "Attraction",
+    "Basin",
     "BorderProof",
     "Branch",
     "Comparison",
     "Controllability",
     "Curve",
     "Feedback",
+    "FirstPassage",
     "Fit",
     "Fmu",
     "Front",
     "Gait",
+    "GaitGrid",
     "GaitNotFoundError",
     "InputError",
     "Optimum",
@@ -59,6 +66,8 @@ __all__ = [
     "Run",
     "RunError",
     "Runner",
+    "Runs",
+    "Strides",
     "Sweep",
     "TargetNotMetError",
     "TdmfSlipError",

@@ -26,8 +26,9 @@ class Drawable:
         over their parameter, a curve over its two; a fit by its residuals, an optimum and a comparison by
         relative changes of all quantities, a front by one objective over the other; modes, feedbacks and
         proofs by eigenvalues beside the unit circle; strides until a fall by the probability of being up
-        still, an attraction by the bound of the distance from stride to stride, a viable set over its grid, a
-        validation by deviations over what is allowed.
+        still, an attraction by the bound of the distance from stride to stride, a basin and a viable set over
+        their two coordinates, a grid of gaits over its parameters, strides by their apices, runs by their
+        last strides, a validation by deviations over what is allowed.
 
         Returns
         -------

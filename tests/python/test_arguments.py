@@ -56,7 +56,7 @@ TAKE_A_RUNNER = {
     "gaits_over": lambda given, found: next(continuation.gaits_over(given, FRICTION, [0.3], found)).apex,
     "borders_between": lambda given, found: borders.borders_between(given, FRICTION, found, found),
     "trace": lambda given, found: tracing.trace(given, FRICTION, found, 0.21, max_points=2).values,
-    "basin": lambda given, found: basin.basin(given, RANGES, 2, threads=1)["strides_until_known"].values,
+    "basin": lambda given, found: basin.basin(given, RANGES, 2, threads=1)["strides_until_known"],
     "stable_gait": lambda given, found: basin.stable_gait(given).apex,
     "fates": lambda given, found: fates.fates(given, found.apex, [found.apex])["strides"],
 }

@@ -71,7 +71,8 @@ except tdmf_slip.InputError as problem:
     [
         ("plots", "tdmf_slip.find_gait().plot()"),
         ("data", "tdmf_slip.sweep({}, {'ground.friction': [0.6, 0.61]}).to_xarray()"),
-        ("data", "tdmf_slip.basin"),
+        ("data", "tdmf_slip.basin(n=2).to_xarray()"),
+        ("data", "tdmf_slip.basin(n=2, path='map.nc')"),
         ("proof", "tdmf_slip.prove"),
     ],
 )
@@ -91,8 +92,26 @@ print(len(tdmf_slip.sweep({}, {"ground.friction": [0.6, 0.7]}).gaits))
 print(len(tdmf_slip.continue_branch({}, {"ground.friction": (0.6, 0.61)}).gaits) > 1)
 ends, _ = run_ensemble([{"ground.friction": 0.43}], [gait.apex], max_strides=2)
 print(ends["strides"][0])
+print(tdmf_slip.basin(gait, n=2)["fate"].shape)
+print(tdmf_slip.stride_map(gait, gait.apex, strides=2).closed)
+print(len(tdmf_slip.simulate_many([{}, {}], strides=1, threads=1)["word"]))
+axes, angles = {"com_height": (1.2, 1.8), "com_speed": (0.5, 1.2)}, {"hip.touchdown_angle": (0.6, 0.7, 2)}
+print(tdmf_slip.viability({}, axes=axes, vary=angles, n=4).outer_states.shape)
 print(tdmf_slip.dead_beat(gait, ["hip.stance_torque", "hip.touchdown_angle"]) is not None)
 """
     done = run_without(PARTS, program)
     assert done.returncode == 0, done.stderr
-    assert done.stdout.split() == ["+0-", "+0-0+", "2", "True", "2", "True"]
+    assert done.stdout.split() == [
+        "+0-",
+        "+0-0+",
+        "2",
+        "True",
+        "2",
+        "(2,",
+        "2)",
+        "2",
+        "2",
+        "(4,",
+        "4)",
+        "True",
+    ]

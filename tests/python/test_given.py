@@ -56,12 +56,12 @@ SAME = {
         pandas.Series(["contact.fx", "foot.x"]),
     ),
     "batch": (
-        lambda given, gait: batch.simulate_many(given, strides=1, threads=1)["period"].values,
+        lambda given, gait: batch.simulate_many(given, strides=1, threads=1)["period"],
         [GIVEN, {FRICTION: 0.5, DAMPING: 0.2}],
         pandas.DataFrame({FRICTION: [0.6, 0.5], DAMPING: [0.19, 0.2]}),
     ),
     "batch of Series": (
-        lambda given, gait: batch.simulate_many(given, strides=1, threads=1)["period"].values,
+        lambda given, gait: batch.simulate_many(given, strides=1, threads=1)["period"],
         [GIVEN],
         [SERIES],
     ),
@@ -86,7 +86,7 @@ SAME = {
         lambda gait: pandas.Series(dict(zip(COORDINATES, gait.apex, strict=True)))[BACKWARD],
     ),
     "apices by their columns": (
-        lambda given, gait: tdmf_slip.stride_map(GIVEN, given(gait))["next_apex"].values,
+        lambda given, gait: tdmf_slip.stride_map(GIVEN, given(gait))["next_apex"],
         lambda gait: [gait.apex, gait.apex],
         lambda gait: pandas.DataFrame([gait.apex, gait.apex], columns=COORDINATES)[BACKWARD],
     ),
@@ -101,12 +101,12 @@ SAME = {
         pandas.DataFrame([GIVEN]),
     ),
     "parameters of each runner": (
-        lambda given, gait: tdmf_slip.stride_map(given, gait.apex)["next_apex"].values,
+        lambda given, gait: tdmf_slip.stride_map(given, gait.apex)["next_apex"],
         {DAMPING: [0.19, 0.2]},
         pandas.DataFrame({DAMPING: [0.19, 0.2]}),
     ),
     "settings": (
-        lambda given, gait: tdmf_slip.stride_map(GIVEN, gait.apex, strides=2, inputs=given)["apex"].values,
+        lambda given, gait: tdmf_slip.stride_map(GIVEN, gait.apex, strides=2, inputs=given)["apex"],
         {TORQUE: [0.2, 0.21]},
         pandas.DataFrame({TORQUE: [0.2, 0.21]}),
     ),

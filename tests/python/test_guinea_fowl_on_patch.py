@@ -34,7 +34,7 @@ def test_a_patch_that_holds_all_of_a_slip_is_a_change_by_stride(gait, friction):
     by_stride = tdmf_slip.stride_map(
         gait.runner, gait.apex, strides=2, inputs={"ground.friction": np.array([friction, 2.0])}
     )
-    slip = float(by_stride["slip_distance"].values[0, 0])
+    slip = float(by_stride["slip_distance"][0, 0])
     on_patch = cross(gait, friction, float(gait.stride["length"])).slips
     assert slip > 0.05
     assert np.sum(np.abs(on_patch - slip) < 1e-6) > 0.6 * PHASES

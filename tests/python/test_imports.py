@@ -58,13 +58,16 @@ def test_a_gait_loads_what_it_needs():
     [
         (("sweep", "--friction", "0.6:0.7:2"), set()),
         (("simulate", "--stop-time", "1"), {"fmpy.sundials.cvode"}),
-        (("basin", "--n", "2", "--samples", "0", "--threads", "1"), {"xarray"}),
+        (("basin", "--n", "2", "--samples", "0", "--threads", "1"), {"tqdm"}),
+        (("basin", "--n", "2", "--samples", "0", "--threads", "1", "--output", "map.nc"), {"xarray"}),
     ],
 )
-def test_other_commands_load_what_they_need(arguments, loaded):
+def test_other_commands_load_what_they_need(arguments, loaded, tmp_path, monkeypatch):
     """Seen by the same look, which sees what there is."""
+    monkeypatch.chdir(tmp_path)
     modules, _ = modules_after(*arguments)
     assert loaded <= modules
+    assert "xarray" in loaded or "xarray" not in modules
     assert modules & {"matplotlib", "distributed", "numba", "heyoka"} == set()
 
 

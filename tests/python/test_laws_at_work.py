@@ -64,9 +64,9 @@ def test_a_law_that_changes_nothing_changes_nothing(gait, nothing):
     assert strides_to_fall(gait.runner, 0.5, 60, 1, 20, gait=gait, law=nothing, threads=1) == free
     axes = {"com_height": (0.6, 2.6), "leg_angle": (-1.5, 1.5)}
     one, other = (basin(gait.runner, axes, (7, 8), law=law, threads=1) for law in (None, nothing))
-    xarray.testing.assert_equal(one, other)
+    assert all(np.array_equal(one[name], other[name]) for name in one)
     assert len(np.unique(one["fate"])) > 1
-    assert json.loads(other.attrs["law"])["inputs"] == list(NAMES)
+    assert json.loads(other.attributes["law"])["inputs"] == list(NAMES)
 
 
 def test_a_law_that_settles_a_runner_keeps_it_up_longer(gait, settling):
@@ -100,23 +100,24 @@ def test_noise_is_drawn_by_the_number_in_the_slice(gait, settling, monkeypatch, 
     axes, n = {"com_height": (0.9, 2.4), "com_speed": (0.2, 2.3)}, (6, 5)
     ranges = [np.linspace(*ends, count) for ends, count in zip(axes.values(), n, strict=True)]
     whole = basin(gait.runner, axes, n, law=noisy, threads=1)
-    assert not whole.equals(basin(gait.runner, axes, n, law=settling, threads=1))
+    assert whole != basin(gait.runner, axes, n, law=settling, threads=1)
     starts = np.tile(gait.apex, (30, 1))
     starts[:, 0], starts[:, 1] = (grid.ravel() for grid in np.meshgrid(*ranges, indexing="ij"))
     by_number = fates(gait.runner, gait.apex, starts, law=noisy)
-    np.testing.assert_array_equal(whole["fate"].values.ravel(), by_number["fate"])
-    np.testing.assert_array_equal(whole["strides_until_known"].values.ravel(), by_number["strides"])
+    np.testing.assert_array_equal(whole["fate"].ravel(), by_number["fate"])
+    np.testing.assert_array_equal(whole["strides_until_known"].ravel(), by_number["strides"])
     halves = [fates(gait.runner, gait.apex, starts[n : n + 15], law=noisy, first_number=n) for n in (0, 15)]
     np.testing.assert_array_equal(np.concatenate(halves), by_number)
     monkeypatch.setattr(basin_module, "STARTS_AT_ONCE", 10)
     path = tmp_path / "slice.nc"
-    part = whole.copy(deep=True)
+    part = whole.to_xarray().copy(deep=True)
     for name in ("settled_share", "settled_area"):
         del part.attrs[name]
     part["fate"][[1, 3]] = basin_module.NOT_YET
     part["strides_until_known"][[1, 3]] = 0
     part.to_netcdf(path)
-    xarray.testing.assert_equal(basin(gait.runner, axes, n, law=noisy, threads=1, path=path), whole)
+    again = basin(gait.runner, axes, n, law=noisy, threads=1, path=path)
+    xarray.testing.assert_equal(again.to_xarray(), whole.to_xarray())
     with pytest.raises(InputError, match="holds another slice"):
         basin(gait.runner, axes, n, law=settling, threads=1, path=path)
 

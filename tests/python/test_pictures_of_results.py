@@ -47,7 +47,57 @@ def test_every_kind_of_result_has_a_picture():
     names = {kind.__name__ for kind in kinds()}
     assert len(names) >= 18
     drawn = {*BY_NAME, *(kind.__name__ for kind in PICTURES.registry)}
-    assert names - drawn == {"Validation"}  # draws itself: pictures know nothing of the paper
+    # A validation draws itself, for pictures know nothing of the paper; of arrays their kinds are drawn.
+    assert names - drawn == {"Validation", "LabelledArrays"}
+
+
+def test_a_basin_shows_strides_until_the_fate_and_the_gait(gait):
+    height, speed = gait.apex[:2]
+    axes = {"com_height": (height, height + 2.0), "com_speed": (speed, speed + 1.0)}
+    found = tdmf_slip.basin(gait, axes, n=9, threads=1)
+    drawn = found.plot().axes[0]
+    assert drawn.get_title(loc="left").endswith(f"{found.settled_share:.1%} of 81 starts settle")
+    shown = [mesh.get_array() for mesh in drawn.collections if mesh.get_array() is not None]
+    strides = np.ma.masked_all((9, 9))
+    for part in shown:
+        strides[~part.mask.reshape(9, 9)] = part.reshape(9, 9)[~part.mask.reshape(9, 9)]
+    known = ~strides.mask
+    assert known.any() and np.array_equal(strides[known], found["strides_until_known"][known])
+    (cross,) = [one for one in drawn.lines if one.get_label() == "gait"]
+    assert (cross.get_xdata()[0], cross.get_ydata()[0]) == (speed, height)
+
+
+def test_strides_show_their_apices_and_end_where_runners_fall(gait):
+    low = gait.apex * [0.75, 1.0, 1.0, 1.0, 1.0, 1.0]
+    made = tdmf_slip.stride_map(gait, [gait.apex, low], strides=4, inputs={ANGLE: [[0.698] * 4, [-0.5] * 4]})
+    heights, speeds = made.plot().axes
+    assert labels(speeds) == ("strides", "speed of the centre of mass (m/s)")
+    for number in (0, 1):
+        for axes, coordinate in ((heights, 0), (speeds, 1)):
+            apices = [made["apex"][number, 0, coordinate], *made["next_apex"][number, :, coordinate]]
+            np.testing.assert_array_equal(axes.lines[number].get_ydata(), apices)
+    assert np.isnan(heights.lines[1].get_ydata()).any() and not np.isnan(heights.lines[0].get_ydata()).any()
+    many = tdmf_slip.stride_map(gait, gait.apex + 1e-3 * np.arange(30)[:, None] * np.eye(6)[0], strides=2)
+    _, median = line(many.plot().axes[0], "median of those that are up")
+    assert median[1] == np.median(many["next_apex"][:, 0, 0])
+
+
+def test_runs_show_their_last_strides_over_what_is_varied():
+    runs = tdmf_slip.simulate_many([{FRICTION: 0.6}, {FRICTION: 1.2}], strides=2, threads=1)
+    speeds, costs = runs.plot().axes
+    assert costs.get_xlabel() == FRICTION and speeds.get_ylabel() == "speed (m/s)"
+    frictions, drawn = line(speeds, "ran")
+    assert frictions.tolist() == [0.6, 1.2] and np.array_equal(drawn, runs["speed"])
+
+
+def test_a_grid_of_gaits_shows_speeds_and_words():
+    grid = tdmf_slip.sweep({}, {"leg.damping": [0.2, 0.21], FRICTION: [0.7, 0.43]}, threads=1)
+    speeds, words, _ = grid.plot().axes
+    assert labels(speeds) == (FRICTION, "leg.damping (N·s/m)")
+    assert np.array_equal(speeds.collections[0].get_array().reshape(2, 2), grid["speed"])
+    (legend_,) = [words.get_legend()]
+    told = [text.get_text() for text in legend_.get_texts()]
+    assert told == [style.word(word) for word in grid.words] and len(told) == 2
 
 
 def test_controllability_shows_modes_beside_the_unit_circle(gait):

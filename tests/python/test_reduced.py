@@ -115,8 +115,8 @@ def test_a_basin_is_the_whole_plane(tmp_path):
         path=tmp_path / "plane.nc",
         threads=1,
     )
-    assert data.attrs["model"] == "reduced"
-    assert 0.9 < data.attrs["settled_share"] < 1.0
+    assert data.attributes["model"] == "reduced"
+    assert 0.9 < data.settled_share < 1.0
     again = basin(
         reduced(),
         PLANE,

@@ -11,13 +11,41 @@ from tdmf_slip.drawable import Drawable
 
 ANGLE, TORQUE = "hip.touchdown_angle", "hip.stance_torque"
 RESULTS = [
-    *("Attraction", "BorderProof", "Branch", "Comparison", "Controllability", "Curve", "Feedback", "Fit"),
-    *("Front", "Gait", "Optimum", "Proof", "RareFalls", "Run", "Sweep", "Validation"),
-    *("Viability",),
+    *("Attraction", "Basin", "BorderProof", "Branch", "Comparison", "Controllability", "Curve", "Feedback"),
+    *(
+        "FirstPassage",
+        "Fit",
+        "Front",
+        "Gait",
+        "GaitGrid",
+        "Optimum",
+        "Proof",
+        "RareFalls",
+        "Run",
+        "Runs",
+        "Strides",
+    ),
+    *("Sweep", "Validation", "Viability"),
 ]
 MADE = {
     "gait": lambda gait: gait,
     "run": lambda gait: tdmf_slip.simulate(gait, strides=2),
+    "basin": lambda gait: tdmf_slip.basin(gait, n=3, threads=1),
+    "falls": lambda gait: tdmf_slip.strides_to_fall(gait, 0.5, runners=20, threads=1),
+    "viability": lambda gait: tdmf_slip.viability(
+        {},
+        axes={"com_height": (1.2, 1.8), "com_speed": (0.5, 1.2)},
+        vary={ANGLE: (0.6, 0.7, 2)},
+        n=4,
+        threads=1,
+    ),
+    "runs": lambda gait: tdmf_slip.simulate_many(
+        [{"ground.friction": 0.6}, {"ground.friction": 1.2}], strides=2, threads=1
+    ),
+    "strides": lambda gait: tdmf_slip.stride_map(gait, [gait.apex] * 2, strides=3, threads=1),
+    "grid": lambda gait: tdmf_slip.sweep(
+        {}, {"leg.damping": [0.2, 0.21], "ground.friction": [0.6, 0.55]}, threads=1
+    ),
     "sweep": lambda gait: tdmf_slip.sweep({}, {"ground.friction": [0.6, 0.5]}),
     "controllability": lambda gait: tdmf_slip.controllability(gait, [ANGLE, TORQUE]),
     "feedback": lambda gait: tdmf_slip.dead_beat(gait, [ANGLE, TORQUE]),
@@ -55,6 +83,20 @@ def test_the_columns_of_a_run_go_by_their_names(gait):
     assert run["com.x"] is not None and np.array_equal(run["com.x"], run.table["com.x"])
     with pytest.raises(InputError, match=r"'com.z' was not recorded.*com.x"):
         run["com.z"]
+
+
+def test_what_may_be_given_for_a_runner_is_the_same_everywhere():
+    named = 0
+    for name in tdmf_slip.__all__:
+        thing = getattr(tdmf_slip, name)
+        parameters = inspect.signature(thing).parameters if inspect.isfunction(thing) else {}
+        if "runner" in parameters:
+            assert parameters["runner"].annotation == "RunnerLike", name
+            named += 1
+        if "runners" in parameters and name != "strides_to_fall":
+            assert parameters["runners"].annotation == "Sequence[RunnerLike]", name
+            named += 1
+    assert named == 16
 
 
 def test_help_names_the_types_of_arrays():

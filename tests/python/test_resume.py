@@ -239,7 +239,7 @@ def settled_map(runner, unit, path):
 )
 def test_a_map_with_fates_or_strides_that_cannot_be_is_refused(runner, unit, tmp_path, fate, strides):
     path = tmp_path / "map.nc"
-    data = settled_map(runner, unit, path)
+    data = settled_map(runner, unit, path).to_xarray()
     data["fate"][1, 0], data["strides_until_known"][1, 0] = fate, strides
     data.to_netcdf(path)
     with pytest.raises(InputError, match=rf"row 1, column 0 with fate {fate} after {strides} strides"):
@@ -251,7 +251,7 @@ def test_a_map_with_fates_or_strides_that_cannot_be_is_refused(runner, unit, tmp
 )
 def test_a_map_that_calls_fates_otherwise_is_refused(runner, unit, tmp_path, attributes):
     path = tmp_path / "map.nc"
-    data = settled_map(runner, unit, path)
+    data = settled_map(runner, unit, path).to_xarray()
     data["fate"].attrs |= attributes
     data.to_netcdf(path)
     with pytest.raises(InputError, match=f"another {next(iter(attributes))} of fate"):

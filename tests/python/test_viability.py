@@ -187,7 +187,7 @@ def test_the_controller_keeps_runners_up_for_long(found):
     law = found.controller({ANGLE: 0.5})
     run = tdmf_slip.stride_map(found.runner, points, strides=100, law=law)
     assert (run["fate"] == 0).all()
-    chosen = run[ANGLE].values[:, 0]
+    chosen = run[ANGLE][:, 0]
     cells = found.grid.cell_of(points)
     viable = found.inner.reshape(-1, 24)[cells]
     values = found.grid.actions[ANGLE]
@@ -195,7 +195,7 @@ def test_the_controller_keeps_runners_up_for_long(found):
     assert np.allclose(np.abs(chosen - 0.5), nearest, rtol=0, atol=1e-12)
     assert len(np.unique(chosen)) > 5
     without = tdmf_slip.stride_map(found.runner, points, strides=100, inputs={ANGLE: 0.5})
-    assert (without["fate"].values[:, -1] != 0).mean() > 0.2
+    assert (without["fate"][:, -1] != 0).mean() > 0.2
 
 
 def test_the_controller_says_what_it_knows(found):
@@ -226,7 +226,7 @@ def test_a_drop_goes_as_far_as_cells_above_are_viable(found):
 def test_a_drop_of_the_ground_adds_to_the_height_of_an_apex(found):
     ground = {"ground.height": [0.0, -0.7]}
     run = tdmf_slip.stride_map(found.runner, [1.4, 1.0], strides=2, inputs=ground)
-    first, second = run["next_apex"].values[0]
+    first, second = run["next_apex"][0]
     dropped = next_apices(found.runner, first[None] + [[0.7, 0.0]], {"ground.height": np.zeros(1)})[1][0]
     assert np.allclose(second, dropped, rtol=0, atol=1e-8)
     assert abs(second[0] - first[0]) > 1e-3

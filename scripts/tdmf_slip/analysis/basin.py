@@ -1,12 +1,14 @@
 """The region of attraction of a gait over a slice of the apex section: which starts run on, which fall."""
 
+from __future__ import annotations
+
 import dataclasses
 import functools
 import json
 import math
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -14,44 +16,35 @@ from numpy.typing import ArrayLike, NDArray
 from ..blocks.running import run_blocks
 from ..checks import check_size
 from ..errors import InputError
-from ..files.datasets import xarray
-from ..files.netcdf import CLASSIC, write_dataset
-from ..files.resume import resumed
-from ..files.rows import RowFile
 from ..files.whole import check_destination
 from ..given import counts_given
-from ..library import ensemble
+from ..labelled import Labelled
 from ..library.affine_law import AffineLaw
 from ..library.gait import Gait
 from ..library.runner import Runner
 from ..library.section import check_axes
 from ..terminal.progress import progress_bar
+from ..unit.parameters import RunnerLike
 from ..unit.unit import Fmu, load_fmu
 from .axes import AXES, Axes, axes_of
 from .axes import range_around as range_around
 from .ball import Ball, attributes_of, ball_of
+from .basin_result import FOLLOWED, NOT_YET, STRIDES, Basin
 from .controlled_gait import stable_gait as stable_gait
-from .fates import MAX_ALONG, MAX_STRIDES, STARTS_AT_ONCE
+from .fates import MAX_ALONG, STARTS_AT_ONCE
 from .preview import PREVIEW, REFINEMENTS, follow_points, preview_of
-from .search import model_of
 from .slice_block import Slice, fates_of_slice
+
+if TYPE_CHECKING:
+    from .basin_file import BasinFile
 
 MAX_STARTS = MAX_ALONG**2
 """A map of as many is 2 GB."""
 MAX_AXIS = MAX_STARTS // 2
-NOT_YET = -1
-STRIDES = "strides_until_known"
-"""Name of the variable."""
-STRIDES_OF_FATES: Mapping[int, tuple[int, int]] = {
-    **dict.fromkeys(range(len(ensemble.FATES)), (0, MAX_STRIDES)),
-    ensemble.FATES.index("no_start"): (0, 0),
-    NOT_YET: (0, MAX_STRIDES),
-}
-"""The least and the most that a fate may come after."""
 
 
 def basin(
-    runner: object = None,
+    runner: RunnerLike = None,
     axes: Axes = AXES,
     n: int | tuple[int, int] = 128,
     *,
@@ -64,7 +57,7 @@ def basin(
     threads: int | None = None,
     progress: bool = False,
     fmu: Fmu | None = None,
-) -> xarray.Dataset:
+) -> Basin:
     """The fate of a runner from each point of a slice through the gait's apex.
 
     The other coordinates are the gait's; the reduced map has none. With a path the result is written there as
@@ -72,7 +65,7 @@ def basin(
 
     Parameters
     ----------
-    runner : Runner, Gait, mapping of str to float, str or Path, optional
+    runner : Runner, Gait, mapping of str to float, Series, str or Path, optional
         Parameters and friction, or start values by name; of a gait its runner.
     axes : mapping of str to (low, high), or pair of str
         Two names of `section.COORDINATES` with their ranges, in the coordinate's unit; None for a range
@@ -106,12 +99,12 @@ def basin(
 
     Returns
     -------
-    xarray.Dataset
-        `fate`, by the flag values of its attribute, and `strides_until_known`, that were closed until then,
-        over the two coordinates. How much of the slice settles, its attributes say: `settled_share` and, in
-        the coordinates' units, `settled_area`; and by which ball: `ball` ("tested", "proved" or "none"),
+    Basin
+        `fate`, a number of `library.ensemble.FATES`, and `strides_until_known`, that were closed until then,
+        over the two coordinates. How much of the slice settles: `settled_share` and, in the coordinates'
+        units, `settled_area`. By which ball, its attributes say: `ball` ("tested", "proved" or "none"),
         `ball_radius` (every apex so near in each coordinate, over the scales, is inside), `ball_rate` (what
-        the norm falls to in a stride at the most) and `ball_points`. `refine` says how the map was
+        the norm falls to in a stride at the most) and `ball_points`; `refine` says how the map was
         made; a preview has `is_followed`, too: 0 for starts that are painted.
 
     Raises
@@ -127,7 +120,7 @@ def basin(
     >>> import tdmf_slip
     >>> axes = {"com_height": (1.2, 1.6), "com_speed": (0.9, 1.2)}
     >>> fates = tdmf_slip.basin({"ground.friction": 0.6}, axes, n=3, threads=1)
-    >>> print(fates["fate"].shape, fates.attrs["settled_share"])
+    >>> print(fates["fate"].shape, fates.settled_share)
     (3, 3) 1.0
     """
     fmu, runner = load_fmu(fmu), Runner.of(runner, fmu, model=model)
@@ -166,34 +159,43 @@ def basin_at(
     threads: int | None = None,
     progress: bool = False,
     fmu: Fmu | None = None,
-) -> xarray.Dataset:
+) -> Basin:
     """`basin` of a stable gait, at values of two coordinates that may be at any distance from each other."""
     fmu, runner = load_fmu(fmu), gait.runner
     path = None if path is None else check_destination(path, (".nc",), "path")
-    axes, along = _checked_slice(values, runner.coordinates, fmu)
+    along = _checked_slice(values, runner.coordinates, fmu)
+    rows, columns = along.values()
     _check_refine(refine, law)
-    around = ball_of(gait, ball, len(along[0]) * len(along[1]), law)
-    data = _blank(gait, axes, along, fmu)
-    data.attrs |= attributes_of(around) | {"refine": refine}
+    around = ball_of(gait, ball, len(rows) * len(columns), law)
+    data = _blank(gait, along, fmu, refine).with_attributes(attributes_of(around))
     if law is not None:
-        data.attrs["law"] = json.dumps(law.as_json())
-    if refine == PREVIEW:
-        data["is_followed"] = axes, np.zeros(data["fate"].shape, dtype="i1")
-        data["is_followed"].attrs = {"long_name": "1 for a start that was followed, 0 for a painted one"}
+        data = data.with_attributes({"law": json.dumps(law.as_json())})
+    file = None
     if path is not None:
-        data = _resumed(path, data)
-    plan = Slice(runner, tuple(gait.apex), axes, tuple(along[0]), tuple(along[1]), law=law, ball=around)
+        from .basin_file import BasinFile  # xarray is slow to load, and an extra
+
+        file = BasinFile(path)
+        data = file.resumed(data)
+    plan = Slice(runner, tuple(gait.apex), data.axes, tuple(rows), tuple(columns), law=law, ball=around)
     blocks = functools.partial(run_blocks, scheduler=scheduler, threads=threads)
     if refine == PREVIEW:
         _paint(data, plan, blocks, progress)
     else:
-        _follow_rows(data, plan, blocks, path, progress)
-    share = float(np.mean(data["fate"].values == ensemble.SETTLED))
-    area = share * float(np.prod([np.ptp(row) for row in along]))
-    data.attrs |= {"settled_share": share, "settled_area": area}
-    if path is not None:
-        write_dataset(path, data, CLASSIC)
+        _follow_rows(data, plan, blocks, file, progress)
+    data = data.with_attributes({"settled_share": data.settled_share, "settled_area": data.settled_area})
+    if file is not None:
+        file.write(data)
     return data
+
+
+def _blank(gait: Gait, along: Mapping[str, NDArray[np.float64]], fmu: Fmu, refine: str) -> Basin:
+    """One without fates; a preview tells which starts it followed."""
+    data = Basin.blank(gait, along, fmu).with_attributes({"refine": refine})
+    if refine != PREVIEW:
+        return data
+    about = {"long_name": "1 for a start that was followed, 0 for a painted one"}
+    nowhere = np.zeros(data["fate"].shape, dtype="i1")
+    return data.with_arrays(**{FOLLOWED: Labelled(data.axes, nowhere, about)})
 
 
 def _check_refine(refine: str, law: AffineLaw | None) -> None:
@@ -203,95 +205,49 @@ def _check_refine(refine: str, law: AffineLaw | None) -> None:
         raise InputError("refine = 'preview' with a law that has noise: allowed: 'exact'")
 
 
-def _paint(data: xarray.Dataset, plan: Slice, blocks: Callable[..., Any], progress: bool) -> None:
+def _paint(data: Basin, plan: Slice, blocks: Callable[..., Any], progress: bool) -> None:
     """A preview, unless the file holds it."""
-    if (data["fate"].values != NOT_YET).all():
+    if (data["fate"] != NOT_YET).all():
         return
     with progress_bar("preview of a basin", None, "starts", progress) as bar:
         found = preview_of(data["fate"].shape, functools.partial(follow_points, plan, blocks, bar.update))
-    data["fate"].values[:], data[STRIDES].values[:] = found.fate, found.strides
-    data["is_followed"].values[:] = found.is_followed
+    data["fate"][:], data[STRIDES][:], data[FOLLOWED][:] = found.fate, found.strides, found.is_followed
 
 
 def _follow_rows(
-    data: xarray.Dataset, plan: Slice, blocks: Callable[..., Any], path: Path | None, progress: bool
+    data: Basin, plan: Slice, blocks: Callable[..., Any], file: BasinFile | None, progress: bool
 ) -> None:
     """Rows that are missing, each start by itself, into the file as they come."""
-    missing = [row for row in range(len(plan.rows)) if (data["fate"].values[row] == NOT_YET).any()]
+    missing = [row for row in range(len(plan.rows)) if (data["fate"][row] == NOT_YET).any()]
     at_once = max(1, STARTS_AT_ONCE // len(plan.columns))
     rows = [missing[i : i + at_once] for i in range(0, len(missing), at_once)]
     parts = [
         dataclasses.replace(plan, rows=tuple(np.asarray(plan.rows)[block]), numbers=tuple(block))
         for block in rows
     ]
-    file = None
     with (
         progress_bar("basin", len(plan.rows), "rows", progress) as bar,
         blocks(fates_of_slice, parts) as results,
     ):
         bar.update(len(plan.rows) - len(missing))
         for number, ends in results:
-            data["fate"].values[rows[number]] = ends["fate"]
-            data[STRIDES].values[rows[number]] = ends["strides"]
+            data["fate"][rows[number]] = ends["fate"]
+            data[STRIDES][rows[number]] = ends["strides"]
             bar.update(len(rows[number]))
-            if path is not None:
-                file = file or RowFile(path, data)
-                file.write((STRIDES, "fate"), rows[number])
+            if file is not None:
+                file.write_rows(data, rows[number])
 
 
 def _checked_slice(
     values: Mapping[str, ArrayLike], coordinates: Sequence[str], fmu: Fmu
-) -> tuple[tuple[str, str], tuple[NDArray[np.float64], NDArray[np.float64]]]:
-    """Names of the two coordinates, and their values."""
+) -> dict[str, NDArray[np.float64]]:
+    """Values of the two coordinates by their names."""
     first, second = values
     check_axes((first, second), coordinates)
-    rows, columns = (
-        fmu.variables[f"apex.{axis}"].values_of(along, f"range of {axis}") for axis, along in values.items()
-    )
-    check_size("ranges", len(rows) * len(columns), f"starts ({len(rows):,} by {len(columns):,})", MAX_STARTS)
-    return (first, second), (rows, columns)
-
-
-def _resumed(path: Path, blank: xarray.Dataset) -> xarray.Dataset:
-    data = resumed(path, blank, "slice")
-    fates, strides = data["fate"].values, data[STRIDES].values
-    allowed = np.select(
-        [fates == fate for fate in STRIDES_OF_FATES],
-        [(strides >= minimum) & (strides <= maximum) for minimum, maximum in STRIDES_OF_FATES.values()],
-        False,
-    )
-    if not allowed.all():
-        row, column = np.argwhere(~allowed)[0]
-        raise InputError(
-            f"{path}: holds another slice, in row {row}, column {column} with fate {fates[row, column]} "
-            f"after {strides[row, column]} strides; allowed: another file name"
-        )
-    return data
-
-
-def _blank(
-    gait: Gait,
-    axes: tuple[str, str],
-    ranges: tuple[NDArray[np.float64], NDArray[np.float64]],
-    fmu: Fmu,
-) -> xarray.Dataset:
-    shape = len(ranges[0]), len(ranges[1])
-    data = xarray.Dataset(
-        {
-            "fate": (axes, np.full(shape, NOT_YET, dtype="i4")),
-            STRIDES: (axes, np.zeros(shape, dtype="i4")),
-        },
-        coords={axis: ((axis,), values) for axis, values in zip(axes, ranges, strict=True)},
-    )
-    data["fate"].attrs = {
-        "flag_values": np.arange(len(ensemble.FATES)),
-        "flag_meanings": " ".join(ensemble.FATES),
+    checked = {
+        axis: fmu.variables[f"apex.{axis}"].values_of(along, f"range of {axis}")
+        for axis, along in values.items()
     }
-    data[STRIDES].attrs = {"units": "1", "long_name": "strides closed until the fate was known"}
-    for axis, value in zip(gait.runner.coordinates, gait.apex, strict=True):
-        data.attrs[f"gait_{axis}"] = float(value)
-    for axis in axes:
-        variable = fmu.variables[f"apex.{axis}"]
-        data[axis].attrs = {"units": variable.unit or "1", "long_name": variable.description}
-    data.attrs |= {"word": gait.word, **gait.runner.values, **model_of(gait.runner)}
-    return data
+    rows, columns = map(len, checked.values())
+    check_size("ranges", rows * columns, f"starts ({rows:,} by {columns:,})", MAX_STARTS)
+    return checked

@@ -7,7 +7,6 @@ Robot. Res. 28, 1040 (2009), measure the stability of what falls for certain, so
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
@@ -25,8 +24,8 @@ from ..library.population import numbers
 from ..library.rough_ground import RoughGround
 from ..library.runner import Runner
 from ..terminal.progress import progress_bar
+from ..unit.parameters import RunnerLike
 from ..unit.unit import Fmu
-from ..unit.variable import Given
 from .fates import TOLERANCE
 from .search import periodic_gait
 from .volume import CONFIDENCE, NORMAL_QUANTILE
@@ -41,7 +40,7 @@ BISECTIONS = 60
 FELL, UNDECIDED, UNSOLVED = (ensemble.FATES.index(name) for name in ("fell", "undecided", "unsolved"))
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class FirstPassage(Drawable):
     """Strides until the fall, estimated from runners of whom some are still up at the end.
 
@@ -64,6 +63,15 @@ class FirstPassage(Drawable):
     """Runners that came to stand, so that no further stride closed; they count as censored there."""
     unsolved: int = 0
     """Runners that the solver did not get through; they count as censored, too."""
+
+    def __repr__(self) -> str:
+        """In a line: whose, and the mean number of strides with its interval."""
+        low, high = self.interval
+        return (
+            f"<FirstPassage of the gait {self.word} on steps of {self.roughness:.4g} m: "
+            f"{self.mean_strides:.4g} strides until the fall ({low:.4g} to {high:.4g}), "
+            f"{self.falls:,} of {self.runners:,} runners fell>"
+        )
 
     @property
     def censored(self) -> int:
@@ -163,7 +171,7 @@ def count_falls(share: Share) -> NDArray[np.int64]:
 
 
 def strides_to_fall(
-    runner: Runner | Mapping[str, Given],
+    runner: RunnerLike,
     roughness: float | RoughGround,
     runners: int = 1000,
     seed: int = 0,
@@ -190,7 +198,7 @@ def strides_to_fall(
 
     Parameters
     ----------
-    runner : Runner or mapping of str to float
+    runner : Runner, Gait, mapping of str to float, Series, str or Path
         Who runs: a runner, or start values by the unit's names and in its units, over the unit's own.
     roughness : float or RoughGround
         Standard deviation of a step, m; or ground whose steps are correlated, that trips, or whose friction

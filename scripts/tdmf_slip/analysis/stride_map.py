@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import math
 import reprlib
 from collections.abc import Mapping
@@ -14,21 +13,19 @@ from numpy.typing import ArrayLike, NDArray
 from ..blocks.running import run_blocks
 from ..checks import check_size, checked_whole
 from ..errors import InputError
-from ..files.datasets import xarray
 from ..given import in_order, mapping_of
 from ..library.affine_law import AffineLaw, check_law
 from ..library.ensemble import TOLERANCE
-from ..library.gait import LEDGER
-from ..library.members import STATES
 from ..library.population import Population, numbers
-from ..library.recorded_strides import STRIDE_FATES, Columns, Request, recorded_strides
+from ..library.recorded_strides import Columns, Request, recorded_strides
 from ..library.rough_ground import LAST_RUNNER, RoughGround
 from ..library.runner import Runner
 from ..library.settings import check_acts, checked_values, setting_number
 from ..terminal.progress import progress_bar
+from ..unit.parameters import RunnerLike
 from ..unit.unit import Fmu, load_fmu
 from .function_law import FunctionLaw, Law, check_set
-from .search import model_of
+from .strides_result import Strides
 
 MAX_STRIDES = 1_000_000
 MAX_IN_ALL = 10_000_000
@@ -40,7 +37,7 @@ MIN_IN_A_BLOCK, MAX_IN_A_BLOCK = 64, 4096
 
 
 def stride_map(
-    runner: object,
+    runner: RunnerLike,
     apices: ArrayLike,
     *,
     strides: int = 1,
@@ -57,7 +54,7 @@ def stride_map(
     threads: int | None = None,
     progress: bool = False,
     fmu: Fmu | None = None,
-) -> xarray.Dataset:
+) -> Strides:
     """Strides of many runners in a row, each kept with its apices and quantities.
 
     Settings are in force from the apex on at which a stride begins, and what they are is up to `inputs` or
@@ -71,7 +68,7 @@ def stride_map(
 
     Parameters
     ----------
-    runner : Runner, Gait, mapping of str to float or array_like of float, str or Path, or None
+    runner : Runner, Gait, mapping of str to float, Series, str or Path
         A runner, or start values by the unit's names and in its units, over the unit's own; an array has one
         for each runner.
     apices : array_like of float, shape (n,) or (runners, n)
@@ -114,11 +111,12 @@ def stride_map(
 
     Returns
     -------
-    xarray.Dataset
-        Over `runner` and `stride`: `fate`, by the flag values of its attribute; `apex` and `next_apex`, over
-        `coordinate` too; quantities of the stride by the names of `library.measures.STRIDE_QUANTITIES` and
-        `LEDGER`, `liftoff_angle` and `word`; by the full model `foot.x`, where the foot is at the next apex,
-        in m; what was set, by the names of the settings; `ground.height` on rough ground. Over `runner` the
+    Strides
+        Over `runner` and `stride`: `fate`, a number of `library.recorded_strides.STRIDE_FATES`; `apex` and
+        `next_apex`, over `coordinate` too; quantities of the stride by the names of
+        `library.measures.STRIDE_QUANTITIES` and `LEDGER`, `liftoff_angle` and `word`; by the full model
+        `foot.x`, where the foot is at the next apex, in m; what was set, by the names of the settings;
+        `ground.height` on rough ground. Over `runner` the
         parameters that vary. A runner's other values are attributes.
 
     Raises
@@ -175,7 +173,7 @@ def stride_map(
         assert callable(law)
         with progress_bar("strides", strides, "strides", progress) as bar:
             columns = recorded_strides(request, FunctionLaw(law, request, fmu, bar.update))
-    return _dataset(request, columns, fmu)
+    return Strides.of(request, columns, fmu)
 
 
 def _broadcast(
@@ -260,38 +258,3 @@ def _in_blocks(request: Request, scheduler: str | None, threads: int | None, pro
             parts[number] = columns
             bar.update(len(blocks[number].apices))
     return {name: np.concatenate([parts[n][name] for n in range(len(blocks))]) for name in parts[0]}
-
-
-def _dataset(request: Request, columns: Columns, fmu: Fmu) -> xarray.Dataset:
-    runner = request.population.runner
-    over = ("runner", "stride", "coordinate")
-    data = xarray.Dataset(
-        {name: (over[: values.ndim], values) for name, values in columns.items()}
-        | {name: (over[:1], values) for name, values in request.population.varied.items()},
-        coords={
-            "runner": request.first_number + np.arange(len(request.apices)),
-            "stride": np.arange(request.strides),
-            "coordinate": list(runner.coordinates),
-        },
-    )
-    for name in data.data_vars:
-        reported = fmu.variables.get(f"stride.{name}") or fmu.variables.get(str(name))
-        if reported is not None and data[name].dtype.kind == "f":
-            data[name].attrs = {"units": reported.unit or "1", "long_name": reported.description}
-    for name in LEDGER:
-        data[name].attrs = {"units": "J", "long_name": f"{name.replace('_', ' ')} of the stride"}
-    data["liftoff_angle"].attrs = {"units": "rad", "long_name": "leg angle at lift-off"}
-    data["apex"].attrs["long_name"] = "apex at which the stride begins"
-    data["next_apex"].attrs["long_name"] = "apex at which it closes"
-    data["fate"].attrs = {
-        "flag_values": np.arange(len(STRIDE_FATES), dtype=np.int8),
-        "flag_meanings": " ".join(STRIDE_FATES),
-        "comment": "fell: the body or the leg is down, or the foot was below a new ground for a whole stride",
-    }
-    fixed = {name: value for name, value in runner.values.items() if name not in data and name not in STATES}
-    data.attrs = {**fixed, **model_of(runner), "tolerance": request.tolerance}
-    if request.law is not None:
-        data.attrs["law"] = json.dumps(request.law.as_json())
-    if request.ground.roughness:
-        data.attrs |= {"roughness": request.ground.roughness, "seed": str(request.ground.seed)}
-    return data

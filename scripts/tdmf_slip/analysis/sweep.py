@@ -1,5 +1,7 @@
 """Gaits over a range of a parameter, and the borders between gait words."""
 
+from __future__ import annotations
+
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
@@ -16,10 +18,12 @@ from ..library.gait import Gait, settled_gait
 from ..library.members import check_has_gaits, varied_alone
 from ..library.runner import Runner
 from ..terminal.progress import Bar, progress_bar
+from ..unit.parameters import RunnerLike
 from ..unit.unit import FRICTION, Fmu, load_fmu
-from ..unit.variable import Given, Values
+from ..unit.variable import Values
 from .borders import Border, crossings
 from .family import Family
+from .grid_result import GaitGrid
 from .search import periodic_gait
 from .segment import Segment, followed
 
@@ -53,7 +57,7 @@ class Sweep(ByContents, Drawable):
         ends = f"{self.values[0]:.6g} to {self.values[-1]:.6g}"
         return f"<Sweep {len(self.gaits)} of {len(self.values)} gaits, {self.name} {ends}: {words}>"
 
-    def to_xarray(self, fmu: Fmu | None = None) -> "xarray.Dataset":
+    def to_xarray(self, fmu: Fmu | None = None) -> xarray.Dataset:
         """Quantities of the gaits over the parameter, with units.
 
         Parameters
@@ -115,7 +119,7 @@ def short(name: str) -> str:
 
 
 def sweep(
-    runner: Runner | Mapping[str, Given] | None,
+    runner: RunnerLike,
     vary: Mapping[str, Values],
     *,
     model: str | None = None,
@@ -134,7 +138,7 @@ def sweep(
 
     Parameters
     ----------
-    runner : Runner or mapping of str to float, optional
+    runner : Runner, Gait, mapping of str to float, Series, str or Path, optional
         Parameters and start, or start values by name; the value of what is varied does not matter.
     vary : mapping of str to sequence of float
         The parameter or input that is varied, and its values in order; of the friction, above 0. With two of
@@ -154,9 +158,9 @@ def sweep(
 
     Returns
     -------
-    Sweep or xarray.Dataset
-        The gaits, and the borders between their words; of a grid, its data over both names, see
-        `analysis.grid.grid`.
+    Sweep or GaitGrid
+        The gaits, and the borders between their words; of a grid, arrays over both names, and of each row
+        `problem`, empty where all its gaits were found. It needs the extra `data`.
 
     Raises
     ------
@@ -177,7 +181,8 @@ def sweep(
     if len(mapping_of(vary, "vary", "values by the name of one parameter or input, or of two")) == 2:
         from .grid import grid_over  # xarray is slow to load
 
-        return grid_over(runner, vary, path, scheduler=scheduler, threads=threads, progress=progress, fmu=fmu)
+        where = {"scheduler": scheduler, "threads": threads, "progress": progress, "fmu": fmu}
+        return GaitGrid.of_dataset(grid_over(runner, vary, path, **where))
     if (path, scheduler, threads) != (None, None, None):
         raise InputError("path, scheduler, threads: of a sweep over one name; allowed: of a grid over two")
     name, values = varied_alone(vary, "values of one parameter or input by its name")

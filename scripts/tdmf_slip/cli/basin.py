@@ -8,13 +8,14 @@ import click
 
 from ..analysis.axes import AXES
 from ..analysis.ball import CHOICES, Ball
+from ..analysis.basin import basin, stable_gait
+from ..analysis.basin_result import Basin
 from ..analysis.fates import MAX_ALONG
 from ..analysis.preview import REFINEMENTS
 from ..analysis.robustness import DISTURBED, robustness
 from ..analysis.volume import volume
 from ..errors import InputError
 from ..files.whole import check_destination
-from ..library.ensemble import FATES
 from ..library.section import COORDINATES, MODELS, check_axes
 from ..terminal.text import columns, quantity
 from ..unit.unit import Fmu, load_fmu
@@ -111,8 +112,6 @@ def basin_command(
     Robustness is the largest push (a change of speed) and step (of the ground, at an apex) that the runner
     recovers from.
     """
-    from ..analysis.basin import basin, stable_gait  # xarray is slow to load
-
     named = _axes(spans, MODELS[model])
     if output is not None:
         check_destination(output, (".nc",), "--output")
@@ -146,15 +145,14 @@ def basin_command(
     )
     if plot is not None:
         basin_map.draw(plot, data)
-    fates = {name: int((data["fate"] == number).sum()) for number, name in enumerate(FATES)}
     result: dict[str, Any] = {
         "word": gait.word,
         "starts": data["fate"].size,
-        **fates,
+        **data.counts,
         **_made(data),
-        "settled_share": data.attrs["settled_share"],
-        "settled_area": data.attrs["settled_area"],
-        **{name: value for name, value in data.attrs.items() if name.startswith("ball")},
+        "settled_share": data.settled_share,
+        "settled_area": data.settled_area,
+        **{name: value for name, value in data.attributes.items() if name.startswith("ball")},
         "robustness": robustness(gait).as_json(),
     }
     if samples:
@@ -163,12 +161,12 @@ def basin_command(
     print(json_text(result) if as_json_object else _basin_text(result, tuple(axes), fmu))
 
 
-def _made(data: Any) -> dict[str, int]:
+def _made(data: Basin) -> dict[str, int]:
     """How many strides were made, and of a preview how many starts were followed."""
-    strides = data["strides_until_known"].values
+    strides = data["strides_until_known"]
     if "is_followed" not in data:
         return {"strides": int(strides.sum())}
-    is_followed = data["is_followed"].values == 1
+    is_followed = data["is_followed"] == 1
     return {"strides": int(strides[is_followed].sum()), "followed": int(is_followed.sum())}
 
 

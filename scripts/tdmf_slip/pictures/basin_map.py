@@ -15,7 +15,7 @@ from matplotlib.patheffects import withStroke
 from matplotlib.ticker import MaxNLocator
 from numpy.typing import NDArray
 
-from ..files.datasets import xarray
+from ..analysis.basin_result import FOLLOWED, STRIDES, Basin
 from ..library.ensemble import FATES, SETTLED
 from ..library.section import COORDINATES
 from . import style
@@ -50,24 +50,30 @@ SMALLEST, RIM = 3.2, 1.0
 """Points: starts that are drawn smaller are marked with a white rim, else a single one would be lost."""
 
 
-def draw(path: Path, data: xarray.Dataset) -> None:
-    """Draw the map: starts that settle in blue, those that fall in red, by strides; the gait as a cross."""
+def draw(path: Path, data: Basin) -> None:
+    """Draw the map into a file."""
+    with style.styled():
+        style.save(figure_of(data), path)
+
+
+def figure_of(data: Basin) -> Figure:
+    """The map: starts that settle in blue, those that fall in red, by strides; the gait as a cross."""
     with style.styled():
         figure, axes = plt.subplots(figsize=(7.6, 5.8), layout="constrained")
         handles = paint(axes, data)
-        axes.set_title(_title(data, data["fate"].values == SETTLED))
+        axes.set_title(_title(data, data["fate"] == SETTLED))
         figure.legend(handles=handles, loc="outside lower center", ncols=len(handles))
         figure.draw_without_rendering()  # now the size of a start is known
         for name, where in _others(data).items():
             _mark_small(figure, axes, data, where, OTHERS[name][0])
-        style.save(figure, path)
+    return figure
 
 
-def paint(axes: Axes, data: xarray.Dataset) -> list[Artist]:
+def paint(axes: Axes, data: Basin) -> list[Artist]:
     """Paint the map into axes of a figure."""
-    vertical, horizontal = map(str, data["fate"].dims)
-    edges = _edges(data[horizontal].values), _edges(data[vertical].values)
-    fate, strides = data["fate"].values, data["strides_until_known"].values
+    vertical, horizontal = data.axes
+    edges = edges_of(data[horizontal]), edges_of(data[vertical])
+    fate, strides = data["fate"], data[STRIDES]
     axes.set_xlim(min(edges[0]), max(edges[0]))
     axes.set_ylim(min(edges[1]), max(edges[1]))
     style.label(axes, _label(data, horizontal), _label(data, vertical))
@@ -89,13 +95,13 @@ def paint(axes: Axes, data: xarray.Dataset) -> list[Artist]:
     return handles
 
 
-def _others(data: xarray.Dataset) -> dict[str, NDArray[np.bool_]]:
+def _others(data: Basin) -> dict[str, NDArray[np.bool_]]:
     """Where fates are that are not told by strides."""
-    where = {name: data["fate"].values == number for number, name in enumerate(FATES) if name in OTHERS}
+    where = {name: data["fate"] == number for number, name in enumerate(FATES) if name in OTHERS}
     return {name: starts for name, starts in where.items() if starts.any()}
 
 
-def _edges(values: NDArray[np.float64]) -> NDArray[np.float64]:
+def edges_of(values: NDArray[np.float64]) -> NDArray[np.float64]:
     """Between values, and as far beyond the outer ones; around a single one."""
     if len(values) == 1:
         around: NDArray[np.float64] = values[0] + max(0.05 * abs(values[0]), 0.05) * np.array([-1.0, 1.0])
@@ -108,18 +114,18 @@ def _without_palest(name: str) -> Colormap:
     return ListedColormap(plt.get_cmap(name)(np.linspace(0.0, PALEST, 256)))
 
 
-def _title(data: xarray.Dataset, settled: NDArray[np.bool_]) -> str:
-    friction, word = data.attrs["ground.friction"], style.word(data.attrs["word"])
+def _title(data: Basin, settled: NDArray[np.bool_]) -> str:
+    friction, word = data.attributes["ground.friction"], style.word(data.attributes["word"])
     title = f"friction {friction:g}, gait {word}: {settled.mean():.1%} of {settled.size:,} starts settle"
-    if "is_followed" in data:
-        share = data["is_followed"].values.mean()
+    if FOLLOWED in data:
+        share = data[FOLLOWED].mean()
         title += f"\npreview: {share:.1%} of the starts followed, the rest painted; islands may be missed"
     return title
 
 
-def _cross(axes: Axes, data: xarray.Dataset, horizontal: str, vertical: str) -> Line2D:
+def _cross(axes: Axes, data: Basin, horizontal: str, vertical: str) -> Line2D:
     """Ink with a white rim, which is seen on any colour."""
-    at = data.attrs[f"gait_{horizontal}"], data.attrs[f"gait_{vertical}"]
+    at = data.attributes[f"gait_{horizontal}"], data.attributes[f"gait_{vertical}"]
     low, high = np.transpose([axes.get_xlim(), axes.get_ylim()])
     inside = np.all((low <= at) & (at <= high))
     (cross,) = axes.plot(
@@ -137,17 +143,15 @@ def _cross(axes: Axes, data: xarray.Dataset, horizontal: str, vertical: str) -> 
     return cross
 
 
-def _mark_small(
-    figure: Figure, axes: Axes, data: xarray.Dataset, where: NDArray[np.bool_], colour: str
-) -> None:
+def _mark_small(figure: Figure, axes: Axes, data: Basin, where: NDArray[np.bool_], colour: str) -> None:
     """Mark starts that are too small to be seen by themselves."""
     extent, points = axes.get_window_extent(), 72.0 / figure.dpi
     rows, columns = where.shape
     if min(extent.width / columns, extent.height / rows) * points >= SMALLEST:
         return
-    vertical, horizontal = data["fate"].dims
+    vertical, horizontal = data.axes
     rows_of, columns_of = np.nonzero(where)
-    at = data[horizontal].values[columns_of], data[vertical].values[rows_of]
+    at = data[horizontal][columns_of], data[vertical][rows_of]
     for size, filled in ((SMALLEST + 2.0 * RIM, "white"), (SMALLEST, colour)):
         axes.plot(
             *at,
@@ -161,11 +165,11 @@ def _mark_small(
         )
 
 
-def _label(data: xarray.Dataset, axis: str) -> str:
+def _label(data: Basin, axis: str) -> str:
     """With the unit, in which ranges are given too, and how much of it the scale is."""
-    unit, scale = data[axis].attrs["units"], SCALES[COORDINATES.index(axis)]
+    unit, scale = data.coordinates[axis].attributes["units"], SCALES[COORDINATES.index(axis)]
     if not scale:
         return style.with_unit(NAMES[axis], unit)
-    length = data.attrs["leg.free_length"] if "l₀" in scale else 1.0
-    rate = math.sqrt(data.attrs["leg.stiffness"] / data.attrs["body.mass"]) if "√" in scale else 1.0
+    length = data.attributes["leg.free_length"] if "l₀" in scale else 1.0
+    rate = math.sqrt(data.attributes["leg.stiffness"] / data.attributes["body.mass"]) if "√" in scale else 1.0
     return f"{NAMES[axis]} ({unit};  {scale} = {length * rate:.4g} {unit})"

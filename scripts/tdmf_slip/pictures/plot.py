@@ -20,6 +20,7 @@ from .stride import Stride
 
 BY_NAME: Mapping[str, tuple[str, str]] = {
     "Attraction": ("decay_diagram", "of_attraction"),
+    "Basin": ("basin_map", "figure_of"),
     "BorderProof": ("eigenvalue_diagram", "of_border"),
     "Comparison": ("quantity_diagram", "of_comparison"),
     "Controllability": ("eigenvalue_diagram", "of_controllability"),
@@ -27,9 +28,12 @@ BY_NAME: Mapping[str, tuple[str, str]] = {
     "Feedback": ("eigenvalue_diagram", "of_feedback"),
     "FirstPassage": ("decay_diagram", "of_falls"),
     "Front": ("quantity_diagram", "of_front"),
+    "GaitGrid": ("gait_map", "figure_of"),
     "Optimum": ("quantity_diagram", "of_optimum"),
     "Proof": ("eigenvalue_diagram", "of_proof"),
     "RareFalls": ("decay_diagram", "of_falls"),
+    "Runs": ("runners_diagram", "of_runs"),
+    "Strides": ("runners_diagram", "of_strides"),
 }
 """Module and function by the kind's name: kinds whose modules are loaded only by those who use them."""
 

@@ -1,5 +1,7 @@
 """Many runs of the unit, by FMPy, one for each of many runners: here or on a Dask cluster."""
 
+from __future__ import annotations
+
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
@@ -9,10 +11,11 @@ from ..blocks.running import run_blocks
 from ..checks import checked, checked_whole
 from ..contents import ByContents
 from ..errors import InputError, TdmfSlipError
-from ..files.datasets import xarray
 from ..given import row_of, rows_of
+from ..labelled import Labelled
 from ..terminal.progress import progress_bar
-from .parameters import start_values_of
+from .parameters import RunnerLike, start_values_of
+from .runs_result import Runs
 from .simulation import DEFAULT_STRIDES, DEFAULT_TOLERANCE, MAX_STRIDES, TOLERANCES, simulate
 from .unit import Fmu, load_fmu
 from .variable import Value
@@ -44,6 +47,8 @@ class Result(ByContents):
     """Why there is no result, or nothing."""
 
 
+OVER = ("run",)
+"""The dimension of all arrays."""
 NOT_RUN = Result({}, False, "")
 
 
@@ -62,7 +67,7 @@ def run_one(job: Job) -> Result:
 
 
 def simulate_many(
-    runners: Sequence[object],
+    runners: Sequence[RunnerLike],
     *,
     strides: int = DEFAULT_STRIDES,
     tolerance: float = DEFAULT_TOLERANCE,
@@ -71,7 +76,7 @@ def simulate_many(
     threads: int | None = None,
     progress: bool = False,
     fmu: Fmu | None = None,
-) -> xarray.Dataset:
+) -> Runs:
     """Run the unit once for each of many runners.
 
     Parameters
@@ -96,7 +101,7 @@ def simulate_many(
 
     Returns
     -------
-    xarray.Dataset
+    Runs
         Over the dimension `run`: what the runners name as coordinates, the last stride's quantities with
         their units, `fallen`, and `problem`, empty where there was none.
 
@@ -110,7 +115,7 @@ def simulate_many(
     >>> import tdmf_slip
     >>> runners = [{"ground.friction": 0.6}, {"ground.friction": 1.2}]
     >>> runs = tdmf_slip.simulate_many(runners, strides=2, threads=1)
-    >>> print(runs["speed"].values.round(3), runs["fallen"].values)
+    >>> print(runs["speed"].round(3), runs["fallen"])
     [1.062 1.051] [False False]
     """
     fmu = load_fmu(fmu)
@@ -134,22 +139,24 @@ def simulate_many(
         for number, result in finished:
             results[number] = result
             bar.update()
-    return _dataset(jobs, results, names, fmu)
+    return _runs(jobs, results, names, fmu)
 
 
-def _dataset(
-    jobs: Sequence[Job], results: Sequence[Result], names: Sequence[str], fmu: Fmu
-) -> xarray.Dataset:
-    data = xarray.Dataset(
-        {
-            "fallen": ("run", [result.fallen for result in results]),
-            "problem": ("run", np.array([result.problem for result in results], dtype=object)),
-        },
-        coords={name: ("run", [job.values.get(name, fmu.start_of(name)) for job in jobs]) for name in names},
-    )
+def _runs(jobs: Sequence[Job], results: Sequence[Result], names: Sequence[str], fmu: Fmu) -> Runs:
+    arrays = {
+        "fallen": Labelled(OVER, np.array([result.fallen for result in results])),
+        "problem": Labelled(OVER, np.array([result.problem for result in results], dtype=object)),
+    }
     for variable in fmu.group("stride"):
         name, is_text = variable.member, variable.type == "String"
         values = [result.stride.get(name, "" if is_text else np.nan) for result in results]
-        data[name] = "run", np.array(values, dtype=object if is_text else float)
-        data[name].attrs = {"units": variable.unit or "1", "long_name": variable.description}
-    return data
+        about = {"units": variable.unit or "1", "long_name": variable.description}
+        arrays[name] = Labelled(OVER, np.array(values, dtype=object if is_text else float), about)
+    return Runs(
+        arrays,
+        {
+            name: Labelled(OVER, np.array([job.values.get(name, fmu.start_of(name)) for job in jobs]))
+            for name in names
+        },
+        {},
+    )

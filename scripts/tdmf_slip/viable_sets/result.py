@@ -249,8 +249,8 @@ class Viability(ByContents, Drawable):
         """On one line."""
         rows, columns = self.grid.cells
         return (
-            f"Viability({rows} by {columns} cells, {self.grid.action_count} actions of "
-            f"{', '.join(self.grid.actions)}: {self.inner_share:.1%} to {self.outer_share:.1%} viable)"
+            f"<Viability of {rows} by {columns} cells, {self.grid.action_count} actions of "
+            f"{', '.join(self.grid.actions)}: {self.inner_share:.1%} to {self.outer_share:.1%} viable>"
         )
 
     def _boxes(self, inner: bool) -> Boxes:

@@ -8,11 +8,11 @@ from pathlib import Path
 import numpy as np
 
 from ...analysis.attraction import Attraction, measure_all
+from ...analysis.basin_result import Basin
 from ...analysis.search import periodic_gait
 from ...analysis.stability import StabilityMap
 from ...analysis.sweep import Sweep, sweep
 from ...errors import InputError
-from ...files.datasets import xarray
 from ...library.gait import Gait
 from ...library.runner import Runner
 from ...pictures import style
@@ -146,7 +146,7 @@ def _figures(fmu: Fmu, measure: bool = False) -> dict[str, Figure]:
         return {"full": gaits(), "reduced": sweep(runner, {"ground.friction": SWEPT}, model="reduced")}
 
     @cache
-    def regions() -> dict[str, xarray.Dataset]:
+    def regions() -> dict[str, Basin]:
         return reduced.regions(runner)
 
     @cache

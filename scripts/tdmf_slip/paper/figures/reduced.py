@@ -12,9 +12,9 @@ from matplotlib.colors import TwoSlopeNorm
 from numpy.typing import NDArray
 
 from ...analysis.basin import basin
+from ...analysis.basin_result import Basin
 from ...analysis.stability import StabilityMap, stability
 from ...analysis.sweep import Sweep
-from ...files.datasets import xarray
 from ...library.runner import Runner
 from ...library.section import REDUCED
 from ...pictures import basin_map, style
@@ -36,22 +36,22 @@ FRICTIONS = np.geomspace(0.05, 5.0, 61)
 COLOURS = {"full": style.CURVE, "reduced": "#e07b00"}
 
 
-def regions(runner: Runner) -> dict[str, xarray.Dataset]:
+def regions(runner: Runner) -> dict[str, Basin]:
     """What the gaits of both models attract: of the full one over a slice, of the reduced one all of it."""
     return {name: basin(runner, PLANE, STARTS, model=name) for name in ("full", "reduced")}
 
 
-def region_table(maps: dict[str, xarray.Dataset]) -> Columns:
+def region_table(maps: dict[str, Basin]) -> Columns:
     """Fates and strides of all starts."""
     along = (np.linspace(*PLANE[axis], count) for axis, count in zip(REDUCED, STARTS, strict=True))
     height, speed = (grid.ravel() for grid in np.meshgrid(*along, indexing="ij"))
     columns: dict[str, Any] = {"com_height": height, "com_speed": speed}
     for name, data in maps.items():
-        columns |= {f"{what}_{name}": data[what].values.ravel() for what in ("fate", "strides_until_known")}
+        columns |= {f"{what}_{name}": data[what].ravel() for what in ("fate", "strides_until_known")}
     return columns
 
 
-def draw_regions(path: Path, maps: dict[str, xarray.Dataset]) -> None:
+def draw_regions(path: Path, maps: dict[str, Basin]) -> None:
     """Draw the full model's slice and the reduced map's plane, one beside the other."""
     titles = {
         "full": "(a) full model, a slice: the leg as at the gait's apex",
@@ -62,7 +62,7 @@ def draw_regions(path: Path, maps: dict[str, xarray.Dataset]) -> None:
         handles: dict[object, Artist] = {}
         for panel, (name, data) in zip(panels, maps.items(), strict=True):
             handles |= {handle.get_label(): handle for handle in basin_map.paint(panel, data)}
-            panel.set_title(f"{titles[name]}: {data.attrs['settled_share']:.1%} settle")
+            panel.set_title(f"{titles[name]}: {data.settled_share:.1%} settle")
         panels[1].set_ylabel("")
         figure.legend(handles=list(handles.values()), loc="outside lower center", ncols=len(handles))
         style.save(figure, path)
