@@ -5,13 +5,23 @@ Those are known by what they can do, so that neither pandas nor another library 
 
 import math
 from collections import Counter
-from collections.abc import Iterable, Mapping, Sequence
-from typing import Any, TypeGuard
+from collections.abc import Hashable, Iterable, Mapping, Sequence
+from typing import Any, Protocol, TypeGuard
 
 import numpy as np
 
 from .checks import checked_whole, is_number, shown
 from .errors import InputError
+
+
+class LabelledRow(Protocol):
+    """Values with labels, as a Series of pandas."""
+
+    def to_numpy(self) -> Any:
+        """The values."""
+
+    def items(self) -> Iterable[tuple[Hashable, Any]]:
+        """The values with their labels."""
 
 
 def is_table(given: object) -> TypeGuard[Any]:

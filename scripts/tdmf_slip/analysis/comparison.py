@@ -4,6 +4,8 @@ Two runners that differ in friction differ in speed, in how high they hop and in
 A difference between them says what friction does only where these are the same.
 """
 
+from __future__ import annotations
+
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
@@ -19,6 +21,7 @@ from ..library.quantities import check_quantities, known_quantities, quantities_
 from ..library.runner import Runner
 from ..terminal.progress import progress_bar
 from ..terminal.text import headed, table
+from ..unit.parameters import RunnerLike
 from ..unit.unit import Fmu, load_fmu
 from ..unit.variable import Given
 from .search import periodic_gait
@@ -148,7 +151,7 @@ def _reported(gait: Gait) -> dict[str, object]:
 
 
 def compare(
-    runners: Sequence[Runner | Mapping[str, Given] | Gait | None],
+    runners: Sequence[RunnerLike],
     *,
     hold: Sequence[str],
     vary: Sequence[str],

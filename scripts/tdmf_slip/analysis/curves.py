@@ -1,5 +1,7 @@
 """Curves of special points of gaits over two parameters: bifurcations, and borders between words."""
 
+from __future__ import annotations
+
 from collections.abc import Callable, Mapping, Sequence
 from functools import partial
 
@@ -14,8 +16,8 @@ from ..library.quantities import scales_of
 from ..library.runner import Runner
 from ..numerics.halving import halved
 from ..terminal.progress import progress_bar
+from ..unit.parameters import RunnerLike
 from ..unit.unit import Fmu, load_fmu
-from ..unit.variable import Given
 from .bifurcations import NEIMARK_SACKER, NOT_JUDGED, WORD_BORDER, Special
 from .curve import CLOSED, LONGEST, SHORTEST, Box, Curve
 from .lines import border_curve
@@ -34,7 +36,7 @@ SAME = 1e-6
 
 
 def continue_curves(
-    runner: Runner | Mapping[str, Given] | None,
+    runner: RunnerLike,
     vary: Mapping[str, tuple[float, float]],
     *,
     model: str | None = None,
@@ -49,7 +51,7 @@ def continue_curves(
 
     Parameters
     ----------
-    runner : Runner or mapping of str to float, optional
+    runner : Runner, Gait, mapping of str to float, Series, str or Path, optional
         Whose gaits.
     vary : mapping of str to pair of float
         By name of two parameters or inputs: the ends of their ranges.

@@ -5,7 +5,8 @@ rougher ground, how likely a runner at an apex is to fall within the next stride
 depend on it, only its interval does.
 """
 
-from collections.abc import Mapping
+from __future__ import annotations
+
 from dataclasses import dataclass
 
 from ..checks import checked_whole
@@ -17,8 +18,8 @@ from ..library.gait import Gait, check_is_gait
 from ..library.rough_ground import LAST_SEED, RoughGround
 from ..library.runner import Runner
 from ..terminal.progress import progress_bar
+from ..unit.parameters import RunnerLike
 from ..unit.unit import Fmu
-from ..unit.variable import Given
 from .rough_runner import RoughRunner
 from .search import periodic_gait
 from .splitting import CONFIDENCE, REPLICAS, RareEvent, levels_of, rare_event
@@ -83,7 +84,7 @@ class RareFalls(ByContents, Drawable):
 
 
 def rare_falls(
-    runner: Runner | Mapping[str, Given],
+    runner: RunnerLike,
     roughness: float | RoughGround,
     *,
     walkers: int = 64,
@@ -102,7 +103,7 @@ def rare_falls(
 
     Parameters
     ----------
-    runner : Runner or mapping of str to float
+    runner : Runner, Gait, mapping of str to float, Series, str or Path
         Who runs: a runner, or start values by the unit's names and in its units, over the unit's own.
     roughness : float or RoughGround
         Standard deviation of a step, m; or ground whose steps hang together, trip, or come with a friction of

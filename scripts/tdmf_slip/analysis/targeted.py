@@ -1,8 +1,9 @@
 """A gait with a target: of a given speed, step frequency or the like, by varying as many parameters."""
 
+from __future__ import annotations
+
 from collections.abc import Iterator, Mapping, Sequence
 from itertools import islice
-from pathlib import Path
 
 import numpy as np
 
@@ -14,8 +15,8 @@ from ..library.members import check_varied
 from ..library.quantities import QUANTITIES, SIGNED, check_quantities, quantities_of
 from ..library.runner import Runner
 from ..library.section import Apex
+from ..unit.parameters import RunnerLike
 from ..unit.unit import Fmu, load_fmu
-from ..unit.variable import Given
 from .beginnings import beginnings
 from .nearest import Help, nearest_from, parameters_that_help
 from .search import periodic_gait
@@ -47,13 +48,13 @@ class TargetNotMetError(RunError):
         super().__init__(message)
         self.nearest, self.helps = nearest, helps
 
-    def __reduce__(self) -> tuple[type["TargetNotMetError"], tuple[str, Gait, tuple[str, ...]]]:
+    def __reduce__(self) -> tuple[type[TargetNotMetError], tuple[str, Gait, tuple[str, ...]]]:
         """As it was made."""
         return type(self), (str(self), self.nearest, self.helps)
 
 
 def find_gait(
-    runner: Gait | Runner | Mapping[str, Given] | str | Path | None = None,
+    runner: RunnerLike = None,
     *,
     target: Mapping[str, float] | None = None,
     vary: Sequence[str] = (),
@@ -76,7 +77,7 @@ def find_gait(
 
     Parameters
     ----------
-    runner : Gait, Runner, mapping of str to float, str or Path, optional
+    runner : Runner, Gait, mapping of str to float, Series, str or Path, optional
         Whose gait: a runner, or start values by the unit's names and in its units, over the unit's own; the
         name of a preset or the path of a parameter file; or a gait, whose apex then is the guess.
         Varied parameters begin with the values that they have here.

@@ -1,5 +1,7 @@
 """Branches of gaits along a parameter: followed from a gait both ways, with all that happens on them."""
 
+from __future__ import annotations
+
 from collections.abc import Callable, Mapping
 
 import numpy as np
@@ -11,6 +13,7 @@ from ..library.gait import Gait, check_is_gait, settled_gait
 from ..library.members import varied_alone
 from ..library.runner import Runner
 from ..terminal.progress import progress_bar
+from ..unit.parameters import RunnerLike
 from ..unit.unit import Fmu, load_fmu
 from ..unit.variable import Given
 from .branch import Branch
@@ -30,7 +33,7 @@ STARTS = 24
 
 
 def continue_branch(
-    runner: Runner | Mapping[str, Given] | None,
+    runner: RunnerLike,
     vary: Mapping[str, tuple[float, float]],
     *,
     model: str | None = None,
@@ -47,7 +50,7 @@ def continue_branch(
 
     Parameters
     ----------
-    runner : Runner or mapping of str to float, optional
+    runner : Runner, Gait, mapping of str to float, Series, str or Path, optional
         Whose gaits: a runner, or start values by the unit's names, over the unit's own.
     vary : mapping of str to pair of float
         The parameter or input that is varied, and both ends of its range, in its unit.

@@ -1,5 +1,7 @@
 """Runners fitted to measured gaits, by least squares over the errors with exact Jacobians."""
 
+from __future__ import annotations
+
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from itertools import islice
@@ -15,8 +17,8 @@ from ..library.gait import Gait, gait_near
 from ..library.runner import Runner
 from ..library.section import Apex
 from ..terminal.progress import progress_bar
+from ..unit.parameters import RunnerLike
 from ..unit.unit import Fmu, load_fmu
-from ..unit.variable import Given
 from .across import cross
 from .concluded import Conclusion, is_met
 from .kinks import past_kinks
@@ -36,7 +38,7 @@ AGAIN = 3
 
 
 def fit(
-    runner: Runner | Mapping[str, Given] | None,
+    runner: RunnerLike,
     data: Measurements | str | Path,
     vary: Sequence[str] = (),
     *,
@@ -61,7 +63,7 @@ def fit(
 
     Parameters
     ----------
-    runner : Runner or mapping of str to float, optional
+    runner : Runner, Gait, mapping of str to float, Series, str or Path, optional
         What does not vary: a runner, or start values by the unit's names and in its units, over the unit's
         own.
     data : Measurements, str or Path

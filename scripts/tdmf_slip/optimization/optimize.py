@@ -1,11 +1,14 @@
 """The runner whose gait has the least, or the most, of a quantity: over parameters, within bounds."""
 
+from __future__ import annotations
+
 from collections.abc import Mapping
 
 from ..analysis.search import periodic_gait
 from ..checks import checked_whole
 from ..library.runner import Runner
 from ..terminal.progress import progress_bar
+from ..unit.parameters import RunnerLike
 from ..unit.unit import Fmu, load_fmu
 from ..unit.variable import Given
 from .optimizer import Optimizer
@@ -17,7 +20,7 @@ STARTS, MAX_STARTS = 6, 100
 
 
 def optimize(
-    runner: Runner | Mapping[str, Given] | None,
+    runner: RunnerLike,
     vary: Mapping[str, tuple[Given, Given]],
     *,
     minimize: str | None = None,
@@ -47,7 +50,7 @@ def optimize(
 
     Parameters
     ----------
-    runner : Runner or mapping of str to float
+    runner : Runner, Gait, mapping of str to float, Series, str or Path
         Who is to become better: a runner, or start values by the unit's names and in its units, over the
         unit's own. The search begins with its gait.
     vary : mapping of str to pairs of float

@@ -1,5 +1,7 @@
 """The best compromises between two quantities: the least of one for every value of the other."""
 
+from __future__ import annotations
+
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
@@ -13,6 +15,7 @@ from ..drawable import Drawable
 from ..errors import InputError
 from ..library.runner import Runner
 from ..terminal.progress import Bar, progress_bar
+from ..unit.parameters import RunnerLike
 from ..unit.unit import Fmu, load_fmu
 from ..unit.variable import Given
 from .optimize import MAX_STARTS, STARTS
@@ -44,7 +47,7 @@ class Front(ByContents, Drawable):
 
 
 def pareto_front(
-    runner: Runner | Mapping[str, Given] | None,
+    runner: RunnerLike,
     vary: Mapping[str, tuple[Given, Given]],
     *,
     minimize: Sequence[str] = (),
@@ -64,7 +67,7 @@ def pareto_front(
 
     Parameters
     ----------
-    runner : Runner or mapping of str to float
+    runner : Runner, Gait, mapping of str to float, Series, str or Path
         As in `optimize`.
     vary : mapping of str to pairs of float
         As in `optimize`.

@@ -2,14 +2,14 @@
 
 from collections.abc import Mapping
 from fractions import Fraction
-from typing import Any
+from typing import TypeAlias
 
 from ..analysis.search import periodic_gait
-from ..checks import check_kind
 from ..errors import InputError
 from ..library.gait import Gait
 from ..library.members import VARIED
 from ..library.runner import Runner
+from ..unit import parameters
 from ..unit.unit import load_fmu
 from .exact import Exact, exact_values
 
@@ -27,26 +27,19 @@ KNOWN = frozenset(
     }
 )
 """Parameters and inputs that the enclosures take account of."""
-Given = Gait | Runner | Mapping[str, object] | None
-Radius = float | str | Fraction
+Radius: TypeAlias = float | str | Fraction
+RunnerLike: TypeAlias = parameters.RunnerLike | Mapping[str, object]
+"""What may be given for a runner, as to any function; start values may be fractions, too."""
 
 
-def gait_of(gait: Given) -> tuple[Gait, dict[str, Exact]]:
+def gait_of(gait: RunnerLike) -> tuple[Gait, dict[str, Exact]]:
     """A gait, and its runner's parameters exactly."""
-    fmu = load_fmu()
     given: dict[str, object] = {}
     if isinstance(gait, Gait):
         found = gait
-    elif gait is None or isinstance(gait, Runner):
-        found = periodic_gait(gait, fmu=fmu)
     else:
-        check_kind(gait, Mapping, "gait", "a Gait, a Runner, or start values by name")
-        given = dict(gait)
-        exact = exact_values(fmu, {name: 0.0 for name in given if name in fmu.variables}, given)
-        floats = {
-            name: float(exact[name].ball()) if name in exact else value for name, value in given.items()
-        }
-        found = periodic_gait(floats, fmu=fmu)
+        runner, given = runner_of(gait)
+        found = periodic_gait(runner)
     if found.runner.reduced:
         raise InputError("a gait of the reduced map is not proved; allowed: one of the full model")
     if found.following:
@@ -55,7 +48,7 @@ def gait_of(gait: Given) -> tuple[Gait, dict[str, Exact]]:
         )
     own = {name: found.runner.values[name] for name in VARIED}
     check_laws(own)
-    return found, exact_values(fmu, own, {name: value for name, value in given.items() if name in own})
+    return found, exact_values(load_fmu(), own, {name: value for name, value in given.items() if name in own})
 
 
 def check_laws(values: Mapping[str, float]) -> None:
@@ -69,11 +62,14 @@ def check_laws(values: Mapping[str, float]) -> None:
             )
 
 
-def floats_of(given: Mapping[str, object]) -> dict[str, Any]:
-    """Start values as floats, near those that are meant."""
-    fmu = load_fmu()
-    exact = exact_values(fmu, {name: 0.0 for name in given if name in fmu.variables}, given)
-    return {name: float(exact[name].ball()) if name in exact else value for name, value in given.items()}
+def runner_of(given: RunnerLike) -> tuple[Runner, dict[str, object]]:
+    """A runner in doubles, and the start values that were given for it, as they are meant."""
+    if isinstance(given, Gait | Runner):
+        return Runner.of(given), {}
+    fmu, values = load_fmu(), dict(parameters.start_values_of(given))
+    exact = exact_values(fmu, {name: 0.0 for name in values if name in fmu.variables}, values)
+    floats = {name: float(exact[name].ball()) if name in exact else value for name, value in values.items()}
+    return Runner.of(floats, fmu), values
 
 
 def radius_of(box: Radius) -> Fraction:

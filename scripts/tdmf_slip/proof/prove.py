@@ -1,5 +1,7 @@
 """Proofs of gaits."""
 
+from __future__ import annotations
+
 import math
 import os
 from collections.abc import Mapping, Sequence
@@ -17,7 +19,7 @@ from ..library.members import check_varied
 from ..unit.unit import load_fmu
 from .eigenvalues import eigenvalues
 from .exact import Exact, exact_value
-from .given import MAX_DIGITS, Given, Radius, gait_of, radius_of
+from .given import MAX_DIGITS, Radius, RunnerLike, gait_of, radius_of
 from .krawczyk import Inclusion, proved_stride, refined, unique_box
 from .parameters import Parameters
 from .proof import Box, Proof
@@ -40,7 +42,7 @@ GUARD_BITS = 32
 
 @overload
 def prove(
-    gait: Given = ...,
+    gait: RunnerLike = ...,
     *,
     box: Radius | None = ...,
     digits: int = ...,
@@ -53,7 +55,7 @@ def prove(
 
 @overload
 def prove(
-    gait: Given = ...,
+    gait: RunnerLike = ...,
     *,
     vary: Mapping[str, tuple[Radius, Radius]],
     output: str | os.PathLike[str] | None = ...,
@@ -63,7 +65,7 @@ def prove(
 
 
 def prove(
-    gait: Given = None,
+    gait: RunnerLike = None,
     *,
     box: Radius | None = None,
     digits: int = DEFAULT_DIGITS,
@@ -79,7 +81,7 @@ def prove(
 
     Parameters
     ----------
-    gait : Gait, Runner or mapping of str to value, optional
+    gait : Gait, Runner, mapping of str to value, Series, str or Path, optional
         The gait, or whose. A float is the binary number that it is, a text or a `Fraction` the exact number
         that it reads as: "0.6" is 3/5, "40 deg" is 2 pi/9. What is not given is Table 1, exactly, and so is a
         float of a runner that is the unit's own start value.
@@ -138,7 +140,7 @@ def prove_exactly(
 
 
 def _over(
-    gait: Given,
+    gait: RunnerLike,
     vary: Mapping[str, tuple[Radius, Radius]],
     output: str | os.PathLike[str] | None,
     processes: int | None,

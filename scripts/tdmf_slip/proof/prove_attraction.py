@@ -5,6 +5,8 @@ norm around the gait in the box goes into itself, and strides bring its points n
 value theorem).
 """
 
+from __future__ import annotations
+
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
@@ -14,7 +16,7 @@ from flint import acb_mat, arb, ctx
 from ..drawable import Drawable
 from .eigenvalues import contraction
 from .exact import ball_of
-from .given import Given, gait_of
+from .given import RunnerLike, gait_of
 from .krawczyk import Inclusion, proved_stride
 from .parameters import Parameters
 from .proof import short, statement
@@ -76,7 +78,7 @@ class Attraction(Drawable):
         )
 
 
-def prove_attraction(gait: Given = None) -> Attraction:
+def prove_attraction(gait: RunnerLike = None) -> Attraction:
     """A ball around a stable gait in which every start settles on it, proved.
 
     Parameters

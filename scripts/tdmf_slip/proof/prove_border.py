@@ -1,5 +1,7 @@
 """Proofs of borders between gait words."""
 
+from __future__ import annotations
+
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field
@@ -17,7 +19,7 @@ from ..library.runner import Runner
 from ..unit.unit import FRICTION, load_fmu
 from .exact import Exact, exact_values
 from .forced import Forced
-from .given import MAX_DIGITS, check_laws, floats_of
+from .given import MAX_DIGITS, RunnerLike, check_laws, runner_of
 from .krawczyk import COARSE_BITS, Inclusion, middle_of, proved_stride, refined, slopes_of, unique_box
 from .parameters import Parameters
 from .proof import Box, Proof, decimal, exactly, reported, short, statement, text_of
@@ -113,7 +115,7 @@ class BorderProof(Drawable):
 
 def prove_border(
     border: Border | float,
-    runner: Runner | Mapping[str, object] | None = None,
+    runner: RunnerLike = None,
     *,
     vary: str = FRICTION,
     digits: int = DEFAULT_DIGITS,
@@ -125,7 +127,7 @@ def prove_border(
     ----------
     border : Border or float
         One of a sweep's `borders`, or its value.
-    runner : Runner or mapping of str to value, optional
+    runner : Runner, Gait, mapping of str to float, Series, str or Path, optional
         Whose gaits; exact as in `prove`.
     vary : str, default "ground.friction"
         The parameter along which it is.
@@ -158,20 +160,15 @@ def prove_border(
     if not isinstance(border, Border):
         check_kind(border, (float, int), "border", "one of a sweep's borders, or its value")
     value = border.value if isinstance(border, Border) else float(border)
-    if not isinstance(runner, Runner):
-        check_kind(runner or {}, Mapping, "runner", "a Runner, or start values by name")
     return _BorderProver(runner, vary, value, digits, sides).proof()
 
 
 class _BorderProver:
     """One border."""
 
-    def __init__(
-        self, runner: Runner | Mapping[str, object] | None, name: str, value: float, digits: int, sides: bool
-    ) -> None:
-        self.given = {} if runner is None or isinstance(runner, Runner) else dict(runner)
-        floats = runner if isinstance(runner, Runner) else floats_of(self.given)
-        self.runner, self.name, self.value, self.digits = Runner.of(floats), name, value, digits
+    def __init__(self, runner: RunnerLike, name: str, value: float, digits: int, sides: bool) -> None:
+        self.runner, self.given = runner_of(runner)
+        self.name, self.value, self.digits = name, value, digits
         self.with_sides = sides
         own = {of: self.runner.values[of] for of in VARIED}
         check_laws(own)

@@ -6,7 +6,7 @@ from fractions import Fraction
 from flint import arb, ctx
 
 from .exact import ball_of
-from .given import Given, Radius, gait_of, radius_of
+from .given import Radius, RunnerLike, gait_of, radius_of
 from .parameters import Parameters
 from .starts import Fineness, Starts
 from .travelling_set import SetTraveller
@@ -28,7 +28,7 @@ class Section:
     """How far a start of the set may be from the middle."""
 
 
-def tube_along(gait: Given = None, radius: Radius = Fraction(1, 10**8)) -> list[Section]:
+def tube_along(gait: RunnerLike = None, radius: Radius = Fraction(1, 10**8)) -> list[Section]:
     """The tube of all starts around a gait's apex, along a stride.
 
     Parameters

@@ -7,12 +7,36 @@ import tomllib
 from collections import Counter
 from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
-from typing import Any
+from typing import Any, Protocol, TypeAlias
 
 from ..checks import check_kind, shown
 from ..errors import InputError, reason
-from ..given import mapping_of
+from ..given import LabelledRow, mapping_of
+from .variable import Given
 
+
+class HasValues(Protocol):
+    """What has all start values, as a Runner."""
+
+    @property
+    def values(self) -> Mapping[str, float]:
+        """By the unit's names."""
+
+
+class HasStartValues(Protocol):
+    """What has start values, as a Gait."""
+
+    @property
+    def start_values(self) -> Mapping[str, Any]:
+        """By the unit's names."""
+
+
+RunnerLike: TypeAlias = (
+    HasStartValues | HasValues | Mapping[str, Given] | LabelledRow | str | os.PathLike[str] | None
+)
+"""What may be given for a runner: a Runner; a Gait, of which it is the runner; start values by the unit's
+names and in its units, over the unit's own, also as a Series; the name of a preset; the path of a parameter
+file; or None, for the runner of the paper."""
 RUNNER = "a Runner or Gait, start values by name, a preset's name or a parameter file's path"
 """What may be given for a runner, in words."""
 MAX_PARTS = 16

@@ -14,7 +14,7 @@ from ..terminal.progress import progress_bar
 from .events import MODE, PHASE, events_of
 from .inputs import InputTables, signals
 from .instance import Experiment, Instance, Recorder, opened
-from .parameters import start_values_of
+from .parameters import RunnerLike, start_values_of
 from .profile import Profile
 from .profile_run import MAX_ROWS, STEPS_PER_TIME_UNIT, interface_over, run_over
 from .run import Run
@@ -43,7 +43,7 @@ ONLY_IN: Mapping[str, str] = {
 
 
 def simulate(
-    runner: object = None,
+    runner: RunnerLike = None,
     *,
     stop_time: float | None = None,
     strides: int | None = None,
@@ -61,7 +61,7 @@ def simulate(
 
     Parameters
     ----------
-    runner : Runner, Gait, mapping of str to float, bool or str, str or Path, optional
+    runner : Runner, Gait, mapping of str to float, Series, str or Path, optional
         Whose run: start values by variable name, a number in the variable's unit or a text like `40 deg`; the
         name of a preset or the path of a parameter file; a gait begins at its apex.
     stop_time : float, optional

@@ -1,5 +1,7 @@
 """The viable set of a runner on a grid: found from inside and from outside."""
 
+from __future__ import annotations
+
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
@@ -11,8 +13,8 @@ from ..checks import checked, checked_whole
 from ..files.whole import check_destination
 from ..library.maps import refuse_patch
 from ..library.runner import Runner
+from ..unit.parameters import RunnerLike
 from ..unit.unit import Fmu, load_fmu
-from ..unit.variable import Given
 from .boxes import Boxes, boxes_of
 from .fixed_point import largest_kept
 from .grid import Grid, grid_of
@@ -26,7 +28,7 @@ MAX_THREADS = 1024
 
 
 def viability(
-    runner: Runner | Mapping[str, Given] | None = None,
+    runner: RunnerLike = None,
     *,
     axes: Mapping[str, tuple[float, float]],
     vary: Mapping[str, Sequence[float]],
@@ -51,7 +53,7 @@ def viability(
 
     Parameters
     ----------
-    runner : Runner or mapping of str to float, optional
+    runner : Runner, Gait, mapping of str to float, Series, str or Path, optional
         Parameters and inputs, or start values by name, over the unit's own.
     axes : mapping of str to (float, float)
         Ranges of `com_height`, m, and `com_speed`, m/s, at the apex.
