@@ -92,7 +92,7 @@ install_once() {
     wanted=$(sha256sum "scripts/locks/$1.txt")
     if [ "$(cat "$stamp" 2>/dev/null)" != "$wanted" ]; then
         say "Installing Python packages: scripts/locks/$1.txt"
-        install_locked "$1"
+        install_locked "$1" || return
         printf '%s\n' "$wanted" >"$stamp"
     fi
 }
@@ -220,10 +220,14 @@ draw_gallery() {
     done
 }
 
-# The site, in dist/site, with warnings as errors, and the live page in it.
-build_site() {
+get_site_tools() {
     need_debian_packages graphviz
     install_once site
+}
+
+# The site, in dist/site, with warnings as errors, and the live page in it.
+build_site() {
+    get_site_tools
     say "Building the site into dist/site"
     rm -rf dist/site build/site
     mkdir -p build/site dist
@@ -256,13 +260,17 @@ make_windows_folder() {
         say "wine's folder could not be made: see build/wine.log"
 }
 
-# Makes what the tests of platforms and distribution look at. What cannot be had is said loudly, and those tests are
-# skipped: wine64 for Windows, qemu-user for Arm Linux, Zig for all of it.
-prepare_release() {
+# What the tests of platforms and distribution are run with, and what they look at is made by. What cannot be had is said
+# loudly, and those tests are skipped: wine64 for Windows, qemu-user for Arm Linux, Zig for all of it.
+get_platform_tools() {
     (need_debian_packages wine64 qemu-user libc6-arm64-cross) ||
         say "NOT TESTED: Windows and Arm Linux, because wine64 or qemu-user could not be installed"
+    get_zig || { say "NOT TESTED: other platforms and the distribution, because Zig could not be installed"; return 1; }
+}
+
+# What they look at.
+prepare_release() {
     make_windows_folder
-    get_zig || { say "NOT TESTED: other platforms and the distribution, because Zig could not be installed"; return 0; }
     build_platforms
     build_distribution
 }

@@ -31,6 +31,20 @@ def some_of(cases, count):
     return cases if LONG else cases[:: -(-len(cases) // count)]
 
 
+DEAREST = (
+    *("branches", "files", "fit_confidence", "live_faults", "live", "installed_library", "gaits", "blocks"),
+    *("ball", "unit_sources", "bench", "splitting", "wheels", "platforms", "live_opening", "targets"),
+    *("optimize", "command", "basin", "proof", "proof_gaits", "reference_gaits", "proof_prover"),
+)
+"""Files of tests that take the longest, begun with: so none is left to one worker at the end."""
+
+
+def pytest_collection_modifyitems(items):
+    """Sorts the files of tests, for workers that take them in the order in which they are."""
+    places = {f"test_{name}.py": number for number, name in enumerate(DEAREST)}
+    items.sort(key=lambda item: places.get(item.path.name, len(places)))
+
+
 @pytest.fixture(scope="session", autouse=True)
 def interrupts_are_heard():
     """In the background of a shell they are ignored, also by whatever is started there."""
