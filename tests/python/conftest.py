@@ -11,6 +11,7 @@ import signal
 import subprocess
 import sys
 import sysconfig
+import tempfile
 import venv
 
 import fmpy
@@ -49,6 +50,22 @@ def pytest_collection_modifyitems(items):
 def interrupts_are_heard():
     """In the background of a shell they are ignored, also by whatever is started there."""
     signal.signal(signal.SIGINT, signal.default_int_handler)
+
+
+@pytest.fixture(scope="session", autouse=True)
+def temporary_files_go(tmp_path_factory):
+    """Chromium, Dask and rattler-build leave folders behind where temporary files are: here one that goes.
+
+    Its name is short, for sockets in it, whose paths are allowed some hundred characters.
+    """
+    tmp_path_factory.getbasetemp()  # pytest's own stays where it is
+    with (
+        tempfile.TemporaryDirectory(prefix="tdmf-", ignore_cleanup_errors=True) as folder,
+        pytest.MonkeyPatch.context() as patch,
+    ):
+        patch.setenv("TMPDIR", folder)
+        patch.setattr(tempfile, "tempdir", folder)
+        yield
 
 
 @pytest.fixture(scope="session")
