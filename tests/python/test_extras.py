@@ -1,5 +1,6 @@
 """Without what the extras bring, the rest works, and what does not says in one sentence what to install."""
 
+import json
 import subprocess
 import sys
 
@@ -115,3 +116,33 @@ print(tdmf_slip.dead_beat(gait, ["hip.stance_torque", "hip.touchdown_angle"]) is
         "4)",
         "True",
     ]
+
+
+COMMANDS = {
+    "gait": ("--friction", "0.43", "--json"),
+    "sweep": ("--friction", "0.5:0.6:2", "--output", "sweep.json"),
+    "continue": ("--vary", "ground.friction=0.6:0.59", "--json"),
+    "simulate": ("--strides", "1", "--output", "run.csv"),
+    "basin": ("--n", "4", "--samples", "100", "--json"),
+    "optimize": ("--minimize", "cost_of_transport", "--vary", "hip.stance_torque=0.19:0.21", "--starts", "1"),
+    "viability": (
+        *("--axes", "com_height=1:2", "--axes", "com_speed=0.5:1.5"),
+        *("--vary", "hip.touchdown_angle=0.3:1.1:3", "--n", "2"),
+    ),
+    "variables": (),
+}
+ALL_COMMANDS = """
+import json, os, tdmf_slip
+from tdmf_slip.cli import main as command
+os.chdir(sys.argv[1])
+for name, options in json.loads(sys.argv[2]).items():
+    print(name, command.main([name, *options]), file=sys.stderr)
+"""
+
+
+def test_commands_need_no_extra(tmp_path):
+    """All that neither draw nor prove, in one process."""
+    done = run_without(PARTS, ALL_COMMANDS, str(tmp_path), json.dumps(COMMANDS))
+    said = [line for line in done.stderr.splitlines() if line.split(" ")[0] in COMMANDS]
+    assert said == [f"{name} 0" for name in COMMANDS], done.stderr
+    assert {path.name for path in tmp_path.iterdir()} == {"sweep.json", "run.csv"}
