@@ -169,7 +169,7 @@ static call_status set_number(instance *instance, const char *call, uint32_t ref
     if (variable->storage == STORED_INPUT) {
         fmu_set_number_rate(&instance->fmu, variable, 0.0);
     }
-    forget_view(instance);
+    discard_view(instance);
     return CALL_OK;
 }
 

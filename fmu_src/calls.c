@@ -45,7 +45,7 @@ bool array_is_given(const instance *instance, const char *call, const void *arra
     return true;
 }
 
-void forget_view(instance *instance) {
+void discard_view(instance *instance) {
     instance->view_is_current = false;
 }
 

@@ -35,7 +35,7 @@ call_status step_on(instance *instance, const char *call, double time, double st
     }
     const fmu_observer observer = event_logger(instance);
     const char *obstacle = (stop_at_event ? fmu_advance_to_event : fmu_advance)(fmu, time + step, &observer);
-    forget_view(instance);
+    discard_view(instance);
     *event = fmu->event_is_pending;
     return obstacle == NULL ? CALL_OK : fail(instance, call, "%s", obstacle);
 }

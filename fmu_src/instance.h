@@ -105,7 +105,7 @@ const fmu_variable *find_variable(const instance *instance, const char *call, ui
                                   unsigned types);
 
 /* Something that outputs or derivatives depend on has changed. */
-void forget_view(instance *instance);
+void discard_view(instance *instance);
 
 /* ---- life_cycle.c ------------------------------------------------------------------------------------- */
 

@@ -18,7 +18,7 @@ const char *reason_to_refuse(const char *name, const char *identification) {
 
 static void begin_again(instance *instance) {
     fmu_reset(&instance->fmu);
-    forget_view(instance);
+    discard_view(instance);
     instance->state = INSTANTIATED;
 }
 
@@ -63,7 +63,7 @@ call_status set_experiment(instance *instance, const char *call, bool tolerance_
     instance->fmu.motion.time = start_time;
     instance->fmu.importer_tolerance = tolerance_defined ? tolerance : INFINITY;
     instance->fmu.stop_time = stop_time_defined ? stop_time : INFINITY;
-    forget_view(instance);
+    discard_view(instance);
     return CALL_OK;
 }
 
@@ -88,7 +88,7 @@ call_status exit_initialization(instance *instance, const char *call) {
         char text[256];
         return refuse(instance, call, "%s", tdmf_refusal_text(&refusal, text, sizeof text));
     }
-    forget_view(instance);
+    discard_view(instance);
     instance->state = instance->interface == CO_SIMULATION ? STEP_MODE : EVENT_MODE;
     return CALL_OK;
 }

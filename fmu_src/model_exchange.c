@@ -28,7 +28,7 @@ call_status update_discrete_states(instance *instance, const char *call, discret
     fmu *fmu = &instance->fmu;
     const fmu_observer observer = event_logger(instance);
     const tdmf_resolution resolution = fmu_update(fmu, &observer);
-    forget_view(instance);
+    discard_view(instance);
     if (resolution.unresolved) {
         return fail(instance, call, "the events at this instant do not come to an end");
     }
@@ -76,7 +76,7 @@ call_status set_states(instance *instance, const char *call, const double states
     if (!fmu_try_state(&instance->fmu, states)) {
         return discard(instance, call, "a state is not a number");
     }
-    forget_view(instance);
+    discard_view(instance);
     return CALL_OK;
 }
 

@@ -106,7 +106,7 @@ call_status restore_state(instance *instance, const char *call, const void *stat
     }
     instance->fmu = run.fmu;
     instance->state = run.state;
-    forget_view(instance);
+    discard_view(instance);
     return CALL_OK;
 }
 

@@ -16,7 +16,7 @@ ROOTS = ("tdmf_slip.h", "ensemble.h")
 """Headers that bring in all others."""
 MODULE = "tdmf_slip.library.declarations"
 
-TOLD = "The library's public headers, as cffi reads them; made when the package is built."
+DOCSTRING = "The library's public headers, as cffi reads them; made when the package is built."
 
 
 def declarations(headers):
@@ -52,7 +52,7 @@ def main():
     ffi.cdef(declarations(arguments.headers))
     ffi.emit_python_code(str(arguments.output))
     made = arguments.output.read_text(encoding="utf-8")
-    arguments.output.write_text(f'"""{TOLD}"""\n\n{made}', encoding="utf-8")
+    arguments.output.write_text(f'"""{DOCSTRING}"""\n\n{made}', encoding="utf-8")
 
 
 if __name__ == "__main__":

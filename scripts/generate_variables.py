@@ -114,7 +114,7 @@ def generated(lines):
 # ---- the core's declarations ---------------------------------------------------------------------------
 
 
-def told(variable):
+def comment_of(variable):
     """A comment of C: what the table says of a variable, and its unit."""
     unit = "" if variable.unit in (None, "1") else f", {variable.unit}"
     return f"/* {variable.element.get('description').removeprefix('Event indicator: ')}{unit} */"
@@ -130,14 +130,14 @@ def struct(name, variables):
         groups.items(), key=lambda group: all(v.variability == "tunable" for v in group[1])
     ):
         names = [variable.name.partition(".")[2] for variable in members]
-        inner = [f"double {n or group}; {told(v)}" for n, v in zip(names, members, strict=True)]
+        inner = [f"double {n or group}; {comment_of(v)}" for n, v in zip(names, members, strict=True)]
         lines += inner if names == [""] else ["struct {", *inner, f"}} {group};"]
     return "\n".join([*lines, f"}} {name};"])
 
 
 def enumeration(variables, count, name=""):
     """An enumeration of variables."""
-    lines = [f"{v.constant}, {told(v)}" for v in variables]
+    lines = [f"{v.constant}, {comment_of(v)}" for v in variables]
     opening, end = ("typedef enum {", f"}} {name};") if name else ("enum {", "};")
     return "\n".join([opening, *lines, count, end])
 

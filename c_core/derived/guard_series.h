@@ -34,11 +34,11 @@ static inline void expand_ahead(const real *x, const real *y, real slope_sine, r
 
 /* rho mu f_n + s f_t, by the cone's width: what is left up to its edge on the side s (2). */
 static inline void expand_room(const real *normal_force, const real *tangential_push,
-                               const friction_cone *cone, real side, int order, real room[SERIES_TERMS]) {
+                               const friction_cone *cone, real sign, int order, real room[SERIES_TERMS]) {
     int k = 0;
     do {
         room[k] = drift_times(k, cone->normal, cone->normal_rate, normal_force) -
-                  side * cone->tangential * tangential_push[k];
+                  sign * cone->tangential * tangential_push[k];
     } while (++k <= order);
 }
 

@@ -138,7 +138,7 @@ static bool has_ground(const tdmf_ensemble_rules *rules, const tdmf_ensemble *en
            are_weights(rules->friction_weights, rules->friction_weight_count);
 }
 
-static bool is_held(const char *what, const tdmf_ensemble_rules *rules, const tdmf_ensemble *ensemble) {
+static bool is_constant(const char *what, const tdmf_ensemble_rules *rules, const tdmf_ensemble *ensemble) {
     return is_drawn_alone(1.0, what, rules, ensemble);
 }
 
@@ -162,7 +162,7 @@ static bool is_terrain(const tdmf_ensemble_case *its_case, const tdmf_ensemble *
         return true;
     }
     for (size_t i = 0; i < sizeof fixed / sizeof fixed[0]; ++i) {
-        if (!is_held(fixed[i], rules, ensemble)) {
+        if (!is_constant(fixed[i], rules, ensemble)) {
             return false;
         }
     }

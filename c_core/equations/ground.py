@@ -121,9 +121,9 @@ def ahead(x, y, slope_sine, slope_cosine):
     return slope_sine * y - slope_cosine * x
 
 
-def room(normal_force, tangential_push, cone, side):
+def room(normal_force, tangential_push, cone, sign):
     """rho mu f_n + s f_t, by the cone's width: what is left up to its edge on the side s  (2)."""
-    return cone.normal * normal_force - side * (cone.tangential * tangential_push)
+    return cone.normal * normal_force - sign * (cone.tangential * tangential_push)
 
 
 def rise(vx, vy, foot_vx, slope_sine, slope_cosine, share):

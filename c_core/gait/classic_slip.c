@@ -97,9 +97,9 @@ static double first_time(const polynomial *p, double scale, double size) {
 }
 
 /* What the cone leaves for a force along the leg: a foot that never slips is in it while it pushes down. */
-static double room_in_cone(const tdmf_classic *slip, double side, double along, double off) {
+static double room_in_cone(const tdmf_classic *slip, double sign, double along, double off) {
     const tdmf_ground_force along_leg = {.tangential = along, .normal = off};
-    return isinf(slip->friction) ? off : tdmf_room_in_cone(slip->friction, side, along_leg);
+    return isinf(slip->friction) ? off : tdmf_room_in_cone(slip->friction, sign, along_leg);
 }
 
 static stance_end find_end(const tdmf_classic *slip, const ground_series *s, double *size) {

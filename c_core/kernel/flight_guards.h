@@ -27,8 +27,8 @@ typedef struct {
  * normal. */
 static inline leg_drops max_drops(const event_search *search, const flight_constants *c,
                                   const flight_series *f, real longest, real sine, real cosine) {
-    const real turn = largest_deviation(search, f->angle, search->order);
-    const real change = turn * (real_abs(sine) + 0.5 * turn);
+    const real rotation = largest_deviation(search, f->angle, search->order);
+    const real change = rotation * (real_abs(sine) + 0.5 * rotation);
     const real down = c->body_share * longest * real_min(cosine + change, broadcast(1.0));
     const real up = (1.0 - c->body_share) * longest * real_min(change - cosine, broadcast(1.0));
     const leg_drops drops = {real_max(down, broadcast(0.0)), real_max(up, broadcast(0.0))};

@@ -34,11 +34,11 @@ tdmf_point tdmf_com_in_flight(const tdmf_mode_equations *equations, double t) {
 
 /* A leg that has wound past a half turn in flight stays wound. */
 static double winding_of(const tdmf_mode_equations *equations, double angle) {
-    static const double turn = 6.283185307179586;
-    const bool seen_as_it_is = fabs(angle) < 0.49 * turn;
+    static const double two_pi = 6.283185307179586;
+    const bool seen_as_it_is = fabs(angle) < 0.49 * two_pi;
     const tdmf_standing *at = &equations->start.standing;
     const double seen = tdmf_angle_seen(at->x, at->y, equations->ground.slope);
-    return seen_as_it_is ? 0.0 : turn * round((angle - seen) / turn);
+    return seen_as_it_is ? 0.0 : two_pi * round((angle - seen) / two_pi);
 }
 
 static void open_ground(tdmf_mode_equations *equations, const double state[TDMF_STATE_COUNT],

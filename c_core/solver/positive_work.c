@@ -36,7 +36,7 @@ typedef struct {
 typedef struct {
     double at[2 * SERIES_TERMS];
     int count;
-} turns;
+} zeros;
 
 /* ---- polynomials on [0, 1] ---------------------------------------------------------------------------- */
 
@@ -143,7 +143,7 @@ static bool changes_sign(const part *in) {
     return (in->start < 0.0 && in->end > 0.0) || (in->start > 0.0 && in->end < 0.0);
 }
 
-static void insert(turns *all, double time) {
+static void insert(zeros *all, double time) {
     int index = all->count++;
     for (; index > 0 && all->at[index - 1] > time; --index) {
         all->at[index] = all->at[index - 1];
@@ -152,7 +152,7 @@ static void insert(turns *all, double time) {
 }
 
 /* Adds all changes of a polynomial's sign. */
-static void find_turns(const polynomial *f, turns *all) {
+static void find_zeros(const polynomial *f, zeros *all) {
     part waiting[HALVING_LIMIT + 1] = {{0.0, 1.0, f->c[0], at_time(f, 1.0).value}};
     const double bound = bound_of_derivative(f->c, third_derivative, f->order);
     const int limit = all->count + f->order;
@@ -195,19 +195,19 @@ static void leave_out_zeros(polynomial *f) {
     }
 }
 
-static void add_turns_of(const polynomial *f, double rest, turns *all) {
+static void add_zeros_of(const polynomial *f, double rest, zeros *all) {
     if (!(fabs(f->c[0]) > rest) && !keeps_sign(f)) {
-        find_turns(f, all);
+        find_zeros(f, all);
     }
 }
 
 /* The rate has the sign of the momentum, and the torque follows from what it makes of the momentum. */
-static void add_turns_in_flight(const tdmf_step *step, const double *power, turns *all) {
+static void add_zeros_in_flight(const tdmf_step *step, const double *power, zeros *all) {
     polynomial momentum, torque;
     take_series(step->series.flight.momentum, power, step->order, &momentum);
     const sums_of_rest rest = rest_of(&momentum);
     const bool is_forced = step->equations->is_forced;
-    add_turns_of(&momentum, rest.value, all);
+    add_zeros_of(&momentum, rest.value, all);
     if (!is_forced && fabs(momentum.c[1]) > rest.slope) {
         return;
     }
@@ -215,20 +215,20 @@ static void add_turns_in_flight(const tdmf_step *step, const double *power, turn
     for (int k = 0; k <= torque.order && is_forced; ++k) {
         torque.c[k] -= step->series.flight.push_moment[k] * power[k + 1];
     }
-    add_turns_of(&torque, rest_of(&torque).value, all);
+    add_zeros_of(&torque, rest_of(&torque).value, all);
 }
 
-static void add_turns_on_ground(const tdmf_step *step, const double *power, turns *all) {
+static void add_zeros_on_ground(const tdmf_step *step, const double *power, zeros *all) {
     const ground_series *g = &step->series.ground;
     polynomial moment, torque;
     take_series(g->moment, power, step->order, &moment);
     take_series(g->torque, power, step->order - 1, &torque);
     leave_out_zeros(&torque);
-    add_turns_of(&moment, rest_of(&moment).value, all);
-    add_turns_of(&torque, rest_of(&torque).value, all);
+    add_zeros_of(&moment, rest_of(&moment).value, all);
+    add_zeros_of(&torque, rest_of(&torque).value, all);
 }
 
-static void find_turns_of_power(const tdmf_step *step, double end, turns *all) {
+static void find_zeros_of_power(const tdmf_step *step, double end, zeros *all) {
     double of_end[SERIES_TERMS];
     const double *power = step->search.power;
     all->count = 0;
@@ -237,9 +237,9 @@ static void find_turns_of_power(const tdmf_step *step, double end, turns *all) {
         power = of_end;
     }
     if (step->equations->contact == TDMF_CONTACT_FLIGHT) {
-        add_turns_in_flight(step, power, all);
+        add_zeros_in_flight(step, power, all);
     } else {
-        add_turns_on_ground(step, power, all);
+        add_zeros_on_ground(step, power, all);
     }
 }
 
@@ -257,8 +257,8 @@ static double split_work(const tdmf_step *step, double end, double total, tdmf_s
     if (has_no_torque(step)) {
         return 0.0;
     }
-    turns all;
-    find_turns_of_power(step, end, &all);
+    zeros all;
+    find_zeros_of_power(step, end, &all);
     for (int i = 0; i <= all.count; ++i) {
         const double to = i < all.count ? all.at[i] * end : end;
         const double done_then = i < all.count ? tdmf_step_work(step, to) : total;

@@ -192,8 +192,8 @@ double tdmf_step_work(const tdmf_step *step, double time) {
     set_elapsed(&elapsed, step->search.power, step->size, time, step->order);
     if (flies(step)) {
         const flight_series *f = &step->series.flight;
-        const double turned = change_to(f->angle, &elapsed, step->order);
-        return tdmf_flight_work(&step->constants.flight.law, f, &elapsed, step->order, turned);
+        const double rotation = change_to(f->angle, &elapsed, step->order);
+        return tdmf_flight_work(&step->constants.flight.law, f, &elapsed, step->order, rotation);
     }
     return ground_work(&step->series.ground, tdmf_step_ground_case(step), step->order, &elapsed);
 }

@@ -87,9 +87,9 @@ class _Comments:
             end = line + found[0].count("\n")
             words = re.sub(r"^ *\* ?", "", found[1], flags=re.MULTILINE)
             paragraphs = (" ".join(part.split()) for part in words.split("\n\n"))
-            told = "\n\n".join(part for part in paragraphs if part)
+            comment = "\n\n".join(part for part in paragraphs if part)
             alone = not text[text.rfind("\n", 0, found.start()) + 1 : found.start()].strip()
-            (self.before if alone else self.beside)[end if alone else line] = told
+            (self.before if alone else self.beside)[end if alone else line] = comment
             if not alone:
                 self.ends.update(range(line, end + 1))
         blank = COMMENT.sub(lambda found: re.sub(r"[^\n]", " ", found[0]), text)
@@ -192,9 +192,9 @@ def _entry(node: c_ast.Node, line: int, comments: _Comments) -> Entry:
 def _enumerators(enum: c_ast.Enum, comments: _Comments) -> Iterator[Member]:
     for item in enum.values.enumerators:
         value = f" = {WRITTEN.visit(item.value)}" if item.value is not None else ""
-        told = comments.of(item.coord.line)
-        told = told or ("How many there are." if item.name.endswith("_COUNT") else "")
-        yield Member(item.name, f"{item.name}{value}", told)
+        comment = comments.of(item.coord.line)
+        comment = comment or ("How many there are." if item.name.endswith("_COUNT") else "")
+        yield Member(item.name, f"{item.name}{value}", comment)
 
 
 def _members(struct: c_ast.Struct, comments: _Comments, outer: str = "") -> Iterator[Member]:

@@ -31,10 +31,9 @@ class GalleryFigure(SphinxDirective):
         """Write picture, words, and a line of what belongs to it."""
         name = self.arguments[0]
         words = self.parse_content_to_nodes()
-        told = escape(words[0].astext())
-        picture = (
-            f'<a href="{FOLDER}/{name}.png"><img src="{FOLDER}/{name}.png" alt="{told}" loading="lazy"></a>'
-        )
+        caption = escape(words[0].astext())
+        address = f"{FOLDER}/{name}.png"
+        picture = f'<a href="{address}"><img src="{address}" alt="{caption}" loading="lazy"></a>'
         links = [f'<a href="{FOLDER}/{name}.csv" download>data</a>']
         if "guide" in self.options:
             links.append(f'<a href="guides/{self.options["guide"]}.html">guide</a>')

@@ -120,16 +120,16 @@ class Notebook:
             return self.attach(cell, options.get("alt", ""), "drawing.svg", made.stdout)
         return f"```{{{name}}}"
 
-    def attached(self, cell: Cell, told: str, path: pathlib.Path) -> str:
+    def attached(self, cell: Cell, text: str, path: pathlib.Path) -> str:
         """Let a picture go along."""
-        return self.attach(cell, told, path.name, path.read_bytes())
+        return self.attach(cell, text, path.name, path.read_bytes())
 
     @staticmethod
-    def attach(cell: Cell, told: str, name: str, data: bytes) -> str:
+    def attach(cell: Cell, text: str, name: str, data: bytes) -> str:
         """Let a picture go along, by its name."""
         kind = KINDS[pathlib.PurePath(name).suffix]
         cell.setdefault("attachments", {})[name] = {kind: base64.b64encode(data).decode()}
-        return f"![{told}](attachment:{name})"
+        return f"![{text}](attachment:{name})"
 
     def linked(self, text: str, target: str) -> str:
         """Name a page of the site; link it where the site has an address."""

@@ -16,7 +16,7 @@
 #include <string.h>
 
 enum { COORDINATES = 6, SETTINGS = 2, PUSHES = 2, STRIDES = 6, BISECTIONS = 60 };
-enum { MOST_STATES = 32, MOST_INDICATORS = 32 };
+enum { MAX_STATES = 32, MAX_INDICATORS = 32 };
 static const double step = 1e-3;     /* s */
 static const double longest = 100.0; /* s; a stride that takes longer is none */
 
@@ -68,7 +68,7 @@ static importer start(const unit_description *description, const char *library) 
     attribute_of(description, "guid", guid, sizeof guid);
     attribute_of(description, "numberOfEventIndicators", indicators, sizeof indicators);
     runner.indicators = strtoul(indicators, NULL, 10);
-    if (runner.states > MOST_STATES || runner.indicators > MOST_INDICATORS) {
+    if (runner.states > MAX_STATES || runner.indicators > MAX_INDICATORS) {
         fail("too many states or event indicators", indicators);
     }
     for (int i = 0; i < COORDINATES; ++i) {
@@ -137,7 +137,7 @@ static void change(importer *runner, double time, const double states[], double 
 /* Goes on from a time and its states by h, to where the unit then is. */
 static void advance(importer *runner, double time, const double states[], double h, double after[]) {
     static const double part[] = {0.0, 0.5, 0.5, 1.0}, weight[] = {1.0 / 6, 1.0 / 3, 1.0 / 3, 1.0 / 6};
-    double changes[MOST_STATES] = {0.0}, stage[MOST_STATES];
+    double changes[MAX_STATES] = {0.0}, stage[MAX_STATES];
     memcpy(after, states, runner->states * sizeof *after);
     for (int k = 0; k < 4; ++k) {
         for (size_t i = 0; i < runner->states; ++i) {
@@ -158,7 +158,7 @@ static void look(importer *runner, double indicators[]) {
 
 /* Whether an indicator has left its domain, which is above 0, or 0 and below. */
 static int has_event(importer *runner, const double before[]) {
-    double now[MOST_INDICATORS];
+    double now[MAX_INDICATORS];
     look(runner, now);
     for (size_t i = 0; i < runner->indicators; ++i) {
         if ((before[i] > 0.0) != (now[i] > 0.0)) {
@@ -170,7 +170,7 @@ static int has_event(importer *runner, const double before[]) {
 
 /* The shortest step after which there is an event, where there is one after h. */
 static double step_to_event(importer *runner, const double states[], const double before[], double h) {
-    double without = 0.0, with = h, after[MOST_STATES];
+    double without = 0.0, with = h, after[MAX_STATES];
     for (int i = 0; i < BISECTIONS; ++i) {
         const double middle = 0.5 * (without + with);
         advance(runner, runner->time, states, middle, after);
@@ -181,7 +181,7 @@ static double step_to_event(importer *runner, const double states[], const doubl
 
 /* From event mode to the next event, in event mode again. */
 static void run_to_event(importer *runner, double until) {
-    double states[MOST_STATES], after[MOST_STATES] = {0.0}, before[MOST_INDICATORS];
+    double states[MAX_STATES], after[MAX_STATES] = {0.0}, before[MAX_INDICATORS];
     fmi2Boolean found = fmi2False, asked = fmi2False, ends = fmi2False;
     check(runner->call.enter_continuous_time_mode(runner->unit), "fmi2EnterContinuousTimeMode");
     check(runner->call.get_states(runner->unit, states, runner->states), "fmi2GetContinuousStates");

@@ -27,7 +27,7 @@ static void logger(fmi2ComponentEnvironment environment, fmi2String instance, fm
 const fmi2CallbackFunctions importer_callbacks = {.logger = logger};
 
 static fmi2Component new_of_type(fmi2Type type) {
-    forget_messages();
+    clear_messages();
     fmi2Component component =
         fmi2Instantiate("runner", type, FMU_GUID, NULL, &importer_callbacks, fmi2False, fmi2True);
     assert_non_null(component);

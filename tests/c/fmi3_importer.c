@@ -17,13 +17,13 @@ static fmi3Instance without_events(fmi3Instance instance) {
 }
 
 fmi3Instance new_exchange(void) {
-    forget_messages();
+    clear_messages();
     return without_events(
         fmi3InstantiateModelExchange("runner", FMU_GUID, NULL, false, true, NULL, importer_logger));
 }
 
 fmi3Instance new_stepper(bool event_mode, bool early_return) {
-    forget_messages();
+    clear_messages();
     return without_events(fmi3InstantiateCoSimulation("runner", FMU_GUID, NULL, false, true, event_mode,
                                                       early_return, NULL, 0, NULL, importer_logger, NULL));
 }

@@ -13,7 +13,7 @@ char last_category[64];
 
 const char *const events_category[1] = {"logEvents"};
 
-void forget_messages(void) {
+void clear_messages(void) {
     message_count = 0;
     last_message[0] = '\0';
     last_category[0] = '\0';

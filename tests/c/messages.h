@@ -4,13 +4,13 @@
 
 #include <stdint.h>
 
-/* Messages since the last forget_messages; the first MESSAGES_KEPT of them are kept. */
+/* Messages since the last clear_messages; the first MESSAGES_KEPT of them are kept. */
 enum { MESSAGES_KEPT = 512, MESSAGE_LENGTH = 160 };
 extern int message_count;
 extern char messages[MESSAGES_KEPT][MESSAGE_LENGTH];
 extern char last_message[1024];
 extern char last_category[64];
-void forget_messages(void);
+void clear_messages(void);
 
 /* The category of what happens to the runner, as the calls that switch it want it. */
 extern const char *const events_category[1];

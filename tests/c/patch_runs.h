@@ -5,18 +5,18 @@
 #include "integrate.h"
 #include "tdmf_slip/return_map.h"
 
-enum { PATCH_RUNS = 9, MOST_STRIDES_OF_RUN = 9, MOST_CROSSINGS = 3 };
+enum { PATCH_RUNS = 9, MAX_STRIDES_OF_RUN = 9, MAX_CROSSINGS = 3 };
 
 typedef struct {
     double friction, static_friction_ratio, stribeck_velocity, slope; /* a ratio of 0: 1 */
     double begin, end, patch_friction;
     double start[TDMF_SECTION_COUNT]; /* with the foot at x = 0 */
     int strides;
-    const char *words[MOST_STRIDES_OF_RUN];
+    const char *words[MAX_STRIDES_OF_RUN];
     double end_apex[TDMF_SECTION_COUNT], end_foot_x, end_time;
     double first_apex[TDMF_SECTION_COUNT], first_foot_x; /* after one stride, where it is told */
     int crossings;
-    double crossing_times[MOST_CROSSINGS];
+    double crossing_times[MAX_CROSSINGS];
     struct {
         double period, speed, cost_of_transport, slip_distance, friction_loss;
     } last;                                              /* of the last stride, where it is told */

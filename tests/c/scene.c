@@ -199,11 +199,11 @@ tdmf_inputs scene_random_inputs(random_source *source, const tdmf_model *model) 
 static void random_state(random_source *source, runner *runner) {
     const tdmf_scales *scales = &runner->model.scales;
     double *state = runner->motion.state;
-    const double side = random_chance(source, 0.5) ? 1.0 : -1.0;
+    const double sign = random_chance(source, 0.5) ? 1.0 : -1.0;
     state[TDMF_FOOT_X] = random_uniform(source, -3.0, 3.0) * scales->length;
     state[TDMF_FOOT_Y] = random_uniform(source, 0.0, 3.0) * scales->length;
     state[TDMF_LEG_LENGTH] = random_uniform(source, 0.4, 1.6) * scales->length;
-    state[TDMF_LEG_ANGLE] = side * random_uniform(source, 0.1, 1.4);
+    state[TDMF_LEG_ANGLE] = sign * random_uniform(source, 0.1, 1.4);
     state[TDMF_FOOT_VX] = random_uniform(source, -2.0, 2.0) * scales->speed;
     state[TDMF_FOOT_VY] = random_uniform(source, -2.0, 2.0) * scales->speed;
     state[TDMF_LEG_LENGTH_RATE] = random_uniform(source, -1.0, 1.0) * scales->speed;

@@ -54,7 +54,7 @@ static void set_thrust(run *run, double thrust) {
 
 /* ---- ramps --------------------------------------------------------------------------------------------- */
 
-enum { PIECES = 24 };
+enum { PARTS = 24 };
 static const double duration = 3.1;
 
 static tdmf_inputs random_rates(random_source *source) {
@@ -74,7 +74,7 @@ static run ramped(uint64_t seed, solver_call advance, double tolerance, double l
     random_source source = {seed};
     run run = begin(0.03, tolerance);
     tdmf_inputs rates = {.ground = {.friction = 0.0}};
-    for (int i = 0; i < PIECES; ++i) {
+    for (int i = 0; i < PARTS; ++i) {
         const double until = run.motion.time + duration;
         if (i % 2 == 0) {
             rates = random_rates(&source);

@@ -17,7 +17,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { PIECES = 8, STEPS_OF_A_PIECE = 2000, OUTCOMES = TDMF_REFUSED + 1 };
+enum { PARTS = 8, STEPS_OF_A_PART = 2000, OUTCOMES = TDMF_REFUSED + 1 };
 
 /* Of the energies met: what rounding and the margins of guards leave open. */
 static const double ledger_rounding = 1e-12;
@@ -223,7 +223,7 @@ static tdmf_outcome advance(run *run) {
     const int64_t steps = run->solver.steps;
     const tdmf_outcome outcome =
         tdmf_native_advance(&run->solver, SYSTEM_OF(run), &rates, before.time + duration, &run->motion);
-    assert_true(run->solver.steps - steps <= STEPS_OF_A_PIECE);
+    assert_true(run->solver.steps - steps <= STEPS_OF_A_PART);
     assert_true(outcome != TDMF_ARRIVED || run->motion.time == before.time + duration);
     if (outcome == TDMF_REFUSED) {
         assert_memory_equal(&run->motion, &before, sizeof before);
@@ -253,8 +253,8 @@ static bool begin(uint64_t seed, run *run) {
     const declared_runner runner = declared_random(&run->source, run->decades);
     run->solver = tdmf_solver_default();
     run->solver.relative_tolerance = random_magnitude(&run->source, 1e-14, 1e-2);
-    run->solver.step_limit = STEPS_OF_A_PIECE;
-    run->solver.event_limit = STEPS_OF_A_PIECE;
+    run->solver.step_limit = STEPS_OF_A_PART;
+    run->solver.event_limit = STEPS_OF_A_PART;
     run->inputs = runner.inputs;
     memcpy(run->motion.state, runner.state, sizeof runner.state);
     assert_null(tdmf_model_create(&run->model, &runner.parameters).variable);
@@ -288,7 +288,7 @@ static const char *follow(uint64_t seed, tally *seen) {
     }
     const char *wrong = NULL;
     tdmf_outcome outcome = TDMF_ARRIVED;
-    for (int i = 0; i < PIECES && outcome == TDMF_ARRIVED && wrong == NULL; ++i) {
+    for (int i = 0; i < PARTS && outcome == TDMF_ARRIVED && wrong == NULL; ++i) {
         if (random_chance(&run.source, 0.3)) {
             change_inputs(&run);
         }

@@ -113,7 +113,7 @@ static void a_force_that_comes_back_within_the_step_has_lifted_the_foot(void **s
 static void a_push_that_leaves_the_cone_for_a_while_slips(void **state) {
     static const double shares[] = {1.0 - 0.125, 0.75, -1.0};
     (void)state;
-    for (double side = -1.0; side < 2.0; side += 2.0) {
+    for (double sign = -1.0; sign < 2.0; sign += 2.0) {
         const ground_constants c = standing_on(1.0);
         event_search search = search_of_order(8);
         ground_series g;
@@ -121,12 +121,12 @@ static void a_push_that_leaves_the_cone_for_a_while_slips(void **state) {
         g.normal_force[0] = 1.0;
         in_time(shares, 2, g.tangential_push);
         for (int k = 0; k <= 2; ++k) {
-            g.tangential_push[k] *= side;
+            g.tangential_push[k] *= sign;
         }
         watch_forces(&search, &c, &g, true, false);
         search_pending(&search);
         assert_int_equal(guard_of_end(search.end),
-                         side > 0.0 ? TDMF_GUARD_SLIP_ONSET_POSITIVE : TDMF_GUARD_SLIP_ONSET_NEGATIVE);
+                         sign > 0.0 ? TDMF_GUARD_SLIP_ONSET_POSITIVE : TDMF_GUARD_SLIP_ONSET_NEGATIVE);
         assert_close(search.time, 0.25, 1e-11);
     }
 }

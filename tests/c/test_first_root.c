@@ -59,13 +59,13 @@ static double rounding_of(const double *roots, int count) {
 /* Roots anywhere, some outside the reach and some close together; the polynomial is positive at 0. What is
  * found is a root to rounding, and before it the polynomial is positive wherever one looks. */
 static void the_first_of_many_roots(void **state) {
-    enum { RUNS = sample_of(5000), MOST = 12, LOOKS = 400 };
+    enum { RUNS = sample_of(5000), ROOT_LIMIT = 12, LOOKS = 400 };
     random_source source = {41};
     int found_some = 0;
     (void)state;
     for (int run = 0; run < RUNS; ++run) {
-        const int count = 1 + (int)random_uniform(&source, 0.0, MOST - 1e-9);
-        double roots[MOST];
+        const int count = 1 + (int)random_uniform(&source, 0.0, ROOT_LIMIT - 1e-9);
+        double roots[ROOT_LIMIT];
         double sign = 1.0;
         for (int i = 0; i < count; ++i) {
             roots[i] = random_uniform(&source, -1.0, 2.0);

@@ -165,7 +165,7 @@ static void steps_that_are_none_are_refused(void **state) {
     static const double steps[] = {0.0, -1.0, NAN, INFINITY};
     for (size_t i = 0; i < sizeof steps / sizeof steps[0]; ++i) {
         initialize(*state);
-        forget_messages();
+        clear_messages();
         assert_int_equal(fmi2DoStep(*state, 0.0, steps[i], fmi2True), fmi2Error);
         assert_int_equal(message_count, 1);
         assert_int_equal(fmi2Reset(*state), fmi2OK);

@@ -151,12 +151,12 @@ static void differences_of_states_set_one_by_one_are_the_directional_derivatives
     for (fmi2ValueReference j = 0; j < TDMF_STATE_COUNT; ++j) {
         const fmi2ValueReference known = states + j;
         const double one = 1.0;
-        double at, shifted, sides[2][TDMF_STATE_COUNT];
+        double at, shifted, rates[2][TDMF_STATE_COUNT];
         assert_int_equal(fmi2GetReal(component, &known, 1, &at), fmi2OK);
-        for (int side = 0; side < 2; ++side) {
-            shifted = at + (side == 0 ? -delta : delta);
+        for (int step = 0; step < 2; ++step) {
+            shifted = at + (step == 0 ? -delta : delta);
             assert_int_equal(fmi2SetReal(component, &known, 1, &shifted), fmi2OK);
-            assert_int_equal(fmi2GetDerivatives(component, sides[side], TDMF_STATE_COUNT), fmi2OK);
+            assert_int_equal(fmi2GetDerivatives(component, rates[step], TDMF_STATE_COUNT), fmi2OK);
         }
         assert_int_equal(fmi2SetReal(component, &known, 1, &at), fmi2OK);
         for (fmi2ValueReference i = 0; i < TDMF_STATE_COUNT; ++i) {
@@ -164,7 +164,7 @@ static void differences_of_states_set_one_by_one_are_the_directional_derivatives
             double value;
             assert_int_equal(fmi2GetDirectionalDerivative(component, &unknown, 1, &known, 1, &one, &value),
                              fmi2OK);
-            assert_close((sides[1][i] - sides[0][i]) / (2.0 * delta), value, 1e-7);
+            assert_close((rates[1][i] - rates[0][i]) / (2.0 * delta), value, 1e-7);
             nonzero += value != 0.0 ? 1 : 0;
         }
     }

@@ -21,7 +21,7 @@ static const char *const errors_category[] = {"logStatusError"};
 static const char *const discards_category[] = {"logStatusDiscard"};
 
 static fmi2Component logging_instance(fmi2Boolean logging) {
-    forget_messages();
+    clear_messages();
     fmi2Component component =
         fmi2Instantiate("runner", fmi2CoSimulation, FMU_GUID, NULL, &importer_callbacks, fmi2False, logging);
     assert_non_null(component);
@@ -36,7 +36,7 @@ typedef struct {
 static heard listen(fmi2Component component) {
     heard result;
     const double time = get_real(component, "time");
-    forget_messages();
+    clear_messages();
     assert_int_equal(fmi2EnterInitializationMode(component), fmi2Error);
     result.errors = message_count;
     assert_int_equal(set_real(component, "ground.friction", -1.0), fmi2Discard);
@@ -199,7 +199,7 @@ static void an_event_is_told_alike_in_event_mode(void **state) {
     (void)state;
     fmi2FreeInstance(stepped(fmi2True, SOLVER_NATIVE, ten_strides));
     memcpy(expected, messages, sizeof expected);
-    forget_messages();
+    clear_messages();
     fmi3Instance instance = new_stepper(true, true);
     assert_int_equal(fmi3SetDebugLogging(instance, true, 0, NULL), fmi3OK);
     initialize3(instance);
@@ -267,7 +267,7 @@ static void an_input_that_jumps_between_steps_makes_an_event_too(void **state) {
         assert_int_equal(fmi2DoStep(component, 0.05 * i, 0.05, fmi2True), fmi2OK);
     }
     const double time = get_real(component, "time");
-    forget_messages();
+    clear_messages();
     assert_int_equal(set_real(component, "ground.friction", 0.01), fmi2OK);
     assert_int_equal(fmi2DoStep(component, time, 1e-6, fmi2True), fmi2OK);
     assert_int_equal(message_count, 1);
@@ -292,7 +292,7 @@ static void a_fall_is_logged_as_one(void **state) {
 static void update_with(fmi2Component component, const char *name, double value) {
     fmi2EventInfo info;
     assert_int_equal(set_real(component, name, value), fmi2OK);
-    forget_messages();
+    clear_messages();
     assert_int_equal(fmi2EnterEventMode(component), fmi2OK);
     assert_int_equal(fmi2NewDiscreteStates(component, &info), fmi2OK);
 }

@@ -28,7 +28,7 @@ static int release(void **state) {
 /* ---- instantiation ------------------------------------------------------------------------------------ */
 
 static void assert_not_made(const char *name, fmi2Type type, const char *guid, const char *reason) {
-    forget_messages();
+    clear_messages();
     assert_null(fmi2Instantiate(name, type, guid, NULL, &importer_callbacks, fmi2False, fmi2False));
     assert_int_equal(message_count, 1);
     assert_non_null(strstr(last_message, reason));
@@ -210,7 +210,7 @@ static fmi2Component instance_in_state(int index) {
         start_running(component);
         assert_int_equal(fmi2Terminate(component), fmi2OK);
     }
-    forget_messages();
+    clear_messages();
     return component;
 }
 
@@ -252,7 +252,7 @@ static void start_values_may_be_mended_after_a_refusal(void **state) {
 /* ---- values ------------------------------------------------------------------------------------------- */
 
 static void assert_discarded(fmi2Component component, const char *name, double value) {
-    forget_messages();
+    clear_messages();
     assert_int_equal(set_real(component, name, value), fmi2Discard);
     assert_int_equal(message_count, 1);
     assert_string_equal(last_category, "logStatusDiscard");

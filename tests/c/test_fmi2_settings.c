@@ -243,10 +243,10 @@ static void co_simulation_goes_on_with_what_was_set(void **state) {
 static double difference(fmi2Component component, const char *unknown, fmi2ValueReference setting) {
     const double at = value_of(component, setting), step = 1e-4;
     double found[2];
-    for (int side = 0; side < 2; ++side) {
-        const double value = at + (side == 0 ? -step : step);
+    for (int sign = 0; sign < 2; ++sign) {
+        const double value = at + (sign == 0 ? -step : step);
         assert_int_equal(fmi2SetReal(component, &setting, 1, &value), fmi2OK);
-        found[side] = get_real(component, unknown);
+        found[sign] = get_real(component, unknown);
     }
     assert_int_equal(fmi2SetReal(component, &setting, 1, &at), fmi2OK);
     return (found[1] - found[0]) / (2.0 * step);

@@ -10,7 +10,7 @@
 #include <math.h>
 #include <string.h>
 
-enum { MOST_VARIABLES = 160, SETTINGS = 8 };
+enum { MAX_VARIABLES = 160, SETTINGS = 8 };
 
 /* A start, and the knowns by which nothing is differentiable there: a step either way makes another mode of
  * it. Names end with NULL. */
@@ -155,7 +155,7 @@ static fmi2Component begun(const start *start, double time) {
     return component;
 }
 
-static void read_unknowns(fmi2Component component, double values[MOST_VARIABLES]) {
+static void read_unknowns(fmi2Component component, double values[MAX_VARIABLES]) {
     for (size_t i = 0; i < fmu_variable_count; ++i) {
         const fmi2ValueReference reference = (fmi2ValueReference)i;
         if (is_unknown(&fmu_variables[i])) {
@@ -165,16 +165,16 @@ static void read_unknowns(fmi2Component component, double values[MOST_VARIABLES]
 }
 
 /* By central differences of fourth order; `noise` is what rounding makes of them. */
-static void differences(fmi2Component component, const char *known, double values[MOST_VARIABLES],
-                        double noise[MOST_VARIABLES]) {
+static void differences(fmi2Component component, const char *known, double values[MAX_VARIABLES],
+                        double noise[MAX_VARIABLES]) {
     static const double weights[] = {1.0 / 12.0, -2.0 / 3.0, 2.0 / 3.0, -1.0 / 12.0};
     static const int multiples[] = {-2, -1, 1, 2};
     const double at = get_real(component, known);
     const double step = at == 0.0 ? 1e-4 : 1e-4 * fabs(at);
-    memset(values, 0, MOST_VARIABLES * sizeof *values);
-    memset(noise, 0, MOST_VARIABLES * sizeof *noise);
+    memset(values, 0, MAX_VARIABLES * sizeof *values);
+    memset(noise, 0, MAX_VARIABLES * sizeof *noise);
     for (int k = 0; k < 4; ++k) {
-        double found[MOST_VARIABLES];
+        double found[MAX_VARIABLES];
         assert_int_equal(set_real(component, known, at + multiples[k] * step), fmi2OK);
         read_unknowns(component, found);
         for (size_t i = 0; i < fmu_variable_count; ++i) {
@@ -189,7 +189,7 @@ static void differences(fmi2Component component, const char *known, double value
 
 /* Compares a column; returns how many entries are not zero. */
 static int compare_column(fmi2Component component, const start *start, fmi2ValueReference known) {
-    double values[MOST_VARIABLES], noise[MOST_VARIABLES];
+    double values[MAX_VARIABLES], noise[MAX_VARIABLES];
     /* Positive work has a kink where the hip's power is zero. */
     const fmi2ValueReference positive_power = reference_of("der(hip.positive_work)");
     const double power = get_real(component, "der(hip.work)");
@@ -223,7 +223,7 @@ static int compare_column(fmi2Component component, const start *start, fmi2Value
 
 static void they_are_those_of_the_start_values(void **state) {
     (void)state;
-    assert_true(fmu_variable_count <= MOST_VARIABLES);
+    assert_true(fmu_variable_count <= MAX_VARIABLES);
     for (size_t k = 0; k < sizeof starts / sizeof starts[0]; ++k) {
         fmi2Component component = begun(&starts[k], 0.0);
         int columns = 0, nonzero = 0, edges = 0;
@@ -246,11 +246,11 @@ static void by_time_they_are_those_of_the_instants(void **state) {
     const double one = 1.0, seconds[] = {-1.0, 3.0};
     (void)state;
     for (size_t k = 0; k < sizeof starts / sizeof starts[0]; ++k) {
-        double values[2][MOST_VARIABLES];
+        double values[2][MAX_VARIABLES];
         int nonzero = 0;
-        for (int side = 0; side < 2; ++side) {
-            fmi2Component component = begun(&starts[k], seconds[side]);
-            read_unknowns(component, values[side]);
+        for (int run = 0; run < 2; ++run) {
+            fmi2Component component = begun(&starts[k], seconds[run]);
+            read_unknowns(component, values[run]);
             fmi2FreeInstance(component);
         }
         fmi2Component component = begun(&starts[k], 1.0);
@@ -295,8 +295,8 @@ static void by_time_nothing_changes_in_a_run(void **state) {
 static void fmi3_gives_the_same_both_ways_round(void **state) {
     (void)state;
     for (size_t k = 0; k < sizeof starts / sizeof starts[0]; ++k) {
-        fmi3ValueReference knowns[MOST_VARIABLES], unknowns[MOST_VARIABLES];
-        double seeds[MOST_VARIABLES], weights[MOST_VARIABLES], along[MOST_VARIABLES], back[MOST_VARIABLES];
+        fmi3ValueReference knowns[MAX_VARIABLES], unknowns[MAX_VARIABLES];
+        double seeds[MAX_VARIABLES], weights[MAX_VARIABLES], along[MAX_VARIABLES], back[MAX_VARIABLES];
         size_t known_count = 0, unknown_count = 0;
         double forward = 0.0, backward = 0.0, size = 0.0;
         fmi2Component old = begun(&starts[k], 0.0);

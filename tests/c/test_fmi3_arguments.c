@@ -32,7 +32,7 @@ static fmi3Instance running3(void) {
 static void assert_miscounted(fmi3Status status) {
     assert_int_equal(status, fmi3Error);
     assert_non_null(strstr(last_message, "every variable is a scalar"));
-    forget_messages();
+    clear_messages();
 }
 
 static void as_many_values_as_references_are_wanted(void **state) {
@@ -171,7 +171,7 @@ static void counts_of_work_end_at_the_largest_integer(void **state) {
     assert_true(get_integer(component, "solver.steps") > 0);
     inside->fmu.solver.steps = (int64_t)INT_MAX + 1;
     inside->fmu.solver.evaluations = INT64_MAX;
-    forget_view(inside);
+    discard_view(inside);
     assert_int_equal(get_integer(component, "solver.steps"), INT_MAX);
     assert_int_equal(get_integer(component, "solver.evaluations"), INT_MAX);
     fmi2FreeInstance(component);

@@ -13,7 +13,7 @@
 /* ---- instantiation ------------------------------------------------------------------------------------ */
 
 static void assert_not_made(const char *name, const char *token, const char *reason) {
-    forget_messages();
+    clear_messages();
     assert_null(fmi3InstantiateModelExchange(name, token, NULL, false, false, NULL, importer_logger));
     assert_int_equal(message_count, 1);
     assert_non_null(strstr(last_message, reason));
@@ -33,7 +33,7 @@ static void refuses_wrong_name_and_token(void **state) {
 
 static void refuses_an_interface_it_does_not_have(void **state) {
     (void)state;
-    forget_messages();
+    clear_messages();
     assert_null(fmi3InstantiateScheduledExecution("runner", FMU_GUID, NULL, false, false, NULL,
                                                   importer_logger, NULL, NULL, NULL));
     assert_non_null(strstr(last_message, "Scheduled Execution"));
@@ -57,7 +57,7 @@ static void called_back(fmi3InstanceEnvironment environment, fmi3Float64 time, f
 static void an_importer_that_offers_intermediate_updates_is_never_called_back(void **state) {
     const fmi3ValueReference wanted[] = {reference_of("foot.x"), reference_of("leg.angle")};
     (void)state;
-    forget_messages();
+    clear_messages();
     for (int way = 0; way < 4; ++way) {
         const fmi3Boolean event_mode = way >= 2, early_return = way % 2 == 1;
         double foot_x[2];
@@ -303,7 +303,7 @@ static fmi3Instance instance_at(unsigned situation) {
     } else if ((situation & ENDED) != 0) {
         assert_int_equal(fmi3Terminate(instance), fmi3OK);
     }
-    forget_messages();
+    clear_messages();
     return instance;
 }
 
@@ -384,7 +384,7 @@ static void values_out_of_range_are_discarded_and_the_old_kept(void **state) {
     (void)state;
     for (size_t i = 0; i < sizeof bad / sizeof bad[0]; ++i) {
         const double before = get_float(instance, bad[i].name);
-        forget_messages();
+        clear_messages();
         assert_int_equal(set_float(instance, bad[i].name, bad[i].value), fmi3Discard);
         assert_int_equal(message_count, 1);
         assert_non_null(strstr(last_message, bad[i].name));

@@ -11,7 +11,7 @@
 static const double period = 24.76444922801218; /* of the default gait, as in the reference values */
 static const double touchdown = 11.90;          /* of it, roughly */
 
-enum { EVENTS_OF_A_STRIDE = 9, MOST_EVENTS = 1000, STATES_COMPARED = 8 };
+enum { EVENTS_OF_A_STRIDE = 9, MAX_EVENTS = 1000, STATES_COMPARED = 8 };
 static const char *const state_names[STATES_COMPARED] = {
     "foot.x", "foot.y", "leg.length", "leg.angle", "foot.vx", "foot.vy", "leg.length_rate", "leg.angle_rate"};
 
@@ -54,7 +54,7 @@ static int run_by_events(fmi3Instance instance, double from, double to, double s
         time = answer.time;
         i += answer.early ? 0 : 1;
         events += answer.event ? 1 : 0;
-        assert_true(events < MOST_EVENTS);
+        assert_true(events < MAX_EVENTS);
         if (answer.event) {
             take_event(instance, &after);
         }
@@ -384,7 +384,7 @@ static void steps_that_are_none_are_refused(void **state) {
     for (size_t i = 0; i < sizeof steps / sizeof steps[0]; ++i) {
         step_answer step;
         fmi3Instance instance = stepper_in_step_mode(true, true);
-        forget_messages();
+        clear_messages();
         assert_int_equal(do_step(instance, 0.0, steps[i], &step), fmi3Error);
         assert_int_equal(message_count, 1);
         fmi3FreeInstance(instance);

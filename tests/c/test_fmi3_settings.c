@@ -9,7 +9,7 @@
 #include <stdbool.h>
 #include <string.h>
 
-enum { MOST_EVENTS = 20 };
+enum { MAX_EVENTS = 20 };
 
 /* A run with event mode that stands at its first lift-off, in event mode, the event not yet taken; NULL,
  * asserted, if it does not come. */
@@ -19,7 +19,7 @@ static fmi3Instance stand_at_lift_off(void) {
     initialize3(instance);
     assert_int_equal(update(instance, &updated), fmi3OK);
     double time = 0.0;
-    for (int i = 0; i < MOST_EVENTS; ++i) {
+    for (int i = 0; i < MAX_EVENTS; ++i) {
         step_answer answer;
         assert_int_equal(fmi3EnterStepMode(instance), fmi3OK);
         assert_int_equal(do_step(instance, time, 20.0 - time, &answer), fmi3OK);

@@ -440,7 +440,7 @@ static void a_runner_on_a_slope_far_up_or_down_runs_on(void **state) {
 
 /* At friction low and high, with lines that change at any moment. */
 static void random_runs_over_lines_that_change_stay_on_or_above_them(void **state) {
-    enum { RUNS = 400, PIECES = 60 };
+    enum { RUNS = 400, PARTS = 60 };
     int in_force[2] = {0, 0}, waited = 0, fell = 0, touchdowns = 0;
     (void)state;
     for (uint64_t seed = 0; seed < RUNS; ++seed) {
@@ -449,7 +449,7 @@ static void random_runs_over_lines_that_change_stay_on_or_above_them(void **stat
         run.inputs.ground.friction = random_magnitude(&source, 0.05, 10.0);
         const double start_energy = total_energy(&run);
         tdmf_outcome outcome = TDMF_ARRIVED;
-        for (int i = 0; i < PIECES && outcome == TDMF_ARRIVED; ++i) {
+        for (int i = 0; i < PARTS && outcome == TDMF_ARRIVED; ++i) {
             if (random_chance(&source, 0.3)) {
                 set_random_line(&source, &run);
             }

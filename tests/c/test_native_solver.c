@@ -235,7 +235,7 @@ static void a_spinning_leg_touches_down_in_time(void **state) {
 /* ---- inputs that change ------------------------------------------------------------------------------- */
 
 static void a_ramp_is_the_limit_of_small_steps(void **state) {
-    enum { PIECES = 4000 };
+    enum { PARTS = 4000 };
     const tdmf_inputs ramp = {.ground.friction = -0.02, .hip.external_torque = 1e-4};
     const double until = 30.0;
     (void)state;
@@ -244,13 +244,13 @@ static void a_ramp_is_the_limit_of_small_steps(void **state) {
     tdmf_motion stepped = ramped;
     tdmf_solver solver = tdmf_solver_default();
     assert_int_equal(tdmf_native_advance(&solver, SYSTEM_OF(&runner), &ramp, until, &ramped), TDMF_ARRIVED);
-    for (int i = 0; i < PIECES; ++i) {
-        const double middle = until * (i + 0.5) / PIECES;
+    for (int i = 0; i < PARTS; ++i) {
+        const double middle = until * (i + 0.5) / PARTS;
         tdmf_inputs inputs = runner.inputs;
         inputs.ground.friction += ramp.ground.friction * middle;
         inputs.hip.external_torque += ramp.hip.external_torque * middle;
         assert_int_equal(tdmf_native_advance(&solver, (tdmf_system){&runner.model, &inputs}, &no_rates,
-                                             until * (i + 1) / PIECES, &stepped),
+                                             until * (i + 1) / PARTS, &stepped),
                          TDMF_ARRIVED);
     }
     assert_int_equal(ramped.record.event_count, stepped.record.event_count);

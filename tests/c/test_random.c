@@ -10,7 +10,7 @@
 
 #include <math.h>
 
-enum { RUNS = sample_of(8000), STEPS = 3000, STEPS_PER_INPUT = 500, MOST_EVENTS_PER_STEP = 20 };
+enum { RUNS = sample_of(8000), STEPS = 3000, STEPS_PER_INPUT = 500, MAX_EVENTS_PER_STEP = 20 };
 
 /* ---- a random run ----------------------------------------------------------------------------------- */
 
@@ -198,7 +198,7 @@ static bool step_forward(runner *runner) {
         if (!runner_advance(runner, left)) {
             return false;
         }
-        assert_true(runner->resolutions - before <= MOST_EVENTS_PER_STEP);
+        assert_true(runner->resolutions - before <= MAX_EVENTS_PER_STEP);
         if (runner->motion.time == time) {
             return true; /* what is left is less than the clock resolves */
         }

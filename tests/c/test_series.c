@@ -7,7 +7,7 @@
 #include <math.h>
 #include <string.h>
 
-enum { LEAST_ORDER = 8, RUNS = 20 };
+enum { MIN_ORDER = 8, RUNS = 20 };
 
 /* ---- equations ---------------------------------------------------------------------------------------- */
 
@@ -125,7 +125,7 @@ static void flight_solves_its_equations_at_any_order(void **state) {
     random_source source = {2611};
     (void)state;
     balanced = 0;
-    for (int order = LEAST_ORDER; order <= SERIES_ORDER_LIMIT; ++order) {
+    for (int order = MIN_ORDER; order <= SERIES_ORDER_LIMIT; ++order) {
         for (int run = 0; run < RUNS; ++run) {
             flight_coefficients coefficients;
             flight_start start;
@@ -138,7 +138,7 @@ static void flight_solves_its_equations_at_any_order(void **state) {
             assert_flight(&coefficients, true, &f, order);
         }
     }
-    assert_int_equal(balanced, 21 * RUNS * (18 * (LEAST_ORDER + SERIES_ORDER_LIMIT) / 2 - 2));
+    assert_int_equal(balanced, 21 * RUNS * (18 * (MIN_ORDER + SERIES_ORDER_LIMIT) / 2 - 2));
 }
 
 /* ---- on the ground ------------------------------------------------------------------------------------ */
@@ -274,7 +274,7 @@ static void the_ground_solves_its_equations_at_any_order(void **state) {
     random_source source = {2612};
     int coefficients_seen = 0;
     (void)state;
-    for (int order = LEAST_ORDER; order <= SERIES_ORDER_LIMIT; ++order) {
+    for (int order = MIN_ORDER; order <= SERIES_ORDER_LIMIT; ++order) {
         for (int run = 0; run < CASES * RUNS; ++run) {
             const ground_case is = cases[run % CASES];
             ground_coefficients c;
@@ -290,7 +290,7 @@ static void the_ground_solves_its_equations_at_any_order(void **state) {
             }
         }
     }
-    assert_int_equal(coefficients_seen, 21 * CASES * RUNS * (LEAST_ORDER + SERIES_ORDER_LIMIT) / 2);
+    assert_int_equal(coefficients_seen, 21 * CASES * RUNS * (MIN_ORDER + SERIES_ORDER_LIMIT) / 2);
 }
 
 /* A leg that coasts is one that turns with no torque. */
@@ -318,13 +318,13 @@ static void no_torque_is_a_torque_of_zero(void **state) {
 
 enum { VARIED_ORDER = 18 };
 /* How far to either side values are taken for a difference: its error falls with the fourth power of this. */
-enum { SIDES = 4 };
-static const double sides[SIDES] = {1e-5, -1e-5, 2e-5, -2e-5};
+enum { STEPS = 4 };
+static const double steps[STEPS] = {1e-5, -1e-5, 2e-5, -2e-5};
 
 /* A derivative against the difference of values at these sides. */
-static void assert_derivative(const double *d, const double *at[SIDES]) {
+static void assert_derivative(const double *d, const double *at[STEPS]) {
     for (int k = 0; k < VARIED_ORDER; ++k) {
-        const double difference = (8.0 * (at[0][k] - at[1][k]) - (at[2][k] - at[3][k])) / (12.0 * sides[0]);
+        const double difference = (8.0 * (at[0][k] - at[1][k]) - (at[2][k] - at[3][k])) / (12.0 * steps[0]);
         assert_close(d[k], difference, 1e-7 * (1.0 + fabs(difference)));
         ++balanced;
     }
@@ -332,8 +332,8 @@ static void assert_derivative(const double *d, const double *at[SIDES]) {
 
 /* The same of one member of the variation `t`, which `side` has the values of. */
 #define ASSERT_VARIES(member)                                                                                \
-    assert_derivative(t.member,                                                                              \
-                      (const double *[]){side[0].member, side[1].member, side[2].member, side[3].member})
+    assert_derivative(t.member, (const double *[]){shifted[0].member, shifted[1].member, shifted[2].member,  \
+                                                   shifted[3].member})
 
 /* numbers + share * change. */
 static void move(const double *numbers, const double *change, double share, int count, double *moved) {
@@ -350,7 +350,7 @@ static void flight_varies_as_it_changes(void **state) {
         flight_coefficients c, d, moved;
         const bool pushed = run % 2 == 1;
         flight_start start, d_start, moved_start;
-        flight_series f, side[SIDES];
+        flight_series f, shifted[STEPS];
         flight_variation t;
         draw(&source, &c.inverse_reduced_mass, FLIGHT_COEFFICIENTS);
         draw(&source, &d.inverse_reduced_mass, FLIGHT_COEFFICIENTS);
@@ -358,12 +358,12 @@ static void flight_varies_as_it_changes(void **state) {
         draw(&source, &d_start.length, FLIGHT_START);
         expand_flight_by_case(&c, &start, VARIED_ORDER, pushed, &f);
         vary_flight_by_case(&c, &start, &f, &d, &d_start, VARIED_ORDER, pushed, &t);
-        for (int i = 0; i < SIDES; ++i) {
-            const double share = sides[i];
+        for (int i = 0; i < STEPS; ++i) {
+            const double share = steps[i];
             move(&c.inverse_reduced_mass, &d.inverse_reduced_mass, share, FLIGHT_COEFFICIENTS,
                  &moved.inverse_reduced_mass);
             move(&start.length, &d_start.length, share, FLIGHT_START, &moved_start.length);
-            expand_flight_by_case(&moved, &moved_start, VARIED_ORDER, pushed, &side[i]);
+            expand_flight_by_case(&moved, &moved_start, VARIED_ORDER, pushed, &shifted[i]);
         }
         ASSERT_VARIES(length);
         ASSERT_VARIES(length_rate);
@@ -381,17 +381,17 @@ static void the_ground_varies_as_it_changes(void **state) {
         const ground_case is = cases[run % CASES], has_torque = {is.slips, is.grazes, true, is.falls, false};
         ground_coefficients c, d, moved;
         ground_start start, d_start, moved_start;
-        ground_series g, side[SIDES];
+        ground_series g, shifted[STEPS];
         ground_variation t;
         draw_ground(&source, is, &c, &start);
         draw_ground(&source, has_torque, &d, &d_start);
         expand_ground(&c, &start, VARIED_ORDER, is, &g);
         vary_ground(&c, &start, &g, &d, &d_start, VARIED_ORDER, is, &t);
-        for (int i = 0; i < SIDES; ++i) {
-            const double share = sides[i];
+        for (int i = 0; i < STEPS; ++i) {
+            const double share = steps[i];
             move(&c.stiffness, &d.stiffness, share, GROUND_COEFFICIENTS, &moved.stiffness);
             move(&start.x, &d_start.x, share, GROUND_START, &moved_start.x);
-            expand_ground(&moved, &moved_start, VARIED_ORDER, has_torque, &side[i]);
+            expand_ground(&moved, &moved_start, VARIED_ORDER, has_torque, &shifted[i]);
         }
         ASSERT_VARIES(x);
         ASSERT_VARIES(vx);

@@ -9,7 +9,7 @@
 #include <math.h>
 #include <string.h>
 
-enum { RUNNERS = 24, MOST_STRIDES = 60 };
+enum { RUNNERS = 24, MAX_STRIDES = 60 };
 
 typedef struct {
     tdmf_model model;
@@ -17,7 +17,7 @@ typedef struct {
     tdmf_ball ball;
     tdmf_ensemble_case its_case;
     tdmf_ensemble ensemble;
-    tdmf_ensemble_stride strides[RUNNERS][MOST_STRIDES];
+    tdmf_ensemble_stride strides[RUNNERS][MAX_STRIDES];
     tdmf_ensemble_checkpoint checkpoints[RUNNERS];
     tdmf_ensemble_end ends[RUNNERS];
 } population;
@@ -43,7 +43,7 @@ static void gather(population *population) {
                                          {.gaits = (const double(*)[TDMF_SECTION_COUNT])population->gait,
                                           .gait_count = 1,
                                           .balls = &population->ball,
-                                          .max_strides = MOST_STRIDES}};
+                                          .max_strides = MAX_STRIDES}};
     population->its_case = its_case;
     const tdmf_ensemble ensemble = {.cases = &population->its_case,
                                     .case_count = 1,
@@ -52,7 +52,7 @@ static void gather(population *population) {
                                     .relative_tolerance = 1e-8,
                                     .threads = 2,
                                     .strides = &population->strides[0][0],
-                                    .stride_count = MOST_STRIDES,
+                                    .stride_count = MAX_STRIDES,
                                     .checkpoints = population->checkpoints};
     population->ensemble = ensemble;
 }
@@ -144,7 +144,7 @@ static void a_stopped_run_goes_on_to_the_same_ends(void **state) {
     population.ensemble.stop = NULL;
     population.its_case.rules.max_strides = 5;
     assert_true(tdmf_run_ensemble(&population.ensemble, population.ends, NULL));
-    population.its_case.rules.max_strides = MOST_STRIDES;
+    population.its_case.rules.max_strides = MAX_STRIDES;
     population.ensemble.goes_on = true;
     assert_true(tdmf_run_ensemble(&population.ensemble, population.ends, NULL));
     for (int i = 0; i < RUNNERS; ++i) {

@@ -115,17 +115,17 @@ static void strides_one_by_one(void **state) {
 
 /* An instant is good to twice the digits of a double, whatever is added in between. */
 static void instants_lose_nothing(void **state) {
-    enum { PIECES = 100000 };
+    enum { PARTS = 100000 };
     const tdmf_instant start = {1.7e9, 0.0};
     const double step = 0x1.23456789abcdep-20;
     tdmf_instant now = start;
     (void)state;
-    for (int i = 0; i < PIECES; ++i) {
+    for (int i = 0; i < PARTS; ++i) {
         now = tdmf_instant_after(now, step);
         assert_true(now.time + now.rest == now.time);
     }
-    assert_relatively_close(tdmf_time_between(start, now), PIECES * step, 1e-15);
-    now = tdmf_instant_after(now, -PIECES * step);
+    assert_relatively_close(tdmf_time_between(start, now), PARTS * step, 1e-15);
+    now = tdmf_instant_after(now, -PARTS * step);
     assert_close(tdmf_time_between(start, now), 0.0, 1e-17);
 }
 

@@ -12,7 +12,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { WANTED_STRIDES = 10, BISECTIONS = 50, MOST_STEPS = 1000000 };
+enum { WANTED_STRIDES = 10, BISECTIONS = 50, MAX_STEPS = 1000000 };
 
 static const double exchange_step = 1.0 / 64.0;
 static const double communication_step = 0.125;
@@ -90,7 +90,7 @@ static bool advance(run *run) {
 static void *exchange(const unit_calls *calls, const char *guid, unsigned count) {
     run run = {calls, calls->make(true, guid), 0.0, {0.0}};
     calls->get_states(run.instance, run.states);
-    for (long i = 0; i < MOST_STEPS; ++i) {
+    for (long i = 0; i < MAX_STEPS; ++i) {
         if (advance(&run) && calls->integer(run.instance, count) == WANTED_STRIDES) {
             return run.instance;
         }
@@ -101,7 +101,7 @@ static void *exchange(const unit_calls *calls, const char *guid, unsigned count)
 
 static void *co_simulate(const unit_calls *calls, const char *guid, unsigned count) {
     void *instance = calls->make(false, guid);
-    for (long i = 0; i < MOST_STEPS; ++i) {
+    for (long i = 0; i < MAX_STEPS; ++i) {
         calls->step(instance, (double)i * communication_step, communication_step);
         if (calls->integer(instance, count) == WANTED_STRIDES) {
             return instance;

@@ -81,7 +81,7 @@ def press(driver, ident):
     find(driver, ident).click()
 
 
-def told(driver, ident, name):
+def value_shown(driver, ident, name):
     """A number of a list, every digit of it."""
     cell = driver.find_element(By.CSS_SELECTOR, f"#{ident} [data-name='{name}']")
     return cell.get_attribute("data-value")

@@ -195,9 +195,9 @@ WRONG = [
 @pytest.mark.parametrize("number", range(len(WRONG)))
 def test_what_is_of_another_kind_is_told(runner, found, tmp_path, monkeypatch, number):
     monkeypatch.chdir(tmp_path)
-    with pytest.raises(InputError) as told:
+    with pytest.raises(InputError) as raised:
         WRONG[number](runner, found)
-    assert len(str(told.value).splitlines()) == 1 and len(str(told.value)) < 400
+    assert len(str(raised.value).splitlines()) == 1 and len(str(raised.value)) < 400
     assert list(tmp_path.iterdir()) == []
 
 

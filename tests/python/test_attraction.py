@@ -42,8 +42,8 @@ def test_the_largest_disturbances_are_where_recovery_ends(gait):
                 apex = gait.apex.copy()
                 apex[COORDINATES.index(axis)] += direction * distance
                 assert settles(gait, apex) == recovers
-    told = {"push_forward": 1.0, "push_backward": None, "step_down": 2.0, "step_up": 3.0}
-    assert robustness.Robustness(1.0, math.inf, 2.0, 3.0).as_json() == told
+    expected = {"push_forward": 1.0, "push_backward": None, "step_down": 2.0, "step_up": 3.0}
+    assert robustness.Robustness(1.0, math.inf, 2.0, 3.0).as_json() == expected
 
 
 def test_starts_that_the_solver_does_not_get_through_are_counted(gait):

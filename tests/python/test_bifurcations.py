@@ -53,7 +53,7 @@ class Made(Family):
             low, high = (low, middle) if beyond(middle) == at_high else (middle, high)
         return self.made(high, 1.0 if normal[0] > 0.0 else -1.0)
 
-    def told(self, low=0.5, high=1.5):
+    def reported(self, low=0.5, high=1.5):
         _, specials = special_points(self, self.made(low), self.made(high))
         return [(special.kind, pytest.approx(special.value, abs=2e-6)) for special in specials]
 
@@ -67,10 +67,10 @@ def pair(radius, angle=1.0):
 
 
 def test_each_bifurcation_by_its_eigenvalues(gait):
-    assert Made(gait, lambda s: [real(-s)]).told() == [("period doubling", 1.0)]
-    assert Made(gait, lambda s: [pair(s)]).told() == [("Neimark-Sacker", 1.0)]
+    assert Made(gait, lambda s: [real(-s)]).reported() == [("period doubling", 1.0)]
+    assert Made(gait, lambda s: [pair(s)]).reported() == [("Neimark-Sacker", 1.0)]
     turning = Made(gait, lambda s: [real(s)], value=lambda s: 2.0 - (s - 1.0) ** 2)
-    assert turning.told() == [("fold", 2.0)]
+    assert turning.reported() == [("fold", 2.0)]
 
 
 def test_a_gait_is_stable_inside_the_unit_circle(gait):
@@ -100,16 +100,16 @@ def test_located_where_it_is(gait):
     ],
 )
 def test_nothing_is_told_where_none_passes_the_unit_circle(gait, eigenvalues):
-    assert Made(gait, eigenvalues).told() == []
+    assert Made(gait, eigenvalues).reported() == []
 
 
 def test_what_happens_within_one_step_is_told_apart(gait):
     two = Made(gait, lambda s: [real(-s, -s - 0.05)])
-    assert two.told() == [("period doubling", 0.95), ("period doubling", 1.0)]
+    assert two.reported() == [("period doubling", 0.95), ("period doubling", 1.0)]
     mixed = Made(gait, lambda s: [pair(s + 0.2), real(-s - 0.03), real(0.1)])
-    assert mixed.told() == [("Neimark-Sacker", 0.8), ("period doubling", 0.97)]
+    assert mixed.reported() == [("Neimark-Sacker", 0.8), ("period doubling", 0.97)]
     turning = Made(gait, lambda s: [real(s - 0.03), real(-s - 0.07)], value=lambda s: 2.0 - (s - 1.03) ** 2)
-    assert turning.told() == [("period doubling", 1.99), ("fold", 2.0)]
+    assert turning.reported() == [("period doubling", 1.99), ("fold", 2.0)]
 
 
 @pytest.mark.parametrize(
@@ -124,12 +124,12 @@ def test_what_happens_within_one_step_is_told_apart(gait):
     ],
 )
 def test_what_is_none_of_them_is_not_judged(gait, eigenvalues):
-    assert Made(gait, eigenvalues).told() == [("not judged", 1.0)]
+    assert Made(gait, eigenvalues).reported() == [("not judged", 1.0)]
 
 
 def test_a_turn_without_an_eigenvalue_of_one_is_not_judged(gait):
     made = Made(gait, lambda s: [real(0.5)], value=lambda s: 2.0 - (s - 1.0) ** 2)
-    assert made.told() == [("not judged", 2.0)]
+    assert made.reported() == [("not judged", 2.0)]
 
 
 def test_eigenvalues_may_jump_at_a_border(gait):
@@ -138,7 +138,7 @@ def test_eigenvalues_may_jump_at_a_border(gait):
     def word(s):
         return "+0+" if s < 1.0 else "+0-0+"
 
-    for low, high, told in (
+    for low, high, reported in (
         (real(1.8, 0.5), real(2.1, 0.5), []),
         (real(0.8), real(0.9), []),
         (real(0.8), real(1.1), [("not judged", 1.0)]),
@@ -146,7 +146,7 @@ def test_eigenvalues_may_jump_at_a_border(gait):
         (real(-1.1), real(1.1), [("period doubling", 1.0), ("not judged", 1.0)]),
     ):
         made = Made(gait, lambda s, low=low, high=high: [low if s < 1.0 else high], word=word)
-        assert made.told() == [("word border", 1.0), *told]
+        assert made.reported() == [("word border", 1.0), *reported]
         borders, _ = special_points(made, made.made(0.5), made.made(1.5))
         assert [(border.before, border.after) for border in borders] == [("+0+", "+0-0+")]
 

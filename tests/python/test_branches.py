@@ -59,9 +59,9 @@ def one(branch, kind):
 
 def test_the_default_runner_over_the_touchdown_angle(over_angle):
     """Two real eigenvalues that meet outside the unit circle after the second fold are nothing."""
-    told = [(s.kind, np.degrees(s.value)) for s in over_angle.specials if s.kind != "word border"]
-    assert [kind for kind, _ in told] == ["fold", "fold", "Neimark-Sacker"]
-    assert [value for _, value in told] == pytest.approx([52.437, 41.2245, 42.9303], abs=1e-3)
+    specials = [(s.kind, np.degrees(s.value)) for s in over_angle.specials if s.kind != "word border"]
+    assert [kind for kind, _ in specials] == ["fold", "fold", "Neimark-Sacker"]
+    assert [value for _, value in specials] == pytest.approx([52.437, 41.2245, 42.9303], abs=1e-3)
     pair = one(over_angle, "Neimark-Sacker").gait.eigenvalues[:2]
     assert np.abs(pair) == pytest.approx([1.0, 1.0], abs=1e-9) and abs(pair[0].imag) > 0.1
     assert over_angle.ended == "end of the range" and over_angle.values[-1] == np.radians(53.0)
@@ -74,16 +74,16 @@ def test_the_fast_human_over_the_friction(command):
     status, out, _ = command(
         "continue", "--vary", "ground.friction=0.6:0.2", "--parameters", str(FAST_HUMAN), "--json"
     )
-    told = json.loads(out)
-    assert status == 0 and told["ended"] == "back at ground.friction = 0.6"
-    (fold,) = [special for special in told["specials"] if special["kind"] == "fold"]
+    printed = json.loads(out)
+    assert status == 0 and printed["ended"] == "back at ground.friction = 0.6"
+    (fold,) = [special for special in printed["specials"] if special["kind"] == "fold"]
     assert fold["value"] == pytest.approx(0.3836020818, abs=1e-9)
-    assert {s["kind"] for s in told["specials"]} == {"fold", "word border"}
-    assert min(point["value"] for point in told["points"]) >= fold["value"]
-    assert sum(not point["stable"] for point in told["points"]) >= 9
-    borders = [(s["from"], s["to"]) for s in told["specials"] if s["kind"] == "word border"]
+    assert {s["kind"] for s in printed["specials"]} == {"fold", "word border"}
+    assert min(point["value"] for point in printed["points"]) >= fold["value"]
+    assert sum(not point["stable"] for point in printed["points"]) >= 9
+    borders = [(s["from"], s["to"]) for s in printed["specials"] if s["kind"] == "word border"]
     assert [before for before, _ in borders[1:]] == [after for _, after in borders[:-1]]
-    assert told["points"][0]["word"] == borders[0][0] and told["points"][-1]["word"] == borders[-1][1]
+    assert printed["points"][0]["word"] == borders[0][0] and printed["points"][-1]["word"] == borders[-1][1]
 
 
 def test_gaits_of_two_strides_are_those_of_plain_strides(over_torque):
@@ -156,9 +156,11 @@ def test_a_branch_does_not_jump_to_another_sheet(unit):
 
 def test_a_doubled_gait_is_told_like_any_other(over_torque):
     (doubled,) = over_torque.branches
-    told = doubled.as_json()
-    assert told["strides"] == 2 and told["began"].startswith("period doubling at hip.stance_torque = 0.573")
-    point = told["points"][-1]
+    printed = doubled.as_json()
+    assert printed["strides"] == 2 and printed["began"].startswith(
+        "period doubling at hip.stance_torque = 0.573"
+    )
+    point = printed["points"][-1]
     assert point["strides"] == 2 and len(point["apexes"]) == 2 and point["apexes"][0] == point["apex"]
     assert point["word"].count(" ") == 1 and len(point["eigenvalues"]) == 6
     gait = doubled.gaits[-1]
@@ -274,15 +276,15 @@ def test_a_diagram_and_a_dataset_are_one_command(command, tmp_path):
 
 def test_the_reduced_map_is_followed_as_well(command):
     """It has two coordinates, and nearly the full model's borders."""
-    told = {}
+    printed = {}
     for model in ("full", "reduced"):
         options = ("--vary", "ground.friction=1.2:0.4", "--model", model, "--json")
         status, out, _ = command("continue", *options)
-        told[model] = json.loads(out)
-        assert status == 0 and told[model]["ended"] == "end of the range"
-    full, reduced = ([s["value"] for s in told[m]["specials"]] for m in ("full", "reduced"))
+        printed[model] = json.loads(out)
+        assert status == 0 and printed[model]["ended"] == "end of the range"
+    full, reduced = ([s["value"] for s in printed[m]["specials"]] for m in ("full", "reduced"))
     assert len(full) == 3 and reduced[0] == pytest.approx(full[0], rel=0.02)
-    assert {len(point["apex"]) for point in told["reduced"]["points"]} == {2}
+    assert {len(point["apex"]) for point in printed["reduced"]["points"]} == {2}
 
 
 def test_lines_are_solid_where_gaits_are_stable(over_torque):
@@ -335,9 +337,9 @@ def test_a_sweep_says_that_a_fold_ends_its_branch(command):
     options = ("--parameters", str(FAST_HUMAN), "--json")
     for span in (("--friction", "0.5:0.35:4"), ("--vary", "ground.friction=0.5:0.35:4")):
         status, out, said = command("sweep", *span, *options)
-        told = json.loads(out)
-        assert status == 1 and told["missing"] == [0.35]
-        (branch,) = told["branches"]
+        printed = json.loads(out)
+        assert status == 1 and printed["missing"] == [0.35]
+        (branch,) = printed["branches"]
         assert (branch["from"], branch["began"]) == (0.5, None) and branch["to"] == pytest.approx(0.4)
         assert branch["ended"] == "the branch ends in a fold at ground.friction = 0.3836020818"
         assert "0.3836020818" in said
@@ -351,9 +353,9 @@ def test_a_sweep_says_that_a_fold_ends_its_branch(command):
 def test_a_sweep_over_any_parameter_alone(command, tmp_path):
     over = ("sweep", "--vary", "leg.damping=0.15:0.25:3")
     status, out, _ = command(*over, "--friction", "0.43", "--json", "--output", "sweep.nc")
-    told = json.loads(out)
-    assert status == 0 and told["over"] == "leg.damping" and told["missing"] == []
-    for gait, value in zip(told["gaits"], (0.15, 0.2, 0.25), strict=True):
+    printed = json.loads(out)
+    assert status == 0 and printed["over"] == "leg.damping" and printed["missing"] == []
+    for gait, value in zip(printed["gaits"], (0.15, 0.2, 0.25), strict=True):
         assert gait["value"] == gait["start_values"]["leg.damping"] == pytest.approx(value, abs=1e-15)
         assert gait["friction"] == 0.43
     import xarray
@@ -361,7 +363,7 @@ def test_a_sweep_over_any_parameter_alone(command, tmp_path):
     data = xarray.load_dataset(tmp_path / "sweep.nc")
     assert data["leg.damping"].attrs["units"] == "N.s/m" and data["branch"].values.tolist() == [0, 0, 0]
     status, out, _ = command(*over, "--set", "ground.friction=0.43", "--json")
-    assert json.loads(out)["gaits"] == told["gaits"]
+    assert json.loads(out)["gaits"] == printed["gaits"]
     for wrong, said in (
         (("--friction", "0.4:0.5:2", "--set", "ground.friction=0.6"), "--friction says"),
         (("--vary", "ground.friction=0.4:0.5:2", "--friction", "0.6"), "--friction gives it, too"),

@@ -369,17 +369,19 @@ def test_no_gait_is_an_error_with_a_reason(command):
 def test_every_variable_is_told(command, unit):
     """As the unit's description has it, also its range; for machines with no bound as null."""
     status, out, _ = command("variables", "--json")
-    told = {row["name"]: row for row in json.loads(out)["variables"]}
-    assert status == 0 and list(told) == list(unit.variables)
-    assert told["leg.min_length"]["default"] == 0.05 and told["leg.min_length"]["unit"] == "m"
-    assert told["contact.mode"]["items"]["slip_negative"] == 4 and told["contact.mode"]["default"] is None
-    assert told["energy.total"]["minimum"] is None and not told["energy.total"]["settable"]
+    printed = {row["name"]: row for row in json.loads(out)["variables"]}
+    assert status == 0 and list(printed) == list(unit.variables)
+    assert printed["leg.min_length"]["default"] == 0.05 and printed["leg.min_length"]["unit"] == "m"
+    assert (
+        printed["contact.mode"]["items"]["slip_negative"] == 4 and printed["contact.mode"]["default"] is None
+    )
+    assert printed["energy.total"]["minimum"] is None and not printed["energy.total"]["settable"]
     status, out, _ = command("variables")
     lines = out.splitlines()
     assert status == 0 and len(lines) == len(unit.variables) + 2
     row = next(line for line in lines if line.startswith("status.terminate_on_fall"))
     assert row.split()[1:3] == ["true", "parameter"]
-    kinds = {name: row["variability"] for name, row in told.items()}
+    kinds = {name: row["variability"] for name, row in printed.items()}
     assert kinds["hip.kp"] == "tunable" and kinds["ground.slope"] == "discrete"
     assert "tunable parameter" in next(line for line in lines if line.startswith("hip.kp"))
     assert "discrete input" in next(line for line in lines if line.startswith("ground.slope"))

@@ -42,10 +42,10 @@ def test_what_cannot_be_held_is_told():
 def test_the_command_prints_what_the_function_gives(command):
     options = ["--friction", 0.2, "--friction", 10, "--hold", ",".join(HOLD), "--vary", ",".join(VARY)]
     status, out, _ = command("compare", *options, "--json")
-    told = json.loads(out)
-    assert status == 0 and told["not_held"] == [] and len(told["runners"]) == 2
-    assert told == json.loads(json.dumps(compare([SLIPS, STICKS], hold=HOLD, vary=VARY).as_json()))
-    reference, other = told["runners"]
+    printed = json.loads(out)
+    assert status == 0 and printed["not_held"] == [] and len(printed["runners"]) == 2
+    assert printed == json.loads(json.dumps(compare([SLIPS, STICKS], hold=HOLD, vary=VARY).as_json()))
+    reference, other = printed["runners"]
     assert reference["before"] == reference["after"]
     assert other["after"]["speed"] == pytest.approx(reference["after"]["speed"], rel=1e-9)
     assert other["before"]["speed"] != pytest.approx(reference["after"]["speed"], rel=1e-3)

@@ -38,15 +38,15 @@ def kinds(branch):
 
 def special_points_met(branch):
     """How often the number of unstable eigenvalues changes or the branch turns: at special points."""
-    told = [special for special in branch.specials if special.kind != "word border"]
+    specials = [special for special in branch.specials if special.kind != "word border"]
     changes = 0
     for (before, low), (after, high) in pairwise(zip(branch.gaits, branch.values, strict=True)):
         if before.unstable != after.unstable:
             slack = 0.5 * abs(high - low) + 1e-3 * abs(high)  # a fold lies beyond both
-            assert any(min(low, high) - slack <= s.value <= max(low, high) + slack for s in told)
+            assert any(min(low, high) - slack <= s.value <= max(low, high) + slack for s in specials)
             changes += 1
     turns = np.count_nonzero(np.diff(np.sign(np.diff(branch.values))))
-    assert turns <= len(told)
+    assert turns <= len(specials)
     return changes + turns
 
 

@@ -98,9 +98,9 @@ def test_the_bialternate_product_has_the_products_of_pairs():
 def test_period_doublings_over_two_parameters(command, unit, tmp_path):
     options = ("--vary", f"{TORQUE}=0.57:0.58", "--vary", f"{DAMPING}=0.199:0.201", "--plot", "curves.png")
     status, out, _ = command("continue", *options, "--json")
-    told = json.loads(out)
-    assert status == 0 and told["over"] == [TORQUE, DAMPING]
-    (curve,) = told["curves"]
+    printed = json.loads(out)
+    assert status == 0 and printed["over"] == [TORQUE, DAMPING]
+    (curve,) = printed["curves"]
     assert curve["kind"] == "period doubling" and curve["ended"] == "edge of the ranges"
     ends = sorted((curve["points"][0], curve["points"][-1]))
     assert ends[0][0] == pytest.approx(0.57, abs=1e-9) and ends[1][1] == pytest.approx(0.201, abs=1e-9)

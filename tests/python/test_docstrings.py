@@ -79,8 +79,8 @@ def test_functions_of_all_modules_have_a_docstring_and_types():
 
 @pytest.mark.parametrize("name", TOP)
 def test_what_users_call_first_is_told_in_full(name):
-    told = sections(getattr(tdmf_slip, name))
-    assert {"Parameters", "Returns", "Raises"} <= set(told), name
+    found = sections(getattr(tdmf_slip, name))
+    assert {"Parameters", "Returns", "Raises"} <= set(found), name
     assert documented(getattr(tdmf_slip, name)) == arguments(getattr(tdmf_slip, name))
 
 

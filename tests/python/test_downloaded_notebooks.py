@@ -41,8 +41,8 @@ def test_every_notebook_reads_without_sphinx():
             text, attached = "".join(cell["source"]), cell.get("attachments", {})
             texts += 1
             assert not re.search(r"^```\{|\{[\w-]+\}`", text, re.MULTILINE), (name, text)
-            for told, target in re.findall(r"\[([^\]]*)\]\(([^)]+)\)", text):
-                assert told and target.startswith(("https://", "attachment:", "#")), (name, told, target)
+            for label, target in re.findall(r"\[([^\]]*)\]\(([^)]+)\)", text):
+                assert label and target.startswith(("https://", "attachment:", "#")), (name, label, target)
             named = set(re.findall(r"\(attachment:([^)]+)\)", text))
             assert named == set(attached), name
             pictures += len(named)

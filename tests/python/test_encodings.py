@@ -69,8 +69,8 @@ def test_every_command_prints_in_ascii(name, tmp_path):
     # A man's strides are no fit for the runner of Table 1, which the command tells by its status.
     assert done.returncode == {"a wrong name": 2, "fit": 1}.get(name, 0), done.stderr
     assert b"Traceback" not in done.stderr
-    told = done.stdout + done.stderr
-    assert told.decode("ascii").strip()
+    printed = done.stdout + done.stderr
+    assert printed.decode("ascii").strip()
 
 
 @pytest.mark.parametrize("codec", ["ascii", "cp1252", "cp437", "latin-1", "utf-8", "utf-16"])
@@ -81,12 +81,12 @@ def test_equivalents_stand_for_what_is_missing(codec, monkeypatch):
     text = "40° ≈ m·s, l₀√(k/m), é, ∮ λ…"
     print(text, end="")
     stream.flush()
-    told = stream.buffer.getvalue().decode(codec)
+    printed = stream.buffer.getvalue().decode(codec)
     if codec == "ascii":
-        assert told == "40 deg ~ m.s, l0sqrt(k/m), e, ? lambda..."
-    assert told == text or codec not in ("utf-8", "utf-16")
+        assert printed == "40 deg ~ m.s, l0sqrt(k/m), e, ? lambda..."
+    assert printed == text or codec not in ("utf-8", "utf-16")
     for character in text:
-        assert character in told or character not in character.encode(codec, "ignore").decode(codec)
+        assert character in printed or character not in character.encode(codec, "ignore").decode(codec)
 
 
 def test_names_that_are_no_text_are_printed_as_they_are(monkeypatch):

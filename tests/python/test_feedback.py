@@ -175,15 +175,15 @@ def test_mobility_is_what_a_setting_does_to_a_mode(gaits):
     values, left = np.linalg.eig(model.scaled_state_matrix.T)
     order = np.argsort(-np.abs(values))[:3]
     left = left[:, order] / np.linalg.norm(left[:, order], axis=0)
-    told = controllability(gaits[1.0], [ANGLE, TORQUE])
-    assert told.modal_controllability == pytest.approx(np.abs(left.T @ model.scaled_input_matrix), rel=1e-8)
+    found = controllability(gaits[1.0], [ANGLE, TORQUE])
+    assert found.modal_controllability == pytest.approx(np.abs(left.T @ model.scaled_input_matrix), rel=1e-8)
 
 
 def test_a_mode_that_no_setting_moves_is_named():
     modes = Modes(np.eye(3), np.diag([1.1, 0.5, -0.3]), np.array([[0.0], [1.0], [2.0]]))
-    told = controllability_of(modes, (ANGLE,))
-    assert told.rank == 2 and told.uncontrollable == pytest.approx([1.1]) and told.strides is None
-    assert not told.controllable and not told.stabilizable
+    found = controllability_of(modes, (ANGLE,))
+    assert found.rank == 2 and found.uncontrollable == pytest.approx([1.1]) and found.strides is None
+    assert not found.controllable and not found.stabilizable
     with pytest.raises(ArithmeticError, match="not controllable"):
         dead_beat_gain(modes.state_matrix, modes.input_matrix)
 
@@ -426,8 +426,8 @@ def test_each_is_told_in_a_line(gaits):
     law = lqr(gaits[0.6], [ANGLE, TORQUE])
     assert repr(law).startswith("<Feedback by hip.touchdown_angle, hip.stance_torque at the gait +0-0+,")
     assert f"largest eigenvalue {law.lambda_max:.4g}, 0.8574 without>" in repr(law)
-    told = controllability(gaits[0.6], [ANGLE])
-    assert repr(told).startswith("<Controllability by hip.touchdown_angle: 3 of 3 modes, least over largest")
+    found = controllability(gaits[0.6], [ANGLE])
+    assert repr(found).startswith("<Controllability by hip.touchdown_angle: 3 of 3 modes, least over largest")
 
 
 # ---- what is refused ---------------------------------------------------------------------------------------

@@ -32,10 +32,11 @@ MEASURED = ("speed", "frequency", "stance_time", "duty_factor", "slip_distance",
 
 def measured(gait, names=MEASURED, error=0.005):
     """What a gait has, as if measured without error; a slip of none is told to a thousandth of a stride."""
-    told = quantities_of(gait, names)
+    quantities = quantities_of(gait, names)
     least = {"slip_distance": 1e-3 * gait.stride["length"]}
     return {
-        name: Measured(value, error * max(abs(value), least.get(name, 0.0))) for name, value in told.items()
+        name: Measured(value, error * max(abs(value), least.get(name, 0.0)))
+        for name, value in quantities.items()
     }
 
 
@@ -90,8 +91,8 @@ def test_words_that_change_on_the_way_are_told():
 
 def test_gaits_that_are_lost_on_the_way_are_told():
     found = fit(None, Measurements(({"speed": Measured(4.0, 0.01)},), "too fast"), ["hip.touchdown_angle"])
-    told = " ".join(found.notes)
-    assert "has no gait" in told and "the data are not met" in told
+    notes = " ".join(found.notes)
+    assert "has no gait" in notes and "the data are not met" in notes
     assert found.residuals[0].fitted < 2.0
 
 
@@ -154,11 +155,11 @@ def test_data_are_met_up_to_the_chance_of_one_in_a_hundred(chi_square, degrees_o
     assert is_met(chi_square, SimpleNamespace(degrees_of_freedom=degrees_of_freedom)) is met
 
 
-@pytest.mark.parametrize(("size", "told"), [(1.2, 1), (1.9, 1), (2.0, 0), (2.5, 0)])
-def test_a_parameter_is_told_badly_where_its_interval_is_as_wide_as_itself(size, told):
+@pytest.mark.parametrize(("size", "count"), [(1.2, 1), (1.9, 1), (2.0, 0), (2.5, 0)])
+def test_a_parameter_is_told_badly_where_its_interval_is_as_wide_as_itself(size, count):
     """The interval is 1.96 errors to each side; the error over the value is one over the singular value."""
     known = identified(np.array([[size]]), ["leg.damping"], np.array([0.2]), QUANTILE)
-    assert len(known.unidentified) == told and pytest.approx(1.95996, rel=1e-5) == QUANTILE
+    assert len(known.unidentified) == count and pytest.approx(1.95996, rel=1e-5) == QUANTILE
 
 
 def problem_of(gait):
@@ -200,10 +201,10 @@ def test_a_fit_ends_after_so_many_strides_and_says_so(monkeypatch, model):
     row = {"speed": Measured(3.6, 0.01), "frequency": Measured(0.04, 0.001)}
     found = fit(None, Measurements((row,), "too fast"), ["hip.stance_torque", "leg.stiffness"], model=model)
     assert not found.converged
-    told = next(note for note in found.notes if "the search was ended after" in note)
-    strides = int(re.search(r"after (\d+) strides", told)[1])
+    ended = next(note for note in found.notes if "the search was ended after" in note)
+    strides = int(re.search(r"after (\d+) strides", ended)[1])
     assert 60 <= strides < 60 + 2 * problem_module.STRIDES_OF_SEARCH
-    assert "units that their titles say" in told and np.isfinite(found.chi_square)
+    assert "units that their titles say" in ended and np.isfinite(found.chi_square)
 
 
 def test_a_fit_shows_its_strides(capsys):
@@ -387,12 +388,12 @@ def test_the_command_prints_writes_and_draws(tmp_path, command):
     page, picture = tmp_path / "report.html", tmp_path / "fit.svg"
     arguments = ["fit", str(table), "--vary", "leg.stiffness", "--report", str(page), "--plot", str(picture)]
     status, out, said = command(*arguments, "--json")
-    told = json.loads(out)
+    printed = json.loads(out)
     assert status == 0 and "fit: " in said and " strides" in said
-    estimate = told["parameters"]["leg.stiffness"]
+    estimate = printed["parameters"]["leg.stiffness"]
     assert estimate["low"] < estimate["value"] < estimate["high"]
     assert estimate["value"] == pytest.approx(Runner.of({}).values["leg.stiffness"], rel=1e-8)
-    assert len(told["residuals"]) == len(MEASURED) and told["unidentified"] == []
+    assert len(printed["residuals"]) == len(MEASURED) and printed["unidentified"] == []
     text = page.read_text(encoding="utf-8")
     assert "leg.stiffness" in text and "data:image/png;base64," in text and "<script" not in text
     assert picture.read_text(encoding="utf-8").startswith("<?xml")
@@ -431,7 +432,7 @@ def test_the_numbers_of_fast_runners_are_made_of_those_published():
     pairs = re.findall(
         r"^# (\w[\w ]*) \([^)]*\) +([\d.]+) \(([\d.]+)\) +([\d.]+) \(([\d.]+)\)$", text, re.MULTILINE
     )
-    told = {name: np.array([float(x) for x in numbers]).reshape(2, 2) for name, *numbers in pairs}
+    printed = {name: np.array([float(x) for x in numbers]).reshape(2, 2) for name, *numbers in pairs}
     scales = {
         "speed": ("velocity", 1.0 / 3.6),
         "stance_time": ("contact time", 1.0),
@@ -440,7 +441,7 @@ def test_the_numbers_of_fast_runners_are_made_of_those_published():
     }
     for number, row in enumerate(read_measurements(shipped("human_fast_running.csv")).rows):
         for name, (title, scale) in scales.items():
-            mean, deviation = scale * told[title][number]
+            mean, deviation = scale * printed[title][number]
             assert row[name].value == pytest.approx(mean, rel=1e-4)
             assert row[name].error == pytest.approx(deviation / np.sqrt((11, 9)[number]), rel=2e-3)
 

@@ -53,8 +53,8 @@ FIRST = {"ground.friction": 0.6}
 def measured(gait, names, error):
     """What a gait has, as if measured without error; a slip of none is told to a thousandth of a stride."""
     least = {"slip_distance": 1e-3 * gait.stride["length"]}
-    told = quantities_of(gait, names)
-    return {name: Measured(v, error * max(abs(v), least.get(name, 0.0))) for name, v in told.items()}
+    quantities = quantities_of(gait, names)
+    return {name: Measured(v, error * max(abs(v), least.get(name, 0.0))) for name, v in quantities.items()}
 
 
 def disturbed(row, random):
@@ -155,11 +155,11 @@ def test_the_command_takes_what_is_known_and_leaves_data_out(tmp_path, command):
     table.write_text(f"{header}\n1.05,0.01,0.0405,0.0004\n", encoding="utf-8")
     arguments = ["fit", str(table), "--vary", "hip.stance_torque", "--prior", "leg.stiffness=1.0,0.05"]
     status, out, _ = command(*arguments, "--robust", "--without-each", "--json")
-    told = json.loads(out)
-    assert status == 0 and set(told["parameters"]) == {"hip.stance_torque", "leg.stiffness"}
-    assert told["priors"][0]["error"] == 0.05 and told["degrees_of_freedom"] == 1
-    assert [(one["row"], one["quantity"]) for one in told["without"]] == [(1, "speed"), (1, "frequency")]
-    assert told["parameters"]["leg.stiffness"]["profiled"]
+    printed = json.loads(out)
+    assert status == 0 and set(printed["parameters"]) == {"hip.stance_torque", "leg.stiffness"}
+    assert printed["priors"][0]["error"] == 0.05 and printed["degrees_of_freedom"] == 1
+    assert [(one["row"], one["quantity"]) for one in printed["without"]] == [(1, "speed"), (1, "frequency")]
+    assert printed["parameters"]["leg.stiffness"]["profiled"]
     status, out, _ = command(*arguments, "--linear", "--scale-errors", "--without-each")
     assert status == 0 and "the errors are taken" in out
     status, out, _ = command(*arguments, "--linear", "--without-each")

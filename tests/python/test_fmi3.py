@@ -136,7 +136,7 @@ def dependencies(description, group):
 def test_the_variables_are_those_of_fmi2(description, description3):
     names = {"Real": "Float64", "Integer": "Int32"}
 
-    def told(variables):
+    def attributes_of(variables):
         return [
             (
                 v.name,
@@ -151,7 +151,7 @@ def test_the_variables_are_those_of_fmi2(description, description3):
             for v in variables
         ]
 
-    assert told(description3.modelVariables) == told(description.modelVariables)
+    assert attributes_of(description3.modelVariables) == attributes_of(description.modelVariables)
     assert description3.instantiationToken == description.guid
     assert [u.variable.name for u in description3.derivatives] == [
         u.variable.name for u in description.derivatives

@@ -42,13 +42,13 @@ def test_the_readme_is_short_and_begins_with_two_commands():
 
 def test_the_five_lines_of_the_readme_print_what_it_says():
     (code,) = re.findall(r"```python\n(.*?)```", README, re.DOTALL)
-    (told,) = re.findall(r"print\(.*\)  # (.*)", code)
+    (documented,) = re.findall(r"print\(.*\)  # (.*)", code)
     said = io.StringIO()
     with redirect_stdout(said):
         exec(compile(code, "README.md", "exec"), {})
     printed = said.getvalue().split()
     assert len(printed) == 3
-    for one, other in zip(printed, told.split(), strict=True):
+    for one, other in zip(printed, documented.split(), strict=True):
         assert one.startswith(other.removesuffix("...")), said.getvalue()
 
 
@@ -155,9 +155,9 @@ def test_how_to_cite_is_what_the_citation_file_says():
 
 @pytest.mark.parametrize("shell", ["bash", "zsh", "fish"])
 def test_completion_is_as_the_install_page_says(shell):
-    told = (SOURCES / "install.md").read_text(encoding="utf-8")
+    documented = (SOURCES / "install.md").read_text(encoding="utf-8")
     variable = f"_TDMF_SLIP_COMPLETE={shell}_source"
-    assert f"{variable} tdmf-slip" in told
+    assert f"{variable} tdmf-slip" in documented
     command = pathlib.Path(sys.executable).with_name("tdmf-slip")
     if not command.is_file():
         pytest.skip("NOT TESTED: completion; the command is not beside Python")
@@ -172,14 +172,14 @@ def test_completion_is_as_the_install_page_says(shell):
 def test_every_page_describes_itself():
     pages = [path for path in SITE.rglob("*.html") if path.name != "live.html"]
     assert len(pages) > 40
-    told = {}
+    documented = {}
     for path in pages:
         text = path.read_text(encoding="utf-8")
         (description,) = re.findall(r'<meta name="description" content="([^"]*)">', text)
         assert 30 < len(description) < 260, path
         assert '<meta property="og:title" content="' in text and 'icon" href=' in text, path
-        told.setdefault(description, []).append(path)
-    assert len(told) > 20
+        documented.setdefault(description, []).append(path)
+    assert len(documented) > 20
 
 
 @built

@@ -24,8 +24,8 @@ print("folder" in vars(tdmf_slip.load_fmu()))
 def modules_after(*arguments):
     """What is loaded once a command is done, and whether the unit was unpacked for it."""
     done = subprocess.run([sys.executable, "-c", PROGRAM, *arguments], capture_output=True, text=True)
-    told, unpacked = done.stdout.splitlines()[-2:]
-    status, *modules = told.split()
+    printed, unpacked = done.stdout.splitlines()[-2:]
+    status, *modules = printed.split()
     assert status == "0", done.stderr
     return set(modules), unpacked == "True"
 

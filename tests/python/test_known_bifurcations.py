@@ -32,20 +32,20 @@ def followed(family, first, low, high, max_step=0.1, max_points=400):
     return whole_branch(family, first, limits), limits
 
 
-def told(branch):
+def specials_of(branch):
     return [(special.kind, pytest.approx(special.value, abs=1e-9)) for special in branch.specials]
 
 
 def test_the_logistic_map_doubles_its_period_at_3():
     family = MapFamily(logistic, 1)
     branch, limits = followed(family, family.beginning(1.5, 1 / 3), 1.5, 3.8)
-    assert told(branch) == [("period doubling", 3.0)] and branch.ended == "end of the range"
+    assert specials_of(branch) == [("period doubling", 3.0)] and branch.ended == "end of the range"
     assert branch.values[-1] == 3.8
     for value, gait in zip(branch.values, branch.gaits, strict=True):
         assert gait.apex[0] == pytest.approx(1 - 1 / value, abs=1e-12)
     (doubled,) = with_doubled_branches(branch, lambda n: MapFamily(logistic, 1, n), limits).branches
     assert doubled.strides == 2 and doubled.began.startswith("period doubling at p = 3")
-    assert [kind for kind, _ in told(doubled)] == ["period doubling"]
+    assert [kind for kind, _ in specials_of(doubled)] == ["period doubling"]
     assert doubled.specials[0].value == pytest.approx(1 + np.sqrt(6), abs=1e-9)
     for r, gait in zip(doubled.values, doubled.gaits, strict=True):
         root = np.sqrt((r - 3) * (r + 1))
@@ -73,7 +73,7 @@ def test_a_period_that_doubles_again_is_followed_and_a_third_time_is_told():
     (four,) = two.branches
     assert [b.strides for b in (doubled, two, four)] == [1, 2, 4] and four.branches == ()
     assert four.began.startswith("period doubling at p = 3.4494897")
-    assert told(four) == [("period doubling", 3.544090359551)]
+    assert specials_of(four) == [("period doubling", 3.544090359551)]
     assert four.specials[0].why == "gaits of 8 strides are not followed"
     assert four.specials[0].as_json()["why"] == four.specials[0].why
     orbit = [special.specials[0].value for special in (doubled, two, four)]
@@ -95,7 +95,7 @@ def test_a_period_doubling_beside_which_no_gait_is_found_says_so(monkeypatch):
     family = MapFamily(logistic, 1)
     branch, limits = followed(family, family.beginning(2.9, 0.66), 2.9, 3.2)
     doubled = with_doubled_branches(branch, lambda n: MapFamily(logistic, 1, n), limits)
-    assert doubled.branches == () and told(doubled) == [("period doubling", 3.0)]
+    assert doubled.branches == () and specials_of(doubled) == [("period doubling", 3.0)]
     assert doubled.specials[0].why == "no gait of 2 strides was found beside it"
 
 
@@ -103,7 +103,7 @@ def test_the_henon_map_folds_and_doubles_its_period():
     """At 3 (1-b)^2/4 and at the fold -(1-b)^2/4, beyond which x goes to infinity where a goes to 0."""
     family = MapFamily(henon, 2)
     branch, _ = followed(family, family.beginning(0.6, [0.7, 0.2], -1.0), -1.0, 0.6)
-    assert told(branch) == [("period doubling", 3 * 0.49 / 4), ("fold", -0.49 / 4)]
+    assert specials_of(branch) == [("period doubling", 3 * 0.49 / 4), ("fold", -0.49 / 4)]
     assert branch.ended == "number of points: 400" and -0.1 < branch.values[-1] < 0.0
     assert (branch.gaits[0].unstable, branch.gaits[-1].unstable) == (1, 1)
     assert any(gait.stable for gait in branch.gaits)
@@ -112,7 +112,7 @@ def test_the_henon_map_folds_and_doubles_its_period():
 def test_the_delayed_logistic_map_has_a_neimark_sacker_point_at_2():
     family = MapFamily(delayed_logistic, 2)
     branch, _ = followed(family, family.beginning(1.5, [1 / 3, 1 / 3]), 1.5, 2.5)
-    assert told(branch) == [("Neimark-Sacker", 2.0)]
+    assert specials_of(branch) == [("Neimark-Sacker", 2.0)]
     values = branch.specials[0].gait.eigenvalues
     assert np.abs(np.angle(values)) == pytest.approx([np.pi / 3, np.pi / 3], abs=1e-9)
 
@@ -146,7 +146,7 @@ def test_the_classic_slip_folds_where_its_own_slope_says():
 def test_a_neutral_saddle_is_nothing():
     family = MapFamily(saddle, 2)
     branch, _ = followed(family, family.beginning(1.5, [0.0, 0.0]), 1.5, 2.5)
-    assert told(branch) == [] and branch.ended == "end of the range"
+    assert specials_of(branch) == [] and branch.ended == "end of the range"
 
 
 def test_where_two_branches_cross_is_not_judged():
@@ -162,7 +162,7 @@ def test_where_two_branches_cross_is_not_judged():
 def test_a_branch_that_closes_ends_where_it_began():
     family = MapFamily(ring, 1)
     branch, _ = followed(family, family.beginning(0.0, 0.9), -2.0, 2.0)
-    assert told(branch) == [("fold", 1.0), ("fold", -1.0)]
+    assert specials_of(branch) == [("fold", 1.0), ("fold", -1.0)]
     assert branch.ended == branch.began == "closed: back at the gait at p = 0"
     np.testing.assert_allclose(
         np.array([o.apex[0] for o in branch.gaits]) ** 2, 1 - np.array(branch.values) ** 2
@@ -186,7 +186,7 @@ def test_a_border_collision_is_judged_by_the_maps_of_both_sides(left, right, kin
     """Feigin: where det(I - J) changes its sign the branch turns; where det(I + J) does, it doubles."""
     family = MapFamily(tent(left, right), 1)
     branch, _ = followed(family, family.beginning(-1.0, -1.0 / (1.0 - left)), -1.0, 1.0)
-    assert told(branch) == [(kind, 0.0) for kind in kinds]
+    assert specials_of(branch) == [(kind, 0.0) for kind in kinds]
     assert all(special.words == ("-", "+") for special in branch.specials)
     assert branch.ended == ("back at p = -1" if "fold" in kinds else "end of the range")
     for value, gait in zip(branch.values, branch.gaits, strict=True):
@@ -207,7 +207,7 @@ def test_a_border_collision_is_judged_by_the_maps_of_both_sides(left, right, kin
 def test_eigenvalues_that_jump_at_a_border_are_judged_or_told(left, right, kinds):
     family = MapFamily(collision(left, right), 2)
     branch, _ = followed(family, family.beginning(-1.0, [-0.5, 0.3]), -1.0, 1.0)
-    assert told(branch) == [(kind, 0.0) for kind in kinds]
+    assert specials_of(branch) == [(kind, 0.0) for kind in kinds]
     for special in branch.specials:
         assert (special.kind == "not judged") == bool(special.why)
 
@@ -262,7 +262,7 @@ def test_a_branch_that_begins_inside_its_range_is_followed_both_ways():
     first = family.beginning(0.2, [0.9, 0.3], -1.0)
     branch = whole_branch(family, first, Limits(-1.0, 0.6, 0.6, 0.1, 400))
     assert (branch.values[0], branch.began) == (0.6, "beginning of the range")
-    assert told(branch) == [("period doubling", 3 * 0.49 / 4), ("fold", -0.49 / 4)]
+    assert specials_of(branch) == [("period doubling", 3 * 0.49 / 4), ("fold", -0.49 / 4)]
 
 
 @pytest.mark.parametrize("gap", [0.02, 0.05])
@@ -296,8 +296,8 @@ def test_a_branch_that_comes_back_over_itself_says_so():
     points, _ = follow(family, family.beginning(0.0, 0.9), Limits(-2.0, 2.0, 0.0, 0.1, 12))
     track = Track(family, points)
     back = reverse(family.between(points[7], points[8], 0.5))
-    met, told = track.met(points[-1], back)
-    assert met in points[8:11] and told.endswith("from the other side") and told.startswith("retraced")
+    met, ended = track.met(points[-1], back)
+    assert met in points[8:11] and ended.endswith("from the other side") and ended.startswith("retraced")
     assert not track.is_new([points[-1], back])
     further, _ = follow(family, points[-1], Limits(-2.0, 2.0, 0.0, 0.1, 5))
     assert track.is_new(further)

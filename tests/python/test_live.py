@@ -23,8 +23,8 @@ from live_pages import (
     press,
     sentence,
     size_of,
-    told,
     type_value,
+    value_shown,
     wait,
 )
 from selenium.webdriver.common.by import By
@@ -37,13 +37,13 @@ from tdmf_slip.unit.parameters import preset_names, read_parameters
 
 built, address, driver, page = live_pages.built, live_pages.address, live_pages.driver, live_pages.page
 
-MOST_BYTES = 1_000_000
+MAX_BYTES = 1_000_000
 NO_SLIP_EIGENVALUES = [0.811488219, -0.463835571, 0.010024837, 0.0, 0.0, 0.0]
 """At friction 10, computed independently of the library in extended precision, to nine digits."""
 
 
 def test_the_page_and_all_that_it_loads_is_small_and_its_own(page, built, address):
-    assert size_of(built) < MOST_BYTES
+    assert size_of(built) < MAX_BYTES
     loaded = page.execute_script("return performance.getEntriesByType('resource').map((entry) => entry.name)")
     assert f"{address}/live/live_core.wasm" in loaded and len(loaded) > 15
     for name in loaded:
@@ -65,8 +65,8 @@ def test_there_is_a_control_for_every_parameter_input_and_start_value(page, unit
         numbers = re.search(r"default (\S+), from (\S+) to (\S+)", note).groups()
         for text, value in zip(numbers, (variable.start, variable.minimum, variable.maximum), strict=True):
             assert float(text.replace("−", "-")) == pytest.approx(value * factor, rel=1e-5)
-        printed = {"": "", "1": "", "rad": "°", "rad/s": "°/s", "m/s2": "m/s²"}
-        assert shown == printed.get(variable.unit, variable.unit.replace(".", "·"))
+        value_shown = {"": "", "1": "", "rad": "°", "rad/s": "°/s", "m/s2": "m/s²"}
+        assert shown == value_shown.get(variable.unit, variable.unit.replace(".", "·"))
 
 
 def test_the_five_published_gaits_are_found(page):
@@ -75,15 +75,15 @@ def test_the_five_published_gaits_are_found(page):
     for number, reference in enumerate(reference_gaits()):
         presets.select_by_value(str(number))
         find_gait(page)
-        assert told(page, "gait", "word") == reference["word"]
+        assert value_shown(page, "gait", "word") == reference["word"]
         for name in ("period", "speed", "length", "cost_of_transport"):
-            assert close(told(page, "gait", f"stride.{name}"), reference[name])
+            assert close(value_shown(page, "gait", f"stride.{name}"), reference[name])
         gait = tdmf_slip.find_gait({"ground.friction": reference["friction"]})
         assert np.abs(eigenvalues(page) - gait.eigenvalues).max() < EQUAL
         if reference["friction"] == 10:
             assert np.abs(eigenvalues(page) - NO_SLIP_EIGENVALUES).max() < EQUAL
-        assert close(told(page, "gait", "lambda_max"), gait.lambda_max)
-        assert told(page, "gait", "stable") == "stable"
+        assert close(value_shown(page, "gait", "lambda_max"), gait.lambda_max)
+        assert value_shown(page, "gait", "stable") == "stable"
         compared += 1
     assert compared == 5
 
@@ -95,8 +95,8 @@ def test_the_gait_of_a_runner_at_random_is_the_librarys(driver, address):
     open_page(driver, address, "#" + "&".join(f"{name}={value!r}" for name, value in values.items()))
     gait = tdmf_slip.find_gait(values)
     find_gait(driver)
-    assert told(driver, "gait", "word") == gait.word
-    assert close(told(driver, "gait", "stride.speed"), gait.stride["speed"])
+    assert value_shown(driver, "gait", "word") == gait.word
+    assert close(value_shown(driver, "gait", "stride.speed"), gait.stride["speed"])
     assert np.abs(eigenvalues(driver) - gait.eigenvalues).max() < EQUAL
 
 
@@ -107,8 +107,8 @@ def test_every_other_preset_has_the_gait_that_the_library_finds(page):
         Select(find(page, "preset")).select_by_visible_text(name)
         find_gait(page)
         gait = tdmf_slip.find_gait(page.execute_script("return tdmfSlip.state.values"))
-        assert told(page, "gait", "word") == gait.word
-        assert close(told(page, "gait", "stride.period"), gait.period)
+        assert value_shown(page, "gait", "word") == gait.word
+        assert close(value_shown(page, "gait", "stride.period"), gait.period)
         assert np.abs(eigenvalues(page) - gait.eigenvalues).max() < EQUAL
 
 
@@ -118,13 +118,13 @@ def test_a_run_on_a_gait_has_its_numbers(page):
     gait = tdmf_slip.find_gait(read_parameters("human"))
     press(page, "start-gait")
     page.execute_script("tdmfSlip.player.play(false)")
-    while int(told(page, "numbers", "stride.count")) < 10:
+    while int(value_shown(page, "numbers", "stride.count")) < 10:
         page.execute_script(
             "tdmfSlip.player.advanceBy(() => tdmfSlip.run.advance(arguments[0]))", gait.period / 3
         )
-    assert told(page, "numbers", "word") == gait.word == "+0+"
-    assert close(told(page, "numbers", "stride.speed"), gait.stride["speed"])
-    assert close(told(page, "numbers", "stride.cost_of_transport"), gait.stride["cost_of_transport"])
+    assert value_shown(page, "numbers", "word") == gait.word == "+0+"
+    assert close(value_shown(page, "numbers", "stride.speed"), gait.stride["speed"])
+    assert close(value_shown(page, "numbers", "stride.cost_of_transport"), gait.stride["cost_of_transport"])
 
 
 def closes(ledger):
@@ -144,9 +144,9 @@ def test_the_ledger_of_a_stride_closes_also_where_inputs_and_settings_jump_in_it
     )
     for name, value in {"leg.extension": 0.02, "leg.thrust": 0.03, "ground.friction": 0.5}.items():
         page.execute_script("tdmfSlip.set(...arguments)", name, value)
-    strides = int(told(page, "numbers", "stride.count"))
+    strides = int(value_shown(page, "numbers", "stride.count"))
     page.execute_script("tdmfSlip.player.advanceBy(() => tdmfSlip.run.advance(20))")
-    assert int(told(page, "numbers", "stride.count")) == strides + 1
+    assert int(value_shown(page, "numbers", "stride.count")) == strides + 1
     ledger = page.execute_script("return tdmfSlip.run.lastLedger")
     assert closes(ledger) and ledger["leg.work"] > 1e-3
 
@@ -164,7 +164,7 @@ def test_a_stride_in_which_a_mass_was_changed_has_no_ledger(page):
 def test_dragging_the_friction_across_a_border_changes_the_word(page):
     find_gait(page)
     wait(page, "tdmfSlip.gaits.frictionPlot.points.length > 60", "the curve")
-    assert told(page, "gait", "word") == "+0-0+"
+    assert value_shown(page, "gait", "word") == "+0-0+"
     drag_friction(page, 0.6, 0.43)
     wait(page, "tdmfSlip.gaits.search.gait.word === '+0-'", "the other word")
     friction = page.execute_script("return tdmfSlip.state.values['ground.friction']")
@@ -172,7 +172,7 @@ def test_dragging_the_friction_across_a_border_changes_the_word(page):
     wait(page, f"location.hash === '#ground.friction={friction}'", "the address")
     wait(page, f"tdmfSlip.gaits.search.friction === {friction}", "the gait at the last friction")
     assert close(
-        told(page, "gait", "stride.speed"),
+        value_shown(page, "gait", "stride.speed"),
         tdmf_slip.find_gait({"ground.friction": friction}).stride["speed"],
     )
 

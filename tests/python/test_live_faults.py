@@ -16,8 +16,8 @@ from live_pages import (
     pointer,
     press,
     sentence,
-    told,
     type_value,
+    value_shown,
     wait,
 )
 from selenium.webdriver.common.by import By
@@ -100,7 +100,7 @@ def test_noise_is_zero_and_no_number_is_cut_off(page):
             "return getComputedStyle(arguments[0]).textOverflow === 'ellipsis'", cell
         )
     for ident in ("gait", "numbers"):
-        assert abs(float(told(page, ident, "stride.slip_distance"))) < 1e-9
+        assert abs(float(value_shown(page, ident, "stride.slip_distance"))) < 1e-9
         cell = page.find_element(By.CSS_SELECTOR, f"#{ident} [data-name='stride.slip_distance']")
         assert cell.text.replace(" ", "") == "0m"
     shown = [item.text for item in page.find_elements(By.CSS_SELECTOR, "#eigenvalues li")]
@@ -240,17 +240,17 @@ def test_the_axes_of_the_region_are_never_the_same(page):
 def test_the_pace_says_how_fast_it_is(page):
     full = math.sqrt(20000 / 80)
     Select(find(page, "pace")).select_by_value("full")
-    assert find(page, "pace-told").text == f"each second shows {full:.3g} s of the run"
+    assert find(page, "pace-text").text == f"each second shows {full:.3g} s of the run"
     Select(find(page, "pace")).select_by_value("stance")
     assert (
-        find(page, "pace-told").text
+        find(page, "pace-text").text
         == f"each second shows {full:.3g} s of a flight, {full / 10:.3g} s of a stance"
     )
     Select(find(page, "preset")).select_by_visible_text("human scale")
     human = read_parameters("human")
     second = full * math.sqrt(human["body.mass"] / human["leg.stiffness"])
     slow = f"each second shows {second:.3g} s of a flight, {second / 10:.3g} s of a stance"
-    assert find(page, "pace-told").text == slow
+    assert find(page, "pace-text").text == slow
 
 
 def test_angles_of_an_address_are_in_degrees_and_give_every_bit_back(driver, address):

@@ -77,9 +77,9 @@ def test_the_large_slider_sets_the_friction_and_follows_it(page):
     center(page, slider)
     slider.send_keys(Keys.HOME)
     assert page.execute_script("return tdmfSlip.state.values['ground.friction']") == 0.05
-    assert find(page, "friction-told").text == slider.get_attribute("aria-valuetext") == "0.05"
+    assert find(page, "friction-text").text == slider.get_attribute("aria-valuetext") == "0.05"
     page.execute_script("tdmfSlip.set('ground.friction', 10)")
-    assert slider.get_attribute("value") == "1000" and find(page, "friction-told").text == "10"
+    assert slider.get_attribute("value") == "1000" and find(page, "friction-text").text == "10"
 
 
 def test_a_filter_shows_the_parameters_that_it_names(page):

@@ -10,7 +10,7 @@ from selenium.webdriver.support.select import Select
 built, address, driver, page = live_pages.built, live_pages.address, live_pages.driver, live_pages.page
 
 BOTH = "[tdmfSlip.run, tdmfSlip.race.rival]"
-TOLD = "document.getElementById('race-told').value"
+STATUS = "document.getElementById('race-text').value"
 
 
 def to_the_line(driver):
@@ -42,7 +42,7 @@ def test_a_race_on_request(page):
     lead = page.execute_script("return tdmfSlip.race.margin")
     behind = 100 * (1 - gaits[1].stride["speed"] / gaits[0].stride["speed"])
     assert page.execute_script("return tdmfSlip.race.winner") == 0 and lead == pytest.approx(behind, abs=0.5)
-    assert page.execute_script(f"return {TOLD}") == f"Friction 0.43 wins over 100 m by {lead:.3g} m."
+    assert page.execute_script(f"return {STATUS}") == f"Friction 0.43 wins over 100 m by {lead:.3g} m."
     seen = page.execute_script(
         f"const {{ view, surface }} = tdmfSlip.view.scene; return [surface.width, ...{BOTH}.map((run) =>"
         "view.x(run.outputs['com.x']))]"

@@ -230,7 +230,7 @@ class Raw:
         with zipfile.ZipFile(tdmf_slip.fmu_path(fmi=fmi)) as unit:
             root = ElementTree.fromstring(unit.read("modelDescription.xml"))
 
-        def told(element):
+        def attributes_of(element):
             return element.attrib | (element[0].attrib if fmi == 2 else {})
 
         self.units = {
@@ -242,8 +242,8 @@ class Raw:
             for unit in root.find("UnitDefinitions")
             for shown in unit.iter("DisplayUnit")
         }
-        self.types = {element.get("name"): told(element) for element in root.find("TypeDefinitions")}
-        variables = [told(element) for element in root.find("ModelVariables")]
+        self.types = {element.get("name"): attributes_of(element) for element in root.find("TypeDefinitions")}
+        variables = [attributes_of(element) for element in root.find("ModelVariables")]
         self.variables = [self.types.get(v.get("declaredType"), {}) | v for v in variables]
         self.first = 1 if fmi == 2 else 0
 

@@ -187,14 +187,14 @@ def test_the_command_prints_a_table_before_and_after(command):
     assert rows["word"][1:] == ["+0-0+", "+0-"]
     assert "a local optimum to first order" in out and "one search" in out
     status, out, _ = command("optimize", *arguments, "--json")
-    told = json.loads(out)
+    printed = json.loads(out)
     assert status == 0
-    assert {"parameters", "before", "after", "word", "stable", "active_bounds"} <= set(told)
-    assert told["parameters"] == {TORQUE: 0.25} and told["active_bounds"] == {TORQUE: "upper"}
-    assert told["after"]["speed"] == pytest.approx(float(rows["speed"][3]), rel=1e-8)
-    assert told["after"]["speed"] > told["before"]["speed"]
-    again = gait_near(find_gait({TORQUE: 0.25}).runner, told["apex"])
-    assert again.stride["speed"] == pytest.approx(told["after"]["speed"], rel=1e-9)
+    assert {"parameters", "before", "after", "word", "stable", "active_bounds"} <= set(printed)
+    assert printed["parameters"] == {TORQUE: 0.25} and printed["active_bounds"] == {TORQUE: "upper"}
+    assert printed["after"]["speed"] == pytest.approx(float(rows["speed"][3]), rel=1e-8)
+    assert printed["after"]["speed"] > printed["before"]["speed"]
+    again = gait_near(find_gait({TORQUE: 0.25}).runner, printed["apex"])
+    assert again.stride["speed"] == pytest.approx(printed["after"]["speed"], rel=1e-9)
 
 
 def test_the_command_tells_the_nearest_gait_where_none_will_do(command):
@@ -208,12 +208,14 @@ def test_a_pareto_front_leads_from_one_best_to_the_other(command):
     arguments = ["--minimize", "cost_of_transport", "--maximize", "speed", "--vary", f"{TORQUE}=0.15:0.3"]
     arguments += ["--vary", f"{ANGLE}=0.65:0.75", "--starts", "1", "--points", "3"]
     status, out, _ = command("optimize", *arguments, "--json")
-    told = json.loads(out)
-    assert status == 0 and told["objectives"] == ["cost_of_transport", "speed"]
-    costs, speeds = (np.array([best["after"][name] for best in told["front"]]) for name in told["objectives"])
+    printed = json.loads(out)
+    assert status == 0 and printed["objectives"] == ["cost_of_transport", "speed"]
+    costs, speeds = (
+        np.array([best["after"][name] for best in printed["front"]]) for name in printed["objectives"]
+    )
     assert len(costs) == 3 and np.all(np.diff(costs) > 0.0) and np.all(np.diff(speeds) > 0.0)
     assert np.diff(speeds) == pytest.approx(np.diff(speeds)[0], rel=1e-6)
-    assert [best["problem"] for best in told["front"]] == [None] * 3
+    assert [best["problem"] for best in printed["front"]] == [None] * 3
     cheaper = optimize(
         {},
         {TORQUE: (0.15, 0.3), ANGLE: (0.65, 0.75)},
@@ -249,8 +251,8 @@ def test_the_plain_call_finds_what_lies_beyond_the_runners_own_basin():
     assert alone.value > 0.23 and alone.starts == 1 == alone.basins
     again = strides_from(best.gait.runner, best.gait.apex)
     assert np.max(np.abs(again.left_over / best.gait.runner.scales)) < 1e-11
-    told = best.as_json()
-    assert told["local"] and told["basins"] == best.basins and told["starts"] == best.starts
+    printed = best.as_json()
+    assert printed["local"] and printed["basins"] == best.basins and printed["starts"] == best.starts
 
 
 def test_a_slip_of_none_is_the_least_of_all():

@@ -29,13 +29,13 @@ def test_each_claim_that_compares_has_its_control_beside_it():
 
 
 def test_what_is_not_computed_is_not_said_to_hold():
-    told = own_claims()
-    assert told.passed and all(claim.holds is None for claim in told.claims)
-    assert "--long computes it" in told.as_text() and "DOES NOT" not in told.as_text()
+    found = own_claims()
+    assert found.passed and all(claim.holds is None for claim in found.claims)
+    assert "--long computes it" in found.as_text() and "DOES NOT" not in found.as_text()
 
 
 @long
 @pytest.mark.parametrize("seed", [1, 20])
 def test_all_of_them_hold(seed):
-    told = own_claims(recompute=True, seed=seed)
-    assert [claim.what for claim in told.claims if not claim.holds] == []
+    found = own_claims(recompute=True, seed=seed)
+    assert [claim.what for claim in found.claims if not claim.holds] == []

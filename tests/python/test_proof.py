@@ -39,17 +39,17 @@ def agree(text, known):
 
 
 def check(proof, known):
-    told = proof.as_json()
+    printed = proof.as_json()
     assert proof.proved
-    assert told["word"] == known["word"]
-    assert told["stable"] is known["stable"]
+    assert printed["word"] == known["word"]
+    assert printed["stable"] is known["stable"]
     for name in ("period", "length", "speed"):
-        assert agree(told[name], known[name]), name
+        assert agree(printed[name], known[name]), name
     for kind in ("apex", "eigenvalues"):
-        assert len(told[kind]) == 6
-        assert all(agree(one, other) for one, other in zip(told[kind], known[kind], strict=True)), kind
-    assert [EVENTS.get(name, name) for name, _ in told["events"]] == [name for name, _ in known["events"]]
-    for (_, time), (_, known_time) in zip(told["events"], known["events"], strict=True):
+        assert len(printed[kind]) == 6
+        assert all(agree(one, other) for one, other in zip(printed[kind], known[kind], strict=True)), kind
+    assert [EVENTS.get(name, name) for name, _ in printed["events"]] == [name for name, _ in known["events"]]
+    for (_, time), (_, known_time) in zip(printed["events"], known["events"], strict=True):
         assert agree(time, known_time)
 
 
@@ -60,8 +60,10 @@ def proof():
 
 def test_a_published_gait_is_proved_with_the_values_that_another_program_proved(proof):
     check(proof, GAITS["0.6"])
-    told = proof.as_json()
-    assert all(arb(value).rad() < 1e-20 for value in (*told["apex"], *told["eigenvalues"], told["speed"]))
+    printed = proof.as_json()
+    assert all(
+        arb(value).rad() < 1e-20 for value in (*printed["apex"], *printed["eigenvalues"], printed["speed"])
+    )
     assert "3/5" in proof.sentence
     assert "exactly one" in proof.sentence
     assert max(proof.box.radii) == Fraction(1, 10**6)
@@ -134,14 +136,14 @@ def test_the_command_prints_the_proof():
     ran = CliRunner().invoke(
         prove_command, ["--friction", "10", "--digits", "5", "--json"], standalone_mode=False
     )
-    told = json.loads(ran.stdout)
-    assert told["proved"]
-    assert told["word"] == "0+"
-    assert agree(told["period"], GAITS["10"]["period"])
-    assert told["parameters"]["ground.friction"] == "10"
+    printed = json.loads(ran.stdout)
+    assert printed["proved"]
+    assert printed["word"] == "0+"
+    assert agree(printed["period"], GAITS["10"]["period"])
+    assert printed["parameters"]["ground.friction"] == "10"
     of_gait = {"proved", "sentence", "assumptions", "word", "stable", "box", "undecided"}
     assert of_gait | {"apex", "period", "speed", "cost_of_transport", "slip_distance", "eigenvalues"} <= set(
-        told
+        printed
     )
 
 
@@ -174,9 +176,9 @@ def border():
 
 def test_a_border_is_proved_where_another_program_proved_it(border):
     check_border(border, PROVED["borders"][0])
-    told = border.as_json()
-    assert told["box"]["coordinates"][-1] == "ground.friction"
-    assert len(told["box"]["centre"]) == len(told["box"]["radii"]) == 7
+    printed = border.as_json()
+    assert printed["box"]["coordinates"][-1] == "ground.friction"
+    assert len(printed["box"]["centre"]) == len(printed["box"]["radii"]) == 7
 
 
 def test_the_word_changes_at_a_border(border):
@@ -192,12 +194,12 @@ def test_the_word_changes_at_a_border(border):
 def test_a_side_that_is_undecided_is_told_to_be(border):
     below, above = border.sides
     open_side = replace(below, proved=False, word="", undecided={"guard": "touchdown", "time": 12.0})
-    told = replace(border, sides=(open_side, above))
-    assert told.words == ("+0-",)
-    assert "changes" not in told.sentence
-    assert "the gait at 0.2658" in told.sentence
-    assert "is undecided, +0- at" in told.sentence
-    assert [side["proved"] for side in told.as_json()["sides"]] == [False, True]
+    half_open = replace(border, sides=(open_side, above))
+    assert half_open.words == ("+0-",)
+    assert "changes" not in half_open.sentence
+    assert "the gait at 0.2658" in half_open.sentence
+    assert "is undecided, +0- at" in half_open.sentence
+    assert [side["proved"] for side in half_open.as_json()["sides"]] == [False, True]
 
 
 @long

@@ -105,9 +105,9 @@ def random_gaits():
 
 def row_of(given, proof):
     """Of the table that the guide to proofs shows."""
-    told = {"given": given, "proved": proof.proved, "word": proof.word, "stable": proof.stable}
+    row = {"given": given, "proved": proof.proved, "word": proof.word, "stable": proof.stable}
     time = proof.undecided.get("time")
-    return told | {"undecided": None if proof.proved else [proof.undecided["guard"], f"{time:.4g}"]}
+    return row | {"undecided": None if proof.proved else [proof.undecided["guard"], f"{time:.4g}"]}
 
 
 @long
@@ -168,12 +168,12 @@ def test_starts_in_the_proved_ball_come_nearer_by_the_proved_rate(friction):
 
 def test_a_ball_is_told_with_its_norm():
     attraction = attraction_of(PUBLISHED[0])
-    told = json.loads(json.dumps(attraction.as_json()))
-    assert told["proved"] is True
-    basis = np.array([[complex(*entry) for entry in row] for row in told["basis"]])
+    printed = json.loads(json.dumps(attraction.as_json()))
+    assert printed["proved"] is True
+    basis = np.array([[complex(*entry) for entry in row] for row in printed["basis"]])
     assert np.array_equal(basis, attraction.basis)
-    assert told["weights"] == list(attraction.weights)
-    assert told["norm_radius"] == attraction.norm_radius
+    assert printed["weights"] == list(attraction.weights)
+    assert printed["norm_radius"] == attraction.norm_radius
 
 
 def test_no_ball_is_proved_around_an_unstable_gait():

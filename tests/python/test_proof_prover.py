@@ -117,10 +117,10 @@ def test_steps_of_other_lengths_enclose_the_same(proof, monkeypatch):
 
 
 def agrees_with_known(proof):
-    told = proof.as_json()
+    printed = proof.as_json()
     with ctx.workprec(200):
-        pairs = [(told[name], KNOWN[name]) for name in ("period", "length", "speed")]
-        pairs += zip(told["apex"], KNOWN["apex"], strict=True)
+        pairs = [(printed[name], KNOWN[name]) for name in ("period", "length", "speed")]
+        pairs += zip(printed["apex"], KNOWN["apex"], strict=True)
         return all(arb(one).overlaps(arb(other)) for one, other in pairs)
 
 

@@ -94,14 +94,14 @@ def test_a_parameter_without_effect_makes_no_other_runner(span, tmp_path):
     proof, file = span
     vary = {"ground.friction": ("10", "10.06")}
     head, *parts = file.read_text(encoding="utf-8").splitlines()
-    told = json.loads(head)
-    assert "ground.stribeck_velocity" not in told["parameters"]
-    told["parameters"]["ground.stribeck_velocity"] = "0"
+    printed = json.loads(head)
+    assert "ground.stribeck_velocity" not in printed["parameters"]
+    printed["parameters"]["ground.stribeck_velocity"] = "0"
     other = tmp_path / "named.jsonl"
-    other.write_text("\n".join([json.dumps(told), *parts, ""]), encoding="utf-8")
+    other.write_text("\n".join([json.dumps(printed), *parts, ""]), encoding="utf-8")
     assert tdmf_slip.prove(vary=vary, output=other, processes=1).subintervals == proof.subintervals
-    told["parameters"]["ground.stribeck_velocity"] = "1/10"
-    other.write_text("\n".join([json.dumps(told), *parts, ""]), encoding="utf-8")
+    printed["parameters"]["ground.stribeck_velocity"] = "1/10"
+    other.write_text("\n".join([json.dumps(printed), *parts, ""]), encoding="utf-8")
     with pytest.raises(InputError, match="not of this range and runner"):
         tdmf_slip.prove(vary=vary, output=other)
 

@@ -61,8 +61,8 @@ def test_a_correlation_is_what_it_is_called(correlation):
     steps = np.concatenate([ground.steps(k, 4000) for k in range(4)])
     assert steps.std() == pytest.approx(0.2, rel=0.1)
     for lag in (1, 2):
-        told = np.corrcoef(steps[:-lag], steps[lag:])[0, 1]
-        assert told == pytest.approx(correlation**lag, abs=0.05)
+        estimate = np.corrcoef(steps[:-lag], steps[lag:])[0, 1]
+        assert estimate == pytest.approx(correlation**lag, abs=0.05)
 
 
 def test_a_spectrum_is_that_of_the_steps():

@@ -53,10 +53,10 @@ def read(folder, name):
 
 
 def test_the_sums_are_those_of_every_file(released):
-    told = dict(line.split("  ")[::-1] for line in read(released, "SHA256SUMS").splitlines())
-    assert set(told) == {path.name for path in released.iterdir()} - {"SHA256SUMS"} and len(told) == 12
-    for name, told_sum in told.items():
-        assert told_sum == hashlib.sha256((released / name).read_bytes()).hexdigest(), name
+    printed = dict(line.split("  ")[::-1] for line in read(released, "SHA256SUMS").splitlines())
+    assert set(printed) == {path.name for path in released.iterdir()} - {"SHA256SUMS"} and len(printed) == 12
+    for name, written_sum in printed.items():
+        assert written_sum == hashlib.sha256((released / name).read_bytes()).hexdigest(), name
 
 
 def test_the_notes_are_this_version_s_changes_and_every_file(released):
@@ -90,7 +90,9 @@ def test_the_bill_of_materials_is_valid_and_whole(released):
     assert (subject["name"], subject["version"]) == ("tdmf-slip", VERSION)
     hashes = {file["name"]: file["hashes"][0]["content"] for file in subject["components"]}
     sums = dict(line.split("  ")[::-1] for line in read(released, "SHA256SUMS").splitlines())
-    assert hashes == {name: told for name, told in sums.items() if name not in PAPERS} and len(hashes) == 9
+    assert (
+        hashes == {name: printed for name, printed in sums.items() if name not in PAPERS} and len(hashes) == 9
+    )
     names = {component["name"] for component in bill["components"]}
     direct = {re.match(r"[\w-]+", need)[0].lower() for need in PROJECT["dependencies"]}
     assert direct | {"ziglang", "pycparser", "attrs", "lxml"} <= names and len(names) > 20
@@ -152,8 +154,8 @@ def test_a_release_that_lacks_a_file_gets_no_papers(released, tmp_path):
 def test_what_was_made_has_its_papers():
     sums = dict(line.split("  ")[::-1] for line in read(DIST, "SHA256SUMS").splitlines())
     assert len(sums) == 12
-    for name, told in sums.items():
-        assert told == hashlib.sha256((DIST / name).read_bytes()).hexdigest(), name
+    for name, printed in sums.items():
+        assert printed == hashlib.sha256((DIST / name).read_bytes()).hexdigest(), name
 
 
 # ---- the same bytes ----

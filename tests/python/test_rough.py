@@ -156,10 +156,10 @@ def test_the_command_tells_the_mean(command):
         "rough", "--roughness", "0.5", "--runners", "64", "--seed", "3", "--max-strides", "20", "--json"
     )
     assert status == 0
-    told = json.loads(out)
-    assert told == strides_to_fall({}, 0.5, 64, 3, 20).as_json()
-    assert {"mean_strides", "interval", "censored"} <= told.keys()
-    assert told["falls"] + told["censored"] == 64
+    printed = json.loads(out)
+    assert printed == strides_to_fall({}, 0.5, 64, 3, 20).as_json()
+    assert {"mean_strides", "interval", "censored"} <= printed.keys()
+    assert printed["falls"] + printed["censored"] == 64
 
 
 @pytest.mark.parametrize(

@@ -67,9 +67,11 @@ def test_what_settles_at_once_is_found_as_ever(unit, monkeypatch):
 
 def test_no_gait_says_what_was_tried(unit, command):
     hopeless = {"hip.stance_torque": 0.0, "ground.friction": 0.5}
-    with pytest.raises(RunError, match=r"starts all over the section, [\d,]+ strides: a guess near") as told:
+    with pytest.raises(
+        RunError, match=r"starts all over the section, [\d,]+ strides: a guess near"
+    ) as raised:
         find_gait(hopeless, fmu=unit)
-    assert "along the friction from 0.6" in str(told.value)
+    assert "along the friction from 0.6" in str(raised.value)
     status, out, said = command("gait", "--friction", "0.5", "--set", "hip.stance_torque=0")
     assert (status, out) == (1, "") and "starts all over the section" in said
 

@@ -142,15 +142,15 @@ def test_a_python_name_without_a_docstring_is_refused(tmp_path):
 
     (tmp_path / "__init__.py").write_text('"""Told."""\n')
     module = tmp_path / "module.py"
-    told = '"""Told."""\n\n\nclass Thing:\n    """Told."""\n\n    size: float\n    """Told."""\n'
-    module.write_text(told)
+    documented = '"""Told."""\n\n\nclass Thing:\n    """Told."""\n\n    size: float\n    """Told."""\n'
+    module.write_text(documented)
     check(tmp_path)
     for untold, name in (
         ("\n\ndef function():\n    return 1\n", "function"),
         ("    weight: float\n", "Thing.weight"),
         ("\n    def method(self):\n        return 1\n", "Thing.method"),
     ):
-        module.write_text(told + untold)
+        module.write_text(documented + untold)
         with pytest.raises(ExtensionError, match=rf"module: {re.escape(name)}"):
             check(tmp_path)
 
@@ -199,7 +199,7 @@ def test_such_a_name_fails_the_build(tmp_path):
     ]
     done = subprocess.run(command, capture_output=True, text=True)
     assert done.returncode != 0 and "tdmf_untold" in done.stderr
-    told = "/* A header. */\n\n/* Told, and defined. */\nint tdmf_guards(void);\n"
-    (tmp_path / "headers/thing.h").write_text(told)
+    documented = "/* A header. */\n\n/* Told, and defined. */\nint tdmf_guards(void);\n"
+    (tmp_path / "headers/thing.h").write_text(documented)
     done = subprocess.run(command, capture_output=True, text=True)
     assert done.returncode == 0, done.stderr

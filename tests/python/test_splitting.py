@@ -171,8 +171,8 @@ def test_a_factor_from_few_falls_is_told_by_its_interval_alone():
     many = FirstPassage("0+", 0.3, 100, 100, 18_000)
     few = FirstPassage("+-", 0.3, 100, 4, 120_000)
     assert str(factor_of(many, many)).startswith("1 (0.7")
-    told = str(factor_of(few, many))
-    assert "166" not in told and "too few" in told and not factor_of(few, many).is_reported
+    sentence = str(factor_of(few, many))
+    assert "166" not in sentence and "too few" in sentence and not factor_of(few, many).is_reported
     none = factor_of(FirstPassage("+-", 0.3, 100, 0, 120_000), many)
     assert none.interval[0] > 30.0 and none.interval[1] == np.inf and "above" in str(none)
 

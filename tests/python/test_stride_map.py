@@ -325,8 +325,8 @@ def test_noise_is_that_of_the_published_generators(gait, starts):
     assert_same(stride_map(gait.runner, starts, law=function_of(law, noise), **how), found)
     other = stride_map(gait.runner, starts, law=law_of(gait, deviations, seed + 1), **how)
     assert not np.array_equal(other[ANGLE], found[ANGLE])
-    told = law.inputs_at(starts[2], runner=first + 2)
-    assert told == {name: found[name][2, 0] for name in NAMES}
+    inputs = law.inputs_at(starts[2], runner=first + 2)
+    assert inputs == {name: found[name][2, 0] for name in NAMES}
 
 
 # ---- the reduced map --------------------------------------------------------------------------------------

@@ -130,9 +130,9 @@ def test_the_jogger_runs_with_a_target(command, target):
     options = [part for name, value in target.items() for part in ("--target", f"{name}={value}")]
     vary = "hip.stance_torque,leg.stiffness"
     status, out, said = command("gait", *options, "--vary", vary, "--parameters", "human", "--json")
-    told = json.loads(out)
-    assert (status, said) == (0, "") and told["stable"] and set(told["free"]) == set(vary.split(","))
-    gait = gait_near(Runner.of(told["start_values"]), told["apex"])
+    printed = json.loads(out)
+    assert (status, said) == (0, "") and printed["stable"] and set(printed["free"]) == set(vary.split(","))
+    gait = gait_near(Runner.of(printed["start_values"]), printed["apex"])
     assert_met(gait, target)
     changed = {n for n, v in read_parameters("human").items() if n in VARIED and gait.runner.values[n] != v}
     assert changed - {"hip.touchdown_angle"} == set(vary.split(","))
@@ -184,10 +184,10 @@ def test_the_nearest_gait_is_nearer_than_the_first(refused):
 def test_what_helps_meets_the_target(refused):
     """Each is tried as it is told: varied too, or instead of another; the target is met, or nearer."""
     parameters, target, vary, error, _ = refused
-    told = re.findall(r"([\w.]+) (too|instead of ([\w.]+)) (meets it|helps)", str(error))
-    assert 1 <= len(told) <= 3 and tuple(name for name, *_ in told) == error.helps[: len(told)]
-    assert told[0][-1] == "meets it"
-    for name, _, instead, result in told[: 1 if len(target) > 1 else 3]:
+    printed = re.findall(r"([\w.]+) (too|instead of ([\w.]+)) (meets it|helps)", str(error))
+    assert 1 <= len(printed) <= 3 and tuple(name for name, *_ in printed) == error.helps[: len(printed)]
+    assert printed[0][-1] == "meets it"
+    for name, _, instead, result in printed[: 1 if len(target) > 1 else 3]:
         mended = [*(one for one in vary if one != instead), name]
         try:
             gait = find_gait(parameters, target=target, vary=mended)
@@ -208,20 +208,20 @@ def test_the_command_prints_a_gait_with_what_was_varied(command):
         "hip.stance_torque",
         "--json",
     )
-    told = json.loads(out)
+    printed = json.loads(out)
     assert (status, said) == (0, "")
-    assert told["speed"] == pytest.approx(5.0, rel=1e-10) == told["ordered"]["speed"]
-    assert told["free"] == {"hip.stance_torque": told["start_values"]["hip.stance_torque"]}
+    assert printed["speed"] == pytest.approx(5.0, rel=1e-10) == printed["ordered"]["speed"]
+    assert printed["free"] == {"hip.stance_torque": printed["start_values"]["hip.stance_torque"]}
 
 
 def test_the_command_tells_what_is_nearest_and_what_helps(command):
     target = ["--target", "cost_of_transport=0.001", "--vary", "hip.stance_torque"]
     status, out, said = command("gait", "--friction", "0.6", "--model", "reduced", *target, "--json")
-    told = json.loads(out)
+    printed = json.loads(out)
     assert status == 1 and "no gait with cost_of_transport 0.001" in said
-    assert told["nearest"]["cost_of_transport"] > 0.001
-    assert set(told["nearest"]["free"]) == {"hip.stance_torque"}
-    assert "hip.stance_torque" not in told["helps"]
+    assert printed["nearest"]["cost_of_transport"] > 0.001
+    assert set(printed["nearest"]["free"]) == {"hip.stance_torque"}
+    assert "hip.stance_torque" not in printed["helps"]
 
 
 @pytest.mark.parametrize(

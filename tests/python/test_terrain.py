@@ -120,9 +120,9 @@ def test_lanes_make_what_the_native_solver_makes(gait, length):
 def test_heights_that_are_drawn_are_those_that_are_told(gait, weights):
     drawn = RoughGround(0.1, 5, step_weights=weights, segment_length=1.5)
     # Feet do not come back behind the start by more than a segment, the one that is never looked at here.
-    told = RoughGround(segment_length=1.5, heights=tuple(drawn.segment_heights(0, 400)))
+    listed = RoughGround(segment_length=1.5, heights=tuple(drawn.segment_heights(0, 400)))
     assert runs(gait, drawn, strides=8)["apex"] == pytest.approx(
-        runs(gait, told, strides=8)["apex"], abs=1e-9
+        runs(gait, listed, strides=8)["apex"], abs=1e-9
     )
 
 
@@ -196,6 +196,6 @@ def test_the_command_has_it(tmp_path, command):
     path = tmp_path / "heights.txt"
     path.write_text("0 0.02 -0.02", encoding="utf-8")
     given = ["rough", "--runners", "4", "--max-strides", "4", "--json", "--segment-length", "3"]
-    told = json.loads(command(*given, "--heights", str(path))[1])
+    printed = json.loads(command(*given, "--heights", str(path))[1])
     drawn = json.loads(command(*given, "--roughness", "0.02")[1])
-    assert told["strides"] == drawn["strides"] == 16
+    assert printed["strides"] == drawn["strides"] == 16

@@ -70,15 +70,18 @@ def check_degrees(axis, label):
 
 
 def test_pictures_are_marked_in_the_unit_that_was_given():
-    told, ends = DisplayUnits(load_fmu(), {ANGLE: "40 deg:42 deg"}), (math.radians(40.0), math.radians(42.0))
+    display, ends = (
+        DisplayUnits(load_fmu(), {ANGLE: "40 deg:42 deg"}),
+        (math.radians(40.0), math.radians(42.0)),
+    )
     found = continue_branch({FRICTION: 0.6}, {ANGLE: ends}, switch=False)
-    figure = branch_diagram.figure_of(found, display=told)
+    figure = branch_diagram.figure_of(found, display=display)
     check_degrees(figure.axes[1].xaxis, figure.axes[1].get_xlabel())
     assert f"{ANGLE} from 40:" in figure.axes[0].get_title("left")
     (line, *_) = figure.axes[0].lines
     assert np.min(line.get_xdata()) < 1.0  # what is drawn stays in the variable's unit
     swept = sweep({FRICTION: 0.6}, {ANGLE: np.linspace(*ends, 3)})
-    figure = branch.figure_of(*branch.drawn_of(swept), load_fmu(), told)
+    figure = branch.figure_of(*branch.drawn_of(swept), load_fmu(), display)
     check_degrees(figure.axes[-1].xaxis, figure.axes[-1].get_xlabel())
     figure = branch_diagram.figure_of(found)
     assert figure.axes[1].get_xlabel() == f"{ANGLE} (rad)"
@@ -87,8 +90,8 @@ def test_pictures_are_marked_in_the_unit_that_was_given():
 
 def test_curves_are_marked_in_the_units_that_were_given():
     spans = {ANGLE: (math.radians(40.0), math.radians(42.0)), FRICTION: (0.45, 0.5)}
-    told = DisplayUnits(load_fmu(), {ANGLE: "40 deg:42 deg"})
-    figure = curve_diagram.figure_of(continue_curves({}, spans, max_points=3), spans, told)
+    display = DisplayUnits(load_fmu(), {ANGLE: "40 deg:42 deg"})
+    figure = curve_diagram.figure_of(continue_curves({}, spans, max_points=3), spans, display)
     axes = figure.axes[0]
     check_degrees(axes.xaxis, axes.get_xlabel())
     assert axes.get_ylabel() == FRICTION
@@ -128,10 +131,10 @@ def test_what_an_optimum_has_is_told_in_the_unit_that_it_was_given_in(command):
 
 def test_a_sweep_is_drawn_and_written_as_any_result(command, tmp_path):
     sweep_ = ("sweep", "--friction", "0.5:0.6:3")
-    status, printed, err = command(*sweep_, "--json")
+    status, display, err = command(*sweep_, "--json")
     assert status == 0, err
-    found = json.loads(printed)
-    assert command(*sweep_, "--output", "-")[1] == printed
+    found = json.loads(display)
+    assert command(*sweep_, "--output", "-")[1] == display
     assert command(*sweep_, "--output", "gaits.json", "--plot", "gaits.png")[0] == 0
     assert json.loads((tmp_path / "gaits.json").read_text(encoding="utf-8")) == found
     assert (tmp_path / "gaits.png").read_bytes().startswith(b"\x89PNG")

@@ -318,9 +318,9 @@ def test_it_is_told_in_short(found):
         "Viability(24 by 24 cells, 24 actions of hip.touchdown_angle: "
         f"{found.inner_share:.1%} to {found.outer_share:.1%} viable)"
     )
-    told = found.as_json()
-    assert told["cells"] == [24, 24]
-    assert told["strides"] == 25 * 25 * 24
+    printed = found.as_json()
+    assert printed["cells"] == [24, 24]
+    assert printed["strides"] == 25 * 25 * 24
 
 
 def test_the_dataset_has_all_of_it(found):

@@ -25,10 +25,10 @@ def test_the_command_finds_what_the_function_finds(command):
 
 def test_the_command_draws_writes_and_goes_on(command, tmp_path):
     files = "--output", tmp_path / "viable.nc", "--plot", tmp_path / "viable.png"
-    told = [command("viability", *GRID, "--n", 6, "--threads", 1, *files)[:2] for _ in range(2)]
-    assert told[0] == told[1]
-    assert told[0][0] == 0
-    assert "of the cells" in told[0][1]
+    printed = [command("viability", *GRID, "--n", 6, "--threads", 1, *files)[:2] for _ in range(2)]
+    assert printed[0] == printed[1]
+    assert printed[0][0] == 0
+    assert "of the cells" in printed[0][1]
     assert (tmp_path / "viable.png").stat().st_size > 10_000
     status, _, said = command("viability", *GRID, "--n", 7, *files)
     assert status == 2
@@ -40,7 +40,7 @@ def test_the_command_tells_of_the_gait_and_writes_a_controller(command, tmp_path
     wide = ("--axes", "com_height=0.5:2", "--axes", "com_speed=0:2", *GRID[4:])
     status, out, _ = command("viability", *wide, "--n", 24, "--gait", "--controller", file, "--json")
     assert status == 0
-    told = json.loads(out)
+    printed = json.loads(out)
     found = tdmf_slip.viability(
         None,
         axes={"com_height": (0.5, 2), "com_speed": (0, 2)},
@@ -49,9 +49,9 @@ def test_the_command_tells_of_the_gait_and_writes_a_controller(command, tmp_path
     )
     gait = tdmf_slip.find_gait(model="reduced")
     reached = found.reached(gait)
-    assert told["reached"] == reached.as_json()
-    assert told["reached"]["outer_share"] == (reached.outer >= 0).mean() > 0
-    assert told["largest_drop"]["outer"] == found.largest_drop()[1][reached.target].min()
+    assert printed["reached"] == reached.as_json()
+    assert printed["reached"]["outer_share"] == (reached.outer >= 0).mean() > 0
+    assert printed["largest_drop"]["outer"] == found.largest_drop()[1][reached.target].min()
     law = found.controller()
     with file.open(encoding="utf-8") as opened:
         rows = list(csv.DictReader(opened))

@@ -73,8 +73,8 @@ def guards() -> str:
     """Write all guards that are laws, and the changes of these, up to their scale."""
     parts = []
     for event in (event for event in EVENTS if event.law is not None):
-        told = [symbol(text, constant=True, word=name) for name, text in event.arguments]
-        call = None if event.band == "by hand" else lambda at, *, told=told: (at, *told)
+        arguments = [symbol(text, constant=True, word=name) for name, text in event.arguments]
+        call = None if event.band == "by hand" else lambda at, *, arguments=arguments: (at, *arguments)
         declared = f"double {event.name}_guard"
         law = event.law if event.band == "by hand" else armed(event)
         parts.append(Function(InC(declared, law, call)).c_of_value())
@@ -94,8 +94,8 @@ def functions_of(event: Event) -> dict[str, str]:
 def row(event: Event) -> str:
     """Write an event's row."""
     members = functions_of(event) | ({"is_impact": "true"} if event.is_impact else {})
-    told = ", ".join(f".{member} = {text}" for member, text in members.items())
-    return f"[TDMF_GUARD_{event.name.upper()}] = {{{told}}},\n"
+    arguments = ", ".join(f".{member} = {text}" for member, text in members.items())
+    return f"[TDMF_GUARD_{event.name.upper()}] = {{{arguments}}},\n"
 
 
 def look(event: Event, guard: str, phases: str) -> str:

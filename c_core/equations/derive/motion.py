@@ -82,16 +82,16 @@ class Motion:
     def __init__(self, family: Family, case: str) -> None:
         forget()
         self.family, self.case = family, case
-        told = {"noted": "", "ramp": True} | family.cases[case]
-        names = f"{family.noted} {told.pop('noted')}".split()
+        options = {"noted": "", "ramp": True} | family.cases[case]
+        names = f"{family.noted} {options.pop('noted')}".split()
         held = {name: symbol(f"c->{name}", constant=True) for name in constants(family)}
         for name, word in family.ramps.items():
             rate = symbol(f"c->{name}_rate", constant=True)
-            marks = {"ramp": rate, "word": word} if told["ramp"] or word == "drift" else {"constant": True}
+            marks = {"ramp": rate, "word": word} if options["ramp"] or word == "drift" else {"constant": True}
             held[name] = symbol(f"c->{name}", **marks)
-        del told["ramp"]
+        del options["ramp"]
         states = {name: symbol(f"s->{name}") for name in states_of(family)}
-        found = vars(trace(family.page.motion, Record(**held), Record(**states), **told))
+        found = vars(trace(family.page.motion, Record(**held), Record(**states), **options))
         rates = {states[name]: lift(rate) for name, rate in vars(found.pop("rates")).items()}
         found = {name: lift(value) for name, value in found.items()}
         for name in [*found, *names]:

@@ -136,5 +136,5 @@ def law_series(law: Callable[..., Any], series: set[str], structs: dict[str, tup
     )
 
 
-FILES = {f"{mode}_series.h": partial(of_cases, mode, *told) for mode, told in HEADERS.items()}
+FILES = {f"{mode}_series.h": partial(of_cases, mode, *options) for mode, options in HEADERS.items()}
 FILES |= {"guard_series.h": guard_series, "motion_coordinates.h": copies, "motion_ends.h": ends}

@@ -138,13 +138,13 @@ class Expansion:
         if node.operation == "sqrt" and not self.by_pairs:
             raise ValueError(f"{node.name} is a root, which a motion alone can expand: let it have it")
         a, text = node.operands[0], texts[0] if self.by_pairs else texts[-1]
-        told = {letter: self.arrays.get(part) for letter, part in self.parts(node).items()}
-        told |= {"inner": f"sum->{node.name}", "inverse": f"inverse_{self.series_in(node)[-1].name}"}
+        parts = {letter: self.arrays.get(part) for letter, part in self.parts(node).items()}
+        parts |= {"inner": f"sum->{node.name}", "inverse": f"inverse_{self.series_in(node)[-1].name}"}
         if "{over}" in text:
-            told["over"] = self.coefficient(a, k)
+            parts["over"] = self.coefficient(a, k)
         if kind_of(node) == "ramp":
-            told |= {"ramp": a.marks["word"], "value": a.value, "rate": a.marks["ramp"].value}
-        return text.format(k=k, **told)
+            parts |= {"ramp": a.marks["word"], "value": a.value, "rate": a.marks["ramp"].value}
+        return text.format(k=k, **parts)
 
     def linear(self, node: Expression, k: str) -> str:
         """Write coefficient k of a sum: constants stand in coefficient 0 alone, ramps in 0 and 1."""
@@ -156,8 +156,8 @@ class Expansion:
         steady = replaced(node, held)
         ramps = {leaf: leaf.marks["ramp"] for leaf in leaves([steady]) if "ramp" in leaf.marks}
         word = min(leaf.marks["word"] for leaf in ramps) if ramps else "constant"
-        told = [steady, derivative(steady, ramps)] if ramps else [steady]
-        texts = [f"broadcast({c_text(p)})" if p.operation == "number" else c_text(p) for p in told]
+        parts = [steady, derivative(steady, ramps)] if ramps else [steady]
+        texts = [f"broadcast({c_text(p)})" if p.operation == "number" else c_text(p) for p in parts]
         if steady.is_number(0) and not ramps:
             return texts[0] if moving.is_number(0) else c_text(moving)
         if moving.is_number(0):

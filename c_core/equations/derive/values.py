@@ -106,9 +106,9 @@ class Function:
         self.result, self.name = row.declared.split()
         self.number, types = number, types or {}
         names = dict.fromkeys([*parameters(row.call or row.law), *types])
-        told = {name: (TYPES | types).get(name, number) for name in [*names, "written"]}
-        written = told.pop("written")
-        self.types, self.written = told, {"written": written} if self.result == "void" else {}
+        given = {name: (TYPES | types).get(name, number) for name in [*names, "written"]}
+        written = given.pop("written")
+        self.types, self.written = given, {"written": written} if self.result == "void" else {}
         self.fixed = {n for n, type_ in self.types.items() if type_ in WITHOUT_CHANGE or n in FIXED}
 
     def run(self) -> dict[str, Expression]:
@@ -188,8 +188,8 @@ class Function:
         elif "" in texts:
             lines.append(f"return {texts['']};")
         else:
-            told = {name: text for name, text in texts.items() if text != "0.0"} or texts
-            members = "".join(f".{name} = {text},\n" for name, text in told.items())
+            given = {name: text for name, text in texts.items() if text != "0.0"} or texts
+            members = "".join(f".{name} = {text},\n" for name, text in given.items())
             lines += [f"const {self.result} result = {{\n{members}}};", "return result;"]
         return "\n".join(lines) + "\n"
 

@@ -69,8 +69,8 @@ def watched(event: Event, motion: str) -> str:
     floor += f" * c->mode.{event.scale}_scale" if event.scale else ""
     weight = f"broadcast({c_text(factor)})" if factor.operation == "number" else c_text(factor)
     law = comment(event.law.__doc__) if event.law else ""
-    told = f"TDMF_GUARD_{event.name.upper()}, {watching}, {series}, {weight}, {start}, {order}, {floor}"
-    return f"{law}watch_series(search, {told});\n"
+    row = f"TDMF_GUARD_{event.name.upper()}, {watching}, {series}, {weight}, {start}, {order}, {floor}"
+    return f"{law}watch_series(search, {row});\n"
 
 
 def by_motion(motion: str) -> list[Event]:

@@ -6,7 +6,7 @@ import { digits } from "./numbers.js";
 import { palette } from "./theme.js";
 
 const MARGIN = { left: 52, right: 12, top: 24, bottom: 36 };
-const MOST_TICKS = 100;
+const MAX_TICKS = 100;
 const TICK_ROOM = 24; // px of height for each, about
 
 /** Round steps of 1, 2 or 5 that give about so many ticks. */
@@ -16,7 +16,7 @@ export function niceTicks(low, high, count) {
   const step = [1, 2, 5, 10].map((factor) => factor * size).find((candidate) => candidate >= rough);
   const first = Math.ceil(low / step - 1e-9);
   const number = Math.floor(high / step + 1e-9) - first + 1;
-  return Array.from({ length: Math.max(0, Math.min(MOST_TICKS, number)) }, (_, i) =>
+  return Array.from({ length: Math.max(0, Math.min(MAX_TICKS, number)) }, (_, i) =>
     Number(((first + i) * step).toPrecision(12)),
   );
 }

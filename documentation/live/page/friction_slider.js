@@ -11,11 +11,11 @@ const STEPS = 1000;
 export class FrictionSlider {
   /**
    * @param {HTMLInputElement} slider
-   * @param {HTMLOutputElement} told
+   * @param {HTMLOutputElement} output
    * @param {function(number): void} changed
    */
-  constructor(slider, told, changed) {
-    Object.assign(this, { slider, told });
+  constructor(slider, output, changed) {
+    Object.assign(this, { slider, output });
     Object.assign(slider, { min: 0, max: STEPS, step: 1 });
     slider.addEventListener("input", () => {
       changed(Number((LOW * (HIGH / LOW) ** (Number(slider.value) / STEPS)).toPrecision(3)));
@@ -27,7 +27,7 @@ export class FrictionSlider {
     const friction = values[FRICTION];
     const share = Math.log(friction / LOW) / Math.log(HIGH / LOW);
     this.slider.value = STEPS * Math.max(0, Math.min(1, share));
-    this.told.value = digits(friction);
+    this.output.value = digits(friction);
     this.slider.setAttribute("aria-valuetext", digits(friction));
   }
 }

@@ -40,7 +40,7 @@ class Page {
     this.controls = new Controls($("controls"), (name, value) => this.set(name, value));
     const setFriction = (friction) => this.set(FRICTION, friction);
     this.video = new Video($("video"), $("scene"), this.run, this.player);
-    this.friction = new FrictionSlider($("friction-slider"), $("friction-told"), setFriction);
+    this.friction = new FrictionSlider($("friction-slider"), $("friction-text"), setFriction);
     this.gaits = new GaitCards(pools, core, this.state, setFriction, (apex) => this.startFrom(apex));
     this.listen();
   }

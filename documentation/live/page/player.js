@@ -41,7 +41,7 @@ export class Player {
 
   /** How fast the run is shown, which depends on the runner, too. */
   tellPace() {
-    $("pace-told").value = paceText($("pace").value, this.run);
+    $("pace-text").value = paceText($("pace").value, this.run);
   }
 
   /** A hundredth of sqrt(m/k). */

@@ -42,7 +42,7 @@ export class Race {
    */
   start(own, other) {
     const attempt = ++this.attempt;
-    $("race-told").value = "Looking for both gaits …";
+    $("race-text").value = "Looking for both gaits …";
     return guarded(async () => {
       const lanes = await Promise.all([own, other].map((friction) => this.lane(friction)));
       if (attempt !== this.attempt) {
@@ -51,7 +51,7 @@ export class Race {
       const problem = lanes.map((lane) => lane.problem).find(Boolean) ?? "";
       report(problem);
       if (problem) {
-        $("race-told").value = this.on ? this.standing : "";
+        $("race-text").value = this.on ? this.standing : "";
         return;
       }
       this.lanes = lanes.map((lane) => lane.start);
@@ -88,7 +88,7 @@ export class Race {
   /** Another run begins, without a rival. */
   end() {
     this.attempt += 1;
-    $("race-told").value = "";
+    $("race-text").value = "";
     if (!this.on) {
       return;
     }
@@ -156,8 +156,8 @@ export class Race {
 
   tell() {
     const text = this.standing;
-    if ($("race-told").value !== text) {
-      $("race-told").value = text;
+    if ($("race-text").value !== text) {
+      $("race-text").value = text;
     }
   }
 }

@@ -14,7 +14,7 @@ const ROWS_AT_ONCE = 2;
 const COARSE = [16, 32]; // points each way before the finest
 const OUTDATED = 0.25; // opacity of what was painted for another runner
 const LEG_LENGTH = 2; // it and the coordinates before are positive
-const LEAST = 0.1; // of the gait's, for what is positive
+const MIN_SHARE = 0.1; // of the gait's, for what is positive
 const FATES = [
   { name: "settled", text: "settles on the gait (stronger: sooner)", colour: "accent" },
   { name: "fell", text: "falls", colour: "bad" },
@@ -35,7 +35,7 @@ function rangeAround(apex, scales, index, width) {
   if (index > LEG_LENGTH) {
     return [here - 0.5 * width * scales[index], here + 0.5 * width * scales[index]].map(rounded);
   }
-  return [Math.max(1 - 0.3 * width, LEAST) * here, (1 + 0.5 * width) * here].map(rounded);
+  return [Math.max(1 - 0.3 * width, MIN_SHARE) * here, (1 + 0.5 * width) * here].map(rounded);
 }
 
 /** Nothing is painted while nobody can see it. */

@@ -41,7 +41,7 @@ export class RunView {
   /** One frame of many: who reads the numbers needs some time for each. */
   drawFrame() {
     this.drawPictures();
-    if (performance.now() - (this.told ?? 0) > NUMBERS_EVERY) {
+    if (performance.now() - (this.written ?? 0) > NUMBERS_EVERY) {
       this.drawNumbers();
     }
   }
@@ -53,7 +53,7 @@ export class RunView {
   }
 
   drawNumbers() {
-    this.told = performance.now();
+    this.written = performance.now();
     this.bars.draw(this.run);
     this.readout.show(this.run);
   }

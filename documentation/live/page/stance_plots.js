@@ -9,7 +9,7 @@ import { palette } from "./theme.js";
 
 const ROOM = 0.06;
 const STILL = 0.01; // of the leg's length over sqrt(m/k): a foot that is slower than that is drawn at rest
-const MOST_CONE = 2.2; // of a larger friction only the ratios are shown
+const MAX_CONE = 2.2; // of a larger friction only the ratios are shown
 
 const speed = ({ velocity }) => velocity;
 const ratio = ({ tangential, normal }) => (normal > 0 ? tangential / normal : NaN);
@@ -34,7 +34,7 @@ export class StancePlots {
     const x = [-ROOM * length, (1 + ROOM) * length];
     const least = (STILL * given["leg.free_length"]) / run.core.timeScale;
     this.panel(this.velocity, present, last, speed, { x, title: "foot velocity, m/s", zero: true, least });
-    const cone = resting <= MOST_CONE ? { friction, resting } : null;
+    const cone = resting <= MAX_CONE ? { friction, resting } : null;
     const labelX = "time since touchdown, s";
     const title = "force ratio, along over across the ground";
     this.panel(this.ratio, present, last, ratio, { x, title, cone, labelX, least: 0.05 });

@@ -76,7 +76,9 @@ def crossings(family: Family, first: Point, last: Point) -> Iterator[Crossing]:
         beyond = _turned(beyond, last) if beyond.gait.word == last.gait.word else beyond
         if family.distance(short, beyond) > CORNER:
             reach = ACUTE * family.distance(short, beyond)
-            short, beyond = (_approached(family, *side) for side in ((short, reach, 1), (beyond, reach, -1)))
+            short, beyond = (
+                _approached(family, *known) for known in ((short, reach, 1), (beyond, reach, -1))
+            )
         value = 0.5 * (short.value + beyond.value)
         yield Crossing(Border(value, inside.gait.word, beyond.gait.word), short, beyond)
         inside = beyond
@@ -119,12 +121,12 @@ def _border(chord: _Chord, inside: Point, last: Point) -> tuple[Point, Point]:
     touched.
     """
     outside = last
-    sides: dict[str, list[Point]] = {inside.gait.word: [inside], last.gait.word: [last]}
+    by_word: dict[str, list[Point]] = {inside.gait.word: [inside], last.gait.word: [last]}
     for looks in range(MAX_LOOKS):
         low, high = chord.along(inside), chord.along(outside)
         if high - low <= ROOT_ACCURACY:
             return inside, outside
-        vanishing = _vanishing_point(chord, sides[inside.gait.word], sides[outside.gait.word])
+        vanishing = _vanishing_point(chord, by_word[inside.gait.word], by_word[outside.gait.word])
         look = 0.5 * (low + high)
         if vanishing is not None:
             near, end = vanishing
@@ -136,7 +138,7 @@ def _border(chord: _Chord, inside: Point, last: Point) -> tuple[Point, Point]:
             elif looks % 2 == 0 and low < end + 0.1 * (near - end) < high:
                 look = end + 0.1 * (near - end)
         tried = chord.at(look, inside, outside)
-        sides.setdefault(tried.gait.word, []).append(tried)
+        by_word.setdefault(tried.gait.word, []).append(tried)
         if tried.gait.word == inside.gait.word:
             inside = tried
         else:
@@ -167,10 +169,10 @@ def _vanishing_point(
     chord: _Chord, inside: Sequence[Point], outside: Sequence[Point]
 ) -> tuple[float, float] | None:
     """How far the last point is on the side with more letters, and where by its last two a letter ends."""
-    side = inside if len(inside[-1].gait.word) > len(outside[-1].gait.word) else outside
-    if len(side) < 2 or len(side[-1].gait.letters) != len(side[-2].gait.letters):
+    known = inside if len(inside[-1].gait.word) > len(outside[-1].gait.word) else outside
+    if len(known) < 2 or len(known[-1].gait.letters) != len(known[-2].gait.letters):
         return None
-    near, far = side[-1], side[-2]
+    near, far = known[-1], known[-2]
     at, step = chord.along(near), chord.along(near) - chord.along(far)
     roots = [
         at - letter.duration * step / (letter.duration - before.duration)

@@ -99,8 +99,10 @@ class Plane:
             np.hstack([both[0].jacobian - np.eye(dimension), by_parameters]) * self.scales / scales[:, None]
         )
         steps = DIFFERENCE * np.eye(len(at))
-        sides = [[self.zero(self.strides_at(at + s * e, self.names[0])) for e in steps] for s in (1.0, -1.0)]
-        gradient = (np.array(sides[0]) - np.array(sides[1])) / (2.0 * DIFFERENCE)
+        shifted = [
+            [self.zero(self.strides_at(at + s * e, self.names[0])) for e in steps] for s in (1.0, -1.0)
+        ]
+        gradient = (np.array(shifted[0]) - np.array(shifted[1])) / (2.0 * DIFFERENCE)
         matrix = np.vstack([rows, gradient])
         if not np.isfinite(matrix).all():
             raise RunError("a gait has no derivatives")

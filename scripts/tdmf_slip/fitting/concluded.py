@@ -166,9 +166,9 @@ class Conclusion:
             )
         if self.request.scale_errors:
             yield f"the errors are taken {self.scale:.3g} times as large as the data say"
-        for parameter, side in zip(self.problem.parameters, found.at_bound, strict=True):
-            if side:
-                yield f"{parameter.label} is at the {'lower' if side < 0 else 'upper'} end of its range"
+        for parameter, bound in zip(self.problem.parameters, found.at_bound, strict=True):
+            if bound:
+                yield f"{parameter.label} is at the {'lower' if bound < 0 else 'upper'} end of its range"
         for row, words in enumerate(log.words, start=1):
             if len(words) > 1:
                 yield f"the word of row {row} changed on the way: {', '.join(words)}"

@@ -87,44 +87,44 @@ class Profile:
         BetterFitError
             The fit was none.
         """
-        low, high = (self._end(number, side) for side in (-1.0, 1.0))
+        low, high = (self._end(number, sign) for sign in (-1.0, 1.0))
         self.problem.restart(self.best.at, self._apexes)
         return low, high
 
-    def _end(self, number: int, side: float) -> End:
+    def _end(self, number: int, sign: float) -> End:
         """By the secant method on the root of the rise, which is nearly linear."""
         self.problem.restart(self.best.at, self._apexes)
-        begin, bound = float(self.best.at[number]), float(self.bounds[side > 0.0][number])
+        begin, bound = float(self.best.at[number]), float(self.bounds[sign > 0.0][number])
         spread = float(np.sqrt(self.covariance[number, number]))
         inside, outside, seen = (0.0, 0.0), None, self.best.at
         step = min(self.root * spread, LONGEST) if spread > 0.0 else LONGEST
         why = ""
         for _ in range(TRIES):
-            far = min(step, side * (bound - begin))
+            far = min(step, sign * (bound - begin))
             if far <= inside[0]:
                 return End(bound, "range")
-            found = self._constrained(number, begin + side * far, seen)
+            found = self._constrained(number, begin + sign * far, seen)
             if found is None:
                 step, why = 0.5 * (inside[0] + far), "gaits"
                 if far - inside[0] < MET * far:
-                    return End(begin + side * inside[0], why)
+                    return End(begin + sign * inside[0], why)
                 continue
             root = self._root(found)
             if root < self.root:
                 inside, seen = (far, root), found.at
-                if far == side * (bound - begin):
+                if far == sign * (bound - begin):
                     return End(bound, "range")
             else:
                 outside = (far, root)
             if abs(root - self.root) <= MET * self.root:
                 break
             if outside is None and far >= FARTHEST:
-                return End(side * np.inf, "")
+                return End(sign * np.inf, "")
             step = self._next(inside, outside, why)
         if outside is None and not abs(inside[1] - self.root) <= MET * self.root:
-            return End(begin + side * inside[0], why) if why else End(side * np.inf, "")
+            return End(begin + sign * inside[0], why) if why else End(sign * np.inf, "")
         far = self._interpolated(inside, outside or inside)
-        return End(begin + side * far, "")
+        return End(begin + sign * far, "")
 
     def _next(self, inside: tuple[float, float], outside: tuple[float, float] | None, why: str) -> float:
         """How far to go."""

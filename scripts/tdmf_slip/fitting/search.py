@@ -84,10 +84,10 @@ def searched(
         loss="huber" if robust else "linear",
         f_scale=HUBER if robust else 1.0,
     )
-    sides = np.zeros(len(begin), int)
-    sides[free] = found.active_mask
+    active = np.zeros(len(begin), int)
+    active[free] = found.active_mask
     there = all_of(found.x).copy()
-    return Ended(there, found.fun, 2.0 * found.cost, sides, found.nfev, found.status > 0)
+    return Ended(there, found.fun, 2.0 * found.cost, active, found.nfev, found.status > 0)
 
 
 def loss_of(residuals: NDArray[np.float64], robust: bool) -> float:

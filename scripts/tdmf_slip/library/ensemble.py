@@ -170,8 +170,10 @@ def run_ensemble(
     ends = np.zeros(len(sections), dtype=END)
     work = run(ensemble, ends)
     del made, kept
-    told = Work(work.strides, work.events, work.steps, work.lane_steps, work.evaluations, work.layer_steps)
-    return ends, told
+    performed = Work(
+        work.strides, work.events, work.steps, work.lane_steps, work.evaluations, work.layer_steps
+    )
+    return ends, performed
 
 
 def ensemble_of(

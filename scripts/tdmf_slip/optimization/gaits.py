@@ -192,7 +192,7 @@ class Gaits:
             raise RunError("the gait there does not run forward")
         scales = found.runner.scales
         off, way = (float(np.linalg.norm((found.apex - apex) / scales)) for apex in (guess, before.apex))
-        if off > max(NEAR, FARTHEST * way) or (_side(found) != _side(before)):
+        if off > max(NEAR, FARTHEST * way) or (_orientation(found) != _orientation(before)):
             raise RunError("the gait there is of another branch")
         return found
 
@@ -207,7 +207,7 @@ class Gaits:
         return self.candidate(self.gait_from(near, at), at)
 
 
-def _side(gait: Gait) -> bool:
+def _orientation(gait: Gait) -> bool:
     """Of a fold: the sign of det(I - J)."""
     return bool(np.linalg.det(np.eye(len(gait.jacobian)) - gait.jacobian) > 0.0)
 

@@ -54,6 +54,6 @@ class Space(ByContents):
 
     def active(self, at: NDArray[np.float64]) -> dict[str, str]:
         """By name of the parameters that are at a bound: `lower` or `upper`."""
-        sides = dict(zip(self.bounds, at, strict=True))
-        low = {name: "lower" for name, share in sides.items() if share <= AT_BOUND}
-        return low | {name: "upper" for name, share in sides.items() if share >= 1.0 - AT_BOUND}
+        coordinates = dict(zip(self.bounds, at, strict=True))
+        low = {name: "lower" for name, share in coordinates.items() if share <= AT_BOUND}
+        return low | {name: "upper" for name, share in coordinates.items() if share >= 1.0 - AT_BOUND}

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 POINTS = 400
 SPAN = (1e-2, 10.0)
 """Over the mean: strides that are drawn."""
-LEAST = 1e-6
+SMALLEST = 1e-6
 """Of the first distance: a deviation is followed until it is proved to be as small."""
 
 
@@ -61,7 +61,7 @@ def of_attraction(proof: Attraction) -> Figure:
     """The proved bound on the distance from the gait, stride by stride."""
     if not proof.proved:
         raise InputError(f"plot: nothing is proved, {proof.undecided}; allowed: an attraction that is")
-    count = max(1, math.ceil(math.log(LEAST) / math.log(proof.rate))) if proof.rate > 0.0 else 1
+    count = max(1, math.ceil(math.log(SMALLEST) / math.log(proof.rate))) if proof.rate > 0.0 else 1
     strides = np.arange(count + 1)
     with style.styled():
         figure, axes = plt.subplots(figsize=(6.8, 4.4), layout="constrained")

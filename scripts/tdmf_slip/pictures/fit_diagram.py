@@ -91,8 +91,8 @@ def _residuals(axes: Axes, fit: Fit, names: Sequence[str], ticks: Sequence[float
             at = [ticks[of.row - 1] for of in its]
             axes.plot(at, [of.residual for of in its], "o", color=colour, markersize=4, label=NAMES[name])
     axes.axhline(0.0, color=style.GROUND, linewidth=0.8, zorder=0)
-    for side in (-QUANTILE, QUANTILE):
-        axes.axhline(side, **style.LIMIT_LINE)
+    for quantile in (-QUANTILE, QUANTILE):
+        axes.axhline(quantile, **style.LIMIT_LINE)
     largest = max(float(np.max(np.abs([of.residual for of in fit.residuals]))), QUANTILE)
     axes.set_ylim(-1.15 * largest, 1.15 * largest)
     axes.set_title("fitted less measured, over the standard error; dashed: 95 %")

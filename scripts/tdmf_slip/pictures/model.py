@@ -66,14 +66,14 @@ def _leg(axes: Axes) -> None:
 
 def _damper(axes: Axes, low: NDArray[np.float64], high: NDArray[np.float64], line: dict[str, Any]) -> None:
     """A cylinder, open above, with a piston in it."""
-    along, side = high - low, 0.042 * ACROSS
+    along, half_width = high - low, 0.042 * ACROSS
     bottom, top, piston = low + 0.32 * along, low + 0.68 * along, low + 0.52 * along
     for a, b in (
         (low, bottom),
-        (bottom - side, bottom + side),
-        (bottom - side, top - side),
-        (bottom + side, top + side),
-        (piston - 0.75 * side, piston + 0.75 * side),
+        (bottom - half_width, bottom + half_width),
+        (bottom - half_width, top - half_width),
+        (bottom + half_width, top + half_width),
+        (piston - 0.75 * half_width, piston + 0.75 * half_width),
         (piston, high),
     ):
         axes.plot(*zip(a, b, strict=True), **line)

@@ -65,8 +65,8 @@ class Box:
 
     def holds(self, apex: Sequence[arb]) -> bool:
         """Whether an enclosed apex is proved to lie in it."""
-        sides = zip(apex, self.centre, self.radii, strict=True)
-        return all(abs(x - ball_of(centre)) < ball_of(radius) for x, centre, radius in sides)
+        intervals = zip(apex, self.centre, self.radii, strict=True)
+        return all(abs(x - ball_of(centre)) < ball_of(radius) for x, centre, radius in intervals)
 
 
 def exactly(point: arb) -> Fraction:

@@ -54,8 +54,8 @@ def target_of(grid: Grid, gait: Gait | Apex, within: float) -> NDArray[np.bool_]
     apex = gait.apex if isinstance(gait, Gait) else np.asarray(gait)
     point = checked_apex(apex[: len(REDUCED)], REDUCED)
     near = [
-        (edges[:-1] >= at - within * side) & (edges[1:] <= at + within * side)
-        for edges, at, side in zip(grid.edges.values(), point, grid.sizes, strict=True)
+        (edges[:-1] >= at - within * size) & (edges[1:] <= at + within * size)
+        for edges, at, size in zip(grid.edges.values(), point, grid.sizes, strict=True)
     ]
     target: NDArray[np.bool_] = near[0][:, None] & near[1]
     if not target.any():

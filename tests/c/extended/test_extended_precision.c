@@ -109,7 +109,7 @@ static double check_parameters(const scene *gait) {
  * variation still does. Third derivatives are large there, so that the difference is one of four strides,
  * with an error of h^4 of a fifth derivative. */
 
-enum { LIGHT_RUNNERS = 10, LEAST_COMPARED = 7 };
+enum { LIGHT_RUNNERS = 10, MIN_COMPARED = 7 };
 
 static const double tolerances[] = {1e-13L, 1e-11L, 1e-8L};
 static const double allowed_within[] = {1e-7L, 1e-7L, 2e-6L};
@@ -254,7 +254,7 @@ static int check_light_runners(void) {
         printf("\n");
     }
     printf("%d light runners compared\n", compared);
-    return failures + (compared < LEAST_COMPARED);
+    return failures + (compared < MIN_COMPARED);
 }
 
 int main(void) {

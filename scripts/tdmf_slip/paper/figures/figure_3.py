@@ -62,9 +62,14 @@ def draw(path: Path) -> None:
 
 def _cone(axes: Axes, friction: float, up: float = 1.0, reach: float = 0.55) -> None:
     """The friction cone at the foot."""
-    side = friction * reach
+    half_width = friction * reach
     axes.add_patch(
-        Polygon([(0, 0), (-side, up * reach), (side, up * reach)], color="#dce7c8", linewidth=0, zorder=0)
+        Polygon(
+            [(0, 0), (-half_width, up * reach), (half_width, up * reach)],
+            color="#dce7c8",
+            linewidth=0,
+            zorder=0,
+        )
     )
 
 
