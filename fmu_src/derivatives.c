@@ -67,14 +67,14 @@ static bool may_begin(const instance *instance, const char *call, const uint32_t
 }
 
 /* `present` is what present_unit gave. */
-static void differentiate(const instance *instance, const fmu *present, fmu *direction, fmu_view *change) {
+static void differentiate(const instance *instance, const fmu *present, fmu *seed, fmu_view *variation) {
     if (fmu_has_begun(&instance->fmu)) {
-        fmu_differentiate(present, direction, change);
+        fmu_differentiate(present, seed, variation);
         return;
     }
-    fmu_differentiate_start(&instance->fmu, present, direction, change);
+    fmu_differentiate_start(&instance->fmu, present, seed, variation);
     for (int i = TDMF_MECHANICAL_COUNT; i < TDMF_STATE_COUNT; ++i) {
-        direction->motion.state[i] = change->states[i]; /* calculated at the start */
+        seed->motion.state[i] = variation->states[i]; /* calculated at the start */
     }
 }
 
@@ -86,24 +86,24 @@ call_status directional_derivative(instance *instance, const char *call, const u
         !array_is_given(instance, call, values, unknown_count, unknown_count)) {
         return CALL_ERROR;
     }
-    fmu direction, preview;
-    fmu_view change;
+    fmu seed, preview;
+    fmu_view variation;
     call_status status = CALL_OK;
     const fmu *present = present_unit(instance, call, &preview, &status);
     if (present == NULL) {
         return status;
     }
-    memset(&direction, 0, sizeof direction);
+    memset(&seed, 0, sizeof seed);
     for (size_t i = 0; i < known_count; ++i) {
         const fmu_variable *known = &fmu_variables[knowns[i]];
         if (check_seed(instance, call, knowns[i], seeds[i]) != CALL_OK) {
             return CALL_DISCARD;
         }
-        fmu_set_number(&direction, known, fmu_get_number(&direction, NULL, known) + seeds[i]);
+        fmu_set_number(&seed, known, fmu_get_number(&seed, NULL, known) + seeds[i]);
     }
-    differentiate(instance, present, &direction, &change);
+    differentiate(instance, present, &seed, &variation);
     for (size_t i = 0; i < unknown_count; ++i) {
-        values[i] = fmu_get_number(&direction, &change, &fmu_variables[unknowns[i]]);
+        values[i] = fmu_get_number(&seed, &variation, &fmu_variables[unknowns[i]]);
     }
     return CALL_OK;
 }
@@ -111,14 +111,14 @@ call_status directional_derivative(instance *instance, const char *call, const u
 /* How the unknowns together, weighted by the seeds, change with one known. */
 static double sensitivity(const instance *instance, const fmu *present, const uint32_t unknowns[],
                           size_t unknown_count, uint32_t known, const double seeds[]) {
-    fmu direction;
-    fmu_view change;
+    fmu seed;
+    fmu_view variation;
     double sum = 0.0;
-    memset(&direction, 0, sizeof direction);
-    fmu_set_number(&direction, &fmu_variables[known], 1.0);
-    differentiate(instance, present, &direction, &change);
+    memset(&seed, 0, sizeof seed);
+    fmu_set_number(&seed, &fmu_variables[known], 1.0);
+    differentiate(instance, present, &seed, &variation);
     for (size_t i = 0; i < unknown_count; ++i) {
-        sum += seeds[i] * fmu_get_number(&direction, &change, &fmu_variables[unknowns[i]]);
+        sum += seeds[i] * fmu_get_number(&seed, &variation, &fmu_variables[unknowns[i]]);
     }
     return sum;
 }
@@ -154,9 +154,9 @@ call_status output_derivatives(instance *instance, const char *call, const uint3
         return CALL_ERROR;
     }
     fmu flow;
-    fmu_view change;
+    fmu_view variation;
     fmu_flow(&instance->fmu, &flow);
-    fmu_differentiate(&instance->fmu, &flow, &change);
+    fmu_differentiate(&instance->fmu, &flow, &variation);
     for (size_t i = 0; i < count; ++i) {
         const fmu_variable *variable = find_variable(instance, call, references[i], VARIABLE_REAL);
         if (variable == NULL) {
@@ -166,7 +166,7 @@ call_status output_derivatives(instance *instance, const char *call, const uint3
             return refuse(instance, call, "only first derivatives of outputs are given: %s, order %d",
                           variable->name, orders[i]);
         }
-        values[i] = fmu_get_number(&flow, &change, variable);
+        values[i] = fmu_get_number(&flow, &variation, variable);
     }
     return CALL_OK;
 }

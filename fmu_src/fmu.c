@@ -76,75 +76,74 @@ void fmu_evaluate(const fmu *fmu, fmu_view *view) {
     memcpy(view->states, fmu->motion.state, sizeof view->states);
 }
 
-static void differentiate(const fmu *fmu, const tdmf_seed *change, const tdmf_variation *variation,
+static void differentiate(const fmu *fmu, const tdmf_seed *seed, const tdmf_variation *variation,
                           fmu_view *view) {
     const tdmf_motion *motion = &fmu->motion;
-    const tdmf_output_variation tangent =
-        tdmf_vary_outputs(fmu_system(fmu), &motion->mode, motion->state, change, variation);
+    const tdmf_output_variation varied =
+        tdmf_vary_outputs(fmu_system(fmu), &motion->mode, motion->state, seed, variation);
     memset(view, 0, sizeof *view);
-    memcpy(view->derivatives, tangent.derivatives, sizeof view->derivatives);
+    memcpy(view->derivatives, varied.derivatives, sizeof view->derivatives);
     memcpy(view->states, variation->state, sizeof view->states);
-    view->outputs.body.x = tangent.body.x;
-    view->outputs.body.y = tangent.body.y;
-    view->outputs.body.vx = tangent.body.vx;
-    view->outputs.body.vy = tangent.body.vy;
-    view->outputs.com.x = tangent.com.x;
-    view->outputs.com.y = tangent.com.y;
-    view->outputs.com.vx = tangent.com.vx;
-    view->outputs.com.vy = tangent.com.vy;
-    view->outputs.contact.fx = tangent.contact_fx;
-    view->outputs.contact.fy = tangent.contact_fy;
-    view->outputs.contact.normal = tangent.contact.normal;
-    view->outputs.contact.tangential = tangent.contact.tangential;
-    view->outputs.leg.force = tangent.leg_force;
-    view->outputs.hip.torque = tangent.torque;
-    view->outputs.energy.kinetic = tangent.energy.kinetic;
-    view->outputs.energy.potential = tangent.energy.potential;
-    view->outputs.energy.elastic = tangent.energy.elastic;
-    view->outputs.energy.total = tangent.energy.total;
+    view->outputs.body.x = varied.body.x;
+    view->outputs.body.y = varied.body.y;
+    view->outputs.body.vx = varied.body.vx;
+    view->outputs.body.vy = varied.body.vy;
+    view->outputs.com.x = varied.com.x;
+    view->outputs.com.y = varied.com.y;
+    view->outputs.com.vx = varied.com.vx;
+    view->outputs.com.vy = varied.com.vy;
+    view->outputs.contact.fx = varied.contact_fx;
+    view->outputs.contact.fy = varied.contact_fy;
+    view->outputs.contact.normal = varied.contact.normal;
+    view->outputs.contact.tangential = varied.contact.tangential;
+    view->outputs.leg.force = varied.leg_force;
+    view->outputs.hip.torque = varied.torque;
+    view->outputs.energy.kinetic = varied.energy.kinetic;
+    view->outputs.energy.potential = varied.energy.potential;
+    view->outputs.energy.elastic = varied.energy.elastic;
+    view->outputs.energy.total = varied.energy.total;
 }
 
-void fmu_differentiate(const fmu *fmu, const struct fmu *direction, fmu_view *change) {
-    tdmf_seed along = {direction->parameters, direction->inputs};
-    tdmf_variation variation = {.liftoff_angle = 0.0};
-    memcpy(variation.state, direction->motion.state, sizeof variation.state);
-    along.inputs.ground.height = 0.0; /* a new line is in force from an event on */
-    along.inputs.ground.slope = 0.0;
-    differentiate(fmu, &along, &variation, change);
+void fmu_differentiate(const fmu *fmu, const struct fmu *seed, fmu_view *variation) {
+    tdmf_seed model_seed = {seed->parameters, seed->inputs};
+    tdmf_variation of_state = {.liftoff_angle = 0.0};
+    memcpy(of_state.state, seed->motion.state, sizeof of_state.state);
+    model_seed.inputs.ground.height = 0.0; /* a new line is in force from an event on */
+    model_seed.inputs.ground.slope = 0.0;
+    differentiate(fmu, &model_seed, &of_state, variation);
 }
 
 /* Where the run starts at an apex, the section is latched. */
-static void differentiate_apex(const double variation[TDMF_STATE_COUNT], double com_height, double time,
-                               tdmf_outputs *change) {
-    change->apex.time = time;
-    change->apex.com_height = com_height;
-    change->apex.com_speed = change->com.vx;
-    change->apex.leg_length = variation[TDMF_LEG_LENGTH];
-    change->apex.leg_angle = variation[TDMF_LEG_ANGLE];
-    change->apex.leg_length_rate = variation[TDMF_LEG_LENGTH_RATE];
-    change->apex.leg_angle_rate = variation[TDMF_LEG_ANGLE_RATE];
+static void differentiate_apex(const double of_state[TDMF_STATE_COUNT], double com_height, double time,
+                               tdmf_outputs *variation) {
+    variation->apex.time = time;
+    variation->apex.com_height = com_height;
+    variation->apex.com_speed = variation->com.vx;
+    variation->apex.leg_length = of_state[TDMF_LEG_LENGTH];
+    variation->apex.leg_angle = of_state[TDMF_LEG_ANGLE];
+    variation->apex.leg_length_rate = of_state[TDMF_LEG_LENGTH_RATE];
+    variation->apex.leg_angle_rate = of_state[TDMF_LEG_ANGLE_RATE];
 }
 
-void fmu_differentiate_start(const fmu *given, const struct fmu *started, const struct fmu *direction,
-                             fmu_view *change) {
-    const tdmf_seed along = {direction->parameters, direction->inputs};
-    const tdmf_start_variation varied =
+void fmu_differentiate_start(const fmu *given, const struct fmu *started, const struct fmu *seed,
+                             fmu_view *variation) {
+    const tdmf_seed model_seed = {seed->parameters, seed->inputs};
+    const tdmf_start_variation start =
         tdmf_vary_start(fmu_system(started), given->motion.state, started->motion.state,
-                        &started->motion.mode, &along, direction->motion.state);
-    differentiate(started, &along, &varied.variation, change);
-    change->outputs.hip.liftoff_angle = varied.variation.liftoff_angle;
-    change->outputs.energy.impact_loss = varied.impact_loss;
-    change->outputs.event.last_time = direction->motion.time;
+                        &started->motion.mode, &model_seed, seed->motion.state);
+    differentiate(started, &model_seed, &start.variation, variation);
+    variation->outputs.hip.liftoff_angle = start.variation.liftoff_angle;
+    variation->outputs.energy.impact_loss = start.impact_loss;
+    variation->outputs.event.last_time = seed->motion.time;
     if (started->motion.record.progress.open.began_at_apex) {
-        differentiate_apex(varied.variation.state, varied.com_height, direction->motion.time,
-                           &change->outputs);
+        differentiate_apex(start.variation.state, start.com_height, seed->motion.time, &variation->outputs);
     }
 }
 
-void fmu_flow(const fmu *fmu, struct fmu *direction) {
-    memset(direction, 0, sizeof *direction);
-    tdmf_derivatives(fmu_system(fmu), &fmu->motion.mode, fmu->motion.state, direction->motion.state);
-    direction->inputs = fmu->input_rates;
+void fmu_flow(const fmu *fmu, struct fmu *seed) {
+    memset(seed, 0, sizeof *seed);
+    tdmf_derivatives(fmu_system(fmu), &fmu->motion.mode, fmu->motion.state, seed->motion.state);
+    seed->inputs = fmu->input_rates;
 }
 
 bool fmu_is_time(double time) {
@@ -226,7 +225,7 @@ static tdmf_outcome advance_observed(fmu *fmu, double until, const fmu_observer 
         log.count = 0;
         outcome = advance(fmu, until);
         for (int j = 0; j < log.count; ++j) {
-            observer->note(observer->subject, &log.events[j]);
+            observer->on_event(observer->subject, &log.events[j]);
         }
     }
     fmu->solver.event_limit = limit;
@@ -343,14 +342,14 @@ tdmf_resolution fmu_update(fmu *fmu, const fmu_observer *observer) {
     if (pending) {
         event.guard = fmu->event_guard;
     }
-    if (observer->note != NULL && event.guard != NO_GUARD && event_has_happened(fmu, &mark)) {
-        observer->note(observer->subject, &event);
+    if (observer->on_event != NULL && event.guard != NO_GUARD && event_has_happened(fmu, &mark)) {
+        observer->on_event(observer->subject, &event);
     }
     return resolution;
 }
 
 const char *fmu_advance(fmu *fmu, double until, const fmu_observer *observer) {
-    const bool observed = observer->note != NULL;
+    const bool observed = observer->on_event != NULL;
     if (observed || fmu->event_is_pending) {
         fmu_update(fmu, observer); /* an input may have jumped; unseen, that is the solver's to find */
     }

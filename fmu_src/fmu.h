@@ -49,7 +49,7 @@ static inline tdmf_system fmu_system(const fmu *fmu) {
 
 /* Told of every event that the unit takes, if an observer is given. */
 typedef struct {
-    void (*note)(void *subject, const tdmf_event *event); /* or NULL */
+    void (*on_event)(void *subject, const tdmf_event *event); /* or NULL */
     void *subject;
 } fmu_observer;
 
@@ -87,15 +87,15 @@ void fmu_evaluate(const fmu *fmu, fmu_view *view);
 
 /* How all that follows from states, inputs and settings changes along a direction: a unit whose states,
  * inputs and parameters are the seed. Discrete outputs do not change, nor does the ground in force. */
-void fmu_differentiate(const fmu *fmu, const struct fmu *direction, fmu_view *change);
+void fmu_differentiate(const fmu *fmu, const struct fmu *seed, fmu_view *variation);
 
 /* The same at the start of a run, for all that a start follows from: the seed is in the direction's
  * parameters, inputs, states and time. `given` is the unit before fmu_start, `started` the one after. */
-void fmu_differentiate_start(const fmu *given, const struct fmu *started, const struct fmu *direction,
-                             fmu_view *change);
+void fmu_differentiate_start(const fmu *given, const struct fmu *started, const struct fmu *seed,
+                             fmu_view *variation);
 
 /* The direction in which the unit itself moves: derivatives of its states, rates of its inputs. */
-void fmu_flow(const fmu *fmu, struct fmu *direction);
+void fmu_flow(const fmu *fmu, struct fmu *seed);
 
 /* This is far beyond any motion, and far enough from overflow for every product of the equations. */
 extern const double fmu_largest_state;

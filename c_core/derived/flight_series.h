@@ -261,7 +261,7 @@ KERNEL void expand_pushed_flight_on(const flight_coefficients *c, const pushed_f
     const real axial_force = with_ramp(k, -(c->stiffness * s->length[k]) - c->damping * s->length_rate[k],
                                        c->stiffness * c->rest_length, c->stiffness * c->rest_length_rate);
     /* cosine = cos(angle) */
-    turn_by(k, s->angle, s->angle_rate, s->sine, s->cosine);
+    sine_and_cosine_term(k, s->angle, s->angle_rate, s->sine, s->cosine);
     /* push_y_times_cosine = push_y * cosine */
     const real push_y_times_cosine = ramp_times(k, c->push_y, c->push_y_rate, s->cosine);
     /* sine = sin(angle) */

@@ -87,7 +87,7 @@ static inline void expand_drop(const real *length, const real *angle, real slope
     int k = 0;
     do {
         seen[k] = with_constant(k, angle[k], -slope);
-        turn_by(k, seen, angle_rate, sin_of_seen, cos_of_seen);
+        sine_and_cosine_term(k, seen, angle_rate, sin_of_seen, cos_of_seen);
     } while (++k <= order);
     all_products(length, cos_of_seen, order, drop);
 }

@@ -54,7 +54,7 @@ double tdmf_height_below(tdmf_runner *runner) {
     return height_of(runner, segment_at(runner, runner->motion.state[TDMF_FOOT_X]));
 }
 
-static void note_foot(tdmf_runner *runner) {
+static void record_foot(tdmf_runner *runner) {
     runner->terrain.x = runner->motion.state[TDMF_FOOT_X];
     runner->terrain.y = runner->motion.state[TDMF_FOOT_Y];
 }
@@ -175,7 +175,7 @@ bool tdmf_look_at_terrain(tdmf_runner *runner) {
     if (runner->its_case->rules.trips && has_met_face(runner)) {
         return give_up(runner, TDMF_FATE_FELL);
     }
-    note_foot(runner);
+    record_foot(runner);
     return set_lines(runner, foot + margin);
 }
 
@@ -197,7 +197,7 @@ bool tdmf_meets_segment(tdmf_runner *runner, bool *ended) {
         *ended = !give_up(runner, TDMF_FATE_FELL);
         return false;
     }
-    note_foot(runner);
+    record_foot(runner);
     if (fabs(height_that_bears(runner, line + margin) - line) <= margin) {
         runner->inputs.ground.height = line;
         land_on(runner);

@@ -32,14 +32,14 @@ def foot_acceleration(model, line, leg, torque, force, contact):
         return foot_in_flight(model, leg, torque)
     if contact == "stick":
         return Record(x=0, y=0)
-    held = ground_force.under(model, line, leg, torque)
-    along = along_ground(model.inverse_foot_mass, force.tangential, held.tangential)
+    holding = ground_force.under(model, line, leg, torque)
+    along = along_ground(model.inverse_foot_mass, force.tangential, holding.tangential)
     return Record(x=along * line.cosine, y=along * line.sine)
 
 
-def along_ground(inverse_foot_mass, tangential, held):
+def along_ground(inverse_foot_mass, tangential, holding):
     """m_f a = f_t - f_stick, of a foot on the ground  (8)."""
-    return (tangential - held) * inverse_foot_mass
+    return (tangential - holding) * inverse_foot_mass
 
 
 def leg_acceleration(inverse_mass, leg, across, free_body, foot):

@@ -17,7 +17,7 @@ In every phase the law is affine in the leg's angle, its rate and time, and is d
 from . import ground_force
 from .functions import Record
 
-HELD = Record(hip=Record(external_torque=0))  # rates of inputs that do not change
+CONSTANT_INPUTS = Record(hip=Record(external_torque=0))  # rates of inputs that do not change
 
 
 def law_of(gain=0, rate_gain=0, target=0, target_rate=0, torque=0, torque_rate=0):
@@ -139,12 +139,12 @@ def servo_torque(model, inputs, state, phase, liftoff_angle):
 
 def stance_torque(model, inputs, state, drives):
     """Under the law of stance  (11), with the inputs held."""
-    return torque(stance(model, inputs, HELD, drives), state.leg_angle, state.leg_angle_rate)
+    return torque(stance(model, inputs, CONSTANT_INPUTS, drives), state.leg_angle, state.leg_angle_rate)
 
 
 def flight_torque(model, inputs, state, phase, clamp_closed, liftoff_angle):
     """Under the law of flight  (12), with the inputs held."""
-    law = flight(model, inputs, HELD, phase, clamp_closed, liftoff_angle, state.hip_place_time)
+    law = flight(model, inputs, CONSTANT_INPUTS, phase, clamp_closed, liftoff_angle, state.hip_place_time)
     return torque(law, state.leg_angle, state.leg_angle_rate)
 
 

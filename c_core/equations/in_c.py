@@ -246,7 +246,14 @@ TYPES = {
 }
 # Parameters that do not change in a variation, besides those of a type that cannot.
 FIXED = ("direction", "sign", "sine", "winding")
-WITHOUT_CHANGE = ("bool", "int", "tdmf_contact_mode", "tdmf_hip_phase", "tdmf_zone", "const elapsed_time *")
+WITHOUT_VARIATION = (
+    "bool",
+    "int",
+    "tdmf_contact_mode",
+    "tdmf_hip_phase",
+    "tdmf_zone",
+    "const elapsed_time *",
+)
 
 # What has sine and cosine of an angle, and where C has that, after its own name and the arrow or point.
 ANGLES = {"line": "{}slope", "ground": "{}slope", "direction": "state[TDMF_LEG_ANGLE]"}

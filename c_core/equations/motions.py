@@ -1,4 +1,4 @@
-"""The motions: what each is told in its cases, what of it is noted, and who watches its events.
+"""The motions: what each is told in its cases, what of it is stored, and who watches its events.
 
 The laws of a motion are on its page. This page is a table, as that of the events is.
 """
@@ -14,8 +14,8 @@ class Family(NamedTuple):
 
     `start` is what a motion starts with, `constants` the law that gives what it depends on. Of that `ramps`
     change in time, by the word "drift" in any width, by "ramp" where inputs ramp. `rates` are quantities that
-    are rates of others; the series that are `noted` are asked for, and those `varied` have variations.
-    `cases` tell the page what it asks, and of a case what else is noted, and that nothing ramps.
+    are rates of others; the series that are `stored` are asked for, and those `varied` have variations.
+    `cases` tell the page what it asks, and of a case what else is stored, and that nothing ramps.
     """
 
     name: str
@@ -24,7 +24,7 @@ class Family(NamedTuple):
     constants: Callable[..., Any]
     ramps: dict[str, str]
     rates: dict[str, str]
-    noted: str
+    stored: str
     varied: str
     cases: dict[str, dict[str, Any]]
 
@@ -36,16 +36,16 @@ GROUND = Family(
     constants=constants.on_ground,
     ramps=dict.fromkeys(("rest_length", "gravity_x", "gravity_y", "friction", "torque"), "ramp"),
     rates={"length_rate": "length"},
-    noted="length length_rate normal_force tangential_push along off torque power speed_square",
+    stored="length length_rate normal_force tangential_push along off torque power speed_square",
     varied="torque power friction_power",
     cases={
         # Without a torque the leg does not turn; where one varies, the variation is that of a leg that does.
-        "stick": {"contact": "stick", "has_torque": False, "noted": "square turning"},
+        "stick": {"contact": "stick", "has_torque": False, "stored": "square turning"},
         "stick_with_torque": {"contact": "stick", "has_torque": True},
-        "slip": {"contact": "slip", "has_torque": False, "noted": "square turning friction_power"},
-        "slip_with_torque": {"contact": "slip", "has_torque": True, "noted": "friction_power"},
-        "falling_slip": {"contact": "slip", "has_torque": True, "falls": True, "noted": "friction_power"},
-        "graze": {"contact": "graze", "has_torque": True, "noted": "angle_rate axial_y"},
+        "slip": {"contact": "slip", "has_torque": False, "stored": "square turning friction_power"},
+        "slip_with_torque": {"contact": "slip", "has_torque": True, "stored": "friction_power"},
+        "falling_slip": {"contact": "slip", "has_torque": True, "falls": True, "stored": "friction_power"},
+        "graze": {"contact": "graze", "has_torque": True, "stored": "angle_rate axial_y"},
     },
 )
 FLIGHT = Family(
@@ -55,11 +55,11 @@ FLIGHT = Family(
     constants=constants.of_flight,
     ramps={"torque": "drift", "rest_length": "ramp", "push_x": "ramp", "push_y": "ramp"},
     rates={},
-    noted="square angle_rate rate_square speed_square",
+    stored="square angle_rate rate_square speed_square",
     varied="torque power",
     cases={
         "flight": {"pushed": False, "ramp": False},
-        "pushed_flight": {"pushed": True, "noted": "push_moment"},
+        "pushed_flight": {"pushed": True, "stored": "push_moment"},
     },
 )
 MOTIONS = {family.name: family for family in (FLIGHT, GROUND)}

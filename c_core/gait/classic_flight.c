@@ -74,7 +74,7 @@ static const seed seeds[TDMF_CLASSIC_VARIATIONS] = {
     [TDMF_CLASSIC_BY_RETRACTION_RATE] = {.slip = {.retraction_rate = 1.0}},
 };
 
-static tdmf_ground_line change_of_ground(const seed *d) {
+static tdmf_ground_line variation_of_ground(const seed *d) {
     const tdmf_ground_line change = {.slope = d->slip.ground_slope};
     return change;
 }
@@ -88,7 +88,7 @@ static void vary_landing(const tdmf_classic *slip, double energy, const apex *fr
                                                               time, &none.slip, &same, 0.0, 0.0, 1.0);
     for (int k = 0; k < TDMF_CLASSIC_VARIATIONS; ++k) {
         const seed *d = &seeds[k];
-        const tdmf_ground_line d_ground = change_of_ground(d);
+        const tdmf_ground_line d_ground = variation_of_ground(d);
         const double d_speed =
             tdmf_vary_classic_speed(slip, energy, from->height, &d->slip, d->energy, d->height);
         const double d_time =
@@ -151,7 +151,7 @@ void tdmf_classic_fly(const tdmf_classic *slip, const tdmf_classic_standing *sta
     step->next_energy = next.energy;
     step->length = next.length;
     for (int k = 0; k < TDMF_CLASSIC_VARIATIONS; ++k) {
-        const tdmf_ground_line d_ground = change_of_ground(&seeds[k]);
+        const tdmf_ground_line d_ground = variation_of_ground(&seeds[k]);
         *varied[k] = tdmf_vary_classic_next_apex(slip, &ground, at, standing->foot, &seeds[k].slip, &d_ground,
                                                  standing->varied[k], standing->foot_varied[k]);
     }

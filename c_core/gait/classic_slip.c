@@ -244,9 +244,9 @@ bool tdmf_classic_fixed_point(const tdmf_classic *slip, double energy, double gu
         if (step.outcome != TDMF_CLASSIC_FLIES || step.early_take_off) {
             return false;
         }
-        const double change = (step.next_height - at) / (1.0 - step.by_height.height);
-        at += change;
-        if (!(fabs(change) > 1e-13 * slip->free_length)) {
+        const double correction = (step.next_height - at) / (1.0 - step.by_height.height);
+        at += correction;
+        if (!(fabs(correction) > 1e-13 * slip->free_length)) {
             *height = at;
             return isfinite(at);
         }
@@ -282,11 +282,11 @@ bool tdmf_classic_fold(const tdmf_classic *slip, double energy, double *angle, d
         const double off = here.next_height - y;
         const double steep = here.by_height.height - 1.0;
         const double determinant = steep * mixed - here.by_touchdown_angle.height * curvature;
-        const double change_y = -(off * mixed - here.by_touchdown_angle.height * steep) / determinant;
-        const double change_angle = -(steep * steep - curvature * off) / determinant;
-        y += change_y;
-        at.touchdown_angle += change_angle;
-        if (!(fabs(change_y) + fabs(change_angle) * slip->free_length > 1e-9 * slip->free_length)) {
+        const double correction_y = -(off * mixed - here.by_touchdown_angle.height * steep) / determinant;
+        const double correction_angle = -(steep * steep - curvature * off) / determinant;
+        y += correction_y;
+        at.touchdown_angle += correction_angle;
+        if (!(fabs(correction_y) + fabs(correction_angle) * slip->free_length > 1e-9 * slip->free_length)) {
             *angle = at.touchdown_angle;
             *height = y;
             return isfinite(y + at.touchdown_angle);

@@ -22,30 +22,30 @@ typedef struct {
     tdmf_variation variations[TDMF_VARIATION_LIMIT];
 } stride_variations;
 
-static void open_variations(stride_variations *along, const tdmf_seed *seeds, int count) {
-    along->count = TDMF_REDUCED_COUNT + count;
+static void open_variations(stride_variations *varied, const tdmf_seed *seeds, int count) {
+    varied->count = TDMF_REDUCED_COUNT + count;
     for (int i = 0; i < count; ++i) {
-        along->seeds[TDMF_REDUCED_COUNT + i] = seeds[i];
+        varied->seeds[TDMF_REDUCED_COUNT + i] = seeds[i];
     }
 }
 
 /* Takes the variations from the apex through the impact. */
-static void touch_down(stride_variations *along, tdmf_system system, tdmf_point apex,
+static void touch_down(stride_variations *varied, tdmf_system system, tdmf_point apex,
                        const tdmf_motion *motion, const tdmf_event_state *before) {
     tdmf_event_state after = {.mode = motion->mode,
                               .peak_force = motion->record.progress.open.peak_force,
                               .peak_vertical_force = motion->record.progress.open.peak_vertical_force};
     memcpy(after.state, motion->state, sizeof after.state);
     tdmf_derivatives(system, &after.mode, after.state, after.derivatives);
-    for (int i = 0; i < along->count; ++i) {
-        const tdmf_local_seed d = tdmf_local_seed_of(system.model, &along->seeds[i], NULL);
+    for (int i = 0; i < varied->count; ++i) {
+        const tdmf_local_seed d = tdmf_local_seed_of(system.model, &varied->seeds[i], NULL);
         const double d_height = i == TDMF_REDUCED_COM_HEIGHT;
         const tdmf_point d_apex = {.y = d_height + d.mode.ground.height, .vx = i == TDMF_REDUCED_COM_SPEED};
         tdmf_variation falling = {.liftoff_angle = 0.0};
         tdmf_vary_prescribed_state(system, &d, apex, d_apex, before->state[TDMF_HIP_PLACE_TIME],
                                    before->state, falling.state);
-        along->variations[i] =
-            tdmf_saltation(system, TDMF_GUARD_TOUCHDOWN, before, &after, &along->seeds[i], &falling);
+        varied->variations[i] =
+            tdmf_saltation(system, TDMF_GUARD_TOUCHDOWN, before, &after, &varied->seeds[i], &falling);
     }
 }
 
@@ -80,7 +80,7 @@ typedef struct {
     tdmf_event_state before; /* the impact */
     double lift_off[TDMF_STATE_COUNT];
     double leg_loss;
-    stride_variations along;
+    stride_variations varied;
 } run;
 
 /* The energy less what the external force has given is kept over a flight. */
@@ -109,16 +109,16 @@ static tdmf_return_outcome descend(run *run, const double apex[TDMF_REDUCED_COUN
     if (landed == TDMF_RETURN_CLOSED) {
         log_event(log, &run->motion, TDMF_GUARD_TOUCHDOWN, &run->before.mode, run->before.state);
         run->leg_loss = energy_at_apex - energy_of(run, &run->before.mode, run->before.state);
-        touch_down(&run->along, run->system, run->from, &run->motion, &run->before);
+        touch_down(&run->varied, run->system, run->from, &run->motion, &run->before);
     }
     return landed;
 }
 
 static tdmf_return_outcome stand(run *run, tdmf_solver *solver, double until, tdmf_outcome *outcome) {
-    stride_variations *along = &run->along;
+    stride_variations *varied = &run->varied;
     const tdmf_stride_outcome stance =
-        tdmf_native_stance(solver, run->system, run->motion.time + until, &run->motion, along->seeds,
-                           along->variations, along->count);
+        tdmf_native_stance(solver, run->system, run->motion.time + until, &run->motion, varied->seeds,
+                           varied->variations, varied->count);
     *outcome = stance.outcome;
     return tdmf_return_outcome_of(stance);
 }
@@ -137,16 +137,16 @@ static tdmf_return_outcome rise(run *run, tdmf_event_log *log) {
 
 static void write_stride(const run *run, tdmf_return *result) {
     const tdmf_record *record = &run->motion.record;
-    const stride_variations *along = &run->along;
+    const stride_variations *varied = &run->varied;
     result->apex[TDMF_REDUCED_COM_HEIGHT] = record->apex.com_height;
     result->apex[TDMF_REDUCED_COM_SPEED] = record->apex.com_speed;
     result->liftoff_angle = run->lift_off[TDMF_LEG_ANGLE];
     tdmf_write_return(record, run->lift_off, result);
     result->external_work = run->motion.state[TDMF_ENERGY_EXTERNAL_WORK]; /* in flight, too */
     result->leg_loss = run->leg_loss;
-    for (int i = 0; i < along->count; ++i) {
-        result->variations[i] = fly(run->system, &run->motion.mode.ground, run->lift_off, &along->seeds[i],
-                                    &along->variations[i]);
+    for (int i = 0; i < varied->count; ++i) {
+        result->variations[i] = fly(run->system, &run->motion.mode.ground, run->lift_off, &varied->seeds[i],
+                                    &varied->variations[i]);
     }
 }
 
@@ -161,7 +161,7 @@ tdmf_return tdmf_reduced_map(tdmf_solver *solver, tdmf_system system, const doub
         return result;
     }
     if (derivatives) {
-        open_variations(&run.along, seeds, count);
+        open_variations(&run.varied, seeds, count);
     }
     result.outcome = descend(&run, apex, until, solver->log);
     if (result.outcome == TDMF_RETURN_CLOSED) {

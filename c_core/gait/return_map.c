@@ -143,40 +143,40 @@ static void begin_variation(const stride_request *request, const tdmf_ground_lin
     memset(&variation->stance, 0, sizeof variation->stance);
 }
 
-static void open_variations(stride_variations *along, const stride_request *request,
+static void open_variations(stride_variations *varied, const stride_request *request,
                             const tdmf_ground_line *ground, const double state[TDMF_STATE_COUNT]) {
     static const tdmf_seed none = {0};
     const tdmf_model *model = request->system.model;
-    along->count = TDMF_SECTION_COUNT + request->count + (request->foot_x != NULL);
-    for (int i = 0; i < along->count; ++i) {
+    varied->count = TDMF_SECTION_COUNT + request->count + (request->foot_x != NULL);
+    for (int i = 0; i < varied->count; ++i) {
         const int given = i - TDMF_SECTION_COUNT;
-        along->seeds[i] = given >= 0 && given < request->count ? request->seeds[given] : none;
-        tdmf_variation *variation = &along->variations[i];
-        const tdmf_local_seed d = tdmf_local_seed_of(model, &along->seeds[i], NULL);
+        varied->seeds[i] = given >= 0 && given < request->count ? request->seeds[given] : none;
+        tdmf_variation *variation = &varied->variations[i];
+        const tdmf_local_seed d = tdmf_local_seed_of(model, &varied->seeds[i], NULL);
         begin_variation(request, ground, state, i, &d, variation);
-        along->start_com_x[i] = tdmf_vary_center_of_mass_along(model, state, tdmf_leg_direction_of(state),
-                                                               &d.model, variation->state)
-                                    .x;
-        along->foot_clearance[i] = variation->state[TDMF_FOOT_Y] -
-                                   tdmf_vary_ground_height_at(ground, state[TDMF_FOOT_X], &d.mode.ground,
-                                                              variation->state[TDMF_FOOT_X]);
+        varied->start_com_x[i] = tdmf_vary_center_of_mass_along(model, state, tdmf_leg_direction_of(state),
+                                                                &d.model, variation->state)
+                                     .x;
+        varied->foot_clearance[i] = variation->state[TDMF_FOOT_Y] -
+                                    tdmf_vary_ground_height_at(ground, state[TDMF_FOOT_X], &d.mode.ground,
+                                                               variation->state[TDMF_FOOT_X]);
     }
 }
 
-static void close_variations(stride_variations *along, const stride_request *request,
+static void close_variations(stride_variations *varied, const stride_request *request,
                              const tdmf_motion *motion, tdmf_return *result) {
     const tdmf_system system = request->system;
     double derivatives[TDMF_STATE_COUNT];
     tdmf_derivatives(system, &motion->mode, motion->state, derivatives);
-    for (int i = 0; i < along->count; ++i) {
-        tdmf_stride_variation varied = on_section(system, motion, derivatives, &along->seeds[i],
-                                                  along->start_com_x[i], &along->variations[i]);
-        varied.foot_clearance = along->foot_clearance[i];
+    for (int i = 0; i < varied->count; ++i) {
+        tdmf_stride_variation at_section = on_section(system, motion, derivatives, &varied->seeds[i],
+                                                      varied->start_com_x[i], &varied->variations[i]);
+        at_section.foot_clearance = varied->foot_clearance[i];
         if (request->measures) {
-            tdmf_vary_measured_end(&along->measured, i, system, motion, derivatives, varied.period);
-            varied.measures = along->measured.varied[i];
+            tdmf_vary_measured_end(&varied->measured, i, system, motion, derivatives, at_section.period);
+            at_section.measures = varied->measured.varied[i];
         }
-        result->variations[i] = varied;
+        result->variations[i] = at_section;
     }
 }
 
@@ -200,7 +200,7 @@ static tdmf_return stride_from(tdmf_solver *solver, const stride_request *reques
     const tdmf_system system = request->system;
     tdmf_return result;
     tdmf_motion motion;
-    stride_variations along;
+    stride_variations varied;
     memset(&result, 0, sizeof result);
     if (!is_sound(solver, request)) {
         result.outcome = TDMF_RETURN_REFUSED;
@@ -210,17 +210,17 @@ static tdmf_return stride_from(tdmf_solver *solver, const stride_request *reques
         result.outcome = TDMF_RETURN_NO_START;
         return result;
     }
-    along.count = 0;
+    varied.count = 0;
     if (request->derivatives) {
-        open_variations(&along, request, &motion.mode.ground, motion.state);
+        open_variations(&varied, request, &motion.mode.ground, motion.state);
     }
     result.foot_clearance =
         motion.state[TDMF_FOOT_Y] - tdmf_ground_height_at(&motion.mode.ground, motion.state[TDMF_FOOT_X]);
     const tdmf_stride_outcome ended =
-        request->measures ? tdmf_native_stride_measured(solver, system, request->until, &motion, along.seeds,
-                                                        along.variations, along.count, &along.measured)
-                          : tdmf_native_stride_varied(solver, system, request->until, &motion, along.seeds,
-                                                      along.variations, along.count);
+        request->measures ? tdmf_native_stride_measured(solver, system, request->until, &motion, varied.seeds,
+                                                        varied.variations, varied.count, &varied.measured)
+                          : tdmf_native_stride_varied(solver, system, request->until, &motion, varied.seeds,
+                                                      varied.variations, varied.count);
     result.outcome = tdmf_return_outcome_of(ended);
     result.solver = ended.outcome;
     if (!ended.closed) {
@@ -231,10 +231,10 @@ static tdmf_return stride_from(tdmf_solver *solver, const stride_request *reques
     result.liftoff_angle = motion.mode.liftoff_angle;
     tdmf_write_return(&motion.record, motion.state, &result);
     if (request->measures) {
-        result.measures = along.measured.so_far;
+        result.measures = varied.measured.so_far;
     }
     if (request->derivatives) {
-        close_variations(&along, request, &motion, &result);
+        close_variations(&varied, request, &motion, &result);
     }
     return result;
 }

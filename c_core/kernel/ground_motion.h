@@ -38,17 +38,18 @@ static inline void vary_ground(const ground_coefficients *c, const ground_start 
                                const ground_series *g, const ground_coefficients *d,
                                const ground_start *d_start, int order, ground_case is, ground_variation *t) {
     const real zero = broadcast(0.0);
-    const bool turns = is.has_torque || any(mask_not(d->torque == zero) | mask_not(d->torque_rate == zero));
+    const bool has_torque =
+        is.has_torque || any(mask_not(d->torque == zero) | mask_not(d->torque_rate == zero));
     tdmf_vary_begin_ground(start, d_start, t);
     if (is.grazes) {
         vary_graze(c, g, d, order, t);
     } else if (is.slips && is.falls) {
         vary_falling_slip(c, g, d, order, t);
-    } else if (is.slips && turns) {
+    } else if (is.slips && has_torque) {
         vary_slip_with_torque(c, g, d, order, t);
     } else if (is.slips) {
         vary_slip(c, g, d, order, t);
-    } else if (turns) {
+    } else if (has_torque) {
         vary_stick_with_torque(c, g, d, order, t);
     } else {
         vary_stick(c, g, d, order, t);

@@ -74,7 +74,7 @@ static inline real product_with_rate(const real *a, const real *b, int k) {
 
 /* Writes coefficient k of sin(a) and cos(a), which follows from those up to k - 1 and the rate of a. The
  * newest of them come last: the sums need not wait for them. */
-static inline void turn_by(int k, const real *a, const real *rate, real *sine, real *cosine) {
+static inline void sine_and_cosine_term(int k, const real *a, const real *rate, real *sine, real *cosine) {
     real sum_with_cosine = broadcast(0.0), sum_with_sine = broadcast(0.0);
     if (k == 0) {
         sine_and_cosine(a[0], &sine[0], &cosine[0]);

@@ -131,8 +131,8 @@ tdmf_model tdmf_vary_model(const tdmf_model *model, const tdmf_parameters *seed)
     const tdmf_mass_constants constants = {model->inverse_body_mass, model->inverse_foot_mass,
                                            model->inverse_reduced_mass, model->total_mass, model->body_share};
     tdmf_model varied = {.parameters = *seed};
-    const tdmf_mass_constants changes = tdmf_vary_mass_constants_of(model, &constants, &varied);
-    set_mass_constants(&varied, &changes);
+    const tdmf_mass_constants varied_constants = tdmf_vary_mass_constants_of(model, &constants, &varied);
+    set_mass_constants(&varied, &varied_constants);
     return varied;
 }
 

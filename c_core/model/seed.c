@@ -7,7 +7,7 @@ tdmf_local_seed tdmf_local_seed_of(const tdmf_model *model, const tdmf_seed *see
     static const tdmf_variation unvaried = {0};
     const tdmf_seed *given = seed != NULL ? seed : &unchanged;
     const tdmf_variation *varied = variation != NULL ? variation : &unvaried;
-    const tdmf_local_seed direction = {
+    const tdmf_local_seed local = {
         .model = tdmf_vary_model(model, &given->parameters),
         .inputs = given->inputs,
         /* The line in force changes with the one that is set. */
@@ -15,10 +15,10 @@ tdmf_local_seed tdmf_local_seed_of(const tdmf_model *model, const tdmf_seed *see
                  .ground = {.height = given->inputs.ground.height, .slope = given->inputs.ground.slope}},
         .state = varied->state,
     };
-    return direction;
+    return local;
 }
 
 tdmf_local_seed tdmf_seed_of_motion(const double derivatives[TDMF_STATE_COUNT]) {
-    const tdmf_local_seed direction = {.state = derivatives};
-    return direction;
+    const tdmf_local_seed local = {.state = derivatives};
+    return local;
 }

@@ -136,7 +136,7 @@ static void vary_peak_forces(integration *integration, double elapsed, bool norm
 }
 
 /* Whether somebody asks for the hip's positive work and the peaks of the ground force. */
-static bool notes_peaks_and_positive_work(const integration *integration) {
+static bool records_peaks_and_positive_work(const integration *integration) {
     return !integration->solver->without_peaks_and_positive_work || integration->count > 0 ||
            integration->measured;
 }
@@ -251,7 +251,7 @@ static void end_thrust(integration *integration) {
 static bool take_transitions(integration *integration, tdmf_guard reached) {
     tdmf_motion *motion = integration->motion;
     const tdmf_resolution taken =
-        notes_peaks_and_positive_work(integration)
+        records_peaks_and_positive_work(integration)
             ? tdmf_resolve_along(system_of(integration), motion, integration->direction, reached)
             : tdmf_resolve_unobserved(system_of(integration), motion, integration->direction, reached);
     if (stance_is_over(integration)) {
@@ -395,7 +395,7 @@ static void expand_variations(integration *integration) {
 }
 
 static void measure_step(integration *integration, const tdmf_step_end *end) {
-    const tdmf_measured_step along = {.step = &integration->step,
+    const tdmf_measured_step taken = {.step = &integration->step,
                                       .motion = integration->motion,
                                       .end = end->time,
                                       .ends_at_event = end->is_event,
@@ -403,7 +403,7 @@ static void measure_step(integration *integration, const tdmf_step_end *end) {
                                       .seeds = integration->seeds,
                                       .varied_mode = integration->varied_mode,
                                       .varied_series = integration->varied_series};
-    tdmf_measure_step(integration->measured, &along);
+    tdmf_measure_step(integration->measured, &taken);
 }
 
 /* What the laws make of the step is the same in a whole mode, unless they drift. */
@@ -448,7 +448,7 @@ static tdmf_outcome advance_once(integration *integration) {
         return TDMF_NO_PROGRESS;
     }
     count_one_step(integration, end.time);
-    if (notes_peaks_and_positive_work(integration)) {
+    if (records_peaks_and_positive_work(integration)) {
         observe_ground_force(integration, end.time);
         add_positive_work(integration, end.time, &reached);
     }

@@ -57,8 +57,8 @@ static double time_shift(const tdmf_event_kind *event, tdmf_system system, const
     return -vary_guard(event, &at, d) / vary_guard(event, &at, &motion);
 }
 
-static void shift_along(double dt, const double derivatives[TDMF_STATE_COUNT],
-                        double d_state[TDMF_STATE_COUNT]) {
+static void shift_in_time(double dt, const double derivatives[TDMF_STATE_COUNT],
+                          double d_state[TDMF_STATE_COUNT]) {
     for (int i = 0; i < TDMF_VARIED_COUNT; ++i) {
         d_state[i] += derivatives[i] * dt;
     }
@@ -144,7 +144,7 @@ tdmf_variation tdmf_saltation_met(tdmf_system system, tdmf_guard guard, const td
     const tdmf_local_seed d = tdmf_local_seed_of(system.model, seed, variation);
     const double dt = time_shift(event, system, before, &d);
     tdmf_variation varied = *variation;
-    shift_along(dt, before->derivatives, varied.state);
+    shift_in_time(dt, before->derivatives, varied.state);
     met->shift = dt;
     memcpy(met->before, varied.state, sizeof met->before);
     if (event->vary_reset != NULL) {
@@ -159,7 +159,7 @@ tdmf_variation tdmf_saltation_met(tdmf_system system, tdmf_guard guard, const td
     d_before.state = met->before;
     d_after.state = met->after;
     varied.stance = vary_stance(system, before, after, dt, &d_before, &d_after, varied.stance);
-    shift_along(-dt, after->derivatives, varied.state);
+    shift_in_time(-dt, after->derivatives, varied.state);
     tdmf_constrain_variation(&after->mode, after->state, &d, varied.state);
     return varied;
 }

@@ -33,7 +33,7 @@ static double vary_foot_height(const tdmf_model *model, const tdmf_motion *motio
 }
 
 /* How far the leg reaches down to the ground, as a series. */
-static void expand_drop_along(const tdmf_step *step, double drop[SERIES_TERMS]) {
+static void drop_in_step(const tdmf_step *step, double drop[SERIES_TERMS]) {
     const flight_series *f = &step->series.flight;
     expand_drop(f->length, f->angle, step->constants.flight.slope, f->angle_rate, step->order, drop);
 }
@@ -44,52 +44,52 @@ double tdmf_measures_trust(const tdmf_step *step) {
     if (step->equations->contact != TDMF_CONTACT_FLIGHT) {
         return INFINITY;
     }
-    expand_drop_along(step, drop);
+    drop_in_step(step, drop);
     add_to_remainder(&remainder, drop, step->order, step->equations->model->scales.length);
     return trusted_size(&remainder, INFINITY, step->order, step->tolerance);
 }
 
 /* The state and, for a variation, its change, at a time within a step. */
-static void state_along(const tdmf_measured_step *along, double t, double state[TDMF_STATE_COUNT]) {
-    const tdmf_mode_coordinates there = tdmf_step_at(along->step, t);
-    memcpy(state, along->motion->state, TDMF_STATE_COUNT * sizeof *state);
-    tdmf_state_in_mode(along->step->equations, t, &there, state);
+static void state_in_step(const tdmf_measured_step *taken, double t, double state[TDMF_STATE_COUNT]) {
+    const tdmf_mode_coordinates there = tdmf_step_at(taken->step, t);
+    memcpy(state, taken->motion->state, TDMF_STATE_COUNT * sizeof *state);
+    tdmf_state_in_mode(taken->step->equations, t, &there, state);
 }
 
-static tdmf_variation variation_along(const tdmf_measured_step *along, int i, double t,
-                                      const double state[TDMF_STATE_COUNT]) {
-    tdmf_mode_variation varied_mode = along->varied_mode[i];
-    tdmf_advance_mode_variation(along->step, t, &along->seeds[i], &along->varied_series[i], &varied_mode);
-    return tdmf_variation_in_mode(along->step->equations, state, &along->seeds[i], &varied_mode);
+static tdmf_variation variation_in_step(const tdmf_measured_step *taken, int i, double t,
+                                        const double state[TDMF_STATE_COUNT]) {
+    tdmf_mode_variation varied_mode = taken->varied_mode[i];
+    tdmf_advance_mode_variation(taken->step, t, &taken->seeds[i], &taken->varied_series[i], &varied_mode);
+    return tdmf_variation_in_mode(taken->step->equations, state, &taken->seeds[i], &varied_mode);
 }
 
-static void record_height(tdmf_measured *measured, const tdmf_measured_step *along, double t) {
-    const tdmf_model *model = along->step->equations->model;
+static void record_height(tdmf_measured *measured, const tdmf_measured_step *taken, double t) {
+    const tdmf_model *model = taken->step->equations->model;
     double state[TDMF_STATE_COUNT];
-    state_along(along, t, state);
-    const double height = foot_height(along->motion, state);
+    state_in_step(taken, t, state);
+    const double height = foot_height(taken->motion, state);
     if (!(height > measured->so_far.greatest_foot_height)) {
         return;
     }
     measured->so_far.greatest_foot_height = height;
-    for (int i = 0; i < along->count; ++i) {
-        const tdmf_variation variation = variation_along(along, i, t, state);
+    for (int i = 0; i < taken->count; ++i) {
+        const tdmf_variation variation = variation_in_step(taken, i, t, state);
         measured->varied[i].greatest_foot_height =
-            vary_foot_height(model, along->motion, state, &along->seeds[i], variation.state);
+            vary_foot_height(model, taken->motion, state, &taken->seeds[i], variation.state);
     }
 }
 
 /* ---- turns -------------------------------------------------------------------------------------------- */
 
-typedef void record_extremum(tdmf_measured *measured, const tdmf_measured_step *along, double t);
+typedef void record_extremum(tdmf_measured *measured, const tdmf_measured_step *taken, double t);
 
 /* Records at each zero of a rate, a series in time, and at the end of a step that is no event; its start was
  * an end. */
-static void record_extrema(tdmf_measured *measured, const tdmf_measured_step *along, const double *rate,
+static void record_extrema(tdmf_measured *measured, const tdmf_measured_step *taken, const double *rate,
                            int order, record_extremum *record) {
-    const tdmf_step *step = along->step;
+    const tdmf_step *step = taken->step;
     double c[SERIES_TERMS], from = 0.0;
-    const double end = along->end / step->size;
+    const double end = taken->end / step->size;
     if (order < 1) {
         return;
     }
@@ -101,54 +101,54 @@ static void record_extrema(tdmf_measured *measured, const tdmf_measured_step *al
         if (!extremum.is_root || !(extremum.time > from)) {
             break;
         }
-        record(measured, along, extremum.time * step->size);
+        record(measured, taken, extremum.time * step->size);
         from = extremum.time;
     }
-    if (!along->ends_at_event) {
-        record(measured, along, along->end);
+    if (!taken->ends_at_event) {
+        record(measured, taken, taken->end);
     }
 }
 
-static void measure_height(tdmf_measured *measured, const tdmf_measured_step *along) {
-    const tdmf_step *step = along->step;
+static void measure_height(tdmf_measured *measured, const tdmf_measured_step *taken) {
+    const tdmf_step *step = taken->step;
     const flight_constants *c = &step->constants.flight;
     const ballistic com = tdmf_step_center_of_mass(step->equations);
     double drop[SERIES_TERMS], rate[SERIES_TERMS];
-    expand_drop_along(step, drop);
+    drop_in_step(step, drop);
     for (int k = 0; k < step->order; ++k) {
         rate[k] = -(double)(k + 1) * c->body_share * drop[k + 1];
     }
     rate[0] += com.ground.rate;
     rate[1] -= c->normal_gravity;
     rate[2] += 0.5 * com.normal_jerk;
-    record_extrema(measured, along, rate, step->order - 1, record_height);
-    if (along->ends_at_event) {
-        record_height(measured, along,
-                      along->end); /* in flight nothing jumps, and on the ground it is least */
+    record_extrema(measured, taken, rate, step->order - 1, record_height);
+    if (taken->ends_at_event) {
+        record_height(measured, taken,
+                      taken->end); /* in flight nothing jumps, and on the ground it is least */
     }
 }
 
-static void record_slip(tdmf_measured *measured, const tdmf_measured_step *along, double t) {
-    const tdmf_step *step = along->step;
-    const double sign = tdmf_slip_sign(&along->motion->mode);
+static void record_slip(tdmf_measured *measured, const tdmf_measured_step *taken, double t) {
+    const tdmf_step *step = taken->step;
+    const double sign = tdmf_slip_sign(&taken->motion->mode);
     const double speed = sign * series_at(step->series.ground.foot_vx, step->order, t);
     if (!(speed > measured->so_far.greatest_slip_velocity)) {
         return;
     }
     measured->so_far.greatest_slip_velocity = speed;
-    for (int i = 0; i < along->count; ++i) {
+    for (int i = 0; i < taken->count; ++i) {
         measured->varied[i].greatest_slip_velocity =
-            sign * series_at(along->varied_series[i].ground.foot_vx, step->order, t);
+            sign * series_at(taken->varied_series[i].ground.foot_vx, step->order, t);
     }
 }
 
-static void measure_slip(tdmf_measured *measured, const tdmf_measured_step *along) {
-    const double *speed = along->step->series.ground.foot_vx;
+static void measure_slip(tdmf_measured *measured, const tdmf_measured_step *taken) {
+    const double *speed = taken->step->series.ground.foot_vx;
     double rate[SERIES_TERMS];
-    for (int k = 0; k < along->step->order; ++k) {
+    for (int k = 0; k < taken->step->order; ++k) {
         rate[k] = (double)(k + 1) * speed[k + 1];
     }
-    record_extrema(measured, along, rate, along->step->order - 1, record_slip);
+    record_extrema(measured, taken, rate, taken->step->order - 1, record_slip);
 }
 
 /* ---- integrals along a step --------------------------------------------------------------------------- */
@@ -161,11 +161,11 @@ static double integral_of_product(const double *a, const double *b, int order, d
     return series_integral(c, order, t);
 }
 
-static double vary_positive_work(const tdmf_measured_step *along, int i, const tdmf_spans *positive) {
-    const tdmf_step *step = along->step;
+static double vary_positive_work(const tdmf_measured_step *taken, int i, const tdmf_spans *positive) {
+    const tdmf_step *step = taken->step;
     const double *power = step->equations->contact == TDMF_CONTACT_FLIGHT
-                              ? along->varied_series[i].flight.power
-                              : along->varied_series[i].ground.power;
+                              ? taken->varied_series[i].flight.power
+                              : taken->varied_series[i].ground.power;
     double work = 0.0;
     for (int k = 0; k < positive->count; ++k) {
         work += series_integral(power, step->order - 1, positive->to[k]) -
@@ -174,25 +174,25 @@ static double vary_positive_work(const tdmf_measured_step *along, int i, const t
     return work;
 }
 
-static void vary_integrals(tdmf_measured *measured, const tdmf_measured_step *along, const double *torque,
+static void vary_integrals(tdmf_measured *measured, const tdmf_measured_step *taken, const double *torque,
                            const tdmf_spans *positive) {
-    const tdmf_step *step = along->step;
+    const tdmf_step *step = taken->step;
     const tdmf_contact_mode contact = step->equations->contact;
     const bool flies = contact == TDMF_CONTACT_FLIGHT;
     const bool slips = !flies && tdmf_step_ground_case(step).slips;
-    for (int i = 0; i < along->count; ++i) {
-        const motion_variation *t = &along->varied_series[i];
+    for (int i = 0; i < taken->count; ++i) {
+        const motion_variation *t = &taken->varied_series[i];
         const double *d_torque = flies ? t->flight.torque : t->ground.torque;
         measured->varied[i].friction_loss +=
-            slips ? series_integral(t->ground.friction_power, step->order - 1, along->end) : 0.0;
+            slips ? series_integral(t->ground.friction_power, step->order - 1, taken->end) : 0.0;
         measured->varied[i].squared_torque +=
-            2.0 * integral_of_product(torque, d_torque, step->order - 1, along->end);
-        measured->varied[i].positive_hip_work += vary_positive_work(along, i, positive);
+            2.0 * integral_of_product(torque, d_torque, step->order - 1, taken->end);
+        measured->varied[i].positive_hip_work += vary_positive_work(taken, i, positive);
     }
 }
 
-static void measure_integrals(tdmf_measured *measured, const tdmf_measured_step *along) {
-    const tdmf_step *step = along->step;
+static void measure_integrals(tdmf_measured *measured, const tdmf_measured_step *taken) {
+    const tdmf_step *step = taken->step;
     double in_flight[SERIES_TERMS];
     const double *torque = step->series.ground.torque;
     if (step->equations->contact == TDMF_CONTACT_FLIGHT) {
@@ -200,21 +200,21 @@ static void measure_integrals(tdmf_measured *measured, const tdmf_measured_step 
         expand_hip_torque(&step->constants.flight.law, f->angle, f->angle_rate, step->order - 1, in_flight);
         torque = in_flight;
     }
-    measured->so_far.squared_torque += integral_of_product(torque, torque, step->order - 1, along->end);
-    if (along->count > 0) {
+    measured->so_far.squared_torque += integral_of_product(torque, torque, step->order - 1, taken->end);
+    if (taken->count > 0) {
         tdmf_spans positive;
-        tdmf_positive_spans(step, along->end, tdmf_step_work(step, along->end), &positive);
-        vary_integrals(measured, along, torque, &positive);
+        tdmf_positive_spans(step, taken->end, tdmf_step_work(step, taken->end), &positive);
+        vary_integrals(measured, taken, torque, &positive);
     }
 }
 
-void tdmf_measure_step(tdmf_measured *measured, const tdmf_measured_step *along) {
-    const tdmf_contact_mode contact = along->step->equations->contact;
-    measure_integrals(measured, along);
+void tdmf_measure_step(tdmf_measured *measured, const tdmf_measured_step *taken) {
+    const tdmf_contact_mode contact = taken->step->equations->contact;
+    measure_integrals(measured, taken);
     if (contact == TDMF_CONTACT_FLIGHT) {
-        measure_height(measured, along);
-    } else if (tdmf_slip_sign(&along->motion->mode) != 0.0) {
-        measure_slip(measured, along);
+        measure_height(measured, taken);
+    } else if (tdmf_slip_sign(&taken->motion->mode) != 0.0) {
+        measure_slip(measured, taken);
     }
 }
 

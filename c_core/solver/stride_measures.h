@@ -32,7 +32,7 @@ void tdmf_measure_start(tdmf_measured *measured, const tdmf_model *model, const 
                         const tdmf_seed *seeds, const tdmf_variation *variations, int count);
 
 /* Measures along a step that has been searched for its end. */
-void tdmf_measure_step(tdmf_measured *measured, const tdmf_measured_step *along);
+void tdmf_measure_step(tdmf_measured *measured, const tdmf_measured_step *taken);
 
 /* Measures at an event, with what each variation is there. */
 void tdmf_measure_event(tdmf_measured *measured, tdmf_system system, const tdmf_event_state *before,

@@ -56,7 +56,7 @@ EQUATIONS: dict[str, Callable[[], dict[str, Expression]]] = {
 }
 
 
-def latex(node: Expression, least: int = 0) -> str:
+def latex(node: Expression, smallest: int = 0) -> str:
     """Write an expression as one prints it: products without a sign, quotients as fractions."""
     if node.operation == "symbol":
         return str(node.value)
@@ -78,7 +78,7 @@ def latex(node: Expression, least: int = 0) -> str:
         strength, text = 1, rf"{latex(left, 1)}\,{latex(right, 1)}"
     else:
         raise ValueError(f"no law in print has the operation {node.operation}")
-    return rf"\left({text}\right)" if strength < least else text
+    return rf"\left({text}\right)" if strength < smallest else text
 
 
 def _in_print(product: Expression) -> tuple[Expression, ...]:

@@ -9,7 +9,7 @@ def main() -> int:
     """Run the command line; the exit status. An interrupt waits until modules are loaded."""
     interrupts.end_in_order()
     try:
-        with interrupts.held():
+        with interrupts.deferred():
             from .cli import main as command
     except KeyboardInterrupt:
         print("tdmf-slip: interrupted", file=sys.stderr)

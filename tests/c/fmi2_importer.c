@@ -21,7 +21,7 @@ static void logger(fmi2ComponentEnvironment environment, fmi2String instance, fm
     va_start(arguments, message);
     vsnprintf(text, sizeof text, message, arguments);
     va_end(arguments);
-    note_message(category, text);
+    record_message(category, text);
 }
 
 const fmi2CallbackFunctions importer_callbacks = {.logger = logger};

@@ -7,7 +7,7 @@ void importer_logger(fmi3InstanceEnvironment environment, fmi3Status status, fmi
                      fmi3String message) {
     (void)environment;
     (void)status;
-    note_message(category, message);
+    record_message(category, message);
 }
 
 static fmi3Instance without_events(fmi3Instance instance) {

@@ -21,9 +21,9 @@ runner line_at(const line *line, double t) {
     runner moved = *line->runner;
     tdmf_parameters parameters = moved.model.parameters;
     double *values = (double *)&parameters;
-    const double *directions = (const double *)&line->seed.parameters;
+    const double *seeds = (const double *)&line->seed.parameters;
     for (int i = 0; i < PARAMETERS; ++i) {
-        values[i] += t * directions[i];
+        values[i] += t * seeds[i];
     }
     for (int i = 0; i < TDMF_STATE_COUNT; ++i) {
         moved.motion.state[i] += t * line->variation.state[i];
@@ -80,7 +80,7 @@ line line_random(random_source *source, const runner *runner) {
     const tdmf_parameters units = units_of(&runner->model);
     const double *of_parameters = (const double *)&units;
     line line = {.runner = runner};
-    double *directions = (double *)&line.seed.parameters;
+    double *seeds = (double *)&line.seed.parameters;
     for (int i = 0; i < TDMF_MECHANICAL_COUNT; ++i) {
         line.variation.state[i] = of_state[i] * random_uniform(source, -1.0, 1.0);
     }
@@ -88,7 +88,7 @@ line line_random(random_source *source, const runner *runner) {
         line.variation.state[TDMF_HIP_PLACE_TIME] = scales->time * random_uniform(source, -1.0, 1.0);
     }
     for (int i = 0; i < PARAMETERS; ++i) {
-        directions[i] = of_parameters[i] != 0.0 ? of_parameters[i] * random_uniform(source, -1.0, 1.0) : 0.0;
+        seeds[i] = of_parameters[i] != 0.0 ? of_parameters[i] * random_uniform(source, -1.0, 1.0) : 0.0;
     }
     line.variation.liftoff_angle = random_uniform(source, -1.0, 1.0);
     line.seed.inputs.ground.friction = random_uniform(source, -1.0, 1.0);

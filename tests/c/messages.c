@@ -19,7 +19,7 @@ void clear_messages(void) {
     last_category[0] = '\0';
 }
 
-void note_message(const char *category, const char *text) {
+void record_message(const char *category, const char *text) {
     snprintf(last_category, sizeof last_category, "%s", category);
     snprintf(last_message, sizeof last_message, "%s", text);
     if (message_count < MESSAGES_KEPT) {

@@ -16,7 +16,7 @@ void clear_messages(void);
 extern const char *const events_category[1];
 
 /* Notes a message. */
-void note_message(const char *category, const char *text);
+void record_message(const char *category, const char *text);
 
 /* Room for a saved state of either version. */
 enum { SERIALIZED_BYTES = 8192 };

@@ -109,12 +109,12 @@ static void ramps_of_every_input_close_the_ledger_and_agree_with_cvode(void **st
 
 /* ---- jumps --------------------------------------------------------------------------------------------- */
 
-static void jump(random_source *source, run *run, double most) {
+static void jump(random_source *source, run *run, double largest) {
     tdmf_inputs *inputs = &run->inputs;
     tdmf_observe((tdmf_system){&run->model, inputs}, &run->motion);
-    set_thrust(run, random_chance(source, 0.3) ? 0.0 : random_uniform(source, 0.0, most));
-    inputs->leg.extension = random_uniform(source, -0.5, 0.5) * most;
-    inputs->control.thrust = random_chance(source, 0.5) ? 0.0 : random_uniform(source, -most, most);
+    set_thrust(run, random_chance(source, 0.3) ? 0.0 : random_uniform(source, 0.0, largest));
+    inputs->leg.extension = random_uniform(source, -0.5, 0.5) * largest;
+    inputs->control.thrust = random_chance(source, 0.5) ? 0.0 : random_uniform(source, -largest, largest);
     inputs->control.stance_torque = random_uniform(source, -0.1, 0.1);
     inputs->control.touchdown_angle = random_uniform(source, -0.1, 0.1);
     inputs->body.external_fx = random_uniform(source, -0.01, 0.01);
@@ -131,10 +131,10 @@ static void whatever_jumps_the_ledger_closes_and_chains_end(void **state) {
     for (int i = 0; i < RUNS; ++i) {
         run run = begin(0.02, 1e-11);
         tdmf_outcome outcome = TDMF_ARRIVED;
-        const double most = i % 2 == 0 ? 0.1 : 0.6;
+        const double largest = i % 2 == 0 ? 0.1 : 0.6;
         double turnover = 1.0;
         for (int k = 0; k < JUMPS && outcome == TDMF_ARRIVED; ++k) {
-            jump(&source, &run, most);
+            jump(&source, &run, largest);
             outcome = tdmf_native_advance(&run.solver, SYSTEM_OF(&run), NULL,
                                           run.motion.time + random_uniform(&source, 0.1, 6.0), &run.motion);
             assert_true(outcome == TDMF_ARRIVED || outcome == TDMF_FELL);

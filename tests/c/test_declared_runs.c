@@ -73,7 +73,7 @@ static double push_energy(const run *run, const tdmf_inputs *inputs) {
 }
 
 /* Of the last piece of a run, from its first inputs to its last. */
-static void note_energies(run *run, const tdmf_inputs *from) {
+static void record_energies(run *run, const tdmf_inputs *from) {
     run->turnover = fmax(run->turnover, largest_energy(run));
     run->push_energy = fmax(run->push_energy, fmax(push_energy(run, from), push_energy(run, &run->inputs)));
 }
@@ -231,7 +231,7 @@ static tdmf_outcome advance(run *run) {
     }
     const tdmf_inputs from = run->inputs;
     run->inputs = tdmf_inputs_after(&from, &rates, run->motion.time - before.time);
-    note_energies(run, &from);
+    record_energies(run, &from);
     return outcome;
 }
 
@@ -268,11 +268,11 @@ static bool begin(uint64_t seed, run *run) {
     if (tdmf_start(SYSTEM_OF(run), motion).variable != NULL) {
         return false;
     }
-    note_energies(run, &run->inputs);
+    record_energies(run, &run->inputs);
     return true;
 }
 
-static void note_what_is_met(const run *run, tally *seen) {
+static void record_what_is_met(const run *run, tally *seen) {
     const double *state = run->motion.state;
     seen->waiting += tdmf_ground_is_pending(&run->inputs, &run->motion.mode);
     seen->leg_work += state[TDMF_LEG_WORK] != 0.0;
@@ -299,7 +299,7 @@ static const char *follow(uint64_t seed, tally *seen) {
         wrong = what_is_wrong(&run, outcome);
         ++seen->outcomes[outcome];
         ++seen->contact[run.motion.mode.contact];
-        note_what_is_met(&run, seen);
+        record_what_is_met(&run, seen);
     }
     seen->strides += run.motion.record.stride.count;
     seen->with_further_inputs += run.has_further_inputs;

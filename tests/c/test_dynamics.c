@@ -110,7 +110,7 @@ static long double lagrangian_on_path(long double t, const void *context) {
 
 typedef long double equation[UNKNOWNS + 1]; /* coefficients of the unknowns, then the right-hand side */
 
-static void fmu_direction(int i, long double direction[FREEDOMS]) {
+static void fmu_seed(int i, long double direction[FREEDOMS]) {
     memset(direction, 0, FREEDOMS * sizeof *direction);
     direction[i] = 1.0L;
 }
@@ -119,10 +119,10 @@ static void fmu_direction(int i, long double direction[FREEDOMS]) {
 static void equation_of_motion(motion motion, int i, equation row) {
     long double along[FREEDOMS];
     for (int j = 0; j < FREEDOMS; ++j) {
-        fmu_direction(j, along);
+        fmu_seed(j, along);
         row[j] = momentum(&motion, along, i);
     }
-    fmu_direction(i, along);
+    fmu_seed(i, along);
     row[FX] = -speed_of(motion, along, FOOT_ALONG_X);
     row[FY] = -speed_of(motion, along, FOOT_ALONG_Y);
     row[TAU] = i == THETA ? -1.0L : 0.0L;
@@ -256,8 +256,8 @@ static void solve_lagrange(const runner *runner, double solution[UNKNOWNS]) {
 /* ---- the core against it ---------------------------------------------------------------------------- */
 
 /* The sum of what is added up in an acceleration may be much larger than the result. */
-static double largest_of(const double *values, int count, double least) {
-    double largest = least;
+static double largest_of(const double *values, int count, double smallest) {
+    double largest = smallest;
     for (int i = 0; i < count; ++i) {
         largest = fmax(largest, fabs(values[i]));
     }

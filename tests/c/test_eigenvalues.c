@@ -157,7 +157,7 @@ static void sums_of_their_powers_are_traces(void **unused) {
 /* They grow with the matrix, up to the largest numbers and down to the least. */
 static void a_factor_of_the_matrix_is_theirs(void **unused) {
     (void)unused;
-    static const double matrix[] = {0.25, -0.5, 0.5, 0.25}, least[] = {0x1p-1074};
+    static const double matrix[] = {0.25, -0.5, 0.5, 0.25}, smallest[] = {0x1p-1074};
     for (int exponent = -1000; exponent <= 1022; exponent += 2022) {
         double scaled[4], pairs[4];
         for (int i = 0; i < 4; ++i) {
@@ -168,7 +168,7 @@ static void a_factor_of_the_matrix_is_theirs(void **unused) {
         assert_close(fabs(ldexp(pairs[1], -exponent)), 0.5, 1e-15);
         assert_close(ldexp(pairs[1] + pairs[3], -exponent), 0.0, 1e-15);
     }
-    assert_are(1, least, least, 0.0);
+    assert_are(1, smallest, smallest, 0.0);
 }
 
 static void what_has_none_is_refused(void **unused) {

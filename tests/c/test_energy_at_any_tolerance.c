@@ -84,7 +84,7 @@ static void run_and_check(const runner *runner, double tolerance, tally *seen) {
     if (tdmf_start((tdmf_system){model, &runner->inputs}, &motion).variable) {
         return;
     }
-    double most = energy_in(model, runner->motion.state);
+    double largest = energy_in(model, runner->motion.state);
     solver.relative_tolerance = tolerance;
     for (int call = 0; call < CALLS && outcome == TDMF_ARRIVED; ++call) {
         outcome = tdmf_native_advance(&solver, (tdmf_system){model, &runner->inputs}, &no_rates,
@@ -93,8 +93,8 @@ static void run_and_check(const runner *runner, double tolerance, tally *seen) {
             energy_of(model, motion.state).total - energy_of(model, runner->motion.state).total;
         const double booked = motion.state[TDMF_HIP_WORK] - motion.state[TDMF_ENERGY_DAMPER_LOSS] -
                               motion.state[TDMF_ENERGY_FRICTION_LOSS] - motion.record.impact_loss;
-        most = fmax(most, energy_in(model, motion.state));
-        assert_close(change / most, booked / most, allowed(tolerance));
+        largest = fmax(largest, energy_in(model, motion.state));
+        assert_close(change / largest, booked / largest, allowed(tolerance));
     }
     ++seen->runs;
     ++seen->ended[outcome];
@@ -228,11 +228,11 @@ static void of_strides_in_every_kind_of_lane(void **state) {
             double first[TDMF_STATE_COUNT], last[TDMF_STATE_COUNT];
             tdmf_section_state((tdmf_system){&models[i], &cases[i].inputs}, starts[i], first);
             tdmf_section_state((tdmf_system){&models[i], &cases[i].inputs}, ends[i].apex, last);
-            const double most = fmax(energy_in(&models[i], first), energy_in(&models[i], last));
+            const double largest = fmax(energy_in(&models[i], first), energy_in(&models[i], last));
             const double change = energy_of(&models[i], last).total - energy_of(&models[i], first).total;
             const double booked =
                 ends[i].work - ends[i].damper_loss - ends[i].friction_loss - ends[i].impact_loss;
-            assert_close(change / most, booked / most, allowed(tolerance));
+            assert_close(change / largest, booked / largest, allowed(tolerance));
             closed += ends[i].strides > 0;
         }
         assert_true(closed > RUNNERS / 50);

@@ -23,8 +23,8 @@ typedef struct {
     tdmf_ensemble ensemble;
 } population;
 
-static void scale_randomly(random_source *source, double *value, double most) {
-    *value *= random_magnitude(source, 1.0 / most, most);
+static void scale_randomly(random_source *source, double *value, double max_factor) {
+    *value *= random_magnitude(source, 1.0 / max_factor, max_factor);
 }
 
 static void vary_case(random_source *source, tdmf_model *model, tdmf_ensemble_case *its_case) {

@@ -59,9 +59,9 @@ static void the_least_sum_is_no_higher_than_the_polynomial(void **state) {
         }
         in_time(shares, order, series);
         const guard_series guard = {series, 1.0, series[0], order};
-        const double least = min_partial_sum(&search, &guard);
+        const double lower_bound = min_partial_sum(&search, &guard);
         for (int k = 0; k <= 20; ++k) {
-            assert_true(expansion_at(shares, order, 0.05 * k).value >= least - 1e-14);
+            assert_true(expansion_at(shares, order, 0.05 * k).value >= lower_bound - 1e-14);
         }
     }
 }

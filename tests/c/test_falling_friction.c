@@ -91,8 +91,8 @@ static double coefficient(const reference_impact *law, double speed) {
     return law->friction * (1.0 + (law->ratio - 1.0) * exp(-fabs(speed) / law->velocity));
 }
 
-static double change_of_speed(const reference_impact *law, double speed, double d_speed, double d_normal,
-                              double d_friction) {
+static double variation_of_speed(const reference_impact *law, double speed, double d_speed, double d_normal,
+                                 double d_friction) {
     const runner runner = falling_foot(law, speed);
     double d_state[TDMF_STATE_COUNT] = {[TDMF_FOOT_VX] = d_speed, [TDMF_FOOT_VY] = d_normal};
     const tdmf_seed seed = {.inputs.ground.friction = d_friction};
@@ -110,9 +110,9 @@ static void the_impacts_tangent_is_a_ratio_of_frictions(void **state) {
         const double speed = sign * law->speed_before;
         const bool slips = law->speed_after != 0.0;
         const double after = coefficient(law, law->speed_after), before = coefficient(law, law->speed_before);
-        assert_close(change_of_speed(law, speed, 1.0, 0.0, 0.0), slips ? after / before : 0.0, 1e-12);
-        assert_close(change_of_speed(law, speed, 0.0, -1.0, 0.0), slips ? -sign * after : 0.0, 1e-12);
-        assert_close(change_of_speed(law, speed, 0.0, 0.0, 1.0),
+        assert_close(variation_of_speed(law, speed, 1.0, 0.0, 0.0), slips ? after / before : 0.0, 1e-12);
+        assert_close(variation_of_speed(law, speed, 0.0, -1.0, 0.0), slips ? -sign * after : 0.0, 1e-12);
+        assert_close(variation_of_speed(law, speed, 0.0, 0.0, 1.0),
                      slips ? -sign * after * law->normal_speed / law->friction : 0.0, 1e-12);
         slipped += slips;
     }

@@ -296,7 +296,7 @@ static void fmi3_gives_the_same_both_ways_round(void **state) {
     (void)state;
     for (size_t k = 0; k < sizeof starts / sizeof starts[0]; ++k) {
         fmi3ValueReference knowns[MAX_VARIABLES], unknowns[MAX_VARIABLES];
-        double seeds[MAX_VARIABLES], weights[MAX_VARIABLES], along[MAX_VARIABLES], back[MAX_VARIABLES];
+        double seeds[MAX_VARIABLES], weights[MAX_VARIABLES], by_seed[MAX_VARIABLES], back[MAX_VARIABLES];
         size_t known_count = 0, unknown_count = 0;
         double forward = 0.0, backward = 0.0, size = 0.0;
         fmi2Component old = begun(&starts[k], 0.0);
@@ -320,14 +320,14 @@ static void fmi3_gives_the_same_both_ways_round(void **state) {
             }
         }
         assert_int_equal(fmi3GetDirectionalDerivative(instance, unknowns, unknown_count, knowns, known_count,
-                                                      seeds, known_count, along, unknown_count),
+                                                      seeds, known_count, by_seed, unknown_count),
                          fmi3OK);
         assert_int_equal(fmi3GetAdjointDerivative(instance, unknowns, unknown_count, knowns, known_count,
                                                   weights, unknown_count, back, known_count),
                          fmi3OK);
         for (size_t i = 0; i < unknown_count; ++i) {
-            forward += weights[i] * along[i];
-            size += fabs(weights[i] * along[i]);
+            forward += weights[i] * by_seed[i];
+            size += fabs(weights[i] * by_seed[i]);
         }
         for (size_t j = 0; j < known_count; ++j) {
             backward += seeds[j] * back[j];
@@ -338,7 +338,7 @@ static void fmi3_gives_the_same_both_ways_round(void **state) {
                                                       unknown_count, (const fmi2ValueReference *)knowns,
                                                       known_count, seeds, back),
                          fmi2OK);
-        assert_memory_equal(back, along, unknown_count * sizeof *back);
+        assert_memory_equal(back, by_seed, unknown_count * sizeof *back);
         fmi2FreeInstance(old);
         fmi3FreeInstance(instance);
     }

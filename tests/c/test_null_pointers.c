@@ -54,12 +54,12 @@ static void without_rates_inputs_are_held(void **unused) {
 static void without_a_direction_nothing_changes(void **unused) {
     (void)unused;
     const runner runner = started();
-    const tdmf_variation along_length = {.state = {[TDMF_LEG_LENGTH] = 1.0}};
+    const tdmf_variation length_seed = {.state = {[TDMF_LEG_LENGTH] = 1.0}};
     const double zeros[TDMF_STATE_COUNT] = {0.0};
     const tdmf_output_variation given = tdmf_vary_outputs(SYSTEM_OF(&runner), &runner.motion.mode,
-                                                          runner.motion.state, &nothing_given, &along_length);
+                                                          runner.motion.state, &nothing_given, &length_seed);
     const tdmf_output_variation no_change =
-        tdmf_vary_outputs(SYSTEM_OF(&runner), &runner.motion.mode, runner.motion.state, NULL, &along_length);
+        tdmf_vary_outputs(SYSTEM_OF(&runner), &runner.motion.mode, runner.motion.state, NULL, &length_seed);
     const tdmf_output_variation nothing =
         tdmf_vary_outputs(SYSTEM_OF(&runner), &runner.motion.mode, runner.motion.state, NULL, NULL);
     assert_same_numbers(no_change.derivatives, given.derivatives, TDMF_STATE_COUNT);
@@ -73,9 +73,9 @@ static void without_a_direction_nothing_changes(void **unused) {
     memcpy(after.state, before, sizeof before);
     assert_null(tdmf_start(SYSTEM_OF(&runner), &after).variable);
     const tdmf_start_variation varied = tdmf_vary_start(SYSTEM_OF(&runner), before, after.state, &after.mode,
-                                                        &nothing_given, along_length.state);
+                                                        &nothing_given, length_seed.state);
     const tdmf_start_variation unchanged =
-        tdmf_vary_start(SYSTEM_OF(&runner), before, after.state, &after.mode, NULL, along_length.state);
+        tdmf_vary_start(SYSTEM_OF(&runner), before, after.state, &after.mode, NULL, length_seed.state);
     assert_same_numbers(unchanged.variation.state, varied.variation.state, TDMF_STATE_COUNT);
     assert_true(unchanged.impact_loss == varied.impact_loss);
 }
@@ -102,9 +102,9 @@ static void arrays_of_no_elements_may_be_absent(void **unused) {
     assert_true(tdmf_native_stride_varied(&solver, SYSTEM_OF(&runner), 1e3, &varied, NULL, NULL, 0).closed);
     assert_same_numbers(varied.state, motion.state, TDMF_STATE_COUNT);
     const tdmf_orbit plain = tdmf_find_orbit(&solver, SYSTEM_OF(&runner), section, NULL, 0);
-    const tdmf_orbit along = tdmf_find_orbit(&solver, SYSTEM_OF(&runner), section, &nothing_given, 1);
-    assert_int_equal(plain.outcome, along.outcome);
-    assert_same_numbers(plain.apex, along.apex, TDMF_SECTION_COUNT);
+    const tdmf_orbit with_seed = tdmf_find_orbit(&solver, SYSTEM_OF(&runner), section, &nothing_given, 1);
+    assert_int_equal(plain.outcome, with_seed.outcome);
+    assert_same_numbers(plain.apex, with_seed.apex, TDMF_SECTION_COUNT);
     const tdmf_refusal accepted = {0};
     assert_null(tdmf_refusal_text(&accepted, NULL, 0));
 }

@@ -67,7 +67,7 @@ static bool differentiable(const unknown_line *on) {
     return true;
 }
 
-static void tangent_agrees_along(const line *line) {
+static void variation_agrees_on(const line *line) {
     const runner *runner = line->runner;
     double exact[UNKNOWNS];
     const tdmf_output_variation varied = tdmf_vary_outputs(
@@ -87,9 +87,9 @@ static void tangent_agrees_along(const line *line) {
     }
 }
 
-static void tangent_agrees(random_source *source, const runner *runner) {
+static void variation_agrees(random_source *source, const runner *runner) {
     const line line = line_random(source, runner);
-    tangent_agrees_along(&line);
+    variation_agrees_on(&line);
 }
 
 /* In graze the torque is steep near upright. */
@@ -105,7 +105,7 @@ static void tangents_are_derivatives(void **unused) {
         for (int i = 0; i < 300; ++i) {
             runner runner = scene_random(&source, (tdmf_contact_mode)contact);
             if (leans(&runner)) {
-                tangent_agrees(&source, &runner);
+                variation_agrees(&source, &runner);
                 ++compared;
             }
         }
@@ -126,7 +126,7 @@ static void tangents_of_light_feet_on_stiff_legs_are_derivatives(void **unused) 
             parameters.leg.stiffness *= 1e4;
             assert_null(tdmf_model_create(&runner.model, &parameters).variable);
             if (leans(&runner)) {
-                tangent_agrees(&source, &runner);
+                variation_agrees(&source, &runner);
                 ++compared;
             }
         }
@@ -144,7 +144,7 @@ static void tangents_of_a_leg_beyond_its_minimum_are_derivatives(void **unused) 
             runner runner = scene_random(&source, (tdmf_contact_mode)contact);
             runner.motion.state[TDMF_LEG_LENGTH] = 0.3 * runner.model.parameters.leg.min_length;
             if (leans(&runner)) {
-                tangent_agrees(&source, &runner);
+                variation_agrees(&source, &runner);
                 ++compared;
             }
         }
@@ -164,7 +164,7 @@ static void tangents_of_an_upright_leg_in_graze_are_derivatives(void **unused) {
         line line = line_random(&source, &runner);
         line.variation.state[TDMF_LEG_ANGLE] *= 1e-13; /* it stays where the sine is bounded */
         line.seed.inputs.ground.slope = 0.0;
-        tangent_agrees_along(&line);
+        variation_agrees_on(&line);
     }
 }
 
@@ -173,7 +173,7 @@ static void a_frozen_run_has_derivatives_that_do_not_change(void **unused) {
     random_source source = {1};
     runner runner = scene_random(&source, TDMF_CONTACT_STICK);
     runner.motion.mode.fallen = true;
-    tangent_agrees(&source, &runner);
+    variation_agrees(&source, &runner);
 }
 
 int main(void) {

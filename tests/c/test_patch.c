@@ -193,7 +193,7 @@ static void lanes_make_each_run_wherever_it_is(void **state) {
 
 /* ---- derivatives --------------------------------------------------------------------------------------- */
 
-enum { FOOT_X = TDMF_SECTION_COUNT, COORDINATES, BORDERS = 3, DIRECTIONS = COORDINATES + BORDERS };
+enum { FOOT_X = TDMF_SECTION_COUNT, COORDINATES, BORDERS = 3, SEEDS = COORDINATES + BORDERS };
 
 typedef struct {
     tdmf_parameters parameters;
@@ -202,7 +202,7 @@ typedef struct {
 } scene_of_stride;
 
 /* A coordinate, or begin, end or friction of the patch. */
-static double *direction_of(scene_of_stride *scene, int k) {
+static double *coordinate_of(scene_of_stride *scene, int k) {
     double *const of_patch[BORDERS] = {&scene->parameters.ground.patch_begin,
                                        &scene->parameters.ground.patch_end,
                                        &scene->parameters.ground.patch_friction};
@@ -226,33 +226,33 @@ static void write_end(const tdmf_return *stride, double end[COORDINATES]) {
     end[FOOT_X] = stride->foot_x;
 }
 
-static void write_change(const tdmf_stride_variation *change, double end[COORDINATES]) {
-    memcpy(end, change->apex, sizeof change->apex);
-    end[FOOT_X] = change->foot_x;
+static void write_variation(const tdmf_stride_variation *variation, double end[COORDINATES]) {
+    memcpy(end, variation->apex, sizeof variation->apex);
+    end[FOOT_X] = variation->foot_x;
 }
 
-static void exact_change(const scene_of_stride *scene, int k, double change[COORDINATES]) {
-    scene_of_stride directions = {.at = {0.0}};
-    *direction_of(&directions, k) = 1.0;
-    const tdmf_seed along = {.parameters = directions.parameters};
-    const tdmf_return stride = stride_at(scene, k < COORDINATES ? NULL : &along);
-    write_change(&stride.variations[k < FOOT_X ? k : FOOT_X], change);
+static void exact_variation(const scene_of_stride *scene, int k, double variation[COORDINATES]) {
+    scene_of_stride moved = {.at = {0.0}};
+    *coordinate_of(&moved, k) = 1.0;
+    const tdmf_seed seed = {.parameters = moved.parameters};
+    const tdmf_return stride = stride_at(scene, k < COORDINATES ? NULL : &seed);
+    write_variation(&stride.variations[k < FOOT_X ? k : FOOT_X], variation);
 }
 
 /* Of eighth order. */
-static void difference(const scene_of_stride *scene, int k, double step, double change[COORDINATES]) {
+static void difference(const scene_of_stride *scene, int k, double step, double variation[COORDINATES]) {
     static const double weights[] = {4.0 / 5.0, -1.0 / 5.0, 4.0 / 105.0, -1.0 / 280.0};
-    memset(change, 0, COORDINATES * sizeof *change);
+    memset(variation, 0, COORDINATES * sizeof *variation);
     for (int i = 0; i < 8; ++i) {
         const int far = i / 2 + 1;
         const double sign = i % 2 == 0 ? 1.0 : -1.0;
         scene_of_stride moved = *scene;
         double end[COORDINATES];
-        *direction_of(&moved, k) += sign * far * step;
+        *coordinate_of(&moved, k) += sign * far * step;
         const tdmf_return stride = stride_at(&moved, NULL);
         write_end(&stride, end);
         for (int c = 0; c < COORDINATES; ++c) {
-            change[c] += sign * weights[far - 1] * end[c] / step;
+            variation[c] += sign * weights[far - 1] * end[c] / step;
         }
     }
 }
@@ -267,9 +267,9 @@ static void each_stride_is_differentiated_by_foot_x_and_patch(void **state) {
         if (run->begin == run->end || run->stribeck_velocity == 1e-4) {
             continue;
         }
-        for (int k = 0; k < DIRECTIONS; ++k) {
+        for (int k = 0; k < SEEDS; ++k) {
             double exact[COORDINATES], expected[COORDINATES], size = 1.0;
-            exact_change(&scene, k, exact);
+            exact_variation(&scene, k, exact);
             difference(&scene, k, i == 2 && k < 2 ? 1e-6 : 1e-5, expected); /* the third is near an edge */
             for (int c = 0; c < COORDINATES; ++c) {
                 size = fmax(size, fabs(exact[c]));
@@ -282,7 +282,7 @@ static void each_stride_is_differentiated_by_foot_x_and_patch(void **state) {
             moved_by_patch += k > FOOT_X && fabs(exact[0]) > 1e-6;
         }
     }
-    assert_int_equal(compared, 7 * DIRECTIONS * COORDINATES);
+    assert_int_equal(compared, 7 * SEEDS * COORDINATES);
     assert_true(moved_by_foot_x >= 4 && moved_by_patch >= 8);
 }
 
@@ -295,7 +295,7 @@ static void without_a_crossing_foot_x_is_carried_along(void **state) {
     scene.inputs.ground.friction = 0.6;
     scene.parameters.ground.patch_begin = 5.0;
     scene.parameters.ground.patch_end = 9.0;
-    exact_change(&scene, FOOT_X, by_foot_x);
+    exact_variation(&scene, FOOT_X, by_foot_x);
     for (int c = 0; c < FOOT_X; ++c) {
         assert_close(by_foot_x[c], 0.0, 1e-12);
     }

@@ -77,24 +77,24 @@ static void choose_start(random_source *source, runner *runner) {
     }
 }
 
-static void scale_randomly(random_source *source, double *value, double most) {
-    *value *= random_magnitude(source, 1.0 / most, most);
+static void scale_randomly(random_source *source, double *value, double max_factor) {
+    *value *= random_magnitude(source, 1.0 / max_factor, max_factor);
 }
 
 /* Table 1 and its gait, each number off by up to a third: these mostly run. */
 static runner near_the_gait(random_source *source) {
-    static const double most = 1.3;
+    static const double max_factor = 1.3;
     runner runner = runner_default(random_magnitude(source, 0.1, 10.0));
     tdmf_parameters p = runner.model.parameters;
     double *const varied[] = {&p.foot.mass,          &p.leg.damping, &p.gravity,
                               &p.hip.stance_torque,  &p.hip.kp,      &p.hip.kd,
                               &p.hip.touchdown_angle};
     for (size_t i = 0; i < sizeof varied / sizeof varied[0]; ++i) {
-        scale_randomly(source, varied[i], most);
+        scale_randomly(source, varied[i], max_factor);
     }
     assert_null(tdmf_model_create(&runner.model, &p).variable);
     for (int i = 0; i < TDMF_MECHANICAL_COUNT; ++i) {
-        scale_randomly(source, &runner.motion.state[i], i == TDMF_LEG_LENGTH ? 1.05 : most);
+        scale_randomly(source, &runner.motion.state[i], i == TDMF_LEG_LENGTH ? 1.05 : max_factor);
     }
     runner.inputs.hip.external_torque =
         random_chance(source, 0.5) ? 0.0 : random_uniform(source, -0.02, 0.02);

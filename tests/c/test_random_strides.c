@@ -19,7 +19,7 @@ enum {
     PATCH_BEGIN = TDMF_SECTION_COUNT + offsetof(tdmf_parameters, ground.patch_begin) / sizeof(double),
     PATCH_END = TDMF_SECTION_COUNT + offsetof(tdmf_parameters, ground.patch_end) / sizeof(double),
     SLOPE = TDMF_SECTION_COUNT + PARAMETERS + offsetof(tdmf_inputs, ground.slope) / sizeof(double),
-    DIRECTIONS = TDMF_SECTION_COUNT + PARAMETERS + INPUTS,
+    SEEDS = TDMF_SECTION_COUNT + PARAMETERS + INPUTS,
     PEAK_VERTICAL_FORCE = RESULTS - 1
 };
 
@@ -80,7 +80,7 @@ static start random_start(random_source *source) {
     return start;
 }
 
-static double *direction_of(start *start, int k) {
+static double *coordinate_of(start *start, int k) {
     if (k < TDMF_SECTION_COUNT) {
         return &start->section[k];
     }
@@ -119,7 +119,7 @@ static bool difference(const start *at, const tdmf_event_log *events, int k, dou
     static const double middle[2][5] = {{-2.0, -1.0, 0.0, 1.0, 2.0}, {1.0, -8.0, 0.0, 8.0, -1.0}};
     static const double ahead[2][5] = {{0.0, 1.0, 2.0, 3.0, 4.0}, {-25.0, 48.0, -36.0, 16.0, -3.0}};
     start there = *at;
-    double *moved = direction_of(&there, k);
+    double *moved = coordinate_of(&there, k);
     const double value = *moved;
     const bool starts_at_zero =
         value == 0.0 && (moved == &there.parameters.leg.damping || moved == &there.parameters.hip.kp ||
@@ -176,7 +176,7 @@ static void assert_is_differentiated(const start *at, int k, const estimate *est
     tdmf_seed seed;
     double derivatives[RESULTS];
     memset(&unit, 0, sizeof unit);
-    *direction_of(&unit, k) = 1.0;
+    *coordinate_of(&unit, k) = 1.0;
     seed.parameters = unit.parameters;
     seed.inputs = unit.inputs;
     const tdmf_return stride = stride_of(at, true, &seed, &log);
@@ -198,7 +198,7 @@ typedef struct {
 
 static void count_events(const start *at, const tdmf_event_log *events, int k, tally *tally) {
     start copy = *at;
-    tally->zeros += k >= TDMF_SECTION_COUNT && *direction_of(&copy, k) == 0.0;
+    tally->zeros += k >= TDMF_SECTION_COUNT && *coordinate_of(&copy, k) == 0.0;
     ++tally->compared;
     tally->sloped += at->inputs.ground.slope != 0.0;
     for (int i = 0; i < events->count; ++i) {
@@ -236,7 +236,7 @@ static void every_stride_is_differentiated(void **state) {
         if (stride_of(&start, false, NULL, &events).outcome != TDMF_RETURN_CLOSED) {
             continue;
         }
-        for (int k = 0; k < DIRECTIONS; ++k) {
+        for (int k = 0; k < SEEDS; ++k) {
             estimate estimate;
             if (k == PATCH_BEGIN || k == PATCH_END) { /* with a patch there is no map of six coordinates */
                 continue;

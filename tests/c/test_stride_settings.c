@@ -139,24 +139,24 @@ static void read_apex(const tdmf_record *record, double apex[TDMF_SECTION_COUNT]
     memcpy(apex, found, sizeof found);
 }
 
-static void assert_noted(const tdmf_ensemble_stride *note, const tdmf_motion *motion) {
+static void assert_recorded(const tdmf_ensemble_stride *recorded, const tdmf_motion *motion) {
     double apex[TDMF_SECTION_COUNT];
     const tdmf_stride *stride = &motion->record.stride;
     read_apex(&motion->record, apex);
     for (int j = 0; j < TDMF_SECTION_COUNT; ++j) {
-        assert_close(note->apex[j], apex[j], 1e-7);
+        assert_close(recorded->apex[j], apex[j], 1e-7);
     }
-    assert_string_equal(note->stride.word, stride->word);
-    assert_close(note->stride.period, stride->period, 1e-6);
-    assert_close(note->stride.length, stride->length, 1e-6);
-    assert_close(note->stride.work, stride->work, 1e-7);
-    assert_close(note->stride.leg_work, stride->leg_work, 1e-7);
-    assert_close(note->stride.rise, stride->rise, 1e-6);
-    assert_close(note->stride.slip_distance, stride->slip_distance, 1e-6);
-    assert_close(note->stride.peak_force, stride->peak_force, 1e-6);
-    assert_close(note->stride.peak_vertical_force, stride->peak_vertical_force, 1e-6);
-    assert_close(note->stride.positive_work, stride->positive_work, 1e-7);
-    assert_close(note->liftoff_angle, motion->mode.liftoff_angle, 1e-7);
+    assert_string_equal(recorded->stride.word, stride->word);
+    assert_close(recorded->stride.period, stride->period, 1e-6);
+    assert_close(recorded->stride.length, stride->length, 1e-6);
+    assert_close(recorded->stride.work, stride->work, 1e-7);
+    assert_close(recorded->stride.leg_work, stride->leg_work, 1e-7);
+    assert_close(recorded->stride.rise, stride->rise, 1e-6);
+    assert_close(recorded->stride.slip_distance, stride->slip_distance, 1e-6);
+    assert_close(recorded->stride.peak_force, stride->peak_force, 1e-6);
+    assert_close(recorded->stride.peak_vertical_force, stride->peak_vertical_force, 1e-6);
+    assert_close(recorded->stride.positive_work, stride->positive_work, 1e-7);
+    assert_close(recorded->liftoff_angle, motion->mode.liftoff_angle, 1e-7);
 }
 
 /* By the native solver, with model and inputs set at each apex. Returns the strides that close. */
@@ -171,11 +171,11 @@ static int stride_by_hand(const population *population, int number) {
     solver.relative_tolerance = population->ensemble.relative_tolerance;
     memcpy(apex, population->starts[number], sizeof apex);
     for (int stride = 0; stride < rules->max_strides; ++stride) {
-        const tdmf_ensemble_stride *note = &population->strides[number][stride];
+        const tdmf_ensemble_stride *recorded = &population->strides[number][stride];
         if (rules->law) {
             follow_law(population, number, stride, apex, values);
             for (int i = 0; i < SETTINGS; ++i) {
-                assert_close(note->set[i], values[i], 1e-7);
+                assert_close(recorded->set[i], values[i], 1e-7);
             }
         } else {
             memcpy(values, population->values[number][stride], sizeof values);
@@ -188,12 +188,12 @@ static int stride_by_hand(const population *population, int number) {
             assert_null(tdmf_start((tdmf_system){&model, &inputs}, &motion).variable);
         }
         inputs.ground.height += rules->roughness * tdmf_ground_step(seed, (uint64_t)number, (uint32_t)stride);
-        assert_close(note->ground_height, inputs.ground.height, 1e-12);
+        assert_close(recorded->ground_height, inputs.ground.height, 1e-12);
         tdmf_resolve((tdmf_system){&model, &inputs}, &motion);
         if (!tdmf_native_stride(&solver, (tdmf_system){&model, &inputs}, motion.time + 1e4, &motion).closed) {
             return stride;
         }
-        assert_noted(note, &motion);
+        assert_recorded(recorded, &motion);
         read_apex(&motion.record, apex);
         if (motion.mode.ground.height != inputs.ground.height ||
             motion.mode.ground.slope != inputs.ground.slope) {
@@ -204,7 +204,7 @@ static int stride_by_hand(const population *population, int number) {
 }
 
 static void run_in_all_lanes(population *population) {
-    const int most = population->its_case.rules.max_strides;
+    const int max_strides = population->its_case.rules.max_strides;
     int closed = 0, sets = 0;
     for (int set = TDMF_ONE_BY_ONE; set < TDMF_INSTRUCTIONS_COUNT; ++set) {
         population->ensemble.instructions = (tdmf_instructions)set;
@@ -215,12 +215,13 @@ static void run_in_all_lanes(population *population) {
         ++sets;
         for (int i = 0; i < RUNNERS; ++i) {
             assert_int_equal(population->ends[i].strides, stride_by_hand(population, i));
-            assert_int_equal(population->ends[i].fate,
-                             population->ends[i].strides == most ? TDMF_FATE_UNDECIDED : TDMF_FATE_FELL);
+            assert_int_equal(population->ends[i].fate, population->ends[i].strides == max_strides
+                                                           ? TDMF_FATE_UNDECIDED
+                                                           : TDMF_FATE_FELL);
             closed += population->ends[i].strides;
         }
     }
-    assert_true(sets >= 1 && closed > sets * RUNNERS * most / 2);
+    assert_true(sets >= 1 && closed > sets * RUNNERS * max_strides / 2);
 }
 
 static void given_settings_are_those_of_the_strides(void **unused) {
@@ -373,7 +374,7 @@ static int stride_by_reduced_map(const population *population, int number) {
     double x = 0.0;
     solver.relative_tolerance = population->ensemble.relative_tolerance;
     for (int stride = 0; stride < population->ends[number].strides; ++stride) {
-        const tdmf_ensemble_stride *note = &population->strides[number][stride];
+        const tdmf_ensemble_stride *recorded = &population->strides[number][stride];
         const double ground_before = inputs.ground.height + x * tan(inputs.ground.slope);
         set_by_hand(population, &model.parameters, &inputs, population->values[number][stride]);
         if (stride > 0) {
@@ -384,14 +385,14 @@ static int stride_by_reduced_map(const population *population, int number) {
         assert_int_equal(found.outcome, TDMF_RETURN_CLOSED);
         memcpy(apex, found.apex, sizeof apex);
         x += found.stride.length;
-        assert_close(note->apex[0], apex[0], 1e-7);
-        assert_close(note->apex[1], apex[1], 1e-7);
-        assert_close(note->stride.work, found.stride.work, 1e-7);
-        assert_close(note->stride.peak_force, found.stride.peak_force, 1e-7);
-        assert_close(note->stride.peak_vertical_force, found.stride.peak_vertical_force, 1e-7);
-        assert_close(note->stride.positive_work, found.stride.positive_work, 1e-7);
-        assert_close(note->liftoff_angle, found.liftoff_angle, 1e-7);
-        assert_close(note->friction_loss, found.friction_loss, 1e-7);
+        assert_close(recorded->apex[0], apex[0], 1e-7);
+        assert_close(recorded->apex[1], apex[1], 1e-7);
+        assert_close(recorded->stride.work, found.stride.work, 1e-7);
+        assert_close(recorded->stride.peak_force, found.stride.peak_force, 1e-7);
+        assert_close(recorded->stride.peak_vertical_force, found.stride.peak_vertical_force, 1e-7);
+        assert_close(recorded->stride.positive_work, found.stride.positive_work, 1e-7);
+        assert_close(recorded->liftoff_angle, found.liftoff_angle, 1e-7);
+        assert_close(recorded->friction_loss, found.friction_loss, 1e-7);
     }
     return population->ends[number].strides;
 }

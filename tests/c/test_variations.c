@@ -152,12 +152,12 @@ static bool compare_guard(guard_line on) {
     on.line.seed = zero;
     on.line.variation.liftoff_angle = 0.0;
     memcpy(on.line.variation.state, derivatives, sizeof derivatives);
-    const tdmf_local_seed along = tdmf_seed_of_motion(derivatives);
+    const tdmf_local_seed of_motion = tdmf_seed_of_motion(derivatives);
     /* No torque of a motion holds a foot under an upright leg in graze. */
     const bool moves =
         at->motion.mode.contact != TDMF_CONTACT_GRAZE || at->motion.state[TDMF_LEG_ANGLE] != 0.0;
     if (moves && is_smooth(&on, scene_short_time(at))) {
-        assert_guard_varies(&on, &along, scene_short_time(at));
+        assert_guard_varies(&on, &of_motion, scene_short_time(at));
     }
     return true;
 }

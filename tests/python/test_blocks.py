@@ -349,7 +349,7 @@ def test_no_more_blocks_are_in_hand_than_are_needed(tmp_path, monkeypatch):
         return future
 
     pending = {}
-    with interrupts.held() as interrupt:
+    with interrupts.deferred() as interrupt:
         results = blocks._as_they_come(submit, list(range(10)), 3, pending, interrupt)
         assert next(results) == (0, 0) and handed == [0, 1, 2] and len(pending) == 2
         assert next(results) == (1, 1) and handed == [0, 1, 2, 3] and len(pending) == 2
@@ -363,13 +363,13 @@ def test_no_more_blocks_are_in_hand_than_are_needed(tmp_path, monkeypatch):
 
 
 def test_an_interrupt_is_delivered_once_and_where_it_is_asked_for():
-    with interrupts.held() as interrupt:
+    with interrupts.deferred() as interrupt:
         signal.raise_signal(signal.SIGINT)
         with pytest.raises(KeyboardInterrupt):
             interrupt.deliver()
         interrupt.deliver()
-    with pytest.raises(KeyboardInterrupt), interrupts.held():
-        with interrupts.held():
+    with pytest.raises(KeyboardInterrupt), interrupts.deferred():
+        with interrupts.deferred():
             signal.raise_signal(signal.SIGINT)
         held_by_the_outer = True
     assert held_by_the_outer

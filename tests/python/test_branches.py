@@ -191,7 +191,7 @@ def code_of(word):
         (FAST_HUMAN, FRICTION, 0.6, 0.39, 2),
     ],
 )
-def test_a_word_border_is_where_plain_strides_change_their_word(unit, preset, name, begin, end, least):
+def test_a_word_border_is_where_plain_strides_change_their_word(unit, preset, name, begin, end, smallest):
     """On both sides, also of words that hold over 3e-6 of the parameter: side by side in the ensemble."""
     runner = Runner.of(read_parameters(preset) if preset else {}, unit)
     branch = continue_branch(runner, {name: (begin, end)}, switch=False, fmu=unit)
@@ -212,7 +212,7 @@ def test_a_word_border_is_where_plain_strides_change_their_word(unit, preset, na
     assert ends["word_code"].tolist() == [code_of(word) for word in words]
     for gait, apex in zip(gaits, ends["apex"], strict=True):
         assert apart(gait.runner, gait.apex, apex) < 1e-6
-    assert len(gaits) >= 2 * least
+    assert len(gaits) >= 2 * smallest
 
 
 def test_the_fast_humans_fold_is_where_plain_strides_lose_the_gait(unit):

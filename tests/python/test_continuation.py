@@ -196,8 +196,8 @@ def test_a_border_on_which_the_branch_turns_is_not_judged(human):
     """As near as gaits are told apart: no eigenvalue has to be 1 there, so that it is not called a fold."""
     family = Family(human, FRICTION)
     start = family.point(family.gait(0.6, find_gait(human).apex), np.append(np.zeros(6), -1.0))
-    end = family.on_plane(family.coordinates(start) + 0.5 * SHORTEST * start.direction, start.direction)
-    other = Point(replace(end.gait, word="+0-0+"), end.value, -start.direction)
+    end = family.on_plane(family.coordinates(start) + 0.5 * SHORTEST * start.tangent, start.tangent)
+    other = Point(replace(end.gait, word="+0-0+"), end.value, -start.tangent)
     borders, specials = special_points(family, start, other)
     assert [special.kind for special in specials] == ["word border", "not judged"]
     assert [(border.before, border.after) for border in borders] == [("+0+", "+0-0+")]
@@ -212,7 +212,7 @@ def test_stability_that_changes_at_a_border_is_not_judged(human):
     last = next(k for k, gait in enumerate(branch.gaits) if gait.word != word)
     towards = np.append(np.zeros(6), -1.0)
     start, end = (family.point(gait, towards) for gait in branch.gaits[last - 1 : last + 1])
-    jumping = Point(replace(end.gait, jacobian=1.2 * end.gait.jacobian), end.value, end.direction)
+    jumping = Point(replace(end.gait, jacobian=1.2 * end.gait.jacobian), end.value, end.tangent)
     assert (start.gait.unstable, jumping.gait.unstable) == (0, 1)
     _, specials = special_points(family, start, jumping)
     assert [special.kind for special in specials if special.kind != "word border"] == ["not judged"]

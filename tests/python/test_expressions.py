@@ -24,7 +24,7 @@ def expressions():
 
 @pytest.fixture(autouse=True)
 def fresh(expressions):
-    expressions.forget()
+    expressions.begin_anew()
 
 
 def spring(stiffness, damping, rest_length, length, rate):

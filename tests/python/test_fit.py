@@ -33,9 +33,9 @@ MEASURED = ("speed", "frequency", "stance_time", "duty_factor", "slip_distance",
 def measured(gait, names=MEASURED, error=0.005):
     """What a gait has, as if measured without error; a slip of none is told to a thousandth of a stride."""
     quantities = quantities_of(gait, names)
-    least = {"slip_distance": 1e-3 * gait.stride["length"]}
+    smallest = {"slip_distance": 1e-3 * gait.stride["length"]}
     return {
-        name: Measured(value, error * max(abs(value), least.get(name, 0.0)))
+        name: Measured(value, error * max(abs(value), smallest.get(name, 0.0)))
         for name, value in quantities.items()
     }
 

@@ -52,9 +52,9 @@ FIRST = {"ground.friction": 0.6}
 
 def measured(gait, names, error):
     """What a gait has, as if measured without error; a slip of none is told to a thousandth of a stride."""
-    least = {"slip_distance": 1e-3 * gait.stride["length"]}
+    smallest = {"slip_distance": 1e-3 * gait.stride["length"]}
     quantities = quantities_of(gait, names)
-    return {name: Measured(v, error * max(abs(v), least.get(name, 0.0))) for name, v in quantities.items()}
+    return {name: Measured(v, error * max(abs(v), smallest.get(name, 0.0))) for name, v in quantities.items()}
 
 
 def disturbed(row, random):

@@ -120,7 +120,7 @@ def program(derive, lanes):
         constants=constants_of,
         ramps={"pull": "drift"},
         rates={"distance_rate": "distance"},
-        noted=" ".join(QUANTITIES[2:]),
+        stored=" ".join(QUANTITIES[2:]),
         varied=" ".join(QUANTITIES[2:]),
         cases={"swinging": {}},
     )
@@ -222,7 +222,7 @@ def test_ends_vary_as_those_of_the_closed_form(coefficients):
         assert block[-3:] == pytest.approx([d_x, d_v, x * d_x + v * d_v], rel=1e-9, abs=1e-9), name
 
 
-def made_of(derive, quantities, noted, rates=()):
+def made_of(derive, quantities, stored, rates=()):
     """An oscillator of which a page makes `quantities`."""
     family = derive.table.Family(
         name="oscillator",
@@ -234,7 +234,7 @@ def made_of(derive, quantities, noted, rates=()):
         constants=constants_of,
         ramps={},
         rates=dict(rates),
-        noted=noted,
+        stored=stored,
         varied="",
         cases={"swinging": {}},
     )
@@ -295,4 +295,4 @@ def test_a_law_of_series_turns_by_the_rate_of_its_angle(derive):
 
     text = derive.laws.law_series(ahead, {"angle", "angle_rate"}, {})
     assert "const real *angle, real slope, const real *angle_rate, int order" in text
-    assert "turn_by(k, angle_minus_slope, angle_rate, ahead, cos_of_angle_minus_slope);" in text
+    assert "sine_and_cosine_term(k, angle_minus_slope, angle_rate, ahead, cos_of_angle_minus_slope);" in text

@@ -67,8 +67,8 @@ GOAL = Goal(QUANTITY, at_most={SUM: (1.0, 9.0)})
 def test_an_optimum_on_a_curved_border_is_found_and_told_by_both_sides(begin):
     """On the border the function is (x - 0.7)^2 + (0.4 + 0.3 (x - 0.5)^2)/2, the least where x = 1.55/2.3."""
     optimum = found(Functions(valley, 2.0), GOAL, begin)
-    least = 1.55 / 2.3
-    assert optimum.gait.at == pytest.approx([least, 0.4 + 0.3 * (least - 0.5) ** 2], abs=1e-4)
+    smallest = 1.55 / 2.3
+    assert optimum.gait.at == pytest.approx([smallest, 0.4 + 0.3 * (smallest - 0.5) ** 2], abs=1e-4)
     assert optimum.why == "" and set(optimum.falls) == {"A", "B"} and max(optimum.falls.values()) <= 1e-4
     assert abs(optimum.border.normal @ bend(optimum.gait.at)[1]) == pytest.approx(
         np.linalg.norm(bend(optimum.gait.at)[1]), rel=1e-6

@@ -89,16 +89,16 @@ def test_an_optimum_over_two_parameters_is_that_of_a_fine_grid():
     best = optimize(SLIPPING, over, minimize="cost_of_transport", target={"speed": 0.9}, starts=1)
     assert best.gait.stride["speed"] == pytest.approx(0.9, rel=1e-8)
     assert best.active_bounds == {} and best.why == ""
-    least = []
+    smallest = []
     for angle in best.parameters[ANGLE] + np.linspace(-0.05, 0.05, 11):
         row = sweep({**SLIPPING, ANGLE: angle}, {TORQUE: best.parameters[TORQUE] * np.linspace(0.9, 1.1, 9)})
         speeds, costs = (
             np.array([gait.stride[name] for gait in row.gaits]) for name in ("speed", "cost_of_transport")
         )
         assert speeds[0] < 0.9 < speeds[-1]
-        least.append(np.interp(0.9, speeds, costs))
-    assert np.argmin(least) == 5
-    assert min(least) == pytest.approx(best.value, abs=1e-5)
+        smallest.append(np.interp(0.9, speeds, costs))
+    assert np.argmin(smallest) == 5
+    assert min(smallest) == pytest.approx(best.value, abs=1e-5)
 
 
 def test_an_optimum_at_a_bound_says_so():

@@ -96,8 +96,8 @@ def test_a_grid_of_gaits_shows_speeds_and_words():
     assert labels(speeds) == (FRICTION, "leg.damping (N·s/m)")
     assert np.array_equal(speeds.collections[0].get_array().reshape(2, 2), grid["speed"])
     (legend_,) = [words.get_legend()]
-    told = [text.get_text() for text in legend_.get_texts()]
-    assert told == [style.word(word) for word in grid.words] and len(told) == 2
+    texts = [text.get_text() for text in legend_.get_texts()]
+    assert texts == [style.word(word) for word in grid.words] and len(texts) == 2
 
 
 def test_controllability_shows_modes_beside_the_unit_circle(gait):

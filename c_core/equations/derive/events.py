@@ -79,7 +79,7 @@ def guards() -> str:
         law = event.law if event.band == "by hand" else armed(event)
         parts.append(Function(InC(declared, law, call)).c_of_value())
         if event.varied:
-            parts.append(Function(InC(declared, event.law, call)).c_of_change())
+            parts.append(Function(InC(declared, event.law, call)).c_of_variation())
     includes = '#include "evaluation.h"\n#include "friction_laws.h"\n\n#include <math.h>\n'
     return header("guard_laws", "events.py", includes, *parts)
 

@@ -11,7 +11,7 @@ ARITHMETIC = {"+": operator.add, "-": operator.sub, "*": operator.mul, "negative
 FUNCTIONS = ("sqrt", "sin", "cos", "exp", "expm1", "log1p", "atan2", "abs", "larger", "plus_unless_zero")
 DERIVE = Path(__file__).parent
 
-Changes = dict["Expression", Any]
+Variations = dict["Expression", Any]
 
 
 def both_ways(operation: str) -> tuple[Callable[..., Any], Callable[..., Any]]:
@@ -90,7 +90,7 @@ def lift(value: Any) -> Expression:
     return value if isinstance(value, Expression) else Expression("number", value=Fraction(value))
 
 
-def forget() -> None:
+def begin_anew() -> None:
     """Begin anew, so that one file does not depend on what was written before it."""
     Expression.all.clear()
     Expression.names.clear()
@@ -161,16 +161,16 @@ VARIATIONS: dict[str, Callable[..., Expression]] = {
 }
 
 
-def derivative(expression: Expression, changes: Changes, prefix: str = "") -> Expression:
-    """Give the first variation, where `changes` has that of each leaf, or other part, that varies.
+def derivative(expression: Expression, variations: Variations, prefix: str = "") -> Expression:
+    """Give the first variation, where `variations` has that of each leaf, or other part, that varies.
 
     With a prefix, the variation of what has a name is called so, with that in front.
     """
-    found = {leaf: lift(change) for leaf, change in changes.items()}
-    for node in ordered([expression], changes):
+    found = {leaf: lift(variation) for leaf, variation in variations.items()}
+    for node in ordered([expression], variations):
         if node not in found:
             of_operands = [found[operand] for operand in node.operands]
-            varies = any(not change.is_number(0) for change in of_operands)
+            varies = any(not variation.is_number(0) for variation in of_operands)
             found[node] = lift(0)
             if varies:
                 found[node] = VARIATIONS[node.operation](node, *node.operands, *of_operands)
@@ -203,7 +203,7 @@ def leaves(roots: Iterable[Expression]) -> list[Expression]:
     return [node for node in ordered(roots) if node.operation == "symbol"]
 
 
-def replaced(expression: Expression, new: Changes) -> Expression:
+def replaced(expression: Expression, new: Variations) -> Expression:
     """Give an expression with some of its parts replaced; names stay."""
     for node in ordered([expression], new):
         if node not in new:

@@ -13,8 +13,8 @@ from ..motions import Family
 from .c import c_text, comment, struct
 from .expressions import (
     Expression,
+    begin_anew,
     derivative,
-    forget,
     leaves,
     lift,
     ordered,
@@ -80,18 +80,18 @@ class Motion:
     """One case of a family, traced alone: its expansion, and that of its variation."""
 
     def __init__(self, family: Family, case: str) -> None:
-        forget()
+        begin_anew()
         self.family, self.case = family, case
-        options = {"noted": "", "ramp": True} | family.cases[case]
-        names = f"{family.noted} {options.pop('noted')}".split()
-        held = {name: symbol(f"c->{name}", constant=True) for name in constants(family)}
+        options = {"stored": "", "ramp": True} | family.cases[case]
+        names = f"{family.stored} {options.pop('stored')}".split()
+        arguments = {name: symbol(f"c->{name}", constant=True) for name in constants(family)}
         for name, word in family.ramps.items():
             rate = symbol(f"c->{name}_rate", constant=True)
             marks = {"ramp": rate, "word": word} if options["ramp"] or word == "drift" else {"constant": True}
-            held[name] = symbol(f"c->{name}", **marks)
+            arguments[name] = symbol(f"c->{name}", **marks)
         del options["ramp"]
         states = {name: symbol(f"s->{name}") for name in states_of(family)}
-        found = vars(trace(family.page.motion, Record(**held), Record(**states), **options))
+        found = vars(trace(family.page.motion, Record(**arguments), Record(**states), **options))
         rates = {states[name]: lift(rate) for name, rate in vars(found.pop("rates")).items()}
         found = {name: lift(value) for name, value in found.items()}
         for name in [*found, *names]:
@@ -108,11 +108,13 @@ class Motion:
 
     def vary(self, varied: dict[str, Expression], rates: dict[Expression, Expression]) -> None:
         """Differentiate: the variation is an expansion, of which the motion's series are known."""
-        changes = {leaf: change_of(leaf) for leaf in leaves([*rates, *rates.values(), *varied.values()])}
+        variations = {
+            leaf: variation_of(leaf) for leaf in leaves([*rates, *rates.values(), *varied.values()])
+        }
         stored = {n: f"s->{n.name}" for n in self.value.nodes if kind_of(n) != "linear"} | self.value.arrays
         self.varied = Expansion(
-            {f"t->{name}": derivative(value, changes, "d_") for name, value in varied.items()},
-            {changes[state]: derivative(rate, changes, "d_") for state, rate in rates.items()},
+            {f"t->{name}": derivative(value, variations, "d_") for name, value in varied.items()},
+            {variations[state]: derivative(rate, variations, "d_") for state, rate in rates.items()},
             lambda name: f"t->{name.removeprefix('d_')}" if name.startswith("d_") else name,
             stored,
         )
@@ -171,13 +173,13 @@ class Motion:
         )
 
 
-def change_of(leaf: Expression) -> Expression:
+def variation_of(leaf: Expression) -> Expression:
     """Give the variation of a state, or of what is given."""
     if leaf.value.startswith("s->"):
         return symbol("t" + leaf.value[1:], f"d_{leaf.name}")
     marks = dict(leaf.marks)
     if "ramp" in marks:
-        marks["ramp"] = change_of(marks["ramp"])
+        marks["ramp"] = variation_of(marks["ramp"])
     return symbol("d" + leaf.value[1:], f"d_{leaf.name}", **marks)
 
 
@@ -195,9 +197,9 @@ def states_of(family: Family) -> list[str]:
 
 
 def series_of(family: Family) -> set[str]:
-    """Name the states, and what is noted in one case or another."""
-    noted = " ".join(case.get("noted", "") for case in family.cases.values())
-    return {*states_of(family), *family.noted.split(), *noted.split()}
+    """Name the states, and what is stored in one case or another."""
+    stored = " ".join(case.get("stored", "") for case in family.cases.values())
+    return {*states_of(family), *family.stored.split(), *stored.split()}
 
 
 def structs(family: Family) -> str:

@@ -9,7 +9,7 @@ from typing import Any
 from ..in_c import InC
 from ..motions import COORDINATES, FLIGHT, GUARDS, HEADERS, MOTIONS, OF_NUMBERS, STRUCTS
 from .c import comment, header, struct
-from .expressions import Expression, forget, lift, parameters, symbol, trace
+from .expressions import Expression, begin_anew, lift, parameters, symbol, trace
 from .motion import Family, Motion, end, series_of, states_of, structs
 from .series import Expansion, kind_of
 from .values import Function, members
@@ -27,13 +27,13 @@ do {{
 def of_cases(mode: str, name: str, cases: list[str]) -> str:
     """Write a header of some cases."""
     family, include = MOTIONS[name], "series_products.h" if mode == name else f"{name}_series.h"
-    parts = [structs(family), *along(family)] if mode == name else []
+    parts = [structs(family), *laws_of_coefficients(family)] if mode == name else []
     parts += [Motion(family, case).source() for case in cases]
     parts += [Motion(family, case).variation() for case in cases]
     return header(f"{mode}_series", f"{name}.py", f'#include "{include}"\n', *parts)
 
 
-def along(family: Family) -> list[str]:
+def laws_of_coefficients(family: Family) -> list[str]:
     """Write laws of what a motion depends on: how fast it is, and what drifts in any width."""
     of, drifting = f"{family.name}_coefficients *", [n for n, word in family.ramps.items() if word == "drift"]
 
@@ -77,7 +77,7 @@ def work(family: Family) -> str:
     """Write the work that the hip does in a step up to a time, by what is at its start and integrals."""
 
     def in_step(c: Any, s: Any, elapsed: Any, order: Any, turned: Any) -> Any:
-        states, known_to = states_of(family), {name: symbol("order - 1") for name in family.noted.split()}
+        states, known_to = states_of(family), {name: symbol("order - 1") for name in family.stored.split()}
         start = Record(**{name: symbol(f"s->{name}[0]") for name in states})
         known_to |= dict.fromkeys(states, order)
         integrals = {n: Expression("integral_to", getattr(s, n), elapsed, k) for n, k in known_to.items()}
@@ -108,7 +108,7 @@ def law_series(law: Callable[..., Any], series: set[str], structs: dict[str, tup
     A member of these that has a rate beside it drifts; an angle turns by the series of its rate. A law
     that is a product of series is made at once, after these.
     """
-    forget()
+    begin_anew()
     name, handed, declared = law.__name__, [], {}
     for n in parameters(law):
         declared[n], members = structs.get(n, (f"const real *{n}" if n in series else f"real {n}", []))

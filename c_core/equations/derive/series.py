@@ -25,8 +25,8 @@ RECURSIONS = {
     "ramp": ("b", "{ramp}_times({k}, {value}, {rate}, {b})"),
     "rate": ("a", "(double)({k} + 1) * {a}[{k} + 1]"),
     "exp": ("an", "exp_of({k}, {a}, {n})"),
-    "sin": ("arsc", "turn_by({k}, {a}, {r}, {s}, {c})"),
-    "cos": ("arsc", "turn_by({k}, {a}, {r}, {s}, {c})"),
+    "sin": ("arsc", "sine_and_cosine_term({k}, {a}, {r}, {s}, {c})"),
+    "cos": ("arsc", "sine_and_cosine_term({k}, {a}, {r}, {s}, {c})"),
 }
 WORDS = {"*": "_times_", "/": "_over_", "+": "_plus_", "-": "_minus_", "negative": "minus_"}
 
@@ -149,11 +149,11 @@ class Expansion:
     def linear(self, node: Expression, k: str) -> str:
         """Write coefficient k of a sum: constants stand in coefficient 0 alone, ramps in 0 and 1."""
         atoms = self.atoms(node)
-        held = dict.fromkeys(atoms, lift(0))
+        zeros = dict.fromkeys(atoms, lift(0))
         moving = lift(0)
         for atom in atoms:
-            moving = moving + derivative(node, {**held, atom: 1}) * symbol(self.coefficient(atom, k))
-        steady = replaced(node, held)
+            moving = moving + derivative(node, {**zeros, atom: 1}) * symbol(self.coefficient(atom, k))
+        steady = replaced(node, zeros)
         ramps = {leaf: leaf.marks["ramp"] for leaf in leaves([steady]) if "ramp" in leaf.marks}
         word = min(leaf.marks["word"] for leaf in ramps) if ramps else "constant"
         parts = [steady, derivative(steady, ramps)] if ramps else [steady]
@@ -178,7 +178,7 @@ class Expansion:
             return []
         array = f"{self.arrays[node]}[{k}]" if node in self.arrays else f"const real {node.name}"
         line = f"{self.recursion(node, k)};"
-        line = line if line.startswith("turn_by") else f"{array} = {line}"
+        line = line if line.startswith("sine_and_cosine_term") else f"{array} = {line}"
         formula = c_text(node, lambda part: part.name if part is not node else None)
         return [f"/* {node.name} = {formula} */", line] if self.by_pairs else [line]
 

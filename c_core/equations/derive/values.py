@@ -11,9 +11,19 @@ from collections.abc import Callable
 from types import SimpleNamespace as Record
 from typing import Any
 
-from ..in_c import ANGLES, FIXED, FLAGS, POINTERS, TYPES, WITHOUT_CHANGE, WORDS, InC
+from ..in_c import ANGLES, FIXED, FLAGS, POINTERS, TYPES, WITHOUT_VARIATION, WORDS, InC
 from .c import c_text, comment
-from .expressions import FUNCTIONS, Expression, derivative, forget, leaves, lift, ordered, parameters, trace
+from .expressions import (
+    FUNCTIONS,
+    Expression,
+    begin_anew,
+    derivative,
+    leaves,
+    lift,
+    ordered,
+    parameters,
+    trace,
+)
 
 decided: dict[str, bool] = {}
 known: dict[Expression, str] = {}  # what C has under a name already
@@ -109,7 +119,7 @@ class Function:
         given = {name: (TYPES | types).get(name, number) for name in [*names, "written"]}
         written = given.pop("written")
         self.types, self.written = given, {"written": written} if self.result == "void" else {}
-        self.fixed = {n for n, type_ in self.types.items() if type_ in WITHOUT_CHANGE or n in FIXED}
+        self.fixed = {n for n, type_ in self.types.items() if type_ in WITHOUT_VARIATION or n in FIXED}
 
     def run(self) -> dict[str, Expression]:
         """Give the law's results by their names as members, that of a single number as ''."""
@@ -124,12 +134,12 @@ class Function:
         results = self.run()
         if self.value:
             known.update({v: self.member(self.value, name) for name, v in results.items() if v.operands})
-        changes = {
+        variations = {
             leaf: symbol(f"d_{leaf.value}")
             for leaf in leaves(results.values())
             if re.split(r"\W", leaf.value)[0] not in self.fixed and not leaf.is_constant
         }
-        return {name: derivative(value, changes, "d_") for name, value in results.items()}
+        return {name: derivative(value, variations, "d_") for name, value in results.items()}
 
     def member(self, of: str, name: str) -> str:
         """Write where a result is, in what has all."""
@@ -141,13 +151,13 @@ class Function:
 
     def c(self) -> str:
         """Write the function, and its variation."""
-        return f"{self.c_of_value()}\n{self.c_of_change()}" if self.is_varied else self.c_of_value()
+        return f"{self.c_of_value()}\n{self.c_of_variation()}" if self.is_varied else self.c_of_value()
 
     def c_of_value(self) -> str:
         """Write the function alone."""
         return comment(self.law.__doc__) + self.function(self.name, self.types | self.written, self.run)
 
-    def c_of_change(self) -> str:
+    def c_of_variation(self) -> str:
         """Write its variation, which is handed the value, if it asks for that, and the changes."""
         types = dict(self.types)
         if self.value:
@@ -161,7 +171,7 @@ class Function:
 
     def function(self, name: str, types: dict[str, str], results: Callable[[], dict[str, Expression]]) -> str:
         """Write one C function."""
-        forget()
+        begin_anew()
         body = of_all_cases(lambda: self.statements(results(), types))
         voids = "".join(f"(void){n};\n" for n in types if not re.search(rf"(?<![.>])\b{n}\b", body))
         declared = ", ".join(f"{type_} {n}" for n, type_ in types.items())

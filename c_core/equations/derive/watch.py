@@ -13,7 +13,7 @@ from ..events import EVENTS, Event
 from ..in_c import InC
 from ..motions import BY_HAND, CASES, FLAGS, GIVEN, MODES, MOTIONS, PARAMETERS
 from .c import c_text, comment, header, struct
-from .expressions import Expression, derivative, forget, leaves, lift, parameters, replaced
+from .expressions import Expression, begin_anew, derivative, leaves, lift, parameters, replaced
 from .motion import series_of, states_of
 from .values import Function, symbol
 
@@ -28,7 +28,7 @@ static inline void watch_{motion}(event_search *search, const {motion}_constants
 
 def guard(event: Event, motion: str) -> tuple[Expression, str]:
     """Give an event's guard in a motion, and the series that it is, but for a factor and its start."""
-    forget()
+    begin_anew()
     law = getattr(MOTIONS[motion].page, event.name, None)
     if law is None:
         traced = lift(event.law(symbol("at", pointer=True)))

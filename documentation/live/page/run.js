@@ -96,7 +96,7 @@ export class Run {
   advanceOnce(until, toEvent) {
     const before = this.outputs;
     const { outcome, samples } = this.core.advance(until, SAMPLING * this.core.timeScale, toEvent);
-    this.note(samples);
+    this.record(samples);
     this.outputs = this.core.read();
     if (outcome !== ARRIVED && outcome !== FELL) {
       this.trouble = this.core.message;
@@ -115,17 +115,17 @@ export class Run {
     this.stanceIsOver = true;
   }
 
-  note(samples) {
+  record(samples) {
     for (const sample of samples) {
       const loaded = isLoaded(sample.mode);
       if (loaded) {
-        this.noteContact(sample);
+        this.recordContact(sample);
       }
       this.touching = loaded;
     }
   }
 
-  noteContact(sample) {
+  recordContact(sample) {
     if (this.stanceIsOver) {
       Object.assign(this, { lastStance: this.stance, stance: [], stanceIsOver: false });
     }

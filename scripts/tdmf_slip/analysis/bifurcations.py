@@ -156,7 +156,7 @@ def _neimark_sacker(point: Point) -> float:
 
 
 _TESTS: Mapping[str, Callable[[Point], float]] = {
-    FOLD: lambda point: float(point.direction[-1]),
+    FOLD: lambda point: float(point.tangent[-1]),
     PERIOD_DOUBLING: _period_doubling,
     NEIMARK_SACKER: _neimark_sacker,
 }

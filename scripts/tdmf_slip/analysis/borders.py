@@ -87,7 +87,7 @@ def crossings(family: Family, first: Point, last: Point) -> Iterator[Crossing]:
 
 def _turned(point: Point, like: Point) -> Point:
     """The point, with the direction that goes with another of the same smooth segment."""
-    return point if point.direction @ like.direction >= 0.0 else replace(point, direction=-point.direction)
+    return point if point.tangent @ like.tangent >= 0.0 else replace(point, tangent=-point.tangent)
 
 
 class _Chord:
@@ -149,7 +149,7 @@ def _border(chord: _Chord, inside: Point, last: Point) -> tuple[Point, Point]:
 
 def _approached(family: Family, point: Point, reach: float, way: int) -> Point:
     """The last point of the same word from one on, along its tangent, no farther than a reach."""
-    begin, direction = family.coordinates(point), way * point.direction
+    begin, direction = family.coordinates(point), way * point.tangent
     low, high, last = 0.0, reach, point
     while high - low > ROOT_ACCURACY:
         middle = 0.5 * (low + high)
@@ -159,7 +159,7 @@ def _approached(family: Family, point: Point, reach: float, way: int) -> Point:
         except (InputError, RunError):
             there = False
         if there:
-            low, last = middle, replace(tried, direction=point.direction)
+            low, last = middle, replace(tried, tangent=point.tangent)
         else:
             high = middle
     return last

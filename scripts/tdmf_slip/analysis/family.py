@@ -30,13 +30,13 @@ class Point(ByContents):
     """The gait."""
     value: float
     """Of the parameter."""
-    direction: NDArray[np.float64]
+    tangent: NDArray[np.float64]
     """Unit tangent of the branch, over the scales: the coordinates, then the parameter."""
 
     @property
     def rises(self) -> bool:
         """The parameter grows along the branch."""
-        return bool(self.direction[-1] > 0.0)
+        return bool(self.tangent[-1] > 0.0)
 
 
 class Family:

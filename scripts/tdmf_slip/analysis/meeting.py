@@ -102,6 +102,6 @@ class Track:
         where = f"back at the gait at {self.family.name} = {point.value:g}"
         if stride:
             return f"retraced: {where}, begun by another of its strides"
-        if point.direction @ following.direction > 0.0:
+        if point.tangent @ following.tangent > 0.0:
             return f"closed: {where}"
         return f"retraced: {where}, from the other side"

@@ -34,10 +34,10 @@ def next_point(family: Family, last: Point, step: float, largest: float) -> tupl
     """The next point by a step along the tangent, and how long the next step may be."""
 
     def attempt(step: float) -> tuple[Point, float]:
-        goal = family.coordinates(last) + step * last.direction
-        following = family.on_plane(goal, last.direction)
+        goal = family.coordinates(last) + step * last.tangent
+        following = family.on_plane(goal, last.tangent)
         off = float(np.linalg.norm(family.coordinates(following) - goal))
-        turns = following.direction @ last.direction < STRAIGHT
+        turns = following.tangent @ last.tangent < STRAIGHT
         if off > NEAR * step or (step > SHARP and (turns or off > FARTHEST * step)):
             raise RunError(f"the branch turns sharply at {family.name} = {last.value:g}")
         if not leads_back(family, following, last):
@@ -54,11 +54,11 @@ def past_corner(
     """Points of the branch beyond a change of the events at which it turns."""
     for distance in BEYOND:
         try:
-            other = family.evaluate(family.coordinates(last) + distance * last.direction)
+            other = family.evaluate(family.coordinates(last) + distance * last.tangent)
             if other.sequence == last.gait.sequence:
                 continue
-            tangent = family.point(other, last.direction).direction
-            for way in (last.direction, tangent, -tangent):
+            tangent = family.point(other, last.tangent).tangent
+            for way in (last.tangent, tangent, -tangent):
                 found = _on_other_side(family, last, distance * way)
                 if found and is_new([last, *found]):
                     return found
@@ -77,7 +77,7 @@ def _on_other_side(family: Family, last: Point, step: NDArray[np.float64]) -> li
     way = family.coordinates(found) - family.coordinates(last)
     if np.linalg.norm(way) > NEAR * length or found.gait.sequence == last.gait.sequence:
         return []
-    found = found if found.direction @ way > 0.0 else reverse(found)
+    found = found if found.tangent @ way > 0.0 else reverse(found)
     return [found] if leads_back(family, found, last) else _way_to(family, last, found)
 
 
@@ -106,4 +106,4 @@ def _way_to(family: Family, corner: Point, found: Point) -> list[Point]:
 
 def reverse(point: Point) -> Point:
     """The same point of the branch in the other direction."""
-    return replace(point, direction=-point.direction)
+    return replace(point, tangent=-point.tangent)

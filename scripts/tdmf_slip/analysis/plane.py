@@ -115,17 +115,17 @@ class Plane:
             if point is None or number % REFRESHED == 0:
                 point = self.evaluate(at)
             try:
-                change = self._change(at, point, goal, normal)
+                correction = self._correction(at, point, goal, normal)
             except np.linalg.LinAlgError:
                 break
-            at = at + change
-            if np.max(np.abs(change)) < CONVERGED:
+            at = at + correction
+            if np.max(np.abs(correction)) < CONVERGED:
                 found = self.evaluate(at)
                 if found.gait.error <= GOOD_ENOUGH:
                     return found
         raise RunError("no convergence")
 
-    def _change(
+    def _correction(
         self,
         at: NDArray[np.float64],
         near: CurvePoint,
@@ -135,8 +135,8 @@ class Plane:
         """A step of Newton's method from a point, with the derivatives of one near it."""
         gait = self.strides_at(at, self.names[0])
         off = [*(gait.left_over / self.scales[:-2]), self.zero(gait), (at - goal) @ normal]
-        change: NDArray[np.float64] = np.linalg.solve(np.vstack([near.matrix, normal]), -np.array(off))
-        return change
+        correction: NDArray[np.float64] = np.linalg.solve(np.vstack([near.matrix, normal]), -np.array(off))
+        return correction
 
     def leads_back(self, found: CurvePoint, known: CurvePoint) -> bool:
         """The corrector that starts from one point's tangent finds another, from which the first was found.
@@ -147,7 +147,7 @@ class Plane:
         goal = at = found.at - (way @ tangent) * tangent
         try:
             for _ in range(ITERATIONS):
-                at = at + self._change(at, found, goal, tangent)
+                at = at + self._correction(at, found, goal, tangent)
                 if np.linalg.norm(at - known.at) <= RETURNED * np.linalg.norm(way):
                     return True
         except (InputError, RunError, np.linalg.LinAlgError):

@@ -108,7 +108,7 @@ def _end_between(
 
 def _longest(family: Family, last: Point, limits: Limits) -> float:
     """The longest step from a point."""
-    rate = abs(last.direction[-1]) * family.scales[-1] * SMALLEST_PART
+    rate = abs(last.tangent[-1]) * family.scales[-1] * SMALLEST_PART
     span = limits.high - limits.low
     return float(min(limits.max_step, span / rate)) if rate > 0.0 else limits.max_step
 
@@ -131,7 +131,7 @@ def _lost(family: Family, last: Point, problem: Exception) -> str:
     if isinstance(problem, InputError):
         return f"limit of what is allowed at {where}: {problem}"
     try:
-        other = family.evaluate(family.coordinates(last) + BEYOND[0] * last.direction)
+        other = family.evaluate(family.coordinates(last) + BEYOND[0] * last.tangent)
     except (InputError, RunError) as fate:
         return f"the gait is lost at {where}: just beyond, {fate}"
     if other.sequence != last.gait.sequence:

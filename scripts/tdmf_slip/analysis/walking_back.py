@@ -17,8 +17,8 @@ def leads_back(family: Family, found: Point, known: Point) -> bool:
     Where it does not, they are of two branches, or the way from one to the other is too long.
     """
     begin, there = family.coordinates(found), family.coordinates(known)
-    goal = begin - ((begin - there) @ found.direction) * found.direction
-    return reaches(family, goal, found.direction, there, float(np.linalg.norm(begin - there)))
+    goal = begin - ((begin - there) @ found.tangent) * found.tangent
+    return reaches(family, goal, found.tangent, there, float(np.linalg.norm(begin - there)))
 
 
 def reaches(

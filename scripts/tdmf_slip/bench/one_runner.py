@@ -87,7 +87,7 @@ def _strides(peer: Peer, apex: Apex, count: int) -> None:
 def measure_peer(peer_of: type[Peer], many: Runners, strides: int) -> Iterator[Measurement]:
     """Time a peer that makes one stride at a time."""
     apex = many.gait.apex
-    with interrupts.held():  # a compiler may lose one
+    with interrupts.deferred():  # a compiler may lose one
         peer_of(max(TOLERANCES)).stride(apex)
 
     def error_at(tolerance: float) -> float:

@@ -48,7 +48,7 @@ def run_blocks(
         yield ((number, work(block)) for number, block in enumerate(blocks))
         return
     pending: dict[Future[Any], int] = {}
-    with interrupts.held() as interrupt:
+    with interrupts.deferred() as interrupt:
         if scheduler is None:
             with Threads(here) as pool:
                 yield _as_they_come(

@@ -79,7 +79,7 @@ class LazyGroup(click.Group):
         """The command of a name, or None."""
         if cmd_name not in COMMANDS:
             return None
-        with interrupts.held():
+        with interrupts.deferred():
             module = importlib.import_module(f".{module_of(cmd_name)}", __package__)
         command: click.Command = getattr(module, f"{cmd_name}_command")
         return command
@@ -116,14 +116,14 @@ def main(arguments: list[str] | None = None) -> int:
     except SystemExit as end:
         return end.code if isinstance(end.code, int) else 1
     except BrokenPipeError:
-        _forget_stdout()
+        _abandon_stdout()
         return 1
     except OSError as problem:  # files are dealt with where they are written
-        _forget_stdout()
+        _abandon_stdout()
         return _complain(f"the results cannot be printed: {problem.strerror}", 1)
 
 
-def _forget_stdout() -> None:
+def _abandon_stdout() -> None:
     """Python flushes once more at its end."""
     os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 

@@ -36,7 +36,7 @@ class RowFile:
     def write(self, names: Sequence[str], rows: Sequence[int]) -> None:
         """Write rows of variables, each whole before the next: what tells of a row is ready comes last."""
         try:
-            with interrupts.held(), destination(self.path, str(self.path)).open("r+b") as file:
+            with interrupts.deferred(), destination(self.path, str(self.path)).open("r+b") as file:
                 for name in names:
                     values = self.data[name].values
                     for row in rows:

@@ -37,7 +37,7 @@ def whole(path: Path) -> Iterator[Path]:
     InputError
         Nothing can be written there.
     """
-    with interrupts.held():
+    with interrupts.deferred():
         yield from _whole(path)
 
 

@@ -19,7 +19,7 @@ from .runner import Runner
 from .section import COORDINATES, Apex
 from .structs import Struct
 
-HELD_ON_TERRAIN = ("ground.height", "ground.slope", "body.external_fx", "body.external_fy")
+CONSTANT_ON_TERRAIN = ("ground.height", "ground.slope", "body.external_fx", "body.external_fy")
 """What no law sets on a terrain."""
 LARGEST = 1e100
 """Of a ball's numbers: beyond, the library refuses them."""
@@ -69,7 +69,7 @@ class Case(ByContents):
 
 def _check_keeps_terrain(law: AffineLaw) -> None:
     for name in law.inputs:
-        if name in HELD_ON_TERRAIN:
+        if name in CONSTANT_ON_TERRAIN:
             raise InputError(f"law sets {name} on a terrain (segment_length); allowed: it sets others")
 
 

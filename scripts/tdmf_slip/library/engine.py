@@ -51,7 +51,7 @@ def _run_beside(ensemble: Ensemble, ends: NDArray[np.void], work: Any) -> bool:
 
     ended.acquire()
     try:
-        with interrupts.held() as interrupt:
+        with interrupts.deferred() as interrupt:
             threading.Thread(target=engine, name=ENGINE, daemon=True).start()
             problem = _wait(results, ended, interrupt, stop)
     finally:

@@ -22,7 +22,7 @@ from .binding import c, ffi
 from .maps import map_of, why_no_gait
 from .measures import STRIDE_QUANTITIES, all_measures
 from .members import check_has_gaits
-from .return_map import Along, derivatives, direction
+from .return_map import Along, derivatives, seed_of
 from .runner import Runner, text_of
 from .section import COORDINATES, REDUCED, Apex, checked_apex
 from .structs import EventLog, Return
@@ -205,11 +205,11 @@ def settled_gait(runner: Runner, *, along: Along | None = None) -> Gait:
 def _search(runner: Runner, apex: NDArray[np.float64], settling: int, along: Along | None) -> Gait:
     """By Newton's method, after so many strides."""
     check_has_gaits(runner.values[FRICTION])
-    change, map = direction(along), map_of(runner)
+    seed, map = seed_of(along), map_of(runner)
     log: EventLog = ffi.new("tdmf_event_log *")
     solver, section = runner.solver(log), ffi.new("double[]", list(apex))
     ran = settling and map.settle(solver, runner.system, settling, section)
-    found = map.find(solver, runner.system, section, change, change != ffi.NULL)
+    found = map.find(solver, runner.system, section, seed, seed != ffi.NULL)
     if found.outcome != c.TDMF_ORBIT_FOUND:
         raise GaitNotFoundError(why_no_gait(runner, found, ran < settling, ran))
     log.count = 0

@@ -26,7 +26,7 @@ def stride_from(
     """One stride from an apex: the next apex, and how it changes."""
     runner = Runner.of(runner)
     map, section = map_of(runner), list(checked_apex(apex, runner.coordinates))
-    stride = map.stride(runner.solver(), runner.system, section, np.inf, True, direction(along), 1)
+    stride = map.stride(runner.solver(), runner.system, section, np.inf, True, seed_of(along), 1)
     why_not = why_no_return(stride)
     if why_not is not None:
         raise RunError(f"no stride closes at friction {runner.values[FRICTION]:g}: {why_not}")
@@ -66,7 +66,7 @@ def derivatives(runner: Runner, stride: Return) -> tuple[NDArray[np.float64], ND
     return jacobian, by_parameter
 
 
-def direction(along: Along | None) -> Struct:
+def seed_of(along: Along | None) -> Struct:
     """The direction of a parameter or input, or of several, as the library's `tdmf_seed *`; NULL for none.
 
     Parameters
@@ -87,12 +87,12 @@ def direction(along: Along | None) -> Struct:
     if along is None:
         nothing: Struct = ffi.NULL
         return nothing
-    change: Struct = ffi.new("tdmf_seed *")
+    seed: Struct = ffi.new("tdmf_seed *")
     shares = along.items() if isinstance(along, Mapping) else [(along, 1.0)]
     for name, share in shares:
         check_varied(name, "along")
         for members, part in ((PARAMETERS, "parameters"), (INPUTS, "inputs")):
             for member in members:
                 if member.name == name:
-                    member.write(getattr(change, part), share)
-    return change
+                    member.write(getattr(seed, part), share)
+    return seed

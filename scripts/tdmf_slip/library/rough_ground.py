@@ -148,10 +148,10 @@ class RoughGround:
         """
         if not self.segment_length:
             return
-        least = MIN_SEGMENT * float(scales[0])
-        if self.segment_length < least:
+        shortest = MIN_SEGMENT * float(scales[0])
+        if self.segment_length < shortest:
             raise InputError(
-                f"segment_length = {self.segment_length:g} m is not allowed; allowed: {least:g} m or more"
+                f"segment_length = {self.segment_length:g} m is not allowed; allowed: {shortest:g} m or more"
             )
         for name in ("ground.slope", "body.external_fx", "body.external_fy"):
             if values.get(name, 0.0) != 0.0:

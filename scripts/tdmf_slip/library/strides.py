@@ -18,7 +18,7 @@ from .gait import Gait, gait_near, gait_of_stride
 from .maps import map_of, why_no_return
 from .measures import APEX_QUANTITIES
 from .members import check_has_gaits
-from .return_map import Along, direction
+from .return_map import Along, seed_of
 from .runner import Runner
 from .section import Apex, checked_apex
 from .structs import EventLog
@@ -97,14 +97,14 @@ def _stride(
 ) -> tuple[NDArray[np.float64], Gait]:
     """The next apex, and the stride as a gait that need not close."""
     log: EventLog = ffi.new("tdmf_event_log *")
-    change, map = direction(along), map_of(runner)
+    seed, map = seed_of(along), map_of(runner)
     stride = map.measured_stride(
         runner.solver(log),
         runner.system,
         list(apex),
         longest_stride(runner),
         True,
-        change,
+        seed,
         along is not None,
     )
     why_not = why_no_return(stride)

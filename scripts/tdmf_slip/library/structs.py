@@ -51,7 +51,7 @@ class Measured(Protocol):
     measures: Measures
 
 
-class StrideChange(Measured, Protocol):
+class StrideVariation(Measured, Protocol):
     """`tdmf_stride_variation`: how next apex and stride change with something."""
 
     apex: Sequence[float]
@@ -79,7 +79,7 @@ class Return(Measured, Protocol):
     liftoff_angle: float
     outcome: int
     solver: int
-    variations: Sequence[StrideChange]
+    variations: Sequence[StrideVariation]
     """Along the coordinates of the start, and after them along the seeds."""
 
 
@@ -167,7 +167,7 @@ class ClassicPoint(Protocol):
     vy: float
 
 
-class ClassicChange(Protocol):
+class ClassicVariation(Protocol):
     """`tdmf_classic_change`: how the next apex and the length of a step change with something."""
 
     height: float
@@ -188,8 +188,8 @@ class ClassicStep(Protocol):
     next_height: float
     next_speed: float
     next_energy: float
-    by_height: ClassicChange
-    by_energy: ClassicChange
-    by_touchdown_angle: ClassicChange
-    by_ground_slope: ClassicChange
-    by_retraction_rate: ClassicChange
+    by_height: ClassicVariation
+    by_energy: ClassicVariation
+    by_touchdown_angle: ClassicVariation
+    by_ground_slope: ClassicVariation
+    by_retraction_rate: ClassicVariation

@@ -17,14 +17,14 @@ from .maps import map_of, why_no_return
 from .measures import APEX_QUANTITIES, MEASURES, all_measures, apex_quantities, measures_of, weight_of
 from .members import check_has_gaits
 from .quantities import check_quantities, quantity_of
-from .return_map import direction
+from .return_map import seed_of
 from .runner import Runner, text_of
 from .strides import longest_stride
-from .structs import Return, StrideChange
+from .structs import Return, StrideVariation
 
 _PER_DISTANCE = {"cost_of_transport": "work", "positive_cost_of_transport": "positive_work"}
 _MEASURED = tuple(name for name in MEASURES if name not in (*APEX_QUANTITIES, *_PER_DISTANCE))
-_CHANGED = (
+_VARIED = (
     "period",
     "length",
     "work",
@@ -34,7 +34,7 @@ _CHANGED = (
     "peak_vertical_force",
 )
 """Of these the library has derivatives, of either map."""
-_READ = (*_CHANGED, "speed", "duty_factor", "cost_of_transport")
+_READ = (*_VARIED, "speed", "duty_factor", "cost_of_transport")
 """Of the library's stride."""
 
 
@@ -55,13 +55,13 @@ def varied_stride(
 ) -> VariedStride:
     """One stride from an apex, whether it leads back there or not, with all its derivatives."""
     check_quantities(runner, names)
-    stride, changes = _changes(runner, apex, parameters)
+    stride, variations = _variations(runner, apex, parameters)
     reported = _read(runner, apex, stride)
-    changed = _changed(runner)
-    d_apex, d_stride = changes[: len(apex)], dict(zip(changed, changes[len(apex) :], strict=True))
-    d_stride |= _apex_changes(runner, changes.shape[1])
-    d_weight = np.array([0.0] * len(apex) + [_weight_change(runner, name) for name in parameters])
-    rows = [_change(runner, name, reported, d_stride, d_weight) for name in names]
+    varied = _varied(runner)
+    d_apex, d_stride = variations[: len(apex)], dict(zip(varied, variations[len(apex) :], strict=True))
+    d_stride |= _apex_variations(runner, variations.shape[1])
+    d_weight = np.array([0.0] * len(apex) + [_weight_variation(runner, name) for name in parameters])
+    rows = [_variation(runner, name, reported, d_stride, d_weight) for name in names]
     by_all = np.vstack([d_apex - np.eye(*d_apex.shape), *rows])
     if not np.isfinite(by_all).all():
         raise RunError("a stride is on the edge of an event or of a law, where it has no derivatives")
@@ -93,10 +93,10 @@ def plain_stride(runner: Runner, apex: NDArray[np.float64], names: Sequence[str]
     )
 
 
-def _changes(
+def _variations(
     runner: Runner, apex: NDArray[np.float64], parameters: Sequence[str]
 ) -> tuple[Return, NDArray[np.float64]]:
-    """The stride; and changes of the next apex and `_changed`, in rows, by coordinates and parameters.
+    """The stride; and variations of the next apex and `_varied`, in rows, by coordinates and parameters.
 
     The library differentiates by a few parameters at a time.
     """
@@ -110,19 +110,19 @@ def _changes(
     return strides[0], np.array(columns).T
 
 
-def _changed(runner: Runner) -> tuple[str, ...]:
+def _varied(runner: Runner) -> tuple[str, ...]:
     """Of these the library has derivatives."""
-    return _CHANGED if runner.reduced else (*_CHANGED, *_MEASURED)
+    return _VARIED if runner.reduced else (*_VARIED, *_MEASURED)
 
 
-def _column(runner: Runner, change: StrideChange) -> list[float]:
-    measures = {} if runner.reduced else measures_of(change)
-    basic = {name: float(getattr(change, name)) for name in _CHANGED}
-    apex = change.apex[0 : len(runner.coordinates)]
-    return [*apex, *({**basic, **measures}[name] for name in _changed(runner))]
+def _column(runner: Runner, variation: StrideVariation) -> list[float]:
+    measures = {} if runner.reduced else measures_of(variation)
+    basic = {name: float(getattr(variation, name)) for name in _VARIED}
+    apex = variation.apex[0 : len(runner.coordinates)]
+    return [*apex, *({**basic, **measures}[name] for name in _varied(runner))]
 
 
-def _apex_changes(runner: Runner, count: int) -> dict[str, NDArray[np.float64]]:
+def _apex_variations(runner: Runner, count: int) -> dict[str, NDArray[np.float64]]:
     """Of the same, by so many coordinates and parameters."""
     rows = dict(zip(runner.coordinates, np.eye(count), strict=False))
     return {name: rows[of] for name, of in APEX_QUANTITIES.items() if of in rows}
@@ -132,16 +132,16 @@ def _stride(
     runner: Runner, apex: NDArray[np.float64], parameters: Sequence[str], derivatives: bool
 ) -> Return:
     check_has_gaits(runner.values[FRICTION])
-    map, changes = map_of(runner), ffi.new("tdmf_seed[]", len(parameters) or 1)
+    map, seeds = map_of(runner), ffi.new("tdmf_seed[]", len(parameters) or 1)
     for k, name in enumerate(parameters):
-        changes[k] = direction(name)[0]
+        seeds[k] = seed_of(name)[0]
     stride = map.measured_stride(
         runner.solver(),
         runner.system,
         list(apex),
         longest_stride(runner),
         derivatives,
-        changes,
+        seeds,
         len(parameters),
     )
     why_not = why_no_return(stride)
@@ -156,20 +156,20 @@ def _read(runner: Runner, apex: NDArray[np.float64], stride: Return) -> dict[str
     return {**basic, **measures}
 
 
-def _weight_change(runner: Runner, name: str) -> float:
+def _weight_variation(runner: Runner, name: str) -> float:
     if name in ("body.mass", "foot.mass"):
         return runner.values["gravity"]
     return runner.values["body.mass"] + runner.values["foot.mass"] if name == "gravity" else 0.0
 
 
-def _change(
+def _variation(
     runner: Runner,
     name: str,
     stride: Mapping[str, float],
     d_stride: Mapping[str, NDArray[np.float64]],
     d_weight: NDArray[np.float64],
 ) -> NDArray[np.float64]:
-    """Of a quantity, by the rules of differentiation, from the changes of `_changed`."""
+    """Of a quantity, by the rules of differentiation, from the seeds of `_varied`."""
     if name in d_stride:
         return d_stride[name]
     if name == "frequency":

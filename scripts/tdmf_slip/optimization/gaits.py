@@ -112,14 +112,14 @@ class Gaits:
     def _spectrum(self, gait: Gait, at: NDArray[np.float64], apex_slopes: NDArray[np.float64]) -> Spectrum:
         """Of a gait; without slopes where it has none, unless a limit is near and they matter."""
         try:
-            return spectrum_of(gait.jacobian, self._jacobian_changes(gait, at, apex_slopes))
+            return spectrum_of(gait.jacobian, self._jacobian_variations(gait, at, apex_slopes))
         except RunError:
             spectrum = spectrum_of(gait.jacobian, [np.zeros_like(gait.jacobian)] * len(at), simple=False)
             if spectrum.sizes[0] > self.radius - ROOM or spectrum.fold < OFF_FOLDS:
                 raise
             return spectrum
 
-    def _jacobian_changes(
+    def _jacobian_variations(
         self, gait: Gait, at: NDArray[np.float64], apex_slopes: NDArray[np.float64]
     ) -> list[NDArray[np.float64]]:
         """Of the map's Jacobian along the gaits, by each parameter.
@@ -133,17 +133,19 @@ class Gaits:
                 runner = self.space.runner_at(self.runner, at + step * direction)
                 return strides_from(runner, gait.apex + step * (apex_slopes @ direction))
 
-            return _jacobian_change(gait, stride)
+            return _jacobian_variation(gait, stride)
 
-        axes, changes, left = np.eye(len(at)), {}, []
+        axes, variations, left = np.eye(len(at)), {}, []
         for k, axis in enumerate(axes):
             try:
-                changes[k] = along(axis)
+                variations[k] = along(axis)
             except RunError:
                 left.append(k)
         for k in left:
-            changes[k] = self._between(along, axes, k, {j: changes[j] for j in changes if j not in left})
-        return [changes[k] for k in range(len(at))]
+            variations[k] = self._between(
+                along, axes, k, {j: variations[j] for j in variations if j not in left}
+            )
+        return [variations[k] for k in range(len(at))]
 
     def _between(
         self,
@@ -153,9 +155,9 @@ class Gaits:
         known: Mapping[int, NDArray[np.float64]],
     ) -> NDArray[np.float64]:
         """The change by a parameter, from that in a direction between it and another."""
-        for (other, change), slant in product(known.items(), SLANTS):
+        for (other, variation), slant in product(known.items(), SLANTS):
             try:
-                return along(axes[number] + slant * axes[other]) - slant * change
+                return along(axes[number] + slant * axes[other]) - slant * variation
             except RunError:
                 continue
         raise RunError(ON_EDGE)
@@ -212,7 +214,7 @@ def _orientation(gait: Gait) -> bool:
     return bool(np.linalg.det(np.eye(len(gait.jacobian)) - gait.jacobian) > 0.0)
 
 
-def _jacobian_change(gait: Gait, stride: Callable[[float], Gait]) -> NDArray[np.float64]:
+def _jacobian_variation(gait: Gait, stride: Callable[[float], Gait]) -> NDArray[np.float64]:
     """By strides on both sides of a gait, or on one, where on the other is another region or nothing."""
     for length, weights in product(DIFFERENCES, (CENTRAL, FORWARD, BACKWARD, OPEN_FORWARD, OPEN_BACKWARD)):
         try:
@@ -221,6 +223,6 @@ def _jacobian_change(gait: Gait, stride: Callable[[float], Gait]) -> NDArray[np.
             continue
         if len({other.sequence for other in gaits}) == 1 and gaits[0].word == gait.word:
             terms = [w / length * other.jacobian for w, other in zip(weights.values(), gaits, strict=True)]
-            change: NDArray[np.float64] = np.sum(terms, axis=0)
-            return change
+            variation: NDArray[np.float64] = np.sum(terms, axis=0)
+            return variation
     raise RunError(ON_EDGE)

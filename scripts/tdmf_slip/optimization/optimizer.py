@@ -155,12 +155,12 @@ class Optimizer:
         wanted = [f"{name} {value:.6g}" for name, value in goal.at.items()]
         wanted += [
             f"{name} of {limit:.6g} at the {'most' if sign > 0.0 else 'least'}"
-            for name, (sign, limit) in goal.at_most.items()
+            for name, (sign, limit) in goal.upper_limits.items()
         ]
         wanted += [f"a spectral radius of {goal.radius:g} at the most"] if goal.radius is not None else []
         values = reported(found.gait.gait)
         end = f"; the search ended there: {found.why}" if found.why else ""
-        names = [*goal.at, *goal.at_most, *(["lambda_max"] if goal.radius is not None else [])]
+        names = [*goal.at, *goal.upper_limits, *(["lambda_max"] if goal.radius is not None else [])]
         has = ", ".join(f"{name} {values[name]:.6g}" for name in names)
         at = ", ".join(f"{name} = {value:.6g}" for name, value in self.space.values(found.gait.at).items())
         return TargetNotMetError(

@@ -137,8 +137,8 @@ def _between(
     first, second = goals
     low, high = (reported(start.gait)[second.objective] for start in (begin, end))
     for limit in np.linspace(low, high, count)[1:-1]:
-        at_most = {second.objective: (second.sign, float(limit))}
-        goal = Goal(first.objective, first.sign, first.at, at_most, first.radius)
+        upper_limits = {second.objective: (second.sign, float(limit))}
+        goal = Goal(first.objective, first.sign, first.at, upper_limits, first.radius)
         try:
             found = optimizer.best(goal, bar, (begin, end))
         except TargetNotMetError:

@@ -42,7 +42,7 @@ class Goal(ByContents):
     """1 to minimize, -1 to maximize."""
     at: Mapping[str, float] = field(default_factory=dict)
     """Quantities that are prescribed."""
-    at_most: Mapping[str, tuple[float, float]] = field(default_factory=dict)
+    upper_limits: Mapping[str, tuple[float, float]] = field(default_factory=dict)
     """By quantity a sign and a limit: sign times the quantity is to be sign times the limit at the most."""
     radius: float | None = None
     """The largest spectral radius, if any is asked for."""
@@ -57,7 +57,7 @@ class Goal(ByContents):
     @property
     def names(self) -> tuple[str, ...]:
         """Of all quantities in it, each once."""
-        return tuple(dict.fromkeys((self.objective, *self.at, *self.at_most)))
+        return tuple(dict.fromkeys((self.objective, *self.at, *self.upper_limits)))
 
 
 class Problem:
@@ -84,9 +84,9 @@ class Problem:
     def margins(self, gait: Candidate) -> Rows:
         """What is to be zero or more."""
         goal = self.goal
-        rows = [goal.names.index(name) for name in goal.at_most]
-        scales = np.array([sign / self.scales[name] for name, (sign, _) in goal.at_most.items()])
-        left = scales * (np.array([limit for _, limit in goal.at_most.values()]) - gait.values[rows])
+        rows = [goal.names.index(name) for name in goal.upper_limits]
+        scales = np.array([sign / self.scales[name] for name, (sign, _) in goal.upper_limits.items()])
+        left = scales * (np.array([limit for _, limit in goal.upper_limits.values()]) - gait.values[rows])
         slopes = -scales[:, None] * gait.slopes[rows]
         spectrum = gait.spectrum
         if goal.radius is not None:
@@ -113,7 +113,7 @@ class Problem:
         off = sum(abs(by_name[name] - value) / self.scales[name] for name, value in goal.at.items())
         over = sum(
             max(0.0, sign * (by_name[name] - limit)) / self.scales[name]
-            for name, (sign, limit) in goal.at_most.items()
+            for name, (sign, limit) in goal.upper_limits.items()
         )
         return float(
             goal.sign * by_name[goal.objective] / self.scales[goal.objective] + weight * (off + over)

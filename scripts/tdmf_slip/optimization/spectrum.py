@@ -53,28 +53,28 @@ class Spectrum(ByContents):
 
 
 def spectrum_of(
-    jacobian: NDArray[np.float64], changes: Sequence[NDArray[np.float64]], simple: bool = True
+    jacobian: NDArray[np.float64], variations: Sequence[NDArray[np.float64]], simple: bool = True
 ) -> Spectrum:
     """The leading eigenvalues' sizes, and how they change."""
     values, right = np.linalg.eig(jacobian)
     leading = [k for k in np.argsort(-np.abs(values), kind="stable") if values[k].imag >= 0.0][:LEADING]
-    sizes, slopes = np.zeros(LEADING), np.zeros((LEADING, len(changes)))
+    sizes, slopes = np.zeros(LEADING), np.zeros((LEADING, len(variations)))
     positive = np.zeros(LEADING, dtype=bool)
     for row, k in enumerate(leading):
         sizes[row] = abs(values[k])
         positive[row] = values[k].imag == 0.0 and values[k].real > 0.0
         if simple and sizes[row] > MINIMUM:
-            slopes[row] = _slopes(jacobian, values[k], right[:, k], changes)
-    return Spectrum(sizes, slopes, positive, *_fold(jacobian, changes))
+            slopes[row] = _slopes(jacobian, values[k], right[:, k], variations)
+    return Spectrum(sizes, slopes, positive, *_fold(jacobian, variations))
 
 
 def _fold(
-    jacobian: NDArray[np.float64], changes: Sequence[NDArray[np.float64]]
+    jacobian: NDArray[np.float64], variations: Sequence[NDArray[np.float64]]
 ) -> tuple[float, NDArray[np.float64]]:
     """By Jacobi's formula for the derivative of a determinant."""
     matrix = np.eye(len(jacobian)) - jacobian
     fold = float(np.linalg.det(matrix)) ** 2
-    traces = [np.trace(np.linalg.solve(matrix, change)) for change in changes]
+    traces = [np.trace(np.linalg.solve(matrix, variation)) for variation in variations]
     return fold, -2.0 * fold * np.array(traces)
 
 
@@ -82,7 +82,7 @@ def _slopes(
     jacobian: NDArray[np.float64],
     value: complex,
     right: NDArray[np.complex128],
-    changes: Sequence[NDArray[np.float64]],
+    variations: Sequence[NDArray[np.float64]],
 ) -> list[float]:
     """Of an eigenvalue's size."""
     others, vectors = np.linalg.eig(jacobian.T)
@@ -91,4 +91,4 @@ def _slopes(
     if abs(product) < SIMPLE:
         raise RunError("two leading eigenvalues of the gait meet, where they have no derivative")
     towards = np.conj(value) / abs(value)
-    return [float((towards * (left @ change @ right) / product).real) for change in changes]
+    return [float((towards * (left @ variation @ right) / product).real) for variation in variations]

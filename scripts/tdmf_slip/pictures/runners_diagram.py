@@ -69,8 +69,8 @@ def of_runs(runs: Runs) -> Figure:
                 axes.plot(along[where], runs[quantity][where], "o", color=colour, markersize=4.5, label=label)
             words = quantity.replace("_", " ")
             style.label(axes, "", style.with_unit(words, variables[f"stride.{quantity}"].unit))
-        told = style.with_unit(name, variables[name].unit) if name is not None and numeric else "run"
-        panels[-1].set_xlabel(told)
+        label = style.with_unit(name, variables[name].unit) if name is not None and numeric else "run"
+        panels[-1].set_xlabel(label)
         figure.legend(*panels[0].get_legend_handles_labels(), loc="outside lower center", ncols=2)
         panels[0].set_title(f"last stride of {len(along):,} runs")
     return figure

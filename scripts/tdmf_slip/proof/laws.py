@@ -58,7 +58,7 @@ def axial_force(runner: Any, mode: Mode, at: Any) -> Number:
 
 def stance_torque(runner: Any, mode: Mode) -> Number:
     """Tau = -tau0 until mid-stance, then 0 (11), and the torque from outside."""
-    return hip.stance(runner.model, runner.inputs, hip.HELD, mode.drives).torque
+    return hip.stance(runner.model, runner.inputs, hip.CONSTANT_INPUTS, mode.drives).torque
 
 
 def servo_torque(runner: Any, mode: Mode, at: Any) -> Number:
@@ -74,7 +74,7 @@ def servo_torque(runner: Any, mode: Mode, at: Any) -> Number:
 def flight_torque(runner: Any, mode: Mode, at: Any) -> Number:
     """The flight law (12), clamped while the centre of mass rises, and the torque from outside."""
     if not mode.places and mode.clamped:
-        return hip.external(runner.inputs, hip.HELD).torque
+        return hip.external(runner.inputs, hip.CONSTANT_INPUTS).torque
     return servo_torque(runner, mode, at) + runner.inputs.hip.external_torque
 
 
@@ -157,11 +157,11 @@ def torque_across(runner: Any, mode: Mode, at: Any, axial: Number, inverse: Numb
 
 def foot_acceleration(runner: Any, mode: Mode, at: Any, axial: Number, across: Number) -> Number:
     """Of a foot on the ground along the line, in slip and graze (8)."""
-    held = holding_force(runner, at, axial, across)
+    holding = holding_force(runner, at, axial, across)
     tangential: Number = _NOTHING
     if mode.contact == "slip":
-        tangential = -friction.sliding_force(sliding_friction(runner, mode, at), held.normal)
-    return dynamics.along_ground(runner.model.inverse_foot_mass, tangential, held.tangential)
+        tangential = -friction.sliding_force(sliding_friction(runner, mode, at), holding.normal)
+    return dynamics.along_ground(runner.model.inverse_foot_mass, tangential, holding.tangential)
 
 
 def rates(runner: Any, mode: Mode, at: Any) -> dict[str, Number]:
@@ -173,16 +173,16 @@ def rates(runner: Any, mode: Mode, at: Any) -> dict[str, Number]:
     if mode.contact == "flight":
         free_body = runner.push if runner.is_pushed else _AT_REST
         inertia = runner.model.inverse_reduced_mass
-    foot, changes = _AT_REST, dict[str, Number]()
+    foot, rates = _AT_REST, dict[str, Number]()
     if mode.contact in ("slip", "graze"):
         acceleration = foot_acceleration(runner, mode, at, axial, across)
         foot = Record(x=acceleration, y=_NOTHING)
-        changes["foot_speed"] = acceleration
+        rates["foot_speed"] = acceleration
         if fades(runner, mode):
-            changes["decay"] = fading_of(runner, mode) * acceleration * at.decay
+            rates["decay"] = fading_of(runner, mode) * acceleration * at.decay
     leg_at = Record(**vars(at), inverse_length=inverse, axial_force=axial)
     of_leg = dynamics.leg_acceleration(inertia, leg_at, across, free_body, foot)
-    changes |= {
+    rates |= {
         "length": at.length_rate,
         "angle": at.angle_rate,
         "length_rate": of_leg.length,
@@ -191,8 +191,8 @@ def rates(runner: Any, mode: Mode, at: Any) -> dict[str, Number]:
         "cosine": -(at.sine * at.angle_rate),
     }
     if mode.places and runner.retracts:
-        changes["clock"] = 1
-    return changes
+        rates["clock"] = 1
+    return rates
 
 
 def torque(runner: Any, mode: Mode, at: Any) -> Number:

@@ -43,7 +43,7 @@ class Ledger:
         elif not (mode.contact == "flight" and torque == 0):
             self.hip_work += torque * (flow.at(end)["angle"] - flow.start["angle"])
 
-    def note(self, before: Mode, entered: Entered, values: Values) -> None:
+    def record(self, before: Mode, entered: Entered, values: Values) -> None:
         """An event."""
         after = entered.mode
         self.touchdowns += entered.impact

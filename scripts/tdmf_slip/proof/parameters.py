@@ -15,7 +15,7 @@ from .modes import PARAMETER
 
 LONGEST_STEP = 1.0
 """In units of sqrt(m/k)."""
-MAX_TURNS = 10.0
+MAX_LEG_ROTATION = 10.0
 """Of a step, over the leg's fastest rate in flight: for longer ones no bound of the variations holds."""
 
 
@@ -88,7 +88,9 @@ def _record(of: Mapping[str, Number], exact: Mapping[str, Exact], varied: str | 
         retracts=matters("hip.retraction_rate"),
         has_servo=matters("hip.kp") or matters("hip.kd"),
         varied=varied is not None,
-        longest_step=min(LONGEST_STEP * time, MAX_TURNS / (swing + float(damping * inverse_reduced_mass))),
+        longest_step=min(
+            LONGEST_STEP * time, MAX_LEG_ROTATION / (swing + float(damping * inverse_reduced_mass))
+        ),
         swing=swing,
         energy_scale=of["leg.stiffness"] * of["leg.free_length"] * of["leg.free_length"],
         scales={

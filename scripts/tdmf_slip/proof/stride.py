@@ -223,7 +223,7 @@ class Traveller:
     def _note(self, name: str, entered: Entered) -> None:
         before, mode = self.mode, entered.mode
         self.events.append(Event(name, self.time, mode))
-        self.ledger.note(before, entered, self.set)
+        self.ledger.record(before, entered, self.set)
         if not mode.letter:
             self.flew = self.flew or mode.contact == "flight"
             return

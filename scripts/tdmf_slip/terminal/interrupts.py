@@ -24,7 +24,7 @@ class Interrupt:
     came: int | None = None
     """Number of the one that came last."""
 
-    def note(self, number: int, _frame: object) -> None:
+    def record(self, number: int, _frame: object) -> None:
         """Handle the signal. An exception raised here could be lost: Python ignores those of finalizers."""
         self.came = number
 
@@ -36,7 +36,7 @@ class Interrupt:
 
 
 @contextlib.contextmanager
-def held() -> Iterator[Interrupt]:
+def deferred() -> Iterator[Interrupt]:
     """An interrupt that comes inside is delivered where it is asked for, and at the end."""
     handlers = {number: signal.getsignal(number) for number in SIGNALS}
     interrupt = Interrupt({number: handler for number, handler in handlers.items() if callable(handler)})
@@ -44,7 +44,7 @@ def held() -> Iterator[Interrupt]:
         yield interrupt
         return
     for number in interrupt.handlers:
-        signal.signal(number, interrupt.note)
+        signal.signal(number, interrupt.record)
     try:
         yield interrupt
     finally:

@@ -120,7 +120,7 @@ class Instance:
         An interrupt is delivered where `step_finished` is called: in CVODE's calls of Python it would be lost
         with the numbers that they were about to give.
         """
-        with interrupts.held() as interrupt:
+        with interrupts.deferred() as interrupt:
 
             def step(time: float, recorder: Recorder) -> bool:
                 interrupt.deliver()

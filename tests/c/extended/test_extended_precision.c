@@ -137,9 +137,9 @@ static scene light_runner(unsigned number) {
 }
 
 /* What a light runner is differentiated by: the section, the friction, and three parameters. */
-enum { DIRECTIONS = TDMF_SECTION_COUNT + 4 };
+enum { SEEDS = TDMF_SECTION_COUNT + 4 };
 
-static double *direction_of(tdmf_parameters *parameters, tdmf_inputs *inputs, double *apex, int k) {
+static double *coordinate_of(tdmf_parameters *parameters, tdmf_inputs *inputs, double *apex, int k) {
     double *const others[] = {&inputs->ground.friction, &parameters->foot.mass, &parameters->leg.damping,
                               &parameters->hip.kd};
     return k < TDMF_SECTION_COUNT ? apex + k : others[k - TDMF_SECTION_COUNT];
@@ -153,7 +153,7 @@ static bool difference(const scene *scene_at, int k, double wider, double differ
     for (int i = 0; i < 4; ++i) {
         scene there = *scene_at;
         double results[RESULTS];
-        double *moved = direction_of(&there.parameters, &there.inputs, there.apex, k);
+        double *moved = coordinate_of(&there.parameters, &there.inputs, there.apex, k);
         const double h = wider * (k < TDMF_SECTION_COUNT ? step : step * *moved);
         *moved += offsets[i] * h;
         const tdmf_return stride = stride_of(&there);
@@ -169,13 +169,13 @@ static bool difference(const scene *scene_at, int k, double wider, double differ
 }
 
 /* By all directions. */
-static void differentiate(double tolerance, const scene *scene_at, double derivatives[DIRECTIONS][RESULTS]) {
-    tdmf_seed seeds[DIRECTIONS];
+static void differentiate(double tolerance, const scene *scene_at, double derivatives[SEEDS][RESULTS]) {
+    tdmf_seed seeds[SEEDS];
     double apex[TDMF_SECTION_COUNT];
     memset(seeds, 0, sizeof seeds);
-    for (int k = TDMF_SECTION_COUNT; k < DIRECTIONS; k += TDMF_RETURN_MAP_SEEDS) {
+    for (int k = TDMF_SECTION_COUNT; k < SEEDS; k += TDMF_RETURN_MAP_SEEDS) {
         for (int i = k; i < k + TDMF_RETURN_MAP_SEEDS; ++i) {
-            *direction_of(&seeds[i].parameters, &seeds[i].inputs, apex, i) = 1.0L;
+            *coordinate_of(&seeds[i].parameters, &seeds[i].inputs, apex, i) = 1.0L;
         }
         const tdmf_return stride = stride_within(tolerance, scene_at, true, &seeds[k], TDMF_RETURN_MAP_SEEDS);
         for (int i = 0; i < TDMF_SECTION_COUNT; ++i) {
@@ -198,9 +198,9 @@ static double error_of(const double derivatives[RESULTS], const double differenc
     return error / size;
 }
 
-static double worst_error(double derivatives[DIRECTIONS][RESULTS], double known[DIRECTIONS][RESULTS]) {
+static double worst_error(double derivatives[SEEDS][RESULTS], double known[SEEDS][RESULTS]) {
     double worst = 0.0L;
-    for (int k = 0; k < DIRECTIONS; ++k) {
+    for (int k = 0; k < SEEDS; ++k) {
         const double error = error_of(derivatives[k], known[k]);
         worst = error > worst || isnan(error) ? error : worst;
     }
@@ -213,15 +213,15 @@ static double worst_error(double derivatives[DIRECTIONS][RESULTS], double known[
 static bool difference_near(const scene *scene_at, int k, const double known[RESULTS],
                             double differences[RESULTS]) {
     static const double wider[] = {1.0L, 0.7L, 1.4L};
-    double least = INFINITY;
-    for (int i = 0; i < 3 && least > clear; ++i) {
+    double smallest = INFINITY;
+    for (int i = 0; i < 3 && smallest > clear; ++i) {
         double tried[RESULTS];
         if (!difference(scene_at, k, wider[i], tried)) {
             return false;
         }
         const double error = error_of(known, tried);
-        if (i == 0 || error < least) {
-            least = error;
+        if (i == 0 || error < smallest) {
+            smallest = error;
             memcpy(differences, tried, sizeof tried);
         }
     }
@@ -232,10 +232,10 @@ static int check_light_runners(void) {
     int compared = 0, failures = 0;
     for (unsigned i = 0; i < LIGHT_RUNNERS; ++i) {
         const scene scene = light_runner(i);
-        double differences[DIRECTIONS][RESULTS], finest[DIRECTIONS][RESULTS];
+        double differences[SEEDS][RESULTS], finest[SEEDS][RESULTS];
         bool comparable = true;
         differentiate(1e-18L, &scene, finest);
-        for (int k = 0; k < DIRECTIONS && comparable; ++k) {
+        for (int k = 0; k < SEEDS && comparable; ++k) {
             comparable = difference_near(&scene, k, finest[k], differences[k]);
         }
         if (!comparable) {
@@ -244,7 +244,7 @@ static int check_light_runners(void) {
         ++compared;
         printf("foot %.1Le, damping %.2Lf:", scene.parameters.foot.mass, scene.parameters.leg.damping);
         for (int t = 0; t < TOLERANCES; ++t) {
-            double derivatives[DIRECTIONS][RESULTS];
+            double derivatives[SEEDS][RESULTS];
             differentiate(tolerances[t], &scene, derivatives);
             const double by_difference = worst_error(derivatives, differences);
             const double by_tolerance = worst_error(derivatives, finest) / tolerances[t];

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from scipy.integrate import DOP853
 
 from ...equations.derive.c import c_text
-from ...equations.derive.expressions import forget, lift, symbol, trace
+from ...equations.derive.expressions import begin_anew, lift, symbol, trace
 from ...library.section import Apex
 from . import equations as eq
 from . import sequence
@@ -35,7 +35,7 @@ _jit = numba.njit(cache=False, error_model="numpy", fastmath=False)
 
 def _written(name: str, of_mode: Any) -> Any:
     """A function of one mode, (state, parameters, out), written from the equations and compiled."""
-    forget()
+    begin_anew()
     state = [symbol(f"s[{i}]", read) for i, read in enumerate(eq.STATES)]
     parameters = [symbol(f"p[{i}]", f"p{i}") for i in range(sequence.PARAMETERS)]
     results = [lift(result) for result in trace(of_mode, name, state, parameters)]

@@ -66,13 +66,13 @@ def measure(
     """
     found: list[Optimum] = []
     cheapest: list[Optimum] = []
-    least_slipping: list[Optimum] = []
+    min_slipping: list[Optimum] = []
     with progress_bar("optimal runners", len(frictions), "frictions", progress) as bar:
         for friction in frictions:
             its = runner.but(FRICTION, float(friction))
             cheapest = best(its, CHEAPEST, cheapest, begin=True)
-            least_slipping = best(its, MIN_SLIP, [*least_slipping, *cheapest])
-            found += [*cheapest, *least_slipping]
+            min_slipping = best(its, MIN_SLIP, [*min_slipping, *cheapest])
+            found += [*cheapest, *min_slipping]
             bar.update()
     return found
 

@@ -18,7 +18,7 @@ from .claim import ANGLE, SLIPS, STICKS, THRUST, TORQUE, OwnClaim
 
 
 @cache
-def _least(quantity: str) -> float:
+def _smallest(quantity: str) -> float:
     """Of gaits over the friction, over that on friction 10."""
     gaits = sweep({}, {"ground.friction": np.geomspace(10.0, 0.1, 80)}).to_xarray()[quantity].values
     return float(np.nanmin(gaits) / gaits[0])
@@ -69,14 +69,14 @@ CLAIMS = (
         SWEEP,
         0.785,
         0.795,
-        lambda seed: _least("cost_of_transport"),
+        lambda seed: _smallest("cost_of_transport"),
     ),
     OwnClaim(
         "  its control: by positive work, which refunds no braking",
         SWEEP,
         0.86,
         0.87,
-        lambda seed: _least("positive_cost_of_transport"),
+        lambda seed: _smallest("positive_cost_of_transport"),
     ),
     OwnClaim(
         "speed of the human preset, friction 0.25 over friction 10",
