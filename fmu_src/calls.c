@@ -49,7 +49,7 @@ void discard_view(instance *instance) {
     instance->view_is_current = false;
 }
 
-const fmu *present_unit(const instance *instance, const char *call, fmu *preview, call_status *status) {
+const fmu *present_fmu(const instance *instance, const char *call, fmu *preview, call_status *status) {
     if (fmu_has_begun(&instance->fmu)) {
         return &instance->fmu;
     }
@@ -67,7 +67,7 @@ const fmu *present_unit(const instance *instance, const char *call, fmu *preview
 const fmu_view *current_view(instance *instance, const char *call, call_status *status) {
     if (!instance->view_is_current) {
         fmu preview;
-        const fmu *present = present_unit(instance, call, &preview, status);
+        const fmu *present = present_fmu(instance, call, &preview, status);
         if (present == NULL) {
             return NULL;
         }

@@ -66,7 +66,7 @@ static bool may_begin(const instance *instance, const char *call, const uint32_t
     return true;
 }
 
-/* `present` is what present_unit gave. */
+/* `present` is what present_fmu gave. */
 static void differentiate(const instance *instance, const fmu *present, fmu *seed, fmu_view *variation) {
     if (fmu_has_begun(&instance->fmu)) {
         fmu_differentiate(present, seed, variation);
@@ -89,7 +89,7 @@ call_status directional_derivative(instance *instance, const char *call, const u
     fmu seed, preview;
     fmu_view variation;
     call_status status = CALL_OK;
-    const fmu *present = present_unit(instance, call, &preview, &status);
+    const fmu *present = present_fmu(instance, call, &preview, &status);
     if (present == NULL) {
         return status;
     }
@@ -138,7 +138,7 @@ call_status adjoint_derivative(instance *instance, const char *call, const uint3
     }
     fmu preview;
     call_status status = CALL_OK;
-    const fmu *present = present_unit(instance, call, &preview, &status);
+    const fmu *present = present_fmu(instance, call, &preview, &status);
     for (size_t i = 0; present != NULL && i < known_count; ++i) {
         values[i] = sensitivity(instance, present, unknowns, unknown_count, knowns[i], seeds);
     }

@@ -1,8 +1,8 @@
 /* An instance of the unit, FMI's version left out: a unit, the state of its call sequence, and the importer's
  * logger. Every function here is a call of FMI 2.0 and 3.0 or a part of one; it is given the call's name, for
  * its messages, and, where the versions differ, the states in which the call is allowed. */
-#ifndef TDMF_UNIT_INSTANCE_H
-#define TDMF_UNIT_INSTANCE_H
+#ifndef TDMF_FMU_INSTANCE_H
+#define TDMF_FMU_INSTANCE_H
 
 #include "fmu.h"
 #include "variables.h"
@@ -94,7 +94,7 @@ bool array_is_given(const instance *instance, const char *call, const void *arra
 
 /* The unit or, until its run has begun, what it would be if it started from the values set so far, in
  * `preview`. NULL, with a message and the status in `status`, while these contradict each other. */
-const fmu *present_unit(const instance *instance, const char *call, fmu *preview, call_status *status);
+const fmu *present_fmu(const instance *instance, const char *call, fmu *preview, call_status *status);
 
 /* The outputs and derivatives for the present values. NULL, with a message and the status in `status`, while
  * the start values contradict each other. */

@@ -105,7 +105,7 @@ call_status get_derivatives(instance *instance, const char *call, double derivat
     }
     fmu preview;
     call_status status = CALL_OK;
-    const fmu *fmu = present_unit(instance, call, &preview, &status);
+    const fmu *fmu = present_fmu(instance, call, &preview, &status);
     if (fmu != NULL) {
         fmu_derivatives(fmu, derivatives);
     }
@@ -119,7 +119,7 @@ call_status get_indicators(instance *instance, const char *call, double indicato
     }
     fmu preview;
     call_status status = CALL_OK;
-    const fmu *fmu = present_unit(instance, call, &preview, &status);
+    const fmu *fmu = present_fmu(instance, call, &preview, &status);
     if (fmu != NULL) {
         fmu_event_indicators(fmu, indicators);
     }

@@ -463,7 +463,7 @@ static void require_agreement_of_calls(transfer *bytes, const saved_run *run) {
     require(bytes, !run->fmu.event_is_pending || event_may_be_pending(run), "the pending event");
 }
 
-static void require_agreement_of_unit(transfer *bytes, const saved_run *run) {
+static void require_agreement_of_fmu(transfer *bytes, const saved_run *run) {
     const fmu *fmu = &run->fmu;
     require(bytes, fmu_settings_obstacle(fmu) == NULL, "solver.method");
     require_agreement(bytes, run, &fmu->motion);
@@ -500,7 +500,7 @@ const char *read_saved_run(const unsigned char *bytes, saved_run *run, char *rea
         if (refusal.variable != NULL) {
             return tdmf_refusal_text(&refusal, reason, capacity);
         }
-        require_agreement_of_unit(&source, run);
+        require_agreement_of_fmu(&source, run);
     }
     if (source.refused != NULL) {
         snprintf(reason, capacity, "%s is out of range or contradicts the rest", source.refused);

@@ -1,6 +1,6 @@
 /* What of a unit a saved state holds, as bytes without padding or pointer, and what each field may be. */
-#ifndef TDMF_UNIT_SAVED_FIELDS_H
-#define TDMF_UNIT_SAVED_FIELDS_H
+#ifndef TDMF_FMU_SAVED_FIELDS_H
+#define TDMF_FMU_SAVED_FIELDS_H
 
 #include "instance.h"
 

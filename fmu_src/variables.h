@@ -1,7 +1,7 @@
 /* The unit's table of variables. Its rows are generated from modelDescription.xml; a row's position is the
  * variable's value reference. */
-#ifndef TDMF_UNIT_VARIABLES_H
-#define TDMF_UNIT_VARIABLES_H
+#ifndef TDMF_FMU_VARIABLES_H
+#define TDMF_FMU_VARIABLES_H
 
 #include "fmu.h"
 

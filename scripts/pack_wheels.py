@@ -12,7 +12,7 @@ import pathlib
 import re
 import zipfile
 
-from merge_units import entry_time
+from merge_fmus import entry_time
 from wheel.wheelfile import WheelFile
 
 ANY = "-py3-none-any.whl"

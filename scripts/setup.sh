@@ -162,7 +162,7 @@ build_platforms() {
     for platform in "${PLATFORMS[@]}"; do
         units+=("build/platforms/$platform/fmu_src")
     done
-    .venv/bin/python scripts/merge_units.py build/platforms "${units[@]}"
+    .venv/bin/python scripts/merge_fmus.py build/platforms "${units[@]}"
 }
 
 # The wheels' own binaries come from Zig too, for the systems that their tags name.

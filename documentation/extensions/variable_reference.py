@@ -5,7 +5,7 @@ from sphinx.application import Sphinx
 from sphinx.errors import ExtensionError
 from sphinx.util.docutils import SphinxDirective
 from tdmf_slip.cli.variables import row
-from tdmf_slip.unit.unit import load_fmu
+from tdmf_slip.fmu.fmu import load_fmu
 
 HEADINGS = ("name", "meaning", "unit", "default", "range")
 

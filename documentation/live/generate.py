@@ -156,7 +156,7 @@ def presets(table):
         }
         for gait in gaits
     ]
-    for path in sorted((PACKAGE / "unit/presets").glob("*.toml")):
+    for path in sorted((PACKAGE / "fmu/presets").glob("*.toml")):
         values = known_values(table, dict(flat(tomllib.loads(path.read_text(encoding="utf-8")))))
         if values:
             found.append({"name": f"{path.stem} scale", "values": values})

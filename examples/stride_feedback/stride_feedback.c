@@ -8,7 +8,7 @@
  * A runner that is pushed at its first apex is back on the gait after two strides. The program is the
  * importer: Model Exchange, with the classic method of Runge and Kutta, and events located by bisection. It
  * writes a row for each apex, with the settings of the stride that begins there. */
-#include "unit_library.h"
+#include "fmu_library.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -38,7 +38,7 @@ static const char *const pushed_names[PUSHES] = {"foot.y", "foot.vx"};
 static const double pushes[PUSHES] = {0.05, 0.05}; /* m, m/s: the whole runner, at the first apex */
 
 typedef struct {
-    unit_functions call;
+    fmu_functions call;
     fmi2Component unit;
     size_t states, indicators;
     double time;
@@ -62,8 +62,8 @@ static void tell(fmi2ComponentEnvironment environment, fmi2String instance, fmi2
 
 static const fmi2CallbackFunctions callbacks = {tell, calloc, free, NULL, NULL};
 
-static importer start(const unit_description *description, const char *library) {
-    importer runner = {.call = load_unit(library), .states = count_states(description)};
+static importer start(const fmu_description *description, const char *library) {
+    importer runner = {.call = load_fmu(library), .states = count_states(description)};
     char guid[64], indicators[16];
     attribute_of(description, "guid", guid, sizeof guid);
     attribute_of(description, "numberOfEventIndicators", indicators, sizeof indicators);
@@ -91,7 +91,7 @@ static importer start(const unit_description *description, const char *library) 
 
 /* Initializes at the gait's apex, pushed, and leaves the unit in event mode. */
 static void initialize(importer *runner) {
-    const unit_functions *call = &runner->call;
+    const fmu_functions *call = &runner->call;
     double values[PUSHES];
     check(call->get_real(runner->unit, runner->pushed, PUSHES, values), "fmi2GetReal");
     for (int i = 0; i < PUSHES; ++i) {
@@ -241,8 +241,8 @@ static void write_row(int stride, const double apex[COORDINATES], const double v
 }
 
 int main(int argc, char *argv[]) {
-    unit_description description = read_description(argc > 2 ? argv[1] : UNIT_DESCRIPTION);
-    importer runner = start(&description, argc > 2 ? argv[2] : UNIT_LIBRARY);
+    fmu_description description = read_description(argc > 2 ? argv[1] : FMU_DESCRIPTION);
+    importer runner = start(&description, argc > 2 ? argv[2] : FMU_LIBRARY);
     free_description(&description);
     initialize(&runner);
     printf("stride,com_height,com_speed,leg_length,leg_angle,leg_length_rate,leg_angle_rate,touchdown_angle,"

@@ -19,6 +19,12 @@ from .feedback.gains import dead_beat, lqr, place_poles
 from .feedback.noise import apex_covariance
 from .fitting.fitted import fit
 from .fitting.result import Fit
+from .fmu.batch import simulate_many
+from .fmu.fmu import Fmu, fmu_path, load_fmu
+from .fmu.profile import Profile
+from .fmu.run import Run
+from .fmu.runs_result import Runs
+from .fmu.simulation import simulate
 from .library.affine_law import AffineLaw
 from .library.gait import Gait
 from .library.runner import Runner
@@ -30,12 +36,6 @@ from .proof.proof import Proof
 from .proof.prove import prove
 from .proof.prove_attraction import Attraction, prove_attraction
 from .proof.prove_border import BorderProof, prove_border
-from .unit.batch import simulate_many
-from .unit.profile import Profile
-from .unit.run import Run
-from .unit.runs_result import Runs
-from .unit.simulation import simulate
-from .unit.unit import Fmu, fmu_path, load_fmu
 from .version import __version__
 from .viable_sets.controller import ViableController
 from .viable_sets.result import Viability

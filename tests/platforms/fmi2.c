@@ -1,7 +1,7 @@
 /* The importer's calls of an FMI 2.0 unit. */
 #include "fmi2FunctionTypes.h"
 
-#include "unit_calls.h"
+#include "fmu_calls.h"
 
 static const fmi2CallbackFunctions callbacks; /* no logger */
 
@@ -91,7 +91,7 @@ static void take_events(void *instance) {
     update(instance);
 }
 
-unit_calls calls_of_fmi2(void) {
+fmu_calls calls_of_fmi2(void) {
     instantiate = (fmi2InstantiateTYPE *)find_function("fmi2Instantiate");
     free_instance = (fmi2FreeInstanceTYPE *)find_function("fmi2FreeInstance");
     setup_experiment = (fmi2SetupExperimentTYPE *)find_function("fmi2SetupExperiment");
@@ -110,17 +110,17 @@ unit_calls calls_of_fmi2(void) {
     new_discrete_states = (fmi2NewDiscreteStatesTYPE *)find_function("fmi2NewDiscreteStates");
     enter_continuous_time_mode =
         (fmi2EnterContinuousTimeModeTYPE *)find_function("fmi2EnterContinuousTimeMode");
-    const unit_calls calls = {make,
-                              free_instance,
-                              real,
-                              integer,
-                              text,
-                              step,
-                              move_time,
-                              read_states,
-                              write_states,
-                              read_derivatives,
-                              read_indicators,
-                              take_events};
+    const fmu_calls calls = {make,
+                             free_instance,
+                             real,
+                             integer,
+                             text,
+                             step,
+                             move_time,
+                             read_states,
+                             write_states,
+                             read_derivatives,
+                             read_indicators,
+                             take_events};
     return calls;
 }

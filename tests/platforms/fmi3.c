@@ -3,7 +3,7 @@
 
 #include "fmi3FunctionTypes.h"
 
-#include "unit_calls.h"
+#include "fmu_calls.h"
 
 static fmi3InstantiateModelExchangeTYPE *instantiate_exchange;
 static fmi3InstantiateCoSimulationTYPE *instantiate_stepper;
@@ -96,7 +96,7 @@ static void take_events(void *instance) {
     update(instance);
 }
 
-unit_calls calls_of_fmi3(void) {
+fmu_calls calls_of_fmi3(void) {
     instantiate_exchange = (fmi3InstantiateModelExchangeTYPE *)find_function("fmi3InstantiateModelExchange");
     instantiate_stepper = (fmi3InstantiateCoSimulationTYPE *)find_function("fmi3InstantiateCoSimulation");
     free_instance = (fmi3FreeInstanceTYPE *)find_function("fmi3FreeInstance");
@@ -116,17 +116,17 @@ unit_calls calls_of_fmi3(void) {
     update_states = (fmi3UpdateDiscreteStatesTYPE *)find_function("fmi3UpdateDiscreteStates");
     enter_continuous_time_mode =
         (fmi3EnterContinuousTimeModeTYPE *)find_function("fmi3EnterContinuousTimeMode");
-    const unit_calls calls = {make,
-                              free_instance,
-                              real,
-                              integer,
-                              text,
-                              step,
-                              move_time,
-                              read_states,
-                              write_states,
-                              read_derivatives,
-                              read_indicators,
-                              take_events};
+    const fmu_calls calls = {make,
+                             free_instance,
+                             real,
+                             integer,
+                             text,
+                             step,
+                             move_time,
+                             read_states,
+                             write_states,
+                             read_derivatives,
+                             read_indicators,
+                             take_events};
     return calls;
 }

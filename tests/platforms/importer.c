@@ -6,7 +6,7 @@
  * Prints two lines: the interface, the word, and the Reals after ten strides. Its own integrator for Model
  * Exchange is the classical Runge-Kutta method with events located by bisection; it needs no function of the
  * mathematical library, so that platforms can differ by the unit only. */
-#include "unit_calls.h"
+#include "fmu_calls.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -18,7 +18,7 @@ static const double exchange_step = 1.0 / 64.0;
 static const double communication_step = 0.125;
 
 typedef struct {
-    const unit_calls *calls;
+    const fmu_calls *calls;
     void *instance;
     double time;
     double states[STATES];
@@ -87,7 +87,7 @@ static bool advance(run *run) {
     return event;
 }
 
-static void *exchange(const unit_calls *calls, const char *guid, unsigned count) {
+static void *exchange(const fmu_calls *calls, const char *guid, unsigned count) {
     run run = {calls, calls->make(true, guid), 0.0, {0.0}};
     calls->get_states(run.instance, run.states);
     for (long i = 0; i < MAX_STEPS; ++i) {
@@ -99,7 +99,7 @@ static void *exchange(const unit_calls *calls, const char *guid, unsigned count)
     return NULL;
 }
 
-static void *co_simulate(const unit_calls *calls, const char *guid, unsigned count) {
+static void *co_simulate(const fmu_calls *calls, const char *guid, unsigned count) {
     void *instance = calls->make(false, guid);
     for (long i = 0; i < MAX_STEPS; ++i) {
         calls->step(instance, (double)i * communication_step, communication_step);
@@ -118,7 +118,7 @@ int main(int count, char **arguments) {
         return EXIT_FAILURE;
     }
     load_library(arguments[1]);
-    const unit_calls calls = arguments[2][0] == '2' ? calls_of_fmi2() : calls_of_fmi3();
+    const fmu_calls calls = arguments[2][0] == '2' ? calls_of_fmi2() : calls_of_fmi3();
     const unsigned strides = (unsigned)atoi(arguments[4]);
     const unsigned word = (unsigned)atoi(arguments[5]);
     for (int model_exchange = 0; model_exchange < 2; ++model_exchange) {

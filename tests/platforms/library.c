@@ -1,5 +1,5 @@
 /* Loading a unit's library, on Windows and elsewhere. */
-#include "unit_calls.h"
+#include "fmu_calls.h"
 
 #include <stdio.h>
 #include <stdlib.h>

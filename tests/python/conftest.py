@@ -69,24 +69,24 @@ def temporary_files_go(tmp_path_factory):
 
 
 @pytest.fixture(scope="session")
-def fmu():
+def fmu_file():
     """The unit that is installed with the package."""
     return str(tdmf_slip.fmu_path())
 
 
 @pytest.fixture(scope="session")
-def unit():
+def fmu():
     return tdmf_slip.load_fmu()
 
 
 @pytest.fixture(scope="session")
-def description(fmu):
-    return fmpy.read_model_description(fmu)
+def description(fmu_file):
+    return fmpy.read_model_description(fmu_file)
 
 
 @pytest.fixture(scope="session")
-def unpacked(fmu, tmp_path_factory):
-    return fmpy.extract(fmu, str(tmp_path_factory.mktemp("unit")))
+def unpacked(fmu_file, tmp_path_factory):
+    return fmpy.extract(fmu_file, str(tmp_path_factory.mktemp("unit")))
 
 
 @pytest.fixture(scope="session")

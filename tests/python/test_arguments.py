@@ -21,10 +21,10 @@ from tdmf_slip.analysis.search import periodic_gait
 from tdmf_slip.blocks import running
 from tdmf_slip.cli import gait_file
 from tdmf_slip.feedback import judgement
+from tdmf_slip.fmu import batch, inputs
+from tdmf_slip.fmu.parameters import read_parameters
 from tdmf_slip.library import ensemble, return_map
 from tdmf_slip.paper import settling
-from tdmf_slip.unit import batch, inputs
-from tdmf_slip.unit.parameters import read_parameters
 
 FRICTION, ANGLE = "ground.friction", "hip.touchdown_angle"
 START = {FRICTION: 0.2}
@@ -144,10 +144,10 @@ WRONG = [
     lambda r, o: tdmf_slip.simulate(inputs="ice.csv", stop_time=1),
     lambda r, o: tdmf_slip.simulate(interface=["me"], stop_time=1),
     lambda r, o: tdmf_slip.simulate(fmu=3, stop_time=1),
-    lambda r, o: settling.settle_unit("human"),
-    lambda r, o: settling.settle_unit(r),
-    lambda r, o: settling.settle_unit(max_strides="x"),
-    lambda r, o: settling.settle_unit(tolerance="x"),
+    lambda r, o: settling.settle_fmu("human"),
+    lambda r, o: settling.settle_fmu(r),
+    lambda r, o: settling.settle_fmu(max_strides="x"),
+    lambda r, o: settling.settle_fmu(tolerance="x"),
     lambda r, o: read_parameters(3),
     lambda r, o: gait_file.read_gait("none.json"),
     lambda r, o: tdmf_slip.load_fmu(3),

@@ -7,14 +7,14 @@ import numpy as np
 import pytest
 from tdmf_slip import InputError, Runner, find_gait
 from tdmf_slip.analysis import attraction, basin, fates, robustness, volume
+from tdmf_slip.fmu.parameters import read_parameters
 from tdmf_slip.library import ensemble
 from tdmf_slip.library.section import COORDINATES
-from tdmf_slip.unit.parameters import read_parameters
 
 
 @pytest.fixture(scope="module")
-def gait(unit):
-    return basin.stable_gait(Runner.of({"ground.friction": 1.2}, unit), unit)
+def gait(fmu):
+    return basin.stable_gait(Runner.of({"ground.friction": 1.2}, fmu), fmu)
 
 
 def settles(gait, apex):
@@ -80,9 +80,9 @@ def test_a_volume_is_a_share_of_the_box(gait):
     assert found.volume[1] < found.volume[0] < found.volume[2]
 
 
-def test_one_measure_for_each_gait_in_their_order(gait, unit, monkeypatch):
+def test_one_measure_for_each_gait_in_their_order(gait, fmu, monkeypatch):
     monkeypatch.setattr(attraction, "SAMPLES", 200)
-    other = basin.stable_gait(Runner.of({"ground.friction": 0.6}, unit), unit)
+    other = basin.stable_gait(Runner.of({"ground.friction": 0.6}, fmu), fmu)
     found = attraction.measure_all([other, gait], threads=1)
     assert [measured.friction for measured in found] == [0.6, 1.2]
     assert [measured.word for measured in found] == [other.word, gait.word]
@@ -90,9 +90,9 @@ def test_one_measure_for_each_gait_in_their_order(gait, unit, monkeypatch):
     assert found[0].volume.samples == 200 and found[1].robustness == robustness.robustness(gait)
 
 
-def test_disturbances_and_starts_are_measured_by_the_runner(gait, unit, monkeypatch):
+def test_disturbances_and_starts_are_measured_by_the_runner(gait, fmu, monkeypatch):
     """A human's leg is no unit of length, nor its speed one of speed."""
-    human = Runner.of(read_parameters("human"), unit)
+    human = Runner.of(read_parameters("human"), fmu)
     drawn = [volume.Drawing(r, (0.0,) * 6, 0, 0, 50).starts() / r.scales for r in (human, gait.runner)]
     np.testing.assert_allclose(*drawn, rtol=1e-12)
     tried = []

@@ -136,10 +136,10 @@ def test_a_ball_is_made_only_where_it_saves_more_than_it_costs(gait):
         ball_of(gait, "large", 10)
 
 
-def test_a_map_says_by_which_ball_it_knows(unit):
+def test_a_map_says_by_which_ball_it_knows(fmu):
     axes = {"com_height": (1.2, 1.6), "com_speed": (0.9, 1.2)}
-    by_ball = basin({}, axes, threads=1, fmu=unit)
-    followed = basin({}, axes, ball="none", threads=1, fmu=unit)
+    by_ball = basin({}, axes, threads=1, fmu=fmu)
+    followed = basin({}, axes, ball="none", threads=1, fmu=fmu)
     assert by_ball.attributes["ball"] == "tested" and by_ball.attributes["ball_points"] == 10_000
     assert 0.05 < by_ball.attributes["ball_radius"] < 1.0 and 0.8 < by_ball.attributes["ball_rate"] < 1.0
     assert followed.attributes["ball"] == "none" and "ball_radius" not in followed.attributes

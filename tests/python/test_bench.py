@@ -57,8 +57,8 @@ def test_a_peer_that_is_missing_is_named(monkeypatch):
     assert "numba is not installed" in without.as_text()
 
 
-def test_solvers_are_judged_by_the_gait_and_what_is_around_it(unit):
-    many = runners.runners_about_the_gait(unit)
+def test_solvers_are_judged_by_the_gait_and_what_is_around_it(fmu):
+    many = runners.runners_about_the_gait(fmu)
     apex, others = many.judged[0], many.judged[1:]
     assert len(others) == 64
     np.testing.assert_array_equal(apex, many.gait.apex)
@@ -70,26 +70,26 @@ def test_solvers_are_judged_by_the_gait_and_what_is_around_it(unit):
     assert many.error(spoiled) == np.inf
 
 
-def test_a_tolerance_that_is_found_is_good_from_everywhere(unit):
+def test_a_tolerance_that_is_found_is_good_from_everywhere(fmu):
     """The gait itself asks for less than its neighbours do."""
-    many = runners.runners_about_the_gait(unit)
-    for found in one_runner.measure_unit(unit, many, "native", 0.01):
-        assert found.error == one_runner.stride_error(unit, many, "native", found.tolerance) <= found.accuracy
+    many = runners.runners_about_the_gait(fmu)
+    for found in one_runner.measure_fmu(fmu, many, "native", 0.01):
+        assert found.error == one_runner.stride_error(fmu, many, "native", found.tolerance) <= found.accuracy
         lanes = many.error(many.ends("one by one", found.tolerance)["apex"])
         assert lanes == pytest.approx(found.error, rel=1e-3)
 
 
 @pytest.mark.parametrize("solver", ["native", "cvode"])
-def test_a_tighter_tolerance_errs_less(unit, solver):
-    many = runners.runners_about_the_gait(unit)
-    assert one_runner.stride_error(unit, many, solver, 1e-10) < one_runner.stride_error(
-        unit, many, solver, 1e-5
+def test_a_tighter_tolerance_errs_less(fmu, solver):
+    many = runners.runners_about_the_gait(fmu)
+    assert one_runner.stride_error(fmu, many, solver, 1e-10) < one_runner.stride_error(
+        fmu, many, solver, 1e-5
     )
 
 
-def test_the_ensemble_makes_the_gaits_word(unit):
+def test_the_ensemble_makes_the_gaits_word(fmu):
     """Peers are told the sequence of modes; it has to be that of every start."""
-    many = runners.runners_about_the_gait(unit)
+    many = runners.runners_about_the_gait(fmu)
     ends, _ = ensemble.run_ensemble([many.case], many.starts, max_strides=1)
     assert len(np.unique(ends["word_code"])) == 1 and (ends["strides"] == 1).all()
 

@@ -12,8 +12,8 @@ NAME = "leg.damping"
 
 
 @pytest.fixture(scope="module")
-def gait(unit):
-    return find_gait(Runner.of({}, unit))
+def gait(fmu):
+    return find_gait(Runner.of({}, fmu))
 
 
 class Made(Family):

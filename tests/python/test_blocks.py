@@ -21,8 +21,8 @@ from tdmf_slip.analysis import basin, grid
 from tdmf_slip.blocks import cluster as clusters
 from tdmf_slip.blocks import running as blocks
 from tdmf_slip.blocks.running import run_blocks
+from tdmf_slip.fmu import batch
 from tdmf_slip.terminal import interrupts
-from tdmf_slip.unit import batch
 
 BLOCKS = 12
 HANGS = 600.0
@@ -138,33 +138,33 @@ def test_what_a_thread_raises_is_raised_here():
         list(found)
 
 
-def test_a_cluster_gives_the_same_map(cluster, unit):
+def test_a_cluster_gives_the_same_map(cluster, fmu):
     address, *_ = cluster
-    runner = Runner.of({}, unit)
+    runner = Runner.of({}, fmu)
     axes = {"com_height": (1.2, 2.9), "com_speed": (0.9, 1.6)}
-    here = basin.basin(runner, axes, (6, 5), threads=1, fmu=unit)
-    there = basin.basin(runner, axes, (6, 5), scheduler=address, fmu=unit)
+    here = basin.basin(runner, axes, (6, 5), threads=1, fmu=fmu)
+    there = basin.basin(runner, axes, (6, 5), scheduler=address, fmu=fmu)
     assert here == there
 
 
-def test_a_grid_of_gaits_is_the_same_by_two_threads(unit, tmp_path):
-    runner, frictions, dampings = Runner.of({}, unit), [0.6, 0.5], [0.2, 0.22, 0.25]
+def test_a_grid_of_gaits_is_the_same_by_two_threads(fmu, tmp_path):
+    runner, frictions, dampings = Runner.of({}, fmu), [0.6, 0.5], [0.2, 0.22, 0.25]
     grids = [
         grid.grid(
             runner,
             {"ground.friction": frictions, "leg.damping": dampings},
             tmp_path / f"{threads}.nc",
             threads=threads,
-            fmu=unit,
+            fmu=fmu,
         )
         for threads in (1, 2)
     ]
     xarray.testing.assert_identical(*grids)
 
 
-def test_a_batch_of_units_is_the_same_by_two_threads(unit):
+def test_a_batch_of_units_is_the_same_by_two_threads(fmu):
     table = [{"ground.friction": mu} for mu in (1.2, 0.6, 0.2)]
-    one, two = (batch.simulate_many(table, strides=3, threads=threads, fmu=unit) for threads in (1, 2))
+    one, two = (batch.simulate_many(table, strides=3, threads=threads, fmu=fmu) for threads in (1, 2))
     assert one == two
     assert list(one["count"]) == [3, 3, 3]
     assert list(one["ground.friction"]) == [1.2, 0.6, 0.2]
@@ -172,13 +172,11 @@ def test_a_batch_of_units_is_the_same_by_two_threads(unit):
     assert (one["problem"] == "").all()
 
 
-def test_a_run_that_fails_leaves_the_others(unit):
+def test_a_run_that_fails_leaves_the_others(fmu):
     """A runner that falls is a result; one that closes no stride has its reason written beside it."""
     table = [{"leg.angle": 1.0}, {"leg.angle": -1.2}]
-    runs = batch.simulate_many(table, strides=2, threads=1, fmu=unit)
-    together = batch.simulate_many(
-        [{"leg.length": 1.0}, {"leg.length": 0.01}], strides=1, threads=1, fmu=unit
-    )
+    runs = batch.simulate_many(table, strides=2, threads=1, fmu=fmu)
+    together = batch.simulate_many([{"leg.length": 1.0}, {"leg.length": 0.01}], strides=1, threads=1, fmu=fmu)
     assert together["problem"][0] == "" and "leg.length" in together["problem"][1]
     assert runs["problem"][0] == "" and runs["period"][0] > 0.0
     assert runs["fallen"][1] or runs["problem"][1]
@@ -375,7 +373,7 @@ def test_an_interrupt_is_delivered_once_and_where_it_is_asked_for():
     assert held_by_the_outer
 
 
-def test_wrong_arguments_are_said(unit):
+def test_wrong_arguments_are_said(fmu):
     with (
         pytest.raises(InputError, match="no Dask scheduler answers"),
         run_blocks(abs, [1, 2], scheduler="nonsense://here"),
@@ -389,6 +387,6 @@ def test_wrong_arguments_are_said(unit):
     with pytest.raises(InputError, match="threads 0"), run_blocks(abs, [1, 2], threads=0):
         pass
     with pytest.raises(InputError, match="runners: none; allowed"):
-        batch.simulate_many([], strides=1, fmu=unit)
+        batch.simulate_many([], strides=1, fmu=fmu)
     with pytest.raises(InputError, match="runner 1"):
-        batch.simulate_many([{"ground.friction": 0.6}, {"ground.friction": -1.0}], strides=1, fmu=unit)
+        batch.simulate_many([{"ground.friction": 0.6}, {"ground.friction": -1.0}], strides=1, fmu=fmu)

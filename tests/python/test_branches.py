@@ -8,11 +8,11 @@ import numpy as np
 import pytest
 from tdmf_slip import InputError, Runner, continue_branch
 from tdmf_slip.analysis.continuation import gaits_over
+from tdmf_slip.fmu.fmu import FRICTION
+from tdmf_slip.fmu.parameters import read_parameters
 from tdmf_slip.library.binding import c, ffi
 from tdmf_slip.library.ensemble import FATES, run_ensemble
 from tdmf_slip.pictures.branch_diagram import figure_of, values_of
-from tdmf_slip.unit.parameters import read_parameters
-from tdmf_slip.unit.unit import FRICTION
 
 FAST_HUMAN = Path(__file__).with_name("fast_human.toml")
 ANGLE, TORQUE = "hip.touchdown_angle", "hip.stance_torque"
@@ -20,25 +20,25 @@ STRIDES = 10_000
 
 
 @pytest.fixture(scope="module")
-def runner(unit):
-    return Runner.of({}, unit)
+def runner(fmu):
+    return Runner.of({}, fmu)
 
 
 @pytest.fixture(scope="module")
-def over_torque(runner, unit):
-    return continue_branch(runner, {TORQUE: (0.55, 0.6)}, fmu=unit)
+def over_torque(runner, fmu):
+    return continue_branch(runner, {TORQUE: (0.55, 0.6)}, fmu=fmu)
 
 
 @pytest.fixture(scope="module")
-def over_angle(runner, unit):
+def over_angle(runner, fmu):
     """From 40 degrees upwards, around two folds."""
-    return continue_branch(runner, {ANGLE: (np.radians(40.0), np.radians(53.0))}, max_step=1.0, fmu=unit)
+    return continue_branch(runner, {ANGLE: (np.radians(40.0), np.radians(53.0))}, max_step=1.0, fmu=fmu)
 
 
 @pytest.fixture(scope="module")
-def over_rate(unit):
+def over_rate(fmu):
     """On friction 0.2, over the rate of retraction."""
-    return continue_branch({FRICTION: 0.2}, {"hip.retraction_rate": (0.0, 0.03)}, fmu=unit)
+    return continue_branch({FRICTION: 0.2}, {"hip.retraction_rate": (0.0, 0.03)}, fmu=fmu)
 
 
 def settled(runner, apex, strides=STRIDES):
@@ -139,10 +139,10 @@ def test_where_the_foot_just_touches_the_ground_the_branch_turns_back(over_rate)
     assert two.values[first - 10] > turn < two.values[first + 10]
 
 
-def test_a_branch_does_not_jump_to_another_sheet(unit):
+def test_a_branch_does_not_jump_to_another_sheet(fmu):
     """At 0.7335 rad its gaits end; others, which it has been at before, are 0.064 away."""
     runner = {"gravity": 0.015, "foot.mass": 0.03, FRICTION: 0.8}
-    branch = continue_branch(runner, {ANGLE: (0.76, 0.72)}, switch=False, fmu=unit)
+    branch = continue_branch(runner, {ANGLE: (0.76, 0.72)}, switch=False, fmu=fmu)
     assert branch.ended.startswith(f"no convergence at {ANGLE}") and 0.7332 < branch.values[-1] < 0.734
     met = [(s.kind, s.words) for s in branch.specials if s.kind in ("word border", "fold", "Neimark-Sacker")]
     assert len(met) == len(set(met)) >= 2
@@ -191,10 +191,10 @@ def code_of(word):
         (FAST_HUMAN, FRICTION, 0.6, 0.39, 2),
     ],
 )
-def test_a_word_border_is_where_plain_strides_change_their_word(unit, preset, name, begin, end, smallest):
+def test_a_word_border_is_where_plain_strides_change_their_word(fmu, preset, name, begin, end, smallest):
     """On both sides, also of words that hold over 3e-6 of the parameter: side by side in the ensemble."""
-    runner = Runner.of(read_parameters(preset) if preset else {}, unit)
-    branch = continue_branch(runner, {name: (begin, end)}, switch=False, fmu=unit)
+    runner = Runner.of(read_parameters(preset) if preset else {}, fmu)
+    branch = continue_branch(runner, {name: (begin, end)}, switch=False, fmu=fmu)
     borders = [(special.value, special) for special in branch.specials if special.kind == "word border"]
     values = [branch.values[0], *(value for value, _ in borders), branch.values[-1]]
     gaits, words = [], []
@@ -215,10 +215,10 @@ def test_a_word_border_is_where_plain_strides_change_their_word(unit, preset, na
     assert len(gaits) >= 2 * smallest
 
 
-def test_the_fast_humans_fold_is_where_plain_strides_lose_the_gait(unit):
+def test_the_fast_humans_fold_is_where_plain_strides_lose_the_gait(fmu):
     """Beside a word border, on the friction; the runner falls beyond it."""
-    human = Runner.of(read_parameters(FAST_HUMAN), unit)
-    branch = continue_branch(human, {FRICTION: (0.6, 0.38)}, switch=False, fmu=unit)
+    human = Runner.of(read_parameters(FAST_HUMAN), fmu)
+    branch = continue_branch(human, {FRICTION: (0.6, 0.38)}, switch=False, fmu=fmu)
     fold = one(branch, "fold")
     before = next(gait for gait in branch.gaits[fold.index :: -1] if gait.lambda_max < 0.97)
     gait = next(gaits_over(human, FRICTION, [fold.value + 1e-3], before))
@@ -250,10 +250,10 @@ def test_a_neimark_sacker_point_is_where_plain_strides_spiral_in_or_out(over_ang
         assert (ran == STRIDES and apart(gait.runner, apex, gait.apex) < 1e-6) == settles
 
 
-def test_a_range_without_a_gait_at_its_beginning_is_followed_both_ways(unit):
+def test_a_range_without_a_gait_at_its_beginning_is_followed_both_ways(fmu):
     """The fast human falls at 0.35: the branch begins above its fold."""
-    human = Runner.of(read_parameters(FAST_HUMAN), unit)
-    branch = continue_branch(human, {FRICTION: (0.35, 0.5)}, fmu=unit)
+    human = Runner.of(read_parameters(FAST_HUMAN), fmu)
+    branch = continue_branch(human, {FRICTION: (0.35, 0.5)}, fmu=fmu)
     assert branch.began == branch.ended == "end of the range"
     assert branch.values[0] == branch.values[-1] == 0.5
     assert [s.kind for s in branch.specials if s.kind != "word border"] == ["fold"]

@@ -13,10 +13,10 @@ from dataclasses import replace
 import netCDF4
 import pytest
 import tdmf_slip
+from tdmf_slip.fmu import simulation
 from tdmf_slip.library import section
 from tdmf_slip.paper import reference_gaits as reference
 from tdmf_slip.paper import settling
-from tdmf_slip.unit import simulation
 
 PROVED = json.loads(pathlib.Path(__file__).with_name("proved_gaits.json").read_text())["gaits"]
 
@@ -145,7 +145,7 @@ def test_bad_input_gets_one_clear_message(command, tmp_path, options, words):
 
 @pytest.fixture(scope="module")
 def gait():
-    return settling.settle_unit()
+    return settling.settle_fmu()
 
 
 def test_the_gait_of_the_defaults_settles_on_the_reference(gait):
@@ -315,7 +315,7 @@ def test_what_is_asked_of_a_run_has_to_be_numbers():
     with pytest.raises(tdmf_slip.InputError, match="a pair of times and values"):
         tdmf_slip.simulate(inputs={"ground.friction": 0.3}, stop_time=1)
     with pytest.raises(tdmf_slip.InputError, match="tolerance"):
-        settling.settle_unit(tolerance=float("nan"))
+        settling.settle_fmu(tolerance=float("nan"))
 
 
 def test_validate_as_json(command):
@@ -363,14 +363,14 @@ def test_results_that_cannot_be_printed_are_told():
 
 def test_no_gait_is_an_error_with_a_reason(command):
     with pytest.raises(tdmf_slip.RunError, match="fell after"):
-        settling.settle_unit({"hip.stance_torque": 0.0})
+        settling.settle_fmu({"hip.stance_torque": 0.0})
 
 
-def test_every_variable_is_told(command, unit):
+def test_every_variable_is_told(command, fmu):
     """As the unit's description has it, also its range; for machines with no bound as null."""
     status, out, _ = command("variables", "--json")
     printed = {row["name"]: row for row in json.loads(out)["variables"]}
-    assert status == 0 and list(printed) == list(unit.variables)
+    assert status == 0 and list(printed) == list(fmu.variables)
     assert printed["leg.min_length"]["default"] == 0.05 and printed["leg.min_length"]["unit"] == "m"
     assert (
         printed["contact.mode"]["items"]["slip_negative"] == 4 and printed["contact.mode"]["default"] is None
@@ -378,7 +378,7 @@ def test_every_variable_is_told(command, unit):
     assert printed["energy.total"]["minimum"] is None and not printed["energy.total"]["settable"]
     status, out, _ = command("variables")
     lines = out.splitlines()
-    assert status == 0 and len(lines) == len(unit.variables) + 2
+    assert status == 0 and len(lines) == len(fmu.variables) + 2
     row = next(line for line in lines if line.startswith("status.terminate_on_fall"))
     assert row.split()[1:3] == ["true", "parameter"]
     kinds = {name: row["variability"] for name, row in printed.items()}
@@ -387,11 +387,11 @@ def test_every_variable_is_told(command, unit):
     assert "discrete input" in next(line for line in lines if line.startswith("ground.slope"))
 
 
-def test_settings_of_one_interface_are_those_that_the_unit_describes_so(unit):
+def test_settings_of_one_interface_are_those_that_the_unit_describes_so(fmu):
     beginnings = {"me": "Model Exchange: ", "cs": "Co-Simulation: "}
     described = {
         name: interface
-        for name, variable in unit.variables.items()
+        for name, variable in fmu.variables.items()
         for interface, beginning in beginnings.items()
         if variable.settable and variable.description.startswith(beginning)
     }

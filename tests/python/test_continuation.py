@@ -12,8 +12,8 @@ from tdmf_slip.analysis.continuation import gaits_over
 from tdmf_slip.analysis.family import Family, Point
 from tdmf_slip.analysis.search import periodic_gait
 from tdmf_slip.analysis.tracing import trace
-from tdmf_slip.unit.parameters import read_parameters
-from tdmf_slip.unit.unit import FRICTION
+from tdmf_slip.fmu.fmu import FRICTION
+from tdmf_slip.fmu.parameters import read_parameters
 
 FAST_HUMAN = Path(__file__).with_name("fast_human.toml")
 ANGLE = "hip.touchdown_angle"
@@ -23,13 +23,13 @@ UNSTABLE_APEX = [14.1, 0.219, 1.004, 10.41, 0.0, 0.214]
 
 
 @pytest.fixture(scope="module")
-def runner(unit):
-    return Runner.of({}, unit)
+def runner(fmu):
+    return Runner.of({}, fmu)
 
 
 @pytest.fixture(scope="module")
-def human(unit):
-    return Runner.of(read_parameters(FAST_HUMAN), unit)
+def human(fmu):
+    return Runner.of(read_parameters(FAST_HUMAN), fmu)
 
 
 def kinds(branch):
@@ -156,9 +156,9 @@ def test_nothing_is_passed_over_where_gaits_are_wild(human, name, end, most):
         (FAST_HUMAN, FRICTION, 0.2),
     ],
 )
-def test_a_border_is_where_the_word_changes(unit, preset, name, end):
+def test_a_border_is_where_the_word_changes(fmu, preset, name, end):
     """To 3e-10 of the parameter, also where a duration ends as a square root does; seen by words alone."""
-    runner = Runner.of(read_parameters(preset) if preset else preset, unit)
+    runner = Runner.of(read_parameters(preset) if preset else preset, fmu)
     branch = trace(runner, name, find_gait(runner), end, max_step=0.1)
     met = [special for special in branch.specials if special.kind == "word border"]
     assert len(met) == len(branch.borders) >= 2

@@ -95,7 +95,7 @@ def test_the_bialternate_product_has_the_products_of_pairs():
     np.testing.assert_allclose(np.sort_complex(np.linalg.eigvals(bialternate(matrix))), wanted, atol=1e-12)
 
 
-def test_period_doublings_over_two_parameters(command, unit, tmp_path):
+def test_period_doublings_over_two_parameters(command, fmu, tmp_path):
     options = ("--vary", f"{TORQUE}=0.57:0.58", "--vary", f"{DAMPING}=0.199:0.201", "--plot", "curves.png")
     status, out, _ = command("continue", *options, "--json")
     printed = json.loads(out)
@@ -105,30 +105,30 @@ def test_period_doublings_over_two_parameters(command, unit, tmp_path):
     ends = sorted((curve["points"][0], curve["points"][-1]))
     assert ends[0][0] == pytest.approx(0.57, abs=1e-9) and ends[1][1] == pytest.approx(0.201, abs=1e-9)
     torque, damping = curve["points"][len(curve["points"]) // 4]
-    runner = Runner.of({DAMPING: damping}, unit)
-    branch = continue_branch(runner, {TORQUE: (torque - 2e-3, torque + 2e-3)}, switch=False, fmu=unit)
+    runner = Runner.of({DAMPING: damping}, fmu)
+    branch = continue_branch(runner, {TORQUE: (torque - 2e-3, torque + 2e-3)}, switch=False, fmu=fmu)
     (doubling,) = branch.specials
     assert doubling.value == pytest.approx(torque, rel=1e-8)
     assert (tmp_path / "curves.png").read_bytes()[:4] == b"\x89PNG"
 
 
-def test_word_borders_over_two_parameters(unit):
-    (curve,) = continue_curves({}, {FRICTION: (1.2, 1.1), DAMPING: (0.198, 0.202)}, fmu=unit)
+def test_word_borders_over_two_parameters(fmu):
+    (curve,) = continue_curves({}, {FRICTION: (1.2, 1.1), DAMPING: (0.198, 0.202)}, fmu=fmu)
     assert (curve.kind, curve.words) == ("word border", ("+0+", "+0-0+"))
     assert curve.points[[0, -1], 1] == pytest.approx([0.198, 0.202])
     friction, damping = curve.points[len(curve.points) // 4]
-    runner = Runner.of({DAMPING: damping}, unit)
-    branch = continue_branch(runner, {FRICTION: (friction + 0.01, friction - 0.01)}, switch=False, fmu=unit)
+    runner = Runner.of({DAMPING: damping}, fmu)
+    branch = continue_branch(runner, {FRICTION: (friction + 0.01, friction - 0.01)}, switch=False, fmu=fmu)
     (border,) = branch.borders
     assert border.value == pytest.approx(friction, rel=1e-8)
 
 
 @pytest.mark.parametrize("turned", [False, True])
-def test_a_border_has_each_word_on_its_side(unit, turned):
+def test_a_border_has_each_word_on_its_side(fmu, turned):
     """Whichever way the first range leads: left of the curve the word of a lower friction is written."""
     span = (1.2, 1.1)[:: -1 if turned else 1]
     over = {FRICTION: span, DAMPING: (0.198, 0.202)}
-    curves = continue_curves({}, over, fmu=unit)
+    curves = continue_curves({}, over, fmu=fmu)
     figure = figure_of(curves, over)
     figure.canvas.draw()
     axes = figure.axes[0]
@@ -139,11 +139,11 @@ def test_a_border_has_each_word_on_its_side(unit, turned):
         assert not any(text.get_window_extent().contains(*point) for point in line)
 
 
-def test_two_parameters_are_two(unit, command):
+def test_two_parameters_are_two(fmu, command):
     with pytest.raises(InputError, match="two parameters"):
-        continue_curves({}, {FRICTION: (0.6, 0.5)}, fmu=unit)
+        continue_curves({}, {FRICTION: (0.6, 0.5)}, fmu=fmu)
     with pytest.raises(InputError, match="ends differ"):
-        continue_curves({}, {FRICTION: (0.6, 0.5), DAMPING: (0.2, 0.2)}, fmu=unit)
+        continue_curves({}, {FRICTION: (0.6, 0.5), DAMPING: (0.2, 0.2)}, fmu=fmu)
     over = ("--vary", "leg.damping=0.1:0.2", "--vary", "ground.friction=0.5:0.6")
     for more in (("--vary", "gravity=0.01:0.02"), over[:2], ("--output", "x.nc")):
         status, out, said = command("continue", *over, *more)

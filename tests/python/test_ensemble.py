@@ -8,8 +8,8 @@ from tdmf_slip.library import binding, ensemble
 
 
 @pytest.fixture(scope="module")
-def gaits(unit):
-    return [find_gait(Runner.of({"ground.friction": mu}, unit)) for mu in (0.6, 1.2)]
+def gaits(fmu):
+    return [find_gait(Runner.of({"ground.friction": mu}, fmu)) for mu in (0.6, 1.2)]
 
 
 @pytest.fixture(scope="module")
@@ -83,21 +83,21 @@ def errors(cases, starts, numbers, tolerance, instructions):
 
 
 @pytest.mark.parametrize("instructions", ensemble.instruction_sets())
-def test_every_stride_keeps_the_promised_accuracy(unit, instructions):
+def test_every_stride_keeps_the_promised_accuracy(fmu, instructions):
     """All of them, not most."""
     compared = 0
-    for name, *population in populations(unit, 2000):
+    for name, *population in populations(fmu, 2000):
         worst = errors(*population, ensemble.TOLERANCE, instructions)
         assert np.mean(worst <= ensemble.ACCURACY) == 1.0, f"{name}: {worst.max():.1e}"
         compared += len(worst)
     assert compared > 3500
 
 
-def test_a_map_keeps_the_promised_accuracy(unit):
+def test_a_map_keeps_the_promised_accuracy(fmu):
     fastest = ensemble.instruction_sets()[-1]
     allowed = {"near": fates.ACCURACY / 20.0, "box": fates.ACCURACY}
     compared = 0
-    for name, cases, starts, numbers in populations(unit, 2000):
+    for name, cases, starts, numbers in populations(fmu, 2000):
         if name not in allowed:
             continue
         scales = np.array([case.runner.scales for case in cases])[numbers]

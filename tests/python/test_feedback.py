@@ -23,9 +23,9 @@ from tdmf_slip.feedback.dead_beat_gain import dead_beat_gain
 from tdmf_slip.feedback.gains import riccati_gain
 from tdmf_slip.feedback.linearization import CHOSEN, linearize
 from tdmf_slip.feedback.modes import Modes, lasting_modes
+from tdmf_slip.fmu.parameters import read_parameters
 from tdmf_slip.library.ensemble import instruction_sets
 from tdmf_slip.library.return_map import stride_from
-from tdmf_slip.unit.parameters import read_parameters
 
 ANGLE, TORQUE, THRUST = "hip.touchdown_angle", "hip.stance_torque", "leg.thrust"
 ALL = (ANGLE, TORQUE, "hip.retraction_rate", "hip.kp", "hip.kd", "hip.liftoff_angle_factor", THRUST)

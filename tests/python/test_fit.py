@@ -17,10 +17,10 @@ from tdmf_slip.fitting.identifiability import identified
 from tdmf_slip.fitting.measurements import UNITS, Measured, Measurements, read_measurements, shipped
 from tdmf_slip.fitting.problem import Problem
 from tdmf_slip.fitting.result import QUANTILE
+from tdmf_slip.fmu.parameters import read_parameters
 from tdmf_slip.library.gait import gait_near
 from tdmf_slip.library.quantities import known_quantities, quantities_of
 from tdmf_slip.library.varied_gait import varied_gait
-from tdmf_slip.unit.parameters import read_parameters
 
 FAST_HUMAN = Path(__file__).with_name("fast_human.toml")
 TABLE = "speed [m/s],speed_error [m/s],frequency [Hz],frequency_error [Hz]\n"

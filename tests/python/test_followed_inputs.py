@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 from tdmf_slip.errors import InputError
-from tdmf_slip.unit.inputs import read_tables
-from tdmf_slip.unit.simulation import simulate
+from tdmf_slip.fmu.inputs import read_tables
+from tdmf_slip.fmu.simulation import simulate
 
 RECORDED = ("leg.angle", "foot.x", "energy.total", "event.count", "hip.touchdown_angle", "control.thrust")
 TABLES = {
@@ -32,10 +32,10 @@ def test_both_interfaces_follow_it(table):
     assert not runs[0].messages and not runs[1].messages
 
 
-def test_a_discrete_input_keeps_a_value_until_the_next(tmp_path, unit):
+def test_a_discrete_input_keeps_a_value_until_the_next(tmp_path, fmu):
     file = tmp_path / "inputs.csv"
     file.write_text("time,control.thrust,hip.touchdown_angle\n0,0,40 deg\n2,0.1,41 deg\n3,0.2,41 deg\n")
-    run = simulate(inputs=read_tables(file, unit), variables=RECORDED, stop_time=4.0, output_interval=0.5)
+    run = simulate(inputs=read_tables(file, fmu), variables=RECORDED, stop_time=4.0, output_interval=0.5)
     table = run.table
     for begin, end, thrust, angle in ((0.0, 2.0, 0.0, 40.0), (2.0, 3.0, 0.1, 41.0), (3.0, 4.0, 0.2, 41.0)):
         inside = (table["time"] > begin) & (table["time"] < end)

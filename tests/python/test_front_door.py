@@ -67,7 +67,7 @@ def test_nothing_says_to_install_what_is_not_published():
 # ---- the gallery ----
 
 
-def test_the_gallery_has_every_figure_and_each_runs_live_by_names_that_there_are(command, unit):
+def test_the_gallery_has_every_figure_and_each_runs_live_by_names_that_there_are(command, fmu):
     text = (SOURCES / "gallery.md").read_text(encoding="utf-8")
     shown = re.findall(r"^```\{gallery-figure\} (\w+)$", text, re.MULTILINE)
     status, _, said = command("figures", "--only", "?")
@@ -76,7 +76,7 @@ def test_the_gallery_has_every_figure_and_each_runs_live_by_names_that_there_are
     states = re.findall(r"^:live: (\S+)$", text, re.MULTILINE)
     assert len(states) >= 14
     for name in (pair.split("=")[0] for state in states for pair in state.split("&")):
-        assert name in unit.variables or name == "race", name
+        assert name in fmu.variables or name == "race", name
     guides = set(re.findall(r"^:guide: (\S+)$", text, re.MULTILINE))
     assert all((SOURCES / "guides" / f"{guide}.md").is_file() for guide in guides)
 
@@ -95,14 +95,14 @@ RUNNERS_OF_FIGURES = {
 
 
 @pytest.mark.parametrize("figure", RUNNERS_OF_FIGURES)
-def test_the_runner_that_a_figure_opens_is_one_of_those_it_shows(figure, unit):
+def test_the_runner_that_a_figure_opens_is_one_of_those_it_shows(figure, fmu):
     columns = RUNNERS_OF_FIGURES[figure]
     text = (SOURCES / "gallery.md").read_text(encoding="utf-8")
     (state,) = re.findall(rf"^```\{{gallery-figure\}} {figure}\n(?:.+\n)*?:live: (\S+)$", text, re.MULTILINE)
     given = dict(pair.split("=") for pair in state.split("&"))
     assert set(given) <= set(columns)
     opened = {
-        column: float(given.get(name, str(unit.variables[name].start)).removesuffix("deg"))
+        column: float(given.get(name, str(fmu.variables[name].start)).removesuffix("deg"))
         for name, column in columns.items()
     }
     with (ROOT / "scripts/tdmf_slip/paper/figures" / f"{figure}.csv").open(encoding="utf-8") as file:

@@ -19,13 +19,13 @@ from tdmf_slip.analysis.search import periodic_gait
 from tdmf_slip.analysis.sweep import sweep
 from tdmf_slip.analysis.tracing import trace
 from tdmf_slip.cli.ranges import values_of
+from tdmf_slip.fmu.fmu import FRICTION
+from tdmf_slip.fmu.parameters import read_parameters
 from tdmf_slip.library import ensemble
 from tdmf_slip.library.binding import c, ffi
 from tdmf_slip.library.return_map import stride_from
 from tdmf_slip.library.word import LETTERS
 from tdmf_slip.paper import reference_gaits as reference
-from tdmf_slip.unit.parameters import read_parameters
-from tdmf_slip.unit.unit import FRICTION
 
 FAST_HUMAN = Path(__file__).with_name("fast_human.toml")
 
@@ -42,8 +42,8 @@ WINDOW = 3e-6
 
 
 @pytest.fixture(scope="module")
-def runner(unit):
-    return Runner.of({}, unit)
+def runner(fmu):
+    return Runner.of({}, fmu)
 
 
 @pytest.fixture(scope="module")
@@ -71,17 +71,17 @@ def test_eigenvalues_and_the_three_that_vanish(runner, friction):
 
 
 @pytest.mark.parametrize("given", LIGHT_AND_DAMPED)
-def test_a_light_foot_on_a_damped_leg_has_its_eigenvalues_too(unit, given):
+def test_a_light_foot_on_a_damped_leg_has_its_eigenvalues_too(fmu, given):
     values = dict(zip((FRICTION, "foot.mass", "leg.damping"), given, strict=True))
-    gait = find_gait(Runner.of(values, unit))
+    gait = find_gait(Runner.of(values, fmu))
     known = LIGHT_AND_DAMPED[given]
     assert np.abs(gait.eigenvalues[: len(known)]) == pytest.approx(known, abs=1e-6)
 
 
-def test_a_stride_without_derivatives_is_said_to_have_none(unit):
+def test_a_stride_without_derivatives_is_said_to_have_none(fmu):
     """A servo that is clamped at zero has none by its gains where they are zero."""
     apex = [1.2, 0.3, 1.0, 0.6, 0.0, -0.05]
-    without = Runner.of({"hip.kp": 0.0, "hip.kd": 0.0, "hip.stance_torque": 0.0}, unit)
+    without = Runner.of({"hip.kp": 0.0, "hip.kd": 0.0, "hip.stance_torque": 0.0}, fmu)
     assert all(np.isfinite(values).all() for values in stride_from(without, apex, "hip.stance_torque"))
     with pytest.raises(RunError, match="no derivatives"):
         stride_from(without, apex, "hip.kp")
@@ -144,7 +144,7 @@ def test_the_ledger_of_a_gait_closes(swept):
         assert losses == pytest.approx(gait.stride["work"], abs=1e-11)
 
 
-def test_a_grid_goes_on_where_it_was_interrupted(runner, unit, tmp_path, monkeypatch):
+def test_a_grid_goes_on_where_it_was_interrupted(runner, fmu, tmp_path, monkeypatch):
     path = tmp_path / "grid.nc"
     frictions, rows = np.linspace(0.5, 0.7, 3), np.linspace(0.18, 0.22, 3)
     honest, calls = grids.gaits_of_row, []
@@ -157,8 +157,8 @@ def test_a_grid_goes_on_where_it_was_interrupted(runner, unit, tmp_path, monkeyp
 
     monkeypatch.setattr(grids, "gaits_of_row", interrupted)
     with pytest.raises(KeyboardInterrupt):
-        grid(runner, {"ground.friction": frictions, "leg.damping": rows}, path, threads=1, fmu=unit)
-    whole = grid(runner, {"ground.friction": frictions, "leg.damping": rows}, path, threads=1, fmu=unit)
+        grid(runner, {"ground.friction": frictions, "leg.damping": rows}, path, threads=1, fmu=fmu)
+    whole = grid(runner, {"ground.friction": frictions, "leg.damping": rows}, path, threads=1, fmu=fmu)
     assert len(calls) == 4  # one row was done, one interrupted, two were missing
     assert int(whole["period"].notnull().sum()) == 9
     on_file = xarray.load_dataset(path)
@@ -167,7 +167,7 @@ def test_a_grid_goes_on_where_it_was_interrupted(runner, unit, tmp_path, monkeyp
     middle = find_gait(runner.but(FRICTION, 0.6))
     assert float(on_file["period"][1, 1]) == pytest.approx(middle.period, rel=1e-11)
     with pytest.raises(InputError, match="another sweep"):
-        grid(runner, {"ground.friction": frictions, "leg.damping": rows + 0.01}, path, threads=1, fmu=unit)
+        grid(runner, {"ground.friction": frictions, "leg.damping": rows + 0.01}, path, threads=1, fmu=fmu)
 
 
 def test_the_search_begins_at_an_apex_whatever_the_masses(runner):
@@ -180,9 +180,9 @@ def test_the_search_begins_at_an_apex_whatever_the_masses(runner):
         assert find_gait(other).error < 1e-12
 
 
-def test_events_and_letters_are_those_of_one_stride(unit):
+def test_events_and_letters_are_those_of_one_stride(fmu):
     """A word's letters with their durations, in stances of their own too."""
-    human = Runner.of(read_parameters(FAST_HUMAN), unit)
+    human = Runner.of(read_parameters(FAST_HUMAN), fmu)
     branch = trace(human, "leg.stiffness", find_gait(human), 18000.0)
     assert {gait.word for gait in branch.gaits} == {"+0+", "+|+0+"}
     for gait in branch.gaits:
@@ -205,24 +205,24 @@ def test_a_runner_keeps_its_tolerance_wherever_it_is_sent(runner):
         Runner(runner.values, 0.0).solver()
 
 
-def test_a_grid_keeps_the_gaits_before_its_branch_was_lost(runner, unit, tmp_path):
+def test_a_grid_keeps_the_gaits_before_its_branch_was_lost(runner, fmu, tmp_path):
     frictions = np.linspace(0.6, 0.02, 4)
     found = grid(
         runner,
         {"ground.friction": frictions, "hip.touchdown_angle": [1.0]},
         tmp_path / "l.nc",
         threads=1,
-        fmu=unit,
+        fmu=fmu,
     )
     known = np.isfinite(found["period"].values[0]).tolist()
     assert known == [True, True, False, False] and str(found["problem"].values[0])
     assert found["word"].values[0].tolist()[2:] == ["", ""]
-    first = find_gait(runner.but("hip.touchdown_angle", 1.0), fmu=unit)
+    first = find_gait(runner.but("hip.touchdown_angle", 1.0), fmu=fmu)
     assert float(found["lambda_max"][0, 0]) == pytest.approx(np.max(np.abs(first.eigenvalues)), rel=1e-9)
     for name in ("speed", "work", "impact_loss"):
         assert float(found[name][0, 0]) == pytest.approx(first.stride[name], rel=1e-9)
     with pytest.raises(RunError, match=r"at friction 0\.02"):
-        find_gait(runner.but("hip.touchdown_angle", 1.0).but(FRICTION, 0.02), fmu=unit)
+        find_gait(runner.but("hip.touchdown_angle", 1.0).but(FRICTION, 0.02), fmu=fmu)
 
 
 def test_a_border_that_is_not_located_loses_no_gait(runner, monkeypatch):
@@ -235,10 +235,10 @@ def test_a_border_that_is_not_located_loses_no_gait(runner, monkeypatch):
     assert len(found.gaits) == 2 and found.problem == "not located"
 
 
-def test_a_grid_over_a_mass(runner, unit, tmp_path):
+def test_a_grid_over_a_mass(runner, fmu, tmp_path):
     """A row whose start values are refused has its reason, and the others are done."""
     found = grid(
-        runner, {"ground.friction": [0.6], "foot.mass": [0.1, 0.2]}, tmp_path / "mass.nc", threads=1, fmu=unit
+        runner, {"ground.friction": [0.6], "foot.mass": [0.1, 0.2]}, tmp_path / "mass.nc", threads=1, fmu=fmu
     )
     assert not found["period"].isnull().any()
     found = grid(
@@ -246,7 +246,7 @@ def test_a_grid_over_a_mass(runner, unit, tmp_path):
         {"ground.friction": [0.6], "leg.length": [0.04, runner.values["leg.length"]]},
         tmp_path / "y.nc",
         threads=1,
-        fmu=unit,
+        fmu=fmu,
     )
     assert "leg.length = 0.04" in str(found["problem"].values[0]) and found["problem"].values[1] == ""
     assert list(found["done"].values) == [1, 1]
@@ -366,24 +366,24 @@ def test_a_grid_without_gaits_says_why(command):
     assert all(xarray.load_dataset("none.nc")["problem"].values)
 
 
-def test_a_logarithmic_range_has_no_zero(unit):
+def test_a_logarithmic_range_has_no_zero(fmu):
     with pytest.raises(InputError, match="above 0"):
-        values_of("0:1:3", "log", unit.variables[FRICTION], "--friction")
+        values_of("0:1:3", "log", fmu.variables[FRICTION], "--friction")
 
 
 @pytest.mark.parametrize("text", ["1:2", "a:b:3", "1:2:0", "nan:1:3", "1:inf:4"])
-def test_bad_ranges_are_refused(unit, text):
+def test_bad_ranges_are_refused(fmu, text):
     with pytest.raises(InputError, match=f"--friction {text}"):
-        values_of(text, "linear", unit.variables[FRICTION], "--friction")
+        values_of(text, "linear", fmu.variables[FRICTION], "--friction")
 
 
-def test_a_light_foot_that_never_slips_has_a_gait(unit):
+def test_a_light_foot_that_never_slips_has_a_gait(fmu):
     """Stick ends where the ground force does, up to the friction times rounding; no event is found twice.
 
     The period is that which runs of the unit by CVODE settle to.
     """
     light = {"foot.mass": 0.02, "hip.touchdown_angle": "49.6715 deg", "ground.friction": 1000.0}
-    gait = find_gait(Runner.of(light, unit))
+    gait = find_gait(Runner.of(light, fmu))
     assert (gait.word, gait.stable) == ("0+", True)
     assert gait.period == pytest.approx(25.36965, rel=3e-7)
 
@@ -397,9 +397,9 @@ def test_friction_without_bound_has_the_gait_of_no_slip(runner):
         assert gait.period == pytest.approx(never.period, rel=1e-3 / friction)
 
 
-def test_trouble_of_the_solver_is_not_called_a_fall(unit):
+def test_trouble_of_the_solver_is_not_called_a_fall(fmu):
     """A servo so stiff that no step changes the time; whether the runner falls is not known."""
-    stiff = Runner.of({"foot.mass": 1e-12, "hip.kp": 1e18, "hip.kd": 1e18}, unit)
+    stiff = Runner.of({"foot.mass": 1e-12, "hip.kp": 1e18, "hip.kd": 1e18}, fmu)
     apex = [1.34, 0.95, 1.0, 0.93, 0.0, 0.2]
     for search in (
         lambda: find_gait(stiff),
@@ -474,9 +474,9 @@ def test_a_sweep_from_where_there_is_no_gait_finds_the_others(command):
         assert gait["period"] == pytest.approx(answers[1][friction]["period"], rel=1e-10)
 
 
-def test_a_sweep_goes_on_beyond_a_gap(unit):
+def test_a_sweep_goes_on_beyond_a_gap(fmu):
     """At human scale; between gaits of different words, but of no common branch, there is no border."""
-    runner = Runner.of(read_parameters(FAST_HUMAN), unit)
+    runner = Runner.of(read_parameters(FAST_HUMAN), fmu)
     found = sweep(runner, {"ground.friction": [0.6, 0.3, 0.405]})
     assert [gait and gait.word for gait in found.by_value] == ["+0+", None, "+0-0+"]
     assert "friction 0.3" in found.problem

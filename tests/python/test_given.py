@@ -11,10 +11,10 @@ import pytest
 import tdmf_slip
 from tdmf_slip import InputError, RunError
 from tdmf_slip.analysis import continuation, fates, stability
+from tdmf_slip.fmu import batch
+from tdmf_slip.fmu.parameters import read_parameters
 from tdmf_slip.library import ensemble
 from tdmf_slip.library.section import COORDINATES
-from tdmf_slip.unit import batch
-from tdmf_slip.unit.parameters import read_parameters
 
 FRICTION, DAMPING, TORQUE = "ground.friction", "leg.damping", "hip.stance_torque"
 GIVEN = {FRICTION: 0.6, DAMPING: 0.19}

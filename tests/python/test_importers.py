@@ -82,19 +82,19 @@ def run(program, unit, description):
     [("libcosimpy", LIBCOSIM), ("ecospy", ECOS), ("fmu_manipulation_toolbox", CONTAINER)],
     ids=["libcosimpy", "ecospy", "fmu-manipulation-toolbox"],
 )
-def test_ten_strides(fmu, description, tmp_path, module, program):
+def test_ten_strides(fmu_file, description, tmp_path, module, program):
     pytest.importorskip(module, exc_type=ImportError)
-    unit = shutil.copy(fmu, tmp_path / "TDMF_SLIP.fmu")
+    unit = shutil.copy(fmu_file, tmp_path / "TDMF_SLIP.fmu")
     count, *values = run(program, unit, description)
     assert count == 10
     assert values == pytest.approx([REFERENCE[name] for name in QUANTITIES], rel=1e-8)
 
 
-def test_toolbox_finds_no_fault(fmu):
+def test_toolbox_finds_no_fault(fmu_file):
     """`fmutool -check`, the second static checker beside FMPy's."""
     tool = shutil.which("fmutool", path=str(sys.prefix) + "/bin")
     if tool is None:
         pytest.skip("fmu-manipulation-toolbox is not installed")
-    done = subprocess.run([tool, "-input", fmu, "-check"], capture_output=True, text=True, timeout=60)
+    done = subprocess.run([tool, "-input", fmu_file, "-check"], capture_output=True, text=True, timeout=60)
     said = done.stdout + done.stderr
     assert "compliant with FMI-2.0" in said and "No semantic error" in said, said

@@ -48,7 +48,7 @@ def test_a_gait_loads_what_it_needs():
         "numerics",
         "renamed",
         "terminal",
-        "unit",
+        "fmu",
     }
     assert not unpacked
 

@@ -24,11 +24,11 @@ def java(*arguments):
     return subprocess.run(command, capture_output=True, text=True, timeout=120)
 
 
-def test_fmi4j_runs_ten_strides(fmu, description):
+def test_fmi4j_runs_ten_strides(fmu_file, description):
     references = {variable.name: variable.valueReference for variable in description.modelVariables}
     wanted = [references[f"stride.{name}"] for name in QUANTITIES]
     program = ROOT / "tests/importers/TenStrides.java"
-    done = java("-cp", f"{JARS}/*", program, fmu, references["stride.count"], *wanted)
+    done = java("-cp", f"{JARS}/*", program, fmu_file, references["stride.count"], *wanted)
     results = [line for line in done.stdout.splitlines() if line.startswith("RESULT ")]
     assert results, done.stdout[-2000:] + done.stderr[-2000:]
     count, *values = json.loads(results[0].removeprefix("RESULT "))
@@ -36,6 +36,6 @@ def test_fmi4j_runs_ten_strides(fmu, description):
     assert values == pytest.approx([REFERENCE[name] for name in QUANTITIES], rel=1e-8)
 
 
-def test_vdmcheck_finds_no_fault(fmu):
-    done = java("-jar", JARS / "vdmcheck2.jar", fmu)
+def test_vdmcheck_finds_no_fault(fmu_file):
+    done = java("-jar", JARS / "vdmcheck2.jar", fmu_file)
     assert "No errors found." in done.stdout, done.stdout[-2000:] + done.stderr[-2000:]

@@ -20,8 +20,8 @@ NAMES = (ANGLE, TORQUE)
 
 
 @pytest.fixture(scope="module")
-def gait(unit):
-    return find_gait(Runner.of({"ground.friction": 0.6}, unit))
+def gait(fmu):
+    return find_gait(Runner.of({"ground.friction": 0.6}, fmu))
 
 
 @pytest.fixture(scope="module")
@@ -122,7 +122,7 @@ def test_noise_is_drawn_by_the_number_in_the_slice(gait, settling, monkeypatch, 
         basin(gait.runner, axes, n, law=settling, threads=1, path=path)
 
 
-def test_laws_that_do_not_keep_the_gait_are_told(gait, nothing, unit):
+def test_laws_that_do_not_keep_the_gait_are_told(gait, nothing, fmu):
     def refused(message, law):
         for judge in (
             lambda: check_attracts(gait, law),
@@ -140,7 +140,7 @@ def test_laws_that_do_not_keep_the_gait_are_told(gait, nothing, unit):
     wild = AffineLaw([ANGLE], gait.apex, [usual], [[3, 0, 0, 0, 0, 0]], [0], [1])
     refused("law: under it the gait at friction 0.6 is unstable, with a largest eigenvalue of", wild)
     refused("law = 1 is not allowed; allowed: an AffineLaw", 1)
-    reduced = find_gait({"ground.friction": 0.6}, model="reduced", fmu=unit)
+    reduced = find_gait({"ground.friction": 0.6}, model="reduced", fmu=fmu)
     with pytest.raises(
         InputError, match="law: of 6 coordinates; allowed, as the runner has: com_height, com_speed"
     ):

@@ -15,17 +15,17 @@ KNOWS = {
     "numerics": GROUND,
     "files": {"terminal"},
     "blocks": {"terminal"},
-    "unit": {"terminal", "files", "blocks"},
-    "library": {"unit", "numerics", "terminal"},
-    "analysis": {"library", "unit", "blocks", "files", "numerics", "terminal"},
-    "feedback": {"analysis", "library", "unit", "blocks", "files", "terminal"},
-    "fitting": {"analysis", "library", "unit", "files", "terminal"},
-    "optimization": {"analysis", "library", "unit", "numerics", "terminal"},
-    "proof": {"analysis", "library", "unit", "terminal"},
-    "viable_sets": {"analysis", "library", "unit", "blocks", "files", "terminal"},
+    "fmu": {"terminal", "files", "blocks"},
+    "library": {"fmu", "numerics", "terminal"},
+    "analysis": {"library", "fmu", "blocks", "files", "numerics", "terminal"},
+    "feedback": {"analysis", "library", "fmu", "blocks", "files", "terminal"},
+    "fitting": {"analysis", "library", "fmu", "files", "terminal"},
+    "optimization": {"analysis", "library", "fmu", "numerics", "terminal"},
+    "proof": {"analysis", "library", "fmu", "terminal"},
+    "viable_sets": {"analysis", "library", "fmu", "blocks", "files", "terminal"},
     "pictures": {
         *("viable_sets", "proof", "optimization", "feedback", "fitting", "analysis"),
-        *("library", "unit", "files", "terminal"),
+        *("library", "fmu", "files", "terminal"),
     },
     "paper": {
         *(
@@ -36,15 +36,15 @@ KNOWS = {
             "fitting",
             "analysis",
             "library",
-            "unit",
+            "fmu",
             "files",
             "terminal",
         )
     },
-    "bench": {"optimization", "fitting", "analysis", "library", "unit", "terminal"},
+    "bench": {"optimization", "fitting", "analysis", "library", "fmu", "terminal"},
     "cli": {
         *("bench", "paper", "pictures", "viable_sets", "proof", "optimization", "fitting", "analysis"),
-        *("library", "unit", "files", "terminal"),
+        *("library", "fmu", "files", "terminal"),
     },
 }
 """By part: the parts that it may import, beside those of `GROUND`."""
@@ -97,7 +97,7 @@ def test_a_part_imports_what_is_below_it_only(part):
 @pytest.mark.parametrize(
     ("part", "text"),
     [
-        ("unit", "from ..library.gait import Gait"),
+        ("fmu", "from ..library.gait import Gait"),
         ("library", "from ..analysis import sweep"),
         ("analysis", "def late():\n    from .. import cli"),
         ("paper", "from ..bench.running import bench"),

@@ -31,9 +31,9 @@ from selenium.webdriver.common.by import By
 from selenium.webdriver.support.select import Select
 from tdmf_slip.analysis.basin import range_around
 from tdmf_slip.analysis.fates import fates
+from tdmf_slip.fmu.parameters import preset_names, read_parameters
 from tdmf_slip.library.ensemble import FATES
 from tdmf_slip.library.members import INPUTS, PARAMETERS, STATES
-from tdmf_slip.unit.parameters import preset_names, read_parameters
 
 built, address, driver, page = live_pages.built, live_pages.address, live_pages.driver, live_pages.page
 
@@ -50,7 +50,7 @@ def test_the_page_and_all_that_it_loads_is_small_and_its_own(page, built, addres
         assert name.startswith(f"{address}/live/") and (built / name.removeprefix(f"{address}/")).is_file()
 
 
-def test_there_is_a_control_for_every_parameter_input_and_start_value(page, unit):
+def test_there_is_a_control_for_every_parameter_input_and_start_value(page, fmu):
     wanted = [member.name for member in (*PARAMETERS, *INPUTS)] + list(STATES)
     rows = page.execute_script(
         "return [...document.querySelectorAll('.control')].map((row) => ["
@@ -59,7 +59,7 @@ def test_there_is_a_control_for_every_parameter_input_and_start_value(page, unit
     )
     assert sorted(name for name, _, _ in rows) == sorted(wanted)
     for name, shown, note in rows:
-        variable = unit.variables[name]
+        variable = fmu.variables[name]
         factor = next(iter(variable.display_units.values()), 1.0)
         assert note.startswith(variable.description)
         numbers = re.search(r"default (\S+), from (\S+) to (\S+)", note).groups()

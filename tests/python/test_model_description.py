@@ -18,8 +18,8 @@ def number(text):
     return None if text is None else float(text)
 
 
-def test_checker_finds_nothing(fmu):
-    assert validate_fmu(fmu) == []
+def test_checker_finds_nothing(fmu_file):
+    assert validate_fmu(fmu_file) == []
 
 
 def test_ranges_are_not_empty_and_hold_the_starts(description):
@@ -192,13 +192,13 @@ def test_promised_names_are_there(description):
     assert len(states) == 15
 
 
-def test_the_page_lists_every_variable(unpacked, unit):
+def test_the_page_lists_every_variable(unpacked, fmu):
     """With what the description says of it."""
     page = pathlib.Path(unpacked, "documentation", "index.html").read_text(encoding="utf-8")
     rows = re.findall(r"<tr><td><code>([^<]*)</code></td>((?:<td>[^<]*</td>){5})</tr>", page)
-    assert [name for name, _ in rows] == list(unit.variables)
+    assert [name for name, _ in rows] == list(fmu.variables)
     for name, row in rows:
-        variable = unit.variables[name]
+        variable = fmu.variables[name]
         measure, allowed, start, kind, meaning = map(html.unescape, re.findall("<td>(.*?)</td>", row))
         assert measure == variable.unit.removesuffix("1") and kind == variable.kind, name
         assert meaning == variable.description, name

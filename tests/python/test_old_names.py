@@ -38,6 +38,7 @@ REPLACED = {
         forget_view forget_messages note_message note_foot notes_peaks_and_positive_work assert_noted
         state_along variation_along expand_drop_along shift_along change_of_ground change_of_speed
         exact_change write_change direction_of tangent_agrees tangent_agrees_along fmu_direction along_length
+        present_unit unit_calls unit_description unit_functions load_unit
         is_held MOST LEAST PIECES SIDES
         unit_settings unit_work unit_view unit_variable unit_variables unit_reset unit_start unit_prepare
     """,
@@ -111,6 +112,9 @@ REPLACED_IN_PYTHON = {
     "noted",
     "at_most",
     "StrideChange",
+    "settle_unit",
+    "measure_unit",
+    "_of_unit",
     "ClassicChange",
     "HELD_ON_TERRAIN",
     "_jacobian_changes",
@@ -238,6 +242,15 @@ def test_no_replaced_option_is_left_in_guides_and_examples():
         for found in REPLACED_OPTIONS.findall(path.read_text(encoding="utf-8"))
     ]
     assert left == []
+
+
+def test_no_folder_or_module_calls_the_fmu_a_unit():
+    paths = [path for path in (ROOT / "scripts").rglob("*.py") if "installed" not in path.parts]
+    assert len(paths) > 300
+    left = [path for path in paths if {"unit", "unit.py", "merge_units.py"} & set(path.parts)]
+    assert left == []
+    imports = re.compile(r"from \.+unit\b|tdmf_slip\.unit\b")
+    assert [where for where, code in python_texts() if imports.search(code)] == []
 
 
 def test_a_replaced_name_of_python_would_be_found():

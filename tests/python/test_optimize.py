@@ -5,13 +5,13 @@ import json
 import numpy as np
 import pytest
 from tdmf_slip import InputError, TargetNotMetError, find_gait, optimize, sweep
+from tdmf_slip.fmu.parameters import read_parameters
 from tdmf_slip.library.gait import gait_near
 from tdmf_slip.library.quantities import known_quantities
 from tdmf_slip.library.strides import strides_from
 from tdmf_slip.optimization.gaits import Gaits
 from tdmf_slip.optimization.space import Space
 from tdmf_slip.optimization.spectrum import MINIMUM, spectrum_of
-from tdmf_slip.unit.parameters import read_parameters
 
 STIFF = {"leg.stiffness": 2.0, "ground.friction": 0.6}
 LIGHT = {"foot.mass": 0.03, "ground.friction": 0.6}

@@ -74,10 +74,10 @@ def test_a_tighter_tolerance_has_a_meaning_in_co_simulation(command):
     assert command("simulate", "--interface", "cs", "--tolerance", "1e-6", *setting, "--stop-time", 1)[0] == 0
 
 
-def test_a_range_may_be_in_degrees(unit):
-    angle = unit.variables["hip.touchdown_angle"]
+def test_a_range_may_be_in_degrees(fmu):
+    angle = fmu.variables["hip.touchdown_angle"]
     assert values_of("35 deg:45 deg:3", "linear", angle, "--vary") == pytest.approx(np.radians([35, 40, 45]))
-    assert ends_of("60 deg:80 deg", unit.variables["apex.leg_angle"], "--axes") == pytest.approx(
+    assert ends_of("60 deg:80 deg", fmu.variables["apex.leg_angle"], "--axes") == pytest.approx(
         np.radians([60, 80])
     )
 

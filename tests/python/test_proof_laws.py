@@ -4,10 +4,10 @@ import math
 
 import numpy as np
 import pytest
+from tdmf_slip.fmu.fmu import load_fmu
 from tdmf_slip.library.binding import c, ffi
 from tdmf_slip.library.members import STATES
 from tdmf_slip.library.runner import Runner
-from tdmf_slip.unit.unit import load_fmu
 
 pytest.importorskip("flint")
 

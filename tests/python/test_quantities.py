@@ -6,11 +6,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 from tdmf_slip import InputError, Runner, find_gait, simulate, sweep
+from tdmf_slip.fmu.parameters import read_parameters
 from tdmf_slip.library.gait import gait_near
 from tdmf_slip.library.measures import MEASURE_UNITS, MEASURES
 from tdmf_slip.library.quantities import quantities_of, scales_of
 from tdmf_slip.library.varied_stride import varied_stride
-from tdmf_slip.unit.parameters import read_parameters
 
 RANDOM_RUNNERS = json.loads(Path(__file__).with_name("random_runners.json").read_text())
 RUNNERS = {

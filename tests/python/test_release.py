@@ -22,7 +22,7 @@ pytest.importorskip("ziglang", reason="NOT TESTED: releases; ./scripts/release i
 
 with pytest.MonkeyPatch.context() as patch:  # not for longer: that folder has the package's sources, too
     patch.syspath_prepend(SCRIPTS)
-    import merge_units
+    import merge_fmus
     import release_files
 
 VERSION = release_files.version()
@@ -176,7 +176,7 @@ def test_units_do_not_depend_on_when_and_in_which_order_they_were_zipped(tmp_pat
     for order, date in zip((names, names[::-1]), dates, strict=True):
         folder = tmp_path / str(date[0])
         write_unit(folder / "x86_64-linux" / "TDMF_SLIP.fmu", order, date)
-        merge_units.merge([folder / "x86_64-linux"], folder, "TDMF_SLIP.fmu")
+        merge_fmus.merge([folder / "x86_64-linux"], folder, "TDMF_SLIP.fmu")
         made.append((folder / "TDMF_SLIP.fmu").read_bytes())
         with zipfile.ZipFile(folder / "TDMF_SLIP.fmu") as unit:
             assert unit.namelist() == names
@@ -184,7 +184,7 @@ def test_units_do_not_depend_on_when_and_in_which_order_they_were_zipped(tmp_pat
             assert all(unit.read(name).decode() == f"content of {name}" for name in names)
     assert made[0] == made[1]
     monkeypatch.delenv("SOURCE_DATE_EPOCH")
-    assert merge_units.entry_time() == (1980, 1, 1, 0, 0, 0)
+    assert merge_fmus.entry_time() == (1980, 1, 1, 0, 0, 0)
 
 
 # ---- what is cited and published ----

@@ -12,8 +12,8 @@ RATE = "hip.retraction_rate"
 
 
 @pytest.fixture(scope="module")
-def branch(unit):
-    runner = Runner.of({"ground.friction": 0.2}, unit)
+def branch(fmu):
+    runner = Runner.of({"ground.friction": 0.2}, fmu)
     return trace(runner, RATE, find_gait(runner), 0.01)
 
 

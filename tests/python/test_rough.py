@@ -19,8 +19,8 @@ FELL = FATES.index("fell")
 
 
 @pytest.fixture(scope="module")
-def gait(unit):
-    return find_gait(Runner.of({"ground.friction": 0.6}, unit))
+def gait(fmu):
+    return find_gait(Runner.of({"ground.friction": 0.6}, fmu))
 
 
 # ---- the same steps as in the unit ---------------------------------------------------------------------

@@ -69,12 +69,12 @@ def test_the_example_prints_each_stride(example, capsys):
 
 
 @pytest.fixture(scope="module")
-def program(fmu, tmp_path_factory):
+def program(fmu_file, tmp_path_factory):
     """The program in C, built."""
     if shutil.which("cmake") is None:
         pytest.skip("CMake is not installed")
     folder = tmp_path_factory.mktemp("program")
-    configure = ["cmake", "-S", EXAMPLES / "stride_feedback", "-B", folder, f"-DRUNNER={fmu}"]
+    configure = ["cmake", "-S", EXAMPLES / "stride_feedback", "-B", folder, f"-DRUNNER={fmu_file}"]
     for command in ([*configure, f"-DPython3_EXECUTABLE={sys.executable}"], ["cmake", "--build", folder]):
         done = subprocess.run(command, capture_output=True, text=True)
         assert done.returncode == 0, done.stdout + done.stderr

@@ -23,8 +23,8 @@ CLOSED, FELL = STRIDE_FATES.index("closed"), STRIDE_FATES.index("fell")
 
 
 @pytest.fixture(scope="module")
-def gait(unit):
-    return find_gait(Runner.of({"ground.friction": 0.6}, unit))
+def gait(fmu):
+    return find_gait(Runner.of({"ground.friction": 0.6}, fmu))
 
 
 @pytest.fixture(scope="module")
@@ -332,8 +332,8 @@ def test_noise_is_that_of_the_published_generators(gait, starts):
 # ---- the reduced map --------------------------------------------------------------------------------------
 
 
-def test_the_reduced_map_has_laws_too(unit):
-    gait = find_gait({"ground.friction": 0.6}, model="reduced", fmu=unit)
+def test_the_reduced_map_has_laws_too(fmu):
+    gait = find_gait({"ground.friction": 0.6}, model="reduced", fmu=fmu)
     starts = gait.apex + np.random.default_rng(6).uniform(-0.03, 0.03, (RUNNERS, 2))
     nominal = gait.runner.values[ANGLE]
     law = AffineLaw([ANGLE], gait.apex, [nominal], [[0.2, -0.1]], [nominal - 0.004], [nominal + 0.004])
@@ -384,12 +384,12 @@ def test_settings_that_are_none_are_told(gait):
     refused("inputs: hip.kp: Cannot cast", hip__kp="much")
 
 
-def test_settings_that_do_not_act_are_told(gait, unit):
+def test_settings_that_do_not_act_are_told(gait, fmu):
     slack = gait.runner.but("hip.kp", 0.0).but("hip.kd", 0.0)
     message = "inputs: hip.touchdown_angle does not act where hip.kp and hip.kd are 0"
     refuses(message, gait.apex, slack, inputs={ANGLE: 0.6})
     assert stride_map(slack, gait.apex, inputs={ANGLE: 0.6, "hip.kp": 1.0}).sizes["runner"] == 1
-    reduced = find_gait({"ground.friction": 0.6}, model="reduced", fmu=unit)
+    reduced = find_gait({"ground.friction": 0.6}, model="reduced", fmu=fmu)
     message = "inputs: hip.kp does not act in the reduced map"
     refuses(message, reduced.apex, reduced.runner, inputs={"hip.kp": 1.0})
 

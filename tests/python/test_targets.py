@@ -8,11 +8,11 @@ import numpy as np
 import pytest
 from tdmf_slip import InputError, Runner, TargetNotMetError, find_gait
 from tdmf_slip.analysis.target import Target
+from tdmf_slip.fmu.parameters import read_parameters
 from tdmf_slip.library.gait import gait_near
 from tdmf_slip.library.members import VARIED
 from tdmf_slip.library.quantities import QUANTITIES, REDUCED_QUANTITIES, quantities_of, scales_of
 from tdmf_slip.library.varied_stride import varied_stride
-from tdmf_slip.unit.parameters import read_parameters
 
 FAST_HUMAN = Path(__file__).with_name("fast_human.toml")
 

@@ -10,15 +10,15 @@ WORKS = ("leg.work", "hip.work")
 
 
 @pytest.fixture(scope="module")
-def gait(unit):
+def gait(fmu):
     start = {"ground.friction": 10.0, "hip.stance_torque": 0.0, "leg.thrust": THRUST}
-    return find_gait(Runner.of(start, unit))
+    return find_gait(Runner.of(start, fmu))
 
 
-def test_without_hip_torque_the_leg_does_all_work(gait, unit):
+def test_without_hip_torque_the_leg_does_all_work(gait, fmu):
     """Its spring longer by the thrust has done, once flight begins, stiffness x thrust x lengthening."""
     names = [*WORKS, *(f"energy.{name}" for name in LOSSES), "leg.length"]
-    run = simulate(gait.start_values, strides=1, tolerance=1e-11, variables=names, fmu=unit).table
+    run = simulate(gait.start_values, strides=1, tolerance=1e-11, variables=names, fmu=fmu).table
     changed = np.flatnonzero(np.abs(np.diff(run["leg.work"])) > 1e-6)
     assert len(changed) == 2
     compressed, longest = run["leg.length"][changed]

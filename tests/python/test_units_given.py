@@ -10,8 +10,8 @@ import pytest
 import xarray
 from tdmf_slip import InputError, continue_branch, continue_curves, load_fmu, sweep
 from tdmf_slip.cli.main import COMMANDS
+from tdmf_slip.fmu.display_units import DisplayUnits
 from tdmf_slip.pictures import branch, branch_diagram, curve_diagram
-from tdmf_slip.unit.display_units import DisplayUnits
 
 ANGLE, FRICTION, DAMPING = "hip.touchdown_angle", "ground.friction", "leg.damping"
 OVER = f"{ANGLE}=40 deg:42 deg"

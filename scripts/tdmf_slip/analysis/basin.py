@@ -17,6 +17,8 @@ from ..blocks.running import run_blocks
 from ..checks import check_size
 from ..errors import InputError
 from ..files.whole import check_destination
+from ..fmu.fmu import Fmu, load_fmu
+from ..fmu.parameters import RunnerLike
 from ..given import counts_given
 from ..labelled import Labelled
 from ..library.affine_law import AffineLaw
@@ -24,8 +26,6 @@ from ..library.gait import Gait
 from ..library.runner import Runner
 from ..library.section import check_axes
 from ..terminal.progress import progress_bar
-from ..unit.parameters import RunnerLike
-from ..unit.unit import Fmu, load_fmu
 from .axes import AXES, Axes, axes_of
 from .axes import range_around as range_around
 from .ball import Ball, attributes_of, ball_of

@@ -7,10 +7,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ..fmu.fmu import Fmu
 from ..labelled import Labelled, LabelledArrays
 from ..library import ensemble
 from ..library.gait import Gait
-from ..unit.unit import Fmu
 from .gait_columns import attributes_of
 from .search import model_of
 

@@ -10,11 +10,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..errors import InputError, RunError
+from ..fmu.fmu import Fmu
 from ..library.gait import Gait
 from ..library.runner import Runner
 from ..library.scales import scale_of
 from ..library.varied_stride import plain_stride
-from ..unit.unit import Fmu
 from .linkage import linked
 from .settled import evenly, settled_gaits
 from .target import Iterate, Target

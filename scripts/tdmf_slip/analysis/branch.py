@@ -9,8 +9,8 @@ import numpy as np
 
 from ..contents import ByContents
 from ..drawable import Drawable
+from ..fmu.fmu import Fmu, load_fmu
 from ..library.gait import Gait
-from ..unit.unit import Fmu, load_fmu
 from .bifurcations import Special
 from .borders import Border
 

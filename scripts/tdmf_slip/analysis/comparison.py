@@ -13,6 +13,9 @@ from ..checks import is_one_of, near_matches, shown
 from ..contents import ByContents
 from ..drawable import Drawable
 from ..errors import InputError
+from ..fmu.fmu import Fmu, load_fmu
+from ..fmu.parameters import RunnerLike
+from ..fmu.variable import Given
 from ..given import row_of
 from ..library.gait import Gait
 from ..library.measures import MEASURE_UNITS
@@ -21,9 +24,6 @@ from ..library.quantities import check_quantities, known_quantities, quantities_
 from ..library.runner import Runner
 from ..terminal.progress import progress_bar
 from ..terminal.text import headed, table
-from ..unit.parameters import RunnerLike
-from ..unit.unit import Fmu, load_fmu
-from ..unit.variable import Given
 from .search import periodic_gait
 from .targeted import TargetNotMetError, find_gait
 

@@ -6,11 +6,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..errors import RunError
+from ..fmu.variable import Given, Values
 from ..given import row_of
 from ..library.gait import Gait, check_is_gait
 from ..library.runner import Runner
 from ..numerics.halving import walk as steps_to
-from ..unit.variable import Given, Values
 from .family import Family
 from .walking_back import reaches
 

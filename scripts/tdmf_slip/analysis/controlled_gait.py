@@ -7,12 +7,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..errors import InputError
+from ..fmu.fmu import Fmu
+from ..fmu.variable import Given
 from ..library.affine_law import AffineLaw, check_law
 from ..library.gait import Gait, check_is_gait
 from ..library.return_map import stride_from
 from ..library.runner import Runner
-from ..unit.unit import Fmu
-from ..unit.variable import Given
 from .search import periodic_gait
 
 SAME = 1e-6

@@ -10,14 +10,14 @@ from numpy.typing import NDArray
 
 from ..checks import checked_whole, shown
 from ..errors import InputError, RunError
+from ..fmu.fmu import Fmu, load_fmu
+from ..fmu.parameters import RunnerLike
 from ..given import mapping_of, row_of
 from ..library.members import check_varied
 from ..library.quantities import scales_of
 from ..library.runner import Runner
 from ..numerics.halving import halved
 from ..terminal.progress import progress_bar
-from ..unit.parameters import RunnerLike
-from ..unit.unit import Fmu, load_fmu
 from .bifurcations import NEIMARK_SACKER, NOT_JUDGED, WORD_BORDER, Special
 from .curve import CLOSED, LONGEST, SHORTEST, Box, Curve
 from .lines import border_curve

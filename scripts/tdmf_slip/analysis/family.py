@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from ..contents import ByContents
 from ..errors import RunError
+from ..fmu.variable import Given
 from ..library.gait import Gait
 from ..library.members import check_varied
 from ..library.quantities import scales_of
@@ -18,7 +19,6 @@ from ..library.return_map import Along
 from ..library.runner import Runner
 from ..library.section import Apex
 from ..library.strides import repeated_gait_near, strides_from
-from ..unit.variable import Given
 from .corrector import GOOD_ENOUGH, SHORTENINGS, iterates
 
 

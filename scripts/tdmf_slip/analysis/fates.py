@@ -6,11 +6,11 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..checks import check_size
+from ..fmu.variable import Given
 from ..library import ensemble
 from ..library.affine_law import AffineLaw
 from ..library.runner import Runner
 from ..library.section import Apex
-from ..unit.variable import Given
 from .ball import TOLERANCE as TOLERANCE
 from .ball import Ball
 

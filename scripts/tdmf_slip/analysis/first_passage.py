@@ -17,6 +17,8 @@ from ..checks import checked_whole
 from ..contents import ByContents
 from ..drawable import Drawable
 from ..errors import InputError
+from ..fmu.fmu import Fmu
+from ..fmu.parameters import RunnerLike
 from ..library import ensemble
 from ..library.affine_law import AffineLaw, check_law
 from ..library.gait import Gait, check_is_gait
@@ -24,8 +26,6 @@ from ..library.population import numbers
 from ..library.rough_ground import RoughGround
 from ..library.runner import Runner
 from ..terminal.progress import progress_bar
-from ..unit.parameters import RunnerLike
-from ..unit.unit import Fmu
 from .fates import TOLERANCE
 from .search import periodic_gait
 from .volume import CONFIDENCE, NORMAL_QUANTILE

@@ -7,12 +7,12 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..errors import InputError
+from ..fmu.fmu import Fmu
 from ..given import mapping_of
 from ..library.population import numbers
 from ..library.recorded_strides import GROUND, Request
 from ..library.rough_ground import RoughGround
 from ..library.settings import check_acts, checked_values, setting_number
-from ..unit.unit import Fmu
 
 Law: TypeAlias = Callable[[NDArray[np.float64]], Mapping[str, ArrayLike]]
 """From apices, shape (runners, n), to settings by name, shape (runners,) or one for all."""
@@ -27,14 +27,14 @@ class FunctionLaw:
         The function.
     request : Request
         Which strides are made.
-    unit : Fmu
+    fmu : Fmu
         Whose ranges hold.
     stride_begins : callable
         Called before each stride.
     """
 
     def __init__(self, law: Law, request: Request, fmu: Fmu, stride_begins: Callable[[], object]) -> None:
-        self.law, self.request, self.unit, self.stride_begins = law, request, fmu, stride_begins
+        self.law, self.request, self.fmu, self.stride_begins = law, request, fmu, stride_begins
         self.names: tuple[str, ...] | None = None
 
     def __call__(
@@ -76,7 +76,7 @@ class FunctionLaw:
         usual = self.request.population.runner.values[name]
         first = {"runner": 0}
         return checked_values(
-            name, np.where(under_way, of_all, usual), f"law: stride {stride}", first, self.unit
+            name, np.where(under_way, of_all, usual), f"law: stride {stride}", first, self.fmu
         )
 
 

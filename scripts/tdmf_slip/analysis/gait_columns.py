@@ -5,10 +5,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ..fmu.fmu import Fmu
 from ..library.gait import LEDGER, Gait
 from ..library.measures import MEASURE_UNITS, STRIDE_QUANTITIES
 from ..library.section import COORDINATES
-from ..unit.unit import Fmu
 
 
 @dataclass(frozen=True)

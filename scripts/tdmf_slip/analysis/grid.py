@@ -15,6 +15,8 @@ from ..files.datasets import xarray
 from ..files.netcdf import write_dataset
 from ..files.resume import resumed, same_values
 from ..files.whole import check_destination
+from ..fmu.fmu import FRICTION, Fmu, load_fmu
+from ..fmu.variable import MAX_VALUES, Given, Values
 from ..given import mapping_of
 from ..library.gait import Gait, gait_near
 from ..library.members import STATES, check_has_gaits, check_varied
@@ -22,8 +24,6 @@ from ..library.runner import Runner
 from ..library.scales import rounding_of
 from ..library.section import COORDINATES
 from ..terminal.progress import progress_bar
-from ..unit.unit import FRICTION, Fmu, load_fmu
-from ..unit.variable import MAX_VALUES, Given, Values
 from .gait_columns import COLUMNS, attributes_of
 from .search import model_of
 from .sweep import check_values, sweep_row

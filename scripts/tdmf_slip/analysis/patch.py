@@ -14,11 +14,11 @@ from numpy.typing import NDArray
 
 from ..contents import ByContents
 from ..errors import InputError, RunError
+from ..fmu.fmu import FRICTION
 from ..library.ensemble import FATES, Case, run_ensemble
 from ..library.gait import Gait
 from ..library.runner import Runner
 from ..library.varied_stride import plain_stride
-from ..unit.unit import FRICTION
 
 AFTER = 30
 """Strides after the patch: a runner that has made them is up."""

@@ -13,13 +13,13 @@ from ..checks import checked_whole
 from ..contents import ByContents
 from ..drawable import Drawable
 from ..errors import InputError
+from ..fmu.fmu import Fmu
+from ..fmu.parameters import RunnerLike
 from ..library.affine_law import AffineLaw, check_law
 from ..library.gait import Gait, check_is_gait
 from ..library.rough_ground import LAST_SEED, RoughGround
 from ..library.runner import Runner
 from ..terminal.progress import progress_bar
-from ..unit.parameters import RunnerLike
-from ..unit.unit import Fmu
 from .rough_runner import RoughRunner
 from .search import periodic_gait
 from .splitting import CONFIDENCE, REPLICAS, RareEvent, levels_of, rare_event

@@ -1,11 +1,11 @@
 """The gait of a runner: near a guess, by settling, along the friction, or from starts everywhere."""
 
 from ..errors import GaitNotFoundError, RunError
+from ..fmu.fmu import FRICTION, Fmu, load_fmu
 from ..library.gait import Gait, gait_near, settled_gait
 from ..library.return_map import Along
 from ..library.runner import Runner
 from ..library.section import Apex
-from ..unit.unit import FRICTION, Fmu, load_fmu
 from .continuation import gaits_over
 from .spread import search_from_spread
 

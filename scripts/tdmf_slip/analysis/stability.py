@@ -9,13 +9,13 @@ from numpy.typing import NDArray
 
 from ..contents import ByContents
 from ..errors import InputError, RunError
+from ..fmu.fmu import Fmu, load_fmu
+from ..fmu.variable import Given, Values
 from ..given import mapping_of
 from ..library.gait import Gait, gait_near
 from ..library.members import check_varied
 from ..library.runner import Runner
 from ..terminal.progress import Bar, progress_bar
-from ..unit.unit import Fmu, load_fmu
-from ..unit.variable import Given, Values
 from .search import periodic_gait
 from .sweep import MAX_GAITS
 

@@ -13,6 +13,8 @@ from numpy.typing import ArrayLike, NDArray
 from ..blocks.running import run_blocks
 from ..checks import check_size, checked_whole
 from ..errors import InputError
+from ..fmu.fmu import Fmu, load_fmu
+from ..fmu.parameters import RunnerLike
 from ..given import in_order, mapping_of
 from ..library.affine_law import AffineLaw, check_law
 from ..library.ensemble import TOLERANCE
@@ -22,8 +24,6 @@ from ..library.rough_ground import LAST_RUNNER, RoughGround
 from ..library.runner import Runner
 from ..library.settings import check_acts, checked_values, setting_number
 from ..terminal.progress import progress_bar
-from ..unit.parameters import RunnerLike
-from ..unit.unit import Fmu, load_fmu
 from .function_law import FunctionLaw, Law, check_set
 from .strides_result import Strides
 

@@ -8,11 +8,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ..fmu.fmu import Fmu
 from ..labelled import Labelled, LabelledArrays
 from ..library.gait import LEDGER
 from ..library.members import STATES
 from ..library.recorded_strides import CLOSED, STRIDE_FATES, Columns, Request
-from ..unit.unit import Fmu
 from .search import model_of
 
 

@@ -13,14 +13,14 @@ import numpy as np
 from ..contents import ByContents
 from ..drawable import Drawable
 from ..errors import InputError, RunError
+from ..fmu.fmu import FRICTION, Fmu, load_fmu
+from ..fmu.parameters import RunnerLike
+from ..fmu.variable import Values
 from ..given import mapping_of
 from ..library.gait import Gait, settled_gait
 from ..library.members import check_has_gaits, varied_alone
 from ..library.runner import Runner
 from ..terminal.progress import Bar, progress_bar
-from ..unit.parameters import RunnerLike
-from ..unit.unit import FRICTION, Fmu, load_fmu
-from ..unit.variable import Values
 from .borders import Border, crossings
 from .family import Family
 from .grid_result import GaitGrid

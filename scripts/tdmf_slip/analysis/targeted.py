@@ -9,14 +9,14 @@ import numpy as np
 
 from ..checks import checked, is_one_of, near_matches, shown
 from ..errors import InputError, RunError
+from ..fmu.fmu import Fmu, load_fmu
+from ..fmu.parameters import RunnerLike
 from ..given import mapping_of, row_of
 from ..library.gait import Gait
 from ..library.members import check_varied
 from ..library.quantities import QUANTITIES, SIGNED, check_quantities, quantities_of
 from ..library.runner import Runner
 from ..library.section import Apex
-from ..unit.parameters import RunnerLike
-from ..unit.unit import Fmu, load_fmu
 from .beginnings import beginnings
 from .nearest import Help, nearest_from, parameters_that_help
 from .search import periodic_gait

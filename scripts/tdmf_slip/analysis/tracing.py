@@ -8,14 +8,14 @@ import numpy as np
 
 from ..checks import checked, checked_whole, is_number, shown
 from ..errors import InputError, RunError
+from ..fmu.fmu import Fmu, load_fmu
+from ..fmu.parameters import RunnerLike
+from ..fmu.variable import Given
 from ..given import row_of
 from ..library.gait import Gait, check_is_gait, settled_gait
 from ..library.members import varied_alone
 from ..library.runner import Runner
 from ..terminal.progress import progress_bar
-from ..unit.parameters import RunnerLike
-from ..unit.unit import Fmu, load_fmu
-from ..unit.variable import Given
 from .branch import Branch
 from .continuation import gaits_over
 from .family import Family, Point

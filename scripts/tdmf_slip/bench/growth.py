@@ -15,11 +15,11 @@ from ..checks import checked
 from ..contents import ByContents
 from ..fitting.fitted import fit
 from ..fitting.measurements import Measured, Measurements
+from ..fmu.fmu import load_fmu
 from ..library import ensemble
 from ..optimization.optimize import optimize
 from ..terminal.progress import progress_bar
 from ..terminal.text import table
-from ..unit.unit import load_fmu
 from .results import versions_here
 from .runners import FRICTION, Runners, runners_about_the_gait
 

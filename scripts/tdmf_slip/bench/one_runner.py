@@ -8,10 +8,10 @@ from typing import Protocol
 import numpy as np
 from numpy.typing import NDArray
 
+from ..fmu.fmu import Fmu
+from ..fmu.instance import opened
 from ..library.section import COORDINATES, Apex
 from ..terminal import interrupts
-from ..unit.instance import opened
-from ..unit.unit import Fmu
 from .accuracy import REPEATS, TOLERANCES, fastest, loosest
 from .results import ALONE, ONE, Measurement
 from .runners import Runners
@@ -42,7 +42,7 @@ def stride_error(fmu: Fmu, many: Runners, solver: str, tolerance: float) -> floa
     return many.error(np.array(apices))
 
 
-def measure_unit(fmu: Fmu, many: Runners, solver: str, effort: float) -> Iterator[Measurement]:
+def measure_fmu(fmu: Fmu, many: Runners, solver: str, effort: float) -> Iterator[Measurement]:
     """Time a solver of the unit, through Co-Simulation, over many strides of the gait."""
     strides = max(1, round(effort * STRIDES[solver]))
     duration = strides * many.gait.period

@@ -7,10 +7,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..contents import ByContents
+from ..fmu.fmu import Fmu
 from ..library import ensemble
 from ..library.gait import Gait, settled_gait
 from ..library.runner import Runner
-from ..unit.unit import Fmu
 from .accuracy import fastest
 
 FRICTION = 0.6

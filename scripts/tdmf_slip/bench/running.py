@@ -6,11 +6,11 @@ import os
 from collections.abc import Callable, Iterator
 
 from ..checks import checked
+from ..fmu.fmu import Fmu, load_fmu
 from ..library import ensemble
 from ..terminal.progress import progress_bar
-from ..unit.unit import Fmu, load_fmu
 from .ensembles import measure_batches, measure_lanes, measure_scaling
-from .one_runner import STRIDES, measure_peer, measure_unit
+from .one_runner import STRIDES, measure_fmu, measure_peer
 from .results import MANY, MOTION, ONE, REDUCED, Bench, Measurement, versions_here
 from .runners import Runners, runners_about_the_gait
 
@@ -51,7 +51,7 @@ def bench(*, effort: float = 1.0, progress: bool = False, fmu: Fmu | None = None
     sets = ensemble.instruction_sets()
     jobs: list[tuple[str, Callable[[], Iterator[Measurement]]]] = [
         *(
-            (solver, functools.partial(measure_unit, fmu, many, solver, effort))
+            (solver, functools.partial(measure_fmu, fmu, many, solver, effort))
             for solver in ("native", "cvode")
         ),
         ("native", functools.partial(measure_lanes, many, "one by one", effort, ONE, MOTION)),

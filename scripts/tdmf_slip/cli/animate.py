@@ -8,9 +8,9 @@ import click
 from ..analysis.search import periodic_gait
 from ..errors import InputError
 from ..files.whole import check_destination
+from ..fmu.fmu import load_fmu
 from ..library.runner import Runner
 from ..terminal.progress import progress_bar
-from ..unit.unit import load_fmu
 from .gait_file import read_gait
 from .options import (
     FRICTION_OPTION,

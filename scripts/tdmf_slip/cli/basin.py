@@ -16,9 +16,9 @@ from ..analysis.robustness import DISTURBED, robustness
 from ..analysis.volume import volume
 from ..errors import InputError
 from ..files.whole import check_destination
+from ..fmu.fmu import Fmu, load_fmu
 from ..library.section import COORDINATES, MODELS, check_axes
 from ..terminal.text import columns, quantity
-from ..unit.unit import Fmu, load_fmu
 from .options import (
     FRICTION_OPTION,
     JSON_OPTION,

@@ -4,9 +4,9 @@ import click
 
 from ..analysis.comparison import compare
 from ..errors import InputError
+from ..fmu.fmu import FRICTION, Fmu, load_fmu
 from ..library.quantities import QUANTITIES
 from ..library.runner import Runner
-from ..unit.unit import FRICTION, Fmu, load_fmu
 from .options import JSON_OPTION, MODEL_OPTION, SET_OPTION, Command, values_given
 from .output import json_text
 from .runner import runner_of

@@ -12,11 +12,11 @@ from ..analysis.next_point import SHORTEST_STEP
 from ..analysis.tracing import LARGEST_STEP, MAX_POINTS, continue_branch
 from ..errors import InputError
 from ..files.whole import check_destination
+from ..fmu.display_units import DisplayUnits
+from ..fmu.fmu import Fmu, load_fmu
 from ..library.members import check_varied
 from ..library.runner import Runner
 from ..terminal.text import headed, table
-from ..unit.display_units import DisplayUnits
-from ..unit.unit import Fmu, load_fmu
 from .options import (
     FRICTION_OPTION,
     JSON_OPTION,

@@ -6,7 +6,7 @@ import click
 
 from ..errors import InputError
 from ..files.whole import check_folder
-from ..unit.unit import load_fmu
+from ..fmu.fmu import load_fmu
 from .options import Command, Number
 
 CENTIMETRES_PER_INCH = 2.54

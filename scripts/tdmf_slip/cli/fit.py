@@ -10,8 +10,8 @@ from ..files.whole import check_destination
 from ..fitting.fitted import MAX_STARTS, STARTS, fit
 from ..fitting.result import Fit
 from ..fitting.without import LeftOut
+from ..fmu.fmu import load_fmu
 from ..terminal.text import table
-from ..unit.unit import load_fmu
 from .options import (
     FRICTION_OPTION,
     JSON_OPTION,

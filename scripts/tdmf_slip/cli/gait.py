@@ -6,12 +6,12 @@ import click
 
 from ..analysis.targeted import TargetNotMetError, find_gait
 from ..errors import InputError
+from ..fmu.display_units import DisplayUnits
+from ..fmu.fmu import Fmu, load_fmu
 from ..library.gait import REPORTED, Gait
 from ..library.measures import MEASURE_UNITS
 from ..library.quantities import quantities_of
 from ..terminal.text import columns, quantity
-from ..unit.display_units import DisplayUnits
-from ..unit.unit import Fmu, load_fmu
 from .options import (
     FRICTION_OPTION,
     JSON_OPTION,

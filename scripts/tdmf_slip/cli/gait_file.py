@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import Any
 
 from ..errors import InputError, reason
-from ..unit.parameters import loads_json, parsed
+from ..fmu.parameters import loads_json, parsed
 
 GAIT = "what `tdmf-slip gait --json` prints"
 

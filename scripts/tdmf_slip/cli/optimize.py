@@ -7,14 +7,14 @@ import click
 
 from ..analysis.targeted import TargetNotMetError
 from ..errors import InputError
+from ..fmu.display_units import DisplayUnits
+from ..fmu.fmu import Fmu, load_fmu
 from ..library.measures import MEASURE_UNITS
 from ..library.quantities import QUANTITIES
 from ..optimization.optimize import MAX_STARTS, STARTS, optimize
 from ..optimization.optimum import Optimum, reported
 from ..optimization.pareto import MAX_POINTS, POINTS, Front, pareto_front
 from ..terminal.text import headed, table
-from ..unit.display_units import DisplayUnits
-from ..unit.unit import Fmu, load_fmu
 from .continuation import span_of
 from .options import (
     FRICTION_OPTION,

@@ -7,12 +7,12 @@ import click
 
 from ..checks import checked, checked_whole
 from ..errors import InputError
+from ..fmu.fmu import FRICTION, Fmu
+from ..fmu.parameters import preset_names, read_parameters
+from ..fmu.variable import Given, Value
 from ..library.quantities import QUANTITIES
 from ..library.section import MODELS
 from ..renamed import OPTIONS, sentence
-from ..unit.parameters import preset_names, read_parameters
-from ..unit.unit import FRICTION, Fmu
-from ..unit.variable import Given, Value
 
 
 def takes_one_value(option: click.Option) -> bool:

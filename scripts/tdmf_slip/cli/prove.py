@@ -8,10 +8,10 @@ from typing import TYPE_CHECKING
 import click
 
 from ..errors import InputError, RunError
+from ..fmu.fmu import FRICTION, load_fmu
+from ..fmu.parameters import read_parameters
 from ..library.runner import Runner
 from ..terminal.text import columns, table
-from ..unit.parameters import read_parameters
-from ..unit.unit import FRICTION, load_fmu
 from .options import (
     JSON_OPTION,
     PARAMETERS_OPTION,

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..errors import InputError
-from ..unit.variable import MAX_VALUES, Variable
+from ..fmu.variable import MAX_VALUES, Variable
 
 SPACINGS: Mapping[str, Callable[[float, float, int], NDArray[np.float64]]] = {
     "linear": np.linspace,

@@ -8,6 +8,7 @@ from ..analysis.first_passage import MAX_RUNNERS, MAX_STRIDES, FirstPassage, str
 from ..analysis.rare_falls import RareFalls, rare_falls
 from ..analysis.volume import CONFIDENCE
 from ..errors import InputError
+from ..fmu.fmu import Fmu, load_fmu
 from ..library.rough_ground import (
     LARGEST,
     LARGEST_SPREAD,
@@ -17,7 +18,6 @@ from ..library.rough_ground import (
     read_heights,
 )
 from ..terminal.text import columns, quantity
-from ..unit.unit import Fmu, load_fmu
 from .options import (
     FRICTION_OPTION,
     JSON_OPTION,

@@ -3,10 +3,10 @@
 from collections.abc import Mapping
 
 from ..errors import InputError
+from ..fmu.fmu import Fmu
+from ..fmu.variable import Given
 from ..library.members import STATES, VARIED
 from ..library.runner import Runner
-from ..unit.unit import Fmu
-from ..unit.variable import Given
 from .options import file_values, start_values
 
 

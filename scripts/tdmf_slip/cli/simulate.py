@@ -7,11 +7,11 @@ import click
 
 from ..errors import InputError
 from ..files.whole import check_destination
-from ..terminal.text import columns, quantity
-from ..unit.events import as_json
-from ..unit.inputs import read_tables
-from ..unit.run import Run
-from ..unit.simulation import (
+from ..fmu.events import as_json
+from ..fmu.fmu import INTERFACES, Fmu, load_fmu
+from ..fmu.inputs import read_tables
+from ..fmu.run import Run
+from ..fmu.simulation import (
     DEFAULT_STRIDES,
     DEFAULT_TOLERANCE,
     INTERVALS,
@@ -21,9 +21,9 @@ from ..unit.simulation import (
     TOLERANCES,
     simulate,
 )
-from ..unit.tables import WRITERS, write_table
-from ..unit.unit import INTERFACES, Fmu, load_fmu
-from ..unit.variable import Value
+from ..fmu.tables import WRITERS, write_table
+from ..fmu.variable import Value
+from ..terminal.text import columns, quantity
 from .gait_file import read_gait
 from .options import (
     FRICTION_OPTION,

@@ -10,11 +10,11 @@ from numpy.typing import NDArray
 from ..analysis.sweep import Sweep, short, sweep
 from ..errors import InputError, RunError
 from ..files.whole import check_destination, whole
+from ..fmu.display_units import DisplayUnits
+from ..fmu.fmu import FRICTION, Fmu, load_fmu
 from ..library.members import check_varied
 from ..library.runner import Runner
 from ..terminal.text import table
-from ..unit.display_units import DisplayUnits
-from ..unit.unit import FRICTION, Fmu, load_fmu
 from .options import (
     JSON_OPTION,
     MODEL_OPTION,

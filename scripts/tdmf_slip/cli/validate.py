@@ -5,11 +5,11 @@ from pathlib import Path
 import click
 
 from ..files.whole import check_folder
+from ..fmu.fmu import load_fmu
+from ..fmu.simulation import TOLERANCES
 from ..library.rough_ground import LAST_SEED
 from ..paper.settling import DEFAULT_TOLERANCE
 from ..paper.validation import validate
-from ..unit.simulation import TOLERANCES
-from ..unit.unit import load_fmu
 from .options import JSON_OPTION, Command, Number
 from .output import json_text
 

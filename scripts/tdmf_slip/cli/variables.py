@@ -4,9 +4,9 @@ import math
 
 import click
 
+from ..fmu.fmu import load_fmu
+from ..fmu.variable import Variable
 from ..terminal.text import table
-from ..unit.unit import load_fmu
-from ..unit.variable import Variable
 from .options import JSON_OPTION, Command
 from .output import json_text
 

@@ -11,11 +11,11 @@ import click
 from ..analysis.targeted import find_gait
 from ..errors import InputError
 from ..files.whole import check_destination, whole
+from ..fmu.fmu import Fmu, load_fmu
 from ..library.gait import Gait
 from ..library.section import MODELS, REDUCED
 from ..library.settings import setting_number
 from ..terminal.text import columns
-from ..unit.unit import Fmu, load_fmu
 from ..viable_sets.grid import MAX_CELLS, VALUES
 from ..viable_sets.result import Viability
 from ..viable_sets.viability import FACTOR, LARGEST_FACTOR, viability

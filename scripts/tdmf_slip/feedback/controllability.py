@@ -13,8 +13,8 @@ from numpy.typing import NDArray
 
 from ..contents import ByContents
 from ..drawable import Drawable
+from ..fmu.fmu import Fmu
 from ..library.gait import Gait
-from ..unit.unit import Fmu
 from .linearization import linearize
 from .modes import NEGLIGIBLE, Modes, lasting_modes
 

@@ -12,9 +12,9 @@ from numpy.typing import NDArray
 from ..checks import is_number, is_one_of, near_matches, shown
 from ..drawable import Drawable
 from ..errors import InputError
+from ..fmu.fmu import FRICTION, Fmu, load_fmu
 from ..given import mapping_of, row_of
 from ..library.affine_law import AffineLaw
-from ..unit.unit import FRICTION, Fmu, load_fmu
 from .linearization import Linearization
 
 Limits: TypeAlias = Mapping[str, tuple[float, float]]

@@ -14,9 +14,9 @@ from numpy.typing import ArrayLike, NDArray
 
 from ..checks import is_number
 from ..errors import InputError
+from ..fmu.fmu import Fmu
 from ..given import check_row
 from ..library.gait import Gait
-from ..unit.unit import Fmu
 from .controllability import Controllability, controllability_of
 from .dead_beat_gain import dead_beat_gain
 from .feedback import Feedback, Limits, feedback_of

@@ -18,13 +18,13 @@ from numpy.typing import NDArray
 from ..checks import is_one_of, near_matches, shown
 from ..contents import ByContents
 from ..errors import InputError
+from ..fmu.fmu import Fmu, load_fmu
 from ..given import row_of
 from ..library.gait import Gait, check_is_gait
 from ..library.return_map import stride_from
 from ..library.runner import Runner
 from ..library.scales import scale_of
 from ..library.settings import SETTINGS
-from ..unit.unit import Fmu, load_fmu
 
 CHOSEN = tuple(name for name in SETTINGS if not name.startswith("ground."))
 """What a controller may choose anew at each apex: settings that are not the ground's."""

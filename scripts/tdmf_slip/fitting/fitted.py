@@ -13,12 +13,12 @@ from numpy.typing import NDArray
 from ..analysis.search import periodic_gait
 from ..checks import checked_whole
 from ..errors import InputError, RunError
+from ..fmu.fmu import Fmu, load_fmu
+from ..fmu.parameters import RunnerLike
 from ..library.gait import Gait, gait_near
 from ..library.runner import Runner
 from ..library.section import Apex
 from ..terminal.progress import progress_bar
-from ..unit.parameters import RunnerLike
-from ..unit.unit import Fmu, load_fmu
 from .across import cross
 from .concluded import Conclusion, is_met
 from .kinks import past_kinks

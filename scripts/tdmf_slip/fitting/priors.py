@@ -5,10 +5,10 @@ from typing import TypeAlias
 
 from ..checks import is_number, shown
 from ..errors import InputError
+from ..fmu.fmu import Fmu
+from ..fmu.variable import Given
 from ..given import mapping_of, row_of
 from ..library.members import check_varied
-from ..unit.unit import Fmu
-from ..unit.variable import Given
 from .unknowns import Prior
 
 PriorGiven: TypeAlias = "tuple[Given, float] | Sequence[float]"

@@ -11,11 +11,11 @@ from numpy.typing import NDArray
 
 from ..contents import ByContents
 from ..drawable import Drawable
+from ..fmu.fmu import load_fmu
 from ..library.gait import Gait
 from ..library.runner import Runner
 from ..library.strides import strides_from
 from ..terminal.text import quantity, table
-from ..unit.unit import load_fmu
 from .identifiability import Combination
 from .measurements import UNITS, Measurements
 from .request import Request

@@ -9,10 +9,10 @@ from ..analysis.beginnings import around
 from ..analysis.linkage import linked
 from ..analysis.settled import evenly, settled_gaits
 from ..errors import InputError, RunError
+from ..fmu.fmu import Fmu
 from ..library.gait import Gait, gait_near
 from ..library.runner import Runner
 from ..library.varied_stride import plain_stride
-from ..unit.unit import Fmu
 from .measurements import Measurements
 from .search import loss_of
 

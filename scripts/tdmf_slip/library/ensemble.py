@@ -16,8 +16,8 @@ from numpy.typing import ArrayLike, NDArray
 
 from ..checks import check_size, checked_whole, is_number, is_one_of, shown
 from ..errors import InputError
+from ..fmu.variable import Given
 from ..given import row_of, rows_of
-from ..unit.variable import Given
 from .binding import c, ffi
 from .cases import Case as Case
 from .cases import c_cases, check_alike, sections_of

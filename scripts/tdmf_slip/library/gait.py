@@ -17,7 +17,7 @@ from ..checks import check_kind
 from ..contents import ByContents
 from ..drawable import Drawable
 from ..errors import GaitNotFoundError
-from ..unit.unit import FRICTION
+from ..fmu.fmu import FRICTION
 from .binding import c, ffi
 from .maps import map_of, why_no_gait
 from .measures import STRIDE_QUANTITIES, all_measures

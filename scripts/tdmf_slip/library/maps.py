@@ -8,7 +8,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
 from ..errors import InputError
-from ..unit.unit import FRICTION
+from ..fmu.fmu import FRICTION
 from .binding import c
 from .runner import Runner, text_of
 from .structs import FoundGait, Return

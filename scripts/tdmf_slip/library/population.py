@@ -11,8 +11,8 @@ from numpy.typing import NDArray
 from ..checks import check_size
 from ..contents import ByContents
 from ..errors import InputError
+from ..fmu.fmu import Fmu, load_fmu
 from ..given import mapping_of
-from ..unit.unit import Fmu, load_fmu
 from .affine_law import AffineLaw
 from .binding import c, ffi
 from .maps import PATCH, refuse_patch

@@ -7,8 +7,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..errors import RunError
-from ..unit.unit import FRICTION
-from ..unit.variable import Given
+from ..fmu.fmu import FRICTION
+from ..fmu.variable import Given
 from .binding import ffi
 from .maps import map_of, why_no_return
 from .members import INPUTS, PARAMETERS, check_varied

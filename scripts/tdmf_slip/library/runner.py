@@ -11,9 +11,9 @@ from numpy.typing import NDArray
 from ..checks import is_number, is_one_of, near_matches, shown
 from ..contents import ByContents
 from ..errors import InputError
+from ..fmu.fmu import Fmu, load_fmu
+from ..fmu.parameters import start_values_of
 from ..given import mapping_of
-from ..unit.parameters import start_values_of
-from ..unit.unit import Fmu, load_fmu
 from .binding import c, ffi
 from .members import INPUTS, PARAMETERS, STATES, VARIED
 from .section import COORDINATES, REDUCED, Apex, checked_apex, is_reduced

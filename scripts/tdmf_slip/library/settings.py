@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from ..checks import is_one_of, near_matches, shown
 from ..errors import InputError
-from ..unit.unit import Fmu, load_fmu
+from ..fmu.fmu import Fmu, load_fmu
 from .binding import c
 from .members import VARIED
 from .runner import Runner

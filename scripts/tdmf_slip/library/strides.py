@@ -11,8 +11,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..errors import RunError
+from ..fmu.fmu import FRICTION
 from ..numerics.newton import last_iterate
-from ..unit.unit import FRICTION
 from .binding import ffi
 from .gait import Gait, gait_near, gait_of_stride
 from .maps import map_of, why_no_return

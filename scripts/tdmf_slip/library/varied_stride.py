@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from ..contents import ByContents
 from ..errors import RunError
-from ..unit.unit import FRICTION
+from ..fmu.fmu import FRICTION
 from .binding import c, ffi
 from .maps import map_of, why_no_return
 from .measures import APEX_QUANTITIES, MEASURES, all_measures, apex_quantities, measures_of, weight_of

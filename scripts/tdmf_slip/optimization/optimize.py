@@ -6,11 +6,11 @@ from collections.abc import Mapping
 
 from ..analysis.search import periodic_gait
 from ..checks import checked_whole
+from ..fmu.fmu import Fmu, load_fmu
+from ..fmu.parameters import RunnerLike
+from ..fmu.variable import Given
 from ..library.runner import Runner
 from ..terminal.progress import progress_bar
-from ..unit.parameters import RunnerLike
-from ..unit.unit import Fmu, load_fmu
-from ..unit.variable import Given
 from .optimizer import Optimizer
 from .optimum import Optimum
 from .problem import Goal

@@ -13,11 +13,11 @@ from ..checks import checked_whole
 from ..contents import ByContents
 from ..drawable import Drawable
 from ..errors import InputError
+from ..fmu.fmu import Fmu, load_fmu
+from ..fmu.parameters import RunnerLike
+from ..fmu.variable import Given
 from ..library.runner import Runner
 from ..terminal.progress import Bar, progress_bar
-from ..unit.parameters import RunnerLike
-from ..unit.unit import Fmu, load_fmu
-from ..unit.variable import Given
 from .optimize import MAX_STARTS, STARTS
 from .optimizer import Optimizer
 from .optimum import Optimum, reported

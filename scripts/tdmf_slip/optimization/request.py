@@ -5,10 +5,10 @@ import numpy as np
 from ..analysis.targeted import MAXIMUM, MINIMUM, NO_ACTION, TRAVEL
 from ..checks import checked, is_one_of, near_matches, shown
 from ..errors import InputError
+from ..fmu.fmu import Fmu
 from ..given import mapping_of, row_of
 from ..library.members import check_varied
 from ..library.quantities import QUANTITIES
-from ..unit.unit import Fmu
 from .gaits import Candidate
 from .space import Space
 

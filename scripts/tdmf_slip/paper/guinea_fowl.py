@@ -17,9 +17,9 @@ from ..analysis.patch import Meetings, contact_angle_of, meet_patch
 from ..analysis.targeted import find_gait
 from ..contents import ByContents
 from ..errors import RunError
+from ..fmu.fmu import FRICTION
 from ..library.gait import Gait, gait_near
 from ..library.runner import Runner
-from ..unit.unit import FRICTION
 from .claims import Claim
 
 FRICTIONS = (0.05, 0.1, 0.2)

@@ -14,9 +14,9 @@ from numpy.typing import NDArray
 from ..analysis.stride_map import stride_map
 from ..analysis.targeted import find_gait
 from ..contents import ByContents
+from ..fmu.fmu import FRICTION
 from ..library.gait import Gait, gait_near
 from ..library.runner import Runner
-from ..unit.unit import FRICTION
 from .guinea_fowl import GRAVITY, published
 
 PHASES = 64

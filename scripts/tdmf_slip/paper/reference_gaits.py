@@ -6,10 +6,10 @@ from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
 
+from ..fmu.fmu import Fmu
 from ..library.gait import REPORTED
 from ..library.runner import Runner
 from ..library.section import COORDINATES
-from ..unit.unit import Fmu
 from .settling import SettledRun
 
 PATH = Path(__file__).with_suffix(".json")

@@ -9,16 +9,16 @@ from numpy.typing import NDArray
 from ..checks import checked, checked_whole
 from ..contents import ByContents
 from ..errors import RunError
+from ..fmu.fmu import FRICTION, Fmu, load_fmu
+from ..fmu.instance import Experiment, Instance, Recorder, opened
+from ..fmu.simulation import MAX_STRIDES as MAX_OF_ALL
+from ..fmu.simulation import TOLERANCES, longest_time, time_unit
+from ..fmu.variable import Given, Value
 from ..given import mapping_of
 from ..library.gait import REPORTED
 from ..library.runner import Runner
 from ..library.section import COORDINATES
 from ..terminal.progress import progress_bar
-from ..unit.instance import Experiment, Instance, Recorder, opened
-from ..unit.simulation import MAX_STRIDES as MAX_OF_ALL
-from ..unit.simulation import TOLERANCES, longest_time, time_unit
-from ..unit.unit import FRICTION, Fmu, load_fmu
-from ..unit.variable import Given, Value
 
 DEFAULT_TOLERANCE = 1e-10
 WINDOW = 20
@@ -62,7 +62,7 @@ class SettledRun(ByContents):
         return {**asdict(self), "apex": list(self.apex), "start_values": dict(self.start_values)}
 
 
-def settle_unit(
+def settle_fmu(
     given: Mapping[str, Given] | None = None,
     *,
     tolerance: float = DEFAULT_TOLERANCE,

@@ -7,16 +7,16 @@ from typing import TYPE_CHECKING
 
 from ..contents import ByContents
 from ..drawable import Drawable
+from ..fmu.fmu import FRICTION, Fmu, load_fmu
+from ..fmu.parameters import read_parameters
 from ..library.runner import Runner
 from ..terminal.text import table
-from ..unit.parameters import read_parameters
-from ..unit.unit import FRICTION, Fmu, load_fmu
 from . import guinea_fowl
 from . import reference_gaits as reference
 from .claims import WORDS, Claim, claims, gather, recorded
 from .own_claims import OwnClaims, own_claims
 from .reference_gaits import Drift
-from .settling import DEFAULT_TOLERANCE, SettledRun, settle_unit
+from .settling import DEFAULT_TOLERANCE, SettledRun, settle_fmu
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -182,7 +182,7 @@ def validate(
     fmu = load_fmu(fmu)
     parameters = read_parameters("paper")
     gaits = [
-        settle_unit(
+        settle_fmu(
             {**parameters, FRICTION: friction},
             tolerance=tolerance,
             progress=progress,

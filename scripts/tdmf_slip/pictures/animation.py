@@ -19,9 +19,9 @@ from numpy.typing import NDArray
 from ..checks import checked_whole
 from ..errors import InputError
 from ..files.whole import check_destination, whole
+from ..fmu.events import SLIPS
+from ..fmu.fmu import load_fmu
 from ..library.gait import Gait
-from ..unit.events import SLIPS
-from ..unit.unit import load_fmu
 from . import style
 from .drawn_runner import DrawnRunner, bare, pose
 from .film_page import PageWriter

@@ -12,9 +12,9 @@ from matplotlib.ticker import LogLocator, StrMethodFormatter
 
 from ..analysis.borders import Border
 from ..analysis.sweep import Sweep
+from ..fmu.display_units import DisplayUnits
+from ..fmu.fmu import Fmu
 from ..library.gait import Gait
-from ..unit.display_units import DisplayUnits
-from ..unit.unit import Fmu
 from . import style
 
 PANELS: Mapping[str, str] = {"speed": "average speed", "cost_of_transport": "cost of transport"}

@@ -19,10 +19,10 @@ from ..analysis.bifurcations import FOLD, NEIMARK_SACKER, NOT_JUDGED, PERIOD_DOU
 from ..analysis.branch import Branch
 from ..checks import is_one_of, near_matches, shown
 from ..errors import InputError
+from ..fmu.display_units import DisplayUnits
+from ..fmu.fmu import load_fmu
 from ..library.gait import Gait
 from ..library.section import COORDINATES
-from ..unit.display_units import DisplayUnits
-from ..unit.unit import load_fmu
 from . import style
 
 DRAWN = "com_speed"

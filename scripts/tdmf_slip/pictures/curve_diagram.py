@@ -11,8 +11,8 @@ from matplotlib.figure import Figure
 
 from ..analysis.bifurcations import WORD_BORDER
 from ..analysis.curve import Curve
-from ..unit.display_units import DisplayUnits
-from ..unit.unit import load_fmu
+from ..fmu.display_units import DisplayUnits
+from ..fmu.fmu import load_fmu
 from . import style
 from .branch_diagram import ASLANT, BESIDE, MARKS
 

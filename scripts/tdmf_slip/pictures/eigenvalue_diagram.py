@@ -11,8 +11,8 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
+from ..fmu.fmu import load_fmu
 from ..library.section import COORDINATES
-from ..unit.unit import load_fmu
 from . import style
 
 if TYPE_CHECKING:

@@ -8,8 +8,8 @@ from matplotlib.patches import Patch
 
 from ..analysis.grid_result import GaitGrid
 from ..errors import InputError
-from ..unit.display_units import DisplayUnits
-from ..unit.unit import load_fmu
+from ..fmu.display_units import DisplayUnits
+from ..fmu.fmu import load_fmu
 from . import style
 from .basin_map import edges_of
 

@@ -10,9 +10,9 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Patch
 
 from ..errors import InputError
-from ..unit.events import MODE
-from ..unit.run import Run
-from ..unit.unit import Fmu
+from ..fmu.events import MODE
+from ..fmu.fmu import Fmu
+from ..fmu.run import Run
 from . import style
 
 FORMATS = (".png", ".svg", ".pdf")

@@ -11,9 +11,9 @@ from ..analysis.branch import Branch
 from ..analysis.sweep import Sweep
 from ..errors import InputError
 from ..fitting.result import Fit
+from ..fmu.fmu import load_fmu
+from ..fmu.run import Run
 from ..library.gait import Gait
-from ..unit.run import Run
-from ..unit.unit import load_fmu
 from ..viable_sets.result import Viability
 from . import branch, branch_diagram, fit_diagram, overview, velocity_and_ratio, viability_map
 from .stride import Stride

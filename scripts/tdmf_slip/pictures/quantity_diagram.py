@@ -10,9 +10,9 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from ..fmu.fmu import load_fmu
 from ..library.measures import MEASURE_UNITS
 from ..library.quantities import known_quantities, quantities_of
-from ..unit.unit import load_fmu
 from . import style
 
 if TYPE_CHECKING:

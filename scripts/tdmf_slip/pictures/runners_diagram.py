@@ -8,8 +8,8 @@ from matplotlib.ticker import MaxNLocator
 from numpy.typing import NDArray
 
 from ..analysis.strides_result import Strides
-from ..unit.runs_result import Runs
-from ..unit.unit import load_fmu
+from ..fmu.fmu import load_fmu
+from ..fmu.runs_result import Runs
 from . import style
 from .basin_map import NAMES
 

@@ -8,10 +8,10 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
+from ..fmu.events import MODE
+from ..fmu.fmu import Fmu
+from ..fmu.simulation import simulate
 from ..library.gait import Gait
-from ..unit.events import MODE
-from ..unit.simulation import simulate
-from ..unit.unit import Fmu
 
 POINTS = 6000
 """Recorded points in the stride; each event adds two."""

@@ -21,8 +21,8 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import AutoLocator, FuncFormatter
 
 from ..files.whole import whole
-from ..unit.display_units import DisplayUnits
-from ..unit.events import SLIPS
+from ..fmu.display_units import DisplayUnits
+from ..fmu.events import SLIPS
 
 LineStyle: TypeAlias = Literal["-"] | tuple[float, tuple[float, ...]]
 

@@ -10,8 +10,8 @@ from matplotlib.colors import ListedColormap
 from matplotlib.figure import Figure
 from matplotlib.patches import Patch
 
+from ..fmu.fmu import FRICTION, load_fmu
 from ..library.section import REDUCED
-from ..unit.unit import FRICTION, load_fmu
 from ..viable_sets.result import Viability
 from . import style
 from .basin_map import NAMES

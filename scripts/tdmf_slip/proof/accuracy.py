@@ -8,10 +8,10 @@ from numpy.typing import NDArray
 
 from ..analysis.stride_map import stride_map
 from ..errors import InputError
+from ..fmu.simulation import simulate
 from ..library.ensemble import instruction_sets
 from ..library.runner import Runner
 from ..library.strides import strides_from
-from ..unit.simulation import simulate
 from .proof import Proof
 from .section import COORDINATES
 
@@ -31,7 +31,7 @@ def solver_errors(proof: Proof) -> dict[str, Numbers]:
         raise InputError("proof: undecided; allowed: a gait that is proved")
     runner = Runner.of({name: float(value.ball()) for name, value in proof.values.items()})
     apex = np.array([float(x.mid()) for x in proof.apex])
-    solvers = {**_of_library(), **_of_unit()}
+    solvers = {**_of_library(), **_of_fmu()}
     return {name: _errors(proof, runner, solve(runner, apex)) for name, solve in solvers.items()}
 
 
@@ -54,11 +54,11 @@ def _of_library() -> dict[str, Solve]:
     return {"native": _native, **{f"lanes, {name}": _lanes(name) for name in instruction_sets()}}
 
 
-def _of_unit() -> dict[str, Solve]:
+def _of_fmu() -> dict[str, Solve]:
     return {
-        "unit, Co-Simulation": _unit("cs"),
-        "unit, Co-Simulation by CVODE": _unit("cs", {"solver.method": "cvode"}),
-        "unit, Model Exchange by CVODE": _unit("me"),
+        "unit, Co-Simulation": _fmu("cs"),
+        "unit, Co-Simulation by CVODE": _fmu("cs", {"solver.method": "cvode"}),
+        "unit, Model Exchange by CVODE": _fmu("me"),
     }
 
 
@@ -77,7 +77,7 @@ def _lanes(instructions: str) -> Solve:
     return solve
 
 
-def _unit(interface: str, settings: Mapping[str, str] | None = None) -> Solve:
+def _fmu(interface: str, settings: Mapping[str, str] | None = None) -> Solve:
     def solve(runner: Runner, apex: NDArray[np.float64]) -> Numbers:
         period = strides_from(runner, apex).period
         run = simulate(

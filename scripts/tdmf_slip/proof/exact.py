@@ -10,8 +10,8 @@ import numpy as np
 from flint import arb, fmpq
 
 from ..errors import InputError
-from ..unit.unit import Fmu
-from ..unit.variable import Variable
+from ..fmu.fmu import Fmu
+from ..fmu.variable import Variable
 
 DEGREES = 180
 """Of a half turn."""

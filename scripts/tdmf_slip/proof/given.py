@@ -6,11 +6,11 @@ from typing import TypeAlias
 
 from ..analysis.search import periodic_gait
 from ..errors import InputError
+from ..fmu import parameters
+from ..fmu.fmu import load_fmu
 from ..library.gait import Gait
 from ..library.members import VARIED
 from ..library.runner import Runner
-from ..unit import parameters
-from ..unit.unit import load_fmu
 from .exact import Exact, exact_values
 
 MAX_DIGITS = 200

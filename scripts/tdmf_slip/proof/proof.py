@@ -10,7 +10,7 @@ import flint
 from flint import acb, arb
 
 from ..drawable import Drawable
-from ..unit.unit import FRICTION, load_fmu
+from ..fmu.fmu import FRICTION, load_fmu
 from .exact import Exact, ball_of, default_value
 from .section import COORDINATES
 from .starts import Starts

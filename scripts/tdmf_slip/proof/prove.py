@@ -14,9 +14,9 @@ from flint import acb, arb, ctx
 
 from ..checks import check_kind, checked_whole
 from ..errors import InputError
+from ..fmu.fmu import load_fmu
 from ..library.gait import Gait
 from ..library.members import check_varied
-from ..unit.unit import load_fmu
 from .eigenvalues import eigenvalues
 from .exact import Exact, exact_value
 from .given import MAX_DIGITS, Radius, RunnerLike, gait_of, radius_of

@@ -13,10 +13,10 @@ from ..analysis.borders import Border
 from ..analysis.search import periodic_gait
 from ..checks import check_kind, checked_whole
 from ..drawable import Drawable
+from ..fmu.fmu import FRICTION, load_fmu
 from ..library.gait import Gait
 from ..library.members import VARIED, check_varied
 from ..library.runner import Runner
-from ..unit.unit import FRICTION, load_fmu
 from .exact import Exact, exact_values
 from .forced import Forced
 from .given import MAX_DIGITS, RunnerLike, check_laws, runner_of

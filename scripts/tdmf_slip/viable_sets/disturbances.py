@@ -9,9 +9,9 @@ from numpy.typing import NDArray
 from ..checks import checked, shown
 from ..contents import ByContents
 from ..errors import InputError
+from ..fmu.fmu import FRICTION
 from ..given import row_of
 from ..library.runner import Runner
-from ..unit.unit import FRICTION
 from .boxes import boxes_of
 from .fixed_point import lands
 from .grid import Grid

@@ -11,11 +11,11 @@ from numpy.typing import NDArray
 from ..checks import check_kind, check_size, checked_whole
 from ..contents import ByContents
 from ..errors import InputError
+from ..fmu.fmu import Fmu
 from ..given import counts_given, ends_given, mapping_of, row_of
 from ..library.runner import Runner
 from ..library.section import REDUCED, check_axes
 from ..library.settings import check_acts, checked_values, setting_number
-from ..unit.unit import Fmu
 
 MAX_CELLS = 2048
 """Along an axis."""

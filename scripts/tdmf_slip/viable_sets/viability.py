@@ -11,10 +11,10 @@ from numpy.typing import NDArray
 
 from ..checks import checked, checked_whole
 from ..files.whole import check_destination
+from ..fmu.fmu import Fmu, load_fmu
+from ..fmu.parameters import RunnerLike
 from ..library.maps import refuse_patch
 from ..library.runner import Runner
-from ..unit.parameters import RunnerLike
-from ..unit.unit import Fmu, load_fmu
 from .boxes import Boxes, boxes_of
 from .fixed_point import largest_kept
 from .grid import Grid, grid_of

@@ -13,13 +13,13 @@ from ...analysis.search import periodic_gait
 from ...analysis.stability import StabilityMap
 from ...analysis.sweep import Sweep, sweep
 from ...errors import InputError
+from ...fmu.fmu import FRICTION, Fmu
+from ...fmu.parameters import read_parameters
 from ...library.gait import Gait
 from ...library.runner import Runner
 from ...pictures import style
 from ...pictures.stride import Stride
 from ...terminal.progress import progress_bar
-from ...unit.parameters import read_parameters
-from ...unit.unit import FRICTION, Fmu
 from .. import guinea_fowl as slippery
 from . import (
     attraction,

@@ -15,10 +15,10 @@ from ...analysis.branch import Branch
 from ...analysis.continuation import gaits_over
 from ...analysis.search import periodic_gait
 from ...analysis.tracing import trace
+from ...fmu.fmu import FRICTION
 from ...library.gait import Gait
 from ...library.runner import Runner
 from ...pictures import style
-from ...unit.unit import FRICTION
 from .columns import Columns
 
 SLOPE, RATIO, VELOCITY = "ground.slope", "ground.static_friction_ratio", "ground.stribeck_velocity"

@@ -14,10 +14,10 @@ from ...analysis.search import periodic_gait
 from ...feedback.feedback import Feedback
 from ...feedback.gains import dead_beat, lqr
 from ...feedback.judgement import RUNNERS, Judgement, Trial, judge_all
+from ...fmu.fmu import FRICTION
 from ...library.gait import Gait
 from ...library.runner import Runner
 from ...pictures import style
-from ...unit.unit import FRICTION
 from . import figure_9
 from .columns import Columns
 from .matched import like

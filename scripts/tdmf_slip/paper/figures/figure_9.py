@@ -13,9 +13,9 @@ from matplotlib.axes import Axes
 from matplotlib.patches import Patch
 
 from ...analysis.sweep import Sweep
+from ...fmu.variable import Values
 from ...library.gait import Gait
 from ...pictures import style
-from ...unit.variable import Values
 from ..claims import BEST_FRICTION, COST_GAIN, SPEED_GAIN
 from .columns import Columns
 

@@ -4,12 +4,12 @@ from collections.abc import Callable
 from pathlib import Path
 
 from ...analysis.search import periodic_gait
+from ...fmu.fmu import FRICTION, Fmu
+from ...fmu.parameters import read_parameters
 from ...library.runner import Runner
 from ...pictures import animation, model, snapshots
 from ...pictures.stride import Stride
 from ...terminal.progress import progress_bar
-from ...unit.parameters import read_parameters
-from ...unit.unit import FRICTION, Fmu
 from ..claims import WORDS
 from . import figure_5, figure_6, figure_7, figure_8
 

@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 
 from ...analysis.search import periodic_gait
 from ...errors import RunError
+from ...fmu.fmu import FRICTION
 from ...library.gait import gait_near
 from ...library.runner import Runner
 from ...optimization.optimizer import Optimizer
@@ -24,7 +25,6 @@ from ...optimization.space import Space
 from ...optimization.starts import Start
 from ...pictures import style
 from ...terminal.progress import progress_bar
-from ...unit.unit import FRICTION
 from .columns import Columns
 
 FRICTIONS = np.geomspace(10.0, 0.05, 16)

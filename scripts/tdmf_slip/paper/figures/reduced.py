@@ -15,10 +15,10 @@ from ...analysis.basin import basin
 from ...analysis.basin_result import Basin
 from ...analysis.stability import StabilityMap, stability
 from ...analysis.sweep import Sweep
+from ...fmu.fmu import FRICTION
 from ...library.runner import Runner
 from ...library.section import REDUCED
 from ...pictures import basin_map, style
-from ...unit.unit import FRICTION
 from . import figure_9
 from .columns import Columns
 

@@ -9,10 +9,10 @@ import numpy as np
 from ...analysis.branch import Branch
 from ...analysis.search import periodic_gait
 from ...analysis.tracing import trace
+from ...fmu.fmu import FRICTION
 from ...library.gait import Gait
 from ...library.runner import Runner
 from ...pictures import style
-from ...unit.unit import FRICTION
 from . import leading
 from .columns import Columns
 from .matched import changed, like

@@ -13,9 +13,9 @@ from matplotlib.axes import Axes
 from ...analysis.comparison import compare
 from ...analysis.first_passage import FirstPassage
 from ...analysis.first_passages import Trial, first_passages
+from ...fmu.fmu import FRICTION
 from ...library.runner import Runner
 from ...pictures import style
-from ...unit.unit import FRICTION
 from . import figure_9
 from .columns import Columns
 

@@ -10,10 +10,10 @@ from ...analysis.first_passage import strides_to_fall
 from ...analysis.search import periodic_gait
 from ...analysis.targeted import find_gait
 from ...errors import RunError
+from ...fmu.fmu import FRICTION
 from ...library.gait import Gait
 from ...library.runner import Runner
 from ...pictures import style
-from ...unit.unit import FRICTION
 from .columns import Columns
 
 SLOPES = (-4.0, 0.0)

@@ -8,9 +8,9 @@ import numpy as np
 from matplotlib.axes import Axes
 
 from ...analysis.comparison import compare
+from ...fmu.fmu import FRICTION
 from ...library.runner import Runner
 from ...pictures import style
-from ...unit.unit import FRICTION
 from ...viable_sets.result import Viability
 from ...viable_sets.viability import viability
 from . import figure_9

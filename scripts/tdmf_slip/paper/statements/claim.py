@@ -6,8 +6,8 @@ from functools import cache
 
 from ...analysis.comparison import compare
 from ...analysis.search import periodic_gait
+from ...fmu.fmu import FRICTION
 from ...library.gait import Gait
-from ...unit.unit import FRICTION
 
 TORQUE, ANGLE, THRUST = "hip.stance_torque", "hip.touchdown_angle", "leg.thrust"
 HOLD = ("speed", "apex_height", "apex_leg_angle")

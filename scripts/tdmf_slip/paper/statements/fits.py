@@ -6,7 +6,7 @@ from functools import cache
 from ...fitting.fitted import fit
 from ...fitting.measurements import shipped
 from ...fitting.result import Fit
-from ...unit.parameters import read_parameters
+from ...fmu.parameters import read_parameters
 from .claim import ANGLE, TORQUE, OwnClaim
 
 STIFFNESS = "leg.stiffness"

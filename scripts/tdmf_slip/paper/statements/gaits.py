@@ -9,10 +9,10 @@ from ...analysis.comparison import compare
 from ...analysis.search import periodic_gait
 from ...analysis.sweep import sweep
 from ...analysis.targeted import find_gait
+from ...fmu.fmu import FRICTION
+from ...fmu.parameters import read_parameters
+from ...fmu.variable import Given
 from ...library.gait import Gait
-from ...unit.parameters import read_parameters
-from ...unit.unit import FRICTION
-from ...unit.variable import Given
 from ..figures.matched import changed
 from .claim import ANGLE, SLIPS, STICKS, THRUST, TORQUE, OwnClaim
 

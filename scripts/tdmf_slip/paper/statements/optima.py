@@ -3,9 +3,9 @@
 from collections.abc import Callable
 from functools import cache
 
+from ...fmu.fmu import FRICTION
 from ...optimization.optimize import optimize
 from ...optimization.optimum import Optimum
-from ...unit.unit import FRICTION
 from .claim import ANGLE, THRUST, TORQUE, OwnClaim
 
 SPEED, RADIUS = 0.8, 0.95

@@ -8,8 +8,8 @@ import numpy as np
 
 from ...analysis.search import periodic_gait
 from ...errors import RunError
+from ...fmu.fmu import FRICTION
 from ...library.gait import Gait, gait_near
-from ...unit.unit import FRICTION
 from ..figures.matched import changed
 from .claim import ANGLE, SLIPS, STICKS, OwnClaim, gait, matched
 from .rough import MATCH

@@ -11,7 +11,7 @@ from ..checks import shown
 from ..errors import InputError, reason
 from ..files.cells import cells_of
 from ..given import is_series, is_table, mapping_of
-from .unit import Fmu
+from .fmu import Fmu
 from .variable import Value, Variable
 
 TIME = "time"

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from .unit import Fmu
+from .fmu import Fmu
 
 MODE, PHASE = "contact.mode", "hip.phase"
 OFF_GROUND = {"flight", "graze"}

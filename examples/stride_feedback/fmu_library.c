@@ -1,4 +1,4 @@
-#include "unit_library.h"
+#include "fmu_library.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -44,8 +44,8 @@ static void *open_library(const char *path) {
 }
 #endif
 
-unit_functions load_unit(const char *path) {
-    unit_functions unit;
+fmu_functions load_fmu(const char *path) {
+    fmu_functions unit;
     const struct {
         const char *name;
         void *function;
@@ -78,7 +78,7 @@ unit_functions load_unit(const char *path) {
 
 /* ---- the description ---------------------------------------------------------------------------------- */
 
-unit_description read_description(const char *path) {
+fmu_description read_description(const char *path) {
     FILE *const file = fopen(path, "rb");
     if (file == NULL || fseek(file, 0, SEEK_END) != 0) {
         fail("cannot be read", path);
@@ -91,10 +91,10 @@ unit_description read_description(const char *path) {
     }
     text[size] = '\0';
     fclose(file);
-    return (unit_description){text};
+    return (fmu_description){text};
 }
 
-void free_description(unit_description *description) {
+void free_description(fmu_description *description) {
     free(description->text);
     description->text = NULL;
 }
@@ -107,7 +107,7 @@ static const char *value_after(const char *text, const char *name, const char *q
     return found == NULL ? NULL : found + strlen(wanted);
 }
 
-fmi2ValueReference reference_of(const unit_description *description, const char *variable) {
+fmi2ValueReference reference_of(const fmu_description *description, const char *variable) {
     char name[128];
     snprintf(name, sizeof name, "%s\"", variable);
     const char *const begin = value_after(description->text, "name", name);
@@ -118,7 +118,7 @@ fmi2ValueReference reference_of(const unit_description *description, const char 
     return (fmi2ValueReference)strtoul(reference, NULL, 10);
 }
 
-void attribute_of(const unit_description *description, const char *name, char *value, size_t size) {
+void attribute_of(const fmu_description *description, const char *name, char *value, size_t size) {
     const char *const begin = value_after(description->text, name, "");
     if (begin == NULL || strcspn(begin, "\"") >= size) {
         fail("modelDescription.xml does not say", name);
@@ -128,7 +128,7 @@ void attribute_of(const unit_description *description, const char *name, char *v
     value[length] = '\0';
 }
 
-size_t count_states(const unit_description *description) {
+size_t count_states(const fmu_description *description) {
     const char *at = strstr(description->text, "<Derivatives>");
     const char *const end = at == NULL ? NULL : strstr(at, "</Derivatives>");
     if (end == NULL) {

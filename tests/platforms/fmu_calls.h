@@ -1,7 +1,7 @@
 /* The calls of a unit that the importer needs, whatever FMI version it has; all end the program on failure.
  */
-#ifndef TDMF_TESTS_UNIT_CALLS_H
-#define TDMF_TESTS_UNIT_CALLS_H
+#ifndef TDMF_TESTS_FMU_CALLS_H
+#define TDMF_TESTS_FMU_CALLS_H
 
 #include "tdmf_slip/variables.h"
 
@@ -23,7 +23,7 @@ typedef struct {
     void (*get_derivatives)(void *instance, double derivatives[STATES]);
     void (*get_indicators)(void *instance, double indicators[INDICATORS]);
     void (*take_events)(void *instance); /* from continuous-time mode and back into it */
-} unit_calls;
+} fmu_calls;
 
 /* ---- library.c ---------------------------------------------------------------------------------------- */
 
@@ -37,7 +37,7 @@ void check(bool went_well, const char *call);
 
 /* ---- fmi2.c, fmi3.c ----------------------------------------------------------------------------------- */
 
-unit_calls calls_of_fmi2(void);
-unit_calls calls_of_fmi3(void);
+fmu_calls calls_of_fmi2(void);
+fmu_calls calls_of_fmi3(void);
 
 #endif

@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping
 
-from .unit import Fmu
+from .fmu import Fmu
 
 
 class DisplayUnits:

@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ..files.whole import check_destination, whole
+from .fmu import Fmu
 from .run import Run
-from .unit import Fmu
 
 if TYPE_CHECKING:
     import xarray

@@ -11,10 +11,10 @@ from numpy.typing import NDArray
 from ..checks import check_kind
 from ..errors import InputError, RunError
 from ..terminal.progress import progress_bar
+from .fmu import Fmu
 from .inputs import InputTables
 from .instance import Experiment, Instance
 from .profile import Profile
-from .unit import Fmu
 
 STEPS_PER_TIME_UNIT = 20
 """Communication steps in each sqrt(m/k), unless an output interval is given."""

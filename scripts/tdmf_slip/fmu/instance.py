@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from ..contents import ByContents
 from ..errors import InputError, RunError, TdmfSlipError
 from ..terminal import interrupts
-from .unit import Fmu
+from .fmu import Fmu
 from .variable import Value
 
 # FMPy's CVODE prints what its status says anyway, on stdout too. SUNDIALS asks before its first use.

@@ -12,13 +12,13 @@ from ..checks import check_kind, checked, checked_whole
 from ..errors import InputError, RunError
 from ..terminal.progress import progress_bar
 from .events import MODE, PHASE, events_of
+from .fmu import Fmu, load_fmu
 from .inputs import InputTables, signals
 from .instance import Experiment, Instance, Recorder, opened
 from .parameters import RunnerLike, start_values_of
 from .profile import Profile
 from .profile_run import MAX_ROWS, STEPS_PER_TIME_UNIT, interface_over, run_over
 from .run import Run
-from .unit import Fmu, load_fmu
 from .variable import Value
 
 DEFAULT_STRIDES = 10

@@ -12,7 +12,7 @@ from ..contents import ByContents
 from ..drawable import Drawable
 from ..errors import InputError
 from .events import Event
-from .unit import Fmu, load_fmu
+from .fmu import Fmu, load_fmu
 
 if TYPE_CHECKING:
     import xarray

@@ -14,10 +14,10 @@ from ..errors import InputError, TdmfSlipError
 from ..given import row_of, rows_of
 from ..labelled import Labelled
 from ..terminal.progress import progress_bar
+from .fmu import Fmu, load_fmu
 from .parameters import RunnerLike, start_values_of
 from .runs_result import Runs
 from .simulation import DEFAULT_STRIDES, DEFAULT_TOLERANCE, MAX_STRIDES, TOLERANCES, simulate
-from .unit import Fmu, load_fmu
 from .variable import Value
 
 

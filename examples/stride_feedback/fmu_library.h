@@ -1,6 +1,6 @@
 /* The unit's shared library, and what its description says: as much of an importer as the example needs. */
-#ifndef UNIT_LIBRARY_H
-#define UNIT_LIBRARY_H
+#ifndef FMU_LIBRARY_H
+#define FMU_LIBRARY_H
 
 #include "fmi2FunctionTypes.h"
 
@@ -23,26 +23,26 @@ typedef struct {
     fmi2SetContinuousStatesTYPE *set_states;
     fmi2GetDerivativesTYPE *get_derivatives;
     fmi2GetEventIndicatorsTYPE *get_indicators;
-} unit_functions;
+} fmu_functions;
 
 /* The functions of a shared library. Ends the program with a message where there are none. */
-unit_functions load_unit(const char *path);
+fmu_functions load_fmu(const char *path);
 
 /* What the program has to know of modelDescription.xml, found by its text alone: a real importer parses it.
  */
 typedef struct {
     char *text;
-} unit_description;
+} fmu_description;
 
 /* Reads the file; ends the program with a message where it cannot. */
-unit_description read_description(const char *path);
-void free_description(unit_description *description);
+fmu_description read_description(const char *path);
+void free_description(fmu_description *description);
 
 /* A variable's value reference, an attribute that the file has once, and how many continuous states there
  * are. They end the program with a message where the file does not say. */
-fmi2ValueReference reference_of(const unit_description *description, const char *variable);
-void attribute_of(const unit_description *description, const char *name, char *value, size_t size);
-size_t count_states(const unit_description *description);
+fmi2ValueReference reference_of(const fmu_description *description, const char *variable);
+void attribute_of(const fmu_description *description, const char *name, char *value, size_t size);
+size_t count_states(const fmu_description *description);
 
 /* Ends the program with a message. */
 void fail(const char *what, const char *which);

@@ -98,8 +98,8 @@ class Variable(ByContents):
             return "true or false"
         if self.items:
             return ", ".join(f"{name} ({value})" for value, name in self.items.items())
-        fmu = f" {self.unit}" if self.unit not in ("", "1") else ""
-        return f"{self.minimum:g} to {self.maximum:g}{fmu}"
+        unit = f" {self.unit}" if self.unit not in ("", "1") else ""
+        return f"{self.minimum:g} to {self.maximum:g}{unit}"
 
     @property
     def known_units(self) -> tuple[str, ...]:

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Put the binaries of several platforms into one unit per FMI version.
 
-    merge_units.py TARGET BUILD...    folders with TDMF_SLIP.fmu and TDMF_SLIP_FMI3.fmu, each of one platform
+    merge_fmus.py TARGET BUILD...    folders with TDMF_SLIP.fmu and TDMF_SLIP_FMI3.fmu, each of one platform
 
 Everything but the binaries is taken from the first. Where FMI 2.0 has one folder for two processors, macOS
 gets a universal file; elsewhere the folder means x86-64 and the other is left out. The same input gives the
@@ -33,7 +33,7 @@ def universal(slices):
     for data in slices:
         magic, processor, kind = struct.unpack_from("<III", data)
         if magic != MACH_O_64:
-            raise SystemExit("merge_units.py: a macOS binary is no 64-bit Mach-O file")
+            raise SystemExit("merge_fmus.py: a macOS binary is no 64-bit Mach-O file")
         header += struct.pack(">5I", processor, kind, offset, len(data), UNIVERSAL_ALIGNMENT)
         padded = -(-len(data) // page) * page
         content += data.ljust(padded, b"\0")
