@@ -17,7 +17,7 @@ static int even_order(double order) {
  * ground, so that its steps had better be shorter and of a lower order. */
 series_orders tdmf_step_orders(double tolerance) {
     const double digits = -log10(tolerance);
-    const series_orders orders = {even_order(4.5 + 1.5 * digits), even_order(4.5 + 1.25 * digits)};
+    const series_orders orders = {even_order(4.5 + 1.5 * digits), even_order(4.0 + 1.375 * digits)};
     return orders;
 }
 
