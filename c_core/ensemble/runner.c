@@ -217,14 +217,6 @@ void tdmf_runner_record_step(tdmf_runner *runner, const tdmf_lane_step *lane) {
     }
 }
 
-/* Records the ground force at an event. */
-static void observe(tdmf_runner *runner) {
-    tdmf_motion *motion = &runner->motion;
-    if (tdmf_records_strides(runner->ensemble)) {
-        tdmf_observe_along(tdmf_runner_system(runner), motion, runner->direction);
-    }
-}
-
 /* ---- events ------------------------------------------------------------------------------------------- */
 
 /* Whether the runner is where the stance of the reduced map is over, and its flight to the next apex. */
@@ -273,9 +265,7 @@ bool tdmf_runner_take_event(tdmf_runner *runner, const double *fields, tdmf_guar
         return false;
     }
     tdmf_run run = {tdmf_runner_system(runner), motion, runner->direction};
-    observe(runner);
-    const bool resolved = tdmf_take_transitions(&run, reached);
-    observe(runner);
+    const bool resolved = tdmf_take_transitions(&run, reached, tdmf_records_strides(runner->ensemble));
     if (motion->mode.fallen) {
         tdmf_runner_give_up(runner, TDMF_FATE_FELL);
         return false;

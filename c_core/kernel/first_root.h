@@ -23,7 +23,10 @@ static const double close_enough = 0.25;
 /* How many times further than what is known to be safe is tried next. */
 static const double trial_factor = 5.0;
 
-/* k (k - 1) and k (k - 1) (k - 2). */
+/* k, k (k - 1) and k (k - 1) (k - 2). */
+static const double first_derivative[SERIES_TERMS] = {0,  1,  2,  3,  4,  5,  6,  7,  8,  9,
+                                                      10, 11, 12, 13, 14, 15, 16, 17, 18, 19,
+                                                      20, 21, 22, 23, 24, 25, 26, 27, 28, 29};
 static const double second_derivative[SERIES_TERMS] = {0,   0,   2,   6,   12,  20,  30,  42,  56,  72,
                                                        90,  110, 132, 156, 182, 210, 240, 272, 306, 342,
                                                        380, 420, 462, 506, 552, 600, 650, 702, 756, 812};
@@ -44,14 +47,29 @@ typedef struct {
     real value, slope, curvature;
 } expansion;
 
+/* Even and odd powers apart, each a polynomial of t^2: one sum would wait for each of its terms. */
 static inline expansion expansion_at(const real *c, int order, real t) {
-    real value = broadcast(0.0), slope = broadcast(0.0), curvature = broadcast(0.0);
-    for (int k = order; k >= 0; --k) {
-        curvature = curvature * t + slope;
-        slope = slope * t + value;
-        value = value * t + c[k];
+    const real square = t * t;
+    real even = broadcast(0.0), even_slope = broadcast(0.0), even_curvature = broadcast(0.0);
+    real odd = broadcast(0.0), odd_slope = broadcast(0.0), odd_curvature = broadcast(0.0);
+    int k = order;
+    if (k % 2 == 0) {
+        even = c[k--];
     }
-    const expansion at = {value, slope, 2.0 * curvature};
+    for (; k > 0; k -= 2) {
+        even_curvature = even_curvature * square + even_slope;
+        odd_curvature = odd_curvature * square + odd_slope;
+        even_slope = even_slope * square + even;
+        odd_slope = odd_slope * square + odd;
+        even = even * square + c[k - 1];
+        odd = odd * square + c[k];
+    }
+    const expansion at = {
+        even + t * odd,
+        2.0 * t * even_slope + (odd + 2.0 * square * odd_slope),
+        2.0 * even_slope + 8.0 * square * even_curvature +
+            t * (6.0 * odd_slope + 8.0 * square * odd_curvature),
+    };
     return at;
 }
 

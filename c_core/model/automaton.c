@@ -21,13 +21,7 @@ static tdmf_resolution resolve(tdmf_system system, tdmf_motion *motion, tdmf_leg
     if (!motion->mode.fallen) {
         tdmf_account_for_rest_length(&run);
     }
-    if (observes) {
-        tdmf_observe_along(system, motion, direction);
-    }
-    const bool resolved = tdmf_take_transitions(&run, reached);
-    if (observes) {
-        tdmf_observe_along(system, motion, direction);
-    }
+    const bool resolved = tdmf_take_transitions(&run, reached, observes);
 
     const tdmf_resolution resolution = {
         .state_changed = memcmp(state_before, motion->state, sizeof state_before) != 0,

@@ -32,25 +32,15 @@ static factor derivative_of(const tdmf_step *step, const double *series, int ord
     return f;
 }
 
-/* The range of the partial sums of a series; see event_search.h. */
-typedef struct {
-    double sum, minimum, maximum;
-} partial_sums;
-
-static inline partial_sums with_term(partial_sums sums, double term) {
-    const double sum = sums.sum + term;
-    const partial_sums next = {sum, real_min(sums.minimum, sum), real_max(sums.maximum, sum)};
-    return next;
-}
-
-/* Those of a series' derivative, times the size of the step. */
-static partial_sums sums_of_rate(const tdmf_step *step, const double *series, int order) {
-    const double first = series[1] * step->search.power[1];
-    partial_sums rate = {first, first, first};
+/* The minimum of the partial sums of a series' derivative, times a sign and the size of the step; see
+ * event_search.h. */
+static double min_rate(const tdmf_step *step, const double *series, int order, double sign) {
+    double sum = sign * series[1] * step->search.power[1], minimum = sum;
     for (int k = 2; k <= order; ++k) {
-        rate = with_term(rate, (double)k * (series[k] * step->search.power[k]));
+        sum += sign * first_derivative[k] * (series[k] * step->search.power[k]);
+        minimum = real_min(minimum, sum);
     }
-    return rate;
+    return minimum;
 }
 
 /* The first time after `from`, up to `to`, at which a force turns from rising to falling or back; else
@@ -58,8 +48,7 @@ static partial_sums sums_of_rate(const tdmf_step *step, const double *series, in
 static double next_force_extremum(const tdmf_step *step, const double *force, bool rising, double from,
                                   double to) {
     const tdmf_scales *scales = &step->equations->model->scales;
-    const partial_sums slope = sums_of_rate(step, force, step->order - 1);
-    if (rising ? slope.minimum > 0.0 : slope.maximum < 0.0) {
+    if (min_rate(step, force, step->order - 1, rising ? 1.0 : -1.0) > 0.0) {
         return INFINITY;
     }
     factor rate = derivative_of(step, force, step->order - 1);

@@ -1,9 +1,10 @@
 /* The power of the hip changes its sign where the torque does or the leg's angular rate, each of which is a
  * polynomial in the time since the start of the step. Times here are shares of the part that is looked at.
  *
- * Where a polynomial is monotone it changes its sign at most once, and then that shows at the ends. What it
- * may do is bounded from the middle of a part on by its third derivative; a part of which neither a sign nor
- * a direction is known is halved.
+ * Where a polynomial is monotone it changes its sign at most once, and then that shows at the ends: so the
+ * rate in flight, whose momentum goes by the torque, between the zeros of this. What another may do is
+ * bounded from the middle of a part on by its third derivative; a part of which neither a sign nor a
+ * direction is known is halved.
  *
  * Work is stationary in the time of a turn, so that an error of the turn counts by its square. */
 #include "positive_work.h"
@@ -12,8 +13,9 @@
 
 #include <math.h>
 
-/* A correction of Newton's method after which the next would be as small as its square. */
-static const double small_correction = 1e-5;
+/* A correction of Newton's method after which the next would be as small as its square, and count for no
+ * more than the square of that. */
+static const double small_correction = 1e-4;
 
 /* Bisection alone would have come to the last bit. */
 enum { CORRECTION_LIMIT = 60 };
@@ -28,10 +30,6 @@ typedef struct {
     int order;
 } polynomial;
 
-typedef struct {
-    double value, slope;
-} value_and_slope;
-
 /* Times in ascending order. */
 typedef struct {
     double at[2 * SERIES_TERMS];
@@ -40,27 +38,20 @@ typedef struct {
 
 /* ---- polynomials on [0, 1] ---------------------------------------------------------------------------- */
 
-/* What the sizes of the coefficients add up to without the first: of the polynomial and of its derivative. */
-typedef struct {
-    double value, slope;
-} sums_of_rest;
-
-static sums_of_rest rest_of(const polynomial *f) {
-    double value[2] = {0.0, 0.0}, slope[2] = {0.0, 0.0};
-    int k = 2;
-    for (; k < f->order; k += 2) {
-        const double even = fabs(f->c[k]), odd = fabs(f->c[k + 1]);
-        value[0] += even;
-        value[1] += odd;
-        slope[0] += (double)k * even;
-        slope[1] += (double)(k + 1) * odd;
+/* What the sizes of the coefficients from `from` on add up to, each times its weight. */
+static double sum_of_sizes(const double *series, const double *power, const double *weights, int from,
+                           int order) {
+    double sum[2] = {0.0, 0.0};
+    int k = from;
+    for (; k < order; k += 2) {
+        for (int i = 0; i < 2; ++i) {
+            sum[i] += weights[k + i] * fabs(series[k + i] * power[k + i]);
+        }
     }
-    if (k == f->order) {
-        value[0] += fabs(f->c[k]);
-        slope[0] += (double)k * fabs(f->c[k]);
+    if (k == order) {
+        sum[0] += weights[k] * fabs(series[k] * power[k]);
     }
-    const sums_of_rest sums = {fabs(f->c[1]) + (value[0] + value[1]), slope[0] + slope[1]};
-    return sums;
+    return sum[0] + sum[1];
 }
 
 /* A polynomial on [0, 1] is a mean of its partial sums; see event_search.h. */
@@ -76,27 +67,21 @@ static bool keeps_sign(const polynomial *f) {
 
 static void differentiate(const polynomial *f, polynomial *derivative) {
     derivative->order = f->order - 1;
-    for (int k = 0; k < f->order; ++k) {
-        derivative->c[k] = (double)(k + 1) * f->c[k + 1];
+    derivative->c[0] = f->c[1];
+    for (int k = 1; k < f->order; ++k) {
+        derivative->c[k] = first_derivative[k + 1] * f->c[k + 1];
     }
 }
 
-/* Even and odd powers apart: one sum would wait for each of its terms. */
-static value_and_slope at_time(const polynomial *f, double t) {
-    const double square = t * t;
-    double even = 0.0, odd = 0.0, even_rate = 0.0, odd_rate = 0.0; /* the rates are by the square */
-    int k = f->order;
-    if (k % 2 == 0) {
-        even = f->c[k--];
+/* At the end of [0, 1]. */
+static double end_of(const polynomial *f) {
+    double even = f->c[0], odd = f->c[1];
+    int k = 2;
+    for (; k < f->order; k += 2) {
+        even += f->c[k];
+        odd += f->c[k + 1];
     }
-    for (; k > 0; k -= 2) {
-        odd_rate = odd_rate * square + odd;
-        even_rate = even_rate * square + even;
-        odd = odd * square + f->c[k];
-        even = even * square + f->c[k - 1];
-    }
-    const value_and_slope at = {even + t * odd, 2.0 * t * even_rate + (odd + 2.0 * square * odd_rate)};
-    return at;
+    return even + odd + (k == f->order ? f->c[k] : 0.0);
 }
 
 /* A part of [0, 1], and the values at its ends. */
@@ -104,13 +89,17 @@ typedef struct {
     double from, to, start, end;
 } part;
 
-/* The zero of a polynomial between two times at which its signs differ, by Newton's method from where its
- * chord is zero, and by bisection where that leads out. */
-static double zero_between(const polynomial *f, const part *in) {
+static double zero_of_chord(const part *in) {
+    return in->from + (in->to - in->from) * (in->start / (in->start - in->end));
+}
+
+/* The zero of a polynomial between two times at which its signs differ, by Newton's method from a guess that
+ * is within, and by bisection where that leads out. */
+static double zero_between(const polynomial *f, const part *in, double guess) {
     double from = in->from, to = in->to;
-    double t = from + (to - from) * (in->start / (in->start - in->end));
+    double t = guess;
     for (int i = 0; i < CORRECTION_LIMIT; ++i) {
-        const value_and_slope at = at_time(f, t);
+        const expansion at = expansion_at(f->c, f->order, t);
         const bool before = (at.value < 0.0) == (in->start < 0.0);
         from = before ? t : from;
         to = before ? to : t;
@@ -151,12 +140,21 @@ static void insert(zeros *all, double time) {
     all->at[index] = time;
 }
 
+/* By the parabola about the middle of a part, if its zero is within. */
+static double guess_of_zero(const part *in, double time, const expansion *middle) {
+    const double by_line = -middle->value / middle->slope;
+    const double guess = time + by_line * (1.0 - 0.5 * by_line * middle->curvature / middle->slope);
+    return guess >= in->from && guess <= in->to ? guess : zero_of_chord(in);
+}
+
 /* Adds all changes of a polynomial's sign. */
 static void find_zeros(const polynomial *f, zeros *all) {
-    part waiting[HALVING_LIMIT + 1] = {{0.0, 1.0, f->c[0], at_time(f, 1.0).value}};
+    part waiting[HALVING_LIMIT + 1];
+    const part full = {0.0, 1.0, f->c[0], end_of(f)};
     const double bound = bound_of_derivative(f->c, third_derivative, f->order);
     const int limit = all->count + f->order;
     int count = 1;
+    waiting[0] = full;
     while (count > 0 && all->count < limit) {
         const part in = waiting[--count];
         const double time = 0.5 * (in.from + in.to);
@@ -164,7 +162,7 @@ static void find_zeros(const polynomial *f, zeros *all) {
         const behaviour is = behaviour_in(&in, &middle, bound);
         if (is.is_monotone || in.to - in.from < shortest_part) {
             if (changes_sign(&in)) {
-                insert(all, zero_between(f, &in));
+                insert(all, zero_between(f, &in, guess_of_zero(&in, time, &middle)));
             }
         } else if (!is.keeps_sign) {
             const part first = {in.from, time, in.start, middle.value};
@@ -183,7 +181,9 @@ static bool has_no_torque(const tdmf_step *step) {
 
 static void take_series(const double *series, const double *power, int order, polynomial *f) {
     f->order = order;
-    for (int k = 0; k <= order; ++k) {
+    f->c[0] = series[0];
+    f->c[1] = series[1] * power[1];
+    for (int k = 2; k <= order; ++k) {
         f->c[k] = series[k] * power[k];
     }
 }
@@ -195,27 +195,60 @@ static void leave_out_zeros(polynomial *f) {
     }
 }
 
-static void add_zeros_of(const polynomial *f, double rest, zeros *all) {
-    if (!(fabs(f->c[0]) > rest) && !keeps_sign(f)) {
+static void add_zeros_of(const polynomial *f, zeros *all) {
+    if (!keeps_sign(f)) {
         find_zeros(f, all);
     }
 }
 
-/* The rate has the sign of the momentum, and the torque follows from what it makes of the momentum. */
+/* Adds the zeros of a momentum to those of the torque, between which it is monotone. */
+static void add_zeros_between(const polynomial *momentum, zeros *all) {
+    zeros found;
+    part in = {.to = 0.0, .end = momentum->c[0]};
+    found.count = 0;
+    for (int i = 0; i <= all->count; ++i) {
+        in.from = in.to;
+        in.start = in.end;
+        in.to = i < all->count ? all->at[i] : 1.0;
+        in.end = i < all->count ? expansion_at(momentum->c, momentum->order, in.to).value : end_of(momentum);
+        if (changes_sign(&in)) {
+            found.at[found.count++] = zero_between(momentum, &in, zero_of_chord(&in));
+        }
+    }
+    for (int i = 0; i < found.count; ++i) {
+        insert(all, found.at[i]);
+    }
+}
+
+/* The rate has the sign of the momentum, and the torque that of the momentum's slope. Mostly neither
+ * changes it. */
 static void add_zeros_in_flight(const tdmf_step *step, const double *power, zeros *all) {
+    const double *series = step->series.flight.momentum;
+    const double slope = fabs(series[1] * power[1]);
+    const double slope_changes = sum_of_sizes(series, power, first_derivative, 2, step->order);
+    const bool torque_may_vanish = !(slope > slope_changes);
     polynomial momentum, torque;
-    take_series(step->series.flight.momentum, power, step->order, &momentum);
-    const sums_of_rest rest = rest_of(&momentum);
-    const bool is_forced = step->equations->is_forced;
-    add_zeros_of(&momentum, rest.value, all);
-    if (!is_forced && fabs(momentum.c[1]) > rest.slope) {
+    if (!torque_may_vanish && fabs(series[0]) > slope + slope_changes) {
         return;
     }
+    take_series(series, power, step->order, &momentum);
+    if (torque_may_vanish) {
+        differentiate(&momentum, &torque);
+        add_zeros_of(&torque, all);
+    }
+    add_zeros_between(&momentum, all);
+}
+
+/* Where the body is pushed the momentum's slope has what the push adds, too. */
+static void add_zeros_in_pushed_flight(const tdmf_step *step, const double *power, zeros *all) {
+    polynomial momentum, torque;
+    take_series(step->series.flight.momentum, power, step->order, &momentum);
     differentiate(&momentum, &torque);
-    for (int k = 0; k <= torque.order && is_forced; ++k) {
+    for (int k = 0; k <= torque.order; ++k) {
         torque.c[k] -= step->series.flight.push_moment[k] * power[k + 1];
     }
-    add_zeros_of(&torque, rest_of(&torque).value, all);
+    add_zeros_of(&momentum, all);
+    add_zeros_of(&torque, all);
 }
 
 static void add_zeros_on_ground(const tdmf_step *step, const double *power, zeros *all) {
@@ -224,8 +257,8 @@ static void add_zeros_on_ground(const tdmf_step *step, const double *power, zero
     take_series(g->moment, power, step->order, &moment);
     take_series(g->torque, power, step->order - 1, &torque);
     leave_out_zeros(&torque);
-    add_zeros_of(&moment, rest_of(&moment).value, all);
-    add_zeros_of(&torque, rest_of(&torque).value, all);
+    add_zeros_of(&moment, all);
+    add_zeros_of(&torque, all);
 }
 
 static void find_zeros_of_power(const tdmf_step *step, double end, zeros *all) {
@@ -236,7 +269,9 @@ static void find_zeros_of_power(const tdmf_step *step, double end, zeros *all) {
         set_powers(of_end, end, step->order);
         power = of_end;
     }
-    if (step->equations->contact == TDMF_CONTACT_FLIGHT) {
+    if (step->equations->contact == TDMF_CONTACT_FLIGHT && step->equations->is_forced) {
+        add_zeros_in_pushed_flight(step, power, all);
+    } else if (step->equations->contact == TDMF_CONTACT_FLIGHT) {
         add_zeros_in_flight(step, power, all);
     } else {
         add_zeros_on_ground(step, power, all);

@@ -64,12 +64,17 @@ tdmf_evaluation tdmf_evaluate_run(const tdmf_run *run, const tdmf_mode *mode) {
     return tdmf_evaluate_leg(run->system, mode, run->motion->state, &leg);
 }
 
-bool tdmf_take_transitions(tdmf_run *run, tdmf_guard reached) {
-    for (int links = 0; links < TDMF_CHAIN_LIMIT; ++links) {
+bool tdmf_take_transitions(tdmf_run *run, tdmf_guard reached, bool observes) {
+    for (int links = 0; links <= TDMF_CHAIN_LIMIT; ++links) {
         const tdmf_evaluation at = tdmf_evaluate_run(run, &run->motion->mode);
         const tdmf_guard due = first_due(&at, reached);
-        if (due == TDMF_GUARD_COUNT) {
-            return true;
+        const bool is_cut = links == TDMF_CHAIN_LIMIT;
+        const bool is_last = due == TDMF_GUARD_COUNT || is_cut;
+        if (observes && (links == 0 || is_last)) {
+            tdmf_observe_evaluated(&at, run->motion);
+        }
+        if (is_last) {
+            return !is_cut;
         }
         reached = due == reached ? TDMF_GUARD_COUNT : reached;
         kinds[due].reset(run);

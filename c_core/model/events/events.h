@@ -27,8 +27,8 @@ tdmf_resolution tdmf_resolve_unobserved(tdmf_system system, tdmf_motion *motion,
 /* The run in a mode as it is now, or in another that it might be in. */
 tdmf_evaluation tdmf_evaluate_run(const tdmf_run *run, const tdmf_mode *mode);
 
-/* tdmf_observe, where the leg's direction is at hand. */
-void tdmf_observe_along(tdmf_system system, tdmf_motion *motion, tdmf_leg_direction direction);
+/* tdmf_observe, where the instant has been evaluated already. */
+void tdmf_observe_evaluated(const tdmf_evaluation *at, tdmf_motion *motion);
 
 typedef struct {
     /* Positive while the event is to come, a pure number. */
@@ -48,9 +48,9 @@ typedef struct {
 /* The event that a guard announces. */
 const tdmf_event_kind *tdmf_event_kind_of(tdmf_guard guard);
 
-/* Takes all that are due, as tdmf_resolve_along does, but does not see to the peaks of the ground force.
- * False where the chain did not come to rest. */
-bool tdmf_take_transitions(tdmf_run *run, tdmf_guard reached);
+/* Takes all that are due, as tdmf_resolve_along does, and sees to the peaks of the ground force if it
+ * `observes`. False where the chain did not come to rest. */
+bool tdmf_take_transitions(tdmf_run *run, tdmf_guard reached, bool observes);
 
 /* The right-hand side and the ground are the same: contact, phase, zone, clamp, thrust, line and fall. */
 static inline bool tdmf_same_mode(const tdmf_mode *a, const tdmf_mode *b) {

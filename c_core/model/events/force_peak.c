@@ -22,16 +22,17 @@ double tdmf_armed_vertical_force_peak(const tdmf_evaluation *at) {
 }
 
 void tdmf_observe(tdmf_system system, tdmf_motion *motion) {
-    tdmf_observe_along(system, motion, tdmf_leg_direction_of(motion->state));
+    if (tdmf_in_contact(&motion->mode)) {
+        const tdmf_evaluation at = tdmf_evaluate(system, &motion->mode, motion->state);
+        tdmf_observe_evaluated(&at, motion);
+    }
 }
 
-void tdmf_observe_along(tdmf_system system, tdmf_motion *motion, tdmf_leg_direction direction) {
+void tdmf_observe_evaluated(const tdmf_evaluation *at, tdmf_motion *motion) {
     tdmf_mode *mode = &motion->mode;
     if (tdmf_in_contact(mode)) {
-        const tdmf_leg leg = tdmf_leg_along(system, mode, motion->state, direction);
-        const tdmf_evaluation at = tdmf_evaluate_leg(system, mode, motion->state, &leg);
-        const tdmf_ground_force rate = tdmf_force_rate(&at);
-        tdmf_record_force(&motion->record, at.force.normal, tdmf_vertical_force(&mode->ground, at.force));
+        const tdmf_ground_force rate = tdmf_force_rate(at);
+        tdmf_record_force(&motion->record, at->force.normal, tdmf_vertical_force(&mode->ground, at->force));
         mode->ground_force_rising = rate.normal > 0.0;
         mode->vertical_force_rising = tdmf_vertical_force(&mode->ground, rate) > 0.0;
     }
