@@ -184,7 +184,7 @@ def code_of(word):
 
 
 @pytest.mark.parametrize(
-    ("preset", "name", "begin", "end", "least"),
+    ("preset", "name", "begin", "end", "smallest"),
     [
         ({}, FRICTION, 1.2, 0.2, 4),
         ({}, ANGLE, np.radians(40.0), np.radians(52.0), 3),

@@ -59,7 +59,7 @@ def found(functions, goal, begin):
     return Search(functions, Problem(goal, {QUANTITY: 1.0, SUM: 1.0})).run(start)
 
 
-GOAL = Goal(QUANTITY, at_most={SUM: (1.0, 9.0)})
+GOAL = Goal(QUANTITY, upper_limits={SUM: (1.0, 9.0)})
 """Of both functions, the sum without any effect."""
 
 
@@ -109,7 +109,7 @@ def test_where_eigenvalues_jump_the_optimum_is_that_of_the_stable_side():
     def rising(at):
         return -at[1] + (at[0] - 0.6) ** 2, np.array([2.0 * (at[0] - 0.6), -1.0])
 
-    goal = Goal(QUANTITY, at_most={SUM: (1.0, 9.0)}, radius=1.0)
+    goal = Goal(QUANTITY, upper_limits={SUM: (1.0, 9.0)}, radius=1.0)
     optimum = found(Functions(rising, 0.1, radii=(0.9, 1.2)), goal, (0.2, 0.1))
     assert optimum.gait.gait.word == "A" and set(optimum.falls) == {"A"} and optimum.why == ""
     x = optimum.gait.at[0]
