@@ -14,12 +14,12 @@ from tdmf_slip.fitting import problem as problem_module
 from tdmf_slip.fitting.across import Across
 from tdmf_slip.fitting.concluded import is_met
 from tdmf_slip.fitting.identifiability import identified
-from tdmf_slip.fitting.measurements import UNITS, Measured, Measurements, read_measurements, shipped
+from tdmf_slip.fitting.measurements import Measured, Measurements, read_measurements, shipped
 from tdmf_slip.fitting.problem import Problem
 from tdmf_slip.fitting.result import QUANTILE
 from tdmf_slip.fmu.parameters import read_parameters
 from tdmf_slip.library.gait import gait_near
-from tdmf_slip.library.quantities import known_quantities, quantities_of
+from tdmf_slip.library.quantities import known_quantities, quantities_of, unit_of
 from tdmf_slip.library.varied_gait import varied_gait
 
 FAST_HUMAN = Path(__file__).with_name("fast_human.toml")
@@ -382,7 +382,7 @@ def test_what_is_no_data_is_refused(data, free):
 def test_the_command_prints_writes_and_draws(tmp_path, command):
     gait = find_gait({"ground.friction": 0.6})
     row = measured(gait)
-    header = ",".join(f"{name} [{UNITS[name]}],{name}_error [{UNITS[name]}]" for name in row)
+    header = ",".join(f"{name} [{unit_of(name)}],{name}_error [{unit_of(name)}]" for name in row)
     cells = ",".join(f"{of.value!r},{of.error!r}" for of in row.values())
     table = written(tmp_path, f"# made\n{header}\n{cells}\n")
     page, picture = tmp_path / "report.html", tmp_path / "fit.svg"

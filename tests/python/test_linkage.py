@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from tdmf_slip import find_gait
+from tdmf_slip import Runner, find_gait
 from tdmf_slip.analysis.linkage import linked
 from tdmf_slip.analysis.settled import evenly, settled_gaits
 from tdmf_slip.library.gait import gait_near
@@ -69,3 +69,16 @@ def test_scales_are_those_of_the_runner():
     assert scale_of(runner, "N.s/m") == pytest.approx(6.0)
     assert scale_of(runner, "N.m.s/rad") == pytest.approx(16.0 * 1.5)
     assert scale_of(runner, "m/s2") == pytest.approx(2.0 / 1.5**2)
+
+
+def test_every_unit_of_the_fmu_has_its_dimensions(fmu):
+    """Scales of the library's own, made in C, are those that the table of dimensions gives."""
+    runner = Runner.of({"leg.free_length": 2.0, "body.mass": 9.0, "leg.stiffness": 4.0, "leg.length": 2.0})
+    units = {variable.unit or "1" for variable in fmu.variables.values()}
+    assert len(units) > 10
+    assert all(scale_of(runner, unit) > 0.0 for unit in units)
+    scales = runner.model.scales
+    for unit, scale in (("m/s", scales.speed), ("N", scales.force), ("J", scales.energy)):
+        assert scale_of(runner, unit) == pytest.approx(scale, rel=1e-15)
+    of_section = [scale_of(runner, fmu.variables[f"apex.{name}"].unit) for name in runner.coordinates]
+    assert of_section == pytest.approx(runner.scales, rel=1e-15)

@@ -18,9 +18,8 @@ from ..fmu.parameters import RunnerLike
 from ..fmu.variable import Given
 from ..given import row_of
 from ..library.gait import Gait
-from ..library.measures import MEASURE_UNITS
 from ..library.members import VARIED, check_varied
-from ..library.quantities import check_quantities, known_quantities, quantities_of
+from ..library.quantities import check_quantities, known_quantities, quantities_of, unit_of
 from ..library.runner import Runner
 from ..terminal.progress import progress_bar
 from ..terminal.text import headed, table
@@ -29,7 +28,6 @@ from .targeted import TargetNotMetError, find_gait
 
 MATCHED = 1e-8
 """Over its size: a quantity as near to the reference's is held."""
-OTHER_UNITS = {"frequency": "Hz", **MEASURE_UNITS}
 
 
 @dataclass(frozen=True)
@@ -127,10 +125,9 @@ class Comparison(ByContents, Drawable):
         rows.append(("word", *(gait.word for _, gait in columns)))
         rows.append(("stable", *("yes" if gait.stable else "no" for _, gait in columns)))
         for name in known_quantities(self.runners[0].after.runner):
-            of = OTHER_UNITS.get(name) or variables[f"stride.{name}"].unit
             mark = " *" if name in self.hold else ""
             values = (quantities_of(gait, [name])[name] for _, gait in columns)
-            rows.append((headed(name, of) + mark, *(f"{value:.6g}" for value in values)))
+            rows.append((headed(name, unit_of(name, fmu)) + mark, *(f"{value:.6g}" for value in values)))
         rows.append(("lambda_max", *(f"{gait.lambda_max:.6g}" for _, gait in columns)))
         lines = [table(("", *(title for title, _ in columns)), rows), "", "* held"]
         lines += [

@@ -1,6 +1,5 @@
 """The command `optimize`: the best runner over parameters within bounds."""
 
-from collections.abc import Mapping
 from typing import Any
 
 import click
@@ -9,8 +8,7 @@ from ..analysis.targeted import TargetNotMetError
 from ..errors import InputError
 from ..fmu.display_units import DisplayUnits
 from ..fmu.fmu import Fmu, load_fmu
-from ..library.measures import MEASURE_UNITS
-from ..library.quantities import QUANTITIES
+from ..library.quantities import QUANTITIES, unit_of
 from ..optimization.optimize import MAX_STARTS, STARTS, optimize
 from ..optimization.optimum import Optimum, reported
 from ..optimization.pareto import MAX_POINTS, POINTS, Front, pareto_front
@@ -33,7 +31,6 @@ from .options import (
 from .output import json_text
 from .runner import runner_of
 
-UNITS: Mapping[str, str] = {"frequency": "Hz", **MEASURE_UNITS}
 """Of what the unit has no variable for."""
 
 
@@ -136,9 +133,7 @@ def _text(best: Optimum, fmu: Fmu, display: DisplayUnits) -> str:
     ]
     before, after = reported(best.before), reported(best.gait)
     for name, value in after.items():
-        variable = None if name in UNITS else fmu.variables.get(f"stride.{name}")
-        of = UNITS.get(name, "1") if variable is None else variable.unit
-        rows.append((name, of, f"{before[name]:.9g}", f"{value:.9g}", ""))
+        rows.append((name, unit_of(name, fmu), f"{before[name]:.9g}", f"{value:.9g}", ""))
     rows.append(("word", "", best.before.word, best.word, ""))
     stable = ["yes" if gait.stable else "no" for gait in (best.before, best.gait)]
     rows.append(("stable", "", stable[0], stable[1], ""))

@@ -12,18 +12,18 @@ from ..contents import ByContents
 from ..errors import InputError, reason
 from ..files.cells import cells_of
 from ..given import is_table, mapping_of
-from ..library.measures import MEASURE_UNITS
-from ..library.quantities import SIGNED
+from ..library.measures import MEASURES
+from ..library.quantities import SIGNED, unit_of
 
-UNITS: Mapping[str, str] = {
-    "speed": "m/s",
-    "frequency": "Hz",
-    "stance_time": "s",
-    "duty_factor": "1",
-    "slip_distance": "m",
-    "peak_force": "N",
-    **MEASURE_UNITS,
-}
+MEASURABLE = (
+    "speed",
+    "frequency",
+    "stance_time",
+    "duty_factor",
+    "slip_distance",
+    "peak_force",
+    *MEASURES,
+)
 """What may be measured, by names of `library.quantities.QUANTITIES`; the frequency is one over the period."""
 ERROR = "_error"
 """What the name of a quantity's column of errors ends with."""
@@ -42,7 +42,7 @@ class Measured:
     """A quantity as it was measured."""
 
     value: float
-    """In the unit of `UNITS`."""
+    """In its unit."""
     error: float
     """Its standard error, in the same unit."""
 
@@ -143,16 +143,16 @@ def _column(title: str, where: str) -> str:
     name, bracket, rest = title.partition("[")
     name = name.strip()
     quantity = name.removesuffix(ERROR)
-    if quantity not in UNITS:
-        titles = [*UNITS, *(f"{known}{ERROR}" for known in UNITS)]
+    if quantity not in MEASURABLE:
+        titles = [*MEASURABLE, *(f"{known}{ERROR}" for known in MEASURABLE)]
         raise InputError(
-            f"{where}: column {title!r} is unknown; allowed: {', '.join(UNITS)}, each with {ERROR} "
+            f"{where}: column {title!r} is unknown; allowed: {', '.join(MEASURABLE)}, each with {ERROR} "
             f"as well{near_matches(name, titles)}"
         )
-    allowed = f"{name} [{UNITS[quantity]}]"
+    allowed = f"{name} [{unit_of(quantity)}]"
     if not bracket:
         raise InputError(f"{where}: column {title!r} has no unit; allowed: {allowed}")
-    if rest.strip() != f"{UNITS[quantity]}]":
+    if rest.strip() != f"{unit_of(quantity)}]":
         raise InputError(
             f"{where}: column {title!r} is not in the unit that it has to be in; allowed: {allowed}"
         )
@@ -166,7 +166,7 @@ def _check_columns(columns: Sequence[str], where: str) -> None:
             raise InputError(f"{where}: column {name} is there twice; allowed: once")
         other = name.removesuffix(ERROR) if name.endswith(ERROR) else f"{name}{ERROR}"
         if other not in columns:
-            unit = UNITS[other.removesuffix(ERROR)]
+            unit = unit_of(other.removesuffix(ERROR))
             raise InputError(
                 f"{where}: column {name} without {other}; allowed: with a column {other} [{unit}]"
             )

@@ -13,11 +13,12 @@ from ..contents import ByContents
 from ..drawable import Drawable
 from ..fmu.fmu import load_fmu
 from ..library.gait import Gait
+from ..library.quantities import unit_of
 from ..library.runner import Runner
 from ..library.strides import strides_from
 from ..terminal.text import quantity, table
 from .identifiability import Combination
-from .measurements import UNITS, Measurements
+from .measurements import Measurements
 from .request import Request
 
 if TYPE_CHECKING:
@@ -223,7 +224,7 @@ class Fit(ByContents, Drawable):
             (
                 str(of.row),
                 of.name,
-                quantity(of.measured, UNITS[of.name], 6),
+                quantity(of.measured, unit_of(of.name), 6),
                 f"{of.error:.3g}",
                 f"{of.fitted:.6g}",
                 f"{of.residual:+.2f}",

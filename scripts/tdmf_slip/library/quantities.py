@@ -9,8 +9,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..errors import InputError
+from ..fmu.fmu import Fmu, load_fmu
 from .gait import Gait
-from .measures import APEX_QUANTITIES, MEASURES, apex_quantities
+from .measures import APEX_QUANTITIES, MEASURE_UNITS, MEASURES, apex_quantities
 from .runner import Runner
 from .section import REDUCED
 
@@ -30,8 +31,15 @@ QUANTITIES = (*OF_STRIDE, *MEASURES)
 """What a gait can be ordered by; the frequency is that of strides, one over the period."""
 REDUCED_QUANTITIES = (*OF_STRIDE, *(name for name, of in APEX_QUANTITIES.items() if of in REDUCED))
 """Those that the reduced map has: its leg is placed in flight as if by itself."""
+_OWN_UNITS: Mapping[str, str] = {"frequency": "Hz", **MEASURE_UNITS}
 SIGNED = ("apex_leg_angle",)
 """Those that may be 0 or less."""
+
+
+def unit_of(quantity: str, fmu: Fmu | None = None) -> str:
+    """The unit of a quantity, which the FMU's table of variables has where it is an output of a stride."""
+    variable = load_fmu(fmu).variables.get(f"stride.{quantity}")
+    return _OWN_UNITS.get(quantity, "1" if variable is None else variable.unit)
 
 
 def quantities_of(gait: Gait, names: Sequence[str]) -> dict[str, float]:

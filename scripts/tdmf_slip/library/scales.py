@@ -1,5 +1,6 @@
 """A runner's own units: what numbers are measured by that have units."""
 
+from ..fmu.dimensions import scale
 from .runner import Runner
 
 ROUNDING = 5.0
@@ -9,24 +10,7 @@ ROUNDING = 5.0
 def scale_of(runner: Runner, unit: str) -> float:
     """The scale of a runner's quantities in a unit."""
     scales = runner.model.scales
-    return {
-        "m": scales.length,
-        "s": scales.time,
-        "m/s": scales.speed,
-        "N": scales.force,
-        "J": scales.energy,
-        "N2.m2.s": scales.energy**2 * scales.time,
-        "rad": 1.0,
-        "rad/s": 1.0 / scales.time,
-        "1": 1.0,
-        "kg": scales.energy / scales.speed**2,
-        "m/s2": scales.speed / scales.time,
-        "N/m": scales.force / scales.length,
-        "N.s/m": scales.force / scales.speed,
-        "N.m": scales.energy,
-        "N.m/rad": scales.energy,
-        "N.m.s/rad": scales.energy * scales.time,
-    }[unit]
+    return scale(unit, scales.length, scales.time, scales.energy / scales.speed**2)
 
 
 def rounding_of(runner: Runner, unit: str) -> float:

@@ -16,8 +16,8 @@ from matplotlib.ticker import MaxNLocator
 from numpy.typing import NDArray
 
 from ..analysis.basin_result import FOLLOWED, STRIDES, Basin
+from ..fmu.dimensions import scale, symbol
 from ..library.ensemble import FATES, SETTLED
-from ..library.section import COORDINATES
 from . import style
 
 NAMES = {
@@ -29,8 +29,6 @@ NAMES = {
     "leg_angle_rate": "rate of leg angle",
 }
 """Of the section's coordinates, at the apex."""
-SCALES = ("l₀", "l₀√(k/m)", "l₀", "", "l₀√(k/m)", "√(k/m)")
-"""Of the section's coordinates."""
 COUNTED = {
     "settled": ("GnBu_r", "strides until the runner is known to settle"),
     "fell": ("OrRd_r", "strides until the runner falls"),
@@ -167,9 +165,9 @@ def _mark_small(figure: Figure, axes: Axes, data: Basin, where: NDArray[np.bool_
 
 def _label(data: Basin, axis: str) -> str:
     """With the unit, in which ranges are given too, and how much of it the scale is."""
-    unit, scale = data.coordinates[axis].attributes["units"], SCALES[COORDINATES.index(axis)]
-    if not scale:
+    unit, values = data.coordinates[axis].attributes["units"], data.attributes
+    if not symbol(unit):
         return style.with_unit(NAMES[axis], unit)
-    length = data.attributes["leg.free_length"] if "l₀" in scale else 1.0
-    rate = math.sqrt(data.attributes["leg.stiffness"] / data.attributes["body.mass"]) if "√" in scale else 1.0
-    return f"{NAMES[axis]} ({unit};  {scale} = {length * rate:.4g} {unit})"
+    mass = values["body.mass"]
+    size = scale(unit, values["leg.free_length"], math.sqrt(mass / values["leg.stiffness"]), mass)
+    return f"{NAMES[axis]} ({unit};  {symbol(unit)} = {size:.4g} {unit})"

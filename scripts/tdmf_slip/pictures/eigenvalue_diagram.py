@@ -28,7 +28,6 @@ MARKERS: Sequence[Mapping[str, Any]] = (
 """Of the first and the second set of eigenvalues."""
 NARROWEST = 1e-300
 """Least radius of an enclosure that is drawn: that of a point has no logarithm."""
-SECTION_UNITS = dict(zip(COORDINATES, ("m", "m/s", "m", "rad", "m/s", "rad/s"), strict=True))
 
 
 def of_controllability(found: Controllability) -> Figure:
@@ -113,7 +112,8 @@ def _bars(axes: Axes, rows: NDArray[np.float64], names: Sequence[str], columns: 
 
 def _radii(axes: Axes, names: Sequence[str], radii: Sequence[float]) -> None:
     """How far enclosures go to both sides of their middles."""
-    units = {name: variable.unit for name, variable in load_fmu().variables.items()} | SECTION_UNITS
+    variables = load_fmu().variables
+    units = {name: variables[f"apex.{name}" if name in COORDINATES else name].unit for name in names}
     shown = [style.with_unit(name.replace("_", " "), units[name]) for name in names]
     axes.barh(shown, np.maximum(radii, NARROWEST), color=style.SECOND_CURVE)
     axes.set_xscale("log")

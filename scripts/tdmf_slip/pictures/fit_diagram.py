@@ -9,16 +9,17 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from ..fitting.measurements import UNITS
+from ..fitting.measurements import MEASURABLE
 from ..fitting.result import QUANTILE, Fit, Residual
+from ..library.quantities import unit_of
 from . import style
 
 DATA, FITTED = style.INK, style.MODE_COLOURS["slip_positive"]
 WIDTH, HEIGHT = 7.6, 2.5
 """Of the figure, and of each row of panels, inches."""
 COLOURS = ("#0b7a75", "#1f5fa8", "#b3216f", "#e07b00", "#5b2a86", "#8a5a00")
-"""Of residuals, by quantity in the order of `UNITS`, again and again."""
-NAMES = {name: name.replace("_", " ") for name in UNITS}
+"""Of residuals, by quantity in the order of `MEASURABLE`, again and again."""
+NAMES = {name: name.replace("_", " ") for name in MEASURABLE}
 FEW = 12
 """Rows that are numbered each."""
 
@@ -30,7 +31,7 @@ def draw(path: Path, fit: Fit) -> None:
 
 def figure_of(fit: Fit) -> Figure:
     """A panel for each quantity, and one for the residuals over their errors."""
-    names = [name for name in UNITS if any(of.name == name for of in fit.residuals)]
+    names = [name for name in MEASURABLE if any(of.name == name for of in fit.residuals)]
     ticks, title = _tick_positions(fit)
     shown = [name for name in names if title.startswith("row") or name != "speed"] or names
     lines = (len(shown) + 1) // 2
@@ -51,7 +52,7 @@ def _tick_positions(fit: Fit) -> tuple[Sequence[float], str]:
     """Of the rows on the horizontal axis, and its title."""
     speeds = [row["speed"].value for row in fit.measurements.rows if "speed" in row]
     if len(speeds) > 1 and len(set(speeds)) == len(fit.measurements.rows):
-        return speeds, f"measured speed  / {UNITS['speed']}"
+        return speeds, f"measured speed  / {unit_of('speed')}"
     return range(1, len(fit.measurements.rows) + 1), "row"
 
 
@@ -78,14 +79,14 @@ def _quantity(axes: Axes, residuals: Sequence[Residual], ticks: Sequence[float])
         label="measured, ± standard error",
     )
     axes.plot(at, [of.fitted for of in residuals], "x", color=FITTED, markersize=7, label="fitted", zorder=4)
-    unit = UNITS[residuals[0].name]
+    unit = unit_of(residuals[0].name)
     axes.set_title(NAMES[residuals[0].name] + ("" if unit == "1" else f"  / {unit}"))
     _ticks(axes, ticks)
 
 
 def _residuals(axes: Axes, fit: Fit, names: Sequence[str], ticks: Sequence[float], title: str) -> None:
     """Residuals over their errors, and where 95 % of them are to be."""
-    for name, colour in zip(UNITS, cycle(COLOURS), strict=False):
+    for name, colour in zip(MEASURABLE, cycle(COLOURS), strict=False):
         its = [of for of in fit.residuals if of.name == name]
         if name in names:
             at = [ticks[of.row - 1] for of in its]

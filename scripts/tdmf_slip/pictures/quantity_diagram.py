@@ -10,9 +10,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from ..fmu.fmu import load_fmu
-from ..library.measures import MEASURE_UNITS
-from ..library.quantities import known_quantities, quantities_of
+from ..library.quantities import known_quantities, quantities_of, unit_of
 from . import style
 
 if TYPE_CHECKING:
@@ -115,9 +113,7 @@ def _changes(
 
 
 def _with_unit(name: str) -> str:
-    variables = load_fmu().variables
-    units = {"frequency": "Hz", **MEASURE_UNITS}
-    return style.with_unit(_words(name), units.get(name) or variables[f"stride.{name}"].unit)
+    return style.with_unit(_words(name), unit_of(name))
 
 
 def _words(name: str) -> str:

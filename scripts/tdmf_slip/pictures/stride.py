@@ -1,13 +1,13 @@
 """One stride of a gait, normalised as in the paper, and cut into contact modes: what the pictures draw."""
 
 import math
-from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
 
+from ..fmu.dimensions import scale
 from ..fmu.events import MODE
 from ..fmu.fmu import Fmu
 from ..fmu.simulation import simulate
@@ -15,17 +15,6 @@ from ..library.gait import Gait
 
 POINTS = 6000
 """Recorded points in the stride; each event adds two."""
-
-DIMENSIONS: Mapping[str, tuple[int, int, int]] = {
-    "m": (1, 0, 0),
-    "s": (0, 1, 0),
-    "m/s": (1, -1, 0),
-    "rad/s": (0, -1, 0),
-    "N": (1, -2, 1),
-    "N.m": (2, -2, 1),
-    "J": (2, -2, 1),
-}
-"""Powers of l0, sqrt(m/k) and m in the units of what is drawn; rad and pure numbers have none."""
 
 
 @dataclass(frozen=True)
@@ -55,9 +44,8 @@ class Stride:
 
     def __getitem__(self, name: str) -> NDArray[np.float64]:
         """A recorded variable, one value per row."""
-        length, time, mass = DIMENSIONS.get(self.fmu.variables[name].unit, (0, 0, 0))
         rows: NDArray[np.float64] = self._table[name]
-        return rows / (self._length**length * self._time**time * self._mass**mass)
+        return rows / scale(self.fmu.variables[name].unit or "1", self._length, self._time, self._mass)
 
     @cached_property
     def time(self) -> NDArray[np.float64]:
