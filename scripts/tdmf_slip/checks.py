@@ -15,18 +15,7 @@ _REPR.maxstring = _REPR.maxother = _REPR.maxlong = 100
 
 
 def shown(given: object) -> str:
-    """What was given, for a message: on one line, and with its middle left out where it is long.
-
-    Parameters
-    ----------
-    given : object
-        Of whatever kind.
-
-    Returns
-    -------
-    str
-        As Python writes it.
-    """
+    """What was given, for a message: on one line, and with its middle left out where it is long."""
     return " ".join(_REPR.repr(given).split())
 
 
@@ -47,27 +36,7 @@ def is_number(given: object) -> TypeGuard[float]:
 
 
 def checked(name: str, value: object, low: float, high: float) -> float:
-    """A number within its range.
-
-    Parameters
-    ----------
-    name : str
-        What it is of, for the message.
-    value : object
-        What was given.
-    low, high : float
-        The range, both ends allowed.
-
-    Returns
-    -------
-    float
-        The number.
-
-    Raises
-    ------
-    InputError
-        It is no number, or beyond.
-    """
+    """A number within its range."""
     if not is_number(value) or not low <= value <= high:
         raise InputError(f"{name} = {shown(value)} is not allowed; allowed: {low:g} to {high:g}")
     return float(value)

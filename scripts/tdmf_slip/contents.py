@@ -29,18 +29,7 @@ class ByContents:
 
 
 def same(one: object, other: object) -> bool:
-    """Whether two values are the same by their contents.
-
-    Parameters
-    ----------
-    one, other : object
-        Numbers, texts, arrays, and mappings, rows and dataclasses of those.
-
-    Returns
-    -------
-    bool
-        True also for NaN and NaN.
-    """
+    """Whether two values are the same by their contents."""
     if isinstance(one, np.ndarray) or isinstance(other, np.ndarray):
         return _same_arrays(one, other)
     if isinstance(one, Mapping) and isinstance(other, Mapping):

@@ -51,27 +51,7 @@ def mapping_of(given: object, what: str, allowed: str) -> Mapping[Any, Any]:
 
 
 def row_of(given: object, what: str, allowed: str) -> Sequence[Any]:
-    """What is given one after the other.
-
-    Parameters
-    ----------
-    given : object
-        A list, a tuple, an array or a Series; no text.
-    what : str
-        The argument, for the message.
-    allowed : str
-        What it may be, in words.
-
-    Returns
-    -------
-    sequence
-        The same.
-
-    Raises
-    ------
-    InputError
-        It is none of these.
-    """
+    """What is given one after the other."""
     check_row(given, what, allowed)
     return given if isinstance(given, Sequence) else list(given)  # type: ignore[call-overload] # it is a row
 

@@ -60,11 +60,11 @@ def test_a_step_to_where_nothing_is_evaluated_is_shortened_or_told():
     assert last_iterate(Root(*ARC, domain=4.0), 3.9, iterations=40, shortenings=2) == (3.9, 0)
 
 
-def test_newton_ends_without_a_step_and_below_the_gain():
+def test_newton_ends_without_a_step_and_below_the_bound():
     assert last_iterate(Root(math.cos, lambda x: -math.sin(x)), 0.0, iterations=5, shortenings=5) == (0.0, 0)
     double = Root(lambda x: x * x, lambda x: 2.0 * x)  # each step leaves a quarter of the error
-    assert last_iterate(double, 1.0, iterations=5, shortenings=1, gain=0.3)[1] == 5
-    assert last_iterate(double, 1.0, iterations=5, shortenings=1, gain=0.2)[1] == 0
+    assert last_iterate(double, 1.0, iterations=5, shortenings=1, bound=lambda error: 0.3 * error)[1] == 5
+    assert last_iterate(double, 1.0, iterations=5, shortenings=1, bound=lambda error: 0.2 * error)[1] == 0
 
 
 @pytest.mark.parametrize(("begin", "end"), [(0.0, 1.0), (2.0, -1.0), (-1e3, 1e3)])

@@ -30,23 +30,7 @@ class Attraction:
 
 
 def measure(gait: Gait) -> Attraction:
-    """All of it for one gait, by one thread.
-
-    Parameters
-    ----------
-    gait : Gait
-        Stable.
-
-    Returns
-    -------
-    Attraction
-        Volume by `SAMPLES` starts, and robustness.
-
-    Raises
-    ------
-    InputError
-        No gait.
-    """
+    """All of it for one gait, by one thread."""
     check_is_gait(gait, "gait")
     return Attraction(
         gait.friction,

@@ -78,37 +78,14 @@ class Ball(ByContents):
 
 
 def pays(gait: Gait, starts: int) -> bool:
-    """Whether a tested ball is likely to save more strides than its test takes.
-
-    Parameters
-    ----------
-    gait : Gait
-        Stable.
-    starts : int
-        How many will be followed.
-
-    Returns
-    -------
-    bool
-        By the strides from a tenth of the scales to where a run counts as settled, at the largest eigenvalue,
-        for half of the starts.
-    """
+    """Whether a tested ball is likely to save more strides than its test takes."""
     slowest = min(max(gait.lambda_max, 1e-3), 1.0 - 1e-9)
     saved = math.log(0.1 / ensemble.NEAR) / -math.log(slowest)
     return 0.5 * starts * saved > STRIDES * (POINTS + FIRST_POINTS * len(WIDTHS) * 10)
 
 
 def tested_ball(gait: Gait, law: AffineLaw | None = None) -> Ball | None:
-    """The largest of some balls in which the norm falls from every point that is tried.
-
-    Examples
-    --------
-    >>> import tdmf_slip
-    >>> from tdmf_slip.analysis.ball import tested_ball
-    >>> ball = tested_ball(tdmf_slip.find_gait({"ground.friction": 0.6}))
-    >>> print(ball.known, ball.points, ball.radius > 0.1, ball.rate < 1)
-    tested 10000 True True
-    """
+    """The largest of some balls in which the norm falls from every point that is tried."""
     if gait.strides > 1 or (law is not None and law.is_noisy):
         return None
     scales = np.asarray(gait.runner.scales)[: len(gait.apex)]

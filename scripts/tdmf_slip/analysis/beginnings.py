@@ -57,24 +57,7 @@ def beginnings(target: Target, first: Gait, fmu: Fmu) -> Iterator[Iterate]:
 
 
 def around(runner: Runner, fmu: Fmu, name: str, shares: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Values of a parameter: by factors of its own or, where that is zero, about it.
-
-    Parameters
-    ----------
-    runner : Runner
-        Whose.
-    fmu : Fmu
-        Whose range of the parameter holds.
-    name : str
-        Of the parameter or input.
-    shares : ndarray of float
-        From 0 to 1, of the way from the least value to the greatest.
-
-    Returns
-    -------
-    ndarray of float
-        In the unit's unit.
-    """
+    """Values of a parameter: by factors of its own or, where that is zero, about it."""
     variable, value = fmu.variables[name], runner.values[name]
     if value:
         values = value * FACTOR ** (2.0 * shares - 1.0)

@@ -43,31 +43,7 @@ def gaits_over(
 
 
 def walk(family: Family, gait: Gait, at: float, to: float, shortest: float = SHORTEST) -> Iterator[Gait]:
-    """Gaits from one value to another, by predictions along the branch, shorter where they fail.
-
-    Parameters
-    ----------
-    family : Family
-        Whose gaits.
-    gait : Gait
-        The first one, differentiated by the family's parameter.
-    at : float
-        Its value.
-    to : float
-        The last value.
-    shortest : float, default 1e-9
-        Of steps, over the larger of the two values.
-
-    Yields
-    ------
-    Gait
-        On the way; the last one is at the last value.
-
-    Raises
-    ------
-    RunError
-        The branch cannot be followed so far.
-    """
+    """Gaits from one value to another, by predictions along the branch, shorter where they fail."""
     if at == to:
         yield family.gait(to, gait.apex)
         return

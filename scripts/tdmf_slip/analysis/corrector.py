@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from ..contents import ByContents
 from ..errors import InputError, RunError
 from ..library.gait import Gait
-from ..numerics.newton import newton_iterates
+from ..numerics.newton import newton_iterates, same_error
 
 NEWTON_ITERATIONS = 24
 SHORTENINGS = 12
@@ -42,30 +42,17 @@ def iterates(
     Steps that make the error larger are shortened so many times, or taken all the same: where an event is
     just touched the map has a square root, and only whole steps lead across.
     """
-    plane = _OnPlane(family, goal, normal)
-    begin = goal, family.evaluate(goal)
-    if shortenings == 0:
-        yield from _whole_steps(plane, begin)
-        return
+    plane, begin = _OnPlane(family, goal, normal), (goal, family.evaluate(goal))
+    bound, tries = (same_error, shortenings) if shortenings else (_unless_good_enough, 1)
     for (coordinates, gait), step in newton_iterates(
-        plane, begin, iterations=NEWTON_ITERATIONS, shortenings=shortenings
+        plane, begin, iterations=NEWTON_ITERATIONS, shortenings=tries, bound=bound
     ):
         yield gait, coordinates if step is None else coordinates + step
 
 
-def _whole_steps(plane: "_OnPlane", iterate: Iterate) -> Iterator[tuple[Gait, NDArray[np.float64]]]:
-    """Without damping, until a step leads away from what is good enough."""
-    for _ in range(NEWTON_ITERATIONS):
-        if plane.is_solved(iterate):
-            break
-        step = plane.step(iterate)
-        coordinates, gait = iterate
-        yield gait, coordinates + step
-        iterate = plane.moved(iterate, step)
-        if gait.error <= GOOD_ENOUGH <= iterate[1].error:
-            return
-    coordinates, gait = iterate
-    yield gait, coordinates
+def _unless_good_enough(error: float) -> float:
+    """Any whole step is taken, until one leads away from what is good enough."""
+    return np.inf if error > GOOD_ENOUGH else GOOD_ENOUGH
 
 
 @dataclass(frozen=True, eq=False)

@@ -38,12 +38,6 @@ def factor_of(longer: FirstPassage, shorter: FirstPassage) -> Factor:
     """How many times longer a runner stays up than another.
 
     Times between falls are taken as exponential, so that the ratio of the means has an F distribution.
-
-    Examples
-    --------
-    >>> from tdmf_slip.analysis.first_passage import FirstPassage
-    >>> str(factor_of(FirstPassage("+-", 0.3, 100, 4, 120_000), FirstPassage("0+", 0.3, 100, 100, 18_000)))
-    '69.1 to 461 (4 and 100 falls are too few for more)'
     """
     from scipy import stats  # slow to load
 

@@ -34,34 +34,10 @@ def fates(
     first_number: int = 0,
     ball: Ball | None = None,
 ) -> NDArray[np.void]:
-    """What becomes of runners that start somewhere, by one thread.
+    """What becomes of runners that start somewhere, an apex to a row, by one thread.
 
-    Parameters
-    ----------
-    runner : Runner or mapping of str to float
-        Parameters and inputs, or start values by name.
-    apex : sequence of float, shape (n,)
-        Of the gait that they may settle on, in the order of the runner's `coordinates`.
-    starts : array_like of float, shape (runners, n)
-        Apices, one to a row.
-    tolerance : float, default 1e-5
-        Relative tolerance of a step.
-    law : AffineLaw, optional
-        By which settings are made anew at each apex.
-    first_number : int, default 0
-        Of the first runner; by their numbers the law's noise is drawn.
-    ball : Ball, optional
-        Of the gait: a start that comes into it has settled. If the ball asks for it, the tolerance is finer.
-
-    Returns
-    -------
-    structured ndarray, shape (runners,)
-        As `run_ensemble` gives it.
-
-    Raises
-    ------
-    InputError
-        Something given is not allowed.
+    By their numbers, which begin with the first, a law's noise is drawn. A start that comes into the gait's
+    ball has settled; if the ball asks for it, the tolerance is finer.
     """
     starts = np.asarray(starts)
     check_size("starts", len(starts) if starts.ndim else 1, "runners", ensemble.MAX_RUNNERS)

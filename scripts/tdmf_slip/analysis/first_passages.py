@@ -30,18 +30,7 @@ class Trial(ByContents):
 
 
 def first_passage(trial: Trial) -> FirstPassage:
-    """Strides until the fall of one trial, by one thread.
-
-    Parameters
-    ----------
-    trial : Trial
-        Who runs on what.
-
-    Returns
-    -------
-    FirstPassage
-        As `strides_to_fall` gives it.
-    """
+    """Strides until the fall of one trial, by one thread."""
     return strides_to_fall(
         trial.runner,
         trial.roughness,

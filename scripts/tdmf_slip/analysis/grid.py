@@ -75,36 +75,6 @@ def grid(
     The file is whole after each row. Called again with the same file, the sweep goes on with the rows that
     are missing; a file of another sweep is refused. What kept a row from its end is in
     the file's `problem`.
-
-    Parameters
-    ----------
-    runner : Runner or mapping of str to float
-        The other parameters and the start, or start values by name.
-    vary : mapping of str to sequence of float
-        Two parameters or inputs with their values, in their units. Along a row goes the friction, which has
-        to be above 0, or else the second of them; the other one may be a state with which the search for
-        gaits starts.
-    path : Path or str
-        Of the NetCDF file.
-    scheduler : str, optional
-        Of a Dask cluster, see `run_blocks`. The result does not depend on who computes it.
-    threads : int, optional
-        Threads on this machine, by default one for each processor.
-    progress : bool, default False
-        A bar on stderr.
-    fmu : Fmu, optional
-        For units and descriptions.
-
-    Returns
-    -------
-    xarray.Dataset
-        What is in the file then, see `as_dataset`; for each row `done`, and `problem`, empty where there was
-        none.
-
-    Raises
-    ------
-    InputError
-        A value is refused, or the file holds another sweep.
     """
     fmu, runner = load_fmu(fmu), Runner.of(runner)
     name, along = _names(vary)

@@ -90,20 +90,7 @@ class Preview(ByContents):
 
 
 def preview_of(shape: Sequence[int], follow: Follow) -> Preview:
-    """Fates on a grid, of which starts near a border are followed, and corners of squares elsewhere.
-
-    Parameters
-    ----------
-    shape : pair of int
-        Rows and columns of the grid.
-    follow : callable
-        Tells what becomes of starts, by their rows and columns.
-
-    Returns
-    -------
-    Preview
-        Of that shape.
-    """
+    """Fates on a grid, of which starts near a border are followed, and corners of squares elsewhere."""
     found = Preview(np.zeros(shape, "i4"), np.zeros(shape, "i4"), np.zeros(shape, dtype=bool))
     size, edges, is_split = LARGEST_SQUARE, [np.array([0, 0])] * 2, np.ones((1, 1), dtype=bool)
     while size:

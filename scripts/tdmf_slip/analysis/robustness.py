@@ -53,25 +53,7 @@ class Robustness:
 
 
 def robustness(gait: Gait, law: AffineLaw | None = None) -> Robustness:
-    """How far the region of attraction reaches from the gait's apex, without gap, in height and speed.
-
-    Parameters
-    ----------
-    gait : Gait
-        Stable, by itself or under the law.
-    law : AffineLaw, optional
-        By which settings are made anew at each apex, the disturbed one too; it keeps the gait as it is.
-
-    Returns
-    -------
-    Robustness
-        The largest pushes, m/s, and steps, m.
-
-    Raises
-    ------
-    InputError
-        No gait, or a law that does not keep it.
-    """
+    """How far the region of attraction reaches from the gait's apex, without gap, in height and speed."""
     check_attracts(gait, law)
     reach = functools.partial(_reach, gait, law)
     return Robustness(

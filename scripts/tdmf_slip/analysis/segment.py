@@ -46,26 +46,7 @@ def followed(
     first: Gait,
     step_finished: Callable[[], None] = lambda: None,
 ) -> tuple[list[Gait], list[str]]:
-    """Gaits at values in turn from one on, as far as the branch could be followed, and what stopped it.
-
-    Parameters
-    ----------
-    runner : Runner
-        Whose gaits.
-    name : str
-        Of the parameter.
-    values : sequence of float
-        Of it, in order.
-    first : Gait
-        A gait to begin at.
-    step_finished : callable, optional
-        Called after each gait.
-
-    Returns
-    -------
-    pair of list of Gait, and list of str
-        The gaits, fewer than the values where the branch ends before, and then why it does.
-    """
+    """Gaits at values in turn from one on, as far as the branch could be followed, and what stopped it."""
     found: list[Gait] = []
     while len(found) < len(values):
         last = found[-1] if found else first

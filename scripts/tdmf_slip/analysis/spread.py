@@ -176,7 +176,7 @@ class _Found:
             self._strides_from(apex),
             iterations=ITERATIONS,
             shortenings=SHORTENINGS,
-            gain=GAIN,
+            bound=lambda error: GAIN * error,
         )
         return strides.apex if self.is_solved(strides) else None
 

@@ -57,29 +57,6 @@ def stability(
 
     A point has no gait where Newton's method finds none from any of its four neighbours. Where there are
     several gaits, it is the one that the neighbours lead to.
-
-    Parameters
-    ----------
-    runner : Runner or mapping of str to float
-        The other parameters, and the map: the reduced one takes some tenths of a millisecond for a gait.
-    over : mapping of str to sequence of float
-        Two parameters or inputs and their values in order, in their units.
-    fmu : Fmu, optional
-        Whose ranges hold.
-    progress : bool, default False
-        A bar on stderr.
-
-    Returns
-    -------
-    StabilityMap
-        Largest eigenvalues and words.
-
-    Raises
-    ------
-    InputError
-        Not two parameters, a value is refused, or there are too many.
-    RunError
-        There is no gait where the search begins.
     """
     fmu, runner = load_fmu(fmu), Runner.of(runner)
     names, values = _checked(over, fmu)

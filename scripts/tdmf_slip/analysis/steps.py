@@ -37,31 +37,7 @@ def follow(
     ends_between: Callable[[Point, Point], str] = lambda _before, _after: "",
     known: Sequence[Point] = (),
 ) -> tuple[list[Point], str]:
-    """The branch from a point on, in its direction, and why it stops.
-
-    Parameters
-    ----------
-    family : Family
-        Whose branch it is.
-    first : Point
-        On it.
-    limits : Limits
-        Where to stop.
-    step_finished : callable, optional
-        Called after each gait.
-    ends_between : callable, optional
-        Why the branch ends between two points, or nothing.
-    known : sequence of Point, optional
-        Where the branch has been already: there it stops, too.
-
-    Returns
-    -------
-    points : list of Point
-        From the first on; the last one is on the range's end, where it is reached, or where the branch met
-        itself.
-    ended : str
-        Why it stops, in words that differ for each reason.
-    """
+    """The branch from a point on, in its direction, and why it stops."""
     points, step = [first], limits.max_step / 10.0
     track = Track(family, [*known, first])
     while len(points) < limits.max_points:

@@ -103,18 +103,7 @@ class Sweep(ByContents, Drawable):
 
 
 def short(name: str) -> str:
-    """How results name a parameter: the friction by that word alone.
-
-    Parameters
-    ----------
-    name : str
-        The unit's name of it.
-
-    Returns
-    -------
-    str
-        The same, but for the friction.
-    """
+    """How results name a parameter: the friction by that word alone."""
     return "friction" if name == FRICTION else name
 
 

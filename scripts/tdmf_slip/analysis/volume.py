@@ -135,37 +135,7 @@ def volume(
     threads: int | None = None,
     progress: bool = False,
 ) -> Volume:
-    """Estimate the volume of a gait's region of attraction in all coordinates: an area in the reduced map.
-
-    Parameters
-    ----------
-    gait : Gait
-        Stable, by itself or under the law.
-    samples : int
-        How many starts are drawn.
-    seed : int, default 0
-        Of the drawing.
-    law : AffineLaw, optional
-        By which settings are made anew at each apex; it keeps the gait as it is.
-    ball : {"tested", "none"} or Ball, default "tested"
-        As in `basin`.
-    scheduler : str, optional
-        Of a Dask cluster, see `run_blocks`. The result does not depend on who computes it.
-    threads : int, optional
-        Threads on this machine, by default one for each processor.
-    progress : bool, default False
-        A bar on stderr.
-
-    Returns
-    -------
-    Volume
-        The share of the box `BOX` that settles, with its confidence interval.
-
-    Raises
-    ------
-    InputError
-        No gait, no samples, no seed, another ball, or a law that does not keep the gait.
-    """
+    """Estimate the volume of a gait's region of attraction in all coordinates: an area in the reduced map."""
     check_attracts(gait, law)
     samples = checked_whole("samples", samples, 1, MAX_SAMPLES)
     seed = checked_whole("seed", seed, 0, 2**63)

@@ -28,24 +28,7 @@ def reaches(
     known: NDArray[np.float64],
     step: float,
 ) -> bool:
-    """Newton's method from a goal, on the plane across a direction there, finds a gait that is known.
-
-    Parameters
-    ----------
-    family : Family
-        Whose branch it is.
-    goal, normal : ndarray of float
-        As in `Family.on_plane`.
-    known : ndarray of float
-        Coordinates and parameter of the gait over the scales; on the plane.
-    step : float
-        How far the gait is from which the goal was predicted.
-
-    Returns
-    -------
-    bool
-        Whether it does.
-    """
+    """Newton's method from a goal, on the plane across a direction there, finds a gait that is known."""
     for shortenings in (SHORTENINGS, 0):
         try:
             for _, coordinates in iterates(family, goal, normal, shortenings):

@@ -11,13 +11,7 @@ REPEATS = 5
 
 
 def loosest(what: str, error_at: Callable[[float], float]) -> Iterator[tuple[float, float, float]]:
-    """For each accuracy the loosest tolerance from which on all tighter ones reach it, with its error.
-
-    Raises
-    ------
-    RunError
-        No tolerance does.
-    """
+    """For each accuracy the loosest tolerance from which on all tighter ones reach it, with its error."""
     errors: dict[float, float] = {}
     for accuracy in ACCURACIES:
         found = None

@@ -132,25 +132,7 @@ def _branches() -> Iterator[_Question]:
 
 
 def growth(*, effort: float = 1.0, progress: bool = False) -> Growth:
-    """Time whole questions by their size on this machine.
-
-    Parameters
-    ----------
-    effort : float, default 1.0
-        Scales how many starts and runners there are.
-    progress : bool, default False
-        A bar on stderr.
-
-    Returns
-    -------
-    Growth
-        Wall clock and processor time of each.
-
-    Raises
-    ------
-    InputError
-        The effort is out of range.
-    """
+    """Time whole questions by their size on this machine."""
     checked("effort", effort, 1e-4, 1.0)
     threads = os.cpu_count() or 1
     questions = [

@@ -27,24 +27,7 @@ def _peers(many: Runners, effort: float) -> Iterator[tuple[str, Callable[[], Ite
 
 
 def bench(*, effort: float = 1.0, progress: bool = False, fmu: Fmu | None = None) -> Bench:
-    """Measure everything on this machine; all but the scaling over threads in one thread.
-
-    Parameters
-    ----------
-    effort : float, default 1.0
-        Scales how long is measured.
-    progress : bool, default False
-        A bar on stderr.
-    fmu : Fmu, optional
-        The unit to measure; by default that of `fmu_path`.
-
-    Raises
-    ------
-    InputError
-        The unit was built without CVODE, or the effort is out of range.
-    RunError
-        A solver does not reach the wanted error.
-    """
+    """Measure everything on this machine; all but the scaling over threads in one thread."""
     checked("effort", effort, 1e-3, 1e3)
     fmu = load_fmu(fmu)
     many, reduced = runners_about_the_gait(fmu), runners_about_the_gait(fmu, reduced=True)

@@ -155,22 +155,7 @@ def texts_of(given: Mapping[str, tuple[str, Given]]) -> dict[str, Given]:
 def start_values(
     fmu: Fmu, base: Mapping[str, Value], given: Mapping[str, tuple[str, Given]]
 ) -> dict[str, Value]:
-    """Start values: those of a file, and over them what single options give.
-
-    Parameters
-    ----------
-    fmu : Fmu
-        Checks names and values.
-    base : mapping of str to float or bool
-        Of a file, see `file_values`.
-    given : mapping of str to pairs
-        Of single options, see `values_given`.
-
-    Raises
-    ------
-    InputError
-        The unit refuses one.
-    """
+    """Start values: those of a file, and over them what single options give."""
     values = dict(base)
     for name, (option, value) in given.items():
         values |= fmu.start_values({name: value}, option)

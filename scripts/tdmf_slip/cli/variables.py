@@ -40,18 +40,7 @@ def _object(variable: Variable) -> dict[str, object]:
 
 
 def row(variable: Variable) -> tuple[str, str, str, str, str, str]:
-    """A variable in words: name, unit, range, default, causality, meaning.
-
-    Parameters
-    ----------
-    variable : Variable
-        Of the unit.
-
-    Returns
-    -------
-    tuple of str
-        Empty where there is nothing to tell.
-    """
+    """A variable in words: name, unit, range, default, causality, meaning."""
     unit = "" if variable.unit == "1" else variable.unit
     return (
         variable.name,

@@ -60,29 +60,7 @@ class Judgement(ByContents):
 def judge(
     gait: Gait, law: AffineLaw | None = None, *, roughness: Sequence[float] = (), seed: int = 0
 ) -> Judgement:
-    """How well a feedback holds a gait, within its limits; by one thread.
-
-    Parameters
-    ----------
-    gait : Gait
-        The gait.
-    law : AffineLaw, optional
-        The feedback; by default the runner as it is.
-    roughness : sequence of float, default ()
-        Standard deviations of a step of the ground, m, for the strides until the fall.
-    seed : int, default 0
-        Of starts and ground.
-
-    Returns
-    -------
-    Judgement
-        By `SAMPLES` starts, and `RUNNERS` runners of up to `MAX_STRIDES` strides each.
-
-    Raises
-    ------
-    InputError
-        No gait, no law, a number out of range, or a law under which the gait is not stable.
-    """
+    """How well a feedback holds a gait, within its limits; by one thread."""
     check_is_gait(gait, "gait")
     check_kind(law, (AffineLaw, type(None)), "law", "an AffineLaw, as dead_beat, lqr and place_poles give")
     steps = row_of(roughness, "roughness", "numbers in a list, m")

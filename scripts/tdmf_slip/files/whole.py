@@ -21,21 +21,6 @@ def whole(path: Path) -> Iterator[Path]:
 
     Where `path` is a symbolic link, its target is written. A file that is replaced hands on its mode and its
     owner. An interrupt from the keyboard waits until the file is there.
-
-    Parameters
-    ----------
-    path : Path
-        Where the file is to be.
-
-    Yields
-    ------
-    Path
-        Where to write.
-
-    Raises
-    ------
-    InputError
-        Nothing can be written there.
     """
     with interrupts.deferred():
         yield from _whole(path)

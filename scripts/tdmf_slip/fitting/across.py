@@ -93,22 +93,7 @@ def cross(
     unknowns: NDArray[np.float64],
     bounds: tuple[NDArray[np.float64], NDArray[np.float64]],
 ) -> NDArray[np.float64] | None:
-    """Go on where a search along the gaits has ended, and hand the gaits that are reached to the problem.
-
-    Parameters
-    ----------
-    problem : Problem
-        Whose fit it is.
-    unknowns : ndarray of float
-        Where its search has ended.
-    bounds : pair of ndarray of float
-        Least and greatest values of its unknowns.
-
-    Returns
-    -------
-    ndarray of float or None
-        Unknowns to go on from; None where no gaits are reached.
-    """
+    """Go on where a search along the gaits has ended, and hand the gaits that are reached to the problem."""
     from scipy.optimize import least_squares  # slow to load
 
     across = Across(problem, unknowns)

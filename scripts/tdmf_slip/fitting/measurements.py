@@ -67,23 +67,7 @@ class Measurements(ByContents):
 
 
 def shipped(name: str) -> Path:
-    """The path of a file that comes with the package: a table, or the runner that its fit begins with.
-
-    Parameters
-    ----------
-    name : str
-        As in `human_running.csv`.
-
-    Returns
-    -------
-    Path
-        Of the file; its first lines say where the numbers come from.
-
-    Raises
-    ------
-    InputError
-        There is no such file.
-    """
+    """The path of a file that comes with the package: a table, or the runner that its fit begins with."""
     known = sorted(path.name for path in DATA.iterdir())
     if name not in known:
         raise InputError(f"data {name!r} do not come with the package; allowed: {', '.join(known)}")

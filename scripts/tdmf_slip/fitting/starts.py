@@ -21,24 +21,7 @@ RUNNERS = 1024
 
 
 def starts(first: Gait, measurements: Measurements, vary: Sequence[str], fmu: Fmu) -> Iterator[Gait]:
-    """Gaits to begin with, the nearest to the data first; none is near a nearer one.
-
-    Parameters
-    ----------
-    first : Gait
-        A gait with the varied parameters' own values.
-    measurements : Measurements
-        What is to be fitted.
-    vary : sequence of str
-        Parameters and inputs to be found.
-    fmu : Fmu
-        Whose ranges hold.
-
-    Yields
-    ------
-    Gait
-        With which all rows begin.
-    """
+    """Gaits to begin with, the nearest to the data first; none is near a nearer one."""
     runner, shares = first.runner, evenly(RUNNERS, len(vary))
     varied = {
         name: around(runner, fmu, name, np.ascontiguousarray(row))

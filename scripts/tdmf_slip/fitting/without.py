@@ -36,31 +36,7 @@ class LeftOut(ByContents):
 
 
 def without(found: Fit, row: int, name: str, profile: bool = True) -> Fit:
-    """The fit to all data but one, from the gaits of the fit to all.
-
-    Parameters
-    ----------
-    found : Fit
-        To all.
-    row : int
-        Of the datum that is left out, from 1. A row that is then empty is left out, too.
-    name : str
-        Of its quantity.
-    profile : bool, default True
-        Whether intervals are as in the fit to all, or linear.
-
-    Returns
-    -------
-    Fit
-        With the others.
-
-    Raises
-    ------
-    InputError
-        There is no such datum, or with the others there is less than is fitted.
-    RunError
-        A gait has no derivatives.
-    """
+    """The fit to all data but one, from the gaits of the fit to all."""
     request = found.request
     measured = request.measurements.rows
     if not 1 <= row <= len(measured) or name not in measured[row - 1]:
@@ -79,23 +55,7 @@ def without(found: Fit, row: int, name: str, profile: bool = True) -> Fit:
 
 
 def without_each(found: Fit) -> tuple[LeftOut, ...]:
-    """The fits without one datum each, of all data that can be spared.
-
-    Parameters
-    ----------
-    found : Fit
-        To all.
-
-    Returns
-    -------
-    tuple of LeftOut
-        In the order of the data.
-
-    Raises
-    ------
-    RunError
-        A gait has no derivatives.
-    """
+    """The fits without one datum each, of all data that can be spared."""
     left = []
     for residual in found.residuals:
         try:

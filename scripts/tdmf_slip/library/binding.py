@@ -26,18 +26,7 @@ NAMES = {"win32": "tdmf_slip_shared.dll", "darwin": "libtdmf_slip_shared.dylib"}
 
 
 def library_path() -> Path:
-    """Path of the shared library: that of the environment variable TDMF_SLIP_LIBRARY, else the package's own.
-
-    Returns
-    -------
-    Path
-        Of a file that is there.
-
-    Raises
-    ------
-    InputError
-        There is no such file.
-    """
+    """Path of the shared library: that of the variable TDMF_SLIP_LIBRARY, else the package's own."""
     override = os.environ.get(PATH_VARIABLE)
     path = Path(override) if override else FOLDER / NAMES.get(sys.platform, "libtdmf_slip_shared.so")
     if not path.is_file():

@@ -65,25 +65,7 @@ class FixedPoint:
 def slip(
     angle: float, friction: float = math.inf, *, ground_slope: float = 0.0, retraction_rate: float = 0.0
 ) -> Classic:
-    """The paper's SLIP.
-
-    Parameters
-    ----------
-    angle : float
-        Touchdown angle, rad, from the vertical, positive where the foot is ahead; of the leg at the apex
-        where it retracts.
-    friction : float, default inf
-        Of the ground; infinite for a foot that never slips.
-    ground_slope : float, default 0
-        Of the ground, rad, between -1 and 1; positive where it rises.
-    retraction_rate : float, default 0
-        Rad/s, at which the angle falls from the apex on.
-
-    Returns
-    -------
-    Classic
-        The library's `tdmf_classic *`.
-    """
+    """The paper's SLIP."""
     parameters: Classic = ffi.new("tdmf_classic *", c.tdmf_classic_default())
     parameters.touchdown_angle = angle
     parameters.friction = friction
@@ -93,22 +75,7 @@ def slip(
 
 
 def step(parameters: Classic, height: float, energy: float = ENERGY) -> ClassicStep:
-    """One step of the return map.
-
-    Parameters
-    ----------
-    parameters : Classic
-        Of the SLIP.
-    height : float
-        Of the apex, m.
-    energy : float, default 6000
-        J.
-
-    Returns
-    -------
-    ClassicStep
-        The library's `tdmf_classic_step`.
-    """
+    """One step of the return map."""
     made: ClassicStep = c.tdmf_classic_return_map(parameters, energy, height)
     return made
 
@@ -116,24 +83,7 @@ def step(parameters: Classic, height: float, energy: float = ENERGY) -> ClassicS
 def stance(
     parameters: Classic, height: float, times: ArrayLike, energy: float = ENERGY
 ) -> NDArray[np.float64]:
-    """The mass as seen from the foot, in a stance after an apex.
-
-    Parameters
-    ----------
-    parameters : Classic
-        Of the SLIP.
-    height : float
-        Of the apex, m.
-    times : array_like of float, shape (n,)
-        Since touchdown, s.
-    energy : float, default 6000
-        J.
-
-    Returns
-    -------
-    ndarray of float, shape (4, n)
-        Rows x, y (m), vx, vy (m/s).
-    """
+    """The mass as seen from the foot, in a stance after an apex."""
     points: list[ClassicPoint] = [
         c.tdmf_classic_stance(parameters, energy, height, time) for time in np.atleast_1d(times)
     ]
@@ -146,22 +96,7 @@ def highest(parameters: Classic, energy: float = ENERGY) -> float:
 
 
 def heights(parameters: Classic, count: int, energy: float = ENERGY) -> NDArray[np.float64]:
-    """So many apex heights, m, from that at which the foot is on the ground to the highest, both left out.
-
-    Parameters
-    ----------
-    parameters : Classic
-        Of the SLIP.
-    count : int
-        How many.
-    energy : float, default 6000
-        J.
-
-    Returns
-    -------
-    ndarray of float, shape (count,)
-        By rising height, m.
-    """
+    """So many apex heights, m, from that at which the foot is on the ground to the highest, both left out."""
     angle = parameters.touchdown_angle
     low = parameters.free_length * (math.cos(angle) + math.sin(angle) * math.tan(parameters.ground_slope))
     return np.linspace(low, highest(parameters, energy), count + 2)[1:-1]
@@ -174,34 +109,7 @@ def fixed_points(
     ground_slope: float = 0.0,
     retraction_rate: float = 0.0,
 ) -> list[FixedPoint]:
-    """All gaits of a touchdown angle that repeat their height at one energy.
-
-    Parameters
-    ----------
-    angle : float
-        Rad, as of `slip`.
-    energy : float, default 6000
-        J, above the ground.
-    ground_slope : float, default 0
-        Of the ground, rad.
-    retraction_rate : float, default 0
-        Of the leg, rad/s.
-
-    Returns
-    -------
-    list of FixedPoint
-        By rising height.
-
-    Examples
-    --------
-    At 46 degrees, where a leg that is held has no gait, one that retracts has two:
-
-    >>> fixed_points(math.radians(46))
-    []
-    >>> retracting = fixed_points(math.radians(46), retraction_rate=math.radians(20))
-    >>> [gait.stable for gait in retracting]
-    [True, False]
-    """
+    """All gaits of a touchdown angle that repeat their height at one energy."""
     parameters = slip(angle, ground_slope=ground_slope, retraction_rate=retraction_rate)
     found: list[FixedPoint] = []
     tried = heights(parameters, int(highest(parameters, energy) / SPACING), energy)
@@ -222,25 +130,6 @@ def fold(energy: float = ENERGY, *, ground_slope: float = 0.0, retraction_rate: 
 
     On a slope, or of a leg that retracts, it is followed there from that on level ground of a leg that is
     held.
-
-    Parameters
-    ----------
-    energy : float, default 6000
-        J, above the ground.
-    ground_slope : float, default 0
-        Of the ground, rad.
-    retraction_rate : float, default 0
-        Of the leg, rad/s.
-
-    Returns
-    -------
-    FixedPoint
-        With slope 1.
-
-    Raises
-    ------
-    RunError
-        There is none, or it is lost on the way.
     """
     angle, height = ffi.new("double *", math.radians(44.0)), ffi.new("double *", 2.0)
     moves = ground_slope != 0.0 or retraction_rate != 0.0

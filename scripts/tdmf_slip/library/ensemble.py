@@ -65,13 +65,7 @@ class Work:
 
 
 def instruction_sets() -> tuple[str, ...]:
-    """What this processor and this build have, the slowest first: `one by one` is the native solver.
-
-    Returns
-    -------
-    tuple of str
-        As `run_ensemble` takes them.
-    """
+    """What this processor and this build have, the slowest first: `one by one` is the native solver."""
     return tuple(name for name, number in _INSTRUCTIONS.items() if c.tdmf_has_instructions(number))
 
 

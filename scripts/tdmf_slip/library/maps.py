@@ -14,6 +14,7 @@ from .runner import Runner, text_of
 from .structs import FoundGait, Return
 
 PATCH = ("ground.patch_begin", "ground.patch_end")
+"""Where a part of the ground with its own friction begins and ends, along the ground."""
 
 
 @dataclass(frozen=True)

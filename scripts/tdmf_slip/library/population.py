@@ -106,27 +106,7 @@ class Population(ByContents):
 
 
 def numbers(what: str, given: object, dimensions: int) -> NDArray[np.float64]:
-    """An array of numbers.
-
-    Parameters
-    ----------
-    what : str
-        What it is, for the message.
-    given : array_like of float
-        What was given.
-    dimensions : int
-        How many it has, at the most.
-
-    Returns
-    -------
-    ndarray of float
-        The same numbers.
-
-    Raises
-    ------
-    InputError
-        There are none, or of more dimensions.
-    """
+    """An array of numbers."""
     try:
         array = np.asarray(given)
         check_size(what, array.size, "numbers")

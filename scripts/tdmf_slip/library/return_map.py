@@ -34,27 +34,7 @@ def stride_from(
 
 
 def derivatives(runner: Runner, stride: Return) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """The Jacobian of a stride, and the next apex's change along the parameter asked for, else zero.
-
-    Parameters
-    ----------
-    runner : Runner
-        Whose stride it is, for the message.
-    stride : Return
-        Closed, with its derivatives.
-
-    Returns
-    -------
-    jacobian : ndarray of float, shape (n, n)
-        As in `stride_from`.
-    by_parameter : ndarray of float, shape (n,)
-        As in `stride_from`.
-
-    Raises
-    ------
-    RunError
-        The stride has none.
-    """
+    """The Jacobian of a stride, and the next apex's change along the parameter asked for, else zero."""
     count = len(runner.coordinates)
     columns = [list(stride.variations[k].apex)[:count] for k in range(count + 1)]
     jacobian, by_parameter = np.array(columns[:count]).T, np.array(columns[count])
@@ -67,23 +47,7 @@ def derivatives(runner: Runner, stride: Return) -> tuple[NDArray[np.float64], ND
 
 
 def seed_of(along: Along | None) -> Struct:
-    """The direction of a parameter or input, or of several, as the library's `tdmf_seed *`; NULL for none.
-
-    Parameters
-    ----------
-    along : str or mapping of str to float, optional
-        Its name; or how much of each.
-
-    Returns
-    -------
-    Struct
-        Zero but for what is named.
-
-    Raises
-    ------
-    InputError
-        There is no such parameter or input.
-    """
+    """The direction of a parameter or input, or of several, as the library's `tdmf_seed *`; NULL for none."""
     if along is None:
         nothing: Struct = ffi.NULL
         return nothing

@@ -32,18 +32,7 @@ class Event:
 
 
 def recorded(log: EventLog) -> tuple[Event, ...]:
-    """What a solver has noted of a stride.
-
-    Parameters
-    ----------
-    log : EventLog
-        The solver's.
-
-    Returns
-    -------
-    tuple of Event
-        In their order.
-    """
+    """What a solver has noted of a stride."""
     return tuple(
         Event(e.time, e.guard, e.before.contact, e.after.contact, tuple(e.state))
         for e in log.events[0 : min(log.count, c.TDMF_EVENT_CAPACITY)]

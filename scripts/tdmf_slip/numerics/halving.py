@@ -18,10 +18,7 @@ def halved(
 ) -> tuple[Found, float]:
     """What an attempt finds by the longest of a step, its half, its quarter and so on, and that step.
 
-    Raises
-    ------
-    Exception
-        One of the failures: no step that is as long as the shortest succeeds: what the last attempt raised.
+    Where none serves that is as long as the shortest, what the last attempt raised is raised.
     """
     while True:
         try:
@@ -43,29 +40,8 @@ def walk(
 ) -> Iterator[tuple[float, Known]]:
     """What is found on the way from a value to another, each from what is known at the value before.
 
-    Parameters
-    ----------
-    known : Known
-        At the first value.
-    begin, end : float
-        Values.
-    advance : callable
-        From what is known at a value to another one. Where it raises RunError the step is halved, where it
-        succeeds the next one is twice as long.
-    shortest : float
-        Of steps. What is left of the way behind a step is not shorter, either.
-    first : float, optional
-        Step; the whole way by default.
-
-    Yields
-    ------
-    float, Known
-        Value and what was found there; the last value is the end itself.
-
-    Raises
-    ------
-    RunError
-        The end is not reached.
+    Where `advance` raises RunError the step is halved, where it succeeds the next one is twice as long. No
+    step is shorter than the shortest, nor is what it leaves of the way; else the RunError is raised.
     """
     at, step = begin, end - begin if first is None else first
     while at != end:

@@ -1,7 +1,7 @@
 """Newton's method with damping: steps that do not make the error smaller are shortened by halves."""
 
-from collections.abc import Iterator
-from typing import Any, Protocol, TypeVar
+from collections.abc import Callable, Iterator
+from typing import Any, Protocol, TypeAlias, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -9,6 +9,14 @@ from numpy.typing import NDArray
 from ..errors import RunError
 
 Iterate = TypeVar("Iterate")
+
+Bound: TypeAlias = Callable[[float], float]
+"""Of the error behind a step, by that before it: a step that does not come below is shortened."""
+
+
+def same_error(error: float) -> float:
+    """Any step serves that makes the error smaller."""
+    return error
 
 
 class Equations(Protocol[Iterate]):
@@ -28,29 +36,18 @@ class Equations(Protocol[Iterate]):
 
 
 def newton_iterates(
-    equations: Equations[Iterate], begin: Iterate, *, iterations: int, shortenings: int, gain: float = 1.0
+    equations: Equations[Iterate],
+    begin: Iterate,
+    *,
+    iterations: int,
+    shortenings: int,
+    bound: Bound = same_error,
 ) -> Iterator[tuple[Iterate, NDArray[Any] | None]]:
     """The iterates with the whole step from each, and the last one without.
 
-    Parameters
-    ----------
-    equations : Equations
-        What is solved.
-    begin : Iterate
-        The first one.
-    iterations : int
-        Steps at the most.
-    shortenings : int
-        Lengths of a step that are tried: all, a half and so on. The iterates end where none serves.
-    gain : float, default 1
-        A step has to make the error smaller than so much of it.
-
-    Raises
-    ------
-    RunError
-        Nothing can be evaluated where the shortest step leads.
-    LinAlgError
-        There is no step.
+    There are so many steps at the most. So many lengths of a step are tried, all of it, a half and so on, and
+    the iterates end where none serves. Where nothing can be evaluated even by the shortest, RunError is
+    raised, where there is no step LinAlgError.
     """
     iterate = begin
     for _ in range(iterations):
@@ -58,7 +55,7 @@ def newton_iterates(
             break
         step = equations.step(iterate)
         yield iterate, step
-        improved = _improved(equations, iterate, step, shortenings, gain)
+        improved = _improved(equations, iterate, step, shortenings, bound)
         if improved is None:
             return
         iterate = improved
@@ -66,10 +63,10 @@ def newton_iterates(
 
 
 def _improved(
-    equations: Equations[Iterate], iterate: Iterate, step: NDArray[Any], shortenings: int, gain: float
+    equations: Equations[Iterate], iterate: Iterate, step: NDArray[Any], shortenings: int, bound: Bound
 ) -> Iterate | None:
     """The iterate at the longest part of a step that makes the error smaller; None where none does."""
-    bound = gain * equations.error(iterate)
+    largest = bound(equations.error(iterate))
     for shortening in range(shortenings):
         try:
             tried = equations.moved(iterate, 0.5**shortening * step)
@@ -77,17 +74,22 @@ def _improved(
             if shortening == shortenings - 1:
                 raise
             continue
-        if equations.error(tried) < bound:
+        if equations.error(tried) < largest:
             return tried
     return None
 
 
 def last_iterate(
-    equations: Equations[Iterate], begin: Iterate, *, iterations: int, shortenings: int, gain: float = 1.0
+    equations: Equations[Iterate],
+    begin: Iterate,
+    *,
+    iterations: int,
+    shortenings: int,
+    bound: Bound = same_error,
 ) -> tuple[Iterate, int]:
     """Where `newton_iterates` ends for whatever reason, and after how many steps."""
     iterate, steps = begin, 0
-    found = newton_iterates(equations, begin, iterations=iterations, shortenings=shortenings, gain=gain)
+    found = newton_iterates(equations, begin, iterations=iterations, shortenings=shortenings, bound=bound)
     try:
         for number, (further, _) in enumerate(found):
             iterate, steps = further, number

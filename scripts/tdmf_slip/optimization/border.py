@@ -63,27 +63,7 @@ class Side(ByContents):
 
 
 def between(gaits: Gaits, inside: Candidate, outside: Candidate, is_inside: Callable[[Gait], bool]) -> Border:
-    """The border where the way from a gait to one beyond it leaves a region: by bisection.
-
-    Parameters
-    ----------
-    gaits : Gaits
-        Of which runner, over which parameters.
-    inside, outside : Candidate
-        On the region, and not.
-    is_inside : callable
-        Whether a gait is on the region.
-
-    Returns
-    -------
-    Border
-        Its sides are within `ACCURACY`.
-
-    Raises
-    ------
-    RunError
-        A gait between them cannot be found or has no derivatives, or the gaits end there.
-    """
+    """The border where the way from a gait to one beyond it leaves a region: by bisection."""
     way = outside.at - inside.at
     low, high, length = 0.0, 1.0, float(np.linalg.norm(way))
     near, beyond = inside, outside.gait
@@ -120,31 +100,7 @@ def across(
     direction: NDArray[np.float64],
     is_inside: Callable[[Gait], bool],
 ) -> Border:
-    """The border where a line through a point meets it.
-
-    Parameters
-    ----------
-    gaits : Gaits
-        Of which runner, over which parameters.
-    near : Candidate
-        A gait near the point.
-    at : ndarray of float, shape (d,)
-        The point, near the border.
-    direction : ndarray of float, shape (d,)
-        Of the line, from the region to what is beyond; a unit vector.
-    is_inside : callable
-        Whether a gait is on the region.
-
-    Returns
-    -------
-    Border
-        There.
-
-    Raises
-    ------
-    RunError
-        It is not met, or a gait cannot be found.
-    """
+    """The border where a line through a point meets it."""
     reach = max(NARROWEST, float(np.sum((at - near.at) ** 2)))
     while reach <= WIDEST:
         low, high = (gaits.follow(near, at + sign * reach * direction) for sign in (-1.0, 1.0))

@@ -94,13 +94,7 @@ class Gaits:
         self.radius = np.inf if radius is None else radius
 
     def candidate(self, gait: Gait, at: NDArray[np.float64]) -> Candidate:
-        """A gait with its gradients.
-
-        Raises
-        ------
-        RunError
-            It has none, as at a fold and on the edge of an event.
-        """
+        """A gait with its gradients."""
         varied = varied_gait(gait.runner, gait.apex, self.names, list(self.space.bounds))
         apex_slopes = varied.apex_by_parameters * self.space.width
         spectrum = Spectrum.none(len(at))
@@ -167,11 +161,6 @@ class Gaits:
 
         The way is gone in shorter steps where a gait is not near where the tangent predicts it, or where the
         sign of det(I - J) says that it is of another branch. Only gaits that run forward count.
-
-        Raises
-        ------
-        RunError
-            The branch does not lead so far: it folds, the runner falls, or a value is refused.
         """
         way = at - near.at
 
@@ -199,13 +188,7 @@ class Gaits:
         return found
 
     def follow(self, near: Candidate, at: NDArray[np.float64]) -> Candidate:
-        """The gait at a point, with its gradients, from one that is known.
-
-        Raises
-        ------
-        RunError
-            See `gait_from` and `candidate`.
-        """
+        """The gait at a point, with its gradients, from one that is known."""
         return self.candidate(self.gait_from(near, at), at)
 
 

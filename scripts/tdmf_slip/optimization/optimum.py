@@ -26,18 +26,7 @@ NONE = 1e-9
 
 
 def reported(gait: Gait) -> dict[str, float]:
-    """What an optimum is told by: quantities of the stride, and the spectral radius.
-
-    Parameters
-    ----------
-    gait : Gait
-        The gait.
-
-    Returns
-    -------
-    dict of str to float
-        In SI units, `lambda_max` last.
-    """
+    """What an optimum is told by: quantities of the stride, and the spectral radius."""
     return quantities_of(gait, known_quantities(gait.runner)) | {"lambda_max": gait.lambda_max}
 
 

@@ -46,26 +46,7 @@ def minimize(
     high: NDArray[np.float64],
     is_inside: Callable[[Candidate], bool] = lambda gait: True,
 ) -> Ended:
-    """The best gait of a region in a box around one, or how far the search came.
-
-    Parameters
-    ----------
-    problem : Problem
-        What is asked.
-    follow : callable
-        From a gait to the one at a point.
-    begin : Candidate
-        Where to begin.
-    low, high : ndarray of float, shape (d,)
-        Corners of the box.
-    is_inside : callable, optional
-        Whether a gait is on the region.
-
-    Returns
-    -------
-    Ended
-        Where the search ended, and why.
-    """
+    """The best gait of a region in a box around one, or how far the search came."""
     from scipy.optimize import minimize as by_scipy  # slow to load
 
     seen = [begin]

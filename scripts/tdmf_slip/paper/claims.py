@@ -75,18 +75,7 @@ def gather(runner: Runner, progress: bool = False) -> Evidence:
 
 
 def claims(evidence: Evidence) -> list[Claim]:
-    """All quantitative claims of the paper but the words of its five gaits.
-
-    Parameters
-    ----------
-    evidence : Evidence
-        What they are judged by.
-
-    Returns
-    -------
-    list of Claim
-        In the order of the paper.
-    """
+    """All quantitative claims of the paper but the words of its five gaits."""
     gaits = evidence.sweep.gaits
     return [
         *_stability(gaits),

@@ -94,18 +94,7 @@ def runner_of(leg_length: float | None = None) -> Runner:
 
 
 def gaits(leg_length: float | None = None) -> tuple[Gait, ...]:
-    """Gaits over the published speeds, as far as there are any, each from its neighbour.
-
-    Parameters
-    ----------
-    leg_length : float, optional
-        Another one than that of `guinea_fowl.toml`, m.
-
-    Returns
-    -------
-    tuple of Gait
-        By rising speed; the hip's torque is that which makes it.
-    """
+    """Gaits over the published speeds, as far as there are any, each from its neighbour."""
     its = published()["runner"]
     runner = runner_of(leg_length)
     length, begin = runner.values["leg.free_length"], its["start_speed"]
@@ -132,38 +121,14 @@ def _continued(gait: Gait, speeds: Sequence[float]) -> list[Gait]:
 
 
 def fall_map(leg_length: float | None = None, strides: int = 1) -> Map:
-    """Falls on a slippery patch over speed and contact angle.
-
-    Parameters
-    ----------
-    leg_length : float, optional
-        Another one than that of `guinea_fowl.toml`, m.
-    strides : int, default 1
-        That the patch is long.
-
-    Returns
-    -------
-    Map
-        At `FRICTIONS`, and on a patch that is not slippery.
-    """
+    """Falls on a slippery patch over speed and contact angle."""
     found = gaits(leg_length)
     frictions = (*FRICTIONS, published()["runner"]["high_friction"])
     return Map(found, {mu: meet_patch(found, list(ANGLES), mu, strides) for mu in frictions})
 
 
 def claims(found: Map) -> list[Claim]:
-    """What Clark and Higham say in numbers, beside the map on the most slippery patch.
-
-    Parameters
-    ----------
-    found : Map
-        Falls over speed and contact angle.
-
-    Returns
-    -------
-    list of Claim
-        In the order of their abstract.
-    """
+    """What Clark and Higham say in numbers, beside the map on the most slippery patch."""
     said, friction = published()["published"], FRICTIONS[0]
     on = found.meetings[friction]
     borders, slow = found.borders(friction), found.speeds <= said["fast"]

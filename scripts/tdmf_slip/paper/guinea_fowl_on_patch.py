@@ -72,22 +72,7 @@ def gaits(speeds: Sequence[float]) -> list[Gait]:
 
 
 def cross(gait: Gait, friction: float, length: float) -> Crossing:
-    """Let runners on a gait, their feet at places spread over one stride, cross a patch.
-
-    Parameters
-    ----------
-    gait : Gait
-        On the ground around the patch.
-    friction : float
-        Of the patch.
-    length : float
-        Of the patch, m.
-
-    Returns
-    -------
-    Crossing
-        Falls, and how far feet have slipped.
-    """
+    """Let runners on a gait, their feet at places spread over one stride, cross a patch."""
     stride = float(gait.stride["length"])
     begin = BEFORE * stride
     runner = gait.runner.but("ground.patch_begin", begin).but("ground.patch_end", begin + length)

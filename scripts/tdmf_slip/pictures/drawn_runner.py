@@ -36,22 +36,7 @@ def pose(stride: Stride, time: float) -> Pose:
 def spring(
     foot: tuple[float, float], body: tuple[float, float], width: float = 0.055
 ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """A coil spring from foot to body, straight at both ends.
-
-    Parameters
-    ----------
-    foot : pair of float
-        One end.
-    body : pair of float
-        The other end.
-    width : float, default 0.055
-        Half the coil's width.
-
-    Returns
-    -------
-    pair of ndarray, shape (points,)
-        X and y of a line to draw.
-    """
+    """A coil spring from foot to body, straight at both ends."""
     start, end = np.array(foot), np.array(body)
     along = end - start
     across = np.array([-along[1], along[0]]) / max(np.hypot(*along), 1e-12)

@@ -42,15 +42,7 @@ PAGE = """<!DOCTYPE html>
 
 
 def write(path: Path, fit: Fit) -> None:
-    """Write the report of a fit, whole or not at all.
-
-    Parameters
-    ----------
-    path : Path
-        With a suffix of `FORMATS`.
-    fit : Fit
-        What to report.
-    """
+    """Write the report of a fit, whole or not at all."""
     page = PAGE.format(
         where=html.escape(fit.measurements.where),
         confidence=100.0 * CONFIDENCE,

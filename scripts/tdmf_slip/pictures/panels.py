@@ -35,21 +35,7 @@ def mark_mid_stance(axes: Axes, stride: Stride) -> None:
 def modes(
     axes: Axes, stride: Stride, values: NDArray[np.float64], shown: float, wanted: Collection[str]
 ) -> None:
-    """A curve over time in the colours of the contact modes: slip dashed, all else solid.
-
-    Parameters
-    ----------
-    axes : Axes
-        Where to draw.
-    stride : Stride
-        Whose time and modes.
-    values : ndarray of float, shape (rows,)
-        One per row of the stride.
-    shown : float
-        Length of time that the axes will show.
-    wanted : collection of str
-        The modes to draw.
-    """
+    """A curve over time in the colours of the contact modes: slip dashed, all else solid."""
     for interval in stride.intervals:
         if interval.mode not in wanted:
             continue

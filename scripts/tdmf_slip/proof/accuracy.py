@@ -95,18 +95,7 @@ def _fmu(interface: str, settings: Mapping[str, str] | None = None) -> Solve:
 
 
 def error_table(proofs: Sequence[Proof]) -> list[list[str]]:
-    """Errors of all solvers over some gaits, the largest of each.
-
-    Parameters
-    ----------
-    proofs : sequence of Proof
-        Of gaits.
-
-    Returns
-    -------
-    list of list of str
-        A heading, and a row for each solver.
-    """
+    """Errors of all solvers over some gaits, the largest of each."""
     of_all = [solver_errors(proof) for proof in proofs]
     heading = ["solver", *QUANTITIES, "apex"]
     rows = [

@@ -47,20 +47,7 @@ class Eigenvalues:
 
 
 def eigenvalues(matrix: arb_mat, rank: int) -> Eigenvalues:
-    """Enclosures of all eigenvalues of every matrix in an enclosure that has a rank at the most.
-
-    Parameters
-    ----------
-    matrix : arb_mat, shape (n, n)
-        The enclosure.
-    rank : int
-        So many eigenvalues at the most do not vanish.
-
-    Returns
-    -------
-    Eigenvalues
-        Of n discs.
-    """
+    """Enclosures of all eigenvalues of every matrix in an enclosure that has a rank at the most."""
     whole = acb_mat(matrix)
     basis = _basis(matrix, LARGE)
     discs = _discs(basis.solve(whole * basis))

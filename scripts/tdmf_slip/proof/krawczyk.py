@@ -43,28 +43,7 @@ def refined(
     nearness: float,
     forced: Forced | None = None,
 ) -> list[arb]:
-    """A point near the fixed point, by Newton's method with one Jacobian; nothing is proved.
-
-    Parameters
-    ----------
-    parameters : Parameters
-        Whose stride.
-    apex : sequence of arb, shape (6,) or (7,)
-        Near it, with the value of what is varied, which stays unless an event is forced.
-    jacobian : ndarray of float, shape (n, n)
-        Of what is to vanish, about: six rows, and a seventh for the margin of an event that is forced.
-    fineness : Fineness
-        Of the motion.
-    nearness : float
-        How near is near enough.
-    forced : Forced, optional
-        Of a border.
-
-    Returns
-    -------
-    list of arb
-        Points.
-    """
+    """A point near the fixed point, by Newton's method with one Jacobian; nothing is proved."""
     unknowns = len(jacobian)
     found = list(apex)
     with ctx.workprec(fineness.bits):

@@ -40,18 +40,5 @@ def floats_above(sizes: list[list[arb]]) -> NDArray[np.float64]:
 
 
 def norm(matrix: arb_mat, weights: list[arb]) -> arb:
-    """An upper bound of the largest weighted sum of absolute values in a row.
-
-    Parameters
-    ----------
-    matrix : arb_mat, shape (n, n)
-        Of which.
-    weights : list of arb, shape (n,)
-        The norm is that of D^-1 A D with these on the diagonal of D.
-
-    Returns
-    -------
-    arb
-        Without radius.
-    """
+    """An upper bound of the largest weighted sum of absolute values in a row."""
     return greatest([row.upper() for row in row_sums(absolute(matrix), weights)])

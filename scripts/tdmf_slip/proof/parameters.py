@@ -27,20 +27,7 @@ class Parameters:
         self.values, self.varied = values, varied
 
     def balls(self, parameter: arb | None = None, *, dual: bool = False) -> Any:
-        """The record that the laws take.
-
-        Parameters
-        ----------
-        parameter : arb, optional
-            A ball for what is varied; by default its exact value.
-        dual : bool, default False
-            What is varied is a dual, so that all that follows from it has its derivative.
-
-        Returns
-        -------
-        Record
-            By the names in `laws`.
-        """
+        """The record that the laws take."""
         numbers: dict[str, Number] = {name: value.ball() for name, value in self.values.items()}
         if self.varied is not None:
             value = numbers[self.varied] if parameter is None else parameter

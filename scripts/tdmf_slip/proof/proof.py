@@ -88,13 +88,7 @@ def decimal(value: Fraction, digits: int = 60) -> str:
 
 
 def assumptions() -> list[str]:
-    """What a proof rests on.
-
-    Returns
-    -------
-    list of str
-        Sentences without their full stops.
-    """
+    """What a proof rests on."""
     return [
         f"the ball arithmetic of FLINT {flint.__FLINT_VERSION__}, under python-flint {flint.__version__}, "
         "encloses as it is documented to",

@@ -16,23 +16,6 @@ def proved_ball(gait: Gait) -> Ball:
     """A ball in which every start is proved to settle, inside that of `prove_attraction`.
 
     It is small, and runs have to be followed into it at a finer tolerance.
-
-    Parameters
-    ----------
-    gait : Gait
-        Stable, by the full model.
-
-    Returns
-    -------
-    Ball
-        Of a Euclidean norm.
-
-    Raises
-    ------
-    InputError
-        The gait is by the reduced map.
-    RunError
-        The proof is undecided; the message says what is.
     """
     if gait.runner.reduced:
         raise InputError("ball proved: of the reduced map; allowed: of the full model")

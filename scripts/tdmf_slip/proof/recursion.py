@@ -88,24 +88,7 @@ Rates = Callable[[Mapping[str, Any]], Mapping[str, Any]]
 def coefficients(
     start: Mapping[str, arb], constant: Mapping[str, arb], rates: Rates, degree: int
 ) -> dict[str, list[arb]]:
-    """Taylor coefficients of a solution in time.
-
-    Parameters
-    ----------
-    start : mapping of str to arb
-        Initial values of what moves.
-    constant : mapping of str to arb
-        What does not.
-    rates : callable
-        The right-hand side, of all that moves.
-    degree : int
-        Of the last coefficient.
-
-    Returns
-    -------
-    dict of str to list of arb
-        By the names in `start`.
-    """
+    """Taylor coefficients of a solution in time."""
     states = {name: Unfolding(None, [value]) for name, value in start.items()}
     found = rates({**states, **constant})
     for name, state in states.items():

@@ -8,25 +8,7 @@ from .undecided import UndecidedError
 
 
 def positive(number: Number, what: str) -> bool:
-    """The sign of a number that is not zero.
-
-    Parameters
-    ----------
-    number : number
-        A ball, or a dual of one.
-    what : str
-        Whose sign, for the message.
-
-    Returns
-    -------
-    bool
-        Positive, not negative.
-
-    Raises
-    ------
-    UndecidedError
-        The ball holds zero.
-    """
+    """The sign of a number that is not zero."""
     value = value_of(number)
     if value > 0:
         return True

@@ -29,27 +29,7 @@ class Section:
 
 
 def tube_along(gait: RunnerLike = None, radius: Radius = Fraction(1, 10**8)) -> list[Section]:
-    """The tube of all starts around a gait's apex, along a stride.
-
-    Parameters
-    ----------
-    gait : Gait, Runner or mapping of str to value, optional
-        As in `prove`.
-    radius : float, str or Fraction, default 1e-8
-        Of the starts around the apex, in units of the coordinates' scales.
-
-    Returns
-    -------
-    list of Section
-        From apex to apex.
-
-    Raises
-    ------
-    InputError
-        A value or a name is refused.
-    UndecidedError
-        The set is too wide for its events to be told.
-    """
+    """The tube of all starts around a gait's apex, along a stride."""
     found, values = gait_of(gait)
     fine, size = Fineness(BITS), radius_of(radius)
     with ctx.workprec(BITS):

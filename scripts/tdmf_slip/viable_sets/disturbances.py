@@ -31,22 +31,7 @@ class FrictionLoss(ByContents):
 
 
 def largest_drop(states: NDArray[np.bool_], grid: Grid, *, inner: bool) -> NDArray[np.float64]:
-    """How far cells of a set go on above each cell.
-
-    Parameters
-    ----------
-    states : ndarray of bool, shape (rows, columns)
-        The set; rows are of rising height.
-    grid : Grid
-        Of cells.
-    inner : bool
-        What any point of the cell stands; else the most that some point may.
-
-    Returns
-    -------
-    ndarray of float, shape (rows, columns)
-        m; NaN of cells that are not in the set.
-    """
+    """How far cells of a set go on above each cell."""
     above = np.zeros(states.shape)
     for row in range(len(states) - 2, -1, -1):
         above[row] = np.where(states[row + 1], above[row + 1] + 1.0, 0.0)
@@ -63,35 +48,7 @@ def friction_loss(
     threads: int | None,
     progress: bool,
 ) -> FrictionLoss:
-    """The least friction of the next stride that leaves something viable.
-
-    Parameters
-    ----------
-    runner : Runner
-        With its own friction.
-    transitions : Transitions
-        Whose grid it is.
-    factor : float
-        Of derivatives.
-    states : pair of ndarray of bool
-        The inner and the outer set.
-    frictions : sequence of float
-        Falling, below the runner's own.
-    threads : int or None
-        By default one for each processor.
-    progress : bool
-        A bar on stderr.
-
-    Returns
-    -------
-    FrictionLoss
-        A cell stands a friction if it stands all those tried before.
-
-    Raises
-    ------
-    InputError
-        They are not falling, or out of range.
-    """
+    """The least friction of the next stride that leaves something viable."""
     tried = _checked_frictions(runner, transitions.grid, frictions)
     stands = list(states)
     minimum = [np.where(of, runner.values[FRICTION], np.nan) for of in states]

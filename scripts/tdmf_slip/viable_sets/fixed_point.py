@@ -34,22 +34,7 @@ def sums_of(states: NDArray[np.bool_]) -> NDArray[np.int32]:
 
 
 def lands(boxes: Boxes, states: NDArray[np.bool_], *, inner: bool) -> NDArray[np.bool_]:
-    """Which pairs lead into a set.
-
-    Parameters
-    ----------
-    boxes : Boxes
-        Of the pairs.
-    states : ndarray of bool, shape (rows, columns)
-        The set.
-    inner : bool
-        With the whole box; else with some of it.
-
-    Returns
-    -------
-    ndarray of bool, shape (pairs,)
-        Whether each does.
-    """
+    """Which pairs lead into a set."""
     sums, width = sums_of(states).ravel(), states.shape[1] + 1
     top, left = boxes.low.astype(np.int32)
     bottom, right = boxes.high.astype(np.int32) + 1

@@ -128,22 +128,7 @@ def viability(
 
 
 def viable_sets(runner: Runner, transitions: Transitions, factor: float) -> Viability:
-    """Both sets from transitions that are made.
-
-    Parameters
-    ----------
-    runner : Runner
-        Who made them.
-    transitions : Transitions
-        All of them.
-    factor : float
-        As in `viability`.
-
-    Returns
-    -------
-    Viability
-        Both sets.
-    """
+    """Both sets from transitions that are made."""
     grid = transitions.grid
     kept: dict[str, Any] = {}
     for name in ("inner", "outer"):

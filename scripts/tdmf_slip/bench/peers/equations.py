@@ -59,19 +59,7 @@ def _leg(state: Any) -> Any:
 def accelerations(
     mode: str, state: State, torque: Number, friction: Number
 ) -> tuple[Number, Number, Number, Number]:
-    """Of foot and leg in a mode: ax, ay, rddot, thetaddot. Works on numbers and on symbols.
-
-    Parameters
-    ----------
-    mode : str
-        Flight, stick, slip or graze.
-    state : State
-        The eight mechanical states, in the order of `STATES`.
-    torque : number
-        Of the hip, but in graze.
-    friction : number
-        With the sign of the foot's velocity; in slip.
-    """
+    """Of foot and leg in a mode: ax, ay, rddot, thetaddot. Works on numbers and on symbols."""
     of = _state(state)
     at = _leg(of)
     total = ground_force.graze_torque(_MODEL, _LEVEL, at, False, None) if mode == "graze" else torque

@@ -70,15 +70,7 @@ def guards_of(name: str, state: State, parameters: State) -> list[Number]:
 
 
 def stride(section: State, run: Run) -> NDArray[np.float64]:
-    """The apex after one stride from an apex.
-
-    Parameters
-    ----------
-    section : State
-        Its coordinates; arrays of them for several runners.
-    run : Run
-        Takes a mode's name, a state and parameters to the first guard; returns the state and which.
-    """
+    """The apex after one stride from an apex."""
     state, _ = run("place", eq.start(section), (eq.KP, eq.TOUCHDOWN_ANGLE, eq.KD, 1.0))
     state = eq.impact(state)
     for name, parameters in STANCE:

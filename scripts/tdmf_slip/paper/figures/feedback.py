@@ -71,20 +71,7 @@ def laws(gait: Gait) -> dict[str, Feedback | None]:
 
 
 def measure(runner: Runner, *, progress: bool = False) -> dict[str, list[Judgement]]:
-    """How well each feedback holds the gaits.
-
-    Parameters
-    ----------
-    runner : Runner
-        Whose scales are 1.
-    progress : bool, default False
-        A bar on stderr.
-
-    Returns
-    -------
-    dict of str to list of Judgement
-        By the feedback's name, in the order of `FRICTIONS`.
-    """
+    """How well each feedback holds the gaits."""
     gaits = [periodic_gait(runner.but(FRICTION, friction)) for friction in FRICTIONS]
     noise = (NOISE * runner.scales).tolist()
     alike = matched(runner, gaits)

@@ -16,18 +16,7 @@ MARKS: Mapping[str, str] = {FOLD: "o", PERIOD_DOUBLING: "s"}
 
 
 def leading(gaits: Sequence[Gait]) -> NDArray[np.float64]:
-    """Real parts of the two eigenvalues of largest size, the greater first: shape (gaits, 2).
-
-    Parameters
-    ----------
-    gaits : sequence of Gait
-        The gaits.
-
-    Returns
-    -------
-    ndarray of float, shape (gaits, 2)
-        In the order of the gaits.
-    """
+    """Real parts of the two eigenvalues of largest size, the greater first: shape (gaits, 2)."""
     return np.array([np.sort(gait.eigenvalues[:2].real)[::-1] for gait in gaits])
 
 

@@ -14,22 +14,7 @@ VARY = ("hip.stance_torque", "hip.touchdown_angle", "hip.liftoff_angle_factor")
 
 
 def like(reference: Gait, gait: Gait, hold: Sequence[str] = HOLD, vary: Sequence[str] = VARY) -> Gait | None:
-    """A runner made equal to another in what could do what a figure shows.
-
-    Parameters
-    ----------
-    reference : Gait
-        The other.
-    gait : Gait
-        The runner, as it comes.
-    hold, vary : sequence of str
-        Of `compare`.
-
-    Returns
-    -------
-    Gait or None
-        None where it cannot be made so.
-    """
+    """A runner made equal to another in what could do what a figure shows."""
     found = compare([reference, gait], hold=hold, vary=vary)
     return None if found.not_held else found.gaits[1]
 
@@ -49,20 +34,7 @@ def changed(gait: Gait, values: Mapping[str, float], steps: int = 1) -> Gait | N
 
 
 def over_friction(gaits: Sequence[Gait], count: int) -> list[Gait]:
-    """Some of the gaits, evenly, made equal to the first; those that cannot be are left out.
-
-    Parameters
-    ----------
-    gaits : sequence of Gait
-        Over the friction.
-    count : int
-        How many are tried.
-
-    Returns
-    -------
-    list of Gait
-        In their order.
-    """
+    """Some of the gaits, evenly, made equal to the first; those that cannot be are left out."""
     chosen = [gaits[i] for i in np.linspace(0, len(gaits) - 1, count).round().astype(int)]
     equal = [like(gaits[0], gait) for gait in chosen]
     return [gait for gait in equal if gait is not None]

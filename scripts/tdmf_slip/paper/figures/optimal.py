@@ -48,22 +48,7 @@ def measure(
     *,
     progress: bool = False,
 ) -> list[Optimum]:
-    """The best runners, from friction to friction, each also from the one before.
-
-    Parameters
-    ----------
-    runner : Runner
-        Whose body it is.
-    frictions : sequence of float
-        In order.
-    progress : bool, default False
-        A bar on stderr.
-
-    Returns
-    -------
-    list of Optimum
-        At each friction the cheapest, then the one that slips least; where there is one.
-    """
+    """The best runners, from friction to friction, each also from the one before."""
     found: list[Optimum] = []
     cheapest: list[Optimum] = []
     min_slipping: list[Optimum] = []
@@ -78,24 +63,7 @@ def measure(
 
 
 def best(runner: Runner, objective: str, near: Sequence[Optimum], *, begin: bool = False) -> list[Optimum]:
-    """The best runner at its friction, from others that are near.
-
-    Parameters
-    ----------
-    runner : Runner
-        With its friction.
-    objective : str
-        `CHEAPEST` or `MIN_SLIP`.
-    near : sequence of Optimum
-        Where searches begin.
-    begin : bool, default False
-        One begins at the runner's own gait, too.
-
-    Returns
-    -------
-    list of Optimum
-        One, or none where none was found.
-    """
+    """The best runner at its friction, from others that are near."""
     goal = Goal(objective, at={"speed": SPEED}, radius=RADIUS)
     try:
         optimizer = Optimizer(periodic_gait(runner), Space(BOUNDS), 1)

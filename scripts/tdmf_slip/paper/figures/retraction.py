@@ -30,18 +30,7 @@ POINTS = 320
 
 
 def branches(runner: Runner) -> Mapping[float, tuple[Branch, Branch]]:
-    """By friction: gaits from no retraction on, towards negative rates and towards positive ones.
-
-    Parameters
-    ----------
-    runner : Runner
-        Whose gaits.
-
-    Returns
-    -------
-    mapping of float to pairs of Branch
-        With their bifurcations.
-    """
+    """By friction: gaits from no retraction on, towards negative rates and towards positive ones."""
     found = {}
     for friction in FRICTIONS:
         its = runner.but(FRICTION, friction)
@@ -55,18 +44,7 @@ def branches(runner: Runner) -> Mapping[float, tuple[Branch, Branch]]:
 
 
 def matched(runner: Runner) -> Mapping[float, tuple[Gait, ...]]:
-    """By friction: gaits that retract with speed, apex height and leg angle of the one that does not.
-
-    Parameters
-    ----------
-    runner : Runner
-        Whose gaits.
-
-    Returns
-    -------
-    mapping of float to tuple of Gait
-        At those of `RATES` where there are such.
-    """
+    """By friction: gaits that retract with speed, apex height and leg angle of the one that does not."""
     found = {}
     for friction in FRICTIONS:
         reference = one = periodic_gait(runner.but(FRICTION, friction))

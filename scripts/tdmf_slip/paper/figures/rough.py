@@ -36,20 +36,7 @@ Measured = Sequence[tuple[float, bool, FirstPassage]]
 
 
 def measure(runner: Runner, *, progress: bool = False) -> Measured:
-    """How long runners stay up, at each friction and roughness.
-
-    Parameters
-    ----------
-    runner : Runner
-        Whose length of leg is 1.
-    progress : bool, default False
-        A bar on stderr.
-
-    Returns
-    -------
-    sequence of (float, bool, FirstPassage)
-        Frictions, whether the runner was matched, and what was found.
-    """
+    """How long runners stay up, at each friction and roughness."""
     trials = [
         Trial(runner.but(FRICTION, friction), roughness, RUNNERS, SEED, MAX_STRIDES)
         for roughness in ROUGHNESS

@@ -37,18 +37,7 @@ Gaits = Mapping[float, tuple[tuple[float, Gait], ...]]
 
 
 def gaits(runner: Runner) -> Gaits:
-    """By friction: gaits from five degrees downhill to the steepest climb of their branch.
-
-    Parameters
-    ----------
-    runner : Runner
-        Whose gaits.
-
-    Returns
-    -------
-    mapping of float to tuple of (float, Gait)
-        Slopes in rad, rising, and the gaits.
-    """
+    """By friction: gaits from five degrees downhill to the steepest climb of their branch."""
     found = {}
     for friction in COLOURS:
         its = runner.but(FRICTION, friction)
@@ -63,18 +52,7 @@ def gaits(runner: Runner) -> Gaits:
 
 
 def matched(runner: Runner) -> Gaits:
-    """By friction: gaits that have, on level ground, the kinematics of that on the first friction.
-
-    Parameters
-    ----------
-    runner : Runner
-        Whose gaits.
-
-    Returns
-    -------
-    mapping of float to tuple of (float, Gait)
-        From level ground downhill and up, for as long as they are found.
-    """
+    """By friction: gaits that have, on level ground, the kinematics of that on the first friction."""
     reference, *others = (periodic_gait(runner.but(FRICTION, friction)) for friction in COLOURS)
     found = {}
     for gait in others:

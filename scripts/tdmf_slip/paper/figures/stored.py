@@ -15,18 +15,7 @@ TEXTS = ("kind", "law", "word")
 
 
 def columns(name: str) -> dict[str, NDArray[Any]]:
-    """The data of a figure, by column.
-
-    Parameters
-    ----------
-    name : str
-        Of the figure.
-
-    Returns
-    -------
-    dict of str to ndarray
-        Columns, all as long: of float, or of str.
-    """
+    """The data of a figure, by column."""
     text = importlib.resources.files(__package__).joinpath(f"{name}.csv").read_text(encoding="utf-8")
     rows = list(csv.DictReader(text.splitlines()))
     return {column: _values([row[column] for row in rows], column in TEXTS) for column in rows[0]}

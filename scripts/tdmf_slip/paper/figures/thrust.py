@@ -46,16 +46,6 @@ def gaits(runner: Runner) -> Mapping[float, tuple[Gait, ...]]:
     """By friction: gaits of each actuation, along branches over its strength.
 
     Where the torque cannot be taken away without the gait, thrust alone has none.
-
-    Parameters
-    ----------
-    runner : Runner
-        Whose gaits; driven by the hip.
-
-    Returns
-    -------
-    mapping of float to tuple of Gait
-        By hip torque alone, then thrust and hip torque, then thrust alone.
     """
     found = {}
     for friction in FRICTIONS:
@@ -68,18 +58,7 @@ def gaits(runner: Runner) -> Mapping[float, tuple[Gait, ...]]:
 
 
 def matched(by_hip: Sequence[Gait]) -> Iterator[Gait]:
-    """With thrust, at the speed and apex height of stable gaits by the hip alone.
-
-    Parameters
-    ----------
-    by_hip : sequence of Gait
-        These.
-
-    Yields
-    ------
-    Gait
-        By torque and touchdown angle.
-    """
+    """With thrust, at the speed and apex height of stable gaits by the hip alone."""
     stable = [gait for gait in by_hip if gait.stable]
     for speed in SPEEDS:
         reference = min(stable, key=lambda gait: abs(gait.stride["speed"] - speed))

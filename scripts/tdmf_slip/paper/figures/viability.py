@@ -31,21 +31,7 @@ Measured = Sequence[tuple[float, Viability]]
 
 
 def measure(runner: Runner, *, progress: bool = False) -> Measured:
-    """The viable sets of matched runners, at each friction.
-
-    Parameters
-    ----------
-    runner : Runner
-        Whose length of leg is 1, by the reduced map.
-    progress : bool, default False
-        Bars on stderr.
-
-    Returns
-    -------
-    sequence of (float, Viability)
-        Frictions, and what was found; frictions at which the speed and height of the
-        reference are not to be had are left out.
-    """
+    """The viable sets of matched runners, at each friction."""
     found = compare([runner.but(FRICTION, mu) for mu in (REFERENCE, *FRICTIONS)], hold=HOLD, vary=VARY)
     missed = {of.runner for of in found.not_held}
     return [

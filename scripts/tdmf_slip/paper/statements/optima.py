@@ -25,22 +25,7 @@ NET, POSITIVE, SLIP = "cost_of_transport", "positive_cost_of_transport", "slip_d
 
 @cache
 def best(friction: float, quantity: str, begin: tuple[float, float, float] | None = None) -> Optimum:
-    """The runner with the least of a quantity, near where the search begins.
-
-    Parameters
-    ----------
-    friction : float
-        One of those above.
-    quantity : str
-        Of its stride.
-    begin : tuple of float, optional
-        Angle, torque and thrust; by default those of `BEGIN`.
-
-    Returns
-    -------
-    Optimum
-        Stable, of one speed.
-    """
+    """The runner with the least of a quantity, near where the search begins."""
     values = dict(zip((ANGLE, TORQUE, THRUST), begin or BEGIN[friction], strict=True))
     return optimize(
         {FRICTION: friction, **values},

@@ -29,22 +29,7 @@ def _strides_on_segments(one: Gait, seed: int) -> float:
 
 
 def strides(one: Gait, seed: int, correlation: float = 0.0) -> float:
-    """Mean number until the fall.
-
-    Parameters
-    ----------
-    one : Gait
-        Who starts.
-    seed : int
-        Of the ground.
-    correlation : float, default 0
-        Of steps.
-
-    Returns
-    -------
-    float
-        By `RUNNERS`.
-    """
+    """Mean number until the fall."""
     ground = RoughGround(ROUGHNESS, seed, correlated_weights(correlation))
     found = strides_to_fall(one.runner, ground, RUNNERS, max_strides=MAX_STRIDES, gait=one, threads=1)
     return found.mean_strides

@@ -25,20 +25,7 @@ FLAT = 0.85
 
 @cache
 def climb(friction: float, angle: float | None = None) -> tuple[Gait, ...]:
-    """Gaits up to the fold at which the branch from level ground turns back.
-
-    Parameters
-    ----------
-    friction : float
-        Of the ground.
-    angle : float, optional
-        Of touchdown, rad; by default the paper's.
-
-    Returns
-    -------
-    tuple of Gait
-        With slopes that rise.
-    """
+    """Gaits up to the fold at which the branch from level ground turns back."""
     first = periodic_gait({FRICTION: friction} if angle is None else {FRICTION: friction, ANGLE: angle})
     found, step = [first], FIRST
     while step > SHORTEST:
