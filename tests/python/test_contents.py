@@ -100,3 +100,10 @@ def test_no_other_dataclass_has_an_array_in_it():
     assert {one for one in plain if "Callable" not in found[one]} == set()
     wrong = {one for one in arrays - plain if "__eq__" in vars(one) or "__hash__" in vars(one)}
     assert wrong == set()
+
+
+def test_a_profile_is_equal_by_its_points_and_tells_of_them():
+    ramp = tdmf_slip.Profile([0.0, 10.0], [0.0, 1.0])
+    assert ramp == tdmf_slip.Profile([0, 10], [0, 1]) != tdmf_slip.Profile([0.0, 10.0], [0.0, 2.0])
+    assert repr(ramp) == "<Profile of 2 points: positions 0 to 10 m, heights 0 to 1 m>"
+    assert repr(tdmf_slip.load_fmu()).startswith("<Fmu TDMF_SLIP by FMI 2.0: ")

@@ -45,7 +45,7 @@ def test_no_option_is_given_twice(command, tmp_path, command_name, option, value
         ),
         ("simulate --friction 0.3 --set ground.friction=0.6", ["--friction", "one of the two"]),
         ("basin --friction 0.3 --set ground.friction=0.3", ["--friction", "one of the two"]),
-        ("gait --set body.mass=1 --set body.mass=2", ["--set body.mass=2", "one of the two"]),
+        ("gait --set body.mass=1 --set body.mass=2", ["--set body.mass=2", "body.mass is given twice"]),
         ("gait --set solver.method=cvode", ["solver.method", "no meaning"]),
         ("basin --set solver.relative_tolerance=1e-5", ["solver.relative_tolerance", "no meaning"]),
         ("sweep --friction 1:2:2 --set status.terminate_on_fall=false", ["terminate_on_fall", "no meaning"]),

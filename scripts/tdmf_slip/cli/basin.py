@@ -178,7 +178,7 @@ def _axes(spans: tuple[str, ...], coordinates: Sequence[str]) -> dict[str, str]:
     (first, _, rows), (second, _, columns) = parts
     check_axes((first, second), coordinates)
     if first == second:
-        raise InputError(f"--axes {first}, {second}: allowed: two that differ")
+        raise InputError(f"--axes {spans[1]}: {first} is given twice; allowed: once")
     return {first: rows, second: columns}
 
 

@@ -142,7 +142,10 @@ def values_given(friction: float | None, settings: tuple[str, ...]) -> dict[str,
         if not name or not value:
             raise InputError(f"--set {setting}: allowed: NAME=VALUE")
         if name in given:
-            raise InputError(f"--set {setting}: {given[name][0]} gives {name}, too; allowed: one of the two")
+            option = given[name][0]
+            twice = f"{name} is given twice; allowed: once"
+            both = f"{option} gives {name}, too; allowed: one of the two"
+            raise InputError(f"--set {setting}: {twice if option == '--set' else both}")
         given[name] = "--set", value
     return given
 

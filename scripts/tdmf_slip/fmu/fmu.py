@@ -91,6 +91,11 @@ class Fmu:
             v.name: variable_of(v, factors) for v in self.description.modelVariables
         }
 
+    def __repr__(self) -> str:
+        """Whose FMU it is, by which standard, and where its file is."""
+        made = f"{self.description.modelName} by FMI {self.description.fmiVersion}"
+        return f"<Fmu {made}: {len(self.variables)} variables, {self.path}>"
+
     @functools.cached_property
     def folder(self) -> str:
         """Where the unit is unpacked, to be run; the copy goes when Python ends.

@@ -64,6 +64,19 @@ class Profile:
         if np.any(np.diff(self.x) < 0):
             raise InputError("profile: positions have to be ascending, from left to right")
 
+    def __repr__(self) -> str:
+        """Its points, where they lie and how high they are."""
+        at, high = (f"{np.min(row):g} to {np.max(row):g} m" for row in (self.x, self.y))
+        return f"<Profile of {len(self.x)} points: positions {at}, heights {high}>"
+
+    def __eq__(self, other: object) -> bool:
+        """Whether another has the same points."""
+        if not isinstance(other, Profile):
+            return NotImplemented
+        return np.array_equal(self.x, other.x) and np.array_equal(self.y, other.y)
+
+    __hash__ = None  # type: ignore[assignment] # its points may be changed
+
     @classmethod
     def steps(cls, edges: ArrayLike, heights: ArrayLike) -> Profile:
         """Level ground with steps.
