@@ -1,4 +1,4 @@
-/* The engine for one thread, once for each instruction set. */
+/* The engine of one thread is compiled once for each instruction set. */
 #ifndef TDMF_ENSEMBLE_BATCHES_H
 #define TDMF_ENSEMBLE_BATCHES_H
 
@@ -7,7 +7,7 @@
 /* Starts that are still to be run, shared by threads. */
 typedef struct tdmf_starts tdmf_starts;
 
-/* The next of them, or -1. */
+/* Gives the next of them, or -1 where none is left. */
 int64_t tdmf_next_start(tdmf_starts *starts);
 
 /* Runs starts until there are none. False, having taken none, if there is no memory. */

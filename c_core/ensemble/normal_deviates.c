@@ -46,7 +46,7 @@ static bool passes_half(uniform_source *source) {
     }
 }
 
-/* True with probability (2 k + x)/(2 k + 2). */
+/* Is true with probability (2 k + x)/(2 k + 2). */
 static bool passes_share(uniform_source *source, uint32_t k, uint64_t x) {
     const uint32_t parts = 2 * k + 2;
     const uint32_t high = (uint32_t)(draw(source) >> 32);
@@ -54,7 +54,7 @@ static bool passes_share(uniform_source *source, uint32_t k, uint64_t x) {
     return part < 2 * k || (part == 2 * k && draw(source) < x);
 }
 
-/* True with probability exp(-x (2 k + x)/(2 k + 2)). */
+/* Is true with probability exp(-x (2 k + x)/(2 k + 2)). */
 static bool passes_part(uniform_source *source, uint32_t k, uint64_t x) {
     uint64_t last = x;
     for (bool even = true;; even = !even) {

@@ -11,7 +11,7 @@
 /* Beyond this, sums of products would not be finite. */
 static const double largest = 1e100;
 
-/* A height of ground, m. */
+/* The ground is not higher nor deeper than that, m. */
 static const double largest_height = 1e9;
 
 static bool is_moderate(double value) {

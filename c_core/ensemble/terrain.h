@@ -18,7 +18,7 @@ static inline bool tdmf_has_terrain(const tdmf_ensemble_rules *rules) {
     return rules->terrain.length != 0.0;
 }
 
-/* The height of the segment below the foot. */
+/* Gives the height of the segment below the foot. */
 double tdmf_height_below(tdmf_runner *runner);
 
 /* The runner is about to start with its foot over this place. Returns the height of the segment there. */

@@ -25,7 +25,7 @@ typedef struct {
     double foot, foot_varied[TDMF_CLASSIC_VARIATIONS];
 } tdmf_classic_standing;
 
-/* The ground through the foot. */
+/* Gives the ground, whose line passes through the foot. */
 tdmf_ground_line tdmf_classic_ground(const tdmf_classic *slip);
 
 /* Flies from an apex to touchdown. Returns TDMF_CLASSIC_FLIES where it gets there, TDMF_CLASSIC_NO_START

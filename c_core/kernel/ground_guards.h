@@ -7,7 +7,7 @@
 #include "ground_step.h"
 #include "guard_series.h"
 
-/* theta, by the body's place over the foot, seen along the vertical. */
+/* Watches theta by where the body is over the foot, seen along the vertical. */
 static inline void watch_mid_stance(event_search *search, const ground_constants *c, const ground_series *g) {
     const mask drives = c->drives > 0.0;
     const real floor = 2.0 * search->beyond_margin * g->length[0];
@@ -39,7 +39,7 @@ static inline void watch_patch_border(event_search *search, const ground_constan
           search->beyond_margin * c->mode.length_scale);
 }
 
-/* One edge of the friction cone. */
+/* Watches one edge of the friction cone. */
 static inline void watch_edge(event_search *search, const ground_constants *c, const ground_series *g,
                               const friction_cone *cone, double sign, mask near) {
     const int order = search->order - 1;

@@ -4,7 +4,7 @@
 
 #include "series.h"
 
-/* The sum of c[k] t^k, k = 0 to order. */
+/* Gives the sum of c[k] t^k, k = 0 to order. */
 static inline double series_at(const double *c, int order, double t) {
     double value = c[order];
     for (int k = order - 1; k >= 0; --k) {
@@ -13,7 +13,7 @@ static inline double series_at(const double *c, int order, double t) {
     return value;
 }
 
-/* The integral of the sum of c[k] t^k from 0 to t. */
+/* Gives the integral of the sum of c[k] t^k from 0 to t. */
 static inline double series_integral(const double *c, int order, double t) {
     double value = c[order] * series_reciprocal[order + 1];
     for (int k = order - 1; k >= 0; --k) {

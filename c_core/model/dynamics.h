@@ -5,7 +5,7 @@
 #include "evaluation.h"
 #include "tdmf_slip/dynamics.h"
 
-/* rddot and thetaddot. */
+/* Gives rddot and thetaddot. */
 tdmf_leg_rates tdmf_accelerate_leg(const tdmf_evaluation *at);
 
 /* The change of tdmf_derivatives, of a run that has not fallen. */

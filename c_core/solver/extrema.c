@@ -8,7 +8,7 @@
 /* As many as a series can have. */
 enum { EXTREMUM_LIMIT = SERIES_ORDER_LIMIT };
 
-/* A polynomial in the step's share. */
+/* A factor is a polynomial in the step's share. */
 typedef struct {
     double c[SERIES_TERMS];
     int order;

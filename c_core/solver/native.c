@@ -141,7 +141,7 @@ static bool records_peaks_and_positive_work(const integration *integration) {
            integration->measured;
 }
 
-/* The hip's work at positive power in the step. */
+/* Adds the hip's work at positive power in the step. */
 static void add_positive_work(integration *integration, double end, const tdmf_mode_coordinates *reached) {
     tdmf_mode_equations *equations = &integration->equations;
     equations->positive_work +=

@@ -5,7 +5,7 @@
 #include "tdmf_slip/automaton.h"
 #include "tdmf_slip/variation.h"
 
-/* A runner on one side of an event. */
+/* The runner as it is on one side of an event. */
 typedef struct {
     double state[TDMF_STATE_COUNT];
     double derivatives[TDMF_STATE_COUNT];

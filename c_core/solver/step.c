@@ -84,7 +84,7 @@ void tdmf_step_shorten(tdmf_step *step, double longest) {
     step->size = step->search.size;
 }
 
-/* The largest term but the last two. */
+/* Gives the largest term but the last two. */
 static double largest_term(const double *sizes, int order, double t) {
     double power = 1.0;
     double largest = 0.0;
@@ -200,7 +200,7 @@ double tdmf_step_work(const tdmf_step *step, double time) {
 
 /* ---- ramps of inputs ---------------------------------------------------------------------------------- */
 
-/* The integral of k (l - r) by the rate of l. */
+/* Gives the integral of k (l - r) by the rate of l. */
 double tdmf_step_leg_work(const tdmf_step *step, double time) {
     const tdmf_mode_equations *equations = step->equations;
     const double *length = flies(step) ? step->series.flight.length : step->series.ground.length;

@@ -1,4 +1,4 @@
-/* The apex of a flight. */
+/* What the apex of a flight makes of a run. */
 #ifndef TDMF_MODEL_APEX_H
 #define TDMF_MODEL_APEX_H
 

@@ -1,4 +1,4 @@
-/* The leg's thrust. */
+/* What the leg's thrust, which begins here, makes of a run. */
 #ifndef TDMF_MODEL_GREATEST_COMPRESSION_H
 #define TDMF_MODEL_GREATEST_COMPRESSION_H
 
