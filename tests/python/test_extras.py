@@ -146,3 +146,12 @@ def test_commands_need_no_extra(tmp_path):
     said = [line for line in done.stderr.splitlines() if line.split(" ")[0] in COMMANDS]
     assert said == [f"{name} 0" for name in COMMANDS], done.stderr
     assert {path.name for path in tmp_path.iterdir()} == {"sweep.json", "run.csv"}
+
+
+def test_every_command_helps_without_any_extra(tmp_path):
+    """Also those that can do nothing without one."""
+    others = ("animate", "bench", "compare", "figures", "fit", "prove", "rough", "validate")
+    helps = dict.fromkeys((*COMMANDS, *others), ("--help",))
+    done = run_without(PARTS, ALL_COMMANDS, str(tmp_path), json.dumps(helps))
+    assert done.stderr.splitlines() == [f"{name} 0" for name in helps]
+    assert done.stdout.count("Usage: tdmf-slip") == len(helps) == 16

@@ -18,9 +18,9 @@ from ...fmu.fmu import FRICTION
 from ...library.gait import Gait
 from ...library.runner import Runner
 from ...pictures import style
+from ..matched import like
 from . import figure_9
 from .columns import Columns
-from .matched import like
 
 FRICTIONS = (0.1, 0.2, 0.6, 1.0, 10.0)
 ANGLE, TORQUE = "hip.touchdown_angle", "hip.stance_torque"

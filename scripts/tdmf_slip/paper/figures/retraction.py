@@ -13,9 +13,9 @@ from ...fmu.fmu import FRICTION
 from ...library.gait import Gait
 from ...library.runner import Runner
 from ...pictures import style
+from ..matched import changed, like
 from . import leading
 from .columns import Columns
-from .matched import changed, like
 
 RATE = "hip.retraction_rate"
 FRICTIONS = (0.2, 0.6, 10.0)

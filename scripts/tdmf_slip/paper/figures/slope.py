@@ -15,9 +15,9 @@ from ...fmu.fmu import FRICTION
 from ...library.gait import Gait
 from ...library.runner import Runner
 from ...pictures import style
+from ..matched import changed, like
 from . import leading
 from .columns import Columns
-from .matched import changed, like
 
 SLOPE = "ground.slope"
 COLOURS: Mapping[float, str] = {0.2: "#e07b00", 0.6: "#0b7a75", 10.0: "#22303c"}

@@ -15,9 +15,9 @@ from ...fmu.fmu import FRICTION
 from ...library.gait import Gait
 from ...library.runner import Runner
 from ...pictures import style
+from ..matched import changed, like
 from . import leading
 from .columns import Columns
-from .matched import changed, like
 
 TORQUE, THRUST, ANGLE = "hip.stance_torque", "leg.thrust", "hip.touchdown_angle"
 FRICTIONS = (0.2, 0.6, 10.0)

@@ -13,7 +13,7 @@ from ...fmu.fmu import FRICTION
 from ...fmu.parameters import read_parameters
 from ...fmu.variable import Given
 from ...library.gait import Gait
-from ..figures.matched import changed
+from ..matched import changed
 from .claim import ANGLE, SLIPS, STICKS, THRUST, TORQUE, OwnClaim
 
 

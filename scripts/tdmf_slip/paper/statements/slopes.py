@@ -10,7 +10,7 @@ from ...analysis.search import periodic_gait
 from ...errors import RunError
 from ...fmu.fmu import FRICTION
 from ...library.gait import Gait, gait_near
-from ..figures.matched import changed
+from ..matched import changed
 from .claim import ANGLE, SLIPS, STICKS, OwnClaim, gait, matched
 from .rough import MATCH
 

@@ -4,9 +4,9 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
-from ...analysis.comparison import compare
-from ...errors import RunError
-from ...library.gait import Gait, gait_near
+from ..analysis.comparison import compare
+from ..errors import RunError
+from ..library.gait import Gait, gait_near
 
 HOLD = ("speed", "apex_height", "apex_leg_angle")
 """With these equal the foot is carried as high at the apex, too."""
