@@ -21,6 +21,7 @@ from ...pictures import style
 from ...pictures.stride import Stride
 from ...terminal.progress import progress_bar
 from .. import guinea_fowl as slippery
+from .. import matched
 from . import (
     attraction,
     energy,
@@ -36,7 +37,6 @@ from . import (
     figure_8,
     figure_9,
     guinea_fowl,
-    matched,
     optimal,
     reduced,
     retraction,
