@@ -7,7 +7,7 @@ from docutils import nodes
 from sphinx.application import Sphinx
 from sphinx.util.docutils import SphinxDirective
 from tdmf_slip.equations import coordinates, ground_force, leg
-from tdmf_slip.equations.derive.expressions import Expression, forget, symbol
+from tdmf_slip.equations.derive.expressions import Expression, begin_anew, symbol
 
 STATE = {
     "foot_x": "x",
@@ -88,7 +88,7 @@ def _in_print(product: Expression) -> tuple[Expression, ...]:
 
 def written(name: str) -> str:
     """Write a law's equations, one beside the other."""
-    forget()
+    begin_anew()
     return r", \qquad ".join(f"{left} = {latex(right)}" for left, right in EQUATIONS[name]().items())
 
 
