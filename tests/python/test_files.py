@@ -50,6 +50,7 @@ import contextlib, io, json, os, resource, sys, tdmf_slip
 from tdmf_slip.cli import main as command
 there = tdmf_slip.load_fmu().folder  # unpacked before the disk is full
 commands = json.load(sys.stdin)
+sys.dont_write_bytecode = True  # Python would leave modules of 100 bytes for all who import them later
 resource.setrlimit(resource.RLIMIT_FSIZE, (100, 100))
 for folder, options in commands.items():
     os.chdir(folder)
