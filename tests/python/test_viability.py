@@ -315,8 +315,8 @@ def test_blocks_and_threads_change_nothing(found, monkeypatch):
 
 def test_it_is_told_in_short(found):
     assert repr(found) == (
-        "Viability(24 by 24 cells, 24 actions of hip.touchdown_angle: "
-        f"{found.inner_share:.1%} to {found.outer_share:.1%} viable)"
+        "<Viability of 24 by 24 cells, 24 actions of hip.touchdown_angle: "
+        f"{found.inner_share:.1%} to {found.outer_share:.1%} viable>"
     )
     printed = found.as_json()
     assert printed["cells"] == [24, 24]
