@@ -11,7 +11,6 @@ from ..fmu.fmu import Fmu
 from ..labelled import Labelled, LabelledArrays
 from ..library import ensemble
 from ..library.gait import Gait
-from .gait_columns import attributes_of
 from .search import model_of
 
 NOT_YET = -1
@@ -42,7 +41,7 @@ class Basin(LabelledArrays):
                 ),
             },
             {
-                axis: Labelled((axis,), values, attributes_of(fmu, f"apex.{axis}"))
+                axis: Labelled((axis,), values, fmu.variables[f"apex.{axis}"].attributes)
                 for axis, values in along.items()
             },
             {

@@ -82,18 +82,17 @@ class Branch(ByContents, Drawable):
             and `unstable`, how many eigenvalues are outside the unit circle; by special point `special_kind`,
             `special_value` and `special_why`.
         """
-        from .gait_columns import attributes_of
         from .grid import as_dataset  # xarray is slow to load
 
         fmu = load_fmu(fmu)
         data = as_dataset(self.gaits, {"point": np.arange(len(self.gaits), dtype=float)}, fmu)
         data[self.name] = ("point",), np.array(self.values)
-        data[self.name].attrs = attributes_of(fmu, self.name)
+        data[self.name].attrs = fmu.variables[self.name].attributes
         data["unstable"] = ("point",), np.array([gait.unstable for gait in self.gaits])
         data["unstable"].attrs = {"units": "1", "long_name": "eigenvalues outside the unit circle"}
         data["special_kind"] = ("special",), np.array([s.kind for s in self.specials], dtype=object)
         data["special_value"] = ("special",), np.array([s.value for s in self.specials], dtype=float)
         data["special_why"] = ("special",), np.array([s.why for s in self.specials], dtype=object)
-        data["special_value"].attrs = attributes_of(fmu, self.name)
+        data["special_value"].attrs = fmu.variables[self.name].attributes
         data.attrs = {"over": self.name, "strides": self.strides, "began": self.began, "ended": self.ended}
         return data

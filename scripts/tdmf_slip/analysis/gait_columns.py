@@ -24,13 +24,7 @@ class Column:
 
     def attributes(self, fmu: Fmu) -> dict[str, str]:
         """Unit and description, by the names that CF gives them."""
-        return {"units": self.unit} if self.variable is None else attributes_of(fmu, self.variable)
-
-
-def attributes_of(fmu: Fmu, name: str) -> dict[str, str]:
-    """Unit and description of one of the unit's variables, by the names that CF gives them."""
-    variable = fmu.variables[name]
-    return {"units": variable.unit or "1", "long_name": variable.description}
+        return {"units": self.unit} if self.variable is None else fmu.variables[self.variable].attributes
 
 
 def _of_stride(name: str) -> Callable[[Gait], float]:

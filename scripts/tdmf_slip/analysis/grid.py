@@ -24,7 +24,7 @@ from ..library.runner import Runner
 from ..library.scales import rounding_of
 from ..library.section import COORDINATES
 from ..terminal.progress import progress_bar
-from .gait_columns import COLUMNS, attributes_of
+from .gait_columns import COLUMNS
 from .search import model_of
 from .sweep import check_values, sweep_row
 
@@ -45,9 +45,9 @@ def as_dataset(
         data[name].attrs = column.attributes(fmu)
     words = ["" if gait is None else gait.word for gait in gaits]
     data["word"] = names, np.array(words, dtype=object).reshape(shape)
-    data["word"].attrs = attributes_of(fmu, "stride.word")
+    data["word"].attrs = fmu.variables["stride.word"].attributes
     for name in set(names) & set(fmu.variables):
-        data[name].attrs = attributes_of(fmu, name)
+        data[name].attrs = fmu.variables[name].attributes
     return data
 
 

@@ -68,7 +68,7 @@ def _attributes(name: str, values: NDArray[Any], fmu: Fmu) -> dict[str, Any]:
     reported = fmu.variables.get(f"stride.{name}") or fmu.variables.get(name)
     if reported is None or values.dtype.kind != "f":
         return {}
-    return {"units": reported.unit or "1", "long_name": reported.description}
+    return reported.attributes
 
 
 ABOUT: Mapping[str, Mapping[str, Any]] = {

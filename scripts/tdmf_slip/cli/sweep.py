@@ -7,6 +7,7 @@ import click
 import numpy as np
 from numpy.typing import NDArray
 
+from ..analysis.grid_result import GaitGrid
 from ..analysis.sweep import Sweep, short, sweep
 from ..errors import InputError, RunError
 from ..files.whole import check_destination, whole
@@ -190,24 +191,15 @@ def _grid(
 
     if output is None or output.suffix.lower() != NETCDF:
         raise InputError("--vary: a grid of gaits goes to a file; allowed: with --output FILE.nc")
-    fmu = load_fmu()
-    data = grid(
-        runner,
-        vary,
-        output,
-        scheduler=scheduler,
-        threads=threads,
-        progress=True,
-        fmu=fmu,
-    )
-    gaits = int(data["period"].notnull().sum())
-    words = sorted({word for word in data["word"].values.ravel() if word})
-    result = {"file": str(output), "points": data["period"].size, "gaits": gaits, "words": words}
-    text = f"{output}: {gaits} gaits at {data['period'].size} points, words {', '.join(words)}"
+    data = grid(runner, vary, output, scheduler=scheduler, threads=threads, progress=True, fmu=load_fmu())
+    found = GaitGrid.of_dataset(data)
+    points = found["period"].size
+    result = {"file": str(output), "points": points, "gaits": found.gaits, "words": list(found.words)}
+    text = f"{output}: {found.gaits} gaits at {points} points, words {', '.join(found.words)}"
     print(json_text(result) if as_json_object else text)
-    problems = [problem for problem in data["problem"].values if problem]
+    problems = [problem for problem in found["problem"] if problem]
     if problems:
-        raise RunError(f"{problems[0]}; {gaits} of {data['period'].size} gaits were found")
+        raise RunError(f"{problems[0]}; {found.gaits} of {points} gaits were found")
 
 
 def _headed(name: str, measure: str) -> str:

@@ -150,8 +150,8 @@ def _runs(jobs: Sequence[Job], results: Sequence[Result], names: Sequence[str], 
     for variable in fmu.group("stride"):
         name, is_text = variable.member, variable.type == "String"
         values = [result.stride.get(name, "" if is_text else np.nan) for result in results]
-        about = {"units": variable.unit or "1", "long_name": variable.description}
-        arrays[name] = Labelled(OVER, np.array(values, dtype=object if is_text else float), about)
+        array = np.array(values, dtype=object if is_text else float)
+        arrays[name] = Labelled(OVER, array, variable.attributes)
     return Runs(
         arrays,
         {

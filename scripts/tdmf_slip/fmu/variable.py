@@ -60,7 +60,6 @@ class Variable(ByContents):
     """As FMI has it: `parameter`, `input`, `output` and so on."""
     variability: str
     """`fixed`, `tunable`, `discrete` or `continuous`."""
-    """As FMI has it: `parameter`, `input`, `output` and so on."""
     settable: bool
     """A start value is accepted."""
     minimum: float
@@ -73,6 +72,11 @@ class Variable(ByContents):
     """Names of an enumeration's values."""
     display_units: Mapping[str, float]
     """Other units of the same quantity, and how many of each make one `unit`."""
+
+    @property
+    def attributes(self) -> dict[str, str]:
+        """Its unit and description, by the names that CF gives them."""
+        return {"units": self.unit or "1", "long_name": self.description}
 
     @property
     def group(self) -> str:
