@@ -85,10 +85,10 @@ static inline real tdmf_fastest_flight(const flight_coefficients *c, real length
     if (pushed) {
         const real inverse_length = 1.0 / length;
         const real by_square = c->inverse_reduced_mass * inverse_length * inverse_length;
-        const real stiffness = real_max(c->inverse_reduced_mass * c->stiffness, by_square * c->gain);
-        return real_max(
-            real_sqrt(real_max(stiffness, (real_abs(c->push_x) + real_abs(c->push_y)) * inverse_length)),
-            real_max(c->inverse_reduced_mass * c->damping, by_square * c->rate_gain));
+        const real stiffness = real_max(real_max(c->inverse_reduced_mass * c->stiffness, by_square * c->gain),
+                                        (real_abs(c->push_x) + real_abs(c->push_y)) * inverse_length);
+        return real_max(real_sqrt(stiffness),
+                        real_max(c->inverse_reduced_mass * c->damping, by_square * c->rate_gain));
     }
     const real inverse_length = 1.0 / length;
     const real by_square = c->inverse_reduced_mass * inverse_length * inverse_length;

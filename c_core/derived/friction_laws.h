@@ -57,26 +57,45 @@ static inline double tdmf_vary_border_ahead(const tdmf_model *model, tdmf_zone z
 }
 
 /* rho mu, of a foot at rest and an impact that sticks: the cone is |f_t| <= rho mu f_n (2). */
-static inline double tdmf_static_friction(const tdmf_model *model, double friction) {
-    return model->parameters.ground.static_friction_ratio * friction;
+static inline double tdmf_static_friction(const tdmf_model *model, const tdmf_inputs *inputs,
+                                          tdmf_zone zone) {
+    if (zone == TDMF_ZONE_PATCH) {
+        return model->parameters.ground.static_friction_ratio * model->parameters.ground.patch_friction;
+    }
+    return model->parameters.ground.static_friction_ratio * inputs->ground.friction;
 }
 
 /* Its change. */
-static inline double tdmf_vary_static_friction(const tdmf_model *model, double friction,
-                                               const tdmf_model *d_model, double d_friction) {
-    return d_model->parameters.ground.static_friction_ratio * friction +
-           model->parameters.ground.static_friction_ratio * d_friction;
+static inline double tdmf_vary_static_friction(const tdmf_model *model, const tdmf_inputs *inputs,
+                                               tdmf_zone zone, const tdmf_model *d_model,
+                                               const tdmf_inputs *d_inputs) {
+    if (zone == TDMF_ZONE_PATCH) {
+        return d_model->parameters.ground.static_friction_ratio * model->parameters.ground.patch_friction +
+               model->parameters.ground.static_friction_ratio * d_model->parameters.ground.patch_friction;
+    }
+    return d_model->parameters.ground.static_friction_ratio * inputs->ground.friction +
+           model->parameters.ground.static_friction_ratio * d_inputs->ground.friction;
 }
 
 /* mu of a foot that slips, with the sign of its velocity. */
-static inline double tdmf_sliding_friction(double friction, double sign) {
-    return sign * friction;
+static inline double tdmf_signed_friction(const tdmf_model *model, const tdmf_inputs *inputs, tdmf_zone zone,
+                                          double sign) {
+    if (zone == TDMF_ZONE_PATCH) {
+        return sign * model->parameters.ground.patch_friction;
+    }
+    return sign * inputs->ground.friction;
 }
 
 /* Its change. */
-static inline double tdmf_vary_sliding_friction(double friction, double sign, double d_friction) {
-    (void)friction;
-    return sign * d_friction;
+static inline double tdmf_vary_signed_friction(const tdmf_model *model, const tdmf_inputs *inputs,
+                                               tdmf_zone zone, double sign, const tdmf_model *d_model,
+                                               const tdmf_inputs *d_inputs) {
+    (void)model;
+    (void)inputs;
+    if (zone == TDMF_ZONE_PATCH) {
+        return sign * d_model->parameters.ground.patch_friction;
+    }
+    return sign * d_inputs->ground.friction;
 }
 
 /* rho - 1, by what share more a foot at rest is held than one that slips fast. */
@@ -126,13 +145,6 @@ static inline double tdmf_stopped_speed(const tdmf_model *model, double friction
 /* rho mu f_n + s f_t, up to the edge of the cone beyond which a foot at rest slips to the side s (2). */
 static inline double tdmf_room_in_cone(double friction, double sign, tdmf_ground_force force) {
     return friction * force.normal + sign * force.tangential;
-}
-
-/* max(1, rho mu), by which the room in a cone is measured: so a wide one has the forces' own rounding. */
-static inline double tdmf_cone_width(const tdmf_model *model, double friction) {
-    return (1.0 >= model->parameters.ground.static_friction_ratio * friction
-                ? 1.0
-                : model->parameters.ground.static_friction_ratio * friction);
 }
 
 #endif

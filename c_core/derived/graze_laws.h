@@ -25,14 +25,13 @@ static inline tdmf_ground_force tdmf_force_in_stance(const tdmf_model *model, co
         };
         return result;
     }
+    const double across = inputs->hip.external_torque * leg->inverse_length;
+    const double along = leg->axial_force * -leg->ground_sine - across * leg->ground_cosine;
     const double weight = model->parameters.foot.mass * model->parameters.gravity;
+    const double off = leg->axial_force * leg->ground_cosine + across * -leg->ground_sine;
     const tdmf_ground_force result = {
-        .tangential = leg->axial_force * -leg->ground_sine -
-                      inputs->hip.external_torque * leg->inverse_length * leg->ground_cosine +
-                      weight * mode->ground.sine,
-        .normal = leg->axial_force * leg->ground_cosine +
-                  inputs->hip.external_torque * leg->inverse_length * -leg->ground_sine +
-                  weight * mode->ground.cosine,
+        .tangential = along + weight * mode->ground.sine,
+        .normal = off + weight * mode->ground.cosine,
     };
     return result;
 }
@@ -60,23 +59,17 @@ static inline tdmf_ground_force tdmf_force_in_flight(const tdmf_model *model, co
         };
         return result;
     }
-    const double clamped =
-        (model->parameters.hip.kp * (model->parameters.hip.liftoff_angle_factor * mode->liftoff_angle -
-                                     state[TDMF_LEG_ANGLE]) -
-                     model->parameters.hip.kd * state[TDMF_LEG_ANGLE_RATE] >=
-                 0.0
-             ? model->parameters.hip.kp * (model->parameters.hip.liftoff_angle_factor * mode->liftoff_angle -
-                                           state[TDMF_LEG_ANGLE]) -
-                   model->parameters.hip.kd * state[TDMF_LEG_ANGLE_RATE]
-             : 0.0);
+    const double target = model->parameters.hip.liftoff_angle_factor * mode->liftoff_angle;
+    const double servo = model->parameters.hip.kp * (target - state[TDMF_LEG_ANGLE]) -
+                         model->parameters.hip.kd * state[TDMF_LEG_ANGLE_RATE];
+    const double clamped = (servo >= 0.0 ? servo : 0.0);
+    const double across = (clamped + inputs->hip.external_torque) * leg->inverse_length;
+    const double along = leg->axial_force * -leg->ground_sine - across * leg->ground_cosine;
     const double weight = model->parameters.foot.mass * model->parameters.gravity;
+    const double off = leg->axial_force * leg->ground_cosine + across * -leg->ground_sine;
     const tdmf_ground_force result = {
-        .tangential = leg->axial_force * -leg->ground_sine -
-                      (clamped + inputs->hip.external_torque) * leg->inverse_length * leg->ground_cosine +
-                      weight * mode->ground.sine,
-        .normal = leg->axial_force * leg->ground_cosine +
-                  (clamped + inputs->hip.external_torque) * leg->inverse_length * -leg->ground_sine +
-                  weight * mode->ground.cosine,
+        .tangential = along + weight * mode->ground.sine,
+        .normal = off + weight * mode->ground.cosine,
     };
     return result;
 }

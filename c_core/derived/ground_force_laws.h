@@ -54,17 +54,17 @@ static inline tdmf_ground_force tdmf_force_in(const tdmf_model *model, double fr
         return result;
     }
     if (falls) {
-        const double sliding = sign * friction;
         const double exponent = -sign / model->parameters.ground.stribeck_velocity *
                                 (line->cosine * state[TDMF_FOOT_VX] + line->sine * state[TDMF_FOOT_VY]);
         const double decay = exp(exponent);
         const double share = 1.0 + (model->parameters.ground.static_friction_ratio - 1.0) * decay;
+        const double sliding = sign * friction * share;
         const double across = torque * leg->inverse_length;
         const double off = leg->axial_force * leg->ground_cosine + across * -leg->ground_sine;
         const double weight = model->parameters.foot.mass * model->parameters.gravity;
         const double normal = off + weight * line->cosine;
         const tdmf_ground_force result = {
-            .tangential = -(sliding * share * normal),
+            .tangential = -(sliding * normal),
             .normal = normal,
         };
         return result;
@@ -121,12 +121,10 @@ tdmf_vary_force_in(const tdmf_model *model, double friction, const tdmf_ground_l
         return result;
     }
     if (falls) {
-        const double d_sliding = sign * d_friction;
         const double exponent = -sign / model->parameters.ground.stribeck_velocity *
                                 (line->cosine * state[TDMF_FOOT_VX] + line->sine * state[TDMF_FOOT_VY]);
         const double decay = exp(exponent);
         const double share = 1.0 + (model->parameters.ground.static_friction_ratio - 1.0) * decay;
-        const double sliding = sign * friction;
         const double d_exponent =
             -(-sign / model->parameters.ground.stribeck_velocity *
               d_model->parameters.ground.stribeck_velocity) /
@@ -138,10 +136,12 @@ tdmf_vary_force_in(const tdmf_model *model, double friction, const tdmf_ground_l
         const double d_decay = decay * d_exponent;
         const double d_share = d_model->parameters.ground.static_friction_ratio * decay +
                                (model->parameters.ground.static_friction_ratio - 1.0) * d_decay;
+        const double d_sliding = sign * d_friction * share + sign * friction * d_share;
         const double across = torque * leg->inverse_length;
         const double off = leg->axial_force * leg->ground_cosine + across * -leg->ground_sine;
         const double weight = model->parameters.foot.mass * model->parameters.gravity;
         const double normal = off + weight * line->cosine;
+        const double sliding = sign * friction * share;
         const double d_across = d_torque * leg->inverse_length + torque * d_leg->inverse_length;
         const double d_off = d_leg->axial_force * leg->ground_cosine +
                              leg->axial_force * d_leg->ground_cosine +
@@ -150,7 +150,7 @@ tdmf_vary_force_in(const tdmf_model *model, double friction, const tdmf_ground_l
                                 model->parameters.foot.mass * d_model->parameters.gravity;
         const double d_normal = d_off + (d_weight * line->cosine + weight * -(line->sine * d_line->slope));
         const tdmf_ground_force result = {
-            .tangential = -((d_sliding * share + sliding * d_share) * normal + sliding * share * d_normal),
+            .tangential = -(d_sliding * normal + sliding * d_normal),
             .normal = d_normal,
         };
         return result;

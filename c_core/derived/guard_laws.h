@@ -166,16 +166,15 @@ static inline double tdmf_vary_lift_off_guard(const tdmf_evaluation *at, const t
 /* rho mu f_n + f_t: a foot at rest that reaches the edge of the cone (2) here slips forward. */
 static inline double tdmf_slip_onset_positive_guard(const tdmf_evaluation *at) {
     if (tdmf_zone_towards(at->model, at->state[TDMF_FOOT_X], 1.0) == TDMF_ZONE_PATCH) {
-        return (at->model->parameters.ground.static_friction_ratio *
-                    at->model->parameters.ground.patch_friction * at->force.normal +
-                at->force.tangential) /
-                   (at->model->scales.force * tdmf_width_of_cone(at, 1.0)) +
+        const double largest =
+            at->model->parameters.ground.static_friction_ratio * at->model->parameters.ground.patch_friction;
+        return (largest * at->force.normal + at->force.tangential) /
+                   (at->model->scales.force * (1.0 >= largest ? 1.0 : largest)) +
                TDMF_GUARD_MARGIN;
     }
-    return (at->model->parameters.ground.static_friction_ratio * at->inputs->ground.friction *
-                at->force.normal +
-            at->force.tangential) /
-               (at->model->scales.force * tdmf_width_of_cone(at, 1.0)) +
+    const double largest = at->model->parameters.ground.static_friction_ratio * at->inputs->ground.friction;
+    return (largest * at->force.normal + at->force.tangential) /
+               (at->model->scales.force * (1.0 >= largest ? 1.0 : largest)) +
            TDMF_GUARD_MARGIN;
 }
 
@@ -203,16 +202,15 @@ static inline double tdmf_vary_slip_onset_positive_guard(const tdmf_evaluation *
 /* rho mu f_n - f_t: the same, and the foot slips backward. */
 static inline double tdmf_slip_onset_negative_guard(const tdmf_evaluation *at) {
     if (tdmf_zone_towards(at->model, at->state[TDMF_FOOT_X], -1.0) == TDMF_ZONE_PATCH) {
-        return (at->model->parameters.ground.static_friction_ratio *
-                    at->model->parameters.ground.patch_friction * at->force.normal -
-                at->force.tangential) /
-                   (at->model->scales.force * tdmf_width_of_cone(at, -1.0)) +
+        const double largest =
+            at->model->parameters.ground.static_friction_ratio * at->model->parameters.ground.patch_friction;
+        return (largest * at->force.normal - at->force.tangential) /
+                   (at->model->scales.force * (1.0 >= largest ? 1.0 : largest)) +
                TDMF_GUARD_MARGIN;
     }
-    return (at->model->parameters.ground.static_friction_ratio * at->inputs->ground.friction *
-                at->force.normal -
-            at->force.tangential) /
-               (at->model->scales.force * tdmf_width_of_cone(at, -1.0)) +
+    const double largest = at->model->parameters.ground.static_friction_ratio * at->inputs->ground.friction;
+    return (largest * at->force.normal - at->force.tangential) /
+               (at->model->scales.force * (1.0 >= largest ? 1.0 : largest)) +
            TDMF_GUARD_MARGIN;
 }
 
@@ -296,12 +294,11 @@ static inline double tdmf_graze_to_contact_guard(const tdmf_evaluation *at) {
         const double normal = off + weight * at->mode->ground.cosine;
         return -normal / at->model->scales.force + TDMF_GUARD_MARGIN;
     }
+    const double across = at->inputs->hip.external_torque * at->leg.inverse_length;
+    const double off = at->leg.axial_force * at->leg.ground_cosine + across * -at->leg.ground_sine;
     const double weight = at->model->parameters.foot.mass * at->model->parameters.gravity;
-    return -(at->leg.axial_force * at->leg.ground_cosine +
-             at->inputs->hip.external_torque * at->leg.inverse_length * -at->leg.ground_sine +
-             weight * at->mode->ground.cosine) /
-               at->model->scales.force +
-           TDMF_GUARD_MARGIN;
+    const double normal = off + weight * at->mode->ground.cosine;
+    return -normal / at->model->scales.force + TDMF_GUARD_MARGIN;
 }
 
 /* Its change. */
@@ -325,16 +322,18 @@ static inline double tdmf_vary_graze_to_contact_guard(const tdmf_evaluation *at,
                                          weight * -(at->mode->ground.sine * d_at->mode->ground.slope));
         return -d_normal;
     }
+    const double d_across = d_at->inputs->hip.external_torque * at->leg.inverse_length +
+                            at->inputs->hip.external_torque * d_at->leg.inverse_length;
+    const double across = at->inputs->hip.external_torque * at->leg.inverse_length;
+    const double d_off = d_at->leg.axial_force * at->leg.ground_cosine +
+                         at->leg.axial_force * d_at->leg.ground_cosine +
+                         (d_across * -at->leg.ground_sine + across * -d_at->leg.ground_sine);
     const double d_weight = d_at->model->parameters.foot.mass * at->model->parameters.gravity +
                             at->model->parameters.foot.mass * d_at->model->parameters.gravity;
     const double weight = at->model->parameters.foot.mass * at->model->parameters.gravity;
-    return -(
-        d_at->leg.axial_force * at->leg.ground_cosine + at->leg.axial_force * d_at->leg.ground_cosine +
-        ((d_at->inputs->hip.external_torque * at->leg.inverse_length +
-          at->inputs->hip.external_torque * d_at->leg.inverse_length) *
-             -at->leg.ground_sine +
-         at->inputs->hip.external_torque * at->leg.inverse_length * -d_at->leg.ground_sine) +
-        (d_weight * at->mode->ground.cosine + weight * -(at->mode->ground.sine * d_at->mode->ground.slope)));
+    const double d_normal = d_off + (d_weight * at->mode->ground.cosine +
+                                     weight * -(at->mode->ground.sine * d_at->mode->ground.slope));
+    return -d_normal;
 }
 
 /* N of the flight law: it lifts the foot. */
@@ -352,23 +351,15 @@ static inline double tdmf_graze_to_flight_guard(const tdmf_evaluation *at) {
         const double normal = off + weight * at->mode->ground.cosine;
         return normal / at->model->scales.force + TDMF_GUARD_MARGIN;
     }
-    const double clamped =
-        (at->model->parameters.hip.kp *
-                         (at->model->parameters.hip.liftoff_angle_factor * at->mode->liftoff_angle -
-                          at->state[TDMF_LEG_ANGLE]) -
-                     at->model->parameters.hip.kd * at->state[TDMF_LEG_ANGLE_RATE] >=
-                 0.0
-             ? at->model->parameters.hip.kp *
-                       (at->model->parameters.hip.liftoff_angle_factor * at->mode->liftoff_angle -
-                        at->state[TDMF_LEG_ANGLE]) -
-                   at->model->parameters.hip.kd * at->state[TDMF_LEG_ANGLE_RATE]
-             : 0.0);
+    const double target = at->model->parameters.hip.liftoff_angle_factor * at->mode->liftoff_angle;
+    const double servo = at->model->parameters.hip.kp * (target - at->state[TDMF_LEG_ANGLE]) -
+                         at->model->parameters.hip.kd * at->state[TDMF_LEG_ANGLE_RATE];
+    const double clamped = (servo >= 0.0 ? servo : 0.0);
+    const double across = (clamped + at->inputs->hip.external_torque) * at->leg.inverse_length;
+    const double off = at->leg.axial_force * at->leg.ground_cosine + across * -at->leg.ground_sine;
     const double weight = at->model->parameters.foot.mass * at->model->parameters.gravity;
-    return (at->leg.axial_force * at->leg.ground_cosine +
-            (clamped + at->inputs->hip.external_torque) * at->leg.inverse_length * -at->leg.ground_sine +
-            weight * at->mode->ground.cosine) /
-               at->model->scales.force +
-           TDMF_GUARD_MARGIN;
+    const double normal = off + weight * at->mode->ground.cosine;
+    return normal / at->model->scales.force + TDMF_GUARD_MARGIN;
 }
 
 /* Its change. */
@@ -403,43 +394,28 @@ static inline double tdmf_vary_graze_to_flight_guard(const tdmf_evaluation *at, 
         return d_off + (d_weight * at->mode->ground.cosine +
                         weight * -(at->mode->ground.sine * d_at->mode->ground.slope));
     }
-    const double d_clamped =
-        (at->model->parameters.hip.kp *
-                         (at->model->parameters.hip.liftoff_angle_factor * at->mode->liftoff_angle -
-                          at->state[TDMF_LEG_ANGLE]) -
-                     at->model->parameters.hip.kd * at->state[TDMF_LEG_ANGLE_RATE] >=
-                 0.0
-             ? d_at->model->parameters.hip.kp *
-                       (at->model->parameters.hip.liftoff_angle_factor * at->mode->liftoff_angle -
-                        at->state[TDMF_LEG_ANGLE]) +
-                   at->model->parameters.hip.kp *
-                       (d_at->model->parameters.hip.liftoff_angle_factor * at->mode->liftoff_angle +
-                        at->model->parameters.hip.liftoff_angle_factor * d_at->mode->liftoff_angle -
-                        d_at->state[TDMF_LEG_ANGLE]) -
-                   (d_at->model->parameters.hip.kd * at->state[TDMF_LEG_ANGLE_RATE] +
-                    at->model->parameters.hip.kd * d_at->state[TDMF_LEG_ANGLE_RATE])
-             : 0.0);
-    const double clamped =
-        (at->model->parameters.hip.kp *
-                         (at->model->parameters.hip.liftoff_angle_factor * at->mode->liftoff_angle -
-                          at->state[TDMF_LEG_ANGLE]) -
-                     at->model->parameters.hip.kd * at->state[TDMF_LEG_ANGLE_RATE] >=
-                 0.0
-             ? at->model->parameters.hip.kp *
-                       (at->model->parameters.hip.liftoff_angle_factor * at->mode->liftoff_angle -
-                        at->state[TDMF_LEG_ANGLE]) -
-                   at->model->parameters.hip.kd * at->state[TDMF_LEG_ANGLE_RATE]
-             : 0.0);
+    const double target = at->model->parameters.hip.liftoff_angle_factor * at->mode->liftoff_angle;
+    const double servo = at->model->parameters.hip.kp * (target - at->state[TDMF_LEG_ANGLE]) -
+                         at->model->parameters.hip.kd * at->state[TDMF_LEG_ANGLE_RATE];
+    const double d_target = d_at->model->parameters.hip.liftoff_angle_factor * at->mode->liftoff_angle +
+                            at->model->parameters.hip.liftoff_angle_factor * d_at->mode->liftoff_angle;
+    const double d_servo = d_at->model->parameters.hip.kp * (target - at->state[TDMF_LEG_ANGLE]) +
+                           at->model->parameters.hip.kp * (d_target - d_at->state[TDMF_LEG_ANGLE]) -
+                           (d_at->model->parameters.hip.kd * at->state[TDMF_LEG_ANGLE_RATE] +
+                            at->model->parameters.hip.kd * d_at->state[TDMF_LEG_ANGLE_RATE]);
+    const double d_clamped = (servo >= 0.0 ? d_servo : 0.0);
+    const double clamped = (servo >= 0.0 ? servo : 0.0);
+    const double d_across = (d_clamped + d_at->inputs->hip.external_torque) * at->leg.inverse_length +
+                            (clamped + at->inputs->hip.external_torque) * d_at->leg.inverse_length;
+    const double across = (clamped + at->inputs->hip.external_torque) * at->leg.inverse_length;
+    const double d_off = d_at->leg.axial_force * at->leg.ground_cosine +
+                         at->leg.axial_force * d_at->leg.ground_cosine +
+                         (d_across * -at->leg.ground_sine + across * -d_at->leg.ground_sine);
     const double d_weight = d_at->model->parameters.foot.mass * at->model->parameters.gravity +
                             at->model->parameters.foot.mass * d_at->model->parameters.gravity;
     const double weight = at->model->parameters.foot.mass * at->model->parameters.gravity;
-    return d_at->leg.axial_force * at->leg.ground_cosine + at->leg.axial_force * d_at->leg.ground_cosine +
-           (((d_clamped + d_at->inputs->hip.external_torque) * at->leg.inverse_length +
-             (clamped + at->inputs->hip.external_torque) * d_at->leg.inverse_length) *
-                -at->leg.ground_sine +
-            (clamped + at->inputs->hip.external_torque) * at->leg.inverse_length * -d_at->leg.ground_sine) +
-           (d_weight * at->mode->ground.cosine +
-            weight * -(at->mode->ground.sine * d_at->mode->ground.slope));
+    return d_off + (d_weight * at->mode->ground.cosine +
+                    weight * -(at->mode->ground.sine * d_at->mode->ground.slope));
 }
 
 #endif

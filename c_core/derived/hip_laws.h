@@ -216,8 +216,8 @@ static inline double tdmf_servo_torque(const tdmf_model *model, const tdmf_input
         return model->parameters.hip.kp * (target - state[TDMF_LEG_ANGLE]) -
                model->parameters.hip.kd * state[TDMF_LEG_ANGLE_RATE] + torque;
     }
-    return model->parameters.hip.kp *
-               (model->parameters.hip.liftoff_angle_factor * mode->liftoff_angle - state[TDMF_LEG_ANGLE]) -
+    const double target = model->parameters.hip.liftoff_angle_factor * mode->liftoff_angle;
+    return model->parameters.hip.kp * (target - state[TDMF_LEG_ANGLE]) -
            model->parameters.hip.kd * state[TDMF_LEG_ANGLE_RATE];
 }
 
@@ -240,11 +240,11 @@ static inline double tdmf_vary_servo_torque(const tdmf_model *model, const tdmf_
                 model->parameters.hip.kd * d_state[TDMF_LEG_ANGLE_RATE]) +
                d_torque;
     }
-    return d_model->parameters.hip.kp *
-               (model->parameters.hip.liftoff_angle_factor * mode->liftoff_angle - state[TDMF_LEG_ANGLE]) +
-           model->parameters.hip.kp * (d_model->parameters.hip.liftoff_angle_factor * mode->liftoff_angle +
-                                       model->parameters.hip.liftoff_angle_factor * d_mode->liftoff_angle -
-                                       d_state[TDMF_LEG_ANGLE]) -
+    const double target = model->parameters.hip.liftoff_angle_factor * mode->liftoff_angle;
+    const double d_target = d_model->parameters.hip.liftoff_angle_factor * mode->liftoff_angle +
+                            model->parameters.hip.liftoff_angle_factor * d_mode->liftoff_angle;
+    return d_model->parameters.hip.kp * (target - state[TDMF_LEG_ANGLE]) +
+           model->parameters.hip.kp * (d_target - d_state[TDMF_LEG_ANGLE]) -
            (d_model->parameters.hip.kd * state[TDMF_LEG_ANGLE_RATE] +
             model->parameters.hip.kd * d_state[TDMF_LEG_ANGLE_RATE]);
 }
@@ -275,8 +275,8 @@ static inline double tdmf_torque_in(const tdmf_model *model, const tdmf_inputs *
         if (mode->clamp_closed) {
             return inputs->hip.external_torque;
         }
-        return model->parameters.hip.kp * (model->parameters.hip.liftoff_angle_factor * mode->liftoff_angle -
-                                           state[TDMF_LEG_ANGLE]) -
+        const double target = model->parameters.hip.liftoff_angle_factor * mode->liftoff_angle;
+        return model->parameters.hip.kp * (target - state[TDMF_LEG_ANGLE]) -
                model->parameters.hip.kd * state[TDMF_LEG_ANGLE_RATE] + inputs->hip.external_torque;
     }
     if (mode->mid_stance_pending) {
@@ -334,13 +334,11 @@ static inline double tdmf_vary_torque_in(const tdmf_model *model, const tdmf_inp
         if (mode->clamp_closed) {
             return d_inputs->hip.external_torque;
         }
-        return d_model->parameters.hip.kp *
-                   (model->parameters.hip.liftoff_angle_factor * mode->liftoff_angle -
-                    state[TDMF_LEG_ANGLE]) +
-               model->parameters.hip.kp *
-                   (d_model->parameters.hip.liftoff_angle_factor * mode->liftoff_angle +
-                    model->parameters.hip.liftoff_angle_factor * d_mode->liftoff_angle -
-                    d_state[TDMF_LEG_ANGLE]) -
+        const double target = model->parameters.hip.liftoff_angle_factor * mode->liftoff_angle;
+        const double d_target = d_model->parameters.hip.liftoff_angle_factor * mode->liftoff_angle +
+                                model->parameters.hip.liftoff_angle_factor * d_mode->liftoff_angle;
+        return d_model->parameters.hip.kp * (target - state[TDMF_LEG_ANGLE]) +
+               model->parameters.hip.kp * (d_target - d_state[TDMF_LEG_ANGLE]) -
                (d_model->parameters.hip.kd * state[TDMF_LEG_ANGLE_RATE] +
                 model->parameters.hip.kd * d_state[TDMF_LEG_ANGLE_RATE]) +
                d_inputs->hip.external_torque;

@@ -71,21 +71,22 @@ static inline tdmf_after_impact tdmf_impact_with(const tdmf_model *model, double
         line->cosine * state[TDMF_FOOT_X] + line->sine * (state[TDMF_FOOT_Y] - line->height);
     const double along = line->cosine * state[TDMF_FOOT_VX] + line->sine * state[TDMF_FOOT_VY];
     const double off = line->cosine * state[TDMF_FOOT_VY] - line->sine * state[TDMF_FOOT_VX];
-    const double foot_vx = line->cosine * (along + sign * friction * off);
-    const double foot_vy = line->sine * (along + sign * friction * off);
+    const double along_after = along + sign * friction * off;
+    const double vx = line->cosine * along_after;
+    const double vy = line->sine * along_after;
+    const double lost_y = state[TDMF_FOOT_VY] - vy;
+    const double lost_x = state[TDMF_FOOT_VX] - vx;
     const tdmf_after_impact result = {
         .foot_x = line->cosine * offset,
         .foot_y = line->height + line->sine * offset,
-        .foot_vx = foot_vx,
-        .foot_vy = foot_vy,
-        .leg_length_rate = state[TDMF_LEG_LENGTH_RATE] + (direction.cosine * (state[TDMF_FOOT_VY] - foot_vy) -
-                                                          direction.sine * (state[TDMF_FOOT_VX] - foot_vx)),
-        .leg_angle_rate = state[TDMF_LEG_ANGLE_RATE] - (direction.cosine * (state[TDMF_FOOT_VX] - foot_vx) +
-                                                        direction.sine * (state[TDMF_FOOT_VY] - foot_vy)) /
-                                                           state[TDMF_LEG_LENGTH],
-        .loss = 0.5 * (model->parameters.foot.mass * ((along - (along + sign * friction * off)) *
-                                                          (along + (along + sign * friction * off)) +
-                                                      off * off)),
+        .foot_vx = vx,
+        .foot_vy = vy,
+        .leg_length_rate =
+            state[TDMF_LEG_LENGTH_RATE] + (direction.cosine * lost_y - direction.sine * lost_x),
+        .leg_angle_rate = state[TDMF_LEG_ANGLE_RATE] -
+                          (direction.cosine * lost_x + direction.sine * lost_y) / state[TDMF_LEG_LENGTH],
+        .loss =
+            0.5 * (model->parameters.foot.mass * ((along - along_after) * (along + along_after) + off * off)),
     };
     return result;
 }
@@ -234,46 +235,43 @@ tdmf_vary_impact_with(const tdmf_model *model, double friction, const tdmf_groun
                              line->sine * (d_state[TDMF_FOOT_Y] - d_line->height));
     const double along = line->cosine * state[TDMF_FOOT_VX] + line->sine * state[TDMF_FOOT_VY];
     const double off = line->cosine * state[TDMF_FOOT_VY] - line->sine * state[TDMF_FOOT_VX];
+    const double along_after = along + sign * friction * off;
     const double d_along =
         -(line->sine * d_line->slope) * state[TDMF_FOOT_VX] + line->cosine * d_state[TDMF_FOOT_VX] +
         (line->cosine * d_line->slope * state[TDMF_FOOT_VY] + line->sine * d_state[TDMF_FOOT_VY]);
     const double d_off =
         -(line->sine * d_line->slope) * state[TDMF_FOOT_VY] + line->cosine * d_state[TDMF_FOOT_VY] -
         (line->cosine * d_line->slope * state[TDMF_FOOT_VX] + line->sine * d_state[TDMF_FOOT_VX]);
-    const double d_foot_vx = -(line->sine * d_line->slope) * (along + sign * friction * off) +
-                             line->cosine * (d_along + (sign * d_friction * off + sign * friction * d_off));
-    const double d_foot_vy = line->cosine * d_line->slope * (along + sign * friction * off) +
-                             line->sine * (d_along + (sign * d_friction * off + sign * friction * d_off));
-    const double foot_vy = line->sine * (along + sign * friction * off);
-    const double foot_vx = line->cosine * (along + sign * friction * off);
+    const double d_along_after = d_along + (sign * d_friction * off + sign * friction * d_off);
+    const double d_vx = -(line->sine * d_line->slope) * along_after + line->cosine * d_along_after;
+    const double d_vy = line->cosine * d_line->slope * along_after + line->sine * d_along_after;
+    const double vy = line->sine * along_after;
+    const double lost_y = state[TDMF_FOOT_VY] - vy;
+    const double d_lost_y = d_state[TDMF_FOOT_VY] - d_vy;
+    const double vx = line->cosine * along_after;
+    const double lost_x = state[TDMF_FOOT_VX] - vx;
+    const double d_lost_x = d_state[TDMF_FOOT_VX] - d_vx;
     const tdmf_after_impact result = {
         .foot_x = -(line->sine * d_line->slope) * offset + line->cosine * d_offset,
         .foot_y = d_line->height + (line->cosine * d_line->slope * offset + line->sine * d_offset),
-        .foot_vx = d_foot_vx,
-        .foot_vy = d_foot_vy,
-        .leg_length_rate = d_state[TDMF_LEG_LENGTH_RATE] +
-                           (-(direction.sine * d_state[TDMF_LEG_ANGLE]) * (state[TDMF_FOOT_VY] - foot_vy) +
-                            direction.cosine * (d_state[TDMF_FOOT_VY] - d_foot_vy) -
-                            (direction.cosine * d_state[TDMF_LEG_ANGLE] * (state[TDMF_FOOT_VX] - foot_vx) +
-                             direction.sine * (d_state[TDMF_FOOT_VX] - d_foot_vx))),
-        .leg_angle_rate = d_state[TDMF_LEG_ANGLE_RATE] -
-                          (-(direction.sine * d_state[TDMF_LEG_ANGLE]) * (state[TDMF_FOOT_VX] - foot_vx) +
-                           direction.cosine * (d_state[TDMF_FOOT_VX] - d_foot_vx) +
-                           (direction.cosine * d_state[TDMF_LEG_ANGLE] * (state[TDMF_FOOT_VY] - foot_vy) +
-                            direction.sine * (d_state[TDMF_FOOT_VY] - d_foot_vy)) -
-                           (direction.cosine * (state[TDMF_FOOT_VX] - foot_vx) +
-                            direction.sine * (state[TDMF_FOOT_VY] - foot_vy)) /
-                               state[TDMF_LEG_LENGTH] * d_state[TDMF_LEG_LENGTH]) /
-                              state[TDMF_LEG_LENGTH],
-        .loss = 0.5 * (d_model->parameters.foot.mass * ((along - (along + sign * friction * off)) *
-                                                            (along + (along + sign * friction * off)) +
-                                                        off * off) +
-                       model->parameters.foot.mass *
-                           ((d_along - (d_along + (sign * d_friction * off + sign * friction * d_off))) *
-                                (along + (along + sign * friction * off)) +
-                            (along - (along + sign * friction * off)) *
-                                (d_along + (d_along + (sign * d_friction * off + sign * friction * d_off))) +
-                            2.0 * (off * d_off))),
+        .foot_vx = d_vx,
+        .foot_vy = d_vy,
+        .leg_length_rate =
+            d_state[TDMF_LEG_LENGTH_RATE] +
+            (-(direction.sine * d_state[TDMF_LEG_ANGLE]) * lost_y + direction.cosine * d_lost_y -
+             (direction.cosine * d_state[TDMF_LEG_ANGLE] * lost_x + direction.sine * d_lost_x)),
+        .leg_angle_rate =
+            d_state[TDMF_LEG_ANGLE_RATE] -
+            (-(direction.sine * d_state[TDMF_LEG_ANGLE]) * lost_x + direction.cosine * d_lost_x +
+             (direction.cosine * d_state[TDMF_LEG_ANGLE] * lost_y + direction.sine * d_lost_y) -
+             (direction.cosine * lost_x + direction.sine * lost_y) / state[TDMF_LEG_LENGTH] *
+                 d_state[TDMF_LEG_LENGTH]) /
+                state[TDMF_LEG_LENGTH],
+        .loss = 0.5 *
+                (d_model->parameters.foot.mass * ((along - along_after) * (along + along_after) + off * off) +
+                 model->parameters.foot.mass *
+                     ((d_along - d_along_after) * (along + along_after) +
+                      (along - along_after) * (d_along + d_along_after) + 2.0 * (off * d_off))),
     };
     return result;
 }

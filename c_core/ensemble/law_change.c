@@ -69,7 +69,7 @@ static bool lasts(const tdmf_runner *runner, const tdmf_mode *mode, const tdmf_s
         system.model, &mode->ground, at, tdmf_rest_length(system.model, system.inputs, mode), torque);
     return force.normal > 0.0 &&
            (mode->contact != TDMF_CONTACT_STICK ||
-            tdmf_inside_friction_cone(force, tdmf_static_friction_towards(system, 0.0, 1.0)));
+            tdmf_inside_friction_cone(force, tdmf_static_friction(system.model, system.inputs, mode->zone)));
 }
 
 /* Goes to the instant and the place of the event, and takes it. */
@@ -99,7 +99,8 @@ static bool change_stance(tdmf_runner *runner, standing_member *m, tdmf_guard re
     m->at.at.foot_vx = at.standing.foot_vx;
     take(runner, m, reached);
     m->constants.law.torque = torque;
-    m->constants.law.friction = tdmf_signed_friction(system, &mode);
+    m->constants.law.friction =
+        tdmf_signed_friction(system.model, system.inputs, mode.zone, tdmf_sign_of_slip(&mode));
     m->constants.slip_sign = tdmf_sign_of_slip(&mode);
     m->constants.drives = mode.mid_stance_pending ? m->constants.drives : 0.0;
     m->constants.mode.margin_factor = tdmf_margin_factor(0);

@@ -54,6 +54,11 @@ def slip_onset_negative(at, zone):
     return friction.room(friction.static(at.model, friction.below(at.model, at.inputs, zone)), -1, at.force)
 
 
+def cone_width(at, zone):
+    """max(1, rho mu), by which the room in the cone of a foot at rest is measured."""
+    return friction.width(at.model, friction.below(at.model, at.inputs, zone))
+
+
 def slip_velocity_zero(at, sign):
     """sgn(v_t) v_t, the speed of a foot that slips."""
     return sign * ground_line.along(at.mode.ground, at.state.foot_vx, at.state.foot_vy)
@@ -104,8 +109,8 @@ class Event(NamedTuple):
     must not. `band` is the margin by which a guard is armed: "dead" for a sign that is remembered, "apex"
     for either, with a margin of its own, "by hand" where C arms it. `reach` tells how near to its zero it
     is due where a solver has come there: within half of its margin, or of the dead band where nothing
-    depends on what is left of it. `slack` is what C adds to the guard, `width` a further scale that it
-    asks for, `arguments` are further ones of the law, with what C hands in. `takes` names the reset where
+    depends on what is left of it. `slack` is what C adds to the guard, `width` the law of a further scale,
+    `arguments` are further ones of both laws, with what C hands in. `takes` names the reset where
     it has not the event's name; it is "" where the record alone knows of the event. `jumps` tells that a
     variation of the state jumps, by a function of C. `varied` is False where no variation outlives the event,
     and "by hand" where C has the change of the guard.
@@ -118,7 +123,7 @@ class Event(NamedTuple):
     only_while: str = ""
     band: str = ""
     slack: str = ""
-    width: str = ""
+    width: Callable[..., Any] | None = None
     arguments: tuple[tuple[str, str], ...] = ()
     takes: str | None = None
     jumps: bool = False
@@ -133,7 +138,6 @@ ON_GROUND = {"stick": ALL, "slip": ALL, "graze": ALL}
 CONTACT = {"stick": ALL, "slip": ALL}
 FLIGHT, STICK, SLIP, GRAZE = ({mode: ALL} for mode in ("flight", "stick", "slip", "graze"))
 FORWARD, BACKWARD = (f"tdmf_zone_towards(at->model, at->state[TDMF_FOOT_X], {s})" for s in ("1.0", "-1.0"))
-CONE = "tdmf_width_of_cone(at, {})"
 
 # In the order in which those are taken that are due at one instant. Of one force the sign tells contact and
 # graze apart, and a fall has to be seen by whoever looks at it: those are due within their margin only.
@@ -167,7 +171,7 @@ EVENTS = [
         slip_onset_positive,
         "force",
         STICK,
-        width=CONE.format("1.0"),
+        width=cone_width,
         arguments=(("zone", FORWARD),),
     ),
     Event(
@@ -175,7 +179,7 @@ EVENTS = [
         slip_onset_negative,
         "force",
         STICK,
-        width=CONE.format("-1.0"),
+        width=cone_width,
         arguments=(("zone", BACKWARD),),
     ),
     Event(

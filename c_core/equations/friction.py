@@ -73,7 +73,8 @@ def room(friction, sign, force):
 
 def width(model, friction):
     """max(1, rho mu), by which the room in a cone is measured: so a wide one has the forces' own rounding."""
-    return larger(1, static(model, friction))
+    largest = static(model, friction)
+    return larger(1, largest)
 
 
 def cone(friction, rate, time):

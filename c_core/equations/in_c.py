@@ -139,14 +139,21 @@ FUNCTIONS = {
     "friction": [
         InC("double friction_below", friction.below),
         InC("double border_ahead", friction.border_ahead),
-        InC("double static_friction", friction.static),
-        InC("double sliding_friction", friction.sliding),
+        InC(
+            "double static_friction",
+            friction.static,
+            lambda model, inputs, zone: (model, friction.below(model, inputs, zone)),
+        ),
+        InC(
+            "double signed_friction",
+            friction.sliding,
+            lambda model, inputs, zone, sign: (friction.below(model, inputs, zone), sign),
+        ),
         InC("double friction_excess", friction.excess),
         InC("double friction_fading", friction.fading),
         InC("double friction_growth_rate", friction.growth_rate, varied=False),
         InC("double stopped_speed", friction.stopped_speed, varied=False),
         InC("double room_in_cone", friction.room, varied=False),
-        InC("double cone_width", friction.width, varied=False),
     ],
     "ground_force": [
         InC("tdmf_ground_force force_under", ground_force.under, varied=False),

@@ -70,12 +70,6 @@ static inline double tdmf_vary_vertical_force(const tdmf_evaluation *at, const t
         .y;
 }
 
-/* The width of the cone of a foot at rest that is pushed to the side of a sign. */
-static inline double tdmf_width_of_cone(const tdmf_evaluation *at, double direction) {
-    return tdmf_cone_width(at->model, tdmf_friction_towards((tdmf_system){at->model, at->inputs},
-                                                            at->state[TDMF_FOOT_X], direction));
-}
-
 /* What the height of the foot may be wrong by. */
 static inline double tdmf_rounding_at_foot(const tdmf_evaluation *at) {
     return tdmf_rounding_of_height(&at->mode->ground, at->state[TDMF_FOOT_X]);

@@ -11,17 +11,19 @@
 typedef struct {
     double sign;
     bool sticks;
-    double friction; /* where the foot lands */
+    tdmf_zone zone; /* where the foot lands */
+    double friction;
 } impact_kind;
 
 static impact_kind kind_of(tdmf_system system, const tdmf_ground_line *ground,
                            const double state[TDMF_STATE_COUNT]) {
     const double along = tdmf_velocity_along(ground, state[TDMF_FOOT_VX], state[TDMF_FOOT_VY]);
     const double off = tdmf_velocity_off(ground, state[TDMF_FOOT_VX], state[TDMF_FOOT_VY]);
-    const double friction = tdmf_friction_towards(system, state[TDMF_FOOT_X], along);
+    const tdmf_zone zone = tdmf_zone_towards(system.model, state[TDMF_FOOT_X], along);
+    const double friction = tdmf_friction_below(system.model, system.inputs, zone);
     const double stopped =
         tdmf_stopped_speed(system.model, friction, fabs(off), tdmf_friction_falls(system.model));
-    const impact_kind kind = {copysign(1.0, along), fabs(along) <= stopped, friction};
+    const impact_kind kind = {copysign(1.0, along), fabs(along) <= stopped, zone, friction};
     return kind;
 }
 
@@ -53,8 +55,8 @@ double tdmf_vary_impact(tdmf_system system, const tdmf_ground_line *ground,
                         const double before[TDMF_STATE_COUNT], const tdmf_local_seed *d,
                         double d_state[TDMF_STATE_COUNT]) {
     const impact_kind kind = kind_of(system, ground, before);
-    const double along = tdmf_velocity_along(ground, before[TDMF_FOOT_VX], before[TDMF_FOOT_VY]);
-    const double d_friction = tdmf_vary_friction_towards(system, before[TDMF_FOOT_X], along, d);
+    const double d_friction =
+        tdmf_vary_friction_below(system.model, system.inputs, kind.zone, &d->model, &d->inputs);
     const tdmf_after_impact d_after = tdmf_vary_impact_with(
         system.model, kind.friction, ground, before, tdmf_leg_direction_of(before), kind.sign, kind.sticks,
         tdmf_friction_falls(system.model), &d->model, d_friction, &d->mode.ground, d_state);

@@ -8,8 +8,8 @@
 
 /* kappa, at up to which a slip grows by itself. */
 static double growth_rate_of_slip(const tdmf_evaluation *at, double sign) {
-    return at->force.normal * tdmf_friction_growth_rate(at->model, tdmf_sliding_friction(at->friction, sign),
-                                                        tdmf_friction_excess(at->model),
+    const double friction = tdmf_signed_friction(at->model, at->inputs, at->mode->zone, sign);
+    return at->force.normal * tdmf_friction_growth_rate(at->model, friction, tdmf_friction_excess(at->model),
                                                         tdmf_friction_fading(at->model, sign));
 }
 

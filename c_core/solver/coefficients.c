@@ -57,7 +57,6 @@ ground_coefficients tdmf_vary_ground_coefficients(const tdmf_mode_equations *equ
                                                   const tdmf_local_seed *d) {
     const tdmf_model *model = equations->model;
     const tdmf_inputs *inputs = &equations->inputs;
-    const tdmf_system system = {model, inputs}, d_system = {&d->model, &d->inputs};
     const tdmf_hip_law d_law = vary_law_on_ground(equations, mode, d);
     const double sign = tdmf_sign_of_slip(mode);
     const double d_excess = equations->falls ? tdmf_vary_friction_excess(model, &d->model) : 0.0;
@@ -66,7 +65,9 @@ ground_coefficients tdmf_vary_ground_coefficients(const tdmf_mode_equations *equ
         model, &equations->ground, &equations->law, equations->rest_length, equations->push,
         equations->friction, equations->friction_excess, equations->friction_fading, &d->model,
         &d->mode.ground, &d_law, tdmf_vary_rest_length(model, inputs, mode, &d->model, &d->inputs, &d->mode),
-        tdmf_vary_push(equations, d), tdmf_vary_signed_friction(system, mode, d_system), d_excess, d_fading);
+        tdmf_vary_push(equations, d),
+        tdmf_vary_signed_friction(model, inputs, mode->zone, sign, &d->model, &d->inputs), d_excess,
+        d_fading);
     if (sign != 0.0 && tdmf_friction_has_no_derivative(model, d)) {
         varied.friction = NAN;
     }

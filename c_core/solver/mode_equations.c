@@ -53,7 +53,6 @@ static void open_patch(tdmf_mode_equations *equations, const tdmf_inputs *inputs
                        const tdmf_mode *mode, double x) {
     static const tdmf_model constant = {.inverse_body_mass = 0.0};
     const tdmf_model *model = equations->model;
-    const tdmf_system system = {model, inputs}, rate = {&constant, rates};
     if (tdmf_slips_to_border(model, mode)) {
         const bool forward = tdmf_sign_of_slip(mode) > 0.0;
         equations->meets_border = true;
@@ -61,8 +60,9 @@ static void open_patch(tdmf_mode_equations *equations, const tdmf_inputs *inputs
     }
     if (mode->contact == TDMF_CONTACT_STICK && tdmf_is_on_border(model, x)) {
         equations->meets_border = true;
-        equations->backward_friction = tdmf_static_friction_towards(system, x, -1.0);
-        equations->backward_friction_rate = tdmf_vary_static_friction_towards(system, x, -1.0, rate);
+        const tdmf_zone zone = tdmf_zone_towards(model, x, -1.0);
+        equations->backward_friction = tdmf_static_friction(model, inputs, zone);
+        equations->backward_friction_rate = tdmf_vary_static_friction(model, inputs, zone, &constant, rates);
     }
 }
 
@@ -90,16 +90,17 @@ static void open_friction(tdmf_mode_equations *equations, const tdmf_inputs *inp
                           const tdmf_mode *mode, double x) {
     static const tdmf_model constant = {.inverse_body_mass = 0.0};
     const tdmf_model *model = equations->model;
-    const tdmf_system system = {model, inputs}, rate = {&constant, rates};
-    equations->friction = tdmf_signed_friction(system, mode);
-    equations->friction_rate = tdmf_vary_signed_friction(system, mode, rate);
-    if (tdmf_friction_falls(model) && tdmf_sign_of_slip(mode) != 0.0) {
+    const double sign = tdmf_sign_of_slip(mode);
+    const tdmf_zone ahead = tdmf_zone_towards(model, x, 1.0);
+    equations->friction = tdmf_signed_friction(model, inputs, mode->zone, sign);
+    equations->friction_rate = tdmf_vary_signed_friction(model, inputs, mode->zone, sign, &constant, rates);
+    if (tdmf_friction_falls(model) && sign != 0.0) {
         equations->falls = true;
         equations->friction_excess = tdmf_friction_excess(model);
-        equations->friction_fading = tdmf_friction_fading(model, tdmf_sign_of_slip(mode));
+        equations->friction_fading = tdmf_friction_fading(model, sign);
     }
-    equations->static_friction = tdmf_static_friction_towards(system, x, 1.0);
-    equations->static_friction_rate = tdmf_vary_static_friction_towards(system, x, 1.0, rate);
+    equations->static_friction = tdmf_static_friction(model, inputs, ahead);
+    equations->static_friction_rate = tdmf_vary_static_friction(model, inputs, ahead, &constant, rates);
     if (tdmf_has_patch(model)) {
         open_patch(equations, inputs, rates, mode, x);
     }

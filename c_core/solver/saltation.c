@@ -19,7 +19,10 @@
 
 /* This holds to one side, at least. */
 static bool has_no_friction(tdmf_system system, double x) {
-    return tdmf_friction_towards(system, x, 1.0) == 0.0 || tdmf_friction_towards(system, x, -1.0) == 0.0;
+    const tdmf_zone ahead = tdmf_zone_towards(system.model, x, 1.0);
+    const tdmf_zone behind = tdmf_zone_towards(system.model, x, -1.0);
+    return tdmf_friction_below(system.model, system.inputs, ahead) == 0.0 ||
+           tdmf_friction_below(system.model, system.inputs, behind) == 0.0;
 }
 
 /* Where a neighbour's events differ in kind, no derivative tells what becomes of it: the foot met the ground

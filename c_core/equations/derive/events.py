@@ -61,7 +61,7 @@ def armed(event: Event) -> Callable[..., Any]:
         value = event.law(at, *arguments)
         value = value + symbol(event.slack) if event.slack else value
         scale = getattr(at.model.scales, event.scale) if event.scale else 1
-        scale = scale * symbol(event.width) if event.width else scale
+        scale = scale * event.width(at, *arguments) if event.width else scale
         is_dead = event.band == "apex" and not at.mode.rises
         return value / scale + symbol(BANDS["dead" if is_dead else event.band])
 

@@ -123,6 +123,7 @@ class Function:
 
     def run(self) -> dict[str, Expression]:
         """Give the law's results by their names as members, that of a single number as ''."""
+        begin_anew()
         known.clear()
         handed = [symbol(name, pointer=type_.endswith("*")) for name, type_ in self.types.items()]
         results = trace(self.law, *(self.call(*handed) if self.call else handed))
@@ -171,7 +172,6 @@ class Function:
 
     def function(self, name: str, types: dict[str, str], results: Callable[[], dict[str, Expression]]) -> str:
         """Write one C function."""
-        begin_anew()
         body = of_all_cases(lambda: self.statements(results(), types))
         voids = "".join(f"(void){n};\n" for n in types if not re.search(rf"(?<![.>])\b{n}\b", body))
         declared = ", ".join(f"{type_} {n}" for n, type_ in types.items())

@@ -80,9 +80,8 @@ static tdmf_mode mode_off_ground(const tdmf_run *run) {
 tdmf_contact_mode tdmf_mode_of_resting_foot(const tdmf_run *run, const tdmf_mode *mode) {
     const tdmf_evaluation at = tdmf_evaluate_run(run, mode);
     const tdmf_ground_force force = tdmf_force_in_stance(at.model, at.inputs, at.mode, at.state, &at.leg);
-    const double friction =
-        tdmf_static_friction_towards(run->system, run->motion->state[TDMF_FOOT_X], -force.tangential);
-    if (tdmf_inside_friction_cone(force, friction)) {
+    const tdmf_zone zone = tdmf_zone_towards(at.model, at.state[TDMF_FOOT_X], -force.tangential);
+    if (tdmf_inside_friction_cone(force, tdmf_static_friction(at.model, at.inputs, zone))) {
         return TDMF_CONTACT_STICK;
     }
     return force.tangential < 0.0 ? TDMF_CONTACT_SLIP_POSITIVE : TDMF_CONTACT_SLIP_NEGATIVE;
