@@ -8,21 +8,21 @@
 
 /* m |v_m|^2/2 + m_f |v|^2/2, m g y_m + m_f g y, k (l - r)^2/2, and their sum. */
 static inline tdmf_energy tdmf_energy_with(const tdmf_model *model, const double state[TDMF_STATE_COUNT],
-                                           tdmf_leg_direction direction, double rest_length) {
+                                           const tdmf_leg *leg) {
     const double across = state[TDMF_LEG_LENGTH] * state[TDMF_LEG_ANGLE_RATE];
-    const double vx = -state[TDMF_LEG_LENGTH_RATE] * direction.sine - across * direction.cosine;
-    const double vy = state[TDMF_LEG_LENGTH_RATE] * direction.cosine - across * direction.sine;
+    const double vx = -state[TDMF_LEG_LENGTH_RATE] * leg->sine - across * leg->cosine;
+    const double vy = state[TDMF_LEG_LENGTH_RATE] * leg->cosine - across * leg->sine;
     const double body_square = (state[TDMF_FOOT_VX] + vx) * (state[TDMF_FOOT_VX] + vx) +
                                (state[TDMF_FOOT_VY] + vy) * (state[TDMF_FOOT_VY] + vy);
     const double foot_square =
         state[TDMF_FOOT_VX] * state[TDMF_FOOT_VX] + state[TDMF_FOOT_VY] * state[TDMF_FOOT_VY];
     const double kinetic =
         0.5 * (model->parameters.body.mass * body_square + model->parameters.foot.mass * foot_square);
-    const double y = state[TDMF_LEG_LENGTH] * direction.cosine;
+    const double y = state[TDMF_LEG_LENGTH] * leg->cosine;
     const double potential =
         model->parameters.gravity * (model->parameters.body.mass * (state[TDMF_FOOT_Y] + y) +
                                      model->parameters.foot.mass * state[TDMF_FOOT_Y]);
-    const double compression = rest_length - state[TDMF_LEG_LENGTH];
+    const double compression = leg->rest_length - state[TDMF_LEG_LENGTH];
     const double elastic = 0.5 * (model->parameters.leg.stiffness * compression * compression);
     const tdmf_energy result = {
         .kinetic = kinetic,
@@ -35,23 +35,22 @@ static inline tdmf_energy tdmf_energy_with(const tdmf_model *model, const double
 
 /* Its change. */
 static inline tdmf_energy tdmf_vary_energy_with(const tdmf_model *model, const double state[TDMF_STATE_COUNT],
-                                                tdmf_leg_direction direction, double rest_length,
-                                                const tdmf_model *d_model,
+                                                const tdmf_leg *leg, const tdmf_model *d_model,
                                                 const double d_state[TDMF_STATE_COUNT],
-                                                double d_rest_length) {
+                                                const tdmf_leg *d_leg) {
     const double across = state[TDMF_LEG_LENGTH] * state[TDMF_LEG_ANGLE_RATE];
-    const double vx = -state[TDMF_LEG_LENGTH_RATE] * direction.sine - across * direction.cosine;
-    const double vy = state[TDMF_LEG_LENGTH_RATE] * direction.cosine - across * direction.sine;
+    const double vx = -state[TDMF_LEG_LENGTH_RATE] * leg->sine - across * leg->cosine;
+    const double vy = state[TDMF_LEG_LENGTH_RATE] * leg->cosine - across * leg->sine;
     const double body_square = (state[TDMF_FOOT_VX] + vx) * (state[TDMF_FOOT_VX] + vx) +
                                (state[TDMF_FOOT_VY] + vy) * (state[TDMF_FOOT_VY] + vy);
     const double d_across = d_state[TDMF_LEG_LENGTH] * state[TDMF_LEG_ANGLE_RATE] +
                             state[TDMF_LEG_LENGTH] * d_state[TDMF_LEG_ANGLE_RATE];
-    const double d_vx = -d_state[TDMF_LEG_LENGTH_RATE] * direction.sine +
-                        -state[TDMF_LEG_LENGTH_RATE] * (direction.cosine * d_state[TDMF_LEG_ANGLE]) -
-                        (d_across * direction.cosine + across * -(direction.sine * d_state[TDMF_LEG_ANGLE]));
-    const double d_vy = d_state[TDMF_LEG_LENGTH_RATE] * direction.cosine +
-                        state[TDMF_LEG_LENGTH_RATE] * -(direction.sine * d_state[TDMF_LEG_ANGLE]) -
-                        (d_across * direction.sine + across * (direction.cosine * d_state[TDMF_LEG_ANGLE]));
+    const double d_vx = -d_state[TDMF_LEG_LENGTH_RATE] * leg->sine +
+                        -state[TDMF_LEG_LENGTH_RATE] * d_leg->sine -
+                        (d_across * leg->cosine + across * d_leg->cosine);
+    const double d_vy = d_state[TDMF_LEG_LENGTH_RATE] * leg->cosine +
+                        state[TDMF_LEG_LENGTH_RATE] * d_leg->cosine -
+                        (d_across * leg->sine + across * d_leg->sine);
     const double d_body_square = 2.0 * ((state[TDMF_FOOT_VX] + vx) * (d_state[TDMF_FOOT_VX] + d_vx)) +
                                  2.0 * ((state[TDMF_FOOT_VY] + vy) * (d_state[TDMF_FOOT_VY] + d_vy));
     const double foot_square =
@@ -61,9 +60,8 @@ static inline tdmf_energy tdmf_vary_energy_with(const tdmf_model *model, const d
     const double d_kinetic =
         0.5 * (d_model->parameters.body.mass * body_square + model->parameters.body.mass * d_body_square +
                (d_model->parameters.foot.mass * foot_square + model->parameters.foot.mass * d_foot_square));
-    const double y = state[TDMF_LEG_LENGTH] * direction.cosine;
-    const double d_y = d_state[TDMF_LEG_LENGTH] * direction.cosine +
-                       state[TDMF_LEG_LENGTH] * -(direction.sine * d_state[TDMF_LEG_ANGLE]);
+    const double y = state[TDMF_LEG_LENGTH] * leg->cosine;
+    const double d_y = d_state[TDMF_LEG_LENGTH] * leg->cosine + state[TDMF_LEG_LENGTH] * d_leg->cosine;
     const double d_potential =
         d_model->parameters.gravity * (model->parameters.body.mass * (state[TDMF_FOOT_Y] + y) +
                                        model->parameters.foot.mass * state[TDMF_FOOT_Y]) +
@@ -71,8 +69,8 @@ static inline tdmf_energy tdmf_vary_energy_with(const tdmf_model *model, const d
                                      model->parameters.body.mass * (d_state[TDMF_FOOT_Y] + d_y) +
                                      (d_model->parameters.foot.mass * state[TDMF_FOOT_Y] +
                                       model->parameters.foot.mass * d_state[TDMF_FOOT_Y]));
-    const double compression = rest_length - state[TDMF_LEG_LENGTH];
-    const double d_compression = d_rest_length - d_state[TDMF_LEG_LENGTH];
+    const double compression = leg->rest_length - state[TDMF_LEG_LENGTH];
+    const double d_compression = d_leg->rest_length - d_state[TDMF_LEG_LENGTH];
     const double d_elastic =
         0.5 *
         ((d_model->parameters.leg.stiffness * compression + model->parameters.leg.stiffness * d_compression) *

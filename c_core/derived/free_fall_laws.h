@@ -27,27 +27,6 @@ static inline tdmf_vector tdmf_vary_push_on_body(const tdmf_model *model, const 
     return result;
 }
 
-/* a = (0, -g) + (external force)/m, of the body alone. */
-static inline tdmf_vector tdmf_body_acceleration(const tdmf_model *model, tdmf_vector push) {
-    const tdmf_vector result = {
-        .x = push.x,
-        .y = push.y - model->parameters.gravity,
-    };
-    return result;
-}
-
-/* Its change. */
-static inline tdmf_vector tdmf_vary_body_acceleration(const tdmf_model *model, tdmf_vector push,
-                                                      const tdmf_model *d_model, tdmf_vector d_push) {
-    (void)model;
-    (void)push;
-    const tdmf_vector result = {
-        .x = d_push.x,
-        .y = d_push.y - d_model->parameters.gravity,
-    };
-    return result;
-}
-
 /* (0, -g) + (external force)/(m + m_f), of the centre of mass. */
 static inline tdmf_vector tdmf_com_acceleration(const tdmf_model *model, tdmf_vector push) {
     const tdmf_vector result = {

@@ -7,31 +7,27 @@
 #include <math.h>
 
 /* N of the stance law, of a foot at rest on the ground that would stay there; with f_t of (10). */
-static inline tdmf_ground_force tdmf_force_in_stance(const tdmf_model *model, const tdmf_inputs *inputs,
-                                                     const tdmf_mode *mode,
-                                                     const double state[TDMF_STATE_COUNT],
-                                                     const tdmf_leg *leg) {
-    (void)state;
-    if (mode->mid_stance_pending) {
-        const double drive = model->parameters.hip.stance_torque + inputs->control.stance_torque;
-        const double torque = inputs->hip.external_torque - drive;
-        const double across = torque * leg->inverse_length;
-        const double along = leg->axial_force * -leg->ground_sine - across * leg->ground_cosine;
-        const double weight = model->parameters.foot.mass * model->parameters.gravity;
-        const double off = leg->axial_force * leg->ground_cosine + across * -leg->ground_sine;
+static inline tdmf_ground_force tdmf_force_in_stance(const tdmf_evaluation *at) {
+    if (at->mode->mid_stance_pending) {
+        const double drive = at->model->parameters.hip.stance_torque + at->inputs->control.stance_torque;
+        const double torque = at->inputs->hip.external_torque - drive;
+        const double across = torque * at->leg.inverse_length;
+        const double along = at->leg.axial_force * -at->leg.ground_sine - across * at->leg.ground_cosine;
+        const double weight = at->model->parameters.foot.mass * at->model->parameters.gravity;
+        const double off = at->leg.axial_force * at->leg.ground_cosine + across * -at->leg.ground_sine;
         const tdmf_ground_force result = {
-            .tangential = along + weight * mode->ground.sine,
-            .normal = off + weight * mode->ground.cosine,
+            .tangential = along + weight * at->mode->ground.sine,
+            .normal = off + weight * at->mode->ground.cosine,
         };
         return result;
     }
-    const double across = inputs->hip.external_torque * leg->inverse_length;
-    const double along = leg->axial_force * -leg->ground_sine - across * leg->ground_cosine;
-    const double weight = model->parameters.foot.mass * model->parameters.gravity;
-    const double off = leg->axial_force * leg->ground_cosine + across * -leg->ground_sine;
+    const double across = at->inputs->hip.external_torque * at->leg.inverse_length;
+    const double along = at->leg.axial_force * -at->leg.ground_sine - across * at->leg.ground_cosine;
+    const double weight = at->model->parameters.foot.mass * at->model->parameters.gravity;
+    const double off = at->leg.axial_force * at->leg.ground_cosine + across * -at->leg.ground_sine;
     const tdmf_ground_force result = {
-        .tangential = along + weight * mode->ground.sine,
-        .normal = off + weight * mode->ground.cosine,
+        .tangential = along + weight * at->mode->ground.sine,
+        .normal = off + weight * at->mode->ground.cosine,
     };
     return result;
 }
@@ -39,37 +35,35 @@ static inline tdmf_ground_force tdmf_force_in_stance(const tdmf_model *model, co
 /* N of the flight law, of a foot at rest on the ground that would stay there; with f_t of (10).
  *
  * Nobody locates the clamp of (12) for a foot on the ground: it is where the servo has it now. */
-static inline tdmf_ground_force tdmf_force_in_flight(const tdmf_model *model, const tdmf_inputs *inputs,
-                                                     const tdmf_mode *mode,
-                                                     const double state[TDMF_STATE_COUNT],
-                                                     const tdmf_leg *leg) {
-    if (mode->phase == TDMF_PHASE_PLACE) {
-        const double target = model->parameters.hip.touchdown_angle + inputs->control.touchdown_angle -
-                              model->parameters.hip.retraction_rate * state[TDMF_HIP_PLACE_TIME];
-        const double torque = -model->parameters.hip.kd * model->parameters.hip.retraction_rate;
-        const double servo = model->parameters.hip.kp * (target - state[TDMF_LEG_ANGLE]) -
-                             model->parameters.hip.kd * state[TDMF_LEG_ANGLE_RATE] + torque;
-        const double across = (servo + inputs->hip.external_torque) * leg->inverse_length;
-        const double along = leg->axial_force * -leg->ground_sine - across * leg->ground_cosine;
-        const double weight = model->parameters.foot.mass * model->parameters.gravity;
-        const double off = leg->axial_force * leg->ground_cosine + across * -leg->ground_sine;
+static inline tdmf_ground_force tdmf_force_in_flight(const tdmf_evaluation *at) {
+    if (at->mode->phase == TDMF_PHASE_PLACE) {
+        const double target = at->model->parameters.hip.touchdown_angle +
+                              at->inputs->control.touchdown_angle -
+                              at->model->parameters.hip.retraction_rate * at->state[TDMF_HIP_PLACE_TIME];
+        const double torque = -at->model->parameters.hip.kd * at->model->parameters.hip.retraction_rate;
+        const double servo = at->model->parameters.hip.kp * (target - at->state[TDMF_LEG_ANGLE]) -
+                             at->model->parameters.hip.kd * at->state[TDMF_LEG_ANGLE_RATE] + torque;
+        const double across = (servo + at->inputs->hip.external_torque) * at->leg.inverse_length;
+        const double along = at->leg.axial_force * -at->leg.ground_sine - across * at->leg.ground_cosine;
+        const double weight = at->model->parameters.foot.mass * at->model->parameters.gravity;
+        const double off = at->leg.axial_force * at->leg.ground_cosine + across * -at->leg.ground_sine;
         const tdmf_ground_force result = {
-            .tangential = along + weight * mode->ground.sine,
-            .normal = off + weight * mode->ground.cosine,
+            .tangential = along + weight * at->mode->ground.sine,
+            .normal = off + weight * at->mode->ground.cosine,
         };
         return result;
     }
-    const double target = model->parameters.hip.liftoff_angle_factor * mode->liftoff_angle;
-    const double servo = model->parameters.hip.kp * (target - state[TDMF_LEG_ANGLE]) -
-                         model->parameters.hip.kd * state[TDMF_LEG_ANGLE_RATE];
+    const double target = at->model->parameters.hip.liftoff_angle_factor * at->mode->liftoff_angle;
+    const double servo = at->model->parameters.hip.kp * (target - at->state[TDMF_LEG_ANGLE]) -
+                         at->model->parameters.hip.kd * at->state[TDMF_LEG_ANGLE_RATE];
     const double clamped = (servo >= 0.0 ? servo : 0.0);
-    const double across = (clamped + inputs->hip.external_torque) * leg->inverse_length;
-    const double along = leg->axial_force * -leg->ground_sine - across * leg->ground_cosine;
-    const double weight = model->parameters.foot.mass * model->parameters.gravity;
-    const double off = leg->axial_force * leg->ground_cosine + across * -leg->ground_sine;
+    const double across = (clamped + at->inputs->hip.external_torque) * at->leg.inverse_length;
+    const double along = at->leg.axial_force * -at->leg.ground_sine - across * at->leg.ground_cosine;
+    const double weight = at->model->parameters.foot.mass * at->model->parameters.gravity;
+    const double off = at->leg.axial_force * at->leg.ground_cosine + across * -at->leg.ground_sine;
     const tdmf_ground_force result = {
-        .tangential = along + weight * mode->ground.sine,
-        .normal = off + weight * mode->ground.cosine,
+        .tangential = along + weight * at->mode->ground.sine,
+        .normal = off + weight * at->mode->ground.cosine,
     };
     return result;
 }

@@ -97,23 +97,22 @@ static inline tdmf_point tdmf_vary_point_on(const tdmf_ground_line *line, double
 }
 
 /* f_t t + f_n n, in horizontal and vertical components. */
-static inline tdmf_vector tdmf_vector_on(const tdmf_ground_line *line, double tangential, double normal) {
+static inline tdmf_vector tdmf_vector_on(const tdmf_ground_line *line, tdmf_ground_force force) {
     const tdmf_vector result = {
-        .x = tangential * line->cosine - normal * line->sine,
-        .y = tangential * line->sine + normal * line->cosine,
+        .x = force.tangential * line->cosine - force.normal * line->sine,
+        .y = force.tangential * line->sine + force.normal * line->cosine,
     };
     return result;
 }
 
 /* Its change. */
-static inline tdmf_vector tdmf_vary_vector_on(const tdmf_ground_line *line, double tangential, double normal,
-                                              const tdmf_ground_line *d_line, double d_tangential,
-                                              double d_normal) {
+static inline tdmf_vector tdmf_vary_vector_on(const tdmf_ground_line *line, tdmf_ground_force force,
+                                              const tdmf_ground_line *d_line, tdmf_ground_force d_force) {
     const tdmf_vector result = {
-        .x = d_tangential * line->cosine + tangential * -(line->sine * d_line->slope) -
-             (d_normal * line->sine + normal * (line->cosine * d_line->slope)),
-        .y = d_tangential * line->sine + tangential * (line->cosine * d_line->slope) +
-             (d_normal * line->cosine + normal * -(line->sine * d_line->slope)),
+        .x = d_force.tangential * line->cosine + force.tangential * -(line->sine * d_line->slope) -
+             (d_force.normal * line->sine + force.normal * (line->cosine * d_line->slope)),
+        .y = d_force.tangential * line->sine + force.tangential * (line->cosine * d_line->slope) +
+             (d_force.normal * line->cosine + force.normal * -(line->sine * d_line->slope)),
     };
     return result;
 }

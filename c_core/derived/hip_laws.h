@@ -250,104 +250,105 @@ static inline double tdmf_vary_servo_torque(const tdmf_model *model, const tdmf_
 }
 
 /* The total torque: of flight or stance, and in graze what keeps the foot at the ground. */
-static inline double tdmf_torque_in(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_mode *mode,
-                                    const double state[TDMF_STATE_COUNT], const tdmf_leg *leg, bool upright,
-                                    double sine) {
-    if (mode->contact == TDMF_CONTACT_GRAZE) {
+static inline double tdmf_torque_in(const tdmf_evaluation *at, bool upright, double sine) {
+    if (at->mode->contact == TDMF_CONTACT_GRAZE) {
         if (upright) {
-            const double load = leg->axial_force * leg->ground_cosine +
-                                model->parameters.foot.mass * model->parameters.gravity * mode->ground.cosine;
-            return load / (sine * leg->inverse_length);
+            const double load =
+                at->leg.axial_force * at->leg.ground_cosine +
+                at->model->parameters.foot.mass * at->model->parameters.gravity * at->mode->ground.cosine;
+            return load / (sine * at->leg.inverse_length);
         }
-        const double load = leg->axial_force * leg->ground_cosine +
-                            model->parameters.foot.mass * model->parameters.gravity * mode->ground.cosine;
-        return load / (leg->ground_sine * leg->inverse_length);
+        const double load = at->leg.axial_force * at->leg.ground_cosine + at->model->parameters.foot.mass *
+                                                                              at->model->parameters.gravity *
+                                                                              at->mode->ground.cosine;
+        return load / (at->leg.ground_sine * at->leg.inverse_length);
     }
-    if (mode->contact == TDMF_CONTACT_FLIGHT) {
-        if (mode->phase == TDMF_PHASE_PLACE) {
-            const double target = model->parameters.hip.touchdown_angle + inputs->control.touchdown_angle -
-                                  model->parameters.hip.retraction_rate * state[TDMF_HIP_PLACE_TIME];
-            const double torque = -model->parameters.hip.kd * model->parameters.hip.retraction_rate;
-            return model->parameters.hip.kp * (target - state[TDMF_LEG_ANGLE]) -
-                   model->parameters.hip.kd * state[TDMF_LEG_ANGLE_RATE] +
-                   (torque + inputs->hip.external_torque);
+    if (at->mode->contact == TDMF_CONTACT_FLIGHT) {
+        if (at->mode->phase == TDMF_PHASE_PLACE) {
+            const double target = at->model->parameters.hip.touchdown_angle +
+                                  at->inputs->control.touchdown_angle -
+                                  at->model->parameters.hip.retraction_rate * at->state[TDMF_HIP_PLACE_TIME];
+            const double torque = -at->model->parameters.hip.kd * at->model->parameters.hip.retraction_rate;
+            return at->model->parameters.hip.kp * (target - at->state[TDMF_LEG_ANGLE]) -
+                   at->model->parameters.hip.kd * at->state[TDMF_LEG_ANGLE_RATE] +
+                   (torque + at->inputs->hip.external_torque);
         }
-        if (mode->clamp_closed) {
-            return inputs->hip.external_torque;
+        if (at->mode->clamp_closed) {
+            return at->inputs->hip.external_torque;
         }
-        const double target = model->parameters.hip.liftoff_angle_factor * mode->liftoff_angle;
-        return model->parameters.hip.kp * (target - state[TDMF_LEG_ANGLE]) -
-               model->parameters.hip.kd * state[TDMF_LEG_ANGLE_RATE] + inputs->hip.external_torque;
+        const double target = at->model->parameters.hip.liftoff_angle_factor * at->mode->liftoff_angle;
+        return at->model->parameters.hip.kp * (target - at->state[TDMF_LEG_ANGLE]) -
+               at->model->parameters.hip.kd * at->state[TDMF_LEG_ANGLE_RATE] +
+               at->inputs->hip.external_torque;
     }
-    if (mode->mid_stance_pending) {
-        const double drive = model->parameters.hip.stance_torque + inputs->control.stance_torque;
-        return inputs->hip.external_torque - drive;
+    if (at->mode->mid_stance_pending) {
+        const double drive = at->model->parameters.hip.stance_torque + at->inputs->control.stance_torque;
+        return at->inputs->hip.external_torque - drive;
     }
-    return inputs->hip.external_torque;
+    return at->inputs->hip.external_torque;
 }
 
 /* Its change. */
-static inline double tdmf_vary_torque_in(const tdmf_model *model, const tdmf_inputs *inputs,
-                                         const tdmf_mode *mode, const double state[TDMF_STATE_COUNT],
-                                         const tdmf_leg *leg, bool upright, double sine, double torque,
-                                         const tdmf_model *d_model, const tdmf_inputs *d_inputs,
-                                         const tdmf_mode *d_mode, const double d_state[TDMF_STATE_COUNT],
-                                         const tdmf_leg *d_leg) {
-    if (mode->contact == TDMF_CONTACT_GRAZE) {
+static inline double tdmf_vary_torque_in(const tdmf_evaluation *at, bool upright, double sine, double torque,
+                                         const tdmf_evaluation *d_at) {
+    if (at->mode->contact == TDMF_CONTACT_GRAZE) {
         if (upright) {
-            const double d_load = d_leg->axial_force * leg->ground_cosine +
-                                  leg->axial_force * d_leg->ground_cosine +
-                                  ((d_model->parameters.foot.mass * model->parameters.gravity +
-                                    model->parameters.foot.mass * d_model->parameters.gravity) *
-                                       mode->ground.cosine +
-                                   model->parameters.foot.mass * model->parameters.gravity *
-                                       -(mode->ground.sine * d_mode->ground.slope));
-            return (d_load - torque * (sine * d_leg->inverse_length)) / (sine * leg->inverse_length);
+            const double d_load = d_at->leg.axial_force * at->leg.ground_cosine +
+                                  at->leg.axial_force * d_at->leg.ground_cosine +
+                                  ((d_at->model->parameters.foot.mass * at->model->parameters.gravity +
+                                    at->model->parameters.foot.mass * d_at->model->parameters.gravity) *
+                                       at->mode->ground.cosine +
+                                   at->model->parameters.foot.mass * at->model->parameters.gravity *
+                                       -(at->mode->ground.sine * d_at->mode->ground.slope));
+            return (d_load - torque * (sine * d_at->leg.inverse_length)) / (sine * at->leg.inverse_length);
         }
-        const double d_load = d_leg->axial_force * leg->ground_cosine +
-                              leg->axial_force * d_leg->ground_cosine +
-                              ((d_model->parameters.foot.mass * model->parameters.gravity +
-                                model->parameters.foot.mass * d_model->parameters.gravity) *
-                                   mode->ground.cosine +
-                               model->parameters.foot.mass * model->parameters.gravity *
-                                   -(mode->ground.sine * d_mode->ground.slope));
-        return (d_load - torque * (d_leg->ground_sine * leg->inverse_length +
-                                   leg->ground_sine * d_leg->inverse_length)) /
-               (leg->ground_sine * leg->inverse_length);
+        const double d_load = d_at->leg.axial_force * at->leg.ground_cosine +
+                              at->leg.axial_force * d_at->leg.ground_cosine +
+                              ((d_at->model->parameters.foot.mass * at->model->parameters.gravity +
+                                at->model->parameters.foot.mass * d_at->model->parameters.gravity) *
+                                   at->mode->ground.cosine +
+                               at->model->parameters.foot.mass * at->model->parameters.gravity *
+                                   -(at->mode->ground.sine * d_at->mode->ground.slope));
+        return (d_load - torque * (d_at->leg.ground_sine * at->leg.inverse_length +
+                                   at->leg.ground_sine * d_at->leg.inverse_length)) /
+               (at->leg.ground_sine * at->leg.inverse_length);
     }
-    if (mode->contact == TDMF_CONTACT_FLIGHT) {
-        if (mode->phase == TDMF_PHASE_PLACE) {
-            const double target = model->parameters.hip.touchdown_angle + inputs->control.touchdown_angle -
-                                  model->parameters.hip.retraction_rate * state[TDMF_HIP_PLACE_TIME];
-            const double d_target = d_model->parameters.hip.touchdown_angle +
-                                    d_inputs->control.touchdown_angle -
-                                    (d_model->parameters.hip.retraction_rate * state[TDMF_HIP_PLACE_TIME] +
-                                     model->parameters.hip.retraction_rate * d_state[TDMF_HIP_PLACE_TIME]);
-            const double d_torque = -d_model->parameters.hip.kd * model->parameters.hip.retraction_rate +
-                                    -model->parameters.hip.kd * d_model->parameters.hip.retraction_rate;
-            return d_model->parameters.hip.kp * (target - state[TDMF_LEG_ANGLE]) +
-                   model->parameters.hip.kp * (d_target - d_state[TDMF_LEG_ANGLE]) -
-                   (d_model->parameters.hip.kd * state[TDMF_LEG_ANGLE_RATE] +
-                    model->parameters.hip.kd * d_state[TDMF_LEG_ANGLE_RATE]) +
-                   (d_torque + d_inputs->hip.external_torque);
+    if (at->mode->contact == TDMF_CONTACT_FLIGHT) {
+        if (at->mode->phase == TDMF_PHASE_PLACE) {
+            const double target = at->model->parameters.hip.touchdown_angle +
+                                  at->inputs->control.touchdown_angle -
+                                  at->model->parameters.hip.retraction_rate * at->state[TDMF_HIP_PLACE_TIME];
+            const double d_target =
+                d_at->model->parameters.hip.touchdown_angle + d_at->inputs->control.touchdown_angle -
+                (d_at->model->parameters.hip.retraction_rate * at->state[TDMF_HIP_PLACE_TIME] +
+                 at->model->parameters.hip.retraction_rate * d_at->state[TDMF_HIP_PLACE_TIME]);
+            const double d_torque =
+                -d_at->model->parameters.hip.kd * at->model->parameters.hip.retraction_rate +
+                -at->model->parameters.hip.kd * d_at->model->parameters.hip.retraction_rate;
+            return d_at->model->parameters.hip.kp * (target - at->state[TDMF_LEG_ANGLE]) +
+                   at->model->parameters.hip.kp * (d_target - d_at->state[TDMF_LEG_ANGLE]) -
+                   (d_at->model->parameters.hip.kd * at->state[TDMF_LEG_ANGLE_RATE] +
+                    at->model->parameters.hip.kd * d_at->state[TDMF_LEG_ANGLE_RATE]) +
+                   (d_torque + d_at->inputs->hip.external_torque);
         }
-        if (mode->clamp_closed) {
-            return d_inputs->hip.external_torque;
+        if (at->mode->clamp_closed) {
+            return d_at->inputs->hip.external_torque;
         }
-        const double target = model->parameters.hip.liftoff_angle_factor * mode->liftoff_angle;
-        const double d_target = d_model->parameters.hip.liftoff_angle_factor * mode->liftoff_angle +
-                                model->parameters.hip.liftoff_angle_factor * d_mode->liftoff_angle;
-        return d_model->parameters.hip.kp * (target - state[TDMF_LEG_ANGLE]) +
-               model->parameters.hip.kp * (d_target - d_state[TDMF_LEG_ANGLE]) -
-               (d_model->parameters.hip.kd * state[TDMF_LEG_ANGLE_RATE] +
-                model->parameters.hip.kd * d_state[TDMF_LEG_ANGLE_RATE]) +
-               d_inputs->hip.external_torque;
+        const double target = at->model->parameters.hip.liftoff_angle_factor * at->mode->liftoff_angle;
+        const double d_target = d_at->model->parameters.hip.liftoff_angle_factor * at->mode->liftoff_angle +
+                                at->model->parameters.hip.liftoff_angle_factor * d_at->mode->liftoff_angle;
+        return d_at->model->parameters.hip.kp * (target - at->state[TDMF_LEG_ANGLE]) +
+               at->model->parameters.hip.kp * (d_target - d_at->state[TDMF_LEG_ANGLE]) -
+               (d_at->model->parameters.hip.kd * at->state[TDMF_LEG_ANGLE_RATE] +
+                at->model->parameters.hip.kd * d_at->state[TDMF_LEG_ANGLE_RATE]) +
+               d_at->inputs->hip.external_torque;
     }
-    if (mode->mid_stance_pending) {
-        const double d_drive = d_model->parameters.hip.stance_torque + d_inputs->control.stance_torque;
-        return d_inputs->hip.external_torque - d_drive;
+    if (at->mode->mid_stance_pending) {
+        const double d_drive =
+            d_at->model->parameters.hip.stance_torque + d_at->inputs->control.stance_torque;
+        return d_at->inputs->hip.external_torque - d_drive;
     }
-    return d_inputs->hip.external_torque;
+    return d_at->inputs->hip.external_torque;
 }
 
 /* The law as it is some time later. */

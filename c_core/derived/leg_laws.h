@@ -42,9 +42,32 @@ static inline double tdmf_vary_rest_length(const tdmf_model *model, const tdmf_i
 }
 
 /* What every force and acceleration is made of; `bounded_length` is r where that is a leg's. */
-static inline tdmf_leg tdmf_leg_with(const tdmf_model *model, const tdmf_ground_line *line,
-                                     const double state[TDMF_STATE_COUNT], tdmf_leg_direction direction,
-                                     double rest_length) {
+static inline tdmf_leg tdmf_leg_along(const tdmf_model *model, const tdmf_inputs *inputs,
+                                      const tdmf_mode *mode, const double state[TDMF_STATE_COUNT],
+                                      tdmf_leg_direction direction) {
+    if (mode->thrusts) {
+        const double rest_length = model->parameters.leg.free_length + inputs->leg.extension +
+                                   (model->parameters.leg.thrust + inputs->control.thrust >= 0.0
+                                        ? model->parameters.leg.thrust + inputs->control.thrust
+                                        : 0.0);
+        const tdmf_leg result = {
+            .length = state[TDMF_LEG_LENGTH],
+            .inverse_length = 1.0 / (state[TDMF_LEG_LENGTH] >= 0.5 * model->parameters.leg.min_length
+                                         ? state[TDMF_LEG_LENGTH]
+                                         : 0.5 * model->parameters.leg.min_length),
+            .length_rate = state[TDMF_LEG_LENGTH_RATE],
+            .angle_rate = state[TDMF_LEG_ANGLE_RATE],
+            .sine = direction.sine,
+            .cosine = direction.cosine,
+            .ground_sine = direction.sine * mode->ground.cosine - direction.cosine * mode->ground.sine,
+            .ground_cosine = direction.cosine * mode->ground.cosine + direction.sine * mode->ground.sine,
+            .rest_length = rest_length,
+            .axial_force = model->parameters.leg.stiffness * (rest_length - state[TDMF_LEG_LENGTH]) -
+                           model->parameters.leg.damping * state[TDMF_LEG_LENGTH_RATE],
+        };
+        return result;
+    }
+    const double rest_length = model->parameters.leg.free_length + inputs->leg.extension;
     const tdmf_leg result = {
         .length = state[TDMF_LEG_LENGTH],
         .inverse_length = 1.0 / (state[TDMF_LEG_LENGTH] >= 0.5 * model->parameters.leg.min_length
@@ -54,8 +77,8 @@ static inline tdmf_leg tdmf_leg_with(const tdmf_model *model, const tdmf_ground_
         .angle_rate = state[TDMF_LEG_ANGLE_RATE],
         .sine = direction.sine,
         .cosine = direction.cosine,
-        .ground_sine = direction.sine * line->cosine - direction.cosine * line->sine,
-        .ground_cosine = direction.cosine * line->cosine + direction.sine * line->sine,
+        .ground_sine = direction.sine * mode->ground.cosine - direction.cosine * mode->ground.sine,
+        .ground_cosine = direction.cosine * mode->ground.cosine + direction.sine * mode->ground.sine,
         .rest_length = rest_length,
         .axial_force = model->parameters.leg.stiffness * (rest_length - state[TDMF_LEG_LENGTH]) -
                        model->parameters.leg.damping * state[TDMF_LEG_LENGTH_RATE],
@@ -64,12 +87,44 @@ static inline tdmf_leg tdmf_leg_with(const tdmf_model *model, const tdmf_ground_
 }
 
 /* Its change. */
-static inline tdmf_leg tdmf_vary_leg_with(const tdmf_model *model, const tdmf_ground_line *line,
-                                          const double state[TDMF_STATE_COUNT], tdmf_leg_direction direction,
-                                          double rest_length, const tdmf_leg *leg, const tdmf_model *d_model,
-                                          const tdmf_ground_line *d_line,
-                                          const double d_state[TDMF_STATE_COUNT], double d_rest_length) {
+static inline tdmf_leg tdmf_vary_leg_along(const tdmf_model *model, const tdmf_inputs *inputs,
+                                           const tdmf_mode *mode, const double state[TDMF_STATE_COUNT],
+                                           tdmf_leg_direction direction, const tdmf_leg *leg,
+                                           const tdmf_model *d_model, const tdmf_inputs *d_inputs,
+                                           const tdmf_mode *d_mode, const double d_state[TDMF_STATE_COUNT]) {
     (void)direction;
+    if (mode->thrusts) {
+        const double d_rest_length = d_model->parameters.leg.free_length + d_inputs->leg.extension +
+                                     (model->parameters.leg.thrust + inputs->control.thrust >= 0.0
+                                          ? d_model->parameters.leg.thrust + d_inputs->control.thrust
+                                          : 0.0);
+        const tdmf_leg result = {
+            .length = d_state[TDMF_LEG_LENGTH],
+            .inverse_length = -(leg->inverse_length * leg->inverse_length *
+                                (state[TDMF_LEG_LENGTH] >= 0.5 * model->parameters.leg.min_length
+                                     ? d_state[TDMF_LEG_LENGTH]
+                                     : 0.5 * d_model->parameters.leg.min_length)),
+            .length_rate = d_state[TDMF_LEG_LENGTH_RATE],
+            .angle_rate = d_state[TDMF_LEG_ANGLE_RATE],
+            .sine = leg->cosine * d_state[TDMF_LEG_ANGLE],
+            .cosine = -(leg->sine * d_state[TDMF_LEG_ANGLE]),
+            .ground_sine = leg->cosine * d_state[TDMF_LEG_ANGLE] * mode->ground.cosine +
+                           leg->sine * -(mode->ground.sine * d_mode->ground.slope) -
+                           (-(leg->sine * d_state[TDMF_LEG_ANGLE]) * mode->ground.sine +
+                            leg->cosine * (mode->ground.cosine * d_mode->ground.slope)),
+            .ground_cosine = -(leg->sine * d_state[TDMF_LEG_ANGLE]) * mode->ground.cosine +
+                             leg->cosine * -(mode->ground.sine * d_mode->ground.slope) +
+                             (leg->cosine * d_state[TDMF_LEG_ANGLE] * mode->ground.sine +
+                              leg->sine * (mode->ground.cosine * d_mode->ground.slope)),
+            .rest_length = d_rest_length,
+            .axial_force = d_model->parameters.leg.stiffness * (leg->rest_length - state[TDMF_LEG_LENGTH]) +
+                           model->parameters.leg.stiffness * (d_rest_length - d_state[TDMF_LEG_LENGTH]) -
+                           (d_model->parameters.leg.damping * state[TDMF_LEG_LENGTH_RATE] +
+                            model->parameters.leg.damping * d_state[TDMF_LEG_LENGTH_RATE]),
+        };
+        return result;
+    }
+    const double d_rest_length = d_model->parameters.leg.free_length + d_inputs->leg.extension;
     const tdmf_leg result = {
         .length = d_state[TDMF_LEG_LENGTH],
         .inverse_length = -(leg->inverse_length * leg->inverse_length *
@@ -80,16 +135,16 @@ static inline tdmf_leg tdmf_vary_leg_with(const tdmf_model *model, const tdmf_gr
         .angle_rate = d_state[TDMF_LEG_ANGLE_RATE],
         .sine = leg->cosine * d_state[TDMF_LEG_ANGLE],
         .cosine = -(leg->sine * d_state[TDMF_LEG_ANGLE]),
-        .ground_sine = leg->cosine * d_state[TDMF_LEG_ANGLE] * line->cosine +
-                       leg->sine * -(line->sine * d_line->slope) -
-                       (-(leg->sine * d_state[TDMF_LEG_ANGLE]) * line->sine +
-                        leg->cosine * (line->cosine * d_line->slope)),
-        .ground_cosine =
-            -(leg->sine * d_state[TDMF_LEG_ANGLE]) * line->cosine +
-            leg->cosine * -(line->sine * d_line->slope) +
-            (leg->cosine * d_state[TDMF_LEG_ANGLE] * line->sine + leg->sine * (line->cosine * d_line->slope)),
+        .ground_sine = leg->cosine * d_state[TDMF_LEG_ANGLE] * mode->ground.cosine +
+                       leg->sine * -(mode->ground.sine * d_mode->ground.slope) -
+                       (-(leg->sine * d_state[TDMF_LEG_ANGLE]) * mode->ground.sine +
+                        leg->cosine * (mode->ground.cosine * d_mode->ground.slope)),
+        .ground_cosine = -(leg->sine * d_state[TDMF_LEG_ANGLE]) * mode->ground.cosine +
+                         leg->cosine * -(mode->ground.sine * d_mode->ground.slope) +
+                         (leg->cosine * d_state[TDMF_LEG_ANGLE] * mode->ground.sine +
+                          leg->sine * (mode->ground.cosine * d_mode->ground.slope)),
         .rest_length = d_rest_length,
-        .axial_force = d_model->parameters.leg.stiffness * (rest_length - state[TDMF_LEG_LENGTH]) +
+        .axial_force = d_model->parameters.leg.stiffness * (leg->rest_length - state[TDMF_LEG_LENGTH]) +
                        model->parameters.leg.stiffness * (d_rest_length - d_state[TDMF_LEG_LENGTH]) -
                        (d_model->parameters.leg.damping * state[TDMF_LEG_LENGTH_RATE] +
                         model->parameters.leg.damping * d_state[TDMF_LEG_LENGTH_RATE]),

@@ -11,7 +11,7 @@ with a = (0, -g) + (external force)/m. A foot on the ground is accelerated along
 sticks not at all, exactly and not by cancellation.
 """
 
-from . import ground_force
+from . import free_fall, ground_force, ground_line
 from .functions import Record, larger
 from .leg import damper_power
 
@@ -66,13 +66,19 @@ def leg_acceleration(inverse_mass, leg, across, free_body, foot):
     )
 
 
-def rates(model, state, leg, torque, force, foot, leg_acceleration, slip_velocity, external_power):
+def rates(at, external_power):
     """The right-hand side but for the hip's own states: velocities, accelerations, and powers.
 
     Of these the state has the integrals. The hip's is tau thetadot, the damper's c rdot^2 and friction's
     -f_t v_t; with the inputs held the leg does no work.
     """
-    power = torque * leg.angle_rate
+    model, state, leg, line = at.model, at.state, at.leg, at.mode.ground
+    free_body = free_fall.of_body(model, free_fall.push_on_body(model, at.inputs))
+    foot = foot_acceleration(model, line, leg, at.torque, at.force, at.mode.contact)
+    across = at.torque * leg.inverse_length
+    of_leg = leg_acceleration(model.inverse_body_mass, leg, across, free_body, foot)
+    slip_velocity = ground_line.along(line, state.foot_vx, state.foot_vy)
+    power = at.torque * leg.angle_rate
     return Record(
         foot_x=state.foot_vx,
         foot_y=state.foot_vy,
@@ -80,12 +86,12 @@ def rates(model, state, leg, torque, force, foot, leg_acceleration, slip_velocit
         leg_angle=leg.angle_rate,
         foot_vx=foot.x,
         foot_vy=foot.y,
-        leg_length_rate=leg_acceleration.length,
-        leg_angle_rate=leg_acceleration.angle,
+        leg_length_rate=of_leg.length,
+        leg_angle_rate=of_leg.angle,
         hip_work=power,
         leg_work=0,
         energy_damper_loss=damper_power(model.parameters.leg.damping, leg.length_rate),
-        energy_friction_loss=-force.tangential * slip_velocity,
+        energy_friction_loss=-at.force.tangential * slip_velocity,
         hip_positive_work=larger(0, power),
         energy_external_work=external_power,
     )

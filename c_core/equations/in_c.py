@@ -58,7 +58,11 @@ FUNCTIONS = {
         InC("double ground_height_at", ground_line.height_at),
         InC("double path_to", ground_line.path_to),
         InC("tdmf_point point_on", ground_line.point_on),
-        InC("tdmf_vector vector_on", ground_line.vector_on),
+        InC(
+            "tdmf_vector vector_on",
+            ground_line.vector_on,
+            lambda line, force: (line, force.tangential, force.normal),
+        ),
     ],
     "hip": [
         InC("tdmf_hip_law external_law", hip.external),
@@ -96,7 +100,12 @@ FUNCTIONS = {
             hip.servo_torque,
             lambda model, inputs, mode, state: (model, inputs, state, mode.phase, mode.liftoff_angle),
         ),
-        InC("double torque_in", hip.torque_in_mode, value="torque"),
+        InC(
+            "double torque_in",
+            hip.torque_in_mode,
+            lambda at, upright, sine: (at.model, at.inputs, at.mode, at.state, at.leg, upright, sine),
+            value="torque",
+        ),
         InC("tdmf_hip_law law_after", hip.after, varied=False),
         InC("double place_time_rate", hip.place_time_rate, lambda mode: (mode.phase,), varied=False),
         InC("void hip_rates", hip.rates, lambda model, inputs, mode, state: (mode.phase,)),
@@ -107,14 +116,14 @@ FUNCTIONS = {
         InC("double leg_thrust", leg.thrust, varied=False),
         InC("double rest_length", leg.rest_length, lambda model, inputs, mode: (model, inputs, mode.thrusts)),
         InC(
-            "tdmf_leg leg_with",
+            "tdmf_leg leg_along",
             leg.evaluate,
-            lambda model, line, state, direction, rest_length: (
+            lambda model, inputs, mode, state, direction: (
                 model,
-                line,
+                mode.ground,
                 state,
                 direction,
-                rest_length,
+                leg.rest_length(model, inputs, mode.thrusts),
                 leg.bounded_length(model, state),
             ),
             value="leg",
@@ -157,15 +166,33 @@ FUNCTIONS = {
     ],
     "ground_force": [
         InC("tdmf_ground_force force_under", ground_force.under, varied=False),
-        InC("tdmf_ground_force force_in", ground_force.in_mode),
+        InC(
+            "tdmf_ground_force force_in",
+            ground_force.in_mode,
+            lambda at, sign, falls: (
+                at.model,
+                at.friction,
+                at.mode.ground,
+                at.state,
+                at.leg,
+                at.torque,
+                at.mode.contact,
+                sign,
+                falls,
+            ),
+        ),
     ],
     "graze": [
-        InC("tdmf_ground_force force_in_stance", graze.force_in_stance, varied=False),
-        InC("tdmf_ground_force force_in_flight", graze.force_in_flight, varied=False),
+        InC(
+            f"tdmf_ground_force force_in_{mode}",
+            law,
+            lambda at: (at.model, at.inputs, at.mode, at.state, at.leg),
+            varied=False,
+        )
+        for mode, law in (("stance", graze.force_in_stance), ("flight", graze.force_in_flight))
     ],
     "free_fall": [
         InC("tdmf_vector push_on_body", free_fall.push_on_body),
-        InC("tdmf_vector body_acceleration", free_fall.of_body),
         InC("tdmf_vector com_acceleration", free_fall.of_center),
         InC("tdmf_point ballistic_after", free_fall.ballistic),
     ],
@@ -189,20 +216,12 @@ FUNCTIONS = {
         InC("tdmf_ground_force force_on_standing", ground.holding, varied=False),
     ],
     "dynamics": [
-        InC("tdmf_vector acceleration_of_foot", dynamics.foot_acceleration),
         InC(
-            "tdmf_leg_rates acceleration_of_leg",
-            dynamics.leg_acceleration,
-            lambda model, leg, torque, free_body, foot: (
-                model.inverse_body_mass,
-                leg,
-                torque * leg.inverse_length,
-                free_body,
-                foot,
-            ),
+            "double external_power",
+            dynamics.external_power,
+            lambda at: (at.inputs, coordinates.body(at.state, at.leg)),
         ),
-        InC("double external_power", dynamics.external_power),
-        InC("void rates_with", dynamics.rates),
+        InC("void rates_at", dynamics.rates),
     ],
     "prescribed_flight": [
         InC("void placed_leg", prescribed_flight.placed_leg),
@@ -221,7 +240,11 @@ FUNCTIONS = {
         InC("tdmf_after_impact impact_with", impact.after),
     ],
     "energy": [
-        InC("tdmf_energy energy_with", energy.mechanical),
+        InC(
+            "tdmf_energy energy_with",
+            energy.mechanical,
+            lambda model, state, leg: (model, state, leg, leg.rest_length),
+        ),
     ],
     "constant": [
         InC("flight_coefficients flight_coefficients_of", constants.of_flight),
@@ -245,7 +268,6 @@ TYPES = {
     "slip": "const tdmf_classic *",
     "point": "tdmf_classic_point",
     "force": "tdmf_ground_force",
-    "leg_acceleration": "tdmf_leg_rates",
     **{name: f"const tdmf_{name} *" for name in ("model", "inputs", "mode", "leg", "standing", "flying")},
     **dict.fromkeys(("body", "center", "start"), "tdmf_point"),
     **dict.fromkeys(("push", "acceleration", "free_body", "jerk", "foot"), "tdmf_vector"),

@@ -1,14 +1,14 @@
-/* Accelerations at an instant that has been evaluated, and their variations. */
+/* The right-hand side at an instant that has been evaluated, and its variation. */
 #ifndef TDMF_MODEL_DYNAMICS_H
 #define TDMF_MODEL_DYNAMICS_H
 
 #include "evaluation.h"
 #include "tdmf_slip/dynamics.h"
 
-/* Gives rddot and thetaddot. */
-tdmf_leg_rates tdmf_accelerate_leg(const tdmf_evaluation *at);
+/* The right-hand side of a run that has not fallen, with the power of the external force. */
+void tdmf_rates_of_state(const tdmf_evaluation *at, double external_power, double rates[TDMF_STATE_COUNT]);
 
-/* The change of tdmf_derivatives, of a run that has not fallen. */
+/* Its change. */
 void tdmf_vary_rates_of_state(const tdmf_evaluation *at, const tdmf_evaluation *d,
                               double derivatives[TDMF_STATE_COUNT]);
 

@@ -13,16 +13,6 @@
 #include "guard_laws.h"
 #include "margins.h"
 
-/* ---- the ground force under either law ---------------------------------------------------------------- */
-
-double tdmf_load_in_stance(const tdmf_evaluation *at) {
-    return tdmf_force_in_stance(at->model, at->inputs, at->mode, at->state, &at->leg).normal;
-}
-
-double tdmf_load_in_flight(const tdmf_evaluation *at) {
-    return tdmf_force_in_flight(at->model, at->inputs, at->mode, at->state, &at->leg).normal;
-}
-
 /* The clamp, max{servo, 0}, has no derivative where the servo is 0 and does not stay so. */
 static bool is_at_kink(const tdmf_evaluation *at, const tdmf_evaluation *d) {
     return at->mode->phase != TDMF_PHASE_PLACE &&
@@ -43,25 +33,26 @@ static tdmf_contact_mode contact_under_upright_leg(const tdmf_evaluation *off_gr
     if (fabs(normal_force) <= TDMF_GUARD_MARGIN * off_ground->model->scales.force) {
         tdmf_mode stands = *off_ground->mode;
         stands.contact = TDMF_CONTACT_STICK;
-        const tdmf_evaluation at = tdmf_evaluate_leg((tdmf_system){off_ground->model, off_ground->inputs},
-                                                     &stands, off_ground->state, &off_ground->leg);
+        const tdmf_leg_direction direction = {off_ground->leg.sine, off_ground->leg.cosine};
+        const tdmf_evaluation at = tdmf_evaluate_along((tdmf_system){off_ground->model, off_ground->inputs},
+                                                       &stands, off_ground->state, direction);
         normal_force = tdmf_force_rate(&at).normal;
     }
     return normal_force < 0.0 ? TDMF_CONTACT_FLIGHT : TDMF_CONTACT_STICK;
 }
 
 tdmf_contact_mode tdmf_contact_of_resting_foot(const tdmf_evaluation *off_ground) {
-    const double normal_force = tdmf_load_in_stance(off_ground);
+    const double normal_force = tdmf_force_in_stance(off_ground).normal;
     if (tdmf_is_upright(&off_ground->leg)) {
         return contact_under_upright_leg(off_ground, normal_force);
     }
     if (normal_force > 0.0) {
         return TDMF_CONTACT_STICK;
     }
-    return tdmf_load_in_flight(off_ground) < 0.0 ? TDMF_CONTACT_FLIGHT : TDMF_CONTACT_GRAZE;
+    return tdmf_force_in_flight(off_ground).normal < 0.0 ? TDMF_CONTACT_FLIGHT : TDMF_CONTACT_GRAZE;
 }
 
 tdmf_contact_mode tdmf_contact_after_lift_off(const tdmf_evaluation *off_ground) {
     const double minimum = TDMF_NARROWEST_GRAZE * off_ground->model->scales.force;
-    return tdmf_load_in_flight(off_ground) > minimum ? TDMF_CONTACT_GRAZE : TDMF_CONTACT_FLIGHT;
+    return tdmf_force_in_flight(off_ground).normal > minimum ? TDMF_CONTACT_GRAZE : TDMF_CONTACT_FLIGHT;
 }

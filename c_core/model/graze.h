@@ -5,11 +5,6 @@
 
 #include "evaluation.h"
 
-/* N, what the ground would press with against a foot at rest that would stay there under either law, external
- * torque included: negative where the law lifts the foot. */
-double tdmf_load_in_stance(const tdmf_evaluation *at);
-double tdmf_load_in_flight(const tdmf_evaluation *at);
-
 /* The contact mode of a foot at rest on the ground after an impact or at a start: flight, graze, or stick,
  * which stands for any loaded contact. The mode of `off_ground` has the phase and theta_LO of the flight law.
  */

@@ -11,16 +11,9 @@ static inline tdmf_leg_direction tdmf_leg_direction_of(const double state[TDMF_S
     return direction;
 }
 
-/* The leg, where its direction is at hand. */
-static inline tdmf_leg tdmf_leg_along(tdmf_system system, const tdmf_mode *mode,
-                                      const double state[TDMF_STATE_COUNT], tdmf_leg_direction direction) {
-    const double rest_length = tdmf_rest_length(system.model, system.inputs, mode);
-    return tdmf_leg_with(system.model, &mode->ground, state, direction, rest_length);
-}
-
 static inline tdmf_leg tdmf_leg_of(tdmf_system system, const tdmf_mode *mode,
                                    const double state[TDMF_STATE_COUNT]) {
-    return tdmf_leg_along(system, mode, state, tdmf_leg_direction_of(state));
+    return tdmf_leg_along(system.model, system.inputs, mode, state, tdmf_leg_direction_of(state));
 }
 
 #endif

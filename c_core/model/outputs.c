@@ -1,7 +1,7 @@
 /* Collects what a user reads off a run. */
 #include "tdmf_slip/outputs.h"
 
-#include "energy.h"
+#include "energy_laws.h"
 #include "evaluation.h"
 #include "ground_line.h"
 #include "kinematics.h"
@@ -14,8 +14,8 @@ tdmf_outputs tdmf_outputs_of(tdmf_system system, const tdmf_motion *motion) {
     const tdmf_leg_direction direction = {at.leg.sine, at.leg.cosine};
     const tdmf_point body = tdmf_body_along(state, direction);
     const tdmf_point com = tdmf_center_of_mass_along(system.model, state, direction);
-    const tdmf_energy energy = tdmf_mechanical_energy_along(system, mode, state, direction);
-    const tdmf_vector force = tdmf_vector_on(&mode->ground, at.force.tangential, at.force.normal);
+    const tdmf_energy energy = tdmf_energy_with(system.model, state, &at.leg);
+    const tdmf_vector force = tdmf_vector_on(&mode->ground, at.force);
     const tdmf_outputs outputs = {
         .body = {body.x, body.y, body.vx, body.vy},
         .com = {com.x, com.y, com.vx, com.vy},

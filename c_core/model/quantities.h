@@ -31,6 +31,18 @@ typedef struct {
     double axial_force;                /* F_s = k (rest length - r) - c rdot, pushing body and foot apart */
 } tdmf_leg;
 
+/* A runner at one instant: what evaluation.h makes of it, once, in the order of its members. */
+typedef struct {
+    const tdmf_model *model;
+    const tdmf_inputs *inputs;
+    const tdmf_mode *mode;
+    const double *state;
+    tdmf_leg leg;
+    double torque;           /* tau, total */
+    double friction;         /* mu below a foot that slips */
+    tdmf_ground_force force; /* of the mode */
+} tdmf_evaluation;
+
 /* Rates of r and theta, or their rates. */
 typedef struct {
     double length, angle;

@@ -1,6 +1,8 @@
 /* Seeds, along which variations are taken. */
 #include "seed.h"
 
+const tdmf_local_seed tdmf_no_seed = {.state = NULL};
+
 tdmf_local_seed tdmf_local_seed_of(const tdmf_model *model, const tdmf_seed *seed,
                                    const tdmf_variation *variation) {
     static const tdmf_seed unchanged = {0};
@@ -15,10 +17,5 @@ tdmf_local_seed tdmf_local_seed_of(const tdmf_model *model, const tdmf_seed *see
                  .ground = {.height = given->inputs.ground.height, .slope = given->inputs.ground.slope}},
         .state = varied->state,
     };
-    return local;
-}
-
-tdmf_local_seed tdmf_seed_of_motion(const double derivatives[TDMF_STATE_COUNT]) {
-    const tdmf_local_seed local = {.state = derivatives};
     return local;
 }

@@ -20,7 +20,7 @@ tdmf_model tdmf_vary_model(const tdmf_model *model, const tdmf_parameters *seed)
 tdmf_local_seed tdmf_local_seed_of(const tdmf_model *model, const tdmf_seed *seed,
                                    const tdmf_variation *variation);
 
-/* Gives the seed along the motion, while the inputs are constant. The derivatives are not copied. */
-tdmf_local_seed tdmf_seed_of_motion(const double derivatives[TDMF_STATE_COUNT]);
+/* The seed of what the state alone changes, which is handed on beside it. */
+extern const tdmf_local_seed tdmf_no_seed;
 
 #endif

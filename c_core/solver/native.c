@@ -127,11 +127,12 @@ static void vary_peak_forces(integration *integration, double elapsed, bool norm
         const tdmf_variation variation =
             tdmf_variation_in_mode(&integration->equations, state, seed, &varied_mode);
         const tdmf_local_seed d = tdmf_local_seed_of(integration->model, seed, &variation);
-        const tdmf_evaluation d_at = tdmf_vary_evaluation(&at, &d);
+        const tdmf_evaluation d_at = tdmf_vary_evaluation(&at, &d, d.state);
         tdmf_stance_variation *stance = &integration->varied_mode[i].constant.stance;
         stance->peak_force = normal ? d_at.force.normal : stance->peak_force;
         stance->peak_vertical_force =
-            vertical ? tdmf_vary_vertical_force(&at, &d_at) : stance->peak_vertical_force;
+            vertical ? tdmf_vary_vector_on(&at.mode->ground, at.force, &d_at.mode->ground, d_at.force).y
+                     : stance->peak_vertical_force;
     }
 }
 

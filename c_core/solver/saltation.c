@@ -47,8 +47,9 @@ static tdmf_variation no_variation(void) {
     return none;
 }
 
-static double vary_guard(const tdmf_event_kind *event, const tdmf_evaluation *at, const tdmf_local_seed *d) {
-    const tdmf_evaluation d_at = tdmf_vary_evaluation(at, d);
+static double vary_guard(const tdmf_event_kind *event, const tdmf_evaluation *at, const tdmf_local_seed *d,
+                         const double d_state[TDMF_STATE_COUNT]) {
+    const tdmf_evaluation d_at = tdmf_vary_evaluation(at, d, d_state);
     return event->vary_guard(at, &d_at);
 }
 
@@ -56,8 +57,7 @@ static double vary_guard(const tdmf_event_kind *event, const tdmf_evaluation *at
 static double time_shift(const tdmf_event_kind *event, tdmf_system system, const tdmf_event_state *before,
                          const tdmf_local_seed *d) {
     const tdmf_evaluation at = tdmf_evaluate(system, &before->mode, before->state);
-    const tdmf_local_seed motion = tdmf_seed_of_motion(before->derivatives);
-    return -vary_guard(event, &at, d) / vary_guard(event, &at, &motion);
+    return -vary_guard(event, &at, d, d->state) / vary_guard(event, &at, &tdmf_no_seed, before->derivatives);
 }
 
 static void shift_in_time(double dt, const double derivatives[TDMF_STATE_COUNT],
@@ -88,7 +88,7 @@ static varied_force vary_force(tdmf_system system, const tdmf_event_state *event
                                const tdmf_local_seed *d) {
     varied_force force;
     force.at = tdmf_evaluate(system, &event_state->mode, event_state->state);
-    force.d_at = tdmf_vary_evaluation(&force.at, d);
+    force.d_at = tdmf_vary_evaluation(&force.at, d, d->state);
     return force;
 }
 
@@ -103,10 +103,12 @@ static void vary_peaks(tdmf_system system, const tdmf_event_state *before, const
         stance->peak_force = ends ? from.d_at.force.normal : to.d_at.force.normal;
     }
     if (after->peak_vertical_force > before->peak_vertical_force) {
-        const bool ends = tdmf_vertical_force(&before->mode.ground, from.at.force) >
-                          tdmf_vertical_force(&after->mode.ground, to.at.force);
+        const bool ends = tdmf_vector_on(&before->mode.ground, from.at.force).y >
+                          tdmf_vector_on(&after->mode.ground, to.at.force).y;
         const varied_force *met = ends ? &from : &to;
-        stance->peak_vertical_force = tdmf_vary_vertical_force(&met->at, &met->d_at);
+        stance->peak_vertical_force = tdmf_vary_vector_on(&met->at.mode->ground, met->at.force,
+                                                          &met->d_at.mode->ground, met->d_at.force)
+                                          .y;
     }
 }
 

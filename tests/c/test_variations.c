@@ -124,7 +124,7 @@ static double terms_of(const runner *at) {
 static void assert_guard_varies(const guard_line *on, const tdmf_local_seed *d, double step) {
     const runner *at = on->line.runner;
     const tdmf_evaluation here = evaluated(at);
-    const tdmf_evaluation changed = tdmf_vary_evaluation(&here, d);
+    const tdmf_evaluation changed = tdmf_vary_evaluation(&here, d, d->state);
     const double exact = tdmf_event_kind_of(on->guard)->vary_guard(&here, &changed);
     const double numerical = (double)derivative_at_zero(quantity_on_line, on, (long double)step);
     const double noise = 1e-13 * fabs(scale_of(at, on->guard)) * terms_of(at) / step;
@@ -152,7 +152,7 @@ static bool compare_guard(guard_line on) {
     on.line.seed = zero;
     on.line.variation.liftoff_angle = 0.0;
     memcpy(on.line.variation.state, derivatives, sizeof derivatives);
-    const tdmf_local_seed of_motion = tdmf_seed_of_motion(derivatives);
+    const tdmf_local_seed of_motion = {.state = derivatives};
     /* No torque of a motion holds a foot under an upright leg in graze. */
     const bool moves =
         at->motion.mode.contact != TDMF_CONTACT_GRAZE || at->motion.state[TDMF_LEG_ANGLE] != 0.0;
@@ -303,10 +303,9 @@ static void leg_and_points_vary_as_they_change(void **state) {
             const tdmf_local_seed d = tdmf_local_seed_of(&at.model, &line.seed, &line.variation);
             const tdmf_leg leg = tdmf_leg_of(SYSTEM_OF(&at), &at.motion.mode, at.motion.state);
             const tdmf_leg_direction direction = tdmf_leg_direction_of(at.motion.state);
-            const tdmf_leg d_leg = tdmf_vary_leg_with(
-                &at.model, &at.motion.mode.ground, at.motion.state, direction, leg.rest_length, &leg,
-                &d.model, &d.mode.ground, d.state,
-                tdmf_vary_rest_length(&at.model, &at.inputs, &at.motion.mode, &d.model, &d.inputs, &d.mode));
+            const tdmf_leg d_leg =
+                tdmf_vary_leg_along(&at.model, &at.inputs, &at.motion.mode, at.motion.state, direction, &leg,
+                                    &d.model, &d.inputs, &d.mode, d.state);
             const row exact = leg_and_points(
                 &d_leg,
                 tdmf_vary_body_from_foot(at.motion.state, tdmf_leg_direction_of(at.motion.state), d.state),

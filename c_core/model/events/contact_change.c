@@ -79,7 +79,7 @@ static tdmf_mode mode_off_ground(const tdmf_run *run) {
 
 tdmf_contact_mode tdmf_mode_of_resting_foot(const tdmf_run *run, const tdmf_mode *mode) {
     const tdmf_evaluation at = tdmf_evaluate_run(run, mode);
-    const tdmf_ground_force force = tdmf_force_in_stance(at.model, at.inputs, at.mode, at.state, &at.leg);
+    const tdmf_ground_force force = tdmf_force_in_stance(&at);
     const tdmf_zone zone = tdmf_zone_towards(at.model, at.state[TDMF_FOOT_X], -force.tangential);
     if (tdmf_inside_friction_cone(force, tdmf_static_friction(at.model, at.inputs, zone))) {
         return TDMF_CONTACT_STICK;
@@ -123,7 +123,9 @@ static double angle_acceleration_in_drive(const tdmf_run *run) {
     driven.phase = TDMF_PHASE_DRIVE;
     tdmf_set_contact(run->system.model, run->motion->state, mode_of_loaded_foot(run, &driven), &driven);
     const tdmf_evaluation at = tdmf_evaluate_run(run, &driven);
-    return tdmf_accelerate_leg(&at).angle;
+    double rates[TDMF_STATE_COUNT];
+    tdmf_rates_of_state(&at, 0.0, rates);
+    return rates[TDMF_LEG_ANGLE_RATE];
 }
 
 /* A stance that begins with the foot ahead is driven until the leg is upright. One that begins upright is
@@ -148,7 +150,7 @@ void tdmf_come_to_ground(tdmf_run *run) {
 void tdmf_unload_foot(tdmf_run *run) {
     const tdmf_mode off_ground = mode_off_ground(run);
     const tdmf_evaluation at = tdmf_evaluate_run(run, &off_ground);
-    const double force = tdmf_load_in_stance(&at);
+    const double force = tdmf_force_in_stance(&at).normal;
     const bool jumped = force < -TDMF_UNLOADED_FORCE * run->system.model->scales.force;
     enter(run, jumped ? tdmf_contact_of_resting_foot(&at) : tdmf_contact_after_lift_off(&at), &off_ground);
 }

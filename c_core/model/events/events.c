@@ -60,8 +60,7 @@ tdmf_guard tdmf_first_due(tdmf_system system, const tdmf_mode *mode, const doubl
 }
 
 tdmf_evaluation tdmf_evaluate_run(const tdmf_run *run, const tdmf_mode *mode) {
-    const tdmf_leg leg = tdmf_leg_along(run->system, mode, run->motion->state, run->direction);
-    return tdmf_evaluate_leg(run->system, mode, run->motion->state, &leg);
+    return tdmf_evaluate_along(run->system, mode, run->motion->state, run->direction);
 }
 
 bool tdmf_take_transitions(tdmf_run *run, tdmf_guard reached, bool observes) {

@@ -18,7 +18,7 @@ double tdmf_armed_vertical_force_peak(const tdmf_evaluation *at) {
     const tdmf_ground_line *ground = &at->mode->ground;
     return ground->sine == 0.0
                ? 1.0
-               : armed(at, tdmf_vertical_force(ground, tdmf_force_rate(at)), at->mode->vertical_force_rising);
+               : armed(at, tdmf_vector_on(ground, tdmf_force_rate(at)).y, at->mode->vertical_force_rising);
 }
 
 void tdmf_observe(tdmf_system system, tdmf_motion *motion) {
@@ -32,8 +32,8 @@ void tdmf_observe_evaluated(const tdmf_evaluation *at, tdmf_motion *motion) {
     tdmf_mode *mode = &motion->mode;
     if (tdmf_in_contact(mode)) {
         const tdmf_ground_force rate = tdmf_force_rate(at);
-        tdmf_record_force(&motion->record, at->force.normal, tdmf_vertical_force(&mode->ground, at->force));
+        tdmf_record_force(&motion->record, at->force.normal, tdmf_vector_on(&mode->ground, at->force).y);
         mode->ground_force_rising = rate.normal > 0.0;
-        mode->vertical_force_rising = tdmf_vertical_force(&mode->ground, rate) > 0.0;
+        mode->vertical_force_rising = tdmf_vector_on(&mode->ground, rate).y > 0.0;
     }
 }
