@@ -151,28 +151,27 @@ static inline tdmf_point tdmf_vary_center_of_mass_along(const tdmf_model *model,
     return result;
 }
 
-/* The foot of a leg whose centre of mass is there and moves so. */
-static inline tdmf_point tdmf_foot_below(const tdmf_model *model, tdmf_point center,
-                                         const double state[TDMF_STATE_COUNT], tdmf_leg_direction direction) {
+/* A foot that is there and moves so, as the state has it. */
+static inline void tdmf_hang_foot(const tdmf_model *model, tdmf_point center,
+                                  const double state[TDMF_STATE_COUNT], tdmf_leg_direction direction,
+                                  double written[TDMF_STATE_COUNT]) {
     const double x = -state[TDMF_LEG_LENGTH] * direction.sine;
     const double y = state[TDMF_LEG_LENGTH] * direction.cosine;
     const double across = state[TDMF_LEG_LENGTH] * state[TDMF_LEG_ANGLE_RATE];
     const double vx = -state[TDMF_LEG_LENGTH_RATE] * direction.sine - across * direction.cosine;
     const double vy = state[TDMF_LEG_LENGTH_RATE] * direction.cosine - across * direction.sine;
-    const tdmf_point result = {
-        .x = center.x - model->body_share * x,
-        .y = center.y - model->body_share * y,
-        .vx = center.vx - model->body_share * vx,
-        .vy = center.vy - model->body_share * vy,
-    };
-    return result;
+    written[TDMF_FOOT_X] = center.x - model->body_share * x;
+    written[TDMF_FOOT_Y] = center.y - model->body_share * y;
+    written[TDMF_FOOT_VX] = center.vx - model->body_share * vx;
+    written[TDMF_FOOT_VY] = center.vy - model->body_share * vy;
 }
 
 /* Its change. */
-static inline tdmf_point tdmf_vary_foot_below(const tdmf_model *model, tdmf_point center,
-                                              const double state[TDMF_STATE_COUNT],
-                                              tdmf_leg_direction direction, const tdmf_model *d_model,
-                                              tdmf_point d_center, const double d_state[TDMF_STATE_COUNT]) {
+static inline void tdmf_vary_hang_foot(const tdmf_model *model, tdmf_point center,
+                                       const double state[TDMF_STATE_COUNT], tdmf_leg_direction direction,
+                                       const tdmf_model *d_model, tdmf_point d_center,
+                                       const double d_state[TDMF_STATE_COUNT],
+                                       double written[TDMF_STATE_COUNT]) {
     (void)center;
     const double x = -state[TDMF_LEG_LENGTH] * direction.sine;
     const double d_x = -d_state[TDMF_LEG_LENGTH] * direction.sine +
@@ -191,13 +190,19 @@ static inline tdmf_point tdmf_vary_foot_below(const tdmf_model *model, tdmf_poin
     const double d_vy = d_state[TDMF_LEG_LENGTH_RATE] * direction.cosine +
                         state[TDMF_LEG_LENGTH_RATE] * -(direction.sine * d_state[TDMF_LEG_ANGLE]) -
                         (d_across * direction.sine + across * (direction.cosine * d_state[TDMF_LEG_ANGLE]));
-    const tdmf_point result = {
-        .x = d_center.x - (d_model->body_share * x + model->body_share * d_x),
-        .y = d_center.y - (d_model->body_share * y + model->body_share * d_y),
-        .vx = d_center.vx - (d_model->body_share * vx + model->body_share * d_vx),
-        .vy = d_center.vy - (d_model->body_share * vy + model->body_share * d_vy),
-    };
-    return result;
+    written[TDMF_FOOT_X] = d_center.x - (d_model->body_share * x + model->body_share * d_x);
+    written[TDMF_FOOT_Y] = d_center.y - (d_model->body_share * y + model->body_share * d_y);
+    written[TDMF_FOOT_VX] = d_center.vx - (d_model->body_share * vx + model->body_share * d_vx);
+    written[TDMF_FOOT_VY] = d_center.vy - (d_model->body_share * vy + model->body_share * d_vy);
+}
+
+/* A foot that is there and moves so, as the state has it. */
+static inline void tdmf_stand_foot(const tdmf_ground_line *line, double along, double velocity,
+                                   double written[TDMF_STATE_COUNT]) {
+    written[TDMF_FOOT_X] = line->cosine * along;
+    written[TDMF_FOOT_Y] = line->height + line->sine * along;
+    written[TDMF_FOOT_VX] = line->cosine * velocity;
+    written[TDMF_FOOT_VY] = line->sine * velocity;
 }
 
 /* The leg's rates where the foot has another velocity and the body keeps its own. */

@@ -8,42 +8,30 @@
 
 /* f.v_m, the power of the external force on the body. */
 static inline double tdmf_external_power(const tdmf_evaluation *at) {
-    return at->inputs->body.external_fx *
-               (at->state[TDMF_FOOT_VX] +
-                (-at->state[TDMF_LEG_LENGTH_RATE] * at->leg.sine -
-                 at->state[TDMF_LEG_LENGTH] * at->state[TDMF_LEG_ANGLE_RATE] * at->leg.cosine)) +
-           at->inputs->body.external_fy *
-               (at->state[TDMF_FOOT_VY] +
-                (at->state[TDMF_LEG_LENGTH_RATE] * at->leg.cosine -
-                 at->state[TDMF_LEG_LENGTH] * at->state[TDMF_LEG_ANGLE_RATE] * at->leg.sine));
+    const double across = at->state[TDMF_LEG_LENGTH] * at->state[TDMF_LEG_ANGLE_RATE];
+    const double vx = -at->state[TDMF_LEG_LENGTH_RATE] * at->leg.sine - across * at->leg.cosine;
+    const double vy = at->state[TDMF_LEG_LENGTH_RATE] * at->leg.cosine - across * at->leg.sine;
+    return at->inputs->body.external_fx * (at->state[TDMF_FOOT_VX] + vx) +
+           at->inputs->body.external_fy * (at->state[TDMF_FOOT_VY] + vy);
 }
 
 /* Its change. */
 static inline double tdmf_vary_external_power(const tdmf_evaluation *at, const tdmf_evaluation *d_at) {
-    return d_at->inputs->body.external_fx *
-               (at->state[TDMF_FOOT_VX] +
-                (-at->state[TDMF_LEG_LENGTH_RATE] * at->leg.sine -
-                 at->state[TDMF_LEG_LENGTH] * at->state[TDMF_LEG_ANGLE_RATE] * at->leg.cosine)) +
-           at->inputs->body.external_fx *
-               (d_at->state[TDMF_FOOT_VX] +
-                (-d_at->state[TDMF_LEG_LENGTH_RATE] * at->leg.sine +
-                 -at->state[TDMF_LEG_LENGTH_RATE] * d_at->leg.sine -
-                 ((d_at->state[TDMF_LEG_LENGTH] * at->state[TDMF_LEG_ANGLE_RATE] +
-                   at->state[TDMF_LEG_LENGTH] * d_at->state[TDMF_LEG_ANGLE_RATE]) *
-                      at->leg.cosine +
-                  at->state[TDMF_LEG_LENGTH] * at->state[TDMF_LEG_ANGLE_RATE] * d_at->leg.cosine))) +
-           (d_at->inputs->body.external_fy *
-                (at->state[TDMF_FOOT_VY] +
-                 (at->state[TDMF_LEG_LENGTH_RATE] * at->leg.cosine -
-                  at->state[TDMF_LEG_LENGTH] * at->state[TDMF_LEG_ANGLE_RATE] * at->leg.sine)) +
-            at->inputs->body.external_fy *
-                (d_at->state[TDMF_FOOT_VY] +
-                 (d_at->state[TDMF_LEG_LENGTH_RATE] * at->leg.cosine +
-                  at->state[TDMF_LEG_LENGTH_RATE] * d_at->leg.cosine -
-                  ((d_at->state[TDMF_LEG_LENGTH] * at->state[TDMF_LEG_ANGLE_RATE] +
-                    at->state[TDMF_LEG_LENGTH] * d_at->state[TDMF_LEG_ANGLE_RATE]) *
-                       at->leg.sine +
-                   at->state[TDMF_LEG_LENGTH] * at->state[TDMF_LEG_ANGLE_RATE] * d_at->leg.sine))));
+    const double across = at->state[TDMF_LEG_LENGTH] * at->state[TDMF_LEG_ANGLE_RATE];
+    const double vx = -at->state[TDMF_LEG_LENGTH_RATE] * at->leg.sine - across * at->leg.cosine;
+    const double d_across = d_at->state[TDMF_LEG_LENGTH] * at->state[TDMF_LEG_ANGLE_RATE] +
+                            at->state[TDMF_LEG_LENGTH] * d_at->state[TDMF_LEG_ANGLE_RATE];
+    const double d_vx = -d_at->state[TDMF_LEG_LENGTH_RATE] * at->leg.sine +
+                        -at->state[TDMF_LEG_LENGTH_RATE] * d_at->leg.sine -
+                        (d_across * at->leg.cosine + across * d_at->leg.cosine);
+    const double vy = at->state[TDMF_LEG_LENGTH_RATE] * at->leg.cosine - across * at->leg.sine;
+    const double d_vy = d_at->state[TDMF_LEG_LENGTH_RATE] * at->leg.cosine +
+                        at->state[TDMF_LEG_LENGTH_RATE] * d_at->leg.cosine -
+                        (d_across * at->leg.sine + across * d_at->leg.sine);
+    return d_at->inputs->body.external_fx * (at->state[TDMF_FOOT_VX] + vx) +
+           at->inputs->body.external_fx * (d_at->state[TDMF_FOOT_VX] + d_vx) +
+           (d_at->inputs->body.external_fy * (at->state[TDMF_FOOT_VY] + vy) +
+            at->inputs->body.external_fy * (d_at->state[TDMF_FOOT_VY] + d_vy));
 }
 
 /* The right-hand side but for the hip's own states: velocities, accelerations, and powers.

@@ -46,6 +46,17 @@ static inline tdmf_vector tdmf_vary_com_acceleration(const tdmf_model *model, td
     return result;
 }
 
+/* (0, -g) + (external force)/(m + m_f), under the inputs. */
+static inline tdmf_vector tdmf_falling_acceleration(const tdmf_model *model, const tdmf_inputs *inputs) {
+    const double x = inputs->body.external_fx * model->inverse_body_mass;
+    const double y = inputs->body.external_fy * model->inverse_body_mass;
+    const tdmf_vector result = {
+        .x = model->body_share * x,
+        .y = model->body_share * y - model->parameters.gravity,
+    };
+    return result;
+}
+
 /* The centre of mass in flight, some time after the start: x + v t + a t^2/2 + (jerk) t^3/6. */
 static inline tdmf_point tdmf_ballistic_after(tdmf_point start, tdmf_vector acceleration, tdmf_vector jerk,
                                               double time) {

@@ -79,7 +79,7 @@ static void take(tdmf_runner *runner, standing_member *m, tdmf_guard reached) {
     tdmf_runner_pass_time(runner, m->now.elapsed);
     m->time_left -= m->now.elapsed;
     m->now.elapsed = 0.0;
-    tdmf_set_foot(tdmf_point_on(&motion->mode.ground, m->at.foot_x, m->at.at.foot_vx), motion->state);
+    tdmf_stand_foot(&motion->mode.ground, m->at.foot_x, m->at.at.foot_vx, motion->state);
     tdmf_take_mode_change(&run, reached);
 }
 

@@ -59,6 +59,11 @@ def foot_below(model, center, state, direction):
     )
 
 
+def foot_at(point):
+    """A foot that is there and moves so, as the state has it."""
+    return Record(foot_x=point.x, foot_y=point.y, foot_vx=point.vx, foot_vy=point.vy)
+
+
 def foot_over_ground(line, state):
     """The foot in the axes of the ground."""
     return Record(

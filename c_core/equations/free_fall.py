@@ -21,6 +21,11 @@ def of_center(model, push):
     return Record(x=model.body_share * push.x, y=model.body_share * push.y - model.parameters.gravity)
 
 
+def of_runner(model, inputs):
+    """(0, -g) + (external force)/(m + m_f), under the inputs."""
+    return of_center(model, push_on_body(model, inputs))
+
+
 def ballistic(start, acceleration, jerk, time):
     """The centre of mass in flight, some time after the start: x + v t + a t^2/2 + (jerk) t^3/6."""
     return Record(

@@ -53,6 +53,18 @@ FUNCTIONS = {
     "ground_line": [
         InC("double velocity_along", ground_line.along),
         InC("double velocity_off", ground_line.off, varied=False),
+        InC(
+            "double acceleration_along",
+            ground_line.along,
+            lambda line, acceleration: (line, acceleration.x, acceleration.y),
+            varied=False,
+        ),
+        InC(
+            "double acceleration_off",
+            ground_line.off,
+            lambda line, acceleration: (line, acceleration.x, acceleration.y),
+            varied=False,
+        ),
         InC("double offset_along", ground_line.offset_along),
         InC("double height_over", ground_line.height_over),
         InC("double ground_height_at", ground_line.height_at),
@@ -143,7 +155,9 @@ FUNCTIONS = {
             "double leg_work_of_jump",
             leg.work_of_jump,
             lambda model, length, before, after: (model.parameters.leg.stiffness, length, before, after),
+            varied=False,
         ),
+        InC("double leg_work_between", leg.work_between),
     ],
     "friction": [
         InC("double friction_below", friction.below),
@@ -194,13 +208,26 @@ FUNCTIONS = {
     "free_fall": [
         InC("tdmf_vector push_on_body", free_fall.push_on_body),
         InC("tdmf_vector com_acceleration", free_fall.of_center),
+        InC("tdmf_vector falling_acceleration", free_fall.of_runner, varied=False),
         InC("tdmf_point ballistic_after", free_fall.ballistic),
     ],
     "coordinate": [
         InC("tdmf_point body_from_foot", coordinates.body_from_foot),
         InC("tdmf_point body_along", coordinates.body),
         InC("tdmf_point center_of_mass_along", coordinates.center_of_mass),
-        InC("tdmf_point foot_below", coordinates.foot_below),
+        InC(
+            "void hang_foot",
+            coordinates.foot_at,
+            lambda model, center, state, direction: (
+                coordinates.foot_below(model, center, state, direction),
+            ),
+        ),
+        InC(
+            "void stand_foot",
+            coordinates.foot_at,
+            lambda line, along, velocity: (ground_line.point_on(line, along, velocity),),
+            varied=False,
+        ),
         InC("tdmf_leg_rates leg_rates_with_foot", coordinates.leg_rates_with_foot, varied=False),
         InC("tdmf_point foot_over", coordinates.foot_over_ground, varied=False),
         InC("tdmf_flying flying_of", coordinates.in_flight, varied=False),
@@ -224,7 +251,8 @@ FUNCTIONS = {
         InC("void rates_at", dynamics.rates),
     ],
     "prescribed_flight": [
-        InC("void placed_leg", prescribed_flight.placed_leg),
+        InC("tdmf_point ballistic_under", prescribed_flight.center_of_mass),
+        InC("void prescribed_state", prescribed_flight.state),
         InC("void prescribed_rates", prescribed_flight.rates, varied=False),
         InC("double rise_time", prescribed_flight.time_to_apex),
     ],
@@ -269,6 +297,7 @@ TYPES = {
     "point": "tdmf_classic_point",
     "force": "tdmf_ground_force",
     **{name: f"const tdmf_{name} *" for name in ("model", "inputs", "mode", "leg", "standing", "flying")},
+    **dict.fromkeys(("before_mode", "after_mode"), "const tdmf_mode *"),
     **dict.fromkeys(("body", "center", "start"), "tdmf_point"),
     **dict.fromkeys(("push", "acceleration", "free_body", "jerk", "foot"), "tdmf_vector"),
     **dict.fromkeys(("upright", "sticks", "falls", "forward", "pushed", "foot_is_free"), "bool"),

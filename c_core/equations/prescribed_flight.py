@@ -4,8 +4,10 @@ r = l0 + u, theta = theta0 - omega t, t after the apex; the centre of mass is ba
 of the leg from the foot.
 """
 
-from . import coordinates, hip, leg
+from . import coordinates, free_fall, hip, leg
 from .functions import Record
+
+STEADY = Record(x=0, y=0)
 
 
 def placed_leg(model, inputs, time):
@@ -20,8 +22,22 @@ def placed_leg(model, inputs, time):
     )
 
 
-def rates(model, state, direction, acceleration):
+def center_of_mass(model, inputs, start, time):
+    """Some time later than it was there and moved so."""
+    return free_fall.ballistic(start, free_fall.of_runner(model, inputs), STEADY, time)
+
+
+def state(model, inputs, start, time):
+    """The state some time after an apex, where the centre of mass began: leg, foot and clock of place."""
+    placed = placed_leg(model, inputs, time)
+    center = center_of_mass(model, inputs, start, time)
+    foot = coordinates.foot_below(model, center, placed, leg.direction(placed.leg_angle))
+    return Record(**vars(coordinates.foot_at(foot)), **vars(placed))
+
+
+def rates(model, inputs, state, direction):
     """Where the leg has a constant length and rate, the foot swings about the centre of mass."""
+    acceleration = free_fall.of_runner(model, inputs)
     from_foot = coordinates.body_from_foot(state, direction)
     towards = model.body_share * state.leg_angle_rate * state.leg_angle_rate
     return Record(
@@ -34,6 +50,7 @@ def rates(model, state, direction, acceleration):
     )
 
 
-def time_to_apex(start, acceleration):
-    """How long a centre of mass rises that falls so fast."""
+def time_to_apex(model, inputs, start):
+    """How long a centre of mass rises; where nothing pulls it down the time is infinite or negative."""
+    acceleration = free_fall.of_runner(model, inputs)
     return start.vy / -acceleration.y

@@ -4,11 +4,13 @@
 
 #include "event_log.h"
 #include "ground_line.h"
+#include "kinematics.h"
 #include "patch.h"
-#include "prescribed_flight.h"
+#include "prescribed_flight_laws.h"
 #include "reduced_stride.h"
 #include "request.h"
 #include "return_record.h"
+#include "seed.h"
 #include "tdmf_slip/dynamics.h"
 #include "tdmf_slip/energy.h"
 
@@ -42,8 +44,8 @@ static void touch_down(stride_variations *varied, tdmf_system system, tdmf_point
         const double d_height = i == TDMF_REDUCED_COM_HEIGHT;
         const tdmf_point d_apex = {.y = d_height + d.mode.ground.height, .vx = i == TDMF_REDUCED_COM_SPEED};
         tdmf_variation falling = {.liftoff_angle = 0.0};
-        tdmf_vary_prescribed_state(system, &d, apex, d_apex, before->state[TDMF_HIP_PLACE_TIME],
-                                   before->state, falling.state);
+        tdmf_vary_prescribed_state(system.model, system.inputs, apex, before->state[TDMF_HIP_PLACE_TIME],
+                                   &d.model, &d.inputs, d_apex, 0.0, falling.state);
         varied->variations[i] =
             tdmf_saltation(system, TDMF_GUARD_TOUCHDOWN, before, &after, &varied->seeds[i], &falling);
     }
@@ -57,10 +59,13 @@ static tdmf_stride_variation fly(tdmf_system system, const tdmf_ground_line *gro
     const tdmf_point com = tdmf_center_of_mass(system.model, state);
     const tdmf_point d_com = tdmf_vary_center_of_mass_along(system.model, state, tdmf_leg_direction_of(state),
                                                             &d.model, variation->state);
-    const double time = tdmf_time_to_apex(system, com);
-    const double d_time = tdmf_vary_time_to_apex(system, &d, com, d_com);
-    const tdmf_point d_apex = tdmf_vary_ballistic(system, &d, com, d_com, time, d_time);
-    const double apex_x = tdmf_center_of_mass_after(system, com, time).x;
+    const tdmf_model *model = system.model;
+    const tdmf_inputs *inputs = system.inputs;
+    const double time = tdmf_rise_time(model, inputs, com);
+    const double d_time = tdmf_vary_rise_time(model, inputs, com, &d.model, &d.inputs, d_com);
+    const tdmf_point d_apex =
+        tdmf_vary_ballistic_under(model, inputs, com, time, &d.model, &d.inputs, d_com, d_time);
+    const double apex_x = tdmf_ballistic_under(model, inputs, com, time).x;
     const double d_ground_height = tdmf_vary_ground_height_at(ground, apex_x, &d.mode.ground, d_apex.x);
     tdmf_stride_variation result = {.apex = {d_apex.y - d_ground_height, d_apex.vx},
                                     .period = d_time,

@@ -6,6 +6,7 @@
 #include "ground_line.h"
 #include "instant.h"
 #include "prescribed_flight.h"
+#include "prescribed_flight_laws.h"
 #include "tdmf_slip/automaton.h"
 
 #include <math.h>
@@ -13,7 +14,7 @@
 
 /* The state at an apex, integrals zero. */
 static void write_apex(tdmf_system system, tdmf_point apex, double state[TDMF_STATE_COUNT]) {
-    tdmf_prescribed_state(system, apex, 0.0, state);
+    tdmf_prescribed_state(system.model, system.inputs, apex, 0.0, state);
     /* The leg begins to turn at the apex. Here it is at rest, so that no rounding moves the centre of mass.
      */
     state[TDMF_LEG_ANGLE_RATE] = 0.0;
@@ -78,19 +79,20 @@ tdmf_return_outcome tdmf_reduced_touch_down(tdmf_system system, double until, td
     }
     move_time(motion, descent.time);
     push_along(system.inputs, apex, motion, tdmf_center_of_mass_after(system, apex, descent.time));
-    tdmf_prescribed_state(system, apex, descent.time, motion->state);
+    tdmf_prescribed_state(system.model, system.inputs, apex, descent.time, motion->state);
     if (descent.body_first) {
         return TDMF_RETURN_FELL;
     }
     tdmf_lift_to_ground(ground, motion->state); /* up to rounding it is there */
+    tdmf_run run = run_of(system, motion);
     if (before != NULL) {
         memcpy(before->state, motion->state, sizeof before->state);
         before->mode = motion->mode;
         before->peak_force = motion->record.progress.open.peak_force;
         before->peak_vertical_force = motion->record.progress.open.peak_vertical_force;
-        tdmf_prescribed_derivatives(system, before->state, before->derivatives);
+        memset(before->derivatives, 0, sizeof before->derivatives);
+        tdmf_prescribed_rates(system.model, system.inputs, before->state, run.direction, before->derivatives);
     }
-    tdmf_run run = run_of(system, motion);
     tdmf_take_touchdown(&run);
     tdmf_resolve_along(system, motion, run.direction, TDMF_GUARD_COUNT);
     return tdmf_in_contact(&motion->mode) ? TDMF_RETURN_CLOSED : TDMF_RETURN_NO_STANCE;
@@ -100,8 +102,8 @@ tdmf_return_outcome tdmf_reduced_fly(tdmf_system system, tdmf_motion *motion) {
     const tdmf_point lift_off = tdmf_center_of_mass(system.model, motion->state);
     tdmf_run standing = run_of(system, motion);
     tdmf_end_thrust(&standing);
-    const double time = tdmf_time_to_apex(system, lift_off);
-    if (!(lift_off.vy > 0.0) || isinf(time)) {
+    const double time = tdmf_rise_time(system.model, system.inputs, lift_off);
+    if (!(lift_off.vy > 0.0) || !(time > 0.0) || isinf(time)) {
         return TDMF_RETURN_NO_APEX;
     }
     tdmf_point apex = tdmf_center_of_mass_after(system, lift_off, time);

@@ -3,7 +3,7 @@
  * later by dT = -d_vy_c/a_y, so that on it the variation is d_x + f dT. */
 #include "tdmf_slip/return_map.h"
 
-#include "free_fall.h"
+#include "free_fall_laws.h"
 #include "ground_line.h"
 #include "kinematics.h"
 #include "patch.h"
@@ -84,8 +84,7 @@ static tdmf_stride_variation on_section(tdmf_system system, const tdmf_motion *m
     const tdmf_local_seed d = tdmf_local_seed_of(system.model, seed, NULL);
     const tdmf_point d_com = tdmf_vary_center_of_mass_along(
         system.model, motion->state, tdmf_leg_direction_of(motion->state), &d.model, d_state);
-    const tdmf_vector acceleration =
-        tdmf_com_acceleration(system.model, tdmf_push_on_body(system.model, system.inputs));
+    const tdmf_vector acceleration = tdmf_falling_acceleration(system.model, system.inputs);
     const double shift = d_com.vy / -acceleration.y;
     const double d_com_x = d_com.x + com.vx * shift;
     const double d_ground_height =

@@ -2,7 +2,7 @@
 #include "dynamics.h"
 
 #include "dynamics_laws.h"
-#include "free_fall.h"
+#include "input_rates.h"
 #include "ranges.h"
 
 #include <string.h>

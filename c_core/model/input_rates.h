@@ -12,6 +12,11 @@ static inline const tdmf_inputs *tdmf_rates_or_zero(const tdmf_inputs *rates) {
     return rates != NULL ? rates : &tdmf_zero_input_rates;
 }
 
+/* An external force acts on the body, or begins to. */
+static inline bool tdmf_is_pushed(const tdmf_inputs *inputs) {
+    return inputs->body.external_fx != 0.0 || inputs->body.external_fy != 0.0;
+}
+
 /* All rates are zero. */
 bool tdmf_are_zero_rates(const tdmf_inputs *rates);
 

@@ -1,7 +1,7 @@
 /* Positions and velocities as the world asks for them. */
 #include "kinematics.h"
 
-#include "free_fall.h"
+#include "prescribed_flight_laws.h"
 
 tdmf_point tdmf_body(const double state[TDMF_STATE_COUNT]) {
     return tdmf_body_along(state, tdmf_leg_direction_of(state));
@@ -12,10 +12,7 @@ tdmf_point tdmf_center_of_mass(const tdmf_model *model, const double state[TDMF_
 }
 
 tdmf_point tdmf_center_of_mass_after(tdmf_system system, tdmf_point from, double time) {
-    static const tdmf_vector steady = {0.0, 0.0};
-    return tdmf_ballistic_after(
-        from, tdmf_com_acceleration(system.model, tdmf_push_on_body(system.model, system.inputs)), steady,
-        time);
+    return tdmf_ballistic_under(system.model, system.inputs, from, time);
 }
 
 void tdmf_set_foot_velocity_along(double vx, double vy, tdmf_leg_direction direction,
@@ -29,13 +26,6 @@ void tdmf_set_foot_velocity_along(double vx, double vy, tdmf_leg_direction direc
 
 void tdmf_set_foot_velocity(double vx, double vy, double state[TDMF_STATE_COUNT]) {
     tdmf_set_foot_velocity_along(vx, vy, tdmf_leg_direction_of(state), state);
-}
-
-void tdmf_set_foot(tdmf_point foot, double state[TDMF_STATE_COUNT]) {
-    state[TDMF_FOOT_X] = foot.x;
-    state[TDMF_FOOT_Y] = foot.y;
-    state[TDMF_FOOT_VX] = foot.vx;
-    state[TDMF_FOOT_VY] = foot.vy;
 }
 
 tdmf_point tdmf_foot_over_ground(const tdmf_ground_line *ground, const double state[TDMF_STATE_COUNT]) {

@@ -9,7 +9,4 @@
 void tdmf_set_foot_velocity_along(double vx, double vy, tdmf_leg_direction direction,
                                   double state[TDMF_STATE_COUNT]);
 
-/* Puts the foot there, or gives it a change. */
-void tdmf_set_foot(tdmf_point foot, double state[TDMF_STATE_COUNT]);
-
 #endif

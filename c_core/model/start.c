@@ -160,18 +160,6 @@ tdmf_refusal tdmf_start(tdmf_system system, tdmf_motion *motion) {
     return refusal;
 }
 
-/* Varies the work of a leg that thrusts from the start on. */
-static double vary_leg_work(tdmf_system system, const double started[TDMF_STATE_COUNT], const tdmf_mode *mode,
-                            const tdmf_local_seed *d, double d_length) {
-    tdmf_mode before = *mode;
-    before.thrusts = false;
-    return tdmf_vary_leg_work_of_jump(
-        system.model, started[TDMF_LEG_LENGTH], tdmf_rest_length(system.model, system.inputs, &before),
-        tdmf_rest_length(system.model, system.inputs, mode), &d->model, d_length,
-        tdmf_vary_rest_length(system.model, system.inputs, &before, &d->model, &d->inputs, &d->mode),
-        tdmf_vary_rest_length(system.model, system.inputs, mode, &d->model, &d->inputs, &d->mode));
-}
-
 tdmf_start_variation tdmf_vary_start(tdmf_system system, const double given[TDMF_STATE_COUNT],
                                      const double started[TDMF_STATE_COUNT], const tdmf_mode *mode,
                                      const tdmf_seed *seed, const double state_seed[TDMF_STATE_COUNT]) {
@@ -184,7 +172,11 @@ tdmf_start_variation tdmf_vary_start(tdmf_system system, const double given[TDMF
     if (foot_is_at_ground(system.model, &ground, given) && rate_of_foot(system.model, &ground, given) < 0.0) {
         varied.impact_loss = tdmf_vary_impact(system, &ground, given, &d, d_state);
     }
-    d_state[TDMF_LEG_WORK] = vary_leg_work(system, started, mode, &d, d_state[TDMF_LEG_LENGTH]);
+    tdmf_mode before = *mode;
+    before.thrusts = false; /* it may from the start on */
+    d_state[TDMF_LEG_WORK] =
+        tdmf_vary_leg_work_between(system.model, system.inputs, started[TDMF_LEG_LENGTH], &before, mode,
+                                   &d.model, &d.inputs, d_state[TDMF_LEG_LENGTH], &d.mode, &d.mode);
     const tdmf_leg_direction direction = tdmf_leg_direction_of(started);
     const tdmf_point com = tdmf_center_of_mass_along(system.model, started, direction);
     const tdmf_point d_com =

@@ -3,6 +3,7 @@
 
 #include "constant_laws.h"
 #include "friction.h"
+#include "ground_line_laws.h"
 
 #include <math.h>
 
@@ -38,8 +39,8 @@ ground_coefficients tdmf_ground_coefficients(const tdmf_mode_equations *equation
         equations->model, ground, &equations->law, equations->rest_length, equations->push,
         equations->friction, equations->friction_excess, equations->friction_fading);
     coefficients.friction_rate = equations->friction_rate;
-    coefficients.gravity_x_rate = -tdmf_along_line(ground, equations->push_rate);
-    coefficients.gravity_y_rate = -tdmf_off_line(ground, equations->push_rate);
+    coefficients.gravity_x_rate = -tdmf_acceleration_along(ground, equations->push_rate);
+    coefficients.gravity_y_rate = -tdmf_acceleration_off(ground, equations->push_rate);
     coefficients.rest_length_rate = equations->rest_length_rate;
     return coefficients;
 }

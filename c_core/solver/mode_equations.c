@@ -187,7 +187,7 @@ static tdmf_leg_direction write_flight(const tdmf_mode_equations *equations, dou
     const tdmf_point com = tdmf_com_in_flight(equations, elapsed);
     tdmf_state_of_flying(&at->flying, state);
     const tdmf_leg_direction direction = tdmf_leg_direction_of(state);
-    tdmf_set_foot(tdmf_foot_below(equations->model, com, state, direction), state);
+    tdmf_hang_foot(equations->model, com, state, direction, state);
     return direction;
 }
 

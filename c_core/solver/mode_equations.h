@@ -2,7 +2,7 @@
 #ifndef TDMF_SOLVER_MODE_EQUATIONS_H
 #define TDMF_SOLVER_MODE_EQUATIONS_H
 
-#include "free_fall.h"
+#include "free_fall_laws.h"
 #include "hip_law.h"
 #include "kinematics.h"
 #include "leg.h"

@@ -26,8 +26,7 @@ static void flight_variation_of_state(const tdmf_model *model, const double stat
     const tdmf_leg_direction direction = tdmf_leg_direction_of(state);
     const tdmf_point center = tdmf_center_of_mass_along(model, state, direction);
     tdmf_state_of_flying(&varied_mode->at.flying, d_state);
-    tdmf_set_foot(tdmf_vary_foot_below(model, center, state, direction, &d->model, varied_mode->com, d_state),
-                  d_state);
+    tdmf_vary_hang_foot(model, center, state, direction, &d->model, varied_mode->com, d_state, d_state);
 }
 
 /* The change of the centre of mass's acceleration. */

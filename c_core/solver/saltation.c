@@ -67,17 +67,6 @@ static void shift_in_time(double dt, const double derivatives[TDMF_STATE_COUNT],
     }
 }
 
-/* No event moves the leg, but many in a row may change its rest length. */
-static double vary_leg_work(tdmf_system system, const tdmf_event_state *before, const tdmf_event_state *after,
-                            const tdmf_local_seed *d, const double d_state[TDMF_STATE_COUNT]) {
-    return tdmf_vary_leg_work_of_jump(
-        system.model, before->state[TDMF_LEG_LENGTH],
-        tdmf_rest_length(system.model, system.inputs, &before->mode),
-        tdmf_rest_length(system.model, system.inputs, &after->mode), &d->model, d_state[TDMF_LEG_LENGTH],
-        tdmf_vary_rest_length(system.model, system.inputs, &before->mode, &d->model, &d->inputs, &d->mode),
-        tdmf_vary_rest_length(system.model, system.inputs, &after->mode, &d->model, &d->inputs, &d->mode));
-}
-
 /* The ground force on a side of the event, and its change where the event is met; `d` has the state's change
  * there. */
 typedef struct {
@@ -155,7 +144,10 @@ tdmf_variation tdmf_saltation_met(tdmf_system system, tdmf_guard guard, const td
     if (event->vary_reset != NULL) {
         event->vary_reset(system.model, system.inputs, &before->mode.ground, before->state, &d, varied.state);
     }
-    varied.state[TDMF_LEG_WORK] += vary_leg_work(system, before, after, &d, varied.state);
+    /* No event moves the leg, but many in a row may change its rest length. */
+    varied.state[TDMF_LEG_WORK] += tdmf_vary_leg_work_between(
+        system.model, system.inputs, before->state[TDMF_LEG_LENGTH], &before->mode, &after->mode, &d.model,
+        &d.inputs, varied.state[TDMF_LEG_LENGTH], &d.mode, &d.mode);
     if (tdmf_latches_liftoff_angle(&before->mode, &after->mode, impact)) {
         varied.liftoff_angle = varied.state[TDMF_LEG_ANGLE];
     }

@@ -4,6 +4,7 @@
 #include "differentiate.h"
 #include "ground_line.h"
 #include "prescribed_flight.h"
+#include "prescribed_flight_laws.h"
 #include "random.h"
 #include "reduced_gaits.h"
 #include "scene.h"
@@ -494,7 +495,7 @@ static void the_first_touchdown_is_found_however_the_leg_turns(void **state) {
         const tdmf_model model = model_of(&scene);
         const tdmf_point apex = {0.0, scene.apex[0], scene.apex[1], 0.0};
         double at_start[TDMF_STATE_COUNT];
-        tdmf_prescribed_state((tdmf_system){&model, &scene.inputs}, apex, 0.0, at_start);
+        tdmf_prescribed_state(&model, &scene.inputs, apex, 0.0, at_start);
         if (at_start[TDMF_FOOT_Y] <= 0.0) {
             continue;
         }
@@ -503,11 +504,10 @@ static void the_first_touchdown_is_found_however_the_leg_turns(void **state) {
         const tdmf_descent descent = tdmf_descend((tdmf_system){&model, &scene.inputs}, &level, apex);
         for (int k = 0; k < SAMPLES; ++k) {
             double there[TDMF_STATE_COUNT];
-            tdmf_prescribed_state((tdmf_system){&model, &scene.inputs}, apex, descent.time * k / SAMPLES,
-                                  there);
+            tdmf_prescribed_state(&model, &scene.inputs, apex, descent.time * k / SAMPLES, there);
             assert_true(there[TDMF_FOOT_Y] > 0.0 && tdmf_body(there).y > 0.0);
         }
-        tdmf_prescribed_state((tdmf_system){&model, &scene.inputs}, apex, descent.time, at_start);
+        tdmf_prescribed_state(&model, &scene.inputs, apex, descent.time, at_start);
         assert_close(descent.body_first ? tdmf_body(at_start).y : at_start[TDMF_FOOT_Y], 0.0, 1e-14);
     }
     assert_true(landed > 150);

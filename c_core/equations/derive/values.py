@@ -126,7 +126,8 @@ class Function:
         begin_anew()
         known.clear()
         handed = [symbol(name, pointer=type_.endswith("*")) for name, type_ in self.types.items()]
-        results = trace(self.law, *(self.call(*handed) if self.call else handed))
+        law = (lambda *given: self.law(*self.call(*given))) if self.call else self.law
+        results = trace(law, *handed)
         members = vars(results) if isinstance(results, Record) else {"": results}
         return {name: lift(result) for name, result in members.items()}
 
