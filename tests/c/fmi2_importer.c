@@ -75,14 +75,94 @@ void start_running(fmi2Component component) {
     assert_int_equal(fmi2EnterContinuousTimeMode(component), fmi2OK);
 }
 
-size_t serialize2(fmi2Component component, fmi2Byte bytes[SERIALIZED_BYTES]) {
-    fmi2FMUstate saved = NULL;
-    size_t size = 0;
-    assert_int_equal(fmi2GetFMUstate(component, &saved), fmi2OK);
-    assert_int_equal(fmi2SerializedFMUstateSize(component, saved, &size), fmi2OK);
-    assert_true(size <= SERIALIZED_BYTES);
-    assert_int_equal(fmi2SerializeFMUstate(component, saved, bytes, size), fmi2OK);
-    assert_int_equal(fmi2FreeFMUstate(component, &saved), fmi2OK);
-    assert_null(saved);
-    return size;
+/* ---- the table ---------------------------------------------------------------------------------------- */
+
+static void *instantiate(fmi_kind kind, const char *name, const char *token, bool has_logger, bool logging) {
+    const fmi2Type type = kind == EXCHANGE ? fmi2ModelExchange : fmi2CoSimulation;
+    return fmi2Instantiate(name, type, token, NULL, has_logger ? &importer_callbacks : NULL, fmi2False,
+                           logging);
 }
+
+static fmi_status enter_initialization(void *instance, const fmi_experiment *experiment) {
+    const fmi2Status status = fmi2SetupExperiment(instance, experiment->has_tolerance, experiment->tolerance,
+                                                  experiment->start, experiment->has_stop, experiment->stop);
+    return (fmi_status)(status == fmi2OK ? fmi2EnterInitializationMode(instance) : status);
+}
+
+static fmi_status update_states(void *instance, update_answer *answer) {
+    fmi2EventInfo info = {0};
+    const fmi2Status status = fmi2NewDiscreteStates(instance, &info);
+    *answer = (update_answer){.needs_update = info.newDiscreteStatesNeeded,
+                              .terminate = info.terminateSimulation,
+                              .nominals_changed = info.nominalsOfContinuousStatesChanged,
+                              .states_changed = info.valuesOfContinuousStatesChanged,
+                              .next_time_defined = info.nextEventTimeDefined,
+                              .next_time = info.nextEventTime};
+    return (fmi_status)status;
+}
+
+static fmi_status make_step(void *instance, double time, double step, step_answer *answer) {
+    const fmi2Status status = fmi2DoStep(instance, time, step, fmi2True);
+    *answer = (step_answer){.time = status == fmi2OK ? time + step : time};
+    return (fmi_status)status;
+}
+
+static fmi_status enter_step_mode(void *instance) {
+    (void)instance;
+    fail_msg("FMI 2.0 has no step mode");
+    return FMI_ERROR;
+}
+
+static fmi_status get_derivatives(void *instance, double derivatives[], size_t count) {
+    return (fmi_status)fmi2GetDerivatives(instance, derivatives, count);
+}
+
+static fmi_status get_reals(void *instance, const uint32_t references[], size_t count, double values[]) {
+    return (fmi_status)fmi2GetReal(instance, references, count, values);
+}
+
+static fmi_status set_reals(void *instance, const uint32_t references[], size_t count,
+                            const double values[]) {
+    return (fmi_status)fmi2SetReal(instance, references, count, values);
+}
+
+static fmi_status read_integer(void *instance, uint32_t reference, int *value) {
+    return (fmi_status)fmi2GetInteger(instance, &reference, 1, value);
+}
+
+static fmi_status set_item(void *instance, uint32_t reference, int value) {
+    return (fmi_status)fmi2SetInteger(instance, &reference, 1, &value);
+}
+
+static fmi_status get_truth(void *instance, uint32_t reference, bool *value) {
+    fmi2Boolean truth = fmi2False;
+    const fmi2Status status = fmi2GetBoolean(instance, &reference, 1, &truth);
+    *value = truth != fmi2False;
+    return (fmi_status)status;
+}
+
+static fmi_status set_truth(void *instance, uint32_t reference, bool value) {
+    const fmi2Boolean truth = value;
+    return (fmi_status)fmi2SetBoolean(instance, &reference, 1, &truth);
+}
+
+static fmi_status directional_derivative(void *instance, const uint32_t unknowns[], size_t unknown_count,
+                                         const uint32_t knowns[], size_t known_count, const double seeds[],
+                                         double values[]) {
+    return (fmi_status)fmi2GetDirectionalDerivative(instance, unknowns, unknown_count, knowns, known_count,
+                                                    seeds, values);
+}
+
+static fmi_status output_derivative(void *instance, uint32_t reference, int order, double *value) {
+    return (fmi_status)fmi2GetRealOutputDerivatives(instance, &reference, 1, &order, value);
+}
+
+static fmi_status get_item(void *instance, uint32_t reference, int *value) {
+    return read_integer(instance, reference, value);
+}
+
+#define FMI_KINDS               STEPS_WITH_EVENTS
+#define FMI(name)               fmi2##name
+#define FMI_STATE(call, rest)   fmi2##call##FMUstate##rest
+#define fmi2DeserializeFMUstate fmi2DeSerializeFMUstate
+#include "fmi_alike.h"

@@ -4,7 +4,7 @@
 
 #include "fmi2Functions.h"
 
-#include "messages.h"
+#include "fmi_interface.h"
 #include "tdmf_slip/state.h"
 
 #include <stdbool.h>
@@ -22,10 +22,6 @@ int get_integer(fmi2Component component, const char *name);
 /* Through initialization into event mode, and on into continuous-time mode; asserts fmi2OK. */
 void initialize(fmi2Component component);
 void start_running(fmi2Component component);
-
-/* Writes all that an instance is, its saved state, and returns how many bytes that are; asserts that there is
- * room. */
-size_t serialize2(fmi2Component component, fmi2Byte bytes[SERIALIZED_BYTES]);
 
 /* Real start values: parameters and a tolerance, inputs, and states. */
 enum {

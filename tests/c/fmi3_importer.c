@@ -70,14 +70,85 @@ fmi3Status do_step(fmi3Instance instance, double time, double step, step_answer 
                       &answer->time);
 }
 
-size_t serialize3(fmi3Instance instance, fmi3Byte bytes[SERIALIZED_BYTES]) {
-    fmi3FMUState saved = NULL;
-    size_t size = 0;
-    assert_int_equal(fmi3GetFMUState(instance, &saved), fmi3OK);
-    assert_int_equal(fmi3SerializedFMUStateSize(instance, saved, &size), fmi3OK);
-    assert_true(size <= SERIALIZED_BYTES);
-    assert_int_equal(fmi3SerializeFMUState(instance, saved, bytes, size), fmi3OK);
-    assert_int_equal(fmi3FreeFMUState(instance, &saved), fmi3OK);
-    assert_null(saved);
-    return size;
+/* ---- the table ---------------------------------------------------------------------------------------- */
+
+static void *instantiate(fmi_kind kind, const char *name, const char *token, bool has_logger, bool logging) {
+    const fmi3LogMessageCallback logger = has_logger ? importer_logger : NULL;
+    const bool events = kind == STEPS_WITH_EVENTS;
+    return kind == EXCHANGE ? fmi3InstantiateModelExchange(name, token, NULL, false, logging, NULL, logger)
+                            : fmi3InstantiateCoSimulation(name, token, NULL, false, logging, events, events,
+                                                          NULL, 0, NULL, logger, NULL);
 }
+
+static fmi_status enter_initialization(void *instance, const fmi_experiment *experiment) {
+    return (fmi_status)fmi3EnterInitializationMode(instance, experiment->has_tolerance, experiment->tolerance,
+                                                   experiment->start, experiment->has_stop, experiment->stop);
+}
+
+static fmi_status enter_step_mode(void *instance) {
+    return (fmi_status)fmi3EnterStepMode(instance);
+}
+
+static fmi_status update_states(void *instance, update_answer *answer) {
+    return (fmi_status)update(instance, answer);
+}
+
+static fmi_status make_step(void *instance, double time, double step, step_answer *answer) {
+    return (fmi_status)do_step(instance, time, step, answer);
+}
+
+static fmi_status get_derivatives(void *instance, double derivatives[], size_t count) {
+    return (fmi_status)fmi3GetContinuousStateDerivatives(instance, derivatives, count);
+}
+
+static fmi_status get_reals(void *instance, const uint32_t references[], size_t count, double values[]) {
+    return (fmi_status)fmi3GetFloat64(instance, references, count, values, count);
+}
+
+static fmi_status set_reals(void *instance, const uint32_t references[], size_t count,
+                            const double values[]) {
+    return (fmi_status)fmi3SetFloat64(instance, references, count, values, count);
+}
+
+static fmi_status read_integer(void *instance, uint32_t reference, int *value) {
+    fmi3Int32 integer = 0;
+    const fmi3Status status = fmi3GetInt32(instance, &reference, 1, &integer, 1);
+    *value = integer;
+    return (fmi_status)status;
+}
+
+static fmi_status get_item(void *instance, uint32_t reference, int *value) {
+    fmi3Int64 item = 0;
+    const fmi3Status status = fmi3GetInt64(instance, &reference, 1, &item, 1);
+    *value = (int)item;
+    return (fmi_status)status;
+}
+
+static fmi_status set_item(void *instance, uint32_t reference, int value) {
+    const fmi3Int64 item = value;
+    return (fmi_status)fmi3SetInt64(instance, &reference, 1, &item, 1);
+}
+
+static fmi_status get_truth(void *instance, uint32_t reference, bool *value) {
+    return (fmi_status)fmi3GetBoolean(instance, &reference, 1, value, 1);
+}
+
+static fmi_status set_truth(void *instance, uint32_t reference, bool value) {
+    return (fmi_status)fmi3SetBoolean(instance, &reference, 1, &value, 1);
+}
+
+static fmi_status directional_derivative(void *instance, const uint32_t unknowns[], size_t unknown_count,
+                                         const uint32_t knowns[], size_t known_count, const double seeds[],
+                                         double values[]) {
+    return (fmi_status)fmi3GetDirectionalDerivative(instance, unknowns, unknown_count, knowns, known_count,
+                                                    seeds, known_count, values, unknown_count);
+}
+
+static fmi_status output_derivative(void *instance, uint32_t reference, int order, double *value) {
+    return (fmi_status)fmi3GetOutputDerivatives(instance, &reference, 1, &order, value, 1);
+}
+
+#define FMI_KINDS             KINDS
+#define FMI(name)             fmi3##name
+#define FMI_STATE(call, rest) fmi3##call##FMUState##rest
+#include "fmi_alike.h"

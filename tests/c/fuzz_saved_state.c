@@ -8,16 +8,10 @@
 
 #include <string.h>
 
-typedef enum kind_of_instance { EXCHANGE, STEPS, STEPS_WITH_EVENTS, KINDS } kind;
-
 typedef struct {
     fmi3Byte bytes[8192];
     size_t size;
 } serialized;
-
-static fmi3Instance new_of_kind(kind kind) {
-    return kind == EXCHANGE ? new_exchange() : new_stepper(kind == STEPS_WITH_EVENTS, true);
-}
 
 static void limit_steps(fmi3Instance instance) {
     tdmf_solver *solver = &((struct instance *)instance)->fmu.solver;
@@ -47,7 +41,7 @@ static fmi3Status restore(fmi3Instance instance, const serialized *state) {
 }
 
 /* Up to some time within two strides, or still before the start. */
-static void begin(random_source *source, fmi3Instance instance, kind kind) {
+static void run_into_it(random_source *source, fmi3Instance instance, fmi_kind kind) {
     step_answer step;
     update_answer answer;
     for (int i = 0; i < 3; ++i) {
@@ -97,10 +91,10 @@ int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size) {
     random_source source = {0};
     serialized state, before, after;
     random_draw_from(bytes, size);
-    const kind kind = (enum kind_of_instance)random_index(&source, KINDS);
+    const fmi_kind kind = (fmi_kind)random_index(&source, KINDS);
     const double length = random_magnitude(&source, 1e-3, 30.0);
-    fmi3Instance instance = new_of_kind(kind);
-    begin(&source, instance, kind);
+    fmi3Instance instance = new_of_kind(&fmi3, kind);
+    run_into_it(&source, instance, kind);
     serialize(instance, &state);
     while (random_bytes_left() > 0) {
         forge(&source, state.bytes, state.size);

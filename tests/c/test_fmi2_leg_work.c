@@ -183,8 +183,7 @@ static void a_thrust_from_the_start_is_read_before_the_run_begins(void **state) 
 static void work_that_is_due_is_saved(void **state) {
     fmi2Component one = new_instance(), other = new_instance();
     double x[TDMF_STATE_COUNT], rates[TDMF_STATE_COUNT];
-    fmi2Byte bytes[SERIALIZED_BYTES];
-    fmi2FMUstate saved = NULL;
+    unsigned char bytes[SERIALIZED_BYTES];
     fmi2EventInfo info;
     (void)state;
     start_running(one);
@@ -192,10 +191,7 @@ static void work_that_is_due_is_saved(void **state) {
     integrate_step(one, 0.0, 0.1, ramp, x);
     derivatives_at(one, 0.1, x, ramp, rates);
     assert_int_equal(fmi2EnterEventMode(one), fmi2OK);
-    const size_t size = serialize2(one, bytes);
-    assert_int_equal(fmi2DeSerializeFMUstate(other, bytes, size, &saved), fmi2OK);
-    assert_int_equal(fmi2SetFMUstate(other, saved), fmi2OK);
-    assert_int_equal(fmi2FreeFMUstate(other, &saved), fmi2OK);
+    assert_int_equal(restore_bytes(&fmi2, other, bytes, save_bytes(&fmi2, one, bytes)), FMI_OK);
     assert_int_equal(fmi2NewDiscreteStates(one, &info), fmi2OK);
     assert_int_equal(fmi2NewDiscreteStates(other, &info), fmi2OK);
     assert_true(get_real(one, "leg.work") != 0.0);

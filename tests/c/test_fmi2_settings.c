@@ -26,7 +26,7 @@ static void list_settings(fmi2ValueReference found[EITHER]) {
     assert_int_equal(parameters, TUNABLE_PARAMETERS);
 }
 
-static double value_of(fmi2Component component, fmi2ValueReference reference) {
+static double value_at(fmi2Component component, fmi2ValueReference reference) {
     double value = (double)NAN;
     assert_int_equal(fmi2GetReal(component, &reference, 1, &value), fmi2OK);
     return value;
@@ -42,7 +42,7 @@ static void assert_all_are_set(fmi2Component component) {
     for (int i = 0; i < EITHER; ++i) {
         const fmu_variable *variable = &fmu_variables[settings[i]];
         const fmi2ValueReference pair[] = {settings[(i + 1) % EITHER], settings[i]};
-        const double other = value_of(component, pair[0]);
+        const double other = value_at(component, pair[0]);
         const double wrong[] = {nextafter(variable->maximum, INFINITY),
                                 nextafter(variable->minimum, -INFINITY), (double)NAN};
         const double value = 0.3 + 0.01 * i;
@@ -52,8 +52,8 @@ static void assert_all_are_set(fmi2Component component) {
             assert_int_equal(fmi2SetReal(component, pair, 2, values), fmi2Discard);
             assert_non_null(strstr(last_message, variable->name));
         }
-        assert_true(value_of(component, settings[i]) == value);
-        assert_true(value_of(component, pair[0]) == other);
+        assert_true(value_at(component, settings[i]) == value);
+        assert_true(value_at(component, pair[0]) == other);
     }
 }
 
@@ -88,12 +88,12 @@ static void in_continuous_time_mode_they_keep_their_values(void **state) {
     list_settings(settings);
     start_running(component);
     for (int i = 0; i < EITHER; ++i) {
-        const double value = value_of(component, settings[i]);
+        const double value = value_at(component, settings[i]);
         const double changed = value + 0.01;
         assert_int_equal(fmi2SetReal(component, &settings[i], 1, &value), fmi2OK);
         assert_int_equal(fmi2SetReal(component, &settings[i], 1, &changed), fmi2Warning);
         assert_non_null(strstr(last_message, fmu_variables[settings[i]].name));
-        assert_true(value_of(component, settings[i]) == value);
+        assert_true(value_at(component, settings[i]) == value);
     }
     fmi2FreeInstance(component);
 }
@@ -241,7 +241,7 @@ static void co_simulation_goes_on_with_what_was_set(void **state) {
 
 /* By central differences of what the unit says in event mode. */
 static double difference(fmi2Component component, const char *unknown, fmi2ValueReference setting) {
-    const double at = value_of(component, setting), step = 1e-4;
+    const double at = value_at(component, setting), step = 1e-4;
     double found[2];
     for (int sign = 0; sign < 2; ++sign) {
         const double value = at + (sign == 0 ? -step : step);

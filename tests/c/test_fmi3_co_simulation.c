@@ -460,11 +460,11 @@ static void a_saved_state_holds_the_pending_event(void **state) {
     fmi3Instance instance = stepper_in_step_mode(true, true), other = new_stepper(true, true);
     (void)state;
     assert_int_equal(do_step(instance, 0.0, 20.0, &step), fmi3OK);
-    assert_int_equal(restore3(other, bytes, serialize3(instance, bytes)), fmi3OK);
+    assert_int_equal(restore3(other, bytes, save_bytes(&fmi3, instance, bytes)), fmi3OK);
     take_event(instance, &after);
     assert_int_equal(fmi3EnterEventMode(other), fmi3OK);
     fmi3Instance third = new_stepper(true, true);
-    assert_int_equal(restore3(third, bytes, serialize3(other, bytes)), fmi3OK);
+    assert_int_equal(restore3(third, bytes, save_bytes(&fmi3, other, bytes)), fmi3OK);
     assert_int_equal(update(third, &after), fmi3OK);
     assert_int_equal(fmi3EnterStepMode(third), fmi3OK);
     run_by_events(instance, step.time, step.time + 30.0, 1.0);
@@ -475,49 +475,6 @@ static void a_saved_state_holds_the_pending_event(void **state) {
     fmi3FreeInstance(instance);
     fmi3FreeInstance(other);
     fmi3FreeInstance(third);
-}
-
-static void states_of_other_interfaces_are_refused(void **state) {
-    fmi3Byte bytes[SERIALIZED_BYTES];
-    fmi3Instance with = stepper_in_step_mode(true, true), without = new_stepper(false, false);
-    fmi3Instance exchange = new_exchange();
-    (void)state;
-    const size_t size = serialize3(with, bytes);
-    assert_int_equal(restore3(without, bytes, size), fmi3Discard);
-    assert_non_null(strstr(last_message, "interface"));
-    assert_int_equal(restore3(exchange, bytes, size), fmi3Discard);
-    bytes[size - 9] = (fmi3Byte)(bytes[size - 9] ^ 1);
-    assert_int_equal(restore3(with, bytes, size), fmi3Discard);
-    assert_non_null(strstr(last_message, "changed"));
-    assert_int_equal(restore3(with, bytes, size - 1), fmi3Discard);
-    fmi3FreeInstance(with);
-    fmi3FreeInstance(without);
-    fmi3FreeInstance(exchange);
-}
-
-/* What a run has been does not depend on FMI's version. */
-static void a_state_saved_in_fmi2_goes_on_in_fmi3(void **state) {
-    fmi3Byte bytes[SERIALIZED_BYTES];
-    fmi2FMUstate saved = NULL;
-    size_t size = 0;
-    step_answer step;
-    fmi2Component old = new_slave();
-    fmi3Instance instance = new_stepper(false, false);
-    (void)state;
-    initialize(old);
-    assert_int_equal(fmi2DoStep(old, 0.0, 12.5, fmi2True), fmi2OK);
-    assert_int_equal(fmi2GetFMUstate(old, &saved), fmi2OK);
-    assert_int_equal(fmi2SerializedFMUstateSize(old, saved, &size), fmi2OK);
-    assert_int_equal(fmi2SerializeFMUstate(old, saved, (fmi2Byte *)bytes, size), fmi2OK);
-    assert_int_equal(fmi2FreeFMUstate(old, &saved), fmi2OK);
-    assert_int_equal(restore3(instance, bytes, size), fmi3OK);
-    assert_int_equal(fmi2DoStep(old, 12.5, 20.0, fmi2True), fmi2OK);
-    assert_int_equal(do_step(instance, 12.5, 20.0, &step), fmi3OK);
-    for (int i = 0; i < STATES_COMPARED; ++i) {
-        assert_true(get_real(old, state_names[i]) == get_float(instance, state_names[i]));
-    }
-    fmi2FreeInstance(old);
-    fmi3FreeInstance(instance);
 }
 
 int main(void) {
@@ -539,8 +496,6 @@ int main(void) {
         cmocka_unit_test(stiff_parameters_end_in_a_message),
         cmocka_unit_test(output_derivatives_are_slopes),
         cmocka_unit_test(a_saved_state_holds_the_pending_event),
-        cmocka_unit_test(states_of_other_interfaces_are_refused),
-        cmocka_unit_test(a_state_saved_in_fmi2_goes_on_in_fmi3),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -12,54 +12,35 @@
 #include <math.h>
 #include <string.h>
 
-typedef enum { EXCHANGE, STEPS, STEPS_WITH_EVENTS, KINDS } kind;
-
 typedef struct {
     fmi3Byte bytes[SERIALIZED_BYTES];
     size_t size;
 } serialized;
 
-static fmi3Instance new_of_kind(kind kind) {
-    fmi3Instance instance = kind == EXCHANGE ? new_exchange() : new_stepper(kind == STEPS_WITH_EVENTS, true);
+static fmi3Instance new_that_logs(fmi_kind kind) {
+    fmi3Instance instance = new_of_kind(&fmi3, kind);
     assert_int_equal(fmi3SetDebugLogging(instance, true, 0, NULL), fmi3OK);
     return instance;
 }
 
 /* In the middle of a stance; with events, before one that is still to be taken. */
-static fmi3Instance new_on_its_way(kind kind) {
+static fmi3Instance new_on_its_way(fmi_kind kind) {
     step_answer step = {false, false, false, 0.0};
-    update_answer answer;
-    fmi3Instance instance = new_of_kind(kind);
-    initialize3(instance);
-    if (kind != STEPS) {
-        assert_int_equal(update(instance, &answer), fmi3OK);
+    fmi3Instance instance = new_that_logs(kind);
+    begin(&fmi3, instance, kind);
+    if (kind != EXCHANGE) {
+        assert_int_equal(do_step(instance, 0.0, 40.0, &step), fmi3OK);
+        assert_true(step.event == (kind == STEPS_WITH_EVENTS));
     }
-    if (kind == EXCHANGE) {
-        assert_int_equal(fmi3EnterContinuousTimeMode(instance), fmi3OK);
-        return instance;
-    }
-    if (kind == STEPS_WITH_EVENTS) {
-        assert_int_equal(fmi3EnterStepMode(instance), fmi3OK);
-    }
-    assert_int_equal(do_step(instance, 0.0, 40.0, &step), fmi3OK);
-    assert_true(step.event == (kind == STEPS_WITH_EVENTS));
     return instance;
 }
 
 static void serialize(fmi3Instance instance, serialized *state) {
-    state->size = serialize3(instance, state->bytes);
+    state->size = save_bytes(&fmi3, instance, state->bytes);
 }
 
 static fmi3Status restore(fmi3Instance instance, const serialized *state) {
-    fmi3FMUState saved = NULL;
-    fmi3Status status = fmi3DeserializeFMUState(instance, state->bytes, state->size, &saved);
-    if (status == fmi3OK) {
-        status = fmi3SetFMUState(instance, saved);
-    } else {
-        assert_null(saved);
-    }
-    assert_int_equal(fmi3FreeFMUState(instance, &saved), fmi3OK);
-    return status;
+    return (fmi3Status)restore_bytes(&fmi3, instance, state->bytes, state->size);
 }
 
 static void assert_unchanged(fmi3Instance instance, const serialized *before) {
@@ -84,7 +65,7 @@ static void limit_steps(fmi3Instance instance) {
 }
 
 /* Goes on a little, wherever the state says that the instance stands. */
-static void go_on(fmi3Instance instance, kind kind) {
+static void go_on(fmi3Instance instance, fmi_kind kind) {
     step_answer step = {false, false, false, 0.0};
     update_answer answer;
     assert_numbers(instance);
@@ -119,7 +100,7 @@ static const struct {
     {8, {.number = DBL_MAX}},   {8, {.number = 1e50}},  {1, {.integer = 2}},       {1, {.integer = 255}},
 };
 
-static void forge_everywhere(kind kind, long *refused, long *accepted) {
+static void forge_everywhere(fmi_kind kind, long *refused, long *accepted) {
     serialized good, bad;
     fmi3Instance instance = new_on_its_way(kind);
     serialize(instance, &good);
@@ -146,7 +127,7 @@ static void forge_everywhere(kind kind, long *refused, long *accepted) {
 
 static void whatever_is_forged_is_refused_or_goes_on(void **unused) {
     (void)unused;
-    for (kind kind = EXCHANGE; kind < KINDS; ++kind) {
+    for (fmi_kind kind = EXCHANGE; kind < KINDS; ++kind) {
         long refused = 0, accepted = 0;
         forge_everywhere(kind, &refused, &accepted);
         assert_true(refused > sample_of(2000) && accepted > sample_of(1000));
@@ -196,7 +177,7 @@ static size_t offset_of(const serialized *state, const void *value, size_t size)
     return nth_offset_of(state, value, size, 0);
 }
 
-static void assert_refused(kind kind, serialized *state, const char *reason) {
+static void assert_refused(fmi_kind kind, serialized *state, const char *reason) {
     serialized own;
     fmi3Instance instance = new_on_its_way(kind);
     forge_checksum(state->bytes, state->size);
@@ -208,7 +189,7 @@ static void assert_refused(kind kind, serialized *state, const char *reason) {
     fmi3FreeInstance(instance);
 }
 
-static void save_on_its_way(kind kind, serialized *state) {
+static void save_on_its_way(fmi_kind kind, serialized *state) {
     fmi3Instance instance = new_on_its_way(kind);
     serialize(instance, state);
     fmi3FreeInstance(instance);
@@ -398,7 +379,7 @@ static void a_call_state_that_the_interface_has_not_is_refused(void **unused) {
     static const int states[KINDS][3] = {{STEP_MODE, EVENT_MODE | CONTINUOUS_TIME_MODE, INSTANTIATED},
                                          {EVENT_MODE, STEP_MODE | FAILED, INITIALIZATION_MODE},
                                          {CONTINUOUS_TIME_MODE, 0, INSTANTIATED}};
-    for (kind kind = EXCHANGE; kind < KINDS; ++kind) {
+    for (fmi_kind kind = EXCHANGE; kind < KINDS; ++kind) {
         for (int i = 0; i < 3; ++i) {
             serialized state;
             save_on_its_way(kind, &state);
@@ -433,7 +414,7 @@ static void a_run_in_a_state_that_it_cannot_be_in_is_refused(void **unused) {
     save_on_its_way(STEPS, &state);
     state.bytes[FORGE_BEGUN] = 0;
     assert_refused(STEPS, &state, "the state of the call sequence");
-    fmi3Instance instance = new_of_kind(STEPS);
+    fmi3Instance instance = new_that_logs(STEPS);
     serialize(instance, &state);
     fmi3FreeInstance(instance);
     const int running = STEP_MODE;
@@ -477,10 +458,10 @@ static void work_that_no_run_has_done_is_refused(void **unused) {
 }
 
 /* In `state`, the counter that reads so. */
-static void fill_counter(serialized *state, kind kind, const char *name) {
+static void fill_counter(serialized *state, fmi_kind kind, const char *name) {
     const serialized good = *state;
     const int full = INT_MAX;
-    fmi3Instance instance = new_of_kind(kind);
+    fmi3Instance instance = new_that_logs(kind);
     size_t offset = FORGE_CONTENT;
     do {
         assert_true(offset + sizeof full <= good.size);
@@ -492,7 +473,7 @@ static void fill_counter(serialized *state, kind kind, const char *name) {
 }
 
 /* Returns how many events there were. */
-static int run_to(fmi3Instance instance, kind kind, double end) {
+static int run_to(fmi3Instance instance, fmi_kind kind, double end) {
     int events = 0;
     step_answer step = {.event = kind == STEPS_WITH_EVENTS};
     for (double time = get_float(instance, "time"); time < end; time = step.time) {
@@ -512,10 +493,10 @@ static int run_to(fmi3Instance instance, kind kind, double end) {
 static void a_full_counter_stays_full(void **unused) {
     (void)unused;
     static const char *counters[] = {"event.count", "stride.count"};
-    for (kind kind = STEPS; kind < KINDS; ++kind) {
+    for (fmi_kind kind = STEPS; kind < KINDS; ++kind) {
         for (int c = 0; c < 2; ++c) {
             serialized state;
-            fmi3Instance instance = new_on_its_way(kind), other = new_of_kind(kind);
+            fmi3Instance instance = new_on_its_way(kind), other = new_that_logs(kind);
             run_to(instance, kind, 41.0); /* no event is pending there */
             serialize(instance, &state);
             fill_counter(&state, kind, counters[c]);

@@ -1,0 +1,120 @@
+/* The calls that FMI 2.0 and 3.0 both have, one table of them for each version, so that what both promise is
+ * tested by one text, which is run once for each and fails under the version's name. */
+#ifndef TDMF_TESTS_FMI_INTERFACE_H
+#define TDMF_TESTS_FMI_INTERFACE_H
+
+#include "messages.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+/* Numbered as fmi2Status and fmi3Status are. */
+typedef enum { FMI_OK, FMI_WARNING, FMI_DISCARD, FMI_ERROR } fmi_status;
+
+/* Model Exchange, Co-Simulation, and Co-Simulation with event mode and early return, which FMI 2.0 has not.
+ */
+typedef enum { EXCHANGE, STEPS, STEPS_WITH_EVENTS, KINDS } fmi_kind;
+
+typedef struct {
+    bool has_tolerance;
+    double tolerance, start;
+    bool has_stop;
+    double stop;
+} fmi_experiment;
+
+/* What an update of the discrete states answers. */
+typedef struct {
+    bool needs_update, terminate, nominals_changed, states_changed, next_time_defined;
+    double next_time;
+} update_answer;
+
+/* What a step answers; in FMI 2.0 it always arrives, without an event. */
+typedef struct {
+    bool event, terminate, early;
+    double time;
+} step_answer;
+
+typedef struct fmi_interface {
+    const char *prefix; /* of its calls' names */
+    fmi_kind kinds;     /* the first kind that it has not */
+    /* NULL where it is refused. */
+    void *(*instantiate)(fmi_kind kind, const char *name, const char *token, bool has_logger, bool logging);
+    void (*free)(void *instance);
+    fmi_status (*set_logging)(void *instance, bool on, size_t count, const char *const names[]);
+    /* FMI 2.0 sets the experiment by a call of its own. */
+    fmi_status (*enter_initialization)(void *instance, const fmi_experiment *experiment);
+    fmi_status (*exit_initialization)(void *instance);
+    fmi_status (*enter_event_mode)(void *instance);
+    fmi_status (*update)(void *instance, update_answer *answer);
+    fmi_status (*enter_continuous_time_mode)(void *instance);
+    fmi_status (*enter_step_mode)(void *instance); /* of FMI 3.0 alone */
+    fmi_status (*complete_step)(void *instance, bool *asks_for_event_mode, bool *asks_to_stop);
+    fmi_status (*do_step)(void *instance, double time, double step, step_answer *answer);
+    fmi_status (*terminate)(void *instance);
+    fmi_status (*reset)(void *instance);
+    fmi_status (*set_time)(void *instance, double time);
+    fmi_status (*set_states)(void *instance, const double states[], size_t count);
+    fmi_status (*get_states)(void *instance, double states[], size_t count);
+    fmi_status (*get_derivatives)(void *instance, double derivatives[], size_t count);
+    fmi_status (*get_indicators)(void *instance, double indicators[], size_t count);
+    fmi_status (*get_nominals)(void *instance, double nominals[], size_t count);
+    fmi_status (*get_reals)(void *instance, const uint32_t references[], size_t count, double values[]);
+    fmi_status (*set_reals)(void *instance, const uint32_t references[], size_t count, const double values[]);
+    fmi_status (*get_integer)(void *instance, uint32_t reference, int *value);
+    fmi_status (*get_item)(void *instance, uint32_t reference, int *value); /* of an enumeration */
+    fmi_status (*set_item)(void *instance, uint32_t reference, int value);
+    fmi_status (*get_truth)(void *instance, uint32_t reference, bool *value);
+    fmi_status (*set_truth)(void *instance, uint32_t reference, bool value);
+    fmi_status (*directional_derivative)(void *instance, const uint32_t unknowns[], size_t unknown_count,
+                                         const uint32_t knowns[], size_t known_count, const double seeds[],
+                                         double values[]);
+    fmi_status (*output_derivative)(void *instance, uint32_t reference, int order, double *value);
+    fmi_status (*save)(void *instance, void **saved);
+    fmi_status (*restore)(void *instance, void *saved);
+    fmi_status (*free_saved)(void *instance, void **saved);
+    fmi_status (*measure)(void *instance, void *saved, size_t *size);
+    fmi_status (*serialize)(void *instance, void *saved, unsigned char bytes[], size_t size);
+    fmi_status (*deserialize)(void *instance, const unsigned char bytes[], size_t size, void **saved);
+} fmi_interface;
+
+extern const fmi_interface fmi2, fmi3;
+
+/* Two rows of a list of cmocka's tests: the test's state is the version's table. */
+#define IN_BOTH_VERSIONS(test)                                                                               \
+    {#test " (FMI 2.0)", test, NULL, NULL, (void *)&fmi2}, {                                                 \
+#test " (FMI 3.0)", test, NULL, NULL, (void *)&fmi3                                                  \
+    }
+
+/* A fresh instance, event logging off; asserts that there is one. */
+void *new_of_kind(const fmi_interface *fmi, fmi_kind kind);
+
+fmi_status set_value(const fmi_interface *fmi, void *instance, const char *name, double value);
+
+/* Of an Integer or an enumeration too; assert that it can be read. */
+double value_of(const fmi_interface *fmi, void *instance, const char *name);
+int integer_of(const fmi_interface *fmi, void *instance, const char *name);
+bool truth_of(const fmi_interface *fmi, void *instance, const char *name);
+
+/* Through initialization, from time 0 or another; asserts that nothing is refused. */
+void initialize_unit(const fmi_interface *fmi, void *instance);
+void initialize_unit_at(const fmi_interface *fmi, void *instance, double start);
+
+/* From event mode to where time goes on; asserts that nothing is refused. */
+void update_and_go_on(const fmi_interface *fmi, void *instance, fmi_kind kind);
+
+/* Through initialization to where time goes on. */
+void begin(const fmi_interface *fmi, void *instance, fmi_kind kind);
+
+/* A step of Co-Simulation from where the instance stands; asserts that it is made. */
+void step_by(const fmi_interface *fmi, void *instance, double step);
+
+/* Writes all that an instance is, its saved state, and returns how many bytes that are; asserts that there is
+ * room. */
+size_t save_bytes(const fmi_interface *fmi, void *instance, unsigned char bytes[SERIALIZED_BYTES]);
+
+/* Makes an instance what such bytes say; what refuses them leaves no state. */
+fmi_status restore_bytes(const fmi_interface *fmi, void *instance,
+                         const unsigned char bytes[SERIALIZED_BYTES], size_t size);
+
+#endif

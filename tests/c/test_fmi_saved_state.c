@@ -1,0 +1,477 @@
+/* Saved and serialized states: bit for bit across instances, in the middle of every mode, and what is
+ * refused. */
+#include "instance.h" /* before cmocka, which takes a name of it for a macro */
+
+#include "compare.h"
+#include "fmi_interface.h"
+
+#include <math.h>
+#include <string.h>
+
+static const fmi_experiment from_zero = {.start = 0.0};
+static const double step_size = 1e-3; /* s, of Euler's method */
+
+/* All that two instances would save, and what they say of it. */
+static void assert_same(const fmi_interface *fmi, void *a, void *b) {
+    static const char *const names[] = {"time",
+                                        "foot.x",
+                                        "foot.y",
+                                        "leg.length",
+                                        "leg.angle",
+                                        "foot.vx",
+                                        "foot.vy",
+                                        "hip.work",
+                                        "leg.length_rate",
+                                        "leg.angle_rate",
+                                        "stride.period",
+                                        "stride.length",
+                                        "apex.time",
+                                        "stride.peak_force",
+                                        "stride.peak_vertical_force",
+                                        "event.last_time",
+                                        "energy.impact_loss"};
+    static const char *const counts[] = {"event.count", "stride.count", "stride.word_code"};
+    unsigned char bytes_of_a[SERIALIZED_BYTES], bytes_of_b[SERIALIZED_BYTES];
+    const size_t size = save_bytes(fmi, a, bytes_of_a);
+    assert_int_equal(save_bytes(fmi, b, bytes_of_b), size);
+    assert_memory_equal(bytes_of_a, bytes_of_b, size);
+    for (size_t i = 0; i < sizeof names / sizeof names[0]; ++i) {
+        const double of_a = value_of(fmi, a, names[i]), of_b = value_of(fmi, b, names[i]);
+        assert_memory_equal(&of_a, &of_b, sizeof of_a);
+    }
+    for (size_t i = 0; i < sizeof counts / sizeof counts[0]; ++i) {
+        assert_int_equal(integer_of(fmi, a, counts[i]), integer_of(fmi, b, counts[i]));
+    }
+}
+
+/* Steps of 0.03 stop in every mode of the stance, the graze of 0.08 included. */
+static void co_simulation_goes_on_as_if_never_stopped(void **state) {
+    const fmi_interface *fmi = *state;
+    bool seen[TDMF_CONTACT_GRAZE + 1] = {false};
+    void *straight = new_of_kind(fmi, STEPS);
+    initialize_unit(fmi, straight);
+    step_by(fmi, straight, 11.8);
+    for (int i = 0; i < 50; ++i) {
+        unsigned char bytes[SERIALIZED_BYTES];
+        void *other = new_of_kind(fmi, STEPS);
+        step_by(fmi, straight, 0.03);
+        seen[integer_of(fmi, straight, "contact.mode")] = true;
+        const size_t size = save_bytes(fmi, straight, bytes);
+        assert_int_equal(restore_bytes(fmi, other, bytes, size), FMI_OK);
+        assert_same(fmi, straight, other);
+        step_by(fmi, other, 20.0);
+        void *again = new_of_kind(fmi, STEPS);
+        assert_int_equal(restore_bytes(fmi, again, bytes, size), FMI_OK);
+        step_by(fmi, again, 20.0);
+        assert_same(fmi, other, again);
+        fmi->free(other);
+        fmi->free(again);
+    }
+    for (int mode = TDMF_CONTACT_FLIGHT; mode <= TDMF_CONTACT_GRAZE; ++mode) {
+        assert_true(seen[mode]);
+    }
+    fmi->free(straight);
+}
+
+static void model_exchange_restores_its_call_state(void **state) {
+    const fmi_interface *fmi = *state;
+    void *saved = NULL;
+    double states[TDMF_STATE_COUNT];
+    double derivatives[2][TDMF_STATE_COUNT];
+    void *instance = new_of_kind(fmi, EXCHANGE);
+    begin(fmi, instance, EXCHANGE);
+    assert_int_equal(fmi->save(instance, &saved), FMI_OK);
+    assert_int_equal(fmi->get_derivatives(instance, derivatives[0], TDMF_STATE_COUNT), FMI_OK);
+    memset(states, 0, sizeof states);
+    states[TDMF_LEG_LENGTH] = 0.9;
+    assert_int_equal(fmi->set_states(instance, states, TDMF_STATE_COUNT), FMI_OK);
+    assert_int_equal(fmi->enter_event_mode(instance), FMI_OK);
+    assert_int_equal(fmi->restore(instance, saved), FMI_OK);
+    assert_int_equal(fmi->get_derivatives(instance, derivatives[1], TDMF_STATE_COUNT), FMI_OK);
+    assert_memory_equal(derivatives[0], derivatives[1], sizeof derivatives[0]);
+    assert_int_equal(fmi->set_time(instance, 1.0), FMI_OK);
+    assert_int_equal(fmi->set_states(instance, states, TDMF_STATE_COUNT), FMI_OK); /* continuous again */
+    assert_int_equal(fmi->free_saved(instance, &saved), FMI_OK);
+    fmi->free(instance);
+}
+
+/* Fails in its first step: the runner is too stiff. */
+static void *new_failed(const fmi_interface *fmi, void **before) {
+    step_answer answer;
+    void *failed = new_of_kind(fmi, STEPS);
+    assert_int_equal(set_value(fmi, failed, "hip.kd", 2.5e13), FMI_OK);
+    assert_int_equal(fmi->enter_initialization(failed, &from_zero), FMI_OK);
+    assert_int_equal(fmi->save(failed, before), FMI_OK);
+    assert_int_equal(fmi->exit_initialization(failed), FMI_OK);
+    assert_int_equal(fmi->do_step(failed, 0.0, 1.0, &answer), FMI_ERROR);
+    return failed;
+}
+
+static void an_error_is_left_by_an_older_state(void **state) {
+    const fmi_interface *fmi = *state;
+    void *saved = NULL;
+    void *failed = new_failed(fmi, &saved);
+    assert_int_equal(fmi->restore(failed, saved), FMI_OK);
+    assert_int_equal(set_value(fmi, failed, "hip.kd", 0.1), FMI_OK);
+    assert_int_equal(fmi->exit_initialization(failed), FMI_OK);
+    step_by(fmi, failed, 1.0);
+    assert_int_equal(fmi->free_saved(failed, &saved), FMI_OK);
+    fmi->free(failed);
+}
+
+/* Either version's standard lets a failed instance be saved: restored, it has failed. */
+static void an_instance_after_an_error_is_saved_as_such(void **state) {
+    const fmi_interface *fmi = *state;
+    unsigned char bytes[SERIALIZED_BYTES];
+    step_answer answer;
+    void *saved = NULL;
+    void *failed = new_failed(fmi, &saved), *other = new_of_kind(fmi, STEPS);
+    initialize_unit(fmi, other);
+    step_by(fmi, other, 1.0);
+    assert_int_equal(restore_bytes(fmi, other, bytes, save_bytes(fmi, failed, bytes)), FMI_OK);
+    assert_true(value_of(fmi, other, "hip.kd") == 2.5e13);
+    assert_int_equal(fmi->do_step(other, 0.0, 1.0, &answer), FMI_ERROR);
+    assert_non_null(strstr(last_message, "after an error"));
+    assert_int_equal(fmi->free_saved(failed, &saved), FMI_OK);
+    fmi->free(failed);
+    fmi->free(other);
+}
+
+/* ---- refusals ----------------------------------------------------------------------------------------- */
+
+static void assert_bytes_refused(const fmi_interface *fmi, const unsigned char bytes[SERIALIZED_BYTES],
+                                 size_t size, const char *reason) {
+    void *saved = NULL;
+    void *instance = new_of_kind(fmi, STEPS), *twin = new_of_kind(fmi, STEPS);
+    initialize_unit(fmi, instance);
+    initialize_unit(fmi, twin);
+    step_by(fmi, instance, 12.0);
+    step_by(fmi, twin, 12.0);
+    assert_int_equal(fmi->deserialize(instance, bytes, size, &saved), FMI_DISCARD);
+    assert_non_null(strstr(last_message, reason));
+    assert_null(saved);
+    assert_same(fmi, instance, twin);
+    step_by(fmi, instance, 5.0);
+    fmi->free(instance);
+    fmi->free(twin);
+}
+
+static void bytes_that_are_no_state_are_refused(void **state) {
+    const fmi_interface *fmi = *state;
+    unsigned char good[SERIALIZED_BYTES] = {0};
+    unsigned char bad[SERIALIZED_BYTES];
+    void *instance = new_of_kind(fmi, STEPS);
+    initialize_unit(fmi, instance);
+    const size_t size = save_bytes(fmi, instance, good);
+    fmi->free(instance);
+    assert_bytes_refused(fmi, good, size - 1, "bytes are no state");
+    assert_bytes_refused(fmi, good, size + 1, "bytes are no state");
+    assert_bytes_refused(fmi, good, 0, "bytes are no state");
+    memcpy(bad, good, sizeof bad);
+    bad[size - 9] ^= 1;
+    assert_bytes_refused(fmi, bad, size, "changed");
+    memcpy(bad, good, sizeof bad);
+    bad[3] ^= 1;
+    assert_bytes_refused(fmi, bad, size, "another version");
+    memset(bad, 0, sizeof bad);
+    assert_bytes_refused(fmi, bad, size, "another program");
+}
+
+static void states_of_other_interfaces_are_refused(void **state) {
+    const fmi_interface *fmi = *state;
+    void *saved = NULL;
+    int refused = 0;
+    for (fmi_kind from = EXCHANGE; from < fmi->kinds; ++from) {
+        void *instance = new_of_kind(fmi, from);
+        begin(fmi, instance, from);
+        assert_int_equal(fmi->save(instance, &saved), FMI_OK);
+        for (fmi_kind to = EXCHANGE; to < fmi->kinds; ++to) {
+            unsigned char bytes[SERIALIZED_BYTES];
+            void *other = new_of_kind(fmi, to);
+            const fmi_status expected = from == to ? FMI_OK : FMI_DISCARD;
+            assert_int_equal(fmi->restore(other, saved), expected);
+            assert_int_equal(restore_bytes(fmi, other, bytes, save_bytes(fmi, instance, bytes)), expected);
+            assert_true(from == to || strstr(last_message, "interface") != NULL);
+            refused += from != to;
+            fmi->free(other);
+        }
+        assert_int_equal(fmi->restore(instance, NULL), FMI_DISCARD);
+        assert_int_equal(fmi->free_saved(instance, &saved), FMI_OK);
+        assert_int_equal(fmi->free_saved(instance, &saved), FMI_OK); /* a null pointer is nothing to free */
+        fmi->free(instance);
+    }
+    assert_int_equal(refused, fmi->kinds * (fmi->kinds - 1));
+}
+
+/* fmusim 0.0.39 frees a state so. It stays the caller's, who has lost it. */
+static void a_state_passed_where_its_address_is_due_is_left_alone(void **state) {
+    const fmi_interface *fmi = *state;
+    void *saved = NULL;
+    void *instance = new_of_kind(fmi, STEPS), *twin = new_of_kind(fmi, STEPS);
+    initialize_unit(fmi, instance);
+    initialize_unit(fmi, twin);
+    step_by(fmi, instance, 12.0);
+    step_by(fmi, twin, 12.0);
+    assert_int_equal(fmi->save(instance, &saved), FMI_OK);
+    step_by(fmi, instance, 5.0);
+    assert_int_equal(fmi->free_saved(instance, saved), FMI_OK);
+    assert_int_equal(fmi->restore(instance, saved), FMI_OK);
+    assert_same(fmi, instance, twin);
+    assert_int_equal(fmi->free_saved(instance, &saved), FMI_OK);
+    assert_null(saved);
+    fmi->free(instance);
+    fmi->free(twin);
+}
+
+/* ---- one way to go on for each interface -------------------------------------------------------------- */
+
+/* By Euler's method, with what it needs done at events. */
+static void integrate_a_step(const fmi_interface *fmi, void *instance) {
+    double states[TDMF_STATE_COUNT], slopes[TDMF_STATE_COUNT];
+    double before[TDMF_GUARD_COUNT], after[TDMF_GUARD_COUNT];
+    bool event = false;
+    assert_int_equal(fmi->get_indicators(instance, before, TDMF_GUARD_COUNT), FMI_OK);
+    assert_int_equal(fmi->get_states(instance, states, TDMF_STATE_COUNT), FMI_OK);
+    assert_int_equal(fmi->get_derivatives(instance, slopes, TDMF_STATE_COUNT), FMI_OK);
+    for (int i = 0; i < TDMF_STATE_COUNT; ++i) {
+        states[i] += step_size * slopes[i];
+    }
+    assert_int_equal(fmi->set_time(instance, value_of(fmi, instance, "time") + step_size), FMI_OK);
+    assert_int_equal(fmi->set_states(instance, states, TDMF_STATE_COUNT), FMI_OK);
+    assert_int_equal(fmi->get_indicators(instance, after, TDMF_GUARD_COUNT), FMI_OK);
+    for (int i = 0; i < TDMF_GUARD_COUNT; ++i) {
+        event |= (before[i] > 0.0) != (after[i] > 0.0);
+    }
+    if (event) {
+        assert_int_equal(fmi->enter_event_mode(instance), FMI_OK);
+        update_and_go_on(fmi, instance, EXCHANGE);
+    }
+}
+
+/* For `duration`; with events, to the first one after it, which is left to be taken. */
+static void go_on(const fmi_interface *fmi, void *instance, fmi_kind kind, double duration) {
+    const double start = value_of(fmi, instance, "time");
+    step_answer step = {.event = false};
+    if (kind == EXCHANGE) {
+        for (int i = 0; i < (int)(duration / step_size); ++i) {
+            integrate_a_step(fmi, instance);
+        }
+        return;
+    }
+    do {
+        if (step.event) {
+            assert_int_equal(fmi->enter_event_mode(instance), FMI_OK);
+            update_and_go_on(fmi, instance, kind);
+        }
+        const double time = value_of(fmi, instance, "time");
+        const double length = kind == STEPS ? start + duration - time : 100.0;
+        assert_int_equal(fmi->do_step(instance, time, length, &step), FMI_OK);
+    } while (value_of(fmi, instance, "time") < start + duration);
+    assert_true(step.event == (kind == STEPS_WITH_EVENTS));
+}
+
+/* Takes the event that go_on has left. */
+static void take_event(const fmi_interface *fmi, void *instance, fmi_kind kind) {
+    if (kind == STEPS_WITH_EVENTS) {
+        assert_int_equal(fmi->enter_event_mode(instance), FMI_OK);
+        update_and_go_on(fmi, instance, kind);
+    }
+}
+
+/* ---- as fmusim resumes a run: restore, then start values, then on without initialization --------------- */
+
+static void change(const fmi_interface *fmi, void *instance) {
+    assert_int_equal(set_value(fmi, instance, "body.mass", 1.25), FMI_OK);
+    assert_int_equal(set_value(fmi, instance, "leg.damping", 0.3), FMI_OK);
+    assert_int_equal(set_value(fmi, instance, "solver.relative_tolerance", 1e-8), FMI_OK);
+    assert_int_equal(set_value(fmi, instance, "ground.friction", 0.4), FMI_OK);
+}
+
+static void assert_changed(const fmi_interface *fmi, void *instance) {
+    assert_true(value_of(fmi, instance, "body.mass") == 1.25);
+    assert_true(value_of(fmi, instance, "leg.damping") == 0.3);
+    assert_true(value_of(fmi, instance, "solver.relative_tolerance") == 1e-8);
+}
+
+static void a_changed_run_is_resumed(void **state) {
+    const fmi_interface *fmi = *state;
+    for (fmi_kind kind = EXCHANGE; kind < fmi->kinds; ++kind) {
+        unsigned char bytes[SERIALIZED_BYTES];
+        void *straight = new_of_kind(fmi, kind), *resumed = new_of_kind(fmi, kind);
+        change(fmi, straight);
+        begin(fmi, straight, kind);
+        go_on(fmi, straight, kind, 13.0);
+        assert_int_equal(restore_bytes(fmi, resumed, bytes, save_bytes(fmi, straight, bytes)), FMI_OK);
+        assert_same(fmi, straight, resumed);
+        assert_changed(fmi, resumed);
+        take_event(fmi, straight, kind);
+        take_event(fmi, resumed, kind);
+        assert_int_equal(set_value(fmi, resumed, "ground.friction", 0.3), FMI_OK);
+        assert_int_equal(set_value(fmi, straight, "ground.friction", 0.3), FMI_OK);
+        go_on(fmi, straight, kind, 20.0);
+        go_on(fmi, resumed, kind, 20.0);
+        assert_same(fmi, straight, resumed);
+        assert_true(value_of(fmi, straight, "energy.impact_loss") > 0.0);
+        fmi->free(straight);
+        fmi->free(resumed);
+    }
+}
+
+/* Looks into the instance: a field that was forgotten shows itself in other runs only. Nothing is remembered
+ * of the last event that was taken. */
+static void a_saved_state_holds_all_of_a_unit(void **state) {
+    const fmi_interface *fmi = *state;
+    int pending = 0;
+    for (fmi_kind kind = EXCHANGE; kind < fmi->kinds; ++kind) {
+        void *straight = new_of_kind(fmi, kind);
+        change(fmi, straight);
+        begin(fmi, straight, kind);
+        go_on(fmi, straight, kind, 5.0);
+        for (int i = 0; i < 100; ++i) {
+            unsigned char bytes[SERIALIZED_BYTES];
+            void *restored = new_of_kind(fmi, kind);
+            take_event(fmi, straight, kind);
+            go_on(fmi, straight, kind, 0.2);
+            assert_int_equal(restore_bytes(fmi, restored, bytes, save_bytes(fmi, straight, bytes)), FMI_OK);
+            const fmu *a = &((const instance *)straight)->fmu, *b = &((const instance *)restored)->fmu;
+            assert_int_equal(a->event_is_pending, kind == STEPS_WITH_EVENTS);
+            pending += a->event_is_pending;
+            assert_memory_equal(a, b, a->event_is_pending ? sizeof *a : offsetof(fmu, event_is_pending));
+            fmi->free(restored);
+        }
+        fmi->free(straight);
+    }
+    assert_int_equal(pending, fmi->kinds > STEPS_WITH_EVENTS ? 100 : 0);
+}
+
+/* Saved before initialization or in it, the run begins from the start values that the state holds, but for
+ * those set since. */
+static void a_state_from_before_the_start_takes_more_start_values(void **state) {
+    const fmi_interface *fmi = *state;
+    for (int i = 0; i < 2 * (int)fmi->kinds; ++i) {
+        const fmi_kind kind = (fmi_kind)(i / 2);
+        const bool in_initialization = i % 2 == 1;
+        unsigned char bytes[SERIALIZED_BYTES];
+        void *first = new_of_kind(fmi, kind), *second = new_of_kind(fmi, kind),
+             *straight = new_of_kind(fmi, kind);
+        change(fmi, first);
+        if (in_initialization) {
+            assert_int_equal(fmi->enter_initialization(first, &from_zero), FMI_OK);
+        }
+        assert_int_equal(restore_bytes(fmi, second, bytes, save_bytes(fmi, first, bytes)), FMI_OK);
+        assert_int_equal(set_value(fmi, second, "hip.kp", 0.12), FMI_OK);
+        if (!in_initialization) {
+            assert_int_equal(fmi->enter_initialization(second, &from_zero), FMI_OK);
+        }
+        assert_int_equal(fmi->exit_initialization(second), FMI_OK);
+        if (kind != STEPS) {
+            update_and_go_on(fmi, second, kind);
+        }
+        change(fmi, straight);
+        assert_int_equal(set_value(fmi, straight, "hip.kp", 0.12), FMI_OK);
+        begin(fmi, straight, kind);
+        go_on(fmi, second, kind, 20.0);
+        go_on(fmi, straight, kind, 20.0);
+        assert_same(fmi, second, straight);
+        fmi->free(first);
+        fmi->free(second);
+        fmi->free(straight);
+    }
+}
+
+/* The state of a run with other parameters: these, what follows from them and what was shown of the old ones
+ * are gone. */
+static void restoring_replaces_parameters_and_what_follows_from_them(void **state) {
+    const fmi_interface *fmi = *state;
+    const fmi_experiment coarse = {true, 1e-3, 0.0, true, 14.0};
+    void *saved = NULL;
+    void *light = new_of_kind(fmi, STEPS), *heavy = new_of_kind(fmi, STEPS);
+    initialize_unit(fmi, light);
+    step_by(fmi, light, 13.0);
+    assert_int_equal(fmi->save(light, &saved), FMI_OK);
+    assert_int_equal(set_value(fmi, heavy, "body.mass", 2.0), FMI_OK);
+    assert_int_equal(set_value(fmi, heavy, "ground.friction", 10.0), FMI_OK);
+    assert_int_equal(fmi->enter_initialization(heavy, &coarse), FMI_OK);
+    assert_int_equal(fmi->exit_initialization(heavy), FMI_OK);
+    step_by(fmi, heavy, 13.0);
+    assert_true(value_of(fmi, heavy, "stride.period") != 1.0 && value_of(fmi, heavy, "energy.total") > 0.0);
+    assert_int_equal(fmi->restore(heavy, saved), FMI_OK);
+    assert_true(value_of(fmi, heavy, "body.mass") == 1.0);
+    assert_true(value_of(fmi, heavy, "energy.total") == value_of(fmi, light, "energy.total"));
+    assert_true(value_of(fmi, heavy, "contact.fy") == value_of(fmi, light, "contact.fy"));
+    assert_same(fmi, light, heavy);
+    step_by(fmi, light, 20.0);
+    step_by(fmi, heavy, 20.0); /* beyond its own stop time */
+    assert_same(fmi, light, heavy);
+    assert_int_equal(fmi->free_saved(light, &saved), FMI_OK);
+    fmi->free(light);
+    fmi->free(heavy);
+}
+
+/* What a run has been does not depend on FMI's version. */
+static void a_state_goes_on_in_the_other_version(void **state) {
+    static const char *const names[] = {"foot.x",          "foot.y",         "leg.length",
+                                        "leg.angle",       "foot.vx",        "foot.vy",
+                                        "leg.length_rate", "leg.angle_rate", "der(leg.angle_rate)"};
+    const fmi_interface *fmi = *state, *other_version = fmi == &fmi2 ? &fmi3 : &fmi2;
+    for (fmi_kind kind = EXCHANGE; kind <= STEPS; ++kind) {
+        unsigned char bytes[SERIALIZED_BYTES];
+        void *instance = new_of_kind(fmi, kind), *other = new_of_kind(other_version, kind);
+        change(fmi, instance);
+        begin(fmi, instance, kind);
+        go_on(fmi, instance, kind, 13.0);
+        const size_t size = save_bytes(fmi, instance, bytes);
+        assert_int_equal(restore_bytes(other_version, other, bytes, size), FMI_OK);
+        assert_changed(other_version, other);
+        go_on(fmi, instance, kind, 20.0);
+        go_on(other_version, other, kind, 20.0);
+        for (size_t i = 0; i < sizeof names / sizeof names[0]; ++i) {
+            assert_true(value_of(fmi, instance, names[i]) == value_of(other_version, other, names[i]));
+        }
+        fmi->free(instance);
+        other_version->free(other);
+    }
+}
+
+/* The stop time and the counters of work go with the run. */
+static void the_stop_time_is_saved(void **state) {
+    static const char *const counters[] = {"solver.steps", "solver.evaluations"};
+    const fmi_interface *fmi = *state;
+    const fmi_experiment ending = {.has_stop = true, .stop = 20.0};
+    unsigned char bytes[SERIALIZED_BYTES];
+    step_answer answer;
+    void *instance = new_of_kind(fmi, STEPS), *other = new_of_kind(fmi, STEPS);
+    assert_int_equal(fmi->enter_initialization(instance, &ending), FMI_OK);
+    assert_int_equal(fmi->exit_initialization(instance), FMI_OK);
+    step_by(fmi, instance, 11.0);
+    assert_int_equal(restore_bytes(fmi, other, bytes, save_bytes(fmi, instance, bytes)), FMI_OK);
+    step_by(fmi, instance, 9.0);
+    step_by(fmi, other, 9.0);
+    assert_same(fmi, instance, other);
+    for (int i = 0; i < 2; ++i) {
+        assert_int_equal(integer_of(fmi, other, counters[i]), integer_of(fmi, instance, counters[i]));
+    }
+    assert_int_equal(fmi->do_step(other, 20.0, 1.0, &answer), FMI_ERROR);
+    assert_non_null(strstr(last_message, "stop time"));
+    fmi->free(instance);
+    fmi->free(other);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        IN_BOTH_VERSIONS(co_simulation_goes_on_as_if_never_stopped),
+        IN_BOTH_VERSIONS(model_exchange_restores_its_call_state),
+        IN_BOTH_VERSIONS(an_error_is_left_by_an_older_state),
+        IN_BOTH_VERSIONS(an_instance_after_an_error_is_saved_as_such),
+        IN_BOTH_VERSIONS(bytes_that_are_no_state_are_refused),
+        IN_BOTH_VERSIONS(states_of_other_interfaces_are_refused),
+        IN_BOTH_VERSIONS(a_state_passed_where_its_address_is_due_is_left_alone),
+        IN_BOTH_VERSIONS(a_changed_run_is_resumed),
+        IN_BOTH_VERSIONS(a_saved_state_holds_all_of_a_unit),
+        IN_BOTH_VERSIONS(a_state_from_before_the_start_takes_more_start_values),
+        IN_BOTH_VERSIONS(restoring_replaces_parameters_and_what_follows_from_them),
+        IN_BOTH_VERSIONS(a_state_goes_on_in_the_other_version),
+        IN_BOTH_VERSIONS(the_stop_time_is_saved),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
