@@ -1,0 +1,357 @@
+/* Values that are set, and Model Exchange: what is refused or discarded, with which words, and what stays as
+ * it was. */
+#include "compare.h"
+#include "fmi_interface.h"
+
+#include "fmu.h"
+#include "variables.h"
+
+#include <float.h>
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+static const fmi_experiment from_zero = {.start = 0.0};
+
+static void *in_initialization(const fmi_interface *fmi) {
+    void *instance = new_of_kind(fmi, EXCHANGE);
+    assert_int_equal(fmi->enter_initialization(instance, &from_zero), FMI_OK);
+    return instance;
+}
+
+static void *in_event_mode(const fmi_interface *fmi) {
+    void *instance = new_of_kind(fmi, EXCHANGE);
+    initialize_unit(fmi, instance);
+    return instance;
+}
+
+static void *in_continuous_time_mode(const fmi_interface *fmi) {
+    void *instance = new_of_kind(fmi, EXCHANGE);
+    begin(fmi, instance, EXCHANGE);
+    return instance;
+}
+
+/* ---- values ------------------------------------------------------------------------------------------- */
+
+static void values_out_of_range_are_discarded_and_the_old_kept(void **state) {
+    static const struct {
+        const char *name;
+        double value;
+    } bad[] = {{"body.mass", -1.0},
+               {"body.mass", 0.0},
+               {"foot.mass", NAN},
+               {"leg.stiffness", INFINITY},
+               {"leg.damping", -1e-300},
+               {"gravity", -9.81},
+               {"hip.touchdown_angle", 2.0},
+               {"hip.kp", -INFINITY},
+               {"foot.y", -1e10},
+               {"leg.length", 0.0},
+               {"leg.angle_rate", NAN},
+               {"ground.friction", -0.1},
+               {"ground.friction", NAN},
+               {"hip.external_torque", INFINITY},
+               {"hip.external_torque", NAN}};
+    const fmi_interface *fmi = *state;
+    void *instance = in_initialization(fmi);
+    for (size_t i = 0; i < sizeof bad / sizeof bad[0]; ++i) {
+        const double before = value_of(fmi, instance, bad[i].name);
+        clear_messages();
+        assert_int_equal(set_value(fmi, instance, bad[i].name, bad[i].value), FMI_DISCARD);
+        assert_int_equal(message_count, 1);
+        assert_string_equal(last_category, "logStatusDiscard");
+        assert_non_null(strstr(last_message, bad[i].name));
+        assert_non_null(strstr(last_message, "allowed from"));
+        assert_true(value_of(fmi, instance, bad[i].name) == before);
+    }
+    assert_int_equal(fmi->exit_initialization(instance), FMI_OK);
+    fmi->free(instance);
+}
+
+static void enumerations_and_booleans_are_set_in_range_only(void **state) {
+    static const int bad[] = {0, 3, INT32_MAX, INT32_MIN};
+    const fmi_interface *fmi = *state;
+    void *instance = in_initialization(fmi);
+    for (size_t i = 0; i < sizeof bad / sizeof bad[0]; ++i) {
+        assert_int_equal(fmi->set_item(instance, reference_of("solver.method"), bad[i]), FMI_DISCARD);
+        assert_int_equal(integer_of(fmi, instance, "solver.method"), SOLVER_NATIVE);
+    }
+    for (int truth = 0; truth < 2; ++truth) {
+        assert_int_equal(fmi->set_truth(instance, reference_of("status.terminate_on_fall"), truth == 1),
+                         FMI_OK);
+        assert_int_equal(truth_of(fmi, instance, "status.terminate_on_fall"), truth == 1);
+    }
+    fmi->free(instance);
+}
+
+static void sets_all_or_nothing(void **state) {
+    const uint32_t references[] = {reference_of("body.mass"), reference_of("foot.mass")};
+    const double values[] = {2.0, -1.0};
+    const fmi_interface *fmi = *state;
+    void *instance = in_initialization(fmi);
+    assert_int_equal(fmi->set_reals(instance, references, 2, values), FMI_DISCARD);
+    assert_true(value_of(fmi, instance, "body.mass") == 1.0);
+    fmi->free(instance);
+}
+
+static void checks_across_variables_wait_for_the_end_of_initialization(void **state) {
+    const fmi_interface *fmi = *state;
+    void *instance = new_of_kind(fmi, EXCHANGE);
+    assert_int_equal(set_value(fmi, instance, "leg.length", 0.5), FMI_OK);
+    assert_int_equal(set_value(fmi, instance, "leg.min_length", 0.6), FMI_OK);
+    assert_int_equal(fmi->enter_initialization(instance, &from_zero), FMI_OK);
+    assert_int_equal(fmi->exit_initialization(instance), FMI_ERROR);
+    assert_non_null(strstr(last_message, "leg.length = 0.5 m is refused: allowed from 0.6"));
+    assert_non_null(strstr(last_message, "leg.min_length"));
+    fmi->free(instance);
+}
+
+static void refuses_a_body_below_the_ground(void **state) {
+    const fmi_interface *fmi = *state;
+    void *instance = new_of_kind(fmi, EXCHANGE);
+    assert_int_equal(set_value(fmi, instance, "leg.angle", 3.0), FMI_OK);
+    assert_int_equal(set_value(fmi, instance, "foot.y", 0.0), FMI_OK);
+    assert_int_equal(fmi->enter_initialization(instance, &from_zero), FMI_OK);
+    assert_int_equal(fmi->exit_initialization(instance), FMI_ERROR);
+    assert_non_null(strstr(last_message, "body.y"));
+    fmi->free(instance);
+}
+
+static void refuses_unknown_references_wrong_types_and_outputs(void **state) {
+    const uint32_t none = 100000, text = reference_of("stride.word"), output = reference_of("body.x");
+    const fmi_interface *fmi = *state;
+    void *instance = in_continuous_time_mode(fmi);
+    double value = 0.0;
+    assert_int_equal(fmi->get_reals(instance, &none, 1, &value), FMI_ERROR);
+    assert_non_null(strstr(last_message, "100000"));
+    assert_int_equal(fmi->get_reals(instance, &text, 1, &value), FMI_ERROR);
+    assert_non_null(strstr(last_message, "stride.word"));
+    assert_int_equal(fmi->set_reals(instance, &output, 1, &value), FMI_ERROR);
+    assert_non_null(strstr(last_message, "body.x cannot be set at any time"));
+    fmi->free(instance);
+}
+
+static void refuses_parameters_after_the_start(void **state) {
+    const fmi_interface *fmi = *state;
+    void *instance = in_continuous_time_mode(fmi);
+    assert_int_equal(set_value(fmi, instance, "body.mass", 2.0), FMI_ERROR);
+    assert_non_null(strstr(last_message, "body.mass cannot be set in continuous-time mode"));
+    fmi->free(instance);
+}
+
+static void refuses_null_and_wrong_arrays(void **state) {
+    const uint32_t reference = 0;
+    const fmi_interface *fmi = *state;
+    void *instance = in_event_mode(fmi);
+    double values[TDMF_STATE_COUNT];
+    char count[8];
+    snprintf(count, sizeof count, "%d", TDMF_STATE_COUNT);
+    assert_int_equal(fmi->get_derivatives(instance, values, TDMF_STATE_COUNT - 1), FMI_ERROR);
+    assert_non_null(strstr(last_message, count));
+    assert_int_equal(fmi->get_states(instance, values, TDMF_STATE_COUNT - 1), FMI_ERROR);
+    assert_non_null(strstr(last_message, count));
+    assert_int_equal(fmi->get_reals(instance, &reference, 1, NULL), FMI_ERROR);
+    assert_int_equal(fmi->get_reals(instance, NULL, 0, NULL), FMI_OK);
+    fmi->free(instance);
+}
+
+static void refuses_bad_experiments(void **state) {
+    static const fmi_experiment bad[] = {{true, 0.0, 0.0, true, 1.0},  {true, NAN, 0.0, true, 1.0},
+                                         {true, 1e-6, NAN, true, 1.0}, {true, 1e-6, INFINITY, true, 1.0},
+                                         {true, 1e-6, 2.0, true, 1.0}, {true, 1e-6, 0.0, true, NAN}};
+    const fmi_interface *fmi = *state;
+    void *instance = new_of_kind(fmi, EXCHANGE);
+    for (size_t i = 0; i < sizeof bad / sizeof bad[0]; ++i) {
+        assert_int_equal(fmi->enter_initialization(instance, &bad[i]), FMI_ERROR);
+    }
+    assert_int_equal(fmi->enter_initialization(instance, &from_zero), FMI_OK);
+    fmi->free(instance);
+}
+
+static void initialization_shows_what_would_start(void **state) {
+    const fmi_interface *fmi = *state;
+    void *instance = in_initialization(fmi);
+    double derivatives[TDMF_STATE_COUNT], indicators[TDMF_GUARD_COUNT];
+    assert_int_equal(set_value(fmi, instance, "foot.vy", -0.5), FMI_OK);
+    assert_int_equal(fmi->get_derivatives(instance, derivatives, TDMF_STATE_COUNT), FMI_OK);
+    assert_true(derivatives[TDMF_FOOT_Y] == -0.5);
+    assert_int_equal(fmi->get_indicators(instance, indicators, TDMF_GUARD_COUNT), FMI_OK);
+    for (int i = 0; i < TDMF_GUARD_COUNT; ++i) {
+        assert_true(indicators[i] > 0.0);
+    }
+    fmi->free(instance);
+}
+
+/* ---- running ------------------------------------------------------------------------------------------ */
+
+static void starts_at_any_time(void **state) {
+    static const char *const names[] = {"time", "apex.time", "event.last_time"};
+    const fmi_interface *fmi = *state;
+    void *instance = new_of_kind(fmi, EXCHANGE);
+    initialize_unit_at(fmi, instance, -12.5);
+    for (int i = 0; i < 3; ++i) {
+        assert_true(value_of(fmi, instance, names[i]) == -12.5);
+    }
+    fmi->free(instance);
+}
+
+static void trial_states_give_finite_answers(void **state) {
+    static const double wild[] = {0.0, -1.0, 1e-300, -DBL_MAX, DBL_MAX, INFINITY, -INFINITY};
+    const int wild_count = (int)(sizeof wild / sizeof wild[0]);
+    const fmi_interface *fmi = *state;
+    void *instance = in_continuous_time_mode(fmi);
+    for (int element = 0; element < TDMF_STATE_COUNT * wild_count; ++element) {
+        double states[TDMF_STATE_COUNT], derivatives[TDMF_STATE_COUNT], indicators[TDMF_GUARD_COUNT];
+        tdmf_default_state(states);
+        for (int i = 0; i <= element / wild_count; ++i) {
+            states[i] = wild[(element + i) % wild_count];
+        }
+        assert_int_equal(fmi->set_states(instance, states, TDMF_STATE_COUNT), FMI_OK);
+        assert_int_equal(fmi->get_derivatives(instance, derivatives, TDMF_STATE_COUNT), FMI_OK);
+        assert_int_equal(fmi->get_indicators(instance, indicators, TDMF_GUARD_COUNT), FMI_OK);
+        for (int i = 0; i < TDMF_STATE_COUNT; ++i) {
+            assert_true(isfinite(derivatives[i]));
+        }
+        for (int i = 0; i < TDMF_GUARD_COUNT; ++i) {
+            assert_true(isfinite(indicators[i]));
+        }
+    }
+    fmi->free(instance);
+}
+
+/* One state alone is beyond all numbers, and then is none. */
+static void a_state_that_is_not_a_number_is_discarded(void **state) {
+    const fmi_interface *fmi = *state;
+    void *instance = in_continuous_time_mode(fmi);
+    for (int i = 0; i < TDMF_STATE_COUNT; ++i) {
+        double states[TDMF_STATE_COUNT], after[TDMF_STATE_COUNT], derivatives[TDMF_STATE_COUNT];
+        tdmf_default_state(states);
+        states[i] = INFINITY;
+        assert_int_equal(fmi->set_states(instance, states, TDMF_STATE_COUNT), FMI_OK);
+        assert_int_equal(fmi->get_derivatives(instance, derivatives, TDMF_STATE_COUNT), FMI_OK);
+        for (int j = 0; j < TDMF_STATE_COUNT; ++j) {
+            assert_true(isfinite(derivatives[j]));
+        }
+        states[i] = NAN;
+        assert_int_equal(fmi->set_states(instance, states, TDMF_STATE_COUNT), FMI_DISCARD);
+        assert_int_equal(fmi->get_states(instance, after, TDMF_STATE_COUNT), FMI_OK);
+        assert_true(!isnan(after[i]));
+        tdmf_default_state(states);
+        assert_int_equal(fmi->set_states(instance, states, TDMF_STATE_COUNT), FMI_OK);
+    }
+    fmi->free(instance);
+}
+
+/* Goes to given states and updates there. */
+static void update_at(const fmi_interface *fmi, void *instance, const double states[TDMF_STATE_COUNT],
+                      update_answer *answer) {
+    assert_int_equal(fmi->set_states(instance, states, TDMF_STATE_COUNT), FMI_OK);
+    assert_int_equal(fmi->enter_event_mode(instance), FMI_OK);
+    assert_int_equal(fmi->update(instance, answer), FMI_OK);
+}
+
+static void event_mode_goes_by_the_guards(void **state) {
+    const fmi_interface *fmi = *state;
+    void *instance = in_continuous_time_mode(fmi);
+    double states[TDMF_STATE_COUNT];
+    update_answer answer;
+    assert_int_equal(fmi->get_states(instance, states, TDMF_STATE_COUNT), FMI_OK);
+    update_at(fmi, instance, states, &answer);
+    assert_false(answer.states_changed || answer.needs_update || answer.terminate ||
+                 answer.nominals_changed || answer.next_time_defined);
+    assert_int_equal(integer_of(fmi, instance, "event.count"), 0);
+    assert_int_equal(fmi->enter_continuous_time_mode(instance), FMI_OK);
+    states[TDMF_FOOT_Y] = -1e-12;
+    states[TDMF_FOOT_VY] = -0.1;
+    update_at(fmi, instance, states, &answer);
+    assert_true(answer.states_changed && !answer.terminate);
+    assert_int_equal(integer_of(fmi, instance, "event.count"), 1);
+    assert_true(value_of(fmi, instance, "foot.vy") == 0.0);
+    assert_true(value_of(fmi, instance, "energy.impact_loss") > 0.0);
+    fmi->free(instance);
+}
+
+static void a_fall_freezes_and_asks_to_stop_where_the_parameter_says_so(void **state) {
+    const fmi_interface *fmi = *state;
+    for (int i = 0; i < 3; ++i) {
+        void *instance = new_of_kind(fmi, EXCHANGE);
+        const bool stops = i > 0; /* by default, too */
+        double states[TDMF_STATE_COUNT], derivatives[TDMF_STATE_COUNT];
+        update_answer answer;
+        if (i < 2) {
+            assert_int_equal(fmi->set_truth(instance, reference_of("status.terminate_on_fall"), stops),
+                             FMI_OK);
+        }
+        begin(fmi, instance, EXCHANGE);
+        tdmf_default_state(states);
+        states[TDMF_LEG_LENGTH] = 0.01;
+        update_at(fmi, instance, states, &answer);
+        assert_int_equal(answer.terminate, stops);
+        assert_int_equal(fmi->enter_continuous_time_mode(instance), FMI_OK);
+        assert_int_equal(fmi->get_derivatives(instance, derivatives, TDMF_STATE_COUNT), FMI_OK);
+        for (int j = 0; j < TDMF_STATE_COUNT; ++j) {
+            assert_true(derivatives[j] == 0.0);
+        }
+        assert_true(value_of(fmi, instance, "leg.length") == 0.01);
+        fmi->free(instance);
+    }
+}
+
+static void nominals_follow_the_parameters(void **state) {
+    const fmi_interface *fmi = *state;
+    for (int early = 0; early < 2; ++early) { /* in initialization mode, and after it */
+        double nominals[TDMF_STATE_COUNT];
+        void *instance = in_initialization(fmi);
+        assert_int_equal(set_value(fmi, instance, "body.mass", 4.0), FMI_OK);
+        assert_int_equal(set_value(fmi, instance, "leg.stiffness", 100.0), FMI_OK);
+        assert_int_equal(set_value(fmi, instance, "leg.free_length", 2.0), FMI_OK);
+        if (early == 0) {
+            assert_int_equal(fmi->exit_initialization(instance), FMI_OK);
+        }
+        assert_int_equal(fmi->get_nominals(instance, nominals, TDMF_STATE_COUNT), FMI_OK);
+        assert_true(nominals[TDMF_FOOT_X] == 2.0);
+        assert_true(nominals[TDMF_LEG_LENGTH] == 2.0);
+        assert_true(nominals[TDMF_FOOT_VX] == 10.0);
+        assert_true(nominals[TDMF_LEG_ANGLE_RATE] == 5.0);
+        assert_true(nominals[TDMF_HIP_WORK] == 400.0);
+        fmi->free(instance);
+    }
+}
+
+/* In initialization mode they are those of the run that would start. */
+static void derivatives_are_there_before_the_run(void **state) {
+    const uint32_t unknown = reference_of("der(foot.vy)"), known = reference_of("leg.length");
+    const double seed = 1.0;
+    const fmi_interface *fmi = *state;
+    void *instance = in_initialization(fmi);
+    double before, after;
+    assert_int_equal(set_value(fmi, instance, "leg.stiffness", 3.0), FMI_OK);
+    assert_int_equal(fmi->directional_derivative(instance, &unknown, 1, &known, 1, &seed, &before), FMI_OK);
+    assert_int_equal(fmi->exit_initialization(instance), FMI_OK);
+    assert_int_equal(fmi->directional_derivative(instance, &unknown, 1, &known, 1, &seed, &after), FMI_OK);
+    assert_true(before == after && before != 0.0);
+    fmi->free(instance);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        IN_BOTH_VERSIONS(values_out_of_range_are_discarded_and_the_old_kept),
+        IN_BOTH_VERSIONS(enumerations_and_booleans_are_set_in_range_only),
+        IN_BOTH_VERSIONS(sets_all_or_nothing),
+        IN_BOTH_VERSIONS(checks_across_variables_wait_for_the_end_of_initialization),
+        IN_BOTH_VERSIONS(refuses_a_body_below_the_ground),
+        IN_BOTH_VERSIONS(refuses_unknown_references_wrong_types_and_outputs),
+        IN_BOTH_VERSIONS(refuses_parameters_after_the_start),
+        IN_BOTH_VERSIONS(refuses_null_and_wrong_arrays),
+        IN_BOTH_VERSIONS(refuses_bad_experiments),
+        IN_BOTH_VERSIONS(initialization_shows_what_would_start),
+        IN_BOTH_VERSIONS(starts_at_any_time),
+        IN_BOTH_VERSIONS(trial_states_give_finite_answers),
+        IN_BOTH_VERSIONS(a_state_that_is_not_a_number_is_discarded),
+        IN_BOTH_VERSIONS(event_mode_goes_by_the_guards),
+        IN_BOTH_VERSIONS(a_fall_freezes_and_asks_to_stop_where_the_parameter_says_so),
+        IN_BOTH_VERSIONS(nominals_follow_the_parameters),
+        IN_BOTH_VERSIONS(derivatives_are_there_before_the_run),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
