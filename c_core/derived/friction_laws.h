@@ -8,10 +8,7 @@
 
 /* mu below a foot: a patch of ground has a friction of its own. */
 static inline double tdmf_friction_below(const tdmf_model *model, const tdmf_inputs *inputs, tdmf_zone zone) {
-    if (zone == TDMF_ZONE_PATCH) {
-        return model->parameters.ground.patch_friction;
-    }
-    return inputs->ground.friction;
+    return (zone == TDMF_ZONE_PATCH ? model->parameters.ground.patch_friction : inputs->ground.friction);
 }
 
 /* Its change. */
@@ -20,10 +17,7 @@ static inline double tdmf_vary_friction_below(const tdmf_model *model, const tdm
                                               const tdmf_inputs *d_inputs) {
     (void)model;
     (void)inputs;
-    if (zone == TDMF_ZONE_PATCH) {
-        return d_model->parameters.ground.patch_friction;
-    }
-    return d_inputs->ground.friction;
+    return (zone == TDMF_ZONE_PATCH ? d_model->parameters.ground.patch_friction : d_inputs->ground.friction);
 }
 
 /* x of the border of the patch that a foot slips to, forward or backward. */
@@ -40,50 +34,29 @@ static inline double tdmf_border_ahead(const tdmf_model *model, tdmf_zone zone, 
     return model->parameters.ground.patch_end;
 }
 
-/* Its change. */
-static inline double tdmf_vary_border_ahead(const tdmf_model *model, tdmf_zone zone, bool forward,
-                                            const tdmf_model *d_model) {
-    (void)model;
-    if (forward) {
-        if (zone == TDMF_ZONE_BEFORE) {
-            return d_model->parameters.ground.patch_begin;
-        }
-        return d_model->parameters.ground.patch_end;
-    }
-    if (zone == TDMF_ZONE_PATCH) {
-        return d_model->parameters.ground.patch_begin;
-    }
-    return d_model->parameters.ground.patch_end;
-}
-
 /* rho mu, of a foot at rest and an impact that sticks: the cone is |f_t| <= rho mu f_n (2). */
 static inline double tdmf_static_friction(const tdmf_model *model, const tdmf_inputs *inputs,
                                           tdmf_zone zone) {
-    if (zone == TDMF_ZONE_PATCH) {
-        return model->parameters.ground.static_friction_ratio * model->parameters.ground.patch_friction;
-    }
-    return model->parameters.ground.static_friction_ratio * inputs->ground.friction;
+    return model->parameters.ground.static_friction_ratio *
+           (zone == TDMF_ZONE_PATCH ? model->parameters.ground.patch_friction : inputs->ground.friction);
 }
 
 /* Its change. */
 static inline double tdmf_vary_static_friction(const tdmf_model *model, const tdmf_inputs *inputs,
                                                tdmf_zone zone, const tdmf_model *d_model,
                                                const tdmf_inputs *d_inputs) {
-    if (zone == TDMF_ZONE_PATCH) {
-        return d_model->parameters.ground.static_friction_ratio * model->parameters.ground.patch_friction +
-               model->parameters.ground.static_friction_ratio * d_model->parameters.ground.patch_friction;
-    }
-    return d_model->parameters.ground.static_friction_ratio * inputs->ground.friction +
-           model->parameters.ground.static_friction_ratio * d_inputs->ground.friction;
+    return d_model->parameters.ground.static_friction_ratio *
+               (zone == TDMF_ZONE_PATCH ? model->parameters.ground.patch_friction : inputs->ground.friction) +
+           model->parameters.ground.static_friction_ratio * (zone == TDMF_ZONE_PATCH
+                                                                 ? d_model->parameters.ground.patch_friction
+                                                                 : d_inputs->ground.friction);
 }
 
 /* mu of a foot that slips, with the sign of its velocity. */
 static inline double tdmf_signed_friction(const tdmf_model *model, const tdmf_inputs *inputs, tdmf_zone zone,
                                           double sign) {
-    if (zone == TDMF_ZONE_PATCH) {
-        return sign * model->parameters.ground.patch_friction;
-    }
-    return sign * inputs->ground.friction;
+    return sign *
+           (zone == TDMF_ZONE_PATCH ? model->parameters.ground.patch_friction : inputs->ground.friction);
 }
 
 /* Its change. */
@@ -92,10 +65,8 @@ static inline double tdmf_vary_signed_friction(const tdmf_model *model, const td
                                                const tdmf_inputs *d_inputs) {
     (void)model;
     (void)inputs;
-    if (zone == TDMF_ZONE_PATCH) {
-        return sign * d_model->parameters.ground.patch_friction;
-    }
-    return sign * d_inputs->ground.friction;
+    return sign *
+           (zone == TDMF_ZONE_PATCH ? d_model->parameters.ground.patch_friction : d_inputs->ground.friction);
 }
 
 /* rho - 1, by what share more a foot at rest is held than one that slips fast. */
@@ -103,23 +74,9 @@ static inline double tdmf_friction_excess(const tdmf_model *model) {
     return model->parameters.ground.static_friction_ratio - 1.0;
 }
 
-/* Its change. */
-static inline double tdmf_vary_friction_excess(const tdmf_model *model, const tdmf_model *d_model) {
-    (void)model;
-    return d_model->parameters.ground.static_friction_ratio;
-}
-
 /* -s/v_s, at what rate the excess fades with the foot's velocity. */
 static inline double tdmf_friction_fading(const tdmf_model *model, double sign) {
     return -sign / model->parameters.ground.stribeck_velocity;
-}
-
-/* Its change. */
-static inline double tdmf_vary_friction_fading(const tdmf_model *model, double sign,
-                                               const tdmf_model *d_model) {
-    return -(-sign / model->parameters.ground.stribeck_velocity *
-             d_model->parameters.ground.stribeck_velocity) /
-           model->parameters.ground.stribeck_velocity;
 }
 
 /* kappa/f_n = |mu| (rho - 1)/(m_f v_s): at up to kappa a falling friction lets a slip grow by itself.

@@ -8,20 +8,11 @@
 
 /* N of the stance law, of a foot at rest on the ground that would stay there; with f_t of (10). */
 static inline tdmf_ground_force tdmf_force_in_stance(const tdmf_evaluation *at) {
-    if (at->mode->mid_stance_pending) {
-        const double drive = at->model->parameters.hip.stance_torque + at->inputs->control.stance_torque;
-        const double torque = at->inputs->hip.external_torque - drive;
-        const double across = torque * at->leg.inverse_length;
-        const double along = at->leg.axial_force * -at->leg.ground_sine - across * at->leg.ground_cosine;
-        const double weight = at->model->parameters.foot.mass * at->model->parameters.gravity;
-        const double off = at->leg.axial_force * at->leg.ground_cosine + across * -at->leg.ground_sine;
-        const tdmf_ground_force result = {
-            .tangential = along + weight * at->mode->ground.sine,
-            .normal = off + weight * at->mode->ground.cosine,
-        };
-        return result;
-    }
-    const double across = at->inputs->hip.external_torque * at->leg.inverse_length;
+    const double drive = (at->mode->mid_stance_pending
+                              ? at->model->parameters.hip.stance_torque + at->inputs->control.stance_torque
+                              : 0.0);
+    const double torque = at->inputs->hip.external_torque - drive;
+    const double across = torque * at->leg.inverse_length;
     const double along = at->leg.axial_force * -at->leg.ground_sine - across * at->leg.ground_cosine;
     const double weight = at->model->parameters.foot.mass * at->model->parameters.gravity;
     const double off = at->leg.axial_force * at->leg.ground_cosine + across * -at->leg.ground_sine;

@@ -50,13 +50,6 @@ static inline double tdmf_height_over(const tdmf_ground_line *line, double x, do
     return line->cosine * (y - line->height) - line->sine * x;
 }
 
-/* Its change. */
-static inline double tdmf_vary_height_over(const tdmf_ground_line *line, double x, double y,
-                                           const tdmf_ground_line *d_line, double d_x, double d_y) {
-    return -(line->sine * d_line->slope) * (y - line->height) + line->cosine * (d_y - d_line->height) -
-           (line->cosine * d_line->slope * x + line->sine * d_x);
-}
-
 /* h + x tan sigma, the height of the line. */
 static inline double tdmf_ground_height_at(const tdmf_ground_line *line, double x) {
     return line->height + x * (line->sine / line->cosine);

@@ -165,14 +165,10 @@ static inline double tdmf_vary_lift_off_guard(const tdmf_evaluation *at, const t
 
 /* rho mu f_n + f_t: a foot at rest that reaches the edge of the cone (2) here slips forward. */
 static inline double tdmf_slip_onset_positive_guard(const tdmf_evaluation *at) {
-    if (tdmf_zone_towards(at->model, at->state[TDMF_FOOT_X], 1.0) == TDMF_ZONE_PATCH) {
-        const double largest =
-            at->model->parameters.ground.static_friction_ratio * at->model->parameters.ground.patch_friction;
-        return (largest * at->force.normal + at->force.tangential) /
-                   (at->model->scales.force * (1.0 >= largest ? 1.0 : largest)) +
-               TDMF_GUARD_MARGIN;
-    }
-    const double largest = at->model->parameters.ground.static_friction_ratio * at->inputs->ground.friction;
+    const double largest = at->model->parameters.ground.static_friction_ratio *
+                           (tdmf_zone_towards(at->model, at->state[TDMF_FOOT_X], 1.0) == TDMF_ZONE_PATCH
+                                ? at->model->parameters.ground.patch_friction
+                                : at->inputs->ground.friction);
     return (largest * at->force.normal + at->force.tangential) /
                (at->model->scales.force * (1.0 >= largest ? 1.0 : largest)) +
            TDMF_GUARD_MARGIN;
@@ -181,34 +177,29 @@ static inline double tdmf_slip_onset_positive_guard(const tdmf_evaluation *at) {
 /* Its change. */
 static inline double tdmf_vary_slip_onset_positive_guard(const tdmf_evaluation *at,
                                                          const tdmf_evaluation *d_at) {
-    if (tdmf_zone_towards(at->model, at->state[TDMF_FOOT_X], 1.0) == TDMF_ZONE_PATCH) {
-        return (d_at->model->parameters.ground.static_friction_ratio *
-                    at->model->parameters.ground.patch_friction +
-                at->model->parameters.ground.static_friction_ratio *
-                    d_at->model->parameters.ground.patch_friction) *
-                   at->force.normal +
-               at->model->parameters.ground.static_friction_ratio *
-                   at->model->parameters.ground.patch_friction * d_at->force.normal +
-               d_at->force.tangential;
-    }
-    return (d_at->model->parameters.ground.static_friction_ratio * at->inputs->ground.friction +
-            at->model->parameters.ground.static_friction_ratio * d_at->inputs->ground.friction) *
+    return (d_at->model->parameters.ground.static_friction_ratio *
+                (tdmf_zone_towards(at->model, at->state[TDMF_FOOT_X], 1.0) == TDMF_ZONE_PATCH
+                     ? at->model->parameters.ground.patch_friction
+                     : at->inputs->ground.friction) +
+            at->model->parameters.ground.static_friction_ratio *
+                (tdmf_zone_towards(at->model, at->state[TDMF_FOOT_X], 1.0) == TDMF_ZONE_PATCH
+                     ? d_at->model->parameters.ground.patch_friction
+                     : d_at->inputs->ground.friction)) *
                at->force.normal +
-           at->model->parameters.ground.static_friction_ratio * at->inputs->ground.friction *
+           at->model->parameters.ground.static_friction_ratio *
+               (tdmf_zone_towards(at->model, at->state[TDMF_FOOT_X], 1.0) == TDMF_ZONE_PATCH
+                    ? at->model->parameters.ground.patch_friction
+                    : at->inputs->ground.friction) *
                d_at->force.normal +
            d_at->force.tangential;
 }
 
 /* rho mu f_n - f_t: the same, and the foot slips backward. */
 static inline double tdmf_slip_onset_negative_guard(const tdmf_evaluation *at) {
-    if (tdmf_zone_towards(at->model, at->state[TDMF_FOOT_X], -1.0) == TDMF_ZONE_PATCH) {
-        const double largest =
-            at->model->parameters.ground.static_friction_ratio * at->model->parameters.ground.patch_friction;
-        return (largest * at->force.normal - at->force.tangential) /
-                   (at->model->scales.force * (1.0 >= largest ? 1.0 : largest)) +
-               TDMF_GUARD_MARGIN;
-    }
-    const double largest = at->model->parameters.ground.static_friction_ratio * at->inputs->ground.friction;
+    const double largest = at->model->parameters.ground.static_friction_ratio *
+                           (tdmf_zone_towards(at->model, at->state[TDMF_FOOT_X], -1.0) == TDMF_ZONE_PATCH
+                                ? at->model->parameters.ground.patch_friction
+                                : at->inputs->ground.friction);
     return (largest * at->force.normal - at->force.tangential) /
                (at->model->scales.force * (1.0 >= largest ? 1.0 : largest)) +
            TDMF_GUARD_MARGIN;
@@ -217,20 +208,19 @@ static inline double tdmf_slip_onset_negative_guard(const tdmf_evaluation *at) {
 /* Its change. */
 static inline double tdmf_vary_slip_onset_negative_guard(const tdmf_evaluation *at,
                                                          const tdmf_evaluation *d_at) {
-    if (tdmf_zone_towards(at->model, at->state[TDMF_FOOT_X], -1.0) == TDMF_ZONE_PATCH) {
-        return (d_at->model->parameters.ground.static_friction_ratio *
-                    at->model->parameters.ground.patch_friction +
-                at->model->parameters.ground.static_friction_ratio *
-                    d_at->model->parameters.ground.patch_friction) *
-                   at->force.normal +
-               at->model->parameters.ground.static_friction_ratio *
-                   at->model->parameters.ground.patch_friction * d_at->force.normal -
-               d_at->force.tangential;
-    }
-    return (d_at->model->parameters.ground.static_friction_ratio * at->inputs->ground.friction +
-            at->model->parameters.ground.static_friction_ratio * d_at->inputs->ground.friction) *
+    return (d_at->model->parameters.ground.static_friction_ratio *
+                (tdmf_zone_towards(at->model, at->state[TDMF_FOOT_X], -1.0) == TDMF_ZONE_PATCH
+                     ? at->model->parameters.ground.patch_friction
+                     : at->inputs->ground.friction) +
+            at->model->parameters.ground.static_friction_ratio *
+                (tdmf_zone_towards(at->model, at->state[TDMF_FOOT_X], -1.0) == TDMF_ZONE_PATCH
+                     ? d_at->model->parameters.ground.patch_friction
+                     : d_at->inputs->ground.friction)) *
                at->force.normal +
-           at->model->parameters.ground.static_friction_ratio * at->inputs->ground.friction *
+           at->model->parameters.ground.static_friction_ratio *
+               (tdmf_zone_towards(at->model, at->state[TDMF_FOOT_X], -1.0) == TDMF_ZONE_PATCH
+                    ? at->model->parameters.ground.patch_friction
+                    : at->inputs->ground.friction) *
                d_at->force.normal -
            d_at->force.tangential;
 }
@@ -285,16 +275,11 @@ static inline double tdmf_vary_patch_border_guard(const tdmf_evaluation *at, boo
 
 /* -N of the stance law: it loads the foot again. */
 static inline double tdmf_graze_to_contact_guard(const tdmf_evaluation *at) {
-    if (at->mode->mid_stance_pending) {
-        const double drive = at->model->parameters.hip.stance_torque + at->inputs->control.stance_torque;
-        const double torque = at->inputs->hip.external_torque - drive;
-        const double across = torque * at->leg.inverse_length;
-        const double off = at->leg.axial_force * at->leg.ground_cosine + across * -at->leg.ground_sine;
-        const double weight = at->model->parameters.foot.mass * at->model->parameters.gravity;
-        const double normal = off + weight * at->mode->ground.cosine;
-        return -normal / at->model->scales.force + TDMF_GUARD_MARGIN;
-    }
-    const double across = at->inputs->hip.external_torque * at->leg.inverse_length;
+    const double drive = (at->mode->mid_stance_pending
+                              ? at->model->parameters.hip.stance_torque + at->inputs->control.stance_torque
+                              : 0.0);
+    const double torque = at->inputs->hip.external_torque - drive;
+    const double across = torque * at->leg.inverse_length;
     const double off = at->leg.axial_force * at->leg.ground_cosine + across * -at->leg.ground_sine;
     const double weight = at->model->parameters.foot.mass * at->model->parameters.gravity;
     const double normal = off + weight * at->mode->ground.cosine;
@@ -304,27 +289,16 @@ static inline double tdmf_graze_to_contact_guard(const tdmf_evaluation *at) {
 /* Its change. */
 static inline double tdmf_vary_graze_to_contact_guard(const tdmf_evaluation *at,
                                                       const tdmf_evaluation *d_at) {
-    if (at->mode->mid_stance_pending) {
-        const double d_drive =
-            d_at->model->parameters.hip.stance_torque + d_at->inputs->control.stance_torque;
-        const double d_torque = d_at->inputs->hip.external_torque - d_drive;
-        const double drive = at->model->parameters.hip.stance_torque + at->inputs->control.stance_torque;
-        const double torque = at->inputs->hip.external_torque - drive;
-        const double d_across = d_torque * at->leg.inverse_length + torque * d_at->leg.inverse_length;
-        const double across = torque * at->leg.inverse_length;
-        const double d_off = d_at->leg.axial_force * at->leg.ground_cosine +
-                             at->leg.axial_force * d_at->leg.ground_cosine +
-                             (d_across * -at->leg.ground_sine + across * -d_at->leg.ground_sine);
-        const double d_weight = d_at->model->parameters.foot.mass * at->model->parameters.gravity +
-                                at->model->parameters.foot.mass * d_at->model->parameters.gravity;
-        const double weight = at->model->parameters.foot.mass * at->model->parameters.gravity;
-        const double d_normal = d_off + (d_weight * at->mode->ground.cosine +
-                                         weight * -(at->mode->ground.sine * d_at->mode->ground.slope));
-        return -d_normal;
-    }
-    const double d_across = d_at->inputs->hip.external_torque * at->leg.inverse_length +
-                            at->inputs->hip.external_torque * d_at->leg.inverse_length;
-    const double across = at->inputs->hip.external_torque * at->leg.inverse_length;
+    const double d_drive = (at->mode->mid_stance_pending ? d_at->model->parameters.hip.stance_torque +
+                                                               d_at->inputs->control.stance_torque
+                                                         : 0.0);
+    const double d_torque = d_at->inputs->hip.external_torque - d_drive;
+    const double drive = (at->mode->mid_stance_pending
+                              ? at->model->parameters.hip.stance_torque + at->inputs->control.stance_torque
+                              : 0.0);
+    const double torque = at->inputs->hip.external_torque - drive;
+    const double d_across = d_torque * at->leg.inverse_length + torque * d_at->leg.inverse_length;
+    const double across = torque * at->leg.inverse_length;
     const double d_off = d_at->leg.axial_force * at->leg.ground_cosine +
                          at->leg.axial_force * d_at->leg.ground_cosine +
                          (d_across * -at->leg.ground_sine + across * -d_at->leg.ground_sine);

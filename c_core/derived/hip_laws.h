@@ -27,56 +27,15 @@ static inline tdmf_hip_law tdmf_external_law(const tdmf_inputs *inputs, const td
     return result;
 }
 
-/* Its change. */
-static inline tdmf_hip_law tdmf_vary_external_law(const tdmf_inputs *inputs, const tdmf_inputs *rates,
-                                                  const tdmf_inputs *d_inputs, const tdmf_inputs *d_rates) {
-    (void)inputs;
-    (void)rates;
-    const tdmf_hip_law result = {
-        .torque = d_inputs->hip.external_torque,
-        .torque_rate = d_rates->hip.external_torque,
-    };
-    return result;
-}
-
 /* -tau0 while the stance drives, then 0 (11), and the torque from outside. */
 static inline tdmf_hip_law tdmf_stance_law(const tdmf_model *model, const tdmf_inputs *inputs,
                                            const tdmf_inputs *rates, const tdmf_mode *mode) {
-    if (mode->mid_stance_pending) {
-        const double drive = model->parameters.hip.stance_torque + inputs->control.stance_torque;
-        const tdmf_hip_law result = {
-            .torque = inputs->hip.external_torque - drive,
-            .torque_rate = rates->hip.external_torque,
-        };
-        return result;
-    }
+    const double drive =
+        (mode->mid_stance_pending ? model->parameters.hip.stance_torque + inputs->control.stance_torque
+                                  : 0.0);
     const tdmf_hip_law result = {
-        .torque = inputs->hip.external_torque,
+        .torque = inputs->hip.external_torque - drive,
         .torque_rate = rates->hip.external_torque,
-    };
-    return result;
-}
-
-/* Its change. */
-static inline tdmf_hip_law tdmf_vary_stance_law(const tdmf_model *model, const tdmf_inputs *inputs,
-                                                const tdmf_inputs *rates, const tdmf_mode *mode,
-                                                const tdmf_model *d_model, const tdmf_inputs *d_inputs,
-                                                const tdmf_inputs *d_rates, const tdmf_mode *d_mode) {
-    (void)model;
-    (void)inputs;
-    (void)rates;
-    (void)d_mode;
-    if (mode->mid_stance_pending) {
-        const double d_drive = d_model->parameters.hip.stance_torque + d_inputs->control.stance_torque;
-        const tdmf_hip_law result = {
-            .torque = d_inputs->hip.external_torque - d_drive,
-            .torque_rate = d_rates->hip.external_torque,
-        };
-        return result;
-    }
-    const tdmf_hip_law result = {
-        .torque = d_inputs->hip.external_torque,
-        .torque_rate = d_rates->hip.external_torque,
     };
     return result;
 }
@@ -99,34 +58,6 @@ static inline tdmf_hip_law tdmf_servo(const tdmf_model *model, const tdmf_inputs
         .gain = model->parameters.hip.kp,
         .rate_gain = model->parameters.hip.kd,
         .target = model->parameters.hip.liftoff_angle_factor * mode->liftoff_angle,
-    };
-    return result;
-}
-
-/* Its change. */
-static inline tdmf_hip_law tdmf_vary_servo(const tdmf_model *model, const tdmf_inputs *inputs,
-                                           const tdmf_mode *mode, double place_time,
-                                           const tdmf_model *d_model, const tdmf_inputs *d_inputs,
-                                           const tdmf_mode *d_mode, double d_place_time) {
-    (void)inputs;
-    if (mode->phase == TDMF_PHASE_PLACE) {
-        const tdmf_hip_law result = {
-            .gain = d_model->parameters.hip.kp,
-            .rate_gain = d_model->parameters.hip.kd,
-            .target = d_model->parameters.hip.touchdown_angle + d_inputs->control.touchdown_angle -
-                      (d_model->parameters.hip.retraction_rate * place_time +
-                       model->parameters.hip.retraction_rate * d_place_time),
-            .target_rate = -d_model->parameters.hip.retraction_rate,
-            .torque = -d_model->parameters.hip.kd * model->parameters.hip.retraction_rate +
-                      -model->parameters.hip.kd * d_model->parameters.hip.retraction_rate,
-        };
-        return result;
-    }
-    const tdmf_hip_law result = {
-        .gain = d_model->parameters.hip.kp,
-        .rate_gain = d_model->parameters.hip.kd,
-        .target = d_model->parameters.hip.liftoff_angle_factor * mode->liftoff_angle +
-                  model->parameters.hip.liftoff_angle_factor * d_mode->liftoff_angle,
     };
     return result;
 }
@@ -161,47 +92,6 @@ static inline tdmf_hip_law tdmf_flight_law(const tdmf_model *model, const tdmf_i
         .target = model->parameters.hip.liftoff_angle_factor * mode->liftoff_angle,
         .torque = inputs->hip.external_torque,
         .torque_rate = rates->hip.external_torque,
-    };
-    return result;
-}
-
-/* Its change. */
-static inline tdmf_hip_law tdmf_vary_flight_law(const tdmf_model *model, const tdmf_inputs *inputs,
-                                                const tdmf_inputs *rates, const tdmf_mode *mode,
-                                                double place_time, const tdmf_model *d_model,
-                                                const tdmf_inputs *d_inputs, const tdmf_inputs *d_rates,
-                                                const tdmf_mode *d_mode, double d_place_time) {
-    (void)inputs;
-    (void)rates;
-    if (mode->phase == TDMF_PHASE_PLACE) {
-        const double d_torque = -d_model->parameters.hip.kd * model->parameters.hip.retraction_rate +
-                                -model->parameters.hip.kd * d_model->parameters.hip.retraction_rate;
-        const tdmf_hip_law result = {
-            .gain = d_model->parameters.hip.kp,
-            .rate_gain = d_model->parameters.hip.kd,
-            .target = d_model->parameters.hip.touchdown_angle + d_inputs->control.touchdown_angle -
-                      (d_model->parameters.hip.retraction_rate * place_time +
-                       model->parameters.hip.retraction_rate * d_place_time),
-            .target_rate = -d_model->parameters.hip.retraction_rate,
-            .torque = d_torque + d_inputs->hip.external_torque,
-            .torque_rate = d_rates->hip.external_torque,
-        };
-        return result;
-    }
-    if (mode->clamp_closed) {
-        const tdmf_hip_law result = {
-            .torque = d_inputs->hip.external_torque,
-            .torque_rate = d_rates->hip.external_torque,
-        };
-        return result;
-    }
-    const tdmf_hip_law result = {
-        .gain = d_model->parameters.hip.kp,
-        .rate_gain = d_model->parameters.hip.kd,
-        .target = d_model->parameters.hip.liftoff_angle_factor * mode->liftoff_angle +
-                  model->parameters.hip.liftoff_angle_factor * d_mode->liftoff_angle,
-        .torque = d_inputs->hip.external_torque,
-        .torque_rate = d_rates->hip.external_torque,
     };
     return result;
 }
@@ -281,11 +171,10 @@ static inline double tdmf_torque_in(const tdmf_evaluation *at, bool upright, dou
                at->model->parameters.hip.kd * at->state[TDMF_LEG_ANGLE_RATE] +
                at->inputs->hip.external_torque;
     }
-    if (at->mode->mid_stance_pending) {
-        const double drive = at->model->parameters.hip.stance_torque + at->inputs->control.stance_torque;
-        return at->inputs->hip.external_torque - drive;
-    }
-    return at->inputs->hip.external_torque;
+    const double drive = (at->mode->mid_stance_pending
+                              ? at->model->parameters.hip.stance_torque + at->inputs->control.stance_torque
+                              : 0.0);
+    return at->inputs->hip.external_torque - drive;
 }
 
 /* Its change. */
@@ -343,12 +232,10 @@ static inline double tdmf_vary_torque_in(const tdmf_evaluation *at, bool upright
                 at->model->parameters.hip.kd * d_at->state[TDMF_LEG_ANGLE_RATE]) +
                d_at->inputs->hip.external_torque;
     }
-    if (at->mode->mid_stance_pending) {
-        const double d_drive =
-            d_at->model->parameters.hip.stance_torque + d_at->inputs->control.stance_torque;
-        return d_at->inputs->hip.external_torque - d_drive;
-    }
-    return d_at->inputs->hip.external_torque;
+    const double d_drive = (at->mode->mid_stance_pending ? d_at->model->parameters.hip.stance_torque +
+                                                               d_at->inputs->control.stance_torque
+                                                         : 0.0);
+    return d_at->inputs->hip.external_torque - d_drive;
 }
 
 /* The law as it is some time later. */

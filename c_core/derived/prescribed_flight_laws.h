@@ -6,50 +6,6 @@
 
 #include <math.h>
 
-/* Some time later than it was there and moved so. */
-static inline tdmf_point tdmf_ballistic_under(const tdmf_model *model, const tdmf_inputs *inputs,
-                                              tdmf_point start, double time) {
-    const double x = inputs->body.external_fx * model->inverse_body_mass;
-    const double y = inputs->body.external_fy * model->inverse_body_mass;
-    const tdmf_point result = {
-        .x = start.x + time * (start.vx + time * (0.5 * (model->body_share * x))),
-        .y = start.y + time * (start.vy + time * (0.5 * (model->body_share * y - model->parameters.gravity))),
-        .vx = start.vx + time * (model->body_share * x),
-        .vy = start.vy + time * (model->body_share * y - model->parameters.gravity),
-    };
-    return result;
-}
-
-/* Its change. */
-static inline tdmf_point tdmf_vary_ballistic_under(const tdmf_model *model, const tdmf_inputs *inputs,
-                                                   tdmf_point start, double time, const tdmf_model *d_model,
-                                                   const tdmf_inputs *d_inputs, tdmf_point d_start,
-                                                   double d_time) {
-    const double x = inputs->body.external_fx * model->inverse_body_mass;
-    const double d_x = d_inputs->body.external_fx * model->inverse_body_mass +
-                       inputs->body.external_fx * d_model->inverse_body_mass;
-    const double y = inputs->body.external_fy * model->inverse_body_mass;
-    const double d_y = d_inputs->body.external_fy * model->inverse_body_mass +
-                       inputs->body.external_fy * d_model->inverse_body_mass;
-    const tdmf_point result = {
-        .x = d_start.x +
-             (d_time * (start.vx + time * (0.5 * (model->body_share * x))) +
-              time * (d_start.vx + (d_time * (0.5 * (model->body_share * x)) +
-                                    time * (0.5 * (d_model->body_share * x + model->body_share * d_x))))),
-        .y = d_start.y +
-             (d_time * (start.vy + time * (0.5 * (model->body_share * y - model->parameters.gravity))) +
-              time * (d_start.vy + (d_time * (0.5 * (model->body_share * y - model->parameters.gravity)) +
-                                    time * (0.5 * (d_model->body_share * y + model->body_share * d_y -
-                                                   d_model->parameters.gravity))))),
-        .vx = d_start.vx +
-              (d_time * (model->body_share * x) + time * (d_model->body_share * x + model->body_share * d_x)),
-        .vy = d_start.vy +
-              (d_time * (model->body_share * y - model->parameters.gravity) +
-               time * (d_model->body_share * y + model->body_share * d_y - d_model->parameters.gravity)),
-    };
-    return result;
-}
-
 /* The state some time after an apex, where the centre of mass began: leg, foot and clock of place. */
 static inline void tdmf_prescribed_state(const tdmf_model *model, const tdmf_inputs *inputs, tdmf_point start,
                                          double time, double written[TDMF_STATE_COUNT]) {

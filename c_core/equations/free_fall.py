@@ -2,6 +2,8 @@
 
 from .functions import Record
 
+STEADY = Record(x=0, y=0)
+
 
 def push_on_body(model, inputs):
     """The external force by the body's mass; of inputs' rates, its rate."""
@@ -34,3 +36,8 @@ def ballistic(start, acceleration, jerk, time):
         vx=start.vx + time * (acceleration.x + time * jerk.x / 2),
         vy=start.vy + time * (acceleration.y + time * jerk.y / 2),
     )
+
+
+def center_of_mass(model, inputs, start, time):
+    """The same, where the inputs are held."""
+    return ballistic(start, of_runner(model, inputs), STEADY, time)

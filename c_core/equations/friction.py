@@ -9,12 +9,12 @@ rest to that of one that slips:
 it stays smooth for a trial step that goes past v = 0.
 """
 
-from .functions import Record, exp, expm1, larger, log1p
+from .functions import Record, exp, expm1, larger, log1p, where
 
 
 def below(model, inputs, zone):
     """mu below a foot: a patch of ground has a friction of its own."""
-    return model.parameters.ground.patch_friction if zone == "patch" else inputs.ground.friction
+    return where(zone, "patch", model.parameters.ground.patch_friction, inputs.ground.friction)
 
 
 def border_ahead(model, zone, forward):

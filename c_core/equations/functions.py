@@ -19,6 +19,7 @@ __all__ = [
     "serve",
     "sin",
     "sqrt",
+    "where",
 ]
 
 _modules = {}
@@ -53,6 +54,13 @@ def plus_unless_zero(total, factor, value):
     if hasattr(total, "plus_unless_zero"):
         return total.plus_unless_zero(factor, value)
     return total + factor * value
+
+
+def where(word, is_, then, other):
+    """One number where a word or flag of a mode is this, else another; C asks where it takes the number."""
+    if hasattr(word, "where"):
+        return word.where(is_, then, other)
+    return then if word == is_ else other
 
 
 def larger(x, y):

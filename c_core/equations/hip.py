@@ -15,7 +15,7 @@ In every phase the law is affine in the leg's angle, its rate and time, and is d
 """
 
 from . import ground_force
-from .functions import Record
+from .functions import Record, where
 
 CONSTANT_INPUTS = Record(hip=Record(external_torque=0))  # rates of inputs that do not change
 
@@ -42,7 +42,7 @@ def external(inputs, rates):
 
 def stance(model, inputs, rates, drives):
     """-tau0 while the stance drives, then 0  (11), and the torque from outside."""
-    drive = model.parameters.hip.stance_torque + inputs.control.stance_torque if drives else 0
+    drive = where(drives, True, model.parameters.hip.stance_torque + inputs.control.stance_torque, 0)
     return law_of(torque=inputs.hip.external_torque - drive, torque_rate=rates.hip.external_torque)
 
 
@@ -76,6 +76,11 @@ def flight(model, inputs, rates, phase, clamp_closed, liftoff_angle, place_time)
     law.torque = law.torque + inputs.hip.external_torque
     law.torque_rate = rates.hip.external_torque
     return law
+
+
+def on_ground(model, inputs, rates, contact, drives):
+    """On the ground: the law of stance, and in graze the torque from outside."""
+    return external(inputs, rates) if contact == "graze" else stance(model, inputs, rates, drives)
 
 
 def place_time_rate(phase):

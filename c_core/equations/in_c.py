@@ -66,7 +66,7 @@ FUNCTIONS = {
             varied=False,
         ),
         InC("double offset_along", ground_line.offset_along),
-        InC("double height_over", ground_line.height_over),
+        InC("double height_over", ground_line.height_over, varied=False),
         InC("double ground_height_at", ground_line.height_at),
         InC("double path_to", ground_line.path_to),
         InC("tdmf_point point_on", ground_line.point_on),
@@ -77,11 +77,12 @@ FUNCTIONS = {
         ),
     ],
     "hip": [
-        InC("tdmf_hip_law external_law", hip.external),
+        InC("tdmf_hip_law external_law", hip.external, varied=False),
         InC(
             "tdmf_hip_law stance_law",
             hip.stance,
             lambda model, inputs, rates, mode: (model, inputs, rates, mode.mid_stance_pending),
+            varied=False,
         ),
         InC(
             "tdmf_hip_law servo",
@@ -93,6 +94,7 @@ FUNCTIONS = {
                 mode.liftoff_angle,
                 place_time,
             ),
+            varied=False,
         ),
         InC(
             "tdmf_hip_law flight_law",
@@ -106,6 +108,7 @@ FUNCTIONS = {
                 mode.liftoff_angle,
                 place_time,
             ),
+            varied=False,
         ),
         InC(
             "double servo_torque",
@@ -126,7 +129,12 @@ FUNCTIONS = {
     ],
     "leg": [
         InC("double leg_thrust", leg.thrust, varied=False),
-        InC("double rest_length", leg.rest_length, lambda model, inputs, mode: (model, inputs, mode.thrusts)),
+        InC(
+            "double rest_length",
+            leg.rest_length,
+            lambda model, inputs, mode: (model, inputs, mode.thrusts),
+            varied=False,
+        ),
         InC(
             "tdmf_leg leg_along",
             leg.evaluate,
@@ -161,7 +169,7 @@ FUNCTIONS = {
     ],
     "friction": [
         InC("double friction_below", friction.below),
-        InC("double border_ahead", friction.border_ahead),
+        InC("double border_ahead", friction.border_ahead, varied=False),
         InC(
             "double static_friction",
             friction.static,
@@ -172,8 +180,8 @@ FUNCTIONS = {
             friction.sliding,
             lambda model, inputs, zone, sign: (friction.below(model, inputs, zone), sign),
         ),
-        InC("double friction_excess", friction.excess),
-        InC("double friction_fading", friction.fading),
+        InC("double friction_excess", friction.excess, varied=False),
+        InC("double friction_fading", friction.fading, varied=False),
         InC("double friction_growth_rate", friction.growth_rate, varied=False),
         InC("double stopped_speed", friction.stopped_speed, varied=False),
         InC("double room_in_cone", friction.room, varied=False),
@@ -207,9 +215,10 @@ FUNCTIONS = {
     ],
     "free_fall": [
         InC("tdmf_vector push_on_body", free_fall.push_on_body),
-        InC("tdmf_vector com_acceleration", free_fall.of_center),
+        InC("tdmf_vector com_acceleration", free_fall.of_center, varied=False),
         InC("tdmf_vector falling_acceleration", free_fall.of_runner, varied=False),
-        InC("tdmf_point ballistic_after", free_fall.ballistic),
+        InC("tdmf_point ballistic_after", free_fall.ballistic, varied=False),
+        InC("tdmf_point ballistic_under", free_fall.center_of_mass),
     ],
     "coordinate": [
         InC("tdmf_point body_from_foot", coordinates.body_from_foot),
@@ -251,7 +260,6 @@ FUNCTIONS = {
         InC("void rates_at", dynamics.rates),
     ],
     "prescribed_flight": [
-        InC("tdmf_point ballistic_under", prescribed_flight.center_of_mass),
         InC("void prescribed_state", prescribed_flight.state),
         InC("void prescribed_rates", prescribed_flight.rates, varied=False),
         InC("double rise_time", prescribed_flight.time_to_apex),
@@ -275,8 +283,10 @@ FUNCTIONS = {
         ),
     ],
     "constant": [
-        InC("flight_coefficients flight_coefficients_of", constants.of_flight),
-        InC("ground_coefficients ground_coefficients_of", constants.on_ground),
+        InC("flight_coefficients flight_coefficients_of", constants.of_flight, varied=False),
+        InC("flight_coefficients flight_coefficients_in", constants.of_flight_in),
+        InC("ground_coefficients ground_coefficients_of", constants.on_ground, varied=False),
+        InC("ground_coefficients ground_coefficients_in", constants.on_ground_in),
         InC("signed_law signed_law", hip.signed, varied=False),
         InC("friction_cone friction_cone_of", friction.cone, varied=False),
     ],

@@ -1,6 +1,6 @@
 """The leg: a spring and a damper between body and foot, whose rest length thrust and input change."""
 
-from .functions import Record, cos, larger, sin
+from .functions import Record, cos, larger, sin, where
 
 
 def direction(angle):
@@ -27,7 +27,7 @@ def thrust(model, inputs):
 def rest_length(model, inputs, thrusts):
     """l0 + u and, from the greatest compression to the end of the stance, epsilon."""
     length = model.parameters.leg.free_length + inputs.leg.extension
-    return length + thrust(model, inputs) if thrusts else length
+    return where(thrusts, True, length + thrust(model, inputs), length)
 
 
 def axial_force(stiffness, damping, rest_length, length, length_rate):

@@ -7,8 +7,6 @@ of the leg from the foot.
 from . import coordinates, free_fall, hip, leg
 from .functions import Record
 
-STEADY = Record(x=0, y=0)
-
 
 def placed_leg(model, inputs, time):
     """The leg some time after the apex."""
@@ -22,15 +20,10 @@ def placed_leg(model, inputs, time):
     )
 
 
-def center_of_mass(model, inputs, start, time):
-    """Some time later than it was there and moved so."""
-    return free_fall.ballistic(start, free_fall.of_runner(model, inputs), STEADY, time)
-
-
 def state(model, inputs, start, time):
     """The state some time after an apex, where the centre of mass began: leg, foot and clock of place."""
     placed = placed_leg(model, inputs, time)
-    center = center_of_mass(model, inputs, start, time)
+    center = free_fall.center_of_mass(model, inputs, start, time)
     foot = coordinates.foot_below(model, center, placed, leg.direction(placed.leg_angle))
     return Record(**vars(coordinates.foot_at(foot)), **vars(placed))
 

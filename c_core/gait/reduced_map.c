@@ -3,6 +3,7 @@
 #include "tdmf_slip/reduced_map.h"
 
 #include "event_log.h"
+#include "free_fall_laws.h"
 #include "ground_line.h"
 #include "kinematics.h"
 #include "patch.h"

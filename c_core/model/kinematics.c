@@ -1,7 +1,7 @@
 /* Positions and velocities as the world asks for them. */
 #include "kinematics.h"
 
-#include "prescribed_flight_laws.h"
+#include "free_fall_laws.h"
 
 tdmf_point tdmf_body(const double state[TDMF_STATE_COUNT]) {
     return tdmf_body_along(state, tdmf_leg_direction_of(state));

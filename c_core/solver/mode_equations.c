@@ -21,10 +21,6 @@ static void open_new_ground(tdmf_mode_equations *equations, const tdmf_inputs *i
     }
 }
 
-tdmf_vector tdmf_vary_push(const tdmf_mode_equations *equations, const tdmf_local_seed *d) {
-    return tdmf_vary_push_on_body(equations->model, &equations->inputs, &d->model, &d->inputs);
-}
-
 tdmf_point tdmf_com_in_flight(const tdmf_mode_equations *equations, double t) {
     const tdmf_vector acceleration = tdmf_com_acceleration(equations->model, equations->push);
     const double share = equations->model->body_share;

@@ -57,9 +57,6 @@ void tdmf_open_mode(tdmf_mode_equations *equations, tdmf_system system, const td
                     const tdmf_mode *mode, const double state[TDMF_STATE_COUNT],
                     tdmf_leg_direction direction);
 
-/* The change of the push. */
-tdmf_vector tdmf_vary_push(const tdmf_mode_equations *equations, const tdmf_local_seed *d);
-
 /* The centre of mass in flight, after a time t. */
 tdmf_point tdmf_com_in_flight(const tdmf_mode_equations *equations, double t);
 

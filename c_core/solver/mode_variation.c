@@ -29,24 +29,16 @@ static void flight_variation_of_state(const tdmf_model *model, const double stat
     tdmf_vary_hang_foot(model, center, state, direction, &d->model, varied_mode->com, d_state, d_state);
 }
 
-/* The change of the centre of mass's acceleration. */
-static tdmf_vector vary_acceleration(const tdmf_mode_equations *equations, const tdmf_seed *seed) {
-    const tdmf_local_seed d = tdmf_local_seed_of(equations->model, seed, NULL);
-    return tdmf_vary_com_acceleration(equations->model, equations->push, &d.model,
-                                      tdmf_vary_push(equations, &d));
-}
-
 static void advance_flight(const tdmf_step *step, const elapsed_time *elapsed, const tdmf_seed *seed,
                            const flight_variation *varied_series, tdmf_mode_variation *varied_mode) {
-    const tdmf_vector d_acceleration = vary_acceleration(step->equations, seed);
+    const tdmf_mode_equations *equations = step->equations;
+    const tdmf_local_seed d = tdmf_local_seed_of(equations->model, seed, NULL);
     const flight_start end = tdmf_vary_end_flight(&step->series.flight, elapsed, step->order, varied_series);
     tdmf_set_flight(&end, &varied_mode->at.flying);
     varied_mode->at.work += integral_to(varied_series->power, elapsed, step->order - 1);
-    const tdmf_mode_equations *equations = step->equations;
-    const tdmf_vector none = {0.0, 0.0};
     varied_mode->com =
-        tdmf_vary_ballistic_after(equations->com, tdmf_com_acceleration(equations->model, equations->push),
-                                  none, elapsed->power[1], varied_mode->com, d_acceleration, none, 0.0);
+        tdmf_vary_ballistic_under(equations->model, &equations->inputs, equations->com, elapsed->power[1],
+                                  &d.model, &d.inputs, varied_mode->com, 0.0);
 }
 
 /* ---- on the ground ------------------------------------------------------------------------------------ */

@@ -37,6 +37,8 @@ def c_text(expression: Expression, text_of: TextOf = lambda node: None, function
                 total, factor, value = map(ast.unparse, operands)
                 more = f"{total} + {factor} * ({value})"
                 return ast.Name(f"(any(mask_not({factor} == 0.0)) ? {more} : {total})")
+            case "where":
+                return ast.Name("({} ? {} : {})".format(*map(ast.unparse, operands)))
             case "larger" | "choose" if not functions:
                 a, b, *chosen = map(ast.unparse, (*operands, *operands)[:4])
                 return ast.Name(f"({a} >= {b} ? {chosen[0]} : {chosen[1]})")

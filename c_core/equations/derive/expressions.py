@@ -156,6 +156,7 @@ VARIATIONS: dict[str, Callable[..., Expression]] = {
     "log1p": lambda y, a, d_a: d_a / (a + 1),
     "atan2": lambda y, a, b, d_a, d_b: (b * d_a - a * d_b) / (a * a + b * b),
     "larger": lambda y, a, b, d_a, d_b: Expression("choose", a, b, d_a, d_b),
+    "where": lambda y, word, a, b, d_word, d_a, d_b: Expression("where", word, d_a, d_b),
     "rate": lambda y, a, d_a: Expression("rate", d_a),
     "value_at": lambda y, series, time, order, d_series, *held: Expression("value_at", d_series, time, order),
 }

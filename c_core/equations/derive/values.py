@@ -56,12 +56,20 @@ class Member(Expression):
             return angle.sin() if name == "sine" else angle.cos()
         return symbol(before + name)
 
+    def condition(self, word: str) -> str:
+        """Write whether a mode's word is this one."""
+        return f"{self.value} == {WORDS[self.marks.get('word', self.own_name)]}{word.upper()}"
+
     def __eq__(self, other: object) -> bool:
         """Whether a mode's word is this one."""
-        if isinstance(other, str):
-            words = WORDS[self.marks.get("word", self.own_name)]
-            return ask(f"{self.value} == {words}{other.upper()}")
-        return self is other
+        return ask(self.condition(other)) if isinstance(other, str) else self is other
+
+    def where(self, is_: str | bool, then: Any, other: Any) -> Expression:
+        """Give a number by the mode's word or flag, or what it is either way."""
+        holds = symbol(self.condition(is_) if isinstance(is_, str) else self.value, constant=True)
+        return (
+            lift(then) if lift(then) is lift(other) else Expression("where", holds, lift(then), lift(other))
+        )
 
     __hash__ = Expression.__hash__
 
