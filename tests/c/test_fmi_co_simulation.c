@@ -1,0 +1,415 @@
+/* Co-Simulation of either version: steps that arrive, and those that are refused. */
+#include "compare.h"
+#include "extended_strides.h"
+#include "fmi_interface.h"
+
+#include "fmu.h"
+#include "tdmf_slip/cvode.h"
+
+#include <float.h>
+#include <math.h>
+#include <string.h>
+
+#ifdef __GLIBC__
+#include <fenv.h>
+int feenableexcept(int exceptions); /* GNU extensions, hidden by -std=c99 */
+int fedisableexcept(int exceptions);
+#endif
+
+static const double period = 24.76444922801218; /* of the default gait */
+
+static void run(const fmi_interface *fmi, void *instance, double from, double to, double step) {
+    step_answer answer;
+    const long steps = lround((to - from) / step);
+    for (long i = 0; i < steps; ++i) {
+        const double time = from + (double)i * step;
+        assert_int_equal(fmi->do_step(instance, time, step, &answer), FMI_OK);
+    }
+}
+
+/* ---- stepping ----------------------------------------------------------------------------------------- */
+
+static void steps_arrive_and_the_grid_does_not_matter(void **state) {
+    const fmi_interface *fmi = *state;
+    static const double steps[] = {0.01, 0.1, 1.25, 25.0, 250.0};
+    for (size_t i = 0; i < sizeof steps / sizeof steps[0]; ++i) {
+        void *instance = new_of_kind(fmi, STEPS);
+        initialize_unit(fmi, instance);
+        run(fmi, instance, 0.0, 250.0, steps[i]);
+        assert_true(fabs(value_of(fmi, instance, "time") - 250.0) < 1e-9);
+        assert_int_equal(integer_of(fmi, instance, "stride.count"), 10);
+        assert_close(value_of(fmi, instance, "stride.period"), period, 1e-8);
+        assert_close(value_of(fmi, instance, "stride.cost_of_transport"), 0.3717046558598356, 1e-9);
+        fmi->free(instance);
+    }
+}
+
+static void start_at_apex(const fmi_interface *fmi, void *instance, double friction,
+                          const tdmf_parameters *parameters, const double apex[TDMF_SECTION_COUNT]) {
+    static const char *const names[TDMF_MECHANICAL_COUNT] = {"foot.x",          "foot.y",        "leg.length",
+                                                             "leg.angle",       "foot.vx",       "foot.vy",
+                                                             "leg.length_rate", "leg.angle_rate"};
+    const tdmf_inputs inputs = tdmf_default_inputs();
+    tdmf_model model;
+    double state[TDMF_STATE_COUNT];
+    assert_null(tdmf_model_create(&model, parameters).variable);
+    tdmf_section_state((tdmf_system){&model, &inputs}, apex, state);
+    for (int i = 0; i < TDMF_MECHANICAL_COUNT; ++i) {
+        assert_int_equal(set_value(fmi, instance, names[i], state[i]), FMI_OK);
+    }
+    assert_int_equal(set_value(fmi, instance, "ground.friction", friction), FMI_OK);
+    assert_int_equal(set_value(fmi, instance, "solver.relative_tolerance", 1e-13), FMI_OK);
+    initialize_unit(fmi, instance);
+}
+
+/* Also where steps end at events. */
+static void a_stride_takes_the_proved_time(void **state) {
+    step_answer answer;
+    const fmi_interface *fmi = *state;
+    const tdmf_parameters parameters = tdmf_default_parameters();
+    for (int i = 0; i < PROVED_GAITS; ++i) {
+        const proved_gait *gait = &proved_gaits[i];
+        for (int stops = 0; stops < 2; ++stops) {
+            void *instance = new_of_kind(fmi, STEPS);
+            double time = 0.0;
+            start_at_apex(fmi, instance, gait->friction, &parameters, gait->apex);
+            for (int k = 0; k < gait->event_count && stops; ++k) {
+                assert_int_equal(fmi->do_step(instance, time, gait->events[k].time - time, &answer), FMI_OK);
+                time = gait->events[k].time;
+            }
+            assert_int_equal(fmi->do_step(instance, time, gait->period + 1.0 - time, &answer), FMI_OK);
+            assert_int_equal(integer_of(fmi, instance, "stride.count"), 1);
+            assert_close(value_of(fmi, instance, "stride.period"), gait->period, 1e-13 * gait->period);
+            assert_close(value_of(fmi, instance, "apex.time"), gait->period, 1e-13 * gait->period);
+            fmi->free(instance);
+        }
+    }
+}
+
+static void set_parameters(const fmi_interface *fmi, void *instance, const tdmf_parameters *parameters) {
+    assert_int_equal(set_value(fmi, instance, "gravity", parameters->gravity), FMI_OK);
+    assert_int_equal(set_value(fmi, instance, "leg.stiffness", parameters->leg.stiffness), FMI_OK);
+    assert_int_equal(set_value(fmi, instance, "leg.damping", parameters->leg.damping), FMI_OK);
+    assert_int_equal(set_value(fmi, instance, "hip.stance_torque", parameters->hip.stance_torque), FMI_OK);
+    assert_int_equal(set_value(fmi, instance, "hip.kp", parameters->hip.kp), FMI_OK);
+    assert_int_equal(set_value(fmi, instance, "hip.kd", parameters->hip.kd), FMI_OK);
+}
+
+static void a_stride_under_any_gravity_is_that_of_extended_precision(void **state) {
+    step_answer answer;
+    const fmi_interface *fmi = *state;
+    for (int i = 0; i < EXTENDED_STRIDES; ++i) {
+        const extended_stride *stride = &extended_strides[i];
+        const tdmf_parameters parameters = parameters_of_stride(stride);
+        const double period = stride->events[stride->event_count - 1].time;
+        void *instance = new_of_kind(fmi, STEPS);
+        set_parameters(fmi, instance, &parameters);
+        start_at_apex(fmi, instance, stride->friction, &parameters, stride->start);
+        assert_int_equal(fmi->do_step(instance, 0.0, 1.001 * period, &answer), FMI_OK);
+        assert_int_equal(integer_of(fmi, instance, "stride.count"), 1);
+        assert_close(value_of(fmi, instance, "apex.time"), period, 1e-12 * period);
+        assert_close(value_of(fmi, instance, "apex.com_height"), stride->apex[0], 1e-12 * stride->apex[0]);
+        if (stride->apex_count == TDMF_SECTION_COUNT) {
+            assert_close(value_of(fmi, instance, "apex.leg_angle"), stride->apex[3], 1e-12);
+        }
+        fmi->free(instance);
+    }
+}
+
+static void rounded_communication_points_are_tolerated_and_wrong_ones_refused(void **state) {
+    step_answer answer;
+    const fmi_interface *fmi = *state;
+    void *instance = new_of_kind(fmi, STEPS);
+    initialize_unit(fmi, instance);
+    double time = 0.0;
+    for (int i = 0; i < 1000; ++i) {
+        assert_int_equal(fmi->do_step(instance, 0.1 * i, 0.1, &answer), FMI_OK); /* not 0.1 + 0.1 + ... */
+        time = 0.1 * i + 0.1;
+        assert_true(value_of(fmi, instance, "time") == time);
+    }
+    assert_int_equal(fmi->do_step(instance, time + 0.05, 0.1, &answer), FMI_ERROR);
+    assert_non_null(strstr(last_message, "communication point"));
+    fmi->free(instance);
+}
+
+static void initialize_between(const fmi_interface *fmi, void *instance, double start, double stop) {
+    const fmi_experiment experiment = {.start = start, .has_stop = true, .stop = stop};
+    assert_int_equal(fmi->enter_initialization(instance, &experiment), FMI_OK);
+    assert_int_equal(fmi->exit_initialization(instance), FMI_OK);
+}
+
+/* A step that is repeated, long after 1970 as well. */
+static void a_step_taken_before_is_refused(void **state) {
+    step_answer answer;
+    const fmi_interface *fmi = *state;
+    void *instance = new_of_kind(fmi, STEPS);
+    static const double starts[] = {0.0, 1e6, 1.7e9};
+    for (size_t i = 0; i < sizeof starts / sizeof starts[0]; ++i) {
+        const double step = i == 2 ? 0.1 : 1e-4;
+        initialize_between(fmi, instance, starts[i], starts[i] + 1.0);
+        assert_int_equal(fmi->do_step(instance, starts[i], step, &answer), FMI_OK);
+        assert_int_equal(fmi->do_step(instance, starts[i] + step, step, &answer), FMI_OK);
+        assert_int_equal(fmi->do_step(instance, starts[i] + step, step, &answer), FMI_ERROR);
+        assert_int_equal(fmi->reset(instance), FMI_OK);
+    }
+    fmi->free(instance);
+}
+
+static void no_step_goes_beyond_the_stop_time(void **state) {
+    step_answer answer;
+    const fmi_interface *fmi = *state;
+    void *instance = new_of_kind(fmi, STEPS);
+    initialize_between(fmi, instance, 0.0, 1.0);
+    run(fmi, instance, 0.0, 1.0, 0.1);
+    assert_int_equal(fmi->do_step(instance, 1.0, 0.1, &answer), FMI_ERROR);
+    assert_non_null(strstr(last_message, "stop time, 1 s"));
+    fmi->free(instance);
+}
+
+static void steps_that_are_none_are_refused(void **state) {
+    step_answer answer;
+    const fmi_interface *fmi = *state;
+    void *instance = new_of_kind(fmi, STEPS);
+    static const double steps[] = {0.0, -1.0, NAN, INFINITY};
+    for (size_t i = 0; i < sizeof steps / sizeof steps[0]; ++i) {
+        initialize_unit(fmi, instance);
+        clear_messages();
+        assert_int_equal(fmi->do_step(instance, 0.0, steps[i], &answer), FMI_ERROR);
+        assert_int_equal(message_count, 1);
+        assert_int_equal(fmi->reset(instance), FMI_OK);
+    }
+    fmi->free(instance);
+}
+
+static void a_run_may_start_at_any_time(void **state) {
+    const fmi_interface *fmi = *state;
+    void *instance = new_of_kind(fmi, STEPS);
+    initialize_unit_at(fmi, instance, 1000.0);
+    run(fmi, instance, 1000.0, 1000.0 + 2.5 * period, period);
+    assert_close(value_of(fmi, instance, "apex.time"), 1000.0 + 2.0 * period, 1e-6);
+    fmi->free(instance);
+}
+
+enum { COMPARED = 8 };
+static const char *const compared[COMPARED] = {
+    "stride.period", "stride.length",      "stride.speed",      "stride.stance_time",
+    "stride.work",   "stride.duty_factor", "stride.peak_force", "stride.peak_vertical_force"};
+
+/* Four strides from a start time; what they were. */
+static void run_from(const fmi_interface *fmi, double start, double step, double quantities[COMPARED]) {
+    void *instance = new_of_kind(fmi, STEPS);
+    initialize_unit_at(fmi, instance, start);
+    run(fmi, instance, start, start + 4.0 * step * ceil(period / step), step);
+    for (int i = 0; i < COMPARED; ++i) {
+        quantities[i] = value_of(fmi, instance, compared[i]);
+    }
+    assert_int_equal(integer_of(fmi, instance, "stride.count"), 4);
+    assert_int_equal(integer_of(fmi, instance, "stride.word_code"), 3 * 256 + 2 * 64 + 1 * 16 + 2 * 4 + 3);
+    assert_true(fabs(value_of(fmi, instance, "apex.time") - start - 4.0 * period) < 1e-3 + 1e-15 * start);
+    fmi->free(instance);
+}
+
+/* The clock may count the seconds of an epoch, or be coarser than a mode is long. */
+static void strides_do_not_depend_on_the_start_time(void **state) {
+    const fmi_interface *fmi = *state;
+    static const double starts[] = {1.7e9, 1e13};
+    static const double steps[] = {0.1, 0.25, 7.0};
+    for (size_t i = 0; i < sizeof steps / sizeof steps[0]; ++i) {
+        double expected[COMPARED], actual[COMPARED];
+        run_from(fmi, 0.0, steps[i], expected);
+        for (size_t k = 0; k < sizeof starts / sizeof starts[0]; ++k) {
+            run_from(fmi, starts[k], steps[i], actual);
+            for (int q = 0; q < COMPARED; ++q) {
+                assert_relatively_close(actual[q], expected[q], 1e-9);
+            }
+        }
+    }
+}
+
+static void a_step_lost_in_the_clock_is_refused(void **state) {
+    step_answer answer;
+    const fmi_interface *fmi = *state;
+    void *instance = new_of_kind(fmi, STEPS);
+    initialize_unit_at(fmi, instance, 1e17);
+    assert_int_equal(fmi->do_step(instance, 1e17, 64.0, &answer), FMI_OK);
+    assert_int_equal(fmi->do_step(instance, 1e17 + 64.0, 0.1, &answer), FMI_ERROR);
+    assert_non_null(strstr(last_message, "0.1 s is lost"));
+    fmi->free(instance);
+}
+
+static void a_fall_freezes_and_stays_readable(void **state) {
+    const fmi_interface *fmi = *state;
+    void *instance = new_of_kind(fmi, STEPS);
+    assert_int_equal(set_value(fmi, instance, "foot.y", 100.0), FMI_OK);
+    initialize_unit(fmi, instance);
+    run(fmi, instance, 0.0, 2000.0, 100.0);
+    assert_true(truth_of(fmi, instance, "status.fallen"));
+    const double x = value_of(fmi, instance, "foot.x");
+    run(fmi, instance, 2000.0, 2100.0, 10.0);
+    assert_true(value_of(fmi, instance, "foot.x") == x);
+    assert_true(value_of(fmi, instance, "time") == 2100.0);
+    fmi->free(instance);
+}
+
+static void stiff_parameters_end_in_a_message(void **state) {
+    step_answer answer;
+    const fmi_interface *fmi = *state;
+    void *instance = new_of_kind(fmi, STEPS);
+    assert_int_equal(set_value(fmi, instance, "hip.kd", 2.5e13), FMI_OK);
+    initialize_unit(fmi, instance);
+    const double x = value_of(fmi, instance, "foot.x");
+    assert_int_equal(fmi->do_step(instance, 0.0, 0.1, &answer), FMI_ERROR);
+    assert_true(!answer.event && !answer.early && !answer.terminate && answer.time == 0.0);
+    assert_non_null(strstr(last_message, "stiff"));
+    assert_non_null(strstr(last_message, "CVODE (solver.method = cvode)"));
+    assert_true(value_of(fmi, instance, "foot.x") == x);
+    assert_int_equal(integer_of(fmi, instance, "solver.steps"), 1);
+    assert_false(truth_of(fmi, instance, "status.fallen"));
+    fmi->free(instance);
+}
+
+static void the_tighter_tolerance_wins(void **state) {
+    const fmi_interface *fmi = *state;
+    double energies[2];
+    for (int i = 0; i < 2; ++i) {
+        void *instance = new_of_kind(fmi, STEPS);
+        assert_int_equal(set_value(fmi, instance, "solver.relative_tolerance", 1e-4), FMI_OK);
+        const fmi_experiment experiment = {.has_tolerance = i == 1, .tolerance = 1e-11};
+        assert_int_equal(fmi->enter_initialization(instance, &experiment), FMI_OK);
+        assert_int_equal(fmi->exit_initialization(instance), FMI_OK);
+        run(fmi, instance, 0.0, period, period);
+        energies[i] = fabs(value_of(fmi, instance, "energy.total") - value_of(fmi, instance, "hip.work") +
+                           value_of(fmi, instance, "energy.damper_loss") +
+                           value_of(fmi, instance, "energy.friction_loss") +
+                           value_of(fmi, instance, "energy.impact_loss") - 0.587225);
+        fmi->free(instance);
+    }
+    assert_true(energies[0] != energies[1]);
+}
+
+/* ---- inputs and outputs --------------------------------------------------------------------------- */
+
+static void bad_inputs_in_mid_run_are_discarded(void **state) {
+    const fmi_interface *fmi = *state;
+    void *instance = new_of_kind(fmi, STEPS);
+    static const double bad[] = {NAN, -0.1, INFINITY};
+    initialize_unit(fmi, instance);
+    run(fmi, instance, 0.0, 12.0, 12.0);
+    for (size_t i = 0; i < sizeof bad / sizeof bad[0]; ++i) {
+        assert_int_equal(set_value(fmi, instance, "ground.friction", bad[i]), FMI_DISCARD);
+        assert_true(value_of(fmi, instance, "ground.friction") == 0.6);
+    }
+    run(fmi, instance, 12.0, 24.0, 12.0);
+    fmi->free(instance);
+}
+
+static void output_derivatives_are_slopes(void **state) {
+    step_answer answer;
+    const fmi_interface *fmi = *state;
+    void *instance = new_of_kind(fmi, STEPS);
+    static const char *names[] = {"body.y",         "com.vx",     "contact.fy",
+                                  "energy.kinetic", "hip.torque", "leg.angle"};
+    static const double delta = 1e-5;
+    initialize_unit(fmi, instance);
+    run(fmi, instance, 0.0, 12.0, 12.0);
+    for (size_t i = 0; i < sizeof names / sizeof names[0]; ++i) {
+        double slope = 0.0;
+        const double time = value_of(fmi, instance, "time");
+        const double before = value_of(fmi, instance, names[i]);
+        assert_int_equal(fmi->do_step(instance, time, delta, &answer), FMI_OK);
+        assert_int_equal(fmi->output_derivative(instance, reference_of(names[i]), 1, &slope), FMI_OK);
+        assert_int_equal(fmi->do_step(instance, time + delta, delta, &answer), FMI_OK);
+        assert_close((value_of(fmi, instance, names[i]) - before) / (2.0 * delta), slope, 1e-7);
+    }
+    fmi->free(instance);
+}
+
+static fmi_status start_with_cvode(const fmi_interface *fmi, void *instance) {
+    assert_int_equal(fmi->set_item(instance, reference_of("solver.method"), SOLVER_CVODE), FMI_OK);
+    assert_int_equal(set_value(fmi, instance, "solver.relative_tolerance", 1e-10), FMI_OK);
+    assert_int_equal(fmi->enter_initialization(instance, &(fmi_experiment){.start = 0.0}), FMI_OK);
+    return fmi->exit_initialization(instance);
+}
+
+static void cvode_is_refused_where_it_is_missing(void **state) {
+    const fmi_interface *fmi = *state;
+    void *instance = new_of_kind(fmi, STEPS);
+    if (tdmf_cvode_is_available()) {
+        skip();
+    }
+    assert_int_equal(start_with_cvode(fmi, instance), FMI_ERROR);
+    assert_non_null(strstr(last_message, "SUNDIALS"));
+    fmi->free(instance);
+}
+
+static void cvode_agrees_with_the_native_solver(void **state) {
+    const fmi_interface *fmi = *state;
+    void *instance = new_of_kind(fmi, STEPS);
+    static const char *names[] = {
+        "stride.period",  "stride.length",      "stride.cost_of_transport", "apex.com_height",
+        "apex.leg_angle", "energy.impact_loss", "stride.peak_force",        "stride.peak_vertical_force"};
+    if (!tdmf_cvode_is_available()) {
+        skip();
+    }
+    void *native = new_of_kind(fmi, STEPS);
+    initialize_unit(fmi, native);
+    assert_int_equal(start_with_cvode(fmi, instance), FMI_OK);
+    run(fmi, native, 0.0, 3.5 * period, 0.5 * period);
+    run(fmi, instance, 0.0, 3.5 * period, 0.5 * period);
+    assert_int_equal(integer_of(fmi, instance, "event.count"), integer_of(fmi, native, "event.count"));
+    for (size_t i = 0; i < sizeof names / sizeof names[0]; ++i) {
+        assert_relatively_close(value_of(fmi, instance, names[i]), value_of(fmi, native, names[i]), 1e-6);
+    }
+    fmi->free(native);
+    fmi->free(instance);
+}
+
+static void model_exchange_calls_are_refused(void **state) {
+    const fmi_interface *fmi = *state;
+    void *instance = new_of_kind(fmi, STEPS);
+    initialize_unit(fmi, instance);
+    assert_int_equal(fmi->enter_continuous_time_mode(instance), FMI_ERROR);
+    assert_non_null(strstr(last_message, "Co-Simulation"));
+    fmi->free(instance);
+}
+
+static void ten_strides_raise_no_floating_point_exception(void **state) {
+    const fmi_interface *fmi = *state;
+#ifdef __GLIBC__
+    void *instance = new_of_kind(fmi, STEPS);
+    initialize_unit(fmi, instance);
+    feclearexcept(FE_ALL_EXCEPT);
+    feenableexcept(FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW);
+    run(fmi, instance, 0.0, 250.0, 2.5);
+    fedisableexcept(FE_ALL_EXCEPT);
+    fmi->free(instance);
+#else
+    (void)fmi;
+    skip();
+#endif
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        IN_BOTH_VERSIONS(steps_arrive_and_the_grid_does_not_matter),
+        IN_BOTH_VERSIONS(a_stride_takes_the_proved_time),
+        IN_BOTH_VERSIONS(a_stride_under_any_gravity_is_that_of_extended_precision),
+        IN_BOTH_VERSIONS(rounded_communication_points_are_tolerated_and_wrong_ones_refused),
+        IN_BOTH_VERSIONS(a_step_taken_before_is_refused),
+        IN_BOTH_VERSIONS(no_step_goes_beyond_the_stop_time),
+        IN_BOTH_VERSIONS(steps_that_are_none_are_refused),
+        IN_BOTH_VERSIONS(a_run_may_start_at_any_time),
+        IN_BOTH_VERSIONS(strides_do_not_depend_on_the_start_time),
+        IN_BOTH_VERSIONS(a_step_lost_in_the_clock_is_refused),
+        IN_BOTH_VERSIONS(a_fall_freezes_and_stays_readable),
+        IN_BOTH_VERSIONS(stiff_parameters_end_in_a_message),
+        IN_BOTH_VERSIONS(the_tighter_tolerance_wins),
+        IN_BOTH_VERSIONS(bad_inputs_in_mid_run_are_discarded),
+        IN_BOTH_VERSIONS(output_derivatives_are_slopes),
+        IN_BOTH_VERSIONS(cvode_is_refused_where_it_is_missing),
+        IN_BOTH_VERSIONS(cvode_agrees_with_the_native_solver),
+        IN_BOTH_VERSIONS(model_exchange_calls_are_refused),
+        IN_BOTH_VERSIONS(ten_strides_raise_no_floating_point_exception),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
