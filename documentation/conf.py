@@ -35,6 +35,7 @@ extensions = [
     "glossary_page",
     "laws",
     "mathml",
+    "navigation",
     "notebooks",
     "page_description",
     "python_reference",
