@@ -27,6 +27,8 @@ else()
     set(MATH_LIBRARY m CACHE STRING "Zig brings it")
 endif()
 set(CMAKE_C_COMPILER ${ZIG} cc)
+# Zig keeps what it has compiled by itself: ccache in front of it would only read each file once more.
+set(CMAKE_C_COMPILER_LAUNCHER "" CACHE STRING "None, whatever the environment names")
 # Zig compiles the C runtime of a target for each set of these, for a minute each on Windows: so CMake's own tests and
 # every program have the same.
 set(CMAKE_C_FLAGS_INIT "-target ${TDMF_SLIP_TARGET} -O3 -s")
