@@ -9,7 +9,8 @@ from .terminal import interrupts
 def main() -> int:
     """Run the command line; the exit status. An interrupt waits until modules are loaded."""
     interrupts.end_in_order()
-    # The matrices have a handful of rows: threads of BLAS beside the engine's own cost a start and gain nothing.
+    # The matrices have a handful of rows: threads of BLAS beside the engine's own cost a start and gain
+    # nothing.
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
     try:
         with interrupts.deferred():

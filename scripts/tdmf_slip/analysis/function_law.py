@@ -19,19 +19,7 @@ Law: TypeAlias = Callable[[NDArray[np.float64]], Mapping[str, ArrayLike]]
 
 
 class FunctionLaw:
-    """A user's function, whose settings are checked each time.
-
-    Parameters
-    ----------
-    law : callable
-        The function.
-    request : Request
-        Which strides are made.
-    fmu : Fmu
-        Whose ranges hold.
-    stride_begins : callable
-        Called before each stride.
-    """
+    """A user's function, whose settings are checked; `stride_begins` is called before each stride."""
 
     def __init__(self, law: Law, request: Request, fmu: Fmu, stride_begins: Callable[[], object]) -> None:
         self.law, self.request, self.fmu, self.stride_begins = law, request, fmu, stride_begins

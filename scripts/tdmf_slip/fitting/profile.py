@@ -58,35 +58,13 @@ class Profile:
         covariance: NDArray[np.float64],
         rise: float,
     ) -> None:
-        """Whose, around which values.
-
-        Parameters
-        ----------
-        problem : Problem
-            Whose gaits are those of the fit.
-        best : Ended
-            The fit.
-        bounds : pair of ndarray of float
-            Of its unknowns.
-        robust : bool
-            As in `search.searched`.
-        covariance : ndarray of float
-            Of the unknowns, by the linear fit.
-        rise : float
-            Of the loss, at an interval's end.
-        """
+        """Around the fit `best`, by its linear covariance and the loss's rise at an interval's end."""
         self.problem, self.best, self.bounds, self.robust = problem, best, bounds, robust
         self.covariance, self.root = covariance, float(np.sqrt(rise))
         self._apexes = problem.apexes()
 
     def interval(self, number: int) -> tuple[End, End]:
-        """Both ends of the interval of a parameter.
-
-        Raises
-        ------
-        BetterFitError
-            The fit was none.
-        """
+        """Both ends of the interval of a parameter; `BetterFitError` where the fit was none."""
         low, high = (self._end(number, sign) for sign in (-1.0, 1.0))
         self.problem.restart(self.best.at, self._apexes)
         return low, high

@@ -186,23 +186,7 @@ class Fmu:
         return [variable for variable in self.variables.values() if variable.group == group]
 
     def require_interface(self, interface: str) -> str:
-        """FMPy's name of an interface, `me` or `cs`.
-
-        Parameters
-        ----------
-        interface : str
-            `me` or `cs`.
-
-        Returns
-        -------
-        str
-            `ModelExchange` or `CoSimulation`.
-
-        Raises
-        ------
-        InputError
-            No such interface, or this unit does not offer it.
-        """
+        """FMPy's name of an interface, `me` or `cs`; refuses one that this unit does not offer."""
         if not is_one_of(interface, INTERFACES):
             raise InputError(f"interface {shown(interface)} is unknown; allowed: {', '.join(INTERFACES)}")
         offered = {

@@ -139,18 +139,7 @@ class AffineLaw(ByContents):
         return asdict(self)
 
     def check_fits(self, runner: Runner) -> None:
-        """Refuse a runner whose apices or settings are others.
-
-        Parameters
-        ----------
-        runner : Runner
-            Who is set.
-
-        Raises
-        ------
-        InputError
-            The law has another number of coordinates, or sets what does not act.
-        """
+        """Refuse a runner whose apices are of other coordinates, or on whom a setting does not act."""
         if len(self.apex) != len(runner.coordinates):
             raise InputError(
                 f"law: of {len(self.apex)} coordinates; allowed, as the runner has: "
@@ -160,15 +149,7 @@ class AffineLaw(ByContents):
             check_acts(name, runner, self.inputs, "law")
 
     def c_law(self) -> tuple[Struct, object]:
-        """The law as the library takes it, and what has to live as long.
-
-        Returns
-        -------
-        law : Struct
-            The library's `tdmf_affine_law *`.
-        kept : object
-            Arrays that it points to.
-        """
+        """The law as the library takes it, a `tdmf_affine_law *`, and what has to live as long."""
         law = ffi.new("tdmf_affine_law *")
         gain = np.zeros((len(self.inputs), len(COORDINATES)))
         gain[:, : len(self.apex)] = self.gain

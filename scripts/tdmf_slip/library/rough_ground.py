@@ -132,20 +132,7 @@ class RoughGround:
         return [steps, friction, heights]
 
     def check_runner(self, values: Mapping[str, float | bool], scales: NDArray[np.float64]) -> None:
-        """Refuse a runner that does not fit a terrain.
-
-        Parameters
-        ----------
-        values : mapping of str to float or bool
-            Its start values.
-        scales : ndarray of float
-            Of its section: the first is l0, m.
-
-        Raises
-        ------
-        InputError
-            Segments are shorter than `MIN_SEGMENT` l0, the runner is pushed, or its ground is not level.
-        """
+        """Refuse short segments (`scales[0]` is l0), and on a terrain a push or ground not level."""
         if not self.segment_length:
             return
         shortest = MIN_SEGMENT * float(scales[0])
