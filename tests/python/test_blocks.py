@@ -54,6 +54,7 @@ def cluster(tmp_path):
     options = ("--scheduler-file", str(file))
     scheduler = run([*dask, "scheduler", *options, "--port", "0", "--no-dashboard"])
     command = [*dask, "worker", *options, "--nthreads", "1", "--no-dashboard", "--no-nanny"]
+    command += ["--local-directory", str(tmp_path)]
     workers = [run(command) for _ in range(2)]
     try:
         yield _address(file, scheduler), scheduler, workers
@@ -99,14 +100,15 @@ def test_a_scheduler_that_dies_is_said(cluster, tmp_path):
         list(found)
 
 
-def test_a_block_that_kills_its_workers_is_said():
+def test_a_block_that_kills_its_workers_is_said(tmp_path):
     """Here the second one that dies ends it, by a setting of Dask's; a worker takes seconds to begin."""
     import dask
     from distributed import LocalCluster
 
+    two = {"n_workers": 2, "threads_per_worker": 1, "dashboard_address": "127.0.0.1:0"}
     with (
         dask.config.set({"distributed.scheduler.allowed-failures": 1}),
-        LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address="127.0.0.1:0") as cluster,
+        LocalCluster(**two, local_directory=str(tmp_path)) as cluster,
         pytest.raises(RunError, match="killed every worker"),
         run_blocks(die, [0, 1], scheduler=cluster.scheduler_address) as found,
     ):

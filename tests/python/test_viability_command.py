@@ -103,9 +103,10 @@ def test_what_the_command_does_not_allow(command, options, message):
     assert message in said
 
 
-def test_a_cluster_makes_the_same_strides():
+def test_a_cluster_makes_the_same_strides(tmp_path):
     alone = tdmf_slip.viability(None, **SETTINGS)
-    with LocalCluster(n_workers=1, threads_per_worker=1, dashboard_address="127.0.0.1:0") as cluster:
+    one = {"n_workers": 1, "threads_per_worker": 1, "dashboard_address": "127.0.0.1:0"}
+    with LocalCluster(**one, local_directory=str(tmp_path)) as cluster:
         assert tdmf_slip.viability(None, **SETTINGS, scheduler=cluster.scheduler_address) == alone
 
 
