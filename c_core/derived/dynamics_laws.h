@@ -34,9 +34,9 @@ static inline double tdmf_vary_external_power(const tdmf_evaluation *at, const t
             at->inputs->body.external_fy * (d_at->state[TDMF_FOOT_VY] + d_vy));
 }
 
-/* The right-hand side but for the hip's own states: velocities, accelerations, and powers.
+/* The right-hand side: velocities, accelerations, powers, and what the hip has of its own.
  *
- * Of these the state has the integrals. The hip's is tau thetadot, the damper's c rdot^2 and friction's -f_t
+ * Of powers the state has the integrals. The hip's is tau thetadot, the damper's c rdot^2 and friction's -f_t
  * v_t; with the inputs held the leg does no work. */
 static inline void tdmf_rates_at(const tdmf_evaluation *at, double external_power,
                                  double written[TDMF_STATE_COUNT]) {
@@ -74,6 +74,7 @@ static inline void tdmf_rates_at(const tdmf_evaluation *at, double external_powe
         written[TDMF_ENERGY_FRICTION_LOSS] = -at->force.tangential * slip_velocity;
         written[TDMF_HIP_POSITIVE_WORK] = (0.0 >= power ? 0.0 : power);
         written[TDMF_ENERGY_EXTERNAL_WORK] = external_power;
+        written[TDMF_HIP_PLACE_TIME] = (at->mode->phase == TDMF_PHASE_PLACE ? 1.0 : 0.0);
         return;
     }
     if (at->mode->contact == TDMF_CONTACT_STICK) {
@@ -104,6 +105,7 @@ static inline void tdmf_rates_at(const tdmf_evaluation *at, double external_powe
         written[TDMF_ENERGY_FRICTION_LOSS] = -at->force.tangential * slip_velocity;
         written[TDMF_HIP_POSITIVE_WORK] = (0.0 >= power ? 0.0 : power);
         written[TDMF_ENERGY_EXTERNAL_WORK] = external_power;
+        written[TDMF_HIP_PLACE_TIME] = (at->mode->phase == TDMF_PHASE_PLACE ? 1.0 : 0.0);
         return;
     }
     const double across = at->torque * at->leg.inverse_length;
@@ -142,6 +144,7 @@ static inline void tdmf_rates_at(const tdmf_evaluation *at, double external_powe
     written[TDMF_ENERGY_FRICTION_LOSS] = -at->force.tangential * slip_velocity;
     written[TDMF_HIP_POSITIVE_WORK] = (0.0 >= power ? 0.0 : power);
     written[TDMF_ENERGY_EXTERNAL_WORK] = external_power;
+    written[TDMF_HIP_PLACE_TIME] = (at->mode->phase == TDMF_PHASE_PLACE ? 1.0 : 0.0);
 }
 
 /* Its change. */
@@ -223,6 +226,7 @@ static inline void tdmf_vary_rates_at(const tdmf_evaluation *at, double external
             -d_at->force.tangential * slip_velocity + -at->force.tangential * d_slip_velocity;
         written[TDMF_HIP_POSITIVE_WORK] = (0.0 >= power ? 0.0 : d_power);
         written[TDMF_ENERGY_EXTERNAL_WORK] = d_external_power;
+        written[TDMF_HIP_PLACE_TIME] = 0.0;
         return;
     }
     if (at->mode->contact == TDMF_CONTACT_STICK) {
@@ -281,6 +285,7 @@ static inline void tdmf_vary_rates_at(const tdmf_evaluation *at, double external
             -d_at->force.tangential * slip_velocity + -at->force.tangential * d_slip_velocity;
         written[TDMF_HIP_POSITIVE_WORK] = (0.0 >= power ? 0.0 : d_power);
         written[TDMF_ENERGY_EXTERNAL_WORK] = d_external_power;
+        written[TDMF_HIP_PLACE_TIME] = 0.0;
         return;
     }
     const double d_across = d_at->torque * at->leg.inverse_length + at->torque * d_at->leg.inverse_length;
@@ -363,6 +368,7 @@ static inline void tdmf_vary_rates_at(const tdmf_evaluation *at, double external
         -d_at->force.tangential * slip_velocity + -at->force.tangential * d_slip_velocity;
     written[TDMF_HIP_POSITIVE_WORK] = (0.0 >= power ? 0.0 : d_power);
     written[TDMF_ENERGY_EXTERNAL_WORK] = d_external_power;
+    written[TDMF_HIP_PLACE_TIME] = 0.0;
 }
 
 #endif

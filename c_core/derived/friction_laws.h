@@ -11,15 +11,6 @@ static inline double tdmf_friction_below(const tdmf_model *model, const tdmf_inp
     return (zone == TDMF_ZONE_PATCH ? model->parameters.ground.patch_friction : inputs->ground.friction);
 }
 
-/* Its change. */
-static inline double tdmf_vary_friction_below(const tdmf_model *model, const tdmf_inputs *inputs,
-                                              tdmf_zone zone, const tdmf_model *d_model,
-                                              const tdmf_inputs *d_inputs) {
-    (void)model;
-    (void)inputs;
-    return (zone == TDMF_ZONE_PATCH ? d_model->parameters.ground.patch_friction : d_inputs->ground.friction);
-}
-
 /* x of the border of the patch that a foot slips to, forward or backward. */
 static inline double tdmf_border_ahead(const tdmf_model *model, tdmf_zone zone, bool forward) {
     if (forward) {
@@ -88,15 +79,19 @@ static inline double tdmf_friction_growth_rate(const tdmf_model *model, double f
 }
 
 /* |v_t-| up to which an impact comes to rest: rho b, or b + v_s ln(1 + q) where friction falls. */
-static inline double tdmf_stopped_speed(const tdmf_model *model, double friction, double compression,
-                                        bool falls) {
+static inline double tdmf_stopped_speed(const tdmf_model *model, const tdmf_inputs *inputs, tdmf_zone zone,
+                                        double compression, bool falls) {
     if (falls) {
-        const double taken = friction * compression;
+        const double taken =
+            (zone == TDMF_ZONE_PATCH ? model->parameters.ground.patch_friction : inputs->ground.friction) *
+            compression;
         return taken + model->parameters.ground.stribeck_velocity *
                            log1p(-(model->parameters.ground.static_friction_ratio - 1.0) *
                                  expm1(-taken / model->parameters.ground.stribeck_velocity));
     }
-    return model->parameters.ground.static_friction_ratio * friction * compression;
+    return model->parameters.ground.static_friction_ratio *
+           (zone == TDMF_ZONE_PATCH ? model->parameters.ground.patch_friction : inputs->ground.friction) *
+           compression;
 }
 
 /* rho mu f_n + s f_t, up to the edge of the cone beyond which a foot at rest slips to the side s (2). */

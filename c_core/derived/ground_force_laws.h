@@ -55,7 +55,11 @@ static inline tdmf_ground_force tdmf_force_in(const tdmf_evaluation *at, double 
                                  at->mode->ground.sine * at->state[TDMF_FOOT_VY]);
         const double decay = exp(exponent);
         const double share = 1.0 + (at->model->parameters.ground.static_friction_ratio - 1.0) * decay;
-        const double sliding = sign * at->friction * share;
+        const double sliding =
+            sign *
+            (at->mode->zone == TDMF_ZONE_PATCH ? at->model->parameters.ground.patch_friction
+                                               : at->inputs->ground.friction) *
+            share;
         const double across = at->torque * at->leg.inverse_length;
         const double off = at->leg.axial_force * at->leg.ground_cosine + across * -at->leg.ground_sine;
         const double weight = at->model->parameters.foot.mass * at->model->parameters.gravity;
@@ -66,7 +70,9 @@ static inline tdmf_ground_force tdmf_force_in(const tdmf_evaluation *at, double 
         };
         return result;
     }
-    const double sliding = sign * at->friction;
+    const double sliding =
+        sign * (at->mode->zone == TDMF_ZONE_PATCH ? at->model->parameters.ground.patch_friction
+                                                  : at->inputs->ground.friction);
     const double across = at->torque * at->leg.inverse_length;
     const double off = at->leg.axial_force * at->leg.ground_cosine + across * -at->leg.ground_sine;
     const double weight = at->model->parameters.foot.mass * at->model->parameters.gravity;
@@ -135,12 +141,24 @@ static inline tdmf_ground_force tdmf_vary_force_in(const tdmf_evaluation *at, do
         const double d_decay = decay * d_exponent;
         const double d_share = d_at->model->parameters.ground.static_friction_ratio * decay +
                                (at->model->parameters.ground.static_friction_ratio - 1.0) * d_decay;
-        const double d_sliding = sign * d_at->friction * share + sign * at->friction * d_share;
+        const double d_sliding =
+            sign *
+                (at->mode->zone == TDMF_ZONE_PATCH ? d_at->model->parameters.ground.patch_friction
+                                                   : d_at->inputs->ground.friction) *
+                share +
+            sign *
+                (at->mode->zone == TDMF_ZONE_PATCH ? at->model->parameters.ground.patch_friction
+                                                   : at->inputs->ground.friction) *
+                d_share;
         const double across = at->torque * at->leg.inverse_length;
         const double off = at->leg.axial_force * at->leg.ground_cosine + across * -at->leg.ground_sine;
         const double weight = at->model->parameters.foot.mass * at->model->parameters.gravity;
         const double normal = off + weight * at->mode->ground.cosine;
-        const double sliding = sign * at->friction * share;
+        const double sliding =
+            sign *
+            (at->mode->zone == TDMF_ZONE_PATCH ? at->model->parameters.ground.patch_friction
+                                               : at->inputs->ground.friction) *
+            share;
         const double d_across = d_at->torque * at->leg.inverse_length + at->torque * d_at->leg.inverse_length;
         const double d_off = d_at->leg.axial_force * at->leg.ground_cosine +
                              at->leg.axial_force * d_at->leg.ground_cosine +
@@ -155,12 +173,16 @@ static inline tdmf_ground_force tdmf_vary_force_in(const tdmf_evaluation *at, do
         };
         return result;
     }
-    const double d_sliding = sign * d_at->friction;
+    const double d_sliding =
+        sign * (at->mode->zone == TDMF_ZONE_PATCH ? d_at->model->parameters.ground.patch_friction
+                                                  : d_at->inputs->ground.friction);
     const double across = at->torque * at->leg.inverse_length;
     const double off = at->leg.axial_force * at->leg.ground_cosine + across * -at->leg.ground_sine;
     const double weight = at->model->parameters.foot.mass * at->model->parameters.gravity;
     const double normal = off + weight * at->mode->ground.cosine;
-    const double sliding = sign * at->friction;
+    const double sliding =
+        sign * (at->mode->zone == TDMF_ZONE_PATCH ? at->model->parameters.ground.patch_friction
+                                                  : at->inputs->ground.friction);
     const double d_across = d_at->torque * at->leg.inverse_length + at->torque * d_at->leg.inverse_length;
     const double d_off = d_at->leg.axial_force * at->leg.ground_cosine +
                          at->leg.axial_force * d_at->leg.ground_cosine +

@@ -251,42 +251,14 @@ static inline tdmf_hip_law tdmf_law_after(const tdmf_hip_law *law, double elapse
     return result;
 }
 
+/* The rate of the torque while the leg stands still. */
+static inline double tdmf_law_drift(const tdmf_hip_law *law) {
+    return law->torque_rate + law->gain * law->target_rate;
+}
+
 /* The clock of place runs while that lasts. */
 static inline double tdmf_place_time_rate(const tdmf_mode *mode) {
-    if (mode->phase == TDMF_PHASE_PLACE) {
-        return 1.0;
-    }
-    return 0.0;
-}
-
-/* The right-hand side of the states that are the hip's own. */
-static inline void tdmf_hip_rates(const tdmf_model *model, const tdmf_inputs *inputs, const tdmf_mode *mode,
-                                  const double state[TDMF_STATE_COUNT], double written[TDMF_STATE_COUNT]) {
-    (void)model;
-    (void)inputs;
-    (void)state;
-    if (mode->phase == TDMF_PHASE_PLACE) {
-        written[TDMF_HIP_PLACE_TIME] = 1.0;
-        return;
-    }
-    written[TDMF_HIP_PLACE_TIME] = 0.0;
-}
-
-/* Its change. */
-static inline void tdmf_vary_hip_rates(const tdmf_model *model, const tdmf_inputs *inputs,
-                                       const tdmf_mode *mode, const double state[TDMF_STATE_COUNT],
-                                       const tdmf_model *d_model, const tdmf_inputs *d_inputs,
-                                       const tdmf_mode *d_mode, const double d_state[TDMF_STATE_COUNT],
-                                       double written[TDMF_STATE_COUNT]) {
-    (void)model;
-    (void)inputs;
-    (void)mode;
-    (void)state;
-    (void)d_model;
-    (void)d_inputs;
-    (void)d_mode;
-    (void)d_state;
-    written[TDMF_HIP_PLACE_TIME] = 0.0;
+    return (mode->phase == TDMF_PHASE_PLACE ? 1.0 : 0.0);
 }
 
 /* The clock of place stands at 0. */

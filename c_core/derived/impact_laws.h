@@ -9,8 +9,8 @@
 /* Foot and rates of the leg after an impact that sticks, or slips to the side of `sign` (4)-(6).
  *
  * v_n+ = 0; v_t+ = 0, or v_t- - mu sgn(v_t-) |v_n-|; m_f/2 (v_t-^2 - v_t+^2 + v_n-^2) is lost. */
-static inline tdmf_after_impact tdmf_impact_with(const tdmf_model *model, double friction,
-                                                 const tdmf_ground_line *line,
+static inline tdmf_after_impact tdmf_impact_with(const tdmf_model *model, const tdmf_inputs *inputs,
+                                                 tdmf_zone zone, const tdmf_ground_line *line,
                                                  const double state[TDMF_STATE_COUNT],
                                                  tdmf_leg_direction direction, double sign, bool sticks,
                                                  bool falls) {
@@ -36,19 +36,15 @@ static inline tdmf_after_impact tdmf_impact_with(const tdmf_model *model, double
             line->cosine * state[TDMF_FOOT_X] + line->sine * (state[TDMF_FOOT_Y] - line->height);
         const double along = line->cosine * state[TDMF_FOOT_VX] + line->sine * state[TDMF_FOOT_VY];
         const double off = line->cosine * state[TDMF_FOOT_VY] - line->sine * state[TDMF_FOOT_VX];
-        const double taken = friction * -off;
+        const double taken =
+            (zone == TDMF_ZONE_PATCH ? model->parameters.ground.patch_friction : inputs->ground.friction) *
+            -off;
         const double left = sign * along - taken;
-        const double along_after =
-            sign * (left + model->parameters.ground.stribeck_velocity *
-                                    log1p(-(-(model->parameters.ground.static_friction_ratio - 1.0) *
-                                            expm1(-taken / model->parameters.ground.stribeck_velocity)) *
-                                          exp(-left / model->parameters.ground.stribeck_velocity)) >=
-                            0.0
-                        ? left + model->parameters.ground.stribeck_velocity *
-                                     log1p(-(-(model->parameters.ground.static_friction_ratio - 1.0) *
-                                             expm1(-taken / model->parameters.ground.stribeck_velocity)) *
-                                           exp(-left / model->parameters.ground.stribeck_velocity))
-                        : 0.0);
+        const double speed = left + model->parameters.ground.stribeck_velocity *
+                                        log1p(-(-(model->parameters.ground.static_friction_ratio - 1.0) *
+                                                expm1(-taken / model->parameters.ground.stribeck_velocity)) *
+                                              exp(-left / model->parameters.ground.stribeck_velocity));
+        const double along_after = sign * (speed >= 0.0 ? speed : 0.0);
         const double vx = line->cosine * along_after;
         const double vy = line->sine * along_after;
         const double lost_y = state[TDMF_FOOT_VY] - vy;
@@ -71,7 +67,10 @@ static inline tdmf_after_impact tdmf_impact_with(const tdmf_model *model, double
         line->cosine * state[TDMF_FOOT_X] + line->sine * (state[TDMF_FOOT_Y] - line->height);
     const double along = line->cosine * state[TDMF_FOOT_VX] + line->sine * state[TDMF_FOOT_VY];
     const double off = line->cosine * state[TDMF_FOOT_VY] - line->sine * state[TDMF_FOOT_VX];
-    const double along_after = along + sign * friction * off;
+    const double along_after =
+        along +
+        sign * (zone == TDMF_ZONE_PATCH ? model->parameters.ground.patch_friction : inputs->ground.friction) *
+            off;
     const double vx = line->cosine * along_after;
     const double vy = line->sine * along_after;
     const double lost_y = state[TDMF_FOOT_VY] - vy;
@@ -93,10 +92,11 @@ static inline tdmf_after_impact tdmf_impact_with(const tdmf_model *model, double
 
 /* Its change. */
 static inline tdmf_after_impact
-tdmf_vary_impact_with(const tdmf_model *model, double friction, const tdmf_ground_line *line,
-                      const double state[TDMF_STATE_COUNT], tdmf_leg_direction direction, double sign,
-                      bool sticks, bool falls, const tdmf_model *d_model, double d_friction,
-                      const tdmf_ground_line *d_line, const double d_state[TDMF_STATE_COUNT]) {
+tdmf_vary_impact_with(const tdmf_model *model, const tdmf_inputs *inputs, tdmf_zone zone,
+                      const tdmf_ground_line *line, const double state[TDMF_STATE_COUNT],
+                      tdmf_leg_direction direction, double sign, bool sticks, bool falls,
+                      const tdmf_model *d_model, const tdmf_inputs *d_inputs, const tdmf_ground_line *d_line,
+                      const double d_state[TDMF_STATE_COUNT]) {
     if (sticks) {
         const double offset =
             line->cosine * state[TDMF_FOOT_X] + line->sine * (state[TDMF_FOOT_Y] - line->height);
@@ -143,58 +143,53 @@ tdmf_vary_impact_with(const tdmf_model *model, double friction, const tdmf_groun
                                  line->sine * (d_state[TDMF_FOOT_Y] - d_line->height));
         const double along = line->cosine * state[TDMF_FOOT_VX] + line->sine * state[TDMF_FOOT_VY];
         const double off = line->cosine * state[TDMF_FOOT_VY] - line->sine * state[TDMF_FOOT_VX];
-        const double taken = friction * -off;
+        const double taken =
+            (zone == TDMF_ZONE_PATCH ? model->parameters.ground.patch_friction : inputs->ground.friction) *
+            -off;
         const double left = sign * along - taken;
-        const double along_after =
-            sign * (left + model->parameters.ground.stribeck_velocity *
-                                    log1p(-(-(model->parameters.ground.static_friction_ratio - 1.0) *
-                                            expm1(-taken / model->parameters.ground.stribeck_velocity)) *
-                                          exp(-left / model->parameters.ground.stribeck_velocity)) >=
-                            0.0
-                        ? left + model->parameters.ground.stribeck_velocity *
-                                     log1p(-(-(model->parameters.ground.static_friction_ratio - 1.0) *
-                                             expm1(-taken / model->parameters.ground.stribeck_velocity)) *
-                                           exp(-left / model->parameters.ground.stribeck_velocity))
-                        : 0.0);
+        const double speed = left + model->parameters.ground.stribeck_velocity *
+                                        log1p(-(-(model->parameters.ground.static_friction_ratio - 1.0) *
+                                                expm1(-taken / model->parameters.ground.stribeck_velocity)) *
+                                              exp(-left / model->parameters.ground.stribeck_velocity));
+        const double along_after = sign * (speed >= 0.0 ? speed : 0.0);
         const double d_along =
             -(line->sine * d_line->slope) * state[TDMF_FOOT_VX] + line->cosine * d_state[TDMF_FOOT_VX] +
             (line->cosine * d_line->slope * state[TDMF_FOOT_VY] + line->sine * d_state[TDMF_FOOT_VY]);
         const double d_off =
             -(line->sine * d_line->slope) * state[TDMF_FOOT_VY] + line->cosine * d_state[TDMF_FOOT_VY] -
             (line->cosine * d_line->slope * state[TDMF_FOOT_VX] + line->sine * d_state[TDMF_FOOT_VX]);
-        const double d_taken = d_friction * -off + friction * -d_off;
+        const double d_taken =
+            (zone == TDMF_ZONE_PATCH ? d_model->parameters.ground.patch_friction
+                                     : d_inputs->ground.friction) *
+                -off +
+            (zone == TDMF_ZONE_PATCH ? model->parameters.ground.patch_friction : inputs->ground.friction) *
+                -d_off;
         const double d_left = sign * d_along - d_taken;
-        const double d_along_after =
-            sign *
-            (left + model->parameters.ground.stribeck_velocity *
-                             log1p(-(-(model->parameters.ground.static_friction_ratio - 1.0) *
-                                     expm1(-taken / model->parameters.ground.stribeck_velocity)) *
-                                   exp(-left / model->parameters.ground.stribeck_velocity)) >=
-                     0.0
-                 ? d_left + (d_model->parameters.ground.stribeck_velocity *
-                                 log1p(-(-(model->parameters.ground.static_friction_ratio - 1.0) *
-                                         expm1(-taken / model->parameters.ground.stribeck_velocity)) *
-                                       exp(-left / model->parameters.ground.stribeck_velocity)) +
-                             model->parameters.ground.stribeck_velocity *
-                                 ((-(-d_model->parameters.ground.static_friction_ratio *
-                                         expm1(-taken / model->parameters.ground.stribeck_velocity) +
-                                     -(model->parameters.ground.static_friction_ratio - 1.0) *
-                                         ((expm1(-taken / model->parameters.ground.stribeck_velocity) + 1.0) *
-                                          ((-d_taken - -taken / model->parameters.ground.stribeck_velocity *
-                                                           d_model->parameters.ground.stribeck_velocity) /
-                                           model->parameters.ground.stribeck_velocity))) *
-                                       exp(-left / model->parameters.ground.stribeck_velocity) +
-                                   -(-(model->parameters.ground.static_friction_ratio - 1.0) *
-                                     expm1(-taken / model->parameters.ground.stribeck_velocity)) *
-                                       (exp(-left / model->parameters.ground.stribeck_velocity) *
-                                        ((-d_left - -left / model->parameters.ground.stribeck_velocity *
-                                                        d_model->parameters.ground.stribeck_velocity) /
-                                         model->parameters.ground.stribeck_velocity))) /
-                                  (-(-(model->parameters.ground.static_friction_ratio - 1.0) *
-                                     expm1(-taken / model->parameters.ground.stribeck_velocity)) *
-                                       exp(-left / model->parameters.ground.stribeck_velocity) +
-                                   1.0)))
-                 : 0.0);
+        const double d_speed =
+            d_left + (d_model->parameters.ground.stribeck_velocity *
+                          log1p(-(-(model->parameters.ground.static_friction_ratio - 1.0) *
+                                  expm1(-taken / model->parameters.ground.stribeck_velocity)) *
+                                exp(-left / model->parameters.ground.stribeck_velocity)) +
+                      model->parameters.ground.stribeck_velocity *
+                          ((-(-d_model->parameters.ground.static_friction_ratio *
+                                  expm1(-taken / model->parameters.ground.stribeck_velocity) +
+                              -(model->parameters.ground.static_friction_ratio - 1.0) *
+                                  ((expm1(-taken / model->parameters.ground.stribeck_velocity) + 1.0) *
+                                   ((-d_taken - -taken / model->parameters.ground.stribeck_velocity *
+                                                    d_model->parameters.ground.stribeck_velocity) /
+                                    model->parameters.ground.stribeck_velocity))) *
+                                exp(-left / model->parameters.ground.stribeck_velocity) +
+                            -(-(model->parameters.ground.static_friction_ratio - 1.0) *
+                              expm1(-taken / model->parameters.ground.stribeck_velocity)) *
+                                (exp(-left / model->parameters.ground.stribeck_velocity) *
+                                 ((-d_left - -left / model->parameters.ground.stribeck_velocity *
+                                                 d_model->parameters.ground.stribeck_velocity) /
+                                  model->parameters.ground.stribeck_velocity))) /
+                           (-(-(model->parameters.ground.static_friction_ratio - 1.0) *
+                              expm1(-taken / model->parameters.ground.stribeck_velocity)) *
+                                exp(-left / model->parameters.ground.stribeck_velocity) +
+                            1.0)));
+        const double d_along_after = sign * (speed >= 0.0 ? d_speed : 0.0);
         const double d_vx = -(line->sine * d_line->slope) * along_after + line->cosine * d_along_after;
         const double d_vy = line->cosine * d_line->slope * along_after + line->sine * d_along_after;
         const double vy = line->sine * along_after;
@@ -235,14 +230,25 @@ tdmf_vary_impact_with(const tdmf_model *model, double friction, const tdmf_groun
                              line->sine * (d_state[TDMF_FOOT_Y] - d_line->height));
     const double along = line->cosine * state[TDMF_FOOT_VX] + line->sine * state[TDMF_FOOT_VY];
     const double off = line->cosine * state[TDMF_FOOT_VY] - line->sine * state[TDMF_FOOT_VX];
-    const double along_after = along + sign * friction * off;
+    const double along_after =
+        along +
+        sign * (zone == TDMF_ZONE_PATCH ? model->parameters.ground.patch_friction : inputs->ground.friction) *
+            off;
     const double d_along =
         -(line->sine * d_line->slope) * state[TDMF_FOOT_VX] + line->cosine * d_state[TDMF_FOOT_VX] +
         (line->cosine * d_line->slope * state[TDMF_FOOT_VY] + line->sine * d_state[TDMF_FOOT_VY]);
     const double d_off =
         -(line->sine * d_line->slope) * state[TDMF_FOOT_VY] + line->cosine * d_state[TDMF_FOOT_VY] -
         (line->cosine * d_line->slope * state[TDMF_FOOT_VX] + line->sine * d_state[TDMF_FOOT_VX]);
-    const double d_along_after = d_along + (sign * d_friction * off + sign * friction * d_off);
+    const double d_along_after =
+        d_along +
+        (sign *
+             (zone == TDMF_ZONE_PATCH ? d_model->parameters.ground.patch_friction
+                                      : d_inputs->ground.friction) *
+             off +
+         sign *
+             (zone == TDMF_ZONE_PATCH ? model->parameters.ground.patch_friction : inputs->ground.friction) *
+             d_off);
     const double d_vx = -(line->sine * d_line->slope) * along_after + line->cosine * d_along_after;
     const double d_vy = line->cosine * d_line->slope * along_after + line->sine * d_along_after;
     const double vy = line->sine * along_after;

@@ -44,13 +44,8 @@ static void change_clamp(tdmf_runner *runner, flying_member *m) {
     tdmf_mode *mode = &runner->motion.mode;
     tdmf_change_mode(model, runner->motion.state, TDMF_GUARD_CLAMP, mode);
     const double place_time = runner->motion.state[TDMF_HIP_PLACE_TIME];
-    const tdmf_hip_law law =
-        tdmf_flight_law(model, &runner->inputs, &tdmf_zero_input_rates, mode, place_time);
     const tdmf_hip_law servo = tdmf_servo(model, &runner->inputs, mode, place_time);
-    m->constants.law.gain = law.gain;
-    m->constants.law.rate_gain = law.rate_gain;
-    m->constants.law.target = law.target;
-    m->constants.law.torque = law.torque;
+    m->constants.law = tdmf_flight_coefficients_in(model, &runner->inputs, mode, place_time);
     m->constants.servo = tdmf_signed_law(&servo, mode->clamp_closed ? -1.0 : 1.0);
     m->constants.mode.margin_factor = tdmf_margin_factor(0);
 }

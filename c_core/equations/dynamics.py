@@ -11,7 +11,7 @@ with a = (0, -g) + (external force)/m. A foot on the ground is accelerated along
 sticks not at all, exactly and not by cancellation.
 """
 
-from . import free_fall, ground_force, ground_line
+from . import free_fall, ground_force, ground_line, hip
 from .functions import Record, larger
 from .leg import damper_power
 
@@ -67,9 +67,9 @@ def leg_acceleration(inverse_mass, leg, across, free_body, foot):
 
 
 def rates(at, external_power):
-    """The right-hand side but for the hip's own states: velocities, accelerations, and powers.
+    """The right-hand side: velocities, accelerations, powers, and what the hip has of its own.
 
-    Of these the state has the integrals. The hip's is tau thetadot, the damper's c rdot^2 and friction's
+    Of powers the state has the integrals. The hip's is tau thetadot, the damper's c rdot^2 and friction's
     -f_t v_t; with the inputs held the leg does no work.
     """
     model, state, leg, line = at.model, at.state, at.leg, at.mode.ground
@@ -94,6 +94,7 @@ def rates(at, external_power):
         energy_friction_loss=-at.force.tangential * slip_velocity,
         hip_positive_work=larger(0, power),
         energy_external_work=external_power,
+        **vars(hip.rates(at.mode.phase)),
     )
 
 

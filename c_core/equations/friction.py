@@ -127,4 +127,5 @@ def after_falling_impact(model, friction, sign, along, off):
     scale = model.parameters.ground.stribeck_velocity
     taken = impulse(friction, -off)
     left = sign * along - taken
-    return sign * larger(left + scale * log1p(-gained(model, taken) * exp(-left / scale)), 0)
+    speed = left + scale * log1p(-gained(model, taken) * exp(-left / scale))
+    return sign * larger(speed, 0)

@@ -85,7 +85,7 @@ def on_ground(model, inputs, rates, contact, drives):
 
 def place_time_rate(phase):
     """The clock of place runs while that lasts."""
-    return 1 if phase == "place" else 0
+    return where(phase, "place", 1, 0)
 
 
 def rates(phase):

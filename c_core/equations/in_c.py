@@ -122,8 +122,8 @@ FUNCTIONS = {
             value="torque",
         ),
         InC("tdmf_hip_law law_after", hip.after, varied=False),
+        InC("double law_drift", hip.drift, varied=False),
         InC("double place_time_rate", hip.place_time_rate, lambda mode: (mode.phase,), varied=False),
-        InC("void hip_rates", hip.rates, lambda model, inputs, mode, state: (mode.phase,)),
         InC("void begin_place", hip.begin_place),
         InC("void end_place", hip.end_place),
     ],
@@ -168,7 +168,7 @@ FUNCTIONS = {
         InC("double leg_work_between", leg.work_between),
     ],
     "friction": [
-        InC("double friction_below", friction.below),
+        InC("double friction_below", friction.below, varied=False),
         InC("double border_ahead", friction.border_ahead, varied=False),
         InC(
             "double static_friction",
@@ -183,7 +183,17 @@ FUNCTIONS = {
         InC("double friction_excess", friction.excess, varied=False),
         InC("double friction_fading", friction.fading, varied=False),
         InC("double friction_growth_rate", friction.growth_rate, varied=False),
-        InC("double stopped_speed", friction.stopped_speed, varied=False),
+        InC(
+            "double stopped_speed",
+            friction.stopped_speed,
+            lambda model, inputs, zone, compression, falls: (
+                model,
+                friction.below(model, inputs, zone),
+                compression,
+                falls,
+            ),
+            varied=False,
+        ),
         InC("double room_in_cone", friction.room, varied=False),
     ],
     "ground_force": [
@@ -193,7 +203,7 @@ FUNCTIONS = {
             ground_force.in_mode,
             lambda at, sign, falls: (
                 at.model,
-                at.friction,
+                friction.below(at.model, at.inputs, at.mode.zone),
                 at.mode.ground,
                 at.state,
                 at.leg,
@@ -273,7 +283,20 @@ FUNCTIONS = {
         InC("tdmf_classic_variation classic_next_apex", classic_slip.next_apex),
     ],
     "impact": [
-        InC("tdmf_after_impact impact_with", impact.after),
+        InC(
+            "tdmf_after_impact impact_with",
+            impact.after,
+            lambda model, inputs, zone, line, state, direction, sign, sticks, falls: (
+                model,
+                friction.below(model, inputs, zone),
+                line,
+                state,
+                direction,
+                sign,
+                sticks,
+                falls,
+            ),
+        ),
     ],
     "energy": [
         InC(

@@ -1,4 +1,4 @@
-/* The right-hand side, whose laws are in equations/dynamics.py, and its variation. */
+/* The right-hand side as the world asks for it; equations/dynamics.py has the laws. */
 #include "dynamics.h"
 
 #include "dynamics_laws.h"
@@ -6,11 +6,6 @@
 #include "ranges.h"
 
 #include <string.h>
-
-void tdmf_rates_of_state(const tdmf_evaluation *at, double external_power, double rates[TDMF_STATE_COUNT]) {
-    tdmf_rates_at(at, external_power, rates);
-    tdmf_hip_rates(at->model, at->inputs, at->mode, at->state, rates);
-}
 
 void tdmf_derivatives(tdmf_system system, const tdmf_mode *mode, const double state[TDMF_STATE_COUNT],
                       double derivatives[TDMF_STATE_COUNT]) {
@@ -20,15 +15,8 @@ void tdmf_derivatives(tdmf_system system, const tdmf_mode *mode, const double st
     }
     double rates[TDMF_STATE_COUNT];
     const tdmf_evaluation at = tdmf_evaluate(system, mode, state);
-    tdmf_rates_of_state(&at, tdmf_is_pushed(system.inputs) ? tdmf_external_power(&at) : 0.0, rates);
+    tdmf_rates_at(&at, tdmf_is_pushed(system.inputs) ? tdmf_external_power(&at) : 0.0, rates);
     memcpy(derivatives, rates, sizeof rates);
-}
-
-void tdmf_vary_rates_of_state(const tdmf_evaluation *at, const tdmf_evaluation *d,
-                              double derivatives[TDMF_STATE_COUNT]) {
-    tdmf_vary_rates_at(at, 0.0, d, tdmf_vary_external_power(at, d), derivatives);
-    tdmf_vary_hip_rates(at->model, at->inputs, at->mode, at->state, d->model, d->inputs, d->mode, d->state,
-                        derivatives);
 }
 
 void tdmf_state_scales(const tdmf_model *model, double scales[TDMF_STATE_COUNT]) {
@@ -51,7 +39,7 @@ void tdmf_state_scales(const tdmf_model *model, double scales[TDMF_STATE_COUNT])
 /* No force depends on the work done. */
 tdmf_ground_force tdmf_force_rate(const tdmf_evaluation *at) {
     double rates[TDMF_STATE_COUNT];
-    tdmf_rates_of_state(at, 0.0, rates);
+    tdmf_rates_at(at, 0.0, rates);
     return tdmf_vary_evaluation(at, &tdmf_no_seed, rates).force;
 }
 

@@ -10,7 +10,6 @@ tdmf_evaluation tdmf_vary_evaluation(const tdmf_evaluation *at, const tdmf_local
                                    d_at.inputs, d_at.mode, d_at.state);
     d_at.torque =
         tdmf_vary_torque_in(at, tdmf_is_upright(leg), tdmf_sine_away_from_zero(leg), at->torque, &d_at);
-    d_at.friction = tdmf_vary_friction_below(at->model, at->inputs, at->mode->zone, d_at.model, d_at.inputs);
     d_at.force = tdmf_vary_force_in(at, tdmf_sign_of_slip(at->mode), tdmf_friction_falls(at->model), &d_at);
     return d_at;
 }

@@ -33,7 +33,6 @@ static inline tdmf_evaluation tdmf_evaluate_along(tdmf_system system, const tdmf
     at.torque = tdmf_is_mode(mode)
                     ? tdmf_torque_in(&at, tdmf_is_upright(&at.leg), tdmf_sine_away_from_zero(&at.leg))
                     : (double)NAN;
-    at.friction = tdmf_friction_below(system.model, system.inputs, mode->zone);
     at.force = tdmf_force_in(&at, tdmf_sign_of_slip(mode), tdmf_friction_falls(system.model));
     return at;
 }

@@ -16,7 +16,7 @@ static inline bool tdmf_law_acts(const tdmf_hip_law *law) {
 }
 
 static inline bool tdmf_law_drifts(const tdmf_hip_law *law) {
-    return law->target_rate != 0.0 || law->torque_rate != 0.0;
+    return tdmf_law_drift(law) != 0.0;
 }
 
 #endif

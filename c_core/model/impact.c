@@ -7,12 +7,12 @@
 
 #include <math.h>
 
-/* An impact is told apart by the side to which the foot slips, and by whether friction holds it. */
+/* An impact is told apart by where the foot lands, the side to which it slips, and whether friction holds it.
+ */
 typedef struct {
+    tdmf_zone zone;
     double sign;
     bool sticks;
-    tdmf_zone zone; /* where the foot lands */
-    double friction;
 } impact_kind;
 
 static impact_kind kind_of(tdmf_system system, const tdmf_ground_line *ground,
@@ -20,10 +20,9 @@ static impact_kind kind_of(tdmf_system system, const tdmf_ground_line *ground,
     const double along = tdmf_velocity_along(ground, state[TDMF_FOOT_VX], state[TDMF_FOOT_VY]);
     const double off = tdmf_velocity_off(ground, state[TDMF_FOOT_VX], state[TDMF_FOOT_VY]);
     const tdmf_zone zone = tdmf_zone_towards(system.model, state[TDMF_FOOT_X], along);
-    const double friction = tdmf_friction_below(system.model, system.inputs, zone);
     const double stopped =
-        tdmf_stopped_speed(system.model, friction, fabs(off), tdmf_friction_falls(system.model));
-    const impact_kind kind = {copysign(1.0, along), fabs(along) <= stopped, zone, friction};
+        tdmf_stopped_speed(system.model, system.inputs, zone, fabs(off), tdmf_friction_falls(system.model));
+    const impact_kind kind = {zone, copysign(1.0, along), fabs(along) <= stopped};
     return kind;
 }
 
@@ -42,8 +41,8 @@ double tdmf_impact_along(tdmf_system system, const tdmf_ground_line *ground, tdm
                          double state[TDMF_STATE_COUNT]) {
     const impact_kind kind = kind_of(system, ground, state);
     const tdmf_after_impact after =
-        tdmf_impact_with(system.model, kind.friction, ground, state, direction, kind.sign, kind.sticks,
-                         tdmf_friction_falls(system.model));
+        tdmf_impact_with(system.model, system.inputs, kind.zone, ground, state, direction, kind.sign,
+                         kind.sticks, tdmf_friction_falls(system.model));
     return write_after(&after, state);
 }
 
@@ -55,10 +54,8 @@ double tdmf_vary_impact(tdmf_system system, const tdmf_ground_line *ground,
                         const double before[TDMF_STATE_COUNT], const tdmf_local_seed *d,
                         double d_state[TDMF_STATE_COUNT]) {
     const impact_kind kind = kind_of(system, ground, before);
-    const double d_friction =
-        tdmf_vary_friction_below(system.model, system.inputs, kind.zone, &d->model, &d->inputs);
     const tdmf_after_impact d_after = tdmf_vary_impact_with(
-        system.model, kind.friction, ground, before, tdmf_leg_direction_of(before), kind.sign, kind.sticks,
-        tdmf_friction_falls(system.model), &d->model, d_friction, &d->mode.ground, d_state);
+        system.model, system.inputs, kind.zone, ground, before, tdmf_leg_direction_of(before), kind.sign,
+        kind.sticks, tdmf_friction_falls(system.model), &d->model, &d->inputs, &d->mode.ground, d_state);
     return write_after(&d_after, d_state);
 }

@@ -1,8 +1,9 @@
 /* The variations of the model's files put together: one direction, everything that changes along it. */
 #include "tdmf_slip/output_variation.h"
 
-#include "dynamics.h"
+#include "dynamics_laws.h"
 #include "energy_laws.h"
+#include "evaluation.h"
 #include "kinematics.h"
 
 tdmf_output_variation tdmf_vary_outputs(tdmf_system system, const tdmf_mode *mode,
@@ -24,7 +25,7 @@ tdmf_output_variation tdmf_vary_outputs(tdmf_system system, const tdmf_mode *mod
         .energy = tdmf_vary_energy_with(system.model, state, &at.leg, &d.model, d.state, &d_at.leg),
     };
     if (!mode->fallen) {
-        tdmf_vary_rates_of_state(&at, &d_at, varied.derivatives);
+        tdmf_vary_rates_at(&at, 0.0, &d_at, tdmf_vary_external_power(&at, &d_at), varied.derivatives);
     }
     return varied;
 }

@@ -39,7 +39,6 @@ typedef struct {
     const double *state;
     tdmf_leg leg;
     double torque;           /* tau, total */
-    double friction;         /* mu below a foot that slips */
     tdmf_ground_force force; /* of the mode */
 } tdmf_evaluation;
 

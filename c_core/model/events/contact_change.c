@@ -1,7 +1,7 @@
 /* Changes between flight, graze and contact. */
 #include "contact_change.h"
 
-#include "dynamics.h"
+#include "dynamics_laws.h"
 #include "friction.h"
 #include "graze.h"
 #include "graze_laws.h"
@@ -124,7 +124,7 @@ static double angle_acceleration_in_drive(const tdmf_run *run) {
     tdmf_set_contact(run->system.model, run->motion->state, mode_of_loaded_foot(run, &driven), &driven);
     const tdmf_evaluation at = tdmf_evaluate_run(run, &driven);
     double rates[TDMF_STATE_COUNT];
-    tdmf_rates_of_state(&at, 0.0, rates);
+    tdmf_rates_at(&at, 0.0, rates);
     return rates[TDMF_LEG_ANGLE_RATE];
 }
 
