@@ -48,13 +48,16 @@ def cluster(tmp_path):
         subprocess.Popen,
         stdout=subprocess.DEVNULL,
         stderr=subprocess.DEVNULL,
-        env={**os.environ, "PYTHONPATH": str(pathlib.Path(__file__).parent)},  # for `note`
+        env={
+            **os.environ,
+            "PYTHONPATH": str(pathlib.Path(__file__).parent),  # for `note`
+            "DASK_TEMPORARY_DIRECTORY": str(tmp_path),
+        },
     )
     dask = (sys.executable, "-m", "dask")
     options = ("--scheduler-file", str(file))
     scheduler = run([*dask, "scheduler", *options, "--port", "0", "--no-dashboard"])
     command = [*dask, "worker", *options, "--nthreads", "1", "--no-dashboard", "--no-nanny"]
-    command += ["--local-directory", str(tmp_path)]
     workers = [run(command) for _ in range(2)]
     try:
         yield _address(file, scheduler), scheduler, workers
@@ -107,8 +110,8 @@ def test_a_block_that_kills_its_workers_is_said(tmp_path):
 
     two = {"n_workers": 2, "threads_per_worker": 1, "dashboard_address": "127.0.0.1:0"}
     with (
-        dask.config.set({"distributed.scheduler.allowed-failures": 1}),
-        LocalCluster(**two, local_directory=str(tmp_path)) as cluster,
+        dask.config.set({"distributed.scheduler.allowed-failures": 1, "temporary-directory": str(tmp_path)}),
+        LocalCluster(**two) as cluster,
         pytest.raises(RunError, match="killed every worker"),
         run_blocks(die, [0, 1], scheduler=cluster.scheduler_address) as found,
     ):

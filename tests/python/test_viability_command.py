@@ -3,6 +3,7 @@
 import csv
 import json
 
+import dask
 import pytest
 import tdmf_slip
 from distributed import LocalCluster
@@ -106,7 +107,7 @@ def test_what_the_command_does_not_allow(command, options, message):
 def test_a_cluster_makes_the_same_strides(tmp_path):
     alone = tdmf_slip.viability(None, **SETTINGS)
     one = {"n_workers": 1, "threads_per_worker": 1, "dashboard_address": "127.0.0.1:0"}
-    with LocalCluster(**one, local_directory=str(tmp_path)) as cluster:
+    with dask.config.set(temporary_directory=str(tmp_path)), LocalCluster(**one) as cluster:
         assert tdmf_slip.viability(None, **SETTINGS, scheduler=cluster.scheduler_address) == alone
 
 
