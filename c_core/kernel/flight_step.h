@@ -62,12 +62,13 @@ static inline real expand_flight_step(const flight_constants *c, const flight_co
                          tolerance);
 }
 
-/* Goes on to a time within the step. */
+/* Goes on to a time within the step. The turn is no difference of angles, each of which is rounded: a strong
+ * servo would do work through that. */
 static inline void fly_on(const flight_constants *c, const flight_series *f, int order,
                           const elapsed_time *elapsed, flight_coordinates *at) {
-    const real angle = at->leg.angle;
+    const real turned = change_to(f->angle, elapsed, order);
     at->leg = tdmf_end_flight(f, elapsed, order);
-    at->done.work += tdmf_flight_work(&c->law, f, elapsed, order, at->leg.angle - angle);
+    at->done.work += tdmf_flight_work(&c->law, f, elapsed, order, turned);
     at->done.damper_loss += c->mode.damping * integral_to(f->speed_square, elapsed, order - 1);
 }
 

@@ -182,6 +182,41 @@ static void of_legs_that_do_not_turn(void **state) {
     assert_int_equal(seen.ended[TDMF_ARRIVED], RUNS);
 }
 
+/* A servo of any strength begins to place a leg, which has turned by 1e-9 at the end: as a difference of two
+ * angles, each rounded, that is known to seven digits, and so would be the work. */
+static void of_servos_that_turn_a_leg_by_next_to_nothing(void **state) {
+    enum { RUNS = 200 };
+    static const tdmf_inputs no_rates = {.ground = {.friction = 0.0}};
+    random_source source = {24};
+    (void)state;
+    for (int i = 0; i < RUNS; ++i) {
+        tdmf_parameters p = tdmf_default_parameters();
+        p.hip.kp = random_magnitude(&source, 1e3, 1e12);
+        p.hip.kd = 0.0;
+        runner runner = runner_default(0.6);
+        assert_null(tdmf_model_create(&runner.model, &p).variable);
+        runner.motion.state[TDMF_FOOT_Y] = 10.0;
+        runner.motion.state[TDMF_LEG_ANGLE] = p.hip.touchdown_angle + random_uniform(&source, 0.3, 0.6);
+        runner.motion.state[TDMF_LEG_ANGLE_RATE] = 0.0;
+        runner.motion.state[TDMF_FOOT_VY] = -10.0;
+        runner_start(&runner);
+        assert_int_equal(runner.motion.mode.phase, TDMF_PHASE_PLACE);
+        const double before = energy_of(&runner.model, runner.motion.state).total;
+        const double acceleration = (1.0 / p.body.mass + 1.0 / p.foot.mass) * p.hip.kp;
+        tdmf_solver solver = tdmf_solver_default();
+        solver.relative_tolerance = 1e-13;
+        assert_int_equal(tdmf_native_advance(&solver, SYSTEM_OF(&runner), &no_rates,
+                                             sqrt(2e-9 / acceleration), &runner.motion),
+                         TDMF_ARRIVED);
+        const double work = runner.motion.state[TDMF_HIP_WORK];
+        const double loss =
+            runner.motion.state[TDMF_ENERGY_DAMPER_LOSS] + runner.motion.state[TDMF_ENERGY_FRICTION_LOSS];
+        const double change = energy_of(&runner.model, runner.motion.state).total - before;
+        assert_true(work > 1e-11 * p.hip.kp);
+        assert_close(change, work - loss, 1e-12 * work + 1e-14 * before);
+    }
+}
+
 /* Strides of an ensemble, from apices at which the leg is about to vanish. */
 static void of_strides_in_every_kind_of_lane(void **state) {
     enum { RUNNERS = sample_of(2000) };
@@ -245,6 +280,7 @@ int main(void) {
         cmocka_unit_test(of_any_runner),
         cmocka_unit_test(of_legs_that_nearly_vanish),
         cmocka_unit_test(of_legs_that_do_not_turn),
+        cmocka_unit_test(of_servos_that_turn_a_leg_by_next_to_nothing),
         cmocka_unit_test(of_strides_in_every_kind_of_lane),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
