@@ -318,13 +318,6 @@ def test_what_is_asked_of_a_run_has_to_be_numbers():
         settling.settle_fmu(tolerance=float("nan"))
 
 
-def test_validate_as_json(command):
-    status, out, _ = command("validate", "--json")
-    found = json.loads(out)
-    assert status == 0 and found["passed"]
-    assert len(found["drifts"]) == 69 and len(found["gaits"]) == 5 and len(found["claims"]) == 20
-
-
 def test_a_run_begins_on_the_gait_that_was_printed(command, monkeypatch):
     """At human scale, off the preset's friction: its parameters and its apex go with it."""
     gait = command("gait", "--parameters", "human", "--friction", 0.5, "--json")[1]

@@ -1,6 +1,8 @@
 """The guides as notebooks: readable anywhere, run where only the wheel is, from an empty folder."""
 
+import contextlib
 import html
+import io
 import json
 import os
 import pathlib
@@ -11,6 +13,8 @@ import sys
 import pytest
 import tdmf_slip
 from conftest import LONG, succeed
+from tdmf_slip.cli import validate as command_module
+from tdmf_slip.cli.main import main
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 SITE = ROOT / "dist" / "site"
@@ -85,9 +89,31 @@ def test_the_start_page_shows_what_the_command_prints(command):
         assert one == other or one.startswith("apex."), (one, other)
 
 
+@pytest.fixture(scope="module")
+def validated():
+    """What the command finds, computed once; with its status and the JSON that it prints."""
+    found, printed = [], io.StringIO()
+
+    def validate(**options):
+        found.append(tdmf_slip.validate(**options))
+        return found[-1]
+
+    with pytest.MonkeyPatch.context() as patch, contextlib.redirect_stdout(printed):
+        patch.setattr(command_module, "validate", validate)
+        status = main(["validate", "--json"])
+    return status, printed.getvalue(), *found
+
+
+def test_validate_as_json(validated):
+    status, printed, wanted = validated
+    found = json.loads(printed)
+    assert status == 0 and found["passed"] and wanted.passed
+    assert len(found["drifts"]) == 69 and len(found["gaits"]) == 5 and len(found["claims"]) == 20
+
+
 @built
-def test_the_paper_page_shows_the_table_as_validate_prints_it():
-    wanted = tdmf_slip.validate()
+def test_the_paper_page_shows_the_table_as_validate_prints_it(validated):
+    *_, wanted = validated
     (table,) = [one for one in outputs("paper") if one.startswith("friction mu")]
     assert table == wanted.as_text().strip()
     assert "\n".join(f"{claim.source}: {claim.what}" for claim in wanted.differing) in outputs("paper")
