@@ -96,6 +96,12 @@ def display_units(table):
     return units
 
 
+def dimensions(table):
+    """By unit: its powers of length, time and mass."""
+    bases = {unit.get("name"): unit.find("BaseUnit") for unit in table.root.find("UnitDefinitions")}
+    return {name: [int(base.get(of, 0)) for of in ("m", "s", "kg")] for name, base in bases.items()}
+
+
 def items(table, name):
     """By number: name and description of an enumeration's items."""
     return {
@@ -178,6 +184,7 @@ def page_table(table):
         "starts": [described(v) for v in starts_of(table)],
         "outputs": [described(v) for v, _ in outputs_of(table)],
         "displayUnits": display_units(table),
+        "dimensions": dimensions(table),
         "contactModes": items(table, MODE),
         "hipPhases": items(table, PHASE),
         "apex": [described(v) for v in table.variables if v.group == "apex" and v.name != "apex.time"],

@@ -12,6 +12,7 @@ from xml.etree import ElementTree
 import pytest
 import tdmf_slip
 from fmpy.validation import validate_fmu
+from tdmf_slip.fmu.dimensions import DIMENSIONS
 
 
 def number(text):
@@ -258,6 +259,11 @@ def test_types_and_units_are_defined_and_used(raw):
     assert {v["unit"] for v in raw.variables if "unit" in v} == set(raw.units)
     shown = {(v["unit"], v["displayUnit"]) for v in raw.variables if "displayUnit" in v}
     assert shown == raw.display_units and len(shown) == 3
+
+
+def test_the_package_s_table_has_the_dimensions_of_every_unit(raw):
+    powers = {name: tuple(of.get(base, 0) for base in ("m", "s", "kg")) for name, of in raw.units.items()}
+    assert {name: DIMENSIONS[name] for name in powers} == powers and len(powers) > 15
 
 
 def test_a_derivative_has_its_state_s_unit_per_second(raw):

@@ -2,7 +2,7 @@
  * A slider and a field for every parameter, input and start value of the model description.
  * @module
  */
-import { presets, starts, values } from "./data.js";
+import { dimensions, presets, starts, values } from "./data.js";
 import { numberIn, printed, shownUnit, shownValue } from "./numbers.js";
 
 const SLIDER_STEPS = 1000;
@@ -11,10 +11,9 @@ const groupOf = ({ name }) => (name.includes(".") ? name.split(".")[0] : "world"
 
 /** How large a value of a unit is, in a runner: k l0 for a force and so on. */
 function scaleOf(unit, state) {
-  const length = state["leg.free_length"];
-  const rate = Math.sqrt(state["leg.stiffness"] / state["body.mass"]);
-  const force = state["leg.stiffness"] * length;
-  return { m: length, N: force, "N.m": force * length, "rad/s": rate, "m/s": length * rate }[unit] ?? 1;
+  const mass = state["body.mass"];
+  const scales = [state["leg.free_length"], Math.sqrt(mass / state["leg.stiffness"]), mass];
+  return scales.reduce((product, scale, i) => product * scale ** (dimensions[unit]?.[i] ?? 0), 1);
 }
 
 /** Variables in ascending order: the core refuses one that is beyond its neighbour. */

@@ -9,8 +9,8 @@ from ..errors import InputError
 from ..fmu.display_units import DisplayUnits
 from ..fmu.fmu import Fmu, load_fmu
 from ..library.gait import REPORTED, Gait
-from ..library.measures import MEASURE_UNITS
-from ..library.quantities import quantities_of
+from ..library.measures import MEASURES
+from ..library.quantities import quantities_of, quantity_of, unit_of
 from ..terminal.text import columns, quantity
 from .options import (
     FRICTION_OPTION,
@@ -110,10 +110,12 @@ def _gait_text(
     def of(name: str, value: float) -> str:
         return quantity(units.value(name, value), units.unit(name), 12)
 
-    basic = [name for name in target if name in gait.stride and name not in MEASURE_UNITS]
+    basic = [name for name in target if name in gait.stride and name not in MEASURES]
     reported = dict.fromkeys([*REPORTED, *basic])
     measured = {
-        name: quantity(gait.stride[name], of, 12) for name, of in MEASURE_UNITS.items() if name in target
+        name: quantity(quantity_of(name, gait.stride), unit_of(name, fmu), 12)
+        for name in (*MEASURES, "frequency")
+        if name in target
     }
     apex = dict(zip(gait.runner.coordinates, gait.apex, strict=True))
     rows = {
@@ -121,7 +123,6 @@ def _gait_text(
         "friction": of("ground.friction", gait.friction),
         **{name: of(f"stride.{name}", gait.stride[name]) for name in reported},
         **measured,
-        **({"frequency": quantity(1.0 / gait.period, "Hz", 12)} if "frequency" in target else {}),
         **{name: of(name, gait.runner.values[name]) for name in vary},
         "liftoff_angle": of("hip.liftoff_angle", gait.liftoff_angle),
         **{f"apex.{n}": of(f"apex.{n}", v) for n, v in apex.items()},
