@@ -1,6 +1,7 @@
 #include "scene.h"
 
 #include "compare.h"
+#include "events.h"
 
 #include <math.h>
 #include <string.h>
@@ -134,18 +135,9 @@ double scene_guard(const runner *runner, tdmf_guard guard) {
     return guards[guard];
 }
 
-const tdmf_guard scene_varied_guards[SCENE_VARIED_GUARDS] = {TDMF_GUARD_TOUCHDOWN,
-                                                             TDMF_GUARD_APEX,
-                                                             TDMF_GUARD_CLAMP,
-                                                             TDMF_GUARD_LIFT_OFF,
-                                                             TDMF_GUARD_SLIP_ONSET_POSITIVE,
-                                                             TDMF_GUARD_SLIP_ONSET_NEGATIVE,
-                                                             TDMF_GUARD_SLIP_VELOCITY_ZERO,
-                                                             TDMF_GUARD_MID_STANCE,
-                                                             TDMF_GUARD_GRAZE_TO_CONTACT,
-                                                             TDMF_GUARD_GRAZE_TO_FLIGHT,
-                                                             TDMF_GUARD_GREATEST_COMPRESSION,
-                                                             TDMF_GUARD_NEW_GROUND};
+bool scene_is_varied(tdmf_guard guard) {
+    return tdmf_event_kind_of(guard)->vary_guard != NULL && guard != TDMF_GUARD_PATCH_BORDER;
+}
 
 tdmf_resolution scene_resolve(runner *runner) {
     const tdmf_resolution resolution = tdmf_resolve(SYSTEM_OF(runner), &runner->motion);

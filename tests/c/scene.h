@@ -48,9 +48,9 @@ void scene_assert_unchanged(const runner *runner, const scene_snapshot *before);
 
 double scene_guard(const runner *runner, tdmf_guard guard);
 
-/* The guards of all events that a variation outlives. */
-enum { SCENE_VARIED_GUARDS = 12 };
-extern const tdmf_guard scene_varied_guards[SCENE_VARIED_GUARDS];
+/* Whether a variation outlives the event, of those that any runner may meet: a patch's border is not among
+ * them. */
+bool scene_is_varied(tdmf_guard guard);
 
 /* tdmf_resolve at runner->motion.time. Asserts that the chain comes to rest, leaves no guard due, and a clamp
  * closed in retract only. */

@@ -209,18 +209,20 @@ static void event_mode_takes_states_that_no_event_changes(void **state) {
     for (size_t i = 0; i < fmu_variable_count; ++i) {
         if (fmu_variables[i].storage == STORED_STATE) {
             const char *name = fmu_variables[i].name;
-            const bool reinit = strcmp(name, "foot.y") == 0 || strcmp(name, "foot.vx") == 0 ||
-                                strcmp(name, "foot.vy") == 0 || strcmp(name, "leg.length_rate") == 0 ||
-                                strcmp(name, "leg.angle_rate") == 0 || strcmp(name, "hip.place_time") == 0 ||
-                                strcmp(name, "leg.work") == 0;
-            assert_int_equal(set_float(exchange, name, 0.9), reinit ? fmi3Error : fmi3OK);
+            const bool jumps = fmu_variables[i].changes_at_events;
+            assert_int_equal(set_float(exchange, name, 0.9), jumps ? fmi3Error : fmi3OK);
             assert_int_equal(set_float(stepper, name, 0.9), fmi3Error);
             assert_non_null(strstr(last_message, "cannot be set in event mode"));
-            taken += reinit ? 0 : 1;
+            taken += jumps ? 0 : 1;
         }
     }
-    assert_int_equal(taken, 8);
+    assert_true(taken >= 8);
     assert_true(get_float(exchange, "leg.length") == 0.9);
+    static const char *const jumping[] = {"foot.y",         "foot.vx",        "foot.vy", "leg.length_rate",
+                                          "leg.angle_rate", "hip.place_time", "leg.work"};
+    for (size_t i = 0; i < sizeof jumping / sizeof jumping[0]; ++i) {
+        assert_true(fmu_variables[reference_of(jumping[i])].changes_at_events);
+    }
     fmi3FreeInstance(exchange);
     fmi3FreeInstance(stepper);
 }

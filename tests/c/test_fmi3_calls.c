@@ -7,6 +7,7 @@
 #include "variables.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 /* ---- instantiation ------------------------------------------------------------------------------------ */
@@ -154,6 +155,7 @@ static void enumerations_are_set_in_range_only(void **state) {
 static void wrong_counts_references_and_arrays_are_refused(void **state) {
     const fmi3ValueReference reference = 0, none = 100000;
     double values[TDMF_STATE_COUNT] = {0};
+    char states[8];
     fmi3Instance instance = in_event_mode();
     (void)state;
     assert_int_equal(fmi3GetFloat64(instance, &reference, 1, values, 2), fmi3Error);
@@ -163,7 +165,8 @@ static void wrong_counts_references_and_arrays_are_refused(void **state) {
     assert_int_equal(fmi3GetFloat64(instance, &reference, 1, NULL, 1), fmi3Error);
     assert_int_equal(fmi3GetFloat64(instance, NULL, 0, NULL, 0), fmi3OK);
     assert_int_equal(fmi3GetContinuousStates(instance, values, TDMF_STATE_COUNT - 1), fmi3Error);
-    assert_non_null(strstr(last_message, "14"));
+    snprintf(states, sizeof states, "%d", TDMF_STATE_COUNT);
+    assert_non_null(strstr(last_message, states));
     fmi3FreeInstance(instance);
 }
 
