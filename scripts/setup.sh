@@ -207,13 +207,13 @@ build_distribution() {
     .venv/bin/python scripts/release_files.py dist
 }
 
-# draw_gallery FOLDER: the gallery's figures, with their data. Those that take minutes are kept in documentation.
+# draw_gallery FOLDER: the gallery's figures, with their data, in one process, for many show the same gaits. Those that
+# take minutes are kept in documentation.
 draw_gallery() {
-    local name data
+    local names=(figure_ energy falling_friction feedback guinea_fowl optimal reduced_ retraction rough slippery_patch
+        slope thrust viability) name data
     mkdir -p "$1"
-    for name in figure_ energy falling_friction feedback guinea_fowl optimal reduced_ retraction rough slippery_patch slope thrust viability; do
-        .venv/bin/tdmf-slip figures --only "$name" --format png --output "$1" || return 1
-    done
+    .venv/bin/tdmf-slip figures --only "$(IFS=,; printf %s "${names[*]}")" --format png --output "$1" || return
     for data in documentation/data/figures/*.csv; do
         name=${data##*/}
         cp "$data" "documentation/pictures/${name%.csv}.png" "$1"

@@ -24,7 +24,8 @@ def test_figures_have_the_width_resolution_and_format_that_are_asked_for(command
     (width,) = re.findall(rb"/MediaBox \[ 0 0 ([\d.]+) [\d.]+ \]", page)
     assert float(width) == pytest.approx(17 * CENTIMETRE, abs=0.1)
     assert b"DejaVuSerif" in page and b"CreationDate" not in page
-    assert command("figures", "--only", "figure_4", "--output", "again", *options)[0] == 0
+    assert command("figures", "--only", "figure_4a, figure_3", "--output", "again", *options)[0] == 0
+    assert {path.stem for path in (tmp_path / "again").iterdir()} == {"figure_4a", "figure_3"}
     assert (tmp_path / "again/figure_4a.pdf").read_bytes() == page
 
 

@@ -25,7 +25,12 @@ RESOLUTIONS = 20.0, 2400.0
     metavar="FOLDER",
     help="Where the figures go.",
 )
-@click.option("--only", metavar="NAME", help="Only the figures whose name begins like this, as in figure_9.")
+@click.option(
+    "--only",
+    metavar="NAMES",
+    default="",
+    help="Only the figures whose names begin like these, with commas between them: figure_9,energy.",
+)
 @click.option(
     "--measure",
     is_flag=True,
@@ -61,7 +66,7 @@ RESOLUTIONS = 20.0, 2400.0
 )
 def figures_command(
     folder: Path,
-    only: str | None,
+    only: str,
     measure: bool,
     formats: str,
     width: float | None,
@@ -74,6 +79,7 @@ def figures_command(
 
     check_folder(folder, "--output")
     names = list(dict.fromkeys(name.strip().lower() for name in formats.split(",")))
+    begins = [name.strip() for name in only.split(",") if name.strip()]
     unknown = [name for name in names if name not in catalogue.FORMATS]
     if unknown:
         raise InputError(f"--format {formats}: {unknown[0]!r}: allowed: {', '.join(catalogue.FORMATS)}")
@@ -83,7 +89,13 @@ def figures_command(
         style=style_name,
     )
     written = catalogue.draw(
-        folder, load_fmu(), only=only, measure=measure, formats=names, appearance=appearance, progress=True
+        folder,
+        load_fmu(),
+        only=begins or [""],
+        measure=measure,
+        formats=names,
+        appearance=appearance,
+        progress=True,
     )
     for path in written:
         print(path)

@@ -85,17 +85,18 @@ def draw(
     folder: Path,
     fmu: Fmu,
     *,
-    only: str | None = None,
+    only: Sequence[str] = ("",),
     measure: bool = False,
     formats: Sequence[str] = ("png", "svg"),
     appearance: style.Appearance = style.DESIGNED,
     progress: bool = False,
 ) -> list[Path]:
-    """Draw the figures into a folder."""
+    """Draw the figures whose name begins like one of `only` into a folder."""
     known = _figures(fmu, measure)
-    chosen = {name: figure for name, figure in known.items() if name.startswith(only or "")}
-    if not chosen:
-        raise InputError(f"only {only}: no such figure; allowed: {', '.join(known)}")
+    for begin in only:
+        if not any(name.startswith(begin) for name in known):
+            raise InputError(f"only {begin}: no such figure; allowed: {', '.join(known)}")
+    chosen = {name: figure for name, figure in known.items() if name.startswith(tuple(only))}
     folder.mkdir(exist_ok=True)
     written = []
     with (
