@@ -7,12 +7,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* In powers of length, mass and stiffness. */
+/* A unit is a product of powers of length, mass and stiffness. */
 typedef struct {
     double length, mass, stiffness;
 } dimension;
 
-/* Of a second: sqrt(m/k). */
+/* A second is sqrt(m/k) here. */
 static const dimension si_kg = {0, 1, 0}, si_m = {1, 0, 0}, si_s = {0, 0.5, -0.5}, si_rad = {0, 0, 0};
 static const dimension si_newton = {1, 0, 1}, si_joule = {2, 0, 1}, no_unit = {0, 0, 0};
 

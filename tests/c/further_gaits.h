@@ -1,6 +1,6 @@
 /* Periodic gaits of runners that go beyond the paper: on slopes, with swing-leg retraction, with a static
  * friction larger than the sliding one, also where friction falls with speed, with a thrust of the leg, and
- * pushed by a force; Table 1 otherwise.
+ * pushed by a force; all else is as in Table 1.
  * They were computed independently of this project, in extended precision, and are good to 1e-12; their
  * Jacobians, by differences, to 3e-9. */
 #ifndef TDMF_TESTS_FURTHER_GAITS_H

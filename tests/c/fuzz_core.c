@@ -86,7 +86,7 @@ static void close_a_stride(void *self) {
     expect_numbers_of_motion(on);
 }
 
-/* Of all inputs and, half of the time, of settings of the control law. */
+/* All inputs jump and, half of the time, so do settings of the control law. */
 static void jump(void *self) {
     subject *on = self;
     tdmf_parameters parameters = on->model.parameters;

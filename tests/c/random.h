@@ -12,13 +12,13 @@ typedef struct {
 
 double random_uniform(random_source *source, double from, double to);
 
-/* Uniform in the logarithm: for quantities of unknown magnitude. */
+/* The logarithm is uniform, which serves quantities of unknown magnitude. */
 double random_magnitude(random_source *source, double from, double to);
 
 bool random_chance(random_source *source, double probability);
 
 /* From now on every source draws from these bytes, two for a number, and 0 when they are used up: so a fuzzer
- * chooses what is random. NULL: as ever. */
+ * chooses what is random. With NULL they draw as ever. */
 void random_draw_from(const uint8_t *bytes, size_t size);
 size_t random_bytes_left(void);
 

@@ -8,7 +8,7 @@
 #include "integrate.h"
 #include "random.h"
 
-/* Just past an event, in units of the guarded quantity. */
+/* How far past an event a guarded quantity is set, in units of it. */
 #define SCENE_PAST_EVENT (-2.0 * TDMF_GUARD_MARGIN)
 
 /* A foot at rest on the ground in coast, the leg still, carrying `vertical_force`; high friction. */

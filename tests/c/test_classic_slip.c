@@ -20,7 +20,7 @@ static double energy_of(const tdmf_classic *slip, tdmf_classic_point at) {
            0.5 * slip->stiffness * compression * compression;
 }
 
-/* Computed independently in extended precision. */
+/* These were computed independently in extended precision. */
 typedef struct {
     double degrees, stable, stable_slope, impact_friction, unstable, unstable_slope;
 } recorded_gait;
@@ -99,7 +99,7 @@ static void a_leg_may_land_upright_or_behind(void **state) {
             const tdmf_classic slip = at_angle(degrees);
             const double height = 1.2, slow = slip.mass * (0.5 * speed * speed + slip.gravity * height);
             const tdmf_classic_step step = tdmf_classic_return_map(&slip, slow, height);
-            /* Of the leg's length at touchdown. */
+            /* A leg that lengthens at touchdown cannot be compressed. */
             const double rate = step.touchdown.x * step.touchdown.vx + step.touchdown.y * step.touchdown.vy;
             if (rate > 0.0) {
                 assert_int_equal(step.outcome, TDMF_CLASSIC_FALLS);

@@ -23,7 +23,7 @@ typedef struct {
     tdmf_event_log log;
 } run;
 
-/* Neither torque nor damping. */
+/* There is neither torque nor damping. */
 static run run_without_losses(double foot_mass) {
     run run;
     tdmf_parameters parameters = tdmf_default_parameters();

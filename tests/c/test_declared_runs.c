@@ -181,7 +181,7 @@ static void change_inputs(run *run) {
     run->inputs = declared_inputs(&run->source, &run->model.parameters, run->decades);
 }
 
-/* By one event: the foot's ground, pushes, control inputs, settings, or all of them. */
+/* One event changes the foot's ground, pushes, control inputs, settings, or all of them. */
 static void change_further(run *run) {
     tdmf_parameters parameters = run->model.parameters;
     tdmf_observe(SYSTEM_OF(run), &run->motion);

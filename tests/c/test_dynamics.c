@@ -160,7 +160,7 @@ static void require(equation row, int unknown, double value) {
     row[UNKNOWNS] = (long double)value;
 }
 
-/* Along the ground and away from it, of accelerations or forces. */
+/* Takes the component along the ground of accelerations or forces as the unknown of a row. */
 static void require_along(equation row, const tdmf_ground_line *ground, int x, int y) {
     row[x] = (long double)ground->cosine;
     row[y] = (long double)ground->sine;
@@ -171,7 +171,7 @@ static void require_off(equation row, const tdmf_ground_line *ground, int x, int
     row[y] += (long double)(factor * ground->cosine);
 }
 
-/* The last three rows: what defines the mode. The ground is a line that the foot cannot leave. */
+/* What defines the mode stands in the last three rows. The ground is a line that the foot cannot leave. */
 static void equations_of_mode(const runner *runner, equation rows[UNKNOWNS]) {
     const double torque = control_law(runner) + runner->inputs.hip.external_torque;
     const tdmf_contact_mode contact = runner->motion.mode.contact;
@@ -366,7 +366,7 @@ static void assert_all_finite(const runner *runner) {
     }
 }
 
-/* Solvers probe beyond events: a leg of any length, at any angle, at any speed. */
+/* Solvers probe beyond events, where a leg has any length, angle and speed. */
 static void trial_states_give_finite_results(void **unused) {
     (void)unused;
     static const double lengths[] = {0.0, -0.0, -1e-300, 1e-300, 1e-12, -1.0, -1e6, 1e6};

@@ -51,7 +51,7 @@ static tdmf_parameters wide_parameters(random_source *source, double decades) {
     return p;
 }
 
-/* Speeds, some of them zero, of either sign. */
+/* Speeds are of either sign, and some of them are zero. */
 static void wide_state(random_source *source, const tdmf_model *model, double decades,
                        double state[TDMF_STATE_COUNT]) {
     const tdmf_scales *scales = &model->scales;

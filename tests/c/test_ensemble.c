@@ -42,7 +42,7 @@ static void vary_case(random_source *source, tdmf_model *model, tdmf_ensemble_ca
         random_chance(source, 0.5) ? 0.0 : random_uniform(source, -0.01, 0.01);
 }
 
-/* Around a gait's apex, some of them below the ground. */
+/* Starts lie around a gait's apex, some of them below the ground. */
 static void start_near_the_gait(random_source *source, tdmf_model *model, tdmf_ensemble_case *its_case,
                                 double start[TDMF_SECTION_COUNT]) {
     vary_case(source, model, its_case);
@@ -113,7 +113,7 @@ static void assert_near(double actual, double expected, double scale, double tol
     assert_close(actual / scale, expected / scale, tolerance * (1.0 + fabs(expected / scale)));
 }
 
-/* In the scales of the runner. */
+/* Differences are measured in the scales of the runner. */
 static void assert_same_end(const tdmf_model *model, const tdmf_ensemble_end *a, const tdmf_ensemble_end *b,
                             double tolerance) {
     const tdmf_scales *scales = &model->scales;

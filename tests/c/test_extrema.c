@@ -42,7 +42,7 @@ static double turn(double share) {
     return share * 2.0 * acos(-1.0);
 }
 
-/* From a quarter before its least value to a quarter after it. */
+/* The step goes from a quarter of a period before its least value to a quarter after it. */
 static void the_least_force_is_no_peak(void **state) {
     scene scene;
     (void)state;

@@ -199,7 +199,7 @@ static void trial_states_go_beyond_the_range_of_starts(void **state) {
     fmi2FreeInstance(component);
 }
 
-/* FMI 3.0.2, section 2.3.5: in event mode those with reinit = false, in Model Exchange only. */
+/* Those have reinit = false and are taken in Model Exchange only (FMI 3.0.2, section 2.3.5). */
 static void event_mode_takes_states_that_no_event_changes(void **state) {
     int taken = 0;
     (void)state;

@@ -407,7 +407,7 @@ static void an_event_is_pending_in_event_mode_only(void **unused) {
     assert_refused(STEPS_WITH_EVENTS, &state, "refused");
 }
 
-/* Running without having begun, and begun without running. */
+/* One runs without having begun, another has begun and does not run. */
 static void a_run_in_a_state_that_it_cannot_be_in_is_refused(void **unused) {
     (void)unused;
     serialized state;

@@ -75,7 +75,7 @@ static void assert_strides_by_rows(const population *population, int number, int
     }
 }
 
-/* Before the first stride given the first row, after the last one the last row. */
+/* The first row holds before the first stride that is given, the last row after the last one. */
 static void strides_are_made_with_the_rows_that_are_theirs(void **state) {
     (void)state;
     population population;

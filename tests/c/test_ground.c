@@ -31,7 +31,7 @@ static tdmf_parameters parameters_of(double length) {
     return parameters;
 }
 
-/* At the apex of the gait at friction 0.6, over a line. */
+/* The run starts at the apex of the gait at friction 0.6, over a line. */
 static run run_of_length(double length, double height, double slope) {
     run run = {.inputs = tdmf_default_inputs(), .solver = tdmf_solver_default()};
     const tdmf_parameters parameters = parameters_of(length);
@@ -59,7 +59,7 @@ static tdmf_outcome go_to(run *run, double time) {
     return tdmf_native_advance(&run->solver, SYSTEM_OF(run), NULL, time, &run->motion);
 }
 
-/* Events until the next apex. */
+/* Goes on to the next apex; the log has the events until then. */
 static void stride(run *run) {
     run->log.count = 0;
     run->solver.log = &run->log;
@@ -330,7 +330,7 @@ static void a_runner_that_is_moved_with_its_ground_runs_alike(void **state) {
 
 /* ---- random runs --------------------------------------------------------------------------------------- */
 
-/* Of Table 1's runner with all numbers off, over a slope, from an apex off its gait's. */
+/* The runner is that of Table 1 with all numbers off, over a slope, and starts off its gait's apex. */
 static bool begin_random(random_source *source, run *run) {
     tdmf_parameters p = tdmf_default_parameters();
     double section[TDMF_SECTION_COUNT];
@@ -388,7 +388,7 @@ static void every_event_on_a_slope_is_where_its_guard_is_zero(void **state) {
     assert_true(apexes_in_graze > 5);
 }
 
-/* Near the runner, above or below its foot, steep or level. */
+/* The line passes near the runner, above or below its foot, steep or level. */
 static void set_random_line(random_source *source, run *run) {
     const double *state = run->motion.state;
     const double slope = random_chance(source, 0.3) ? 0.0 : random_uniform(source, -0.4, 0.4);
@@ -438,7 +438,7 @@ static void a_runner_on_a_slope_far_up_or_down_runs_on(void **state) {
     }
 }
 
-/* At friction low and high, with lines that change at any moment. */
+/* Friction is low and high, and the line may change at any moment. */
 static void random_runs_over_lines_that_change_stay_on_or_above_them(void **state) {
     enum { RUNS = 400, PARTS = 60 };
     int in_force[2] = {0, 0}, waited = 0, fell = 0, touchdowns = 0;

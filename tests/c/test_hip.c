@@ -50,7 +50,7 @@ static void retract_stops_the_backward_swing(void **unused) {
     assert_true(torque_of(&runner) > 0.0);
 }
 
-/* ... and never with a negative one. */
+/* Its torque is never negative. */
 static void retract_never_pulls_back(void **unused) {
     (void)unused;
     random_source source = {31};

@@ -123,7 +123,7 @@ static void cvode_makes_each_run(void **state) {
         tdmf_motion motion = motion_at_start(run, (tdmf_system){&model, &inputs});
         tdmf_solver solver = tdmf_solver_default();
         solver.relative_tolerance = 1e-13;
-        /* Past the last apex, before the next touchdown. */
+        /* This ends past the last apex and before the next touchdown. */
         assert_int_equal(
             tdmf_cvode_advance(&solver, (tdmf_system){&model, &inputs}, NULL, run->end_time + 1.0, &motion),
             TDMF_ARRIVED);
@@ -138,7 +138,7 @@ static void cvode_makes_each_run(void **state) {
     }
 }
 
-/* With the feet elsewhere, and the patches as far. */
+/* Feet and patches are shifted alike. */
 static void assert_lanes_make_each_run(tdmf_instructions instructions, double shift) {
     tdmf_model models[PATCH_RUNS];
     tdmf_ensemble_case cases[PATCH_RUNS];
@@ -239,7 +239,7 @@ static void exact_variation(const scene_of_stride *scene, int k, double variatio
     write_variation(&stride.variations[k < FOOT_X ? k : FOOT_X], variation);
 }
 
-/* Of eighth order. */
+/* The differences are of eighth order. */
 static void difference(const scene_of_stride *scene, int k, double step, double variation[COORDINATES]) {
     static const double weights[] = {4.0 / 5.0, -1.0 / 5.0, 4.0 / 105.0, -1.0 / 280.0};
     memset(variation, 0, COORDINATES * sizeof *variation);

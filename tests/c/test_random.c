@@ -65,7 +65,7 @@ static void choose_degenerate_values(random_source *source, runner *runner) {
     }
 }
 
-/* Anywhere in the air, at an apex, or on the ground. */
+/* Starts lie anywhere in the air, at an apex, or on the ground. */
 static void choose_start(random_source *source, runner *runner) {
     if (random_chance(source, 0.2)) {
         choose_degenerate_values(source, runner);

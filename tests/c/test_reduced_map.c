@@ -56,7 +56,7 @@ static tdmf_return stride_from(const apex_scene *scene, double tolerance, bool d
 
 /* ---- fixed points ------------------------------------------------------------------------------------- */
 
-/* Real ones, the larger first. */
+/* They are real, and the larger one comes first. */
 static void eigenvalues_of(const tdmf_return *stride, double eigenvalues[2]) {
     const double a = stride->variations[0].apex[0], b = stride->variations[1].apex[0];
     const double c = stride->variations[0].apex[1], d = stride->variations[1].apex[1];
@@ -155,7 +155,8 @@ static void exact_derivatives(const apex_scene *scene, int k, double derivatives
     memcpy(derivatives, values, sizeof values);
 }
 
-/* To `tolerance` of the largest, or of 1. Errors of differences: 1e-13 of the motion over the step. */
+/* What is allowed is `tolerance` of the largest, or of 1, and the error that differences have, 1e-13 of the
+ * motion over the step. */
 static void assert_differentiated(const apex_scene *scene, int k, double step, double tolerance) {
     const coordinate_line on = {*scene, k};
     double exact[RESULTS], differences[RESULTS], size = 1.0;

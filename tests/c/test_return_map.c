@@ -44,7 +44,7 @@ static scene_at_apex at_gait(const reference_gait *gait) {
     return scene;
 }
 
-/* A coordinate of the section, else a parameter, else an input. */
+/* The k-th is a coordinate of the section, else a parameter, else an input. */
 static double *coordinate(scene_at_apex *scene, int k) {
     if (k < TDMF_SECTION_COUNT) {
         return &scene->section[k];

@@ -214,7 +214,7 @@ static void runners_meet_the_steps_of_their_numbers(void **unused) {
     assert_in_range(up, 1, RUNNERS);
 }
 
-/* From apices at which the foot hangs low, over steps as high as that. */
+/* At the apices the foot hangs low, and the steps are as high as that. */
 static void gather_before_high_steps(population *population, double push) {
     random_source source = {11};
     gather(population);
@@ -235,7 +235,7 @@ static void assert_same_last_apex(const tdmf_ensemble_end *end, const tdmf_motio
     assert_close(end->apex[TDMF_SECTION_LEG_ANGLE], record->apex.leg_angle, 1e-8);
 }
 
-/* Without a push, with one that lightens the runner and with one that weighs it down. */
+/* There is no push, one that lightens the runner, or one that weighs it down. */
 static void runners_whose_ground_waits_meet_it_alike_in_all_lanes(void **unused) {
     (void)unused;
     static const double pushes[] = {0.0, 2e-3, -2e-3};
@@ -268,7 +268,7 @@ static void runners_whose_ground_waits_meet_it_alike_in_all_lanes(void **unused)
     }
 }
 
-/* Bit for bit. */
+/* Results are compared bit for bit. */
 static void steps_depend_on_neither_threads_nor_neighbours(void **unused) {
     (void)unused;
     enum { FIRST = 113 * RUNNERS / 300, PART = 71 * RUNNERS / 300 };

@@ -62,7 +62,7 @@ static runner scaled(const runner *original, const factors *by) {
     return runner;
 }
 
-/* Down to m = k = l0 = 1. */
+/* They bring a runner down to m = k = l0 = 1. */
 static factors to_unity(const tdmf_parameters *p) {
     const factors factors = {1.0 / p->body.mass, 1.0 / p->leg.stiffness, 1.0 / p->leg.free_length};
     return factors;

@@ -36,7 +36,7 @@ static void assert_balance(const balance *balance) {
     ++balanced;
 }
 
-/* That c a = b, or b = c a, in coefficient k. */
+/* Asserts that c = a b in coefficient k. */
 static void assert_product(const double *c, const double *a, const double *b, int k) {
     balance balance = {0.0, 0.0};
     add(&balance, c[k]);
@@ -44,7 +44,7 @@ static void assert_product(const double *c, const double *a, const double *b, in
     assert_balance(&balance);
 }
 
-/* That a' = rate, in coefficient k. */
+/* Asserts that a' = rate in coefficient k. */
 static void assert_rate(const double *a, const double *rate, int k) {
     balance balance = {0.0, 0.0};
     add(&balance, (k + 1) * a[k + 1]);

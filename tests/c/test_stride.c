@@ -76,7 +76,7 @@ static void graze(runner *runner, double time) {
     unload(runner, time, -1.0, TDMF_CONTACT_GRAZE);
 }
 
-/* From graze, loaded while sliding or at rest. */
+/* A foot in graze is loaded again, while it slides or rests. */
 static void reload(runner *runner, double time, double vx) {
     scene_set_vertical_force(runner, 0.1);
     runner->motion.state[TDMF_FOOT_VX] = vx;

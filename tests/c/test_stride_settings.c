@@ -418,7 +418,7 @@ static void strides_of_the_reduced_map_are_those_of_its_settings(void **unused) 
 
 /* ---- noise -------------------------------------------------------------------------------------------- */
 
-/* As to the products of neighbours, and of noise and steps of the same seed. */
+/* By itself means that products of neighbours, and of noise and steps of one seed, have the mean 0. */
 static void noise_is_normal_and_drawn_by_itself(void **unused) {
     (void)unused;
     enum { DRAWS = sample_of(100000) };

@@ -141,7 +141,7 @@ static void upright_foot_without_load_at_rest_stays(void **unused) {
     assert_true(tdmf_in_contact(&runner.motion.mode));
 }
 
-/* In units of k l0, here 10^4, and of sqrt(m/k), here 0.01. */
+/* The units are k l0, here 10^4, and sqrt(m/k), here 0.01. */
 static void what_counts_as_no_load_and_as_rest_scales(void **unused) {
     (void)unused;
     tdmf_parameters parameters = tdmf_default_parameters();
@@ -299,7 +299,7 @@ static void lift_off_into_graze_needs_laws_that_differ(void **unused) {
     }
 }
 
-/* In units of k l0. The flight law holds as above. */
+/* Its width is in units of k l0. The flight law holds as above. */
 static void the_narrowest_graze_scales(void **unused) {
     (void)unused;
     static const double holds[] = {0.5e-10, 2e-10};

@@ -138,7 +138,7 @@ static void assert_guard_varies(const guard_line *on, const tdmf_local_seed *d, 
     assert_close(numerical, exact, noise + rounding + band + 1e-9 * fabs(exact));
 }
 
-/* Along the line and, in a shorter step, along the motion. */
+/* Differences go along the line and, in a shorter step, along the motion. */
 static bool compare_guard(guard_line on) {
     const runner *at = on.line.runner;
     const tdmf_seed zero = {0};
@@ -469,8 +469,8 @@ static bool thrust_at_once(const line *line) {
     return all;
 }
 
-/* With the foot coming down and with a foot on the ground, a leg that lengthens in contact; by the parameter,
- * the input, or both. */
+/* The foot comes down or is on the ground, and the leg lengthens in contact by the parameter, the input, or
+ * both. */
 static void a_start_that_thrusts_at_once_varies_with_its_work(void **state) {
     random_source source = {8100};
     int thrusting = 0;

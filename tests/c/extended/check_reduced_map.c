@@ -15,7 +15,7 @@ enum {
 static const double step = 1e-6L;
 static const double allowed = 5e-10L;
 
-/* Friction, and an apex near the gait's. */
+/* Each row has a friction, and an apex near that of its gait. */
 static const double near_gaits[GAITS][1 + TDMF_REDUCED_COUNT] = {
     {10.0L, 1.34L, 0.955L}, {1.2L, 1.37L, 1.015L}, {0.6L, 1.41L, 1.06L},
     {0.43L, 1.45L, 1.03L},  {0.2L, 1.58L, 0.835L}, {0.05L, 1.72L, 0.668L}};

@@ -75,12 +75,12 @@ static double check_section(const scene *scene_at) {
     return worst;
 }
 
-/* Member k of parameters, or the friction after the last. */
+/* The friction counts as the member after the last parameter. */
 static double *member(tdmf_parameters *parameters, tdmf_inputs *inputs, int k) {
     return k == PARAMETERS ? &inputs->ground.friction : (double *)parameters + k;
 }
 
-/* By the parameters and the friction, each in units of its own size. */
+/* Parameters and friction are varied in units of their own size. */
 static double check_parameters(const scene *gait) {
     /* Parameters that are at a bound, or zero, in Table 1 are moved off it. */
     scene moved_off = *gait;
@@ -145,7 +145,7 @@ static double *coordinate_of(tdmf_parameters *parameters, tdmf_inputs *inputs, d
     return k < TDMF_SECTION_COUNT ? apex + k : others[k - TDMF_SECTION_COUNT];
 }
 
-/* Over `wider` steps. False where a neighbour does not do the same. */
+/* Steps are `wider` than else. It is false where a neighbour does not do the same. */
 static bool difference(const scene *scene_at, int k, double wider, double differences[RESULTS]) {
     static const double weights[4] = {8.0L, -8.0L, -1.0L, 1.0L}, offsets[4] = {1.0L, -1.0L, 2.0L, -2.0L};
     const tdmf_return here = stride_of(scene_at);
@@ -168,7 +168,7 @@ static bool difference(const scene *scene_at, int k, double wider, double differ
     return true;
 }
 
-/* By all directions. */
+/* All directions are seeds at once. */
 static void differentiate(double tolerance, const scene *scene_at, double derivatives[SEEDS][RESULTS]) {
     tdmf_seed seeds[SEEDS];
     double apex[TDMF_SECTION_COUNT];
