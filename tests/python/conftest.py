@@ -33,9 +33,11 @@ def some_of(cases, count):
 
 
 DEAREST = (
-    *("branches", "files", "fit_confidence", "live_faults", "live", "installed_library", "gaits", "blocks"),
-    *("ball", "unit_sources", "bench", "splitting", "wheels", "platforms", "live_opening", "targets"),
-    *("optimize", "command", "basin", "proof", "proof_gaits", "reference_gaits", "proof_prover"),
+    *("branches", "downloaded_notebooks", "bench", "live", "fmu_sources", "gaits", "blocks"),
+    *("fit_confidence", "files", "live_faults", "ball", "targets", "splitting", "optimize", "basin"),
+    *("resume", "reference_gaits", "proof", "proof_prover", "proof_gaits", "continuation"),
+    *("content_security_policy", "quantities", "proof_ranges", "distribution", "stored_figures"),
+    *("proof_given", "live_opening", "search", "command"),
 )
 """Files of tests that take the longest, begun with: so none is left to one worker at the end."""
 

@@ -10,6 +10,7 @@ import sys
 import tomllib
 
 import pytest
+from conftest import DEAREST
 
 packaging = pytest.importorskip("packaging.requirements")
 utils = pytest.importorskip("packaging.utils")
@@ -257,3 +258,9 @@ def test_a_workflow_runs_actions_by_their_commit_and_leaves_no_credentials():
                 assert step["with"]["persist-credentials"] is False, path.name
                 checkouts += 1
     assert pinned >= 7 and checkouts >= 2
+
+
+def test_each_file_of_tests_that_is_begun_with_is_there():
+    """A file that is named otherwise would be left to the end, and to one worker, without a word."""
+    folder = pathlib.Path(__file__).parent
+    assert [name for name in DEAREST if not (folder / f"test_{name}.py").is_file()] == []
