@@ -205,17 +205,19 @@ static inline void tdmf_stand_foot(const tdmf_ground_line *line, double along, d
     written[TDMF_FOOT_VY] = line->sine * velocity;
 }
 
-/* The leg's rates where the foot has another velocity and the body keeps its own. */
-static inline tdmf_leg_rates tdmf_leg_rates_with_foot(const double state[TDMF_STATE_COUNT],
-                                                      tdmf_leg_direction direction, double vx, double vy) {
+/* The same, as the state has it; the leg's rates come first, so that it may be written over its own. */
+static inline void tdmf_set_foot_velocity_along(const double state[TDMF_STATE_COUNT],
+                                                tdmf_leg_direction direction, double vx, double vy,
+                                                double written[TDMF_STATE_COUNT]) {
     const double lost_y = state[TDMF_FOOT_VY] - vy;
     const double lost_x = state[TDMF_FOOT_VX] - vx;
-    const tdmf_leg_rates result = {
-        .length = state[TDMF_LEG_LENGTH_RATE] + (direction.cosine * lost_y - direction.sine * lost_x),
-        .angle = state[TDMF_LEG_ANGLE_RATE] -
-                 (direction.cosine * lost_x + direction.sine * lost_y) / state[TDMF_LEG_LENGTH],
-    };
-    return result;
+    written[TDMF_LEG_LENGTH_RATE] =
+        state[TDMF_LEG_LENGTH_RATE] + (direction.cosine * lost_y - direction.sine * lost_x);
+    written[TDMF_LEG_ANGLE_RATE] =
+        state[TDMF_LEG_ANGLE_RATE] -
+        (direction.cosine * lost_x + direction.sine * lost_y) / state[TDMF_LEG_LENGTH];
+    written[TDMF_FOOT_VX] = vx;
+    written[TDMF_FOOT_VY] = vy;
 }
 
 /* The foot in the axes of the ground. */

@@ -18,10 +18,21 @@ typedef struct {
     double torque_rate;
 } tdmf_hip_law;
 
-/* The torque from outside alone; `rates` are those of the inputs. */
-static inline tdmf_hip_law tdmf_external_law(const tdmf_inputs *inputs, const tdmf_inputs *rates) {
+/* On the ground: the law of stance, and in graze the torque from outside. */
+static inline tdmf_hip_law tdmf_ground_law(const tdmf_model *model, const tdmf_inputs *inputs,
+                                           const tdmf_inputs *rates, const tdmf_mode *mode) {
+    if (mode->contact == TDMF_CONTACT_GRAZE) {
+        const tdmf_hip_law result = {
+            .torque = inputs->hip.external_torque,
+            .torque_rate = rates->hip.external_torque,
+        };
+        return result;
+    }
+    const double drive =
+        (mode->mid_stance_pending ? model->parameters.hip.stance_torque + inputs->control.stance_torque
+                                  : 0.0);
     const tdmf_hip_law result = {
-        .torque = inputs->hip.external_torque,
+        .torque = inputs->hip.external_torque - drive,
         .torque_rate = rates->hip.external_torque,
     };
     return result;

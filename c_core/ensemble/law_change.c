@@ -5,10 +5,10 @@
 #include "runner.h"
 
 #include "constant_laws.h"
+#include "coordinate_laws.h"
 #include "friction.h"
 #include "hip_law.h"
 #include "input_rates.h"
-#include "kinematics.h"
 #include "mode_change.h"
 #include "step_constants.h"
 #include "tdmf_slip/contact.h"

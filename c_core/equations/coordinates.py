@@ -103,6 +103,12 @@ def leg_rates_with_foot(state, direction, vx, vy):
     )
 
 
+def with_foot_velocity(state, direction, vx, vy):
+    """The same, as the state has it; the leg's rates come first, so that it may be written over its own."""
+    leg = leg_rates_with_foot(state, direction, vx, vy)
+    return Record(leg_length_rate=leg.length, leg_angle_rate=leg.angle, foot_vx=vx, foot_vy=vy)
+
+
 def in_flight(state):
     """The leg, as flight has it."""
     return Record(

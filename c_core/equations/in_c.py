@@ -77,7 +77,12 @@ FUNCTIONS = {
         ),
     ],
     "hip": [
-        InC("tdmf_hip_law external_law", hip.external, varied=False),
+        InC(
+            "tdmf_hip_law ground_law",
+            hip.on_ground,
+            lambda model, inputs, rates, mode: (model, inputs, rates, mode.contact, mode.mid_stance_pending),
+            varied=False,
+        ),
         InC(
             "tdmf_hip_law stance_law",
             hip.stance,
@@ -247,7 +252,7 @@ FUNCTIONS = {
             lambda line, along, velocity: (ground_line.point_on(line, along, velocity),),
             varied=False,
         ),
-        InC("tdmf_leg_rates leg_rates_with_foot", coordinates.leg_rates_with_foot, varied=False),
+        InC("void set_foot_velocity_along", coordinates.with_foot_velocity, varied=False),
         InC("tdmf_point foot_over", coordinates.foot_over_ground, varied=False),
         InC("tdmf_flying flying_of", coordinates.in_flight, varied=False),
         InC("void state_of_flying", coordinates.from_flight, varied=False),

@@ -3,7 +3,7 @@
 #ifndef TDMF_GAIT_PRESCRIBED_FLIGHT_H
 #define TDMF_GAIT_PRESCRIBED_FLIGHT_H
 
-#include "kinematics.h"
+#include "tdmf_slip/kinematics.h"
 
 /* The first contact after an apex: of the foot, or of the body, which is a fall. */
 typedef struct {

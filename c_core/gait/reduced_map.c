@@ -2,10 +2,11 @@
  * full model do. At lift-off they are those at a fixed time, with the centre of mass ballistic from there. */
 #include "tdmf_slip/reduced_map.h"
 
+#include "coordinate_laws.h"
 #include "event_log.h"
 #include "free_fall_laws.h"
 #include "ground_line.h"
-#include "kinematics.h"
+#include "leg.h"
 #include "patch.h"
 #include "prescribed_flight_laws.h"
 #include "reduced_stride.h"

@@ -3,9 +3,10 @@
  * later by dT = -d_vy_c/a_y, so that on it the variation is d_x + f dT. */
 #include "tdmf_slip/return_map.h"
 
+#include "coordinate_laws.h"
 #include "free_fall_laws.h"
 #include "ground_line.h"
-#include "kinematics.h"
+#include "leg.h"
 #include "patch.h"
 #include "request.h"
 #include "return_record.h"

@@ -1,7 +1,9 @@
 /* Positions and velocities as the world asks for them. */
-#include "kinematics.h"
+#include "tdmf_slip/kinematics.h"
 
+#include "coordinate_laws.h"
 #include "free_fall_laws.h"
+#include "leg.h"
 
 tdmf_point tdmf_body(const double state[TDMF_STATE_COUNT]) {
     return tdmf_body_along(state, tdmf_leg_direction_of(state));
@@ -15,17 +17,8 @@ tdmf_point tdmf_center_of_mass_after(tdmf_system system, tdmf_point from, double
     return tdmf_ballistic_under(system.model, system.inputs, from, time);
 }
 
-void tdmf_set_foot_velocity_along(double vx, double vy, tdmf_leg_direction direction,
-                                  double state[TDMF_STATE_COUNT]) {
-    const tdmf_leg_rates rates = tdmf_leg_rates_with_foot(state, direction, vx, vy);
-    state[TDMF_LEG_LENGTH_RATE] = rates.length;
-    state[TDMF_LEG_ANGLE_RATE] = rates.angle;
-    state[TDMF_FOOT_VX] = vx;
-    state[TDMF_FOOT_VY] = vy;
-}
-
 void tdmf_set_foot_velocity(double vx, double vy, double state[TDMF_STATE_COUNT]) {
-    tdmf_set_foot_velocity_along(vx, vy, tdmf_leg_direction_of(state), state);
+    tdmf_set_foot_velocity_along(state, tdmf_leg_direction_of(state), vx, vy, state);
 }
 
 tdmf_point tdmf_foot_over_ground(const tdmf_ground_line *ground, const double state[TDMF_STATE_COUNT]) {

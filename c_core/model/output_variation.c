@@ -1,10 +1,10 @@
 /* The variations of the model's files put together: one direction, everything that changes along it. */
 #include "tdmf_slip/output_variation.h"
 
+#include "coordinate_laws.h"
 #include "dynamics_laws.h"
 #include "energy_laws.h"
 #include "evaluation.h"
-#include "kinematics.h"
 
 tdmf_output_variation tdmf_vary_outputs(tdmf_system system, const tdmf_mode *mode,
                                         const double state[TDMF_STATE_COUNT], const tdmf_seed *seed,

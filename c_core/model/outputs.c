@@ -1,10 +1,10 @@
 /* Collects what a user reads off a run. */
 #include "tdmf_slip/outputs.h"
 
+#include "coordinate_laws.h"
 #include "energy_laws.h"
 #include "evaluation.h"
 #include "ground_line.h"
-#include "kinematics.h"
 
 tdmf_outputs tdmf_outputs_of(tdmf_system system, const tdmf_motion *motion) {
     const tdmf_mode *mode = &motion->mode;

@@ -42,11 +42,6 @@ typedef struct {
     tdmf_ground_force force; /* of the mode */
 } tdmf_evaluation;
 
-/* Rates of r and theta, or their rates. */
-typedef struct {
-    double length, angle;
-} tdmf_leg_rates;
-
 /* What an impact leaves, and what it costs. */
 typedef struct {
     double foot_x, foot_y, foot_vx, foot_vy, leg_length_rate, leg_angle_rate;

@@ -3,9 +3,10 @@
 
 #include "apex.h"
 #include "contact_change.h"
+#include "coordinate_laws.h"
 #include "ground_line.h"
 #include "impact.h"
-#include "kinematics.h"
+#include "leg.h"
 #include "margins.h"
 #include "ranges.h"
 #include "record.h"

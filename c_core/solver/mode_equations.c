@@ -1,9 +1,10 @@
 /* Turns states into the coordinates of a mode and back. */
 #include "mode_equations.h"
 
+#include "coordinate_laws.h"
 #include "friction.h"
 #include "ground_line.h"
-#include "kinematics.h"
+#include "leg.h"
 
 #include <math.h>
 
@@ -65,18 +66,14 @@ static void open_patch(tdmf_mode_equations *equations, const tdmf_inputs *inputs
 static void open_laws(tdmf_mode_equations *equations, const tdmf_inputs *inputs, const tdmf_inputs *rates,
                       const tdmf_mode *mode) {
     const tdmf_model *model = equations->model;
-    switch (mode->contact) {
-    case TDMF_CONTACT_FLIGHT:
-        equations->law = tdmf_flight_law(model, inputs, rates, mode, equations->place_time);
+    const bool flies = mode->contact == TDMF_CONTACT_FLIGHT, grazes = mode->contact == TDMF_CONTACT_GRAZE;
+    equations->law = flies ? tdmf_flight_law(model, inputs, rates, mode, equations->place_time)
+                           : tdmf_ground_law(model, inputs, rates, mode);
+    if (flies || grazes) {
         equations->servo = tdmf_servo(model, inputs, mode, equations->place_time);
-        break;
-    case TDMF_CONTACT_GRAZE:
-        equations->law = tdmf_external_law(inputs, rates);
+    }
+    if (grazes) {
         equations->stance_law = tdmf_stance_law(model, inputs, rates, mode);
-        equations->servo = tdmf_servo(model, inputs, mode, equations->place_time);
-        break;
-    default:
-        equations->law = tdmf_stance_law(model, inputs, rates, mode);
     }
     equations->rest_length = tdmf_rest_length(model, inputs, mode);
 }

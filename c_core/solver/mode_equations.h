@@ -2,9 +2,9 @@
 #ifndef TDMF_SOLVER_MODE_EQUATIONS_H
 #define TDMF_SOLVER_MODE_EQUATIONS_H
 
+#include "coordinate_laws.h"
 #include "free_fall_laws.h"
 #include "hip_law.h"
-#include "kinematics.h"
 #include "leg.h"
 #include "tdmf_slip/parameters.h"
 #include "tdmf_slip/state.h"

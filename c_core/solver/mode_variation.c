@@ -4,8 +4,9 @@
 #include "mode_variation.h"
 
 #include "coefficients.h"
+#include "coordinate_laws.h"
 #include "ground_line.h"
-#include "kinematics.h"
+#include "leg.h"
 #include "motion_coordinates.h"
 #include "motion_ends.h"
 

@@ -3,11 +3,11 @@
  */
 #include "coefficients.h"
 #include "compare.h"
+#include "coordinate_laws.h"
 #include "differentiate.h"
 #include "events.h"
 #include "impact.h"
 #include "input_rates.h"
-#include "kinematics.h"
 #include "leg.h"
 #include "line.h"
 #include "margins.h"

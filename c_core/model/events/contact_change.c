@@ -1,13 +1,13 @@
 /* Changes between flight, graze and contact. */
 #include "contact_change.h"
 
+#include "coordinate_laws.h"
 #include "dynamics_laws.h"
 #include "friction.h"
 #include "graze.h"
 #include "graze_laws.h"
 #include "greatest_compression.h"
 #include "ground_line.h"
-#include "kinematics.h"
 #include "mode_change.h"
 #include "record.h"
 

@@ -1,8 +1,8 @@
 /* Resets of the events that hardly more than change the mode. */
 #include "contact_change.h"
+#include "coordinate_laws.h"
 #include "event_declarations.h"
 #include "guard_laws.h"
-#include "kinematics.h"
 #include "mode_change.h"
 #include "record.h"
 
@@ -38,7 +38,7 @@ void tdmf_take_slip_onset_negative(tdmf_run *run) {
 /* The foot sticks, or slips the other way. A slip that only touches zero velocity and goes on is not counted,
  * unless it does so across a border. */
 void tdmf_take_slip_velocity_zero(tdmf_run *run) {
-    tdmf_set_foot_velocity_along(0.0, 0.0, run->direction, run->motion->state);
+    tdmf_set_foot_velocity_along(run->motion->state, run->direction, 0.0, 0.0, run->motion->state);
     const tdmf_contact_mode entered = tdmf_mode_of_resting_foot(run, &run->motion->mode);
     if (entered != run->motion->mode.contact) {
         tdmf_enter_contact_mode(run, entered);
