@@ -94,7 +94,7 @@ def rates(at, external_power):
         energy_friction_loss=-at.force.tangential * slip_velocity,
         hip_positive_work=larger(0, power),
         energy_external_work=external_power,
-        **vars(hip.rates(at.mode.phase)),
+        **vars(hip.rates(at)),
     )
 
 

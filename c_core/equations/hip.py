@@ -88,9 +88,9 @@ def place_time_rate(phase):
     return where(phase, "place", 1, 0)
 
 
-def rates(phase):
-    """The right-hand side of the states that are the hip's own."""
-    return Record(hip_place_time=place_time_rate(phase))
+def rates(at):
+    """The right-hand side of the states that are the hip's own, at an instant."""
+    return Record(hip_place_time=place_time_rate(at.mode.phase))
 
 
 def begin_place():

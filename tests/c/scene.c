@@ -2,6 +2,7 @@
 
 #include "compare.h"
 #include "events.h"
+#include "ranges.h"
 
 #include <math.h>
 #include <string.h>
@@ -155,6 +156,16 @@ static void choose_further_laws(random_source copy, tdmf_parameters *p) {
     p->ground.static_friction_ratio = random_uniform(&copy, 1.1, 1.5);
     if (random_chance(&copy, 0.5)) {
         p->hip.retraction_rate = random_uniform(&copy, -0.05, 0.05) * sqrt(p->leg.stiffness / p->body.mass);
+    }
+}
+
+void scene_leave_minima(tdmf_parameters *parameters) {
+    for (size_t i = 0; i < tdmf_parameter_count; ++i) {
+        const tdmf_range *range = &tdmf_parameter_ranges[i];
+        double *value = (double *)((char *)parameters + range->offset);
+        if (*value == range->minimum) {
+            *value += 0.3;
+        }
     }
 }
 

@@ -60,6 +60,9 @@ tdmf_resolution scene_resolve(runner *runner);
 tdmf_parameters scene_random_parameters(random_source *source);
 tdmf_inputs scene_random_inputs(random_source *source, const tdmf_model *model);
 
+/* Moves each parameter that is at the minimum of its range off it, so that it may differ to both sides. */
+void scene_leave_minima(tdmf_parameters *parameters);
+
 /* A random model, input, state and mode with this contact mode, obeying the mode's constraints. */
 runner scene_random(random_source *source, tdmf_contact_mode contact);
 

@@ -1,6 +1,7 @@
 /* The derivatives of strides of random runners against differences: whatever happens in a stride, it is
  * differentiated, and what is zero is no exception. */
 #include "compare.h"
+#include "ranges.h"
 #include "reference_gaits.h"
 #include "sample.h"
 #include "scene.h"
@@ -112,7 +113,18 @@ static bool happens_alike(const tdmf_event_log *a, const tdmf_event_log *b) {
     return alike;
 }
 
-/* Five points, about the middle or, where less than zero is refused, from it on. False where something else
+/* Whether less than this is refused of a parameter. */
+static bool is_least(int k, double value) {
+    const size_t offset = (size_t)(k - TDMF_SECTION_COUNT) * sizeof(double);
+    for (size_t i = 0; k >= TDMF_SECTION_COUNT && i < tdmf_parameter_count; ++i) {
+        if (tdmf_parameter_ranges[i].offset == offset && value == tdmf_parameter_ranges[i].minimum) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/* Five points, about the middle or, where less is refused, from it on. False where something else
  * happens there. */
 static bool difference(const start *at, const tdmf_event_log *events, int k, double step,
                        double differences[RESULTS]) {
@@ -121,10 +133,7 @@ static bool difference(const start *at, const tdmf_event_log *events, int k, dou
     start there = *at;
     double *moved = coordinate_of(&there, k);
     const double value = *moved;
-    const bool starts_at_zero =
-        value == 0.0 && (moved == &there.parameters.leg.damping || moved == &there.parameters.hip.kp ||
-                         moved == &there.parameters.hip.kd);
-    const double(*points)[5] = starts_at_zero ? ahead : middle;
+    const double(*points)[5] = is_least(k, value) ? ahead : middle;
     const double h = k < TDMF_SECTION_COUNT ? step : step * fmax(fabs(value), 0.05);
     memset(differences, 0, RESULTS * sizeof *differences);
     for (int i = 0; i < 5; ++i) {

@@ -190,8 +190,8 @@ static void parameters_and_inputs_are_differentiated(void **state) {
         scene.apex[0] += 0.01;
         scene.parameters.hip.retraction_rate += 1e-3;
         scene.parameters.ground.static_friction_ratio += 0.01;
-        scene.parameters.ground.stribeck_velocity = 0.3;
         scene.parameters.leg.thrust = 0.01;
+        scene_leave_minima(&scene.parameters);
         scene.inputs.hip.external_torque = -0.003;
         scene.inputs.leg.extension = 0.02;
         scene.inputs.control.touchdown_angle = 0.01;

@@ -16,8 +16,6 @@ enum {
     PARAMETERS = sizeof(tdmf_parameters) / sizeof(double),
     INPUTS = sizeof(tdmf_inputs) / sizeof(double),
     COORDINATES = TDMF_SECTION_COUNT + PARAMETERS + INPUTS,
-    STATIC_FRICTION_RATIO =
-        TDMF_SECTION_COUNT + offsetof(tdmf_parameters, ground.static_friction_ratio) / sizeof(double),
     STRIBECK_VELOCITY =
         TDMF_SECTION_COUNT + offsetof(tdmf_parameters, ground.stribeck_velocity) / sizeof(double),
     PATCH_BEGIN = TDMF_SECTION_COUNT + offsetof(tdmf_parameters, ground.patch_begin) / sizeof(double),
@@ -131,6 +129,13 @@ static void a_light_foot_on_a_damped_leg_has_the_jacobian_of_the_map(void **stat
     assert_close(trace, 0.897504 - 0.276227, 2e-6);
 }
 
+/* Where the coordinate is a parameter that the gait has the least of. */
+static void leave_minimum(scene_at_apex *scene, int k) {
+    scene_at_apex left = *scene;
+    scene_leave_minima(&left.parameters);
+    *coordinate(scene, k) = *coordinate(&left, k);
+}
+
 static void parameters_and_inputs_are_differentiated(void **state) {
     (void)state;
     for (size_t i = 0; i < REFERENCE_GAITS; ++i) {
@@ -139,18 +144,15 @@ static void parameters_and_inputs_are_differentiated(void **state) {
             if (k == PATCH_BEGIN || k == PATCH_END) { /* with a patch there is no map of six coordinates */
                 continue;
             }
-            if (k == STATIC_FRICTION_RATIO) { /* Table 1 has the least that there is */
+            if (k == STRIBECK_VELOCITY) { /* of no effect where the ratio is 1 */
                 scene.parameters.ground.static_friction_ratio = 1.1;
-            }
-            if (k == STRIBECK_VELOCITY) { /* no less than 0, and of no effect where the ratio is 1 */
-                scene.parameters.ground.static_friction_ratio = 1.1;
-                scene.parameters.ground.stribeck_velocity = 0.3;
             }
             if (k == THRUST || k == CONTROL_THRUST) { /* no less than 0 */
                 scene.parameters.leg.thrust = 0.01;
             }
             /* Nothing depends on where the ground is, so that its height may move far. */
             const double unit = k == GROUND_HEIGHT ? 100.0 : 0.01;
+            leave_minimum(&scene, k);
             const double step = 3e-5 * fmax(unit, fabs(*coordinate(&scene, k)));
             assert_differentiated(&scene, k, step, 1e-7);
         }
