@@ -27,7 +27,7 @@ long = pytest.mark.skipif(not LONG, reason="takes minutes: scripts/test --long")
 
 
 def some_of(cases, count):
-    """Up to so many of some cases, evenly from the first one on; with --long all of them."""
+    """Picks up to so many of some cases, evenly from the first one on; with --long it takes all."""
     cases = list(cases)
     return cases if LONG else cases[:: -(-len(cases) // count)]
 

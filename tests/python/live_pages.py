@@ -150,7 +150,7 @@ def paint(driver):
 
 
 def drag_friction(driver, begin, end):
-    """Over figure 9, from one friction to another."""
+    """Draws the pointer over figure 9, from one friction to another."""
     canvas = find(driver, "friction")
     center(driver, canvas)
     where = "tdmfSlip.gaits.frictionPlot.axes.x(arguments[0]) - tdmfSlip.gaits.frictionPlot.surface.width / 2"

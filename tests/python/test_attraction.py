@@ -18,7 +18,7 @@ def gait(fmu):
 
 
 def settles(gait, apex):
-    """By the native solver, one runner at a time."""
+    """The native solver tells whether an apex settles, one runner at a time."""
     case = ensemble.Case(Runner(gait.runner.values), (gait.apex,))
     ends, _ = ensemble.run_ensemble(
         [case], np.array([apex]), max_strides=400, instructions="one by one", threads=1

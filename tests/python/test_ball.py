@@ -30,7 +30,7 @@ def ball(gait):
 
 
 def points_in(ball, count, surface=False):
-    """Of a ball, from the gait's apex on; drawn by another seed than the test's."""
+    """Points count from the gait's apex, and are drawn by another seed than the test's."""
     source = np.random.default_rng(20260801)
     size = len(ball.matrix)
     directions = source.normal(size=(count, size))

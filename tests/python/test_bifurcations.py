@@ -40,7 +40,7 @@ class Made(Family):
         return Point(gait, value, along * direction)
 
     def on_plane(self, goal, normal):
-        """By halving the way through the plane."""
+        """Halves the way through the plane until the point is found."""
         low, high = goal[0] - 0.3, goal[0] + 0.3
 
         def beyond(s):

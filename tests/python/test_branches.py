@@ -31,13 +31,13 @@ def over_torque(runner, fmu):
 
 @pytest.fixture(scope="module")
 def over_angle(runner, fmu):
-    """From 40 degrees upwards, around two folds."""
+    """The branch goes from 40 degrees upwards, around two folds."""
     return continue_branch(runner, {ANGLE: (np.radians(40.0), np.radians(53.0))}, max_step=1.0, fmu=fmu)
 
 
 @pytest.fixture(scope="module")
 def over_rate(fmu):
-    """On friction 0.2, over the rate of retraction."""
+    """The branch is of friction 0.2 and goes over the rate of retraction."""
     return continue_branch({FRICTION: 0.2}, {"hip.retraction_rate": (0.0, 0.03)}, fmu=fmu)
 
 

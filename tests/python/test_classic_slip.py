@@ -33,7 +33,7 @@ CASES = [
 
 
 def stance(time, state):
-    """Of (r, theta, their rates), theta from the vertical and positive with the foot ahead."""
+    """Theta of (r, theta, their rates) counts from the vertical and is positive with the foot ahead."""
     r, theta, r_rate, theta_rate = state
     spring = STIFFNESS / MASS * (LENGTH - r)
     return [

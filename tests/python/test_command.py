@@ -22,7 +22,7 @@ PROVED = json.loads(pathlib.Path(__file__).with_name("proved_gaits.json").read_t
 
 
 def middle_of(ball):
-    """Of a decimal ball, [middle +/- radius]."""
+    """A decimal ball is written as [middle +/- radius]."""
     return float(ball.strip("[]").split(" ")[0])
 
 

@@ -19,7 +19,7 @@ FAST_HUMAN = Path(__file__).with_name("fast_human.toml")
 ANGLE = "hip.touchdown_angle"
 KINDS = {"fold", "period doubling", "Neimark-Sacker", "word border", "not judged"}
 UNSTABLE_APEX = [14.1, 0.219, 1.004, 10.41, 0.0, 0.214]
-"""Near an unstable gait at a touchdown angle of 0.725, beyond the fold at 0.915."""
+"""An unstable gait is near, at a touchdown angle of 0.725, beyond the fold at 0.915."""
 
 
 @pytest.fixture(scope="module")
@@ -51,7 +51,7 @@ def special_points_met(branch):
 
 
 def assert_judged_rightly(special):
-    """By the eigenvalues at the point, whoever located it."""
+    """The eigenvalues at the point are asked, whoever located it."""
     values = special.gait.eigenvalues
     if special.kind == "fold":
         assert np.min(np.abs(values - 1.0)) < 1e-7
@@ -124,7 +124,7 @@ def test_two_real_eigenvalues_that_meet_are_no_neimark_sacker_point(runner):
 
 
 def test_a_complex_pair_that_crosses_the_unit_circle_is_one(runner):
-    """On the same branch, farther on."""
+    """It lies on the same branch, farther on."""
     first = find_gait(runner.but(ANGLE, 0.725), guess=UNSTABLE_APEX)
     branch = trace(runner, ANGLE, first, 0.7, max_step=0.1)
     back = trace(runner, ANGLE, branch.gaits[-1], 0.755, max_step=0.1)

@@ -340,7 +340,7 @@ def test_placed_eigenvalues_are_those_of_the_closed_loop_by_differences_through_
 
 
 def drawn_runner(source):
-    """Its parameters within factors of 1.6 of the default ones, its friction from 0.05 to 7."""
+    """Its parameters are within factors of 1.6 of the default ones, its friction is from 0.05 to 7."""
     usual = Runner.of({}).values
     names = ("foot.mass", "leg.stiffness", "leg.damping", "gravity", TORQUE, "hip.kp", "hip.kd")
     factors = dict.fromkeys(names, 0.5)
@@ -385,7 +385,7 @@ def test_the_engine_makes_the_strides_of_a_loop_over_the_return_map(gaits):
 @pytest.mark.parametrize("roughness", [0.0, 1e-3])
 @pytest.mark.parametrize("friction", [0.1, 10.0])
 def test_noise_spreads_the_apices_as_the_lyapunov_equation_says(gaits, friction, roughness):
-    """Of n runners, so that a covariance errs by sqrt((P_ii P_jj + P_ij^2) / n).
+    """There are n runners, so that a covariance errs by sqrt((P_ii P_jj + P_ij^2) / n).
 
     That is 6 % of a variance with 500 of them, with --long 3 % with 2000.
     """

@@ -11,7 +11,7 @@ from tdmf_slip.paper.figures import figure_4, figure_9
 from tdmf_slip.pictures import animation, style
 
 CENTIMETRE = 72 / 2.54
-"""In points of PDF."""
+"""A page of PDF is measured in points."""
 
 
 def test_figures_have_the_width_resolution_and_format_that_are_asked_for(command, tmp_path):

@@ -241,7 +241,7 @@ def test_a_folder_that_cannot_be_is_refused(tmp_path):
 
 
 def test_a_dataset_comes_back_as_it_was(command, tmp_path):
-    """From memory as from the file by the library itself."""
+    """What is in memory is what the library itself reads from the file."""
     assert command(*[str(word).replace("{}", "sweep") for word in NETCDF])[0] == 0
     xarray.testing.assert_identical(
         netcdf.read_dataset(tmp_path / "sweep.nc"), xarray.load_dataset(tmp_path / "sweep.nc")

@@ -35,7 +35,7 @@ EIGENVALUES = {
     0.6: (0.857395094, -0.372498323, 0.00869537996),
 }
 LIGHT_AND_DAMPED = {(0.6, 0.005, 1.0): (0.897504, 0.276227), (0.3, 0.02, 2.0): (0.675120,)}
-"""By friction, foot mass and damping."""
+"""The keys are friction, foot mass and damping."""
 BORDERS = {("0+", "+0+"): 8.4548, ("+0+", "+0-0+"): 1.1441, ("+0-", "+-"): 0.2659}
 WINDOW = 3e-6
 """Width in friction in which one more word is found near 0.4991."""

@@ -8,7 +8,7 @@ from tdmf_slip.paper.figures import falling_friction, stored
 from tdmf_slip.paper.figures.falling_friction import DOWNHILL, LEVEL, RATIOS, branch_of, runner_of
 
 FAST = [2.2, 1.434, 1.006, 1.2, 0.0, 0.27]
-"""Near the apex of the gait that never rests."""
+"""The apex of the gait that never rests is near."""
 
 
 @pytest.fixture(scope="module")
@@ -64,7 +64,7 @@ def test_downhill_the_branch_turns_where_the_foot_begins_to_rest(data):
 
 
 def test_the_unstable_gait_parts_runners_that_settle_from_runners_that_run_away(downhill):
-    """Along its one unstable direction, to the slower and to the faster side."""
+    """They start along its one unstable direction, on the slower and on the faster side."""
     slow, fast = tdmf_slip.find_gait(downhill), gait_near(downhill, FAST)
     assert (slow.word, slow.stable, fast.word, fast.unstable) == ("+-", True, "+", 1)
     values, vectors = np.linalg.eig(fast.jacobian)

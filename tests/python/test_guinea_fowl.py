@@ -15,7 +15,7 @@ def found():
 
 
 def stays_up(gait, angle, friction):
-    """By the native solver, stride by stride."""
+    """The native solver runs stride by stride."""
     patch, apex = landing_at(gait, angle).but("ground.friction", friction), gait.apex
     try:
         for runner in (patch, *[gait.runner] * AFTER):

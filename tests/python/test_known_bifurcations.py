@@ -55,7 +55,7 @@ def test_the_logistic_map_doubles_its_period_at_3():
 
 
 def logistic_period(r, longest=16):
-    """Of what plain iterates settle on."""
+    """The period is that of what plain iterates settle on."""
     x = 0.4
     for _ in range(200_000):
         x = r * x * (1.0 - x)

@@ -39,7 +39,7 @@ built, address, driver, page = live_pages.built, live_pages.address, live_pages.
 
 MAX_BYTES = 1_000_000
 NO_SLIP_EIGENVALUES = [0.811488219, -0.463835571, 0.010024837, 0.0, 0.0, 0.0]
-"""At friction 10, computed independently of the library in extended precision, to nine digits."""
+"""They are of friction 10, and were computed independently of the library in extended precision."""
 
 
 def test_the_page_and_all_that_it_loads_is_small_and_its_own(page, built, address):

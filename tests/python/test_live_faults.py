@@ -39,7 +39,7 @@ let count = 0;
 for (let i = 0; i < all.length; i += 4) { count += all[i] === r && all[i + 1] === g && all[i + 2] === b; }
 return count;
 """
-"""Of the colour of a patch, in the lowest fifth of the picture of the runner."""
+"""Counts pixels that have a patch's colour, in the lowest fifth of the picture of the runner."""
 FALLING = "#ground.friction=0&leg.angle_rate=4"
 
 

@@ -32,7 +32,7 @@ def test_many_strides_without_chatter(run):
 
 
 def test_ledger_closes_over_a_hundred_strides(run):
-    """Of two published gaits, or with --long of all five."""
+    """Two published gaits are run, with --long all five."""
     for gait in some_of(reference_gaits(), 2):
         start = apex_start(gait["apex"]) | {"ground.friction": gait["friction"]}
         rows, _ = run(100.2 * gait["period"], start, output=LEDGER, output_interval=2.0)

@@ -11,7 +11,7 @@ from tdmf_slip.numerics.newton import last_iterate, newton_iterates
 
 
 class Root:
-    """Of a function of one number, as an equation for Newton's method."""
+    """A function of one number whose root Newton's method is to find."""
 
     def __init__(self, function, slope, domain=math.inf):
         self.function, self.slope, self.domain = function, slope, domain

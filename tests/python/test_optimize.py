@@ -285,7 +285,7 @@ def test_the_best_point_along_the_edge_of_a_fold_is_found():
 
 
 def test_eigenvalues_change_on_the_edge_of_a_word_and_of_the_bounds():
-    """Along the thrust both ways lead off: to another word, and below zero. Beside it one does not."""
+    """Along the thrust both ways lead off, to another word and below zero; beside it one does not."""
     asked = {"maximize": "frequency", "stable": True, "starts": 1}
     best = optimize({"ground.friction": 2.463}, {TORQUE: (0.08, 0.45), "leg.thrust": (0.0, 0.2)}, **asked)
     assert best.why == "" and best.limits == ("stability",)

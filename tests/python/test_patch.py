@@ -87,7 +87,7 @@ def test_model_exchange(run_over, run):
 
 @pytest.mark.parametrize("friction", [10.0, 1.2, 0.6, 0.43, 0.2])
 def test_a_patch_of_no_length_changes_no_bit(friction):
-    """Of the published gaits' strides, whatever its friction and position."""
+    """The strides are those of the published gaits; the patch has any friction and position."""
     runner = {"ground.friction": friction}
     apex = tdmf_slip.find_gait(runner).apex
     as_ever = tdmf_slip.stride_map(runner, apex, strides=2)

@@ -42,7 +42,7 @@ pytestmark = pytest.mark.skipif(
 
 @pytest.fixture(scope="module")
 def libraries(tmp_path_factory):
-    """Both units, unpacked, by FMI version."""
+    """The folders into which both units are unpacked, by FMI version."""
     folders = {}
     for fmi, unit in UNITS.items():
         folders[fmi] = tmp_path_factory.mktemp("platforms")

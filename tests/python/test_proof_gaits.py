@@ -125,7 +125,7 @@ def test_gaits_of_random_runners_are_proved_with_the_words_that_the_library_find
 
 
 def unstable_gait():
-    """Of an independent program: it retracts its leg and doubles its period."""
+    """An independent program found it: the runner retracts its leg, and the period doubles."""
     gait = next(one for one in FURTHER if one["start_values"].get("hip.touchdown_angle") == "50 deg")
     given = {"hip.touchdown_angle": "50 deg", "hip.retraction_rate": "0.02", "ground.friction": "0.6"}
     return gait_near(tdmf_slip.Runner.of(given), gait["apex"])
@@ -146,7 +146,7 @@ def attraction_of(friction):
 
 @pytest.mark.parametrize("friction", some_of(PUBLISHED, 2))
 def test_starts_in_the_proved_ball_come_nearer_by_the_proved_rate(friction):
-    """Of two published gaits, or with --long of all five."""
+    """Two published gaits are tried, with --long all five."""
     attraction = attraction_of(friction)
     assert attraction.proved
     assert attraction.radius > 5e-7

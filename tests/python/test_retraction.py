@@ -18,7 +18,7 @@ def branch(fmu):
 
 
 def heights(runner, apex):
-    """Of the apices of four strides after many."""
+    """They are those of the apices of four strides, after many others."""
     ends, _ = run_ensemble([runner], apex[None], max_strides=1000)
     found = []
     for _ in range(4):

@@ -21,7 +21,7 @@ from selenium.webdriver.common.by import By  # noqa: E402
 from selenium.webdriver.support.select import Select  # noqa: E402
 
 PAGES = {"0.1.0": ("index", "guides/old"), "0.2.0": ("index", "guides/old", "guides/new")}
-"""By version."""
+"""The keys are versions of the site."""
 SETTINGS = f"""
 import sys
 sys.path.insert(0, {str(DOCUMENTATION / "extensions")!r})

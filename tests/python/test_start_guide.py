@@ -37,7 +37,7 @@ def runner():
 
 @pytest.fixture(scope="module")
 def gait(runner):
-    """By Newton's method, in this process."""
+    """Newton's method finds it, in this process."""
     return tdmf_slip.find_gait(runner)
 
 

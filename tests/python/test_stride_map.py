@@ -180,7 +180,7 @@ def test_runners_have_their_own_parameters_and_settings(gait, starts):
 
 
 def test_every_setting_may_change_and_acts(gait):
-    """From the second stride on."""
+    """It changes from the second stride on."""
     usual = gait.runner.values
     as_ever = stride_map(gait.runner, gait.apex, strides=2)
     for name in SETTINGS:

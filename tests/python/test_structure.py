@@ -220,7 +220,7 @@ class Observed:
 
 
 PATCHES = [(-30, 30), (40, 60)]
-"""Of ground: below the foot, and elsewhere."""
+"""One patch of ground is below the foot, the other elsewhere."""
 
 
 def elsewhere(draw, name, value):
@@ -266,7 +266,7 @@ def fall(probe):
 
 
 def test_declared_dependencies_are_those_observed(version):
-    """In event mode and in continuous time, of outputs of every type: nothing more, nothing less."""
+    """Outputs of every type are asked in event mode and in continuous time; none is missing, none too many."""
     draw = random.Random(2016)
     declared = version.declared("outputs", "derivatives")
     observed = Observed(declared)
@@ -414,7 +414,7 @@ def derivative(instance, unknowns, known):
 
 
 def test_directional_derivatives_in_a_run_are_differences(new_instance, declared):
-    """Of every continuous output and state derivative, by every input and every state."""
+    """Every continuous output and state derivative is varied by every input and every state."""
     draw = random.Random(14)
     unknowns = sorted(set(declared) - {"der(hip.positive_work)"})  # has a kink where the power is zero
     compared, modes = 0, set()

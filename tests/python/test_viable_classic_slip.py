@@ -104,7 +104,7 @@ def test_the_same_pairs_are_viable_if_those_below_the_grid_are_not_left_out(grid
 
 
 def test_the_robustness_of_pairs_adds_up(grid):
-    """Of a pair, the mean over the states that enclose where it leads."""
+    """That of a pair is the mean over the states that enclose where it leads."""
     theirs, ours = grid
     pairs, _ = ours.kept()
     of_states = pairs.sum(axis=1) / len(ours.actions)

@@ -22,7 +22,7 @@ utils = pytest.importorskip("packaging.utils")
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 WHEELS = {path.stem.rpartition("-")[2]: path for path in (ROOT / "dist").glob("*.whl")}
-"""By platform tag."""
+"""The keys are platform tags."""
 UNITS = {name: f"tdmf_slip/{name}" for name in ("TDMF_SLIP.fmu", "TDMF_SLIP_FMI3.fmu")}
 ELF, PE, MACH = "ELF", "PE", "MachO"
 PLATFORMS = {
