@@ -266,7 +266,7 @@ def fall(probe):
 
 
 def test_declared_dependencies_are_those_observed(version):
-    """Outputs of every type are asked in event mode and in continuous time; none is missing, none too many."""
+    """Outputs of every type are asked in event mode and in continuous time: none is missing or idle."""
     draw = random.Random(2016)
     declared = version.declared("outputs", "derivatives")
     observed = Observed(declared)
