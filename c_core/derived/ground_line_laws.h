@@ -23,16 +23,6 @@ static inline double tdmf_velocity_off(const tdmf_ground_line *line, double x, d
     return line->cosine * y - line->sine * x;
 }
 
-/* t.(x, y), what of a vector is along the line. */
-static inline double tdmf_acceleration_along(const tdmf_ground_line *line, tdmf_vector acceleration) {
-    return line->cosine * acceleration.x + line->sine * acceleration.y;
-}
-
-/* n.(x, y), what of a vector is across the line. */
-static inline double tdmf_acceleration_off(const tdmf_ground_line *line, tdmf_vector acceleration) {
-    return line->cosine * acceleration.y - line->sine * acceleration.x;
-}
-
 /* t.(p - (0, h)), from the pivot along the line. */
 static inline double tdmf_offset_along(const tdmf_ground_line *line, double x, double y) {
     return line->cosine * x + line->sine * (y - line->height);

@@ -35,10 +35,10 @@ static inline tdmf_after_impact tdmf_impact_with(const tdmf_model *model, const 
         const double offset =
             line->cosine * state[TDMF_FOOT_X] + line->sine * (state[TDMF_FOOT_Y] - line->height);
         const double along = line->cosine * state[TDMF_FOOT_VX] + line->sine * state[TDMF_FOOT_VY];
+        const double friction =
+            (zone == TDMF_ZONE_PATCH ? model->parameters.ground.patch_friction : inputs->ground.friction);
         const double off = line->cosine * state[TDMF_FOOT_VY] - line->sine * state[TDMF_FOOT_VX];
-        const double taken =
-            (zone == TDMF_ZONE_PATCH ? model->parameters.ground.patch_friction : inputs->ground.friction) *
-            -off;
+        const double taken = friction * -off;
         const double left = sign * along - taken;
         const double speed = left + model->parameters.ground.stribeck_velocity *
                                         log1p(-(-(model->parameters.ground.static_friction_ratio - 1.0) *
@@ -66,11 +66,10 @@ static inline tdmf_after_impact tdmf_impact_with(const tdmf_model *model, const 
     const double offset =
         line->cosine * state[TDMF_FOOT_X] + line->sine * (state[TDMF_FOOT_Y] - line->height);
     const double along = line->cosine * state[TDMF_FOOT_VX] + line->sine * state[TDMF_FOOT_VY];
+    const double friction =
+        (zone == TDMF_ZONE_PATCH ? model->parameters.ground.patch_friction : inputs->ground.friction);
     const double off = line->cosine * state[TDMF_FOOT_VY] - line->sine * state[TDMF_FOOT_VX];
-    const double along_after =
-        along +
-        sign * (zone == TDMF_ZONE_PATCH ? model->parameters.ground.patch_friction : inputs->ground.friction) *
-            off;
+    const double along_after = along + sign * friction * off;
     const double vx = line->cosine * along_after;
     const double vy = line->sine * along_after;
     const double lost_y = state[TDMF_FOOT_VY] - vy;
@@ -142,10 +141,10 @@ tdmf_vary_impact_with(const tdmf_model *model, const tdmf_inputs *inputs, tdmf_z
                                 (line->cosine * d_line->slope * (state[TDMF_FOOT_Y] - line->height) +
                                  line->sine * (d_state[TDMF_FOOT_Y] - d_line->height));
         const double along = line->cosine * state[TDMF_FOOT_VX] + line->sine * state[TDMF_FOOT_VY];
+        const double friction =
+            (zone == TDMF_ZONE_PATCH ? model->parameters.ground.patch_friction : inputs->ground.friction);
         const double off = line->cosine * state[TDMF_FOOT_VY] - line->sine * state[TDMF_FOOT_VX];
-        const double taken =
-            (zone == TDMF_ZONE_PATCH ? model->parameters.ground.patch_friction : inputs->ground.friction) *
-            -off;
+        const double taken = friction * -off;
         const double left = sign * along - taken;
         const double speed = left + model->parameters.ground.stribeck_velocity *
                                         log1p(-(-(model->parameters.ground.static_friction_ratio - 1.0) *
@@ -155,15 +154,12 @@ tdmf_vary_impact_with(const tdmf_model *model, const tdmf_inputs *inputs, tdmf_z
         const double d_along =
             -(line->sine * d_line->slope) * state[TDMF_FOOT_VX] + line->cosine * d_state[TDMF_FOOT_VX] +
             (line->cosine * d_line->slope * state[TDMF_FOOT_VY] + line->sine * d_state[TDMF_FOOT_VY]);
+        const double d_friction =
+            (zone == TDMF_ZONE_PATCH ? d_model->parameters.ground.patch_friction : d_inputs->ground.friction);
         const double d_off =
             -(line->sine * d_line->slope) * state[TDMF_FOOT_VY] + line->cosine * d_state[TDMF_FOOT_VY] -
             (line->cosine * d_line->slope * state[TDMF_FOOT_VX] + line->sine * d_state[TDMF_FOOT_VX]);
-        const double d_taken =
-            (zone == TDMF_ZONE_PATCH ? d_model->parameters.ground.patch_friction
-                                     : d_inputs->ground.friction) *
-                -off +
-            (zone == TDMF_ZONE_PATCH ? model->parameters.ground.patch_friction : inputs->ground.friction) *
-                -d_off;
+        const double d_taken = d_friction * -off + friction * -d_off;
         const double d_left = sign * d_along - d_taken;
         const double d_speed =
             d_left + (d_model->parameters.ground.stribeck_velocity *
@@ -229,26 +225,19 @@ tdmf_vary_impact_with(const tdmf_model *model, const tdmf_inputs *inputs, tdmf_z
                             (line->cosine * d_line->slope * (state[TDMF_FOOT_Y] - line->height) +
                              line->sine * (d_state[TDMF_FOOT_Y] - d_line->height));
     const double along = line->cosine * state[TDMF_FOOT_VX] + line->sine * state[TDMF_FOOT_VY];
+    const double friction =
+        (zone == TDMF_ZONE_PATCH ? model->parameters.ground.patch_friction : inputs->ground.friction);
     const double off = line->cosine * state[TDMF_FOOT_VY] - line->sine * state[TDMF_FOOT_VX];
-    const double along_after =
-        along +
-        sign * (zone == TDMF_ZONE_PATCH ? model->parameters.ground.patch_friction : inputs->ground.friction) *
-            off;
+    const double along_after = along + sign * friction * off;
     const double d_along =
         -(line->sine * d_line->slope) * state[TDMF_FOOT_VX] + line->cosine * d_state[TDMF_FOOT_VX] +
         (line->cosine * d_line->slope * state[TDMF_FOOT_VY] + line->sine * d_state[TDMF_FOOT_VY]);
+    const double d_friction =
+        (zone == TDMF_ZONE_PATCH ? d_model->parameters.ground.patch_friction : d_inputs->ground.friction);
     const double d_off =
         -(line->sine * d_line->slope) * state[TDMF_FOOT_VY] + line->cosine * d_state[TDMF_FOOT_VY] -
         (line->cosine * d_line->slope * state[TDMF_FOOT_VX] + line->sine * d_state[TDMF_FOOT_VX]);
-    const double d_along_after =
-        d_along +
-        (sign *
-             (zone == TDMF_ZONE_PATCH ? d_model->parameters.ground.patch_friction
-                                      : d_inputs->ground.friction) *
-             off +
-         sign *
-             (zone == TDMF_ZONE_PATCH ? model->parameters.ground.patch_friction : inputs->ground.friction) *
-             d_off);
+    const double d_along_after = d_along + (sign * d_friction * off + sign * friction * d_off);
     const double d_vx = -(line->sine * d_line->slope) * along_after + line->cosine * d_along_after;
     const double d_vy = line->cosine * d_line->slope * along_after + line->sine * d_along_after;
     const double vy = line->sine * along_after;

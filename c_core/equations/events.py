@@ -82,12 +82,12 @@ def greatest_compression(at):
 
 def graze_to_contact(at):
     """-N of the stance law: it loads the foot again."""
-    return -graze.force_in_stance(at.model, at.inputs, at.mode, at.state, at.leg).normal
+    return -graze.force_in_stance(at).normal
 
 
 def graze_to_flight(at):
     """N of the flight law: it lifts the foot."""
-    return graze.force_in_flight(at.model, at.inputs, at.mode, at.state, at.leg).normal
+    return graze.force_in_flight(at).normal
 
 
 def body_down(at):

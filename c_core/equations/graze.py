@@ -14,17 +14,17 @@ from . import ground_force, hip
 from .functions import larger
 
 
-def force_in_stance(model, inputs, mode, state, leg):
+def force_in_stance(at):
     """N of the stance law, of a foot at rest on the ground that would stay there; with f_t of (10)."""
-    torque = hip.stance_torque(model, inputs, state, mode.mid_stance_pending)
-    return ground_force.under(model, mode.ground, leg, torque)
+    torque = hip.stance_torque(at.model, at.inputs, at.state, at.mode.mid_stance_pending)
+    return ground_force.under(at.model, at.mode.ground, at.leg, torque)
 
 
-def force_in_flight(model, inputs, mode, state, leg):
+def force_in_flight(at):
     """N of the flight law, of a foot at rest on the ground that would stay there; with f_t of (10).
 
     Nobody locates the clamp of (12) for a foot on the ground: it is where the servo has it now.
     """
-    servo = hip.servo_torque(model, inputs, state, mode.phase, mode.liftoff_angle)
-    clamped = servo if mode.phase == "place" else larger(servo, 0)
-    return ground_force.under(model, mode.ground, leg, clamped + inputs.hip.external_torque)
+    servo = hip.servo_torque(at.model, at.inputs, at.state, at.mode.phase, at.mode.liftoff_angle)
+    clamped = servo if at.mode.phase == "place" else larger(servo, 0)
+    return ground_force.under(at.model, at.mode.ground, at.leg, clamped + at.inputs.hip.external_torque)

@@ -153,10 +153,11 @@ def flight_torque(model, inputs, state, phase, clamp_closed, liftoff_angle):
     return torque(law, state.leg_angle, state.leg_angle_rate)
 
 
-def torque_in_mode(model, inputs, mode, state, leg, upright, sine):
+def torque_in_mode(at, upright, sine):
     """The total torque: of flight or stance, and in graze what keeps the foot at the ground."""
+    model, inputs, mode, state = at.model, at.inputs, at.mode, at.state
     if mode.contact == "graze":
-        return ground_force.graze_torque(model, mode.ground, leg, upright, sine)
+        return ground_force.graze_torque(model, mode.ground, at.leg, upright, sine)
     if mode.contact == "flight":
         return flight_torque(model, inputs, state, mode.phase, mode.clamp_closed, mode.liftoff_angle)
     return stance_torque(model, inputs, state, mode.mid_stance_pending)

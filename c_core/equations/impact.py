@@ -15,11 +15,12 @@ from .coordinates import leg_rates_with_foot
 from .functions import Record
 
 
-def after(model, friction, line, state, direction, sign, sticks, falls):
+def after(model, inputs, zone, line, state, direction, sign, sticks, falls):
     """Foot and rates of the leg after an impact that sticks, or slips to the side of `sign` (4)-(6).
 
     v_n+ = 0; v_t+ = 0, or v_t- - mu sgn(v_t-) |v_n-|; m_f/2 (v_t-^2 - v_t+^2 + v_n-^2) is lost.
     """
+    friction = law.below(model, inputs, zone)
     along = ground_line.along(line, state.foot_vx, state.foot_vy)
     off = ground_line.off(line, state.foot_vx, state.foot_vy)
     if sticks:

@@ -53,18 +53,6 @@ FUNCTIONS = {
     "ground_line": [
         InC("double velocity_along", ground_line.along),
         InC("double velocity_off", ground_line.off, varied=False),
-        InC(
-            "double acceleration_along",
-            ground_line.along,
-            lambda line, acceleration: (line, acceleration.x, acceleration.y),
-            varied=False,
-        ),
-        InC(
-            "double acceleration_off",
-            ground_line.off,
-            lambda line, acceleration: (line, acceleration.x, acceleration.y),
-            varied=False,
-        ),
         InC("double offset_along", ground_line.offset_along),
         InC("double height_over", ground_line.height_over, varied=False),
         InC("double ground_height_at", ground_line.height_at),
@@ -120,12 +108,7 @@ FUNCTIONS = {
             hip.servo_torque,
             lambda model, inputs, mode, state: (model, inputs, state, mode.phase, mode.liftoff_angle),
         ),
-        InC(
-            "double torque_in",
-            hip.torque_in_mode,
-            lambda at, upright, sine: (at.model, at.inputs, at.mode, at.state, at.leg, upright, sine),
-            value="torque",
-        ),
+        InC("double torque_in", hip.torque_in_mode, value="torque"),
         InC("tdmf_hip_law law_after", hip.after, varied=False),
         InC("double law_drift", hip.drift, varied=False),
         InC("double place_time_rate", hip.place_time_rate, lambda mode: (mode.phase,), varied=False),
@@ -220,13 +203,8 @@ FUNCTIONS = {
         ),
     ],
     "graze": [
-        InC(
-            f"tdmf_ground_force force_in_{mode}",
-            law,
-            lambda at: (at.model, at.inputs, at.mode, at.state, at.leg),
-            varied=False,
-        )
-        for mode, law in (("stance", graze.force_in_stance), ("flight", graze.force_in_flight))
+        InC("tdmf_ground_force force_in_stance", graze.force_in_stance, varied=False),
+        InC("tdmf_ground_force force_in_flight", graze.force_in_flight, varied=False),
     ],
     "free_fall": [
         InC("tdmf_vector push_on_body", free_fall.push_on_body),
@@ -288,20 +266,7 @@ FUNCTIONS = {
         InC("tdmf_classic_variation classic_next_apex", classic_slip.next_apex),
     ],
     "impact": [
-        InC(
-            "tdmf_after_impact impact_with",
-            impact.after,
-            lambda model, inputs, zone, line, state, direction, sign, sticks, falls: (
-                model,
-                friction.below(model, inputs, zone),
-                line,
-                state,
-                direction,
-                sign,
-                sticks,
-                falls,
-            ),
-        ),
+        InC("tdmf_after_impact impact_with", impact.after),
     ],
     "energy": [
         InC(

@@ -26,7 +26,7 @@ tdmf_descent tdmf_descend(tdmf_system system, const tdmf_ground_line *ground, td
     const tdmf_vector a = tdmf_falling_acceleration(system.model, system.inputs);
     tdmf_swinging_height foot = {
         tdmf_height_over(ground, apex.x, apex.y), tdmf_velocity_off(ground, apex.vx, apex.vy),
-        tdmf_acceleration_off(ground, a),         system.model->body_share * length,
+        tdmf_velocity_off(ground, a.x, a.y),      system.model->body_share * length,
         start[TDMF_LEG_ANGLE] - ground->slope,    system.model->parameters.hip.retraction_rate};
     tdmf_swinging_height body = foot;
     body.swing = foot.swing - length;

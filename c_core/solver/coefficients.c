@@ -29,12 +29,13 @@ flight_coefficients tdmf_vary_flight_coefficients(const tdmf_mode_equations *equ
 
 ground_coefficients tdmf_ground_coefficients(const tdmf_mode_equations *equations) {
     const tdmf_ground_line *ground = &equations->ground;
+    const tdmf_vector push_rate = equations->push_rate;
     ground_coefficients coefficients = tdmf_ground_coefficients_of(
         equations->model, ground, &equations->law, equations->rest_length, equations->push,
         equations->friction, equations->friction_excess, equations->friction_fading);
     coefficients.friction_rate = equations->friction_rate;
-    coefficients.gravity_x_rate = -tdmf_acceleration_along(ground, equations->push_rate);
-    coefficients.gravity_y_rate = -tdmf_acceleration_off(ground, equations->push_rate);
+    coefficients.gravity_x_rate = -tdmf_velocity_along(ground, push_rate.x, push_rate.y);
+    coefficients.gravity_y_rate = -tdmf_velocity_off(ground, push_rate.x, push_rate.y);
     coefficients.rest_length_rate = equations->rest_length_rate;
     return coefficients;
 }

@@ -36,9 +36,11 @@ ballistic tdmf_step_center_of_mass(const tdmf_mode_equations *equations) {
         com.new_ground = height_over(&equations->new_ground, equations);
     }
     if (equations->is_forced) {
-        com.normal_jerk = share * tdmf_acceleration_off(&equations->ground, equations->push_rate);
+        com.normal_jerk =
+            share * tdmf_velocity_off(&equations->ground, equations->push_rate.x, equations->push_rate.y);
         com.rise_jerk = share * equations->push_rate.y;
-        com.new_normal_jerk = share * tdmf_acceleration_off(&equations->new_ground, equations->push_rate);
+        com.new_normal_jerk =
+            share * tdmf_velocity_off(&equations->new_ground, equations->push_rate.x, equations->push_rate.y);
     }
     return com;
 }
@@ -47,8 +49,9 @@ ballistic tdmf_step_center_of_mass(const tdmf_mode_equations *equations) {
 static void set_forcing(const tdmf_mode_equations *equations, flight_constants *constants) {
     const tdmf_vector acceleration = tdmf_com_acceleration(equations->model, equations->push);
     constants->mode.gravity = -acceleration.y;
-    constants->normal_gravity = -tdmf_acceleration_off(&equations->ground, acceleration);
-    constants->new_normal_gravity = -tdmf_acceleration_off(&equations->new_ground, acceleration);
+    constants->normal_gravity = -tdmf_velocity_off(&equations->ground, acceleration.x, acceleration.y);
+    constants->new_normal_gravity =
+        -tdmf_velocity_off(&equations->new_ground, acceleration.x, acceleration.y);
 }
 
 flight_constants tdmf_step_flight_constants(const tdmf_mode_equations *equations, const tdmf_mode *mode,
