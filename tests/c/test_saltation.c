@@ -4,6 +4,7 @@
  * the work's variation grows by the time that the event shifts by. */
 #include "compare.h"
 #include "differentiate.h"
+#include "hip_laws.h"
 #include "line.h"
 #include "saltation.h"
 #include "system_of.h"
@@ -16,8 +17,12 @@ enum {
     VARIED = TDMF_VARIED_COUNT /* the states that a variation has: a guard depends on all but the work */
 };
 
-static double flight_law(const runner *at) {
-    return at->motion.mode.phase == TDMF_PHASE_PLACE ? scene_place_law(at) : fmax(scene_retract_law(at), 0.0);
+/* By the law of a contact mode. In retract a negative torque is clamped. */
+static double torque_in(const runner *at, tdmf_contact_mode contact) {
+    tdmf_mode mode = at->motion.mode;
+    mode.contact = contact;
+    mode.clamp_closed = mode.phase != TDMF_PHASE_PLACE && scene_retract_law(at) < 0.0;
+    return tdmf_hip_torque(SYSTEM_OF(at), &mode, at->motion.state);
 }
 
 static double static_friction(const runner *at) {
@@ -26,9 +31,8 @@ static double static_friction(const runner *at) {
 
 /* What a guard watches, in its own unit. */
 static double watched(const runner *at, tdmf_guard guard) {
-    const double torque = scene_stance_law(at) + at->inputs.hip.external_torque;
-    const tdmf_ground_force force =
-        tdmf_sticking_force(SYSTEM_OF(at), &at->motion.mode, torque, at->motion.state);
+    const tdmf_ground_force force = tdmf_sticking_force(SYSTEM_OF(at), &at->motion.mode,
+                                                        torque_in(at, TDMF_CONTACT_STICK), at->motion.state);
     switch (guard) {
     case TDMF_GUARD_TOUCHDOWN:
         return tdmf_foot_over_ground(&at->motion.mode.ground, at->motion.state).y;
@@ -51,8 +55,8 @@ static double watched(const runner *at, tdmf_guard guard) {
     case TDMF_GUARD_GREATEST_COMPRESSION:
         return -at->motion.state[TDMF_LEG_LENGTH_RATE];
     case TDMF_GUARD_GRAZE_TO_FLIGHT:
-        return tdmf_sticking_force(SYSTEM_OF(at), &at->motion.mode,
-                                   flight_law(at) + at->inputs.hip.external_torque, at->motion.state)
+        return tdmf_sticking_force(SYSTEM_OF(at), &at->motion.mode, torque_in(at, TDMF_CONTACT_FLIGHT),
+                                   at->motion.state)
             .normal;
     default:
         return force.normal; /* lift-off, and from graze to contact */
@@ -239,7 +243,13 @@ static void the_lift_off_angle_is_latched_where_a_contact_or_an_impact_is_left(v
 
 static void a_state_goes_on_at_the_rates_that_follow(void **state) {
     random_source source = {11};
+    double of_place[TDMF_STATE_COUNT]; /* 0 of what place begins anew */
     (void)state;
+    for (int k = 0; k < TDMF_STATE_COUNT; ++k) {
+        of_place[k] = 1.0;
+    }
+    tdmf_begin_place(of_place);
+    assert_true(of_place[TDMF_HIP_PLACE_TIME] == 0.0);
     for (int i = 0; i < DRAWS; ++i) {
         const runner runner = random_runner(&source, TDMF_GUARD_APEX);
         event event = random_event(&source, &runner, TDMF_GUARD_APEX, TDMF_CONTACT_FLIGHT);
@@ -249,9 +259,8 @@ static void a_state_goes_on_at_the_rates_that_follow(void **state) {
         const double shift = after.state[TDMF_HIP_WORK] - event.variation.state[TDMF_HIP_WORK];
         for (int k = 0; k < TDMF_STATE_COUNT; ++k) {
             const double seed = k < VARIED ? event.before.derivatives[k] - event.after.derivatives[k] : 0.0;
-            const double expected = k == TDMF_HIP_PLACE_TIME
-                                        ? -event.after.derivatives[k] * shift /* begun anew */
-                                        : event.variation.state[k] + seed * shift;
+            const double expected = of_place[k] == 0.0 ? -event.after.derivatives[k] * shift
+                                                       : event.variation.state[k] + seed * shift;
             if (k != TDMF_HIP_WORK) {
                 assert_close(after.state[k], expected, 1e-12 * (1.0 + fabs(shift)));
             }
