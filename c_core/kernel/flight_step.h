@@ -68,6 +68,7 @@ static inline void fly_on(const flight_constants *c, const flight_series *f, int
                           const elapsed_time *elapsed, flight_coordinates *at) {
     const real turned = change_to(f->angle, elapsed, order);
     at->leg = tdmf_end_flight(f, elapsed, order);
+    at->leg.angle = f->angle[0] + turned; /* The same angle, so that its series is summed once. */
     at->done.work += tdmf_flight_work(&c->law, f, elapsed, order, turned);
     at->done.damper_loss += c->mode.damping * integral_to(f->speed_square, elapsed, order - 1);
 }
