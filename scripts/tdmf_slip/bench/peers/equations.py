@@ -38,10 +38,15 @@ _NAMES = (
 )
 _MODEL = Record(
     parameters=Record(
-        body=Record(mass=1.0), foot=Record(mass=0.1), leg=Record(stiffness=1.0, damping=0.2), gravity=0.01
+        body=Record(mass=1.0),
+        foot=Record(mass=0.1),
+        leg=Record(stiffness=1.0, damping=0.2),
+        ground=Record(patch_friction=FRICTION),
+        gravity=0.01,
     ),
     **vars(runner.derived(1.0, 0.1)),
 )
+_INPUTS = Record(ground=Record(friction=FRICTION))
 _LEVEL = Record(height=0.0, slope=0.0, sine=0.0, cosine=1.0)
 _NO_PUSH = Record(x=0.0, y=0.0)
 functions.serve(np.ndarray, np)
@@ -96,7 +101,8 @@ def vertical_velocity(state: State) -> Number:
 def impact(state: State) -> list[Number]:
     """The state after an impact that slips forward."""
     at = _state(state)
-    after = impact_law.after(_MODEL, FRICTION, _LEVEL, at, leg.direction(at.leg_angle), 1.0, False, False)
+    direction = leg.direction(at.leg_angle)
+    after = impact_law.after(_MODEL, _INPUTS, "before", _LEVEL, at, direction, 1.0, False, False)
     return [
         after.foot_x,
         after.foot_y,
