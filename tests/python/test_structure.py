@@ -3,6 +3,7 @@
 import ctypes
 import math
 import random
+from collections import Counter
 
 import fmpy
 import numpy as np
@@ -361,7 +362,7 @@ def test_what_no_start_value_changes_is_declared_so(version):
     settable = [
         v for v in version.description.modelVariables if v.initial == "exact" or v.causality == "input"
     ]
-    read, refused = 0, 0
+    read, refused = Counter(), 0
     for i in range(INITIAL_STARTS):
         start = initial_start(draw, i)
         probe, later = version.exchange(), version.exchange()
@@ -377,13 +378,13 @@ def test_what_no_start_value_changes_is_declared_so(version):
                 try:
                     probe.write(variable.name, other)
                     observed.compare(variable.name, before, probe.read(declared))
-                    read += 1
+                    read[variable.name] += 1
                 except FMICallException:  # no value of this variable, or no start with it
                     refused += 1
             probe.write(variable.name, value)
         assert probe.read(declared) == before
         probe.model.freeInstance()
-    assert read > 5 * refused > 0
+    assert refused > 0 and min(read[v.name] for v in settable) > INITIAL_STARTS // 2
     assert {name for name, known in observed.of.items() if not known} == {
         name for name, known in declared.items() if known is not None
     }
