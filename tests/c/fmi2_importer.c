@@ -1,7 +1,5 @@
 #include "fmi2_importer.h"
 
-#include "guid.h"
-
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -26,53 +24,34 @@ static void logger(fmi2ComponentEnvironment environment, fmi2String instance, fm
 
 const fmi2CallbackFunctions importer_callbacks = {.logger = logger};
 
-static fmi2Component new_of_type(fmi2Type type) {
-    clear_messages();
-    fmi2Component component =
-        fmi2Instantiate("runner", type, FMU_GUID, NULL, &importer_callbacks, fmi2False, fmi2True);
-    assert_non_null(component);
-    assert_int_equal(fmi2SetDebugLogging(component, fmi2False, 1, events_category), fmi2OK);
-    return component;
-}
+/* ---- what fmi_interface.h has for either version ------------------------------------------------------- */
 
 fmi2Component new_instance(void) {
-    return new_of_type(fmi2ModelExchange);
+    return new_of_kind(&fmi2, EXCHANGE);
 }
 
 fmi2Component new_slave(void) {
-    return new_of_type(fmi2CoSimulation);
+    return new_of_kind(&fmi2, STEPS);
 }
 
 fmi2Status set_real(fmi2Component component, const char *name, double value) {
-    const fmi2ValueReference reference = reference_of(name);
-    return fmi2SetReal(component, &reference, 1, &value);
+    return (fmi2Status)set_value(&fmi2, component, name, value);
 }
 
 double get_real(fmi2Component component, const char *name) {
-    const fmi2ValueReference reference = reference_of(name);
-    double value = 0.0;
-    assert_int_equal(fmi2GetReal(component, &reference, 1, &value), fmi2OK);
-    return value;
+    return value_of(&fmi2, component, name);
 }
 
 int get_integer(fmi2Component component, const char *name) {
-    const fmi2ValueReference reference = reference_of(name);
-    int value = 0;
-    assert_int_equal(fmi2GetInteger(component, &reference, 1, &value), fmi2OK);
-    return value;
+    return integer_of(&fmi2, component, name);
 }
 
 void initialize(fmi2Component component) {
-    assert_int_equal(fmi2SetupExperiment(component, fmi2False, 0.0, 0.0, fmi2False, 0.0), fmi2OK);
-    assert_int_equal(fmi2EnterInitializationMode(component), fmi2OK);
-    assert_int_equal(fmi2ExitInitializationMode(component), fmi2OK);
+    initialize_unit(&fmi2, component);
 }
 
 void start_running(fmi2Component component) {
-    fmi2EventInfo info;
-    initialize(component);
-    assert_int_equal(fmi2NewDiscreteStates(component, &info), fmi2OK);
-    assert_int_equal(fmi2EnterContinuousTimeMode(component), fmi2OK);
+    begin(&fmi2, component, EXCHANGE);
 }
 
 /* ---- the table ---------------------------------------------------------------------------------------- */

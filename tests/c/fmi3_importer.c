@@ -28,36 +28,29 @@ fmi3Instance new_stepper(bool event_mode, bool early_return) {
                                                       early_return, NULL, 0, NULL, importer_logger, NULL));
 }
 
+/* ---- what fmi_interface.h has for either version ------------------------------------------------------- */
+
 fmi3Status set_float(fmi3Instance instance, const char *name, double value) {
-    const fmi3ValueReference reference = reference_of(name);
-    return fmi3SetFloat64(instance, &reference, 1, &value, 1);
+    return (fmi3Status)set_value(&fmi3, instance, name, value);
 }
 
 double get_float(fmi3Instance instance, const char *name) {
-    const fmi3ValueReference reference = reference_of(name);
-    double value = 0.0;
-    assert_int_equal(fmi3GetFloat64(instance, &reference, 1, &value, 1), fmi3OK);
-    return value;
+    return value_of(&fmi3, instance, name);
 }
 
 int get_int(fmi3Instance instance, const char *name) {
-    const fmi3ValueReference reference = reference_of(name);
-    fmi3Int32 value = 0;
-    assert_int_equal(fmi3GetInt32(instance, &reference, 1, &value, 1), fmi3OK);
-    return value;
+    return integer_of(&fmi3, instance, name);
 }
 
 int get_enumeration(fmi3Instance instance, const char *name) {
-    const fmi3ValueReference reference = reference_of(name);
-    fmi3Int64 value = 0;
-    assert_int_equal(fmi3GetInt64(instance, &reference, 1, &value, 1), fmi3OK);
-    return (int)value;
+    return integer_of(&fmi3, instance, name);
 }
 
 void initialize3(fmi3Instance instance) {
-    assert_int_equal(fmi3EnterInitializationMode(instance, false, 0.0, 0.0, false, 0.0), fmi3OK);
-    assert_int_equal(fmi3ExitInitializationMode(instance), fmi3OK);
+    initialize_unit(&fmi3, instance);
 }
+
+/* ---- calls with many answers -------------------------------------------------------------------------- */
 
 fmi3Status update(fmi3Instance instance, update_answer *answer) {
     return fmi3UpdateDiscreteStates(instance, &answer->needs_update, &answer->terminate,

@@ -11,6 +11,14 @@
 static const fmi_experiment from_zero = {.start = 0.0};
 static const double step_size = 1e-3; /* s, of Euler's method */
 
+/* A fresh instance of Co-Simulation that has made one step of this length. */
+static void *new_after(const fmi_interface *fmi, double step) {
+    void *instance = new_of_kind(fmi, STEPS);
+    initialize_unit(fmi, instance);
+    step_by(fmi, instance, step);
+    return instance;
+}
+
 /* All that two instances would save, and what they say of it. */
 static void assert_same(const fmi_interface *fmi, void *a, void *b) {
     static const char *const names[] = {"time",
@@ -48,9 +56,7 @@ static void assert_same(const fmi_interface *fmi, void *a, void *b) {
 static void co_simulation_goes_on_as_if_never_stopped(void **state) {
     const fmi_interface *fmi = *state;
     bool seen[TDMF_CONTACT_GRAZE + 1] = {false};
-    void *straight = new_of_kind(fmi, STEPS);
-    initialize_unit(fmi, straight);
-    step_by(fmi, straight, 11.8);
+    void *straight = new_after(fmi, 11.8);
     for (int i = 0; i < 50; ++i) {
         unsigned char bytes[SERIALIZED_BYTES];
         void *other = new_of_kind(fmi, STEPS);
@@ -125,9 +131,7 @@ static void an_instance_after_an_error_is_saved_as_such(void **state) {
     unsigned char bytes[SERIALIZED_BYTES];
     step_answer answer;
     void *saved = NULL;
-    void *failed = new_failed(fmi, &saved), *other = new_of_kind(fmi, STEPS);
-    initialize_unit(fmi, other);
-    step_by(fmi, other, 1.0);
+    void *failed = new_failed(fmi, &saved), *other = new_after(fmi, 1.0);
     assert_int_equal(restore_bytes(fmi, other, bytes, save_bytes(fmi, failed, bytes)), FMI_OK);
     assert_true(value_of(fmi, other, "hip.kd") == 2.5e13);
     assert_int_equal(fmi->do_step(other, 0.0, 1.0, &answer), FMI_ERROR);
@@ -142,11 +146,7 @@ static void an_instance_after_an_error_is_saved_as_such(void **state) {
 static void assert_bytes_refused(const fmi_interface *fmi, const unsigned char bytes[SERIALIZED_BYTES],
                                  size_t size, const char *reason) {
     void *saved = NULL;
-    void *instance = new_of_kind(fmi, STEPS), *twin = new_of_kind(fmi, STEPS);
-    initialize_unit(fmi, instance);
-    initialize_unit(fmi, twin);
-    step_by(fmi, instance, 12.0);
-    step_by(fmi, twin, 12.0);
+    void *instance = new_after(fmi, 12.0), *twin = new_after(fmi, 12.0);
     assert_int_equal(fmi->deserialize(instance, bytes, size, &saved), FMI_DISCARD);
     assert_non_null(strstr(last_message, reason));
     assert_null(saved);
@@ -207,11 +207,7 @@ static void states_of_other_interfaces_are_refused(void **state) {
 static void a_state_passed_where_its_address_is_due_is_left_alone(void **state) {
     const fmi_interface *fmi = *state;
     void *saved = NULL;
-    void *instance = new_of_kind(fmi, STEPS), *twin = new_of_kind(fmi, STEPS);
-    initialize_unit(fmi, instance);
-    initialize_unit(fmi, twin);
-    step_by(fmi, instance, 12.0);
-    step_by(fmi, twin, 12.0);
+    void *instance = new_after(fmi, 12.0), *twin = new_after(fmi, 12.0);
     assert_int_equal(fmi->save(instance, &saved), FMI_OK);
     step_by(fmi, instance, 5.0);
     assert_int_equal(fmi->free_saved(instance, saved), FMI_OK);
