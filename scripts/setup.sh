@@ -13,6 +13,26 @@ fail() {
     exit 1
 }
 
+# step WHAT COMMAND...: runs the command and says in one line what it does and how long it took. What the command prints
+# is shown only where it fails.
+step() {
+    local what=$1 log start=$SECONDS
+    shift
+    mkdir -p build
+    log=$(mktemp build/step.XXXXXX)
+    [ ! -t 2 ] || printf '%s ...' "$what" >&2
+    ("$@") >"$log" 2>&1 </dev/null || {
+        printf '\n' >&2
+        cat "$log" >&2
+        rm -f "$log"
+        printf 'error: this failed, for the reason above: %s\n' "$what" >&2
+        return 1
+    }
+    rm -f "$log"
+    [ ! -t 2 ] || printf '\r' >&2
+    printf '%-76s %5d s\n' "$what" $((SECONDS - start)) >&2
+}
+
 # may_use_sudo WHAT...: asks, where somebody is at a terminal; elsewhere nothing waits for an answer.
 may_use_sudo() {
     local answer
@@ -22,36 +42,59 @@ may_use_sudo() {
     [[ $answer == [yY]* ]]
 }
 
-# need_debian_packages PACKAGE...: installs what is missing, by sudo only after asking; or says what to install.
+# install_packages PACKAGE...: by apt-get, with sudo only after asking. Where that cannot be, says what is missing.
+install_packages() {
+    local as_root=()
+    command -v apt-get >/dev/null ||
+        fail "missing: $*. Install what your system calls them; documentation/install.md has a table"
+    if [ "$(id -u)" -ne 0 ]; then
+        may_use_sudo "$@" || fail "please install, as root:  apt-get install $*"
+        as_root=(sudo)
+    fi
+    step "Package lists of apt-get" "${as_root[@]}" apt-get update -qq &&
+        step "By apt-get: $*" "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive \
+        apt-get install -y -qq --no-install-recommends "$@"
+}
+
+# need_debian_packages PACKAGE...: installs those that Debian's list of packages does not have as installed. Other systems
+# have no such list: there cmake and python say what they lack.
 need_debian_packages() {
     local missing=() package
-    command -v dpkg-query >/dev/null || return 0 # another system: cmake and python tell what they lack
+    command -v dpkg-query >/dev/null || return 0
     for package in "$@"; do
         dpkg-query --show --showformat='${db:Status-Abbrev}' "$package" 2>/dev/null | grep -q '^ii' || missing+=("$package")
     done
-    [ ${#missing[@]} -eq 0 ] && return 0
-    local as_root=()
-    if [ "$(id -u)" -ne 0 ]; then
-        may_use_sudo "${missing[@]}" || fail "please install, as root:  apt-get install ${missing[*]}"
-        as_root=(sudo)
-    fi
-    say "Installing from Debian: ${missing[*]}"
-    "${as_root[@]}" apt-get update -qq </dev/null >&2
-    "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive \
-        apt-get install -y -qq --no-install-recommends "${missing[@]}" </dev/null >&2
+    [ ${#missing[@]} -eq 0 ] || install_packages "${missing[@]}"
+}
+
+can_compile() {
+    printf '#include <stdio.h>\nint main(void) { return 0; }\n' | cc -x c -o /dev/null - 2>/dev/null
+}
+
+# need_build_tools: a C compiler with its headers, CMake and Ninja, wherever they come from.
+need_build_tools() {
+    local missing=()
+    can_compile || missing+=(gcc libc6-dev)
+    command -v cmake >/dev/null || missing+=(cmake)
+    command -v ninja >/dev/null || missing+=(ninja-build)
+    [ ${#missing[@]} -eq 0 ] || install_packages "${missing[@]}"
 }
 
 # SUNDIALS, for the second solver of Co-Simulation. Installing its development package would bring some 160 others
 # (MPI, PETSc); of these only its own headers and static libraries are needed, so it is unpacked, not installed.
+unpack_sundials() {
+    mkdir -p "$1"
+    cd "$1" || return
+    apt-get download -qq libsundials-dev || { apt-get update -qq && apt-get download -qq libsundials-dev; } || return 0
+    dpkg -x libsundials-dev_*.deb .
+}
+
 get_sundials() {
     local folder=$PWD/build/sundials
     [ -e /usr/include/cvode/cvode.h ] && return 0
     if [ ! -e "$folder/usr/include/cvode/cvode.h" ] && command -v apt-get >/dev/null; then
-        say "Fetching SUNDIALS (Debian's libsundials-dev) into build/sundials"
-        mkdir -p "$folder"
-        (cd "$folder" && { apt-get download -qq libsundials-dev || { apt-get update -qq && apt-get download -qq libsundials-dev; }; } >&2 2>/dev/null) ||
-            { say "SUNDIALS could not be fetched: the unit is built without CVODE"; return 0; }
-        dpkg -x "$folder"/libsundials-dev_*.deb "$folder"
+        step "SUNDIALS (Debian's libsundials-dev), unpacked into build/sundials" unpack_sundials "$folder"
+        [ -e "$folder/usr/include/cvode/cvode.h" ] || say "SUNDIALS could not be fetched: the unit is built without CVODE"
     fi
     export CVODE_ROOT=$folder/usr
 }
@@ -60,7 +103,7 @@ get_sundials() {
 # once. It knows a file by its compiler and all flags, with folders as seen from the build's own, and without the locale,
 # which the test that installs the source distribution does not hand on.
 share_compilations() {
-    need_debian_packages ccache
+    command -v ccache >/dev/null || need_debian_packages ccache
     command -v ccache >/dev/null || return 0
     export CMAKE_C_COMPILER_LAUNCHER=ccache CCACHE_DIR=${CCACHE_DIR:-$PWD/build/ccache} CCACHE_BASEDIR=/
     export CCACHE_SLOPPINESS=locale CC=${CC:-gcc} CMAKE_GENERATOR=Ninja
@@ -68,7 +111,7 @@ share_compilations() {
 
 # Whatever python3 it is: Debian keeps what makes environments in a package of its own.
 need_python() {
-    command -v python3 >/dev/null || need_debian_packages python3
+    command -v python3 >/dev/null || install_packages python3 python3-venv
     python3 -c 'import sys; sys.exit(sys.version_info < (3, 11))' || fail "Python 3.11 or later is needed, python3 is $(python3 --version)"
     python3 -c 'import ensurepip, venv' 2>/dev/null || need_debian_packages python3-venv
 }
@@ -91,8 +134,7 @@ install_once() {
     local wanted stamp=.venv/installed.$1
     wanted=$(sha256sum "scripts/locks/$1.txt")
     if [ "$(cat "$stamp" 2>/dev/null)" != "$wanted" ]; then
-        say "Installing Python packages: scripts/locks/$1.txt"
-        install_locked "$1" || return
+        step "Python packages of scripts/locks/$1.txt" install_locked "$1" || return
         printf '%s\n' "$wanted" >"$stamp"
     fi
 }
@@ -103,14 +145,13 @@ make_environment() {
     need_python
     local name
     if ! .venv/bin/python -c 'import pip' 2>/dev/null; then
-        say "Making the virtual environment .venv"
-        python3 -m venv --clear .venv
+        step "Python's virtual environment in .venv" python3 -m venv --clear .venv
     fi
     for name in environment "$@"; do
         install_once "$name"
     done
-    say "Building the unit and installing tdmf-slip into .venv"
-    pip_install --no-build-isolation --no-deps --force-reinstall .
+    step "C library, units and Python package, built and installed into .venv" \
+        pip_install --no-build-isolation --no-deps --force-reinstall .
 }
 
 # Zig, and what reads, packs and checks its results.

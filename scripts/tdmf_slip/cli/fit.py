@@ -8,6 +8,7 @@ import click
 from ..errors import InputError
 from ..files.whole import check_destination
 from ..fitting.fitted import MAX_STARTS, STARTS, fit
+from ..fitting.measurements import shipped, shipped_names
 from ..fitting.result import Fit
 from ..fitting.without import LeftOut
 from ..fmu.fmu import load_fmu
@@ -104,7 +105,8 @@ def fit_command(
     """Parameters of the runner whose gaits are nearest to measured ones, with 95 % intervals.
 
     FILE is a CSV table with a row for each condition, or one that comes with the package: human_running,
-    human_fast_running. Its header has any of "speed [m/s]", "frequency [Hz]",
+    human_fast_running; --parameters human_running.toml is the runner that their fits begin with. The
+    header has any of "speed [m/s]", "frequency [Hz]",
     "stance_time [s]", "duty_factor [1]", "slip_distance [m]", "peak_force [N]", each with its standard error,
     as "speed_error [m/s]"; lines that begin with # are skipped. A stride is from one stance of the leg to the
     next. The status is 1 where the search does not end.
@@ -121,6 +123,8 @@ def fit_command(
         from ..pictures import fit_page
 
         check_destination(report, fit_page.FORMATS, "--report")
+    if parameters is not None and not Path(parameters).exists() and parameters in shipped_names():
+        parameters = str(shipped(parameters))
     runner = runner_of(fmu, parameters, values_given(friction, settings), model)
     found = fit(
         runner,

@@ -2,11 +2,22 @@
 
 import json
 import math
+import os
+import shutil
+import sys
 
 
 def json_text(value: object) -> str:
     """One line of JSON, in which a number that is not finite is null."""
     return json.dumps(_finite(value), allow_nan=False)
+
+
+def program() -> str:
+    """How the command is called so that it is found: by its name, or else as it was called."""
+    name, called = "tdmf-slip", sys.argv[0]
+    found = shutil.which(name)
+    by_path = os.path.basename(called) == name and os.path.isfile(called)
+    return called if by_path and not (found and os.path.samefile(found, called)) else name
 
 
 def _finite(value: object) -> object:

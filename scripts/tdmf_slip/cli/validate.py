@@ -1,9 +1,11 @@
 """The command `validate`: what the paper says, published beside computed."""
 
 from pathlib import Path
+from textwrap import fill, indent
 
 import click
 
+from ..errors import InputError
 from ..files.whole import check_folder
 from ..fmu.fmu import load_fmu
 from ..fmu.simulation import TOLERANCES
@@ -11,7 +13,7 @@ from ..library.rough_ground import LAST_SEED
 from ..paper.settling import DEFAULT_TOLERANCE
 from ..paper.validation import validate
 from .options import JSON_OPTION, Command, Number
-from .output import json_text
+from .output import json_text, program
 
 
 @click.command("validate", cls=Command)
@@ -26,7 +28,10 @@ from .output import json_text
     "--pictures",
     type=click.Path(path_type=Path),
     metavar="FOLDER",
-    help="Also draw the paper's figures 5 to 8, one stride, and the model.",
+    help="Also draw figures 5 to 9 of the paper, one stride, and the model.",
+)
+@click.option(
+    "--gaits", "only_gaits", is_flag=True, help="Only the five gaits, without what the paper states of them."
 )
 @click.option("--long", "own", is_flag=True, help="Also recompute this project's own claims: some minutes.")
 @click.option(
@@ -39,20 +44,25 @@ from .output import json_text
 )
 @JSON_OPTION
 def validate_command(
-    tolerance: float, pictures: Path | None, own: bool, seed: int, as_json_object: bool
+    tolerance: float, pictures: Path | None, only_gaits: bool, own: bool, seed: int, as_json_object: bool
 ) -> None:
     """The five published gaits, published beside computed; and what this project says of its own.
 
     The exit status is 1 where a computed value is farther from its recorded reference than allowed, or beyond
     what is stated.
     """
+    if only_gaits and own:
+        raise InputError("--gaits and --long: allowed: one of the two")
     if pictures is not None:
         from ..paper.figures import gallery  # matplotlib is slow to load
 
         check_folder(pictures, "--pictures")
-    validation = validate(tolerance=tolerance, own=own, seed=seed, progress=True)
-    print(json_text(validation.as_json()) if as_json_object else validation.as_text())
+    validation = validate(tolerance=tolerance, only_gaits=only_gaits, own=own, seed=seed, progress=True)
+    print(json_text(validation.as_json()) if as_json_object else validation.as_text(program()))
     if pictures is not None:
-        gallery.draw(pictures, load_fmu(), progress=True)
+        written = gallery.draw(pictures, load_fmu(), progress=True)
+        if not as_json_object:
+            names = fill(", ".join(path.name for path in written), 96)
+            print(f"\nPictures in {pictures.resolve()}:\n{indent(names, '  ')}")
     if not validation.passed:
         raise SystemExit(1)

@@ -66,11 +66,15 @@ class Measurements(ByContents):
         return sum(len(row) for row in self.rows)
 
 
+def shipped_names() -> list[str]:
+    """Names of the files that come with the package."""
+    return sorted(path.name for path in DATA.iterdir())
+
+
 def shipped(name: str) -> Path:
     """The path of a file that comes with the package: a table, or the runner that its fit begins with."""
-    known = sorted(path.name for path in DATA.iterdir())
-    if name not in known:
-        raise InputError(f"data {name!r} do not come with the package; allowed: {', '.join(known)}")
+    if name not in shipped_names():
+        raise InputError(f"data {name!r} do not come with the package; allowed: {', '.join(shipped_names())}")
     return DATA / name
 
 

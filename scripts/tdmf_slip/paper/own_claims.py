@@ -57,24 +57,25 @@ class OwnClaims(ByContents):
             for claim in self.claims
         ]
 
-    def as_text(self) -> str:
-        """A table, and the commands."""
-        verdicts = {None: "--long computes it", True: "holds", False: "DOES NOT HOLD"}
+    def as_text(self, program: str = "tdmf-slip") -> str:
+        """A table, and the commands with the name by which `program` is called."""
+        header = ["", "what this project says", "stated"]
         rows = [
-            (
-                str(number),
-                claim.what,
-                f"{claim.low:g} to {claim.high:g}",
-                "" if claim.computed is None else f"{claim.computed:.5g}",
-                verdicts[claim.holds],
-            )
+            [str(number), claim.what, f"{claim.low:g} to {claim.high:g}"]
             for number, claim in enumerate(self.claims, start=1)
         ]
-        commands = [f"{number:>2}  {claim.command}" for number, claim in enumerate(self.claims, start=1)]
-        reported = table(
-            ["", "what this project says", "stated", f"computed, seed {self.seed}", "verdict"], rows
-        )
-        return "\n".join([reported, "", *commands])
+        recomputed = any(claim.computed is not None for claim in self.claims)
+        if recomputed:
+            header += [f"computed, seed {self.seed}", "verdict"]
+            verdicts = {True: "holds", False: "DOES NOT HOLD", None: ""}
+            for row, claim in zip(rows, self.claims, strict=True):
+                row += [f"{claim.computed:.5g}", verdicts[claim.holds]]
+        how = [] if recomputed else [f"{program} validate --long computes all of them; one by one:"]
+        commands = [
+            f"{number:>2}  {claim.command.replace('tdmf-slip', program, 1)}"
+            for number, claim in enumerate(self.claims, start=1)
+        ]
+        return "\n".join([table(header, rows), *how, "", *commands])
 
 
 def own_claims(*, recompute: bool = False, seed: int = 1, progress: bool = False) -> OwnClaims:

@@ -18,7 +18,6 @@ from ..given import mapping_of
 from ..library.gait import REPORTED
 from ..library.runner import Runner
 from ..library.section import COORDINATES
-from ..terminal.progress import progress_bar
 
 DEFAULT_TOLERANCE = 1e-10
 WINDOW = 20
@@ -67,7 +66,6 @@ def settle_fmu(
     *,
     tolerance: float = DEFAULT_TOLERANCE,
     max_strides: int = MAX_STRIDES,
-    progress: bool = False,
     fmu: Fmu | None = None,
 ) -> SettledRun:
     """Run the unit until its strides repeat: on a stable periodic gait, or never.
@@ -91,13 +89,9 @@ def settle_fmu(
         output_interval=time_unit(fmu, starts),
         start_values=starts,
     )
-    with (
-        opened(fmu) as instance,
-        progress_bar(f"gait at mu = {runner.values[FRICTION]:g}", None, "strides", progress) as bar,
-    ):
+    with opened(fmu) as instance:
 
         def step_finished(_time: float, _recorder: Recorder) -> bool:
-            bar.update(instance.integer("stride.count") - bar.n)
             return strides.goes_on(instance) and len(strides.apexes) < max_strides
 
         instance.simulate(experiment, step_finished)

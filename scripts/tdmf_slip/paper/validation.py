@@ -10,6 +10,7 @@ from ..drawable import Drawable
 from ..fmu.fmu import FRICTION, Fmu, load_fmu
 from ..fmu.parameters import read_parameters
 from ..library.runner import Runner
+from ..terminal.progress import progress_bar
 from ..terminal.text import table
 from . import guinea_fowl
 from . import reference_gaits as reference
@@ -29,7 +30,7 @@ class Validation(ByContents, Drawable):
     gaits: Sequence[SettledRun]
     """Of the unit, at the five frictions."""
     claims: Sequence[Claim]
-    """The paper's statements beside what is computed."""
+    """The paper's statements beside what is computed; none where only the gaits were asked for."""
     drifts: Sequence[Drift]
     """Every value beside its reference."""
     own: OwnClaims = field(default_factory=lambda: OwnClaims(0, ()))
@@ -66,10 +67,22 @@ class Validation(ByContents, Drawable):
             "own_claims": self.own.as_json(),
         }
 
-    def as_text(self) -> str:
-        """The gaits, the paper's claims, the project's own, and the verdict on the reference."""
-        own = [self.own.as_text()] if self.own.claims else []
-        return "\n\n".join([self._gait_table(), self._claim_table(), *own, self._drift_summary()])
+    def as_text(self, program: str = "tdmf-slip") -> str:
+        """The gaits, the paper's claims, the project's own, and the verdict on the reference.
+
+        Parameters
+        ----------
+        program : str, default "tdmf-slip"
+            How the command is called in the commands that are printed.
+
+        Returns
+        -------
+        str
+            Tables.
+        """
+        said = [self._claim_table()] if self.claims else []
+        own = [self.own.as_text(program)] if self.own.claims else []
+        return "\n\n".join([self._gait_table(), *said, *own, self._drift_summary()])
 
     def _gait_table(self) -> str:
         header = [
@@ -119,7 +132,7 @@ class Validation(ByContents, Drawable):
                 largest[drift.allowed] = max(largest[drift.allowed], drift.deviation)
             quantities, apexes = reference.QUANTITY_TOLERANCE, reference.APEX_TOLERANCE
             return (
-                f"Reference: all {len(self.drifts)} recorded values are met. Largest relative deviation "
+                f"Reference: all {len(self.drifts)} recorded values are met.\nLargest relative deviation "
                 f"of a gait {largest[quantities]:.1e} (allowed {quantities:g}), "
                 f"of an apex {largest[apexes]:.1e} (allowed {apexes:g})."
             )
@@ -142,6 +155,7 @@ class Validation(ByContents, Drawable):
 def validate(
     *,
     tolerance: float = DEFAULT_TOLERANCE,
+    only_gaits: bool = False,
     own: bool = False,
     seed: int = 1,
     progress: bool = False,
@@ -153,12 +167,14 @@ def validate(
     ----------
     tolerance : float, default 1e-10
         Of CVODE. At 1e-9 the gait at friction 0.2 misses the reference, by 1.4e-6.
+    only_gaits : bool, default False
+        Leave out what the paper and this project state.
     own : bool, default False
         Also recompute what this project says of its own, some minutes.
     seed : int, default 1
         Of what is drawn for that.
     progress : bool, default False
-        A bar on stderr for each gait.
+        Bars on stderr, where that is a terminal.
     fmu : Fmu, optional
         The unit to run; by default that of `fmu_path`.
 
@@ -181,17 +197,15 @@ def validate(
     """
     fmu = load_fmu(fmu)
     parameters = read_parameters("paper")
-    gaits = [
-        settle_fmu(
-            {**parameters, FRICTION: friction},
-            tolerance=tolerance,
-            progress=progress,
-            fmu=fmu,
-        )
-        for friction in WORDS
-    ]
+    gaits = []
+    with progress_bar("gaits", len(WORDS), "gaits", progress) as bar:
+        for friction in WORDS:
+            gaits.append(settle_fmu({**parameters, FRICTION: friction}, tolerance=tolerance, fmu=fmu))
+            bar.update()
     references = {known.friction: known for known in reference.gaits()}
     drifts = [d for gait in gaits for d in reference.drifts(gait, references[gait.friction], fmu)]
+    if only_gaits:
+        return Validation(gaits=gaits, claims=(), drifts=drifts)
     evidence = gather(Runner.of(parameters, fmu), progress)
     drifts += [
         Drift(float("nan"), what, now, then, abs(now - then), allowed)

@@ -15,7 +15,7 @@ would leave behind; each bar is drawn by one process."""
 
 
 def progress_bar(what: str, total: float | None, unit: str, show: bool = True) -> Bar:
-    """A progress bar on stderr; rare lines where stderr is not a terminal."""
+    """A progress bar on a terminal, for what takes longer than a second; elsewhere none."""
     from tqdm import tqdm  # slow to load, and not needed for short work
 
     tqdm.set_lock(LOCK)
@@ -24,10 +24,10 @@ def progress_bar(what: str, total: float | None, unit: str, show: bool = True) -
         desc=what,
         total=total,
         unit=f" {unit}",
-        disable=not show or sys.stderr is None,
+        disable=not (show and on_screen),
         leave=total is None,  # what took how many is worth keeping where nobody knew
         file=sys.stderr,
-        mininterval=0.2 if on_screen else 10.0,
-        delay=0.0 if on_screen or total is None else 2.0,
+        mininterval=0.2,
+        delay=1.0,
         bar_format="{l_bar}{bar}| {n:.0f}/{total:.0f}{unit} [{elapsed}]" if total is not None else None,
     )

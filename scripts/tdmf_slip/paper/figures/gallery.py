@@ -4,40 +4,45 @@ from collections.abc import Callable
 from pathlib import Path
 
 from ...analysis.search import periodic_gait
+from ...analysis.sweep import Sweep, sweep
 from ...fmu.fmu import FRICTION, Fmu
 from ...fmu.parameters import read_parameters
 from ...library.runner import Runner
 from ...pictures import animation, model, snapshots
 from ...pictures.stride import Stride
 from ...terminal.progress import progress_bar
+from .. import matched
 from ..claims import WORDS
-from . import figure_5, figure_6, figure_7, figure_8
+from . import figure_5, figure_6, figure_7, figure_8, figure_9
+from .catalogue import EQUAL, SWEPT
 
 
 def draw(folder: Path, fmu: Fmu, progress: bool = False) -> list[Path]:
-    """Draw figures 5 to 8 of the paper, one stride as snapshots and as an animation, and the model."""
+    """Draw figures 5 to 9 of the paper, one stride as snapshots and as an animation, and the model."""
     folder.mkdir(exist_ok=True)
     runner = Runner.of(read_parameters("paper"), fmu)
-    with progress_bar("pictures", len(WORDS) + 7, "", progress) as bar:
+    with progress_bar("pictures", len(WORDS) + 8, "", progress) as bar:
         strides = {}
         for friction in WORDS:
             strides[friction] = Stride(periodic_gait(runner.but(FRICTION, friction)), fmu)
             bar.update()
         written = []
-        for name, drawing in _drawings(strides).items():
+        gaits = sweep(runner, {FRICTION: SWEPT})
+        for name, drawing in _drawings(strides, gaits).items():
             drawing(folder / name)
             written.append(folder / name)
             bar.update()
     return written
 
 
-def _drawings(strides: dict[float, Stride]) -> dict[str, Callable[[Path], None]]:
+def _drawings(strides: dict[float, Stride], gaits: Sweep) -> dict[str, Callable[[Path], None]]:
     first, second = figure_8.FRICTIONS
     return {
         "figure_5.png": lambda path: figure_5.draw(path, strides[figure_5.FRICTION]),
         "figure_6.png": lambda path: figure_6.draw(path, strides[figure_6.FRICTION]),
         "figure_7.png": lambda path: figure_7.draw(path, strides[figure_7.FRICTION]),
         "figure_8.png": lambda path: figure_8.draw(path, (strides[first], strides[second])),
+        "figure_9.png": lambda path: figure_9.draw(path, gaits, matched.over_friction(gaits.gaits, EQUAL)),
         "snapshots.png": lambda path: snapshots.draw(path, strides[snapshots.FRICTION]),
         "stride.gif": lambda path: animation.draw(path, strides[animation.FRICTION]),
         "model.png": model.draw,
