@@ -341,15 +341,15 @@ def guid_of(source, version):
 
 
 def declared_dependencies(table, tag):
-    """Dependencies by name, as the elements of that name in the table's ModelStructure have them."""
+    """Dependencies by name, from the elements with this tag in the table's ModelStructure."""
     return {
         table.find(element.get("name"), "ModelStructure").name: element.get("dependencies").split()
         for element in table.root.find("ModelStructure").iter(tag)
     }
 
 
-def known_dependencies(table):
-    """Dependencies by name: of an output that is a state, itself; of one that only events change, nothing."""
+def run_dependencies(table):
+    """Dependencies in a run: an output that is a state has itself, one that only events change has none."""
     dependencies = {s.name: [s.name] for s in table.states if s.causality == "output"}
     dependencies |= {
         v.name: [] for v in table.variables if v.causality == "output" and v.variability == "discrete"
@@ -362,14 +362,30 @@ def initial_unknowns(table):
     return [v for v in table.variables if v.initial == "calculated" and v not in table.guards]
 
 
+def whole_start(table):
+    """Names of time, of all inputs and of all start values of the core."""
+    return [
+        v.name
+        for v in table.variables
+        if (v.initial == "exact" or v.causality in ("input", "independent")) and v.group not in UNIT_GROUPS
+    ]
+
+
 def structure(table):
-    """The model structure: (kind, variable, names of what it depends on or None where that is not said)."""
-    dependencies = known_dependencies(table)
-    at_start = declared_dependencies(table, "InitialUnknown")
-    outputs = [v for v in table.variables if v.causality == "output"]
-    rows = [("output", v, dependencies.get(v.name)) for v in outputs]
-    rows += [("derivative", v, dependencies.get(v.name)) for v in table.derivatives]
-    rows += [("initial", v, at_start.get(v.name)) for v in initial_unknowns(table)]
+    """The model structure in FMI's order: (kind, variable, names of all that it depends on)."""
+    in_a_run = run_dependencies(table)
+    at_start = dict.fromkeys((v.name for v in initial_unknowns(table)), whole_start(table))
+    at_start |= declared_dependencies(table, "InitialUnknown")
+    groups = (
+        ("output", [v for v in table.variables if v.causality == "output"], in_a_run),
+        ("derivative", table.derivatives, in_a_run),
+        ("initial", initial_unknowns(table), at_start),
+        ("guard", table.guards, in_a_run),
+    )
+    rows = [(kind, v, known.get(v.name)) for kind, members, known in groups for v in members]
+    undeclared = [variable.name for _, variable, names in rows if names is None]
+    if undeclared:
+        raise SystemExit(f"modelDescription.xml: no dependencies are declared for {', '.join(undeclared)}")
     return rows
 
 
@@ -405,9 +421,13 @@ def fmi2_structure(table):
         )
     }
     for kind, variable, names in structure(table):
-        element = ElementTree.SubElement(groups[kind], "Unknown", index=str(variable.value_reference + 1))
-        if names is not None:
-            element.set("dependencies", references(table, names, variable.name, 1))
+        if kind in groups:
+            ElementTree.SubElement(
+                groups[kind],
+                "Unknown",
+                index=str(variable.value_reference + 1),
+                dependencies=references(table, names, variable.name, 1),
+            )
     return root
 
 
@@ -487,12 +507,13 @@ def fmi3_variable(variable, table):
 def fmi3_structure(table):
     """The model structure of FMI 3.0, names turned into value references."""
     root = ElementTree.Element("ModelStructure")
-    for kind, variable, names in [*structure(table), *(("guard", v, None) for v in table.guards)]:
-        element = ElementTree.SubElement(
-            root, FMI3_STRUCTURE[kind], valueReference=str(variable.value_reference)
+    for kind, variable, names in structure(table):
+        ElementTree.SubElement(
+            root,
+            FMI3_STRUCTURE[kind],
+            valueReference=str(variable.value_reference),
+            dependencies=references(table, names, variable.name, 0),
         )
-        if names is not None:
-            element.set("dependencies", references(table, names, variable.name, 0))
     return root
 
 

@@ -161,7 +161,7 @@ def test_the_variables_are_those_of_fmi2(description, description3):
     known = dependencies(description3, "outputs")
     assert known["stride.speed"] == [] and known["ground.pending"] == ["ground.height", "ground.slope"]
     initially = dependencies(description3, "initialUnknowns")
-    assert initially["stride.speed"] == [] and initially["contact.mode"] is None
+    assert initially["stride.speed"] == [] and len(initially["contact.mode"]) > 30
     guards = [v.name for v in description.modelVariables if v.name.startswith("guard.")]
     assert description3.numberOfEventIndicators == description.numberOfEventIndicators == len(guards) > 10
 
