@@ -10,7 +10,7 @@ typedef enum { SOLVER_NATIVE = 1, SOLVER_CVODE } solver_method;
 /* Parameters of the unit rather than of the runner. Member paths are variable names, as in the core. */
 typedef struct {
     struct {
-        int terminate_on_fall;
+        bool terminate_on_fall;
     } status;
     struct {
         int method; /* solver_method */

@@ -391,6 +391,10 @@ static bool phase_suits_contact(const tdmf_mode *mode) {
            (!of_contact || mode->mid_stance_pending == (mode->phase == TDMF_PHASE_DRIVE));
 }
 
+static bool clamp_suits_phase(const tdmf_model *model, const tdmf_mode *mode) {
+    return !mode->clamp_closed || (model->parameters.hip.swing_clamp && mode->phase == TDMF_PHASE_RETRACT);
+}
+
 /* Base 4, first letter most significant; see tdmf_stride. */
 static bool code_suits_word(const tdmf_stride *stride) {
     int code = stride->word_code;
@@ -442,6 +446,7 @@ static void require_agreement(transfer *bytes, const saved_run *run, const tdmf_
     const tdmf_model *model = &run->fmu.model;
     const tdmf_record *record = &motion->record;
     require(bytes, phase_suits_contact(&motion->mode), "hip.phase");
+    require(bytes, clamp_suits_phase(model, &motion->mode), "whether the clamp is closed");
     require(bytes,
             zone_suits_foot(model, motion,
                             run->interface == MODEL_EXCHANGE ? INFINITY : margin * model->scales.length),

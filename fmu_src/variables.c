@@ -53,6 +53,11 @@ double fmu_get_number(const fmu *fmu, const fmu_view *view, const fmu_variable *
         memcpy(&value, address, sizeof value);
         return value;
     }
+    if (variable->type == VARIABLE_BOOLEAN) {
+        bool value;
+        memcpy(&value, address, sizeof value);
+        return value;
+    }
     int value;
     memcpy(&value, address, sizeof value);
     return value;
@@ -67,6 +72,9 @@ void fmu_set_number(fmu *fmu, const fmu_variable *variable, double value) {
     char *address = (char *)(size_t)storage_of(fmu, NULL, variable->storage) + byte_offset(variable);
     if (variable->type == VARIABLE_REAL) {
         memcpy(address, &value, sizeof value);
+    } else if (variable->type == VARIABLE_BOOLEAN) {
+        const bool truth = value != 0.0;
+        memcpy(address, &truth, sizeof truth);
     } else {
         const int number = (int)value;
         memcpy(address, &number, sizeof number);

@@ -27,6 +27,7 @@ import xml.etree.ElementTree as ElementTree
 UNIT_GROUPS = {"status", "solver"}
 # C's enumerators of the enumerations' items.
 ENUMERATORS = {"contact.mode": "TDMF_CONTACT_", "hip.phase": "TDMF_PHASE_", "solver.method": "SOLVER_"}
+C_TYPES = {"Real": "double", "Boolean": "bool"}
 GUARDS = "guard"
 """The group of the event indicators."""
 
@@ -130,7 +131,9 @@ def struct(name, variables):
         groups.items(), key=lambda group: all(v.variability == "tunable" for v in group[1])
     ):
         names = [variable.name.partition(".")[2] for variable in members]
-        inner = [f"double {n or group}; {comment_of(v)}" for n, v in zip(names, members, strict=True)]
+        inner = [
+            f"{C_TYPES[v.type]} {n or group}; {comment_of(v)}" for n, v in zip(names, members, strict=True)
+        ]
         lines += inner if names == [""] else ["struct {", *inner, f"}} {group};"]
     return "\n".join([*lines, f"}} {name};"])
 
@@ -147,6 +150,8 @@ DECLARATIONS = """\
  * scripts/generate_variables.py: edit that, not this. */
 #ifndef TDMF_SLIP_VARIABLES_H
 #define TDMF_SLIP_VARIABLES_H
+
+#include <stdbool.h>
 
 /* SI units, angles in rad. A member's path is the variable's name in the FMU: `leg.stiffness`. Ranges and
  * defaults (Table 1 of the paper with m = k = l0 = 1) come from modelDescription.xml. */
@@ -210,7 +215,13 @@ def quantity(variable):
 
 def ranges(table):
     """The C file behind c_core/model/ranges.h."""
-    parameters = [range_row(v, f"offsetof(tdmf_parameters, {v.name})") for v in table.core_parameters()]
+    parameters, flags = [], []
+    for variable in table.core_parameters():
+        offset = f"offsetof(tdmf_parameters, {variable.name})"
+        if variable.type == "Boolean":
+            flags.append(f'    {{"{variable.name}", {variable.value.get("start")}, {offset}}},')
+        else:
+            parameters.append(range_row(variable, offset))
     inputs = [range_row(v, f"offsetof(tdmf_inputs, {v.name})") for v in table.inputs()]
     mechanical = [range_row(v, "0") for v in table.states if v.value.get("start")]
     quantities = [f"    [{v.constant}] = {quantity(v)}," for v in table.states]
@@ -225,6 +236,12 @@ def ranges(table):
             "};",
             "const size_t tdmf_parameter_count =",
             "    sizeof tdmf_parameter_ranges / sizeof tdmf_parameter_ranges[0];",
+            "",
+            "const tdmf_flag tdmf_parameter_flags[] = {",
+            *flags,
+            "};",
+            "const size_t tdmf_parameter_flag_count =",
+            "    sizeof tdmf_parameter_flags / sizeof tdmf_parameter_flags[0];",
             "",
             "const tdmf_range tdmf_input_ranges[TDMF_INPUT_COUNT] = {",
             *inputs,

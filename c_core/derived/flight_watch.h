@@ -17,7 +17,7 @@ static inline void watch_flight(event_search *search, const flight_constants *c,
                  s->length, broadcast(1.0), s->length[0] - c->mode.guards.leg_min_length, search->order,
                  search->beyond_margin * c->mode.length_scale);
     watch_apex(search, c, com, is.rising);
-    if (is.retracts) {
+    if (is.clamped) {
         watch_clamp(search, c, s);
     }
     search_pending(search);

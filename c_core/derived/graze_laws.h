@@ -25,7 +25,7 @@ static inline tdmf_ground_force tdmf_force_in_stance(const tdmf_evaluation *at) 
 
 /* N of the flight law, of a foot at rest on the ground that would stay there; with f_t of (10).
  *
- * Nobody locates the clamp of (12) for a foot on the ground: it is where the servo has it now. */
+ * Nobody locates a clamp of (12) for a foot on the ground: it is where the servo has it now. */
 static inline tdmf_ground_force tdmf_force_in_flight(const tdmf_evaluation *at) {
     if (at->mode->phase == TDMF_PHASE_PLACE) {
         const double target = at->model->parameters.hip.touchdown_angle +
@@ -47,8 +47,8 @@ static inline tdmf_ground_force tdmf_force_in_flight(const tdmf_evaluation *at) 
     const double target = at->model->parameters.hip.liftoff_angle_factor * at->mode->liftoff_angle;
     const double servo = at->model->parameters.hip.kp * (target - at->state[TDMF_LEG_ANGLE]) -
                          at->model->parameters.hip.kd * at->state[TDMF_LEG_ANGLE_RATE];
-    const double clamped = (servo >= 0.0 ? servo : 0.0);
-    const double across = (clamped + at->inputs->hip.external_torque) * at->leg.inverse_length;
+    const double swing = (at->model->parameters.hip.swing_clamp ? (servo >= 0.0 ? servo : 0.0) : servo);
+    const double across = (swing + at->inputs->hip.external_torque) * at->leg.inverse_length;
     const double along = at->leg.axial_force * -at->leg.ground_sine - across * at->leg.ground_cosine;
     const double weight = at->model->parameters.foot.mass * at->model->parameters.gravity;
     const double off = at->leg.axial_force * at->leg.ground_cosine + across * -at->leg.ground_sine;

@@ -90,16 +90,19 @@ static inline double tdmf_vary_touchdown_guard(const tdmf_evaluation *at, const 
 
 /* The servo's torque, which closes the clamp of (12) by falling through 0, and opens it by rising. */
 static inline double tdmf_clamp_guard(const tdmf_evaluation *at) {
-    if (at->mode->clamp_closed) {
+    if (at->model->parameters.hip.swing_clamp) {
+        if (at->mode->clamp_closed) {
+            const double target = at->model->parameters.hip.liftoff_angle_factor * at->mode->liftoff_angle;
+            const double servo = at->model->parameters.hip.kp * (target - at->state[TDMF_LEG_ANGLE]) -
+                                 at->model->parameters.hip.kd * at->state[TDMF_LEG_ANGLE_RATE];
+            return -servo / at->model->scales.energy + TDMF_DEAD_BAND;
+        }
         const double target = at->model->parameters.hip.liftoff_angle_factor * at->mode->liftoff_angle;
         const double servo = at->model->parameters.hip.kp * (target - at->state[TDMF_LEG_ANGLE]) -
                              at->model->parameters.hip.kd * at->state[TDMF_LEG_ANGLE_RATE];
-        return -servo / at->model->scales.energy + TDMF_DEAD_BAND;
+        return servo / at->model->scales.energy + TDMF_DEAD_BAND;
     }
-    const double target = at->model->parameters.hip.liftoff_angle_factor * at->mode->liftoff_angle;
-    const double servo = at->model->parameters.hip.kp * (target - at->state[TDMF_LEG_ANGLE]) -
-                         at->model->parameters.hip.kd * at->state[TDMF_LEG_ANGLE_RATE];
-    return servo / at->model->scales.energy + TDMF_DEAD_BAND;
+    return 1.0;
 }
 
 /* Its change. */
@@ -328,8 +331,8 @@ static inline double tdmf_graze_to_flight_guard(const tdmf_evaluation *at) {
     const double target = at->model->parameters.hip.liftoff_angle_factor * at->mode->liftoff_angle;
     const double servo = at->model->parameters.hip.kp * (target - at->state[TDMF_LEG_ANGLE]) -
                          at->model->parameters.hip.kd * at->state[TDMF_LEG_ANGLE_RATE];
-    const double clamped = (servo >= 0.0 ? servo : 0.0);
-    const double across = (clamped + at->inputs->hip.external_torque) * at->leg.inverse_length;
+    const double swing = (at->model->parameters.hip.swing_clamp ? (servo >= 0.0 ? servo : 0.0) : servo);
+    const double across = (swing + at->inputs->hip.external_torque) * at->leg.inverse_length;
     const double off = at->leg.axial_force * at->leg.ground_cosine + across * -at->leg.ground_sine;
     const double weight = at->model->parameters.foot.mass * at->model->parameters.gravity;
     const double normal = off + weight * at->mode->ground.cosine;
@@ -377,11 +380,11 @@ static inline double tdmf_vary_graze_to_flight_guard(const tdmf_evaluation *at, 
                            at->model->parameters.hip.kp * (d_target - d_at->state[TDMF_LEG_ANGLE]) -
                            (d_at->model->parameters.hip.kd * at->state[TDMF_LEG_ANGLE_RATE] +
                             at->model->parameters.hip.kd * d_at->state[TDMF_LEG_ANGLE_RATE]);
-    const double d_clamped = (servo >= 0.0 ? d_servo : 0.0);
-    const double clamped = (servo >= 0.0 ? servo : 0.0);
-    const double d_across = (d_clamped + d_at->inputs->hip.external_torque) * at->leg.inverse_length +
-                            (clamped + at->inputs->hip.external_torque) * d_at->leg.inverse_length;
-    const double across = (clamped + at->inputs->hip.external_torque) * at->leg.inverse_length;
+    const double d_swing = (at->model->parameters.hip.swing_clamp ? (servo >= 0.0 ? d_servo : 0.0) : d_servo);
+    const double swing = (at->model->parameters.hip.swing_clamp ? (servo >= 0.0 ? servo : 0.0) : servo);
+    const double d_across = (d_swing + d_at->inputs->hip.external_torque) * at->leg.inverse_length +
+                            (swing + at->inputs->hip.external_torque) * d_at->leg.inverse_length;
+    const double across = (swing + at->inputs->hip.external_torque) * at->leg.inverse_length;
     const double d_off = d_at->leg.axial_force * at->leg.ground_cosine +
                          at->leg.axial_force * d_at->leg.ground_cosine +
                          (d_across * -at->leg.ground_sine + across * -d_at->leg.ground_sine);

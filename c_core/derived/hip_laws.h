@@ -51,7 +51,7 @@ static inline tdmf_hip_law tdmf_stance_law(const tdmf_model *model, const tdmf_i
     return result;
 }
 
-/* Of the flight's law the servo alone: the sign of its torque decides the clamp. */
+/* The servo of the flight's law, without clamp and external torque. */
 static inline tdmf_hip_law tdmf_servo(const tdmf_model *model, const tdmf_inputs *inputs,
                                       const tdmf_mode *mode, double place_time) {
     if (mode->phase == TDMF_PHASE_PLACE) {
@@ -73,7 +73,7 @@ static inline tdmf_hip_law tdmf_servo(const tdmf_model *model, const tdmf_inputs
     return result;
 }
 
-/* Off the ground: the servo, unless the clamp of (12) holds it at 0, and the torque from outside. */
+/* Off the ground: the servo, unless a clamp of (12) holds it at 0, and the torque from outside. */
 static inline tdmf_hip_law tdmf_flight_law(const tdmf_model *model, const tdmf_inputs *inputs,
                                            const tdmf_inputs *rates, const tdmf_mode *mode,
                                            double place_time) {
@@ -107,7 +107,7 @@ static inline tdmf_hip_law tdmf_flight_law(const tdmf_model *model, const tdmf_i
     return result;
 }
 
-/* Of the servo alone, by which the clamp of (12) is decided. */
+/* The torque of the servo alone; with swing_clamp its sign decides the clamp of (12). */
 static inline double tdmf_servo_torque(const tdmf_model *model, const tdmf_inputs *inputs,
                                        const tdmf_mode *mode, const double state[TDMF_STATE_COUNT]) {
     if (mode->phase == TDMF_PHASE_PLACE) {

@@ -11,8 +11,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Runners under way at once: enough that a full batch is waiting somewhere, few enough for the cache. */
-enum { RUNNERS_OF_A_KIND = 5 * LANES, RUNNERS = BATCH_USUAL * RUNNERS_OF_A_KIND };
+/* Runners under way at once: enough that a full batch is waiting somewhere, few enough for the cache. Of the
+ * common kinds, mostly all runners rise with a clamp or all without. */
+enum { RUNNERS_OF_A_KIND = 5 * LANES, RUNNERS = (BATCH_USUAL - 1) * RUNNERS_OF_A_KIND };
 
 enum { EMPTY = -1 };
 
@@ -126,10 +127,10 @@ static void fill_lanes(integration *integration, batch *batch) {
 /* Runners that are pushed are few: they share one kernel, which asks which case it is. */
 static lane_outcome step_forced(flying_member *m, mask live, batch_kind kind, int order, double tolerance,
                                 flight_series *f) {
-    const bool retracts = kind == BATCH_RETRACT_FORCED || kind == BATCH_RETRACT_FORCED_AND_WAIT;
+    const bool clamped = kind == BATCH_CLAMPED_FORCED || kind == BATCH_CLAMPED_FORCED_AND_WAIT;
     const flight_case is = {
-        .rising = retracts || kind == BATCH_RISE_FORCED || kind == BATCH_RISE_FORCED_AND_WAIT,
-        .retracts = retracts,
+        .rising = clamped || kind == BATCH_RISE_FORCED || kind == BATCH_RISE_FORCED_AND_WAIT,
+        .clamped = clamped,
         .awaits_ground = kind >= BATCH_PLACE_FORCED_AND_WAIT,
         .forced = true,
     };
@@ -149,7 +150,7 @@ static lane_outcome step_at_border(standing_member *m, mask live, batch_kind kin
 }
 
 static bool in_flight(batch_kind kind) {
-    return kind < BATCH_STICK || (kind >= BATCH_PLACE_AND_RISE && kind <= BATCH_RETRACT_FORCED_AND_WAIT);
+    return kind < BATCH_STICK || (kind >= BATCH_PLACE_AND_WAIT && kind <= BATCH_CLAMPED_FORCED_AND_WAIT);
 }
 
 static int order_of(const integration *integration, batch_kind kind) {
@@ -164,32 +165,32 @@ static lane_outcome step_batch(integration *integration, batch_kind kind) {
     const ground_case slips = {.slips = true, .has_torque = true}, slips_and_coasts = {.slips = true};
     const ground_case slips_and_falls = {.slips = true, .has_torque = true, .falls = true};
     const ground_case grazes = {.grazes = true, .has_torque = true};
-    const flight_case falls = {.rising = false}, climbs = {.rising = true};
-    const flight_case retracts = {.rising = true, .retracts = true};
+    const flight_case falls = {.rising = false}, rises = {.rising = true};
+    const flight_case clamped = {.rising = true, .clamped = true};
     const flight_case waits = {.awaits_ground = true};
-    const flight_case climbs_and_waits = {.rising = true, .awaits_ground = true};
-    const flight_case retracts_and_waits = {.rising = true, .retracts = true, .awaits_ground = true};
+    const flight_case rises_and_waits = {.rising = true, .awaits_ground = true};
+    const flight_case clamped_and_waits = {.rising = true, .clamped = true, .awaits_ground = true};
     flight_series *flight = &integration->series.flight;
     ground_series *ground = &integration->series.ground;
     switch (kind) {
     case BATCH_PLACE:
         return step_flying(&batch->members.flying, batch->live, falls, order, tolerance, flight);
-    case BATCH_PLACE_AND_RISE:
-        return step_flying(&batch->members.flying, batch->live, climbs, order, tolerance, flight);
-    case BATCH_RETRACT:
-        return step_flying(&batch->members.flying, batch->live, retracts, order, tolerance, flight);
+    case BATCH_RISE:
+        return step_flying(&batch->members.flying, batch->live, rises, order, tolerance, flight);
+    case BATCH_CLAMPED:
+        return step_flying(&batch->members.flying, batch->live, clamped, order, tolerance, flight);
     case BATCH_PLACE_AND_WAIT:
         return step_flying(&batch->members.flying, batch->live, waits, order, tolerance, flight);
     case BATCH_RISE_AND_WAIT:
-        return step_flying(&batch->members.flying, batch->live, climbs_and_waits, order, tolerance, flight);
-    case BATCH_RETRACT_AND_WAIT:
-        return step_flying(&batch->members.flying, batch->live, retracts_and_waits, order, tolerance, flight);
+        return step_flying(&batch->members.flying, batch->live, rises_and_waits, order, tolerance, flight);
+    case BATCH_CLAMPED_AND_WAIT:
+        return step_flying(&batch->members.flying, batch->live, clamped_and_waits, order, tolerance, flight);
     case BATCH_PLACE_FORCED:
     case BATCH_RISE_FORCED:
-    case BATCH_RETRACT_FORCED:
+    case BATCH_CLAMPED_FORCED:
     case BATCH_PLACE_FORCED_AND_WAIT:
     case BATCH_RISE_FORCED_AND_WAIT:
-    case BATCH_RETRACT_FORCED_AND_WAIT:
+    case BATCH_CLAMPED_FORCED_AND_WAIT:
         return step_forced(&batch->members.flying, batch->live, kind, order, tolerance, flight);
     case BATCH_STICK:
         return step_standing(&batch->members.standing, batch->live, sticks, order, tolerance, ground);

@@ -36,7 +36,7 @@ typedef struct {
 /* Fields of either kind of member, those that some modes do without being the last, and those that change. */
 enum {
     FLYING_FIELDS = offsetof(flying_member, constants.servo) / sizeof(real),
-    RETRACTING_FIELDS = offsetof(flying_member, constants.new_slope) / sizeof(real),
+    CLAMPED_FIELDS = offsetof(flying_member, constants.new_slope) / sizeof(real),
     SELDOM_FIELDS = sizeof(flying_member) / sizeof(real), /* to wait for a ground, or to be forced */
     STANDING_FIELDS = offsetof(standing_member, constants.law.rest_length_rate) / sizeof(real), /* no ramps */
     GRAZING_FIELDS = offsetof(standing_member, constants.border) / sizeof(real),

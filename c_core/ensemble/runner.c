@@ -27,30 +27,19 @@ static bool coasts(const tdmf_runner *runner) {
     return !tdmf_law_acts(&law);
 }
 
-static batch_kind batch_in_forced_flight(const tdmf_mode *mode, bool waits) {
-    if (mode->phase == TDMF_PHASE_RETRACT) {
-        return waits ? BATCH_RETRACT_FORCED_AND_WAIT : BATCH_RETRACT_FORCED;
-    }
-    if (mode->rises) {
-        return waits ? BATCH_RISE_FORCED_AND_WAIT : BATCH_RISE_FORCED;
-    }
-    return waits ? BATCH_PLACE_FORCED_AND_WAIT : BATCH_PLACE_FORCED;
-}
-
+/* The batch of a runner that is clamped, rises or falls in flight, by the batch of those that fall: they come
+ * in this order. */
 static batch_kind batch_in_flight(const tdmf_runner *runner) {
     const tdmf_mode *mode = &runner->motion.mode;
-    const tdmf_inputs *inputs = &runner->inputs;
-    const bool waits = tdmf_ground_is_pending(inputs, mode);
-    if (tdmf_is_pushed(inputs)) {
-        return batch_in_forced_flight(mode, waits);
+    const bool waits = tdmf_ground_is_pending(&runner->inputs, mode);
+    const batch_kind place = tdmf_is_pushed(&runner->inputs)
+                                 ? waits ? BATCH_PLACE_FORCED_AND_WAIT : BATCH_PLACE_FORCED
+                             : waits ? BATCH_PLACE_AND_WAIT
+                                     : BATCH_PLACE;
+    if (tdmf_has_clamp(runner->model, mode)) {
+        return (batch_kind)(place + (BATCH_CLAMPED - BATCH_PLACE));
     }
-    if (mode->phase == TDMF_PHASE_RETRACT) {
-        return waits ? BATCH_RETRACT_AND_WAIT : BATCH_RETRACT;
-    }
-    if (mode->rises) {
-        return waits ? BATCH_RISE_AND_WAIT : BATCH_PLACE_AND_RISE;
-    }
-    return waits ? BATCH_PLACE_AND_WAIT : BATCH_PLACE;
+    return mode->rises ? (batch_kind)(place + (BATCH_RISE - BATCH_PLACE)) : place;
 }
 
 batch_kind tdmf_runner_batch(const tdmf_runner *runner) {
@@ -125,7 +114,7 @@ int tdmf_runner_load(tdmf_runner *runner, double *fields) {
     if (motion->mode.contact == TDMF_CONTACT_FLIGHT) {
         *(flying_member *)fields = flying_fields(runner);
         return runner->equations.ground_waits || runner->equations.is_forced ? SELDOM_FIELDS
-               : motion->mode.phase == TDMF_PHASE_RETRACT                    ? RETRACTING_FIELDS
+               : tdmf_has_clamp(runner->model, &motion->mode)                ? CLAMPED_FIELDS
                                                                              : FLYING_FIELDS;
     }
     write_standing_fields(runner, (standing_member *)fields);

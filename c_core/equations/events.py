@@ -105,7 +105,7 @@ class Event(NamedTuple):
     """A row of the table.
 
     `law` is the guard (None: only C has it), `scale` what divides it; `watched` tells for each contact
-    the phases in which it is watched, `only_while` a flag of the mode that must be set, or with "not"
+    the phases in which it is watched, `only_while` a flag of mode or model that must be set, or with "not"
     must not. `band` is the margin by which a guard is armed: "dead" for a sign that is remembered, "apex"
     for either, with a margin of its own, "by hand" where C arms it. `reach` tells how near to its zero it
     is due where a solver has come there: within half of its margin, or of the dead band where nothing
@@ -162,9 +162,16 @@ EVENTS = [
         jumps=True,
         is_impact=True,
     ),
-    Event("clamp", clamp, "energy", {"flight": ("retract",)}, band="dead"),
-    Event("greatest_compression", greatest_compression, "speed", CONTACT, only_while="not thrusts"),
-    Event("mid_stance", mid_stance, "", ON_GROUND, only_while="mid_stance_pending"),
+    Event(
+        "clamp",
+        clamp,
+        "energy",
+        {"flight": ("retract",)},
+        only_while="model.parameters.hip.swing_clamp",
+        band="dead",
+    ),
+    Event("greatest_compression", greatest_compression, "speed", CONTACT, only_while="not mode.thrusts"),
+    Event("mid_stance", mid_stance, "", ON_GROUND, only_while="mode.mid_stance_pending"),
     Event("lift_off", lift_off, "force", CONTACT, reach="margin"),
     Event(
         "slip_onset_positive",

@@ -11,7 +11,7 @@ never by tau_eq, which is 0/0 at theta' = 0.
 """
 
 from . import ground_force, hip
-from .functions import larger
+from .functions import larger, where
 
 
 def force_in_stance(at):
@@ -23,8 +23,11 @@ def force_in_stance(at):
 def force_in_flight(at):
     """N of the flight law, of a foot at rest on the ground that would stay there; with f_t of (10).
 
-    Nobody locates the clamp of (12) for a foot on the ground: it is where the servo has it now.
+    Nobody locates a clamp of (12) for a foot on the ground: it is where the servo has it now.
     """
     servo = hip.servo_torque(at.model, at.inputs, at.state, at.mode.phase, at.mode.liftoff_angle)
-    clamped = servo if at.mode.phase == "place" else larger(servo, 0)
-    return ground_force.under(at.model, at.mode.ground, at.leg, clamped + at.inputs.hip.external_torque)
+    if at.mode.phase == "place":
+        swing = servo
+    else:
+        swing = where(at.model.parameters.hip.swing_clamp, True, larger(servo, 0), servo)
+    return ground_force.under(at.model, at.mode.ground, at.leg, swing + at.inputs.hip.external_torque)

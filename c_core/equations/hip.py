@@ -1,13 +1,16 @@
 """The hip's law, with the corrections to the printed one that its text and its gaits ask for.
 
     stance (11):  tau = -tau0 from touchdown with theta >= 0 to mid-stance, then 0
-    retract (12): tau = max{-kp (theta - eta theta_LO) - kd thetadot, 0}      while the centre of mass rises
+    retract (12): tau = -kp (theta - eta theta_LO) - kd thetadot              while the centre of mass rises
+                  with swing_clamp never below 0
     place (12):   tau = -kp (theta - theta_ref) - kd (thetadot + omega)       from the apex on
 
 The sign in (11) is turned, because theta falls in forward running and only a negative torque then does
-positive work; min in (12) is a max, because the text asks for a positive torque that stops the leg's
-backward rotation. In place the leg is retracted: theta_ref = theta0 - omega s, with s the time since place
-began; the paper has omega = 0.
+positive work. The text asks for a positive torque that stops the leg's backward rotation, which the
+min{..., 0} of (12) excludes. So with hip.swing_clamp it is max{..., 0}, and without it has no clamp.
+
+In place the leg is retracted: theta_ref = theta0 - omega s, with s the time since place began; the paper has
+omega = 0.
 
 In every phase the law is affine in the leg's angle, its rate and time, and is data, with t counted from now:
 
@@ -63,13 +66,13 @@ def place(hip, control, place_time):
 
 
 def servo(model, inputs, phase, liftoff_angle, place_time):
-    """Of the flight's law the servo alone: the sign of its torque decides the clamp."""
+    """The servo of the flight's law, without clamp and external torque."""
     hip = model.parameters.hip
     return place(hip, inputs.control, place_time) if phase == "place" else retract(hip, liftoff_angle)
 
 
 def flight(model, inputs, rates, phase, clamp_closed, liftoff_angle, place_time):
-    """Off the ground: the servo, unless the clamp of (12) holds it at 0, and the torque from outside."""
+    """Off the ground: the servo, unless a clamp of (12) holds it at 0, and the torque from outside."""
     if phase != "place" and clamp_closed:
         return external(inputs, rates)
     law = servo(model, inputs, phase, liftoff_angle, place_time)
@@ -137,7 +140,7 @@ def after(law, elapsed):
 
 
 def servo_torque(model, inputs, state, phase, liftoff_angle):
-    """Of the servo alone, by which the clamp of (12) is decided."""
+    """The torque of the servo alone; with swing_clamp its sign decides the clamp of (12)."""
     law = servo(model, inputs, phase, liftoff_angle, state.hip_place_time)
     return torque(law, state.leg_angle, state.leg_angle_rate)
 

@@ -319,7 +319,8 @@ WITHOUT_VARIATION = (
 # What has sine and cosine of an angle, and where C has that, after its own name and the arrow or point.
 ANGLES = {"line": "{}slope", "ground": "{}slope", "direction": "state[TDMF_LEG_ANGLE]"}
 
-# Words and flags of a mode, which a law may branch on, and structs that are handed on by pointer.
+# Words of a mode, and flags of mode or model, which a law may branch on; and structs that are handed on by
+# pointer.
 WORDS = {"contact": "TDMF_CONTACT_", "phase": "TDMF_PHASE_", "zone": "TDMF_ZONE_"}
 FLAGS = (
     "clamp_closed",
@@ -333,6 +334,7 @@ FLAGS = (
     "forward",
     "pushed",
     "foot_is_free",
+    "swing_clamp",
 )
 POINTERS = ("model", "inputs", "mode")
 

@@ -93,7 +93,7 @@ CASES = {
     ("graze",): "is.grazes",
 }
 # Flags of the mode that must be set, or must not, as the lanes have them.
-FLAGS = {"not thrusts": "c->awaits_thrust > 0.0"}
+FLAGS = {"not mode.thrusts": "c->awaits_thrust > 0.0"}
 # Parameters that guards are made of, as the table's laws have them.
 PARAMETERS = "at->model->parameters."
 FORCES = "watch_forces(search, c, s, !is.slips, !is.slips && is.meets_border);"
@@ -106,7 +106,7 @@ BY_HAND = {
         "body_down": HEIGHTS,
         "touchdown": HEIGHTS,
         "apex": "watch_apex(search, c, com, is.rising);",
-        "clamp": "if (is.retracts) {watch_clamp(search, c, s);}",
+        "clamp": "if (is.clamped) {watch_clamp(search, c, s);}",
     },
     "ground": {
         "mid_stance": "watch_mid_stance(search, c, s);",

@@ -19,13 +19,13 @@ typedef struct {
     real body_share;     /* of the mass */
     real slope;          /* of the ground */
     real normal_gravity; /* away from it */
-    signed_law servo;    /* retract: its torque is what the clamp is decided by, with its sign now */
+    signed_law servo;    /* where clamped: its torque is what the clamp is decided by, with its sign now */
     real new_slope, new_normal_gravity; /* of a ground that waits to be in force */
 } flight_constants;
 
-/* Which events and terms there are. A leg that is retracted rises. */
+/* Which events and terms there are. A leg whose torque is clamped rises. */
 typedef struct {
-    bool rising, retracts, awaits_ground, forced;
+    bool rising, clamped, awaits_ground, forced;
 } flight_case;
 
 /* The height of a point above a line, and its rate. */

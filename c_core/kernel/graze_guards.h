@@ -15,14 +15,14 @@ static inline void integrate_angle(const ground_series *g, real angle, int order
 }
 
 /* Has steps end where the clamp opens or closes, and closes it where it is closed now. */
-static inline void clamp_servo(event_search *search, const ground_constants *c, mask retracts, int order,
+static inline void clamp_servo(event_search *search, const ground_constants *c, mask clamped, int order,
                                real torque[SERIES_TERMS]) {
     const real zero = TDMF_ZERO_CLAMP_ARGUMENT * c->mode.energy_scale;
     const real leading = select(real_abs(torque[0]) > zero, torque[0], torque[1]);
     const real sign = select(leading < 0.0, broadcast(-1.0), broadcast(1.0));
     const guard_series argument = {torque, sign, sign * torque[0], order};
-    watch(search, KINK, retracts, &argument, -2.0 * zero);
-    const mask closed = retracts & mask_not(leading > 0.0);
+    watch(search, KINK, clamped, &argument, -2.0 * zero);
+    const mask closed = clamped & mask_not(leading > 0.0);
     for (int k = 0; k <= order; ++k) {
         torque[k] = select(closed, broadcast(0.0), torque[k]);
     }
@@ -58,11 +58,14 @@ static inline void watch_graze(event_search *search, const ground_constants *c, 
                                real angle) {
     const int order = search->order - 1;
     const mask retracts = c->retracting_share > 0.0;
+    const mask clamped = c->clamped > 0.0;
     real angles[SERIES_TERMS], lever[SERIES_TERMS], flight[SERIES_TERMS], stance[SERIES_TERMS];
     watch_apex_in_graze(search, c, g, retracts);
     integrate_angle(g, angle, order, angles);
     expand_torque(&c->servo, angles, g->angle_rate, order, flight);
-    clamp_servo(search, c, retracts, order, flight);
+    if (any(clamped)) {
+        clamp_servo(search, c, clamped, order, flight);
+    }
     flight[0] += c->law.torque;
     flight[1] += c->law.torque_rate;
     for (int k = 0; k <= order; ++k) {

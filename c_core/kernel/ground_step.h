@@ -33,6 +33,7 @@ typedef struct {
     /* Graze: the laws that the torque lies between, of which `law` has the torque from outside, and the share
      * of the body in the mass while retracting, else 0. */
     signed_law servo, stance;
+    real clamped; /* above 0 where the servo's torque is clamped */
     real retracting_share;
     patch_border border;
 } ground_constants;

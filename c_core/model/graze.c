@@ -13,9 +13,9 @@
 #include "guard_laws.h"
 #include "margins.h"
 
-/* The clamp, max{servo, 0}, has no derivative where the servo is 0 and does not stay so. */
+/* A clamp, max{servo, 0}, has no derivative where the servo is 0 and does not stay so. */
 static bool is_at_kink(const tdmf_evaluation *at, const tdmf_evaluation *d) {
-    return at->mode->phase != TDMF_PHASE_PLACE &&
+    return at->model->parameters.hip.swing_clamp && at->mode->phase != TDMF_PHASE_PLACE &&
            tdmf_servo_torque(at->model, at->inputs, at->mode, at->state) == 0.0 &&
            tdmf_vary_servo_torque(at->model, at->inputs, at->mode, at->state, d->model, d->inputs, d->mode,
                                   d->state) != 0.0;

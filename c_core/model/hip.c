@@ -6,7 +6,7 @@
 bool tdmf_clamp_has_no_derivative(const tdmf_model *model, const tdmf_mode *mode, const tdmf_local_seed *d) {
     const tdmf_parameters *p = &model->parameters;
     const tdmf_parameters *d_p = &d->model.parameters;
-    return mode->phase == TDMF_PHASE_RETRACT && p->hip.kp == 0.0 && p->hip.kd == 0.0 &&
+    return tdmf_has_clamp(model, mode) && p->hip.kp == 0.0 && p->hip.kd == 0.0 &&
            (d_p->hip.kp != 0.0 || d_p->hip.kd != 0.0);
 }
 

@@ -54,6 +54,10 @@ static const tdmf_range *parameter_range(size_t offset) {
 tdmf_parameters tdmf_default_parameters(void) {
     tdmf_parameters parameters = {0};
     fill_with_starts(&parameters, tdmf_parameter_ranges, tdmf_parameter_count);
+    for (size_t i = 0; i < tdmf_parameter_flag_count; ++i) {
+        const tdmf_flag *flag = &tdmf_parameter_flags[i];
+        memcpy((char *)&parameters + flag->offset, &flag->start, sizeof flag->start);
+    }
     return parameters;
 }
 

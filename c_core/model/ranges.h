@@ -19,8 +19,17 @@ typedef struct {
     size_t offset;   /* of the value in tdmf_parameters or tdmf_inputs; not used for states */
 } tdmf_range;
 
+/* A Boolean parameter. */
+typedef struct {
+    const char *name;
+    bool start;
+    size_t offset; /* in tdmf_parameters */
+} tdmf_flag;
+
 extern const tdmf_range tdmf_parameter_ranges[];
 extern const size_t tdmf_parameter_count;
+extern const tdmf_flag tdmf_parameter_flags[];
+extern const size_t tdmf_parameter_flag_count;
 extern const tdmf_range tdmf_input_ranges[TDMF_INPUT_COUNT];
 extern const tdmf_range tdmf_state_ranges[TDMF_MECHANICAL_COUNT];
 

@@ -30,8 +30,8 @@ typedef struct {
     tdmf_ground_line new_ground;
     tdmf_mode_coordinates start;
     tdmf_hip_law law; /* of flight or stance; in graze the torque from outside alone */
-    /* Laws that guards are made of: off the ground the servo that the clamp is decided by; in graze also the
-     * stance law. */
+    /* Laws that guards are made of: in flight the servo that a clamp is decided by, in graze servo and stance
+     * law. */
     tdmf_hip_law servo, stance_law;
     double friction, friction_rate;               /* in slip, with the sign of the foot's velocity */
     double static_friction, static_friction_rate; /* of a foot at rest; on a border, to slip forward */

@@ -42,14 +42,16 @@ def outputs_of(table):
 
 def c_table(table):
     """The C file behind the tables of live.h."""
-    structs = {"parameter": ("LIVE_PARAMETER", "tdmf_parameters"), "input": ("LIVE_INPUT", "tdmf_inputs")}
+    groups = {"Real": "LIVE_PARAMETER", "Boolean": "LIVE_FLAG"}
     values = [
-        f"    {{{structs[v.causality][0]}, offsetof({structs[v.causality][1]}, {v.name})}},"
+        f"    {{LIVE_INPUT, offsetof(tdmf_inputs, {v.name})}},"
+        if v.causality == "input"
+        else f"    {{{groups[v.type]}, offsetof(tdmf_parameters, {v.name})}},"
         for v in values_of(table)
     ]
     outputs = []
     for variable, storage_name in outputs_of(table):
-        kind = "LIVE_DOUBLE" if variable.type == "Real" else "LIVE_INT"
+        kind = {"Real": "LIVE_DOUBLE", "Boolean": "LIVE_BOOL"}.get(variable.type, "LIVE_INT")
         outputs.append(f"    {{{'LIVE_STATE' if variable in table.states else kind}, {storage_name}}},")
     return generated(
         [
@@ -73,9 +75,11 @@ def c_table(table):
 
 
 def described(variable):
-    """A variable as the page knows it."""
+    """A variable as the page knows it; a Boolean is 0 or 1."""
     number = {"Real": float, "Integer": int, "Enumeration": int}.get(variable.type, str)
     given = {key: variable.value.get(key) for key in ("min", "max", "start")}
+    if variable.type == "Boolean" and given["start"]:
+        number, given = int, {"min": "0", "max": "1", "start": variable.start}
     return {
         "name": variable.name,
         "unit": variable.unit or "",

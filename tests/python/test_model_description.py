@@ -124,6 +124,7 @@ PROMISED = [
     "ground.patch_begin",
     "ground.patch_end",
     "ground.patch_friction",
+    "hip.swing_clamp",
     "status.terminate_on_fall",
     "foot.x",
     "foot.y",

@@ -1,6 +1,7 @@
 """The table of events in C: what announces each, what takes it, and who watches it in what order."""
 
 from collections.abc import Callable
+from operator import attrgetter
 from typing import Any
 
 from ..events import ALL, BANDS, BY_HAND, CONTACTS, EVENTS, Event
@@ -55,7 +56,7 @@ def armed(event: Event) -> Callable[..., Any]:
     def guard(at: Any, *arguments: Any) -> Any:
         if event.only_while:
             flag = event.only_while.removeprefix("not ")
-            if bool(getattr(at.mode, flag)) != (flag == event.only_while):
+            if bool(attrgetter(flag)(at)) != (flag == event.only_while):
                 return 1
         assert event.law
         value = event.law(at, *arguments)

@@ -23,7 +23,7 @@ typedef struct {
         int mode_index;            /* the same number, for tools without enumerations */
     } contact;
     struct {
-        int pending; /* 1 while the line set last is not in force yet */
+        bool pending; /* while the line set last is not in force yet */
     } ground;
     struct {
         double force; /* N, of spring and damper */
@@ -42,7 +42,7 @@ typedef struct {
         double last_time; /* s */
     } event;
     struct {
-        int fallen; /* 1 from a fall on, else 0 */
+        bool fallen; /* from a fall on */
     } status;
     tdmf_stride stride; /* the last that closed */
     tdmf_apex apex;     /* the last */

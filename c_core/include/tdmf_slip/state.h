@@ -46,15 +46,15 @@ typedef struct {
 
 /* Everything discrete that the motion depends on. */
 typedef struct {
-    tdmf_contact_mode contact; /* what the foot does */
-    tdmf_hip_phase phase;      /* what the hip does */
-    tdmf_zone zone;            /* slip: what it slips on; changed by events only; else TDMF_ZONE_BEFORE */
-    double liftoff_angle;      /* theta_LO, rad */
-    bool mid_stance_pending;   /* this stance began with theta >= 0 and has not passed upright yet; one that
-                                  begins upright, with theta falling, has */
-    bool clamp_closed;         /* flight, retract: the clamp in (12) holds the torque at 0; false in place and
-                                  in contact */
-    bool ground_force_rising;  /* contact: f_n grows; it peaks when this turns false */
+    tdmf_contact_mode contact;  /* what the foot does */
+    tdmf_hip_phase phase;       /* what the hip does */
+    tdmf_zone zone;             /* slip: what it slips on; changed by events only; else TDMF_ZONE_BEFORE */
+    double liftoff_angle;       /* theta_LO, rad */
+    bool mid_stance_pending;    /* this stance began with theta >= 0 and has not passed upright yet; one that
+                                   begins upright, with theta falling, has */
+    bool clamp_closed;          /* flight, retract, with hip.swing_clamp: the clamp in (12) holds the torque
+                                   at 0; false in place and in contact */
+    bool ground_force_rising;   /* contact: f_n grows; it peaks when this turns false */
     bool vertical_force_rising; /* the same of the vertical force, another on a slope */
     bool thrusts;               /* the leg has been compressed most in this stance: its thrust is on */
     bool rises;                 /* off the ground: an apex is to come */

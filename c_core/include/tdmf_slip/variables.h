@@ -3,6 +3,8 @@
 #ifndef TDMF_SLIP_VARIABLES_H
 #define TDMF_SLIP_VARIABLES_H
 
+#include <stdbool.h>
+
 /* SI units, angles in rad. A member's path is the variable's name in the FMU: `leg.stiffness`. Ranges and
  * defaults (Table 1 of the paper with m = k = l0 = 1) come from modelDescription.xml. */
 typedef struct {
@@ -22,6 +24,17 @@ typedef struct {
     } leg;
     double gravity; /* Acceleration of gravity, g, m/s2 */
     struct {
+        double stance_torque;        /* Torque that drives the first half of a stance, tau0, N.m */
+        double touchdown_angle;      /* Leg angle that the leg is placed at before touchdown, theta0, rad */
+        double kp;                   /* Proportional gain of the hip in flight, N.m/rad */
+        double kd;                   /* Derivative gain of the hip in flight, N.m.s/rad */
+        double liftoff_angle_factor; /* Leg angle aimed at after lift-off, over the angle at lift-off, eta */
+        double retraction_rate;      /* Rate at which the leg is retracted before it lands: in place the angle
+                                        aimed at falls so fast from theta0 on, rad/s */
+        bool swing_clamp; /* After lift-off, until the apex, the hip torque is never negative: it only stops
+                             the leg's backward rotation */
+    } hip;
+    struct {
         double static_friction_ratio; /* Friction of a foot at rest over that of one that slips, rho */
         double stribeck_velocity; /* Speed over which friction falls from that of a foot at rest to that of
                                      one that slips, v_s: at least 1e-11 l0 sqrt(k/m); 0: at once, m/s */
@@ -30,15 +43,6 @@ typedef struct {
         double patch_end;      /* Where the patch ends, no less than where it begins, m */
         double patch_friction; /* Coefficient of friction of foot and patch, mu_p */
     } ground;
-    struct {
-        double stance_torque;        /* Torque that drives the first half of a stance, tau0, N.m */
-        double touchdown_angle;      /* Leg angle that the leg is placed at before touchdown, theta0, rad */
-        double kp;                   /* Proportional gain of the hip in flight, N.m/rad */
-        double kd;                   /* Derivative gain of the hip in flight, N.m.s/rad */
-        double liftoff_angle_factor; /* Leg angle aimed at after lift-off, over the angle at lift-off, eta */
-        double retraction_rate;      /* Rate at which the leg is retracted before it lands: in place the angle
-                                        aimed at falls so fast from theta0 on, rad/s */
-    } hip;
 } tdmf_parameters;
 
 /* What may change during a run. Rates of inputs, per second, have the same shape; zero where they are held.

@@ -53,9 +53,9 @@ static void leave_ground(tdmf_run *run, tdmf_contact_mode entered, tdmf_hip_phas
     }
     run->motion->mode.phase = phase;
     run->motion->mode.rises = phase == TDMF_PHASE_RETRACT || rises_in_place(run);
-    run->motion->mode.clamp_closed =
-        phase == TDMF_PHASE_RETRACT && tdmf_servo_torque(run->system.model, run->system.inputs,
-                                                         &run->motion->mode, run->motion->state) < 0.0;
+    run->motion->mode.clamp_closed = tdmf_has_clamp(run->system.model, &run->motion->mode) &&
+                                     tdmf_servo_torque(run->system.model, run->system.inputs,
+                                                       &run->motion->mode, run->motion->state) < 0.0;
 }
 
 void tdmf_fly(tdmf_run *run) {

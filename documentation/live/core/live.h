@@ -28,16 +28,16 @@ static inline tdmf_system live_system(void) {
 
 /* ---- generated from modelDescription.xml --------------------------------------------------------------- */
 
-typedef enum { LIVE_PARAMETER, LIVE_INPUT } live_group;
+typedef enum { LIVE_PARAMETER, LIVE_FLAG, LIVE_INPUT } live_group;
 typedef struct {
     live_group group;
-    size_t offset;
+    size_t offset; /* in tdmf_parameters, of a double or a bool, or in tdmf_inputs */
 } live_value;
 extern const live_value live_values[];
 extern const int live_value_count;
 enum { LIVE_VALUE_CAPACITY = 64, LIVE_OUTPUT_CAPACITY = 96 };
 
-typedef enum { LIVE_STATE, LIVE_DOUBLE, LIVE_INT } live_kind;
+typedef enum { LIVE_STATE, LIVE_DOUBLE, LIVE_INT, LIVE_BOOL } live_kind;
 typedef struct {
     live_kind kind;
     size_t offset; /* of a state its index, else the offset in tdmf_outputs */

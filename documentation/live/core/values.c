@@ -39,9 +39,16 @@ const char *live_message_address(void) {
     return live.message;
 }
 
-static void *member(tdmf_parameters *parameters, tdmf_inputs *inputs, const live_value *value) {
-    char *base = value->group == LIVE_PARAMETER ? (char *)parameters : (char *)inputs;
-    return base + value->offset;
+/* A flag is set by any number but 0. */
+static void write_value(tdmf_parameters *parameters, tdmf_inputs *inputs, const live_value *value,
+                        double number) {
+    const bool truth = number != 0.0;
+    char *member = (value->group == LIVE_INPUT ? (char *)inputs : (char *)parameters) + value->offset;
+    if (value->group == LIVE_FLAG) {
+        memcpy(member, &truth, sizeof truth);
+    } else {
+        memcpy(member, &number, sizeof number);
+    }
 }
 
 bool live_refused(const tdmf_refusal *refusal) {
@@ -60,7 +67,7 @@ bool live_accept(void) {
     tdmf_inputs inputs = tdmf_default_inputs();
     tdmf_model model;
     for (int i = 0; i < live_value_count; ++i) {
-        memcpy(member(&parameters, &inputs, &live_values[i]), &values[i], sizeof values[i]);
+        write_value(&parameters, &inputs, &live_values[i], values[i]);
     }
     tdmf_refusal refusal = tdmf_model_create(&model, &parameters);
     if (refusal.variable == NULL) {
@@ -79,12 +86,17 @@ void live_write_outputs(const tdmf_outputs *from, const double state[TDMF_STATE_
         const live_output *output = &live_outputs[i];
         const char *offset = (const char *)from + output->offset;
         int integer = 0;
+        bool truth = false;
         switch (output->kind) {
         case LIVE_STATE:
             outputs[i] = state[output->offset];
             break;
         case LIVE_DOUBLE:
             memcpy(&outputs[i], offset, sizeof outputs[i]);
+            break;
+        case LIVE_BOOL:
+            memcpy(&truth, offset, sizeof truth);
+            outputs[i] = truth;
             break;
         default:
             memcpy(&integer, offset, sizeof integer);

@@ -1,4 +1,4 @@
-"""Numbers in the C library's structs, by the unit's names: parameters, inputs and states."""
+"""Values in the C library's structs, by the unit's names: parameters, inputs and states."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -24,35 +24,40 @@ STATES = (
 
 @dataclass(frozen=True)
 class Member:
-    """A number in a C struct."""
+    """A number or a Boolean in a C struct."""
 
     name: str
     """The unit's name of it, as in `leg.stiffness`."""
     path: tuple[str, ...]
-    """Members to go through, the last one the number itself."""
+    """Members to go through, the last one the value itself."""
+    is_flag: bool
+    """It is a Boolean."""
 
     def write(self, struct: Any, value: float) -> None:
-        """Give it a value in a struct."""
+        """Give it a value in a struct; of a Boolean 0 or 1."""
         for step in self.path[:-1]:
             struct = getattr(struct, step)
-        setattr(struct, self.path[-1], value)
+        setattr(struct, self.path[-1], bool(value) if self.is_flag else value)
 
 
 def _members(struct: Any, path: tuple[str, ...] = ()) -> Iterator[Member]:
-    """All numbers of a C struct type."""
+    """All numbers and Booleans of a C struct type."""
     for name, member in struct.fields:
         if member.type.kind == "struct":
             yield from _members(member.type, (*path, name))
         else:
-            yield Member(".".join((*path, name)), (*path, name))
+            is_flag = member.type is ffi.typeof("bool")
+            yield Member(".".join((*path, name)), (*path, name), is_flag)
 
 
 PARAMETERS = tuple(_members(ffi.typeof("tdmf_parameters")))
 """Where the library's parameters are in their struct."""
 INPUTS = tuple(_members(ffi.typeof("tdmf_inputs")))
 """Where its inputs are."""
-VARIED = tuple(member.name for member in (*PARAMETERS, *INPUTS))
-"""Parameters and inputs: what a runner's motion depends on, beside its start."""
+VARIED = tuple(member.name for member in (*PARAMETERS, *INPUTS) if not member.is_flag)
+"""Numbers among parameters and inputs: what a runner's motion may be followed along."""
+FLAGS = tuple(member.name for member in PARAMETERS if member.is_flag)
+"""Booleans among the parameters: 0 or 1."""
 
 
 def check_varied(name: object, what: str) -> None:

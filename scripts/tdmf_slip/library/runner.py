@@ -15,7 +15,7 @@ from ..fmu.fmu import Fmu, load_fmu
 from ..fmu.parameters import start_values_of
 from ..given import mapping_of
 from .binding import c, ffi
-from .members import INPUTS, PARAMETERS, STATES, VARIED
+from .members import FLAGS, INPUTS, PARAMETERS, STATES, VARIED
 from .section import COORDINATES, REDUCED, Apex, checked_apex, is_reduced
 from .structs import Center, EventLog, Model, Refusal, Solver, Struct
 
@@ -41,7 +41,7 @@ class Runner(ByContents):
     def __post_init__(self) -> None:
         """Refuse values that are not all there."""
         object.__setattr__(self, "values", mapping_of(self.values, "values", "numbers by the unit's names"))
-        missing = next((name for name in (*VARIED, *STATES) if name not in self.values), None)
+        missing = next((name for name in (*VARIED, *FLAGS, *STATES) if name not in self.values), None)
         if missing is not None:
             raise InputError(f"values: {missing} is missing; allowed: all of them, as Runner.of gives them")
 
@@ -81,7 +81,7 @@ class Runner(ByContents):
             by_name = start_values_of(given)
             fmu = load_fmu(fmu)
             checked = fmu.start_values(by_name, "start values")
-            names = [n for n, v in fmu.variables.items() if v.settable and v.type == "Real"]
+            names = [n for n, v in fmu.variables.items() if v.settable and (v.type == "Real" or n in FLAGS)]
             runner = cls({name: float(checked.get(name, fmu.start_of(name))) for name in names})
         return runner if model is None else replace(runner, reduced=is_reduced(model))
 

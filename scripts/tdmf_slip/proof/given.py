@@ -9,7 +9,7 @@ from ..errors import InputError
 from ..fmu import parameters
 from ..fmu.fmu import load_fmu
 from ..library.gait import Gait
-from ..library.members import VARIED
+from ..library.members import FLAGS, VARIED
 from ..library.runner import Runner
 from .exact import Exact, exact_values
 
@@ -47,7 +47,7 @@ def gait_of(gait: RunnerLike) -> tuple[Gait, dict[str, Exact]]:
             f"a gait of {found.strides} strides is not proved; allowed: one that repeats each stride"
         )
     own = {name: found.runner.values[name] for name in VARIED}
-    check_laws(own)
+    check_laws({**own, **{name: found.runner.values[name] for name in FLAGS}})
     return found, exact_values(load_fmu(), own, {name: value for name, value in given.items() if name in own})
 
 

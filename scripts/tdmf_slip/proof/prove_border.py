@@ -15,7 +15,7 @@ from ..checks import check_kind, checked_whole
 from ..drawable import Drawable
 from ..fmu.fmu import FRICTION, load_fmu
 from ..library.gait import Gait
-from ..library.members import VARIED, check_varied
+from ..library.members import FLAGS, VARIED, check_varied
 from ..library.runner import Runner
 from .exact import Exact, exact_values
 from .forced import Forced
@@ -171,7 +171,7 @@ class _BorderProver:
         self.name, self.value, self.digits = name, value, digits
         self.with_sides = sides
         own = {of: self.runner.values[of] for of in VARIED}
-        check_laws(own)
+        check_laws(own | {of: self.runner.values[of] for of in FLAGS})
         reported_exactly = {of: value for of, value in self.given.items() if of in own and of != name}
         self.values = exact_values(load_fmu(), own, reported_exactly)
         self.parameters = Parameters(self.values, name)
