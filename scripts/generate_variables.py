@@ -121,15 +121,19 @@ def comment_of(variable):
     return f"/* {variable.element.get('description').removeprefix('Event indicator: ')}{unit} */"
 
 
+def is_flag(variable):
+    """Whether it is a Boolean."""
+    return variable.type == "Boolean"
+
+
 def struct(name, variables):
-    """A struct with a member of each variable's path; groups of settings alone come last."""
+    """A struct with a member of each variable's path: numbers one after the other, Booleans after them."""
     groups = {}
     for variable in variables:
         groups.setdefault(variable.group, []).append(variable)
     lines = ["typedef struct {"]
-    for group, members in sorted(
-        groups.items(), key=lambda group: all(v.variability == "tunable" for v in group[1])
-    ):
+    for group, members in sorted(groups.items(), key=lambda group: any(map(is_flag, group[1]))):
+        members.sort(key=is_flag)
         names = [variable.name.partition(".")[2] for variable in members]
         inner = [
             f"{C_TYPES[v.type]} {n or group}; {comment_of(v)}" for n, v in zip(names, members, strict=True)
@@ -162,8 +166,13 @@ DECLARATIONS = """\
  * always zero. */
 {inputs}
 
-/* How many inputs there are, and how many settings: inputs and tunable parameters. */
-enum {{ TDMF_INPUT_COUNT = {input_count}, TDMF_SETTING_LIMIT = {setting_count} }};
+/* How many numbers there are among the parameters, which come first in their struct; how many inputs; and how
+ * many settings: inputs and tunable parameters. */
+enum {{
+    TDMF_PARAMETER_COUNT = {parameter_count},
+    TDMF_INPUT_COUNT = {input_count},
+    TDMF_SETTING_LIMIT = {setting_count}
+}};
 
 /* Indices into a state vector of TDMF_STATE_COUNT doubles. The first eight are q and its rate, in the order
  * of the paper's q = (x, y, r, theta); the rest are integrals along the run and a clock. The leg's angle is
@@ -187,6 +196,7 @@ def declarations(table):
     return DECLARATIONS.format(
         parameters=struct("tdmf_parameters", parameters),
         inputs=struct("tdmf_inputs", inputs),
+        parameter_count=sum(not is_flag(v) for v in parameters),
         input_count=len(inputs),
         setting_count=len(inputs) + sum(v.variability == "tunable" for v in parameters),
         states=enumeration(table.states, "TDMF_STATE_COUNT"),
@@ -218,7 +228,7 @@ def ranges(table):
     parameters, flags = [], []
     for variable in table.core_parameters():
         offset = f"offsetof(tdmf_parameters, {variable.name})"
-        if variable.type == "Boolean":
+        if is_flag(variable):
             flags.append(f'    {{"{variable.name}", {variable.value.get("start")}, {offset}}},')
         else:
             parameters.append(range_row(variable, offset))
@@ -231,11 +241,9 @@ def ranges(table):
             "",
             "#include <float.h>",
             "",
-            "const tdmf_range tdmf_parameter_ranges[] = {",
+            "const tdmf_range tdmf_parameter_ranges[TDMF_PARAMETER_COUNT] = {",
             *parameters,
             "};",
-            "const size_t tdmf_parameter_count =",
-            "    sizeof tdmf_parameter_ranges / sizeof tdmf_parameter_ranges[0];",
             "",
             "const tdmf_flag tdmf_parameter_flags[] = {",
             *flags,

@@ -7,7 +7,7 @@
 #include <string.h>
 
 const tdmf_range *tdmf_setting_range(int setting) {
-    const int parameters = (int)tdmf_parameter_count;
+    const int parameters = TDMF_PARAMETER_COUNT;
     if (setting < 0 || setting >= parameters + TDMF_INPUT_COUNT) {
         return NULL;
     }
@@ -17,7 +17,7 @@ const tdmf_range *tdmf_setting_range(int setting) {
 }
 
 int tdmf_setting_of(const char *name) {
-    const int count = (int)tdmf_parameter_count + TDMF_INPUT_COUNT;
+    const int count = TDMF_PARAMETER_COUNT + TDMF_INPUT_COUNT;
     for (int setting = 0; name != NULL && setting < count; ++setting) {
         const tdmf_range *range = tdmf_setting_range(setting);
         if (range != NULL && strcmp(range->name, name) == 0) {
@@ -28,7 +28,7 @@ int tdmf_setting_of(const char *name) {
 }
 
 void tdmf_write_setting(int setting, double value, tdmf_parameters *parameters, tdmf_inputs *inputs) {
-    const bool is_parameter = setting < (int)tdmf_parameter_count;
+    const bool is_parameter = setting < TDMF_PARAMETER_COUNT;
     char *values = is_parameter ? (char *)parameters : (char *)inputs;
     memcpy(values + tdmf_setting_range(setting)->offset, &value, sizeof value);
 }

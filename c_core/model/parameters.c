@@ -53,7 +53,7 @@ static const tdmf_range *parameter_range(size_t offset) {
 
 tdmf_parameters tdmf_default_parameters(void) {
     tdmf_parameters parameters = {0};
-    fill_with_starts(&parameters, tdmf_parameter_ranges, tdmf_parameter_count);
+    fill_with_starts(&parameters, tdmf_parameter_ranges, TDMF_PARAMETER_COUNT);
     for (size_t i = 0; i < tdmf_parameter_flag_count; ++i) {
         const tdmf_flag *flag = &tdmf_parameter_flags[i];
         memcpy((char *)&parameters + flag->offset, &flag->start, sizeof flag->start);
@@ -116,7 +116,7 @@ tdmf_refusal tdmf_model_create(tdmf_model *model, const tdmf_parameters *paramet
     if (model == NULL || parameters == NULL) {
         return tdmf_absent(model == NULL ? "model" : "parameters");
     }
-    tdmf_refusal refusal = first_out_of_range(parameters, tdmf_parameter_ranges, tdmf_parameter_count);
+    tdmf_refusal refusal = first_out_of_range(parameters, tdmf_parameter_ranges, TDMF_PARAMETER_COUNT);
     if (refusal.variable != NULL) {
         return refusal;
     }

@@ -26,8 +26,7 @@ typedef struct {
     size_t offset; /* in tdmf_parameters */
 } tdmf_flag;
 
-extern const tdmf_range tdmf_parameter_ranges[];
-extern const size_t tdmf_parameter_count;
+extern const tdmf_range tdmf_parameter_ranges[TDMF_PARAMETER_COUNT];
 extern const tdmf_flag tdmf_parameter_flags[];
 extern const size_t tdmf_parameter_flag_count;
 extern const tdmf_range tdmf_input_ranges[TDMF_INPUT_COUNT];

@@ -99,7 +99,7 @@ static const tdmf_range *row_at(const tdmf_range *rows, size_t count, size_t off
 }
 
 static const tdmf_range *parameter_at(size_t offset) {
-    return row_at(tdmf_parameter_ranges, tdmf_parameter_count, offset);
+    return row_at(tdmf_parameter_ranges, TDMF_PARAMETER_COUNT, offset);
 }
 
 static const tdmf_range *input_at(size_t offset) {
@@ -146,13 +146,13 @@ static bool is_scale(const tdmf_range *range) {
 
 declared_runner declared_random(random_source *source, double decades) {
     declared_runner runner = {.parameters = tdmf_default_parameters()};
-    for (size_t i = 0; i < tdmf_parameter_count; ++i) {
+    for (int i = 0; i < TDMF_PARAMETER_COUNT; ++i) {
         const tdmf_range *range = &tdmf_parameter_ranges[i];
         if (is_scale(range)) {
             *member_of(&runner.parameters, range) = anywhere(source, range);
         }
     }
-    for (size_t i = 0; i < tdmf_parameter_count; ++i) {
+    for (int i = 0; i < TDMF_PARAMETER_COUNT; ++i) {
         const tdmf_range *range = &tdmf_parameter_ranges[i];
         if (!is_scale(range)) {
             *member_of(&runner.parameters, range) =
@@ -179,7 +179,7 @@ declared_runner declared_random(random_source *source, double decades) {
 }
 
 void declared_settings(random_source *source, double decades, tdmf_parameters *parameters) {
-    for (size_t i = 0; i < tdmf_parameter_count; ++i) {
+    for (int i = 0; i < TDMF_PARAMETER_COUNT; ++i) {
         const tdmf_range *range = &tdmf_parameter_ranges[i];
         if (range->at_events && random_chance(source, 0.5)) {
             *member_of(parameters, range) = value_of(source, range, unit_of(parameters, range), decades);

@@ -6,7 +6,7 @@
 #include "scene.h"
 #include "tdmf_slip/variation.h"
 
-enum { PARAMETERS = sizeof(tdmf_parameters) / sizeof(double) };
+enum { PARAMETERS = TDMF_PARAMETER_COUNT };
 
 typedef struct {
     const runner *runner;

@@ -160,7 +160,7 @@ static void choose_further_laws(random_source copy, tdmf_parameters *p) {
 }
 
 void scene_leave_minima(tdmf_parameters *parameters) {
-    for (size_t i = 0; i < tdmf_parameter_count; ++i) {
+    for (int i = 0; i < TDMF_PARAMETER_COUNT; ++i) {
         const tdmf_range *range = &tdmf_parameter_ranges[i];
         double *value = (double *)((char *)parameters + range->offset);
         if (*value == range->minimum) {

@@ -13,7 +13,7 @@
 
 enum {
     RUNNERS = sample_of(120),
-    PARAMETERS = sizeof(tdmf_parameters) / sizeof(double),
+    PARAMETERS = TDMF_PARAMETER_COUNT,
     INPUTS = sizeof(tdmf_inputs) / sizeof(double),
     STRIBECK_VELOCITY =
         TDMF_SECTION_COUNT + offsetof(tdmf_parameters, ground.stribeck_velocity) / sizeof(double),
@@ -116,7 +116,7 @@ static bool happens_alike(const tdmf_event_log *a, const tdmf_event_log *b) {
 /* Whether less than this is refused of a parameter. */
 static bool is_least(int k, double value) {
     const size_t offset = (size_t)(k - TDMF_SECTION_COUNT) * sizeof(double);
-    for (size_t i = 0; k >= TDMF_SECTION_COUNT && i < tdmf_parameter_count; ++i) {
+    for (int i = 0; k >= TDMF_SECTION_COUNT && i < TDMF_PARAMETER_COUNT; ++i) {
         if (tdmf_parameter_ranges[i].offset == offset && value == tdmf_parameter_ranges[i].minimum) {
             return true;
         }

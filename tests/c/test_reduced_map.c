@@ -17,7 +17,7 @@ static const double tight = 1e-13;
 static const double longest = 1e4;
 
 enum {
-    PARAMETERS = sizeof(tdmf_parameters) / sizeof(double),
+    PARAMETERS = TDMF_PARAMETER_COUNT,
     INPUTS = sizeof(tdmf_inputs) / sizeof(double),
     COORDINATES = TDMF_REDUCED_COUNT + PARAMETERS + INPUTS,
     PATCH_BEGIN = TDMF_REDUCED_COUNT + offsetof(tdmf_parameters, ground.patch_begin) / sizeof(double),

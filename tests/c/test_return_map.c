@@ -13,7 +13,7 @@
 #include <string.h>
 
 enum {
-    PARAMETERS = sizeof(tdmf_parameters) / sizeof(double),
+    PARAMETERS = TDMF_PARAMETER_COUNT,
     INPUTS = sizeof(tdmf_inputs) / sizeof(double),
     COORDINATES = TDMF_SECTION_COUNT + PARAMETERS + INPUTS,
     STRIBECK_VELOCITY =

@@ -447,7 +447,7 @@ static void settings_are_what_may_change_at_events(void **unused) {
                                        "control.touchdown_angle"};
     const char *set[TDMF_SETTING_LIMIT];
     int count = 0;
-    for (size_t i = 0; i < tdmf_parameter_count; ++i) {
+    for (int i = 0; i < TDMF_PARAMETER_COUNT; ++i) {
         if (tdmf_parameter_ranges[i].at_events) {
             assert_true(count < TDMF_SETTING_LIMIT);
             set[count++] = tdmf_parameter_ranges[i].name;

@@ -24,6 +24,15 @@ typedef struct {
     } leg;
     double gravity; /* Acceleration of gravity, g, m/s2 */
     struct {
+        double static_friction_ratio; /* Friction of a foot at rest over that of one that slips, rho */
+        double stribeck_velocity; /* Speed over which friction falls from that of a foot at rest to that of
+                                     one that slips, v_s: at least 1e-11 l0 sqrt(k/m); 0: at once, m/s */
+        double patch_begin;    /* Where a patch of ground with a friction of its own begins, horizontally; no
+                                  patch where it is the end, m */
+        double patch_end;      /* Where the patch ends, no less than where it begins, m */
+        double patch_friction; /* Coefficient of friction of foot and patch, mu_p */
+    } ground;
+    struct {
         double stance_torque;        /* Torque that drives the first half of a stance, tau0, N.m */
         double touchdown_angle;      /* Leg angle that the leg is placed at before touchdown, theta0, rad */
         double kp;                   /* Proportional gain of the hip in flight, N.m/rad */
@@ -34,15 +43,6 @@ typedef struct {
         bool swing_clamp; /* After lift-off, until the apex, the hip torque is never negative: it only stops
                              the leg's backward rotation */
     } hip;
-    struct {
-        double static_friction_ratio; /* Friction of a foot at rest over that of one that slips, rho */
-        double stribeck_velocity; /* Speed over which friction falls from that of a foot at rest to that of
-                                     one that slips, v_s: at least 1e-11 l0 sqrt(k/m); 0: at once, m/s */
-        double patch_begin;    /* Where a patch of ground with a friction of its own begins, horizontally; no
-                                  patch where it is the end, m */
-        double patch_end;      /* Where the patch ends, no less than where it begins, m */
-        double patch_friction; /* Coefficient of friction of foot and patch, mu_p */
-    } ground;
 } tdmf_parameters;
 
 /* What may change during a run. Rates of inputs, per second, have the same shape; zero where they are held.
@@ -71,8 +71,9 @@ typedef struct {
     } control;
 } tdmf_inputs;
 
-/* How many inputs there are, and how many settings: inputs and tunable parameters. */
-enum { TDMF_INPUT_COUNT = 10, TDMF_SETTING_LIMIT = 17 };
+/* How many numbers there are among the parameters, which come first in their struct; how many inputs; and how
+ * many settings: inputs and tunable parameters. */
+enum { TDMF_PARAMETER_COUNT = 19, TDMF_INPUT_COUNT = 10, TDMF_SETTING_LIMIT = 17 };
 
 /* Indices into a state vector of TDMF_STATE_COUNT doubles. The first eight are q and its rate, in the order
  * of the paper's q = (x, y, r, theta); the rest are integrals along the run and a clock. The leg's angle is

@@ -6,7 +6,7 @@
 
 enum {
     GAITS = 6,
-    PARAMETERS = sizeof(tdmf_parameters) / sizeof(double),
+    PARAMETERS = TDMF_PARAMETER_COUNT,
     INPUTS = sizeof(tdmf_inputs) / sizeof(double),
     COORDINATES = TDMF_REDUCED_COUNT + PARAMETERS + INPUTS,
     QUANTITIES = TDMF_REDUCED_COUNT + 3

@@ -7,7 +7,7 @@
 #include "stride_results.h"
 #include "tdmf_slip/orbit.h"
 
-enum { GAITS = 5, PARAMETERS = sizeof(tdmf_parameters) / sizeof(double) };
+enum { GAITS = 5, PARAMETERS = TDMF_PARAMETER_COUNT };
 
 static const double step = 1e-6L;
 static const double allowed = 2e-10L;
