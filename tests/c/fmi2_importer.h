@@ -24,9 +24,6 @@ void initialize(fmi2Component component);
 void start_running(fmi2Component component);
 
 /* Real start values: parameters and a tolerance, inputs, and states. */
-enum {
-    START_VALUES =
-        (sizeof(tdmf_parameters) + sizeof(tdmf_inputs)) / sizeof(double) + 1 + TDMF_MECHANICAL_COUNT
-};
+enum { START_VALUES = TDMF_PARAMETER_COUNT + TDMF_INPUT_COUNT + 1 + TDMF_MECHANICAL_COUNT };
 
 #endif
