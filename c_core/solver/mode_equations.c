@@ -69,7 +69,8 @@ static void open_laws(tdmf_mode_equations *equations, const tdmf_inputs *inputs,
     const bool flies = mode->contact == TDMF_CONTACT_FLIGHT, grazes = mode->contact == TDMF_CONTACT_GRAZE;
     equations->law = flies ? tdmf_flight_law(model, inputs, rates, mode, equations->place_time)
                            : tdmf_ground_law(model, inputs, rates, mode);
-    if (grazes || (flies && tdmf_has_clamp(model, mode))) {
+    equations->clamped = (flies || grazes) && tdmf_has_clamp(model, mode);
+    if (grazes || equations->clamped) {
         equations->servo = tdmf_servo(model, inputs, mode, equations->place_time);
     }
     if (grazes) {

@@ -121,7 +121,7 @@ double tdmf_step_trusts_terms(const tdmf_step *step, const double sizes[SERIES_T
 static void search_flight(tdmf_step *step, const tdmf_mode *mode) {
     const ballistic com = tdmf_step_center_of_mass(step->equations);
     const flight_case is = {.rising = mode->rises,
-                            .clamped = tdmf_has_clamp(step->equations->model, mode),
+                            .clamped = step->equations->clamped,
                             .awaits_ground = step->equations->ground_waits,
                             .forced = step->equations->is_forced};
     watch_flight(&step->search, &step->constants.flight, &step->series.flight, &com, is, step->length_change,

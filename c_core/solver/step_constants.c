@@ -87,7 +87,7 @@ ground_constants tdmf_step_ground_constants(const tdmf_mode_equations *equations
         .slope_cosine = equations->ground.cosine,
         .servo = tdmf_signed_law(&equations->servo, 1.0),
         .stance = tdmf_signed_law(&equations->stance_law, 1.0),
-        .clamped = tdmf_has_clamp(equations->model, mode) ? 1.0 : 0.0,
+        .clamped = equations->clamped ? 1.0 : 0.0,
         .retracting_share = mode->phase == TDMF_PHASE_RETRACT ? equations->model->body_share : 0.0,
     };
     if (equations->meets_border) {

@@ -168,6 +168,7 @@ declared_runner declared_random(random_source *source, double decades) {
     /* No more than its end, so that half of the patches are none. */
     runner.parameters.ground.patch_begin =
         fmin(runner.parameters.ground.patch_begin, runner.parameters.ground.patch_end);
+    runner.parameters.hip.swing_clamp = random_truth(*source);
     runner.inputs = declared_inputs(source, &runner.parameters, decades);
     for (int i = 0; i < TDMF_MECHANICAL_COUNT; ++i) {
         const tdmf_range *range = &tdmf_state_ranges[i];

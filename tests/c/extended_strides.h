@@ -1,6 +1,6 @@
 /* Single strides from stated apices, integrated with 30 digits by a program that shares nothing with the
  * library, tests/extended_precision/strides.py. Body mass and free length are 1, what is not stated is Table
- * 1's. */
+ * 1's. The swing is clamped. */
 #ifndef TDMF_TESTS_EXTENDED_STRIDES_H
 #define TDMF_TESTS_EXTENDED_STRIDES_H
 
@@ -27,6 +27,7 @@ static inline tdmf_parameters parameters_of_stride(const extended_stride *stride
     parameters.hip.stance_torque = stride->stance_torque;
     parameters.hip.kp = stride->kp;
     parameters.hip.kd = stride->kd;
+    parameters.hip.swing_clamp = true;
     return parameters;
 }
 

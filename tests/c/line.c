@@ -49,7 +49,7 @@ runner line_at(const line *line, double t) {
 
 bool line_keeps_clamp(const line *line, double step) {
     bool keeps = true;
-    for (int i = -4; i <= 4; ++i) {
+    for (int i = -4; i <= 4 && line->runner->model.parameters.hip.swing_clamp; ++i) {
         const runner moved = line_at(line, i * step);
         keeps = keeps && scene_retract_law(line->runner) * scene_retract_law(&moved) > 0.0;
     }

@@ -43,3 +43,8 @@ double random_magnitude(random_source *source, double from, double to) {
 bool random_chance(random_source *source, double probability) {
     return random_uniform(source, 0.0, 1.0) < probability;
 }
+
+bool random_truth(random_source source) {
+    source.state ^= UINT64_C(0xbb67ae8584caa73b);
+    return (drawn != NULL ? drawn_left : next(&source)) % 2 == 0;
+}

@@ -8,6 +8,7 @@
 /* Section coordinates fix the foot: v_c = v + share (v_body - v), vy_c = 0, x_c = 0. */
 runner runner_at_reference_apex(const reference_gait *gait) {
     runner runner = runner_default(gait->friction);
+    runner.model.parameters.hip.swing_clamp = true;
     const double share = runner.model.parameters.body.mass / runner.model.total_mass;
     const double r = gait->apex.leg_length;
     const double sine = sin(gait->apex.leg_angle);
@@ -35,4 +36,46 @@ void assert_reference_apex(const tdmf_apex *apex, const reference_gait *gait, do
     assert_close(apex->leg_angle, gait->apex.leg_angle, tolerance);
     assert_close(apex->leg_length_rate, gait->apex.leg_length_rate, tolerance);
     assert_close(apex->leg_angle_rate, gait->apex.leg_angle_rate, tolerance);
+}
+
+static reference_event_kind kind_of(const tdmf_event *event) {
+    switch (event->guard) {
+    case TDMF_GUARD_TOUCHDOWN:
+        return TOUCHDOWN;
+    case TDMF_GUARD_SLIP_VELOCITY_ZERO:
+        return SLIP_VELOCITY_ZERO;
+    case TDMF_GUARD_SLIP_ONSET_POSITIVE:
+    case TDMF_GUARD_SLIP_ONSET_NEGATIVE:
+        return SLIP_ONSET;
+    case TDMF_GUARD_MID_STANCE:
+        return MID_STANCE;
+    case TDMF_GUARD_LIFT_OFF:
+        assert_int_equal(event->after.contact, TDMF_CONTACT_GRAZE);
+        return LIFT_OFF_INTO_GRAZE;
+    case TDMF_GUARD_GRAZE_TO_FLIGHT:
+        return GRAZE_END;
+    case TDMF_GUARD_CLAMP:
+        return CLAMP_RELEASE;
+    case TDMF_GUARD_GREATEST_COMPRESSION:
+        assert_true(event->after.thrusts);
+        return THRUST_BEGINS;
+    default:
+        assert_int_equal(event->guard, TDMF_GUARD_APEX);
+        return APEX;
+    }
+}
+
+int assert_reference_events(const tdmf_event_log *log, const reference_event *expected, double tolerance) {
+    /* The clamp is due at twice its dead band of 1e-10: 1.1e-8 at the slowest. */
+    static const double clamp_time = 1.3e-8;
+    int compared = 0;
+    for (; expected[compared].kind != 0; ++compared) {
+        const reference_event_kind kind = expected[compared].kind;
+        assert_true(compared < log->count);
+        assert_int_equal(kind_of(&log->events[compared]), kind);
+        assert_close(log->events[compared].time, expected[compared].time,
+                     kind == CLAMP_RELEASE ? clamp_time : tolerance);
+    }
+    assert_int_equal(log->count, compared);
+    return compared;
 }

@@ -1,9 +1,11 @@
-/* Periodic gaits at Table 1 values in units m = k = l0 = 1. They were computed independently of this project,
- * in extended precision; every digit but the last two is trusted (of event times, all 13). */
+/* Periodic gaits at Table 1 values in units m = k = l0 = 1, with the clamp of (12). They were computed
+ * independently of this project, in extended precision; every digit but the last two is trusted (of event
+ * times, all 13). */
 #ifndef TDMF_TESTS_REFERENCE_GAITS_H
 #define TDMF_TESTS_REFERENCE_GAITS_H
 
 #include "integrate.h"
+#include "tdmf_slip/solver.h"
 
 typedef enum {
     TOUCHDOWN = 1,
@@ -38,6 +40,10 @@ extern const reference_gait reference_gaits[REFERENCE_GAITS];
 
 /* A runner started at the apex of a reference gait. */
 runner runner_at_reference_apex(const reference_gait *gait);
+
+/* The same events in the same order, each within a tolerance of its time, but the clamp's. Returns how many.
+ */
+int assert_reference_events(const tdmf_event_log *log, const reference_event *expected, double tolerance);
 
 /* Each of the section's coordinates within an absolute tolerance of the reference. */
 void assert_reference_apex(const tdmf_apex *apex, const reference_gait *gait, double tolerance);

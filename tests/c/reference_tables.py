@@ -114,6 +114,26 @@ def reduced(gait):
     }
 
 
+def free(gait):
+    """A `free_gait`."""
+    same = ("positive_work", "slip_distance", "stance_time", "jacobian")
+    return {
+        "gait": reference(gait, gait["friction"], gait["work"]),
+        **{name: gait[name] for name in same},
+    }
+
+
+def free_stride(stride):
+    """A `free_stride`."""
+    given = {name.removeprefix("ground."): value for name, value in stride["given"].items()}
+    given = {name.removeprefix("leg.").removeprefix("hip."): value for name, value in given.items()}
+    return {
+        **{name.replace(".", "_"): value for name, value in given.items()},
+        "start": stride["apex"],
+        **{name: stride[name] for name in ("end", "word", "period", "length", "work", "touchdowns")},
+    }
+
+
 def middle(ball):
     """The middle of a ball that is written as "[... +/- ...]"."""
     return float(ball.strip("[]").split(" ")[0])
@@ -177,6 +197,12 @@ def main(root, output):
             for gait in rows(python / "proved_gaits.json")
             if float(gait["friction"]) == given["friction"]
         ],
+        "free_gait": [free(gait) for gait in rows(python / "free_swing.json")],
+        "free_border": [
+            {"friction": border["friction"], "above": border["from"], "below": border["to"]}
+            for border in rows(python / "free_swing.json", "borders")
+        ],
+        "free_stride": [free_stride(stride) for stride in rows(python / "free_swing.json", "strides")],
         "patch_run": [patch(run) for run in rows(python / "patch_runs.json", "runs")],
     }
     output.mkdir(parents=True, exist_ok=True)

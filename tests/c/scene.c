@@ -143,7 +143,8 @@ bool scene_is_varied(tdmf_guard guard) {
 tdmf_resolution scene_resolve(runner *runner) {
     const tdmf_resolution resolution = tdmf_resolve(SYSTEM_OF(runner), &runner->motion);
     assert_false(resolution.unresolved);
-    assert_true(runner->motion.mode.phase == TDMF_PHASE_RETRACT || !runner->motion.mode.clamp_closed);
+    assert_true(!runner->motion.mode.clamp_closed || (runner->motion.mode.phase == TDMF_PHASE_RETRACT &&
+                                                      runner->model.parameters.hip.swing_clamp));
     for (int i = 0; i < TDMF_GUARD_COUNT; ++i) {
         assert_true(scene_guard(runner, (tdmf_guard)i) > 0.0);
     }
@@ -187,6 +188,7 @@ tdmf_parameters scene_random_parameters(random_source *source) {
     p.hip.kd = random_magnitude(source, 0.01, 1.0) * length * length * impedance;
     p.hip.liftoff_angle_factor = random_uniform(source, 0.0, 2.0);
     choose_further_laws(*source, &p);
+    p.hip.swing_clamp = random_truth(*source);
     return p;
 }
 
@@ -265,7 +267,8 @@ runner scene_random(random_source *source, tdmf_contact_mode contact) {
         runner.motion.mode.mid_stance_pending = first;
     } else {
         runner.motion.mode.phase = first ? TDMF_PHASE_RETRACT : TDMF_PHASE_PLACE;
-        runner.motion.mode.clamp_closed = first && scene_retract_law(&runner) < 0.0;
+        runner.motion.mode.clamp_closed =
+            first && parameters.hip.swing_clamp && scene_retract_law(&runner) < 0.0;
         runner.motion.state[TDMF_HIP_PLACE_TIME] =
             first ? 0.0 : random_uniform(source, 0.0, 10.0) * runner.model.scales.time;
     }

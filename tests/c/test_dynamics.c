@@ -146,10 +146,11 @@ static double control_law(const runner *runner) {
         return -p->hip.stance_torque;
     case TDMF_PHASE_COAST:
         return 0.0;
-    case TDMF_PHASE_RETRACT:
-        return fmax(-p->hip.kp * (angle - p->hip.liftoff_angle_factor * runner->motion.mode.liftoff_angle) -
-                        damping,
-                    0.0);
+    case TDMF_PHASE_RETRACT: {
+        const double target = p->hip.liftoff_angle_factor * runner->motion.mode.liftoff_angle;
+        const double servo = -p->hip.kp * (angle - target) - damping;
+        return p->hip.swing_clamp ? fmax(servo, 0.0) : servo;
+    }
     default:
         return scene_place_law(runner);
     }

@@ -48,6 +48,7 @@ static tdmf_parameters wide_parameters(random_source *source, double decades) {
     p.hip.kp = random_chance(source, 0.2) ? 0.0 : near(source, 0.1 * energy, decades);
     p.hip.kd = random_chance(source, 0.2) ? 0.0 : near(source, 0.1 * impedance * length * length, decades);
     p.hip.liftoff_angle_factor = random_uniform(source, 0.0, 3.0);
+    p.hip.swing_clamp = random_truth(*source);
     return p;
 }
 

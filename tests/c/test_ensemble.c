@@ -36,6 +36,7 @@ static void vary_case(random_source *source, tdmf_model *model, tdmf_ensemble_ca
     }
     p.hip.retraction_rate = random_chance(source, 0.5) ? 0.0 : random_uniform(source, -0.02, 0.02);
     p.ground.static_friction_ratio = random_chance(source, 0.5) ? 1.0 : random_uniform(source, 1.0, 1.5);
+    p.hip.swing_clamp = random_truth(*source);
     assert_null(tdmf_model_create(model, &p).variable);
     its_case->inputs.ground.friction = random_magnitude(source, 0.02, 10.0);
     its_case->inputs.hip.external_torque =

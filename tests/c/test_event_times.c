@@ -44,7 +44,8 @@ static void stride(run *run) {
 }
 
 static void start_on_gait(run *run, const proved_gait *gait, double tolerance) {
-    const tdmf_parameters parameters = tdmf_default_parameters();
+    tdmf_parameters parameters = tdmf_default_parameters();
+    parameters.hip.swing_clamp = true; /* as it was proved */
     start(run, &parameters, gait->friction, tolerance, gait->apex);
 }
 

@@ -15,8 +15,6 @@
 
 static const tdmf_inputs no_rates = {.ground = {.friction = 0.0}};
 static const double tight = 1e-12;
-static const double clamp_time =
-    1.3e-8; /* it is due at twice its dead band of 1e-10: 1.1e-8 at the slowest */
 
 static tdmf_motion motion_of(const runner *runner) {
     tdmf_motion motion;
@@ -52,46 +50,6 @@ static void assert_is_gait(const tdmf_motion *motion, const further_gait *furthe
 
 /* ---- by the native solver ------------------------------------------------------------------------------ */
 
-static reference_event_kind kind_of(const tdmf_event *event) {
-    switch (event->guard) {
-    case TDMF_GUARD_TOUCHDOWN:
-        return TOUCHDOWN;
-    case TDMF_GUARD_SLIP_VELOCITY_ZERO:
-        return SLIP_VELOCITY_ZERO;
-    case TDMF_GUARD_SLIP_ONSET_POSITIVE:
-    case TDMF_GUARD_SLIP_ONSET_NEGATIVE:
-        return SLIP_ONSET;
-    case TDMF_GUARD_MID_STANCE:
-        return MID_STANCE;
-    case TDMF_GUARD_LIFT_OFF:
-        assert_int_equal(event->after.contact, TDMF_CONTACT_GRAZE);
-        return LIFT_OFF_INTO_GRAZE;
-    case TDMF_GUARD_GRAZE_TO_FLIGHT:
-        return GRAZE_END;
-    case TDMF_GUARD_CLAMP:
-        return CLAMP_RELEASE;
-    case TDMF_GUARD_GREATEST_COMPRESSION:
-        assert_true(event->after.thrusts);
-        return THRUST_BEGINS;
-    default:
-        assert_int_equal(event->guard, TDMF_GUARD_APEX);
-        return APEX;
-    }
-}
-
-static int assert_events(const tdmf_event_log *log, const reference_event *expected) {
-    int compared = 0;
-    for (; expected[compared].kind != 0; ++compared) {
-        const reference_event_kind kind = expected[compared].kind;
-        assert_true(compared < log->count);
-        assert_int_equal(kind_of(&log->events[compared]), kind);
-        assert_close(log->events[compared].time, expected[compared].time,
-                     kind == CLAMP_RELEASE ? clamp_time : 1e-9);
-    }
-    assert_int_equal(log->count, compared);
-    return compared;
-}
-
 static void the_native_solver_comes_back_to_the_apex(void **state) {
     int events = 0;
     (void)state;
@@ -105,7 +63,7 @@ static void the_native_solver_comes_back_to_the_apex(void **state) {
         assert_true(tdmf_native_stride(&solver, SYSTEM_OF(&runner), DBL_MAX, &motion).closed);
         assert_is_gait(&motion, &further_gaits[i], 1e-9);
         assert_close(motion.state[TDMF_ENERGY_EXTERNAL_WORK], further_gaits[i].external_work, 1e-9);
-        events += assert_events(&log, further_gaits[i].gait.events);
+        events += assert_reference_events(&log, further_gaits[i].gait.events, 1e-9);
     }
     assert_int_equal(events, 13 * 10 + 4 * 11 + 2 * 9 + 3 * 8 + 6 * 7);
 }

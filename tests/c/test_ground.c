@@ -342,6 +342,7 @@ static bool begin_random(random_source *source, run *run) {
     p.hip.kp = random_magnitude(source, 0.03, 1.0);
     p.hip.kd = random_magnitude(source, 0.03, 1.0);
     p.hip.liftoff_angle_factor = random_uniform(source, 0.5, 1.5);
+    p.hip.swing_clamp = random_truth(*source);
     *run = run_at_apex(random_uniform(source, -1.0, 1.0), random_uniform(source, -0.3, 0.2));
     run->inputs.ground.friction = random_magnitude(source, 0.05, 5.0);
     assert_null(tdmf_model_create(&run->model, &p).variable);

@@ -222,13 +222,14 @@ static void leg_too_short_watches_its_length(void **unused) {
 
 /* ---- which mode watches what ------------------------------------------------------------------------ */
 
-/* A ground that waits is watched for, marked with '?'; there is no patch. */
+/* Marked are a ground that waits with a ?, a line that slopes with a / and the clamp, where there is one,
+ * with a c; there is no patch. */
 static const char *watched_guards(const tdmf_mode *mode) {
     const bool retract = mode->phase == TDMF_PHASE_RETRACT;
     const bool drive = mode->phase == TDMF_PHASE_DRIVE;
     switch (mode->contact) {
     case TDMF_CONTACT_FLIGHT:
-        return retract ? "xxx........xx.?.." : "xx.........xx.?..";
+        return retract ? "xxc........xx.?.." : "xx.........xx.?..";
     case TDMF_CONTACT_STICK:
         return drive ? "...xxx.xx..xxx./." : "...xxx..x..xxx./.";
     case TDMF_CONTACT_GRAZE:
@@ -249,7 +250,8 @@ static void guards_of_other_modes_are_one(void **unused) {
                                runner.motion.mode.ground.slope != runner.inputs.ground.slope;
             const bool slopes = runner.motion.mode.ground.slope != 0.0;
             const bool expected = watched[guard] == 'x' || (watched[guard] == '?' && waits) ||
-                                  (watched[guard] == '/' && slopes);
+                                  (watched[guard] == '/' && slopes) ||
+                                  (watched[guard] == 'c' && runner.model.parameters.hip.swing_clamp);
             assert_true((scene_guard(&runner, (tdmf_guard)guard) != 1.0) == expected);
         }
     }

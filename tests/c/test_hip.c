@@ -50,8 +50,8 @@ static void retract_stops_the_backward_swing(void **unused) {
     assert_true(torque_of(&runner) > 0.0);
 }
 
-/* Its torque is never negative. */
-static void retract_never_pulls_back(void **unused) {
+/* With the clamp its torque is never negative. */
+static void retract_pulls_back_without_the_clamp_alone(void **unused) {
     (void)unused;
     random_source source = {31};
     for (int i = 0; i < 1000; ++i) {
@@ -59,6 +59,7 @@ static void retract_never_pulls_back(void **unused) {
         const double rate = random_uniform(&source, -2.0, 2.0);
         const double servo = -0.1 * (angle + 0.6) - 0.1 * rate;
         runner runner = leg_in_flight(TDMF_PHASE_RETRACT, angle, rate);
+        assert_close(torque_of(&runner), servo, 1e-15);
         runner.motion.mode.clamp_closed = servo < 0.0;
         assert_close(torque_of(&runner), fmax(servo, 0.0), 1e-15);
     }
@@ -159,7 +160,7 @@ int main(void) {
         cmocka_unit_test(drive_does_positive_work_in_forward_running),
         cmocka_unit_test(coast_applies_nothing),
         cmocka_unit_test(retract_stops_the_backward_swing),
-        cmocka_unit_test(retract_never_pulls_back),
+        cmocka_unit_test(retract_pulls_back_without_the_clamp_alone),
         cmocka_unit_test(clamp_stays_as_located),
         cmocka_unit_test(place_swings_to_the_touchdown_angle),
         cmocka_unit_test(place_follows_a_leg_that_is_retracted),

@@ -110,6 +110,7 @@ static void the_ledger_closes_whatever_the_communication_step(void **state) {
 
 static runner random_runner_near_the_gait(random_source *source) {
     runner runner = runner_default(random_magnitude(source, 0.1, 5.0));
+    runner.model.parameters.hip.swing_clamp = random_truth(*source);
     for (int i = 0; i < TDMF_MECHANICAL_COUNT; ++i) {
         runner.motion.state[i] *= random_uniform(source, 0.9, 1.1);
     }

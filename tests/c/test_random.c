@@ -92,6 +92,7 @@ static runner near_the_gait(random_source *source) {
     for (size_t i = 0; i < sizeof varied / sizeof varied[0]; ++i) {
         scale_randomly(source, varied[i], max_factor);
     }
+    p.hip.swing_clamp = random_truth(*source);
     assert_null(tdmf_model_create(&runner.model, &p).variable);
     for (int i = 0; i < TDMF_MECHANICAL_COUNT; ++i) {
         scale_randomly(source, &runner.motion.state[i], i == TDMF_LEG_LENGTH ? 1.05 : max_factor);
@@ -155,7 +156,8 @@ static void assert_mode_invariants(const runner *runner) {
     assert_true(tdmf_slip_sign(mode) * foot.vx >= -margin);
     assert_true(in_contact == (mode->phase == TDMF_PHASE_DRIVE || mode->phase == TDMF_PHASE_COAST));
     assert_true(!in_contact || mode->mid_stance_pending == (mode->phase == TDMF_PHASE_DRIVE));
-    assert_true(mode->phase == TDMF_PHASE_RETRACT || !mode->clamp_closed);
+    assert_true(!mode->clamp_closed ||
+                (mode->phase == TDMF_PHASE_RETRACT && runner->model.parameters.hip.swing_clamp));
 }
 
 static void assert_above_ground(const runner *runner) {

@@ -68,6 +68,7 @@ static start random_start(random_source *source) {
     p->ground.static_friction_ratio = random_uniform(source, 1.1, 1.5);
     p->leg.thrust = random_uniform(source, 0.001, 0.02);
     choose_friction(*source, p);
+    p->hip.swing_clamp = random_truth(*source);
     set_zero(source, 0.5, &p->hip.retraction_rate);
     set_zero(source, 0.3, &p->hip.stance_torque);
     set_zero(source, 0.2, random_chance(source, 0.5) ? &p->hip.kp : &p->hip.kd);

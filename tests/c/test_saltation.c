@@ -17,11 +17,12 @@ enum {
     VARIED = TDMF_VARIED_COUNT /* the states that a variation has: a guard depends on all but the work */
 };
 
-/* By the law of a contact mode. In retract a negative torque is clamped. */
+/* By the law of a contact mode. In retract a negative torque may be clamped. */
 static double torque_in(const runner *at, tdmf_contact_mode contact) {
     tdmf_mode mode = at->motion.mode;
     mode.contact = contact;
-    mode.clamp_closed = mode.phase != TDMF_PHASE_PLACE && scene_retract_law(at) < 0.0;
+    mode.clamp_closed =
+        at->model.parameters.hip.swing_clamp && mode.phase != TDMF_PHASE_PLACE && scene_retract_law(at) < 0.0;
     return tdmf_hip_torque(SYSTEM_OF(at), &mode, at->motion.state);
 }
 
@@ -108,6 +109,7 @@ static runner random_runner(random_source *source, tdmf_guard guard) {
     p.hip.kd = random_chance(source, 0.3) ? 0.0 : random_uniform(source, 0.1, 1.0);
     p.hip.retraction_rate = random_chance(source, 0.3) ? 0.0 : random_uniform(source, -0.5, 0.5);
     p.ground.static_friction_ratio = random_uniform(source, 1.1, 1.5);
+    p.hip.swing_clamp = guard == TDMF_GUARD_CLAMP || runner.model.parameters.hip.swing_clamp;
     assert_null(tdmf_model_create(&runner.model, &p).variable);
     runner.inputs.ground.friction = random_uniform(source, 0.1, 1.0);
     runner.inputs.hip.external_torque = random_chance(source, 0.5) ? 0.0 : random_uniform(source, -0.3, 0.3);

@@ -1,0 +1,437 @@
+/* The runner without the clamp of (12) against two independent programs, by every solver, beside the clamped
+ * one in the same ensembles; and what a run does that goes from one law to the other. */
+#include "free_swing.h"
+
+#include "compare.h"
+#include "tdmf_slip/cvode.h"
+#include "tdmf_slip/ensemble.h"
+#include "tdmf_slip/orbit.h"
+
+#include <float.h>
+#include <math.h>
+#include <string.h>
+
+/* What one of the kinds of runner is, and one stride of it. */
+typedef struct {
+    tdmf_model model;
+    tdmf_inputs inputs;
+    tdmf_motion motion;
+    tdmf_solver solver;
+    tdmf_event_log log;
+} run;
+
+static void begin(run *run, const tdmf_model *model, double friction, const double *section) {
+    memset(run, 0, sizeof *run);
+    run->model = *model;
+    run->inputs = inputs_at_friction(friction);
+    tdmf_section_state(SYSTEM_OF(run), section, run->motion.state);
+    assert_null(tdmf_start(SYSTEM_OF(run), &run->motion).variable);
+    run->solver = tdmf_solver_default();
+    run->solver.relative_tolerance = 1e-13;
+}
+
+static void stride(run *run) {
+    run->log.count = 0;
+    run->solver.log = &run->log;
+    assert_true(tdmf_native_stride(&run->solver, SYSTEM_OF(run), DBL_MAX, &run->motion).closed);
+    assert_true(run->log.count <= TDMF_EVENT_CAPACITY);
+    run->solver.log = NULL;
+}
+
+static void begin_on_gait(run *run, const free_gait *free) {
+    const tdmf_model model = table_1(false);
+    begin(run, &model, free->gait.friction, (const double *)&free->gait.apex);
+}
+
+static void assert_is_gait(const tdmf_motion *motion, const free_gait *free, double tolerance) {
+    const tdmf_stride *stride = &motion->record.stride;
+    const reference_gait *gait = &free->gait;
+    assert_string_equal(stride->word, gait->word);
+    assert_int_equal(stride->touchdowns, 1);
+    assert_relatively_close(stride->period, gait->period, tolerance);
+    assert_relatively_close(stride->length, gait->length, tolerance);
+    assert_relatively_close(stride->speed, gait->speed, tolerance);
+    assert_relatively_close(stride->work, gait->work, tolerance);
+    assert_relatively_close(stride->positive_work, free->positive_work, tolerance);
+    assert_relatively_close(stride->cost_of_transport, gait->cost_of_transport, tolerance);
+    assert_relatively_close(stride->stance_time, free->stance_time, tolerance);
+    assert_close(stride->slip_distance, free->slip_distance, tolerance);
+    assert_relatively_close(motion->mode.liftoff_angle, gait->liftoff_angle, tolerance);
+    assert_reference_apex(&motion->record.apex, gait, tolerance);
+}
+
+static void assert_section(const double actual[TDMF_SECTION_COUNT], const double expected[TDMF_SECTION_COUNT],
+                           double tolerance) {
+    for (int i = 0; i < TDMF_SECTION_COUNT; ++i) {
+        assert_close(actual[i], expected[i], tolerance * (1.0 + fabs(expected[i])));
+    }
+}
+
+/* ---- the gaits ----------------------------------------------------------------------------------------- */
+
+static void strides_close_on_the_reference(void **state) {
+    int events = 0;
+    (void)state;
+    for (int i = 0; i < FREE_GAITS; ++i) {
+        run run;
+        begin_on_gait(&run, &free_gaits[i]);
+        stride(&run);
+        assert_is_gait(&run.motion, &free_gaits[i], 1e-11);
+        events += assert_reference_events(&run.log, free_gaits[i].gait.events, 1e-10);
+    }
+    assert_int_equal(events, 6 + 7 + 9 + 9 + 7 + 6 + 6);
+}
+
+static void and_by_cvode(void **state) {
+    (void)state;
+    if (!tdmf_cvode_is_available()) {
+        skip();
+    }
+    for (int i = 0; i < FREE_GAITS; ++i) {
+        run run;
+        begin_on_gait(&run, &free_gaits[i]);
+        run.solver.relative_tolerance = 1e-12;
+        assert_int_equal(tdmf_cvode_advance(&run.solver, SYSTEM_OF(&run), NULL,
+                                            free_gaits[i].gait.period + 0.01, &run.motion),
+                         TDMF_ARRIVED);
+        assert_is_gait(&run.motion, &free_gaits[i], 1e-8);
+    }
+}
+
+/* The leg waits near eta theta_LO for the apex, as in figure 5(b). */
+static void the_leg_converges_to_the_angle_aimed_at(void **state) {
+    (void)state;
+    for (int i = 0; i < FREE_GAITS; ++i) {
+        run run;
+        begin_on_gait(&run, &free_gaits[i]);
+        stride(&run);
+        assert_close(run.motion.record.apex.leg_angle, 1.2 * run.motion.mode.liftoff_angle, 1e-2);
+    }
+}
+
+static void a_search_finds_the_gaits(void **state) {
+    double guess[TDMF_SECTION_COUNT];
+    (void)state;
+    memcpy(guess, &reference_gaits[2].apex, sizeof guess);
+    for (int i = 0; i < FREE_GAITS; ++i) {
+        const tdmf_model model = table_1(false);
+        const tdmf_inputs inputs = inputs_at_friction(free_gaits[i].gait.friction);
+        tdmf_solver solver = tdmf_solver_default();
+        solver.relative_tolerance = 1e-13;
+        tdmf_settle(&solver, (tdmf_system){&model, &inputs}, 30, guess);
+        const tdmf_orbit found = tdmf_find_orbit(&solver, (tdmf_system){&model, &inputs}, guess, NULL, 0);
+        assert_int_equal(found.outcome, TDMF_ORBIT_FOUND);
+        assert_section(found.apex, (const double *)&free_gaits[i].gait.apex, 1e-11);
+        memcpy(guess, found.apex, sizeof guess);
+    }
+}
+
+static void the_jacobian_is_that_of_the_reference(void **state) {
+    (void)state;
+    for (int i = 0; i < FREE_GAITS; ++i) {
+        const tdmf_model model = table_1(false);
+        const tdmf_inputs inputs = inputs_at_friction(free_gaits[i].gait.friction);
+        tdmf_solver solver = tdmf_solver_default();
+        solver.relative_tolerance = 1e-13;
+        const tdmf_return stride =
+            tdmf_return_map(&solver, (tdmf_system){&model, &inputs}, (const double *)&free_gaits[i].gait.apex,
+                            DBL_MAX, true, NULL, 0);
+        assert_int_equal(stride.outcome, TDMF_RETURN_CLOSED);
+        for (int row = 0; row < TDMF_SECTION_COUNT; ++row) {
+            for (int column = 0; column < TDMF_SECTION_COUNT; ++column) {
+                assert_close(stride.variations[column].apex[row], free_gaits[i].jacobian[row][column], 1e-8);
+            }
+        }
+    }
+}
+
+/* A billionth of the friction off the border the gait has the word of that side. */
+static void borders_part_the_words(void **state) {
+    (void)state;
+    for (int i = 0; i < FREE_BORDERS; ++i) {
+        const free_border *border = &free_borders[i];
+        const tdmf_model model = table_1(false);
+        double guess[TDMF_SECTION_COUNT];
+        memcpy(guess, &free_gaits[i < 2 ? i : i < 4 ? 3 : 5].gait.apex, sizeof guess);
+        for (double side = -1.0; side < 2.0; side += 2.0) {
+            const tdmf_inputs inputs = inputs_at_friction(border->friction * (1.0 + side * 1e-9));
+            tdmf_solver solver = tdmf_solver_default();
+            solver.relative_tolerance = 1e-13;
+            const tdmf_orbit found = tdmf_find_orbit(&solver, (tdmf_system){&model, &inputs}, guess, NULL, 0);
+            assert_int_equal(found.outcome, TDMF_ORBIT_FOUND);
+            assert_string_equal(found.stride.stride.word, side > 0.0 ? border->above : border->below);
+        }
+    }
+}
+
+/* ---- in lanes ------------------------------------------------------------------------------------------ */
+
+/* Gaits of both laws, each a case of its own, and strides of random runners by both laws. */
+enum { MIXED_GAITS = FREE_GAITS + REFERENCE_GAITS, MIXED = MIXED_GAITS + 2 * FREE_STRIDES };
+
+typedef struct {
+    tdmf_model models[MIXED];
+    tdmf_ensemble_case cases[MIXED];
+    int case_of[MIXED];
+    double starts[MIXED][TDMF_SECTION_COUNT], apices[MIXED][TDMF_SECTION_COUNT];
+    double periods[MIXED], works[MIXED];
+} mixture;
+
+static void add(mixture *all, int i, tdmf_model model, double friction,
+                const double start[TDMF_SECTION_COUNT]) {
+    const tdmf_ensemble_case its_case = {&all->models[i], inputs_at_friction(friction), {.max_strides = 1}};
+    run run;
+    all->models[i] = model;
+    all->cases[i] = its_case;
+    all->case_of[i] = i;
+    memcpy(all->starts[i], start, sizeof all->starts[i]);
+    begin(&run, &model, friction, start);
+    stride(&run);
+    tdmf_section_of_state(&model, &run.motion.mode.ground, run.motion.state, all->apices[i]);
+    all->periods[i] = run.motion.record.stride.period;
+    all->works[i] = run.motion.record.stride.work;
+}
+
+static void fill(mixture *all) {
+    for (int i = 0; i < MIXED_GAITS; ++i) {
+        const bool clamp = i >= FREE_GAITS;
+        const reference_gait *gait = clamp ? &reference_gaits[i - FREE_GAITS] : &free_gaits[i].gait;
+        add(all, i, table_1(clamp), gait->friction, (const double *)&gait->apex);
+    }
+    for (int i = MIXED_GAITS; i < MIXED; ++i) {
+        const free_stride *random = &free_strides[(i - MIXED_GAITS) / 2];
+        add(all, i, model_of_free_stride(random, i % 2 == 1), random->friction, random->start);
+    }
+}
+
+static void assert_in_lanes(const mixture *all, tdmf_instructions instructions) {
+    tdmf_ensemble_end ends[MIXED];
+    const tdmf_ensemble ensemble = {.cases = all->cases,
+                                    .case_count = MIXED,
+                                    .case_of = all->case_of,
+                                    .starts = (const double(*)[TDMF_SECTION_COUNT])all->starts,
+                                    .count = MIXED,
+                                    .relative_tolerance = 1e-13,
+                                    .instructions = instructions,
+                                    .threads = 1};
+    assert_true(tdmf_run_ensemble(&ensemble, ends, NULL));
+    for (int i = 0; i < MIXED; ++i) {
+        assert_int_equal(ends[i].strides, 1);
+        assert_section(ends[i].apex, all->apices[i], 1e-11);
+        assert_relatively_close(ends[i].time, all->periods[i], 1e-11);
+        assert_relatively_close(ends[i].work, all->works[i], 1e-10);
+    }
+}
+
+static void one_ensemble_has_runners_of_both_laws(void **state) {
+    static mixture all;
+    int sets = 0;
+    (void)state;
+    fill(&all);
+    for (int i = 0; i < MIXED_GAITS; ++i) {
+        assert_section(all.apices[i], all.starts[i], 1e-11); /* each comes back: it has its own law */
+    }
+    for (int set = TDMF_ONE_BY_ONE; set < TDMF_INSTRUCTIONS_COUNT; ++set) {
+        if (tdmf_has_instructions((tdmf_instructions)set)) {
+            assert_in_lanes(&all, (tdmf_instructions)set);
+            ++sets;
+        }
+    }
+    assert_true(sets >= 2);
+}
+
+/* Over drawn terrain, or pushed over slopes that step, with thrust and retraction: lanes go as one by one. */
+static void choose_ground(tdmf_ensemble_case *its_case, int i) {
+    its_case->rules.max_strides = 4;
+    its_case->rules.roughness = 0.01;
+    its_case->rules.seed = 42;
+    if (i % 4 < 2) {
+        its_case->rules.terrain.length = 0.7;
+    } else {
+        its_case->inputs.ground.slope = i % 8 < 4 ? 0.02 : -0.02;
+        its_case->inputs.body.external_fx = 5e-4;
+        its_case->inputs.body.external_fy = -2e-4;
+    }
+}
+
+static void run_over_ground(const mixture *all, tdmf_instructions instructions,
+                            tdmf_ensemble_end ends[MIXED]) {
+    const tdmf_ensemble ensemble = {.cases = all->cases,
+                                    .case_count = MIXED,
+                                    .case_of = all->case_of,
+                                    .starts = (const double(*)[TDMF_SECTION_COUNT])all->starts,
+                                    .count = MIXED,
+                                    .relative_tolerance = 1e-13,
+                                    .instructions = instructions,
+                                    .threads = 2};
+    assert_true(tdmf_run_ensemble(&ensemble, ends, NULL));
+}
+
+static void over_rough_ground_too(void **state) {
+    static mixture all;
+    tdmf_ensemble_end one_by_one[MIXED], in_lanes[MIXED];
+    int strides = 0, fell = 0;
+    (void)state;
+    fill(&all);
+    for (int i = 0; i < MIXED; ++i) {
+        all.models[i].parameters.leg.thrust = i % 3 == 0 ? 0.005 : 0.0;
+        all.models[i].parameters.hip.retraction_rate = i % 5 == 0 ? 0.01 : 0.0;
+        choose_ground(&all.cases[i], i / 2);
+    }
+    run_over_ground(&all, TDMF_ONE_BY_ONE, one_by_one);
+    run_over_ground(&all, TDMF_BEST_INSTRUCTIONS, in_lanes);
+    for (int i = 0; i < MIXED; ++i) {
+        assert_int_equal(in_lanes[i].fate, one_by_one[i].fate);
+        assert_int_equal(in_lanes[i].strides, one_by_one[i].strides);
+        assert_section(in_lanes[i].apex, one_by_one[i].apex, 1e-9);
+        strides += in_lanes[i].strides;
+        fell += in_lanes[i].fate == TDMF_FATE_FELL;
+    }
+    assert_true(strides > 2 * MIXED && fell > 0);
+}
+
+/* ---- random runners ------------------------------------------------------------------------------------ */
+
+static void random_strides_are_those_of_the_reference(void **state) {
+    int bounces = 0;
+    (void)state;
+    for (int i = 0; i < FREE_STRIDES; ++i) {
+        const free_stride *expected = &free_strides[i];
+        const tdmf_model model = model_of_free_stride(expected, false);
+        run run;
+        double end[TDMF_SECTION_COUNT];
+        begin(&run, &model, expected->friction, expected->start);
+        stride(&run);
+        const tdmf_stride *stride = &run.motion.record.stride;
+        tdmf_section_of_state(&model, &run.motion.mode.ground, run.motion.state, end);
+        assert_string_equal(stride->word, expected->word);
+        assert_int_equal(stride->touchdowns, expected->touchdowns);
+        assert_relatively_close(stride->period, expected->period, 1e-9);
+        assert_relatively_close(stride->length, expected->length, 1e-9);
+        assert_relatively_close(stride->work, expected->work, 1e-9);
+        assert_section(end, expected->end, 1e-9);
+        bounces += expected->touchdowns > 1;
+    }
+    assert_int_equal(bounces, 2);
+}
+
+/* ---- nothing of the clamp ------------------------------------------------------------------------------ */
+
+/* Along strides in which the torque has either sign after lift-off. */
+static void the_clamp_is_never_an_event(void **state) {
+    int pulled = 0;
+    (void)state;
+    for (int i = 0; i < FREE_STRIDES; ++i) {
+        const free_stride *random = &free_strides[i];
+        const tdmf_model model = model_of_free_stride(random, false);
+        run run;
+        begin(&run, &model, random->friction, random->start);
+        while (run.motion.record.stride.count == 0) {
+            double guards[TDMF_GUARD_COUNT];
+            const double step = 0.05 * model.scales.time;
+            tdmf_native_advance(&run.solver, SYSTEM_OF(&run), NULL, run.motion.time + step, &run.motion);
+            tdmf_guards(SYSTEM_OF(&run), &run.motion.mode, run.motion.state, guards);
+            assert_true(guards[TDMF_GUARD_CLAMP] == 1.0 && !run.motion.mode.clamp_closed);
+            pulled += run.motion.mode.contact == TDMF_CONTACT_FLIGHT &&
+                      run.motion.mode.phase == TDMF_PHASE_RETRACT &&
+                      tdmf_hip_torque(SYSTEM_OF(&run), &run.motion.mode, run.motion.state) < 0.0;
+        }
+    }
+    assert_true(pulled > 1000);
+}
+
+/* Without gains there is nothing to clamp, and no torque that could hold a foot that lifts off: a graze would
+ * have no width. */
+static void without_gains_both_laws_are_one(void **state) {
+    (void)state;
+    for (int i = 0; i < FREE_GAITS; ++i) {
+        double states[2][TDMF_STATE_COUNT];
+        for (int clamp = 0; clamp < 2; ++clamp) {
+            tdmf_parameters parameters = table_1(clamp == 1).parameters;
+            tdmf_model model;
+            run run;
+            parameters.hip.kp = parameters.hip.kd = 0.0;
+            assert_null(tdmf_model_create(&model, &parameters).variable);
+            begin(&run, &model, free_gaits[i].gait.friction, (const double *)&free_gaits[i].gait.apex);
+            run.motion.state[TDMF_LEG_ANGLE] = 0.5;
+            run.motion.state[TDMF_LEG_ANGLE_RATE] = 0.0;
+            assert_null(tdmf_start(SYSTEM_OF(&run), &run.motion).variable);
+            run.solver.log = &run.log;
+            tdmf_native_advance(&run.solver, SYSTEM_OF(&run), NULL, 16.0, &run.motion);
+            int lifted_off = 0;
+            for (int k = 0; k < run.log.count; ++k) {
+                lifted_off += run.log.events[k].guard == TDMF_GUARD_LIFT_OFF;
+                assert_true(run.log.events[k].after.contact != TDMF_CONTACT_GRAZE);
+            }
+            assert_int_equal(lifted_off, 1);
+            memcpy(states[clamp], run.motion.state, sizeof states[clamp]);
+        }
+        assert_memory_equal(states[0], states[1], sizeof states[0]);
+    }
+}
+
+/* ---- from one law to the other ------------------------------------------------------------------------- */
+
+/* At an apex a run forgets which law it had. */
+static void from_an_apex_on_the_law_may_be_the_other(void **state) {
+    (void)state;
+    for (int clamp = 0; clamp < 2; ++clamp) {
+        const tdmf_model first = table_1(clamp == 0), second = table_1(clamp == 1);
+        run goes_on, begins;
+        double apex[TDMF_SECTION_COUNT], ends[2][TDMF_SECTION_COUNT];
+        begin(&goes_on, &first, 0.6, (const double *)&free_gaits[1].gait.apex);
+        stride(&goes_on);
+        tdmf_section_of_state(&first, &goes_on.motion.mode.ground, goes_on.motion.state, apex);
+        begin(&begins, &second, 0.6, apex);
+        stride(&begins);
+        goes_on.model = second;
+        stride(&goes_on);
+        tdmf_section_of_state(&first, &goes_on.motion.mode.ground, goes_on.motion.state, ends[0]);
+        tdmf_section_of_state(&second, &begins.motion.mode.ground, begins.motion.state, ends[1]);
+        assert_section(ends[0], ends[1], 1e-12);
+    }
+}
+
+/* A host that changes the law in mid-flight, which no unit allows, resolves the run as after any change: a
+ * closed clamp opens where there is none, and closes where the servo pulls. */
+static void in_flight_the_clamp_is_what_the_model_says(void **state) {
+    const tdmf_model with = table_1(true), without = table_1(false);
+    run run;
+    (void)state;
+    begin(&run, &with, 0.6, (const double *)&reference_gaits[2].apex);
+    assert_int_equal(tdmf_native_advance(&run.solver, SYSTEM_OF(&run), NULL, 20.0, &run.motion),
+                     TDMF_ARRIVED);
+    assert_int_equal(run.motion.mode.phase, TDMF_PHASE_RETRACT);
+    assert_true(run.motion.mode.clamp_closed);
+    run.model = without;
+    assert_true(tdmf_resolve(SYSTEM_OF(&run), &run.motion).mode_changed);
+    assert_false(run.motion.mode.clamp_closed);
+    const double *at = run.motion.state;
+    assert_close(tdmf_hip_torque(SYSTEM_OF(&run), &run.motion.mode, at),
+                 -0.1 * (at[TDMF_LEG_ANGLE] - 1.2 * run.motion.mode.liftoff_angle) -
+                     0.1 * at[TDMF_LEG_ANGLE_RATE],
+                 1e-15);
+    run.model = with;
+    assert_true(tdmf_resolve(SYSTEM_OF(&run), &run.motion).mode_changed);
+    assert_true(run.motion.mode.clamp_closed);
+    assert_true(tdmf_hip_torque(SYSTEM_OF(&run), &run.motion.mode, at) == 0.0);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(strides_close_on_the_reference),
+        cmocka_unit_test(and_by_cvode),
+        cmocka_unit_test(the_leg_converges_to_the_angle_aimed_at),
+        cmocka_unit_test(a_search_finds_the_gaits),
+        cmocka_unit_test(the_jacobian_is_that_of_the_reference),
+        cmocka_unit_test(borders_part_the_words),
+        cmocka_unit_test(one_ensemble_has_runners_of_both_laws),
+        cmocka_unit_test(over_rough_ground_too),
+        cmocka_unit_test(random_strides_are_those_of_the_reference),
+        cmocka_unit_test(the_clamp_is_never_an_event),
+        cmocka_unit_test(without_gains_both_laws_are_one),
+        cmocka_unit_test(from_an_apex_on_the_law_may_be_the_other),
+        cmocka_unit_test(in_flight_the_clamp_is_what_the_model_says),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
