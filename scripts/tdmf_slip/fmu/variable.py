@@ -159,7 +159,7 @@ class Variable(ByContents):
         return InputError(f"{where}: {self.name} = {shown} is not allowed; allowed: {self.allowed}{hint}")
 
     def _boolean(self, given: Given, where: str) -> bool:
-        values = {"true": True, "false": False, "1": True, "0": False}
+        values = {"true": True, "false": False, "1": True, "0": False, "1.0": True, "0.0": False}
         try:
             return values[str(given).lower()]
         except KeyError:
