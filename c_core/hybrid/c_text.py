@@ -1,0 +1,192 @@
+"""C99 text of expressions: safe names, statements, lines that are not too long."""
+
+from collections import Counter
+
+from .expressions import ordered
+
+WIDTH = 110
+C_WORDS = """auto break case char const continue default do double else enum extern float for goto if inline
+int long register
+    restrict return short signed sizeof static struct switch typedef union unsigned void volatile while bool
+    true false
+    complex imaginary"""
+CPP_WORDS = """alignas alignof and and_eq asm bitand bitor catch class compl constexpr const_cast decltype
+delete
+    dynamic_cast explicit export friend mutable namespace new noexcept not not_eq nullptr operator or or_eq
+    private protected public reinterpret_cast static_assert static_cast template this thread_local throw try
+    typeid typename
+    using virtual wchar_t xor xor_eq"""
+MACROS = """NULL NAN INFINITY HUGE_VAL EOF I assert errno stdin stdout stderr signbit isnan isinf isfinite
+isnormal fpclassify
+    near far small interface unix linux min max huge pascal cdecl offsetof va_arg setjmp DOMAIN OVERFLOW
+    UNDERFLOW"""
+OWN_WORDS = """real mask interval select any broadcast power order series constants p x y dp dx dy c d s t g
+k i j by sum next
+    span told low high noted value parameters states d_parameters d_states after given of_states of_events
+    varied TERMS
+    KERNEL"""
+RESERVED = set(f"{C_WORDS} {CPP_WORDS} {MACROS} {OWN_WORDS}".split())
+"""Words of C, C++ and MSVC, macros of headers, and names of the generator; a quantity so named gets a `_`."""
+
+
+def safe_names(names):
+    """A name in C for each name of a page: its own, or with `_` where C or C++ has another use for it."""
+    found = {}
+    for name in names:
+        new = name
+        while (
+            new in RESERVED
+            or new in found.values()
+            or (new != name and new in names)
+            or new.startswith("real_")
+        ):
+            new += "_"
+        found[name] = new
+    return found
+
+
+PRECEDENCE = {"+": 1, "-": 1, "*": 2, "/": 2, "negative": 3}
+
+
+def number_text(value):
+    """A number in C."""
+    if float(value) != value and value.denominator <= 1000:
+        return f"({float(value.numerator)!r} / {float(value.denominator)!r})"
+    return repr(float(value))
+
+
+def c_text(expression, text_of=lambda node: None):
+    """An expression in C; `text_of` gives the text of what has a name of its own."""
+    written = {}
+
+    def own(node):
+        return text_of(node) or (str(node.value) if node.operation == "symbol" else None)
+
+    known = {}
+    for node in ordered([expression], _Lookup(own, known)):
+        if node in known:
+            written[node] = known[node], 4
+        elif node.operation == "number":
+            written[node] = number_text(node.value), 4 if node.value >= 0 else 3
+        else:
+            written[node] = _operation(node, [written[o] for o in node.operands])
+    return written[expression][0]
+
+
+class _Lookup:
+    """What has a text of its own, asked for once."""
+
+    def __init__(self, own, known):
+        self.own, self.known = own, known
+
+    def __contains__(self, node):
+        if node not in self.known:
+            text = self.own(node)
+            if text is None:
+                return False
+            self.known[node] = text
+        return True
+
+
+def _operation(node, operands):
+    mine = PRECEDENCE.get(node.operation, 4)
+    texts = [text for text, _ in operands]
+    if node.operation == "negative":
+        return f"-{_enclosed(operands[0], 3)}", 3
+    if node.operation in PRECEDENCE:
+        return f"{_enclosed(operands[0], mine)} {node.operation} {_enclosed(operands[1], mine + 1)}", mine
+    if node.operation == "select":
+        return f"select({texts[0]} {node.value} {texts[1]}, {texts[2]}, {texts[3]})", 4
+    return f"real_{node.operation}({', '.join(texts)})", 4
+
+
+def _enclosed(operand, least):
+    text, precedence = operand
+    return text if precedence >= least else f"({text})"
+
+
+def wrapped(line):
+    """A line of C as lines of at most WIDTH letters, broken at spaces."""
+    if len(line) <= WIDTH:
+        return line
+    indent, lines = len(line) - len(line.lstrip()), []
+    more = " " * (indent + 4)
+    is_comment = line.lstrip().startswith("/*")
+    while len(line) > WIDTH:
+        at = line.rfind(" ", indent + 4, WIDTH)
+        if at < 0 or not line[:at].strip():
+            break
+        lines.append(line[:at])
+        line = (" " * indent + " * " if is_comment else more) + line[at + 1 :]
+    return "\n".join([*lines, line])
+
+
+def wrapped_text(text):
+    """All lines of a text wrapped."""
+    return "\n".join(wrapped(line) for line in text.split("\n"))
+
+
+NAMES = {"*": "_times_", "/": "_over_", "+": "_plus_", "-": "_minus_", "negative": "minus_", "select": "_or_"}
+
+
+def name_of(node):
+    """The page's name of an expression, else one made of its operands' names."""
+    todo, parts = [node], {}
+    while todo:
+        top = todo[-1]
+        if top in parts:
+            todo.pop()
+        elif top.operation == "symbol":
+            parts[todo.pop()] = top.value.replace("->", ".").split(".")[-1]
+        elif top.name:
+            parts[todo.pop()] = top.name
+        elif top.operation == "number":
+            digits = f"{float(top.value):.4g}".replace("-", "minus_")
+            parts[todo.pop()] = "by_" + "".join(
+                sign if sign.isalnum() or sign == "_" else "_" for sign in digits
+            )
+        elif missing := [o for o in top.operands[-2:] if o not in parts]:
+            todo += missing
+        else:
+            of = [parts[o] for o in top.operands[-2:]]
+            word = NAMES.get(top.operation, f"{top.operation}_of_")
+            text = word.join(["", *of][-2:]) if len(of) == 1 else word.join(of)
+            word = (
+                top.operation
+                if top.operation.isalpha()
+                else {"*": "product", "/": "ratio"}.get(top.operation, "sum_")
+            )
+            parts[todo.pop()] = text if len(text) < 40 else word.rstrip("_")
+    return parts[node]
+
+
+def own_name(node, taken):
+    """A name that is in no use yet; `taken` gets it."""
+    name = base = name_of(node)
+    count = 1
+    while name in taken or name in RESERVED:
+        count += 1
+        name = f"{base}_{count}"
+    taken.add(name)
+    return name
+
+
+def statements(roots, taken, used_names, indent="    "):
+    """Variables of C for what has a name or is used twice; `taken` gets their names."""
+    nodes, lines = ordered(roots, taken), ""
+    used = Counter(operand for node in nodes if node not in taken for operand in node.operands)
+    for node in nodes:
+        if node.operands and node not in taken and (node.name or used[node] > 1):
+            text = c_text(node, taken.get)
+            taken[node] = own_name(node, used_names)
+            lines += f"{indent}const real {taken[node]} = {text};\n"
+    return lines
+
+
+def assigned(values, into, indent="    "):
+    """Statements that write values to their places."""
+    taken = {}
+    lines = statements(list(values.values()), taken, set(), indent)
+    return lines + "".join(
+        f"{indent}{into}{name} = {c_text(value, taken.get)};\n" for name, value in values.items()
+    )

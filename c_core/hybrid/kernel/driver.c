@@ -1,0 +1,490 @@
+/* Runs a page: Taylor steps, the first event of any guard, chains of events in zero time, saltation.
+ *
+ * A step is as long as its series can be trusted. Each guard is a polynomial in the step, and the first root
+ * of any ends it. A guard that is below zero where a mode begins is due at once, in the page's order.
+ *
+ * With guard g, reset R and rates f- and f+ before and after, a variation dx passes an event by
+ *
+ *     dt = -(g_x dx + g_p dp)/(g_x f-),      dx+ = R_x (dx + f- dt) + R_p dp - f+ dt,
+ *
+ * and resets that follow in zero time, which inequalities decide, shift with the first one.
+ */
+#include "driver.h"
+
+#include <stdlib.h>
+
+enum { GUARD_LIMIT = 32, CHAIN_LIMIT = 100, PIECE_LIMIT = 32 };
+
+static const double margin = 1e-12;        /* of a guard, in its scale */
+static const double largest_change = 0.75; /* of a divisor within a step, in its own size */
+static const double sign_margin = 1e-15;   /* of an observed quantity, in its largest coefficient */
+
+/* The state of a run between steps; its arrays lie in one piece of memory. */
+typedef struct {
+    const tdmf_model_kind *model;
+    const tdmf_mode_kind *mode;
+    const tdmf_motion_kind *motion;
+    tdmf_page_run *r;
+    real *c, *d;                   /* constants of the mode, and their variations by seed */
+    real (*s)[TERMS], (*t)[TERMS]; /* series, and the variation of one seed's */
+    real *room, *rates, *none;     /* as many as states; `none` is zero, for parameters that do not vary */
+    real *scales, *event_scales;
+    real power[TERMS];            /* of the step's size */
+    real size, end;               /* of the step, and the share of it at which an event ends it */
+    const tdmf_guard_kind *first; /* that event */
+    int chain;                    /* events in zero time so far */
+    bool begins, is_shifted;      /* the mode has just begun; variations are those at the last event */
+    bool is_watched[GUARD_LIMIT];
+} work;
+
+static real *seed_dx(const work *w, int seed) {
+    return w->r->dx + seed * w->model->state_count;
+}
+
+static const real *seed_dp(const work *w, int seed) {
+    return w->r->dp + seed * w->model->parameter_count;
+}
+
+/* ---- the step ------------------------------------------------------------------------------------------ */
+
+static void open_mode(work *w) {
+    tdmf_page_run *r = w->r;
+    w->mode = &w->model->modes[r->mode];
+    w->motion = w->mode->motion;
+    w->begins = true;
+    w->mode->open(r->p, r->x, w->c);
+    for (int i = 0; i < w->mode->guard_count; ++i) {
+        const tdmf_guard_kind *kind = &w->mode->guards[i];
+        w->is_watched[i] = !kind->is_watched || kind->is_watched(r->p, r->x) != 0.0;
+    }
+    for (int i = 0; i < w->motion->moving_count + w->motion->extra_count; ++i) {
+        if (w->motion->degrees[i] < SERIES_ORDER_LIMIT) {
+            memset(w->s[i], 0, sizeof w->s[i]); /* a ramp has no other coefficients */
+        }
+    }
+    for (int seed = 0; seed < r->seed_count; ++seed) {
+        w->mode->vary_open(r->p, r->x, seed_dp(w, seed), seed_dx(w, seed),
+                           w->d + seed * w->model->constant_count);
+    }
+}
+
+static void expand(work *w) {
+    for (int i = 0; i < w->motion->moving_count; ++i) {
+        w->s[i][0] = w->r->x[w->motion->moving[i]];
+    }
+    w->motion->expand(w->c, w->r->order, w->s[0]);
+}
+
+/* How far the series can be trusted: cut at either of two coefficients near their end, what is left out would
+ * be as small as the tolerance. And no divisor may come near zero. */
+static void choose_size(work *w, real longest) {
+    const tdmf_motion_kind *m = w->motion;
+    const int order = w->r->order;
+    real last = 0.0, last_but_one = 0.0;
+    for (int i = 0; i < m->judged_count; ++i) {
+        const int j = m->judged[i];
+        const real *x = w->s[j];
+        const real allowed =
+            1.0 / real_max(j < m->moving_count ? w->scales[m->moving[j]] : 1.0, real_abs(x[0]));
+        last += real_abs(x[order - 1]) * allowed;
+        last_but_one += real_abs(x[order - 2]) * allowed;
+    }
+    if (w->mode->longest) {
+        longest = real_min(longest, w->mode->longest(w->r->p, w->r->x));
+    }
+    const real trusted = real_min(rough_root(w->r->tolerance / last, order - 1),
+                                  rough_root(w->r->tolerance / last_but_one, order - 2));
+    w->size = is_finite(last + last_but_one) ? real_min(longest, trusted) : NAN;
+    set_powers(w->power, w->size, order);
+    for (int i = 0; i < m->divisor_count; ++i) {
+        const real *d = w->s[m->divisors[i]];
+        real change = 0.0;
+        for (int k = 1; k < order; ++k) {
+            change += real_abs(d[k]) * w->power[k];
+        }
+        if (change > largest_change * real_abs(d[0])) {
+            w->size *= largest_change * real_abs(d[0]) / change;
+            set_powers(w->power, w->size, order);
+        }
+    }
+}
+
+static real sum_of(const real *c, const real *power, int order) {
+    real even = 0.0, odd = 0.0;
+    int k = 1;
+    for (; k < order; k += 2) {
+        odd += c[k] * power[k];
+        even += c[k + 1] * power[k + 1];
+    }
+    return c[0] + (k == order ? odd + c[k] * power[k] + even : odd + even);
+}
+
+/* ---- observed quantities ------------------------------------------------------------------------------- */
+
+/* The end of a piece of [from, 1] in which a polynomial, scaled to the step, keeps its sign. */
+static real end_of_sign(const real *g, int degree, real largest, real from) {
+    const root found = first_sign_change(g, degree, sign_margin * largest, from, 1.0, true);
+    return found.is_root && found.time < 1.0 ? found.time : 1.0;
+}
+
+static real positive_integral(const real *g, int order, real size) {
+    real integral[TERMS] = {0.0}, power[TERMS];
+    real tail = 0.0, largest = real_abs(g[0]), whole = 0.0;
+    for (int k = 0; k < order; ++k) {
+        integral[k + 1] = g[k] * series_reciprocal[k + 1];
+        whole += integral[k + 1];
+        tail += k > 0 ? real_abs(g[k]) : 0.0;
+        largest = real_max(largest, real_abs(g[k]));
+    }
+    if (tail <= real_abs(g[0])) { /* one sign, or zero all along */
+        return size * real_max(0.0, whole);
+    }
+    real sum = 0.0, from = 0.0, before = 0.0;
+    for (int pieces = 0; pieces < PIECE_LIMIT && from < 1.0; ++pieces) {
+        from = end_of_sign(g, order - 1, largest, from);
+        set_powers(power, from, order);
+        const real after = sum_of(integral, power, order);
+        sum += real_max(0.0, after - before);
+        before = after;
+    }
+    return size * sum;
+}
+
+/* The largest value is that at an end, or where the rate changes its sign. */
+static real largest_value(const real *g, int order, real largest) {
+    real rate[TERMS] = {0.0}, power[TERMS];
+    real tail = 0.0, scale = 0.0, end = g[0];
+    for (int k = 1; k < order; ++k) {
+        rate[k - 1] = k * g[k];
+        tail += real_abs(g[k]);
+        scale = real_max(scale, real_abs(rate[k - 1]));
+        end += g[k];
+    }
+    if (g[0] + tail <= largest || scale == 0.0) {
+        return real_max(largest, g[0]);
+    }
+    largest = real_max(largest, real_max(g[0], end));
+    real others = 0.0;
+    for (int k = 1; k < order - 1; ++k) {
+        others += real_abs(rate[k]);
+    }
+    if (others < real_abs(rate[0])) { /* it only rises, or only falls */
+        return largest;
+    }
+    real from = 0.0;
+    for (int pieces = 0; pieces < PIECE_LIMIT && from < 1.0; ++pieces) {
+        from = end_of_sign(rate, order - 2, scale, from);
+        set_powers(power, from, order);
+        largest = real_max(largest, sum_of(g, power, order - 1));
+    }
+    return largest;
+}
+
+/* Follows the observed quantities up to the end of the step, whose powers are set. */
+static void observe(work *w) {
+    const int order = w->r->order;
+    for (int i = 0; i < w->mode->watch_count; ++i) {
+        const tdmf_watch_kind *kind = &w->mode->watches[i];
+        real g[TERMS], *value = &w->r->x[kind->into];
+        w->motion->polynomials[w->mode->guard_count + i](w->c, w->s[0], order, g);
+        for (int k = 1; k < order; ++k) {
+            g[k] *= w->power[k];
+        }
+        *value = kind->part == TDMF_LARGEST ? largest_value(g, order, *value)
+                                            : *value + positive_integral(g, order, w->power[1]);
+    }
+}
+
+/* ---- going on ------------------------------------------------------------------------------------------ */
+
+static void advance_variations(work *w) {
+    const tdmf_motion_kind *m = w->motion;
+    for (int seed = 0; seed < w->r->seed_count; ++seed) {
+        real *dx = seed_dx(w, seed);
+        for (int i = 0; i < m->moving_count; ++i) {
+            w->t[i][0] = dx[m->moving[i]];
+        }
+        m->vary(w->c, w->s[0], w->d + seed * w->model->constant_count, w->r->order, w->t[0]);
+        for (int i = 0; i < m->moving_count; ++i) {
+            dx[m->moving[i]] = sum_of(w->t[i], w->power, w->r->order);
+        }
+    }
+}
+
+/* Goes on to a time within the step. */
+static void advance(work *w, real elapsed) {
+    const tdmf_motion_kind *m = w->motion;
+    const int order = w->r->order;
+    if (elapsed != w->size) {
+        set_powers(w->power, elapsed, order);
+    }
+    advance_variations(w);
+    if (w->r->observes) {
+        observe(w);
+    }
+    for (int i = 0; i < m->moving_count; ++i) {
+        w->r->x[m->moving[i]] = sum_of(w->s[i], w->power, m->degrees[i] < order ? m->degrees[i] : order);
+    }
+    if (elapsed > 0.0) {
+        w->chain = 0;
+    }
+    w->r->time += elapsed;
+    ++w->r->steps;
+    w->begins = false;
+}
+
+/* ---- events -------------------------------------------------------------------------------------------- */
+
+/* Ends the step where a guard that only a crossing makes due has come above zero: it is watched from there
+ * on. */
+static void end_where_it_rises(work *w, const real *g, real floor) {
+    real below[TERMS];
+    for (int k = 0; k < w->r->order; ++k) {
+        below[k] = -g[k];
+    }
+    const root found = first_root(below, w->r->order - 1, 2.0 * floor, 0.0, real_min(1.0, w->end), true);
+    if (found.time < w->end) {
+        w->end = found.time;
+        w->first = NULL;
+    }
+}
+
+/* Searches one guard, whose polynomial is g, for an earlier end of the step. */
+static void search_guard(work *w, const tdmf_guard_kind *kind, real *g, real floor) {
+    const int order = w->r->order;
+    real sum = g[0], least = g[0], most = g[0];
+    for (int k = 1; k < order; ++k) {
+        g[k] *= w->power[k];
+        sum += g[k];
+        least = real_min(least, sum);
+        most = real_max(most, sum);
+    }
+    if (kind->is_crossing && g[0] <= -floor) {
+        if (most > -2.0 * floor) {
+            end_where_it_rises(w, g, floor);
+        }
+        return;
+    }
+    if (least > 0.0) {
+        return;
+    }
+    const root found = first_root(g, order - 1, floor, 0.0, real_min(1.0, w->end), true);
+    if (found.zero < w->end && (found.is_root || found.time < 1.0)) {
+        w->end = found.zero;
+        w->first = found.is_root ? kind : NULL;
+    }
+}
+
+/* Searches the step for the first event; gives one that is due where the mode begins. */
+static const tdmf_guard_kind *search(work *w) {
+    real low[GUARD_LIMIT];
+    w->end = INFINITY;
+    w->first = NULL;
+    if (w->motion->bounds) {
+        w->motion->bounds(w->c, w->s[0], w->power, w->r->order, low);
+    }
+    for (int i = 0; i < w->mode->guard_count; ++i) {
+        const tdmf_guard_kind *kind = &w->mode->guards[i];
+        if (!w->is_watched[i] || (w->motion->bounds && low[i] > 0.0)) {
+            continue;
+        }
+        real g[TERMS];
+        w->motion->polynomials[i](w->c, w->s[0], w->r->order, g);
+        const real floor = -margin * w->event_scales[kind->event];
+        if (w->begins && !kind->is_crossing && g[0] < 2.0 * floor) {
+            return kind;
+        }
+        search_guard(w, kind, g, floor);
+    }
+    return NULL;
+}
+
+/* Moves the variations to where the event is now, by the rates of the mode that it ends. */
+static void shift_to_event(work *w, const tdmf_guard_kind *kind) {
+    tdmf_page_run *r = w->r;
+    const tdmf_motion_kind *m = w->motion;
+    memset(w->rates, 0, (size_t)w->model->state_count * sizeof *w->rates);
+    for (int i = 0; i < m->moving_count; ++i) {
+        real rate = 0.0;
+        for (int k = 1; k <= r->order; ++k) {
+            rate += k * w->s[i][k] * w->power[k - 1];
+        }
+        w->rates[m->moving[i]] = rate;
+    }
+    const real falls = kind->vary_guard(r->p, r->x, w->none, w->rates);
+    for (int seed = 0; seed < r->seed_count; ++seed) {
+        real *dx = seed_dx(w, seed);
+        r->shift[seed] = -kind->vary_guard(r->p, r->x, seed_dp(w, seed), dx) / falls;
+        for (int i = 0; i < w->model->state_count; ++i) {
+            dx[i] += w->rates[i] * r->shift[seed];
+        }
+    }
+    w->is_shifted = true;
+}
+
+/* Moves them back, by the rates of the mode that lasts. */
+static void shift_back(work *w) {
+    for (int seed = 0; seed < w->r->seed_count; ++seed) {
+        for (int i = 0; i < w->motion->moving_count; ++i) {
+            seed_dx(w, seed)[w->motion->moving[i]] -= w->s[i][1] * w->r->shift[seed];
+        }
+    }
+    w->is_shifted = false;
+}
+
+void tdmf_page_take(const tdmf_model_kind *model, const tdmf_guard_kind *kind, tdmf_page_run *r,
+                    double *room) {
+    const tdmf_mode_kind *left = &model->modes[r->mode];
+    const size_t size = (size_t)model->state_count * sizeof *room;
+    const real noted = kind->is_noted ? 1.0 : 0.0;
+    for (int part = left->leave ? 0 : 1; part < 2; ++part) { /* what is written down, then the decision */
+        for (int seed = 0; seed < r->seed_count; ++seed) {
+            const real *dp = r->dp + seed * model->parameter_count;
+            real *dx = r->dx + seed * model->state_count;
+            memcpy(room, dx, size);
+            if (part == 0) {
+                left->vary_leave(r->p, r->x, dp, dx, noted, room);
+            } else {
+                kind->vary_react(r->p, r->x, dp, dx, room);
+            }
+            memcpy(dx, room, size);
+        }
+        memcpy(room, r->x, size);
+        if (part == 0) {
+            left->leave(r->p, r->x, noted, room);
+        } else {
+            r->mode = kind->react(r->p, r->x, room, kind->next);
+        }
+        memcpy(r->x, room, size);
+    }
+}
+
+/* Takes an event and notes it. */
+static void take(work *w, const tdmf_guard_kind *kind) {
+    tdmf_page_run *r = w->r;
+    const int count = w->model->state_count, before = r->mode;
+    if (r->log_count < r->log_size && r->log_states) {
+        memcpy(r->log_states + r->log_count * count, r->x, (size_t)count * sizeof *r->x);
+    }
+    tdmf_page_take(w->model, kind, r, w->room);
+    if (r->log_count < r->log_size) {
+        const tdmf_event_row row = {r->time, kind->event, before, r->mode};
+        r->log[r->log_count++] = row;
+    }
+    ++r->events;
+    ++w->chain;
+    r->stuck_event = kind->event;
+    open_mode(w);
+}
+
+/* ---- the run ------------------------------------------------------------------------------------------- */
+
+static tdmf_run_outcome go_on(work *w, double until) {
+    tdmf_page_run *r = w->r;
+    bool stops = false;
+    open_mode(w);
+    for (const long limit = r->steps + r->step_limit; r->steps < limit;) {
+        if (w->mode->ends) {
+            return TDMF_RUN_ENDED;
+        }
+        expand(w);
+        choose_size(w, until - r->time);
+        if (!(w->size >= 0.0)) {
+            return TDMF_RUN_NO_PROGRESS;
+        }
+        const tdmf_guard_kind *due = search(w);
+        if (!due) {
+            if (stops) {
+                return TDMF_RUN_STOPPED;
+            }
+            if (w->is_shifted) {
+                shift_back(w);
+            }
+            if (r->time >= until) {
+                return TDMF_RUN_ARRIVED;
+            }
+            advance(w, w->end <= 1.0 ? w->end * w->size : w->size);
+            if (w->end > 1.0 || !w->first) {
+                continue;
+            }
+            due = w->first;
+            if (r->seed_count > 0) {
+                shift_to_event(w, due);
+            }
+        }
+        take(w, due);
+        stops |= due->event == r->stop_event;
+        if (w->chain > CHAIN_LIMIT) {
+            return TDMF_RUN_ENDLESS_CHAIN;
+        }
+    }
+    return TDMF_RUN_TOO_MANY_STEPS;
+}
+
+tdmf_run_outcome tdmf_page_run_to(const tdmf_model_kind *model, tdmf_page_run *r, double until) {
+    const int states = model->state_count, series = model->series_count;
+    const int size = 2 * series * TERMS + (1 + r->seed_count) * model->constant_count + 3 * states +
+                     model->parameter_count + model->event_count;
+    real *memory = calloc((size_t)size, sizeof *memory);
+    if (!memory) {
+        return TDMF_RUN_NO_MEMORY;
+    }
+    work w = {.model = model, .r = r};
+    w.s = (real(*)[TERMS])(void *)memory;
+    w.t = w.s + series;
+    w.c = memory + 2 * series * TERMS;
+    w.d = w.c + model->constant_count;
+    w.room = w.d + r->seed_count * model->constant_count;
+    w.rates = w.room + states;
+    w.scales = w.rates + states;
+    w.event_scales = w.scales + states;
+    w.none = w.event_scales + model->event_count;
+    model->scales(r->p, w.scales, w.event_scales);
+    const tdmf_run_outcome outcome = go_on(&w, until);
+    free(memory);
+    return outcome;
+}
+
+int tdmf_page_order(double tolerance) {
+    const int order = 2 * (int)(2.0 - 0.75 * log10(tolerance));
+    return order < 8 ? 8 : order > SERIES_ORDER_LIMIT ? SERIES_ORDER_LIMIT : order;
+}
+
+tdmf_page_run tdmf_page_run_default(const tdmf_model_kind *model, double *p, double *x) {
+    const double tolerance = 1e-11;
+    memcpy(p, model->parameter_defaults, (size_t)model->parameter_count * sizeof *p);
+    memcpy(x, model->state_defaults, (size_t)model->state_count * sizeof *x);
+    const tdmf_page_run run = {.p = p,
+                               .x = x,
+                               .tolerance = tolerance,
+                               .order = tdmf_page_order(tolerance),
+                               .stop_event = -1,
+                               .stuck_event = -1,
+                               .observes = true,
+                               .step_limit = 100000};
+    return run;
+}
+
+void tdmf_page_tell(const tdmf_model_kind *model, const tdmf_page_run *r, double *told) {
+    model->modes[r->mode].tell(r->p, r->x, told);
+}
+
+void tdmf_page_world(const tdmf_model_kind *model, const tdmf_page_run *r, double *world) {
+    if (model->modes[r->mode].to_world) {
+        model->modes[r->mode].to_world(r->p, r->x, world);
+    }
+}
+
+void tdmf_page_set(const tdmf_model_kind *model, tdmf_page_run *r, double *p, bool is_state, int index,
+                   double value, double *room) {
+    const size_t size = (size_t)model->state_count * sizeof *room;
+    for (int i = 0; i < model->set_count; ++i) {
+        const tdmf_set_kind *kind = &model->sets[i];
+        if (kind->is_state == is_state && kind->index == index && kind->set[r->mode]) {
+            memcpy(room, r->x, size);
+            kind->set[r->mode](r->p, r->x, value, room);
+            memcpy(r->x, room, size);
+        }
+    }
+    *(is_state ? &r->x[index] : &p[index]) = value;
+}

@@ -1,0 +1,176 @@
+/* What a derived model and the driver know of each other. Neither knows what the model is about.
+ *
+ * A model is a table of modes. A mode has a motion, whose states are Taylor series and whose guards are
+ * polynomials in time, and functions of an instant: constants, decisions at events, outputs. All are derived
+ * from a page.
+ */
+#ifndef TDMF_KERNEL_DRIVER_H
+#define TDMF_KERNEL_DRIVER_H
+
+#include "first_root.h"
+#include "page_series.h"
+
+/* ---- a motion ------------------------------------------------------------------------------------------ */
+
+typedef void tdmf_expand(const real *constants, int order, real *series);
+typedef void tdmf_vary(const real *constants, const real *series, const real *d_constants, int order,
+                       real *varied);
+typedef void tdmf_bounds(const real *constants, const real *series, const real *power, int order, real *low);
+
+/* A guard or an observed quantity as a polynomial in time, of less than `order` in degree. */
+typedef void (*tdmf_polynomial)(const real *constants, const real *series, int order, real *g);
+
+/* The first series are those of the states that move, then come states that only the motion has. */
+typedef struct {
+    int moving_count, extra_count;
+    const int *moving;  /* places of the moving states among the model's */
+    const int *degrees; /* of those that are polynomials in time; a large number for others */
+    int judged_count;
+    const int *judged; /* series whose last coefficients decide how long a step is */
+    int divisor_count;
+    const int *divisors;                /* series that are divided by */
+    const tdmf_polynomial *polynomials; /* guards, then observed quantities */
+    tdmf_expand *expand;
+    tdmf_vary *vary;
+    tdmf_bounds *bounds; /* what guards are no less than; NULL where none is bounded */
+} tdmf_motion_kind;
+
+/* ---- an instant ---------------------------------------------------------------------------------------- */
+
+typedef void tdmf_open(const real *p, const real *x, real *constants);
+typedef void tdmf_vary_open(const real *p, const real *x, const real *dp, const real *dx, real *d_constants);
+typedef int tdmf_react(const real *p, const real *x, real *after, const int *next);
+typedef void tdmf_change(const real *p, const real *x, real *after);
+typedef void tdmf_vary_change(const real *p, const real *x, const real *dp, const real *dx, real *after);
+typedef real tdmf_vary_guard(const real *p, const real *x, const real *dp, const real *dx);
+typedef real tdmf_answer(const real *p, const real *x);
+typedef void tdmf_leave(const real *p, const real *x, real noted, real *after);
+typedef void tdmf_vary_leave(const real *p, const real *x, const real *dp, const real *dx, real noted,
+                             real *after);
+typedef void (*tdmf_set)(const real *p, const real *x, real given, real *after);
+typedef void tdmf_scales(const real *p, real *of_states, real *of_events);
+
+enum { TDMF_NEXT_LIMIT = 16 };
+
+/* An event as a mode watches it. */
+typedef struct {
+    int event;
+    bool is_noted;           /* an event of the world, not bookkeeping */
+    bool is_crossing;        /* never due at once */
+    tdmf_answer *is_watched; /* asked where the mode begins; NULL: always */
+    tdmf_react *react;       /* writes the states that change, and gives the next mode */
+    tdmf_vary_change *vary_react;
+    tdmf_vary_guard *vary_guard;
+    int next[TDMF_NEXT_LIMIT]; /* the modes that it can lead to */
+} tdmf_guard_kind;
+
+/* A quantity that is followed along the steps into a state. */
+typedef enum { TDMF_POSITIVE_INTEGRAL, TDMF_LARGEST } tdmf_part;
+
+typedef struct {
+    tdmf_part part;
+    int into;
+} tdmf_watch_kind;
+
+typedef struct {
+    const tdmf_motion_kind *motion;
+    bool ends; /* the run */
+    int guard_count;
+    const tdmf_guard_kind *guards; /* in the order in which those due at one instant are taken */
+    int watch_count;
+    const tdmf_watch_kind *watches;
+    tdmf_open *open;
+    tdmf_vary_open *vary_open;
+    tdmf_change *tell; /* outputs */
+    tdmf_vary_change *vary_tell;
+    tdmf_answer *longest; /* step; NULL: any */
+    tdmf_leave *leave;    /* what is written down as an event finds the mode; NULL: nothing */
+    tdmf_vary_leave *vary_leave;
+    tdmf_change *to_world, *from_world, *world_rates; /* NULL where the mode's coordinates are the world's */
+    tdmf_vary_change *vary_to_world, *vary_from_world, *vary_world_rates;
+} tdmf_mode_kind;
+
+/* What else changes where a quantity is set, by mode. */
+typedef struct {
+    bool is_state;
+    int index;
+    const tdmf_set *set;
+} tdmf_set_kind;
+
+typedef struct {
+    int state_count, parameter_count, event_count, mode_count, output_count, set_count;
+    const tdmf_mode_kind *modes; /* runs start in the first */
+    const tdmf_set_kind *sets;
+    tdmf_scales *scales;              /* what is large in the unit of each state and guard */
+    int series_count, constant_count; /* the most of any mode */
+    const char *const *mode_names, *const *event_names, *const *state_names, *const *parameter_names,
+                                                                                 *const *output_names;
+    const double *parameter_defaults, *state_defaults;
+} tdmf_model_kind;
+
+/* ---- a run --------------------------------------------------------------------------------------------- */
+
+typedef struct {
+    double time;
+    int event, before, after; /* the modes */
+} tdmf_event_row;
+
+typedef struct {
+    const double *p; /* parameters */
+    double *x;       /* states */
+    double time;
+    int mode;
+    double tolerance;
+    int order;      /* of the series: even */
+    int stop_event; /* the run stops where this one is taken, and variations are then those on that section;
+                       -1: none */
+    bool observes;
+    long step_limit;
+    /* Variations: of each seed those of the parameters and of the states, and of the time of the last event.
+     */
+    int seed_count;
+    const double *dp;
+    double *dx, *shift;
+    /* Events are noted as long as there is room; `log_states` may be NULL. */
+    tdmf_event_row *log;
+    double *log_states;
+    int log_size, log_count;
+    /* Counters, and the event of a chain that does not end. */
+    long steps, events;
+    int stuck_event;
+} tdmf_page_run;
+
+typedef enum {
+    TDMF_RUN_ARRIVED,
+    TDMF_RUN_STOPPED,        /* at the stop event */
+    TDMF_RUN_ENDED,          /* in a mode that ends runs */
+    TDMF_RUN_NO_PROGRESS,    /* no step has a finite result */
+    TDMF_RUN_TOO_MANY_STEPS, /* the step limit was reached */
+    TDMF_RUN_ENDLESS_CHAIN,  /* `stuck_event` is due again and again in zero time */
+    TDMF_RUN_NO_MEMORY
+} tdmf_run_outcome;
+
+/* A run from the start of the page; room for variations and a log is the caller's. `p` and `x` get the
+ * defaults. */
+tdmf_page_run tdmf_page_run_default(const tdmf_model_kind *model, double *p, double *x);
+
+/* The order of the series that suits a tolerance. */
+int tdmf_page_order(double tolerance);
+
+tdmf_run_outcome tdmf_page_run_to(const tdmf_model_kind *model, tdmf_page_run *run, double until);
+
+/* Writes the world's states where the mode has coordinates of its own; `world` is a copy of the states. */
+void tdmf_page_world(const tdmf_model_kind *model, const tdmf_page_run *run, double *world);
+
+/* Sets a quantity, with what else changes there. `p` is the run's, which the caller may write. */
+void tdmf_page_set(const tdmf_model_kind *model, tdmf_page_run *run, double *p, bool is_state, int index,
+                   double value, double *room);
+
+/* The outputs at this instant. */
+void tdmf_page_tell(const tdmf_model_kind *model, const tdmf_page_run *run, double *told);
+
+/* Takes an event, with its variations; `room` is for the states. */
+void tdmf_page_take(const tdmf_model_kind *model, const tdmf_guard_kind *kind, tdmf_page_run *run,
+                    double *room);
+
+#endif

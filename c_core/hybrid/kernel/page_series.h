@@ -1,0 +1,110 @@
+/* What the derived motions of a page are made of, beside series_products.h: written over `real`, one number
+ * or several side by side. */
+#ifndef TDMF_KERNEL_PAGE_SERIES_H
+#define TDMF_KERNEL_PAGE_SERIES_H
+
+#include "powers.h"
+#include "series_products.h"
+
+enum { TERMS = SERIES_TERMS };
+
+#define real_sin   sin
+#define real_cos   cos
+#define real_log   log
+#define real_expm1 expm1
+#define real_log1p log1p
+#define real_atan2 atan2
+
+/* Coefficient k of q, where q q = p. */
+static inline real own_root_of(int k, real p, const real *q) {
+    real inner = broadcast(0.0);
+    for (int i = 1; i < k; ++i) {
+        inner += q[i] * q[k - i];
+    }
+    return k == 0 ? real_sqrt(p) : 0.5 * (p - inner) / q[0];
+}
+
+/* Coefficient k of the logarithm l of a, by a l' = a'. */
+static inline real log_of(int k, const real *a, const real *l) {
+    real inner = broadcast(0.0);
+    for (int i = 1; i < k; ++i) {
+        inner += (double)i * l[i] * a[k - i];
+    }
+    return k == 0 ? real_log(a[0]) : (a[k] - inner * series_reciprocal[k]) / a[0];
+}
+
+/* Coefficient k of the sine and cosine of a, by k sine[k] = sum of i a[i] cosine[k - i]. */
+static inline void sine_and_cosine_of(int k, const real *a, real *sine, real *cosine) {
+    real with_cosine = broadcast(0.0), with_sine = broadcast(0.0);
+    if (k == 0) {
+        sine_and_cosine(a[0], &sine[0], &cosine[0]);
+        return;
+    }
+    for (int i = k; i > 0; --i) {
+        const real rate = (double)i * a[i];
+        with_cosine += rate * cosine[k - i];
+        with_sine += rate * sine[k - i];
+    }
+    sine[k] = with_cosine * series_reciprocal[k];
+    cosine[k] = -with_sine * series_reciprocal[k];
+}
+
+/* ---- intervals: what a guard is no less than in a step, found before it is expanded -------------------- */
+
+typedef struct {
+    real low, high;
+} interval;
+
+static inline interval interval_at(real low, real high) {
+    const interval at = {low, high};
+    return at;
+}
+
+/* A polynomial on [0, 1] is a mean of its partial sums. */
+static inline interval interval_of_series(const real *c, const real *power, int order) {
+    interval of = {c[0], c[0]};
+    real sum = c[0];
+    for (int k = 1; k < order; ++k) {
+        sum += c[k] * power[k];
+        of.low = real_min(of.low, sum);
+        of.high = real_max(of.high, sum);
+    }
+    return of;
+}
+
+/* The sine of an angle that is at most `turn` away from one with this sine and cosine: it changes by at most
+ * turn |cosine| + turn^2/2. */
+static inline interval interval_of_turn(real sine, real cosine, real turn) {
+    const real change = turn * (real_abs(cosine) + 0.5 * turn);
+    return interval_at(real_max(sine - change, broadcast(-1.0)), real_min(sine + change, broadcast(1.0)));
+}
+
+static inline interval interval_of_sine(const real *angle, const real *power, int order) {
+    const interval of = interval_of_series(angle, power, order);
+    real sine, cosine;
+    sine_and_cosine(angle[0], &sine, &cosine);
+    return interval_of_turn(sine, cosine, real_max(of.high - angle[0], angle[0] - of.low));
+}
+
+static inline interval interval_of_cosine(const real *angle, const real *power, int order) {
+    const interval of = interval_of_series(angle, power, order);
+    real sine, cosine;
+    sine_and_cosine(angle[0], &sine, &cosine);
+    return interval_of_turn(cosine, sine, real_max(of.high - angle[0], angle[0] - of.low));
+}
+
+static inline interval interval_sum(interval a, interval b) {
+    return interval_at(a.low + b.low, a.high + b.high);
+}
+
+static inline interval interval_difference(interval a, interval b) {
+    return interval_at(a.low - b.high, a.high - b.low);
+}
+
+static inline interval interval_product(interval a, interval b) {
+    const real ll = a.low * b.low, lh = a.low * b.high, hl = a.high * b.low, hh = a.high * b.high;
+    return interval_at(real_min(real_min(ll, lh), real_min(hl, hh)),
+                       real_max(real_max(ll, lh), real_max(hl, hh)));
+}
+
+#endif

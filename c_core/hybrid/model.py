@@ -1,0 +1,406 @@
+"""The language of pages: quantities, coordinates, modes, events and outputs of a hybrid model.
+
+A page is a class. Its quantities are declared like fields, its laws are functions of the model at an instant,
+and decorators mark the functions that give rates, decide at events or report.
+"""
+
+import functools
+import inspect
+import math
+import sys
+from types import SimpleNamespace as Record
+from typing import ClassVar
+
+from .errors import PageError, caller, location_of, page_error, similar
+from .expressions import Condition, Expression, lift, selected
+from .units import dimension_of
+
+__all__ = [
+    "Model", "Record", "atan2", "clock", "coordinates", "cos", "event", "exp", "expm1", "input", "letters",
+    "log", "log1p", "mode", "observe", "on_set", "output", "parameter", "radians", "require", "select",
+    "setting", "sin", "sqrt", "state",
+]  # fmt: skip
+
+radians = math.radians
+BOUNDS = {"least": "at least", "above": "above", "most": "at most", "below": "below"}
+
+
+def _function(name):
+    def of(*numbers):
+        numpy = sys.modules.get("numpy")
+        if any(isinstance(x, Expression) for x in numbers):
+            numbers = [lift(x) for x in numbers]
+        elif numpy and any(isinstance(x, numpy.ndarray) for x in numbers):
+            return getattr(numpy, {"atan2": "arctan2"}.get(name, name))(*numbers)
+        first, *others = numbers
+        return getattr(first, name)(*others) if hasattr(first, name) else getattr(math, name)(*numbers)
+
+    of.__name__, of.__doc__ = name, f"`{name}` of a number, an array, an interval or an expression."
+    return of
+
+
+sqrt, sin, cos, exp, log, expm1, log1p, atan2 = map(
+    _function, ("sqrt", "sin", "cos", "exp", "log", "expm1", "log1p", "atan2")
+)
+
+
+def select(condition, if_true, if_false):
+    """One of two numbers. A decision about a number takes `select`; a decision about a mode takes `if`."""
+    if isinstance(condition, Condition):
+        return selected(condition.sign, condition.a, condition.b, lift(if_true), lift(if_false))
+    if hasattr(condition, "shape") and condition.shape:
+        return sys.modules["numpy"].where(condition, if_true, if_false)
+    return if_true if condition else if_false
+
+
+# ---- quantities ----------------------------------------------------------------------------------------
+
+
+class Quantity(Record):
+    """A parameter, a setting, an input, a state or a clock: see the functions that declare them."""
+
+    is_input = is_clock = False
+
+    def __set_name__(self, page, name):
+        if self.is_input:
+            rate = state(0, per_second(self.unit), f"Rate at which `{name}` is ramped")
+            rate.location = self.location
+            setattr(page, f"{name}_rate", rate)
+
+
+def per_second(unit):
+    """The unit of a rate."""
+    return f"{unit}/s" if unit not in ("", "1") else "1/s"
+
+
+def _declared(kind, value, unit, meaning, name, within, **more):
+    location = caller()
+    new = Quantity(
+        kind=kind, value=value, unit=unit, meaning=meaning, name=name, within=within, location=location
+    )
+    vars(new).update({"of": None, "values": float} | more)
+    try:
+        new.dimension = dimension_of(unit)
+    except PageError as error:
+        raise page_error(location, name or kind, str(error)) from None
+    unknown = [word for word in within if word not in BOUNDS]
+    if unknown:
+        raise page_error(
+            location, name or kind, f"has `{unknown[0]}`, which is no bound{similar(unknown[0], BOUNDS)}"
+        )
+    if not isinstance(value, (int, float)) or not math.isfinite(value):
+        raise page_error(location, name or kind, f"starts at {value!r}; it has to be a finite number")
+    if not is_within(value, within):
+        raise page_error(location, name or kind, f"starts at {value}; it must be {bounds_in_words(within)}")
+    return new
+
+
+def is_within(value, within):
+    """Whether a number is in its bounds."""
+    tests = {
+        "least": value >= within.get("least", value),
+        "above": value > within.get("above", -math.inf),
+        "most": value <= within.get("most", value),
+        "below": value < within.get("below", math.inf),
+    }
+    return all(tests.values())
+
+
+def bounds_in_words(within):
+    """What a number may be, for messages."""
+    return " and ".join(f"{BOUNDS[word]} {bound:g}" for word, bound in within.items())
+
+
+def parameter(value, unit="1", meaning="", name=None, tunable=False, **within):
+    """A number that is constant in a run: its default, unit, meaning and bounds (least, above, most, below).
+
+    A `tunable` one may change at an event of the importer. A default of `True` or `False` declares a
+    Boolean, which counts as 1 or 0.
+    """
+    values = bool if isinstance(value, bool) else float
+    role = "tunable" if tunable else "fixed"
+    return _declared("parameter", float(value), unit, meaning, name, within, role=role, values=values)
+
+
+def setting(value=0.0, unit="1", meaning="", name=None, **within):
+    """A discrete input: constant but for jumps, which only an importer makes."""
+    return _declared("parameter", value, unit, meaning, name, within, role="setting")
+
+
+def input(value=0.0, unit="1", meaning="", name=None, **within):
+    """A continuous input: every mode moves it at the held rate `<name>_rate`, 0 unless it is ramped."""
+    return _declared("state", value, unit, meaning, name, within, role="input", is_input=True)
+
+
+def state(value=0.0, unit="1", meaning="", name=None, of=None, values=float, **within):
+    """A state and its start. A mode that gives it no rate holds it: there it is a constant.
+
+    `of` names the sets of coordinates that it belongs to; without it the state is in all of them. `values`
+    is the kind of its values, as in `output`.
+    """
+    of = tuple(of.split()) if of else None
+    return _declared("state", value, unit, meaning, name, within, role="state", of=of, values=values)
+
+
+def clock(meaning="Time"):
+    """The time: a state that every mode moves at rate 1."""
+    return _declared("state", 0.0, "s", meaning, None, {}, role="clock", is_clock=True)
+
+
+def letters(alphabet):
+    """The kind of an output that is text: each digit of the number stands for a letter of the alphabet."""
+    return ("letters", alphabet)
+
+
+class Absent:
+    """Stands for a state that the coordinates of a mode do not have; reading it is an error of the page."""
+
+    __array_ufunc__ = None
+
+    def __init__(self, name, mode):
+        self.name, self.mode = name, mode
+
+    def refuse(self, *_):
+        raise PageError(f"reads `{self.name}` in the mode `{self.mode}`, whose coordinates do not have it")
+
+    __add__ = __radd__ = __sub__ = __rsub__ = __mul__ = __rmul__ = __truediv__ = __rtruediv__ = refuse
+    __neg__ = __abs__ = __pow__ = __rpow__ = __lt__ = __le__ = __gt__ = __ge__ = __float__ = __bool__ = refuse
+
+
+# ---- functions of a page -------------------------------------------------------------------------------
+
+
+def _marked(**marks):
+    def mark(function):
+        if not callable(function):
+            raise page_error(caller(), str(function), "is marked, but it is no function")
+        vars(function).update(marks)
+        return function
+
+    return mark
+
+
+def _words(text, what):
+    if not isinstance(text, str):
+        raise page_error(caller(), what, f"is given {text!r}; it takes words in one string")
+    return text.split()
+
+
+def mode(words="", of=None, ends=False, longest=None):
+    """Mark the function that gives the rates of the states in a mode.
+
+    Its `words` tell cases apart: each case that a run can reach becomes a mode of its own in C. `of` names
+    its coordinates, `longest` gives the longest step that the law allows. A mode that `ends` the run has no
+    rates.
+    """
+    return _marked(is_mode=True, words=_words(words, "mode"), ends=ends, longest=longest, of=of)
+
+
+def coordinates(name):
+    """Mark the function that gives one set of coordinates from any other."""
+    return _marked(gives_coordinates=name)
+
+
+def event(modes, when, unit="1", only=None, crossing=None, noted=True, **words):
+    """Mark the decision at an event: `when` falls through 0 in these modes, or is below 0 where one begins.
+
+    `words` restrict it to some cases of the modes. Where `only` does not hold as a mode begins, it is not
+    watched. Where `crossing` holds it is never due at once. The function returns the model after the event.
+    An event that is not `noted` is bookkeeping: it is not counted.
+    """
+    return _marked(
+        is_event=True,
+        modes=_words(modes, "event"),
+        when=when,
+        unit=unit,
+        only=only,
+        crossing=crossing,
+        noted=noted,
+        case={w: v if isinstance(v, tuple) else (v,) for w, v in words.items()},
+    )
+
+
+def on_set(name):
+    """Mark what else changes where this quantity is set: a function of the model and the new value."""
+    return _marked(is_on_set=True, sets=name)
+
+
+def require(name, allowed):
+    """Mark a number that may not be negative at a start, with the words that refuse the variable."""
+    return _marked(is_required=True, of_variable=name, allowed=allowed)
+
+
+def output(unit="1", name=None, kind=float):
+    """Mark a quantity that is reported: float, int, bool, a tuple of names (1, 2, ...) or `letters`."""
+    return _marked(is_output=True, unit=unit, name=name, kind_of_value=kind)
+
+
+def observe(modes, part, into, unit="1"):
+    """Mark a quantity whose "positive integral" or "largest" value goes into a state."""
+    return _marked(is_observed=True, modes=_words(modes, "observe"), part=part, unit=unit, into=into)
+
+
+class _Body(dict):
+    """The body of a page's class: a name that is declared twice is an error."""
+
+    def __setitem__(self, name, value):
+        old = self.get(name)
+        if isinstance(old, Quantity) or any(mark in vars(old) for mark in MARKS if hasattr(old, "__dict__")):
+            raise page_error(caller(), name, "is declared twice")
+        super().__setitem__(name, value)
+
+
+MARKS = ("is_mode", "is_event", "is_output", "is_observed", "is_on_set", "is_required", "gives_coordinates")
+
+
+class _Page(type):
+    """Checks the names that a page declares, as its class is made."""
+
+    @classmethod
+    def __prepare__(cls, name, bases, **_):
+        return _Body()
+
+    def __new__(cls, name, bases, body, **more):
+        new = super().__new__(cls, name, bases, dict(body), **more)
+        reserved = set(vars(Model)) if bases else set()
+        for own, value in body.items():
+            location = getattr(value, "location", None) or location_of(value)
+            if (isinstance(value, Quantity) or any(hasattr(value, m) for m in MARKS)) and not own.startswith(
+                "__"
+            ):
+                if own in reserved:
+                    raise page_error(location, own, "is a word of the language; choose another name")
+                if own.startswith("_") or not own.isascii() or len(own) > 60:
+                    raise page_error(
+                        location,
+                        own,
+                        "cannot be a name: it has to begin with a letter of a to z, and "
+                        "have at most 60 letters, digits and _",
+                    )
+        for own in dict.fromkeys(n for base in new.__mro__ for n in vars(base)):
+            declared = [base for base in new.__mro__ if isinstance(vars(base).get(own), Quantity)]
+            if len(declared) > 1 and not issubclass(declared[0], declared[1]) and own not in body:
+                raise page_error(
+                    vars(declared[0])[own].location,
+                    own,
+                    f"is declared by the parts {declared[0].__name__} and {declared[1].__name__}",
+                )
+        return new
+
+
+class Model(metaclass=_Page):
+    """The base of a page. A subclass overrides what differs; a number in place of a quantity fixes it."""
+
+    start = "", {}
+    """The mode in which runs start, and its words."""
+    scales: ClassVar = {}
+    """For each unit a function of the parameters: what is large in it. Without one it is 1."""
+    prefix = ""
+    """Prefix of the names, in a unit, of what a part declares."""
+
+    def __init_subclass__(cls):
+        for name in list(vars(cls)):
+            value = vars(cls)[name]
+            is_fixed = not isinstance(value, Quantity) or value.kind != "state"
+            if is_fixed and any(getattr(vars(base).get(name), "is_input", False) for base in cls.__mro__[1:]):
+                setattr(cls, f"{name}_rate", 0)
+
+    @classmethod
+    @functools.cache
+    def marked(cls, mark):
+        """Functions of the page with a mark, by name, in the order of the page."""
+        names = dict.fromkeys(name for base in reversed(cls.__mro__) for name in vars(base))
+        return {name: getattr(cls, name) for name in names if hasattr(getattr(cls, name), mark)}
+
+    @classmethod
+    @functools.cache
+    def quantities(cls, kind):
+        """Quantities of a kind by name, in the order of the page."""
+        names = dict.fromkeys(name for base in reversed(cls.__mro__) for name in vars(base))
+        found = {name: inspect.getattr_static(cls, name) for name in names}
+        return {name: q for name, q in found.items() if isinstance(q, Quantity) and q.kind == kind}
+
+    @classmethod
+    def public(cls, name):
+        """The name in a unit: its own, else with the prefix of the part that declares it first."""
+        declared = [base for base in cls.__mro__ if name in vars(base)]
+        for base in declared:
+            if getattr(vars(base)[name], "name", None):
+                return vars(base)[name].name
+        prefix = vars(declared[-1]).get("prefix", "")
+        return f"{prefix}.{name}" if prefix else name
+
+    @classmethod
+    def at(cls, mode, **values):
+        """The model at an instant of a mode: values of any kind for its words, parameters and states."""
+        new = object.__new__(cls)
+        for kind in ("parameter", "state"):
+            vars(new).update({name: q.value for name, q in cls.quantities(kind).items()})
+        unknown = [n for n in values if not hasattr(cls, n) and n not in cls.all_words()]
+        if unknown:
+            raise PageError(
+                f"is given `{unknown[0]}`, which it does not have{similar(unknown[0], vars(new))}"
+            )
+        vars(new).update(values, mode=mode)
+        return new.without_other_coordinates()
+
+    @classmethod
+    @functools.cache
+    def all_words(cls):
+        """Words of any mode."""
+        return {word for function in cls.marked("is_mode").values() for word in function.words}
+
+    @classmethod
+    @functools.cache
+    def states_of_sets(cls):
+        """States that belong to sets of coordinates, with these."""
+        return {name: q.of for name, q in cls.quantities("state").items() if q.of}
+
+    def without_other_coordinates(self):
+        """Take away the states that the mode's coordinates do not have."""
+        for name, of in self.states_of_sets().items():
+            if self.seen_in not in of:
+                setattr(self, name, Absent(name, self.mode))
+        return self
+
+    @property
+    def seen_in(self):
+        """The coordinates of the mode."""
+        return getattr(self.marked("is_mode").get(self.mode), "of", None)
+
+    def in_coordinates(self, name):
+        """The model's values of a set of coordinates, as a mapping."""
+        for give in self.marked("gives_coordinates").values():
+            if give.gives_coordinates == name:
+                return give(self)
+        raise PageError(f"needs the coordinates `{name}`, which no function of the page gives")
+
+    def to(self, mode, **changes):
+        """The model in another mode, with other words and states, in the coordinates of that mode."""
+        modes = self.marked("is_mode")
+        if mode not in modes:
+            raise PageError(f"goes to `{mode}`, which is no mode of the page{similar(mode, modes)}")
+        allowed = self.quantities("state").keys() | self.all_words()
+        for name in changes:
+            if name not in allowed and not hasattr(type(self), name):
+                raise PageError(
+                    f"changes `{name}`, which is neither a state nor a word{similar(name, allowed)}"
+                )
+            if name in self.quantities("parameter"):
+                raise PageError(f"changes the parameter `{name}`; only a state can change")
+        changes = {name: value for name, value in changes.items() if name in allowed}  # others are fixed
+        new, of = object.__new__(type(self)), modes[mode].of
+        vars(new).update(vars(self))
+        is_same = of == self.seen_in
+        if not is_same:
+            vars(new).update(self.in_coordinates(of) if of else {})
+        vars(new).update(changes, mode=mode)
+        return new if is_same else new.without_other_coordinates()
+
+    def replace(self, **changes):
+        """The model in the same mode, with other words and states."""
+        return self.to(self.mode, **changes)
+
+    def leaving(self, noted):
+        """The model as an event finds it: what every event writes down. `noted` is 1 or 0."""
+        return self

@@ -1,0 +1,105 @@
+"""Units of SI as products of powers, and the units of expressions."""
+
+import functools
+import re
+
+from .errors import PageError
+
+BASE = ["kg", "m", "s", "A", "K", "mol", "cd"]
+ANY = None
+"""The dimension of a bare number: it takes the unit that its place needs."""
+
+
+def _product(*powers):
+    return tuple(float(power) for power in (*powers, *[0] * (len(BASE) - len(powers))))
+
+
+NONE = _product()
+DERIVED = {
+    "1": NONE,
+    "": NONE,
+    "rad": NONE,
+    "N": _product(1, 1, -2),
+    "J": _product(1, 2, -2),
+    "W": _product(1, 2, -3),
+    "Pa": _product(1, -1, -2),
+    "Hz": _product(0, 0, -1),
+    "C": _product(0, 0, 1, 1),
+    "V": _product(1, 2, -3, -1),
+    "Ohm": _product(1, 2, -3, -2),
+}
+UNITS = {name: _product(*[0] * i, 1) for i, name in enumerate(BASE)} | DERIVED
+
+
+@functools.cache
+def times(a, b):
+    """The dimension of a product."""
+    return b if a is ANY else a if b is ANY else tuple(x + y for x, y in zip(a, b, strict=True))
+
+
+@functools.cache
+def power(a, exponent):
+    """The dimension of a power."""
+    return ANY if a is ANY else tuple(x * exponent for x in a)
+
+
+SECOND = UNITS["s"]
+
+
+def dimension_of(unit):
+    """The dimension of a unit such as `N.m.s/rad`, `m/s2` or `1`."""
+    above, *below = unit.split("/")
+    found = NONE
+    for sign, part in [(1, above), *((-1, part) for part in below)]:
+        for factor in part.strip("()").split("."):
+            name, exponent = re.fullmatch(r"([A-Za-z]*|1)(-?\d*)", factor).groups() if factor else ("", "")
+            if name not in UNITS:
+                raise PageError(
+                    f"has the unit `{unit}`, of which `{factor}` is not known; known are "
+                    f"{', '.join(u for u in UNITS if u)} and their products"
+                )
+            found = times(found, power(UNITS[name], sign * int(exponent or 1)))
+    return found
+
+
+def text_of(dimension):
+    """A dimension in base units, for messages."""
+    names = ((name, x) for name, x in zip(BASE, dimension, strict=True) if x)
+    return ".".join(name if x == 1 else f"{name}{x:g}" for name, x in names) or "1"
+
+
+def _alike(node, dimensions, what):
+    known = [d for d in dimensions if d is not ANY]
+    if any(d != known[0] for d in known):
+        raise PageError(f"{what} {' and '.join(dict.fromkeys(map(text_of, known)))}, which do not fit")
+    return known[0] if known else ANY
+
+
+def dimension_of_node(node, of):
+    """The dimension of an operation on operands that have these dimensions."""
+    match node.operation:
+        case "number":
+            return ANY
+        case "*":
+            return times(*of)
+        case "/":
+            return times(of[0], power(of[1], -1))
+        case "+" | "-":
+            return _alike(node, of, "adds or subtracts")
+        case "sqrt":
+            return power(of[0], 0.5)
+        case "rate":
+            return times(of[0], power(SECOND, -1))
+        case "negative" | "abs":
+            return of[0]
+        case "select":
+            _alike(node, of[:2], "compares")
+            return _alike(node, of[2:], "selects between")
+        case "atan2":
+            _alike(node, of, "takes the angle of")
+            return NONE
+    if of[0] not in (ANY, NONE):
+        raise PageError(
+            f"takes `{node.operation}` of a quantity in {text_of(of[0])}; it has to be a pure number"
+        )
+    return NONE

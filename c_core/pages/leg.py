@@ -1,0 +1,152 @@
+"""The leg: masses, spring and damper, and the coordinates that the runner is seen in (7)."""
+
+from ..hybrid import Model, Record, atan2, coordinates, cos, parameter, sin, sqrt, state
+
+
+class Leg(Model):
+    """Two points with a spring between them. Laws read `leg`, `foot`, `body`, `center` in any coordinates."""
+
+    prefix = "leg"
+    body_mass = parameter(1, "kg", "Mass of the body, m", name="body.mass", least=1e-9, most=1e9)
+    foot_mass = parameter(0.1, "kg", "Mass of the foot, m_f", name="foot.mass", least=1e-12, most=1e9)
+    stiffness = parameter(1, "N/m", "Stiffness of the leg spring, k", least=1e-9, most=1e12)
+    damping = parameter(0.2, "N.s/m", "Damping of the leg, c", least=0, most=1e12)
+    free_length = parameter(1, "m", "Length of the unloaded leg, l0", least=1e-6, most=1e6)
+    least_length = parameter(
+        0.05, "m", "A leg shorter than this ends the run as a fall", name="leg.min_length", least=1e-9,
+        most=1e6)
+    gravity = parameter(0.01, "m/s2", "Acceleration of gravity, g", name="gravity", least=1e-9, most=1e6)
+
+    # The world: what a unit shows. Length, angle and the length's rate serve in flight, too.
+    seen_x = state(-0.4722627765193387, "m", "Horizontal position of the foot, x", name="foot.x", of="world")
+    seen_y = state(0.6417114468531165, "m", "Height of the foot, y", name="foot.y", of="world")
+    length = state(0.9999993776846997, "m", "Length of the leg, r", of="world flight", above=0)
+    angle = state(
+        -0.5462532571145313, "rad", "Angle of the leg from the vertical, positive with the foot ahead, theta",
+        of="world flight")
+    seen_vx = state(1.0620355917619932, "m/s", "Horizontal velocity of the foot", name="foot.vx", of="world")
+    seen_vy = state(-1.99517124419258e-05, "m/s", "Vertical velocity of the foot", name="foot.vy", of="world")
+    length_rate = state(1.1268102275039307e-06, "m/s", "Rate of the leg length", of="world flight")
+    angle_rate = state(4.039363331769765e-05, "rad/s", "Rate of the leg angle", of="world")
+
+    # Flight: the centre of mass, and the angular momentum of the leg per unit of reduced mass.
+    com_x = state(0, "m", "Horizontal position of the centre of mass", of="flight")
+    com_y = state(1.4, "m", "Height of the centre of mass", of="flight")
+    com_vx = state(1, "m/s", "Horizontal velocity of the centre of mass", of="flight")
+    com_vy = state(0, "m/s", "Vertical velocity of the centre of mass", of="flight")
+    momentum = state(0, "m2/s", "r^2 thetadot", of="flight")
+
+    # Ground: the body as seen from the foot, and the foot along the ground.
+    x = state(0, "m", "Position of the body ahead of the foot", of="ground")
+    y = state(1, "m", "Height of the body above the foot", of="ground")
+    vx = state(0, "m/s", "Rate of x", of="ground")
+    vy = state(0, "m/s", "Rate of y", of="ground")
+    foot_x = state(0, "m", "Position of the foot along the ground", of="ground")
+    foot_vx = state(0, "m/s", "Velocity of the foot along the ground", of="ground")
+    winding = state(0, "rad", "Whole turns in the leg angle", of="ground")
+
+    damper_loss = state(0, "J", "Energy lost in the damper since the start", name="energy.damper_loss")
+
+    @coordinates("world")
+    def seen(r):
+        """The foot and the leg."""
+        foot, leg = r.foot(), r.leg()
+        return dict(seen_x=foot.x, seen_y=foot.y, seen_vx=foot.vx, seen_vy=foot.vy,
+                    length=leg.length, angle=leg.angle, length_rate=leg.length_rate,
+                    angle_rate=leg.angle_rate)
+
+    @coordinates("flight")
+    def in_flight(r):
+        """The centre of mass and the leg."""
+        leg, center = r.leg(), r.center()
+        return dict(com_x=center.x, com_y=center.y, com_vx=center.vx, com_vy=center.vy,
+                    length=leg.length, angle=leg.angle, length_rate=leg.length_rate, momentum=leg.moment)
+
+    @coordinates("ground")
+    def from_ground(r):
+        """The body from the foot, which is taken to be on the ground."""
+        foot, body = r.foot(), r.body_from_foot()
+        return dict(foot_x=foot.x, foot_vx=foot.vx, x=body.x, y=body.y, vx=body.vx, vy=body.vy,
+                    winding=r.leg().angle - atan2(-body.x, body.y))
+
+    def leg(r):
+        """Length and angle of the leg, their rates, and r^2 thetadot  (7)."""
+        if r.seen_in == "ground":
+            square = r.x * r.x + r.y * r.y
+            length = sqrt(square)
+            moment = r.x * r.vy - r.y * r.vx
+            return Record(square=square, length=length, angle=atan2(-r.x, r.y) + r.winding,
+                          length_rate=(r.x * r.vx + r.y * r.vy) / length, angle_rate=moment / square,
+                          moment=moment)
+        square = r.length * r.length
+        moment = r.momentum if r.seen_in == "flight" else square * r.angle_rate
+        rate = r.momentum / square if r.seen_in == "flight" else r.angle_rate
+        return Record(square=square, length=r.length, angle=r.angle, length_rate=r.length_rate,
+                      angle_rate=rate, moment=moment)
+
+    def spring(r):
+        """F_s = k (l0 - r) - c rdot: it pushes body and foot apart."""
+        leg = r.leg()
+        return r.stiffness * (r.free_length - leg.length) - r.damping * leg.length_rate
+
+    def leg_rates(r):
+        """The damper's loss."""
+        rate = r.leg().length_rate
+        return dict(damper_loss=r.damping * (rate * rate))
+
+    def push(r, torque):
+        """Force of leg and hip on the body, along the ground and off it; the foot feels the opposite."""
+        leg = r.leg()
+        axial = r.spring() / leg.length
+        turning = torque / leg.square
+        return Record(along=axial * r.x - turning * r.y, off=axial * r.y + turning * r.x)
+
+    # ---- positions and velocities in the world's axes
+
+    def share(r):
+        """The body's share of the total mass."""
+        return r.body_mass / (r.body_mass + r.foot_mass)
+
+    def body_from_foot(r):
+        """Position and velocity of the body relative to the foot  (7)."""
+        if r.seen_in == "ground":
+            return Record(x=r.x, y=r.y, vx=r.vx, vy=r.vy)
+        sine, cosine = sin(r.angle), cos(r.angle)
+        turn = r.momentum / r.length if r.seen_in == "flight" else r.length * r.angle_rate
+        return Record(x=-r.length * sine, y=r.length * cosine,
+                      vx=-r.length_rate * sine - turn * cosine, vy=r.length_rate * cosine - turn * sine)
+
+    def foot(r):
+        """Position and velocity of the foot."""
+        if r.seen_in == "world":
+            return Record(x=r.seen_x, y=r.seen_y, vx=r.seen_vx, vy=r.seen_vy)
+        if r.seen_in == "ground":
+            return Record(x=r.foot_x, y=0, vx=r.foot_vx, vy=0)
+        body, share = r.body_from_foot(), r.share()
+        return Record(x=r.com_x - share * body.x, y=r.com_y - share * body.y,
+                      vx=r.com_vx - share * body.vx, vy=r.com_vy - share * body.vy)
+
+    def center(r):
+        """Position and velocity of the centre of mass."""
+        if r.seen_in == "flight":
+            return Record(x=r.com_x, y=r.com_y, vx=r.com_vx, vy=r.com_vy)
+        foot, body, share = r.foot(), r.body_from_foot(), r.share()
+        return Record(x=foot.x + share * body.x, y=foot.y + share * body.y,
+                      vx=foot.vx + share * body.vx, vy=foot.vy + share * body.vy)
+
+    def body(r):
+        """Position and velocity of the body."""
+        foot, body = r.foot(), r.body_from_foot()
+        return Record(x=foot.x + body.x, y=foot.y + body.y, vx=foot.vx + body.vx, vy=foot.vy + body.vy)
+
+    def rise(r):
+        """Vertical velocity of the centre of mass."""
+        return r.center().vy
+
+    def foot_above(r):
+        """Height of the foot above the ground."""
+        return r.foot().y
+
+    def body_above(r):
+        """Height of the body above the ground."""
+        return r.body().y

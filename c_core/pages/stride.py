@@ -1,0 +1,124 @@
+"""Strides, from apex to apex: what is summed up along one, and what is kept of the last complete one."""
+
+from ..hybrid import Model, clock, letters, observe, select, state
+
+STICK, FORWARD, BACKWARD = 2, 3, 1
+"""Digits of the gait word in base 4; 0 is the bar before a new stance."""
+
+
+class Stride(Model):
+    """Gait word, durations, works and peaks, and the section at the last apex."""
+
+    prefix = "stride"
+    time = clock()
+    events = state(0, "1", "Contact and phase changes since the start", name="event.count", values=int)
+    last_event = state(0, "s", "Time of the last of them", name="event.last_time")
+
+    # The stride that is under way, and what it began with.
+    is_open = state(0, "1", "1 if it began at an apex")
+    work_then = state(0, "J", "Work of the hip until its beginning")
+    positive_work_so_far = state(
+        0, "J", "Work of the hip at positive power since the start", name="hip.positive_work")
+    positive_work_then = state(0, "J", "Work of the hip at positive power until its beginning")
+    peak_force_so_far = state(0, "N", "Largest normal force in it")
+    touchdowns_so_far = state(0, "1", "Impacts in it")
+    slip_so_far = state(0, "m", "Path that the foot slid in it, but for the present mode")
+    slid_from = state(0, "m", "Position of the foot where the present mode began")
+    stance_so_far = state(0, "s", "Time in contact in it, but for the present mode")
+    word_so_far = state(0, "1", "Its gait word")
+    last_letter = state(0, "1", "The last letter of that, in base 4")
+    bar_is_due = state(0, "1", "1 after a touchdown, until a contact lasts")
+    mode_began = state(0, "s", "Time of the last event")
+    x_then = state(0, "m", "Position of the centre of mass at its beginning")
+    y_then = state(0, "m", "Height of the centre of mass at its beginning")
+
+    # The last stride that was completed.
+    count = state(0, "1", "Completed strides", name="stride.count", values=int)
+    word_code = state(
+        0, "1", "Gait word: + slip forward, 0 stick, - slip backward, | a new stance", name="stride.word",
+        values=letters("|-0+"))
+    period = state(0, "s", "Period, T", name="stride.period")
+    distance = state(0, "m", "Distance covered by the centre of mass", name="stride.length")
+    rise_of_stride = state(0, "m", "Height gained by the centre of mass", name="stride.rise")
+    work_of_stride = state(0, "J", "Net work of hip and leg, W", name="stride.work")
+    hip_work = state(0, "J", "Net work of the hip", name="stride.hip_work")
+    positive_work = state(0, "J", "Work of the hip at positive power", name="stride.positive_work")
+    speed = state(0, "m/s", "Average speed, V", name="stride.speed")
+    cost_of_transport = state(
+        0, "1", "Net work per weight and distance, c_mt", name="stride.cost_of_transport")
+    touchdowns = state(0, "1", "Impacts of the foot", name="stride.touchdowns", values=int)
+    stance_time = state(0, "s", "Time in contact, sticking or slipping", name="stride.stance_time")
+    slip_distance = state(0, "m", "Path that the foot slid", name="stride.slip_distance")
+    peak_force = state(0, "N", "Largest ground force across the ground", name="stride.peak_force")
+
+    # The section at the last apex.
+    apex_time = state(0, "s", "Time of the last apex", name="apex.time")
+    apex_com_height = state(
+        0, "m", "Height of the centre of mass at the last apex", name="apex.com_height")
+    apex_com_speed = state(0, "m/s", "Speed of the centre of mass at the last apex", name="apex.com_speed")
+    apex_length = state(0, "m", "Leg length at the last apex", name="apex.leg_length")
+    apex_angle = state(0, "rad", "Leg angle at the last apex", name="apex.leg_angle")
+    apex_length_rate = state(
+        0, "m/s", "Rate of the leg length at the last apex", name="apex.leg_length_rate")
+    apex_angle_rate = state(0, "rad/s", "Rate of the leg angle at the last apex", name="apex.leg_angle_rate")
+
+    def letter(r):
+        """The letter of a contact mode, a digit; none off the ground and in graze."""
+        if r.mode == "slip":
+            return select(r.way > 0, FORWARD, BACKWARD)
+        return STICK if r.mode == "stick" else None
+
+    def leaving(r, noted):
+        """Count the event. A contact that lasted adds its letter to the word, a new stance a bar."""
+        letter, lasted = r.letter(), r.time - r.mode_began
+        if letter is not None:
+            slid = r.way * (r.foot_x - r.slid_from) if r.mode == "slip" else 0
+            r = r.replace(stance_so_far=r.stance_so_far + lasted, slip_so_far=r.slip_so_far + slid)
+        last_event = select(noted > 0, r.time, r.last_event)
+        r = r.replace(mode_began=r.time, events=r.events + noted, last_event=last_event)
+        if r.seen_in == "ground":
+            r = r.replace(slid_from=r.foot_x)
+        if letter is None:
+            return r
+        after_bar = select(r.bar_is_due * r.word_so_far > 0, 4 * r.word_so_far, r.word_so_far)
+        is_new = select(abs(letter - r.last_letter) > 0, 1, r.bar_is_due)
+        adds = select(lasted > 0, is_new, 0)
+        return r.replace(
+            word_so_far=select(adds > 0, 4 * after_bar + letter, r.word_so_far),
+            last_letter=select(lasted > 0, letter, r.last_letter),
+            bar_is_due=select(lasted > 0, 0, r.bar_is_due))
+
+    def close_stride(r):
+        """An apex: keep what the stride has come to, if it began at one, and begin the next  (13)."""
+        center = r.center()
+        work, period, distance = r.work - r.work_then, r.time - r.apex_time, center.x - r.x_then
+        weight = (r.body_mass + r.foot_mass) * r.gravity
+        done = dict(
+            count=r.count + 1, period=period, distance=distance, rise_of_stride=center.y - r.y_then,
+            hip_work=work, work_of_stride=work, speed=distance / period,
+            cost_of_transport=work / (weight * distance),
+            positive_work=r.positive_work_so_far - r.positive_work_then, touchdowns=r.touchdowns_so_far,
+            stance_time=r.stance_so_far, slip_distance=r.slip_so_far, peak_force=r.peak_force_so_far,
+            word_code=r.word_so_far)
+        kept = {name: select(r.is_open > 0, value, getattr(r, name)) for name, value in done.items()}
+        return r.replace(**kept).open_stride()
+
+    def open_stride(r):
+        """An apex: a stride begins."""
+        center, leg = r.center(), r.leg()
+        return r.replace(
+            is_open=1, work_then=r.work, x_then=center.x, y_then=center.y,
+            positive_work_then=r.positive_work_so_far, touchdowns_so_far=0, stance_so_far=0, slip_so_far=0,
+            peak_force_so_far=0, word_so_far=0, last_letter=0, bar_is_due=0, apex_time=r.time,
+            apex_com_height=center.y, apex_com_speed=center.vx, apex_length=leg.length, apex_angle=leg.angle,
+            apex_length_rate=leg.length_rate, apex_angle_rate=leg.angle_rate)
+
+    @observe("flight stick slip graze", "positive integral", into="positive_work_so_far", unit="W")
+    def power_of_hip(r):
+        """Power of the total hip torque."""
+        return r.torque() * r.leg().angle_rate
+
+    @observe("stick slip", "largest", into="peak_force_so_far", unit="N")
+    def force_on_foot(r):
+        """Normal force of a contact."""
+        return r.standing().normal

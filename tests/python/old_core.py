@@ -1,0 +1,105 @@
+"""Runs of the core that stands beside the pages of equations, in their words."""
+
+from functools import reduce
+
+import numpy as np
+from tdmf_slip.library.binding import c, ffi
+
+STATES = (
+    *(
+        "seen_x",
+        "seen_y",
+        "length",
+        "angle",
+        "seen_vx",
+        "seen_vy",
+        "length_rate",
+        "angle_rate",
+        "work",
+        "placing",
+    ),
+    *("leg_work", "damper_loss", "friction_loss", "positive_work_so_far", "external_work"),
+)
+"""The core's states by the page's names."""
+CONTACTS = ("", "flight", "stick", "slip+", "slip-", "graze")
+PHASES = ("", "drive", "coast", "retract", "place")
+HAS_CLAMP = any(
+    name == "swing_clamp"
+    for name, _ in ffi.typeof("tdmf_parameters").fields
+    and dict(ffi.typeof("tdmf_parameters").fields)["hip"].type.fields
+)
+"""Whether this core has both readings of (12); without, it has the clamped one alone."""
+
+
+def write(struct, values):
+    """Write values to a struct by the unit's names, "ground.friction"."""
+    for name, value in values.items():
+        *path, last = name.split(".")
+        setattr(reduce(getattr, path, struct), last, value)
+
+
+class OldRun:
+    """A run from a state of the world; `refused` names what was refused."""
+
+    def __init__(self, parameters, inputs, state, tolerance=1e-12):
+        self.parameters = ffi.new("tdmf_parameters *", c.tdmf_default_parameters())
+        self.inputs, self.rates = ffi.new("tdmf_inputs *", c.tdmf_default_inputs()), ffi.new("tdmf_inputs *")
+        write(self.parameters, parameters)
+        write(self.inputs, inputs)
+        self.model, self.motion = ffi.new("tdmf_model *"), ffi.new("tdmf_motion *")
+        self.system = ffi.new("tdmf_system *", {"model": self.model, "inputs": self.inputs})
+        self.solver, self.log = ffi.new("tdmf_solver *", c.tdmf_solver_default()), ffi.new("tdmf_event_log *")
+        self.solver.relative_tolerance, self.solver.log = tolerance, self.log
+        self.refused = self._create()
+        if not self.refused:
+            self.motion.state[0 : len(state)] = list(state)
+            self.refused = self._text(c.tdmf_start(self.system[0], self.motion))
+        self.modes, self.outcome = [self._mode(0.0, self.motion.mode)], 0
+
+    def _text(self, refusal):
+        return ffi.string(refusal.variable).decode() if refusal.variable else ""
+
+    def _create(self):
+        return self._text(c.tdmf_model_create(self.model, self.parameters))
+
+    def _mode(self, time, mode):
+        return time, CONTACTS[mode.contact], PHASES[mode.phase]
+
+    def to(self, until):
+        """Go on to a time; the inputs are ramped on the way."""
+        self.log.count = 0
+        elapsed = until - self.motion.time
+        self.outcome = c.tdmf_native_advance(self.solver, self.system[0], self.rates, until, self.motion)
+        self.inputs[0] = c.tdmf_inputs_after(self.inputs, self.rates, elapsed)
+        self.modes += [self._mode(e.time, e.after) for e in self.log.events[0 : min(self.log.count, 32)]]
+        return self
+
+    def set(self, parameters=(), inputs=(), rates=()):
+        """Set parameters, inputs and the rates of inputs, by the unit's names."""
+        write(self.parameters, dict(parameters))
+        write(self.inputs, dict(inputs))
+        write(self.rates, dict(rates))
+        self.refused = self._create()
+
+    @property
+    def fell(self):
+        return bool(self.motion.mode.fallen)
+
+    @property
+    def state(self):
+        return dict(zip(STATES, np.array(list(self.motion.state)), strict=True))
+
+    @property
+    def word(self):
+        return ffi.string(self.motion.record.stride.word).decode()
+
+
+def lasting(modes):
+    """Modes that last, each with the time at which it begins: no two alike follow one another."""
+    found = []
+    for time, *mode in modes:
+        while found and time - found[-1][0] < 1e-13 * max(1.0, time):
+            found.pop()
+        if not found or found[-1][1:] != (*mode,):
+            found.append((time, *mode))
+    return found

@@ -1,0 +1,243 @@
+"""Pages of equations, derived, compiled and run by the plain driver."""
+
+import ctypes
+import hashlib
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+from ctypes import POINTER, Structure, byref, c_bool, c_char_p, c_double, c_int, c_long, c_void_p
+from pathlib import Path
+
+import numpy as np
+
+ROOT = Path(__file__).resolve().parents[2]
+if str(ROOT) not in sys.path:
+    sys.path.append(str(ROOT))  # the folder c_core is imported from the tree
+
+from c_core.hybrid.generate import derive_with_keys  # noqa: E402
+
+COMPILER = shutil.which("cc")
+FLAGS = ["-std=c99", "-ffp-contract=off", "-fno-math-errno", "-fPIC", "-Wall", "-Wextra", "-Werror"]
+OUTCOMES = ["arrived", "stopped", "ended", "no-progress", "too-many-steps", "endless-chain", "no-memory"]
+LOG_SIZE = 500
+
+
+class Row(Structure):
+    _fields_ = [("time", c_double), ("event", c_int), ("before", c_int), ("after", c_int)]
+
+
+class RunStruct(Structure):
+    _fields_ = [
+        *(("p", c_void_p), ("x", c_void_p), ("time", c_double), ("mode", c_int), ("tolerance", c_double)),
+        *(("order", c_int), ("stop_event", c_int), ("observes", c_bool), ("step_limit", c_long)),
+        *(("seed_count", c_int), ("dp", c_void_p), ("dx", c_void_p), ("shift", c_void_p)),
+        *(("log", c_void_p), ("log_states", c_void_p), ("log_size", c_int), ("log_count", c_int)),
+        *(("steps", c_long), ("events", c_long), ("stuck_event", c_int)),
+    ]
+
+
+class ModelStruct(Structure):
+    COUNTS = ("state_count", "parameter_count", "event_count", "mode_count", "output_count", "set_count")
+    NAMES = ("mode_names", "event_names", "state_names", "parameter_names", "output_names")
+    _fields_ = [
+        *((name, c_int) for name in COUNTS),
+        *((name, c_void_p) for name in ("modes", "sets", "scales")),
+        *((name, c_int) for name in ("series_count", "constant_count")),
+        *((name, POINTER(c_char_p)) for name in NAMES),
+        *(("parameter_defaults", POINTER(c_double)), ("state_defaults", POINTER(c_double))),
+    ]
+
+
+class StuckError(RuntimeError):
+    """A chain of events in zero time does not end."""
+
+
+def library_of(files, name):
+    """Compile derived C, once for equal texts."""
+    folders = [ROOT / "c_core" / "hybrid" / "kernel", ROOT / "c_core" / "kernel"]
+    sources = {**files, **{f.name: f.read_text() for folder in folders for f in sorted(folder.iterdir())}}
+    key = hashlib.sha256(repr(sorted(sources.items())).encode()).hexdigest()[:16]
+    folder = Path(tempfile.gettempdir()) / f"tdmf-page-{name}-{key}"
+    library = folder / "page.so"
+    if not library.exists():
+        own = Path(tempfile.mkdtemp(prefix="tdmf-page-"))
+        for file, text in files.items():
+            (own / file).write_text(text)
+        jobs = [
+            (folders[0] / "driver.c", "-O3"),
+            (own / f"{name}_motions.c", "-O3"),
+            (own / f"{name}.c", "-O1"),
+        ]
+        ccache = [shutil.which("ccache")] if shutil.which("ccache") and "CCACHE_DIR" in os.environ else []
+        running = [
+            subprocess.Popen(
+                [
+                    *ccache,
+                    COMPILER,
+                    level,
+                    *FLAGS,
+                    f"-I{own}",
+                    *(f"-I{folder}" for folder in folders),
+                    "-c",
+                    source,
+                    "-o",
+                    own / f"{i}.o",
+                ]
+            )
+            for i, (source, level) in enumerate(jobs)
+        ]
+        failed = [job.wait() for job in running]
+        assert not any(failed), "the derived C does not compile"
+        objects = [own / f"{i}.o" for i in range(len(jobs))]
+        subprocess.run([COMPILER, "-shared", *objects, "-o", own / "page.so", "-lm"], check=True)
+        try:
+            own.rename(folder)
+        except OSError:  # another worker was faster
+            shutil.rmtree(own)
+    return ctypes.CDLL(str(library))
+
+
+class CompiledPage:
+    """A page in C."""
+
+    def __init__(self, model):
+        self.model = model
+        files, keys = derive_with_keys(model)
+        self.name = next(iter(files)).removesuffix(".h")
+        self.files, self.keys = files, keys
+        self.library = library_of(files, self.name)
+        self.struct = ModelStruct.in_dll(self.library, f"{self.name}_model")
+        self.modes, self.events, self.states, self.parameters, self.outputs = (
+            [
+                getattr(self.struct, names)[i].decode()
+                for i in range(getattr(self.struct, names.replace("names", "count")))
+            ]
+            for names in ModelStruct.NAMES
+        )
+        self.library.tdmf_page_run_default.restype = RunStruct
+        self.library.tdmf_page_run_default.argtypes = [c_void_p, c_void_p, c_void_p]
+        self.library.tdmf_page_order.argtypes = [c_double]
+
+    def start(self, seeds=(), tolerance=1e-11, **values):
+        """A run from the page's start, with these values of parameters and states."""
+        return PageRun(self, list(seeds), tolerance, values)
+
+
+class PageRun:
+    """A run of a page: its states and parameters by name, and variations by `seeds`, names of either."""
+
+    def __init__(self, of, seeds, tolerance, values):
+        self.of, self.seeds = of, seeds
+        self.p, self.x = np.zeros(max(1, len(of.parameters))), np.zeros(max(1, len(of.states)))
+        self.run = of.library.tdmf_page_run_default(byref(of.struct), self.p.ctypes.data, self.x.ctypes.data)
+        self.run.tolerance, self.run.order = tolerance, of.library.tdmf_page_order(tolerance)
+        for name, value in values.items():
+            self._place(name)[0][self._place(name)[1]] = value
+        self.dp, self.dx = np.zeros((len(seeds) + 1, len(self.p))), np.zeros((len(seeds) + 1, len(self.x)))
+        for i, name in enumerate(seeds):
+            (self.dx if name in of.states else self.dp)[i, self._place(name)[1]] = 1
+        self.shift, self.rows = np.zeros(len(seeds) + 1), (Row * LOG_SIZE)()
+        self.run.seed_count, self.run.log_size = len(seeds), LOG_SIZE
+        self.run.dp, self.run.dx, self.run.shift = (a.ctypes.data for a in (self.dp, self.dx, self.shift))
+        self.run.log = ctypes.addressof(self.rows)
+        self.states_before = np.zeros((LOG_SIZE, len(self.x)))
+        self.run.log_states = self.states_before.ctypes.data
+        self.outcome = None
+
+    def _place(self, name):
+        if name in self.of.states:
+            return self.x, self.of.states.index(name)
+        return self.p, self.of.parameters.index(name)
+
+    def __getattr__(self, name):
+        if name.startswith("_"):
+            raise AttributeError(name)
+        values, place = self._place(name)
+        return values[place]
+
+    def set(self, **values):
+        """Set quantities as an importer does, with what else changes there."""
+        room = np.zeros(len(self.x))
+        for name, value in values.items():
+            is_state = name in self.of.states
+            self.of.library.tdmf_page_set(
+                byref(self.of.struct),
+                byref(self.run),
+                c_void_p(self.p.ctypes.data),
+                c_bool(is_state),
+                c_int(self._place(name)[1]),
+                c_double(value),
+                c_void_p(room.ctypes.data),
+            )
+        return self
+
+    def to(self, until=1e6, stop=None):
+        """Run until a time, or to an event."""
+        self.run.stop_event = self.of.events.index(stop) if stop else -1
+        outcome = self.of.library.tdmf_page_run_to(byref(self.of.struct), byref(self.run), c_double(until))
+        self.outcome = OUTCOMES[outcome]
+        if self.outcome == "endless-chain":
+            raise StuckError(
+                f"the event `{self.of.events[self.run.stuck_event]}` is due again and again in the mode "
+                f"`{self.mode}` at t = {self.time:g}: its guard does not rise above 0. Let its decision "
+                "lead to a mode that does not watch it"
+            )
+        return self
+
+    @property
+    def time(self):
+        return self.run.time
+
+    @property
+    def mode(self):
+        return self.of.modes[self.run.mode]
+
+    def page(self):
+        """The page at this instant, on plain numbers."""
+        key = self.of.keys[self.run.mode]
+        values = dict(zip(self.of.parameters, map(float, self.p), strict=False))
+        return self.of.model.at(
+            key[0], **dict(key[1]), **values, **dict(zip(self.of.states, map(float, self.x), strict=False))
+        )
+
+    def d(self, name):
+        """Variations of a state, by seed."""
+        return self.dx[: len(self.seeds), self.of.states.index(name)]
+
+    def world(self):
+        """The world's states by name, those that the mode's coordinates give and all others."""
+        values = self.x.copy()
+        self.of.library.tdmf_page_world(byref(self.of.struct), byref(self.run), c_void_p(values.ctypes.data))
+        return dict(zip(self.of.states, values, strict=False))
+
+    def modes_entered(self):
+        """Times at which modes began, with contact and hip phase in the core's words."""
+        befores = [self.states_before[i] for i in range(1, self.run.log_count)] + [self.x]
+        way = self.of.states.index("way")
+        phases = {"rest": "retract"}
+        found = []
+        for row, x in zip(self.rows[: self.run.log_count], befores, strict=False):
+            mode, words = self.of.keys[row.after]
+            if mode == "fallen":
+                break
+            words = dict(words)
+            contact = mode if mode != "slip" else "slip+" if x[way] > 0 else "slip-"
+            phase = words["stance"] if mode in ("stick", "slip") else words.get("swing", "place")
+            found.append((row.time, contact, phases.get(phase, phase)))
+        return found
+
+    @property
+    def told(self):
+        """Outputs by name."""
+        values = np.zeros(len(self.of.outputs) + 1)
+        self.of.library.tdmf_page_tell(byref(self.of.struct), byref(self.run), c_void_p(values.ctypes.data))
+        return dict(zip(self.of.outputs, values, strict=False))
+
+    @property
+    def log(self):
+        rows = self.rows[: min(LOG_SIZE, self.run.log_count)]
+        return [
+            (r.time, self.of.events[r.event], self.of.modes[r.before], self.of.modes[r.after]) for r in rows
+        ]

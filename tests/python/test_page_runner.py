@@ -1,0 +1,330 @@
+"""The runner's page, run by the plain driver: reference gaits, Jacobians, and random runs beside the core."""
+
+import json
+from collections import Counter
+from itertools import pairwise
+from pathlib import Path
+
+import numpy as np
+import pytest
+from conftest import some_of
+from old_core import HAS_CLAMP, STATES, OldRun, lasting
+from page_runs import COMPILER, CompiledPage
+
+from c_core.pages.runner import Runner
+
+pytestmark = pytest.mark.skipif(COMPILER is None, reason="there is no C compiler")
+DATA = json.loads((Path(__file__).parent / "page_gaits.json").read_text(encoding="utf-8"))
+SECTION = [
+    "apex_com_height",
+    "apex_com_speed",
+    "apex_length",
+    "apex_angle",
+    "apex_length_rate",
+    "apex_angle_rate",
+]
+GAITS = [(reading, gait) for reading in ("free", "clamped") for gait in DATA[reading]]
+EVERY_GAIT = pytest.mark.parametrize(
+    ("reading", "gait"), GAITS, ids=[f"{r} {g['friction']}" for r, g in GAITS]
+)
+
+
+@pytest.fixture(scope="module")
+def runner():
+    return CompiledPage(Runner)
+
+
+def world_of(apex, share=1 / 1.1):
+    """The world's states at an apex, where the centre of mass is at x = 0."""
+    height, speed, length, angle, length_rate, angle_rate = apex
+    sine, cosine = np.sin(angle), np.cos(angle)
+    body_vx = -length_rate * sine - length * angle_rate * cosine
+    body_vy = length_rate * cosine - length * angle_rate * sine
+    return {
+        "seen_x": share * length * sine,
+        "seen_y": height - share * length * cosine,
+        "seen_vx": speed - share * body_vx,
+        "seen_vy": -share * body_vy,
+        "length": length,
+        "angle": angle,
+        "length_rate": length_rate,
+        "angle_rate": angle_rate,
+    }
+
+
+def section(run):
+    """The six coordinates of the last apex."""
+    return np.array([getattr(run, name) for name in SECTION])
+
+
+def word(run):
+    """The gait word of the last stride."""
+    code = int(run.word_code)
+    return (np.base_repr(code, 4) if code else "").translate(str.maketrans("0123", "|-0+"))
+
+
+def jacobian(page, apex, **given):
+    """The return map's derivative by the six coordinates of the section."""
+    columns = [world_of(np.array(apex) + 1e-30j * np.eye(6)[i]) for i in range(6)]
+    run = page.start(seeds=list(world_of(apex)), **given, **world_of(apex))
+    for i, column in enumerate(columns):
+        run.dx[i] = 0
+        for name, value in column.items():
+            run.dx[i, page.states.index(name)] = np.imag(value) / 1e-30
+    run.run.seed_count = 6
+    run.to(stop="apex")
+    return np.array([run.dx[:6, page.states.index(name)] for name in SECTION])
+
+
+@EVERY_GAIT
+def test_gaits_are_those_of_the_references(runner, reading, gait):
+    given = {"friction": gait["friction"], "swing_clamp": reading == "clamped", "tolerance": 1e-13}
+    run = runner.start(**given, **world_of(gait["apex"]))
+    energy = run.to(0.0).told["energy"]
+    run.to(stop="apex")
+    assert word(run) == gait["word"]
+    assert section(run) == pytest.approx(gait["apex"], abs=1e-11)
+    found = {
+        "period": run.period,
+        "length": run.distance,
+        "work": run.work_of_stride,
+        "cost_of_transport": run.cost_of_transport,
+        "positive_work": run.positive_work,
+        "slip_distance": run.slip_distance,
+        "stance_time": run.stance_time,
+    }
+    assert found == pytest.approx({**found, **{n: gait[n] for n in found if n in gait}}, abs=1e-11)
+    lost = run.damper_loss + run.friction_loss + run.impact_loss
+    assert run.told["energy"] - energy == pytest.approx(run.work - lost, abs=1e-13)
+    times = [time for time, *_ in run.log[1:]]
+    assert times == pytest.approx(gait["events"], abs=2e-11)
+
+
+@EVERY_GAIT
+def test_jacobians_are_those_of_the_references(runner, reading, gait):
+    found = jacobian(
+        runner, gait["apex"], friction=gait["friction"], swing_clamp=reading == "clamped", tolerance=1e-13
+    )
+    assert found == pytest.approx(np.array(gait["jacobian"]), abs=1e-10 if reading == "clamped" else 1e-9)
+
+
+@pytest.mark.parametrize(
+    "seed", ["friction", "damping", "foot_mass", "drive_torque", "kp", "liftoff_factor", "gravity"]
+)
+def test_derivatives_by_parameters_are_those_of_differences(runner, seed):
+    gait, ends, step = DATA["free"][2], [], 1e-5
+    base, start = dict(runner_defaults(runner), friction=0.6), world_of(gait["apex"])
+    start["seen_vy"] -= 0.02  # no apex, whatever the masses
+    for value in (base[seed] * (1 + step), base[seed] * (1 - step)):
+        run = runner.start(tolerance=1e-14, **{**base, seed: value}, **start).to(stop="apex")
+        ends.append(section(run))
+    run = runner.start(seeds=[seed], tolerance=1e-14, **base, **start).to(stop="apex")
+    exact = np.array([run.d(name)[0] for name in SECTION])
+    assert exact == pytest.approx(
+        (ends[0] - ends[1]) / (2 * step * base[seed]), abs=1e-7 * (1 + np.abs(exact).max())
+    )
+
+
+def runner_defaults(page):
+    return {n: q.value for n, q in page.model.quantities("parameter").items()}
+
+
+def test_outputs_of_c_are_those_of_the_page_on_plain_numbers(runner):
+    run = runner.start(friction=0.6, **world_of(DATA["free"][2]["apex"]))
+    for time in (0.0, 5.0, 12.2, 12.6, 12.85, 13.0, 13.15, 20.0):
+        at, told = run.to(time).page(), run.told
+        assert told == pytest.approx({name: float(getattr(at, name)()) for name in told}, abs=1e-13)
+
+
+@pytest.mark.parametrize("stride", DATA["strides"], ids=range(len(DATA["strides"])))
+def test_strides_of_random_runners_are_those_of_the_references(runner, stride):
+    names = {runner.model.public(n): n for n in [*runner.parameters, "friction"]}
+    given = {names[name]: value for name, value in stride["given"].items()}
+    share = given.get("body_mass", 1) / (given.get("body_mass", 1) + given.get("foot_mass", 0.1))
+    run = runner.start(tolerance=1e-13, **given, **world_of(stride["apex"], share)).to(stop="apex")
+    assert word(run) == stride["word"]
+    found = [*section(run), run.period, run.distance, run.work_of_stride, run.touchdowns]
+    assert found == pytest.approx(
+        [*stride["end"], *(stride[n] for n in ("period", "length", "work", "touchdowns"))], abs=1e-9
+    )
+
+
+def test_a_runner_in_other_units_moves_alike(runner):
+    mass, stiffness, length = 80.0, 20000.0, 0.9
+    force, rate = stiffness * length, np.sqrt(stiffness / mass)
+    height, speed, r, angle, r_rate, turn = DATA["free"][2]["apex"]
+    run = runner.start(
+        body_mass=mass,
+        foot_mass=0.1 * mass,
+        stiffness=stiffness,
+        free_length=length,
+        least_length=0.05 * length,
+        damping=0.2 * np.sqrt(stiffness * mass),
+        gravity=0.01 * force / mass,
+        drive_torque=0.2 * force * length,
+        kp=0.1 * force * length,
+        kd=0.1 * force * length / rate,
+        friction=0.6,
+        tolerance=1e-13,
+        **world_of(
+            (height * length, speed * length * rate, r * length, angle, r_rate * length * rate, turn * rate)
+        ),
+    )
+    run.to(stop="apex")
+    assert section(run) / [length, length * rate, length, 1, length * rate, rate] == pytest.approx(
+        DATA["free"][2]["apex"], abs=1e-11
+    )
+
+
+# ---- random runs beside the core -----------------------------------------------------------------
+
+
+def drawn(number):
+    """A random runner on level ground and its start: near Table 1, and for a third of them far from it."""
+    random = np.random.default_rng([46, number])
+    u, spread = random.uniform, 3.0 if number % 3 == 0 else 1.3
+    times = lambda value: value * spread ** u(-1, 1)  # noqa: E731
+    parameters = {
+        "body.mass": times(1),
+        "foot.mass": times(0.1),
+        "leg.stiffness": times(1),
+        "leg.damping": times(0.2),
+        "leg.free_length": times(1),
+        "gravity": times(0.01),
+        "hip.stance_torque": times(0.2) * (1 if u() < 0.9 else -1),
+        "hip.touchdown_angle": u(0.3, 1.1),
+        "hip.kp": times(0.1),
+        "hip.kd": times(0.1),
+        "hip.liftoff_angle_factor": u(0.8, 1.5),
+    }
+    inputs = {
+        "ground.friction": 10 ** u(-1.5, 1),
+        "hip.external_torque": 0.0 if u() < 0.7 else u(-0.005, 0.005),
+    }
+    parameters["leg.min_length"] = 0.05 * parameters["leg.free_length"]
+    length, rate = (
+        parameters["leg.free_length"],
+        np.sqrt(parameters["leg.stiffness"] / parameters["body.mass"]),
+    )
+    share = parameters["body.mass"] / (parameters["body.mass"] + parameters["foot.mass"])
+    apex = [
+        u(1.05, 2.0) * length,
+        u(-0.3, 1.5) * length * rate,
+        u(0.9, 1.1) * length,
+        u(-0.9, 1.4),
+        u(-0.05, 0.05) * length * rate,
+        u(-0.3, 0.3) * rate,
+    ]
+    world = world_of(apex, share)
+    kind = u()
+    if kind < 0.3:  # it starts in contact, or at the instant of an impact
+        world |= {
+            "seen_y": 0.0,
+            "seen_vy": -0.1 * length * rate * u() if kind < 0.15 else 0.0,
+            "seen_vx": u(-0.5, 1.5) * length * rate,
+            "angle": u(-0.9, 0.9),
+            "length": length * u(0.8, 1.0),
+        }
+        world["seen_vx"] *= u() < 0.7
+    return parameters, inputs, world, rate
+
+
+def trace_page(page, given, segments, nudge=0.0):
+    """World states at the end of each segment, and the run; `nudge` changes the start's leg length."""
+    given = given | {"length": given["length"] * (1 + nudge)}
+    run, rows, until = page.start(**given), [], 0.0
+    for duration, changes in segments:
+        run.set(**changes)
+        until += duration
+        if run.to(until).outcome != "arrived":
+            break
+        rows.append(run.world())
+    return rows, run
+
+
+def trace_core(old, segments):
+    """The same along a run of the core; its changes have been made by `change`."""
+    rows, until = [], 0.0
+    for duration, change in segments:
+        change(old)
+        until += duration
+        if old.to(until).fell or old.outcome:
+            break
+        rows.append(old.state)
+    return rows
+
+
+def difference(page, mine, theirs, scales):
+    """The largest difference of a state, in the runner's units, and its name."""
+    off = {
+        n: abs(mine[n] - theirs[n]) / scales[page.model.quantities("state")[n].unit] / (1 + abs(theirs[n]))
+        for n in STATES
+        if n in mine and n != "placing"
+    }
+    name = max(off, key=off.get)
+    return off[name], name
+
+
+def hops(run, rate):
+    """Whether the foot has hopped so shortly that the margin of touchdown made the length of the hop."""
+    entered = lasting(run.modes_entered())
+    starts = [t for t, contact, _ in entered if contact == "flight"]
+    ends = [t for (_, before, _), (t, after, _) in pairwise(entered) if before == "flight" != after]
+    return any(0 < end - start < 2e-3 / rate for start in starts for end in ends)
+
+
+def compare(page, number, tolerance=1e-13):
+    """How a random run compares: its kind, the largest difference of a state, and what is wrong.
+
+    States agree to 1e-9 of the runner's units, or to a hundred times what 1e-14 in the start makes.
+    After a hop of a foot that is hardly loaded they agree to 1e-6.
+    """
+    parameters, inputs, world, rate = drawn(number)
+    clamps = bool(number % 2) if HAS_CLAMP else True
+    names = {page.model.public(n): n for n in [*page.parameters, *page.states]}
+    given = {names[n]: v for n, v in (parameters | inputs).items()} | world
+    given |= {"swing_clamp": clamps, "tolerance": tolerance}
+    clamp = {"hip.swing_clamp": clamps} if HAS_CLAMP else {}
+    old = OldRun(parameters | clamp, inputs, [world[n] for n in STATES[:8]], tolerance)
+    if old.refused:
+        return "refused", 0.0, ""
+    length = parameters["leg.free_length"]
+    force = parameters["leg.stiffness"] * length
+    scales = {"m": length, "m/s": length * rate, "rad/s": rate, "J": force * length, "s": 1 / rate, "rad": 1}
+    durations = [4 / rate] * 17
+    mine, run = trace_page(page, given, [(d, {}) for d in durations])
+    theirs = trace_core(old, [(d, lambda old: None) for d in durations])
+    worst = [difference(page, *pair, scales) for pair in zip(mine, theirs, strict=False)]
+    worst.append((abs(run.time - old.motion.time) * rate, "time"))
+    fell_alone = (run.outcome == "ended") != old.fell
+    if len(mine) != len(theirs) or fell_alone or max(worst)[0] > 1e-9:
+        nudged, other = trace_page(page, given, [(d, {}) for d in durations], 1e-14)
+        allowed = [difference(page, *pair, scales)[0] for pair in zip(mine, nudged, strict=False)]
+        most = 1e-9 + 100 * max(*allowed, abs(run.time - other.time) * rate)
+        kind, most = ("hop", max(most, 1e-6)) if hops(run, rate) else ("sensitive", most)
+        if len(mine) != len(theirs) or fell_alone or max(worst)[0] > most:
+            return "differs", max(worst)[0], f"{max(worst)}: {run.log[-4:]}, {old.modes[-4:]}"
+        return kind, 0.0, ""
+    mine, theirs = lasting(run.modes_entered()), lasting(old.modes)
+    if [m[1:] for m in mine] != [m[1:] for m in theirs]:
+        return "modes", max(worst)[0], f"{mine}, {theirs}"
+    stride = old.motion.record.stride
+    if (run.count, word(run), run.touchdowns) != (stride.count, old.word, stride.touchdowns):
+        return "word", max(worst)[0], f"{run.count} {word(run)}, {stride.count} {old.word}"
+    for name in ("peak_force", "slip_distance", "period", "positive_work", "stance_time"):
+        if getattr(run, name) != pytest.approx(getattr(stride, name), rel=1e-8, abs=1e-9):
+            return "stride", max(worst)[0], f"{name} {getattr(run, name)}, {getattr(stride, name)}"
+    return "same", max(worst)[0], ""
+
+
+def test_random_runs_are_those_of_the_core(runner):
+    found, faults, worst = Counter(), [], []
+    for number in some_of(range(20000), 400):
+        kind, off, text = compare(runner, number)
+        found[kind] += 1
+        worst.append(off)
+        if kind not in ("same", "sensitive", "hop", "refused"):
+            faults.append(f"{number}: {kind}: {text}")
+    assert not faults, "\n".join(faults[:20])
+    assert found["same"] > 0.99 * found.total()
+    assert np.median(worst) < 1e-12
