@@ -7,7 +7,7 @@ from sphinx.util.docutils import SphinxDirective
 from tdmf_slip.cli.variables import row
 from tdmf_slip.fmu.fmu import load_fmu
 
-HEADINGS = ("name", "meaning", "unit", "default", "range")
+HEADINGS = ("name", "short name", "meaning", "unit", "default", "range")
 
 
 class Variables(SphinxDirective):
@@ -29,8 +29,9 @@ class Variables(SphinxDirective):
         group += nodes.thead("", _row([nodes.Text(heading) for heading in HEADINGS]))
         body = nodes.tbody()
         for variable in chosen:
-            name, unit_name, span, default, _, meaning = row(variable)
-            cells = [nodes.literal(name, name), *map(nodes.Text, (meaning, unit_name, default, span))]
+            name, short, unit_name, span, default, _, meaning = row(variable)
+            code = [nodes.literal(text, text) for text in (name, short)]
+            cells = [*code, *map(nodes.Text, (meaning, unit_name, default, span))]
             line = _row(cells)
             line["ids"].append(nodes.make_id(name))
             body += line

@@ -11,6 +11,7 @@ import argparse
 import json
 import math
 import pathlib
+import runpy
 import sys
 import tomllib
 
@@ -173,6 +174,11 @@ def presets(table):
     return [*found, *own_presets(table)]
 
 
+def aliases():
+    """Short names of variables, from the package's table."""
+    return dict(runpy.run_path(str(PACKAGE / "fmu/aliases.py"))["ALIASES"])
+
+
 def terms():
     """Words that the page explains: by name, a sentence."""
     known = tomllib.loads((HERE.parent / "glossary.toml").read_text(encoding="utf-8"))["live"]
@@ -193,6 +199,7 @@ def page_table(table):
         "hipPhases": items(table, PHASE),
         "apex": [described(v) for v in table.variables if v.group == "apex" and v.name != "apex.time"],
         "presets": presets(table),
+        "aliases": aliases(),
         "terms": terms(),
     }
     lines = [

@@ -42,8 +42,10 @@ def sections(function):
 
 
 def arguments(function):
-    """Names of what is given, without the instance."""
-    return [name for name in inspect.signature(function).parameters if name not in ("self", "cls")]
+    """Names of what is given, without the instance; `**values` where names are free."""
+    given = inspect.signature(function).parameters.values()
+    stars = {inspect.Parameter.VAR_KEYWORD: "**"}
+    return [stars.get(one.kind, "") + one.name for one in given if one.name not in ("self", "cls")]
 
 
 def documented(function):
@@ -90,7 +92,7 @@ def test_functions_of_all_modules_have_a_docstring_and_types():
         untyped = [
             given
             for given in arguments(function)
-            if signature.parameters[given].annotation is inspect.Parameter.empty
+            if signature.parameters[given.lstrip("*")].annotation is inspect.Parameter.empty
         ]
         of_another_library = name.startswith("tdmf_slip.pictures.film_page.")
         assert not untyped or of_another_library, (name, untyped)

@@ -1,10 +1,11 @@
 /**
  * The page's state in its address: what differs from the defaults, by the unit's names, as in
- * `live.html#ground.friction=0.3&hip.touchdown_angle=45deg`; a number without a unit is in the variable's own.
+ * `live.html#ground.friction=0.3&hip.touchdown_angle=45deg`, or by short names as in `live.html#friction=0.3`; a number
+ * without a unit is in the variable's own.
  * `race=10` is no value of the runner: it races against one at friction 10.
  * @module
  */
-import { displayUnits, starts, values } from "./data.js";
+import { aliases, displayUnits, starts, values } from "./data.js";
 import { numberIn, shownValue } from "./numbers.js";
 
 const known = new Map([...values, ...starts].map((variable) => [variable.name, variable]));
@@ -42,7 +43,8 @@ export function stateOf(hash) {
   const state = defaults();
   const problems = [];
   let rival = null;
-  for (const [name, text] of new URLSearchParams(hash.replace(/^#/, ""))) {
+  for (const [given, text] of new URLSearchParams(hash.replace(/^#/, ""))) {
+    const name = aliases[given] ?? given;
     if (name === RACE) {
       rival = numberIn(text);
     } else if (!known.has(name)) {

@@ -14,6 +14,7 @@ from ..contents import ByContents
 from ..drawable import Drawable
 from ..errors import InputError
 from ..fmu.fmu import Fmu, load_fmu
+from ..fmu.names import full_names
 from ..fmu.parameters import RunnerLike
 from ..fmu.variable import Given
 from ..given import row_of
@@ -208,7 +209,7 @@ def compare(
     if len(given) < 2:
         raise InputError(f"runners: {len(given)} given; allowed: two or more, the first is the reference")
     names = _checked_hold(hold)
-    varied = tuple(row_of(vary, "vary", "a list of names of parameters and inputs"))
+    varied = full_names(vary, "vary", "a list of names of parameters and inputs")
     for name in varied:
         check_varied(name, "vary")
     before = [_gait_of(runner, model, fmu) for runner in given]

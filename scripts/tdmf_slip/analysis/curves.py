@@ -11,8 +11,9 @@ from numpy.typing import NDArray
 from ..checks import checked_whole, shown
 from ..errors import InputError, RunError
 from ..fmu.fmu import Fmu, load_fmu
+from ..fmu.names import by_full_name
 from ..fmu.parameters import RunnerLike
-from ..given import mapping_of, row_of
+from ..given import row_of
 from ..library.members import check_varied
 from ..library.quantities import scales_of
 from ..library.runner import Runner
@@ -121,7 +122,7 @@ def continue_curves(
 def _checked_ranges(vary: object, fmu: Fmu) -> tuple[tuple[str, str], NDArray[np.float64]]:
     """Names of the two parameters, and the ends of their ranges, shape (2, 2)."""
     allowed = "two parameters or inputs, each with the two ends of its range"
-    given = mapping_of(vary, "vary", allowed)
+    given = by_full_name(vary, "vary", allowed)
     if len(given) != 2:
         raise InputError(f"vary = {shown(vary)} is not allowed; allowed: {allowed}")
     spans = []

@@ -8,7 +8,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ..errors import InputError
 from ..fmu.fmu import Fmu
-from ..given import mapping_of
+from ..fmu.names import by_full_name
 from ..library.population import numbers
 from ..library.recorded_strides import GROUND, Request
 from ..library.rough_ground import RoughGround
@@ -31,7 +31,7 @@ class FunctionLaw:
         """What is set at the apices of a stride, as `recorded_strides` asks for it."""
         self.stride_begins()
         what = f"law: stride {stride}: what it gives"
-        given = mapping_of(self.law(apices), what, "numbers or arrays by name")
+        given = by_full_name(self.law(apices), what, "numbers or arrays by name")
         if self.names is None:
             self._check_names(tuple(given))
         names = self.names or ()

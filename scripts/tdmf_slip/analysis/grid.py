@@ -16,8 +16,8 @@ from ..files.netcdf import write_dataset
 from ..files.resume import resumed, same_values
 from ..files.whole import check_destination
 from ..fmu.fmu import FRICTION, Fmu, load_fmu
+from ..fmu.names import by_full_name
 from ..fmu.variable import MAX_VALUES, Given, Values
-from ..given import mapping_of
 from ..library.gait import Gait, gait_near
 from ..library.members import STATES, check_has_gaits, check_varied
 from ..library.runner import Runner
@@ -77,6 +77,7 @@ def grid(
     the file's `problem`.
     """
     fmu, runner = load_fmu(fmu), Runner.of(runner)
+    vary = by_full_name(vary, "vary", "values by the names of two parameters or inputs")
     name, along = _names(vary)
     coordinates = {of: fmu.find(of, "vary").values_of(vary[of], f"vary {of}") for of in (name, along)}
     down, across = coordinates.values()
@@ -123,10 +124,9 @@ def grid(
 
 def _names(vary: Mapping[str, Values]) -> tuple[str, str]:
     """What is varied from row to row, and along a row."""
-    given = mapping_of(vary, "vary", "values by the names of two parameters or inputs")
-    if len(given) != 2:
-        raise InputError(f"vary {', '.join(map(str, given))}: allowed: the names of two parameters or inputs")
-    names = list(given)
+    if len(vary) != 2:
+        raise InputError(f"vary {', '.join(map(str, vary))}: allowed: the names of two parameters or inputs")
+    names = list(vary)
     name, along = reversed(names) if names[0] == FRICTION else names
     if name not in STATES:
         check_varied(name, "vary")

@@ -10,8 +10,8 @@ from numpy.typing import NDArray
 from ..contents import ByContents
 from ..errors import InputError, RunError
 from ..fmu.fmu import Fmu, load_fmu
+from ..fmu.names import by_full_name
 from ..fmu.variable import Given, Values
-from ..given import mapping_of
 from ..library.gait import Gait, gait_near
 from ..library.members import check_varied
 from ..library.runner import Runner
@@ -72,7 +72,7 @@ def stability(
 def _checked(
     over: Mapping[str, Values], fmu: Fmu
 ) -> tuple[tuple[str, str], tuple[NDArray[np.float64], NDArray[np.float64]]]:
-    given = mapping_of(over, "over", "two parameters or inputs with their values")
+    given = by_full_name(over, "over", "two parameters or inputs with their values")
     if len(given) != 2:
         raise InputError("over: allowed: two parameters or inputs with their values")
     for name in given:

@@ -14,8 +14,9 @@ from ..blocks.running import run_blocks
 from ..checks import check_size, checked_whole
 from ..errors import InputError
 from ..fmu.fmu import Fmu, load_fmu
+from ..fmu.names import by_full_name
 from ..fmu.parameters import RunnerLike
-from ..given import in_order, mapping_of
+from ..given import in_order
 from ..library.affine_law import AffineLaw, check_law
 from ..library.ensemble import TOLERANCE
 from ..library.population import Population, numbers
@@ -187,7 +188,7 @@ def _broadcast(
     if starts.shape[1] != len(coordinates):
         raise InputError(f"apices of shape {starts.shape}; allowed: rows of {', '.join(coordinates)}")
     given: dict[str, NDArray[np.float64]] = {}
-    for name, values in mapping_of(inputs, "inputs", "numbers or arrays by name").items():
+    for name, values in by_full_name(inputs, "inputs", "numbers or arrays by name").items():
         setting_number(name, "inputs")
         given[name] = np.atleast_2d(numbers(f"inputs: {name}", values, 2))
         if given[name].shape[1] not in (1, strides):

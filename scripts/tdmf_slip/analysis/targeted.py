@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import inspect
 from collections.abc import Iterator, Mapping, Sequence
 from itertools import islice
 
@@ -9,12 +10,15 @@ import numpy as np
 
 from ..checks import checked, is_one_of, near_matches, shown
 from ..errors import InputError, RunError
+from ..fmu.aliases import ALIASES
 from ..fmu.fmu import Fmu, load_fmu
+from ..fmu.names import full_names
 from ..fmu.parameters import RunnerLike
+from ..fmu.variable import Given
 from ..given import mapping_of, row_of
 from ..library.gait import Gait
 from ..library.members import check_varied
-from ..library.quantities import QUANTITIES, SIGNED, check_quantities, quantities_of
+from ..library.quantities import QUANTITIES, SIGNED, check_quantities, quantities_of, quantity_given
 from ..library.runner import Runner
 from ..library.section import Apex
 from .beginnings import beginnings
@@ -62,6 +66,7 @@ def find_gait(
     model: str | None = None,
     progress: bool = False,
     fmu: Fmu | None = None,
+    **values: Given,
 ) -> Gait:
     """The periodic gait of a runner, stable or not, or the one that has what a target prescribes.
 
@@ -98,6 +103,9 @@ def find_gait(
         A bar on stderr while parameters are tried that would help.
     fmu : Fmu, optional
         Whose start values hold; by default that of `fmu_path`.
+    **values : float, bool or str
+        Start values over the runner's, as in `friction=0.43`: numbers in the variables' units, or texts with
+        a unit, as in `touchdown_angle="40 deg"`.
 
     Returns
     -------
@@ -120,7 +128,7 @@ def find_gait(
     Examples
     --------
     >>> import tdmf_slip
-    >>> gait = tdmf_slip.find_gait({"ground.friction": 0.2})
+    >>> gait = tdmf_slip.find_gait(friction=0.2)
     >>> gait.word, gait.stable
     ('+-', True)
     >>> gait = tdmf_slip.find_gait(target={"speed": 1.0}, vary=["hip.stance_torque"])
@@ -129,6 +137,10 @@ def find_gait(
     """
     if isinstance(runner, Gait) and guess is None and model is None:
         guess = runner.apex
+    if values:
+        fmu = load_fmu(fmu)
+        _check_keywords(values, fmu)
+        runner = Runner.of(runner, fmu, model=None, **values)
     if target is None and not len(row_of(vary, "vary", NAMES)):
         return periodic_gait(runner, guess, model=model, fmu=fmu)
     wanted = _checked_target(target)
@@ -147,6 +159,16 @@ def find_gait(
             helps = parameters_that_help(system, nearest, first, progress)
             raise _not_met(system, nearest, helps, load_fmu(fmu))
     return _met(system, iterate)
+
+
+def _check_keywords(values: Mapping[str, Given], fmu: Fmu) -> None:
+    """Refuse a keyword that is neither an argument nor a variable."""
+    known = (*inspect.signature(find_gait).parameters, *ALIASES, *fmu.variables)
+    for name in values:
+        if name not in known:
+            raise InputError(
+                f"find_gait: {shown(name)} is neither an argument nor a variable{near_matches(name, known)}"
+            )
 
 
 def _met_from_elsewhere(
@@ -192,15 +214,16 @@ def _checked_target(target: object) -> dict[str, float]:
     if all(name in given for name in TRAVEL):
         raise InputError("target: speed, frequency and length; allowed: two of them, for they set the third")
     maximum, minimum = {"duty_factor": 1.0}, dict.fromkeys(SIGNED, -MAXIMUM)
+    numbers = {name: quantity_given(name, value, "target") for name, value in given.items()}
     return {
         name: checked(name, value, minimum.get(name, MINIMUM), maximum.get(name, MAXIMUM))
-        for name, value in given.items()
+        for name, value in numbers.items()
     }
 
 
 def _checked_vary(vary: object, target: Mapping[str, float]) -> tuple[str, ...]:
     """The varied parameters' names."""
-    names = tuple(row_of(vary, "vary", NAMES))
+    names = full_names(vary, "vary", NAMES)
     for name in names:
         check_varied(name, "vary")
         if names.count(name) > 1:

@@ -8,9 +8,10 @@ import click
 from ..checks import checked, checked_whole
 from ..errors import InputError
 from ..fmu.fmu import FRICTION, Fmu
+from ..fmu.names import full_name
 from ..fmu.parameters import preset_names, read_parameters
 from ..fmu.variable import Given, Value
-from ..library.quantities import QUANTITIES
+from ..library.quantities import QUANTITIES, quantity_given
 from ..library.section import MODELS
 from ..renamed import OPTIONS, sentence
 
@@ -68,7 +69,8 @@ SET_OPTION = click.option(
     "settings",
     multiple=True,
     metavar="NAME=VALUE",
-    help="Start value of a variable, as in leg.stiffness=20000 or leg.angle='40 deg'. Repeatable.",
+    help="Start value of a variable, as in stiffness=20000 or "
+    "touchdown_angle='40 deg'; `tdmf-slip variables` lists the names. Repeatable.",
 )
 PARAMETERS_OPTION = click.option(
     "--parameters",
@@ -88,8 +90,7 @@ TARGET_OPTION = click.option(
     "targets",
     multiple=True,
     metavar="QUANTITY=VALUE",
-    help="Quantity that is prescribed, in SI units, as in speed=1. Repeatable. Quantities: "
-    f"{', '.join(QUANTITIES)}.",
+    help=f"Quantity that is prescribed, as in speed=1. Repeatable. Quantities: {', '.join(QUANTITIES)}.",
 )
 SCHEDULER_OPTION = click.option(
     "--scheduler",
@@ -111,27 +112,22 @@ def pairs_given(texts: Sequence[str], option: str, allowed: str) -> dict[str, st
         name, _, value = (part.strip() for part in text.partition("="))
         if not name or not value:
             raise InputError(f"{option} {text}: allowed: {allowed}")
+        name = full_name(name)
         if name in given:
             raise InputError(f"{option} {text}: {name} is given twice; allowed: once")
         given[name] = value
     return given
 
 
-def targets_given(targets: tuple[str, ...]) -> dict[str, float]:
+def targets_given(targets: tuple[str, ...]) -> dict[str, Any]:
     """Of --target, by quantity."""
-    allowed = "QUANTITY=VALUE, a number in SI units"
-    values: dict[str, float] = {}
-    for name, value in pairs_given(targets, "--target", allowed).items():
-        try:
-            values[name] = float(value)
-        except ValueError:
-            raise InputError(f"--target {name}={value}: allowed: {allowed}") from None
-    return values
+    given = pairs_given(targets, "--target", "QUANTITY=VALUE, as in speed=1 or speed='3.6 km/h'")
+    return {name: quantity_given(name, value, "--target") for name, value in given.items()}
 
 
 def names_given(names: str | None) -> list[str]:
     """Of an option that takes names with commas between them."""
-    return [] if names is None else [name.strip() for name in names.split(",")]
+    return [] if names is None else [full_name(name.strip()) for name in names.split(",")]
 
 
 def values_given(friction: float | None, settings: tuple[str, ...]) -> dict[str, tuple[str, Given]]:
@@ -141,6 +137,7 @@ def values_given(friction: float | None, settings: tuple[str, ...]) -> dict[str,
         name, _, value = (part.strip() for part in setting.partition("="))
         if not name or not value:
             raise InputError(f"--set {setting}: allowed: NAME=VALUE")
+        name = full_name(name)
         if name in given:
             option = given[name][0]
             twice = f"{name} is given twice; allowed: once"

@@ -5,6 +5,7 @@ import math
 import click
 
 from ..fmu.fmu import load_fmu
+from ..fmu.names import SHORT_NAMES
 from ..fmu.variable import Variable
 from ..terminal.text import table
 from .options import JSON_OPTION, Command
@@ -14,18 +15,24 @@ from .output import json_text
 @click.command("variables", cls=Command)
 @JSON_OPTION
 def variables_command(as_json_object: bool) -> None:
-    """Every variable of the unit with its unit, range, default and meaning."""
+    """Every variable of the unit with its short name, unit, range, default and meaning."""
     variables = load_fmu().variables.values()
     if as_json_object:
         print(json_text({"variables": [_object(variable) for variable in variables]}))
     else:
-        print(table(("name", "unit", "range", "default", "kind", "meaning"), list(map(row, variables))))
+        print(
+            table(
+                ("name", "short name", "unit", "range", "default", "kind", "meaning"),
+                list(map(row, variables)),
+            )
+        )
 
 
 def _object(variable: Variable) -> dict[str, object]:
     """A variable as a plain object; None where there is no such thing, or no bound."""
     return {
         "name": variable.name,
+        "short_name": SHORT_NAMES.get(variable.name),
         "type": variable.type,
         "unit": variable.unit or None,
         "minimum": variable.minimum,
@@ -39,11 +46,12 @@ def _object(variable: Variable) -> dict[str, object]:
     }
 
 
-def row(variable: Variable) -> tuple[str, str, str, str, str, str]:
-    """A variable in words: name, unit, range, default, causality, meaning."""
+def row(variable: Variable) -> tuple[str, str, str, str, str, str, str]:
+    """A variable in words: name, short name, unit, range, default, causality, meaning."""
     unit = "" if variable.unit == "1" else variable.unit
     return (
         variable.name,
+        SHORT_NAMES.get(variable.name, ""),
         unit,
         _range(variable),
         _default(variable),

@@ -13,7 +13,8 @@ from ..checks import is_number, is_one_of, near_matches, shown
 from ..drawable import Drawable
 from ..errors import InputError
 from ..fmu.fmu import FRICTION, Fmu, load_fmu
-from ..given import mapping_of, row_of
+from ..fmu.names import by_full_name
+from ..given import row_of
 from ..library.affine_law import AffineLaw
 from .linearization import Linearization
 
@@ -84,7 +85,7 @@ def feedback_of(
 def _checked_limits(
     model: Linearization, limits: Limits | None, fmu: Fmu
 ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    given = mapping_of(limits, "limits", "pairs of numbers by setting")
+    given = by_full_name(limits, "limits", "pairs of numbers by setting")
     unknown = next((name for name in given if not is_one_of(name, model.inputs)), None)
     if unknown is not None:
         raise InputError(

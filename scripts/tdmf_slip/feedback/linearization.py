@@ -18,8 +18,9 @@ from numpy.typing import NDArray
 from ..checks import is_one_of, near_matches, shown
 from ..contents import ByContents
 from ..errors import InputError
+from ..fmu.aliases import ALIASES
 from ..fmu.fmu import Fmu, load_fmu
-from ..given import row_of
+from ..fmu.names import full_names
 from ..library.gait import Gait, check_is_gait
 from ..library.return_map import stride_from
 from ..library.runner import Runner
@@ -121,12 +122,14 @@ def _check_gait(gait: Gait) -> None:
 
 def _checked_names(given: object) -> tuple[str, ...]:
     allowed = f"allowed: {', '.join(CHOSEN)}"
-    names = tuple(row_of(given, "inputs", f"one or more in a list: {', '.join(CHOSEN)}"))
+    names = full_names(given, "inputs", f"one or more in a list: {', '.join(CHOSEN)}")
     if not names:
         raise InputError(f"inputs = {shown(given)} is not allowed; one or more in a list; {allowed}")
     for name in names:
         if not is_one_of(name, CHOSEN):
-            raise InputError(f"inputs: {shown(name)} is not allowed; {allowed}{near_matches(name, CHOSEN)}")
+            raise InputError(
+                f"inputs: {shown(name)} is not allowed; {allowed}{near_matches(name, (*CHOSEN, *ALIASES))}"
+            )
     twice = next((name for name in names if names.count(name) > 1), None)
     if twice is not None:
         raise InputError(f"inputs: {twice} is named twice; allowed: each once")

@@ -6,8 +6,9 @@ from typing import TypeAlias
 from ..checks import is_number, shown
 from ..errors import InputError
 from ..fmu.fmu import Fmu
+from ..fmu.names import by_full_name
 from ..fmu.variable import Given
-from ..given import mapping_of, row_of
+from ..given import row_of
 from ..library.members import check_varied
 from .unknowns import Prior
 
@@ -18,7 +19,7 @@ PriorGiven: TypeAlias = "tuple[Given, float] | Sequence[float]"
 def checked_priors(given: object, each: Sequence[str], fmu: Fmu) -> tuple[Prior, ...]:
     """The priors of a fit."""
     priors = []
-    for name, pair in mapping_of(given, "priors", "pairs of value and standard error by name").items():
+    for name, pair in by_full_name(given, "priors", "pairs of value and standard error by name").items():
         check_varied(name, "priors")
         where = f"priors {name}"
         if name in each:

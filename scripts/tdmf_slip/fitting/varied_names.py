@@ -5,7 +5,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from ..errors import InputError
-from ..given import row_of
+from ..fmu.names import full_names
 from ..library.members import check_varied
 from .measurements import Measurements
 
@@ -14,7 +14,7 @@ def profiled_names(profile: object, names: Sequence[str]) -> tuple[str, ...]:
     """Names of the parameters whose intervals are by the profile likelihood."""
     if isinstance(profile, bool | np.bool_):
         return tuple(names) if profile else ()
-    chosen = tuple(row_of(profile, "profile", "True, False, or a list of names of varied parameters"))
+    chosen = full_names(profile, "profile", "True, False, or a list of names of varied parameters")
     for name in chosen:
         if name not in names:
             raise InputError(f"profile: {name} does not vary; allowed: {', '.join(names)}")
@@ -23,7 +23,7 @@ def profiled_names(profile: object, names: Sequence[str]) -> tuple[str, ...]:
 
 def checked_names(given: object, what: str) -> tuple[str, ...]:
     """Names of parameters, each once."""
-    names = tuple(row_of(given, what, "a list of names of parameters and inputs"))
+    names = full_names(given, what, "a list of names of parameters and inputs")
     for name in names:
         check_varied(name, what)
         if names.count(name) > 1:

@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping
 
+from . import unit_text
 from .fmu import Fmu
 
 
@@ -27,4 +28,4 @@ class DisplayUnits:
 
 
 def _unit_in(text: str) -> str:
-    return text.split(":")[0].strip().partition(" ")[2].strip()
+    return unit_text.split(text.split(":")[0])[1]

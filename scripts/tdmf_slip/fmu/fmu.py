@@ -18,7 +18,8 @@ from fmpy.model_description import ModelDescription
 
 from ..checks import check_kind, is_number, is_one_of, near_matches, shown
 from ..errors import InputError, RunError, reason
-from ..given import mapping_of
+from .aliases import ALIASES
+from .names import by_full_name, full_name
 from .variable import Given, Value, Variable, variable_of
 
 PATH_VARIABLE = "TDMF_SLIP_FMU"
@@ -122,7 +123,7 @@ class Fmu:
         Parameters
         ----------
         name : str
-            As in the unit's description.
+            As in the unit's description, or a short one of `aliases.ALIASES`.
         where : str
             Where it was given, for the message.
 
@@ -137,11 +138,11 @@ class Fmu:
             There is none; the message has the nearest names.
         """
         check_kind(name, str, where, "a variable's name")
-        if name in self.variables:
-            return self.variables[name]
-        raise InputError(
-            f"{where}: the unit has no variable {shown(name)}{near_matches(name, self.variables)}"
-        )
+        full = full_name(name)
+        if full in self.variables:
+            return self.variables[full]
+        near = near_matches(name, (*self.variables, *ALIASES))
+        raise InputError(f"{where}: the unit has no variable {shown(name)}{near}")
 
     def start_values(self, given: Mapping[str, Given] | None, where: str) -> dict[str, Value]:
         """Start values, checked.
@@ -149,14 +150,14 @@ class Fmu:
         Parameters
         ----------
         given : mapping of str to float, bool or str
-            By the variables' names; a text may have a unit, as in `40 deg`.
+            By the variables' names or their short ones; a text may have a unit, as in `40 deg`.
         where : str
             Where they were given, for the message.
 
         Returns
         -------
         dict of str to float or bool
-            Each in the variable's unit.
+            By the variables' own names, each in the variable's unit.
 
         Raises
         ------
@@ -164,7 +165,7 @@ class Fmu:
             An unknown name, a variable that takes no start value, or a value out of range.
         """
         checked = {}
-        for name, value in mapping_of(given, where, "values by the names of variables").items():
+        for name, value in by_full_name(given, where, "values by the names of variables").items():
             variable = self.find(name, where)
             if not variable.settable:
                 raise InputError(f"{where}: {name} takes no start value, the unit computes it")

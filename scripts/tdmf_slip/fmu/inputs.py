@@ -10,8 +10,9 @@ from numpy.typing import ArrayLike, NDArray
 from ..checks import shown
 from ..errors import InputError, reason
 from ..files.cells import cells_of
-from ..given import is_series, is_table, mapping_of
+from ..given import is_series, is_table
 from .fmu import Fmu
+from .names import by_full_name
 from .variable import Value, Variable
 
 TIME = "time"
@@ -47,11 +48,11 @@ def _tables(given: object) -> InputTables:
     if _is_over_time(given):
         given = given.to_frame()
     if not is_table(given):
-        tables = mapping_of(given, "inputs", "pairs of times and values, by the names of inputs")
+        tables = by_full_name(given, "inputs", "pairs of times and values, by the names of inputs")
         return {
             name: (table.index, table) if _is_over_time(table) else table for name, table in tables.items()
         }
-    columns = dict(mapping_of(given, "inputs", ""))
+    columns = by_full_name(given, "inputs", "")
     index = getattr(given, "index", None)
     times = columns.pop(TIME) if TIME in columns else index if getattr(index, "name", "") == TIME else None
     if times is None:
@@ -88,7 +89,7 @@ def read_tables(path: Path | str, fmu: Fmu) -> InputTables:
         )
     inputs = [fmu.find(name, str(path)) for name in header[1:]]
     columns = np.array([_numbers(path, line, row, inputs) for line, row in lines[1:]]).T
-    tables = {name: (columns[0], column) for name, column in zip(header[1:], columns[1:], strict=True)}
+    tables = {of.name: (columns[0], column) for of, column in zip(inputs, columns[1:], strict=True)}
     return {name: _checked(fmu, name, table, str(path)) for name, table in tables.items()}
 
 

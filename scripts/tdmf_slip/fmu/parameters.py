@@ -11,7 +11,8 @@ from typing import Any, Protocol, TypeAlias
 
 from ..checks import check_kind, shown
 from ..errors import InputError, reason
-from ..given import LabelledRow, mapping_of
+from ..given import LabelledRow
+from .names import by_full_name
 from .variable import Given
 
 
@@ -55,9 +56,9 @@ def preset_names() -> list[str]:
 def read_parameters(name: str | Path) -> dict[str, Any]:
     """Start values from a file, or from one of the package's presets.
 
-    The keys are names of the unit's variables, either whole (`"leg.stiffness"`) or nested by their groups
-    (TOML's `leg.stiffness`, or a table `[leg]`); a value is a number in the variable's unit, or a text with
-    a unit, such as `"40 deg"`. Names and values are checked where they are used.
+    The keys are names of the unit's variables, either whole (`"leg.stiffness"`), nested by their groups
+    (TOML's `leg.stiffness`, or a table `[leg]`) or short (`stiffness`); a value is a number in the variable's
+    unit, or a text with a unit, such as `"40 deg"`. Names and values are checked where they are used.
 
     Examples
     --------
@@ -77,7 +78,8 @@ def read_parameters(name: str | Path) -> dict[str, Any]:
         )
     try:
         content = parsed(path.read_text(encoding="utf-8"), readers[path.suffix], "names with values")
-        return _keys_once(list(_flat(content)))  # a name may be given whole and nested
+        once = _keys_once(list(_flat(content)))  # a name may be given whole and nested
+        return by_full_name(once, f"parameters {path}", "names with values")
     except RecursionError:
         raise InputError(f"parameters {path}: is nested too deeply; allowed: names with values") from None
     except (OSError, ValueError) as problem:
@@ -92,7 +94,7 @@ def start_values_of(runner: object) -> Mapping[str, Any]:
         own = getattr(runner, name, None)
         if isinstance(own, Mapping):
             return own
-    return mapping_of(runner, "runner", RUNNER)
+    return by_full_name(runner, "runner", RUNNER)
 
 
 def parsed(text: str, loads: Callable[[str], object], allowed: str) -> Mapping[str, Any]:

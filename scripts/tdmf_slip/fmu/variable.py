@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from ..checks import check_size, shown
 from ..contents import ByContents
 from ..errors import InputError
+from . import unit_text
 
 Value: TypeAlias = float | bool
 """A start value that is checked, in the variable's unit; of an enumeration, its number."""
@@ -25,21 +26,6 @@ MAX_VALUES = 1_000_000
 
 Values: TypeAlias = Sequence[float] | NDArray[np.float64]
 """Numbers in a row, in the variable's unit."""
-
-
-OTHER_UNITS: Mapping[str, tuple[str, float]] = {
-    "cm": ("m", 100.0),
-    "mm": ("m", 1000.0),
-    "g": ("kg", 1000.0),
-    "ms": ("s", 1000.0),
-    "km/h": ("m/s", 3.6),
-    "kN": ("N", 0.001),
-    "kN/m": ("N/m", 0.001),
-    "degree": ("rad", 180.0 / math.pi),
-    "degrees": ("rad", 180.0 / math.pi),
-}
-"""Those that people write, beside those of the description: of which unit they are others, and how many make
-one."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -110,18 +96,13 @@ class Variable(ByContents):
         """Units that a value of it may be given in, its own first."""
         others = (
             *self.display_units,
-            *(name for name, (unit, _) in OTHER_UNITS.items() if unit == self.unit),
+            *(name for name, (unit, _) in unit_text.OTHER_UNITS.items() if unit == self.unit),
         )
-        return tuple(name for name in (self.unit, *others) if name)
+        return tuple(dict.fromkeys(name for name in (self.unit, *others) if name))
 
     def factor_of(self, unit: str) -> float | None:
         """How many of a unit make one of the variable's own; None where it is of something else."""
-        if unit in ("", self.unit):
-            return 1.0
-        own, factor = OTHER_UNITS.get(unit, ("", 1.0))
-        if own == self.unit and own:
-            return factor
-        return self.display_units.get(unit)
+        return unit_text.factor(unit, self.unit, self.display_units)
 
     def value_of(self, given: Given, where: str) -> Value:
         """A start value for this variable, checked against its range."""
@@ -142,17 +123,12 @@ class Variable(ByContents):
         check_size(where, len(given) if isinstance(given, Sized) else 1, "values", MAX_VALUES)
         try:
             row = list(given)  # type: ignore[call-overload] # what is no row is refused
-            values = np.array([self._in_row(value, where) for value in row], dtype=float)
+            values = np.array([self.value_of(value, where) for value in row], dtype=float)
         except TypeError:
             raise refusal from None
         if not len(values):
             raise InputError(f"{where}: no values of {self.name}; allowed: one or more")
         return values
-
-    def _in_row(self, value: Given, where: str) -> Value:
-        if isinstance(value, str):
-            raise self._refusal(value, where)
-        return self.value_of(value, where)
 
     def _refusal(self, given: object, where: str, hint: str = "") -> InputError:
         shown = given if str(given).isprintable() else repr(given)
@@ -169,14 +145,14 @@ class Variable(ByContents):
         """The number that a text stands for, in the variable's unit."""
         if text in self.items.values():
             return next(float(value) for value, name in self.items.items() if name == text)
-        number, _, unit = text.strip().partition(" ")
-        factor = self.factor_of(unit.strip())
+        number, unit = unit_text.split(text)
+        factor = self.factor_of(unit)
         if factor is None:
             raise InputError(
-                f"{where}: {self.name} = {shown(text)}: unknown unit {shown(unit.strip())}; known: "
+                f"{where}: {self.name} = {shown(text)}: unknown unit {shown(unit)}; known: "
                 f"{', '.join(self.known_units) or 'none'}"
             )
-        hint = ", a unit after a space" if self.unit not in ("", "1") else ""
+        hint = ", or a number and a unit" if self.unit not in ("", "1") else ""
         return self._number(number, text, where, hint) / factor
 
     def _number(self, number: Given, given: Given, where: str, hint: str = "") -> float:

@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 from ..checks import check_kind, checked_whole, shown
 from ..contents import ByContents
 from ..errors import InputError
-from ..given import row_of
+from ..fmu.names import full_names
 from .binding import c, ffi
 from .rough_ground import LAST_RUNNER, LAST_SEED, MAX_STEPS
 from .runner import Runner
@@ -65,7 +65,7 @@ class AffineLaw(ByContents):
     def __post_init__(self) -> None:
         """Make all of it plain numbers; refuse values that are none, out of range or of another shape."""
         allowed = "one or more names in a list"
-        names = tuple(row_of(self.inputs, "inputs", allowed))
+        names = full_names(self.inputs, "inputs", allowed)
         if not names:
             raise InputError(f"inputs = {shown(self.inputs)} is not allowed; allowed: {allowed}")
         for number, name in enumerate(names):

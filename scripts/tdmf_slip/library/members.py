@@ -6,7 +6,8 @@ from typing import Any
 
 from ..checks import is_one_of, near_matches, shown
 from ..errors import InputError
-from ..given import mapping_of
+from ..fmu.aliases import ALIASES
+from ..fmu.names import by_full_name
 from .binding import ffi
 
 STATES = (
@@ -65,13 +66,13 @@ def check_varied(name: object, what: str) -> None:
     if not is_one_of(name, VARIED):
         raise InputError(
             f"{what} {shown(name)} is not allowed; allowed: a parameter or input of the model"
-            f"{near_matches(name, VARIED)}"
+            f"{near_matches(name, (*VARIED, *ALIASES))}"
         )
 
 
 def varied_alone(vary: object, allowed: str) -> tuple[str, Any]:
     """The one name that varies, and what is given of it."""
-    given = mapping_of(vary, "vary", allowed)
+    given = by_full_name(vary, "vary", allowed)
     if len(given) != 1:
         raise InputError(f"vary: {len(given)} names; allowed: {allowed}")
     ((name, values),) = given.items()

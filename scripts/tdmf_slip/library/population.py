@@ -12,7 +12,7 @@ from ..checks import check_size
 from ..contents import ByContents
 from ..errors import InputError
 from ..fmu.fmu import Fmu, load_fmu
-from ..given import mapping_of
+from ..fmu.names import by_full_name
 from .affine_law import AffineLaw
 from .binding import c, ffi
 from .maps import PATCH, refuse_patch
@@ -36,7 +36,7 @@ class Population(ByContents):
         """A runner, or start values by name of which some are one for each runner."""
         if given is None or isinstance(given, str | os.PathLike | Runner) or hasattr(given, "runner"):
             return cls(Runner.of(given, fmu, model=model))
-        by_name = mapping_of(given, "runner", "a Runner, or numbers or arrays by name")
+        by_name = by_full_name(given, "runner", "a Runner, or numbers or arrays by name")
         rows = {
             name: value for name, value in by_name.items() if not isinstance(value, str) and np.ndim(value)
         }

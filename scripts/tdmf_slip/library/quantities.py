@@ -8,7 +8,9 @@ from collections.abc import Callable, Mapping, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
+from ..checks import shown
 from ..errors import InputError
+from ..fmu import unit_text
 from ..fmu.fmu import Fmu, load_fmu
 from .gait import Gait
 from .measures import APEX_QUANTITIES, MEASURE_UNITS, MEASURES, apex_quantities
@@ -40,6 +42,23 @@ def unit_of(quantity: str, fmu: Fmu | None = None) -> str:
     """The unit of a quantity, which the FMU's table of variables has where it is an output of a stride."""
     variable = load_fmu(fmu).variables.get(f"stride.{quantity}")
     return _OWN_UNITS.get(quantity, "1" if variable is None else variable.unit)
+
+
+def quantity_given(name: str, given: object, where: str) -> object:
+    """What is prescribed of a quantity in its own unit, where it was given as a text; else as it is."""
+    if not isinstance(given, str):
+        return given
+    own = unit_of(name)
+    number, unit = unit_text.split(given)
+    factor = unit_text.factor(unit, own, {})
+    try:
+        value = float(number)
+    except ValueError:
+        value = None
+    if factor is None or value is None:
+        in_unit = "" if own == "1" else f" in {own}"
+        raise InputError(f"{where} {name} = {shown(given)} is not allowed; allowed: a number{in_unit}")
+    return value / factor
 
 
 def quantities_of(gait: Gait, names: Sequence[str]) -> dict[str, float]:

@@ -11,8 +11,11 @@ from numpy.typing import NDArray
 from ..checks import is_number, is_one_of, near_matches, shown
 from ..contents import ByContents
 from ..errors import InputError
+from ..fmu.aliases import ALIASES
 from ..fmu.fmu import Fmu, load_fmu
-from ..fmu.parameters import start_values_of
+from ..fmu.names import by_full_name, full_name
+from ..fmu.parameters import RUNNER, start_values_of
+from ..fmu.variable import Given
 from ..given import mapping_of
 from .binding import c, ffi
 from .members import FLAGS, INPUTS, PARAMETERS, STATES, VARIED
@@ -54,7 +57,9 @@ class Runner(ByContents):
         )
 
     @classmethod
-    def of(cls, given: object = None, fmu: Fmu | None = None, *, model: str | None = None) -> "Runner":
+    def of(
+        cls, given: object = None, fmu: Fmu | None = None, *, model: str | None = None, **values: Given
+    ) -> "Runner":
         """The unit's own start values, and over them those given, without those that concern runs only.
 
         Parameters
@@ -65,6 +70,8 @@ class Runner(ByContents):
             Whose start values and ranges hold; by default that of `fmu_path`.
         model : str, optional
             `full` or `reduced`, see `reduced`; by default that of the runner that is given.
+        **values : float, bool or str
+            Start values over those of `given`, as in `friction=0.43`.
 
         Returns
         -------
@@ -77,23 +84,28 @@ class Runner(ByContents):
             None of these, or a name or value that the unit refuses.
         """
         runner = given if isinstance(given, cls) else getattr(given, "runner", None)  # of a gait
-        if not isinstance(runner, cls):
-            by_name = start_values_of(given)
+        if isinstance(runner, cls):
+            if values:
+                changed = load_fmu(fmu).start_values(values, "start values")
+                known = {name: float(value) for name, value in changed.items() if name in runner.values}
+                runner = replace(runner, values={**runner.values, **known})
+        else:
+            by_name = {**start_values_of(given), **by_full_name(values, "start values", RUNNER)}
             fmu = load_fmu(fmu)
             checked = fmu.start_values(by_name, "start values")
             names = [n for n, v in fmu.variables.items() if v.settable and (v.type == "Real" or n in FLAGS)]
             runner = cls({name: float(checked.get(name, fmu.start_of(name))) for name in names})
         return runner if model is None else replace(runner, reduced=is_reduced(model))
 
-    def but(self, name: str, value: float) -> "Runner":
+    def but(self, name: str, value: float | str) -> "Runner":
         """The same runner with another value.
 
         Parameters
         ----------
         name : str
             Of a parameter, an input or a state.
-        value : float
-            In the unit's unit.
+        value : float or str
+            In the variable's unit, or a text with a unit.
 
         Returns
         -------
@@ -105,10 +117,12 @@ class Runner(ByContents):
         InputError
             The runner has no such value, or it is no number.
         """
+        name = full_name(name)
         if not is_one_of(name, self.values):
-            raise InputError(
-                f"{shown(name)} is not a name in the runner's values{near_matches(name, self.values)}"
-            )
+            near = near_matches(name, (*self.values, *ALIASES))
+            raise InputError(f"{shown(name)} is not a name in the runner's values{near}")
+        if isinstance(value, str):
+            value = float(load_fmu().variables[name].value_of(value, "runner"))
         if not is_number(value):
             raise InputError(f"{name} = {shown(value)} is not allowed; allowed: a number")
         return replace(self, values={**self.values, name: float(value)})

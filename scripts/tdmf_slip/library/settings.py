@@ -7,6 +7,7 @@ from numpy.typing import NDArray
 
 from ..checks import is_one_of, near_matches, shown
 from ..errors import InputError
+from ..fmu.aliases import ALIASES
 from ..fmu.fmu import Fmu, load_fmu
 from .binding import c
 from .members import VARIED
@@ -31,7 +32,7 @@ def setting_number(name: object, what: str) -> int:
         return int(c.tdmf_setting_of(name.encode()))
     if is_one_of(name, VARIED):
         raise InputError(f"{what}: {name} cannot change in a run; allowed: {', '.join(SETTINGS)}")
-    near = near_matches(name, SETTINGS)
+    near = near_matches(name, (*SETTINGS, *ALIASES))
     raise InputError(f"{what}: {shown(name)} is not a setting{near}; allowed: {', '.join(SETTINGS)}")
 
 

@@ -6,9 +6,10 @@ from ..analysis.targeted import MAXIMUM, MINIMUM, NO_ACTION, TRAVEL
 from ..checks import checked, is_one_of, near_matches, shown
 from ..errors import InputError
 from ..fmu.fmu import Fmu
+from ..fmu.names import by_full_name
 from ..given import mapping_of, row_of
 from ..library.members import check_varied
-from ..library.quantities import QUANTITIES
+from ..library.quantities import QUANTITIES, quantity_given
 from .gaits import Candidate
 from .space import Space
 
@@ -41,7 +42,7 @@ def checked_objective(minimize: str | None, maximize: str | None) -> tuple[str, 
 
 def checked_space(vary: object, fmu: Fmu) -> Space:
     """The parameters that are varied, between bounds that the unit allows."""
-    given = mapping_of(vary, "vary", "bounds (A, B) by the names of parameters and inputs")
+    given = by_full_name(vary, "vary", "bounds (A, B) by the names of parameters and inputs")
     if not 1 <= len(given) <= MAX_PARAMETERS:
         raise InputError(
             f"vary: {len(given)} parameters; allowed: 1 to {MAX_PARAMETERS} parameters and inputs"
@@ -76,7 +77,12 @@ def checked_values(target: object, objectives: tuple[str, ...], space: Space) ->
         )
     maximum = {"duty_factor": 1.0}
     return {
-        name: checked(name, value, 0.0 if name in FROM_ZERO else MINIMUM, maximum.get(name, MAXIMUM))
+        name: checked(
+            name,
+            quantity_given(name, value, "target"),
+            0.0 if name in FROM_ZERO else MINIMUM,
+            maximum.get(name, MAXIMUM),
+        )
         for name, value in given.items()
     }
 

@@ -10,6 +10,7 @@ import numpy as np
 from flint import arb, fmpq
 
 from ..errors import InputError
+from ..fmu import unit_text
 from ..fmu.fmu import Fmu
 from ..fmu.variable import Variable
 
@@ -53,7 +54,7 @@ def exact_value(variable: Variable, given: object, where: str) -> Exact:
             )
         variable.value_of(float(given), where)
         return Exact(Fraction(given) if isinstance(given, Rational) else Fraction(float(given)))
-    number, _, unit = given.strip().partition(" ")
+    number, unit = _split(given)
     try:
         rational = Fraction(number)
     except (ValueError, ZeroDivisionError):
@@ -61,12 +62,17 @@ def exact_value(variable: Variable, given: object, where: str) -> Exact:
     variable.value_of(f"{float(rational)!r} {unit}" if rational is not None else given, where)
     if rational is None:
         raise InputError(f"{where}: {variable.name} = {given} is not allowed; allowed: {variable.allowed}")
-    unit = unit.strip()
     if unit in ("", variable.unit):
         return Exact(rational)
     if unit.startswith("deg"):
         return Exact(Fraction(0), rational / DEGREES)
-    return Exact(rational / Fraction(repr(variable.display_units[unit])))
+    return Exact(rational / Fraction(repr(variable.factor_of(unit))))
+
+
+def _split(text: str) -> tuple[str, str]:
+    """The number and the unit of a text; the number may be a fraction such as `3/5`."""
+    number, _, unit = text.strip().partition(" ")
+    return (number, unit_text.spelled(unit)) if "/" in number else unit_text.split(text)
 
 
 def default_value(variable: Variable) -> Exact:

@@ -15,6 +15,8 @@ from flint import acb, arb, ctx
 from ..checks import check_kind, checked_whole
 from ..errors import InputError
 from ..fmu.fmu import load_fmu
+from ..fmu.names import by_full_name, full_name
+from ..fmu.parameters import RUNNER
 from ..library.gait import Gait
 from ..library.members import check_varied
 from .eigenvalues import eigenvalues
@@ -150,6 +152,7 @@ def _over(
     if len(vary) != 1:
         raise InputError(f"vary = {dict(vary)!r}: {len(vary)} parameters; allowed: one")
     ((name, span),) = vary.items()
+    name = full_name(name)
     check_varied(name, "vary")
     if not isinstance(span, Sequence) or isinstance(span, str) or len(span) != 2:
         raise InputError(f"vary: {name} = {span!r}; allowed: the two ends of a range")
@@ -161,8 +164,8 @@ def _over(
         raise InputError(f"vary: {name} from {begin} to {end}; allowed: a range from less to more")
     if processes is not None:
         checked_whole("processes", processes, 1, 1024)
-    if gait is None or (isinstance(gait, Mapping) and name not in gait):
-        gait = {**(gait or {}), name: begin}
+    if gait is None or isinstance(gait, Mapping):
+        gait = {name: begin, **by_full_name(gait, "gait", RUNNER)}
     found, values = gait_of(gait)
     path = None if output is None else Path(output)
     return prove_range(found, values, name, (begin, end), output=path, processes=processes, progress=progress)

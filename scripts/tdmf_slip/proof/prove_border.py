@@ -14,6 +14,7 @@ from ..analysis.search import periodic_gait
 from ..checks import check_kind, checked_whole
 from ..drawable import Drawable
 from ..fmu.fmu import FRICTION, load_fmu
+from ..fmu.names import full_name
 from ..library.gait import Gait
 from ..library.members import FLAGS, VARIED, check_varied
 from ..library.runner import Runner
@@ -155,6 +156,7 @@ def prove_border(
     >>> tdmf_slip.prove_border(border).proved
     True
     """
+    vary = full_name(vary)
     check_varied(vary, "vary")
     digits = checked_whole("digits", digits, 5, MAX_DIGITS)
     if not isinstance(border, Border):

@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 from ..checks import shown
 from ..contents import ByContents
 from ..errors import InputError
-from ..given import mapping_of
+from ..fmu.names import by_full_name
 from ..library.runner import Runner
 from ..library.section import REDUCED
 from ..library.settings import checked_values
@@ -86,7 +86,7 @@ class ViableController(ByContents):
         InputError
             The wish names something else, or is out of a setting's range.
         """
-        given = mapping_of(wish, "wish", "a mapping of settings to numbers")
+        given = by_full_name(wish, "wish", "a mapping of settings to numbers")
         unknown = next((name for name in given if name not in grid.actions), None)
         if unknown is not None:
             raise InputError(f"wish: {shown(unknown)} is not allowed; allowed: {', '.join(grid.actions)}")

@@ -12,6 +12,7 @@ from ..checks import check_kind, check_size, checked_whole
 from ..contents import ByContents
 from ..errors import InputError
 from ..fmu.fmu import Fmu
+from ..fmu.names import by_full_name
 from ..given import counts_given, ends_given, mapping_of, row_of
 from ..library.runner import Runner
 from ..library.section import REDUCED, check_axes
@@ -106,7 +107,7 @@ def grid_of(runner: Runner, axes: Any, vary: Any, n: Any, fmu: Fmu) -> Grid:
 
 
 def _actions(runner: Runner, vary: Any, fmu: Fmu) -> dict[str, NDArray[np.float64]]:
-    ranges = mapping_of(vary, "vary", "a mapping of settings to ranges (low, high) or (low, high, values)")
+    ranges = by_full_name(vary, "vary", "a mapping of settings to ranges (low, high) or (low, high, values)")
     if not ranges:
         raise InputError("vary: nothing; allowed: one or more settings with their ranges")
     actions: dict[str, NDArray[np.float64]] = {}

@@ -1,0 +1,46 @@
+"""Quantities as texts, such as `20 kN/m`: number, unit, and how many of it make another unit."""
+
+import math
+import re
+from collections.abc import Mapping
+
+OTHER_UNITS: Mapping[str, tuple[str, float]] = {
+    "cm": ("m", 100.0),
+    "mm": ("m", 1000.0),
+    "g": ("kg", 1000.0),
+    "ms": ("s", 1000.0),
+    "km/h": ("m/s", 3.6),
+    "kN": ("N", 0.001),
+    "kN/m": ("N/m", 0.001),
+    "N/mm": ("N/m", 0.001),
+    "degree": ("rad", 180.0 / math.pi),
+    "degrees": ("rad", 180.0 / math.pi),
+    "deg": ("rad", 180.0 / math.pi),
+}
+"""Units that people write beside those of the description: of which unit they are others, and how many make
+one."""
+_SPELLINGS = {"·": ".", "*": ".", "²": "2", "^": "", "°": "deg"}
+_NUMBER = re.compile(r"\s*([-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)(.*)", re.DOTALL)
+
+
+def split(text: str) -> tuple[str, str]:
+    """The number and the unit of a text, both as texts; no unit is an empty one."""
+    found = _NUMBER.fullmatch(text)
+    if found is None:
+        return text, ""
+    return found[1], spelled(found[2])
+
+
+def spelled(unit: str) -> str:
+    """A unit as the description spells it: `N.s/m` for `N s/m` and `N·s/m`, `m/s2` for `m/s²`."""
+    for other, own in _SPELLINGS.items():
+        unit = unit.replace(other, own)
+    return ".".join(unit.split())
+
+
+def factor(unit: str, own: str, display_units: Mapping[str, float]) -> float | None:
+    """How many of a unit make one of a variable's own; None where it is a unit of something else."""
+    if unit in ("", own):
+        return 1.0
+    other, number = OTHER_UNITS.get(unit, ("", 1.0))
+    return number if other == own and own else display_units.get(unit)

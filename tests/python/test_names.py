@@ -1,0 +1,130 @@
+"""Short names stand for the unit's own wherever a variable is named; a wrong name has the nearest."""
+
+import inspect
+import json
+
+import numpy as np
+import pytest
+import tdmf_slip
+from tdmf_slip import InputError, Runner, find_gait
+from tdmf_slip.fmu.aliases import ALIASES
+from tdmf_slip.library.quantities import QUANTITIES
+
+ANGLE = "hip.touchdown_angle"
+
+
+def test_an_alias_is_of_a_variable_that_can_be_set_and_stands_for_nothing_else(fmu):
+    assert len(ALIASES) > 20 and len(set(ALIASES.values())) == len(ALIASES)
+    assert all(fmu.variables[name].settable for name in ALIASES.values())
+    assert not set(ALIASES) & {*fmu.variables, *QUANTITIES, *inspect.signature(find_gait).parameters}
+    promised = ("friction", "foot_mass", "body_mass", "stiffness", "damping", "torque", "touchdown_angle")
+    assert {*promised, "thrust", "slope", "retraction"} <= set(ALIASES)
+
+
+def test_a_gait_is_the_same_by_either_name_and_by_keyword():
+    wanted = find_gait({"ground.friction": 0.43, ANGLE: "41 deg"})
+    for found in (
+        find_gait(friction=0.43, touchdown_angle="41 deg"),
+        find_gait({"friction": 0.43, "touchdown_angle": "41 deg"}),
+        find_gait({"friction": 0.2, ANGLE: "41deg"}, friction=0.43),
+        find_gait(Runner.of(friction=0.43), touchdown_angle="41 deg"),
+        find_gait(Runner.of(friction=0.43).but("touchdown_angle", "41 deg")),
+    ):
+        assert np.array_equal(found.apex, wanted.apex) and found.word == wanted.word
+        assert found.runner.values == wanted.runner.values
+
+
+@pytest.mark.parametrize(
+    "call",
+    [
+        lambda name: [gait.period for gait in tdmf_slip.sweep(None, {name: ["40 deg", "41 deg"]}).gaits],
+        lambda name: tdmf_slip.continue_branch(None, {name: (0.69, 0.7)}, max_points=4).values,
+        lambda name: find_gait(target={"speed": 1.05}, vary=[name]).runner.values,
+        lambda name: tdmf_slip.lqr(find_gait(), [name]).inputs,
+        lambda name: tdmf_slip.stride_map(None, find_gait().apex, inputs={name: 0.7})["period"].tolist(),
+        lambda name: tdmf_slip.simulate({name: 0.7}, strides=1).final["stride.period"],
+    ],
+)
+def test_what_varies_goes_by_either_name(call):
+    assert call("touchdown_angle") == call(ANGLE)
+
+
+@pytest.mark.parametrize(
+    ("option", "short", "full"),
+    [
+        (("gait", "--json"), ("--set", "damping=0.19"), ("--set", "leg.damping=0.19")),
+        (
+            ("gait", "--target", "speed=1.05", "--json"),
+            ("--vary", "torque"),
+            ("--vary", "hip.stance_torque"),
+        ),
+        (("sweep", "--json"), ("--vary", "torque=0.2:0.21:2"), ("--vary", "hip.stance_torque=0.2:0.21:2")),
+    ],
+)
+def test_the_command_takes_either_name(command, option, short, full):
+    (one, first, _), (two, second, _) = command(*option, *short), command(*option, *full)
+    assert one == two == 0 and json.loads(first) == json.loads(second)
+
+
+def test_the_command_that_lists_variables_has_the_short_names(command):
+    _, printed, _ = command("variables", "--json")
+    listed = {variable["name"]: variable["short_name"] for variable in json.loads(printed)["variables"]}
+    assert {short: full for full, short in listed.items() if short} == dict(ALIASES)
+    _, printed, _ = command("variables")
+    assert any(line.split()[:2] == ["ground.friction", "friction"] for line in printed.splitlines())
+
+
+@pytest.mark.parametrize(
+    ("call", "meant"),
+    [
+        (lambda: find_gait(frction=0.4), "friction"),
+        (lambda: find_gait(targt={"speed": 1.0}), "target"),
+        (lambda: find_gait({"stifness": 2.0}), "stiffness"),
+        (lambda: find_gait(target={"speed": 1.0}, vary=["torqe"]), "torque"),
+        (lambda: Runner.of().but("dampin", 0.1), "damping"),
+        (lambda: tdmf_slip.lqr(find_gait(), ["touchdown_angel"]), "touchdown_angle"),
+        (lambda: tdmf_slip.stride_map(None, find_gait().apex, inputs={"torqu": 0.2}), "torque"),
+    ],
+)
+def test_a_wrong_name_has_the_nearest_beside_it(call, meant):
+    with pytest.raises(InputError) as caught:
+        call()
+    assert meant in str(caught.value).partition("near matches: ")[2].split(", ")
+
+
+def test_a_variable_is_not_given_by_both_names(command):
+    with pytest.raises(InputError, match=r"ground\.friction and friction are the same"):
+        find_gait({"friction": 0.4, "ground.friction": 0.4})
+    status, _, said = command("gait", "--set", "damping=0.1", "--set", "leg.damping=0.1")
+    assert status == 2 and "leg.damping is given twice" in said
+
+
+@pytest.mark.parametrize(
+    ("name", "text", "value"),
+    [
+        ("leg.stiffness", "20kN/m", 20e3),
+        ("leg.stiffness", "20 N/mm", 20e3),
+        ("leg.damping", "360 N s/m", 360.0),
+        ("leg.damping", "360 N·s/m", 360.0),
+        ("hip.stance_torque", "336 N m", 336.0),
+        ("gravity", "9.81 m/s²", 9.81),
+        ("gravity", "9.81m/s^2", 9.81),
+        (ANGLE, "45°", np.pi / 4),
+        (ANGLE, "-1e1deg", -np.pi / 18),
+    ],
+)
+def test_a_quantity_is_read_as_people_write_it(fmu, name, text, value):
+    assert fmu.variables[name].value_of(text, "here") == pytest.approx(value, rel=1e-14)
+
+
+def test_a_target_may_be_a_quantity_with_its_unit(command):
+    """Speeds in km/h, lengths in cm; a unit of something else is refused."""
+    wanted = find_gait("human", target={"speed": 2.5}, vary=["torque"])
+    found = find_gait("human", target={"speed": "9 km/h"}, vary=["torque"])
+    assert found.runner.values["hip.stance_torque"] == pytest.approx(
+        wanted.runner.values["hip.stance_torque"], rel=1e-9
+    )
+    with pytest.raises(InputError, match="target length = '9 km/h' is not allowed; allowed: a number in m"):
+        find_gait("human", target={"length": "9 km/h"}, vary=["torque"])
+    status, _, said = command("gait", "--target", "speed=9 cm", "--vary", "torque")
+    assert status == 2 and "--target speed = '9 cm' is not allowed; allowed: a number in m/s" in said
