@@ -33,7 +33,7 @@ typedef struct {
     /* Laws that guards are made of: in flight the servo that a clamp is decided by, in graze servo and stance
      * law. */
     tdmf_hip_law servo, stance_law;
-    bool clamped; /* off the ground: the servo's torque is, where negative */
+    bool clamped;                                 /* off the ground: the servo's torque is, where negative */
     double friction, friction_rate;               /* in slip, with the sign of the foot's velocity */
     double static_friction, static_friction_rate; /* of a foot at rest; on a border, to slip forward */
     bool meets_border; /* of a patch: one that slips has it ahead, one at rest stands on it */

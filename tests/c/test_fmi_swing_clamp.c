@@ -1,0 +1,201 @@
+/* The units of either version with the clamp of (12) and without: hip.swing_clamp, a fixed Boolean. */
+#include "variables.h" /* before cmocka, which takes a name of it for a macro */
+
+#include "compare.h"
+#include "fmi_interface.h"
+#include "forge.h"
+#include "free_swing.h"
+#include "tdmf_slip/cvode.h"
+
+#include <string.h>
+
+static const char *const mechanical[TDMF_MECHANICAL_COUNT] = {
+    "foot.x", "foot.y", "leg.length", "leg.angle", "foot.vx", "foot.vy", "leg.length_rate", "leg.angle_rate"};
+
+static uint32_t clamp_reference(void) {
+    return reference_of("hip.swing_clamp");
+}
+
+static void set_clamp(const fmi_interface *fmi, void *instance, bool clamp) {
+    assert_int_equal(fmi->set_truth(instance, clamp_reference(), clamp), FMI_OK);
+}
+
+/* Rising, the leg behind and on its way forward, so that the servo pulls it back. */
+static void *new_rising(const fmi_interface *fmi, fmi_kind kind, bool clamp) {
+    void *instance = new_of_kind(fmi, kind);
+    set_clamp(fmi, instance, clamp);
+    assert_int_equal(set_value(fmi, instance, "foot.y", 1.0), FMI_OK);
+    assert_int_equal(set_value(fmi, instance, "foot.vy", 0.3), FMI_OK);
+    assert_int_equal(set_value(fmi, instance, "leg.angle", -0.6), FMI_OK);
+    assert_int_equal(set_value(fmi, instance, "leg.angle_rate", 0.5), FMI_OK);
+    begin(fmi, instance, kind);
+    assert_int_equal(integer_of(fmi, instance, "hip.phase_index"), TDMF_PHASE_RETRACT);
+    return instance;
+}
+
+/* ---- as a variable ------------------------------------------------------------------------------------- */
+
+static void it_is_set_before_the_start_and_never_after(void **state) {
+    const fmi_interface *fmi = *state;
+    for (fmi_kind kind = EXCHANGE; kind < fmi->kinds; ++kind) {
+        for (int clamp = 0; clamp < 2; ++clamp) {
+            void *instance = new_of_kind(fmi, kind);
+            assert_true(truth_of(fmi, instance, "hip.swing_clamp") ==
+                        tdmf_default_parameters().hip.swing_clamp);
+            set_clamp(fmi, instance, clamp == 1);
+            begin(fmi, instance, kind);
+            assert_int_equal(fmi->set_truth(instance, clamp_reference(), clamp == 0), FMI_ERROR);
+            assert_true(truth_of(fmi, instance, "hip.swing_clamp") == (clamp == 1));
+            fmi->free(instance);
+        }
+    }
+}
+
+/* ---- strides ------------------------------------------------------------------------------------------- */
+
+static void assert_stride(const fmi_interface *fmi, const free_gait *free, int method, double tolerance) {
+    const reference_gait *gait = &free->gait;
+    const tdmf_model model = table_1(false);
+    const tdmf_inputs inputs = inputs_at_friction(gait->friction);
+    double start[TDMF_STATE_COUNT];
+    void *instance = new_of_kind(fmi, STEPS);
+    tdmf_section_state((tdmf_system){&model, &inputs}, (const double *)&gait->apex, start);
+    for (int i = 0; i < TDMF_MECHANICAL_COUNT; ++i) {
+        assert_int_equal(set_value(fmi, instance, mechanical[i], start[i]), FMI_OK);
+    }
+    set_clamp(fmi, instance, false);
+    assert_int_equal(set_value(fmi, instance, "ground.friction", gait->friction), FMI_OK);
+    assert_int_equal(fmi->set_item(instance, reference_of("solver.method"), method), FMI_OK);
+    assert_int_equal(set_value(fmi, instance, "solver.relative_tolerance", 1e-12), FMI_OK);
+    begin(fmi, instance, STEPS);
+    step_by(fmi, instance, gait->period + 0.1);
+    assert_int_equal(integer_of(fmi, instance, "stride.count"), 1);
+    assert_relatively_close(value_of(fmi, instance, "stride.period"), gait->period, tolerance);
+    assert_relatively_close(value_of(fmi, instance, "stride.speed"), gait->speed, tolerance);
+    assert_relatively_close(value_of(fmi, instance, "stride.work"), gait->work, tolerance);
+    assert_close(value_of(fmi, instance, "apex.leg_angle"), gait->apex.leg_angle, tolerance);
+    fmi->free(instance);
+}
+
+static void strides_without_it_are_those_of_the_reference(void **state) {
+    for (int i = 0; i < FREE_GAITS; ++i) {
+        assert_stride(*state, &free_gaits[i], SOLVER_NATIVE, 1e-10);
+        if (tdmf_cvode_is_available()) {
+            assert_stride(*state, &free_gaits[i], SOLVER_CVODE, 1e-7);
+        }
+    }
+}
+
+/* ---- torque, indicator, derivatives -------------------------------------------------------------------- */
+
+static void without_it_the_indicator_is_constant_and_the_servo_pulls(void **state) {
+    const fmi_interface *fmi = *state;
+    for (int clamp = 0; clamp < 2; ++clamp) {
+        double indicators[TDMF_GUARD_COUNT], states[TDMF_STATE_COUNT];
+        void *instance = new_rising(fmi, EXCHANGE, clamp == 1);
+        const double servo = -0.1 * (-0.6 + 1.2 * 0.6) - 0.1 * 0.5;
+        assert_close(value_of(fmi, instance, "hip.torque"), clamp == 1 ? 0.0 : servo, 1e-15);
+        assert_int_equal(fmi->get_states(instance, states, TDMF_STATE_COUNT), FMI_OK);
+        for (int i = 0; i < 20; ++i) {
+            assert_int_equal(fmi->get_indicators(instance, indicators, TDMF_GUARD_COUNT), FMI_OK);
+            assert_true((indicators[TDMF_GUARD_CLAMP] == 1.0) == (clamp == 0));
+            assert_true(value_of(fmi, instance, "guard.clamp") == indicators[TDMF_GUARD_CLAMP]);
+            states[TDMF_LEG_ANGLE_RATE] -= 0.1; /* through the zero of the servo's torque */
+            assert_int_equal(fmi->set_states(instance, states, TDMF_STATE_COUNT), FMI_OK);
+        }
+        fmi->free(instance);
+    }
+}
+
+static void without_it_derivatives_are_those_of_the_servo(void **state) {
+    static const struct {
+        const char *known;
+        double of_torque;
+    } columns[] = {{"leg.angle", -0.1},
+                   {"leg.angle_rate", -0.1},
+                   {"hip.kp", -0.12},
+                   {"hip.kd", -0.5},
+                   {"hip.liftoff_angle_factor", -0.06},
+                   {"hip.external_torque", 1.0}};
+    const fmi_interface *fmi = *state;
+    const uint32_t torque = reference_of("hip.torque");
+    for (int clamp = 0; clamp < 2; ++clamp) {
+        void *instance = new_rising(fmi, EXCHANGE, clamp == 1);
+        for (size_t i = 0; i < sizeof columns / sizeof columns[0]; ++i) {
+            const uint32_t known = reference_of(columns[i].known);
+            const bool outside = strcmp(columns[i].known, "hip.external_torque") == 0;
+            const double one = 1.0;
+            double derivative;
+            assert_int_equal(fmi->directional_derivative(instance, &torque, 1, &known, 1, &one, &derivative),
+                             FMI_OK);
+            assert_close(derivative, clamp == 0 || outside ? columns[i].of_torque : 0.0, 1e-15);
+        }
+        fmi->free(instance);
+    }
+}
+
+/* ---- saved states -------------------------------------------------------------------------------------- */
+
+static void a_saved_state_takes_the_law_along(void **state) {
+    const fmi_interface *fmi = *state;
+    for (int clamp = 0; clamp < 2; ++clamp) {
+        unsigned char saved[SERIALIZED_BYTES], ends[2][SERIALIZED_BYTES];
+        void *instance = new_rising(fmi, STEPS, clamp == 1), *other = new_of_kind(fmi, STEPS);
+        set_clamp(fmi, other, clamp == 0);
+        step_by(fmi, instance, 0.5);
+        const size_t size = save_bytes(fmi, instance, saved);
+        assert_int_equal(restore_bytes(fmi, other, saved, size), FMI_OK);
+        assert_true(truth_of(fmi, other, "hip.swing_clamp") == (clamp == 1));
+        step_by(fmi, instance, 100.0);
+        step_by(fmi, other, 100.0);
+        assert_int_equal(save_bytes(fmi, instance, ends[0]), size);
+        assert_int_equal(save_bytes(fmi, other, ends[1]), size);
+        assert_memory_equal(ends[0], ends[1], size);
+        fmi->free(instance);
+        fmi->free(other);
+    }
+}
+
+/* Parameters, settings and inputs come first, in the order of the table. */
+static size_t offset_of_clamp(void) {
+    size_t before = 0;
+    for (uint32_t i = 0; i < clamp_reference(); ++i) {
+        const fmu_storage storage = fmu_variables[i].storage;
+        before += storage == STORED_PARAMETER || storage == STORED_SETTING || storage == STORED_INPUT;
+    }
+    return FORGE_PENDING + 1 + before * sizeof(double);
+}
+
+/* A forged state in which a clamp is closed that there is not, or that is neither there nor not. */
+static void a_forged_state_has_no_closed_clamp_without_one(void **state) {
+    static const double forged[] = {0.0, 0.5, 2.0};
+    const fmi_interface *fmi = *state;
+    unsigned char saved[SERIALIZED_BYTES];
+    void *instance = new_rising(fmi, STEPS, true);
+    const size_t size = save_bytes(fmi, instance, saved);
+    double truth;
+    memcpy(&truth, saved + offset_of_clamp(), sizeof truth);
+    assert_true(truth == 1.0);
+    assert_int_equal(restore_bytes(fmi, instance, saved, size), FMI_OK);
+    for (size_t i = 0; i < sizeof forged / sizeof forged[0]; ++i) {
+        unsigned char bytes[SERIALIZED_BYTES];
+        memcpy(bytes, saved, size);
+        memcpy(bytes + offset_of_clamp(), &forged[i], sizeof forged[i]);
+        forge_checksum(bytes, size);
+        assert_true(restore_bytes(fmi, instance, bytes, size) != FMI_OK);
+        assert_true(truth_of(fmi, instance, "hip.swing_clamp"));
+    }
+    fmi->free(instance);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        IN_BOTH_VERSIONS(it_is_set_before_the_start_and_never_after),
+        IN_BOTH_VERSIONS(strides_without_it_are_those_of_the_reference),
+        IN_BOTH_VERSIONS(without_it_the_indicator_is_constant_and_the_servo_pulls),
+        IN_BOTH_VERSIONS(without_it_derivatives_are_those_of_the_servo),
+        IN_BOTH_VERSIONS(a_saved_state_takes_the_law_along),
+        IN_BOTH_VERSIONS(a_forged_state_has_no_closed_clamp_without_one),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
