@@ -3,6 +3,7 @@
 #include "free_swing.h"
 
 #include "compare.h"
+#include "random.h"
 #include "tdmf_slip/cvode.h"
 #include "tdmf_slip/ensemble.h"
 #include "tdmf_slip/orbit.h"
@@ -370,6 +371,47 @@ static void without_gains_both_laws_are_one(void **state) {
     }
 }
 
+/* A foot that is put on the ground is held there by the law of flight where that presses it down, with the
+ * leg ahead by a servo that pulls; a clamp lets it go. */
+static void a_resting_foot_is_held_by_a_servo_that_pulls(void **state) {
+    int held = 0, let_go = 0, loaded = 0;
+    random_source source = {1213};
+    (void)state;
+    for (int i = 0; i < 20000; ++i) {
+        const bool clamp = i % 2 == 1;
+        run run = {.model = table_1(clamp), .inputs = inputs_at_friction(0.6)};
+        double *at = run.motion.state;
+        run.model.parameters.hip.kd = 0.5;
+        at[TDMF_LEG_LENGTH] = random_uniform(&source, 0.9, 1.3);
+        at[TDMF_LEG_ANGLE] = random_uniform(&source, -1.2, 1.2);
+        at[TDMF_LEG_LENGTH_RATE] = random_uniform(&source, -1.0, 1.0);
+        at[TDMF_LEG_ANGLE_RATE] = random_uniform(&source, -2.0, 2.0);
+        const double angle = at[TDMF_LEG_ANGLE], length = at[TDMF_LEG_LENGTH];
+        const double axial = 1.0 - length - 0.2 * at[TDMF_LEG_LENGTH_RATE];
+        const double climb =
+            at[TDMF_LEG_LENGTH_RATE] * cos(angle) - length * at[TDMF_LEG_ANGLE_RATE] * sin(angle);
+        const double target = climb >= 0.0 ? 1.2 * angle : 0.6981317007977318;
+        const double servo = -0.1 * (angle - target) - 0.5 * at[TDMF_LEG_ANGLE_RATE];
+        const double flight = clamp && climb >= 0.0 ? fmax(servo, 0.0) : servo;
+        const double stance = angle >= 0.0 ? -0.2 : 0.0, weight = 0.1 * 0.01;
+        const double in_stance = axial * cos(angle) - stance / length * sin(angle) + weight;
+        const double in_flight = axial * cos(angle) - flight / length * sin(angle) + weight;
+        assert_null(tdmf_start(SYSTEM_OF(&run), &run.motion).variable);
+        const tdmf_contact_mode contact = run.motion.mode.contact;
+        if (in_stance > 0.0) {
+            assert_true(tdmf_in_contact(&run.motion.mode));
+            ++loaded;
+        } else {
+            assert_int_equal(contact, in_flight > 0.0 ? TDMF_CONTACT_GRAZE : TDMF_CONTACT_FLIGHT);
+        }
+        if (climb >= 0.0 && servo < 0.0 && in_stance < 0.0) {
+            held += contact == TDMF_CONTACT_GRAZE && !clamp && angle > 0.0;
+            let_go += contact == TDMF_CONTACT_FLIGHT && clamp && angle > 0.0;
+        }
+    }
+    assert_true(held > 20 && let_go > 20 && loaded > 1000);
+}
+
 /* ---- from one law to the other ------------------------------------------------------------------------- */
 
 /* At an apex a run forgets which law it had. */
@@ -430,6 +472,7 @@ int main(void) {
         cmocka_unit_test(random_strides_are_those_of_the_reference),
         cmocka_unit_test(the_clamp_is_never_an_event),
         cmocka_unit_test(without_gains_both_laws_are_one),
+        cmocka_unit_test(a_resting_foot_is_held_by_a_servo_that_pulls),
         cmocka_unit_test(from_an_apex_on_the_law_may_be_the_other),
         cmocka_unit_test(in_flight_the_clamp_is_what_the_model_says),
     };
