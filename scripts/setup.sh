@@ -99,14 +99,15 @@ get_sundials() {
     export CVODE_ROOT=$folder/usr
 }
 
-# The package, the source distribution and the library that is installed compile the core alike: by ccache they do so
-# once. It knows a file by its compiler and all flags, with folders as seen from the build's own, and without the locale,
-# which the test that installs the source distribution does not hand on.
+# The package, the C tests, the source distribution and the installed library compile the core with the same flags, in
+# folders of the same depth: with ccache they do so once. ccache knows a file by its compiler and all flags, with paths
+# relative to the build folder, and without the locale, which the test of the source distribution does not hand on.
 share_compilations() {
     command -v ccache >/dev/null || need_debian_packages ccache
     command -v ccache >/dev/null || return 0
     export CMAKE_C_COMPILER_LAUNCHER=ccache CCACHE_DIR=${CCACHE_DIR:-$PWD/build/ccache} CCACHE_BASEDIR=/
     export CCACHE_SLOPPINESS=locale CC=${CC:-gcc} CMAKE_GENERATOR=Ninja
+    export SKBUILD_CMAKE_DEFINE=TDMF_SLIP_WARNINGS_ARE_ERRORS=ON
 }
 
 # Whatever python3 it is: Debian keeps what makes environments in a package of its own.
@@ -154,9 +155,14 @@ make_environment() {
         pip_install --no-build-isolation --no-deps --force-reinstall .
 }
 
-# Zig, and what reads, packs and checks its results.
+# The compiler of the live page, and of all that is made for other platforms.
 get_zig() {
-    install_once platforms
+    install_once zig
+}
+
+# Zig, and what reads, packs and checks its results.
+get_release_tools() {
+    get_zig && install_once platforms
 }
 
 # What is given out carries the time of the last commit, so that the same sources make the same bytes.
@@ -306,7 +312,8 @@ make_windows_folder() {
 get_platform_tools() {
     (need_debian_packages wine64 qemu-user libc6-arm64-cross) ||
         say "NOT TESTED: Windows and Arm Linux, because wine64 or qemu-user could not be installed"
-    get_zig || { say "NOT TESTED: other platforms and the distribution, because Zig could not be installed"; return 1; }
+    get_release_tools ||
+        { say "NOT TESTED: other platforms and the distribution, because Zig could not be installed"; return 1; }
 }
 
 # What they look at.

@@ -1,5 +1,6 @@
 """What all tests of the unit share: the FMU, the reference gaits, and runs that start on a gait."""
 
+import contextlib
 import ctypes
 import fcntl
 import importlib.resources
@@ -21,31 +22,15 @@ import tdmf_slip
 from fmpy.fmi2 import FMU2Model
 from tdmf_slip.cli.main import main
 
-LONG = os.environ.get("TDMF_SLIP_LONG") == "1"
-"""Whether all samples are taken in full and what takes minutes is run: `scripts/test --long`."""
-long = pytest.mark.skipif(not LONG, reason="takes minutes: scripts/test --long")
+RELEASE = os.environ.get("TDMF_SLIP_RELEASE") == "1"
+"""Whether every sample is taken in full and tests that take minutes run: `scripts/test --release`."""
+release = pytest.mark.skipif(not RELEASE, reason="takes minutes: scripts/test --release")
 
 
 def some_of(cases, count):
-    """Picks up to so many of some cases, evenly from the first one on; with --long it takes all."""
+    """Picks up to so many of some cases, evenly from the first one on; with --release it takes all."""
     cases = list(cases)
-    return cases if LONG else cases[:: -(-len(cases) // count)]
-
-
-DEAREST = (
-    *("branches", "downloaded_notebooks", "bench", "live", "fmu_sources", "gaits", "blocks"),
-    *("fit_confidence", "files", "live_faults", "ball", "targets", "splitting", "optimize", "basin"),
-    *("resume", "reference_gaits", "proof", "proof_prover", "proof_gaits", "continuation"),
-    *("content_security_policy", "quantities", "proof_ranges", "distribution", "stored_figures"),
-    *("proof_given", "live_opening", "search", "command"),
-)
-"""Files of tests that take the longest, begun with: so none is left to one worker at the end."""
-
-
-def pytest_collection_modifyitems(items):
-    """Sorts the files of tests, for workers that take them in the order in which they are."""
-    places = {f"test_{name}.py": number for number, name in enumerate(DEAREST)}
-    items.sort(key=lambda item: places.get(item.path.name, len(places)))
+    return cases if RELEASE else cases[:: -(-len(cases) // count)]
 
 
 @pytest.fixture(scope="session", autouse=True)
@@ -228,23 +213,41 @@ def succeed(*command, **options):
     return done.stdout
 
 
+@contextlib.contextmanager
+def locked(name):
+    """Lets one worker at a time build in a folder of `build`."""
+    (ROOT / "build").mkdir(exist_ok=True)
+    with (ROOT / "build" / f"{name}.lock").open("w") as lock:
+        fcntl.flock(lock, fcntl.LOCK_EX)
+        yield
+
+
 @pytest.fixture(scope="session")
 def installed_library(tmp_path_factory):
     """Folder into which `cmake --install` has put the library; all workers compile it once.
 
-    By the CMake that has built the package, in a folder that lies as deep in `build` as the package's: then
-    the commands are the same, and ccache, where scripts/test has set it up, has what they make.
+    The CMake that built the package builds it, in a folder that lies as deep as the package's. Then the
+    commands are the same, and ccache has their results where scripts/test has set it up.
     """
-    build, prefix = ROOT / "build" / "library" / "installed", tmp_path_factory.mktemp("prefix")
+    build, prefix = ROOT / "build" / "library", tmp_path_factory.mktemp("prefix")
     programs = pathlib.Path(sys.executable).parent
     cmake = shutil.which("cmake", path=f"{programs}{os.pathsep}{os.environ['PATH']}")
-    build.mkdir(parents=True, exist_ok=True)
-    with (build.parent / "lock").open("w") as lock:
-        fcntl.flock(lock, fcntl.LOCK_EX)
+    with locked("library"):
         succeed(cmake, "-S", ROOT, "-B", build, "-DTDMF_SLIP_BUILD_FMU=OFF")
         succeed(cmake, "--build", build, "--parallel", "2")
         succeed(cmake, "--install", build, "--component", "library", "--prefix", prefix)
     return prefix
+
+
+@pytest.fixture(scope="session")
+def wheel(tmp_path_factory):
+    """This machine's wheel, from the folder in which the installed package was built."""
+    folder = tmp_path_factory.mktemp("wheel")
+    with locked("wheel"):
+        options = ("--no-deps", "--no-build-isolation", "--no-index", "--disable-pip-version-check")
+        succeed(sys.executable, "-m", "pip", "wheel", *options, "--wheel-dir", folder, ROOT)
+    (path,) = folder.glob("*.whl")
+    return path
 
 
 COMPILING = (
@@ -254,6 +257,7 @@ COMPILING = (
     "CCACHE_SLOPPINESS",
     "CMAKE_C_COMPILER_LAUNCHER",
     "CMAKE_GENERATOR",
+    "SKBUILD_CMAKE_DEFINE",
 )
 """Variables by which scripts/test lets nothing be compiled twice."""
 

@@ -5,7 +5,7 @@ import dataclasses
 import numpy as np
 import pytest
 import tdmf_slip
-from conftest import LONG
+from conftest import RELEASE
 from tdmf_slip import InputError, Runner, find_gait
 from tdmf_slip.analysis import ball as ball_module
 from tdmf_slip.analysis.ball import attributes_of, ball_of, pays
@@ -46,9 +46,9 @@ def norms(ball, differences):
 def test_every_point_of_a_tested_ball_settles(gait, ball):
     """A sample of its own, each followed by 1e-8 to a hundredth of where a map calls it settled.
 
-    Of 1,000 points, or with --long of 4,000.
+    Of 1,000 points, or with --release of 4,000.
     """
-    starts = gait.apex + points_in(ball, 4000 if LONG else 1000)
+    starts = gait.apex + points_in(ball, 4000 if RELEASE else 1000)
     ends, _ = run_ensemble(
         [Case(gait.runner, (gait.apex,))], starts, max_strides=MAX_STRIDES, near=1e-4, tolerance=1e-8
     )
@@ -108,7 +108,7 @@ def test_a_ball_is_of_the_runner_under_its_law(gait, ball):
     law = with_gain(gait, gains, best)
     under_law = ball_module.tested_ball(gait, law)
     assert under_law is not None and ball is not None and under_law != ball
-    starts = gait.apex + points_in(under_law, 2000 if LONG else 500)
+    starts = gait.apex + points_in(under_law, 2000 if RELEASE else 500)
     case = Case(gait.runner, (gait.apex,), law=law)
     assert (run_ensemble([case], starts, max_strides=100, near=1e-4)[0]["fate"] == SETTLED).all()
     noisy = dataclasses.replace(law, noise=[0.01] * 6)
@@ -149,8 +149,8 @@ def test_a_map_says_by_which_ball_it_knows(fmu):
 
 
 def test_a_volume_is_equal_with_a_ball_and_without(gait, ball):
-    """Of 5,000 starts, or with --long of 20,000."""
-    count = 20_000 if LONG else 5_000
+    """Of 5,000 starts, or with --release of 20,000."""
+    count = 20_000 if RELEASE else 5_000
     counted = [volume(gait, count, ball=of, threads=1) for of in (ball, "none")]
     assert counted[0] == counted[1]
 

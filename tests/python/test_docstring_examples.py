@@ -6,7 +6,7 @@ import inspect
 import matplotlib.pyplot as plt
 import pytest
 import tdmf_slip
-from conftest import LONG
+from conftest import RELEASE
 
 FUNCTIONS = {
     name: getattr(tdmf_slip, name)
@@ -16,7 +16,7 @@ FUNCTIONS = {
 WITH_EXAMPLE = {name for name, thing in FUNCTIONS.items() if ">>>" in (inspect.getdoc(thing) or "")}
 OPTIONS = doctest.ELLIPSIS | doctest.NORMALIZE_WHITESPACE
 SLOW = {"continue_curves", "prove_border", "validate"}
-"""They take up to a minute; `scripts/test --long` runs them."""
+"""They take up to a minute; `scripts/test --release` runs them."""
 
 
 def test_every_function_has_an_example():
@@ -25,7 +25,7 @@ def test_every_function_has_an_example():
 
 @pytest.mark.parametrize("name", sorted(WITH_EXAMPLE))
 def test_an_example_prints_what_it_says(name, tmp_path, monkeypatch):
-    if name in SLOW and not LONG:
+    if name in SLOW and not RELEASE:
         pytest.skip("takes a minute or more")
     if name.startswith("prove"):
         pytest.importorskip("flint", reason="NOT TESTED: examples of proofs, python-flint is missing")

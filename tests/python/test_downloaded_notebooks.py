@@ -12,17 +12,13 @@ import sys
 
 import pytest
 import tdmf_slip
-from conftest import LONG, succeed
+from conftest import release, succeed
 from tdmf_slip.cli import validate as command_module
 from tdmf_slip.cli.main import main
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 SITE = ROOT / "dist" / "site"
 NOTEBOOKS = {path.stem: path for path in sorted(SITE.glob("_downloads/*/*.ipynb"))}
-WHEELS = sorted((ROOT / "dist").glob("*manylinux*_x86_64.whl"))
-NEED_FILES = ("start", "controller", "c_library", "feedback")
-"""Those that need the command, a compiler or files; `scripts/test --long` runs the others, too."""
-RUN = NOTEBOOKS if LONG else [n for n in NEED_FILES if n in NOTEBOOKS]
 EXECUTE = (
     "import sys, nbformat, nbclient; book = nbformat.read(sys.argv[1], 4);"
     "nbclient.NotebookClient(book, timeout=600, resources={'metadata': {'path': sys.argv[2]}}).execute();"
@@ -54,10 +50,10 @@ def test_every_notebook_reads_without_sphinx():
 
 
 @built
-@pytest.mark.skipif(not WHEELS, reason="NOT TESTED: notebooks run; ./scripts/release makes the wheel")
-@pytest.mark.parametrize("name", RUN)
-def test_a_notebook_runs_from_an_empty_folder_with_the_wheel_alone(environment, tmp_path, name):
-    installed = environment.install(WHEELS[0])
+@release
+@pytest.mark.parametrize("name", NOTEBOOKS)
+def test_a_notebook_runs_from_an_empty_folder_with_the_wheel_alone(environment, wheel, tmp_path, name):
+    installed = environment.install(wheel)
     needed = {shutil.which(tool) and str(pathlib.Path(shutil.which(tool)).parent) for tool in ("cc", "bash")}
     variables = installed | {"PATH": os.pathsep.join([installed["PATH"], *filter(None, needed)])}
     folder = tmp_path / "empty"

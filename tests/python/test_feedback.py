@@ -6,7 +6,7 @@ import pathlib
 import numpy as np
 import pytest
 import tdmf_slip
-from conftest import LONG
+from conftest import RELEASE
 from tdmf_slip import (
     InputError,
     RunError,
@@ -30,7 +30,7 @@ from tdmf_slip.library.return_map import stride_from
 ANGLE, TORQUE, THRUST = "hip.touchdown_angle", "hip.stance_torque", "leg.thrust"
 ALL = (ANGLE, TORQUE, "hip.retraction_rate", "hip.kp", "hip.kd", "hip.liftoff_angle_factor", THRUST)
 HUMAN = pathlib.Path(__file__).parent / "fast_human.toml"
-DRAWN = 24 if LONG else 12
+DRAWN = 24 if RELEASE else 12
 FRICTIONS = (0.1, 0.2, 0.6, 1.0, 10.0)
 SIZES = {1: 1e-6, 2: 1e-5, 3: 3e-4}
 """Of what dead-beat laws of so many settings are to take away: the fewer, the farther they go on the way."""
@@ -352,7 +352,7 @@ def drawn_runner(source):
 def test_any_gait_is_held_stable_or_not():
     """A dead-beat law leaves less than 2 % of 1e-6, of which a stride of the ensemble errs by 1e-11.
 
-    Of 12 random runners, or with --long of 24.
+    Of 12 random runners, or with --release of 24.
     """
     source, held, unstable = np.random.default_rng(5), 0, 0
     for _ in range(DRAWN):
@@ -387,9 +387,9 @@ def test_the_engine_makes_the_strides_of_a_loop_over_the_return_map(gaits):
 def test_noise_spreads_the_apices_as_the_lyapunov_equation_says(gaits, friction, roughness):
     """There are n runners, so that a covariance errs by sqrt((P_ii P_jj + P_ij^2) / n).
 
-    That is 6 % of a variance with 500 of them, with --long 3 % with 2000.
+    That is 6 % of a variance with 500 of them, with --release 3 % with 2000.
     """
-    gait, runners = gaits[friction], 2000 if LONG else 500
+    gait, runners = gaits[friction], 2000 if RELEASE else 500
     noise = 2e-4 * gait.runner.scales
     law = dataclasses.replace(lqr(gait, [ANGLE, TORQUE], [1, 1, 0, 0, 0, 0], 0.1), noise=noise, seed=7)
     strides = 40 if friction < 1.0 else 12

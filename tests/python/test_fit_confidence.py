@@ -4,7 +4,7 @@ import json
 
 import numpy as np
 import pytest
-from conftest import LONG
+from conftest import RELEASE
 from tdmf_slip import InputError, find_gait, fit
 from tdmf_slip.fitting.measurements import Measured, Measurements
 from tdmf_slip.fitting.problem import Problem
@@ -12,7 +12,7 @@ from tdmf_slip.fitting.result import QUANTILE
 from tdmf_slip.fitting.search import HUBER, loss_of, searched, weights_of
 from tdmf_slip.library.quantities import quantities_of
 
-SEEDS, MINIMUM, MAXIMUM = (400, 0.92, 0.98) if LONG else (40, 0.85, 1.0)
+SEEDS, MINIMUM, MAXIMUM = (400, 0.92, 0.98) if RELEASE else (40, 0.85, 1.0)
 """By chance the share of 400 is outside these limits once in 200 times, that of 40 once in 300."""
 PRECISE = ("speed", "frequency", "stance_time", "duty_factor", "slip_distance", "peak_force")
 WEAK = ("speed", "frequency", "stance_time", "peak_force")

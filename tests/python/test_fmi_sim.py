@@ -1,4 +1,4 @@
-"""fmi-sim, an importer written in Rust, runs the FMI 3.0 unit; scripts/test --importers builds it."""
+"""fmi-sim, an importer written in Rust, runs the FMI 3.0 unit; scripts/test --release builds it."""
 
 import csv
 import pathlib
@@ -14,7 +14,7 @@ QUANTITIES = ("period", "length", "speed", "work", "cost_of_transport")
 
 pytestmark = pytest.mark.skipif(
     not FMI_SIM.is_file(),
-    reason=f"NOT TESTED: fmi-sim is missing ({FMI_SIM}); ./scripts/test --importers builds it",
+    reason=f"NOT TESTED: fmi-sim is missing ({FMI_SIM}); ./scripts/test --release builds it",
 )
 
 

@@ -9,12 +9,11 @@ import zipfile
 import fmpy
 import pytest
 import tdmf_slip
-from conftest import LONG, reference_gaits
+from conftest import RELEASE, reference_gaits
 
 (REFERENCE,) = (gait for gait in reference_gaits() if gait["friction"] == 0.6)
 PAIRS = [(2, "gcc"), (3, "clang"), (2, "clang"), (3, "gcc")]
-"""FMI version and compiler. The last two are tried with --long alone: both units have the core's sources in
-common, and the preset `clang` compiles all of them with more warnings."""
+"""FMI version and compiler. The units share the core: the last two are tried before a release only."""
 QUANTITIES = ("period", "length", "speed", "work", "cost_of_transport")
 SOLVER = "solver.method"
 
@@ -32,7 +31,7 @@ def library_names(unit):
         return [name for name in file.namelist() if name.startswith("binaries") and not name.endswith("/")]
 
 
-@pytest.fixture(scope="module", params=PAIRS if LONG else PAIRS[:2], ids=str)
+@pytest.fixture(scope="module", params=PAIRS if RELEASE else PAIRS[:2], ids=str)
 def compiled(request, tmp_path_factory):
     """A unit that was compiled from its own sources: FMI version and compiler."""
     version, compiler = request.param

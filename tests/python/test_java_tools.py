@@ -1,4 +1,4 @@
-"""Tools in Java: FMI4j imports the unit, VDMCheck checks it; scripts/test --importers fetches both."""
+"""Tools in Java: FMI4j imports the unit, VDMCheck checks it; scripts/test --release fetches both."""
 
 import json
 import pathlib
@@ -15,7 +15,7 @@ QUANTITIES = ("period", "length", "speed", "work", "cost_of_transport")
 
 pytestmark = pytest.mark.skipif(
     shutil.which("java") is None or not (JARS / "vdmcheck2.jar").is_file(),
-    reason="NOT TESTED: FMI4j and VDMCheck are missing; ./scripts/test --importers fetches them",
+    reason="NOT TESTED: FMI4j and VDMCheck are missing; ./scripts/test --release fetches them",
 )
 
 

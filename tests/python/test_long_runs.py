@@ -1,7 +1,7 @@
 """What must hold over many strides: no chatter, a closed ledger, a foot that stays above the ground."""
 
 import numpy as np
-from conftest import LONG, apex_start, reference_gaits, some_of
+from conftest import RELEASE, apex_start, reference_gaits, some_of
 
 PERIOD = 24.76444922801218
 LEDGER = (
@@ -15,8 +15,8 @@ LEDGER = (
 
 
 def test_many_strides_without_chatter(run):
-    """500 of them, or with --long 2000."""
-    count = 2000 if LONG else 500
+    """500 of them, or with --release 2000."""
+    count = 2000 if RELEASE else 500
     rows, instance = run(
         (count + 0.5) * PERIOD,
         {},
@@ -32,7 +32,7 @@ def test_many_strides_without_chatter(run):
 
 
 def test_ledger_closes_over_a_hundred_strides(run):
-    """Two published gaits are run, with --long all five."""
+    """Two published gaits are run, with --release all five."""
     for gait in some_of(reference_gaits(), 2):
         start = apex_start(gait["apex"]) | {"ground.friction": gait["friction"]}
         rows, _ = run(100.2 * gait["period"], start, output=LEDGER, output_interval=2.0)

@@ -2,7 +2,7 @@
 
 import click
 import pytest
-from conftest import long
+from conftest import release
 from tdmf_slip.cli.main import commands
 from tdmf_slip.fitting.measurements import shipped_names
 from tdmf_slip.fmu.parameters import preset_names
@@ -39,7 +39,7 @@ def test_what_is_not_computed_is_not_said_to_hold():
     assert "verdict" not in said and said.count("  .venv/bin/tdmf-slip ") == len(CLAIMS)
 
 
-@long
+@release
 @pytest.mark.parametrize("seed", [1, 20])
 def test_all_of_them_hold(seed):
     found = own_claims(recompute=True, seed=seed)

@@ -8,7 +8,7 @@ from fractions import Fraction
 import numpy as np
 import pytest
 import tdmf_slip
-from conftest import long
+from conftest import release
 
 pytest.importorskip("flint")
 
@@ -69,7 +69,7 @@ def test_a_published_gait_is_proved_with_the_values_that_another_program_proved(
     assert max(proof.box.radii) == Fraction(1, 10**6)
 
 
-@long
+@release
 @pytest.mark.parametrize("friction", GAITS)
 def test_every_published_gait_is_proved(friction):
     check(tdmf_slip.prove({"ground.friction": friction}, digits=30, box="1e-32"), GAITS[friction])
@@ -202,7 +202,7 @@ def test_a_side_that_is_undecided_is_told_to_be(border):
     assert [side["proved"] for side in half_open.as_json()["sides"]] == [False, True]
 
 
-@long
+@release
 @pytest.mark.parametrize("known", PROVED["borders"], ids=lambda known: known["kind"])
 def test_every_border_is_proved_with_a_gait_on_each_side(known):
     proof = tdmf_slip.prove_border(float(arb(known["friction"]).mid()), digits=25)

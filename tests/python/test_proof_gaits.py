@@ -7,7 +7,7 @@ import pathlib
 import numpy as np
 import pytest
 import tdmf_slip
-from conftest import long, some_of
+from conftest import release, some_of
 from tdmf_slip.errors import TdmfSlipError
 from tdmf_slip.library.gait import gait_near
 from tdmf_slip.library.strides import strides_from
@@ -52,11 +52,11 @@ def test_a_gait_with_slope_retraction_static_friction_and_thrust_is_proved():
 
 @pytest.mark.parametrize("gait", some_of(FALLING, 3), ids=lambda gait: str(gait["start_values"]))
 def test_gaits_of_an_independent_program_with_falling_friction_are_proved(gait):
-    """Three of them, or with --long all."""
+    """Three of them, or with --release all."""
     check_further(gait)
 
 
-@long
+@release
 @pytest.mark.parametrize("gait", FURTHER, ids=lambda gait: str(gait["start_values"]))
 def test_every_gait_of_an_independent_program_is_proved(gait):
     check_further(gait)
@@ -110,7 +110,7 @@ def row_of(given, proof):
     return row | {"undecided": None if proof.proved else [proof.undecided["guard"], f"{time:.4g}"]}
 
 
-@long
+@release
 def test_gaits_of_random_runners_are_proved_with_the_words_that_the_library_finds():
     rows = [(row_of(given, tdmf_slip.prove(given, digits=6)), gait) for given, gait in random_gaits()]
     stored = [json.loads(line) for line in RANDOM_TABLE.read_text(encoding="utf-8").splitlines()]
@@ -146,7 +146,7 @@ def attraction_of(friction):
 
 @pytest.mark.parametrize("friction", some_of(PUBLISHED, 2))
 def test_starts_in_the_proved_ball_come_nearer_by_the_proved_rate(friction):
-    """Two published gaits are tried, with --long all five."""
+    """Two published gaits are tried, with --release all five."""
     attraction = attraction_of(friction)
     assert attraction.proved
     assert attraction.radius > 5e-7

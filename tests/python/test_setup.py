@@ -10,7 +10,6 @@ import sys
 import tomllib
 
 import pytest
-from conftest import DEAREST
 
 packaging = pytest.importorskip("packaging.requirements")
 utils = pytest.importorskip("packaging.utils")
@@ -23,7 +22,7 @@ EXTRAS = PROJECT["project"]["optional-dependencies"]
 PARTS = ("plots", "data", "cluster", "proof")
 """Extras that a user may leave out; `all` has every one."""
 OPTIONAL = [text for name in PARTS for text in EXTRAS[name]]
-OF_TESTS = [text for name in ("test", "importers", "bench") for text in EXTRAS[name]]
+OF_TESTS = [text for name in ("test", "importers") for text in EXTRAS[name]]
 HANGS = 600.0
 """Seconds after which a process is said to hang; nothing else depends on them."""
 
@@ -50,7 +49,9 @@ def locked(*names):
         ("environment", PROJECT["build-system"]["requires"], 2),
         ("environment", DEPENDENCIES, 7),
         ("environment", OPTIONAL, 5),
-        ("test", OF_TESTS, 13),
+        ("test", OF_TESTS, 11),
+        ("bench", EXTRAS["bench"], 2),
+        ("zig", EXTRAS["zig"], 1),
         ("platforms", EXTRAS["platforms"], 4),
         ("site", EXTRAS["site"], 5),
         ("fmi_sim", EXTRAS["fmi-sim"], 1),
@@ -67,7 +68,7 @@ def test_a_lock_has_what_pyproject_asks_for(lock, requirements, least):
 def test_locks_agree_and_have_all_that_is_needed_in_turn():
     """As the installed packages tell what they need."""
     versions, checked = {}, 0
-    for lock in map(locked, ("environment", "test", "platforms", "site")):
+    for lock in map(locked, ("environment", "test", "bench", "zig", "platforms", "site")):
         assert all(versions.get(name, version) == version for name, version in lock.items())
         versions |= lock
     for name, version in versions.items():
@@ -216,10 +217,12 @@ def test_contributing_names_scripts_and_presets_that_there_are():
 
 def test_a_public_host_runs_all_parts_of_the_same_script():
     workflow = (ROOT / ".github" / "workflows" / "test.yml").read_text(encoding="utf-8")
-    assert "run: ./scripts/test --only ${{ matrix.part }}\n" in workflow
+    assert "run: ./scripts/test ${{ matrix.tests }}\n" in workflow
     script = (ROOT / "scripts" / "test").read_text(encoding="utf-8")
     parts = re.search(r"^PARTS=\((.*)\)$", script, re.MULTILINE)[1].split()
-    assert len(parts) == 6 and f"part: [{', '.join(parts)}]\n" in workflow
+    jobs = re.findall(r"^ +- (--.*)$", workflow, re.MULTILINE)
+    assert len(parts) == 5 and set(jobs) >= {f"--only {part}" for part in parts}
+    assert set(jobs) >= {f"--release --only {part}" for part in ("c", "site", "python", "platforms")}
     assert (ROOT / ".ci" / "run").read_text().rstrip().endswith("exec ./scripts/test")
 
 
@@ -232,10 +235,36 @@ def test_the_parts_of_the_tests_have_files_that_there_are():
 
 
 @POSIX_ONLY
-def test_a_part_that_there_is_not_is_refused():
-    done = subprocess.run([ROOT / "scripts" / "test", "--only", "all"], capture_output=True, text=True)
+@pytest.mark.parametrize(("options", "more"), [((), ""), (("--release",), " platforms")])
+def test_a_part_that_there_is_not_is_refused(options, more):
+    command = [ROOT / "scripts" / "test", *options, "--only", "all"]
+    done = subprocess.run(command, capture_output=True, text=True)
     assert done.returncode == 1
-    assert "--only takes one of: lint c sanitize platforms site python; it was given 'all'" in done.stderr
+    assert f"--only takes one of: lint c sanitize site python{more}; it was given 'all'" in done.stderr
+
+
+REPORT = """<testsuites><testsuite><testcase classname="tests.python.test_one" name="test_a" time="{}"/>
+<testcase classname="tests.python.test_one" name="test_b" time="{}"/></testsuite></testsuites>"""
+
+
+def test_the_parts_and_the_slowest_tests_of_all_reports_are_printed(tmp_path):
+    (tmp_path / "times").write_text("set-up;70.5;60.25;5.25\nlint;40.0;55.0;1.0\n")
+    (tmp_path / "python.xml").write_text(REPORT.format(0.5, 12.25))
+    (tmp_path / "release.xml").write_text('<testsuite><testcase name="test_impact" time="3.5"/></testsuite>')
+    for number in range(10):
+        (tmp_path / f"more{number}.xml").write_text(REPORT.format(0.75, 0.0))
+    command = [sys.executable, ROOT / "scripts" / "slowest_tests.py", tmp_path]
+    done = subprocess.run(command, capture_output=True, text=True)
+    assert done.returncode == 0, done.stderr
+    times, slowest = done.stdout.split("slowest tests")
+    assert [line.split() for line in times.splitlines()[2:5]] == [
+        ["set-up", "70", "66"],
+        ["lint", "40", "56"],
+        ["all", "122"],
+    ]
+    listed = [line.split() for line in slowest.splitlines()[1:]]
+    assert [float(seconds) for seconds, *_ in listed] == [12.2, 3.5, *8 * [0.8]]
+    assert [name[-1] for _, *name in listed[:2]] == ["test_one::test_b", "test_impact"]
 
 
 def test_no_workflow_may_write_to_the_repository_unless_a_job_asks_for_it():
@@ -258,9 +287,3 @@ def test_a_workflow_runs_actions_by_their_commit_and_leaves_no_credentials():
                 assert step["with"]["persist-credentials"] is False, path.name
                 checkouts += 1
     assert pinned >= 7 and checkouts >= 2
-
-
-def test_each_file_of_tests_that_is_begun_with_is_there():
-    """A file that is named otherwise would be left to the end, and to one worker, without a word."""
-    folder = pathlib.Path(__file__).parent
-    assert [name for name in DEAREST if not (folder / f"test_{name}.py").is_file()] == []

@@ -146,7 +146,7 @@ GROUNDS = {
 def test_on_other_ground_a_runner_falls_as_often_as_by_waiting(name):
     """Plain steps as large make another mean, so that a ground that is passed over would be seen.
 
-    On ground with all there is and on one that trips alone; with --long on each kind alone.
+    On ground with all there is and on one that trips alone; with --release on each kind alone.
     """
     ground = GROUNDS[name]
     runner = {"ground.friction": 0.6}

@@ -17,7 +17,6 @@ import tdmf_slip
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 GUIDES = ROOT / "documentation" / "guides"
 PRINTED = (GUIDES / "start.md").read_text(encoding="utf-8")
-WHEELS = sorted((ROOT / "dist").glob("*manylinux*_x86_64.whl"))
 VALUES = {"ground.friction": (0.4, 1.2, "0.43"), "leg.damping": (0.18, 0.22, "0.2")}
 """By what is changed in the printed code: from, to, and the value that is printed."""
 
@@ -49,12 +48,9 @@ def with_values(code, form, runner):
     return code
 
 
-@pytest.mark.skipif(
-    not WHEELS, reason="NOT TESTED: the start guide's Python; ./scripts/release makes the wheel"
-)
-def test_the_python_way_with_only_the_wheel(environment, runner, gait):
+def test_the_python_way_with_only_the_wheel(environment, wheel, runner, gait):
     (code,) = re.findall(r"```\{code-cell\} python\n:tags: \[way-python\]\n(.*?)```", PRINTED, re.DOTALL)
-    environment.install(WHEELS[0])
+    environment.install(wheel)
     said = environment.python("-c", with_values(code, '"{}": {}', runner))
     word, period, speed, stable = said.split()
     assert word == gait.word and stable == str(gait.stable), runner

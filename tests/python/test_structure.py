@@ -9,7 +9,7 @@ import fmpy
 import numpy as np
 import pytest
 import tdmf_slip
-from conftest import LONG
+from conftest import RELEASE
 from fmpy.fmi1 import FMICallException
 from fmpy.fmi2 import FMU2Model, FMU2Slave
 from fmpy.fmi3 import FMU3Model, FMU3Slave
@@ -51,8 +51,8 @@ STATES = (
     "energy.external_work",
 )
 ALL_MODES = {1, 2, 3, 4, 5}
-STARTS, RUNS, INITIAL_STARTS = (600, 60, 240) if LONG else (150, 20, 40)
-"""How many starts, runs in steps and start values are tried; with --long four and three times as many."""
+STARTS, RUNS, INITIAL_STARTS = (600, 60, 240) if RELEASE else (150, 20, 40)
+"""How many starts, runs in steps and start values are tried; with --release four and three times as many."""
 
 
 def random_start(draw):
@@ -400,7 +400,7 @@ def test_initial_unknowns_follow_the_declared_start_values(version):
     missed = {name: declared[name] - observed.of[name] for name in set(declared) - of_any_start}
     assert all(observed.of[name] <= declared[name] for name in missed)
     assert sum(map(len, missed.values())) <= (
-        0 if LONG else 0.15 * sum(len(declared[name]) for name in missed)
+        0 if RELEASE else 0.15 * sum(len(declared[name]) for name in missed)
     )
 
 

@@ -5,6 +5,7 @@ read.
 """
 
 import pathlib
+import platform
 import re
 import subprocess
 import sys
@@ -13,6 +14,7 @@ import zipfile
 import pytest
 from emulators import arm_linux, windows
 from tdmf_slip.library.binding import c
+from test_distribution import assert_runs
 from test_installed_library import CONSUMER, SAYS
 
 lief = pytest.importorskip("lief", reason="NOT TESTED: wheels, lief is not installed")
@@ -149,6 +151,10 @@ def test_a_wheel_for_linux_needs_no_newer_glibc_than_its_tag_promises(tag):
             for version in requirement.get_auxiliary_symbols()
         ]
         assert max(needed) <= promised
+
+
+def test_the_wheel_for_this_linux_installs_and_runs(environment):
+    assert_runs(environment, environment.install(WHEELS[f"manylinux_2_17_{platform.machine()}"]))
 
 
 @pytest.mark.parametrize("tag", [tag for tag in PLATFORMS if tag.startswith("macosx")])
