@@ -242,7 +242,8 @@ bool tdmf_is_sound_ensemble(const tdmf_ensemble *ensemble, const tdmf_ensemble_e
            is_array(ensemble->starts, ensemble->count) &&
            are_foot_positions(ensemble->foot_x, ensemble->count) &&
            is_array(ensemble->cases, ensemble->case_count) && ensemble->threads > 0 &&
-           tdmf_is_tolerance(ensemble->relative_tolerance) && tdmf_has_instructions(ensemble->instructions) &&
+           ensemble->step_limit >= 0 && tdmf_is_tolerance(ensemble->relative_tolerance) &&
+           tdmf_has_instructions(ensemble->instructions) &&
            (ensemble->map == TDMF_RETURN_MAP || ensemble->map == TDMF_REDUCED_MAP) &&
            (ensemble->given == NULL || are_given(ensemble->given, ensemble->count)) && has_cases(ensemble) &&
            has_room(ensemble) && has_checkpoints(ensemble);

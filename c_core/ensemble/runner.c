@@ -7,13 +7,13 @@
 #include "ground_line.h"
 #include "hip_law.h"
 #include "input_rates.h"
-#include "longest_stride.h"
 #include "margins.h"
 #include "positive_work.h"
 #include "record.h"
 #include "reduced_stride.h"
 #include "static_assert.h"
 #include "step_constants.h"
+#include "stride_limits.h"
 #include "tdmf_slip/automaton.h"
 
 #include "members.h"
@@ -297,9 +297,10 @@ static bool take_left_event(tdmf_runner *runner, const tdmf_mode *before, tdmf_g
     if (ended) {
         return false;
     }
-    tdmf_resolve_along(tdmf_runner_system(runner), motion, runner->direction, reached);
-    if (motion->mode.fallen) {
-        tdmf_runner_give_up(runner, TDMF_FATE_FELL);
+    const tdmf_resolution taken =
+        tdmf_resolve_along(tdmf_runner_system(runner), motion, runner->direction, reached);
+    if (motion->mode.fallen || taken.unresolved) {
+        tdmf_runner_give_up(runner, motion->mode.fallen ? TDMF_FATE_FELL : TDMF_FATE_UNSOLVED);
         return false;
     }
     return look_at_terrain(runner, &at_event, reached);
@@ -312,8 +313,11 @@ static bool stride_over_terrain(tdmf_runner *runner, tdmf_solver *solver, double
     while (motion->record.stride.count == runner->end->strides) {
         const tdmf_mode before = motion->mode;
         tdmf_guard reached;
+        const int64_t steps_before = solver->steps;
+        solver->step_limit = (long)runner->steps.left;
         const tdmf_stride_outcome part =
             tdmf_native_to_ground(solver, tdmf_runner_system(runner), until, motion, &reached);
+        runner->steps.left -= (double)(solver->steps - steps_before);
         runner->direction = tdmf_leg_direction_of(motion->state);
         const bool goes_on = part.outcome == TDMF_ARRIVED && (part.closed || motion->time < until);
         if (!goes_on || --runner->events_left <= 0) {
@@ -334,10 +338,13 @@ bool tdmf_runner_stride(tdmf_runner *runner, tdmf_solver *solver) {
     if (tdmf_has_terrain(&runner->its_case->rules)) {
         return stride_over_terrain(runner, solver, until);
     }
+    const int64_t steps_before = solver->steps;
+    solver->step_limit = (long)runner->steps.left;
     const tdmf_stride_outcome stride =
         reduced ? tdmf_native_stance(solver, (tdmf_system){model, &runner->inputs}, until, &runner->motion,
                                      NULL, NULL, 0)
                 : tdmf_native_stride(solver, (tdmf_system){model, &runner->inputs}, until, &runner->motion);
+    runner->steps.left -= (double)(solver->steps - steps_before);
     runner->direction = tdmf_leg_direction_of(runner->motion.state);
     if (!stride.closed) {
         tdmf_runner_give_up(runner, fate_of(stride.outcome));

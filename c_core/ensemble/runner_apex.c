@@ -4,10 +4,10 @@
 #include "drawn_ground.h"
 #include "events.h"
 #include "ground_line.h"
-#include "longest_stride.h"
 #include "reduced_stride.h"
 #include "settings.h"
 #include "settled.h"
+#include "stride_limits.h"
 #include "tdmf_slip/automaton.h"
 #include "tdmf_slip/orbit.h"
 #include "threads.h"
@@ -15,14 +15,14 @@
 #include <math.h>
 #include <string.h>
 
-/* A stride is given up after so many steps or events; none that closes comes near. */
-static const long step_limit = 200000;
-static const long event_limit = 100000;
+static double step_limit(const tdmf_ensemble *ensemble) {
+    return ensemble->step_limit > 0 ? (double)ensemble->step_limit : (double)TDMF_STEP_LIMIT;
+}
 
-static void open_stride(tdmf_runner *runner) {
+static void open_stride(tdmf_runner *runner, double steps_left) {
     runner->stride_began = runner->motion.time;
-    runner->steps = opened_steps((double)step_limit);
-    runner->events_left = event_limit;
+    runner->steps = opened_steps(steps_left);
+    runner->events_left = TDMF_EVENT_LIMIT;
     runner->false_crossings = 0;
 }
 
@@ -248,7 +248,7 @@ static bool begin(tdmf_runner *runner) {
         return false;
     }
     runner->direction = tdmf_leg_direction_of(runner->motion.state);
-    open_stride(runner);
+    open_stride(runner, step_limit(runner->ensemble));
     if (tdmf_has_terrain(&runner->its_case->rules) && !tdmf_look_at_terrain(runner)) {
         return false;
     }
@@ -267,7 +267,7 @@ static bool go_on(tdmf_runner *runner) {
     runner->motion = checkpoint->motion;
     runner->direction = tdmf_leg_direction_of(runner->motion.state);
     runner->inputs.ground.height = checkpoint->ground_height;
-    open_stride(runner);
+    open_stride(runner, step_limit(runner->ensemble));
     return begin_next_stride(runner);
 }
 
@@ -333,7 +333,7 @@ bool tdmf_runner_close_stride(tdmf_runner *runner) {
     if (record) {
         record_stride(runner, &before, record);
     }
-    open_stride(runner);
+    open_stride(runner, tdmf_steps_of_next_stride(runner->steps.left, step_limit(runner->ensemble)));
     ++end->strides;
     if (settles(runner, tdmf_gait_reached(runner, end->apex))) {
         return false;

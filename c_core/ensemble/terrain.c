@@ -20,6 +20,9 @@ static const double farthest_foot = 2.0;
 /* Farther than so many segments nobody looks. */
 static const double max_segments = 1e5;
 
+/* The number of a segment is exact up to here; farther away there are none. */
+static const double last_segment = 1e15;
+
 static const tdmf_terrain *terrain_of(const tdmf_runner *runner) {
     return &runner->its_case->rules.terrain;
 }
@@ -32,7 +35,7 @@ static double height_given(const tdmf_terrain *terrain, uint64_t runner, int64_t
 }
 
 static int64_t segment_at(const tdmf_runner *runner, double x) {
-    return (int64_t)floor(x / terrain_of(runner)->length);
+    return (int64_t)fmin(fmax(floor(x / terrain_of(runner)->length), -last_segment), last_segment);
 }
 
 static double height_of(tdmf_runner *runner, int64_t segment) {
@@ -68,26 +71,23 @@ double tdmf_enter_terrain(tdmf_runner *runner, double x) {
     return height_of(runner, segment_at(runner, x));
 }
 
-/* Whether the foot has swung, or slipped, into the face of a segment since it was looked at: it has been
- * between heights of segments, so each that is higher than it was at one end is above it. */
-static bool has_met_face(tdmf_runner *runner) {
-    const tdmf_terrain_view *view = &runner->terrain;
-    const double *state = runner->motion.state;
-    const double low = fmin(view->y, state[TDMF_FOOT_Y]) + same_height * runner->model->scales.length;
-    const int64_t from = segment_at(runner, fmin(view->x, state[TDMF_FOOT_X]));
-    const int64_t to = segment_at(runner, fmax(view->x, state[TDMF_FOOT_X]));
-    for (int64_t segment = from; segment <= to; ++segment) {
-        if (height_of(runner, segment) > low) {
-            return true;
-        }
-    }
-    return false;
-}
-
 /* By their numbers, which are whole. */
 typedef struct {
     double first, last;
 } segments_in_reach;
+
+static bool is_too_wide(segments_in_reach segments) {
+    return !(segments.last - segments.first < max_segments && segments.first >= -last_segment &&
+             segments.last <= last_segment); /* NaN is */
+}
+
+/* Those that the foot has been over since it was looked at. */
+static segments_in_reach passed(const tdmf_runner *runner) {
+    const double length = terrain_of(runner)->length;
+    const double before = runner->terrain.x, now = runner->motion.state[TDMF_FOOT_X];
+    const segments_in_reach segments = {floor(fmin(before, now) / length), floor(fmax(before, now) / length)};
+    return segments;
+}
 
 /* Those that the foot can be over until the centre of mass is down at a height. */
 static segments_in_reach reach(const tdmf_runner *runner, const tdmf_point *com, double height) {
@@ -100,10 +100,6 @@ static segments_in_reach reach(const tdmf_runner *runner, const tdmf_point *com,
     const segments_in_reach segments = {floor((fmin(com->x, there) - foot) / length),
                                         floor((fmax(com->x, there) + foot) / length)};
     return segments;
-}
-
-static bool is_too_wide(segments_in_reach segments) {
-    return !(segments.last - segments.first < max_segments); /* NaN is */
 }
 
 typedef struct {
@@ -123,9 +119,37 @@ static neighbours neighbours_of(tdmf_runner *runner, segments_in_reach segments,
     return found;
 }
 
+/* Whether the foot has swung, or slipped, into the face of a segment since it was looked at: it has been
+ * between heights of segments, so each that is higher than it was at one end is above it. */
+static bool has_met_face(tdmf_runner *runner) {
+    const tdmf_terrain_view *view = &runner->terrain;
+    const double *state = runner->motion.state;
+    const double low = fmin(view->y, state[TDMF_FOOT_Y]) + same_height * runner->model->scales.length;
+    const segments_in_reach between = passed(runner);
+    for (int64_t segment = (int64_t)between.first; segment <= (int64_t)between.last; ++segment) {
+        if (height_of(runner, segment) > low) {
+            return true;
+        }
+    }
+    return false;
+}
+
 static bool give_up(tdmf_runner *runner, tdmf_fate fate) {
     tdmf_runner_give_up(runner, fate);
     return false;
+}
+
+/* Whether a foot that trips ends the run where it has come to: at a face, or with too many segments behind it
+ * to tell. */
+static bool trips(tdmf_runner *runner) {
+    if (!runner->its_case->rules.trips) {
+        return false;
+    }
+    const bool knows = !is_too_wide(passed(runner));
+    if (knows && !has_met_face(runner)) {
+        return false;
+    }
+    return !give_up(runner, knows ? TDMF_FATE_FELL : TDMF_FATE_UNSOLVED);
 }
 
 /* The height of the segment that bears a foot at this height: the one below it, or, where that is higher, the
@@ -172,8 +196,8 @@ static bool set_lines(tdmf_runner *runner, double height) {
 bool tdmf_look_at_terrain(tdmf_runner *runner) {
     const double margin = same_height * runner->model->scales.length;
     const double foot = runner->motion.state[TDMF_FOOT_Y];
-    if (runner->its_case->rules.trips && has_met_face(runner)) {
-        return give_up(runner, TDMF_FATE_FELL);
+    if (trips(runner)) {
+        return false;
     }
     record_foot(runner);
     return set_lines(runner, foot + margin);
@@ -192,9 +216,8 @@ static void land_on(tdmf_runner *runner) {
 bool tdmf_meets_segment(tdmf_runner *runner, bool *ended) {
     const double margin = same_height * runner->model->scales.length;
     const double line = runner->motion.mode.ground.height;
-    *ended = false;
-    if (runner->its_case->rules.trips && has_met_face(runner)) {
-        *ended = !give_up(runner, TDMF_FATE_FELL);
+    *ended = trips(runner);
+    if (*ended) {
         return false;
     }
     record_foot(runner);

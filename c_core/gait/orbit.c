@@ -2,7 +2,7 @@
 #include "tdmf_slip/orbit.h"
 
 #include "fixed_point.h"
-#include "longest_stride.h"
+#include "stride_limits.h"
 #include "tdmf_slip/reduced_map.h"
 
 #include <string.h>
@@ -31,6 +31,7 @@ static tdmf_orbit_outcome why_not(tdmf_return_outcome outcome) {
 typedef tdmf_return apex_map(tdmf_solver *solver, tdmf_system system, const double *apex, double until,
                              bool derivatives, const tdmf_seed *seeds, int count);
 
+/* Strides in a row that share their steps, see TDMF_STEP_LIMIT. */
 typedef struct {
     apex_map *map;
     int coordinates;
@@ -38,15 +39,30 @@ typedef struct {
     tdmf_system system;
     const tdmf_seed *seeds;
     int count;
+    double steps_left; /* for the next stride */
+    tdmf_outcome last; /* how the solver's call for the last stride ended */
     tdmf_return strides[2];
 } search;
+
+static tdmf_return stride_from(search *search, const double *apex, bool derivatives) {
+    tdmf_solver *solver = search->solver;
+    const long step_limit = solver->step_limit;
+    const int64_t steps_before = solver->steps;
+    solver->step_limit = (long)search->steps_left;
+    const tdmf_return stride =
+        search->map(solver, search->system, apex, TDMF_LONGEST_STRIDE * search->system.model->scales.time,
+                    derivatives, search->seeds, search->count);
+    solver->step_limit = step_limit;
+    search->steps_left = tdmf_steps_of_next_stride(
+        search->steps_left - (double)(solver->steps - steps_before), (double)step_limit);
+    search->last = stride.outcome == TDMF_RETURN_UNSOLVED ? stride.solver : TDMF_ARRIVED;
+    return stride;
+}
 
 static bool evaluate(void *context, int slot, tdmf_image *image) {
     search *search = context;
     tdmf_return *stride = &search->strides[slot];
-    *stride = search->map(search->solver, search->system, image->point,
-                          TDMF_LONGEST_STRIDE * search->system.model->scales.time, true, search->seeds,
-                          search->count);
+    *stride = stride_from(search, image->point, true);
     for (int i = 0; i < search->coordinates; ++i) {
         image->next[i] = stride->apex[i];
         for (int k = 0; k < search->coordinates; ++k) {
@@ -70,16 +86,23 @@ static tdmf_orbit_outcome outcome_of(const tdmf_fixed_point *found, const tdmf_r
 static tdmf_orbit find(search *search, const double *guess) {
     static const tdmf_orbit refused = {.outcome = TDMF_ORBIT_NO_START,
                                        .stride = {.outcome = TDMF_RETURN_REFUSED}};
-    if (search->system.model == NULL || guess == NULL) {
+    if (search->solver == NULL || search->system.model == NULL || guess == NULL) {
         return refused;
     }
     tdmf_map map = {.count = search->coordinates, .evaluate = evaluate, .context = search};
     tdmf_section_scales(search->system.model, map.scales);
+    search->steps_left = (double)search->solver->step_limit;
     const tdmf_fixed_point found = tdmf_find_fixed_point(&map, guess);
     tdmf_orbit orbit = {.iterations = found.iterations, .error = found.error};
     memcpy(orbit.apex, found.point, sizeof orbit.apex);
     orbit.stride = search->strides[found.slot];
     orbit.outcome = outcome_of(&found, &orbit.stride);
+    if (orbit.outcome == TDMF_ORBIT_NOT_FOUND && search->last != TDMF_ARRIVED) {
+        /* The solver's limits have stopped Newton's method: whether there is a gait is not known. */
+        orbit.outcome = TDMF_ORBIT_UNSOLVED;
+        orbit.stride.outcome = TDMF_RETURN_UNSOLVED;
+        orbit.stride.solver = search->last;
+    }
     return orbit;
 }
 
@@ -106,24 +129,30 @@ tdmf_orbit tdmf_find_reduced_orbit(tdmf_solver *solver, tdmf_system system,
     return find(&search, guess);
 }
 
-static int settle(apex_map *map, int coordinates, tdmf_solver *solver, tdmf_system system, int strides,
-                  double *apex) {
-    for (int i = 0; system.model != NULL && i < strides; ++i) {
-        const tdmf_return stride =
-            map(solver, system, apex, TDMF_LONGEST_STRIDE * system.model->scales.time, false, NULL, 0);
+static int settle(search *search, int strides, double *apex) {
+    if (search->solver == NULL || search->system.model == NULL) {
+        return 0;
+    }
+    search->steps_left = (double)search->solver->step_limit;
+    for (int i = 0; i < strides; ++i) {
+        const tdmf_return stride = stride_from(search, apex, false);
         if (stride.outcome != TDMF_RETURN_CLOSED) {
             return i;
         }
-        memcpy(apex, stride.apex, (size_t)coordinates * sizeof *apex);
+        memcpy(apex, stride.apex, (size_t)search->coordinates * sizeof *apex);
     }
-    return system.model != NULL && strides > 0 ? strides : 0;
+    return strides > 0 ? strides : 0;
 }
 
 int tdmf_settle(tdmf_solver *solver, tdmf_system system, int strides, double section[TDMF_SECTION_COUNT]) {
-    return settle(tdmf_return_map, TDMF_SECTION_COUNT, solver, system, strides, section);
+    search search = {
+        .map = tdmf_return_map, .coordinates = TDMF_SECTION_COUNT, .solver = solver, .system = system};
+    return settle(&search, strides, section);
 }
 
 int tdmf_settle_reduced(tdmf_solver *solver, tdmf_system system, int strides,
                         double apex[TDMF_REDUCED_COUNT]) {
-    return settle(tdmf_reduced_map, TDMF_REDUCED_COUNT, solver, system, strides, apex);
+    search search = {
+        .map = tdmf_reduced_map, .coordinates = TDMF_REDUCED_COUNT, .solver = solver, .system = system};
+    return settle(&search, strides, apex);
 }

@@ -58,7 +58,8 @@ typedef struct {
 } integration;
 
 tdmf_solver tdmf_solver_default(void) {
-    const tdmf_solver solver = {.relative_tolerance = 1e-11, .step_limit = 200000, .event_limit = 100000};
+    const tdmf_solver solver = {
+        .relative_tolerance = 1e-11, .step_limit = TDMF_STEP_LIMIT, .event_limit = TDMF_EVENT_LIMIT};
     return solver;
 }
 
@@ -544,6 +545,7 @@ static tdmf_stride_outcome advance_a_stride(integration *integration) {
     integration->end = AT_APEX;
     const tdmf_outcome outcome = advance(integration);
     const tdmf_stride_outcome result = {outcome, record->stride.count > count};
+    integration->solver->strides += result.closed;
     return result;
 }
 
@@ -624,5 +626,6 @@ tdmf_stride_outcome tdmf_native_stance(tdmf_solver *solver, tdmf_system system, 
     integration.end = AT_LIFT_OFF;
     const tdmf_outcome outcome = advance(&integration);
     const tdmf_stride_outcome result = {outcome, stance_is_over(&integration)};
+    solver->strides += result.closed;
     return result;
 }

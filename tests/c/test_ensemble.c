@@ -436,6 +436,41 @@ static void what_the_solver_does_not_get_through_is_no_fall(void **state) {
     assert_fate(&parameters, TDMF_FATE_UNSOLVED);
 }
 
+/* The gait at friction 0.6 takes more steps a stride than a fortieth of these limits, so that it runs out. */
+static void strides_of_a_runner_share_their_steps(void **state) {
+    tdmf_model model;
+    double starts[1][TDMF_SECTION_COUNT];
+    const tdmf_parameters parameters = tdmf_default_parameters();
+    (void)state;
+    assert_null(tdmf_model_create(&model, &parameters).variable);
+    const tdmf_ensemble_case its_case = {&model, tdmf_default_inputs(), {.max_strides = 400}};
+    memcpy(starts[0], &reference_gaits[2].apex, sizeof starts[0]);
+    tdmf_ensemble ensemble = {.cases = &its_case,
+                              .case_count = 1,
+                              .starts = (const double(*)[TDMF_SECTION_COUNT])starts,
+                              .count = 1,
+                              .relative_tolerance = 1e-11,
+                              .threads = 1};
+    for (int set = TDMF_ONE_BY_ONE; set < TDMF_INSTRUCTIONS_COUNT; ++set) {
+        ensemble.instructions = (tdmf_instructions)set;
+        for (long limit = 200; tdmf_has_instructions(ensemble.instructions) && limit <= 800; limit *= 2) {
+            tdmf_ensemble_work work;
+            ensemble.step_limit = limit;
+            tdmf_ensemble_end *ends = run(&ensemble, &work);
+            assert_int_equal(ends[0].fate, TDMF_FATE_UNSOLVED);
+            assert_true(ends[0].strides > 1 && ends[0].strides < 400);
+            assert_true(work.steps <= limit + (ends[0].strides + 1) * limit / TDMF_STEP_SHARE);
+            free(ends);
+        }
+        ensemble.step_limit = 0;
+        if (tdmf_has_instructions(ensemble.instructions)) {
+            tdmf_ensemble_end *ends = run(&ensemble, NULL);
+            assert_int_equal(ends[0].strides, 400);
+            free(ends);
+        }
+    }
+}
+
 static void work_is_counted(void **state) {
     population *population = make_population(start_near_the_gait, 5);
     tdmf_ensemble_work work;
@@ -526,6 +561,7 @@ int main(void) {
         cmocka_unit_test(reference_gaits_are_kept),
         cmocka_unit_test(a_runner_that_sinks_into_a_stand_is_undecided),
         cmocka_unit_test(what_the_solver_does_not_get_through_is_no_fall),
+        cmocka_unit_test(strides_of_a_runner_share_their_steps),
         cmocka_unit_test(work_is_counted),
         cmocka_unit_test(each_event_is_met_once),
         cmocka_unit_test(unsound_ensembles_are_refused),

@@ -411,6 +411,43 @@ static void only_a_fall_is_called_one(void **state) {
                      TDMF_ORBIT_NO_STRIDE);
 }
 
+/* Steps of so many strides, by the rule in solver.h, where each closes or is the last. */
+static int64_t most_steps(const tdmf_solver *solver) {
+    return solver->step_limit + (solver->strides + 1) * solver->step_limit / TDMF_STEP_SHARE;
+}
+
+/* A stride of this runner takes more than 40 steps. */
+static void strides_of_a_search_share_their_steps(void **state) {
+    const scene_at_apex scene = at_gait(&reference_gaits[2]);
+    double section[TDMF_SECTION_COUNT];
+    tdmf_model model;
+    (void)state;
+    assert_null(tdmf_model_create(&model, &scene.parameters).variable);
+    const tdmf_system system = {&model, &scene.inputs};
+    for (int limit = 200; limit <= 800; limit += 200) {
+        tdmf_solver settling = tdmf_solver_default(), searching = tdmf_solver_default();
+        settling.step_limit = searching.step_limit = limit;
+        memcpy(section, scene.section, sizeof section);
+        const int strides = tdmf_settle(&settling, system, 400, section);
+        assert_true(strides > 1 && strides < 400);
+        assert_int_equal(settling.strides, strides);
+        assert_true(settling.steps <= most_steps(&settling));
+        memcpy(section, scene.section, sizeof section);
+        section[TDMF_SECTION_COM_SPEED] *= 1.3;
+        const tdmf_orbit found = tdmf_find_orbit(&searching, system, section, NULL, 0);
+        assert_true(searching.steps <= limit + 480 * limit / TDMF_STEP_SHARE);
+        if (found.outcome != TDMF_ORBIT_FOUND) {
+            assert_int_equal(found.outcome, TDMF_ORBIT_UNSOLVED);
+            assert_int_equal(found.stride.solver, TDMF_TOO_MANY_STEPS);
+        }
+        assert_int_equal(found.outcome, limit < 400 ? TDMF_ORBIT_UNSOLVED : found.outcome);
+        assert_int_equal(settling.step_limit, limit);
+    }
+    tdmf_solver usual = tdmf_solver_default();
+    memcpy(section, scene.section, sizeof section);
+    assert_int_equal(tdmf_settle(&usual, system, 400, section), 400);
+}
+
 static void linear_systems_are_solved(void **state) {
     /* The first pivot is zero, so that rows have to be exchanged. */
     double a[TDMF_SECTION_COUNT + 1][TDMF_SECTION_COUNT + 1] = {
@@ -477,6 +514,7 @@ int main(void) {
         cmocka_unit_test(gaits_are_found_to_rounding),
         cmocka_unit_test(what_is_no_gait_is_said_to_be_none),
         cmocka_unit_test(only_a_fall_is_called_one),
+        cmocka_unit_test(strides_of_a_search_share_their_steps),
         cmocka_unit_test(linear_systems_are_solved),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

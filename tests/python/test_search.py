@@ -1,11 +1,12 @@
 """Gaits without a guess: of random runners, whose gaits were sought by far more expensive means."""
 
 import json
+import re
 from pathlib import Path
 
 import numpy as np
 import pytest
-from tdmf_slip import RunError, Runner, find_gait
+from tdmf_slip import GaitNotFoundError, RunError, Runner, find_gait
 from tdmf_slip.analysis import search, spread
 from tdmf_slip.analysis.search import periodic_gait
 from tdmf_slip.library.gait import gait_near, settled_gait
@@ -81,6 +82,22 @@ def test_a_search_ends_after_a_bounded_number_of_strides(fmu):
     few = spread.search_from_spread(runner, max_strides=5000)
     assert few.strides <= 5000 + spread.MAX_TRIED * spread.ITERATIONS * spread.SHORTENINGS
     assert spread.search_from_spread(Runner.of(FROM_ISSUE, fmu)).strides < spread.MAX_STRIDES
+
+
+def test_a_search_whose_strides_take_too_many_steps_ends_and_says_so(fmu, monkeypatch):
+    """A stride of this runner takes 3,000 steps or more, two hundred times as many as is usual."""
+    monkeypatch.setattr(spread, "STARTS", 256)
+    runner = {
+        "hip.touchdown_angle": -1.4977579896173873e-08,
+        "body.external_fx": -40020851.84273862,
+        "control.stance_torque": -0.21469768034433284,
+        "foot.mass": 3.494827639229235e-05,
+        "control.touchdown_angle": 0.027782313228634767,
+    }
+    with pytest.raises(GaitNotFoundError, match=r"strides more could not be followed") as raised:
+        find_gait(runner, fmu=fmu)
+    _, steps = re.search(r"([\d,]+) strides in ([\d,]+) steps", str(raised.value)).groups()
+    assert int(steps.replace(",", "")) <= 256 * spread.STEP_LIMIT * (1 + len(spread.ROUNDS))
 
 
 def test_the_reduced_map_is_searched_too(fmu):

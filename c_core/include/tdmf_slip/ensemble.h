@@ -157,6 +157,7 @@ typedef struct {
     int64_t count;                              /* of runners */
     uint64_t first_number;                      /* of the first; by their numbers rough ground is drawn */
     double relative_tolerance;                  /* as in tdmf_solver */
+    long step_limit;                            /* of each runner, as in tdmf_solver; 0: TDMF_STEP_LIMIT */
     int threads;                                /* so many work at once, but no more than runners */
     tdmf_instructions instructions;             /* how they are stepped */
     tdmf_ensemble_map map;                      /* by which all of them go */
@@ -175,7 +176,8 @@ typedef enum {
     TDMF_FATE_FELL,      /* the body or the leg is down */
     TDMF_FATE_UNDECIDED, /* neither within the strides allowed, or one takes longer than 1e4 sqrt(m/k) */
     TDMF_FATE_NO_START,  /* the start is no apex above the ground, or the inputs are out of range */
-    TDMF_FATE_UNSOLVED,  /* the solver could not follow it: too stiff, or too many steps or events */
+    TDMF_FATE_UNSOLVED,  /* the solver could not follow it: too stiff, or too many steps or events, see
+                            TDMF_STEP_LIMIT */
     TDMF_FATE_NO_STRIDE, /* the reduced map has no stride from the last apex: see tdmf_return_outcome */
     TDMF_FATE_STOPPED    /* the run was stopped before */
 } tdmf_fate;
@@ -207,16 +209,16 @@ typedef struct {
 
 /* Runs all; `ends` has room for one of each. A runner's end depends neither on its neighbours nor on the
  * number of threads. `work` may be NULL. False, with nothing written, where the instructions are not to be
- * had, the tolerance is not above 0 and below 1, the number of threads is not positive, a runner's case is
- * none of those given, or has a patch of ground and gaits to settle on, which a place has not, or goes by the
- * reduced map, a roughness is not finite, below 0 or above 0 in the reduced map, the map is none, a
- * setting is none, is set twice or gets a value out of its range, heights of rough ground or a friction that
- * is drawn are set, terrain has a length that is not finite or below TDMF_MIN_SEGMENT l0, or comes with a
- * slope, a push, gaits to settle on, checkpoints, the reduced map or settings of any of these, a height of it
- * is not finite, weights or a spread are not finite or the spread is below 0 or above it in the reduced map,
- * a number of a law or a ball is beyond 1e100 or its limits are no range, a number of elements is below 0 or
- * their array NULL, a checkpoint to go on from has a contact or phase that there is not, or there is no
- * memory. */
+ * had, the tolerance is not above 0 and below 1, the limit of steps is below 0, the number of threads is not
+ * positive, a runner's case is none of those given, or has a patch of ground and gaits to settle on, which a
+ * place has not, or goes by the reduced map, a roughness is not finite, below 0 or above 0 in the reduced
+ * map, the map is none, a setting is none, is set twice or gets a value out of its range, heights of rough
+ * ground or a friction that is drawn are set, terrain has a length that is not finite or below
+ * TDMF_MIN_SEGMENT l0, or comes with a slope, a push, gaits to settle on, checkpoints, the reduced map or
+ * settings of any of these, a height of it is not finite, weights or a spread are not finite or the spread is
+ * below 0 or above it in the reduced map, a number of a law or a ball is beyond 1e100 or its limits are no
+ * range, a number of elements is below 0 or their array NULL, a checkpoint to go on from has a contact or
+ * phase that there is not, or there is no memory. */
 TDMF_API bool tdmf_run_ensemble(const tdmf_ensemble *ensemble, tdmf_ensemble_end *ends,
                                 tdmf_ensemble_work *work);
 

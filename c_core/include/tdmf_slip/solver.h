@@ -35,17 +35,26 @@ typedef struct {
     tdmf_event events[TDMF_EVENT_CAPACITY]; /* the first ones, in order */
 } tdmf_event_log;
 
+/* Default limits of one call of a solver. A usual stride takes some 50 steps. An event ends its step, so that
+ * a limit of steps bounds events, too.
+ *
+ * Many strides in a row share their steps, where they are tried in a search for a gait or made by a runner of
+ * an ensemble: the first may take step_limit of them, and each that follows those that were left over and a
+ * fortieth of step_limit, but never more than step_limit. */
+enum { TDMF_STEP_LIMIT = 200000, TDMF_EVENT_LIMIT = 100000, TDMF_STEP_SHARE = 40 };
+
 /* Settings of the native solver, and its counters. */
 typedef struct {
     double relative_tolerance; /* of a step, in the runner's scales; above 0 and below 1 */
-    long step_limit;           /* steps in one call */
-    long event_limit;          /* events in one call */
+    long step_limit;           /* steps in one call; see TDMF_STEP_LIMIT */
+    long event_limit;          /* events in one call, and in each stride of several */
     tdmf_event_log *log;       /* or NULL */
     /* Leaves out of the record what nothing else depends on: the hip's positive work and the peaks of the
      * ground force, which stay as they are. Not so where variations are carried along. */
     bool without_peaks_and_positive_work;
     /* Work done so far, for whoever wants to know. */
     int64_t steps, events;
+    int64_t strides;     /* closed; of the reduced map stances */
     int64_t evaluations; /* of the right-hand side, or of a coefficient of its series */
     int64_t layer_steps; /* of the steps, those that might be no longer where friction falls with speed */
 } tdmf_solver;

@@ -25,6 +25,7 @@ from ..library.affine_law import AffineLaw
 from ..library.gait import Gait
 from ..library.runner import Runner
 from ..library.section import check_axes
+from ..library.shared_steps import shares_steps
 from ..terminal.progress import progress_bar
 from .axes import AXES, Axes, axes_of
 from .axes import range_around as range_around
@@ -43,6 +44,7 @@ MAX_STARTS = MAX_ALONG**2
 MAX_AXIS = MAX_STARTS // 2
 
 
+@shares_steps
 def basin(
     runner: RunnerLike = None,
     axes: Axes = AXES,

@@ -22,6 +22,7 @@ from ..library.gait import Gait
 from ..library.members import VARIED, check_varied
 from ..library.quantities import check_quantities, known_quantities, quantities_of, unit_of
 from ..library.runner import Runner
+from ..library.shared_steps import shares_steps
 from ..terminal.progress import progress_bar
 from ..terminal.text import headed, table
 from .search import periodic_gait
@@ -148,6 +149,7 @@ def _reported(gait: Gait) -> dict[str, object]:
     }
 
 
+@shares_steps
 def compare(
     runners: Sequence[RunnerLike],
     *,

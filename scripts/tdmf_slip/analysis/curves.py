@@ -17,6 +17,7 @@ from ..given import row_of
 from ..library.members import check_varied
 from ..library.quantities import scales_of
 from ..library.runner import Runner
+from ..library.shared_steps import shares_steps
 from ..numerics.halving import halved
 from ..terminal.progress import progress_bar
 from .bifurcations import NEIMARK_SACKER, NOT_JUDGED, WORD_BORDER, Special
@@ -36,6 +37,7 @@ SAME = 1e-6
 """Two points of a curve that are as near, over the scales, are one."""
 
 
+@shares_steps
 def continue_curves(
     runner: RunnerLike,
     vary: Mapping[str, tuple[float, float]],

@@ -6,6 +6,7 @@ from ..library.gait import Gait, gait_near, settled_gait
 from ..library.return_map import Along
 from ..library.runner import Runner
 from ..library.section import Apex
+from ..library.shared_steps import shares_steps
 from .continuation import gaits_over
 from .spread import search_from_spread
 
@@ -15,6 +16,7 @@ def model_of(runner: Runner) -> dict[str, str]:
     return {"model": "reduced"} if runner.reduced else {}
 
 
+@shares_steps
 def periodic_gait(
     runner: object = None,
     guess: Apex | None = None,

@@ -13,15 +13,20 @@ from numpy.typing import NDArray
 
 from ..contents import ByContents
 from ..errors import InputError, RunError
-from ..library.ensemble import Case, run_ensemble
+from ..library.ensemble import FATES, Case, run_ensemble
 from ..library.gait import Gait, gait_near
 from ..library.return_map import Along
 from ..library.runner import Runner
+from ..library.shared_steps import SharedSteps, search_under_way, shares_steps
 from ..library.strides import newton_step, strides_from
 from ..numerics.newton import last_iterate
 
 MAX_STRIDES = 150_000
 """Of all runners of a search, about a second of two processors."""
+STEP_LIMIT = 5_000
+"""Of a runner's first stride, a hundred times as many as is usual; see `run_ensemble`."""
+MAX_STEPS, MAX_NEWTON_STEPS = 50_000_000, 500_000
+"""Of the runners side by side, and of Newton's method from where they come to: ten seconds each."""
 STARTS = 16_384
 """That are drawn."""
 SEED = 2016
@@ -48,6 +53,7 @@ RISE = 0.6
 """Largest vertical speed at lift-off, in l0 sqrt(k/m): apexes are as high as gravity lets it take them."""
 LENGTHS, RATES = (0.98, 1.02), (-0.3, 0.3)
 """Of the leg, in l0, and of its turning, in sqrt(k/m)."""
+UNSOLVED = FATES.index("unsolved")
 
 
 @dataclass(frozen=True, eq=False)
@@ -60,10 +66,22 @@ class Spread(ByContents):
     """So many were drawn."""
     strides: int
     """So many were made."""
+    steps: int
+    """Of the solver, in these strides and in those that did not close."""
+    events: int
+    """Taken in these steps."""
+    given_up: int
+    """So many strides could not be followed, as they took too many steps: where they lead is not known."""
 
     def __str__(self) -> str:
         """What was tried, in words."""
-        return f"{self.starts:,} starts all over the section, {self.strides:,} strides"
+        tried = f"{self.starts:,} starts all over the section, {self.strides:,} strides"
+        if not self.given_up:
+            return tried
+        return (
+            f"{tried} in {self.steps:,} steps with {self.events:,} events; {self.given_up:,} strides more "
+            "could not be followed, in most cases because they take too many steps"
+        )
 
 
 def starts_of(runner: Runner, count: int, seed: int = SEED) -> NDArray[np.float64]:
@@ -85,11 +103,12 @@ def starts_of(runner: Runner, count: int, seed: int = SEED) -> NDArray[np.float6
     return drawn[:, : len(runner.coordinates)] * runner.scales
 
 
+@shares_steps
 def search_from_spread(
     runner: Runner, *, along: Along | None = None, max_gaits: int = 1, max_strides: int = MAX_STRIDES
 ) -> Spread:
     """Gaits of a runner from starts all over the section, but for those that lead backwards."""
-    found = _Found(runner, along)
+    found = _Found(runner, along, search_under_way())
     runs = _Runs(runner, starts_of(runner, STARTS), max_strides)
     nearest: list[tuple[float, NDArray[np.float64]]] = []
     for apices, returns in runs.looks():
@@ -103,14 +122,17 @@ def search_from_spread(
         for _, apex in sorted(nearest, key=lambda pair: pair[0]):
             found.try_from(apex)
     gaits = sorted(found.gaits, key=lambda gait: (not gait.stable, gait.lambda_max))
-    return Spread(tuple(gaits), STARTS, runs.made + found.strides)
+    strides, steps, events = (sum(pair) for pair in zip(runs.done, found.work.done(), strict=True))
+    return Spread(tuple(gaits), STARTS, strides, steps, events, runs.given_up)
 
 
 class _Runs:
     """Runners side by side."""
 
     def __init__(self, runner: Runner, starts: NDArray[np.float64], max_strides: int) -> None:
-        self.runner, self.apexes, self.left, self.made = runner, starts, max_strides, 0
+        self.runner, self.apexes, self.max_strides = runner, starts, max_strides
+        self.done = (0, 0, 0)
+        self.given_up = 0
 
     def looks(self) -> Iterator[tuple[NDArray[np.float64], NDArray[np.float64]]]:
         """Points, and how near to them a stride from there comes back, over the scales: again and again."""
@@ -126,11 +148,15 @@ class _Runs:
 
     def _after(self, strides: int) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
         """Those apexes from which so many strides close, and the last ones; no more than may be made."""
-        apexes = self.apexes[: self.left // strides]
+        made, steps, events = self.done
+        apexes = self.apexes[: (self.max_strides - made) // strides if steps < MAX_STEPS else 0]
         if not len(apexes):
             return apexes, apexes
-        ends, work = run_ensemble([Case(self.runner)], apexes, max_strides=strides, tolerance=TOLERANCE)
-        self.left, self.made = self.left - work.strides, self.made + work.strides
+        ends, work = run_ensemble(
+            [Case(self.runner)], apexes, max_strides=strides, tolerance=TOLERANCE, step_limit=STEP_LIMIT
+        )
+        self.done = made + work.strides, steps + work.steps, events + work.events
+        self.given_up += int(np.count_nonzero(ends["fate"] == UNSOLVED))
         closed = ends["strides"] == strides
         return apexes[closed], ends["apex"][closed, : apexes.shape[1]]
 
@@ -138,10 +164,9 @@ class _Runs:
 class _Found:
     """Gaits by Newton's method from one point after the other."""
 
-    def __init__(self, runner: Runner, along: Along | None) -> None:
-        self.runner, self.along = runner, along
+    def __init__(self, runner: Runner, along: Along | None, work: SharedSteps) -> None:
+        self.runner, self.along, self.work = runner, along, work
         self.gaits: list[Gait] = []
-        self.strides = 0
         self._tried: list[NDArray[np.float64]] = []
 
     @property
@@ -151,7 +176,12 @@ class _Found:
 
     def try_from(self, apex: NDArray[np.float64]) -> None:
         """Once more, unless a point near this one was tried or is a gait's."""
-        if len(self._tried) >= MAX_TRIED or self._is_near(apex, self._tried, APART):
+        _, steps, _ = self.work.done()
+        if (
+            len(self._tried) >= MAX_TRIED
+            or steps >= MAX_NEWTON_STEPS
+            or self._is_near(apex, self._tried, APART)
+        ):
             return
         self._tried.append(apex)
         with contextlib.suppress(InputError, RunError, np.linalg.LinAlgError):
@@ -159,7 +189,6 @@ class _Found:
             if near is None or self._is_near(near, [gait.apex for gait in self.gaits], SAME):
                 return
             gait = gait_near(self.runner, near, along=self.along)
-            self.strides += gait.iterations + 1
             known = [other.apex for other in self.gaits]
             if gait.stride["length"] > 0.0 and not self._is_near(gait.apex, known, SAME):
                 self.gaits.append(gait)
@@ -197,5 +226,4 @@ class _Found:
         return self._strides_from(strides.apex + step)
 
     def _strides_from(self, apex: NDArray[np.float64]) -> Gait:
-        self.strides += 1
         return strides_from(self.runner, apex)

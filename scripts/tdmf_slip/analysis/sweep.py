@@ -20,6 +20,7 @@ from ..given import mapping_of
 from ..library.gait import Gait, settled_gait
 from ..library.members import check_has_gaits, varied_alone
 from ..library.runner import Runner
+from ..library.shared_steps import shares_steps
 from ..terminal.progress import Bar, progress_bar
 from .borders import Border, crossings
 from .family import Family
@@ -182,6 +183,7 @@ def sweep(
     return sweep_row(runner, name, row, progress)
 
 
+@shares_steps
 def sweep_row(runner: Runner, name: str, values: Values, progress: bool = False) -> Sweep:
     """`sweep` over values that are checked already."""
     gaits: list[Gait | None] = [None] * len(values)

@@ -21,6 +21,7 @@ from ..library.members import check_varied
 from ..library.quantities import QUANTITIES, SIGNED, check_quantities, quantities_of, quantity_given
 from ..library.runner import Runner
 from ..library.section import Apex
+from ..library.shared_steps import shares_steps
 from .beginnings import beginnings
 from .nearest import Help, nearest_from, parameters_that_help
 from .search import periodic_gait
@@ -57,6 +58,7 @@ class TargetNotMetError(RunError):
         return type(self), (str(self), self.nearest, self.helps)
 
 
+@shares_steps
 def find_gait(
     runner: RunnerLike = None,
     *,

@@ -15,6 +15,7 @@ from ..given import row_of
 from ..library.gait import Gait, check_is_gait, settled_gait
 from ..library.members import varied_alone
 from ..library.runner import Runner
+from ..library.shared_steps import shares_steps
 from ..terminal.progress import progress_bar
 from .branch import Branch
 from .continuation import gaits_over
@@ -32,6 +33,7 @@ STARTS = 24
 """Values of the range at which a gait to begin with is looked for."""
 
 
+@shares_steps
 def continue_branch(
     runner: RunnerLike,
     vary: Mapping[str, tuple[float, float]],

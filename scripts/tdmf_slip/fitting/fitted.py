@@ -18,6 +18,7 @@ from ..fmu.parameters import RunnerLike
 from ..library.gait import Gait, gait_near
 from ..library.runner import Runner
 from ..library.section import Apex
+from ..library.shared_steps import shares_steps
 from ..terminal.progress import progress_bar
 from .across import cross
 from .concluded import Conclusion, is_met
@@ -37,6 +38,7 @@ AGAIN = 3
 """Fits that are begun anew where a profile has led to a better one."""
 
 
+@shares_steps
 def fit(
     runner: RunnerLike,
     data: Measurements | str | Path,

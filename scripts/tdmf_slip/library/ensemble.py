@@ -78,6 +78,7 @@ def run_ensemble(
     first_number: int = 0,
     near: float = NEAR,
     tolerance: float = TOLERANCE,
+    step_limit: int | None = None,
     threads: int | None = None,
     instructions: str | None = None,
     foot_x: NDArray[np.float64] | None = None,
@@ -101,6 +102,9 @@ def run_ensemble(
         Distance from a gait's apex, over the scales, at which a runner counts as settled.
     tolerance : float, default 2e-10
         Relative tolerance of a step.
+    step_limit : int, optional
+        Steps of a runner's first stride, at the most; each further one has those left over and a fortieth of
+        them more. By default the library's `TDMF_STEP_LIMIT`. A runner that needs more is unsolved.
     threads : int, optional
         By default one for each processor. Results do not depend on it.
     instructions : str, optional
@@ -154,6 +158,7 @@ def run_ensemble(
                 "runner one"
             )
         ensemble.foot_x = ffi.cast("double *", ffi.from_buffer(positions))
+    ensemble.step_limit = 0 if step_limit is None else _whole("step_limit", step_limit)
     max_strides, near = _whole("max_strides", max_strides), _within("near", near, 0.0, np.inf)
     made, kept = c_cases(all_cases, max_strides, near)
     ensemble.cases = made

@@ -211,7 +211,7 @@ def _search(runner: Runner, apex: NDArray[np.float64], settling: int, along: Alo
     ran = settling and map.settle(solver, runner.system, settling, section)
     found = map.find(solver, runner.system, section, seed, seed != ffi.NULL)
     if found.outcome != c.TDMF_ORBIT_FOUND:
-        raise GaitNotFoundError(why_no_gait(runner, found, ran < settling, ran))
+        raise GaitNotFoundError(why_no_gait(runner, found, ran < settling, ran, solver))
     log.count = 0
     fixed_point = list(found.apex)[: len(apex)]
     stride = map.measured_stride(solver, runner.system, fixed_point, np.inf, False, ffi.NULL, 0)

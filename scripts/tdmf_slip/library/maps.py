@@ -11,7 +11,7 @@ from ..errors import InputError
 from ..fmu.fmu import FRICTION
 from .binding import c
 from .runner import Runner, text_of
-from .structs import FoundGait, Return
+from .structs import FoundGait, Return, Solver
 
 PATCH = ("ground.patch_begin", "ground.patch_end")
 """Where a part of the ground with its own friction begins and ends, along the ground."""
@@ -48,9 +48,15 @@ def refuse_patch(values: Mapping[str, float]) -> None:
         )
 
 
-def why_no_gait(runner: Runner, found: FoundGait, settling: bool, ran: int) -> str:
-    """Why a search found no gait, in words."""
-    where = f"no gait at friction {runner.values[FRICTION]:g}"
+def why_no_gait(runner: Runner, found: FoundGait, settling: bool, ran: int, solver: Solver) -> str:
+    """Why a search found no gait, in words; where the solver gave up, nothing is known of one."""
+    at = f"at friction {runner.values[FRICTION]:g}"
+    if found.outcome == c.TDMF_ORBIT_UNSOLVED:
+        return (
+            f"the search for a gait {at} was given up: {why_no_return(found.stride)}, after "
+            f"{solver.strides:,} strides, {solver.steps:,} steps and {solver.events:,} events"
+        )
+    where = f"no gait {at}"
     if found.outcome != c.TDMF_ORBIT_NOT_FOUND:
         why = why_no_return(found.stride)
         return f"{where}: " + (

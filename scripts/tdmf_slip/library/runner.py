@@ -20,6 +20,7 @@ from ..given import mapping_of
 from .binding import c, ffi
 from .members import FLAGS, INPUTS, PARAMETERS, STATES, VARIED
 from .section import COORDINATES, REDUCED, Apex, checked_apex, is_reduced
+from .shared_steps import search_under_way
 from .structs import Center, EventLog, Model, Refusal, Solver, Struct
 
 TOLERANCE = 1e-13
@@ -175,6 +176,7 @@ class Runner(ByContents):
             raise InputError(f"tolerance = {self.tolerance!r} is not allowed; allowed: above 0, below 1")
         solver.relative_tolerance = self.tolerance
         solver.log = ffi.NULL if log is None else log
+        search_under_way().hand_out(solver)
         return solver
 
     def apex(self) -> NDArray[np.float64]:

@@ -118,10 +118,14 @@ class EventLog(Protocol):
 
 
 class Solver(Protocol):
-    """`tdmf_solver *`: the native solver's settings."""
+    """`tdmf_solver *`: the native solver's settings, and the work that it has done."""
 
     relative_tolerance: float
+    step_limit: int
     log: EventLog
+    strides: int
+    steps: int
+    events: int
 
 
 class Refusal(Protocol):
@@ -136,6 +140,7 @@ class Ensemble(Protocol):
     cases: object
     case_count: int
     case_of: object
+    step_limit: int
     foot_x: object
     given: object
     strides: object

@@ -10,6 +10,7 @@ from ..fmu.fmu import Fmu, load_fmu
 from ..fmu.parameters import RunnerLike
 from ..fmu.variable import Given
 from ..library.runner import Runner
+from ..library.shared_steps import shares_steps
 from ..terminal.progress import progress_bar
 from .optimizer import Optimizer
 from .optimum import Optimum
@@ -19,6 +20,7 @@ from .request import check_action, checked_objective, checked_radius, checked_sp
 STARTS, MAX_STARTS = 6, 100
 
 
+@shares_steps
 def optimize(
     runner: RunnerLike,
     vary: Mapping[str, tuple[Given, Given]],

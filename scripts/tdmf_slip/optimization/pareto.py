@@ -17,6 +17,7 @@ from ..fmu.fmu import Fmu, load_fmu
 from ..fmu.parameters import RunnerLike
 from ..fmu.variable import Given
 from ..library.runner import Runner
+from ..library.shared_steps import shares_steps
 from ..terminal.progress import Bar, progress_bar
 from .optimize import MAX_STARTS, STARTS
 from .optimizer import Optimizer
@@ -46,6 +47,7 @@ class Front(ByContents, Drawable):
         return {"objectives": list(self.objectives), "front": [best.as_json() for best in self.optima]}
 
 
+@shares_steps
 def pareto_front(
     runner: RunnerLike,
     vary: Mapping[str, tuple[Given, Given]],

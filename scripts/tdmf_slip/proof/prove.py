@@ -19,6 +19,7 @@ from ..fmu.names import by_full_name, full_name
 from ..fmu.parameters import RUNNER
 from ..library.gait import Gait
 from ..library.members import check_varied
+from ..library.shared_steps import shares_steps
 from .eigenvalues import eigenvalues
 from .exact import Exact, exact_value
 from .given import MAX_DIGITS, Radius, RunnerLike, gait_of, radius_of
@@ -66,6 +67,7 @@ def prove(
 ) -> RangeProof: ...
 
 
+@shares_steps
 def prove(
     gait: RunnerLike = None,
     *,

@@ -14,6 +14,7 @@ from fractions import Fraction
 from flint import acb_mat, arb, ctx
 
 from ..drawable import Drawable
+from ..library.shared_steps import shares_steps
 from .eigenvalues import contraction
 from .exact import ball_of
 from .given import RunnerLike, gait_of
@@ -78,6 +79,7 @@ class Attraction(Drawable):
         )
 
 
+@shares_steps
 def prove_attraction(gait: RunnerLike = None) -> Attraction:
     """A ball around a stable gait in which every start settles on it, proved.
 

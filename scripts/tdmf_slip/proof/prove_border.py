@@ -18,6 +18,7 @@ from ..fmu.names import full_name
 from ..library.gait import Gait
 from ..library.members import FLAGS, VARIED, check_varied
 from ..library.runner import Runner
+from ..library.shared_steps import shares_steps
 from .exact import Exact, exact_values
 from .forced import Forced
 from .given import MAX_DIGITS, RunnerLike, check_laws, runner_of
@@ -114,6 +115,7 @@ class BorderProof(Drawable):
         return f"{side.word} {at} is proved" if side.proved else f"the gait {at} is undecided"
 
 
+@shares_steps
 def prove_border(
     border: Border | float,
     runner: RunnerLike = None,
