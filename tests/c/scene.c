@@ -17,6 +17,7 @@ static void complete_mode(runner *runner) {
 
 runner scene_on_ground(tdmf_contact_mode contact, double leg_angle, double vertical_force) {
     runner runner = runner_default(high_friction);
+    runner.model.parameters.hip.swing_clamp = true;
     memset(runner.motion.state, 0, sizeof runner.motion.state);
     runner.motion.state[TDMF_LEG_ANGLE] = leg_angle;
     runner.motion.mode.contact = contact;
@@ -29,6 +30,7 @@ runner scene_on_ground(tdmf_contact_mode contact, double leg_angle, double verti
 
 runner scene_in_flight(tdmf_hip_phase phase, double com_vy) {
     runner runner = runner_default(high_friction);
+    runner.model.parameters.hip.swing_clamp = true;
     memset(runner.motion.state, 0, sizeof runner.motion.state);
     runner.motion.state[TDMF_FOOT_Y] = 1.0;
     runner.motion.state[TDMF_LEG_LENGTH] = 1.0;

@@ -2,6 +2,7 @@
 #include "compare.h"
 #include "extended_strides.h"
 #include "fmi_interface.h"
+#include "free_swing.h"
 
 #include "fmu.h"
 #include "tdmf_slip/cvode.h"
@@ -16,7 +17,7 @@ int feenableexcept(int exceptions); /* GNU extensions, hidden by -std=c99 */
 int fedisableexcept(int exceptions);
 #endif
 
-static const double period = 24.76444922801218; /* of the default gait */
+static double period; /* of the default gait */
 
 static void run(const fmi_interface *fmi, void *instance, double from, double to, double step) {
     step_answer answer;
@@ -39,7 +40,8 @@ static void steps_arrive_and_the_grid_does_not_matter(void **state) {
         assert_true(fabs(value_of(fmi, instance, "time") - 250.0) < 1e-9);
         assert_int_equal(integer_of(fmi, instance, "stride.count"), 10);
         assert_close(value_of(fmi, instance, "stride.period"), period, 1e-8);
-        assert_close(value_of(fmi, instance, "stride.cost_of_transport"), 0.3717046558598356, 1e-9);
+        assert_close(value_of(fmi, instance, "stride.cost_of_transport"), default_gait()->cost_of_transport,
+                     1e-9);
         fmi->free(instance);
     }
 }
@@ -57,6 +59,8 @@ static void start_at_apex(const fmi_interface *fmi, void *instance, double frict
     for (int i = 0; i < TDMF_MECHANICAL_COUNT; ++i) {
         assert_int_equal(set_value(fmi, instance, names[i], state[i]), FMI_OK);
     }
+    assert_int_equal(fmi->set_truth(instance, reference_of("hip.swing_clamp"), parameters->hip.swing_clamp),
+                     FMI_OK);
     assert_int_equal(set_value(fmi, instance, "ground.friction", friction), FMI_OK);
     assert_int_equal(set_value(fmi, instance, "solver.relative_tolerance", 1e-13), FMI_OK);
     initialize_unit(fmi, instance);
@@ -66,7 +70,8 @@ static void start_at_apex(const fmi_interface *fmi, void *instance, double frict
 static void a_stride_takes_the_proved_time(void **state) {
     step_answer answer;
     const fmi_interface *fmi = *state;
-    const tdmf_parameters parameters = tdmf_default_parameters();
+    tdmf_parameters parameters = tdmf_default_parameters();
+    parameters.hip.swing_clamp = true; /* as it was proved */
     for (int i = 0; i < PROVED_GAITS; ++i) {
         const proved_gait *gait = &proved_gaits[i];
         for (int stops = 0; stops < 2; ++stops) {
@@ -411,5 +416,6 @@ int main(void) {
         IN_BOTH_VERSIONS(model_exchange_calls_are_refused),
         IN_BOTH_VERSIONS(ten_strides_raise_no_floating_point_exception),
     };
+    period = default_gait()->period;
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

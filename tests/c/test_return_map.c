@@ -37,6 +37,7 @@ typedef struct {
 
 static scene_at_apex at_gait(const reference_gait *gait) {
     scene_at_apex scene = {tdmf_default_parameters(), tdmf_default_inputs(), {0.0}};
+    scene.parameters.hip.swing_clamp = true;
     scene.inputs.ground.friction = gait->friction;
     memcpy(scene.section, &gait->apex, sizeof scene.section);
     return scene;

@@ -24,7 +24,8 @@ typedef struct {
 
 /* Starts over the gait's apex, the first in the ball: half axes 0.2 in height and so much less in speed. */
 static void gather(population *population) {
-    const tdmf_parameters parameters = tdmf_default_parameters();
+    tdmf_parameters parameters = tdmf_default_parameters();
+    parameters.hip.swing_clamp = true;
     memset(population, 0, sizeof *population);
     assert_null(tdmf_model_create(&population->model, &parameters).variable);
     memcpy(population->gait[0], &reference_gaits[2].apex, sizeof population->gait[0]);
