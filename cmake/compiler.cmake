@@ -21,7 +21,7 @@ set(bind_at_once LINKER:-z,relro LINKER:-z,now LINKER:-z,noexecstack)
 if(NOT WIN32 AND NOT APPLE)
     check_linker_flag(C "${bind_at_once}" TDMF_SLIP_LINKER_BINDS_AT_ONCE)
 endif()
-function(harden target)
+function(tdmf_slip_harden target)
     target_compile_options(${target} PRIVATE ${TDMF_SLIP_HARDENING})
     if(NOT WIN32 AND NOT TDMF_SLIP_SANITIZE) # sanitizers check more
         target_compile_options(${target} PRIVATE $<$<NOT:$<CONFIG:Debug>>:-U_FORTIFY_SOURCE;-D_FORTIFY_SOURCE=2>)
@@ -31,8 +31,10 @@ function(harden target)
     endif()
 endfunction()
 
-# Warnings, floating point and hardening, for every target of ours.
+# Warnings, floating point and hardening, for every target of ours. Static functions of two files may have the same name,
+# so that files are never compiled together.
 function(tdmf_slip_compile target)
+    set_target_properties(${target} PROPERTIES UNITY_BUILD OFF)
     if(MSVC)
         target_compile_options(${target} PRIVATE /W4 /fp:precise $<$<BOOL:${TDMF_SLIP_WARNINGS_ARE_ERRORS}>:/WX>)
         target_compile_definitions(${target} PRIVATE _CRT_SECURE_NO_WARNINGS)
@@ -41,7 +43,7 @@ function(tdmf_slip_compile target)
     # Contraction into fused multiply-adds would make results depend on the processor.
     target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wconversion -ffp-contract=off -fno-math-errno
                            $<$<BOOL:${TDMF_SLIP_WARNINGS_ARE_ERRORS}>:-Werror>)
-    harden(${target})
+    tdmf_slip_harden(${target})
     if(TDMF_SLIP_SANITIZE)
         set(sanitizers -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer
             $<$<BOOL:${TDMF_SLIP_FUZZ}>:-fsanitize=fuzzer-no-link>)

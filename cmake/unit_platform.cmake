@@ -1,5 +1,5 @@
-# FMI's names of platforms, fmi2_platform (linux64) and fmi3_platform (x86_64-linux), and fmu_library(<target>
-# <folder>): how a unit's shared library is called and linked.
+# FMI's names of platforms, fmi2_platform (linux64) and fmi3_platform (x86_64-linux), and
+# tdmf_slip_fmu_library(<target> <folder>): how a unit's shared library is called and linked.
 math(EXPR bits "8 * ${CMAKE_SIZEOF_VOID_P}")
 set(processors "AMD64=x86_64" "arm64=aarch64" "ARM64=aarch64")
 set(processor ${CMAKE_SYSTEM_PROCESSOR})
@@ -26,7 +26,7 @@ endif()
 include(CheckLinkerFlag)
 check_linker_flag(C -Wl,--exclude-libs,ALL TDMF_SLIP_LINKER_EXCLUDES_LIBRARIES)
 
-function(fmu_library target folder)
+function(tdmf_slip_fmu_library target folder)
     set_target_properties(${target} PROPERTIES
         PREFIX "" OUTPUT_NAME TDMF_SLIP SUFFIX ${CMAKE_SHARED_LIBRARY_SUFFIX}
         ARCHIVE_OUTPUT_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR}/import/${target}

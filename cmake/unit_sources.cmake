@@ -1,7 +1,7 @@
-# unit_sources(<variable> <object library>...): the C files of a unit, from the lists of the core and of these
-# libraries. Sets <variable>_files, absolute paths with private headers, and <variable>_names, the C files' names. In
+# tdmf_slip_unit_sources(<variable> <object library>...): the C files of a unit, from the lists of the core and of
+# these libraries. Sets <variable>_files, absolute paths with private headers, and <variable>_names, the C files' names. In
 # the unit they lie in one folder, so every name may occur once. SUNDIALS stays out: CVODE is refused with a message.
-function(unit_sources variable)
+function(tdmf_slip_unit_sources variable)
     set(files ${PROJECT_SOURCE_DIR}/c_core/solver/no_cvode.c)
     foreach(target IN ITEMS tdmf_slip tdmf_slip_internal ${ARGN})
         get_target_property(sources ${target} SOURCES)
@@ -17,8 +17,9 @@ function(unit_sources variable)
     list(APPEND folders ${PROJECT_SOURCE_DIR}/c_core/kernel ${PROJECT_SOURCE_DIR}/c_core/derived)
     list(REMOVE_DUPLICATES folders)
     foreach(folder IN LISTS folders)
-        if(NOT folder MATCHES "^${PROJECT_BINARY_DIR}")
-            file(GLOB headers CONFIGURE_DEPENDS ${folder}/*.h)
+        cmake_path(IS_PREFIX PROJECT_BINARY_DIR ${folder} is_generated)
+        if(NOT is_generated)
+            tdmf_slip_glob(headers ${folder} *.h CONFIGURE_DEPENDS)
             list(APPEND files ${headers})
         endif()
     endforeach()

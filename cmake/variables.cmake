@@ -4,8 +4,8 @@ find_package(Python3 REQUIRED COMPONENTS Interpreter)
 set(TDMF_SLIP_VARIABLE_TABLE ${PROJECT_SOURCE_DIR}/modelDescription.xml)
 set(TDMF_SLIP_GENERATOR ${PROJECT_SOURCE_DIR}/scripts/generate_variables.py)
 
-# generate_variables(<what> <output> [TEMPLATE <file>] [<argument>...]): see scripts/generate_variables.py --help.
-function(generate_variables what output)
+# tdmf_slip_generate(<what> <output> [TEMPLATE <file>] [<argument>...]): see scripts/generate_variables.py --help.
+function(tdmf_slip_generate what output)
     cmake_parse_arguments(given "" TEMPLATE "" ${ARGN})
     set(template ${given_TEMPLATE})
     list(TRANSFORM template PREPEND "--template=")

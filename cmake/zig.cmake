@@ -7,9 +7,9 @@ if(NOT ZIG)
         set(Python3_EXECUTABLE python3)
     endif()
     execute_process(
-        COMMAND ${Python3_EXECUTABLE} -c
+        COMMAND ${Python3_EXECUTABLE} -X utf8 -c
                 "import pathlib, ziglang; print((pathlib.Path(ziglang.__file__).parent / 'zig').as_posix())"
-        OUTPUT_VARIABLE ZIG OUTPUT_STRIP_TRAILING_WHITESPACE)
+        OUTPUT_VARIABLE ZIG OUTPUT_STRIP_TRAILING_WHITESPACE ENCODING UTF-8)
 endif()
 if(NOT EXISTS "${ZIG}")
     message(FATAL_ERROR "Zig was not found; install it with: ${Python3_EXECUTABLE} -m pip install 'ziglang==0.17.*'")
@@ -24,7 +24,7 @@ elseif(TDMF_SLIP_TARGET MATCHES "-wasi")
     set(CMAKE_SYSTEM_NAME Generic)
 else()
     set(CMAKE_SYSTEM_NAME Linux)
-    set(MATH_LIBRARY m CACHE STRING "Zig brings it")
+    set(TDMF_SLIP_MATH_LIBRARY m CACHE STRING "Zig brings it")
 endif()
 set(CMAKE_C_COMPILER ${ZIG} cc)
 # Zig keeps what it has compiled by itself: ccache in front of it would only read each file once more.

@@ -196,7 +196,7 @@ for_each_platform() {
 # build_platform PLATFORM: its units, the importer that compares platforms, and the library of its wheel, in one build.
 build_platform() {
     cmake --preset "$1" -DPython3_EXECUTABLE="$PWD/.venv/bin/python" &&
-        cmake --build "build/platforms/$1" --target python_package importer
+        cmake --build "build/platforms/$1" --target tdmf_slip_python_package importer
 }
 
 # Everything for every platform, in build/platforms: each cross-compiled by Zig, then the units of all in one file.

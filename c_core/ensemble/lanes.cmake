@@ -8,21 +8,22 @@ set(ensemble_sources ensemble/affine_law.c ensemble/drawn_ground.c ensemble/ense
     ensemble/settled.c ensemble/terrain.c ensemble/threads.c)
 list(TRANSFORM ensemble_sources PREPEND ${PROJECT_SOURCE_DIR}/c_core/)
 
-# add_lanes(<name> <function> <number of lanes> <flag>...): a build of batches.c, if the compiler takes the flags.
-function(add_lanes name function count)
-    string(MAKE_C_IDENTIFIER "takes flags of ${name}" takes)
+# tdmf_slip_add_lanes(<name> <function> <number of lanes> <flag>...): a build of batches.c, if the compiler takes the
+# flags.
+function(tdmf_slip_add_lanes name function count)
+    string(MAKE_C_IDENTIFIER "TDMF_SLIP_COMPILER_TAKES_flags_of_${name}" takes)
     string(REPLACE ";" " " flags "${ARGN}")
     check_c_compiler_flag("${flags}" ${takes})
     if(NOT ${takes})
         return()
     endif()
-    add_library(lanes_${name} OBJECT ensemble/batches.c)
-    target_include_directories(lanes_${name} PRIVATE include derived model model/events solver kernel gait)
-    target_compile_definitions(lanes_${name} PRIVATE TDMF_RUN_BATCHES=${function} TDMF_LANES=${count})
-    tdmf_slip_compile(lanes_${name})
-    target_compile_options(lanes_${name} PRIVATE ${ARGN})
+    add_library(tdmf_slip_lanes_${name} OBJECT ensemble/batches.c)
+    target_include_directories(tdmf_slip_lanes_${name} PRIVATE include derived model model/events solver kernel gait)
+    target_compile_definitions(tdmf_slip_lanes_${name} PRIVATE TDMF_RUN_BATCHES=${function} TDMF_LANES=${count})
+    tdmf_slip_compile(tdmf_slip_lanes_${name})
+    target_compile_options(tdmf_slip_lanes_${name} PRIVATE ${ARGN})
     string(TOUPPER TDMF_HAS_${name} macro)
-    set_property(DIRECTORY APPEND PROPERTY lanes $<TARGET_OBJECTS:lanes_${name}>)
+    set_property(DIRECTORY APPEND PROPERTY lanes $<TARGET_OBJECTS:tdmf_slip_lanes_${name}>)
     set_property(DIRECTORY APPEND PROPERTY lane_macros ${macro})
 endfunction()
 
@@ -32,18 +33,18 @@ if(CMAKE_C_COMPILER_ID MATCHES "^(GNU|Clang|AppleClang)$" AND NOT CMAKE_C_SIMULA
     if(CMAKE_SYSTEM_PROCESSOR STREQUAL "wasm32")
         list(APPEND two_lanes -msimd128) # elsewhere two lanes need no flag
     endif()
-    add_lanes(two_lanes tdmf_run_two_lanes 2 ${two_lanes})
+    tdmf_slip_add_lanes(two_lanes tdmf_run_two_lanes 2 ${two_lanes})
     if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64|amd64)$" AND NOT (WIN32 AND CMAKE_C_COMPILER_ID STREQUAL "GNU"))
-        add_lanes(avx2 tdmf_run_avx2 4 -mavx2 -mfma -ffp-contract=fast)
-        add_lanes(avx512 tdmf_run_avx512 8 -mavx512f -mavx512dq -mavx512vl -mfma -mprefer-vector-width=512
+        tdmf_slip_add_lanes(avx2 tdmf_run_avx2 4 -mavx2 -mfma -ffp-contract=fast)
+        tdmf_slip_add_lanes(avx512 tdmf_run_avx512 8 -mavx512f -mavx512dq -mavx512vl -mfma -mprefer-vector-width=512
                   -ffp-contract=fast)
     endif()
 endif()
 get_property(lanes DIRECTORY PROPERTY lanes)
 get_property(lane_macros DIRECTORY PROPERTY lane_macros)
 
-# use_ensemble(<target>): puts the engine into a library of the core's sources, or beside one.
-function(use_ensemble target)
+# tdmf_slip_use_ensemble(<target>): puts the engine into a library of the core's sources, or beside one.
+function(tdmf_slip_use_ensemble target)
     target_sources(${target} PRIVATE ${ensemble_sources} ${lanes})
     target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR}/c_core/derived ${PROJECT_SOURCE_DIR}/c_core/model
                                ${PROJECT_SOURCE_DIR}/c_core/model/events ${PROJECT_SOURCE_DIR}/c_core/solver

@@ -26,8 +26,9 @@ enum {
 TDMF_API void tdmf_reduced_state(tdmf_system system, const double apex[TDMF_REDUCED_COUNT],
                                  double state[TDMF_STATE_COUNT]);
 
-/* Seeds of parameters and inputs along which a stride is differentiated, at the most. */
-enum { TDMF_REDUCED_MAP_SEEDS = TDMF_VARIATION_LIMIT - TDMF_REDUCED_COUNT };
+/* Seeds of parameters and inputs along which a stride is differentiated, at the most.
+ * The first plus is for C++20, which subtracts no enumerator of one enumeration from another's. */
+enum { TDMF_REDUCED_MAP_SEEDS = +TDMF_VARIATION_LIMIT - TDMF_REDUCED_COUNT };
 
 /* One stride from an apex, whose flight down and whose stance take no longer than `until` each. With
  * `derivatives`, also how it changes with the two coordinates and along `count` seeds of parameters and

@@ -57,8 +57,9 @@ typedef struct {
     tdmf_stride_measures measures;          /* and of these, where they were asked for */
 } tdmf_stride_variation;
 
-/* Seeds of parameters and inputs along which a stride of the return map is differentiated, at the most. */
-enum { TDMF_RETURN_MAP_SEEDS = TDMF_VARIATION_LIMIT - TDMF_SECTION_COUNT };
+/* Seeds of parameters and inputs along which a stride of the return map is differentiated, at the most.
+ * The first plus is for C++20, which subtracts no enumerator of one enumeration from another's. */
+enum { TDMF_RETURN_MAP_SEEDS = +TDMF_VARIATION_LIMIT - TDMF_SECTION_COUNT };
 
 /* Whether a stride closed, and else why not. Some of this only the reduced map meets. */
 typedef enum {
