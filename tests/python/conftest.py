@@ -27,6 +27,13 @@ RELEASE = os.environ.get("TDMF_SLIP_RELEASE") == "1"
 release = pytest.mark.skipif(not RELEASE, reason="takes minutes: scripts/test --release")
 
 
+def pytest_collection_modifyitems(items):
+    """Leaves to a release the tests of the live page on a phone, except those of what differs there."""
+    for item in items:
+        if "phone in the dark" in item.name and "both_screens" not in item.keywords:
+            item.add_marker(release)
+
+
 def some_of(cases, count):
     """Picks up to so many of some cases, evenly from the first one on; with --release it takes all."""
     cases = list(cases)

@@ -12,8 +12,8 @@ from tdmf_slip.fitting.result import QUANTILE
 from tdmf_slip.fitting.search import HUBER, loss_of, searched, weights_of
 from tdmf_slip.library.quantities import quantities_of
 
-SEEDS, MINIMUM, MAXIMUM = (400, 0.92, 0.98) if RELEASE else (40, 0.85, 1.0)
-"""By chance the share of 400 is outside these limits once in 200 times, that of 40 once in 300."""
+SEEDS, MINIMUM, MAXIMUM = (400, 0.92, 0.98) if RELEASE else (20, 0.80, 1.0)
+"""By chance the share of 400 is outside these limits once in 200 times, that of 20 once in 390."""
 PRECISE = ("speed", "frequency", "stance_time", "duty_factor", "slip_distance", "peak_force")
 WEAK = ("speed", "frequency", "stance_time", "peak_force")
 TORQUES = (0.14, 0.17, 0.2, 0.24, 0.28)

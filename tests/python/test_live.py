@@ -50,6 +50,7 @@ def test_the_page_and_all_that_it_loads_is_small_and_its_own(page, built, addres
         assert name.startswith(f"{address}/live/") and (built / name.removeprefix(f"{address}/")).is_file()
 
 
+@pytest.mark.both_screens
 def test_there_is_a_control_for_every_parameter_input_and_start_value(page, fmu):
     wanted = [member.name for member in (*PARAMETERS, *INPUTS)] + list(STATES)
     rows = page.execute_script(
@@ -161,6 +162,7 @@ def test_a_stride_in_which_a_mass_was_changed_has_no_ledger(page):
     assert page.execute_script("return tdmfSlip.run.lastLedger") is None
 
 
+@pytest.mark.both_screens
 def test_dragging_the_friction_across_a_border_changes_the_word(page):
     find_gait(page)
     wait(page, "tdmfSlip.gaits.frictionPlot.points.length > 60", "the curve")
@@ -214,6 +216,7 @@ def test_a_region_around_the_gait_is_that_of_the_command(page):
         assert [values[0], values[-1]] == pytest.approx(range_around(tdmf_slip.find_gait(), axis), rel=1e-5)
 
 
+@pytest.mark.both_screens
 def test_a_click_into_the_region_starts_the_runner_there(page):
     paint(page)
     canvas = find(page, "region")
@@ -305,6 +308,7 @@ def changes_within(page, body, events):
     return False
 
 
+@pytest.mark.both_screens
 def test_keys_and_taps_run_pause_and_step(page):
     body = page.find_element(By.TAG_NAME, "body")
     body.send_keys(" ")
@@ -320,6 +324,7 @@ def test_keys_and_taps_run_pause_and_step(page):
     assert page.execute_script("return tdmfSlip.player.running")
 
 
+@pytest.mark.both_screens
 def test_nothing_is_wider_than_the_screen_and_the_colours_are_those_asked_for(page):
     width, dark = page.execute_script(
         "return [document.documentElement.clientWidth, matchMedia('(prefers-color-scheme: dark)').matches]"

@@ -85,6 +85,7 @@ def test_a_preset_chosen_while_the_region_is_painted_ends_it(page):
     assert painted == found
 
 
+@pytest.mark.both_screens
 def test_noise_is_zero_and_no_number_is_cut_off(page):
     Select(find(page, "preset")).select_by_value("0")
     assert page.execute_script(f"return {FRICTION}") == 10
@@ -107,6 +108,7 @@ def test_noise_is_zero_and_no_number_is_cut_off(page):
     assert len(shown) == 6 and shown[3:] == ["0", "0", "0"]
 
 
+@pytest.mark.both_screens
 def test_axes_without_points_have_room_for_their_ticks(page):
     open_page(page, page.current_url.split("/live.html")[0], "")
     page.execute_script("tdmfSlip.player.play(false); tdmfSlip.begin(tdmfSlip.state.values)")
@@ -128,6 +130,7 @@ def test_axes_without_points_have_room_for_their_ticks(page):
     assert wide > 52
 
 
+@pytest.mark.both_screens
 def test_a_vertical_swipe_over_the_friction_plot_scrolls(page):
     find_gait(page)
     canvas = find(page, "friction")
@@ -283,6 +286,7 @@ def test_nothing_moves_by_itself_where_motion_is_unwelcome(driver, address):
         driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"features": []})
 
 
+@pytest.mark.both_screens
 def test_the_theme_is_remembered_and_shared_with_the_guides(page, address):
     press(page, "theme")
     chosen = page.execute_script("return localStorage.getItem('theme')")
@@ -294,6 +298,7 @@ def test_the_theme_is_remembered_and_shared_with_the_guides(page, address):
         assert applied == (None if theme == "auto" else theme)
 
 
+@pytest.mark.both_screens
 def test_the_ruler_has_few_ticks_however_high_the_runner_flies(page):
     type_value(page, "hip.stance_torque", "100")
     page.execute_script("tdmfSlip.player.advanceBy(() => tdmfSlip.run.advance(300))")

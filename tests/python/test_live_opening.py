@@ -26,6 +26,7 @@ SENTENCES = {
 }
 
 
+@pytest.mark.both_screens
 def test_the_first_pictures_stand_without_a_click(page):
     wait(page, f"{PAINTED}.includes(64)", "the region")
     wait(page, "tdmfSlip.gaits.frictionPlot.points.length > 60", "figure 9")
@@ -53,6 +54,7 @@ def test_nothing_is_painted_while_the_page_is_hidden(page):
     wait(page, f"{hint('region-hint')}.includes('settle on the gait')", "the region")
 
 
+@pytest.mark.both_screens
 def test_the_word_lights_up_letter_by_letter_and_a_sentence_says_what_happens(page):
     page.execute_script("tdmfSlip.player.advanceBy(() => tdmfSlip.run.advance(400))")
     letters, modes = [], set()
@@ -72,6 +74,7 @@ def test_the_word_lights_up_letter_by_letter_and_a_sentence_says_what_happens(pa
     assert {"flight", "stick", "slip_positive", "slip_negative"} <= modes
 
 
+@pytest.mark.both_screens
 def test_the_large_slider_sets_the_friction_and_follows_it(page):
     slider = find(page, "friction-slider")
     center(page, slider)
@@ -96,6 +99,7 @@ def test_a_filter_shows_the_parameters_that_it_names(page):
     assert len(page.execute_script(shown)) > 30 and not find(page, "value-body.mass").is_displayed()
 
 
+@pytest.mark.both_screens
 def test_terms_are_explained_on_hover_and_tap(page):
     """When the pictures stand: a page that still grows moves words away from under the pointer."""
     wait(page, f"{PAINTED}.includes(64)", "the region")
@@ -113,6 +117,7 @@ def test_terms_are_explained_on_hover_and_tap(page):
         assert not note.is_displayed(), term
 
 
+@pytest.mark.both_screens
 def test_the_runner_stays_in_sight_while_figure_9_is_dragged_and_the_region_clicked(page):
     wait(page, "tdmfSlip.gaits.frictionPlot.points.length > 60", "figure 9")
     for ident in ("friction", "region"):
@@ -129,6 +134,7 @@ def test_the_runner_stays_in_sight_while_figure_9_is_dragged_and_the_region_clic
     assert page.execute_script("return document.getElementById('scene').getBoundingClientRect().top >= 0")
 
 
+@pytest.mark.both_screens
 def test_a_phone_shows_the_runner_then_friction_then_figure_9(driver, address):
     open_page(driver, address)
     tops = driver.execute_script(
