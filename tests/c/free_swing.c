@@ -11,10 +11,6 @@ static tdmf_model model_of(const tdmf_parameters *parameters) {
     return model;
 }
 
-const reference_gait *default_gait(void) {
-    return tdmf_default_parameters().hip.swing_clamp ? &reference_gaits[2] : &free_gaits[2].gait;
-}
-
 tdmf_model table_1(bool swing_clamp) {
     tdmf_parameters parameters = tdmf_default_parameters();
     parameters.hip.swing_clamp = swing_clamp;

@@ -35,9 +35,6 @@ extern const free_gait free_gaits[FREE_GAITS];
 extern const free_border free_borders[FREE_BORDERS];
 extern const free_stride free_strides[FREE_STRIDES];
 
-/* The gait that the default parameters and the default start make. */
-const reference_gait *default_gait(void);
-
 /* Table 1, with the clamp or without. */
 tdmf_model table_1(bool swing_clamp);
 

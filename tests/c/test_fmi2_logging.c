@@ -2,6 +2,7 @@
 #include "compare.h"
 #include "fmi2_importer.h"
 #include "fmi3_importer.h"
+#include "fmi_interface.h"
 
 #include "fmu.h"
 #include "guid.h"
@@ -158,6 +159,7 @@ static fmi2Component stepped(fmi2Boolean logging, int method, double step) {
     const fmi2ValueReference reference = reference_of("solver.method");
     fmi2Component component = logging_instance(logging);
     assert_int_equal(fmi2SetInteger(component, &reference, 1, &method), fmi2OK);
+    assert_int_equal(fmi2.set_truth(component, reference_of("hip.swing_clamp"), true), FMI_OK);
     initialize(component);
     const int count = (int)lround(ten_strides / step);
     for (int i = 0; i < count; ++i) {

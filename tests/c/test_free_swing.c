@@ -7,6 +7,7 @@
 #include "tdmf_slip/cvode.h"
 #include "tdmf_slip/ensemble.h"
 #include "tdmf_slip/orbit.h"
+#include "tdmf_slip/reduced_map.h"
 
 #include <float.h>
 #include <math.h>
@@ -412,6 +413,65 @@ static void a_resting_foot_is_held_by_a_servo_that_pulls(void **state) {
     assert_true(held > 20 && let_go > 20 && loaded > 1000);
 }
 
+/* A stride of a runner whose one gain is `gain`, which no model is made with where it is negative. */
+static tdmf_return stride_with_gain(bool swing_clamp, int which, double gain) {
+    static const double start[TDMF_SECTION_COUNT] = {1.4, 1.0, 1.0, 0.6, 0.0, 0.0};
+    tdmf_model model = table_1(swing_clamp);
+    const tdmf_inputs inputs = inputs_at_friction(0.6);
+    const tdmf_seed seed = {.parameters = {.hip = {.kp = which == 0, .kd = which == 1}}};
+    tdmf_solver solver = tdmf_solver_default();
+    solver.relative_tolerance = 1e-13;
+    model.parameters.hip.kp = which == 0 ? gain : 0.0;
+    model.parameters.hip.kd = which == 1 ? gain : 0.0;
+    return tdmf_return_map(&solver, (tdmf_system){&model, &inputs}, start, DBL_MAX, true, &seed, 1);
+}
+
+/* Along gains that are zero the torque grows from nothing: without a clamp it has a derivative, with one it
+ * has a kink. */
+static void without_a_clamp_gains_of_zero_have_derivatives(void **state) {
+    static const double step = 1e-5;
+    static const double offsets[] = {1.0, -1.0, 2.0, -2.0}, weights[] = {8.0, -8.0, -1.0, 1.0};
+    (void)state;
+    for (int which = 0; which < 2; ++which) {
+        const tdmf_return smooth = stride_with_gain(false, which, 0.0);
+        const tdmf_return kinked = stride_with_gain(true, which, 0.0);
+        double difference[TDMF_SECTION_COUNT] = {0.0};
+        for (int k = 0; k < 4; ++k) {
+            const tdmf_return moved = stride_with_gain(false, which, offsets[k] * step);
+            assert_int_equal(moved.outcome, TDMF_RETURN_CLOSED);
+            for (int i = 0; i < TDMF_SECTION_COUNT; ++i) {
+                difference[i] += weights[k] * moved.apex[i] / (12.0 * step);
+            }
+        }
+        for (int i = 0; i < TDMF_SECTION_COUNT; ++i) {
+            const double exact = smooth.variations[TDMF_SECTION_COUNT].apex[i];
+            assert_close(exact, difference[i], 1e-6 * (1.0 + fabs(exact)));
+            assert_true(isnan(kinked.variations[TDMF_SECTION_COUNT].apex[i]));
+        }
+    }
+}
+
+/* In the reduced map the leg is placed as if by itself. */
+static void the_reduced_map_does_not_depend_on_the_law(void **state) {
+    static const double apex[TDMF_REDUCED_COUNT] = {1.4, 1.05};
+    (void)state;
+    for (int i = 0; i < FREE_GAITS; ++i) {
+        tdmf_return strides[2];
+        for (int clamp = 0; clamp < 2; ++clamp) {
+            const tdmf_model model = table_1(clamp == 1);
+            const tdmf_inputs inputs = inputs_at_friction(free_gaits[i].gait.friction);
+            tdmf_solver solver = tdmf_solver_default();
+            memset(&strides[clamp], 0, sizeof strides[clamp]);
+            strides[clamp] =
+                tdmf_reduced_map(&solver, (tdmf_system){&model, &inputs}, apex, 1e3, true, NULL, 0);
+            assert_int_equal(strides[clamp].outcome, TDMF_RETURN_CLOSED);
+        }
+        assert_memory_equal(strides[0].apex, strides[1].apex, sizeof strides[0].apex);
+        assert_memory_equal(strides[0].variations, strides[1].variations, sizeof strides[0].variations);
+        assert_true(strides[0].stride.work == strides[1].stride.work);
+    }
+}
+
 /* ---- from one law to the other ------------------------------------------------------------------------- */
 
 /* At an apex a run forgets which law it had. */
@@ -472,6 +532,8 @@ int main(void) {
         cmocka_unit_test(random_strides_are_those_of_the_reference),
         cmocka_unit_test(the_clamp_is_never_an_event),
         cmocka_unit_test(without_gains_both_laws_are_one),
+        cmocka_unit_test(without_a_clamp_gains_of_zero_have_derivatives),
+        cmocka_unit_test(the_reduced_map_does_not_depend_on_the_law),
         cmocka_unit_test(a_resting_foot_is_held_by_a_servo_that_pulls),
         cmocka_unit_test(from_an_apex_on_the_law_may_be_the_other),
         cmocka_unit_test(in_flight_the_clamp_is_what_the_model_says),

@@ -3,7 +3,9 @@
  *
  * The foot comes down with r = l0, rdot = 0, theta = theta0 - omega t, thetadot = -omega, at t after the
  * apex. Impact and stance are those of the full model, up to where the stance law loads the foot no more;
- * from there the centre of mass flies to the next apex, and what is left in the leg is lost. */
+ * from there the centre of mass flies to the next apex, and what is left in the leg is lost. So nothing
+ * depends on how the hip moves the leg in flight: not on hip.kp, hip.kd and hip.liftoff_angle_factor, nor on
+ * hip.swing_clamp. */
 #ifndef TDMF_SLIP_REDUCED_MAP_H
 #define TDMF_SLIP_REDUCED_MAP_H
 

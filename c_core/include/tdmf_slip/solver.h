@@ -112,7 +112,7 @@ enum { TDMF_VARIATION_LIMIT = 8 };
  * then. More than TDMF_VARIATION_LIMIT, or less than 0, are refused, as are NULL for some of them and all
  * that tdmf_native_advance refuses. A run on the edge of an event, where a crossing is a touch, two events
  * come together or a foot stands without friction, has no variation, nor has one by gains that are both zero
- * under the clamp; values are then not finite. Steps are bounded by the variations, too. */
+ * with hip.swing_clamp; values are then not finite. Steps are bounded by the variations, too. */
 TDMF_API tdmf_stride_outcome tdmf_native_stride_varied(tdmf_solver *solver, tdmf_system system, double until,
                                                        tdmf_motion *motion, const tdmf_seed *seeds,
                                                        tdmf_variation *variations, int count);

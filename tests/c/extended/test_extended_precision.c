@@ -125,6 +125,7 @@ static scene light_runner(unsigned number) {
     random_source source = {number};
     scene scene = {tdmf_default_parameters(), tdmf_default_inputs(), {0.0L}};
     const double rate = random_magnitude(&source, 60.0L, 400.0L);
+    scene.parameters.hip.swing_clamp = number % 2 == 0;
     scene.parameters.leg.damping = random_magnitude(&source, 0.1L, 2.0L);
     scene.parameters.foot.mass = scene.parameters.leg.damping / rate;
     scene.parameters.hip.kd *= random_magnitude(&source, 0.3L, 3.0L);
