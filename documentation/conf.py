@@ -60,7 +60,7 @@ myst_update_mathjax = False
 nb_execution_mode = "force"
 nb_execution_in_temp = True  # as whoever downloads a guide
 nb_execution_raise_on_error = True
-nb_execution_timeout = 240
+nb_execution_timeout = 1200
 nb_execution_show_tb = True
 nb_merge_streams = True
 

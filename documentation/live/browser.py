@@ -11,7 +11,7 @@ from selenium import webdriver
 from selenium.webdriver.chrome.service import Service
 from selenium.webdriver.support.wait import WebDriverWait
 
-PATIENCE = 120.0
+PATIENCE = 600.0
 """Seconds after which a page is said to hang; nothing else depends on them."""
 PHONE = 700
 """CSS pixels; a narrower page is a phone's, with touch."""

@@ -27,6 +27,10 @@ RELEASE = os.environ.get("TDMF_SLIP_RELEASE") == "1"
 release = pytest.mark.skipif(not RELEASE, reason="takes minutes: scripts/test --release")
 
 
+HANGS = 1200.0
+"""Seconds after which a process is said to hang, however busy the machine; nothing else depends on it."""
+
+
 def pytest_collection_modifyitems(items):
     """Leaves to a release the tests of the live page on a phone, except those of what differs there."""
     for item in items:

@@ -16,6 +16,7 @@ import time
 
 import pytest
 import xarray
+from conftest import HANGS
 from tdmf_slip import InputError, RunError, Runner
 from tdmf_slip.analysis import basin, grid
 from tdmf_slip.blocks import cluster as clusters
@@ -25,8 +26,6 @@ from tdmf_slip.fmu import batch
 from tdmf_slip.terminal import interrupts
 
 BLOCKS = 12
-HANGS = 600.0
-"""Seconds after which a process is said to hang; nothing else depends on them."""
 
 
 def note(folder, number):

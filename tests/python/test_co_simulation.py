@@ -5,7 +5,7 @@ import pathlib
 
 import fmpy
 import pytest
-from conftest import apex_start, reference_gaits
+from conftest import HANGS, apex_start, reference_gaits
 from fmpy.fmi2 import FMU2Slave
 
 QUANTITIES = ("period", "length", "speed", "work", "cost_of_transport")
@@ -93,7 +93,7 @@ def test_a_serialized_state_goes_on_in_another_process(unpacked):
     queue = context.Queue()
     other = context.Process(target=go_on, args=(str(pathlib.Path(unpacked)), serialized, queue))
     other.start()
-    there = queue.get(timeout=60)
+    there = queue.get(timeout=HANGS)
     other.join()
     slave.step(12.5, 40.0)
     assert slave.read(*OBSERVED) == there

@@ -13,6 +13,7 @@ from dataclasses import replace
 import netCDF4
 import pytest
 import tdmf_slip
+from conftest import HANGS
 from tdmf_slip.fmu import simulation
 from tdmf_slip.library import section
 from tdmf_slip.paper import reference_gaits as reference
@@ -98,7 +99,7 @@ def test_what_cvode_complains_of_is_one_line():
     """A torque beyond reason; SUNDIALS would write past Python, so this runs in a process of its own."""
     options = ["--set", "hip.stance_torque=1e18", "--stop-time", "60", "--json"]
     command = [sys.executable, "-m", "tdmf_slip", "simulate", *options]
-    done = subprocess.run(command, capture_output=True, text=True, timeout=120)
+    done = subprocess.run(command, capture_output=True, text=True, timeout=HANGS)
     assert done.returncode == 1
     assert done.stdout == ""
     assert len(done.stderr.splitlines()) == 1 and "CVode" in done.stderr
@@ -278,7 +279,7 @@ sys.exit(main())
         assert running.stderr.readline() == "begins\n"
         time.sleep(pause)
         running.send_signal(signal.SIGINT)
-        out, said = running.communicate(timeout=600)
+        out, said = running.communicate(timeout=HANGS)
     assert (running.returncode, out, said.strip()) == (130, "", "tdmf-slip: interrupted")
 
 

@@ -9,14 +9,14 @@ import sys
 import tarfile
 
 import pytest
-from conftest import locked
+from conftest import HANGS, locked
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 UNITS = ("TDMF_SLIP.fmu", "TDMF_SLIP_FMI3.fmu")
 
 
 def run(*command, **options):
-    done = subprocess.run(list(map(str, command)), capture_output=True, text=True, timeout=600, **options)
+    done = subprocess.run(list(map(str, command)), capture_output=True, text=True, timeout=HANGS, **options)
     assert done.returncode == 0, done.stdout + done.stderr
     return done.stdout
 

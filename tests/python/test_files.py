@@ -10,6 +10,7 @@ import sys
 
 import pytest
 import xarray
+from conftest import HANGS
 from tdmf_slip import InputError
 from tdmf_slip.files import netcdf, whole
 
@@ -75,7 +76,7 @@ def with_full_disk(tmp_path_factory):
         input=json.dumps({str(folders[name]): options for name, options in commands.items()}),
         capture_output=True,
         text=True,
-        timeout=300,
+        timeout=HANGS,
     )
     assert process.returncode == 0, process.stderr
     assert "Traceback" not in process.stderr
@@ -199,7 +200,7 @@ def test_names_that_are_no_utf_8_are_printed_as_they_are(tmp_path):
         capture_output=True,
         cwd=tmp_path,
         env={**os.environ, "PYTHONUTF8": "1"},
-        timeout=300,
+        timeout=HANGS,
     )
     assert done.returncode == 0, done.stderr
     assert os.fsencode(f"{NAME}/{FIGURE}") in done.stdout.splitlines()
@@ -319,7 +320,7 @@ def test_a_request_to_end_leaves_nothing_in_temporary_folders(when, tmp_path):
         text=True,
         cwd=tmp_path,
         env={**os.environ, "TMPDIR": str(tmp_path / "temporary")},
-        timeout=120,
+        timeout=HANGS,
     )
     assert done.returncode == 143 and "Traceback" not in done.stderr, done.stderr
     assert list((tmp_path / "temporary").iterdir()) == []

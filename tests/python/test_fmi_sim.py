@@ -6,7 +6,7 @@ import subprocess
 
 import pytest
 import tdmf_slip
-from conftest import reference_gaits
+from conftest import HANGS, reference_gaits
 
 FMI_SIM = pathlib.Path(__file__).resolve().parents[2] / "build/importers/bin/fmi-sim"
 QUANTITIES = ("period", "length", "speed", "work", "cost_of_transport")
@@ -22,7 +22,7 @@ def rows_of(folder, fmi, interface, stop_time, *options):
     output = folder / f"fmi{fmi}.csv"
     command = [FMI_SIM, "--quiet", "--model", tdmf_slip.fmu_path(fmi), "--output-file", output, interface]
     done = subprocess.run(
-        [*map(str, command), "-f", str(stop_time), *options], capture_output=True, text=True, timeout=300
+        [*map(str, command), "-f", str(stop_time), *options], capture_output=True, text=True, timeout=HANGS
     )
     assert done.returncode == 0, done.stdout[-2000:] + done.stderr[-2000:]
     with output.open(newline="") as file:

@@ -9,6 +9,7 @@ import numpy as np
 import pandas
 import pytest
 import tdmf_slip
+from conftest import HANGS
 from tdmf_slip import InputError, RunError
 from tdmf_slip.analysis import continuation, fates, stability
 from tdmf_slip.fmu import batch
@@ -162,7 +163,7 @@ def test_measurements_of_a_table_have_gaps_as_a_file_has():
 
 def test_pandas_is_not_loaded_for_what_needs_it_not():
     program = "import sys, tdmf_slip; tdmf_slip.find_gait({'gravity': 0.01}); print('pandas' in sys.modules)"
-    done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, timeout=120)
+    done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, timeout=HANGS)
     assert done.stdout.strip() == "False", done.stderr
 
 
@@ -310,7 +311,7 @@ def test_a_missing_or_broken_library_is_told_by_the_command(tmp_path, content):
         [sys.executable, "-m", "tdmf_slip", "gait", "--friction", "0.6"],
         capture_output=True,
         text=True,
-        timeout=120,
+        timeout=HANGS,
         env={**os.environ, "TDMF_SLIP_LIBRARY": str(path)},
     )
     assert done.returncode == 2 and done.stdout == ""

@@ -10,7 +10,7 @@ import subprocess
 import sys
 
 import pytest
-from conftest import reference_gaits
+from conftest import HANGS, reference_gaits
 
 (REFERENCE,) = (gait for gait in reference_gaits() if gait["friction"] == 0.6)
 QUANTITIES = ("period", "length", "speed", "work", "cost_of_transport")
@@ -71,7 +71,7 @@ def run(program, unit, description):
     names = [f"stride.{name}" for name in QUANTITIES]
     source = PROGRAM.format(program=program)
     command = [sys.executable, "-c", source, str(unit), json.dumps(references), json.dumps(names)]
-    done = subprocess.run(command, capture_output=True, text=True, timeout=120)
+    done = subprocess.run(command, capture_output=True, text=True, timeout=HANGS)
     lines = [line for line in done.stdout.splitlines() if line.startswith("RESULT ")]
     assert lines, done.stdout[-2000:] + done.stderr[-2000:]
     return json.loads(lines[-1].removeprefix("RESULT "))
@@ -95,6 +95,6 @@ def test_toolbox_finds_no_fault(fmu_file):
     tool = shutil.which("fmutool", path=str(sys.prefix) + "/bin")
     if tool is None:
         pytest.skip("fmu-manipulation-toolbox is not installed")
-    done = subprocess.run([tool, "-input", fmu_file, "-check"], capture_output=True, text=True, timeout=60)
+    done = subprocess.run([tool, "-input", fmu_file, "-check"], capture_output=True, text=True, timeout=HANGS)
     said = done.stdout + done.stderr
     assert "compliant with FMI-2.0" in said and "No semantic error" in said, said

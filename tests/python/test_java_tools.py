@@ -6,7 +6,7 @@ import shutil
 import subprocess
 
 import pytest
-from conftest import reference_gaits
+from conftest import HANGS, reference_gaits
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 JARS = ROOT / "build/importers/java"
@@ -21,7 +21,7 @@ pytestmark = pytest.mark.skipif(
 
 def java(*arguments):
     command = ["java", *map(str, arguments)]
-    return subprocess.run(command, capture_output=True, text=True, timeout=120)
+    return subprocess.run(command, capture_output=True, text=True, timeout=HANGS)
 
 
 def test_fmi4j_runs_ten_strides(fmu_file, description):

@@ -7,6 +7,7 @@ import subprocess
 import sys
 
 import pytest
+from conftest import HANGS
 
 PROGRAM = """
 import json, locale, sys
@@ -47,7 +48,7 @@ print(json.dumps(rows))
 def run(locale, **environment):
     command = [sys.executable, "-c", PROGRAM, locale]
     done = subprocess.run(
-        command, capture_output=True, text=True, timeout=120, env={**os.environ, **environment}
+        command, capture_output=True, text=True, timeout=HANGS, env={**os.environ, **environment}
     )
     assert done.returncode == 0, done.stderr[-2000:]
     return json.loads(done.stdout.splitlines()[-1])

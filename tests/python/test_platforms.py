@@ -11,7 +11,7 @@ import zipfile
 
 import fmpy
 import pytest
-from conftest import reference_gaits
+from conftest import HANGS, reference_gaits
 from emulators import arm_linux, windows
 from fmpy.validation import validate_fmu
 
@@ -140,7 +140,7 @@ def seen(libraries, fmi, name, build, before=(), ending="", environment=None):
     command = [*before, program, library(libraries, fmi, name), fmi, identity]
     command += [references[n] for n in ("stride.count", "stride.word", *COMPARED)]
     done = subprocess.run(
-        list(map(str, command)), capture_output=True, text=True, env=environment, timeout=300
+        list(map(str, command)), capture_output=True, text=True, env=environment, timeout=HANGS
     )
     assert done.returncode == 0, done.stdout + done.stderr
     lines = [line.split() for line in done.stdout.splitlines()]

@@ -6,6 +6,7 @@ import subprocess
 import sys
 
 import pytest
+from conftest import HANGS
 
 pytest.importorskip("flint")
 
@@ -22,7 +23,7 @@ print(list(side_by_side(math.sqrt, [(k * k,) for k in range(5)], 2)))
 def test_a_plain_program_needs_no_main_guard(tmp_path):
     program = tmp_path / "program.py"
     program.write_text(PROGRAM, encoding="utf-8")
-    ran = subprocess.run([sys.executable, program], capture_output=True, text=True, timeout=120)
+    ran = subprocess.run([sys.executable, program], capture_output=True, text=True, timeout=HANGS)
     assert ran.stdout.splitlines() == ["begun", "[0.0, 1.0, 2.0, 3.0, 4.0]"]
     assert not ran.stderr
 

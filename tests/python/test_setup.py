@@ -10,6 +10,7 @@ import sys
 import tomllib
 
 import pytest
+from conftest import HANGS
 
 packaging = pytest.importorskip("packaging.requirements")
 utils = pytest.importorskip("packaging.utils")
@@ -23,8 +24,6 @@ PARTS = ("plots", "data", "cluster", "proof")
 """Extras that a user may leave out; `all` has every one."""
 OPTIONAL = [text for name in PARTS for text in EXTRAS[name]]
 OF_TESTS = [text for name in ("test", "importers") for text in EXTRAS[name]]
-HANGS = 600.0
-"""Seconds after which a process is said to hang; nothing else depends on them."""
 
 
 def locked(*names):

@@ -7,6 +7,7 @@ import threading
 
 import numpy as np
 import pytest
+from conftest import HANGS
 from tdmf_slip import find_gait
 from tdmf_slip.errors import StoppedError
 from tdmf_slip.library import engine, ensemble
@@ -102,7 +103,7 @@ def test_an_interrupt_ends_runs_that_have_no_end(instructions):
 def test_interrupts_in_quick_succession_leave_nothing_waiting():
     """An exception in the middle of a wait of Python's `threading` could leave a lock held for ever."""
     program = subprocess.run(
-        [sys.executable, "-c", INTERRUPTED], capture_output=True, text=True, timeout=1000
+        [sys.executable, "-c", INTERRUPTED], capture_output=True, text=True, timeout=HANGS
     )
     assert program.returncode == 0, program.stderr
     assert program.stdout == "stopped 20 times\n"

@@ -12,6 +12,7 @@ import sys
 import zipfile
 
 import pytest
+from conftest import HANGS
 from emulators import arm_linux, windows
 from tdmf_slip.library.binding import c
 from test_distribution import assert_runs
@@ -54,7 +55,7 @@ each_platform = pytest.mark.parametrize("tag", PLATFORMS)
 
 
 def run(*command, **options):
-    done = subprocess.run(list(map(str, command)), capture_output=True, text=True, timeout=600, **options)
+    done = subprocess.run(list(map(str, command)), capture_output=True, text=True, timeout=HANGS, **options)
     assert done.returncode == 0, done.stdout + done.stderr
     return done.stdout
 
