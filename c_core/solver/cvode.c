@@ -180,19 +180,22 @@ static int guard_that_fired(void *integrator) {
 }
 
 /* Takes the transitions due at CVODE's present time and state, and restarts it there. */
-static bool take_events(workspace *space, problem *problem) {
+static tdmf_outcome take_events(workspace *space, problem *problem) {
     tdmf_motion *motion = problem->motion;
     problem->restart = motion->record.progress.now;
     const tdmf_inputs inputs = inputs_after(problem, 0.0);
     tdmf_event event = {
         .time = motion->time, .guard = guard_that_fired(space->integrator), .before = motion->mode};
     memcpy(event.state, motion->state, sizeof event.state);
-    tdmf_resolve((tdmf_system){problem->model, &inputs}, motion);
+    const bool unresolved = tdmf_resolve((tdmf_system){problem->model, &inputs}, motion).unresolved;
     event.after = motion->mode;
     tdmf_log_event(problem->options->log, &event);
     ++problem->options->events;
     leave_out_clock(motion->state, space->state);
-    return CVodeReInit(space->integrator, 0.0, space->state) == CV_SUCCESS;
+    if (unresolved) {
+        return TDMF_TOO_MANY_EVENTS;
+    }
+    return CVodeReInit(space->integrator, 0.0, space->state) == CV_SUCCESS ? TDMF_ARRIVED : TDMF_NO_PROGRESS;
 }
 
 /* Sets the rest length up to which the work of the leg has been integrated. */
@@ -264,8 +267,9 @@ static tdmf_outcome integrate(workspace *space, problem *problem, double until) 
         if (flag < 0) {
             return flag == CV_TOO_MUCH_WORK ? TDMF_TOO_MANY_STEPS : TDMF_NO_PROGRESS;
         }
-        if (flag == CV_ROOT_RETURN && !take_events(space, problem)) {
-            return TDMF_NO_PROGRESS;
+        const tdmf_outcome taken = flag == CV_ROOT_RETURN ? take_events(space, problem) : TDMF_ARRIVED;
+        if (taken != TDMF_ARRIVED) {
+            return taken;
         }
     }
     return motion->mode.fallen ? TDMF_FELL : TDMF_ARRIVED;
@@ -283,7 +287,9 @@ tdmf_outcome tdmf_cvode_advance(tdmf_solver *options, tdmf_system system, const 
     tdmf_outcome outcome = TDMF_NO_PROGRESS;
     motion->record.progress.now = start;
     /* An input may have jumped since the last call. */
-    tdmf_resolve(system, motion);
+    if (tdmf_resolve(system, motion).unresolved) {
+        return TDMF_TOO_MANY_EVENTS;
+    }
     if (allocate(&space) && configure(&space, &problem)) {
         outcome = integrate(&space, &problem, until);
     }

@@ -496,7 +496,9 @@ static bool begin(integration *integration, tdmf_solver *solver, tdmf_system sys
     integration->flies = false;
     /* An input may have jumped since the last call. */
     integration->direction = tdmf_leg_direction_of(motion->state);
-    tdmf_resolve_along(system, motion, integration->direction, TDMF_GUARD_COUNT);
+    if (tdmf_resolve_along(system, motion, integration->direction, TDMF_GUARD_COUNT).unresolved) {
+        integration->events_left = 0;
+    }
     open_mode(integration);
     return true;
 }

@@ -248,8 +248,35 @@ static void upright_foot_without_load_does_not_chatter(void **unused) {
     }
 }
 
+/* ---- chains that do not end -----------------------------------------------------------------------------
+ */
+
+/* A model that nobody gets from tdmf_model_create: a negative unit of force makes margins negative, and
+ * guards that ought to be well above zero are due in each mode that follows. */
+static void a_chain_that_does_not_end_is_cut_and_reported(void **unused) {
+    (void)unused;
+    int cut = 0;
+    for (int angle = -10; angle <= 10; ++angle) {
+        runner runner = scene_on_ground(TDMF_CONTACT_STICK, 0.1 * angle, 0.01);
+        runner.model.scales.force = -1e9;
+        runner.model.parameters.ground.static_friction_ratio = 1.3;
+        runner.inputs.ground.friction = 0.05;
+        const tdmf_system system = {&runner.model, &runner.inputs};
+        tdmf_motion resolved = runner.motion;
+        if (!tdmf_resolve(system, &resolved).unresolved) {
+            continue;
+        }
+        ++cut;
+        tdmf_solver solver = tdmf_solver_default();
+        solver.event_limit = 1000;
+        assert_int_not_equal(tdmf_native_advance(&solver, system, NULL, 1.0, &runner.motion), TDMF_ARRIVED);
+    }
+    assert_true(cut > 0);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_chain_that_does_not_end_is_cut_and_reported),
         cmocka_unit_test(sticking_impact_that_slips_at_once),
         cmocka_unit_test(impact_that_leaves_at_once_stays_in_retract),
         cmocka_unit_test(impact_that_leaves_at_once_stays_in_place),

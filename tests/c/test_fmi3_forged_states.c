@@ -216,6 +216,28 @@ static void a_parameter_out_of_range_is_refused(void **unused) {
     assert_refused(STEPS, &bad, "leg.min_length = 2 m is refused");
 }
 
+/* The input, and the lines of the ground that it has set. */
+static void a_slope_out_of_range_is_refused(void **unused) {
+    (void)unused;
+    serialized state;
+    const double slope = 0.03125, steep = 10.0;
+    int forged = 0;
+    fmi3Instance instance = new_stepper(false, false);
+    assert_int_equal(set_float(instance, "ground.slope", slope), fmi3OK);
+    initialize3(instance);
+    serialize(instance, &state);
+    fmi3FreeInstance(instance);
+    for (size_t offset = FORGE_CONTENT; offset + sizeof slope <= state.size; ++offset) {
+        if (memcmp(state.bytes + offset, &slope, sizeof slope) == 0) {
+            serialized bad = state;
+            memcpy(bad.bytes + offset, &steep, sizeof steep);
+            assert_refused(STEPS, &bad, "slope");
+            ++forged;
+        }
+    }
+    assert_true(forged >= 2);
+}
+
 /* Of one that changes at events only: the solver would refuse every step. */
 static void a_rate_of_a_discrete_input_is_refused(void **unused) {
     (void)unused;
@@ -536,6 +558,7 @@ int main(void) {
         cmocka_unit_test(whatever_is_forged_is_refused_or_goes_on),
         cmocka_unit_test(no_field_holds_what_is_not_a_number),
         cmocka_unit_test(a_parameter_out_of_range_is_refused),
+        cmocka_unit_test(a_slope_out_of_range_is_refused),
         cmocka_unit_test(a_rate_of_a_discrete_input_is_refused),
         cmocka_unit_test(a_clock_of_no_phase_is_refused),
         cmocka_unit_test(a_word_without_an_end_is_refused),

@@ -370,6 +370,48 @@ static void a_foot_at_rest_on_a_border_slips_where_it_is_held_less(void **state)
     }
 }
 
+/* A foot at rest at x = 0 whose leg tips over to the side `push`, so that it slips there in time. */
+static tdmf_motion tip_over(double begin, double end, double friction, double push, double angle) {
+    tdmf_parameters parameters = tdmf_default_parameters();
+    tdmf_inputs inputs = tdmf_default_inputs();
+    tdmf_motion motion = {
+        .state = {
+            [TDMF_LEG_LENGTH] = 0.9, [TDMF_LEG_ANGLE] = push * angle, [TDMF_LEG_ANGLE_RATE] = push * 0.3}};
+    tdmf_model model;
+    tdmf_solver solver = tdmf_solver_default();
+    parameters.ground.patch_begin = begin;
+    parameters.ground.patch_end = end;
+    parameters.ground.patch_friction = 0.1;
+    parameters.hip.stance_torque = 0.0;
+    inputs.ground.friction = friction;
+    assert_null(tdmf_model_create(&model, &parameters).variable);
+    const tdmf_system system = {&model, &inputs};
+    assert_null(tdmf_start(system, &motion).variable);
+    assert_int_equal(motion.mode.contact, TDMF_CONTACT_STICK);
+    assert_int_equal(tdmf_native_advance(&solver, system, NULL, 0.5, &motion), TDMF_ARRIVED);
+    assert_int_equal(motion.mode.contact,
+                     push > 0.0 ? TDMF_CONTACT_SLIP_POSITIVE : TDMF_CONTACT_SLIP_NEGATIVE);
+    return motion;
+}
+
+/* It is held by the friction of the side to which it slips, as on ground that has no other. */
+static void a_foot_on_a_border_holds_on_by_the_friction_of_the_side_it_is_pushed_to(void **state) {
+    (void)state;
+    for (int side = -1; side <= 1; side += 2) {
+        const double begin = side > 0 ? 0.0 : -5.0, end = begin + 5.0;
+        for (int k = 0; k < 2; ++k) {
+            const bool into_patch = k == 1;
+            const double push = into_patch ? side : -side;
+            const double angle = into_patch ? 0.02 : 0.5;
+            const tdmf_motion on_border = tip_over(begin, end, 0.6, push, angle);
+            const tdmf_motion alone = tip_over(0.0, 0.0, into_patch ? 0.1 : 0.6, push, angle);
+            for (int i = 0; i < TDMF_MECHANICAL_COUNT; ++i) {
+                assert_close(on_border.state[i], alone.state[i], 1e-11);
+            }
+        }
+    }
+}
+
 /* ---- a border that is met as the slip ends ------------------------------------------------------------- */
 
 enum { SHIFTS = 13 };
@@ -506,6 +548,7 @@ int main(void) {
         cmocka_unit_test(each_stride_is_differentiated_by_foot_x_and_patch),
         cmocka_unit_test(without_a_crossing_foot_x_is_carried_along),
         cmocka_unit_test(a_foot_at_rest_on_a_border_slips_where_it_is_held_less),
+        cmocka_unit_test(a_foot_on_a_border_holds_on_by_the_friction_of_the_side_it_is_pushed_to),
         cmocka_unit_test(a_foot_that_is_pushed_back_ends_where_it_would_without_the_border),
         cmocka_unit_test(a_foot_that_is_pushed_on_rests_before_the_border_or_slips_on),
         cmocka_unit_test(a_patch_that_ends_before_it_begins_is_refused_by_name),
