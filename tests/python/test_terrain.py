@@ -136,6 +136,32 @@ def test_runner_n_begins_on_segment_n(gait):
     )
 
 
+@pytest.mark.parametrize("height", [1.3, 1.6])
+def test_a_step_that_the_foot_reaches_and_the_centre_of_mass_does_not_is_met(gait, height):
+    """The runner falls upright while its leg swings forward over the edge at 1 m, from 0.9 m on."""
+    apex = np.array([height, 0.0, 1.0, 0.4, 0.0, 0.0])
+    ground = RoughGround(segment_length=1.0, heights=(0.0, 0.1, 0.1))
+    stepped, _ = run_ensemble(
+        [Case(gait.runner, ground=ground)], [apex], max_strides=1, foot_x=np.array([0.9]), tolerance=1e-11
+    )
+    level, _ = run_ensemble(
+        [Case(gait.runner)], [apex - [0.1, 0, 0, 0, 0, 0]], max_strides=1, tolerance=1e-11
+    )
+    assert stepped["strides"] == level["strides"] == 1
+    assert stepped["apex"] == pytest.approx(level["apex"], abs=1e-9)
+
+
+def test_ground_behind_the_start_has_the_last_heights_first(gait):
+    """A start on segment -k is one on segment 0 of the heights turned round by k."""
+    heights = (0.0, 0.1, -0.1, 0.05, 0.2)
+    for back in range(1, 8):
+        x = np.array([5.0 - 25.0 * back])
+        behind = runs(gait, RoughGround(segment_length=25.0, heights=heights), foot_x=x)
+        turned = tuple(np.roll(heights, back))
+        at_start = runs(gait, RoughGround(segment_length=25.0, heights=turned), foot_x=np.array([5.0]))
+        assert behind["apex"] == pytest.approx(at_start["apex"], abs=1e-9)
+
+
 def test_friction_is_that_of_the_segment_that_the_foot_comes_down_on(gait):
     """With segments of a stride the number of the segment is that of the stride."""
     length = float(gait.stride["length"])
