@@ -71,7 +71,7 @@ def test_strides_show_their_apices_and_end_where_runners_fall(gait):
     low = gait.apex * [0.75, 1.0, 1.0, 1.0, 1.0, 1.0]
     made = tdmf_slip.stride_map(gait, [gait.apex, low], strides=4, inputs={ANGLE: [[0.698] * 4, [-0.5] * 4]})
     heights, speeds = made.plot().axes
-    assert labels(speeds) == ("strides", "speed of the centre of mass (m/s)")
+    assert labels(speeds) == ("strides", "speed of the centre of mass (l₀√(k/m))")
     for number in (0, 1):
         for axes, coordinate in ((heights, 0), (speeds, 1)):
             apices = [made["apex"][number, 0, coordinate], *made["next_apex"][number, :, coordinate]]
@@ -85,7 +85,7 @@ def test_strides_show_their_apices_and_end_where_runners_fall(gait):
 def test_runs_show_their_last_strides_over_what_is_varied():
     runs = tdmf_slip.simulate_many([{FRICTION: 0.6}, {FRICTION: 1.2}], strides=2, threads=1)
     speeds, costs = runs.plot().axes
-    assert costs.get_xlabel() == FRICTION and speeds.get_ylabel() == "speed (m/s)"
+    assert costs.get_xlabel() == FRICTION and speeds.get_ylabel() == "speed (l₀√(k/m))"
     frictions, drawn = line(speeds, "ran")
     assert frictions.tolist() == [0.6, 1.2] and np.array_equal(drawn, runs["speed"])
 
@@ -93,7 +93,7 @@ def test_runs_show_their_last_strides_over_what_is_varied():
 def test_a_grid_of_gaits_shows_speeds_and_words():
     grid = tdmf_slip.sweep({}, {"leg.damping": [0.2, 0.21], FRICTION: [0.7, 0.43]}, threads=1)
     speeds, words, _ = grid.plot().axes
-    assert labels(speeds) == (FRICTION, "leg.damping (N·s/m)")
+    assert labels(speeds) == (FRICTION, "leg.damping (√(k m))")
     assert np.array_equal(speeds.collections[0].get_array().reshape(2, 2), grid["speed"])
     (legend_,) = [words.get_legend()]
     texts = [text.get_text() for text in legend_.get_texts()]
@@ -152,7 +152,7 @@ def test_a_front_shows_one_objective_over_the_other():
         {}, {TORQUE: (0.15, 0.25)}, minimize=["cost_of_transport"], maximize=["speed"], points=2, starts=1
     )
     (axes,) = front.plot().axes
-    assert labels(axes) == ("cost of transport", "speed (m/s)")
+    assert labels(axes) == ("cost of transport", "speed (l₀√(k/m))")
     speeds = [best.gait.speed for best in front.optima]
     assert np.allclose(axes.lines[0].get_ydata(), speeds, rtol=1e-12)
 
@@ -195,7 +195,7 @@ def test_a_proved_gait_shows_its_eigenvalues_and_enclosures():
     x, _ = line(left, style.word(proof.word))
     assert np.max(np.abs(x)) < 1.0 and len(x) == 6
     names = [text.get_text() for text in right.get_yticklabels()]
-    assert names[:2] == ["com height (m)", "com speed (m/s)"] and len(right.patches) == 6
+    assert names[:2] == ["com height (l₀)", "com speed (l₀√(k/m))"] and len(right.patches) == 6
     assert right.patches[0].get_width() == pytest.approx(float(proof.apex[0].rad()))
 
 

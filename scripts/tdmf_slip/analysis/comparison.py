@@ -114,14 +114,17 @@ class Comparison(ByContents, Drawable):
         str
             Lines; a star marks what is held.
         """
-        variables = load_fmu(fmu).variables
+        variables, label = load_fmu(fmu).variables, self.runners[0].after.runner.label
         columns = [
             (f"runner {number}{'' if step == 'after' else ' as given'}", getattr(matched, step))
             for number, matched in enumerate(self.runners)
             for step in (("after",) if number == 0 else ("before", "after"))
         ]
         rows = [
-            (headed(name, variables[name].unit), *(f"{gait.runner.values[name]:.6g}" for _, gait in columns))
+            (
+                headed(name, label(variables[name].unit)),
+                *(f"{gait.runner.values[name]:.6g}" for _, gait in columns),
+            )
             for name in self.runners[0].parameters
         ]
         rows.append(("word", *(gait.word for _, gait in columns)))
@@ -129,7 +132,9 @@ class Comparison(ByContents, Drawable):
         for name in known_quantities(self.runners[0].after.runner):
             mark = " *" if name in self.hold else ""
             values = (quantities_of(gait, [name])[name] for _, gait in columns)
-            rows.append((headed(name, unit_of(name, fmu)) + mark, *(f"{value:.6g}" for value in values)))
+            rows.append(
+                (headed(name, label(unit_of(name, fmu))) + mark, *(f"{value:.6g}" for value in values))
+            )
         rows.append(("lambda_max", *(f"{gait.lambda_max:.6g}" for _, gait in columns)))
         lines = [table(("", *(title for title, _ in columns)), rows), "", "* held"]
         lines += [

@@ -68,7 +68,7 @@ class FirstPassage(Drawable):
         """In a line: whose, and the mean number of strides with its interval."""
         low, high = self.interval
         return (
-            f"<FirstPassage of the gait {self.word} on steps of {self.roughness:.4g} m: "
+            f"<FirstPassage of the gait {self.word} on ground of roughness {self.roughness:.4g}: "
             f"{self.mean_strides:.4g} strides until the fall ({low:.4g} to {high:.4g}), "
             f"{self.falls:,} of {self.runners:,} runners fell>"
         )

@@ -65,8 +65,8 @@ class RareFalls(ByContents, Drawable):
         """In a line: the mean with its interval."""
         low, high = self.interval
         return (
-            f"<RareFalls of {self.word} on steps of {self.roughness:.4g} m: {self.mean_strides:.4g} strides, "
-            f"{low:.4g} to {high:.4g}>"
+            f"<RareFalls of {self.word} on ground of roughness {self.roughness:.4g}: "
+            f"{self.mean_strides:.4g} strides, {low:.4g} to {high:.4g}>"
         )
 
     def as_json(self) -> dict[str, object]:

@@ -22,6 +22,7 @@ from ..library.quantities import QUANTITIES, SIGNED, check_quantities, quantitie
 from ..library.runner import Runner
 from ..library.section import Apex
 from ..library.shared_steps import shares_steps
+from ..terminal.text import quantity
 from .beginnings import beginnings
 from .nearest import Help, nearest_from, parameters_that_help
 from .search import periodic_gait
@@ -260,7 +261,7 @@ def _not_met(target: Target, nearest: Iterate, helps: Sequence[Help], fmu: Fmu) 
     wanted = ", ".join(f"{n} {v:.6g}" for n, v in zip(target.names, target.prescribed, strict=True))
     near = ", ".join(f"{name} {value:.6g}" for name, value in has.items())
     at = ", ".join(
-        f"{name} = {gait.runner.values[name]:.6g} {fmu.variables[name].unit}".removesuffix(" 1").strip()
+        f"{name} = {quantity(gait.runner.values[name], gait.runner.label(fmu.variables[name].unit), 6)}"
         for name in target.vary
     )
     tip = (

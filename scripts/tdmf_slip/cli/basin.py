@@ -16,7 +16,8 @@ from ..analysis.robustness import DISTURBED, robustness
 from ..analysis.volume import volume
 from ..errors import InputError
 from ..files.whole import check_destination
-from ..fmu.fmu import Fmu, load_fmu
+from ..fmu.display_units import DisplayUnits
+from ..fmu.fmu import load_fmu
 from ..library.section import COORDINATES, MODELS, check_axes
 from ..terminal.text import columns, quantity
 from .options import (
@@ -158,7 +159,11 @@ def basin_command(
     if samples:
         found = volume(gait, samples, ball=around, scheduler=scheduler, threads=threads, progress=True)
         result["volume"] = found.as_json()
-    print(json_text(result) if as_json_object else _basin_text(result, tuple(axes), fmu))
+    print(
+        json_text(result)
+        if as_json_object
+        else _basin_text(result, tuple(axes), DisplayUnits(fmu, values=runner.values))
+    )
 
 
 def _made(data: Basin) -> dict[str, int]:
@@ -182,10 +187,10 @@ def _axes(spans: tuple[str, ...], coordinates: Sequence[str]) -> dict[str, str]:
     return {first: rows, second: columns}
 
 
-def _basin_text(result: Mapping[str, Any], axes: tuple[str, ...], fmu: Fmu) -> str:
-    units = {axis: fmu.variables[f"apex.{axis}"].unit for axis in COORDINATES}
+def _basin_text(result: Mapping[str, Any], axes: tuple[str, ...], display: DisplayUnits) -> str:
+    units = {axis: display.unit(f"apex.{axis}") for axis in COORDINATES}
     rows = {n: str(v) for n, v in result.items() if n not in ("robustness", "volume")}
-    rows["settled_area"] = quantity(result["settled_area"], "·".join(units[axis] for axis in axes), 6)
+    rows["settled_area"] = quantity(result["settled_area"], " ".join(units[axis] for axis in axes), 6)
     for name, value in result["robustness"].items():
         rows[name] = (
             "beyond the largest tried" if value is None else quantity(value, units[DISTURBED[name]], 4)

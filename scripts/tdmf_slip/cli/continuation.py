@@ -118,7 +118,7 @@ def continue_command(
 
         check_destination(plot, overview.FORMATS, "--plot")
     runner = runner_of(fmu, parameters, given, model)
-    display = DisplayUnits(fmu, texts)
+    display = DisplayUnits(fmu, texts, runner.values)
     if len(spans) == 2:
         if output is not None:
             raise InputError("--output: curves over two parameters have no file; allowed: with one --vary")

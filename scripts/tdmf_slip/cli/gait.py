@@ -8,6 +8,7 @@ from ..analysis.targeted import TargetNotMetError, find_gait
 from ..errors import InputError
 from ..fmu.display_units import DisplayUnits
 from ..fmu.fmu import Fmu, load_fmu
+from ..fmu.variable import Given
 from ..library.gait import REPORTED, Gait
 from ..library.measures import MEASURES
 from ..library.quantities import quantities_of, quantity_of, unit_of
@@ -65,7 +66,7 @@ def gait_command(
     runner = runner_of(fmu, parameters, given, model)
     if not target:
         gait = find_gait(runner, fmu=fmu)
-        print(json_text(gait.as_json()) if as_json_object else _gait_text(gait, fmu))
+        print(json_text(gait.as_json()) if as_json_object else _gait_text(gait, fmu, texts_of(given)))
         return
     try:
         gait = find_gait(runner, target=target, vary=names, progress=True, fmu=fmu)
@@ -77,7 +78,7 @@ def gait_command(
     if as_json_object:
         print(json_text(_target_json(gait, target, names)))
     else:
-        print(_gait_text(gait, fmu, list(target), names, DisplayUnits(fmu, texts_of(given))))
+        print(_gait_text(gait, fmu, texts_of(given), list(target), names))
 
 
 def _names(vary: str | None, target: Mapping[str, float]) -> list[str]:
@@ -101,11 +102,11 @@ def _target_json(gait: Gait, target: Mapping[str, float], vary: list[str]) -> di
 def _gait_text(
     gait: Gait,
     fmu: Fmu,
+    given: Mapping[str, Given],
     target: Sequence[str] = (),
     vary: Sequence[str] = (),
-    display: DisplayUnits | None = None,
 ) -> str:
-    units = display or DisplayUnits(fmu)
+    units = DisplayUnits(fmu, given, gait.runner.values)
 
     def of(name: str, value: float) -> str:
         return quantity(units.value(name, value), units.unit(name), 12)
@@ -113,7 +114,7 @@ def _gait_text(
     basic = [name for name in target if name in gait.stride and name not in MEASURES]
     reported = dict.fromkeys([*REPORTED, *basic])
     measured = {
-        name: quantity(quantity_of(name, gait.stride), unit_of(name, fmu), 12)
+        name: quantity(quantity_of(name, gait.stride), units.label(unit_of(name, fmu)), 12)
         for name in (*MEASURES, "frequency")
         if name in target
     }

@@ -9,12 +9,15 @@ import contextlib
 import importlib
 import os
 import sys
+import warnings
 from pathlib import Path
+from typing import TextIO
 
 import click
 
 from ..checks import near_matches, shown
 from ..errors import TdmfSlipError
+from ..fmu.paper_units import MixedUnitsWarning
 from ..terminal import encoding, interrupts
 
 COMMANDS = (
@@ -99,7 +102,10 @@ def main(arguments: list[str] | None = None) -> int:
         return _complain("stdout is closed, the results cannot be printed", 1)
     encoding.prints_anything()
     try:
-        status = commands.main(args=arguments, prog_name="tdmf-slip", standalone_mode=False) or 0
+        with warnings.catch_warnings():
+            warnings.simplefilter("always", MixedUnitsWarning)
+            warnings.showwarning = _show_warning
+            status = commands.main(args=arguments, prog_name="tdmf-slip", standalone_mode=False) or 0
         sys.stdout.flush()
         return status
     except click.exceptions.Abort:
@@ -126,6 +132,19 @@ def main(arguments: list[str] | None = None) -> int:
 def _abandon_stdout() -> None:
     """Python flushes once more at its end."""
     os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+
+
+def _show_warning(
+    message: Warning | str,
+    category: type[Warning],
+    filename: str,
+    lineno: int,
+    file: TextIO | None = None,
+    line: str | None = None,
+) -> None:
+    """On stderr in a line, without the place in the code, which helps nobody at a terminal."""
+    if issubclass(category, MixedUnitsWarning):
+        _complain(f"warning: {message}", 0)
 
 
 def _complain(message: str, status: int) -> int:

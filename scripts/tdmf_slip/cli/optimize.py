@@ -99,7 +99,7 @@ def optimize_command(
     for name in vary:
         refuse_given(given, name, "--vary")
     runner = runner_of(fmu, parameters, given, model)
-    display = DisplayUnits(fmu, texts)
+    display = DisplayUnits(fmu, texts, runner.values)
     common: dict[str, Any] = {"target": targets_given(targets), "stable": stable, "starts": starts}
     common |= {"progress": True, "fmu": fmu}
     if len(minimize) + len(maximize) > 2:
@@ -133,7 +133,7 @@ def _text(best: Optimum, fmu: Fmu, display: DisplayUnits) -> str:
     ]
     before, after = reported(best.before), reported(best.gait)
     for name, value in after.items():
-        rows.append((name, unit_of(name, fmu), f"{before[name]:.9g}", f"{value:.9g}", ""))
+        rows.append((name, display.label(unit_of(name, fmu)), f"{before[name]:.9g}", f"{value:.9g}", ""))
     rows.append(("word", "", best.before.word, best.word, ""))
     stable = ["yes" if gait.stable else "no" for gait in (best.before, best.gait)]
     rows.append(("stable", "", stable[0], stable[1], ""))

@@ -8,7 +8,7 @@ from ..analysis.first_passage import MAX_RUNNERS, MAX_STRIDES, FirstPassage, str
 from ..analysis.rare_falls import RareFalls, rare_falls
 from ..analysis.volume import CONFIDENCE
 from ..errors import InputError
-from ..fmu.fmu import Fmu, load_fmu
+from ..fmu.fmu import load_fmu
 from ..library.rough_ground import (
     LARGEST,
     LARGEST_SPREAD,
@@ -17,6 +17,7 @@ from ..library.rough_ground import (
     correlated_weights,
     read_heights,
 )
+from ..library.runner import Runner
 from ..terminal.text import columns, quantity
 from .options import (
     FRICTION_OPTION,
@@ -143,7 +144,7 @@ def rough_command(
     if rare:
         _check_alone("runners", "max_strides", "scheduler", "threads")
         split = rare_falls(runner, ground, seed=seed, progress=True, fmu=fmu)
-        print(json_text(split.as_json()) if as_json_object else _rare_text(split, fmu))
+        print(json_text(split.as_json()) if as_json_object else _rare_text(split, runner))
         return
     found = strides_to_fall(
         runner,
@@ -156,7 +157,7 @@ def rough_command(
         progress=True,
         fmu=fmu,
     )
-    print(json_text(found.as_json()) if as_json_object else _text(found, fmu))
+    print(json_text(found.as_json()) if as_json_object else _text(found, runner))
 
 
 def _check_alone(*names: str) -> None:
@@ -167,12 +168,12 @@ def _check_alone(*names: str) -> None:
             raise InputError(f"--{name.replace('_', '-')} with --rare; allowed: one of the two")
 
 
-def _rare_text(found: RareFalls, fmu: Fmu) -> str:
+def _rare_text(found: RareFalls, runner: Runner) -> str:
     low, high = found.interval
     ends = f"{low:.6g} to {high:.6g}" if math.isfinite(high) else f"above {low:.6g}"
     rows = {
         "word": found.word,
-        "roughness": quantity(found.roughness, fmu.variables["ground.height"].unit, 12),
+        "roughness": quantity(found.roughness, runner.label("m"), 12),
         "mean_strides": f"{found.mean_strides:.6g} ({100 * CONFIDENCE:.0f} % confidence: {ends})",
         "falls": f"{found.falls}, of walkers with weights",
         "strides": str(found.strides),
@@ -180,12 +181,12 @@ def _rare_text(found: RareFalls, fmu: Fmu) -> str:
     return columns(rows)
 
 
-def _text(found: FirstPassage, fmu: Fmu) -> str:
+def _text(found: FirstPassage, runner: Runner) -> str:
     low, high = found.interval
     ends = f"{low:.6g} to {high:.6g}" if math.isfinite(high) else f"above {low:.6g}"
     rows = {
         "word": found.word,
-        "roughness": quantity(found.roughness, fmu.variables["ground.height"].unit, 12),
+        "roughness": quantity(found.roughness, runner.label("m"), 12),
         "runners": str(found.runners),
         "strides": str(found.strides),
         "mean_strides": f"{found.mean_strides:.6g} ({100 * CONFIDENCE:.0f} % confidence: {ends})",

@@ -188,13 +188,14 @@ def _run_object(run: Run) -> dict[str, object]:
 
 def _run_text(run: Run) -> str:
     stride = run.stride
-    end = f"fell at t = {run.fall_time:g} s" if run.fallen else f"ran to t = {run.table['time'][-1]:g} s"
+    time = run.fall_time if run.fallen else run.table["time"][-1]
+    end = f"{'fell at' if run.fallen else 'ran to'} t = {time:g} {run.label('s')}"
     lines = [f"{end}, {stride['count']} strides, {len(run.events)} events"]
     if stride["count"]:
         rows = {
             f"  {name}": value
             if isinstance(value, str)
-            else quantity(value, run.units.get(f"stride.{name}", ""), 8)
+            else quantity(value, run.label(run.units.get(f"stride.{name}", "")), 8)
             for name, value in stride.items()
             if name not in ("count", "word_code")
         }

@@ -132,7 +132,14 @@ def sweep_command(
             "--scheduler, --threads: along one range each gait is found from the one before, nor are they "
             "of use for a single friction; allowed: with two ranges, of --vary or --friction"
         )
-    _row(runner, *next(iter(values.items())), output, plot, as_json_object, DisplayUnits(fmu, texts))
+    _row(
+        runner,
+        *next(iter(values.items())),
+        output,
+        plot,
+        as_json_object,
+        DisplayUnits(fmu, texts, runner.values),
+    )
 
 
 def _values(fmu: Fmu, name: str, span: str, spacing: str, option: str) -> NDArray[np.float64]:
@@ -220,7 +227,9 @@ def _sweep_text(found: Sweep, fmu: Fmu, display: DisplayUnits) -> str:
         for value, gait in zip(found.values, found.by_value, strict=True)
         if gait is not None
     ]
-    with_units = [f"{name} ({fmu.variables[f'stride.{name}'].unit})" for name in ("period", "speed")]
+    with_units = [
+        f"{name} ({display.label(fmu.variables[f'stride.{name}'].unit)})" for name in ("period", "speed")
+    ]
     header = (
         _headed(found.name, display.unit(found.name)),
         "word",

@@ -212,9 +212,9 @@ class Fit(ByContents, Drawable):
 
     def parameter_rows(self) -> list[tuple[str, ...]]:
         """Cells of a table under `PARAMETER_HEADER`."""
-        units = load_fmu().variables
+        variables, label = load_fmu().variables, self.runners[0].label
         return [
-            (e.label, quantity(e.value, units[e.name].unit, 6), f"{e.low:.6g}", f"{e.high:.6g}")
+            (e.label, quantity(e.value, label(variables[e.name].unit), 6), f"{e.low:.6g}", f"{e.high:.6g}")
             for e in self.estimates
         ]
 
@@ -224,7 +224,7 @@ class Fit(ByContents, Drawable):
             (
                 str(of.row),
                 of.name,
-                quantity(of.measured, unit_of(of.name), 6),
+                quantity(of.measured, self.runners[0].label(unit_of(of.name)), 6),
                 f"{of.error:.3g}",
                 f"{of.fitted:.6g}",
                 f"{of.residual:+.2f}",

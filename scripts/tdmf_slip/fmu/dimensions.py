@@ -11,6 +11,7 @@ DIMENSIONS: Mapping[str, tuple[int, int, int]] = {
     "m/s": (1, -1, 0),
     "m/s2": (1, -2, 0),
     "rad/s": (0, -1, 0),
+    "Hz": (0, -1, 0),
     "rad/s2": (0, -2, 0),
     "N": (1, -2, 1),
     "N/m": (0, -2, 1),
@@ -23,16 +24,9 @@ DIMENSIONS: Mapping[str, tuple[int, int, int]] = {
     "N2.m2.s": (4, -3, 2),
 }
 """Powers of length, time and mass; an angle has none."""
-_SYMBOLS = {(0, 0): "", (1, 0): "l₀", (1, -1): "l₀√(k/m)", (0, -1): "√(k/m)"}
-"""A runner's scale, by the powers of length and time."""
 
 
 def scale(unit: str, length: float, time: float, mass: float) -> float:
     """How large a unit's quantities are where length, time and mass are so large."""
     of_length, of_time, of_mass = DIMENSIONS[unit]
     return length**of_length * time**of_time * mass**of_mass
-
-
-def symbol(unit: str) -> str:
-    """A runner's scale of lengths, speeds and rates as it is written; nothing for an angle."""
-    return _SYMBOLS[DIMENSIONS[unit][:2]]

@@ -1,17 +1,24 @@
-"""In which units values are told: in those that their user gave them in, else in the variables' own."""
+"""Units that values are shown in: those that their user gave, the paper's, or the variables' own."""
 
 from collections.abc import Mapping
+from typing import Any
 
-from . import unit_text
+from . import paper_units, unit_text
 from .fmu import Fmu
 
 
 class DisplayUnits:
     """Units of the unit's variables, some of them as they were given."""
 
-    def __init__(self, fmu: Fmu, given: Mapping[str, object] | None = None) -> None:
-        """With what was given, by the variables' names."""
+    def __init__(
+        self,
+        fmu: Fmu,
+        given: Mapping[str, object] | None = None,
+        values: Mapping[str, Any] | None = None,
+    ) -> None:
+        """With what was given, by the variables' names, and the values of the runner that is shown."""
         self._variables = fmu.variables
+        self._values = values or {}
         self._units = {name: _unit_in(text) for name, text in (given or {}).items() if isinstance(text, str)}
 
     def factor(self, name: str) -> float:
@@ -20,7 +27,11 @@ class DisplayUnits:
 
     def unit(self, name: str) -> str:
         """The unit that a variable is told in."""
-        return self._units.get(name) or self._variables[name].unit
+        return self._units.get(name) or self.label(self._variables[name].unit)
+
+    def label(self, unit: str) -> str:
+        """What stands for a unit: the paper's, where the runner is in the paper's units."""
+        return paper_units.label(unit, self._values)
 
     def value(self, name: str, value: float) -> float:
         """A value of it, in that unit."""

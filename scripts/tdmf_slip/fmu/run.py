@@ -11,6 +11,7 @@ from ..checks import is_one_of, near_matches, shown
 from ..contents import ByContents
 from ..drawable import Drawable
 from ..errors import InputError
+from . import paper_units
 from .events import Event
 from .fmu import Fmu, load_fmu
 
@@ -42,6 +43,10 @@ class Run(ByContents, Drawable):
     apex: Mapping[str, float] = field(default_factory=dict)
     """The section at the last apex: `time`, `com_height` and so on."""
 
+    def label(self, unit: str) -> str:
+        """What stands for a unit in texts and pictures of this run: `l0` for `m` in the paper's units."""
+        return paper_units.label(unit, self.final)
+
     @property
     def names(self) -> tuple[str, ...]:
         """Of the table's fields, `time` first."""
@@ -64,8 +69,15 @@ class Run(ByContents, Drawable):
 
     def __repr__(self) -> str:
         """In a line: how far it went, and the last stride."""
-        end = f"fell at {self.fall_time:.6g} s" if self.fallen else f"to {self.table['time'][-1]:.6g} s"
-        last = f", word {self.stride['word']}, speed {self.stride['speed']:.6g} m/s" if self.strides else ""
+        time, speed = self.label("s"), self.label("m/s")
+        end = (
+            f"fell at {self.fall_time:.6g} {time}"
+            if self.fallen
+            else f"to {self.table['time'][-1]:.6g} {time}"
+        )
+        last = (
+            f", word {self.stride['word']}, speed {self.stride['speed']:.6g} {speed}" if self.strides else ""
+        )
         return f"<Run {end}, {self.strides} strides{last}>"
 
     def to_xarray(self, fmu: Fmu | None = None) -> "xarray.Dataset":

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from ..checks import check_kind, checked, checked_whole
 from ..errors import InputError, RunError
 from ..terminal.progress import progress_bar
+from . import paper_units
 from .events import MODE, PHASE, events_of
 from .fmu import Fmu, load_fmu
 from .inputs import InputTables, signals
@@ -118,6 +119,8 @@ def simulate(
     fmu = load_fmu(fmu)
     interface = interface_over(profile, interface, inputs, fmu)
     starts = fmu.start_values(start_values_of(runner), "start values")
+    if isinstance(runner, Mapping):
+        paper_units.warn_of_mixture({**{n: fmu.start_of(n) for n in paper_units.COMPARED}, **starts}, fmu)
     if stop_time is None and strides is None:
         strides = DEFAULT_STRIDES
     recorded = _recorded(fmu, variables)

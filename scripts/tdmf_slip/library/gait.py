@@ -80,11 +80,12 @@ class Gait(ByContents, Drawable):
 
     def __repr__(self) -> str:
         """In a line: what tells one gait from another."""
-        stride, kind = self.stride, "stable" if self.stable else "unstable"
+        stride, kind, label = self.stride, "stable" if self.stable else "unstable", self.runner.label
         return (
-            f"<Gait {self.word} at {FRICTION} = {self.friction:.6g}: period {self.period:.6g} s, "
-            f"speed {stride['speed']:.6g} m/s, cost of transport {stride['cost_of_transport']:.6g}, "
-            f"{kind}, largest eigenvalue {self.lambda_max:.6g}>"
+            f"<Gait {self.word} at {FRICTION} = {self.friction:.6g}: "
+            f"period {stride['period']:.6g} {label('s')}, speed {stride['speed']:.6g} {label('m/s')}, "
+            f"cost of transport {stride['cost_of_transport']:.6g}, {kind}, "
+            f"largest eigenvalue {self.lambda_max:.6g}>"
         )
 
     @property

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from ..checks import is_number, is_one_of, near_matches, shown
 from ..contents import ByContents
 from ..errors import InputError
+from ..fmu import paper_units
 from ..fmu.aliases import ALIASES
 from ..fmu.fmu import Fmu, load_fmu
 from ..fmu.names import by_full_name, full_name
@@ -96,6 +97,7 @@ class Runner(ByContents):
             checked = fmu.start_values(by_name, "start values")
             names = [n for n, v in fmu.variables.items() if v.settable and (v.type == "Real" or n in FLAGS)]
             runner = cls({name: float(checked.get(name, fmu.start_of(name))) for name in names})
+            paper_units.warn_of_mixture(runner.values, fmu)
         return runner if model is None else replace(runner, reduced=is_reduced(model))
 
     def but(self, name: str, value: float | str) -> "Runner":
@@ -156,6 +158,10 @@ class Runner(ByContents):
         """Parameters and inputs as the library's `tdmf_system`, unless one is refused."""
         system: Struct = ffi.new("tdmf_system *", {"model": self.model, "inputs": self.inputs})[0]
         return system
+
+    def label(self, unit: str) -> str:
+        """What stands for a unit in texts and pictures of this runner: `l0` for `m` in the paper's units."""
+        return paper_units.label(unit, self.values)
 
     @property
     def coordinates(self) -> tuple[str, ...]:

@@ -16,7 +16,8 @@ from matplotlib.ticker import MaxNLocator
 from numpy.typing import NDArray
 
 from ..analysis.basin_result import FOLLOWED, STRIDES, Basin
-from ..fmu.dimensions import scale, symbol
+from ..fmu import paper_units
+from ..fmu.dimensions import scale
 from ..library.ensemble import FATES, SETTLED
 from . import style
 
@@ -164,10 +165,11 @@ def _mark_small(figure: Figure, axes: Axes, data: Basin, where: NDArray[np.bool_
 
 
 def _label(data: Basin, axis: str) -> str:
-    """With the unit, in which ranges are given too, and how much of it the scale is."""
+    """With the unit, in SI units also how much of it the runner's own scale is."""
     unit, values = data.coordinates[axis].attributes["units"], data.attributes
-    if not symbol(unit):
-        return style.with_unit(NAMES[axis], unit)
+    label = style.with_unit(NAMES[axis], paper_units.label(unit, values))
+    if unit == "rad" or paper_units.are_in_use(values):
+        return label
     mass = values["body.mass"]
     size = scale(unit, values["leg.free_length"], math.sqrt(mass / values["leg.stiffness"]), mass)
-    return f"{NAMES[axis]} ({unit};  {symbol(unit)} = {size:.4g} {unit})"
+    return f"{label[:-1]};  {style.printed(paper_units.paper_unit(unit))} = {size:.4g} {unit})"

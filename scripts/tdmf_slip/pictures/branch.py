@@ -34,6 +34,7 @@ def figure_of(
     display: DisplayUnits | None = None,
 ) -> Figure:
     """Three panels over a parameter; unstable gaits are dashed."""
+    display = display or DisplayUnits(fmu, values=gaits[0].runner.values)
     with style.styled():
         figure, panels = plt.subplots(
             len(PANELS) + 1, 1, figsize=(7.6, 7.2), sharex=True, layout="constrained"
@@ -41,11 +42,11 @@ def figure_of(
         _eigenvalues(panels[0], values, gaits)
         for axes, (quantity, label) in zip(panels[1:], PANELS.items(), strict=True):
             _draw(axes, values, [gait.stride[quantity] for gait in gaits], gaits)
-            axes.set_ylabel(style.with_unit(label, fmu.variables[f"stride.{quantity}"].unit))
+            unit = fmu.variables[f"stride.{quantity}"].unit
+            axes.set_ylabel(style.with_unit(label, display.label(unit)))
         for axes in panels:
             for border in borders:
                 axes.axvline(border.value, **style.STANCE_LINE)
-        display = display or DisplayUnits(fmu)
         label = style.tell_in(panels[-1].xaxis, name, display)
         if display.factor(name) == 1.0 and min(values) > 0 and max(values) > DECADES * min(values):
             panels[-1].set_xscale("log")

@@ -64,7 +64,7 @@ def figure_of(branch: Branch, quantity: str = DRAWN, display: DisplayUnits | Non
     """A quantity of the gaits, and the size of their largest eigenvalue, over the parameter."""
     values_of(branch.gaits[0], quantity)
     fmu = load_fmu()
-    display = display or DisplayUnits(fmu)
+    display = display or DisplayUnits(fmu, values=branch.gaits[0].runner.values)
     with style.styled():
         figure, panels = plt.subplots(
             2, 1, figsize=(8.2, 7.0), sharex=True, height_ratios=(2, 1), layout="constrained"
@@ -72,7 +72,7 @@ def figure_of(branch: Branch, quantity: str = DRAWN, display: DisplayUnits | Non
         kind = "apex" if quantity in COORDINATES else "stride"
         variable = fmu.variables.get(f"{kind}.{quantity}")
         label = f"{kind}.{quantity}" if variable else quantity
-        panels[0].set_ylabel(style.with_unit(label, variable.unit if variable else ""))
+        panels[0].set_ylabel(style.with_unit(label, display.label(variable.unit) if variable else ""))
         panels[1].set_ylabel("largest eigenvalue, size")
         panels[1].set_xlabel(style.tell_in(panels[1].xaxis, branch.name, display))
         begin = display.value(branch.name, branch.values[0])

@@ -11,6 +11,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
+from ..fmu import paper_units
 from ..fmu.fmu import load_fmu
 from ..library.section import COORDINATES
 from . import style
@@ -18,6 +19,7 @@ from . import style
 if TYPE_CHECKING:
     from ..feedback.controllability import Controllability
     from ..feedback.feedback import Feedback
+    from ..proof.exact import Exact
     from ..proof.proof import Proof
     from ..proof.prove_border import BorderProof
 
@@ -61,7 +63,7 @@ def of_proof(proof: Proof) -> Figure:
         figure, (left, right) = _panels()
         _paint(left, {style.word(proof.word) or "undecided": _middles(proof)})
         radii = [float(x.rad()) for x in proof.apex] or [float(radius) for radius in proof.box.radii]
-        _radii(right, list(COORDINATES), radii)
+        _radii(right, list(COORDINATES), radii, proof.values)
     return figure
 
 
@@ -75,7 +77,8 @@ def of_border(proof: BorderProof) -> Figure:
         }
         _paint(left, {name: values for name, values in sides.items() if len(values)})
         enclosed = [*proof.apex, *([] if proof.value is None else [proof.value])]
-        _radii(right, [*COORDINATES, proof.name][: len(enclosed)], [float(x.rad()) for x in enclosed])
+        names, radii = [*COORDINATES, proof.name][: len(enclosed)], [float(x.rad()) for x in enclosed]
+        _radii(right, names, radii, proof.values)
     return figure
 
 
@@ -110,10 +113,14 @@ def _bars(axes: Axes, rows: NDArray[np.float64], names: Sequence[str], columns: 
     axes.figure.legend(*axes.get_legend_handles_labels(), loc="outside upper right", ncols=2)
 
 
-def _radii(axes: Axes, names: Sequence[str], radii: Sequence[float]) -> None:
+def _radii(axes: Axes, names: Sequence[str], radii: Sequence[float], values: Mapping[str, Exact]) -> None:
     """How far enclosures go to both sides of their middles."""
     variables = load_fmu().variables
-    units = {name: variables[f"apex.{name}" if name in COORDINATES else name].unit for name in names}
+    floats = {name: float(values[name].rational) for name in paper_units.SCALES if name in values}
+    units = {
+        name: paper_units.label(variables[f"apex.{name}" if name in COORDINATES else name].unit, floats)
+        for name in names
+    }
     shown = [style.with_unit(name.replace("_", " "), units[name]) for name in names]
     axes.barh(shown, np.maximum(radii, NARROWEST), color=style.SECOND_CURVE)
     axes.set_xscale("log")

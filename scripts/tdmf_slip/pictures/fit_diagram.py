@@ -12,6 +12,7 @@ from matplotlib.figure import Figure
 from ..fitting.measurements import MEASURABLE
 from ..fitting.result import QUANTILE, Fit, Residual
 from ..library.quantities import unit_of
+from ..library.runner import Runner
 from . import style
 
 DATA, FITTED = style.INK, style.MODE_COLOURS["slip_positive"]
@@ -41,7 +42,7 @@ def figure_of(fit: Fit) -> Figure:
         for number, name in enumerate(shown):
             whole = number == len(shown) - 1 and number % 2 == 0
             axes = figure.add_subplot(grid[number // 2, :] if whole else grid[number // 2, number % 2])
-            _quantity(axes, [of for of in fit.residuals if of.name == name], ticks)
+            _quantity(axes, [of for of in fit.residuals if of.name == name], ticks, fit.runners[0])
             axes.set_xlabel(title)
         _residuals(figure.add_subplot(grid[lines, :]), fit, names, ticks, title)
         figure.axes[0].legend()
@@ -52,7 +53,7 @@ def _tick_positions(fit: Fit) -> tuple[Sequence[float], str]:
     """Of the rows on the horizontal axis, and its title."""
     speeds = [row["speed"].value for row in fit.measurements.rows if "speed" in row]
     if len(speeds) > 1 and len(set(speeds)) == len(fit.measurements.rows):
-        return speeds, f"measured speed  / {unit_of('speed')}"
+        return speeds, f"measured speed  / {style.printed(fit.runners[0].label(unit_of('speed')))}"
     return range(1, len(fit.measurements.rows) + 1), "row"
 
 
@@ -64,7 +65,7 @@ def _ticks(axes: Axes, ticks: Sequence[float]) -> None:
         axes.set_xlim(0.5, len(ticks) + 0.5)
 
 
-def _quantity(axes: Axes, residuals: Sequence[Residual], ticks: Sequence[float]) -> None:
+def _quantity(axes: Axes, residuals: Sequence[Residual], ticks: Sequence[float], runner: Runner) -> None:
     """A quantity as it was measured, with one standard error, and as it was fitted."""
     at = [ticks[of.row - 1] for of in residuals]
     axes.errorbar(
@@ -79,7 +80,7 @@ def _quantity(axes: Axes, residuals: Sequence[Residual], ticks: Sequence[float])
         label="measured, ± standard error",
     )
     axes.plot(at, [of.fitted for of in residuals], "x", color=FITTED, markersize=7, label="fitted", zorder=4)
-    unit = unit_of(residuals[0].name)
+    unit = style.printed(runner.label(unit_of(residuals[0].name)))
     axes.set_title(NAMES[residuals[0].name] + ("" if unit == "1" else f"  / {unit}"))
     _ticks(axes, ticks)
 

@@ -8,6 +8,7 @@ from matplotlib.patches import Patch
 
 from ..analysis.grid_result import GaitGrid
 from ..errors import InputError
+from ..fmu import paper_units
 from ..fmu.display_units import DisplayUnits
 from ..fmu.fmu import load_fmu
 from . import style
@@ -16,18 +17,23 @@ from .basin_map import edges_of
 WORD_COLOURS = plt.get_cmap("tab20").colors  # type: ignore[attr-defined] # a list of colours
 
 
+def _runner_of(grid: GaitGrid) -> dict[str, float]:
+    """Mass, stiffness and length where the grid does not vary them."""
+    return {name: grid.attributes[name] for name in paper_units.SCALES if name in grid.attributes}
+
+
 def figure_of(grid: GaitGrid) -> Figure:
     """Speed on the left, words on the right; white where no gait was found."""
     if not grid.gaits:
         raise InputError("plot: a grid without gaits; allowed: one that has some")
     vertical, horizontal = grid.axes
     edges = edges_of(grid[horizontal]), edges_of(grid[vertical])
-    display = DisplayUnits(load_fmu())
+    display = DisplayUnits(load_fmu(), values=_runner_of(grid))
     with style.styled():
         figure, panels = plt.subplots(1, 2, figsize=(10.4, 4.6), sharey=True, layout="constrained")
         speeds = np.ma.masked_invalid(grid["speed"])
         mesh = panels[0].pcolormesh(*edges, speeds, cmap="viridis", rasterized=True)
-        figure.colorbar(mesh, ax=panels[0], label="speed (m/s)", pad=0.01)
+        figure.colorbar(mesh, ax=panels[0], label=style.with_unit("speed", display.label("m/s")), pad=0.01)
         handles = []
         for number, word in enumerate(grid.words):
             colour = WORD_COLOURS[number % len(WORD_COLOURS)]

@@ -40,7 +40,7 @@ def figure_of(run: Run, fmu: Fmu) -> Figure:
         for axes, (label, curves) in zip(all_axes, PANELS, strict=True):
             _panel(axes, run, label, curves)
             _shade(axes, run, fmu)
-        all_axes[-1].set_xlabel(f"time in {run.units['time']}")
+        all_axes[-1].set_xlabel(style.with_unit("time", run.label(run.units["time"])))
         figure.legend(handles=_key(run, fmu), loc="outside lower center", ncols=len(style.LOADED) + 1)
     return figure
 
@@ -48,7 +48,7 @@ def figure_of(run: Run, fmu: Fmu) -> Figure:
 def _panel(axes: Axes, run: Run, label: str, curves: Sequence[tuple[str, str]]) -> None:
     for (name, what), colour in zip(curves, (style.CURVE, style.SECOND_CURVE), strict=False):
         axes.plot(run.table["time"], run.table[name], color=colour, linewidth=1.3, label=what)
-    axes.set_ylabel(f"{label}\nin {run.units[curves[0][0]]}")
+    axes.set_ylabel(style.with_unit(label, run.label(run.units[curves[0][0]])))
     axes.set_xlim(run.table["time"][0], run.table["time"][-1])
     if len(curves) > 1:
         axes.legend(loc="lower right", bbox_to_anchor=(1.0, 0.97), ncols=len(curves))

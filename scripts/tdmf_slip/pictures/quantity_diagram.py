@@ -11,6 +11,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from ..library.quantities import known_quantities, quantities_of, unit_of
+from ..library.runner import Runner
 from . import style
 
 if TYPE_CHECKING:
@@ -82,7 +83,7 @@ def of_front(front: Front) -> Figure:
                     markerfacecolor=face,
                     label=name,
                 )
-        style.label(axes, _with_unit(first), _with_unit(second))
+        style.label(axes, *(_with_unit(name, front.optima[0].gait.runner) for name in (first, second)))
         figure.legend(*axes.get_legend_handles_labels(), loc="outside upper right", ncols=2)
     return figure
 
@@ -112,8 +113,8 @@ def _changes(
     axes.set_ylim(len(names) - 0.4, -0.6)
 
 
-def _with_unit(name: str) -> str:
-    return style.with_unit(_words(name), unit_of(name))
+def _with_unit(name: str, runner: Runner) -> str:
+    return style.with_unit(_words(name), runner.label(unit_of(name)))
 
 
 def _words(name: str) -> str:

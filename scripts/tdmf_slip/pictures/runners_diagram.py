@@ -8,6 +8,7 @@ from matplotlib.ticker import MaxNLocator
 from numpy.typing import NDArray
 
 from ..analysis.strides_result import Strides
+from ..fmu import paper_units
 from ..fmu.fmu import load_fmu
 from ..fmu.runs_result import Runs
 from . import style
@@ -28,7 +29,7 @@ def of_strides(made: Strides) -> Figure:
         figure, panels = plt.subplots(2, 1, figsize=(6.8, 5.4), sharex=True, layout="constrained")
         for axes, name in zip(panels, DRAWN, strict=True):
             _draw_runners(axes, apices[..., list(made["coordinate"]).index(name)])
-            unit = load_fmu().variables[f"apex.{name}"].unit
+            unit = paper_units.label(load_fmu().variables[f"apex.{name}"].unit, made.attributes)
             style.label(axes, "", style.with_unit(NAMES[name], unit))
         panels[-1].set_xlabel("strides")
         panels[-1].xaxis.set_major_locator(MaxNLocator(integer=True))
@@ -59,6 +60,10 @@ def of_runs(runs: Runs) -> Figure:
     numeric = name is not None and runs[name].dtype.kind in "iuf"
     along = runs[name] if name is not None and numeric else np.arange(len(runs["fallen"]))
     variables = load_fmu().variables
+    values = {
+        of: 1.0 if of not in runs.coordinates or np.all(runs[of] == 1.0) else np.nan
+        for of in paper_units.SCALES
+    }
     with style.styled():
         figure, panels = plt.subplots(2, 1, figsize=(6.8, 5.4), sharex=True, layout="constrained")
         for axes, quantity in zip(panels, REPORTED, strict=True):
@@ -68,8 +73,14 @@ def of_runs(runs: Runs) -> Figure:
                     continue
                 axes.plot(along[where], runs[quantity][where], "o", color=colour, markersize=4.5, label=label)
             words = quantity.replace("_", " ")
-            style.label(axes, "", style.with_unit(words, variables[f"stride.{quantity}"].unit))
-        label = style.with_unit(name, variables[name].unit) if name is not None and numeric else "run"
+            style.label(
+                axes,
+                "",
+                style.with_unit(words, paper_units.label(variables[f"stride.{quantity}"].unit, values)),
+            )
+        label = "run"
+        if name is not None and numeric:
+            label = style.with_unit(name, paper_units.label(variables[name].unit, values))
         panels[-1].set_xlabel(label)
         figure.legend(*panels[0].get_legend_handles_labels(), loc="outside lower center", ncols=2)
         panels[0].set_title(f"last stride of {len(along):,} runs")

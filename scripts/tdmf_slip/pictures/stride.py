@@ -34,7 +34,7 @@ class Stride:
         """Run the unit for one stride from the gait's apex."""
         self.gait = gait
         self.fmu = fmu
-        run = simulate(gait.start_values, strides=1, output_interval=gait.period / POINTS, fmu=fmu)
+        run = simulate(gait, strides=1, output_interval=gait.period / POINTS, fmu=fmu)
         self.events = run.events
         self._table = run.table
         values = gait.runner.values

@@ -51,6 +51,17 @@ MODE_NAMES: Mapping[str, str] = {
     "graze": "graze",
 }
 
+PRINTED: Mapping[str, str] = {
+    "l0": "l₀",
+    " sqrt": "√",
+    "sqrt": "√",
+    "^2": "²",
+    "^4": "⁴",
+    ".": "·",
+    "2": "²",
+}
+"""How parts of a unit are printed, replaced in this order."""
+
 LETTERS: Mapping[str, str] = {"stick": "0", "slip_positive": "+", "slip_negative": "−"}
 """Of the gait word."""
 
@@ -208,7 +219,14 @@ def tell_in(axis: Axis, name: str, display: DisplayUnits) -> str:
 
 def with_unit(name: str, unit: str) -> str:
     """What an axis shows, with its unit, if it has one, as it is printed: N·s/m for N.s/m, m/s² for m/s2."""
-    return name if unit in ("", "1") else f"{name} ({unit.replace('.', '·').replace('2', '²')})"
+    return name if unit in ("", "1") else f"{name} ({printed(unit)})"
+
+
+def printed(unit: str) -> str:
+    """A unit as it is printed: N·s/m for N.s/m, m/s² for m/s2, l₀√(k/m) for l0 sqrt(k/m)."""
+    for written, shown in PRINTED.items():
+        unit = unit.replace(written, shown)
+    return unit
 
 
 def dashes(mode: str) -> LineStyle:

@@ -65,7 +65,7 @@ def paint(axes: Axes, found: Viability, maximum: float | None = None) -> ScalarM
     shares = np.ma.masked_where(states != 2, found.inner_robustness)
     largest = maximum or float(np.max(found.inner_robustness)) or 1.0
     mesh = axes.pcolormesh(speeds, heights, shares, cmap=COLOURS, vmin=0.0, vmax=largest, rasterized=True)
-    units = [load_fmu().variables[f"apex.{axis}"].unit for axis in REDUCED]
+    units = [found.runner.label(load_fmu().variables[f"apex.{axis}"].unit) for axis in REDUCED]
     style.label(
         axes, style.with_unit(NAMES[REDUCED[1]], units[1]), style.with_unit(NAMES[REDUCED[0]], units[0])
     )

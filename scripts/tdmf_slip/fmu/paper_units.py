@@ -1,0 +1,112 @@
+"""The paper's units, which are labels only: lengths in l0, times in sqrt(m/k), masses in m.
+
+A runner is in the paper's units where body mass, stiffness and free length are exactly 1.
+"""
+
+import inspect
+import math
+import warnings
+from collections.abc import Mapping
+from typing import Any
+
+from .dimensions import DIMENSIONS, scale
+from .fmu import Fmu
+
+SCALES = ("body.mass", "leg.stiffness", "leg.free_length")
+"""Mass, stiffness and length that all other quantities of a runner are measured by."""
+
+
+class MixedUnitsWarning(UserWarning):
+    """Some of a runner's values seem to be in SI units, others are still the paper's."""
+
+
+def are_in_use(values: Mapping[str, Any]) -> bool:
+    """Whether a runner with these values is in the paper's units."""
+    return all(values.get(name) == 1.0 for name in SCALES)
+
+
+def label(unit: str, values: Mapping[str, Any]) -> str:
+    """The unit of a quantity of a runner with these values: the paper's, or the one that is given."""
+    return paper_unit(unit) if unit in DIMENSIONS and are_in_use(values) else unit
+
+
+def paper_unit(unit: str) -> str:
+    """What stands for a unit in the paper's units: `l0 sqrt(k/m)` for `m/s`, nothing for `1`."""
+    length, time, mass = DIMENSIONS[unit]
+    if (length, time, mass) == (0, 0, 0):
+        return unit
+    stiffness_power, mass_power = -0.5 * time, mass + 0.5 * time
+    roots = {"k": 0.0, "m": 0.0}
+    if time % 2:  # both powers are halves
+        roots = {"k": math.copysign(0.5, stiffness_power), "m": math.copysign(0.5, mass_power)}
+    powers = {"k": stiffness_power - roots["k"], "m": mass_power - roots["m"], "l0": float(length)}
+    root = _fraction({name: 2.0 * power for name, power in roots.items()}, "")
+    return _fraction(powers, f"sqrt({root})" if root else "")
+
+
+def _fraction(powers: Mapping[str, float], last: str) -> str:
+    """A product of powers with a fraction bar before the negative ones."""
+    above = [_power(name, power) for name, power in powers.items() if power > 0.0]
+    below = [_power(name, -power) for name, power in powers.items() if power < 0.0]
+    product = " ".join([*above, *([last] if last else [])])
+    return f"{product or 1}/{' '.join(below)}" if below else product
+
+
+def _power(name: str, power: float) -> str:
+    return name if power == 1.0 else f"{name}^{power:g}"
+
+
+MEASURED = ("foot.mass", "leg.damping", "gravity", "hip.stance_torque", "hip.kp", "hip.kd")
+"""Parameters with a dimension that are nonzero in the paper's runner; compared with the runner's scales."""
+COMPARED = (*SCALES, *MEASURED)
+FACTOR = 50.0
+"""A parameter over its scale may differ from the paper's by so much; a person's differ by 13 at the most."""
+
+
+def mixture(values: Mapping[str, Any], fmu: Fmu) -> str:
+    """A sentence about values that do not fit each other; empty where none is suspected."""
+    own = {name: float(values[name]) for name in COMPARED}
+    paper = {name: fmu.start_of(name) for name in own}
+    scales = _scales(own)
+    ratios = {
+        name: own[name] / scale(fmu.variables[name].unit, *scales) / paper[name]
+        for name in MEASURED
+        if own[name] > 0.0
+    }
+    changed = [name for name in own if own[name] != paper[name]]
+    rescaled = any(name in changed for name in SCALES)
+    off = [
+        name
+        for name, ratio in ratios.items()
+        if ratio > FACTOR or (ratio < 1.0 / FACTOR and rescaled and name not in changed)
+    ]
+    still = [name for name in own if name not in changed and name != "leg.free_length"]
+    if not off or not changed or not still:
+        return ""
+    given = ", ".join(f"{name} = {own[name]:g}" for name in changed)
+    left = ", ".join(f"{name} = {own[name]:g}" for name in still)
+    return (
+        f"this runner may mix units: {given} beside values that are still the paper's, {left}. "
+        'For a person in SI units begin with the preset "human"'
+    )
+
+
+def _scales(values: Mapping[str, float]) -> tuple[float, float, float]:
+    mass, stiffness, length = (values[name] for name in SCALES)
+    return length, math.sqrt(mass / stiffness), mass
+
+
+def warn_of_mixture(values: Mapping[str, Any], fmu: Fmu) -> None:
+    """Warn of values that do not fit each other."""
+    sentence = mixture(values, fmu)
+    if sentence:
+        warnings.warn(sentence, MixedUnitsWarning, stacklevel=_depth())
+
+
+def _depth() -> int:
+    """How far up the caller is who is no part of this package."""
+    package = __name__.partition(".")[0]
+    frame, depth = inspect.currentframe(), 0
+    while frame is not None and frame.f_globals.get("__name__", "").partition(".")[0] == package:
+        frame, depth = frame.f_back, depth + 1
+    return depth
