@@ -14,6 +14,7 @@ from conftest import HANGS
 from tdmf_slip import InputError
 from tdmf_slip.files import netcdf, whole
 
+HANGUP = getattr(signal, "SIGHUP", signal.SIGTERM)  # which Windows has not
 POSIX_ONLY = pytest.mark.skipif(os.name != "posix", reason="modes, pipes and links are those of POSIX")
 NETCDF = ("sweep", "--friction", "0.5:0.6:2", "--output", "{}.nc")
 WRITERS = {
@@ -284,7 +285,7 @@ def test_the_mask_of_the_process_is_left_alone(monkeypatch, tmp_path):
 
 
 TERMINATED = """
-import os, signal, sys, tempfile
+import os, sys, tempfile
 import tdmf_slip
 from tdmf_slip import __main__
 from tdmf_slip.files import whole
@@ -292,16 +293,16 @@ from tdmf_slip.fmu import tables
 from tdmf_slip.cli import simulate
 
 real = simulate.simulate
-when = sys.argv.pop()
+when, number = sys.argv.pop(), int(sys.argv.pop())
 
 
 def ending(*given, **named):
     run = real(*given, **named)  # the unit is unpacked
     assert any(os.scandir(tempfile.gettempdir()))
     if when == "in a file":
-        tables.WRITERS[".csv"] = lambda *_: os.kill(os.getpid(), signal.SIGTERM)
+        tables.WRITERS[".csv"] = lambda *_: os.kill(os.getpid(), number)
         return run
-    os.kill(os.getpid(), signal.SIGTERM)
+    os.kill(os.getpid(), number)
     raise AssertionError("goes on")
 
 
@@ -311,18 +312,32 @@ sys.exit(__main__.main())
 
 
 @POSIX_ONLY
-@pytest.mark.parametrize("when", ["after a run", "in a file"])
-def test_a_request_to_end_leaves_nothing_in_temporary_folders(when, tmp_path):
+@pytest.mark.parametrize(
+    ("when", "number"),
+    [("after a run", signal.SIGTERM), ("in a file", signal.SIGTERM), ("after a run", HANGUP)],
+)
+def test_a_request_to_end_leaves_nothing_in_temporary_folders(when, number, tmp_path):
     (tmp_path / "temporary").mkdir()
     done = subprocess.run(
-        [sys.executable, "-c", TERMINATED, "simulate", "--strides", "1", "--output", "run.csv", when],
+        [
+            sys.executable,
+            "-c",
+            TERMINATED,
+            "simulate",
+            "--strides",
+            "1",
+            "--output",
+            "run.csv",
+            str(+number),
+            when,
+        ],
         capture_output=True,
         text=True,
         cwd=tmp_path,
         env={**os.environ, "TMPDIR": str(tmp_path / "temporary")},
         timeout=HANGS,
     )
-    assert done.returncode == 143 and "Traceback" not in done.stderr, done.stderr
+    assert done.returncode == 128 + number and "Traceback" not in done.stderr, done.stderr
     assert list((tmp_path / "temporary").iterdir()) == []
     left = {path.name for path in tmp_path.iterdir()}
     assert left == {"temporary"} | ({"run.csv"} if when == "in a file" else set())

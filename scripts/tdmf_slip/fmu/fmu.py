@@ -4,12 +4,12 @@ Names, units, ranges, starts and enumerations are read from the unit's own model
 here repeats them.
 """
 
-import atexit
 import functools
 import os
 import shutil
 import tempfile
 from collections.abc import Mapping
+from multiprocessing.util import Finalize
 from pathlib import Path
 from types import NoneType
 
@@ -91,31 +91,45 @@ class Fmu:
         self.variables: dict[str, Variable] = {
             v.name: variable_of(v, factors) for v in self.description.modelVariables
         }
+        self._folder: Path | None = None
+
+    def __getstate__(self) -> dict[str, object]:
+        """All but the folder, which belongs to this process."""
+        return self.__dict__ | {"_folder": None}
 
     def __repr__(self) -> str:
         """Whose FMU it is, by which standard, and where its file is."""
         made = f"{self.description.modelName} by FMI {self.description.fmiVersion}"
         return f"<Fmu {made}: {len(self.variables)} variables, {self.path}>"
 
-    @functools.cached_property
+    @property
     def folder(self) -> str:
-        """Where the unit is unpacked, to be run; the copy goes when Python ends.
+        """Where the unit is unpacked, to be run; the copy goes when the process ends that has made it.
+
+        It is unpacked again where somebody has cleaned the folder of temporary files meanwhile.
 
         Raises
         ------
         RunError
             It cannot be unpacked.
         """
+        if self._folder is None or not any(self._folder.glob(f"binaries/*/*{fmpy.sharedLibraryExtension}")):
+            self._folder = self._unpack()
+        return str(self._folder)
+
+    def _unpack(self) -> Path:
         try:
-            folder = str(fmpy.extract(str(self.path)))
+            folder = tempfile.mkdtemp(prefix="tdmf_slip_")
+            # Goes with this process alone: a forked one that ends leaves it to its parent.
+            Finalize(None, shutil.rmtree, (folder,), {"ignore_errors": True}, exitpriority=0)
+            return Path(fmpy.extract(str(self.path), folder))
         except OSError as problem:
+            where = tempfile.tempdir or "a folder of temporary files"
             raise RunError(
-                f"{self.path}: cannot be unpacked into {tempfile.gettempdir()}: {problem.strerror or problem}"
+                f"{self.path}: cannot be unpacked into {where}: {problem.strerror or problem}"
             ) from problem
         except Exception as problem:  # FMPy raises bare Exceptions, and zipfile's, for a bad file
             raise RunError(f"{self.path}: not a usable FMU: {problem}") from problem
-        atexit.register(shutil.rmtree, folder, ignore_errors=True)
-        return folder
 
     def find(self, name: str, where: str) -> Variable:
         """The variable called `name`.

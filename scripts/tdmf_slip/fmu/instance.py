@@ -14,7 +14,7 @@ from fmpy.fmi1 import FMICallException
 from numpy.typing import NDArray
 
 from ..contents import ByContents
-from ..errors import InputError, RunError, TdmfSlipError
+from ..errors import InputError, RunError, TdmfSlipError, reason
 from ..terminal import interrupts
 from .fmu import Fmu
 from .variable import Value
@@ -64,10 +64,19 @@ class Instance:
         self.interface = fmu.require_interface(interface)
         self.messages: list[str] = []
         try:
+            os.getcwd()
+        except OSError as problem:
+            raise RunError(
+                f"the working directory cannot be used: {reason(problem)}; change to one that is there"
+            ) from problem
+        try:
             with LOADING:
+                self._folder = fmu.folder
                 self._fmu = fmpy.simulation.instantiate_fmu(
-                    fmu.folder, fmu.description, self.interface, logger=self._log
+                    self._folder, fmu.description, self.interface, logger=self._log
                 )
+        except RunError:
+            raise
         except Exception as problem:  # FMPy raises bare Exceptions, and ctypes OSError, for a bad library
             raise RunError(
                 f"{fmu.path}: its library for this platform ({fmpy.platform}) cannot be used: {problem}"
@@ -137,7 +146,7 @@ class Instance:
             follow_inputs()
         try:
             rows: NDArray[np.void] = fmpy.simulate_fmu(
-                self.fmu.folder,
+                self._folder,
                 model_description=self.fmu.description,
                 fmu_instance=self._fmu,
                 fmi_type=self.interface,

@@ -9,10 +9,10 @@ from types import FrameType
 from typing import NoReturn
 
 Handler = Callable[[int, FrameType | None], object]
-SIGNALS = (signal.SIGINT, signal.SIGTERM)
-"""An interrupt from the keyboard, and what `kill` sends."""
-TERMINATED = 128 + signal.SIGTERM
-"""Exit status of a process that SIGTERM ends, as shells give it."""
+ENDING = tuple(getattr(signal, name) for name in ("SIGTERM", "SIGHUP", "SIGBREAK") if hasattr(signal, name))
+"""Requests to end: what `kill` sends, and what comes when a terminal is closed, on Windows too."""
+SIGNALS = (signal.SIGINT, *ENDING)
+"""An interrupt from the keyboard, and requests to end."""
 
 
 @dataclasses.dataclass
@@ -55,11 +55,13 @@ def deferred() -> Iterator[Interrupt]:
 
 def end_in_order() -> None:
     """Have a request to end this process leave no temporary file: Python would stop where it is."""
-    signal.signal(signal.SIGTERM, _end)
+    for number in ENDING:
+        if signal.getsignal(number) == signal.SIG_DFL:  # nohup has SIGHUP ignored
+            signal.signal(number, _end)
 
 
-def _end(_number: int, _frame: object) -> NoReturn:
-    raise SystemExit(TERMINATED)
+def _end(number: int, _frame: object) -> NoReturn:
+    raise SystemExit(128 + number)  # exit status of a process that a signal ends, as shells give it
 
 
 def ignored() -> None:
