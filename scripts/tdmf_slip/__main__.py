@@ -12,6 +12,7 @@ def main() -> int:
     # The matrices have a handful of rows: threads of BLAS beside the engine's own cost a start and gain
     # nothing.
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
+    os.environ.setdefault("MPLBACKEND", "Agg")  # the command writes pictures to files
     try:
         with interrupts.deferred():
             from .cli import main as command

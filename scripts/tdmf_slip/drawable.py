@@ -20,7 +20,7 @@ class Drawable:
     """A result with a picture, a dataset and a table."""
 
     def plot(self) -> "Figure":
-        """Draw it; a notebook shows the figure, and `savefig` writes it.
+        """Draw it; a notebook shows the figure, `savefig` writes it, and pyplot's `show` opens a window.
 
         A run is drawn over time, a gait as velocities and force ratio of its stride, a sweep and a branch
         over their parameter, a curve over its two; a fit by its residuals, an optimum and a comparison by
@@ -33,7 +33,7 @@ class Drawable:
         Returns
         -------
         Figure
-            Of matplotlib.
+            A Matplotlib figure.
 
         Raises
         ------

@@ -1,7 +1,10 @@
 """Every result draws itself: what its axes name, and that the marks are its numbers."""
 
+import io
+import json
 import math
 
+import matplotlib.pyplot as plt
 import numpy as np
 import pytest
 import tdmf_slip
@@ -224,3 +227,26 @@ def test_a_validation_shows_each_value_beside_what_is_allowed():
     assert line(axes, "differs: 1 values")[0] == pytest.approx([10.0])
     assert [text.get_text() for text in axes.get_yticklabels()] == ["0.6", "of no single gait"]
     assert "allowed" in axes.get_xlabel()
+
+
+def test_pyplot_keeps_a_figure_only_where_it_has_windows(monkeypatch):
+    """So a script's `pyplot.show()` opens it, and a notebook shows it once."""
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
+
+    gait = tdmf_slip.find_gait(friction=0.43)
+    for framework, kept in ((None, False), ("tk", True)):
+        monkeypatch.setattr(FigureCanvasAgg, "required_interactive_framework", framework)
+        figure = gait.plot()
+        assert bool(plt.get_fignums()) == kept
+        plt.close("all")
+        figure.savefig(io.BytesIO())
+
+
+def test_the_command_draws_a_gait_and_says_where_the_picture_is(command, tmp_path):
+    status, out, said = command("gait", "--friction", "0.43", "--plot")
+    assert status == 0 and out.startswith("word") and said == f"picture: {tmp_path / 'gait.png'}\n"
+    assert plt.imread(tmp_path / "gait.png").std() > 0.05
+    status, out, _ = command("gait", "--friction", "0.43", "--plot", "my.svg", "--json")
+    assert status == 0 and json.loads(out)["word"] == "+0-" and (tmp_path / "my.svg").is_file()
+    status, _, said = command("gait", "--friction", "0.43", "--plot", "my.txt")
+    assert status == 2 and "--plot" in said

@@ -1,11 +1,15 @@
 """The command `gait`: one periodic gait, as the runner has it or with a target."""
 
+import os
+import sys
 from collections.abc import Mapping, Sequence
+from pathlib import Path
 
 import click
 
 from ..analysis.targeted import TargetNotMetError, find_gait
 from ..errors import InputError
+from ..files.whole import check_destination
 from ..fmu.display_units import DisplayUnits
 from ..fmu.fmu import Fmu, load_fmu
 from ..fmu.variable import Given
@@ -29,6 +33,8 @@ from .options import (
 from .output import json_text
 from .runner import runner_of
 
+PICTURE = "gait.png"
+"""Where --plot without a file draws."""
 VARY_OPTION = click.option(
     "--vary",
     metavar="NAMES",
@@ -44,6 +50,15 @@ VARY_OPTION = click.option(
 @SET_OPTION
 @PARAMETERS_OPTION
 @MODEL_OPTION
+@click.option(
+    "--plot",
+    type=click.Path(path_type=Path),
+    is_flag=False,
+    flag_value=PICTURE,
+    metavar="[FILE]",
+    help="Draw the stance: .png, .svg or .pdf, and open the picture where there is a display.  "
+    f"[without FILE: {PICTURE}]",
+)
 @JSON_OPTION
 def gait_command(
     targets: tuple[str, ...],
@@ -52,6 +67,7 @@ def gait_command(
     settings: tuple[str, ...],
     parameters: str | None,
     model: str,
+    plot: Path | None,
     as_json_object: bool,
 ) -> None:
     """The periodic gait, stable or not, with the eigenvalues of its return map.
@@ -59,6 +75,10 @@ def gait_command(
     With --target, the gait that has what is prescribed, by the parameters that --vary names.
     Where there is none, JSON has the nearest one and the parameters that would help, and the status is 1.
     """
+    if plot is not None:
+        from ..pictures import overview  # matplotlib is slow to load
+
+        check_destination(plot, overview.FORMATS, "--plot")
     fmu = load_fmu()
     target = targets_given(targets)
     names = _names(vary, target)
@@ -67,6 +87,7 @@ def gait_command(
     if not target:
         gait = find_gait(runner, fmu=fmu)
         print(json_text(gait.as_json()) if as_json_object else _gait_text(gait, fmu, texts_of(given)))
+        _draw(gait, fmu, plot)
         return
     try:
         gait = find_gait(runner, target=target, vary=names, progress=True, fmu=fmu)
@@ -79,6 +100,21 @@ def gait_command(
         print(json_text(_target_json(gait, target, names)))
     else:
         print(_gait_text(gait, fmu, texts_of(given), list(target), names))
+    _draw(gait, fmu, plot)
+
+
+def _draw(gait: Gait, fmu: Fmu, path: Path | None) -> None:
+    """Draw the stance into a file, say where it is, and open it where there is a display."""
+    if path is None:
+        return
+    from ..pictures import velocity_and_ratio
+    from ..pictures.stride import Stride
+
+    velocity_and_ratio.draw(path, Stride(gait, fmu))
+    print(f"picture: {path.resolve()}", file=sys.stderr)
+    has_display = os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY")
+    if sys.stderr.isatty() and (has_display or sys.platform in ("darwin", "win32")):
+        click.launch(str(path))
 
 
 def _names(vary: str | None, target: Mapping[str, float]) -> list[str]:

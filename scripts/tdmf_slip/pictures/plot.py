@@ -39,9 +39,10 @@ BY_NAME: Mapping[str, tuple[str, str]] = {
 
 
 def plot(result: object) -> Figure:
-    """The picture of a result."""
+    """The picture of a result; pyplot keeps it where it has windows, so that `pyplot.show()` opens it."""
     figure = _figure_of(result)
-    plt.close(figure)  # else a notebook shows it once more, at the end of the cell
+    if figure.canvas.required_interactive_framework is None:
+        plt.close(figure)  # else a notebook shows it once more, at the end of the cell
     return figure
 
 

@@ -1,18 +1,11 @@
 """What all pictures share: colours and names of contact modes, type, axes, and how files are written."""
 
-import os
-import sys
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from contextvars import ContextVar
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Literal, TypeAlias
-
-import matplotlib
-
-if "MPLBACKEND" not in os.environ and "matplotlib.pyplot" not in sys.modules:
-    matplotlib.use("Agg")  # files are all that is drawn, unless a notebook or a program shows figures
 
 import matplotlib.pyplot as plt
 from matplotlib.axes import Axes
