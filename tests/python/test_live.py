@@ -64,7 +64,8 @@ def test_there_is_a_control_for_every_parameter_input_and_start_value(page, fmu)
         factor = next(iter(variable.display_units.values()), 1.0)
         assert note.startswith(variable.description)
         numbers = re.search(r"default (\S+), from (\S+) to (\S+)", note).groups()
-        for text, value in zip(numbers, (variable.start, variable.minimum, variable.maximum), strict=True):
+        limits = (0, 1) if variable.type == "Boolean" else (variable.minimum, variable.maximum)
+        for text, value in zip(numbers, (variable.start, *limits), strict=True):
             assert float(text.replace("−", "-")) == pytest.approx(value * factor, rel=1e-5)
         value_shown = {"": "", "1": "", "rad": "°", "rad/s": "°/s", "m/s2": "m/s²"}
         assert shown == value_shown.get(variable.unit, variable.unit.replace(".", "·"))
@@ -193,6 +194,7 @@ def test_the_curve_over_the_friction_is_the_librarys(page):
 
 
 def test_every_cell_of_a_painted_region_is_the_librarys(page):
+    Select(find(page, "region-points")).select_by_visible_text("64")
     paint(page)
     region = page.execute_script("return tdmfSlip.gaits.region.read")
     gait = tdmf_slip.find_gait()

@@ -221,7 +221,7 @@ def test_a_public_host_runs_all_parts_of_the_same_script():
     parts = re.search(r"^PARTS=\((.*)\)$", script, re.MULTILINE)[1].split()
     jobs = re.findall(r"^ +- (--.*)$", workflow, re.MULTILINE)
     assert len(parts) == 5 and set(jobs) >= {f"--only {part}" for part in parts}
-    assert set(jobs) >= {f"--release --only {part}" for part in ("c", "site", "python", "platforms")}
+    assert set(jobs) >= {f"--release --only {part}" for part in ("lint", "c", "site", "python", "platforms")}
     assert (ROOT / ".ci" / "run").read_text().rstrip().endswith("exec ./scripts/test")
 
 
