@@ -119,8 +119,8 @@ BAD = [
     (["--stop-time", "-3"], ["--stop-time", "-3"]),
     (["--strides", "0"], ["--strides", "0"]),
     (["--tolerance", "0"], ["--tolerance", "0"]),
-    (["--stop-time", "1e8", "--output-interval", "0.1"], ["1,000,000,000", "10,000,000", "10 gives"]),
-    (["--strides", "100", "--output-interval", "1e-7"], ["1,000,000,000", "10,000,000"]),
+    (["--stop-time", "1e8", "--output-interval", "0.1"], ["1,000,000,000", "columns", "162 gives"]),
+    (["--strides", "100", "--output-interval", "1e-7"], ["1,000,000,000", "columns"]),
     (["--set", "solver.method=euler"], ["euler", "native (1)", "cvode (2)"]),
     (["--output", "x" * 300 + ".csv"], ["too long"]),
     (["--output", "run.xyz"], [".xyz", ".csv", ".nc"]),
@@ -270,7 +270,7 @@ class Watch:
             print("begins", file=sys.stderr, flush=True)
 
 sys.meta_path.insert(0, Watch)
-sys.argv[1:] = ["simulate", "--strides", "100000"]
+sys.argv[1:] = ["simulate", "--strides", "50000"]
 sys.exit(main())
 """
     with subprocess.Popen(

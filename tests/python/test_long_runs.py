@@ -1,7 +1,10 @@
-"""What must hold over many strides: no chatter, a closed ledger, a foot that stays above the ground."""
+"""What must hold over many strides: no chatter, a closed ledger, a foot above the ground, bounded memory."""
 
 import numpy as np
+import pytest
 from conftest import RELEASE, apex_start, reference_gaits, some_of
+from tdmf_slip import InputError, Profile, RunError, simulate
+from tdmf_slip.fmu import instance
 
 PERIOD = 24.76444922801218
 LEDGER = (
@@ -59,3 +62,18 @@ def test_foot_stays_above_the_ground(run):
     for friction in (10.0, 0.2):
         rows, _ = run(5 * PERIOD, {"ground.friction": friction}, output=("foot.y",), output_interval=0.02)
         assert rows["foot.y"].min() > -1e-9
+
+
+@pytest.mark.parametrize(
+    "given",
+    [{}, {"interface": "cs"}, {"profile": Profile.random_steps(count=3, tread=7.0, roughness=0.01, seed=1)}],
+)
+def test_a_run_keeps_no_more_numbers_than_it_may(monkeypatch, given):
+    """Rows at events count, too: five columns are recorded, the time and what is needed inside among them."""
+    monkeypatch.setattr(instance, "MAX_NUMBERS", 5 * 250)
+    kept = {"stop_time": 20.0, "output_interval": 0.1, "variables": ["com.x"], **given}
+    assert len(simulate(**kept).table) <= 250
+    with pytest.raises(RunError, match=r"250 rows of 5 columns by t = .* fewer variables"):
+        simulate(**{**kept, "stop_time": None, "strides": 3})
+    with pytest.raises(InputError, match=r"allowed: 250 rows of 5 columns"):
+        simulate(**{**kept, "stop_time": 50.0})

@@ -25,6 +25,8 @@ for log in ("SUNLOGGER_WARNING_FILENAME", "SUNLOGGER_ERROR_FILENAME"):
 
 LOADING = threading.Lock()
 """FMPy changes the working directory, which all threads share, while it loads a library."""
+MAX_NUMBERS = 50_000_000
+"""Recorded in a run, in all rows and columns: FMPy keeps each as an object, in some 2 GB together."""
 REFUSING_CALLS = ("fmi2Set", "fmi2ExitInitializationMode")
 """FMI calls by which the unit refuses start values: one alone, or several together."""
 
@@ -46,9 +48,24 @@ class Experiment(ByContents):
     variables: tuple[str, ...] = ()
     """Names to record beside time."""
 
+    @property
+    def max_rows(self) -> int:
+        """How many may be recorded."""
+        return MAX_NUMBERS // (1 + len(self.variables))
+
+    def too_many_rows(self, time: float) -> RunError:
+        """The error where the most rows have been recorded by a time."""
+        return RunError(
+            f"{self.max_rows:,} rows of {1 + len(self.variables)} columns by t = {time:g} s; allowed: no "
+            "more; record fewer variables, or with a longer output interval"
+        )
+
 
 class Recorder(Protocol):
     """FMPy's recorder of a run."""
+
+    rows: list[object]
+    """So far."""
 
     def sample(self, time: float) -> None:
         """Record a row."""

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..checks import check_kind
-from ..errors import InputError, RunError
+from ..errors import InputError
 from ..terminal.progress import progress_bar
 from .fmu import Fmu
 from .inputs import InputTables
@@ -19,7 +19,6 @@ from .profile import Profile
 STEPS_PER_TIME_UNIT = 20
 """Communication steps in each sqrt(m/k), unless an output interval is given."""
 HEIGHT, SLOPE = "ground.height", "ground.slope"
-MAX_ROWS = 10_000_000
 TYPES = {"Real": float, "Boolean": bool}
 """Of columns; others are whole numbers."""
 
@@ -54,10 +53,8 @@ def run_over(
             bar.update((time if strides is None else closed) - bar.n)
             if time >= experiment.stop_time or (strides is not None and closed >= strides):
                 break
-            if len(rows) > MAX_ROWS:
-                raise RunError(
-                    f"{MAX_ROWS:,} rows by t = {time:g} s; allowed: no more, with a longer output interval"
-                )
+            if len(rows) > experiment.max_rows:
+                raise experiment.too_many_rows(time)
             instance.set(_line_below(profile, instance.real("foot.x")))
             instance.advance(time, step)
             rows.append((len(rows) * step, *instance.read(names).values()))

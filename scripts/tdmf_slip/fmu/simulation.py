@@ -18,7 +18,7 @@ from .inputs import InputTables, signals
 from .instance import Experiment, Instance, Recorder, opened
 from .parameters import RunnerLike, start_values_of
 from .profile import Profile
-from .profile_run import MAX_ROWS, STEPS_PER_TIME_UNIT, interface_over, run_over
+from .profile_run import STEPS_PER_TIME_UNIT, interface_over, run_over
 from .run import Run
 from .variable import Value
 
@@ -197,10 +197,11 @@ def _min_duration(
 def _check_rows(experiment: Experiment, duration: float) -> None:
     """Refuse, before any work, more rows than there is room for; `duration` is the least that is run."""
     interval = checked("output_interval", experiment.output_interval, *INTERVALS)
-    if duration / interval > MAX_ROWS:
+    if duration / interval > experiment.max_rows:
         raise InputError(
             f"output_interval = {interval:g}: {duration / interval:,.0f} rows up to {duration:g} s; "
-            f"allowed: {MAX_ROWS:,} rows, which an interval of {duration / MAX_ROWS:.3g} gives"
+            f"allowed: {experiment.max_rows:,} rows of {1 + len(experiment.variables)} columns, which an "
+            f"interval of {duration / experiment.max_rows:.3g} gives; of fewer variables more"
         )
 
 
@@ -213,10 +214,8 @@ def _run(
         def step_finished(time: float, recorder: Recorder) -> bool:
             closed = instance.integer("stride.count") if strides is not None else 0
             bar.update((closed if stop_time is None else time) - bar.n)
-            if time > MAX_ROWS * experiment.output_interval:
-                raise RunError(
-                    f"{MAX_ROWS:,} rows by t = {time:g} s; allowed: no more, with a longer output interval"
-                )
+            if len(recorder.rows) > experiment.max_rows:
+                raise experiment.too_many_rows(time)
             if strides is None or closed < strides:
                 return True
             recorder.sample(time)  # FMPy would stop before the row after the apex
