@@ -6,10 +6,13 @@ their rates it can set, but takes those of before where the slope changes.
 """
 
 import ctypes
+import functools
+import importlib.util
 import math
+from collections.abc import Callable
+from types import ModuleType
 
 import fmpy.simulation
-import fmpy.sundials
 import numpy as np
 from numpy.typing import NDArray
 
@@ -18,9 +21,10 @@ CLOCK_ROUNDING = 1e-12
 
 
 class Input(fmpy.simulation.Input):  # type: ignore[misc] # FMPy tells no types
-    """FMPy's inputs; those of after an event from the time on at which it is taken."""
+    """FMPy's inputs, set whenever the clock is; from the time on at which a jump is taken, those after it."""
 
     taken = -math.inf
+    next_jump = math.inf
 
     def __init__(self, *given: object, set_input_derivatives: bool = False, **named: object) -> None:
         """As FMPy's; with derivatives, a communication step ends wherever an input's slope changes."""
@@ -28,6 +32,18 @@ class Input(fmpy.simulation.Input):  # type: ignore[misc] # FMPy tells no types
         self.sets_rates = set_input_derivatives and self.t is not None
         if self.sets_rates:
             self.t_events: NDArray[np.float64] = np.unique([*self.t_events, *self.t])
+        if hasattr(self.fmu, "setTime"):  # Model Exchange
+            self.fmu.setTime = functools.partial(self._set_time, self.fmu.setTime)
+
+    def _set_time(self, set_time: Callable[[float], object], time: float) -> object:
+        """Set the unit's clock, and the inputs of that time, but not beyond their next jump."""
+        self.apply(min(time, self.next_jump), discrete=False)
+        return set_time(time)
+
+    def nextEvent(self, time: float) -> float:  # noqa: N802 # FMPy's name
+        """As FMPy's, which asks before each step."""
+        self.next_jump = super().nextEvent(time)
+        return self.next_jump
 
     def apply(
         self, time: float, continuous: bool = True, discrete: bool = True, after_event: bool = False
@@ -62,28 +78,12 @@ class Input(fmpy.simulation.Input):  # type: ignore[misc] # FMPy tells no types
         return slopes
 
 
-class Solver(fmpy.sundials.CVodeSolver):  # type: ignore[misc] # FMPy tells no types
-    """FMPy's CVODE, with the inputs of the time at which it evaluates, but not beyond their next jump."""
-
-    next_jump = math.inf
-
-    def step(self, t: float, until: float) -> object:
-        """As FMPy's."""
-        self.next_jump = self.input.nextEvent(t)
-        try:
-            return super().step(t, until)
-        except TypeError as problem:
-            if self.error_info is None:  # FMPy formats CVODE's account of an error even where there is none
-                raise RuntimeError("CVODE failed") from problem
-            raise
-
-    def f(self, t: float, y: object, ydot: object, user_data: object) -> object:
-        """As FMPy's."""
-        self.input.apply(min(t, self.next_jump), discrete=False)
-        return super().f(t, y, ydot, user_data)
-
-
-def follow_inputs() -> None:
-    """Have FMPy run by these from now on."""
-    fmpy.simulation.Input = Input
-    fmpy.sundials.CVodeSolver = Solver
+@functools.cache
+def simulation() -> ModuleType:
+    """FMPy's module of that name once more, with these inputs: the one that others import stays as it is."""
+    spec = importlib.util.find_spec("fmpy.simulation")
+    assert spec is not None and spec.loader is not None
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    module.Input = Input  # type: ignore[attr-defined]
+    return module

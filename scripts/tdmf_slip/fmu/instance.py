@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 from ..contents import ByContents
 from ..errors import InputError, RunError, TdmfSlipError, reason
 from ..terminal import interrupts
+from . import following
 from .fmu import Fmu
 from .variable import Value
 
@@ -157,12 +158,9 @@ class Instance:
     def _simulate(
         self, experiment: Experiment, step_finished: Callable[[float, Recorder], bool]
     ) -> NDArray[np.void]:
-        if experiment.inputs is not None:
-            from .following import follow_inputs  # SUNDIALS is slow to load
-
-            follow_inputs()
+        simulation = fmpy.simulation if experiment.inputs is None else following.simulation()
         try:
-            rows: NDArray[np.void] = fmpy.simulate_fmu(
+            rows: NDArray[np.void] = simulation.simulate_fmu(
                 self._folder,
                 model_description=self.fmu.description,
                 fmu_instance=self._fmu,
@@ -214,6 +212,10 @@ class Instance:
 
     def _account_of(self, problem: Exception) -> TdmfSlipError:
         said = "; ".join(dict.fromkeys(self.messages))
+        if isinstance(
+            problem, TypeError
+        ):  # FMPy formats CVODE's account of an error even where there is none
+            problem = RuntimeError("CVODE failed")
         if isinstance(problem, FMICallException) and problem.function.startswith(REFUSING_CALLS):
             return InputError(f"start values: {said or problem}")
         return RunError(f"the run failed: {problem}" + (f"; the unit says: {said}" if said else ""))
