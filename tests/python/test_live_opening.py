@@ -12,7 +12,7 @@ from selenium.webdriver.support.select import Select
 built, address, driver, page = (
     live_pages.built,
     live_pages.address,
-    live_pages.driver,
+    live_pages.driver_of_all_points,
     live_pages.page,
 )
 
