@@ -46,7 +46,7 @@ may_use_sudo() {
 install_packages() {
     local as_root=()
     command -v apt-get >/dev/null ||
-        fail "missing: $*. Install what your system calls them; documentation/install.md has a table"
+        fail "missing: $*. Install what your system calls them; documentation/install.md names them"
     if [ "$(id -u)" -ne 0 ]; then
         may_use_sudo "$@" || fail "please install, as root:  apt-get install $*"
         as_root=(sudo)
@@ -133,7 +133,7 @@ install_locked() {
 # install_once NAME: the same, where it has not been done.
 install_once() {
     local wanted stamp=.venv/installed.$1
-    wanted=$(sha256sum "scripts/locks/$1.txt")
+    wanted=$(cksum "scripts/locks/$1.txt")
     if [ "$(cat "$stamp" 2>/dev/null)" != "$wanted" ]; then
         step "Python packages of scripts/locks/$1.txt" install_locked "$1" || return
         printf '%s\n' "$wanted" >"$stamp"
