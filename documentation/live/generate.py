@@ -179,6 +179,13 @@ def aliases():
     return dict(runpy.run_path(str(PACKAGE / "fmu/aliases.py"))["ALIASES"])
 
 
+def paper_units():
+    """By unit: what stands for it where the runner is in the paper's units."""
+    known = runpy.run_path(str(PACKAGE / "fmu/dimensions.py"))
+    labels = {unit: known["paper_unit"](unit) for unit in known["DIMENSIONS"]}
+    return {unit: label for unit, label in labels.items() if label != unit} | {"deg/s": "deg sqrt(k/m)"}
+
+
 def terms():
     """Words that the page explains: by name, a sentence."""
     known = tomllib.loads((HERE.parent / "glossary.toml").read_text(encoding="utf-8"))["live"]
@@ -200,6 +207,7 @@ def page_table(table):
         "apex": [described(v) for v in table.variables if v.group == "apex" and v.name != "apex.time"],
         "presets": presets(table),
         "aliases": aliases(),
+        "paperUnits": paper_units(),
         "terms": terms(),
     }
     lines = [

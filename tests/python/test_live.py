@@ -31,9 +31,11 @@ from selenium.webdriver.common.by import By
 from selenium.webdriver.support.select import Select
 from tdmf_slip.analysis.basin import range_around
 from tdmf_slip.analysis.fates import fates
+from tdmf_slip.fmu.dimensions import paper_unit
 from tdmf_slip.fmu.parameters import preset_names, read_parameters
 from tdmf_slip.library.ensemble import FATES
 from tdmf_slip.library.members import INPUTS, PARAMETERS, STATES
+from tdmf_slip.pictures import style
 
 built, address, driver, page = live_pages.built, live_pages.address, live_pages.driver, live_pages.page
 
@@ -67,8 +69,9 @@ def test_there_is_a_control_for_every_parameter_input_and_start_value(page, fmu)
         limits = (0, 1) if variable.type == "Boolean" else (variable.minimum, variable.maximum)
         for text, value in zip(numbers, (variable.start, *limits), strict=True):
             assert float(text.replace("−", "-")) == pytest.approx(value * factor, rel=1e-5)
-        value_shown = {"": "", "1": "", "rad": "°", "rad/s": "°/s", "m/s2": "m/s²"}
-        assert shown == value_shown.get(variable.unit, variable.unit.replace(".", "·"))
+        value_shown = {"": "", "1": "", "rad": "°", "rad/s": "deg sqrt(k/m)"}
+        wanted = value_shown.get(variable.unit) or paper_unit(variable.unit or "1")
+        assert shown == style.printed(wanted).replace("deg", "°").removesuffix("1"), name
 
 
 def test_the_five_published_gaits_are_found(page):
@@ -253,14 +256,17 @@ def test_a_bad_value_gets_a_sentence_and_the_runner_runs_on(page, name, text, sa
 
 
 def test_an_address_shows_the_same_runner(driver, address):
-    open_page(driver, address, "#ground.friction=0.3&hip.touchdown_angle=0.7&leg.angle=1.1")
+    open_page(driver, address, "#friction=0.3&hip.touchdown_angle=0.7&leg.angle=1.1")
     values = driver.execute_script("return tdmfSlip.state.values")
     assert (values["ground.friction"], values["hip.touchdown_angle"], values["leg.angle"]) == (0.3, 0.7, 1.1)
     assert float(find(driver, "value-hip.touchdown_angle").get_attribute("value")) == pytest.approx(
         math.degrees(0.7)
     )
+    unit = "return document.getElementById('value-leg.stiffness').nextSibling.textContent"
+    assert driver.execute_script(unit) == "k"
     type_value(driver, "body.mass", "1.25")
     wait(driver, "location.hash.includes('body.mass')", "the address")
+    assert driver.execute_script(unit) == "N/m"
     said = urllib.parse.parse_qs(driver.execute_script("return location.hash.slice(1)"))
     angles = {name: said.pop(name)[0] for name in ("hip.touchdown_angle", "leg.angle")}
     assert said == {"body.mass": ["1.25"], "ground.friction": ["0.3"]}

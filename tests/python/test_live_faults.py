@@ -307,7 +307,7 @@ def test_the_ruler_has_few_ticks_however_high_the_runner_flies(page):
         "context.fillText = (text) => all.push(text); tdmfSlip.view.draw();"
         "context.fillText = write; return all"
     )
-    assert 1 <= sum(text.endswith(" m") for text in labels) <= 14
+    assert 1 <= sum(text.endswith(" l₀") for text in labels) <= 14
 
 
 def test_a_persons_path(page, address):

@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 import tdmf_slip
 from tdmf_slip import Runner, find_gait
-from tdmf_slip.fmu.dimensions import DIMENSIONS, scale
-from tdmf_slip.fmu.paper_units import MixedUnitsWarning, paper_unit
+from tdmf_slip.fmu.dimensions import DIMENSIONS, paper_unit, scale
+from tdmf_slip.fmu.paper_units import MixedUnitsWarning
 
 
 @pytest.mark.parametrize("unit", DIMENSIONS)

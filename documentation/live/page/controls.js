@@ -3,7 +3,7 @@
  * @module
  */
 import { dimensions, presets, starts, values } from "./data.js";
-import { numberIn, printed, shownUnit, shownValue } from "./numbers.js";
+import { numberIn, shownUnit, shownValue, unitElement } from "./numbers.js";
 
 const SLIDER_STEPS = 1000;
 const SPAN = 10; // of a slider about a positive value, each way
@@ -59,8 +59,11 @@ class Control {
     const name = element("div", { className: "name" });
     name.append(label);
     const set = element("div", { className: "set" });
-    set.append(this.slider, this.field, element("span", { textContent: printed(this.shown.name) }));
+    set.append(this.slider, this.field, unitElement("span", this.shown.name));
     const note = element("p", { id: `${id}-note`, textContent: `${variable.description}; ${this.range}` });
+    if (this.shown.name) {
+      note.append(" ", unitElement("span", this.shown.name));
+    }
     this.field.setAttribute("aria-describedby", note.id);
     this.element.append(name, set, note);
     this.slider.addEventListener("input", () => changed(variable.name, this.sliderValue()));
@@ -70,9 +73,8 @@ class Control {
   /** Default and range in words. */
   get range() {
     const { min, max, start } = this.variable;
-    const unit = this.shown.name ? ` ${printed(this.shown.name)}` : "";
     const text = (value) => shortest(value * this.shown.factor);
-    return `default ${text(start)}, from ${text(min)} to ${text(max)}${unit}`.replaceAll("-", "−");
+    return `default ${text(start)}, from ${text(min)} to ${text(max)}`.replaceAll("-", "−");
   }
 
   /** What the field says, in the variable's unit; not a number where it says none. */

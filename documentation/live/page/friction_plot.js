@@ -7,7 +7,7 @@ import { Axes, rangeOf } from "./axes.js";
 import { Surface } from "./canvas.js";
 import { listenToDrags } from "./drags.js";
 import { lambdaMax } from "./gait_panel.js";
-import { shownWord } from "./numbers.js";
+import { printed, shownWord } from "./numbers.js";
 import { palette } from "./theme.js";
 
 export const LOW = 0.05;
@@ -17,7 +17,7 @@ const POINTS = 70; // on each side
 const WORDS_HEIGHT = 22;
 const PANELS = [
   { title: "largest eigenvalue", value: (gait) => lambdaMax(gait), colour: "ink" },
-  { title: "speed, m/s", value: (gait) => gait.stride["stride.speed"], colour: "accent" },
+  { title: "speed", unit: "m/s", value: (gait) => gait.stride["stride.speed"], colour: "accent" },
   { title: "cost of transport", value: (gait) => gait.stride["stride.cost_of_transport"], colour: "second" },
 ];
 
@@ -78,7 +78,7 @@ export class FrictionPlot {
       const last = i === PANELS.length - 1;
       const box = { x: 0, y: WORDS_HEIGHT + i * each, width, height: each + (last ? 22 : 0) };
       const y = rangeOf(this.points.map(({ gait }) => panel.value(gait)));
-      const scales = { x: [LOW, HIGH], y, log: true, ticksX: TICKS, title: panel.title };
+      const scales = { x: [LOW, HIGH], y, log: true, ticksX: TICKS, title: panel.unit ? `${panel.title}, ${printed(panel.unit)}` : panel.title };
       this.axes = new Axes(context, box, { ...scales, labelX: last ? "friction coefficient μ" : "" });
       this.axes.draw();
       this.borders();

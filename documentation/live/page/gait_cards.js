@@ -7,7 +7,7 @@ import { FrictionPlot } from "./friction_plot.js";
 import { GaitPanel, lambdaMax } from "./gait_panel.js";
 import { FRICTION } from "./gaits.js";
 import { $, announce, guarded } from "./messages.js";
-import { digits, shownWord } from "./numbers.js";
+import { digits, printed, shownWord } from "./numbers.js";
 import { Region } from "./region.js";
 import { GaitSearch } from "./search.js";
 
@@ -151,6 +151,6 @@ function withChanges(message, given) {
 /** A gait in a sentence. */
 function gaitText(gait) {
   const stability = lambdaMax(gait) < 1 ? "stable" : "unstable";
-  const speed = `speed ${digits(gait.stride["stride.speed"])} m/s`;
+  const speed = `speed ${digits(gait.stride["stride.speed"])} ${printed("m/s")}`;
   return `Gait ${shownWord(gait.word)}, ${stability}: ${speed}, largest eigenvalue ${digits(lambdaMax(gait))}.`;
 }

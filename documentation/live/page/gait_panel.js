@@ -4,7 +4,7 @@
  */
 import { Surface } from "./canvas.js";
 import { mark } from "./glossary.js";
-import { digits, printed, shownWord, withoutNoise } from "./numbers.js";
+import { digits, shownWord, unitElement, withoutNoise } from "./numbers.js";
 import { palette } from "./theme.js";
 
 const ROWS = [
@@ -39,9 +39,7 @@ export class Numbers {
     const text = document.createTextNode("–");
     value.append(text);
     if (unit) {
-      const small = document.createElement("small");
-      small.textContent = printed(unit);
-      value.append(small);
+      value.append(unitElement("small", unit));
     }
     box.append(term, value);
     list.append(box);

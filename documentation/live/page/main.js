@@ -11,6 +11,7 @@ import { GaitCards } from "./gait_cards.js";
 import { explainTerms } from "./glossary.js";
 import { listenToKeys } from "./keys.js";
 import { $, announce, report } from "./messages.js";
+import { labelUnitsFor } from "./numbers.js";
 import { isStart, PageState } from "./page_state.js";
 import { Player } from "./player.js";
 import { Pool, processors } from "./pool.js";
@@ -127,6 +128,7 @@ class Page {
   }
 
   showValues() {
+    labelUnitsFor(this.state.values);
     this.controls.show(this.state.values);
     this.friction.show(this.state.values);
     this.gaits.mark();

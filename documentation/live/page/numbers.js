@@ -2,7 +2,7 @@
  * Numbers and words as people read them.
  * @module
  */
-import { displayUnits } from "./data.js";
+import { displayUnits, paperUnits } from "./data.js";
 
 export const MINUS = "\u2212";
 const NOISE = 1e-9; // of a quantity's scale: rounding, and where Newton's method stops
@@ -62,9 +62,32 @@ export function inShownUnits(message) {
   );
 }
 
+const SCALES = ["body.mass", "leg.stiffness", "leg.free_length"];
+let inPaperUnits = true;
+
+/** Labels units from now on for a runner of these values: in the paper's where all scales are exactly 1. */
+export function labelUnitsFor(values) {
+  inPaperUnits = SCALES.every((name) => values[name] === 1);
+  for (const element of document.querySelectorAll("[data-unit]")) {
+    element.textContent = printed(element.dataset.unit);
+  }
+}
+
+/** An element that shows a unit, and shows another label for it when the runner's units change. */
+export function unitElement(tag, unit) {
+  const element = document.createElement(tag);
+  element.dataset.unit = unit;
+  element.textContent = printed(unit);
+  return element;
+}
+
 /** A unit in print. */
 export function printed(unit) {
-  return unit
+  return ((inPaperUnits && paperUnits[unit]) || unit)
+    .replace("l0", "l₀")
+    .replace(/ ?sqrt/, "√")
+    .replace("^2", "²")
+    .replace("^4", "⁴")
     .replace("m/s2", "m/s²")
     .replaceAll(".", "·")
     .replace("deg", "°");

@@ -2,7 +2,7 @@
  * How fast the run is shown.
  * @module
  */
-import { digits } from "./numbers.js";
+import { digits, printed } from "./numbers.js";
 import { isLoaded, modeName } from "./run.js";
 
 /** sqrt(m/k) in a second: real time for a runner of human scale. */
@@ -20,7 +20,9 @@ export function paceOf(name, run) {
 
 /** A pace in words: how much of the run passes in a second of the page's. */
 export function paceText(name, run) {
-  const [flight, ground] = PACES[name].map((share) => `${digits(share * FULL_SPEED * run.core.timeScale, 3)} s`);
+  const [flight, ground] = PACES[name].map(
+    (share) => `${digits(share * FULL_SPEED * run.core.timeScale, 3)} ${printed("s")}`,
+  );
   return flight === ground
     ? `each second shows ${flight} of the run`
     : `each second shows ${flight} of a flight, ${ground} of a stance`;

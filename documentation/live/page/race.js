@@ -6,7 +6,7 @@
 import { differences } from "./address.js";
 import { FRICTION } from "./gaits.js";
 import { $, announce, guarded, report } from "./messages.js";
-import { digits, inShownUnits, numberIn } from "./numbers.js";
+import { digits, inShownUnits, numberIn, printed } from "./numbers.js";
 import { startOf } from "./page_state.js";
 import { Run } from "./run.js";
 
@@ -149,7 +149,7 @@ export class Race {
     const fallen = [this.page.run, this.rival].flatMap(({ fallen: fell }, i) => (fell ? [this.frictions[i]] : []));
     const falls = fallen.map((friction) => ` Friction ${digits(friction)} has fallen.`).join("");
     const first = this.frictions[this.winner ?? (own >= other ? 0 : 1)];
-    const verb = this.winner === null ? "is ahead" : `wins over ${digits(DISTANCE * length)} m`;
+    const verb = this.winner === null ? "is ahead" : `wins over ${digits(DISTANCE * length)} ${printed("m")}`;
     const lead = this.winner === null ? Math.abs(own - other) : this.margin;
     return `Friction ${digits(first)} ${verb} by ${digits(lead * length, 3)} m.${falls}`;
   }

@@ -52,6 +52,6 @@ const contactText = ({ fallen, outputs }) => (fallen ? "fallen" : MODE_TEXT[mode
 export function described(run) {
   const { outputs } = run;
   const force = Math.hypot(outputs["contact.fx"], outputs["contact.fy"]);
-  const com = `${digits(outputs["com.y"], 3)} m high, ${digits(outputs["com.vx"], 3)} ${printed("m/s")}`;
-  return `${contactText(run)}; centre of mass ${com}; ground force ${digits(force, 3)} N`;
+  const com = `${digits(outputs["com.y"], 3)} ${printed("m")} high, ${digits(outputs["com.vx"], 3)} ${printed("m/s")}`;
+  return `${contactText(run)}; centre of mass ${com}; ground force ${digits(force, 3)} ${printed("N")}`;
 }

@@ -293,5 +293,5 @@ function legendItem(text, colour) {
 
 /** An apex in words. */
 export function apexText(apex) {
-  return coordinates.map(({ unit }, i) => `${NAMES[i]} ${digits(apex[i], 4)} ${unit}`).join(", ");
+  return coordinates.map(({ unit }, i) => `${NAMES[i]} ${digits(apex[i], 4)} ${printed(unit)}`).join(", ");
 }

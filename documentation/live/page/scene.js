@@ -5,7 +5,7 @@
 import { Surface } from "./canvas.js";
 import { isLoaded, modeName } from "./run.js";
 import { niceTicks } from "./axes.js";
-import { digits } from "./numbers.js";
+import { digits, printed } from "./numbers.js";
 import { drawPatch, frictionBelow } from "./patch.js";
 import { DISTANCE } from "./race.js";
 import { disc, spring } from "./shapes.js";
@@ -143,7 +143,7 @@ export class Scene {
       const at = y(this.groundAt(tick));
       context.fillRect(Math.round(x(tick)), at + 9, 1, 4);
       if (x(tick) > 18 && x(tick) < width - 18) {
-        context.fillText(`${digits(tick, TICK_DIGITS)} m`, x(tick), at + 14);
+        context.fillText(`${digits(tick, TICK_DIGITS)} ${printed("m")}`, x(tick), at + 14);
       }
     }
   }

@@ -4,6 +4,7 @@
  */
 import { Axes, rangeOf } from "./axes.js";
 import { Surface } from "./canvas.js";
+import { printed } from "./numbers.js";
 import { isSlip, modeName, pieces } from "./run.js";
 import { palette } from "./theme.js";
 
@@ -33,9 +34,9 @@ export class StancePlots {
     const length = Math.max(...ends, 0) || 1;
     const x = [-ROOM * length, (1 + ROOM) * length];
     const least = (STILL * given["leg.free_length"]) / run.core.timeScale;
-    this.panel(this.velocity, present, last, speed, { x, title: "foot velocity, m/s", zero: true, least });
+    this.panel(this.velocity, present, last, speed, { x, title: `foot velocity, ${printed("m/s")}`, zero: true, least });
     const cone = resting <= MAX_CONE ? { friction, resting } : null;
-    const labelX = "time since touchdown, s";
+    const labelX = `time since touchdown, ${printed("s")}`;
     const title = "force ratio, along over across the ground";
     this.panel(this.ratio, present, last, ratio, { x, title, cone, labelX, least: 0.05 });
   }

@@ -250,7 +250,7 @@ def _checked_hold(hold: object) -> tuple[str, ...]:
     for name in names:
         if not is_one_of(name, known):
             raise InputError(
-                f"hold {shown(name)} is not allowed; allowed: {', '.join(known)}{near_matches(name, known)}"
+                f"hold {shown(name)} is not allowed{near_matches(name, known)}; allowed: {', '.join(known)}"
             )
         if names.count(name) > 1:
             raise InputError(f"hold: {name} is given twice; allowed: once")

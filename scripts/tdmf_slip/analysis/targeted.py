@@ -211,8 +211,8 @@ def _checked_target(target: object) -> dict[str, float]:
     for name in given:
         if not is_one_of(name, QUANTITIES):
             raise InputError(
-                f"target {shown(name)} is not allowed; allowed: {', '.join(QUANTITIES)}"
-                f"{near_matches(name, QUANTITIES)}"
+                f"target {shown(name)} is not allowed{near_matches(name, QUANTITIES)}; "
+                f"allowed: {', '.join(QUANTITIES)}"
             )
     if all(name in given for name in TRAVEL):
         raise InputError("target: speed, frequency and length; allowed: two of them, for they set the third")

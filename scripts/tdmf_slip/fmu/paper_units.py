@@ -9,7 +9,7 @@ import warnings
 from collections.abc import Mapping
 from typing import Any
 
-from .dimensions import DIMENSIONS, scale
+from .dimensions import DIMENSIONS, paper_unit, scale
 from .fmu import Fmu
 
 SCALES = ("body.mass", "leg.stiffness", "leg.free_length")
@@ -28,32 +28,6 @@ def are_in_use(values: Mapping[str, Any]) -> bool:
 def label(unit: str, values: Mapping[str, Any]) -> str:
     """The unit of a quantity of a runner with these values: the paper's, or the one that is given."""
     return paper_unit(unit) if unit in DIMENSIONS and are_in_use(values) else unit
-
-
-def paper_unit(unit: str) -> str:
-    """What stands for a unit in the paper's units: `l0 sqrt(k/m)` for `m/s`, nothing for `1`."""
-    length, time, mass = DIMENSIONS[unit]
-    if (length, time, mass) == (0, 0, 0):
-        return unit
-    stiffness_power, mass_power = -0.5 * time, mass + 0.5 * time
-    roots = {"k": 0.0, "m": 0.0}
-    if time % 2:  # both powers are halves
-        roots = {"k": math.copysign(0.5, stiffness_power), "m": math.copysign(0.5, mass_power)}
-    powers = {"k": stiffness_power - roots["k"], "m": mass_power - roots["m"], "l0": float(length)}
-    root = _fraction({name: 2.0 * power for name, power in roots.items()}, "")
-    return _fraction(powers, f"sqrt({root})" if root else "")
-
-
-def _fraction(powers: Mapping[str, float], last: str) -> str:
-    """A product of powers with a fraction bar before the negative ones."""
-    above = [_power(name, power) for name, power in powers.items() if power > 0.0]
-    below = [_power(name, -power) for name, power in powers.items() if power < 0.0]
-    product = " ".join([*above, *([last] if last else [])])
-    return f"{product or 1}/{' '.join(below)}" if below else product
-
-
-def _power(name: str, power: float) -> str:
-    return name if power == 1.0 else f"{name}^{power:g}"
 
 
 MEASURED = ("foot.mass", "leg.damping", "gravity", "hip.stance_torque", "hip.kp", "hip.kd")

@@ -9,7 +9,7 @@ from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
 from typing import Any, Protocol, TypeAlias
 
-from ..checks import check_kind, shown
+from ..checks import check_kind, near_matches, shown
 from ..errors import InputError, reason
 from ..given import LabelledRow
 from .names import by_full_name
@@ -75,6 +75,7 @@ def read_parameters(name: str | Path) -> dict[str, Any]:
     if path.suffix not in readers:
         raise InputError(
             f"parameters {name}: neither a preset ({', '.join(preset_names())}) nor a .toml or .json file"
+            f"{near_matches(name, preset_names())}"
         )
     try:
         content = parsed(path.read_text(encoding="utf-8"), readers[path.suffix], "names with values")

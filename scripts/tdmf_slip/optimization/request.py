@@ -24,8 +24,8 @@ def checked_quantity(name: object, what: str) -> str:
     """The name of a quantity."""
     if not is_one_of(name, QUANTITIES):
         raise InputError(
-            f"{what} {shown(name)} is not allowed; allowed: {', '.join(QUANTITIES)}"
-            f"{near_matches(name, QUANTITIES)}"
+            f"{what} {shown(name)} is not allowed{near_matches(name, QUANTITIES)}; "
+            f"allowed: {', '.join(QUANTITIES)}"
         )
     return str(name)
 

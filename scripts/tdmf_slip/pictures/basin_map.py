@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 
 from ..analysis.basin_result import FOLLOWED, STRIDES, Basin
 from ..fmu import paper_units
-from ..fmu.dimensions import scale
+from ..fmu.dimensions import paper_unit, scale
 from ..library.ensemble import FATES, SETTLED
 from . import style
 
@@ -172,4 +172,4 @@ def _label(data: Basin, axis: str) -> str:
         return label
     mass = values["body.mass"]
     size = scale(unit, values["leg.free_length"], math.sqrt(mass / values["leg.stiffness"]), mass)
-    return f"{label[:-1]};  {style.printed(paper_units.paper_unit(unit))} = {size:.4g} {unit})"
+    return f"{label[:-1]};  {style.printed(paper_unit(unit))} = {size:.4g} {unit})"
