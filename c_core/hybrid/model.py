@@ -79,20 +79,26 @@ def _declared(kind, value, unit, meaning, name, within, **more):
         kind=kind, value=value, unit=unit, meaning=meaning, name=name, within=within, location=location
     )
     vars(new).update({"of": None, "values": float} | more)
-    try:
-        new.dimension = dimension_of(unit)
-    except PageError as error:
-        raise page_error(location, name or kind, str(error)) from None
-    unknown = [word for word in within if word not in BOUNDS]
-    if unknown:
-        raise page_error(
-            location, name or kind, f"has `{unknown[0]}`, which is no bound{similar(unknown[0], BOUNDS)}"
-        )
-    if not isinstance(value, (int, float)) or not math.isfinite(value):
-        raise page_error(location, name or kind, f"starts at {value!r}; it has to be a finite number")
-    if not is_within(value, within):
-        raise page_error(location, name or kind, f"starts at {value}; it must be {bounds_in_words(within)}")
     return new
+
+
+def check_quantity(name, quantity):
+    """Refuse a declaration that cannot be right, and find the dimension of its unit."""
+    value, within = quantity.value, quantity.within
+    try:
+        quantity.dimension = dimension_of(quantity.unit)
+    except PageError as error:
+        raise page_error(quantity.location, name, str(error)) from None
+    unknown = next((word for word in within if word not in BOUNDS), None)
+    if unknown:
+        text = f"has `{unknown}`, which is no bound{similar(unknown, BOUNDS)}"
+        raise page_error(quantity.location, name, text)
+    if not isinstance(value, (int, float)) or not math.isfinite(value):
+        raise page_error(quantity.location, name, f"starts at {value!r}; it has to be a finite number")
+    if not is_within(value, within):
+        text = f"starts at {value:g}; it must be {bounds_in_words(within)}"
+        raise page_error(quantity.location, name, text)
+    quantity.value = float(value)
 
 
 def is_within(value, within):
@@ -119,7 +125,7 @@ def parameter(value, unit="1", meaning="", name=None, tunable=False, **within):
     """
     values = bool if isinstance(value, bool) else float
     role = "tunable" if tunable else "fixed"
-    return _declared("parameter", float(value), unit, meaning, name, within, role=role, values=values)
+    return _declared("parameter", value, unit, meaning, name, within, role=role, values=values)
 
 
 def setting(value=0.0, unit="1", meaning="", name=None, **within):
@@ -277,6 +283,9 @@ class _Page(type):
                         "cannot be a name: it has to begin with a letter of a to z, and "
                         "have at most 60 letters, digits and _",
                     )
+        for own, value in vars(new).items():
+            if isinstance(value, Quantity):
+                check_quantity(own, value)
         for own in dict.fromkeys(n for base in new.__mro__ for n in vars(base)):
             declared = [base for base in new.__mro__ if isinstance(vars(base).get(own), Quantity)]
             if len(declared) > 1 and not issubclass(declared[0], declared[1]) and own not in body:

@@ -293,7 +293,9 @@ class Page:
         with reading(function, model.mode):
             rates = function(model)
             for name, rate in (rates if isinstance(rates, dict) else {}).items():
-                if not math.isfinite(rate):
+                if isinstance(rate, Absent):
+                    rate.refuse()
+                if not isinstance(rate, (int, float)) or not math.isfinite(rate):
                     raise PageError(f"gives `{name}` the rate {rate} at the start")
         self.check_smooth(model)
 

@@ -54,11 +54,11 @@ class StuckError(RuntimeError):
     """A chain of events in zero time does not end."""
 
 
-def library_of(files, name):
+def library_of(files, name, level):
     """Compile derived C, once for equal texts."""
     folders = [ROOT / "c_core" / "hybrid" / "kernel", ROOT / "c_core" / "kernel"]
     sources = {**files, **{f.name: f.read_text() for folder in folders for f in sorted(folder.iterdir())}}
-    key = hashlib.sha256(repr(sorted(sources.items())).encode()).hexdigest()[:16]
+    key = hashlib.sha256(repr((level, sorted(sources.items()))).encode()).hexdigest()[:16]
     folder = Path(tempfile.gettempdir()) / f"tdmf-page-{name}-{key}"
     library = folder / "page.so"
     if not library.exists():
@@ -67,7 +67,7 @@ def library_of(files, name):
             (own / file).write_text(text)
         jobs = [
             (folders[0] / "driver.c", "-O3"),
-            (own / f"{name}_motions.c", "-O3"),
+            (own / f"{name}_motions.c", level),
             (own / f"{name}.c", "-O1"),
         ]
         ccache = [shutil.which("ccache")] if shutil.which("ccache") and "CCACHE_DIR" in os.environ else []
@@ -102,12 +102,12 @@ def library_of(files, name):
 class CompiledPage:
     """A page in C."""
 
-    def __init__(self, model):
+    def __init__(self, model, level="-O3"):
         self.model = model
         files, keys = derive_with_keys(model)
         self.name = next(iter(files)).removesuffix(".h")
         self.files, self.keys = files, keys
-        self.library = library_of(files, self.name)
+        self.library = library_of(files, self.name, level)
         self.struct = ModelStruct.in_dll(self.library, f"{self.name}_model")
         self.modes, self.events, self.states, self.parameters, self.outputs = (
             [

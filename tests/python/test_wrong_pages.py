@@ -1,0 +1,169 @@
+"""Pages that are written wrongly: each gets one message, with file, line and name, before anything is compiled."""
+
+import importlib.util
+import sys
+
+import page_runs
+import pytest
+
+from c_core.hybrid import PageError, derive
+
+PAGE = """\
+import math
+import numpy
+from c_core.hybrid import *
+
+class Ball(Model):
+    start = "fall", {{}}
+    height = state(1, "m")
+    speed = state(0, "m/s")
+    gravity = parameter(9.81, "m/s2")
+    {quantities}
+
+    @mode()
+    def fall(b):
+        return {rates}
+
+    {event}
+    def bounce(b):
+        {decision}
+
+    {more}
+"""
+GOOD = {
+    "quantities": "",
+    "rates": "dict(height=b.speed, speed=-b.gravity)",
+    "event": '@event("fall", when=lambda b: b.height, unit="m")',
+    "decision": "return b.replace(speed=-b.speed)",
+    "more": "",
+}
+OUTPUT = '@output("m")\n    def shown(b):\n        '
+WORLD = '@coordinates("world")\n    def seen(b):\n        return dict(height=b.height)\n    '
+WRONG = [
+    # declarations
+    ("a name twice", {"quantities": 'height = state(2, "m")'}, "`height` is declared twice"),
+    ("a function twice", {"more": "@mode()\n    def fall(b):\n        return {}"}, "`fall` is declared twice"),
+    ("a word of the language", {"quantities": "start = parameter(1)"}, "`start` is"),
+    ("a method of the language", {"quantities": "replace = parameter(1)"}, "`replace` is a word of the language"),
+    ("a name that C cannot have", {"quantities": "größe = parameter(1)"}, "`größe` cannot be a name"),
+    ("a private name", {"quantities": "_mass = parameter(1)"}, "`_mass` cannot be a name"),
+    ("an unknown unit", {"quantities": 'a = parameter(1, "newton")'}, "unit `newton`, of which `newton` is not known"),
+    ("an unknown bound", {"quantities": "a = parameter(1, atleast=0)"}, "`atleast`, which is no bound; did you mean"),
+    ("out of its bounds", {"quantities": "a = parameter(-1, least=0)"}, "starts at -1; it must be at least 0"),
+    ("nan", {"quantities": 'a = parameter(float("nan"))'}, "starts at nan; it has to be a finite number"),
+    ("1e400", {"quantities": "a = parameter(1e400)"}, "starts at inf; it has to be a finite number"),
+    ("a text", {"quantities": 'a = parameter("1")'}, "starts at '1'; it has to be a finite number"),
+    ("an unknown start", {"quantities": "", "more": 'start = "fal", {}'}, "starts in `fal`, which is no mode; did you mean `fall`"),
+    ("one name in a unit", {"quantities": 'a, b = parameter(1, name="x"), parameter(1, name="x")'}, "has the name `x` in a unit, which `a`"),
+    ("unknown coordinates", {"quantities": 'a = state(0, of="moon")'}, "`moon` is no set of coordinates"),
+    # rates
+    ("a rate of no state", {"rates": "dict(heigth=b.speed)"}, "a rate to `heigth`, which is no state; did you mean `height`"),
+    ("a rate in another unit", {"rates": "dict(height=b.gravity)"}, "gives `height` a rate in m.s-2; its unit is m.s-1"),
+    ("no rates", {"rates": "None"}, "`fall` gives no rates"),
+    ("a typo", {"rates": "dict(height=b.sped)"}, "reads `sped`, which it does not have here; did you mean `speed`"),
+    ("a sum of units", {"rates": "dict(height=b.speed + b.height)"}, "adds or subtracts m.s-1 and m, which do not fit"),
+    ("a branch on a number", {"rates": "dict(height=b.speed if b.height > 0 else 0)"}, "branches on a number that moves"),
+    ("math.sin", {"rates": "dict(height=b.speed * math.sin(b.height))"}, "not from math"),
+    ("an array", {"rates": "dict(height=b.speed * numpy.ones(2))"}, "gives `height` the rate|computes with a ndarray"),
+    ("a number without end", {"rates": 'dict(height=b.speed * float("inf"))'}, "the rate|not finite"),
+    ("the sine of a length", {"rates": "dict(height=b.speed * sin(b.height))"}, "takes `sin` of a quantity in m"),
+    ("a kink", {"rates": "dict(height=b.speed, speed=-b.gravity * abs(b.height) / b.height)"}, "uses `abs` of what moves"),
+    ("a choice", {"rates": "dict(height=b.speed, speed=select(b.height > 0, b.gravity, 0))"}, "uses `select` of what moves"),
+    ("|x|^1.5 at 0", {"quantities": 'x, tau = state(0), parameter(1, "s")', "rates": "dict(x=(1 - abs(b.x) ** 1.5) / b.tau)"}, "cannot be computed|uses `abs`"),
+    ("a root at 0", {"quantities": 'x, tau = state(0), parameter(1, "s")', "rates": "dict(x=(1 + sqrt(b.x)) / b.tau)"}, "cannot be computed"),
+    ("division by 0", {"rates": "dict(height=b.speed, speed=b.gravity * b.speed / b.speed)"}, "cannot be computed: float division by zero"),
+    ("a recursion", {"quantities": "law = lambda b: b.law()", "rates": "dict(height=b.law())"}, "calls itself without end"),
+    ("== on a number", {"rates": "dict(height=b.speed if b.height == 2.5 else b.speed)"}, "compares with =="),
+    # events
+    ("an unknown mode", {"event": '@event("fal", when=lambda b: b.height, unit="m")'}, "the mode `fal`, which the page does not have; did you mean `fall`"),
+    ("an unknown word", {"event": '@event("fall", when=lambda b: b.height, unit="m", gear="low")'}, "the word `gear`, which none of its modes has"),
+    ("a decision that returns nothing", {"decision": "b.replace(speed=-b.speed)"}, "returns nothing; it has to return the model"),
+    ("a decision that returns a number", {"decision": "return b.speed"}, "returns Expression; it has to return the model"),
+    ("a decision that changes nothing", {"decision": "return b"}, "returns the model as it was in `fall`"),
+    ("to an unknown mode", {"decision": 'return b.to("rest")'}, "goes to `rest`, which is no mode of the page"),
+    ("a change of what is not there", {"decision": "return b.replace(sped=0)"}, "changes `sped`, which is neither a state nor a word; did you mean `speed`"),
+    ("a change of a parameter", {"decision": "return b.replace(gravity=0)"}, "changes the parameter `gravity`"),
+    ("a change in another unit", {"decision": "return b.replace(speed=b.height)"}, "sets `speed` in m; its unit is m.s-1"),
+    ("a guard in another unit", {"event": '@event("fall", when=lambda b: b.speed, unit="m")'}, "is in m.s-1; its unit is m"),
+    ("a guard that is zero for ever", {"event": '@event("fall", when=lambda b: b.height - b.height, unit="m")'}, "a guard that is 0 for ever in the mode `fall`"),
+    ("a guard that is nothing", {"event": '@event("fall", when=lambda b: None, unit="m")'}, "has the guard None|returns nothing"),
+    ("a loop on a number", {"decision": "while b.speed < 0: b = b.replace(speed=b.speed + 1)\n        return b"}, "more than 40 comparisons"),
+    ("an endless chain", {"event": '@event("fall", when=lambda b: -1)', "decision": "return b.replace(speed=b.speed + 1)"}, "after 100 events in zero time: its guard stays below 0"),
+    # coordinates, outputs and what is observed
+    ("a state of other coordinates", {"quantities": 'x = state(0, "m", of="world")', "more": WORLD, "rates": "dict(height=b.x)"}, "reads `x` in the mode `fall`, whose coordinates do not have it"),
+    ("an output in another unit", {"more": OUTPUT + "return b.speed"}, "is in m.s-1; its unit is m"),
+    ("an output that is nothing", {"more": OUTPUT + "pass"}, "returns nothing; it has to return a number"),
+    ("a part that is unknown", {"more": '@observe("fall", "smallest", into="height")\n    def low(b):\n        return b.height'}, "observes the `smallest`"),
+    ("into no state", {"more": '@observe("fall", "largest", into="top")\n    def low(b):\n        return b.height'}, "goes into `top`, which is no state"),
+    ("a set of nothing", {"more": '@on_set("gravitation")\n    def with_it(b, value):\n        return b'}, "is about `gravitation`, which the page does not have"),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("changes", "words"), [case[1:] for case in WRONG], ids=[case[0] for case in WRONG])
+def test_a_wrong_page_is_refused_with_file_line_and_name(tmp_path, changes, words):
+    file = tmp_path / "ball.py"
+    text = PAGE.format(**GOOD | changes)
+    file.write_text(text, encoding="utf-8")
+    with pytest.raises(PageError) as refused:
+        spec = importlib.util.spec_from_file_location("ball", file)
+        module = importlib.util.module_from_spec(spec)
+        spec.loader.exec_module(module)
+        derive(module.Ball)
+    message = str(refused.value)
+    place, line, rest = message.split(":", 2)
+    assert place == str(file)
+    assert 1 <= int(line) <= text.count("\n") + 1
+    assert rest.startswith(" `"), message
+    assert any(word in message for word in words.split("|")), message
+
+
+def test_there_are_forty_ways():
+    assert len(WRONG) >= 40
+    assert len({name for name, *_ in WRONG}) == len(WRONG)
+
+
+def test_two_parts_with_one_name_are_refused():
+    namespace = {}
+    code = (
+        "from c_core.hybrid import *\nclass A(Model):\n    size = parameter(1)\n"
+        "class B(Model):\n    size = parameter(2)\nclass C(A, B):\n    pass\n"
+    )
+    with pytest.raises(PageError, match="`size` is declared by the parts A and B"):
+        exec(compile(code, "parts.py", "exec"), namespace)
+
+
+def test_the_page_that_the_wrong_ones_are_made_of_is_right(tmp_path):
+    file = tmp_path / "right_ball.py"
+    file.write_text(PAGE.format(**GOOD), encoding="utf-8")
+    spec = importlib.util.spec_from_file_location("right_ball", file)
+    module = importlib.util.module_from_spec(spec)
+    sys.modules["right_ball"] = module
+    spec.loader.exec_module(module)
+    assert set(derive(module.Ball)) == {"ball.h", "ball_motions.c", "ball.c"}
+
+
+@pytest.mark.skipif(page_runs.COMPILER is None, reason="there is no C compiler")
+@pytest.mark.parametrize("restitution", [1.0, 0.5])
+def test_a_chain_that_does_not_end_names_the_event_the_mode_and_the_time(restitution):
+    from c_core.hybrid import Model, event, mode, state
+
+    class Ball(Model):
+        start = "fall", {}
+        height, speed = state(0.5 if restitution < 1 else 1, "m"), state(0, "m/s")
+
+        @mode()
+        def fall(b):
+            return {"height": b.speed, "speed": -9.81}
+
+        @event("fall", when=lambda b: b.height - (0.1 if restitution == 1 else 0), unit="m")
+        def bounce(b):
+            """Stays below the guard, or comes to rest."""
+            return b.replace(
+                speed=-restitution * b.speed - (1 if restitution == 1 else 0), height=b.height - 0.01
+            )
+
+    run = page_runs.CompiledPage(Ball).start()
+    with pytest.raises(
+        page_runs.StuckError, match=r"`bounce` is due again and again in the mode `fall` at t = 0\."
+    ):
+        run.to(50.0)
