@@ -1,6 +1,6 @@
 """The hip: drive and coast on the ground (11), retract and place off it (12)."""
 
-from ..hybrid import Model, input, parameter, radians, select, state
+from ..hybrid import Model, input, parameter, radians, select, setting, state
 
 
 class Hip(Model):
@@ -17,8 +17,13 @@ class Hip(Model):
     liftoff_factor = parameter(
         1.2, "1", "Leg angle aimed at after lift-off, over the angle at lift-off, eta",
         name="hip.liftoff_angle_factor", tunable=True, least=0)
+    retraction_rate = parameter(
+        0, "rad/s", "Rate at which the angle aimed at in place falls from theta0 on, omega", tunable=True)
     swing_clamp = parameter(False, "1", "The torque that retracts the leg is never negative")
     external_torque = input(0, "N.m", "Torque added to the hip law")
+
+    more_angle = setting(0, "rad", "Added to hip.touchdown_angle", name="control.touchdown_angle")
+    more_torque = setting(0, "N.m", "Added to hip.stance_torque", name="control.stance_torque")
 
     liftoff_angle = state(
         0, "rad", "Leg angle when the foot last left the ground, theta_LO", name="hip.liftoff_angle")
@@ -30,12 +35,17 @@ class Hip(Model):
 
     def stance_torque(r):
         """Torque -tau0 until mid-stance, then 0  (11)."""
-        return r.external_torque - (r.drive_torque if r.stance == "drive" else 0)
+        return r.external_torque - (r.drive_torque + r.more_torque if r.stance == "drive" else 0)
 
-    def servo(r, target):
-        """-kp (theta - target) - kd thetadot."""
+    def servo(r, target, target_rate=0):
+        """-kp (theta - target) - kd (thetadot - its rate)."""
         leg = r.leg()
-        return -r.kp * (leg.angle - target) - r.kd * leg.angle_rate
+        return -r.kp * (leg.angle - target) - r.kd * (leg.angle_rate - target_rate)
+
+    def placing_torque(r):
+        """(12) from the apex on: the leg is retracted from theta0 at the rate omega."""
+        target = r.touchdown_angle + r.more_angle - r.retraction_rate * r.placing
+        return r.servo(target, -r.retraction_rate)
 
     def retracting_torque(r):
         """(12) while the centre of mass rises, before any clamp."""
@@ -45,7 +55,7 @@ class Hip(Model):
         """The flight law (12). In `rest` the clamp holds the torque of retract at 0."""
         if r.swing == "rest":
             return r.external_torque
-        law = r.retracting_torque() if r.swing == "retract" else r.servo(r.touchdown_angle)
+        law = r.retracting_torque() if r.swing == "retract" else r.placing_torque()
         return r.external_torque + law
 
     def swing_rates(r):

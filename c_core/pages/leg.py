@@ -1,6 +1,6 @@
 """The leg: masses, spring and damper, and the coordinates that the runner is seen in (7)."""
 
-from ..hybrid import Model, Record, atan2, coordinates, cos, parameter, sin, sqrt, state
+from ..hybrid import Model, Record, atan2, coordinates, cos, input, on_set, parameter, setting, sin, sqrt, state
 
 
 class Leg(Model):
@@ -16,6 +16,13 @@ class Leg(Model):
         0.05, "m", "A leg shorter than this ends the run as a fall", name="leg.min_length", least=1e-9,
         most=1e6)
     gravity = parameter(0.01, "m/s2", "Acceleration of gravity, g", name="gravity", least=1e-9, most=1e6)
+    thrust = parameter(
+        0, "m", "Length that the leg gains from its greatest compression to the end of the stance, epsilon",
+        tunable=True, least=0, most=1e6)
+    more_thrust = setting(0, "m", "Added to leg.thrust", name="control.thrust")
+    extension = input(0, "m", "Length added to the leg at rest")
+    external_fx = input(0, "N", "Horizontal force from outside on the body", name="body.external_fx")
+    external_fy = input(0, "N", "Vertical force from outside on the body", name="body.external_fy")
 
     # The world: what a unit shows. Length, angle and the length's rate serve in flight, too.
     seen_x = state(-0.4722627765193387, "m", "Horizontal position of the foot, x", name="foot.x", of="world")
@@ -37,14 +44,18 @@ class Leg(Model):
     momentum = state(0, "m2/s", "r^2 thetadot", of="flight")
 
     # Ground: the body as seen from the foot, and the foot along the ground.
-    x = state(0, "m", "Position of the body ahead of the foot", of="ground")
-    y = state(1, "m", "Height of the body above the foot", of="ground")
+    x = state(0, "m", "Position of the body from the foot, along the ground", of="ground")
+    y = state(1, "m", "Position of the body from the foot, off the ground", of="ground")
     vx = state(0, "m/s", "Rate of x", of="ground")
     vy = state(0, "m/s", "Rate of y", of="ground")
     foot_x = state(0, "m", "Position of the foot along the ground", of="ground")
     foot_vx = state(0, "m/s", "Velocity of the foot along the ground", of="ground")
     winding = state(0, "rad", "Whole turns in the leg angle", of="ground")
 
+    thrusting = state(0, "1", "1 from greatest compression until flight")
+    leg_work = state(0, "J", "Work of the leg by thrust and extension since the start", name="leg.work")
+    external_work = state(
+        0, "J", "Work of the forces from outside on the body since the start", name="energy.external_work")
     damper_loss = state(0, "J", "Energy lost in the damper since the start", name="energy.damper_loss")
 
     @coordinates("world")
@@ -66,8 +77,10 @@ class Leg(Model):
     def from_ground(r):
         """The body from the foot, which is taken to be on the ground."""
         foot, body = r.foot(), r.body_from_foot()
-        return dict(foot_x=foot.x, foot_vx=foot.vx, x=body.x, y=body.y, vx=body.vx, vy=body.vy,
-                    winding=r.leg().angle - atan2(-body.x, body.y))
+        place, moves = r.on_line(foot.x, foot.y - r.height), r.on_line(foot.vx, foot.vy)
+        at, turns = r.on_line(body.x, body.y), r.on_line(body.vx, body.vy)
+        return dict(foot_x=place.along, foot_vx=moves.along, x=at.along, y=at.off, vx=turns.along,
+                    vy=turns.off, winding=r.leg().angle - atan2(-at.along, at.off))
 
     def leg(r):
         """Length and angle of the leg, their rates, and r^2 thetadot  (7)."""
@@ -85,14 +98,44 @@ class Leg(Model):
                       angle_rate=rate, moment=moment)
 
     def spring(r):
-        """F_s = k (l0 - r) - c rdot: it pushes body and foot apart."""
+        """F_s = k (l - r) - c rdot, with the rest length l: it pushes body and foot apart."""
         leg = r.leg()
-        return r.stiffness * (r.free_length - leg.length) - r.damping * leg.length_rate
+        return r.stiffness * (r.rest_length() - leg.length) - r.damping * leg.length_rate
+
+    def rest_length(r):
+        """The free length, what is added to it, and under thrust epsilon."""
+        return r.free_length + r.extension + r.thrusting * (r.thrust + r.more_thrust)
+
+    def lengthened(r, jump):
+        """The rest length jumps by this and does work."""
+        middle = r.rest_length() + jump / 2 - r.leg().length
+        return r.replace(leg_work=r.leg_work + r.stiffness * jump * middle)
+
+    def with_thrust(r, thrusting):
+        """Thrust on or off."""
+        jump = (thrusting - r.thrusting) * (r.thrust + r.more_thrust)
+        return r.lengthened(jump).replace(thrusting=thrusting)
+
+    @on_set("extension")
+    def with_extension(r, extension):
+        """The rest length jumps."""
+        return r.lengthened(extension - r.extension)
+
+    @on_set("thrust")
+    def with_greatest_thrust(r, thrust):
+        """Under thrust the rest length jumps."""
+        return r.lengthened(r.thrusting * (thrust - r.thrust))
+
+    @on_set("more_thrust")
+    def with_more_thrust(r, thrust):
+        """Under thrust the rest length jumps."""
+        return r.lengthened(r.thrusting * (thrust - r.more_thrust))
 
     def leg_rates(r):
-        """The damper's loss."""
-        rate = r.leg().length_rate
-        return dict(damper_loss=r.damping * (rate * rate))
+        """The work of a ramped extension, and the damper's loss."""
+        leg = r.leg()
+        return dict(leg_work=r.stiffness * r.extension_rate * (r.rest_length() - leg.length),
+                    damper_loss=r.damping * (leg.length_rate * leg.length_rate))
 
     def push(r, torque):
         """Force of leg and hip on the body, along the ground and off it; the foot feels the opposite."""
@@ -110,7 +153,7 @@ class Leg(Model):
     def body_from_foot(r):
         """Position and velocity of the body relative to the foot  (7)."""
         if r.seen_in == "ground":
-            return Record(x=r.x, y=r.y, vx=r.vx, vy=r.vy)
+            return r.in_world(r.x, r.y, r.vx, r.vy)
         sine, cosine = sin(r.angle), cos(r.angle)
         turn = r.momentum / r.length if r.seen_in == "flight" else r.length * r.angle_rate
         return Record(x=-r.length * sine, y=r.length * cosine,
@@ -121,7 +164,8 @@ class Leg(Model):
         if r.seen_in == "world":
             return Record(x=r.seen_x, y=r.seen_y, vx=r.seen_vx, vy=r.seen_vy)
         if r.seen_in == "ground":
-            return Record(x=r.foot_x, y=0, vx=r.foot_vx, vy=0)
+            foot = r.in_world(r.foot_x, 0, r.foot_vx, 0)
+            return Record(x=foot.x, y=r.height + foot.y, vx=foot.vx, vy=foot.vy)
         body, share = r.body_from_foot(), r.share()
         return Record(x=r.com_x - share * body.x, y=r.com_y - share * body.y,
                       vx=r.com_vx - share * body.vx, vy=r.com_vy - share * body.vy)
@@ -138,15 +182,3 @@ class Leg(Model):
         """Position and velocity of the body."""
         foot, body = r.foot(), r.body_from_foot()
         return Record(x=foot.x + body.x, y=foot.y + body.y, vx=foot.vx + body.vx, vy=foot.vy + body.vy)
-
-    def rise(r):
-        """Vertical velocity of the centre of mass."""
-        return r.center().vy
-
-    def foot_above(r):
-        """Height of the foot above the ground."""
-        return r.foot().y
-
-    def body_above(r):
-        """Height of the body above the ground."""
-        return r.body().y

@@ -1,14 +1,15 @@
 """TDMF-SLIP: a spring-legged runner whose foot has a mass and can slip (Or & Moravia 2016)."""
 
-from ..hybrid import Model, Record, event, mode, output, require, select, sqrt
-from .friction import Friction
+from ..hybrid import Model, Record, cos, event, mode, output, require, select, sin, sqrt
+from .friction import LAYER, Friction
+from .ground import Ground
 from .hip import Hip
 from .leg import Leg
 from .stride import Stride
 
 
-class Runner(Hip, Friction, Leg, Stride, Model):
-    """The runner on level ground."""
+class Runner(Hip, Friction, Leg, Ground, Stride, Model):
+    """The whole runner. `PlainRunner`, below, is the one on level ground."""
 
     start = "start_of_run", {}
     scales = {
@@ -27,7 +28,8 @@ class Runner(Hip, Friction, Leg, Stride, Model):
     def holding(r, torque):
         """Force of the ground on a foot that it holds still  (10)."""
         push = r.push(torque)
-        return Record(normal=push.off + r.foot_mass * r.gravity, along=push.along)
+        weight = r.on_line(0, r.foot_mass * r.gravity)
+        return Record(normal=push.off + weight.off, along=push.along + weight.along)
 
     def standing(r):
         """The same force under the stance law."""
@@ -39,14 +41,15 @@ class Runner(Hip, Friction, Leg, Stride, Model):
 
     def equilibrium_turn(r):
         """tau_eq/r^2: the torque between both laws, which keeps the foot on the ground without force."""
-        return -(r.spring() / r.leg().length * r.y + r.foot_mass * r.gravity) / r.x
+        weight = r.on_line(0, r.foot_mass * r.gravity)
+        return -(r.spring() / r.leg().length * r.y + weight.off) / r.x
 
     # ---- the start of a run, in the world's coordinates
 
     @require("foot.y", "on the ground or above it")
     def starts_above_ground(r):
         """Height of the foot above the ground."""
-        return r.foot_above() + 1e-12 * r.free_length
+        return r.foot_above(r.ground_height, r.ground_slope) + 1e-12 * r.free_length
 
     @require("leg.length", "longer than leg.min_length")
     def starts_long_enough(r):
@@ -61,10 +64,11 @@ class Runner(Hip, Friction, Leg, Stride, Model):
     @event("start_of_run", when=lambda r: -1, noted=False)
     def begins(r):
         """On the ground and not leaving it: as after an impact. Else in flight; an apex opens a stride."""
-        r = r.replace(liftoff_angle=r.angle)
+        r = r.replace(liftoff_angle=r.angle, height=r.ground_height, slope=r.ground_slope)
         foot, speed = r.foot(), r.free_length * sqrt(r.stiffness / r.body_mass)
-        flying = r.to("flight", swing="place", placing=0)
-        if r.foot_above() <= 1e-12 * r.free_length and foot.vy <= 1e-12 * speed:
+        flying = r.to("flight", wind="calm", swing="place", placing=0)
+        falls = r.on_line(foot.vx, foot.vy).off
+        if r.foot_above(r.height, r.slope) <= 1e-12 * r.free_length and falls <= 1e-12 * speed:
             return r.land(was_placed=0)
         if abs(r.rise()) <= 1e-12 * speed:
             return flying.open_stride()
@@ -72,30 +76,46 @@ class Runner(Hip, Friction, Leg, Stride, Model):
 
     # ---- modes
 
-    @mode("swing", of="flight")
+    @mode("swing wind", of="flight")
     def flight(r):
         """The centre of mass is ballistic; the leg obeys rddot = r w^2 + M F_s and d(r^2 w)/dt = M tau."""
         leg = r.leg()
         mobility = 1 / r.body_mass + 1 / r.foot_mass
         torque = r.swing_torque()
-        return dict(
+        rates = dict(
             com_x=r.com_vx, com_y=r.com_vy, com_vy=-r.gravity, length=r.length_rate, angle=leg.angle_rate,
             length_rate=r.length * (leg.angle_rate * leg.angle_rate) + mobility * r.spring(),
             momentum=mobility * torque, work=torque * leg.angle_rate, **r.leg_rates(), **r.swing_rates())
+        return rates if r.wind == "calm" else rates | r.pushed(rates)
+
+    def pushed(r, rates):
+        """What a force from outside on the body adds to the rates of flight."""
+        leg, fx, fy, sine, cosine = r.leg(), r.external_fx, r.external_fy, sin(r.angle), cos(r.angle)
+        total_mass = r.body_mass + r.foot_mass
+        axial, moment = fy * cosine - fx * sine, -r.length * (fx * cosine + fy * sine)
+        power_on_leg = (1 - r.share()) * (r.length_rate * axial + leg.angle_rate * moment)
+        return dict(
+            com_vx=fx / total_mass, com_vy=fy / total_mass - r.gravity,
+            length_rate=rates["length_rate"] + axial / r.body_mass,
+            momentum=rates["momentum"] + moment / r.body_mass,
+            external_work=fx * r.com_vx + fy * r.com_vy + power_on_leg)
 
     def on_ground(r, push, torque, foot_acceleration=0):
         """Rates of the body as seen from the foot, and of the foot  (8)-(9)."""
+        weight, outside = r.on_line(0, r.gravity), r.on_line(r.external_fx, r.external_fy)
         return dict(
-            x=r.vx, y=r.vy, vx=push.along / r.body_mass - foot_acceleration,
-            vy=push.off / r.body_mass - r.gravity, foot_x=r.foot_vx, foot_vx=foot_acceleration,
-            work=torque * r.leg().angle_rate, **r.leg_rates())
+            x=r.vx, y=r.vy,
+            vx=(push.along + outside.along) / r.body_mass - weight.along - foot_acceleration,
+            vy=(push.off + outside.off) / r.body_mass - weight.off,
+            foot_x=r.foot_vx, foot_vx=foot_acceleration, work=torque * r.leg().angle_rate, **r.leg_rates(),
+            external_work=outside.along * (r.foot_vx + r.vx) + outside.off * r.vy)
 
     @mode("stance", of="ground")
     def stick(r):
         """The foot is at rest."""
         return r.on_ground(r.push(r.stance_torque()), r.stance_torque())
 
-    @mode("stance", of="ground")
+    @mode("stance law", of="ground", longest=lambda r: r.longest_step())
     def slip(r):
         """m_f vdot = p - s mu f_n, with the push p of the leg and the direction s of the slip."""
         friction_force = r.way * r.slip_friction() * r.standing().normal
@@ -107,8 +127,10 @@ class Runner(Hip, Friction, Leg, Stride, Model):
     def graze(r):
         """The foot stays on the ground without force, by the torque tau_eq between both laws."""
         axial, turning = r.spring() / r.leg().length, r.equilibrium_turn()
-        push = Record(along=axial * r.x - turning * r.y, off=-r.foot_mass * r.gravity)
-        return r.on_ground(push, r.torque(), -push.along / r.foot_mass) | r.swing_rates()
+        weight = r.on_line(0, r.foot_mass * r.gravity)
+        push = Record(along=axial * r.x - turning * r.y, off=-weight.off)
+        acceleration = -(push.along + weight.along) / r.foot_mass
+        return r.on_ground(push, r.torque(), acceleration) | r.swing_rates()
 
     @mode(of="world", ends=True)
     def fallen(r):
@@ -120,17 +142,22 @@ class Runner(Hip, Friction, Leg, Stride, Model):
     def contact(r, foot_velocity, **changes):
         """Contact: the foot moves along the ground at this velocity, and the body keeps its own."""
         foot = r.foot()
+        before = r.on_line(foot.vx, foot.vy)
         landed = r.to("stick", **changes)
-        vx = landed.vx + foot.vx - foot_velocity
-        return landed.replace(foot_vx=foot_velocity, vx=vx, vy=landed.vy + foot.vy)
+        vx = landed.vx + before.along - foot_velocity
+        return landed.replace(foot_vx=foot_velocity, vx=vx, vy=landed.vy + before.off)
 
     def land(r, was_placed):
         """An impact stops the foot vertically, and friction what it can of the rest  (4)-(6)."""
         foot = r.foot()
-        way = select(foot.vx >= 0, 1, -1)
-        after = way * r.speed_after_impact(way * foot.vx, -foot.vy)
-        lost = r.foot_mass * (foot.vx * foot.vx + foot.vy * foot.vy - after * after) / 2
-        landed = r.contact(
+        before = r.on_line(foot.vx, foot.vy)
+        way = select(before.along >= 0, 1, -1)
+        landing = r.replace(**r.zones())
+        friction = r.friction_in(landing.zone_along(way))
+        after = way * r.speed_after_impact(way * before.along, -before.off, friction)
+        speeds = before.along * before.along + before.off * before.off - after * after
+        lost = r.foot_mass * speeds / 2
+        landed = landing.contact(
             after, stance="drive" if r.leg().angle >= 0 else "coast", impact_loss=r.impact_loss + lost,
             was_placed=was_placed, touchdown_time=r.time, touchdowns_so_far=r.touchdowns_so_far + 1,
             bar_is_due=1)
@@ -138,21 +165,38 @@ class Runner(Hip, Friction, Leg, Stride, Model):
         return landed.slide(way) if way * after > 0 else landed
 
     def slide(r, way):
-        """Slip in a direction."""
-        return r.to("slip", way=way)
+        """Slip in a direction. Where the speed is low enough for friction to fall, that begins at once."""
+        return r.to("slip", way=way, zone=r.zone_along(way), law="constant")
 
     def resting(r):
         """A foot that has come to rest sticks inside the cone, else it slips the way it is pushed."""
         along = r.standing().along
-        if abs(along) <= r.cone():
+        way = select(along > 0, -1, 1)
+        if abs(along) <= r.cone(r.zone_along(way)):
             return r.to("stick", foot_vx=0)
-        return r.replace(foot_vx=0).slide(select(along > 0, -1, 1))
+        return r.replace(foot_vx=0).slide(way)
 
     def fly(r):
         """The foot leaves the ground."""
-        return r.to("flight")
+        return r.with_thrust(0).to("flight", wind="calm")
 
     # ---- events, in the order in which those due at one instant are taken
+
+    @event("flight", wind="calm", when=lambda r: -1, noted=False, only=lambda r: r.is_pushed())
+    def wind_rises(r):
+        """A force from outside acts: flight is ballistic no more."""
+        return r.replace(wind="pushed")
+
+    def is_pushed(r):
+        """Whether a force from outside acts, or is about to."""
+        now, soon = abs(r.external_fx) + abs(r.external_fy), abs(r.external_fx_rate) + abs(r.external_fy_rate)
+        return now > 0 or soon > 0
+
+    @event("flight", when=lambda r: -r.foot_above(r.ground_height, r.ground_slope), unit="m",
+           only=lambda r: r.line_waits())
+    def new_ground(r):
+        """The foot flies above the line that waits."""
+        return r.replace(height=r.ground_height, slope=r.ground_slope)
 
     @event("flight stick slip graze", when=lambda r: r.body_above(), unit="m")
     def falls(r):
@@ -165,9 +209,9 @@ class Runner(Hip, Friction, Leg, Stride, Model):
         return r.to("fallen")
 
     @event("flight", when=lambda r: r.rise(), unit="m/s", crossing=lambda r: r.swing == "place",
-           only=lambda r: r.swing != "place" or r.rises_again > 0)
+           only=lambda r: r.swing != "place" or r.wind == "pushed" or r.rises_again > 0)
     def apex(r):
-        """A stride closes, and place begins. After an impact that left at once the centre rises in it."""
+        """A stride closes, and place begins. A force can lift the centre of mass in place, too."""
         return r.close_stride().replace(swing="place", placing=0, rises_again=0)
 
     @event("graze", swing=("retract", "rest"), when=lambda r: r.rise(), unit="m/s")
@@ -175,7 +219,7 @@ class Runner(Hip, Friction, Leg, Stride, Model):
         """Place begins; a stride closes in flight only."""
         return r.replace(swing="place", placing=0)
 
-    @event("flight", when=lambda r: r.foot_above(), unit="m")
+    @event("flight", when=lambda r: r.foot_above(r.height, r.slope), unit="m")
     def touchdown(r):
         """The foot comes down to the ground."""
         return r.land(was_placed=1 if r.swing == "place" else 0)
@@ -191,6 +235,11 @@ class Runner(Hip, Friction, Leg, Stride, Model):
         """The clamp of (12) opens."""
         return r.replace(swing="retract")
 
+    @event("stick slip", when=lambda r: -r.leg().length_rate, unit="m/s", only=lambda r: r.thrusting <= 0)
+    def greatest_compression(r):
+        """Thrust begins, once per stance."""
+        return r.with_thrust(1)
+
     @event("stick slip graze", stance="drive", when=lambda r: r.leg().angle, unit="rad")
     def mid_stance(r):
         """The leg is upright: the drive ends, once per stance."""
@@ -204,12 +253,24 @@ class Runner(Hip, Friction, Leg, Stride, Model):
             return off.to("graze")
         return off.fly()
 
-    @event("stick", when=lambda r: r.cone() + r.standing().along, unit="N")
+    @event("slip", law="constant", unit="m/s", noted=False, only=lambda r: r.friction_falls(),
+           when=lambda r: r.way * r.foot_vx - LAYER * r.stribeck_velocity)
+    def enters_layer(r):
+        """The slip is so slow that friction falls with speed."""
+        return r.replace(law="falling")
+
+    @event("slip", law="falling", unit="m/s", noted=False,
+           when=lambda r: (LAYER + 1) * r.stribeck_velocity - r.way * r.foot_vx)
+    def leaves_layer(r):
+        """The slip is so fast that friction is constant."""
+        return r.replace(law="constant")
+
+    @event("stick", when=lambda r: r.cone(r.zone_ahead) + r.standing().along, unit="N")
     def slips_forward(r):
         """The ground cannot hold the foot back."""
         return r.slide(1)
 
-    @event("stick", when=lambda r: r.cone() - r.standing().along, unit="N")
+    @event("stick", when=lambda r: r.cone(r.zone_behind) - r.standing().along, unit="N")
     def slips_backward(r):
         """The ground cannot hold the foot ahead."""
         return r.slide(-1)
@@ -217,11 +278,17 @@ class Runner(Hip, Friction, Leg, Stride, Model):
     @event("slip", when=lambda r: r.way * r.foot_vx, unit="m/s")
     def comes_to_rest(r):
         """The slip velocity reaches 0."""
-        return r.resting()
+        return r.replace(**r.zones()).resting()
+
+    @event("slip", when=lambda r: r.border_distance(), unit="m", only=lambda r: r.has_border_ahead())
+    def crosses_border(r):
+        """The foot slides onto the patch, or off it."""
+        return r.replace(zone=r.zone + r.way)
 
     @event("graze", when=lambda r: -r.standing().normal, unit="N")
     def graze_to_contact(r):
         """The stance law loads the foot again."""
+        r = r.replace(**r.zones())
         return r.slide(select(r.foot_vx > 0, 1, -1)) if abs(r.foot_vx) > 0 else r.resting()
 
     @event("graze", when=lambda r: r.flight_lifts(), unit="N")
@@ -251,6 +318,16 @@ class Runner(Hip, Friction, Leg, Stride, Model):
         if r.mode == "slip":
             return -r.way * r.slip_friction() * r.standing().normal
         return r.standing().along if r.mode == "stick" else 0
+
+    @output("N", name="contact.fx")
+    def ground_force_x(r):
+        """Horizontal force of the ground on the foot."""
+        return r.in_world(r.tangential_force(), r.normal_force(), 0, 0).x
+
+    @output("N", name="contact.fy")
+    def ground_force_y(r):
+        """Vertical force of the ground on the foot."""
+        return r.in_world(r.tangential_force(), r.normal_force(), 0, 0).y
 
     @output("N", name="leg.force")
     def force_of_leg(r):
@@ -312,7 +389,7 @@ class Runner(Hip, Friction, Leg, Stride, Model):
     @output("J", name="energy.elastic")
     def elastic_energy(r):
         """Energy in the leg spring."""
-        shorter = r.free_length - r.leg().length
+        shorter = r.rest_length() - r.leg().length
         return r.stiffness * (shorter * shorter) / 2
 
     @output("J", name="energy.total")
@@ -338,3 +415,18 @@ class Runner(Hip, Friction, Leg, Stride, Model):
     def has_fallen(r):
         """The runner has fallen, and the motion is frozen."""
         return 1 if r.mode == "fallen" else 0
+
+
+class PlainRunner(Runner):
+    """The runner on level ground with constant friction and no other actuation: what is fixed costs nothing."""
+
+    height = slope = ground_height = ground_slope = more_angle = more_torque = more_thrust = 0
+    thrust = thrusting = extension = external_fx = external_fy = retraction_rate = 0
+    leg_work = external_work = leg_work_of_stride = leg_work_then = 0
+    static_ratio = 1
+    stribeck_velocity = patch_begin = patch_end = patch_friction = zone = zone_ahead = zone_behind = 0
+    greatest_compression = new_ground = wind_rises = crosses_border = enters_layer = leaves_layer = None
+
+    def zones(r):
+        """There is no patch."""
+        return {}

@@ -17,6 +17,7 @@ class Stride(Model):
     # The stride that is under way, and what it began with.
     is_open = state(0, "1", "1 if it began at an apex")
     work_then = state(0, "J", "Work of the hip until its beginning")
+    leg_work_then = state(0, "J", "Work of the leg until its beginning")
     positive_work_so_far = state(
         0, "J", "Work of the hip at positive power since the start", name="hip.positive_work")
     positive_work_then = state(0, "J", "Work of the hip at positive power until its beginning")
@@ -42,6 +43,8 @@ class Stride(Model):
     rise_of_stride = state(0, "m", "Height gained by the centre of mass", name="stride.rise")
     work_of_stride = state(0, "J", "Net work of hip and leg, W", name="stride.work")
     hip_work = state(0, "J", "Net work of the hip", name="stride.hip_work")
+    leg_work_of_stride = state(
+        0, "J", "Net work of the leg by thrust and extension", name="stride.leg_work")
     positive_work = state(0, "J", "Work of the hip at positive power", name="stride.positive_work")
     speed = state(0, "m/s", "Average speed, V", name="stride.speed")
     cost_of_transport = state(
@@ -91,11 +94,12 @@ class Stride(Model):
     def close_stride(r):
         """An apex: keep what the stride has come to, if it began at one, and begin the next  (13)."""
         center = r.center()
-        work, period, distance = r.work - r.work_then, r.time - r.apex_time, center.x - r.x_then
+        hip, leg = r.work - r.work_then, r.leg_work - r.leg_work_then
+        work, period, distance = hip + leg, r.time - r.apex_time, center.x - r.x_then
         weight = (r.body_mass + r.foot_mass) * r.gravity
         done = dict(
             count=r.count + 1, period=period, distance=distance, rise_of_stride=center.y - r.y_then,
-            hip_work=work, work_of_stride=work, speed=distance / period,
+            hip_work=hip, leg_work_of_stride=leg, work_of_stride=work, speed=distance / period,
             cost_of_transport=work / (weight * distance),
             positive_work=r.positive_work_so_far - r.positive_work_then, touchdowns=r.touchdowns_so_far,
             stance_time=r.stance_so_far, slip_distance=r.slip_so_far, peak_force=r.peak_force_so_far,
@@ -107,10 +111,10 @@ class Stride(Model):
         """An apex: a stride begins."""
         center, leg = r.center(), r.leg()
         return r.replace(
-            is_open=1, work_then=r.work, x_then=center.x, y_then=center.y,
+            is_open=1, work_then=r.work, leg_work_then=r.leg_work, x_then=center.x, y_then=center.y,
             positive_work_then=r.positive_work_so_far, touchdowns_so_far=0, stance_so_far=0, slip_so_far=0,
             peak_force_so_far=0, word_so_far=0, last_letter=0, bar_is_due=0, apex_time=r.time,
-            apex_com_height=center.y, apex_com_speed=center.vx, apex_length=leg.length, apex_angle=leg.angle,
+            apex_com_height=r.height_of_section(), apex_com_speed=center.vx, apex_length=leg.length, apex_angle=leg.angle,
             apex_length_rate=leg.length_rate, apex_angle_rate=leg.angle_rate)
 
     @observe("flight stick slip graze", "positive integral", into="positive_work_so_far", unit="W")

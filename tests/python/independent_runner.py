@@ -68,7 +68,7 @@ class Stride:
 
     def guards(self):
         """Guards of the mode by the name of their event: each falls through 0."""
-        along = lambda t, y: -self.forces(t, y, "stance")[0][0]  # noqa: E731
+        along = lambda t, y: self.forces(t, y, "stance")[0][0]  # noqa: E731
         cone = lambda t, y: self.friction * self.normal(t, y)  # noqa: E731
         if self.mode == "flight":
             return {"touchdown": lambda t, y: y[1]} | ({} if self.swing == "place" else {"apex": self.rise})
@@ -103,7 +103,7 @@ class Stride:
         elif name in ("forward", "backward"):
             self.mode, self.way = "slip", 1 if name == "forward" else -1
         else:  # the foot comes to rest, or into contact
-            force = -self.forces(self.time, y, "stance")[0][0]
+            force = self.forces(self.time, y, "stance")[0][0]
             y[4] = 0.0 if name == "rest" else y[4]
             inside = abs(force) <= self.friction * self.normal(self.time, y)
             self.mode = "stick" if inside and y[4] == 0 else "slip"
@@ -122,7 +122,7 @@ class Stride:
             guards = self.guards()
             hooks = []
             for guard in guards.values():
-                hook = lambda t, y, guard=guard, t0=self.time: guard(t, y) if t > t0 + 1e-9 else 1e-30  # noqa: E731
+                hook = lambda t, y, guard=guard, t0=self.time: guard(t, y) if t > t0 + 1e-5 else 1e-30  # noqa: E731
                 hook.terminal, hook.direction = True, -1
                 hooks.append(hook)
             found = solve_ivp(

@@ -7,13 +7,13 @@ from page_runs import COMPILER, CompiledPage
 from test_page_runner import DATA, SECTION, section, world_of
 
 from c_core.hybrid import parameter, sin
-from c_core.pages.runner import Runner
+from c_core.pages.runner import PlainRunner
 
 pytestmark = pytest.mark.skipif(COMPILER is None, reason="there is no C compiler")
 STATES = ["seen_x", "seen_y", "length", "angle", "seen_vx", "seen_vy", "length_rate", "angle_rate"]
 
 
-class StanceGains(Runner):
+class StanceGains(PlainRunner):
     """A proportional-derivative gain on the stance angle."""
 
     stance_kp = parameter(0.05, "N.m/rad")
@@ -24,7 +24,7 @@ class StanceGains(Runner):
         return super().stance_torque() - r.stance_kp * (leg.angle + 0.4) - r.stance_kd * leg.angle_rate
 
 
-class HardSpring(Runner):
+class HardSpring(PlainRunner):
     """A spring that hardens with the cube of its compression."""
 
     hardening = parameter(3, "m-2")
@@ -34,7 +34,7 @@ class HardSpring(Runner):
         return super().spring() + r.stiffness * r.hardening * short**3
 
 
-class ViscousSlip(Runner):
+class ViscousSlip(PlainRunner):
     """Friction that grows with the speed of the slip."""
 
     viscosity = parameter(0.3, "s/m")
@@ -43,7 +43,7 @@ class ViscousSlip(Runner):
         return super().slip_friction() + r.viscosity * r.way * r.foot_vx
 
 
-class Clock(Runner):
+class Clock(PlainRunner):
     """A torque that follows a clock."""
 
     amplitude, frequency = parameter(0.02, "N.m"), parameter(1.5, "rad/s")

@@ -11,7 +11,7 @@ from conftest import some_of
 from old_core import HAS_CLAMP, STATES, OldRun, lasting
 from page_runs import COMPILER, CompiledPage
 
-from c_core.pages.runner import Runner
+from c_core.pages.runner import PlainRunner
 
 pytestmark = pytest.mark.skipif(COMPILER is None, reason="there is no C compiler")
 DATA = json.loads((Path(__file__).parent / "page_gaits.json").read_text(encoding="utf-8"))
@@ -31,7 +31,7 @@ EVERY_GAIT = pytest.mark.parametrize(
 
 @pytest.fixture(scope="module")
 def runner():
-    return CompiledPage(Runner)
+    return CompiledPage(PlainRunner)
 
 
 def world_of(apex, share=1 / 1.1):
@@ -281,7 +281,7 @@ def compare(page, number, tolerance=1e-13):
     """
     parameters, inputs, world, rate = drawn(number)
     clamps = bool(number % 2) if HAS_CLAMP else True
-    names = {page.model.public(n): n for n in [*page.parameters, *page.states]}
+    names = {page.model.public(n): n for n in [*page.states, *page.parameters]}
     given = {names[n]: v for n, v in (parameters | inputs).items()} | world
     given |= {"swing_clamp": clamps, "tolerance": tolerance}
     clamp = {"hip.swing_clamp": clamps} if HAS_CLAMP else {}
