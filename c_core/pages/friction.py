@@ -1,4 +1,4 @@
-"""Friction between foot and ground: the cone of a foot at rest, friction that falls with speed, a slippery patch.
+"""Friction between foot and ground: Coulomb's law, friction that falls with speed, a slippery patch.
 
 The patch divides the ground into zones: 0 before it, 1 on it, 2 beyond.
 """
@@ -18,7 +18,7 @@ class Friction(Model):
         1, "1", "Friction of a foot at rest over that of one that slips, rho",
         name="ground.static_friction_ratio", least=1, most=1e6)
     stribeck_velocity = parameter(
-        0, "m/s", "Speed over which friction falls from that of a foot at rest to that of one that slips, v_s",
+        0, "m/s", "Speed over which friction falls from that of a foot at rest to that of slip, v_s",
         least=0, most=1e9)
     patch_begin = parameter(0, "m", "Where a patch of ground with a friction of its own begins")
     patch_end = parameter(0, "m", "Where the patch ends; no patch where it begins")
@@ -38,7 +38,7 @@ class Friction(Model):
         return (1 - on_patch) * r.friction + on_patch * r.patch_friction
 
     def zones(r):
-        """The zones of the foot where it moves, or is pushed, forward or backward: on a border they differ."""
+        """The zones of a foot that moves, or is pushed, forward or backward: on a border they differ."""
         x, margin, begin, end = r.foot().x, 1e-12 * r.free_length, r.patch_begin, r.patch_end
         ahead = select(x >= begin - margin, 1, 0) + select(x >= end - margin, 1, 0)
         behind = select(x > begin + margin, 1, 0) + select(x > end + margin, 1, 0)
@@ -77,7 +77,7 @@ class Friction(Model):
         return r.stribeck_velocity > 0 and r.static_ratio > 1
 
     def longest_step(r):
-        """Longest step that resolves friction that falls: neither its growth nor the change of speed is large."""
+        """Longest step that resolves falling friction: neither growth nor change of speed is large."""
         if r.law == "constant":
             return None
         growth = (r.static_ratio - 1) * r.friction_in(r.zone) * r.standing().normal / r.stribeck_velocity

@@ -1,6 +1,8 @@
 """The leg: masses, spring and damper, and the coordinates that the runner is seen in (7)."""
 
-from ..hybrid import Model, Record, atan2, coordinates, cos, input, on_set, parameter, setting, sin, sqrt, state
+from ..hybrid import (
+    Model, Record, atan2, coordinates, cos, input, on_set, parameter, setting, sin, sqrt, state,
+)
 
 
 class Leg(Model):

@@ -418,7 +418,7 @@ class Runner(Hip, Friction, Leg, Ground, Stride, Model):
 
 
 class PlainRunner(Runner):
-    """The runner on level ground with constant friction and no other actuation: what is fixed costs nothing."""
+    """The runner on level ground with constant friction and no other actuation: what is fixed is free."""
 
     height = slope = ground_height = ground_slope = more_angle = more_torque = more_thrust = 0
     thrust = thrusting = extension = external_fx = external_fy = retraction_rate = 0

@@ -114,8 +114,8 @@ class Stride(Model):
             is_open=1, work_then=r.work, leg_work_then=r.leg_work, x_then=center.x, y_then=center.y,
             positive_work_then=r.positive_work_so_far, touchdowns_so_far=0, stance_so_far=0, slip_so_far=0,
             peak_force_so_far=0, word_so_far=0, last_letter=0, bar_is_due=0, apex_time=r.time,
-            apex_com_height=r.height_of_section(), apex_com_speed=center.vx, apex_length=leg.length, apex_angle=leg.angle,
-            apex_length_rate=leg.length_rate, apex_angle_rate=leg.angle_rate)
+            apex_com_height=r.height_of_section(), apex_com_speed=center.vx, apex_length=leg.length,
+            apex_angle=leg.angle, apex_length_rate=leg.length_rate, apex_angle_rate=leg.angle_rate)
 
     @observe("flight stick slip graze", "positive integral", into="positive_work_so_far", unit="W")
     def power_of_hip(r):
