@@ -2,7 +2,7 @@
 
 import re
 
-from .c_text import assigned, c_text, name_of, own_name, wrapped_text
+from .c_text import RESERVED, assigned, c_text, name_of, own_name, wrapped_text
 from .errors import reading
 from .expressions import Variation, forget_expressions, leaves_of, lift, made, ordered, replaced, symbol
 from .series import (
@@ -156,7 +156,7 @@ class Motion:
         asked = {o for node in nodes if not node.is_constant for o in node.operands} | set(roots)
         for node in nodes:
             if node.is_constant and node.operation != "number" and node in asked:
-                if node.operands and (not node.name or node.name in taken):
+                if node.operands and (not node.name or node.name in taken or node.name in RESERVED):
                     node.name = own_name(node, taken)
                 name = name_of(node)
                 taken.add(name)

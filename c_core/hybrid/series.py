@@ -6,7 +6,7 @@ expansions, too: of expressions some parts of which are series that are there al
 
 import random
 
-from .c_text import c_text, name_of, own_name
+from .c_text import RESERVED, c_text, name_of, own_name
 from .errors import PageError
 from .expressions import (
     VARIATIONS,
@@ -93,14 +93,14 @@ class Expansion:
         taken = {name_of(node) for node in self.arrays}
         for node in self.made:
             if kind_of(node) != "linear":
-                if node.name is None or node.name in taken:
+                if node.name is None or node.name in taken or node.name in RESERVED:
                     node.name = own_name(node, taken)
                 taken.add(node.name)
                 self.arrays[node] = into.format(node.name)
         for node in self.made:
             for series in self.series_in(node):
                 if series not in self.arrays:
-                    if series.name is None or series.name in taken:
+                    if series.name is None or series.name in taken or series.name in RESERVED:
                         series.name = own_name(series, taken)
                     taken.add(series.name)
                     self.arrays[series] = into.format(series.name)

@@ -80,6 +80,8 @@ class OldRun:
         write(self.inputs, dict(inputs))
         write(self.rates, dict(rates))
         self.refused = self._create()
+        self.to(self.motion.time)  # a jump changes the mode at once, which the log does not tell
+        self.modes.append(self._mode(self.motion.time, self.motion.mode))
 
     @property
     def fell(self):
