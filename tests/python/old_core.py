@@ -66,12 +66,14 @@ class OldRun:
         return time, CONTACTS[mode.contact], PHASES[mode.phase]
 
     def to(self, until):
-        """Go on to a time; the inputs are ramped on the way."""
-        self.log.count = 0
-        elapsed = until - self.motion.time
-        self.outcome = c.tdmf_native_advance(self.solver, self.system[0], self.rates, until, self.motion)
-        self.inputs[0] = c.tdmf_inputs_after(self.inputs, self.rates, elapsed)
-        self.modes += [self._mode(e.time, e.after) for e in self.log.events[0 : min(self.log.count, 32)]]
+        """Go on to a time, in pieces, since the log has room for few events; the inputs are ramped on the way."""
+        for end in np.linspace(self.motion.time, until, 9)[1:] if until > self.motion.time else [until]:
+            self.log.count = 0
+            elapsed = end - self.motion.time
+            self.outcome = c.tdmf_native_advance(self.solver, self.system[0], self.rates, end, self.motion)
+            self.inputs[0] = c.tdmf_inputs_after(self.inputs, self.rates, elapsed)
+            taken = self.log.events[0 : min(self.log.count, 32)]
+            self.modes += [self._mode(e.time, e.after) for e in taken]
         return self
 
     def set(self, parameters=(), inputs=(), rates=()):
