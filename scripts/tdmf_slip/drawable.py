@@ -57,7 +57,8 @@ class Drawable:
         Returns
         -------
         xarray.Dataset
-            Numbers and texts without a dimension, lists over one of their name, rows by their columns.
+            Numbers and texts without a dimension, lists over one of their name, rows by their columns. Its
+            attributes record the version, the model and the runner's values.
 
         Raises
         ------

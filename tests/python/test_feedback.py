@@ -158,6 +158,9 @@ def test_controllability_is_told_in_numbers(gaits):
         and both.conditioning > 5 * alone.conditioning
     )
     assert set(both.as_json()) == {
+        "version",
+        "model",
+        "runner",
         "inputs",
         "eigenvalues",
         "negligible",
@@ -181,7 +184,7 @@ def test_mobility_is_what_a_setting_does_to_a_mode(gaits):
 
 def test_a_mode_that_no_setting_moves_is_named():
     modes = Modes(np.eye(3), np.diag([1.1, 0.5, -0.3]), np.array([[0.0], [1.0], [2.0]]))
-    found = controllability_of(modes, (ANGLE,))
+    found = controllability_of(Runner.of(), modes, (ANGLE,))
     assert found.rank == 2 and found.uncontrollable == pytest.approx([1.1]) and found.strides is None
     assert not found.controllable and not found.stabilizable
     with pytest.raises(ArithmeticError, match="not controllable"):

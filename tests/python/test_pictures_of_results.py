@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 import tdmf_slip
 from matplotlib.collections import PolyCollection
+from tdmf_slip import Runner
 from tdmf_slip.analysis.first_passage import FirstPassage
 from tdmf_slip.analysis.rare_falls import RareFalls
 from tdmf_slip.analysis.splitting import RareEvent
@@ -161,7 +162,7 @@ def test_a_front_shows_one_objective_over_the_other():
 
 
 def test_strides_to_fall_show_who_is_still_up():
-    found = FirstPassage("+0+", 0.02, runners=100, falls=80, strides=1600)
+    found = FirstPassage(Runner.of(), "+0+", 0.02, runners=100, falls=80, strides=1600)
     figure = found.plot()
     (axes,) = figure.axes
     assert labels(axes) == ("strides begun", "probability of not having fallen")
@@ -176,7 +177,7 @@ def test_strides_to_fall_show_who_is_still_up():
 
 def test_rare_falls_are_drawn_also_where_the_interval_is_open():
     rates = np.array([0.0, 0.0, 3e-6])
-    found = RareFalls("+0+", 0.01, RareEvent(rates, 3, 1000))
+    found = RareFalls(Runner.of(), "+0+", 0.01, RareEvent(rates, 3, 1000))
     assert math.isinf(found.interval[1])
     (axes,) = found.plot().axes
     strides, still_up = line(axes, "mean 1e+06 strides until the fall")
@@ -185,7 +186,7 @@ def test_rare_falls_are_drawn_also_where_the_interval_is_open():
 
 def test_a_curve_lies_over_its_two_parameters():
     points = np.array([[0.5, 0.1], [0.6, 0.2], [0.7, 0.25]])
-    curve = tdmf_slip.Curve("fold", (FRICTION, "leg.damping"), points, "edge", "edge")
+    curve = tdmf_slip.Curve(Runner.of(), "fold", (FRICTION, "leg.damping"), points, "edge", "edge")
     (axes,) = curve.plot().axes
     assert labels(axes) == (FRICTION, "leg.damping (N·s/m)")
     assert np.array_equal(np.transpose(axes.lines[0].get_data()), points)
@@ -206,12 +207,12 @@ def test_a_proved_attraction_bounds_the_distance_stride_by_stride():
     pytest.importorskip("flint")
     from tdmf_slip.proof.prove_attraction import Attraction
 
-    proof = Attraction(proved=True, radius=1e-3, rate=0.5, norm_radius=2e-3)
+    proof = Attraction(proved=True, values={}, radius=1e-3, rate=0.5, norm_radius=2e-3)
     (axes,) = proof.plot().axes
     strides, bound = axes.lines[0].get_data()
     assert np.allclose(bound, 2e-3 * 0.5**strides) and axes.get_xlabel() == "strides"
     with pytest.raises(tdmf_slip.InputError, match="nothing is proved, the word"):
-        Attraction(proved=False, undecided="the word").plot()
+        Attraction(proved=False, values={}, undecided="the word").plot()
 
 
 def test_a_validation_shows_each_value_beside_what_is_allowed():

@@ -15,7 +15,8 @@ from tdmf_slip.errors import InputError
 
 pytest.importorskip("flint")
 
-from tdmf_slip.proof.given import gait_of
+from tdmf_slip.library.members import VARIED
+from tdmf_slip.proof.given import KNOWN, gait_of
 from tdmf_slip.proof.parameters import Parameters
 from tdmf_slip.proof.range_proof import Subinterval
 from tdmf_slip.proof.range_prover import RangeProver, proved_subinterval
@@ -90,14 +91,16 @@ def test_the_published_table_is_of_the_runner_of_today():
 
 
 def test_a_parameter_without_effect_makes_no_other_runner(span, tmp_path):
-    """A file that was written before a law was there, and one that names it."""
+    """A file that was written before a law was there, or when parameters that are 0 were left out."""
     proof, file = span
     vary = {"ground.friction": ("10", "10.06")}
     head, *parts = file.read_text(encoding="utf-8").splitlines()
     printed = json.loads(head)
-    assert "ground.stribeck_velocity" not in printed["parameters"]
-    printed["parameters"]["ground.stribeck_velocity"] = "0"
-    other = tmp_path / "named.jsonl"
+    recorded = printed["parameters"]
+    assert {*recorded, "ground.friction"} == {*VARIED} and recorded["ground.stribeck_velocity"] == "0"
+    printed["parameters"] = {of: value for of, value in recorded.items() if value != "0" and of in KNOWN}
+    del printed["version"], printed["model"]
+    other = tmp_path / "earlier.jsonl"
     other.write_text("\n".join([json.dumps(printed), *parts, ""]), encoding="utf-8")
     assert tdmf_slip.prove(vary=vary, output=other, processes=1).subintervals == proof.subintervals
     printed["parameters"]["ground.stribeck_velocity"] = "1/10"

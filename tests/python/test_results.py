@@ -1,13 +1,21 @@
 """Results show themselves: in a line, as a table of a notebook, as a dataset; arrays go by names."""
 
+import functools
 import inspect
+import json
+import pickle
 import pydoc
 
 import numpy as np
 import pytest
 import tdmf_slip
 from tdmf_slip import InputError
+from tdmf_slip.cli.output import json_text
 from tdmf_slip.drawable import Drawable
+from tdmf_slip.files.netcdf import netcdf_of
+from tdmf_slip.fmu.run import Run
+from tdmf_slip.labelled import LabelledArrays
+from tdmf_slip.library.members import STATES
 
 ANGLE, TORQUE = "hip.touchdown_angle", "hip.stance_torque"
 RESULTS = [
@@ -50,6 +58,17 @@ MADE = {
     "controllability": lambda gait: tdmf_slip.controllability(gait, [ANGLE, TORQUE]),
     "feedback": lambda gait: tdmf_slip.dead_beat(gait, [ANGLE, TORQUE]),
     "optimum": lambda gait: tdmf_slip.optimize(gait, {TORQUE: (0.19, 0.21)}, maximize="speed", starts=1),
+    "front": lambda gait: tdmf_slip.pareto_front(
+        gait.runner,
+        {TORQUE: (0.19, 0.21)},
+        minimize=["cost_of_transport"],
+        maximize=["speed"],
+        points=2,
+        starts=1,
+    ),
+    "curve": lambda gait: tdmf_slip.Curve(
+        gait.runner, "fold", (TORQUE, ANGLE), np.array([[0.2, 0.6], [0.3, 0.7]]), "edge", "edge"
+    ),
     "comparison": lambda gait: tdmf_slip.compare(
         [{"ground.friction": 0.6}, {"ground.friction": 0.7}], hold=["speed"], vary=[TORQUE]
     ),
@@ -61,14 +80,20 @@ def gait():
     return tdmf_slip.find_gait({"ground.friction": 0.6})
 
 
+@pytest.fixture(scope="module")
+def result_of(gait):
+    """Each result of `MADE`, made once."""
+    return functools.cache(lambda name: MADE[name](gait))
+
+
 @pytest.mark.parametrize("name", RESULTS)
 def test_results_have_a_picture_a_dataset_and_a_table(name):
     assert issubclass(getattr(tdmf_slip, name), Drawable)
 
 
 @pytest.mark.parametrize("name", MADE)
-def test_a_result_fits_a_page_and_is_equal_to_itself_made_anew(name, gait):
-    result, again = MADE[name](gait), MADE[name](gait)
+def test_a_result_fits_a_page_and_is_equal_to_itself_made_anew(name, gait, result_of):
+    result, again = result_of(name), MADE[name](gait)
     text = repr(result)
     assert text.startswith("<") and len(text) < 400 and "\n" not in text
     page = result._repr_html_()
@@ -76,6 +101,58 @@ def test_a_result_fits_a_page_and_is_equal_to_itself_made_anew(name, gait):
     assert result == again
     data = result.to_xarray()
     assert len(data.data_vars) >= 2 and data.identical(again.to_xarray())
+
+
+VARIES = {
+    "viability": {ANGLE},
+    "runs": {"ground.friction"},
+    "grid": {"leg.damping", "ground.friction"},
+    "sweep": {"ground.friction"},
+    "curve": {TORQUE, ANGLE},
+}
+"""By result: names whose values are its coordinates."""
+
+
+def recorded_names(data):
+    """Names whose values a dataset has: its attributes, and variables, also those of rows, by their names."""
+    rows = {name.removeprefix("front.start_values.").removeprefix("runners.runner.") for name in data}
+    return {*data.attrs, *rows, *data.coords}
+
+
+@pytest.mark.parametrize("name", MADE)
+def test_a_dataset_records_version_model_and_every_value_of_the_runner(name, gait, result_of):
+    data = result_of(name).to_xarray()
+    model = "reduced" if name == "viability" else "full"
+    assert data.attrs["version"] == tdmf_slip.__version__ and data.attrs["model"] == model
+    states = set(STATES) if name in ("strides", "comparison") else set()
+    missing = {*gait.runner.values} - recorded_names(data) - states
+    assert missing <= VARIES.get(name, set()) - {*data.coords}
+    assert netcdf_of(data)
+
+
+ROWS = {"front": "front", "comparison": "runners"}
+"""Entries whose rows have a runner each."""
+
+
+@pytest.mark.parametrize("name", MADE)
+def test_json_records_them_too(name, gait, result_of):
+    result = result_of(name)
+    if not hasattr(result, "as_json"):
+        assert isinstance(result, LabelledArrays | Run)
+        return
+    plain = json.loads(json_text(result.as_json()))
+    model = "reduced" if name == "viability" else "full"
+    assert plain["version"] == tdmf_slip.__version__ and plain["model"] == model
+    for row in plain[ROWS[name]] if name in ROWS else [plain]:
+        values = row.get("runner") or row["start_values"]
+        same = {of for of, value in gait.runner.values.items() if values.get(of) == value}
+        assert set(values) >= {*gait.runner.values} - VARIES.get(name, set()), name
+        assert len(same) >= len(gait.runner.values) - len(STATES) - 2
+
+
+@pytest.mark.parametrize("name", MADE)
+def test_a_pickle_is_read_as_it_was_written(name, result_of):
+    assert pickle.loads(pickle.dumps(result_of(name))) == result_of(name)
 
 
 def test_the_columns_of_a_run_go_by_their_names(gait):

@@ -154,8 +154,8 @@ def test_a_gait_is_missing_only_with_a_reason(runner, fmu, half, tmp_path):
         (lambda data: data.attrs.update({"body.mass": [1.0, 2.0]}), "another body.mass"),
         (lambda data: data.attrs.update({"body.mass": ["a", "b"]}), "another body.mass"),
         (lambda data: data.attrs.pop("body.mass"), "another body.mass"),
-        (lambda data: data.attrs.update({"source": "tdmf-slip 0.0.9"}), "another source"),
-        (lambda data: data.attrs.update({"source": 1.0}), "another source"),
+        (lambda data: data.attrs.update({"version": "0.0.9"}), "another version"),
+        (lambda data: data.attrs.update({"version": 1.0}), "another version"),
         (lambda data: data["period"].attrs.update({"units": "ms"}), "another units of period"),
         (lambda data: data[OVER].attrs.pop("units"), f"another units of {OVER}"),
     ],
@@ -163,6 +163,14 @@ def test_a_gait_is_missing_only_with_a_reason(runner, fmu, half, tmp_path):
 def test_a_grid_with_other_attributes_is_another(runner, fmu, half, tmp_path, spoil, match):
     spoil(half)
     assert_refused(runner, fmu, half, tmp_path / "grid.nc", match)
+
+
+def test_a_grid_that_an_earlier_version_began_is_gone_on_with(runner, fmu, half, whole, tmp_path):
+    """Then neither version nor model were recorded; both are in the file as soon as it is gone on with."""
+    del half.attrs["version"], half.attrs["model"]
+    half.to_netcdf(tmp_path / "grid.nc")
+    make_grid(runner, fmu, tmp_path / "grid.nc")
+    assert xarray.load_dataset(tmp_path / "grid.nc").attrs == whole.attrs
 
 
 @pytest.mark.parametrize(

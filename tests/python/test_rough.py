@@ -106,16 +106,16 @@ def test_the_interval_covers_the_mean_as_often_as_it_says():
     """Geometric numbers of strides, censored at the mean: so that a third is still up."""
     mean, runners, experiments = 40, 12, 2000
     lengths = np.random.default_rng(3).geometric(1.0 / mean, size=(experiments, runners))
-    covered = 0
+    runner, covered = Runner.of(), 0
     for row in lengths:
         falls = int((row <= mean).sum())
-        low, high = FirstPassage("", 0.1, runners, falls, int(np.minimum(row, mean).sum())).interval
+        low, high = FirstPassage(runner, "", 0.1, runners, falls, int(np.minimum(row, mean).sum())).interval
         covered += low < mean < high
     assert covered / experiments == pytest.approx(0.95, abs=0.02)
 
 
 def test_where_none_falls_the_mean_is_open_above():
-    found = FirstPassage("", 0.1, 10, 0, 1000)
+    found = FirstPassage(Runner.of(), "", 0.1, 10, 0, 1000)
     low, high = found.interval
     assert found.mean_strides == high == math.inf
     assert 1000 * math.log1p(-1.0 / low) == pytest.approx(-0.5 * 1.959963984540054**2)
@@ -123,7 +123,7 @@ def test_where_none_falls_the_mean_is_open_above():
 
 
 def test_where_all_fall_at_once_the_mean_is_one():
-    found = FirstPassage("", 9.0, 10, 10, 10)
+    found = FirstPassage(Runner.of(), "", 9.0, 10, 10, 10)
     assert found.mean_strides == found.interval[0] == 1.0
     assert found.interval[1] > 1.0
 

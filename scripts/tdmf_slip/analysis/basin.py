@@ -26,6 +26,7 @@ from ..library.gait import Gait
 from ..library.runner import Runner
 from ..library.section import check_axes
 from ..library.shared_steps import shares_steps
+from ..record import without_record
 from ..terminal.progress import progress_bar
 from .axes import AXES, Axes, axes_of
 from .axes import range_around as range_around
@@ -171,7 +172,7 @@ def basin_at(
     around = ball_of(gait, ball, len(rows) * len(columns), law)
     data = _blank(gait, along, fmu, refine).with_attributes(attributes_of(around))
     if law is not None:
-        data = data.with_attributes({"law": json.dumps(law.as_json())})
+        data = data.with_attributes({"law": json.dumps(without_record(law.as_json()))})
     file = None
     if path is not None:
         from .basin_file import BasinFile  # xarray is slow to load, and an extra

@@ -11,7 +11,7 @@ from ..fmu.fmu import Fmu
 from ..labelled import Labelled, LabelledArrays
 from ..library import ensemble
 from ..library.gait import Gait
-from .search import model_of
+from ..record import attributes_of
 
 NOT_YET = -1
 STRIDES = "strides_until_known"
@@ -50,8 +50,7 @@ class Basin(LabelledArrays):
                     for axis, value in zip(gait.runner.coordinates, gait.apex, strict=True)
                 },
                 "word": gait.word,
-                **gait.runner.values,
-                **model_of(gait.runner),
+                **attributes_of(gait.runner.record()),
             },
         )
 

@@ -11,6 +11,7 @@ from ..contents import ByContents
 from ..drawable import Drawable
 from ..fmu.fmu import Fmu, load_fmu
 from ..library.gait import Gait
+from ..record import attributes_of
 from .bifurcations import Special
 from .borders import Border
 
@@ -56,6 +57,7 @@ class Branch(ByContents, Drawable):
         """The branch as a plain object; a point is a gait as `Gait.as_json` tells it, with its `value`."""
         found = zip(self.values, self.gaits, strict=True)
         return {
+            **self.gaits[0].runner.record(self.name),
             "over": self.name,
             "strides": self.strides,
             "points": [
@@ -94,5 +96,11 @@ class Branch(ByContents, Drawable):
         data["special_value"] = ("special",), np.array([s.value for s in self.specials], dtype=float)
         data["special_why"] = ("special",), np.array([s.why for s in self.specials], dtype=object)
         data["special_value"].attrs = fmu.variables[self.name].attributes
-        data.attrs = {"over": self.name, "strides": self.strides, "began": self.began, "ended": self.ended}
+        data.attrs = {
+            **attributes_of(self.gaits[0].runner.record(self.name)),
+            "over": self.name,
+            "strides": self.strides,
+            "began": self.began,
+            "ended": self.ended,
+        }
         return data

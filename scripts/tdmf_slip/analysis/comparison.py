@@ -23,6 +23,7 @@ from ..library.members import VARIED, check_varied
 from ..library.quantities import check_quantities, known_quantities, quantities_of, unit_of
 from ..library.runner import Runner
 from ..library.shared_steps import shares_steps
+from ..record import origin_of
 from ..terminal.progress import progress_bar
 from ..terminal.text import headed, table
 from .search import periodic_gait
@@ -85,11 +86,13 @@ class Comparison(ByContents, Drawable):
     def as_json(self) -> dict[str, object]:
         """The comparison as a plain object."""
         return {
+            **origin_of(reduced=self.gaits[0].runner.reduced),
             "hold": list(self.hold),
             "vary": list(self.vary),
             "runners": [
                 {
                     "parameters": dict(matched.parameters),
+                    "runner": dict(matched.after.runner.values),
                     "before": _reported(matched.before),
                     "after": _reported(matched.after),
                 }

@@ -7,6 +7,7 @@ from numpy.typing import NDArray
 
 from ..contents import ByContents
 from ..drawable import Drawable
+from ..library.runner import Runner
 
 LONGEST = 1 / 15
 """Of the ranges: a step along a curve."""
@@ -20,6 +21,8 @@ CLOSED = "closed: back where it has been"
 class Curve(ByContents, Drawable):
     """Special points of one kind over two parameters."""
 
+    runner: Runner
+    """The runner; its own values of the two parameters do not matter."""
     kind: str
     """fold, period doubling, Neimark-Sacker, or word border."""
     names: tuple[str, str]
@@ -42,7 +45,8 @@ class Curve(ByContents, Drawable):
         """As a plain object; a point is a pair in the order of `over`."""
         words = {"from": self.words[0], "to": self.words[1]} if self.words else {}
         ends = {"began": self.began, "ended": self.ended}
-        return {"kind": self.kind, **words, "points": self.points.tolist(), **ends}
+        record = {**self.runner.record(*self.names), "over": list(self.names)}
+        return {**record, "kind": self.kind, **words, "points": self.points.tolist(), **ends}
 
 
 @dataclass(frozen=True, eq=False)

@@ -173,7 +173,7 @@ def curve_through(
         forth, ended = _followed(plane, box, [*back[::-1], here], here.tangent, max_points, tell)
     whole = [*back[::-1], here, *forth]
     points = np.array([(point.at * plane.scales)[-2:] for point in whole])
-    return Curve(plane.kind, plane.names, points, began, ended)
+    return Curve(plane.runner, plane.kind, plane.names, points, began, ended)
 
 
 def _followed(

@@ -49,6 +49,8 @@ class FirstPassage(Drawable):
     it has no fall (J. F. Lawless, Statistical Models and Methods for Lifetime Data, 2nd ed., 2003, ch. 2-4).
     """
 
+    runner: Runner
+    """The runner that falls."""
     word: str
     """Of the gait on level ground that the runners start from."""
     roughness: float
@@ -115,6 +117,7 @@ class FirstPassage(Drawable):
     def as_json(self) -> dict[str, object]:
         """The estimate as a plain object."""
         return {
+            **self.runner.record(),
             "word": self.word,
             "roughness": self.roughness,
             "runners": self.runners,
@@ -273,7 +276,7 @@ def strides_to_fall(
         for number, found in results:
             counted += found
             bar.update(shares[number].count)
-    return FirstPassage(start.word, ground.roughness, runners, *map(int, counted))
+    return FirstPassage(runner, start.word, ground.roughness, runners, *map(int, counted))
 
 
 def _without_patch(runner: Runner) -> Runner:

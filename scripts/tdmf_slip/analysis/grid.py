@@ -23,9 +23,9 @@ from ..library.members import STATES, check_has_gaits, check_varied
 from ..library.runner import Runner
 from ..library.scales import rounding_of
 from ..library.section import COORDINATES
+from ..record import attributes_of
 from ..terminal.progress import progress_bar
 from .gait_columns import COLUMNS
-from .search import model_of
 from .sweep import check_values, sweep_row
 
 GAITS_AGREE = 1e-6
@@ -90,16 +90,12 @@ def grid(
         _ = row.system
         check_has_gaits(row.values[FRICTION] if along != FRICTION else float(min(across)))
     check_values(runner.but(name, down[0]), along, across)
-    attributes = {"title": "Periodic gaits", "source": f"tdmf-slip {fmu.version}"} | {
-        n: v for n, v in runner.values.items() if n not in coordinates
-    }
-    attributes |= model_of(runner)
     blank = as_dataset([None] * (len(down) * len(across)), coordinates, fmu)
     blank["branch"] = (name, along), np.full((len(down), len(across)), np.nan)
     blank["branch"].attrs = {"long_name": "number of the branch in its row"}
     blank["done"] = (name,), np.zeros(len(down), dtype="i1")
     blank["problem"] = (name,), np.full(len(down), "", dtype=object)
-    blank.attrs = attributes
+    blank.attrs = {"title": "Periodic gaits", **attributes_of(runner.record(*coordinates))}
     path = check_destination(path, (".nc",), "path")
     data = resumed(path, blank, "sweep")
     _check_rows(path, data, blank, runner, fmu, progress)

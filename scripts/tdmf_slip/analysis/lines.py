@@ -125,7 +125,7 @@ def border_curve(
     if began != CLOSED:
         forth, ended = _border_followed(track, box, here, 1.0, max_points, tell)
     points = np.array([point.pair for point in (*back[::-1], here, *forth)]) * sizes
-    return Curve(WORD_BORDER, names, points, began, ended, special.words)
+    return Curve(runner, WORD_BORDER, names, points, began, ended, special.words)
 
 
 @dataclass(frozen=True, eq=False)

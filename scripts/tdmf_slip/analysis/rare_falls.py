@@ -34,6 +34,8 @@ SMOOTHEST = 1e-9
 class RareFalls(ByContents, Drawable):
     """Strides until a rare fall, estimated by splitting."""
 
+    runner: Runner
+    """The runner that falls."""
     word: str
     """Of the gait on level ground that the runners start from."""
     roughness: float
@@ -72,6 +74,7 @@ class RareFalls(ByContents, Drawable):
     def as_json(self) -> dict[str, object]:
         """The estimate as a plain object."""
         return {
+            **self.runner.record(),
             "word": self.word,
             "roughness": self.roughness,
             "mean_strides": self.mean_strides,
@@ -165,7 +168,7 @@ def rare_falls(
         bar.update()
         levels = levels_of(scores, highest, LEVELS)
         found = rare_event(chain, levels, keep=walkers, steps=strides, seed=seed, done=bar.update)
-    return RareFalls(start.word, ground.roughness, found)
+    return RareFalls(start.runner, start.word, ground.roughness, found)
 
 
 def _check_is_rough(ground: RoughGround) -> None:

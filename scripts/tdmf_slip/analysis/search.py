@@ -11,11 +11,6 @@ from .continuation import gaits_over
 from .spread import search_from_spread
 
 
-def model_of(runner: Runner) -> dict[str, str]:
-    """What the attributes of a file say of a runner's map from apex to apex."""
-    return {"model": "reduced"} if runner.reduced else {}
-
-
 @shares_steps
 def periodic_gait(
     runner: object = None,

@@ -13,7 +13,7 @@ from ..labelled import Labelled, LabelledArrays
 from ..library.gait import LEDGER
 from ..library.members import STATES
 from ..library.recorded_strides import CLOSED, STRIDE_FATES, Columns, Request
-from .search import model_of
+from ..record import attributes_of, without_record
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -35,10 +35,9 @@ class Strides(LabelledArrays):
             name: Labelled(over[:1], values, _attributes(name, values, fmu))
             for name, values in request.population.varied.items()
         }
-        fixed = {name: value for name, value in runner.values.items() if name not in (*arrays, *STATES)}
-        attributes = {**fixed, **model_of(runner), "tolerance": request.tolerance}
+        attributes = {**attributes_of(runner.record(*arrays, *STATES)), "tolerance": request.tolerance}
         if request.law is not None:
-            attributes["law"] = json.dumps(request.law.as_json())
+            attributes["law"] = json.dumps(without_record(request.law.as_json()))
         if request.ground.roughness:
             attributes |= {"roughness": request.ground.roughness, "seed": str(request.ground.seed)}
         coordinates = {

@@ -21,6 +21,7 @@ from ..library.gait import Gait, settled_gait
 from ..library.members import check_has_gaits, varied_alone
 from ..library.runner import Runner
 from ..library.shared_steps import shares_steps
+from ..record import attributes_of
 from ..terminal.progress import Bar, progress_bar
 from .borders import Border, crossings
 from .family import Family
@@ -75,6 +76,7 @@ class Sweep(ByContents, Drawable):
 
         data = as_dataset(self.by_value, {self.name: np.array(self.values)}, load_fmu(fmu))
         data["branch"] = (self.name,), self.branches
+        data.attrs = attributes_of(self.gaits[0].runner.record(self.name))
         return data
 
     @property
@@ -94,6 +96,7 @@ class Sweep(ByContents, Drawable):
         """The sweep as a plain object; `missing` are the values without a gait."""
         found = zip(self.values, self.by_value, strict=True)
         return {
+            **self.gaits[0].runner.record(self.name),
             "over": self.name,
             "gaits": [gait.as_json() | {"value": value} for value, gait in found if gait is not None],
             "transitions": [border.as_json(short(self.name)) for border in self.borders],

@@ -19,6 +19,7 @@ from ..files.whole import check_destination
 from ..fmu.display_units import DisplayUnits
 from ..fmu.fmu import load_fmu
 from ..library.section import COORDINATES, MODELS, check_axes
+from ..record import without_record
 from ..terminal.text import columns, quantity
 from .options import (
     FRICTION_OPTION,
@@ -147,6 +148,7 @@ def basin_command(
     if plot is not None:
         basin_map.draw(plot, data)
     result: dict[str, Any] = {
+        **gait.runner.record(),
         "word": gait.word,
         "starts": data["fate"].size,
         **data.counts,
@@ -189,7 +191,7 @@ def _axes(spans: tuple[str, ...], coordinates: Sequence[str]) -> dict[str, str]:
 
 def _basin_text(result: Mapping[str, Any], axes: tuple[str, ...], display: DisplayUnits) -> str:
     units = {axis: display.unit(f"apex.{axis}") for axis in COORDINATES}
-    rows = {n: str(v) for n, v in result.items() if n not in ("robustness", "volume")}
+    rows = {n: str(v) for n, v in without_record(result).items() if n not in ("robustness", "volume")}
     rows["settled_area"] = quantity(result["settled_area"], " ".join(units[axis] for axis in axes), 6)
     for name, value in result["robustness"].items():
         rows[name] = (

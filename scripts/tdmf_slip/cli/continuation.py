@@ -16,6 +16,7 @@ from ..fmu.display_units import DisplayUnits
 from ..fmu.fmu import Fmu, load_fmu
 from ..library.members import check_varied
 from ..library.runner import Runner
+from ..record import without_record
 from ..terminal.text import headed, table
 from .options import (
     FRICTION_OPTION,
@@ -158,7 +159,15 @@ def _curves(
 
         curve_diagram.draw(plot, found, spans, display)
     if as_json_object:
-        print(json_text({"over": list(spans), "curves": [curve.as_json() for curve in found]}))
+        print(
+            json_text(
+                {
+                    **runner.record(*spans),
+                    "over": list(spans),
+                    "curves": [without_record(curve.as_json()) for curve in found],
+                }
+            )
+        )
         return
     for curve in found:
         words = f" {' to '.join(curve.words)}" if curve.words else ""

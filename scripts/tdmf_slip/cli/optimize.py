@@ -113,7 +113,8 @@ def optimize_command(
         best = optimize(runner, vary, minimize=minimum, maximize=maximum, **common)
     except TargetNotMetError as problem:
         if as_json_object:
-            print(json_text({"nearest": reported(problem.nearest), "word": problem.nearest.word}))
+            nearest = {"nearest": reported(problem.nearest), "word": problem.nearest.word}
+            print(json_text(problem.nearest.runner.record() | nearest))
         raise
     print(json_text(best.as_json()) if as_json_object else _text(best, fmu, display))
 

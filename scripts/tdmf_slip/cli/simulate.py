@@ -174,6 +174,7 @@ def _refuse_loose(fmu: Fmu, starts: Mapping[str, Value], tolerance: float) -> No
 
 def _run_object(run: Run) -> dict[str, object]:
     return {
+        **run.record,
         "fallen": run.fallen,
         "fall_time": run.fall_time,
         "end_time": float(run.table["time"][-1]),

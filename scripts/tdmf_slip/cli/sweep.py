@@ -201,7 +201,13 @@ def _grid(
     data = grid(runner, vary, output, scheduler=scheduler, threads=threads, progress=True, fmu=load_fmu())
     found = GaitGrid.of_dataset(data)
     points = found["period"].size
-    result = {"file": str(output), "points": points, "gaits": found.gaits, "words": list(found.words)}
+    result = {
+        **runner.record(*vary),
+        "file": str(output),
+        "points": points,
+        "gaits": found.gaits,
+        "words": list(found.words),
+    }
     text = f"{output}: {found.gaits} gaits at {points} points, words {', '.join(found.words)}"
     print(json_text(result) if as_json_object else text)
     problems = [problem for problem in found["problem"] if problem]

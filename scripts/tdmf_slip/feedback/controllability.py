@@ -15,6 +15,7 @@ from ..contents import ByContents
 from ..drawable import Drawable
 from ..fmu.fmu import Fmu
 from ..library.gait import Gait
+from ..library.runner import Runner
 from .linearization import linearize
 from .modes import NEGLIGIBLE, Modes, lasting_modes
 
@@ -26,6 +27,8 @@ RANK_TOLERANCE = 1e-9
 class Controllability(ByContents, Drawable):
     """Which modes of a gait its settings can move, and how far; everything over the scales."""
 
+    runner: Runner
+    """The gait's runner."""
     inputs: tuple[str, ...]
     """Those that are chosen at each apex."""
     eigenvalues: NDArray[Any]
@@ -69,6 +72,7 @@ class Controllability(ByContents, Drawable):
     def as_json(self) -> dict[str, object]:
         """The numbers as a plain object, eigenvalues as [re, im]."""
         return {
+            **self.runner.record(),
             "inputs": list(self.inputs),
             "eigenvalues": _pairs(self.eigenvalues),
             "negligible": self.negligible,
@@ -117,17 +121,18 @@ def controllability(
     (3, 3, 2)
     """
     model = linearize(gait, inputs, fmu=fmu)
-    return controllability_of(lasting_modes(model, negligible), model.inputs)
+    return controllability_of(model.gait.runner, lasting_modes(model, negligible), model.inputs)
 
 
-def controllability_of(modes: Modes, inputs: tuple[str, ...]) -> Controllability:
-    """The same of modes that are known."""
+def controllability_of(runner: Runner, modes: Modes, inputs: tuple[str, ...]) -> Controllability:
+    """Controllability of modes that are known."""
     eigenvalues, left = _left_eigenvectors(modes.state_matrix)
     vectors, values, _ = np.linalg.svd(controllability_matrix(modes))
     rank = int(np.count_nonzero(values > RANK_TOLERANCE * values[0]))
     beyond = vectors[:, rank:]
     uncontrollable: NDArray[Any] = np.linalg.eigvals(beyond.T @ modes.state_matrix @ beyond)
     return Controllability(
+        runner=runner,
         inputs=inputs,
         eigenvalues=eigenvalues,
         negligible=len(modes.directions) - modes.count,

@@ -50,7 +50,11 @@ class Feedback(AffineLaw, Drawable):
         """The law as a plain object, by names as of an `AffineLaw`, with its eigenvalues as [re, im]."""
         law: dict[str, object] = {item.name: getattr(self, item.name) for item in fields(AffineLaw)}
         eigenvalues = self.eigenvalues.astype(complex)
-        return law | {"eigenvalues": [[float(value.real), float(value.imag)] for value in eigenvalues]}
+        return {
+            **self.linearization.gait.runner.record(),
+            **law,
+            "eigenvalues": [[float(value.real), float(value.imag)] for value in eigenvalues],
+        }
 
     @property
     def closed_loop(self) -> NDArray[np.float64]:

@@ -5,13 +5,17 @@ from typing import Any
 
 import numpy as np
 
+from ..record import attributes_of, without_record
 from .datasets import xarray
 
 
 def dataset_of(plain: Mapping[str, Any]) -> xarray.Dataset:
-    """Each entry as a variable: lists over dimensions of their name, rows of mappings by their columns."""
-    data = xarray.Dataset()
-    for name, value in _flat(plain):
+    """Each entry as a variable: lists over dimensions of their name, rows of mappings by their columns.
+
+    The record of the result becomes the dataset's attributes.
+    """
+    data = xarray.Dataset(attrs=attributes_of(plain))
+    for name, value in _flat(without_record(plain)):
         if value is None:
             continue
         if isinstance(value, list | tuple) and value and all(isinstance(row, Mapping) for row in value):

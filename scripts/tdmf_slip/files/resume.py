@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from ..errors import InputError
 from ..files.datasets import xarray
+from ..record import completed_attributes
 from .netcdf import read_dataset
 
 
@@ -22,6 +23,7 @@ def resumed(path: Path, blank: xarray.Dataset, what: str) -> xarray.Dataset:
     except (OSError, ValueError) as problem:
         reason = getattr(problem, "strerror", None) or "no NetCDF file"
         raise InputError(f"{path}: no {what} to go on with ({reason}); allowed: another file name") from None
+    data.attrs = completed_attributes(data.attrs, str(path))
     difference = _difference(data, blank)
     if difference is not None:
         raise InputError(f"{path}: holds another {what}, {difference}; allowed: another file name")

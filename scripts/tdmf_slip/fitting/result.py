@@ -16,6 +16,7 @@ from ..library.gait import Gait
 from ..library.quantities import unit_of
 from ..library.runner import Runner
 from ..library.strides import strides_from
+from ..record import origin_of
 from ..terminal.text import quantity, table
 from .identifiability import Combination
 from .measurements import Measurements
@@ -164,6 +165,7 @@ class Fit(ByContents, Drawable):
     def as_json(self) -> dict[str, object]:
         """The fit as a plain object; an interval that has no end has infinite ones."""
         return {
+            **origin_of(reduced=self.runners[0].reduced),
             "parameters": {
                 e.label: {
                     "value": e.value,
@@ -199,6 +201,7 @@ class Fit(ByContents, Drawable):
             "steps": self.steps,
             "starts": self.starts,
             "notes": list(self.notes),
+            "runners": [dict(runner.values) for runner in self.runners],
         }
 
     def as_text(self) -> str:

@@ -13,6 +13,7 @@ from ..contents import ByContents
 from ..errors import InputError, TdmfSlipError
 from ..given import row_of, rows_of
 from ..labelled import Labelled
+from ..record import attributes_of, origin_of
 from ..terminal.progress import progress_bar
 from .fmu import Fmu, load_fmu
 from .parameters import RunnerLike, start_values_of
@@ -143,6 +144,7 @@ def simulate_many(
 
 
 def _runs(jobs: Sequence[Job], results: Sequence[Result], names: Sequence[str], fmu: Fmu) -> Runs:
+    alike = {name: value for name, value in fmu.all_start_values({}).items() if name not in names}
     arrays = {
         "fallen": Labelled(OVER, np.array([result.fallen for result in results])),
         "problem": Labelled(OVER, np.array([result.problem for result in results], dtype=object)),
@@ -158,5 +160,5 @@ def _runs(jobs: Sequence[Job], results: Sequence[Result], names: Sequence[str], 
             name: Labelled(OVER, np.array([job.values.get(name, fmu.start_of(name)) for job in jobs]))
             for name in names
         },
-        {},
+        attributes_of({**origin_of(version=fmu.version), "start_values": alike}),
     )

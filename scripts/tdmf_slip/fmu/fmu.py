@@ -186,6 +186,11 @@ class Fmu:
             checked[name] = variable.value_of(value, where)
         return checked
 
+    def all_start_values(self, given: Mapping[str, Value]) -> dict[str, Value]:
+        """The start value of every variable that takes one: what is given, and else the unit's own."""
+        own = {v.name: v.start for v in self.variables.values() if v.settable and v.start is not None}
+        return {**own, **given}
+
     def start_of(self, name: str) -> float:
         """The start value that the unit itself gives to a number."""
         start = self.variables[name].start

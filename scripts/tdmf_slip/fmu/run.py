@@ -11,9 +11,11 @@ from ..checks import is_one_of, near_matches, shown
 from ..contents import ByContents
 from ..drawable import Drawable
 from ..errors import InputError
+from ..record import origin_of
 from . import paper_units
 from .events import Event
 from .fmu import Fmu, load_fmu
+from .variable import Value
 
 if TYPE_CHECKING:
     import xarray
@@ -31,6 +33,10 @@ class Run(ByContents, Drawable):
     """The run ended in a fall."""
     fall_time: float | None
     """s; None where the runner has not fallen."""
+    version: str
+    """Version of the unit."""
+    start_values: Mapping[str, Value]
+    """What the run began with: every parameter, input and state, by the unit's names."""
     final: Mapping[str, float | int | bool | str]
     """Every variable of the unit at the end of the run, also where the runner has fallen."""
     events: list[Event] = field(default_factory=list)
@@ -51,6 +57,11 @@ class Run(ByContents, Drawable):
     def names(self) -> tuple[str, ...]:
         """Of the table's fields, `time` first."""
         return tuple(self.units)
+
+    @property
+    def record(self) -> dict[str, Any]:
+        """What a file of the run says of its runner: `version`, `model` and `start_values`."""
+        return {**origin_of(version=self.version), "start_values": dict(self.start_values)}
 
     @property
     def strides(self) -> int:
@@ -91,7 +102,8 @@ class Run(ByContents, Drawable):
         Returns
         -------
         xarray.Dataset
-            A variable for each column, over the coordinate `time`; as attributes parameters and last stride.
+            A variable for each column, over the coordinate `time`; as attributes version, model, start values
+            and last stride.
         """
         from .tables import dataset_of  # xarray is slow to load
 

@@ -247,6 +247,8 @@ def _result(
         units={name: fmu.variables[name].unit for name in names},
         fallen=fallen,
         fall_time=fall_time,
+        version=fmu.version,
+        start_values=fmu.all_start_values(experiment.start_values),
         final=instance.read(fmu.variables),
         events=events,
         messages=list(instance.messages),

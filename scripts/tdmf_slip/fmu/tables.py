@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ..files.whole import check_destination, whole
+from ..record import attributes_of
 from .fmu import Fmu
 from .run import Run
 
@@ -45,15 +46,9 @@ def dataset_of(run: Run, fmu: Fmu) -> "xarray.Dataset":
         values = column.astype("i4") if column.dtype == bool else column  # NetCDF has no booleans
         data[name] = ("time", values, _attributes(fmu, name))
         data[name].encoding = {"zlib": True}
-    data.attrs = {"title": f"TDMF-SLIP run, unit version {fmu.version}", "fallen": int(run.fallen)}
-    for name in [*fmu.names("parameter"), *(variable.name for variable in fmu.group("stride"))]:
-        data.attrs[name] = _plain(run.final[name])
+    data.attrs = {"title": "TDMF-SLIP run", **attributes_of(run.record), "fallen": int(run.fallen)}
+    data.attrs |= {variable.name: run.final[variable.name] for variable in fmu.group("stride")}
     return data
-
-
-def _plain(value: float | int | bool | str) -> float | int | str:
-    """NetCDF has no booleans."""
-    return int(value) if isinstance(value, bool) else value
 
 
 def _attributes(fmu: Fmu, name: str) -> dict[str, object]:

@@ -18,6 +18,7 @@ from ..contents import ByContents
 from ..drawable import Drawable
 from ..errors import GaitNotFoundError
 from ..fmu.fmu import FRICTION
+from ..record import origin_of
 from .binding import c, ffi
 from .maps import map_of, why_no_gait
 from .measures import STRIDE_QUANTITIES, all_measures
@@ -175,6 +176,7 @@ class Gait(ByContents, Drawable):
         Of a gait of more than one stride, also how many, and the apexes in their order.
         """
         return {
+            **origin_of(reduced=self.runner.reduced),
             "friction": self.friction,
             "word": self.word,
             **{name: self.stride[name] for name in (*REPORTED, *PARTS)},

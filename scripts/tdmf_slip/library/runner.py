@@ -1,9 +1,10 @@
 """A runner: parameters, inputs and a start, as the C library takes them."""
 
 import math
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,6 +19,7 @@ from ..fmu.names import by_full_name, full_name
 from ..fmu.parameters import RUNNER, start_values_of
 from ..fmu.variable import Given
 from ..given import mapping_of
+from ..record import completed, record_of
 from .binding import c, ffi
 from .members import FLAGS, INPUTS, PARAMETERS, STATES, VARIED
 from .section import COORDINATES, REDUCED, Apex, checked_apex, is_reduced
@@ -45,7 +47,8 @@ class Runner(ByContents):
 
     def __post_init__(self) -> None:
         """Refuse values that are not all there."""
-        object.__setattr__(self, "values", mapping_of(self.values, "values", "numbers by the unit's names"))
+        values = mapping_of(self.values, "values", "numbers by the unit's names")
+        object.__setattr__(self, "values", completed(values, "values of a runner"))
         missing = next((name for name in (*VARIED, *FLAGS, *STATES) if name not in self.values), None)
         if missing is not None:
             raise InputError(f"values: {missing} is missing; allowed: all of them, as Runner.of gives them")
@@ -130,9 +133,25 @@ class Runner(ByContents):
             raise InputError(f"{name} = {shown(value)} is not allowed; allowed: a number")
         return replace(self, values={**self.values, name: float(value)})
 
-    def __reduce__(self) -> tuple[type["Runner"], tuple[dict[str, float], float, bool]]:
+    def record(self, *varied: str) -> dict[str, Any]:
+        """What a saved result says of its runner.
+
+        Parameters
+        ----------
+        varied : str
+            Names of values that the result has many of.
+
+        Returns
+        -------
+        dict
+            `version`, `model` and, without the varied values, `runner`.
+        """
+        values = {name: value for name, value in self.values.items() if name not in varied}
+        return record_of(values, reduced=self.reduced)
+
+    def __reduce__(self) -> tuple[Callable[..., "Runner"], tuple[dict[str, Any], float]]:
         """Without what the C library has made of it, which is of use in this process only."""
-        return type(self), (dict(self.values), self.tolerance, self.reduced)
+        return _recorded, (self.record(), self.tolerance)
 
     @cached_property
     def model(self) -> Model:
@@ -280,6 +299,11 @@ class Runner(ByContents):
             Other coordinates, or a parameter is refused.
         """
         return {**self.values, **self.state_at(apex)}
+
+
+def _recorded(record: Mapping[str, Any], tolerance: float) -> Runner:
+    """The runner of a record, as pickles have it."""
+    return Runner(record["runner"], tolerance, record["model"] == "reduced")
 
 
 def _check(refusal: Refusal) -> None:

@@ -8,6 +8,7 @@ from ..drawable import Drawable
 from ..library.gait import Gait
 from ..library.quantities import known_quantities, quantities_of
 from ..library.scales import scale_of
+from ..record import origin_of
 
 FOLD, STABILITY = "fold", "stability"
 """Limits of an optimum beside bounds."""
@@ -103,6 +104,7 @@ class Optimum(ByContents, Drawable):
     def as_json(self) -> dict[str, object]:
         """As a plain object; `before` and `after` are quantities of the two gaits."""
         return {
+            **origin_of(reduced=self.gait.runner.reduced),
             "objective": self.objective,
             "is_least": self.is_minimum,
             "parameters": dict(self.parameters),

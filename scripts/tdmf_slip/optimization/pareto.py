@@ -18,6 +18,7 @@ from ..fmu.parameters import RunnerLike
 from ..fmu.variable import Given
 from ..library.runner import Runner
 from ..library.shared_steps import shares_steps
+from ..record import origin_of
 from ..terminal.progress import Bar, progress_bar
 from .optimize import MAX_STARTS, STARTS
 from .optimizer import Optimizer
@@ -44,7 +45,11 @@ class Front(ByContents, Drawable):
 
     def as_json(self) -> dict[str, object]:
         """As a plain object."""
-        return {"objectives": list(self.objectives), "front": [best.as_json() for best in self.optima]}
+        return {
+            **origin_of(reduced=self.optima[0].gait.runner.reduced),
+            "objectives": list(self.objectives),
+            "front": [best.as_json() for best in self.optima],
+        }
 
 
 @shares_steps

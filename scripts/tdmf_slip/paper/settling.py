@@ -18,6 +18,7 @@ from ..given import mapping_of
 from ..library.gait import REPORTED
 from ..library.runner import Runner
 from ..library.section import COORDINATES
+from ..record import origin_of
 
 DEFAULT_TOLERANCE = 1e-10
 WINDOW = 20
@@ -58,7 +59,12 @@ class SettledRun(ByContents):
 
     def as_json(self) -> dict[str, object]:
         """The run as a plain object."""
-        return {**asdict(self), "apex": list(self.apex), "start_values": dict(self.start_values)}
+        return {
+            **origin_of(),
+            **asdict(self),
+            "apex": list(self.apex),
+            "start_values": dict(self.start_values),
+        }
 
 
 def settle_fmu(

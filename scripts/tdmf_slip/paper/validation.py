@@ -10,6 +10,7 @@ from ..drawable import Drawable
 from ..fmu.fmu import FRICTION, Fmu, load_fmu
 from ..fmu.parameters import read_parameters
 from ..library.runner import Runner
+from ..record import origin_of
 from ..terminal.progress import progress_bar
 from ..terminal.text import table
 from . import guinea_fowl
@@ -59,6 +60,7 @@ class Validation(ByContents, Drawable):
     def as_json(self) -> dict[str, object]:
         """Everything as a plain object."""
         return {
+            **origin_of(),
             "passed": self.passed,
             "differing": len(self.differing),
             "gaits": [{"published_word": WORDS[g.friction], **g.as_json()} for g in self.gaits],

@@ -11,6 +11,8 @@ from flint import acb, arb
 
 from ..drawable import Drawable
 from ..fmu.fmu import FRICTION, load_fmu
+from ..record import origin_of
+from ..version import __version__
 from .exact import Exact, ball_of, default_value
 from .section import COORDINATES
 from .starts import Starts
@@ -101,6 +103,14 @@ class Proved(Protocol):
     """Whatever says in a sentence what is proved of something, or left open."""
 
     @property
+    def values(self) -> Mapping[str, Exact]:
+        """Parameters and inputs of the runner, exactly, by the unit's names."""
+
+    @property
+    def version(self) -> str:
+        """The version that proved it."""
+
+    @property
     def proved(self) -> bool:
         """False is undecided."""
 
@@ -109,9 +119,20 @@ class Proved(Protocol):
         """For a reader who wants to sign it."""
 
 
-def statement(proof: Proved) -> dict[str, object]:
-    """What every proof has in JSON."""
-    return {"proved": proof.proved, "sentence": proof.sentence, "assumptions": assumptions()}
+def statement(proof: Proved, varied: str | None = None) -> dict[str, object]:
+    """What every proof has in JSON; without the value of a parameter that is varied."""
+    return {
+        **origin_of(version=proof.version),
+        "parameters": texts_of(proof.values, varied),
+        "proved": proof.proved,
+        "sentence": proof.sentence,
+        "assumptions": assumptions(),
+    }
+
+
+def texts_of(values: Mapping[str, Exact], varied: str | None = None) -> dict[str, str]:
+    """A runner's parameters and inputs as a mathematician writes them, without one that is varied."""
+    return {name: str(value) for name, value in values.items() if name != varied}
 
 
 @dataclass(frozen=True, repr=False)
@@ -140,6 +161,8 @@ class Proof(Drawable):
     """Of the stride, with their times since the apex, s."""
     undecided: Mapping[str, object] = field(default_factory=dict)
     """Where it ended: `guard` and `time`."""
+    version: str = field(default=__version__, repr=False, compare=False)
+    """The version that proved it."""
 
     @property
     def coordinates(self) -> Sequence[str]:
@@ -159,7 +182,6 @@ class Proof(Drawable):
         """As a plain object, in which enclosures are texts `[mid +/- radius]`."""
         return {
             **statement(self),
-            "parameters": {name: str(value) for name, value in self.values.items()},
             "word": self.word or None,
             "stable": self.stable,
             "box": self.box.as_json(COORDINATES),

@@ -7,7 +7,7 @@ value theorem).
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
 
@@ -15,8 +15,9 @@ from flint import acb_mat, arb, ctx
 
 from ..drawable import Drawable
 from ..library.shared_steps import shares_steps
+from ..version import __version__
 from .eigenvalues import contraction
-from .exact import ball_of
+from .exact import Exact, ball_of
 from .given import RunnerLike, gait_of
 from .krawczyk import Inclusion, proved_stride
 from .parameters import Parameters
@@ -35,6 +36,8 @@ class Attraction(Drawable):
 
     proved: bool
     """False is undecided."""
+    values: Mapping[str, Exact] = field(repr=False)
+    """The runner's parameters, exactly, by the unit's names."""
     radius: float = 0.0
     """Every apex no farther from the gait's in any coordinate, in units of the scales, settles on it."""
     rate: float = 1.0
@@ -49,6 +52,8 @@ class Attraction(Drawable):
     """The norm's w, shape (6,)."""
     undecided: str = ""
     """What could not be decided."""
+    version: str = field(default=__version__, repr=False, compare=False)
+    """The version that proved it."""
 
     def __repr__(self) -> str:
         """The sentence, of as much as fits two lines."""
@@ -109,7 +114,9 @@ def prove_attraction(gait: RunnerLike = None) -> Attraction:
     """
     found, values = gait_of(gait)
     if not found.stable:
-        return Attraction(False, undecided="whether the stride contracts: the gait is found to be unstable")
+        return Attraction(
+            False, values, undecided="whether the stride contracts: the gait is found to be unstable"
+        )
     parameters, fine = Parameters(values), Fineness(BITS)
     scales = [float(scale) for scale in found.runner.scales]
     centre = [arb(float(x)) for x in found.apex]
@@ -133,8 +140,8 @@ def prove_attraction(gait: RunnerLike = None) -> Attraction:
             largest, cube = _balls(starts, inside.image, basis, weights, scales)
         if largest > 0.0:
             rows = [[complex(x) for x in row] for row in basis.tolist()]
-            return Attraction(True, cube, _above(rate), radius, largest, rows, weights)
-    return Attraction(False, undecided=problem)
+            return Attraction(True, values, cube, _above(rate), radius, largest, rows, weights)
+    return Attraction(False, values, undecided=problem)
 
 
 def _balls(

@@ -19,6 +19,7 @@ from ..library.gait import Gait
 from ..library.members import FLAGS, VARIED, check_varied
 from ..library.runner import Runner
 from ..library.shared_steps import shares_steps
+from ..version import __version__
 from .exact import Exact, exact_values
 from .forced import Forced
 from .given import MAX_DIGITS, RunnerLike, check_laws, runner_of
@@ -62,6 +63,8 @@ class BorderProof(Drawable):
     """A gait on each side, proved."""
     undecided: Mapping[str, object] = field(default_factory=dict)
     """Where it ended: `guard` and `time`."""
+    version: str = field(default=__version__, repr=False, compare=False)
+    """The version that proved it."""
 
     @property
     def words(self) -> tuple[str, ...]:
@@ -75,8 +78,7 @@ class BorderProof(Drawable):
     def as_json(self) -> dict[str, object]:
         """As a plain object, in which enclosures are texts `[mid +/- radius]`."""
         return {
-            **statement(self),
-            "parameters": {of: str(value) for of, value in self.values.items() if of != self.name},
+            **statement(self, self.name),
             "vary": self.name,
             "value": None if self.value is None else text_of(self.value, self.digits),
             "kind": self.kind or None,

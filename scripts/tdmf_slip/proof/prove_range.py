@@ -10,11 +10,14 @@ from pathlib import Path
 from typing import Any
 
 from ..errors import InputError
+from ..fmu.fmu import load_fmu
 from ..library.gait import Gait
 from ..library.runner import Runner
+from ..record import completed, origin_of
 from ..terminal.progress import progress_bar
-from .exact import Exact
+from .exact import Exact, default_value
 from .given import KNOWN
+from .proof import texts_of
 from .range_proof import RangeProof, Subinterval
 from .range_prover import RangeProver
 from .workers import side_by_side
@@ -24,7 +27,7 @@ PARTS = 256
 NARROWEST_PART = Fraction(1, 500)
 """Of the greater end: of less width none is."""
 NONE = "0"
-"""A parameter's value with which what it is about is not there."""
+"""What an earlier file does not write of a parameter that proofs know."""
 
 
 def prove_subintervals(
@@ -58,7 +61,12 @@ def prove_range(
 ) -> RangeProof:
     """Gaits over a range of a parameter, by subdivision."""
     parts = cut(*ends, parts_of(*ends))
-    head = {"vary": name, "range": [str(end) for end in ends], "parameters": _reported(values, name)}
+    head = {
+        **origin_of(),
+        "vary": name,
+        "range": [str(end) for end in ends],
+        "parameters": texts_of(values, name),
+    }
     done = _done(output, head)
     open_ones = [part for part in parts if part not in done]
     processes = processes or os.cpu_count() or 1
@@ -74,24 +82,13 @@ def prove_range(
     return RangeProof(name, *ends, values, [subinterval for part in parts for subinterval in done[part]])
 
 
-def _reported(values: Mapping[str, Exact], name: str) -> dict[str, str]:
-    """What the proof rests on: a parameter that it does not know of has no part in it, nor one that is 0.
-
-    So a file stays valid as the model gets further laws, as long as they are without effect.
-    """
-    of_proof = {of: str(value) for of, value in values.items() if of in KNOWN and of != name}
-    return {of: value for of, value in of_proof.items() if value != NONE}
-
-
-def _done(
-    output: Path | None, head: Mapping[str, object]
-) -> dict[tuple[Fraction, Fraction], list[Subinterval]]:
+def _done(output: Path | None, head: Mapping[str, Any]) -> dict[tuple[Fraction, Fraction], list[Subinterval]]:
     """Parts that a file has already; a last line that was cut off is none."""
     if output is None or not output.exists():
         return {}
     lines = output.read_text(encoding="utf-8").splitlines()
     rows = [row for line in lines if (row := _row(line)) is not None]
-    if not rows or not _is_of(head, rows[0]):
+    if not rows or not _is_of(head, rows[0], str(output)):
         raise InputError(
             f"{output}: is not of this range and runner; allowed: a new file, or one of the same"
         )
@@ -103,12 +100,22 @@ def _done(
     }
 
 
-def _is_of(head: Mapping[str, object], read: Any) -> bool:
-    """Whether a file is of this range and runner; one that was written before may have zeros, too."""
+def _is_of(head: Mapping[str, Any], read: Any, where: str) -> bool:
+    """Whether a file is of this range and runner; which version proved its parts does not matter.
+
+    A parameter that an earlier file does not have is the unit's own if proofs do not know it, and else 0.
+    """
     if not isinstance(read, dict) or not isinstance(read.get("parameters"), dict):
         return False
-    parameters = {of: value for of, value in read["parameters"].items() if value != NONE}
-    return {**read, "parameters": parameters} == head
+    variables = load_fmu().variables
+    absent = {of: NONE if of in KNOWN else str(default_value(variables[of])) for of in head["parameters"]}
+    parameters = absent | {of: _text(value) for of, value in completed(read["parameters"], where).items()}
+    found = {"model": "full", **read, "version": head["version"], "parameters": parameters}
+    return found == head
+
+
+def _text(value: object) -> str:
+    return value if isinstance(value, str) else json.dumps(value)
 
 
 def _row(line: str) -> Any:
@@ -120,15 +127,19 @@ def _row(line: str) -> Any:
 
 def _write(
     output: Path | None,
-    head: Mapping[str, object],
+    head: Mapping[str, Any],
     part: tuple[Fraction, Fraction],
     subintervals: list[Subinterval],
 ) -> None:
     if output is None:
         return
-    lines = [] if output.exists() else [head]
+    lines: list[object] = [] if output.exists() else [head]
     lines.append(
-        {"part": [str(end) for end in part], "pieces": [subinterval.as_row() for subinterval in subintervals]}
+        {
+            "version": head["version"],
+            "part": [str(end) for end in part],
+            "pieces": [subinterval.as_row() for subinterval in subintervals],
+        }
     )
     with output.open("a", encoding="utf-8") as file:
         file.write("".join(f"{json.dumps(line)}\n" for line in lines))

@@ -7,6 +7,7 @@ from fractions import Fraction
 
 from flint import arb, ctx
 
+from ..version import __version__
 from .exact import Exact, ball_of
 from .proof import decimal, reported, statement
 
@@ -91,6 +92,8 @@ class RangeProof:
     """The runner's other parameters, exactly."""
     subintervals: Sequence[Subinterval] = field(repr=False)
     """In order, without gaps."""
+    version: str = field(default=__version__, repr=False, compare=False)
+    """The version that proved the last of them."""
 
     @property
     def proved(self) -> bool:
@@ -159,7 +162,7 @@ class RangeProof:
     def as_json(self) -> dict[str, object]:
         """As a plain object."""
         return {
-            **statement(self),
+            **statement(self, self.name),
             "vary": self.name,
             "range": [decimal(self.begin), decimal(self.end)],
             "words": list(self.words),

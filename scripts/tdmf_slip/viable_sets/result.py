@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from ..analysis.search import model_of
 from ..contents import ByContents
 from ..drawable import Drawable
 from ..library.gait import Gait
@@ -229,7 +228,7 @@ class Viability(ByContents, Drawable):
         """What there is of it in a few numbers."""
         grid = self.grid
         return {
-            **model_of(self.runner),
+            **self.runner.record(),
             "axes": {axis: [float(edges[0]), float(edges[-1])] for axis, edges in grid.edges.items()},
             "vary": {name: [float(row[0]), float(row[-1]), len(row)] for name, row in grid.actions.items()},
             "cells": list(grid.cells),

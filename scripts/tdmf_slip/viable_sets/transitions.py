@@ -1,6 +1,5 @@
 """Where each action leads from each corner of the cells: strides made by the ensemble engine, in blocks."""
 
-import json
 import math
 from dataclasses import dataclass
 from pathlib import Path
@@ -9,7 +8,6 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from ..analysis.search import model_of
 from ..blocks.running import run_blocks
 from ..contents import ByContents
 from ..errors import InputError
@@ -18,6 +16,7 @@ from ..library.one_stride import next_apices
 from ..library.recorded_strides import CLOSED, STRIDE_FATES
 from ..library.runner import Runner
 from ..library.section import REDUCED
+from ..record import attributes_of
 from ..terminal.progress import progress_bar
 from .grid import Grid, starts_at
 
@@ -139,8 +138,7 @@ def dataset_of(runner: Runner, made: Transitions) -> "xarray.Dataset":
         "flag_values": np.arange(NOT_YET, len(STRIDE_FATES), dtype=np.int8),
         "flag_meanings": " ".join(("not_yet", *STRIDE_FATES)),
     }
-    law = {"runner": json.dumps(dict(runner.values)), "tolerance": TOLERANCE}
-    data.attrs = {**law, **model_of(runner)}
+    data.attrs = {**attributes_of(runner.record()), "tolerance": TOLERANCE}
     return data
 
 

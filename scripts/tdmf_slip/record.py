@@ -1,0 +1,59 @@
+"""What every saved result records: the version that computed it, the model, and all values of its runner.
+
+JSON has them as `version`, `model` and `runner`; a result from which a run can begin has `start_values`
+instead of `runner`, and a proof has its exact `parameters`. A NetCDF file has each value as an attribute.
+"""
+
+import json
+import warnings
+from collections.abc import Mapping
+from typing import Any
+
+from .version import __version__
+
+RUNNERS = ("runner", "start_values")
+"""Entries that hold a runner's values, by the unit's names."""
+NAMES = ("version", "model", *RUNNERS)
+"""Entries of a record."""
+
+EARLIER: Mapping[str, float | bool] = {}
+"""Values that earlier files do not have, and with which their results were computed."""
+
+
+def origin_of(*, reduced: bool = False, version: str = __version__) -> dict[str, str]:
+    """Version and model of a result whose runners are recorded elsewhere in it."""
+    return {"version": version, "model": "reduced" if reduced else "full"}
+
+
+def record_of(values: Mapping[str, float], *, reduced: bool = False) -> dict[str, Any]:
+    """The record of a result of one runner, as a plain object."""
+    return {**origin_of(reduced=reduced), "runner": dict(values)}
+
+
+def attributes_of(record: Mapping[str, Any]) -> dict[str, float | int | str]:
+    """The record in a plain object as attributes of a NetCDF file, which has no booleans."""
+    entries = {name: record[name] for name in ("version", "model") if name in record}
+    for name in RUNNERS:
+        entries |= record.get(name, {})
+    return {name: int(value) if isinstance(value, bool) else value for name, value in entries.items()}
+
+
+def completed(values: Mapping[str, Any], where: str) -> dict[str, Any]:
+    """The values of a runner on file, with those that earlier files do not have; a warning says which."""
+    missing = {name: value for name, value in EARLIER.items() if name not in values}
+    if missing:
+        read_as = ", ".join(f"{name} = {json.dumps(value)}" for name, value in missing.items())
+        warnings.warn(f"{where}: does not record {', '.join(missing)}; read as with {read_as}", stacklevel=2)
+    return {**values, **missing}
+
+
+def completed_attributes(attributes: Mapping[str, Any], where: str) -> dict[str, Any]:
+    """The attributes of a NetCDF file, with those that earlier files do not have."""
+    own = dict(attributes)
+    of_runner = completed(json.loads(own.pop("runner", "{}")) | own, where)  # once it was a text
+    return {**origin_of(), **attributes_of({"runner": of_runner})}
+
+
+def without_record(plain: Mapping[str, Any]) -> dict[str, Any]:
+    """A plain object without its record."""
+    return {name: value for name, value in plain.items() if name not in NAMES}
