@@ -16,7 +16,7 @@ RUNNERS = ("runner", "start_values")
 NAMES = ("version", "model", *RUNNERS)
 """Entries of a record."""
 
-EARLIER: Mapping[str, float | bool] = {}
+EARLIER: Mapping[str, float | bool] = {"hip.swing_clamp": True}
 """Values that earlier files do not have, and with which their results were computed."""
 
 

@@ -192,10 +192,10 @@ class Fmu:
         return {**own, **given}
 
     def start_of(self, name: str) -> float:
-        """The start value that the unit itself gives to a number."""
+        """The start value that the unit itself gives to a number or a Boolean."""
         start = self.variables[name].start
         assert start is not None, name
-        return float(start)
+        return start
 
     def names(self, causality: str) -> list[str]:
         """Names of all numeric variables of a causality, in the unit's order."""

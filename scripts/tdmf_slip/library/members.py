@@ -59,6 +59,8 @@ VARIED = tuple(member.name for member in (*PARAMETERS, *INPUTS) if not member.is
 """Numbers among parameters and inputs: what a runner's motion may be followed along."""
 FLAGS = tuple(member.name for member in PARAMETERS if member.is_flag)
 """Booleans among the parameters: 0 or 1."""
+MOVING = (*VARIED, *FLAGS)
+"""All parameters and inputs: what a runner's motion depends on, beside its start."""
 
 
 def check_varied(name: object, what: str) -> None:

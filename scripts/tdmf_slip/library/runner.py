@@ -99,7 +99,7 @@ class Runner(ByContents):
             fmu = load_fmu(fmu)
             checked = fmu.start_values(by_name, "start values")
             names = [n for n, v in fmu.variables.items() if v.settable and (v.type == "Real" or n in FLAGS)]
-            runner = cls({name: float(checked.get(name, fmu.start_of(name))) for name in names})
+            runner = cls({name: checked.get(name, fmu.start_of(name)) for name in names})
             paper_units.warn_of_mixture(runner.values, fmu)
         return runner if model is None else replace(runner, reduced=is_reduced(model))
 
@@ -127,11 +127,11 @@ class Runner(ByContents):
         if not is_one_of(name, self.values):
             near = near_matches(name, (*self.values, *ALIASES))
             raise InputError(f"{shown(name)} is not a name in the runner's values{near}")
-        if isinstance(value, str):
-            value = float(load_fmu().variables[name].value_of(value, "runner"))
+        if name in FLAGS or isinstance(value, str):
+            value = load_fmu().variables[name].value_of(value, "runner")
         if not is_number(value):
             raise InputError(f"{name} = {shown(value)} is not allowed; allowed: a number")
-        return replace(self, values={**self.values, name: float(value)})
+        return replace(self, values={**self.values, name: value if name in FLAGS else float(value)})
 
     def record(self, *varied: str) -> dict[str, Any]:
         """What a saved result says of its runner.

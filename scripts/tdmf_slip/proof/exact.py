@@ -40,6 +40,14 @@ class Exact:
         return f"{numerator}pi{denominator}"
 
 
+class Flag(Exact):
+    """Whether something holds: 1 or 0, written as a word."""
+
+    def __str__(self) -> str:
+        """As files and messages have it."""
+        return "true" if self.rational else "false"
+
+
 def ball_of(value: Fraction) -> arb:
     """A rational number, enclosed to the working precision."""
     return arb(fmpq(value.numerator, value.denominator))
@@ -47,6 +55,8 @@ def ball_of(value: Fraction) -> arb:
 
 def exact_value(variable: Variable, given: object, where: str) -> Exact:
     """The number that is meant by a value as it is given."""
+    if variable.type == "Boolean":
+        return Flag(Fraction(variable.value_of(given, where)))  # type: ignore[arg-type] # it checks the kind
     if not isinstance(given, str):
         if isinstance(given, bool) or not isinstance(given, Rational | float | np.floating):
             raise InputError(
@@ -78,6 +88,8 @@ def _split(text: str) -> tuple[str, str]:
 def default_value(variable: Variable) -> Exact:
     """The unit's own start value as it is meant: the decimal, and an angle of whole degrees by pi."""
     assert variable.start is not None, variable.name
+    if variable.type == "Boolean":
+        return Flag(Fraction(variable.start))
     start = float(variable.start)
     degrees = round(math.degrees(start))
     if variable.unit == "rad" and degrees and math.isclose(math.radians(degrees), start, rel_tol=1e-15):
@@ -90,8 +102,8 @@ def exact_values(fmu: Fmu, values: Mapping[str, float], given: Mapping[str, obje
     found = {}
     for name, value in values.items():
         variable = fmu.variables[name]
-        if name in given:
-            found[name] = exact_value(variable, given[name], "start values")
+        if name in given or variable.type == "Boolean":
+            found[name] = exact_value(variable, given.get(name, value), "start values")
         elif variable.start is not None and value == float(variable.start):
             found[name] = default_value(variable)
         else:

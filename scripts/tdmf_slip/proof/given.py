@@ -9,7 +9,7 @@ from ..errors import InputError
 from ..fmu import parameters
 from ..fmu.fmu import load_fmu
 from ..library.gait import Gait
-from ..library.members import FLAGS, VARIED
+from ..library.members import MOVING
 from ..library.runner import Runner
 from .exact import Exact, exact_values
 
@@ -22,7 +22,7 @@ KNOWN = frozenset(
         *("ground.friction", "ground.static_friction_ratio", "ground.stribeck_velocity"),
         *("ground.slope", "ground.height"),
         *("hip.stance_torque", "hip.touchdown_angle", "hip.kp", "hip.kd", "hip.liftoff_angle_factor"),
-        *("hip.retraction_rate", "hip.external_torque"),
+        *("hip.retraction_rate", "hip.swing_clamp", "hip.external_torque"),
         *("control.touchdown_angle", "control.stance_torque", "control.thrust"),
     }
 )
@@ -46,8 +46,8 @@ def gait_of(gait: RunnerLike) -> tuple[Gait, dict[str, Exact]]:
         raise InputError(
             f"a gait of {found.strides} strides is not proved; allowed: one that repeats each stride"
         )
-    own = {name: found.runner.values[name] for name in VARIED}
-    check_laws({**own, **{name: found.runner.values[name] for name in FLAGS}})
+    own = {name: found.runner.values[name] for name in MOVING}
+    check_laws(own)
     return found, exact_values(load_fmu(), own, {name: value for name, value in given.items() if name in own})
 
 

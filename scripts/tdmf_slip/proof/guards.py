@@ -124,7 +124,7 @@ def watched(runner: Any, mode: Mode) -> tuple[str, ...]:
         names += ["touchdown"] if mode.contact == "flight" else ["load", "flight"]
         if mode.rises:
             names.append("apex")
-        if not mode.places and runner.has_servo:
+        if not mode.places and runner.has_clamp:
             names.append("clamp")
     if mode.drives and mode.contact != "flight":
         names.append("mid-stance")

@@ -24,7 +24,7 @@ class Mode:
     drives: bool = False
     """The stance began with the foot ahead and the leg has not been upright yet."""
     clamped: bool = False
-    """Off the ground, in retract: the servo would pull, and the clamp holds the torque at 0."""
+    """Off the ground, in retract, with `hip.swing_clamp`: the servo would pull, and the torque is 0."""
     rises: bool = False
     """Off the ground: an apex is to come."""
     thrusts: bool = False

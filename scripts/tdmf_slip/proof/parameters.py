@@ -41,6 +41,7 @@ def _record(of: Mapping[str, Number], exact: Mapping[str, Exact], varied: str | 
     def matters(name: str, none: int = 0) -> bool:
         return name == varied or exact[name] != Exact(Fraction(none))
 
+    has_servo = matters("hip.kp") or matters("hip.kd")
     slope = of["ground.slope"]
     line = Record(height=of["ground.height"], slope=slope, sine=slope.sin(), cosine=slope.cos())
     masses = derived(of["body.mass"], of["foot.mass"])
@@ -73,7 +74,8 @@ def _record(of: Mapping[str, Number], exact: Mapping[str, Exact], varied: str | 
         friction_falls=matters("ground.stribeck_velocity"),
         is_stickier=matters("ground.static_friction_ratio", 1),
         retracts=matters("hip.retraction_rate"),
-        has_servo=matters("hip.kp") or matters("hip.kd"),
+        has_servo=has_servo,
+        has_clamp=has_servo and exact["hip.swing_clamp"].rational != 0,
         varied=varied is not None,
         longest_step=min(
             LONGEST_STEP * time, MAX_LEG_ROTATION / (swing + float(damping * inverse_reduced_mass))

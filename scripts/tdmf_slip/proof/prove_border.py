@@ -16,7 +16,7 @@ from ..drawable import Drawable
 from ..fmu.fmu import FRICTION, load_fmu
 from ..fmu.names import full_name
 from ..library.gait import Gait
-from ..library.members import FLAGS, VARIED, check_varied
+from ..library.members import MOVING, check_varied
 from ..library.runner import Runner
 from ..library.shared_steps import shares_steps
 from ..version import __version__
@@ -176,8 +176,8 @@ class _BorderProver:
         self.runner, self.given = runner_of(runner)
         self.name, self.value, self.digits = name, value, digits
         self.with_sides = sides
-        own = {of: self.runner.values[of] for of in VARIED}
-        check_laws(own | {of: self.runner.values[of] for of in FLAGS})
+        own = {of: self.runner.values[of] for of in MOVING}
+        check_laws(own)
         reported_exactly = {of: value for of, value in self.given.items() if of in own and of != name}
         self.values = exact_values(load_fmu(), own, reported_exactly)
         self.parameters = Parameters(self.values, name)

@@ -190,13 +190,13 @@ class Transition:
         )
 
     def _off(self, places: bool, latched: Number) -> Mode:
-        """The hip off the ground, its clamp as the servo has it; sets what the servo knows."""
+        """The hip off the ground, a clamp as the servo has it; sets what the servo knows."""
         at = self.at
         at.latched_angle = latched
         if not (self.mode.places and places and hasattr(at, "clock")):
             at.clock = arb(0)
         mode = replace(self.mode, contact="graze", sign=0, places=places, clamped=False, rises=not places)
-        if places or not self.runner.has_servo:
+        if places or not self.runner.has_clamp:
             return mode
         return replace(mode, clamped=not positive(servo(self.runner, mode, at), "the clamp"))
 
