@@ -27,6 +27,10 @@ class GaitNotFoundError(RunError):
     """No periodic gait was found; the message says what happened on the way."""
 
 
+class Note(UserWarning):
+    """Something to know about a result that is there all the same."""
+
+
 class StoppedError(KeyboardInterrupt):
     """An interrupt from the keyboard ended a run of many: what was complete is kept."""
 

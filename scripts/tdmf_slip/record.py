@@ -9,6 +9,7 @@ import warnings
 from collections.abc import Mapping
 from typing import Any
 
+from .errors import Note
 from .version import __version__
 
 RUNNERS = ("runner", "start_values")
@@ -43,7 +44,9 @@ def completed(values: Mapping[str, Any], where: str) -> dict[str, Any]:
     missing = {name: value for name, value in EARLIER.items() if name not in values}
     if missing:
         read_as = ", ".join(f"{name} = {json.dumps(value)}" for name, value in missing.items())
-        warnings.warn(f"{where}: does not record {', '.join(missing)}; read as with {read_as}", stacklevel=2)
+        warnings.warn(
+            f"{where}: does not record {', '.join(missing)}; read as with {read_as}", Note, stacklevel=2
+        )
     return {**values, **missing}
 
 

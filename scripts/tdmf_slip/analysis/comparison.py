@@ -19,7 +19,7 @@ from ..fmu.parameters import RunnerLike
 from ..fmu.variable import Given
 from ..given import row_of
 from ..library.gait import Gait
-from ..library.members import VARIED, check_varied
+from ..library.members import MOVING, check_varied
 from ..library.quantities import check_quantities, known_quantities, quantities_of, unit_of
 from ..library.runner import Runner
 from ..library.shared_steps import shares_steps
@@ -296,5 +296,5 @@ def _lacking(gait: Gait, goal: Mapping[str, float], number: int) -> list[NotHeld
 def _telling(gaits: Sequence[Gait], vary: Sequence[str]) -> tuple[str, ...]:
     """Parameters and inputs that are varied, or of which the runners have different values."""
     return tuple(
-        name for name in VARIED if name in vary or len({gait.runner.values[name] for gait in gaits}) > 1
+        name for name in MOVING if name in vary or len({gait.runner.values[name] for gait in gaits}) > 1
     )

@@ -7,6 +7,7 @@ from typing import Any
 
 from ..errors import InputError, reason
 from ..fmu.parameters import loads_json, parsed
+from ..record import completed
 
 GAIT = "what `tdmf-slip gait --json` prints"
 
@@ -24,4 +25,4 @@ def read_gait(name: str) -> dict[str, Any]:
     starts = content.get("start_values")
     if not isinstance(starts, Mapping):
         raise InputError(f"gait of {where}: has no start_values; allowed: {GAIT}")
-    return dict(starts)
+    return completed(starts, f"gait of {where}")

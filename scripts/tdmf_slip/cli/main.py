@@ -16,8 +16,7 @@ from typing import TextIO
 import click
 
 from ..checks import near_matches, shown
-from ..errors import TdmfSlipError
-from ..fmu.paper_units import MixedUnitsWarning
+from ..errors import Note, TdmfSlipError
 from ..terminal import encoding, interrupts
 
 COMMANDS = (
@@ -103,7 +102,7 @@ def main(arguments: list[str] | None = None) -> int:
     encoding.prints_anything()
     try:
         with warnings.catch_warnings():
-            warnings.simplefilter("always", MixedUnitsWarning)
+            warnings.simplefilter("always", Note)
             warnings.showwarning = _show_warning
             status = commands.main(args=arguments, prog_name="tdmf-slip", standalone_mode=False) or 0
         sys.stdout.flush()
@@ -143,7 +142,7 @@ def _show_warning(
     line: str | None = None,
 ) -> None:
     """On stderr in a line, without the place in the code, which helps nobody at a terminal."""
-    if issubclass(category, MixedUnitsWarning):
+    if issubclass(category, Note):
         _complain(f"warning: {message}", 0)
 
 

@@ -1,12 +1,14 @@
 """The runner whose gait a command is asked for."""
 
+import warnings
 from collections.abc import Mapping
 
-from ..errors import InputError
+from ..errors import InputError, Note
 from ..fmu.fmu import Fmu
 from ..fmu.variable import Given
-from ..library.members import STATES, VARIED
+from ..library.members import MOVING, STATES
 from ..library.runner import Runner
+from ..library.settings import OF_FLIGHT
 from .options import file_values, start_values
 
 
@@ -16,9 +18,13 @@ def runner_of(
     """The runner of the options."""
     starts = start_values(fmu, file_values(fmu, parameters), given)
     for name, (option, _) in given.items():
-        if name not in (*VARIED, *STATES):
+        if name not in (*MOVING, *STATES):
             raise InputError(
                 f"{option} {name}: has no meaning for gaits, which the library finds without the unit; "
                 f"allowed: parameters and inputs of the model, and its state"
             )
-    return Runner.of(starts, fmu, model=model)
+    runner = Runner.of(starts, fmu, model=model)
+    for name, (option, _) in given.items():
+        if runner.reduced and name in OF_FLIGHT:
+            warnings.warn(f"{option} {name}: does not act in the reduced map", Note, stacklevel=2)
+    return runner

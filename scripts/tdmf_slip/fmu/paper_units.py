@@ -9,6 +9,7 @@ import warnings
 from collections.abc import Mapping
 from typing import Any
 
+from ..errors import Note
 from .dimensions import DIMENSIONS, paper_unit, scale
 from .fmu import Fmu
 
@@ -16,7 +17,7 @@ SCALES = ("body.mass", "leg.stiffness", "leg.free_length")
 """Mass, stiffness and length that all other quantities of a runner are measured by."""
 
 
-class MixedUnitsWarning(UserWarning):
+class MixedUnitsWarning(Note):
     """Some of a runner's values seem to be in SI units, others are still the paper's."""
 
 

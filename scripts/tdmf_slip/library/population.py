@@ -16,7 +16,7 @@ from ..fmu.names import by_full_name
 from .affine_law import AffineLaw
 from .binding import c, ffi
 from .maps import PATCH, refuse_patch
-from .members import INPUTS, PARAMETERS, VARIED
+from .members import FLAGS, INPUTS, MOVING, PARAMETERS
 from .rough_ground import RoughGround
 from .runner import Runner, text_of
 from .settings import checked_values
@@ -46,12 +46,16 @@ class Population(ByContents):
         varied: dict[str, NDArray[np.float64]] = {}
         for name, row in rows.items():
             load_fmu(fmu).find(name, "runner")
-            if name not in VARIED:
+            if name not in MOVING:
                 raise InputError(
                     f"runner: {name} of shape {np.shape(row)}; allowed in an array: a parameter or input "
                     "of the model"
                 )
-            varied[name] = checked_values(name, numbers(f"runner: {name}", row, 1), "runner", {"runner": 0})
+            varied[name] = numbers(f"runner: {name}", row, 1)
+            if name in FLAGS:
+                _check_flags(name, varied[name])
+            else:
+                checked_values(name, varied[name], "runner", {"runner": 0})
             if len(varied[name]) != len(next(iter(varied.values()))):
                 first = next(iter(varied))
                 raise InputError(
@@ -103,6 +107,15 @@ class Population(ByContents):
         )
         longest = np.argmax(end - begin)
         refuse_patch(dict(zip(PATCH, (begin[longest], end[longest]), strict=True)))
+
+
+def _check_flags(name: str, values: NDArray[np.float64]) -> None:
+    """Refuse values of a Boolean that are neither 0 nor 1."""
+    other = np.flatnonzero((values != 0.0) & (values != 1.0))
+    if other.size:
+        raise InputError(
+            f"runner: runner {other[0]}: {name} = {values[other[0]]:g} is not allowed; allowed: true or false"
+        )
 
 
 def numbers(what: str, given: object, dimensions: int) -> NDArray[np.float64]:

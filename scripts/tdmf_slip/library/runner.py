@@ -21,7 +21,7 @@ from ..fmu.variable import Given
 from ..given import mapping_of
 from ..record import completed, record_of
 from .binding import c, ffi
-from .members import FLAGS, INPUTS, PARAMETERS, STATES, VARIED
+from .members import FLAGS, INPUTS, MOVING, PARAMETERS, STATES
 from .section import COORDINATES, REDUCED, Apex, checked_apex, is_reduced
 from .shared_steps import search_under_way
 from .structs import Center, EventLog, Model, Refusal, Solver, Struct
@@ -49,7 +49,7 @@ class Runner(ByContents):
         """Refuse values that are not all there."""
         values = mapping_of(self.values, "values", "numbers by the unit's names")
         object.__setattr__(self, "values", completed(values, "values of a runner"))
-        missing = next((name for name in (*VARIED, *FLAGS, *STATES) if name not in self.values), None)
+        missing = next((name for name in (*MOVING, *STATES) if name not in self.values), None)
         if missing is not None:
             raise InputError(f"values: {missing} is missing; allowed: all of them, as Runner.of gives them")
 

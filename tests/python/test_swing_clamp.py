@@ -1,0 +1,272 @@
+"""The two readings of (12), with the clamp max{..., 0} and without it, from Python and the command."""
+
+import json
+import pathlib
+import pickle
+
+import numpy as np
+import pytest
+import tdmf_slip
+import xarray
+from conftest import long, some_of
+from scipy_strides import Stride
+from tdmf_slip import InputError, Runner, find_gait, stride_map, sweep
+from tdmf_slip.errors import Note
+from tdmf_slip.library.ensemble import Case, run_ensemble
+
+CLAMP = "hip.swing_clamp"
+REFERENCE = json.loads(pathlib.Path(__file__).with_name("free_swing.json").read_text(encoding="utf-8"))
+"""Of runners without the clamp, by two independent programs."""
+FRICTIONS = (10.0, 1.2, 0.6, 0.43, 0.2)
+FREE = {gait["friction"]: gait for gait in REFERENCE["gaits"]}
+EXACT = {10.0: "10", 1.2: "1.2", 0.6: "0.6", 0.43: "0.43", 0.2: "0.2"}
+NOT_RECORDED = rf"does not record {CLAMP}; read as with {CLAMP} = true"
+
+
+@pytest.mark.parametrize("friction", FREE)
+def test_gaits_without_the_clamp_are_those_of_the_reference(friction):
+    reference = FREE[friction]
+    gait = find_gait({"ground.friction": friction, CLAMP: False})
+    assert gait.word == reference["word"] and gait.stable
+    assert np.abs(gait.apex - reference["apex"]).max() < 3e-11
+    for name in ("period", "length", "speed", "work", "cost_of_transport", "positive_work"):
+        assert gait.stride[name] == pytest.approx(reference[name], abs=3e-11), name
+    assert gait.liftoff_angle == pytest.approx(reference["liftoff_angle"], abs=3e-11)
+    assert np.abs(gait.jacobian - reference["jacobian"]).max() < 1e-8
+    lasting = gait.eigenvalues[:3] - np.array(reference["eigenvalues"])[:3]  # the others are rounded to 0
+    assert np.abs(lasting).max() < 1e-8
+
+
+def test_the_leg_waits_at_the_angle_that_the_paper_says():
+    """Figure 5(b): it converges to eta theta_LO; with the clamp it swings freely forward."""
+    free, clamped = (find_gait({"ground.friction": 10.0, CLAMP: clamp}) for clamp in (False, True))
+    assert np.degrees(free.apex[3]) == pytest.approx(np.degrees(1.2 * free.liftoff_angle), abs=0.05)
+    assert np.degrees(clamped.apex[3]) == pytest.approx(53.08, abs=0.01)
+
+
+@pytest.mark.parametrize("clamp", [False, True])
+@pytest.mark.parametrize("friction", FRICTIONS)
+def test_a_stride_is_that_of_scipy_for_two_point_masses(friction, clamp):
+    gait = find_gait({"ground.friction": friction, CLAMP: clamp})
+    start = gait.apex + np.array([0.01, 0.01, 0.0, 0.02, 0.01, -0.02])
+    other = Stride(friction, clamp).run(start)
+    found = stride_map(gait.runner, start)
+    assert other["word"] == found["word"].item()
+    assert np.abs(other["apex"] - found["next_apex"][0, 0]).max() < 1e-8
+    for name in ("period", "length", "work"):
+        assert other[name] == pytest.approx(found[name].item(), abs=1e-8), name
+
+
+def test_borders_without_the_clamp_are_those_of_the_reference():
+    found = sweep({CLAMP: False}, {"ground.friction": [9.0, 1.0, 0.6, 0.43, 0.2]}).borders
+    assert [(border.before, border.after) for border in found] == [
+        (border["from"], border["to"]) for border in REFERENCE["borders"]
+    ]
+    values = [border["friction"] for border in REFERENCE["borders"]]
+    assert [border.value for border in found] == pytest.approx(values, abs=1e-9)
+
+
+@pytest.mark.parametrize("number", range(0, len(REFERENCE["strides"]), 4))
+def test_strides_of_random_runners_are_those_of_the_reference(number):
+    reference = REFERENCE["strides"][number]
+    found = stride_map({**reference["given"], CLAMP: False}, reference["apex"], tolerance=1e-12)
+    assert found["word"].item() == reference["word"]
+    assert np.abs(found["next_apex"][0, 0] - reference["end"]).max() < 1e-9
+    for name in ("period", "length", "work", "touchdowns"):
+        assert found[name].item() == pytest.approx(reference[name], abs=1e-8), name
+
+
+# ---- proofs ------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("friction", some_of(FRICTIONS, 1))
+def test_gaits_without_the_clamp_are_proved(friction):
+    pytest.importorskip("flint")
+    reference = FREE[friction]
+    proof = tdmf_slip.prove({"ground.friction": EXACT[friction], CLAMP: "false"}, digits=10)
+    assert proof.proved and proof.stable and proof.word == reference["word"]
+    assert f"{CLAMP} = false" in proof.sentence and "clamp" not in dict(proof.events)
+    assert proof.as_json()["parameters"][CLAMP] == "false"
+    for ball, value in zip(proof.apex, reference["apex"], strict=True):
+        assert abs(float(ball) - value) < 1e-11
+    for name in ("period", "length", "work", "speed", "cost_of_transport", "liftoff_angle", "stance_time"):
+        assert abs(float(proof.quantities[name]) - reference[name]) < 1e-11, name
+    times = [float(time) for _, time in proof.events]
+    assert times == pytest.approx([time for _, time in reference["events"]], abs=1e-11)
+
+
+@pytest.mark.parametrize("border", some_of(REFERENCE["borders"], 1), ids=lambda border: border["to"])
+def test_borders_without_the_clamp_are_proved(border):
+    pytest.importorskip("flint")
+    proof = tdmf_slip.prove_border(border["friction"], {CLAMP: False}, sides=False)
+    assert proof.proved, proof.sentence
+    assert abs(float(proof.value) - border["friction"]) < 1e-10
+    assert proof.word_continued in (border["from"], border["to"])
+
+
+@long
+@pytest.mark.parametrize("friction", FRICTIONS)
+def test_what_gaits_without_the_clamp_attract_is_proved(friction):
+    pytest.importorskip("flint")
+    found = tdmf_slip.prove_attraction({"ground.friction": EXACT[friction], CLAMP: False})
+    assert found.proved and found.radius > 1e-9
+    assert found.as_json()["parameters"][CLAMP] == "false"
+
+
+# ---- where it is set ---------------------------------------------------------------------------------------
+
+
+def test_files_options_and_mappings_set_it(command, tmp_path):
+    toml, table = tmp_path / "free.toml", tmp_path / "free.json"
+    toml.write_text("[hip]\nswing_clamp = false\n", encoding="utf-8")
+    table.write_text(json.dumps({CLAMP: False}), encoding="utf-8")
+    expected = FREE[0.6]["speed"]
+    for given in (["--parameters", toml], ["--parameters", table], ["--set", f"{CLAMP}=false"]):
+        status, out, err = command("gait", "--json", *given)
+        assert status == 0, err
+        plain = json.loads(out)
+        assert plain["speed"] == pytest.approx(expected, abs=1e-11) and plain["start_values"][CLAMP] is False
+    free = find_gait(Runner.of("human").but(CLAMP, False))
+    assert free.speed != pytest.approx(find_gait("human").speed, rel=1e-4)
+    assert find_gait(free.runner.but(CLAMP, True)).apex == pytest.approx(find_gait("human").apex, abs=1e-9)
+
+
+@pytest.mark.parametrize("interface", ["me", "cs"])
+def test_the_unit_runs_without_the_clamp(command, tmp_path, interface):
+    """From the gait that the command wrote, and with the option."""
+    reference, file, rows = FREE[0.6], tmp_path / "gait.json", tmp_path / "run.nc"
+    file.write_text(command("gait", "--set", f"{CLAMP}=0", "--json")[1], encoding="utf-8")
+    tight = ("--tolerance", 1e-12) if interface == "me" else ("--set", "solver.relative_tolerance=1e-12")
+    given = ("simulate", "--interface", interface, "--strides", 1, "--json", "--output", rows, *tight)
+    for options in (("--from-gait", file), ("--from-gait", file, "--set", f"{CLAMP}=false")):
+        status, out, err = command(*given, *options)
+        assert status == 0 and "does not record" not in err, err
+        run = json.loads(out)
+        assert run["stride"]["word"] == reference["word"] and run["start_values"][CLAMP] is False
+        assert run["stride"]["speed"] == pytest.approx(reference["speed"], abs=1e-8)
+        assert xarray.load_dataset(rows).attrs[CLAMP] == 0
+
+
+def test_runners_of_both_readings_run_in_one_ensemble():
+    clamps, friction = [True, False, False, True], [0.6, 0.6, 0.2, 0.2]
+    runners = [Runner.of({"ground.friction": mu, CLAMP: of}) for mu, of in zip(friction, clamps, strict=True)]
+    apices = np.array([find_gait(runner).apex for runner in runners]) + 0.01
+    found = stride_map({"ground.friction": friction, CLAMP: clamps}, apices, strides=3)
+    for number, runner in enumerate(runners):
+        alone = stride_map(runner, apices[number], strides=3)
+        np.testing.assert_allclose(found["next_apex"][number], alone["next_apex"][0], atol=1e-12)
+        assert (found["word"][number] == alone["word"][0]).all()
+    assert found[CLAMP].tolist() == clamps and CLAMP not in found.attributes
+    ends, _ = run_ensemble([Case(runner) for runner in runners], apices, np.arange(4), max_strides=3)
+    np.testing.assert_allclose(ends["apex"], found["next_apex"][:, -1], atol=1e-7)
+
+
+def test_what_is_neither_true_nor_false_is_refused(command):
+    for value in ("2", "maybe", "nan", "''"):
+        status, out, err = command("gait", "--set", f"{CLAMP}={value}")
+        assert status == 2 and not out and "allowed: true or false" in err
+    with pytest.raises(InputError, match=f"runner 1: {CLAMP} = 0.5 is not allowed; allowed: true or false"):
+        stride_map({CLAMP: [1.0, 0.5]}, Runner.of().apex())
+    with pytest.raises(InputError, match=f"{CLAMP} = 0.5 is not allowed; allowed: true or false"):
+        Runner.of().but(CLAMP, 0.5)
+    for command_line in (("sweep", "--vary", f"{CLAMP}=0:1:2"), ("continue", "--vary", f"{CLAMP}=0:1")):
+        status, out, err = command(*command_line)
+        assert status == 2 and not out and CLAMP in err and "allowed: " in err
+
+
+def test_the_reduced_map_does_not_depend_on_it_and_says_so(command):
+    gaits = [find_gait({CLAMP: clamp}, model="reduced") for clamp in (True, False)]
+    assert np.array_equal(gaits[0].apex, gaits[1].apex)
+    status, out, err = command("gait", "--model", "reduced", "--set", f"{CLAMP}=false", "--json")
+    assert status == 0 and json.loads(out)["model"] == "reduced"
+    assert err == f"tdmf-slip: warning: --set {CLAMP}: does not act in the reduced map\n"
+
+
+def test_a_comparison_tells_runners_apart_by_it():
+    found = tdmf_slip.compare([{CLAMP: True}, {CLAMP: False}], hold=["speed"], vary=["hip.stance_torque"])
+    assert [matched.parameters[CLAMP] for matched in found.runners] == [True, False]
+    assert found.gaits[1].speed == pytest.approx(found.gaits[0].speed, rel=1e-8) and CLAMP in found.table()
+
+
+# ---- files of before it was there --------------------------------------------------------------------------
+
+
+def test_a_gait_on_file_without_it_has_the_clamp(command, tmp_path):
+    plain = json.loads(command("gait", "--set", f"{CLAMP}=true", "--json")[1])
+    del plain["start_values"][CLAMP], plain["version"], plain["model"]
+    file = tmp_path / "gait.json"
+    file.write_text(json.dumps(plain), encoding="utf-8")
+    status, out, err = command("simulate", "--from-gait", file, "--strides", 1, "--json")
+    assert status == 0 and json.loads(out)["start_values"][CLAMP] is True
+    assert f"tdmf-slip: gait of {file}: does not record {CLAMP}; read as with {CLAMP} = true\n" in err
+
+
+def made_in(folder, clamp):
+    """Three results on file, made or gone on with."""
+    runner = Runner.of({CLAMP: clamp})
+    grid = sweep(runner, {"ground.friction": [0.6], "leg.damping": [0.2]}, path=folder / "grid.nc", threads=1)
+    axes = {"com_height": (1.3, 1.5), "com_speed": (1.0, 1.1)}
+    basin = tdmf_slip.basin(runner, axes, n=2, path=folder / "basin.nc", threads=1)
+    viable = tdmf_slip.viability(
+        runner,
+        axes={"com_height": (1.2, 1.8), "com_speed": (0.5, 1.2)},
+        vary={"hip.touchdown_angle": (0.6, 0.7, 2)},
+        n=2,
+        path=folder / "viable.nc",
+        threads=1,
+    )
+    return grid, basin, viable
+
+
+def test_datasets_on_file_without_it_have_the_clamp(tmp_path):
+    before = made_in(tmp_path, True)
+    for name in ("grid.nc", "basin.nc", "viable.nc"):
+        data = xarray.load_dataset(tmp_path / name)
+        assert data.attrs[CLAMP] == 1
+        for recorded in (CLAMP, "version", "model"):
+            del data.attrs[recorded]
+        if name == "viable.nc":  # its runner was a text
+            data.attrs["runner"] = json.dumps(
+                {of: data.attrs.pop(of) for of in Runner.of().values if of != CLAMP}
+            )
+            data.attrs["model"] = "reduced"
+        data.to_netcdf(tmp_path / name)
+    with pytest.warns(Note, match=NOT_RECORDED) as notes:
+        after = made_in(tmp_path, True)
+    assert len(notes) == 3 and after == before
+    with pytest.warns(Note), pytest.raises(InputError, match=f"holds another sweep, with another {CLAMP}"):
+        made_in(tmp_path, False)
+
+
+def test_a_proof_on_file_without_it_has_the_clamp(tmp_path):
+    pytest.importorskip("flint")
+    file, vary = tmp_path / "proof.jsonl", {"ground.friction": ("10", "10.0001")}
+    proof = tdmf_slip.prove({CLAMP: True}, vary=vary, output=file, processes=1)
+    head, *parts = [json.loads(line) for line in file.read_text(encoding="utf-8").splitlines()]
+    assert head["parameters"].pop(CLAMP) == "true" and head.pop("version") == parts[0]["version"]
+    file.write_text("".join(f"{json.dumps(line)}\n" for line in (head, *parts)), encoding="utf-8")
+    with pytest.warns(Note, match=NOT_RECORDED):
+        again = tdmf_slip.prove({CLAMP: True}, vary=vary, output=file, processes=1)
+    assert again.subintervals == proof.subintervals
+    with pytest.warns(Note), pytest.raises(InputError, match="not of this range and runner"):
+        tdmf_slip.prove({CLAMP: False}, vary=vary, output=file, processes=1)
+
+
+def test_a_pickle_without_it_has_the_clamp():
+    """Such a pickle calls the class with values, tolerance and whether the map is reduced."""
+    runner = Runner.of({CLAMP: True, "ground.friction": 0.3})
+    values = {name: value for name, value in runner.values.items() if name != CLAMP}
+    earlier = pickle.dumps(_Earlier((values, runner.tolerance, runner.reduced)))
+    with pytest.warns(Note, match=NOT_RECORDED):
+        assert pickle.loads(earlier) == runner
+    assert pickle.loads(pickle.dumps(runner.but(CLAMP, False))).values[CLAMP] is False
+
+
+class _Earlier:
+    """Pickled as runners were."""
+
+    def __init__(self, arguments):
+        self.arguments = arguments
+
+    def __reduce__(self):
+        return Runner, self.arguments
