@@ -84,6 +84,7 @@ def described(variable):
     return {
         "name": variable.name,
         "unit": variable.unit or "",
+        "isFlag": variable.type == "Boolean",
         "description": variable.element.get("description"),
         "causality": variable.causality,
         "variability": variable.variability,

@@ -39,22 +39,26 @@ def attributes_of(record: Mapping[str, Any]) -> dict[str, float | int | str]:
     return {name: int(value) if isinstance(value, bool) else value for name, value in entries.items()}
 
 
-def completed(values: Mapping[str, Any], where: str) -> dict[str, Any]:
-    """The values of a runner on file, with those that earlier files do not have; a warning says which."""
+def completed(values: Mapping[str, Any]) -> dict[str, Any]:
+    """The values of a runner on file, with those that earlier files do not have."""
+    return {**EARLIER, **values}
+
+
+def note_missing(values: Mapping[str, Any], where: str) -> None:
+    """Warn of values that an earlier file does not have, and say with which it is read."""
     missing = {name: value for name, value in EARLIER.items() if name not in values}
     if missing:
         read_as = ", ".join(f"{name} = {json.dumps(value)}" for name, value in missing.items())
         warnings.warn(
             f"{where}: does not record {', '.join(missing)}; read as with {read_as}", Note, stacklevel=2
         )
-    return {**values, **missing}
 
 
-def completed_attributes(attributes: Mapping[str, Any], where: str) -> dict[str, Any]:
+def completed_attributes(attributes: Mapping[str, Any]) -> dict[str, Any]:
     """The attributes of a NetCDF file, with those that earlier files do not have."""
     own = dict(attributes)
-    of_runner = completed(json.loads(own.pop("runner", "{}")) | own, where)  # once it was a text
-    return {**origin_of(), **attributes_of({"runner": of_runner})}
+    of_runner = json.loads(own.pop("runner", "{}")) | own  # it was a text once
+    return {**origin_of(), **attributes_of({"runner": completed(of_runner)})}
 
 
 def without_record(plain: Mapping[str, Any]) -> dict[str, Any]:

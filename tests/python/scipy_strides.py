@@ -1,7 +1,7 @@
 """Strides of the paper's runner by SciPy, written from the equations for two point masses.
 
-Table 1 in units m = k = l0 = 1, on level ground. Nothing here comes from the pages of `c_core/equations`: body
-and foot are points in the plane, pushed apart along the leg by F_s and across it by tau/r  (8)-(10).
+Table 1 in units m = k = l0 = 1, on level ground. Nothing here comes from the pages of `c_core/equations`.
+Body and foot are points in the plane, pushed apart along the leg by F_s and across it by tau/r  (8)-(10).
 """
 
 import math

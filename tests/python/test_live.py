@@ -39,6 +39,7 @@ from tdmf_slip.pictures import style
 
 built, address, driver, page = live_pages.built, live_pages.address, live_pages.driver, live_pages.page
 
+CLAMP = "hip.swing_clamp"
 MAX_BYTES = 1_000_000
 NO_SLIP_EIGENVALUES = [0.811488219, -0.463835571, 0.010024837, 0.0, 0.0, 0.0]
 """They are of friction 10, and were computed independently of the library in extended precision."""
@@ -57,7 +58,8 @@ def test_there_is_a_control_for_every_parameter_input_and_start_value(page, fmu)
     wanted = [member.name for member in (*PARAMETERS, *INPUTS)] + list(STATES)
     rows = page.execute_script(
         "return [...document.querySelectorAll('.control')].map((row) => ["
-        "row.querySelector('input[type=text]').name, row.querySelector('.set span').textContent,"
+        "row.querySelector('label').htmlFor.replace('value-', ''),"
+        "row.querySelector('.set span')?.textContent,"
         "row.querySelector('p').textContent])"
     )
     assert sorted(name for name, _, _ in rows) == sorted(wanted)
@@ -65,6 +67,9 @@ def test_there_is_a_control_for_every_parameter_input_and_start_value(page, fmu)
         variable = fmu.variables[name]
         factor = next(iter(variable.display_units.values()), 1.0)
         assert note.startswith(variable.description)
+        if variable.type == "Boolean":
+            assert shown is None and note.endswith(f"; default {str(variable.start).lower()}")
+            continue
         numbers = re.search(r"default (\S+), from (\S+) to (\S+)", note).groups()
         limits = (0, 1) if variable.type == "Boolean" else (variable.minimum, variable.maximum)
         for text, value in zip(numbers, (variable.start, *limits), strict=True):
@@ -276,7 +281,27 @@ def test_an_address_shows_the_same_runner(driver, address):
     assert degrees == pytest.approx(wanted, rel=1e-15)
 
 
+def test_the_clamp_of_the_swing_is_a_checkbox(page, address):
+    box = find(page, f"value-{CLAMP}")
+    assert box.get_attribute("type") == "checkbox"
+    for clamp in (False, True):
+        page.execute_script("if (arguments[0].checked !== arguments[1]) arguments[0].click()", box, clamp)
+        assert page.execute_script(f"return tdmfSlip.state.values['{CLAMP}']") == clamp
+        find_gait(page)
+        gait = tdmf_slip.find_gait({CLAMP: clamp})
+        assert close(value_shown(page, "gait", "stride.speed"), gait.speed)
+        assert np.abs(eigenvalues(page) - gait.eigenvalues).max() < EQUAL
+    for text, clamp in (("false", 0), ("0", 0), ("true", 1)):
+        open_page(page, address, f"#{CLAMP}={text}")
+        assert page.execute_script(f"return tdmfSlip.state.values['{CLAMP}']") == clamp
+        assert find(page, f"value-{CLAMP}").is_selected() == bool(clamp)
+    page.execute_script("arguments[0].click()", find(page, f"value-{CLAMP}"))
+    wait(page, f"location.hash === '#{CLAMP}=false'", "the address")
+
+
 def test_a_bad_address_gets_a_sentence(driver, address):
+    open_page(driver, address, f"#{CLAMP}=maybe")
+    assert f"{CLAMP} = maybe in the address is refused: allowed are true and false." in sentence(driver)
     open_page(driver, address, "#ground.friction=ice&colour=red")
     assert "colour in the address is no parameter" in sentence(driver)
     assert "ground.friction = nan is refused" in sentence(driver)

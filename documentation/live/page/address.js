@@ -18,15 +18,24 @@ export function defaults() {
   return Object.fromEntries([...known.values()].map(({ name, start }) => [name, start]));
 }
 
+const FLAGS = { true: 1, false: 0, 1: 1, 0: 0 };
+
 /** Inverse of written; not a number where it is none. */
-function read({ unit }, text) {
+function read({ unit, isFlag }, text) {
+  if (isFlag) {
+    return FLAGS[text.trim()] ?? NaN;
+  }
   const shown = displayUnits[unit];
   const number = shown && text.endsWith(shown.name) ? text.slice(0, -shown.name.length).trim() : text;
   return number.trim() === "" ? NaN : Number(number) / (number === text ? 1 : shown.factor);
 }
 
 /** A value in the unit of its field, in as few digits as give it back; else in the variable's own unit. */
-function written({ unit }, value) {
+function written(variable, value) {
+  const { unit, isFlag } = variable;
+  if (isFlag) {
+    return shownValue(variable, value);
+  }
   const shown = displayUnits[unit];
   const numbers = shown ? DIGITS.map((count) => Number((value * shown.factor).toPrecision(count))) : [];
   const exact = numbers.find((number) => number / shown.factor === value);
@@ -49,6 +58,8 @@ export function stateOf(hash) {
       rival = numberIn(text);
     } else if (!known.has(name)) {
       problems.push(`${name} in the address is no parameter, input or start value of the runner.`);
+    } else if (known.get(name).isFlag && Number.isNaN(read(known.get(name), text))) {
+      problems.push(`${name} = ${text} in the address is refused: allowed are true and false.`);
     } else {
       state[name] = read(known.get(name), text);
     }

@@ -42,30 +42,55 @@ function sliderRange(variable, value, state) {
   return { low: Math.max(min, -reach), high: Math.min(max, reach), log: false };
 }
 
-/** One control. */
+/** A control's row: the name, what sets it, and a note that describes it. */
+function rowOf({ name, description }, inputs, range, unit = "") {
+  const field = inputs.find(({ id }) => id);
+  const label = element("label", { htmlFor: field.id });
+  label.append(element("code", { textContent: name }));
+  const head = element("div", { className: "name" });
+  head.append(label);
+  const set = element("div", { className: "set" });
+  set.append(...inputs);
+  const note = element("p", { id: `${field.id}-note`, textContent: `${description}; ${range}` });
+  if (unit) {
+    note.append(" ", unitElement("span", unit));
+  }
+  field.setAttribute("aria-describedby", note.id);
+  const row = element("div", { className: "control" });
+  row.append(head, set, note);
+  return row;
+}
+
+const idOf = ({ name }) => `value-${name}`;
+
+/** A checkbox for a Boolean, whose value is 1 or 0. */
+class Flag {
+  constructor(variable, changed) {
+    this.box = element("input", { type: "checkbox", id: idOf(variable), name: variable.name });
+    this.element = rowOf(variable, [this.box], `default ${shownValue(variable, variable.start)}`);
+    this.box.addEventListener("change", () => changed(variable.name, Number(this.box.checked)));
+  }
+
+  centre() {} // it has no slider
+
+  show(value) {
+    this.box.checked = value !== 0;
+  }
+
+  refuse() {} // both of its values are allowed
+}
+
+/** A slider and a field for a number. */
 class Control {
   constructor(variable, changed) {
     this.variable = variable;
     this.shown = shownUnit(variable.unit);
-    this.element = document.createElement("div");
-    this.element.className = "control";
-    const id = `value-${variable.name}`;
     this.slider = element("input", { type: "range", min: 0, max: SLIDER_STEPS, step: 1 });
     this.slider.setAttribute("aria-label", `${variable.name}, slider`);
-    this.field = element("input", { type: "text", id, inputMode: "decimal", autocomplete: "off", spellcheck: false });
-    this.field.name = variable.name;
-    const label = element("label", { htmlFor: id });
-    label.append(element("code", { textContent: variable.name }));
-    const name = element("div", { className: "name" });
-    name.append(label);
-    const set = element("div", { className: "set" });
-    set.append(this.slider, this.field, unitElement("span", this.shown.name));
-    const note = element("p", { id: `${id}-note`, textContent: `${variable.description}; ${this.range}` });
-    if (this.shown.name) {
-      note.append(" ", unitElement("span", this.shown.name));
-    }
-    this.field.setAttribute("aria-describedby", note.id);
-    this.element.append(name, set, note);
+    this.field = element("input", { type: "text", inputMode: "decimal", autocomplete: "off", spellcheck: false });
+    Object.assign(this.field, { id: idOf(variable), name: variable.name });
+    const unit = unitElement("span", this.shown.name);
+    this.element = rowOf(variable, [this.slider, this.field, unit], this.range, this.shown.name);
     this.slider.addEventListener("input", () => changed(variable.name, this.sliderValue()));
     this.field.addEventListener("change", () => changed(variable.name, this.fieldValue()));
   }
@@ -136,7 +161,7 @@ export class Controls {
       const group = element("details", {});
       group.append(element("summary", { textContent: title }));
       for (const variable of variables) {
-        const control = new Control(variable, changed);
+        const control = variable.isFlag ? new Flag(variable, changed) : new Control(variable, changed);
         this.all.set(variable.name, control);
         group.append(control.element);
       }

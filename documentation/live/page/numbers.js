@@ -45,7 +45,10 @@ export function shownUnit(unit) {
 }
 
 /** A value with its unit, as its field shows it. */
-export function shownValue({ unit }, value) {
+export function shownValue({ unit, isFlag }, value) {
+  if (isFlag) {
+    return String(value !== 0);
+  }
   const { name, factor } = shownUnit(unit);
   return `${digits(value * factor)}${name ? ` ${printed(name)}` : ""}`.replace(" °", "°");
 }

@@ -7,7 +7,6 @@ from typing import Any
 
 from ..errors import InputError, reason
 from ..fmu.parameters import loads_json, parsed
-from ..record import completed
 
 GAIT = "what `tdmf-slip gait --json` prints"
 
@@ -25,4 +24,4 @@ def read_gait(name: str) -> dict[str, Any]:
     starts = content.get("start_values")
     if not isinstance(starts, Mapping):
         raise InputError(f"gait of {where}: has no start_values; allowed: {GAIT}")
-    return completed(starts, f"gait of {where}")
+    return dict(starts)

@@ -23,6 +23,7 @@ from ..fmu.simulation import (
 )
 from ..fmu.tables import WRITERS, write_table
 from ..fmu.variable import Value
+from ..record import completed, note_missing
 from ..terminal.text import columns, quantity
 from .gait_file import read_gait
 from .options import (
@@ -128,7 +129,10 @@ def simulate_command(
     given = values_given(friction, settings)
     base = file_values(fmu, parameters)
     if from_gait is not None:
-        base = fmu.start_values(read_gait(from_gait), f"--from-gait {from_gait}")
+        where = f"--from-gait {from_gait}"
+        recorded = fmu.start_values(read_gait(from_gait), where)
+        note_missing(recorded, where)
+        base = completed(recorded)
     starts = start_values(fmu, base, given)
     _refuse_other_interface(interface, given)
     if interface == "cs" and tolerance is not None:

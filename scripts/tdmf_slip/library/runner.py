@@ -19,7 +19,7 @@ from ..fmu.names import by_full_name, full_name
 from ..fmu.parameters import RUNNER, start_values_of
 from ..fmu.variable import Given
 from ..given import mapping_of
-from ..record import completed, record_of
+from ..record import completed, note_missing, record_of
 from .binding import c, ffi
 from .members import FLAGS, INPUTS, MOVING, PARAMETERS, STATES
 from .section import COORDINATES, REDUCED, Apex, checked_apex, is_reduced
@@ -48,10 +48,11 @@ class Runner(ByContents):
     def __post_init__(self) -> None:
         """Refuse values that are not all there."""
         values = mapping_of(self.values, "values", "numbers by the unit's names")
-        object.__setattr__(self, "values", completed(values, "values of a runner"))
+        object.__setattr__(self, "values", completed(values))
         missing = next((name for name in (*MOVING, *STATES) if name not in self.values), None)
         if missing is not None:
             raise InputError(f"values: {missing} is missing; allowed: all of them, as Runner.of gives them")
+        note_missing(values, "values of a runner")
 
     def __repr__(self) -> str:
         """In a line: what tells one from another at first sight."""

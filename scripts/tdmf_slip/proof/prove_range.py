@@ -13,7 +13,7 @@ from ..errors import InputError
 from ..fmu.fmu import load_fmu
 from ..library.gait import Gait
 from ..library.runner import Runner
-from ..record import completed, origin_of
+from ..record import completed, note_missing, origin_of
 from ..terminal.progress import progress_bar
 from .exact import Exact, default_value
 from .given import KNOWN
@@ -88,10 +88,11 @@ def _done(output: Path | None, head: Mapping[str, Any]) -> dict[tuple[Fraction, 
         return {}
     lines = output.read_text(encoding="utf-8").splitlines()
     rows = [row for line in lines if (row := _row(line)) is not None]
-    if not rows or not _is_of(head, rows[0], str(output)):
+    if not rows or not _is_of(head, rows[0]):
         raise InputError(
             f"{output}: is not of this range and runner; allowed: a new file, or one of the same"
         )
+    note_missing(rows[0]["parameters"], str(output))
     return {
         (Fraction(row["part"][0]), Fraction(row["part"][1])): [
             Subinterval.of_row(subinterval) for subinterval in row["pieces"]
@@ -100,7 +101,7 @@ def _done(output: Path | None, head: Mapping[str, Any]) -> dict[tuple[Fraction, 
     }
 
 
-def _is_of(head: Mapping[str, Any], read: Any, where: str) -> bool:
+def _is_of(head: Mapping[str, Any], read: Any) -> bool:
     """Whether a file is of this range and runner; which version proved its parts does not matter.
 
     A parameter that an earlier file does not have is the unit's own if proofs do not know it, and else 0.
@@ -109,7 +110,7 @@ def _is_of(head: Mapping[str, Any], read: Any, where: str) -> bool:
         return False
     variables = load_fmu().variables
     absent = {of: NONE if of in KNOWN else str(default_value(variables[of])) for of in head["parameters"]}
-    parameters = absent | {of: _text(value) for of, value in completed(read["parameters"], where).items()}
+    parameters = absent | {of: _text(value) for of, value in completed(read["parameters"]).items()}
     found = {"model": "full", **read, "version": head["version"], "parameters": parameters}
     return found == head
 
