@@ -22,8 +22,9 @@ from .binding import c, ffi
 from .cases import Case as Case
 from .cases import c_cases, check_alike, sections_of
 from .engine import run
+from .refusals import text_of
 from .rough_ground import LAST_RUNNER
-from .runner import Runner, text_of
+from .runner import Runner
 from .structs import Ensemble
 
 TOLERANCE = 2e-10

@@ -23,8 +23,9 @@ from .binding import c, ffi
 from .maps import map_of, why_no_gait
 from .measures import STRIDE_QUANTITIES, all_measures
 from .members import check_has_gaits
+from .refusals import text_of
 from .return_map import Along, derivatives, seed_of
-from .runner import Runner, text_of
+from .runner import Runner
 from .section import COORDINATES, REDUCED, Apex, checked_apex
 from .structs import EventLog, Return
 from .word import Event, Letter, letters_of, recorded

@@ -10,7 +10,8 @@ from dataclasses import dataclass
 from ..errors import InputError
 from ..fmu.fmu import FRICTION
 from .binding import c
-from .runner import Runner, text_of
+from .refusals import text_of
+from .runner import Runner
 from .structs import FoundGait, Return, Solver
 
 PATCH = ("ground.patch_begin", "ground.patch_end")

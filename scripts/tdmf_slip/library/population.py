@@ -17,8 +17,9 @@ from .affine_law import AffineLaw
 from .binding import c, ffi
 from .maps import PATCH, refuse_patch
 from .members import FLAGS, INPUTS, MOVING, PARAMETERS
+from .refusals import check_accepted
 from .rough_ground import RoughGround
-from .runner import Runner, text_of
+from .runner import Runner
 from .settings import checked_values
 
 
@@ -98,7 +99,7 @@ class Population(ByContents):
             for k, value in enumerate(self.varied.get(member.name, ())):
                 member.write(cases[k].inputs, value)
         for k in range(count):
-            _check(c.tdmf_model_create(models + k, parameters + k), k)
+            check_accepted(c.tdmf_model_create(models + k, parameters + k), f"runner: runner {k}: ")
         return cases, kept
 
     def _refuse_patch(self, count: int) -> None:
@@ -131,10 +132,3 @@ def numbers(what: str, given: object, dimensions: int) -> NDArray[np.float64]:
             f"{what} of shape {values.shape}; allowed: one or more numbers, {dimensions} dimensions"
         )
     return values
-
-
-def _check(refusal: Any, number: int) -> None:
-    if refusal.variable != ffi.NULL:
-        text = ffi.new("char[256]")
-        c.tdmf_refusal_text(ffi.new("tdmf_refusal *", refusal), text, len(text))
-        raise InputError(f"runner: runner {number}: {text_of(text)}")

@@ -22,9 +22,10 @@ from ..given import mapping_of
 from ..record import completed, note_missing, record_of
 from .binding import c, ffi
 from .members import FLAGS, INPUTS, MOVING, PARAMETERS, STATES
+from .refusals import check_accepted
 from .section import COORDINATES, REDUCED, Apex, checked_apex, is_reduced
 from .shared_steps import search_under_way
-from .structs import Center, EventLog, Model, Refusal, Solver, Struct
+from .structs import Center, EventLog, Model, Solver, Struct
 
 TOLERANCE = 1e-13
 """Relative tolerance of the native solver: the next apex is then that of a gait to 1e-11 of the scales, and
@@ -161,7 +162,7 @@ class Runner(ByContents):
         for member in PARAMETERS:
             member.write(parameters, self.values[member.name])
         model: Model = ffi.new("tdmf_model *")
-        _check(c.tdmf_model_create(model, parameters))
+        check_accepted(c.tdmf_model_create(model, parameters))
         return model
 
     @cached_property
@@ -170,7 +171,7 @@ class Runner(ByContents):
         inputs: Struct = ffi.new("tdmf_inputs *")
         for member in INPUTS:
             member.write(inputs, self.values[member.name])
-        _check(c.tdmf_check_inputs(inputs))
+        check_accepted(c.tdmf_check_inputs(inputs))
         return inputs
 
     @cached_property
@@ -243,7 +244,7 @@ class Runner(ByContents):
         apex = self.apex()
         motion = ffi.new("tdmf_motion *")
         self._write_state(apex, motion.state)
-        _check(c.tdmf_start(self.system, motion))
+        check_accepted(c.tdmf_start(self.system, motion))
         if not motion.record.progress.open.began_at_apex:
             height = motion.state[STATES.index("foot.y")]
             raise InputError(
@@ -305,16 +306,3 @@ class Runner(ByContents):
 def _recorded(record: Mapping[str, Any], tolerance: float) -> Runner:
     """The runner of a record, as pickles have it."""
     return Runner(record["runner"], tolerance, record["model"] == "reduced")
-
-
-def _check(refusal: Refusal) -> None:
-    if refusal.variable != ffi.NULL:
-        text = ffi.new("char[256]")
-        c.tdmf_refusal_text(ffi.new("tdmf_refusal *", refusal), text, len(text))
-        raise InputError(text_of(text))
-
-
-def text_of(characters: object) -> str:
-    """A text of the library, a `char *`."""
-    text: bytes = ffi.string(characters)
-    return text.decode()

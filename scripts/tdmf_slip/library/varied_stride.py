@@ -17,8 +17,9 @@ from .maps import map_of, why_no_return
 from .measures import APEX_QUANTITIES, MEASURES, all_measures, apex_quantities, measures_of, weight_of
 from .members import check_has_gaits
 from .quantities import check_quantities, quantity_of
+from .refusals import text_of
 from .return_map import seed_of
-from .runner import Runner, text_of
+from .runner import Runner
 from .strides import longest_stride
 from .structs import Return, StrideVariation
 

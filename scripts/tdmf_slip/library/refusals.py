@@ -1,0 +1,19 @@
+"""Texts of the C library, and what it refuses, as errors."""
+
+from ..errors import InputError
+from .binding import c, ffi
+from .structs import Refusal
+
+
+def text_of(characters: object) -> str:
+    """A text of the library, a `char *`."""
+    text: bytes = ffi.string(characters)
+    return text.decode()
+
+
+def check_accepted(refusal: Refusal, where: str = "") -> None:
+    """Raise what the library refused, if it did, with where that was."""
+    if refusal.variable != ffi.NULL:
+        text = ffi.new("char[256]")
+        c.tdmf_refusal_text(ffi.new("tdmf_refusal *", refusal), text, len(text))
+        raise InputError(f"{where}{text_of(text)}")
