@@ -5,6 +5,7 @@ import json
 import numpy as np
 import pytest
 from conftest import RELEASE
+from tdmf_slip import RunError
 from tdmf_slip.bench import growth, one_runner, results, runners, running
 from tdmf_slip.cli import bench as command_module
 from tdmf_slip.library import ensemble
@@ -61,7 +62,10 @@ def test_ratios_are_to_our_own(measured):
     text = measured.as_text()
     assert all(name in text for name in (*OURS, *PEERS, "compiler: ", "threads"))
     assert ("integrators alone" in text) is RELEASE
-    assert json.loads(json.dumps(measured.as_json()))["measurements"][0]["ratio"] > 0
+    printed = json.loads(json.dumps(measured.as_json()))
+    assert printed["measurements"][0]["ratio"] > 0 and printed["runner"]["ground.friction"] == 0.6
+    clamp = str(printed["runner"]["hip.swing_clamp"]).lower()
+    assert text.endswith(f"hip.swing_clamp: {clamp}")
 
 
 def test_a_peer_that_is_missing_is_named(without_peers):
@@ -82,6 +86,28 @@ def test_solvers_are_judged_by_the_gait_and_what_is_around_it(fmu):
     assert many.error(spoiled) == np.inf
 
 
+def test_nothing_is_timed_unless_all_solvers_agree(fmu, monkeypatch):
+    """By both readings: SciPy is told one without the clamp for the other, and differs."""
+    from tdmf_slip.bench.peers import scipy_peer
+
+    honest, timed = scipy_peer.Peer.__init__, []
+    monkeypatch.setattr(runners, "JUDGED", 2)
+    monkeypatch.setattr(running, "PEERS", ("scipy",))
+    monkeypatch.setattr(running, "measure_fmu", lambda *given: timed.append(given))
+    monkeypatch.setattr(running, "batch_error", lambda *_: 0.0)
+    running.check_agreement(fmu)
+    for clamp in (False, True):
+
+        def told_one_reading(peer, tolerance, _swing_clamp, clamp=clamp):
+            honest(peer, tolerance, clamp)
+
+        monkeypatch.setattr(scipy_peer.Peer, "__init__", told_one_reading)
+        other = str(not clamp).lower()
+        with pytest.raises(RunError, match=f"scipy, hip.swing_clamp = {other}: differs by"):
+            running.bench(effort=0.01, fmu=fmu)
+    assert not timed
+
+
 def test_a_tolerance_that_is_found_is_good_from_everywhere(fmu):
     """The gait itself asks for less than its neighbours do."""
     many = runners.runners_about_the_gait(fmu)
@@ -99,9 +125,11 @@ def test_a_tighter_tolerance_errs_less(fmu, solver):
     )
 
 
-def test_the_ensemble_makes_the_gaits_word(fmu):
+@pytest.mark.parametrize("swing_clamp", [False, True])
+def test_the_ensemble_makes_the_gaits_word(fmu, swing_clamp):
     """Peers are told the sequence of modes; it has to be that of every start."""
-    many = runners.runners_about_the_gait(fmu)
+    many = runners.runners_about_the_gait(fmu, swing_clamp=swing_clamp)
+    assert many.swing_clamp is swing_clamp
     ends, _ = ensemble.run_ensemble([many.case], many.starts, max_strides=1)
     assert len(np.unique(ends["word_code"])) == 1 and (ends["strides"] == 1).all()
 
@@ -109,16 +137,18 @@ def test_the_ensemble_makes_the_gaits_word(fmu):
 def test_bench_command(command, measured, monkeypatch):
     asked = []
 
-    def remembered(*, effort, progress):
-        asked.append((effort, progress))
+    def remembered(*, effort, swing_clamp, progress):
+        asked.append((effort, swing_clamp, progress))
         return measured
 
     assert command("bench", "--effort", 0)[0] == 2
     monkeypatch.setattr(command_module, "bench", remembered)
     status, out, _ = command("bench", "--effort", 0.01, "--json")
     assert status == 0 and json.loads(out)["threads"] >= 1
-    assert command("bench", "--effort", 0.02)[1].startswith("one runner, to 1e-08; ratios to native")
-    assert asked == [(0.01, True), (0.02, True)]
+    assert command("bench", "--effort", 0.02, "--no-swing-clamp")[1].startswith(
+        "one runner, to 1e-08; ratios to native"
+    )
+    assert asked == [(0.01, None, True), (0.02, False, True)]
 
 
 def test_growth_times_each_question_by_its_size(command, monkeypatch):

@@ -28,6 +28,15 @@ def loosest(what: str, error_at: Callable[[float], float]) -> Iterator[tuple[flo
         yield accuracy, found, errors[found]
 
 
+def check_agrees(what: str, error_at: Callable[[float], float]) -> None:
+    """Refuse a solver that does not make the same strides at its tightest tolerance."""
+    error = error_at(TOLERANCES[-1])
+    if not error <= ACCURACIES[0]:
+        raise RunError(
+            f"{what}: differs by {error:.1e} at a tolerance of {TOLERANCES[-1]:g}; allowed: {ACCURACIES[0]:g}"
+        )
+
+
 def fastest(work: Callable[[], object], repeats: int = REPEATS) -> float:
     """Seconds of the fastest of some repeats."""
     times = []

@@ -22,11 +22,9 @@ def measure_lanes(
     many: Runners, instructions: str, effort: float, group: str = MANY, name: str | None = None
 ) -> Iterator[Measurement]:
     """Time the engine by one instruction set, in one thread; the table's name of it, if another."""
-
-    def error_at(tolerance: float) -> float:
-        return many.error(many.ends(instructions, tolerance)["apex"])
-
-    for accuracy, tolerance, error in loosest(instructions, error_at):
+    for accuracy, tolerance, error in loosest(
+        instructions, functools.partial(lane_error, many, instructions)
+    ):
         seconds, work = many.run(instructions, tolerance, 1, effort)
         yield Measurement(
             group,
@@ -39,21 +37,30 @@ def measure_lanes(
         )
 
 
-def measure_batches(many: Runners, effort: float) -> Iterator[Measurement]:
-    """Time heyoka's batch integrators over the same starts: as a whole, and the integrators alone."""
+def lane_error(many: Runners, instructions: str, tolerance: float) -> float:
+    """Error of the apex after one stride by one instruction set, from the worst start."""
+    return many.error(many.ends(instructions, tolerance)["apex"])
+
+
+def batch_error(many: Runners, tolerance: float) -> float:
+    """Error of the apex after one stride by heyoka's batches, from the worst start."""
     from .peers.heyoka_peer import BatchPeer
 
     full = -(-len(many.judged) // BatchPeer.lanes) * BatchPeer.lanes  # the last batch is filled up
     judged = np.resize(many.judged, (full, len(COORDINATES))).reshape(-1, BatchPeer.lanes, len(COORDINATES))
+    peer = BatchPeer(tolerance, many.swing_clamp)
+    found = np.concatenate([peer.strides(batch) for batch in judged])
+    return many.error(found[: len(many.judged)])
+
+
+def measure_batches(many: Runners, effort: float) -> Iterator[Measurement]:
+    """Time heyoka's batch integrators over the same starts: as a whole, and the integrators alone."""
+    from .peers.heyoka_peer import BatchPeer
+
     batches = many.starts[: len(many.judged) - 1].reshape(-1, BatchPeer.lanes, len(COORDINATES))
 
-    def error_at(tolerance: float) -> float:
-        peer = BatchPeer(tolerance)
-        found = np.concatenate([peer.strides(batch) for batch in judged])
-        return many.error(found[: len(many.judged)])
-
-    for accuracy, tolerance, error in loosest(BatchPeer.name, error_at):
-        peer = BatchPeer(tolerance)
+    for accuracy, tolerance, error in loosest(BatchPeer.name, functools.partial(batch_error, many)):
+        peer = BatchPeer(tolerance, many.swing_clamp)
         rounds = [*batches] * max(1, round(effort * STRIDES["heyoka"] / len(batches)))
         strides = len(rounds) * BatchPeer.lanes
         whole, alone = [], []

@@ -17,6 +17,7 @@ from ..fitting.fitted import fit
 from ..fitting.measurements import Measured, Measurements
 from ..fmu.fmu import load_fmu
 from ..library import ensemble
+from ..library.runner import Runner
 from ..optimization.optimize import optimize
 from ..terminal.progress import progress_bar
 from ..terminal.text import table
@@ -56,7 +57,8 @@ class Growth(ByContents):
 
     def as_json(self) -> dict[str, object]:
         """The timings as a plain object."""
-        return {"timings": [asdict(timing) for timing in self.timings], "versions": dict(self.versions)}
+        timings = [asdict(timing) for timing in self.timings]
+        return {**Runner.of(RUNNER).record(), "timings": timings, "versions": dict(self.versions)}
 
     def as_text(self) -> str:
         """The timings as a table."""

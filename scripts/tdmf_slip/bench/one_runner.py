@@ -12,7 +12,7 @@ from ..fmu.fmu import Fmu
 from ..fmu.instance import opened
 from ..library.section import COORDINATES, Apex
 from ..terminal import interrupts
-from .accuracy import REPEATS, TOLERANCES, fastest, loosest
+from .accuracy import REPEATS, fastest, loosest
 from .results import ALONE, ONE, Measurement
 from .runners import Runners
 
@@ -70,8 +70,8 @@ class Peer(Protocol):
     evaluations: int | None
     """Of the right-hand side so far; None where nobody says."""
 
-    def __init__(self, tolerance: float) -> None:
-        """Make it ready."""
+    def __init__(self, tolerance: float, swing_clamp: bool) -> None:
+        """Make it ready, for runners with the clamp of the swing or without it."""
         ...
 
     def stride(self, section: Apex) -> NDArray[np.float64]:
@@ -84,18 +84,19 @@ def _strides(peer: Peer, apex: Apex, count: int) -> None:
         peer.stride(apex)
 
 
+def peer_error(peer_of: type[Peer], many: Runners, tolerance: float) -> float:
+    """Error of the apex after one stride by a peer, from the worst start."""
+    with interrupts.deferred():  # a compiler may lose one
+        peer = peer_of(tolerance, many.swing_clamp)
+        peer.stride(many.gait.apex)
+    return many.error(np.array([peer.stride(start) for start in many.judged]))
+
+
 def measure_peer(peer_of: type[Peer], many: Runners, strides: int) -> Iterator[Measurement]:
     """Time a peer that makes one stride at a time."""
     apex = many.gait.apex
-    with interrupts.deferred():  # a compiler may lose one
-        peer_of(max(TOLERANCES)).stride(apex)
-
-    def error_at(tolerance: float) -> float:
-        peer = peer_of(tolerance)
-        return many.error(np.array([peer.stride(start) for start in many.judged]))
-
-    for accuracy, tolerance, error in loosest(peer_of.name, error_at):
-        peer = peer_of(tolerance)
+    for accuracy, tolerance, error in loosest(peer_of.name, functools.partial(peer_error, peer_of, many)):
+        peer = peer_of(tolerance, many.swing_clamp)
         peer.stride(apex)
         counted = peer.evaluations
         alone, whole = [], []

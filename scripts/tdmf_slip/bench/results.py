@@ -8,6 +8,7 @@ from importlib.metadata import version
 
 from ..contents import ByContents
 from ..library.binding import c, ffi
+from ..library.runner import Runner
 from ..terminal.text import table
 
 ACCURACIES = (1e-8, 1e-5)
@@ -46,6 +47,8 @@ class Measurement:
 class Bench(ByContents):
     """What was measured, and on what."""
 
+    runner: Runner
+    """The runner whose strides were made."""
     measurements: tuple[Measurement, ...]
     """In the order of the table."""
     ours: Mapping[str, str]
@@ -73,6 +76,7 @@ class Bench(ByContents):
         """The measurements as a plain object."""
         rows = [asdict(m) | {"ratio": self.ratio(m)} for m in self.measurements]
         return {
+            **self.runner.record(),
             "measurements": rows,
             "threads": self.threads,
             "scaling": self.scaling,
@@ -90,6 +94,7 @@ class Bench(ByContents):
         parts.append(f"{self.threads} threads: each makes {self.scaling:.2f} times the strides of one alone")
         parts += [f"{name} is not installed: pip install {name.lower()}" for name in self.missing]
         parts += [f"{name}: {what}" for name, what in self.versions.items()]
+        parts.append(f"hip.swing_clamp: {str(self.runner.values['hip.swing_clamp']).lower()}")
         return "\n".join(parts)
 
     def _rows_text(self, rows: list[Measurement]) -> str:

@@ -14,6 +14,8 @@ from ..library.runner import Runner
 from .accuracy import fastest
 
 FRICTION = 0.6
+CLAMP = "hip.swing_clamp"
+"""Name of the parameter that tells the two readings of (12)."""
 RUNNERS, STRIDES_EACH = 4096, 4
 SPREAD = 0.05
 """Of starts about the gait's apex, either way; all make the gait's word."""
@@ -33,6 +35,11 @@ class Runners(ByContents):
     """Whose parameters they have."""
     starts: NDArray[np.float64]
     """Apices, shape (runners, n)."""
+
+    @property
+    def swing_clamp(self) -> bool:
+        """Whether the swing is clamped (12)."""
+        return bool(self.case.runner.values[CLAMP])
 
     @cached_property
     def judged(self) -> NDArray[np.float64]:
@@ -83,10 +90,12 @@ class Runners(ByContents):
         return fastest(once), work[0]
 
 
-def runners_about_the_gait(fmu: Fmu, *, reduced: bool = False) -> Runners:
-    """Starts drawn about the gait's apex, of the full model or of the reduced map."""
+def runners_about_the_gait(fmu: Fmu, *, swing_clamp: bool | None = None, reduced: bool = False) -> Runners:
+    """Starts drawn about the gait's apex, of the full model or of the reduced map; the unit's own reading."""
     source = np.random.default_rng(0)
     runner = Runner.of({"ground.friction": FRICTION}, fmu, model="reduced" if reduced else "full")
+    if swing_clamp is not None:
+        runner = runner.but(CLAMP, swing_clamp)
     spread = source.uniform(-SPREAD, SPREAD, (RUNNERS, len(runner.coordinates)))
     gait = settled_gait(runner)
     return Runners(gait, ensemble.Case(runner), gait.apex + spread)

@@ -1,5 +1,6 @@
 """Solvers and the ensemble engine against peers: the same strides, each at the loosest accurate tolerance."""
 
+import contextlib
 import functools
 import importlib
 import os
@@ -9,28 +10,62 @@ from ..checks import checked
 from ..fmu.fmu import Fmu, load_fmu
 from ..library import ensemble
 from ..terminal.progress import progress_bar
-from .ensembles import measure_batches, measure_lanes, measure_scaling
-from .one_runner import STRIDES, measure_fmu, measure_peer
+from .accuracy import check_agrees
+from .ensembles import batch_error, lane_error, measure_batches, measure_lanes, measure_scaling
+from .one_runner import STRIDES, Peer, measure_fmu, measure_peer, peer_error, stride_error
 from .results import MANY, MOTION, ONE, REDUCED, Bench, Measurement, versions_here
-from .runners import Runners, runners_about_the_gait
+from .runners import CLAMP, Runners, runners_about_the_gait
+
+PEERS = ("heyoka", "numba", "scipy")
+"""Of one runner; heyoka makes batches, too."""
 
 
-def _peers(many: Runners, effort: float) -> Iterator[tuple[str, Callable[[], Iterator[Measurement]]]]:
-    """What may not be installed, by name."""
-
-    def of(name: str) -> Iterator[Measurement]:
-        module = importlib.import_module(f".peers.{name}_peer", __package__)
-        yield from measure_peer(module.Peer, many, max(1, round(effort * STRIDES[name])))
-
-    for name in ("heyoka", "numba", "scipy"):
-        yield name, functools.partial(of, name)
+def _peer_of(name: str) -> type[Peer]:
+    peer: type[Peer] = importlib.import_module(f".peers.{name}_peer", __package__).Peer
+    return peer
 
 
-def bench(*, effort: float = 1.0, progress: bool = False, fmu: Fmu | None = None) -> Bench:
-    """Measure everything on this machine; all but the scaling over threads in one thread."""
+def _peer_error(name: str, many: Runners, tolerance: float) -> float:
+    return peer_error(_peer_of(name), many, tolerance)
+
+
+def _measure_peer(name: str, many: Runners, effort: float) -> Iterator[Measurement]:
+    yield from measure_peer(_peer_of(name), many, max(1, round(effort * STRIDES[name])))
+
+
+def _errors(fmu: Fmu, many: Runners) -> Iterator[tuple[str, Callable[[float], float]]]:
+    """The error of each solver at a tolerance, by its name."""
+    for solver in ("native", "cvode"):
+        yield solver, functools.partial(stride_error, fmu, many, solver)
+    for name in PEERS:
+        yield name, functools.partial(_peer_error, name, many)
+    yield "heyoka in batches", functools.partial(batch_error, many)
+    for instructions in ensemble.instruction_sets():
+        yield instructions, functools.partial(lane_error, many, instructions)
+
+
+def check_agreement(fmu: Fmu, done: Callable[[], object] = lambda: None) -> None:
+    """Refuse to time anything unless all solvers make the same strides, in both readings of (12)."""
+    for swing_clamp in (False, True):
+        many = runners_about_the_gait(fmu, swing_clamp=swing_clamp)
+        for name, error_at in _errors(fmu, many):
+            what = f"{name}, {CLAMP} = {str(swing_clamp).lower()}"
+            with contextlib.suppress(ImportError):  # told with the measurements
+                check_agrees(what, error_at)
+            done()
+
+
+def bench(
+    *, effort: float = 1.0, swing_clamp: bool | None = None, progress: bool = False, fmu: Fmu | None = None
+) -> Bench:
+    """Measure everything on this machine; all but the scaling over threads in one thread.
+
+    The runners have the clamp of the swing as `swing_clamp` says, by default as the unit's own runner.
+    """
     checked("effort", effort, 1e-3, 1e3)
     fmu = load_fmu(fmu)
-    many, reduced = runners_about_the_gait(fmu), runners_about_the_gait(fmu, reduced=True)
+    many = runners_about_the_gait(fmu, swing_clamp=swing_clamp)
+    reduced = runners_about_the_gait(fmu, swing_clamp=swing_clamp, reduced=True)
     sets = ensemble.instruction_sets()
     jobs: list[tuple[str, Callable[[], Iterator[Measurement]]]] = [
         *(
@@ -38,7 +73,7 @@ def bench(*, effort: float = 1.0, progress: bool = False, fmu: Fmu | None = None
             for solver in ("native", "cvode")
         ),
         ("native", functools.partial(measure_lanes, many, "one by one", effort, ONE, MOTION)),
-        *_peers(many, effort),
+        *((name, functools.partial(_measure_peer, name, many, effort)) for name in PEERS),
         *((name, functools.partial(measure_lanes, many, name, effort)) for name in reversed(sets)),
         ("heyoka", functools.partial(measure_batches, many, effort)),
         *(
@@ -48,6 +83,8 @@ def bench(*, effort: float = 1.0, progress: bool = False, fmu: Fmu | None = None
     ]
     measurements: list[Measurement] = []
     missing: dict[str, None] = {}
+    with progress_bar("agreement", 2 * (3 + len(PEERS) + len(sets)), "solvers", progress) as bar:
+        check_agreement(fmu, bar.update)
     with progress_bar("bench", len(jobs) + 1, "solvers", progress) as bar:
         for name, measure in jobs:
             try:
@@ -59,4 +96,6 @@ def bench(*, effort: float = 1.0, progress: bool = False, fmu: Fmu | None = None
         scaling = measure_scaling(many, threads, effort)
         bar.update(1)
     ours = {ONE: "native", MANY: sets[-1], REDUCED: sets[-1]}
-    return Bench(tuple(measurements), ours, threads, scaling, versions_here(), tuple(missing))
+    return Bench(
+        many.case.runner, tuple(measurements), ours, threads, scaling, versions_here(), tuple(missing)
+    )

@@ -28,14 +28,22 @@ if TYPE_CHECKING:
     help="Instead, how the time of whole questions grows with their size: basin, ensembles, optimize, fit, "
     "continue.",
 )
+@click.option(
+    "--swing-clamp/--no-swing-clamp",
+    default=None,
+    help="Whether the runners clamp the torque of the swing, hip.swing_clamp; by default as the unit's own.",
+)
 @JSON_OPTION
-def bench_command(effort: float, of_growth: bool, as_json_object: bool) -> None:
-    """Solvers and the ensemble engine against their peers, on the same strides at equal accuracy."""
+def bench_command(effort: float, of_growth: bool, swing_clamp: bool | None, as_json_object: bool) -> None:
+    """Solvers and the ensemble engine against their peers, on the same strides at equal accuracy.
+
+    Before anything is timed, all of them have to make the same strides, with the clamp and without it.
+    """
     measured: Growth | Bench
     if of_growth:
         from ..bench.growth import growth  # what it asks is slow to load
 
         measured = growth(effort=effort, progress=True)
     else:
-        measured = bench(effort=effort, progress=True)
+        measured = bench(effort=effort, swing_clamp=swing_clamp, progress=True)
     print(json_text(measured.as_json()) if as_json_object else measured.as_text())

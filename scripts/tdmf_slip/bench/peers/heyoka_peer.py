@@ -32,14 +32,15 @@ class Peer:
 
     name = f"heyoka {hy.__version__}"
 
-    def __init__(self, tolerance: float) -> None:
+    def __init__(self, tolerance: float, swing_clamp: bool) -> None:
         """Compile them."""
+        self._swing_clamp = swing_clamp
         self.seconds = 0.0
         """Spent in integrators so far."""
         self.evaluations: int | None = None
         """Not told."""
         self._integrators: dict[str, Any] = {}
-        for name in sequence.MOVING:
+        for name in sequence.modes_of(swing_clamp):
             system, guards = _system(name)
             events = [hy.t_event(guard, direction=hy.event_direction.negative) for guard in guards]
             start = [0.1] * len(system)
@@ -64,7 +65,7 @@ class Peer:
 
     def stride(self, section: Apex) -> NDArray[np.float64]:
         """The apex after one stride from an apex."""
-        return sequence.stride(list(section), self._run)
+        return sequence.stride(list(section), self._run, self._swing_clamp)
 
 
 class BatchPeer:
@@ -73,14 +74,15 @@ class BatchPeer:
     name = f"heyoka {hy.__version__} in batches"
     lanes = hy.recommended_simd_size()
 
-    def __init__(self, tolerance: float) -> None:
+    def __init__(self, tolerance: float, swing_clamp: bool) -> None:
         """Compile them."""
+        self._swing_clamp = swing_clamp
         self.seconds = 0.0
         """Spent in integrators so far."""
         self.evaluations: int | None = None
         """Not told."""
         self._integrators: dict[str, Any] = {}
-        for name in sequence.MOVING:
+        for name in sequence.modes_of(swing_clamp):
             system, guards = _system(name)
             events = [hy.t_event_batch(guard, direction=hy.event_direction.negative) for guard in guards]
             start = np.full((len(system), self.lanes), 0.1)
@@ -116,4 +118,4 @@ class BatchPeer:
 
     def strides(self, sections: NDArray[np.float64]) -> NDArray[np.float64]:
         """The apices after one stride, one to a row; as many as there are lanes."""
-        return sequence.stride(list(sections.T), self._run).T
+        return sequence.stride(list(sections.T), self._run, self._swing_clamp).T

@@ -52,7 +52,7 @@ def _rates_of(name: str, state: Sequence[Any], parameters: Sequence[Any]) -> lis
 
 def _compiled_modes(of_mode: Any) -> Any:
     """The function of all modes, by the number of the mode in `NAMES`."""
-    place, retract, stick, slip, graze = (_written(name, of_mode) for name in NAMES)
+    place, retract, clamped, stick, slip, graze = (_written(name, of_mode) for name in NAMES)
 
     @_jit
     def of_number(mode: int, s: Vector, p: Vector, out: Vector) -> int:
@@ -61,8 +61,10 @@ def _compiled_modes(of_mode: Any) -> Any:
         if mode == 1:
             return int(retract(s, p, out))
         if mode == 2:
+            return int(clamped(s, p, out))
+        if mode == 3:
             return int(stick(s, p, out))
-        return int(slip(s, p, out)) if mode == 3 else int(graze(s, p, out))
+        return int(slip(s, p, out)) if mode == 4 else int(graze(s, p, out))
 
     return of_number
 
@@ -192,9 +194,9 @@ class Peer:
 
     name = f"numba {numba.__version__}"
 
-    def __init__(self, tolerance: float) -> None:
+    def __init__(self, tolerance: float, swing_clamp: bool) -> None:
         """Compiled at the first stride."""
-        self._tolerance = tolerance
+        self._tolerance, self._swing_clamp = tolerance, swing_clamp
         self.seconds = 0.0
         self.evaluations: int | None = 0
         """Of the right-hand side so far, event location left out."""
@@ -209,4 +211,4 @@ class Peer:
 
     def stride(self, section: Apex) -> Vector:
         """The apex after one stride from an apex."""
-        return sequence.stride(list(section), self._run)
+        return sequence.stride(list(section), self._run, self._swing_clamp)

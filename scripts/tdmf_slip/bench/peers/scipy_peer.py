@@ -18,9 +18,9 @@ class Peer:
 
     name = f"scipy {scipy.__version__} DOP853"
 
-    def __init__(self, tolerance: float) -> None:
+    def __init__(self, tolerance: float, swing_clamp: bool) -> None:
         """At a relative tolerance; the absolute one is the same, in units of Table 1."""
-        self._tolerance = tolerance
+        self._tolerance, self._swing_clamp = tolerance, swing_clamp
         self.seconds = 0.0
         self.evaluations: int | None = 0
         """Of the right-hand side so far."""
@@ -60,4 +60,4 @@ class Peer:
 
     def stride(self, section: Apex) -> NDArray[np.float64]:
         """The apex after one stride from an apex."""
-        return sequence.stride(list(section), self._run)
+        return sequence.stride(list(section), self._run, self._swing_clamp)

@@ -15,11 +15,14 @@ Run: TypeAlias = Callable[[str, State, State], tuple[list[Number], Number]]
 MOVING = {
     "place": range(8),
     "retract": range(8),
+    "clamped": range(8),
     "stick": (2, 3, 6, 7),
     "slip": (0, 2, 3, 4, 6, 7),
     "graze": (0, 2, 3, 4, 6, 7),
 }
-"""Indices of the states that change in a mode."""
+"""Indices of the states that change in a mode. Retract is without the clamp of the swing, clamped with it."""
+FLIGHT = ("place", "retract", "clamped")
+"""Modes of flight."""
 LONGEST = 100.0
 """Time within which every mode ends."""
 PARAMETERS = 4
@@ -37,18 +40,23 @@ STANCE = (
 )
 
 
+def modes_of(swing_clamp: bool) -> tuple[str, ...]:
+    """Names of the modes of a stride, with the clamp or without it."""
+    return tuple(name for name in MOVING if name != ("retract" if swing_clamp else "clamped"))
+
+
 def mode_of(name: str) -> str:
-    """What `equations.accelerations` calls a mode: place and retract are both flight."""
-    return "flight" if name in ("place", "retract") else name
+    """What `equations.accelerations` calls a mode."""
+    return "flight" if name in FLIGHT else name
 
 
 def torque_of(name: str, state: State, parameters: State) -> Number:
     """Of the hip.
 
-    In flight the parameters are gain, target and rate gain, and the sign of the clamp's argument; on the
+    In flight the parameters are gain, target and rate gain, and the sign of a clamp's argument; on the
     ground torque, friction, sign of the slip, and what keeps the guard of mid-stance away.
     """
-    if mode_of(name) == "flight":
+    if name in FLIGHT:
         return eq.servo(state, parameters[0], parameters[1], parameters[2])
     return parameters[0]
 
@@ -58,6 +66,8 @@ def guards_of(name: str, state: State, parameters: State) -> list[Number]:
     if name == "place":
         return [state[1]]
     if name == "retract":
+        return [eq.vertical_velocity(state)]
+    if name == "clamped":
         clamp = parameters[3] * eq.servo(state, eq.KP, parameters[1], eq.KD) + eq.ARMED
         return [eq.vertical_velocity(state), clamp]
     if name == "graze":
@@ -69,8 +79,8 @@ def guards_of(name: str, state: State, parameters: State) -> list[Number]:
     return [parameters[1] * normal - tangential, parameters[1] * normal + tangential, upright, normal]
 
 
-def stride(section: State, run: Run) -> NDArray[np.float64]:
-    """The apex after one stride from an apex."""
+def stride(section: State, run: Run, swing_clamp: bool) -> NDArray[np.float64]:
+    """The apex after one stride from an apex, with the clamp of the swing or without it."""
     state, _ = run("place", eq.start(section), (eq.KP, eq.TOUCHDOWN_ANGLE, eq.KD, 1.0))
     state = eq.impact(state)
     for name, parameters in STANCE:
@@ -79,9 +89,12 @@ def stride(section: State, run: Run) -> NDArray[np.float64]:
             state[4] = state[4] * (guard != 0)  # it has come to rest
     target = eq.LIFTOFF_FACTOR * state[3]
     state, _ = run("graze", state, (0.0, target, 0.0, 0.0))
+    if not swing_clamp:
+        state, _ = run("retract", state, (eq.KP, target, eq.KD, 0.0))
+        return np.array(eq.apex(state))
     opened, closed = (eq.KP, target, eq.KD, 1.0), (0.0, target, 0.0, -1.0)
     for parameters in (opened, closed, opened):  # the clamp closes, and in other gaits opens again
-        state, guard = run("retract", state, parameters)
+        state, guard = run("clamped", state, parameters)
         if np.all(guard == 0):
             break
     return np.array(eq.apex(state))
