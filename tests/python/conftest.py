@@ -21,6 +21,7 @@ import pytest
 import tdmf_slip
 from fmpy.fmi2 import FMU2Model
 from tdmf_slip.cli.main import main
+from tdmf_slip.paper.reference_gaits import RUNNER
 
 RELEASE = os.environ.get("TDMF_SLIP_RELEASE") == "1"
 """Whether every sample is taken in full and tests that take minutes run: `scripts/test --release`."""
@@ -103,13 +104,27 @@ def unpacked3(fmu3, tmp_path_factory):
     return fmpy.extract(fmu3, str(tmp_path_factory.mktemp("unit3")))
 
 
+CLAMPED = RUNNER
+"""What the runners of references have that were computed with the clamp of the swing."""
+
+
 def reference_gaits():
+    """The published gaits, of runners that have `CLAMPED`."""
     file = importlib.resources.files("tdmf_slip.paper").joinpath("reference_gaits.json")
     return json.loads(file.read_text(encoding="utf-8"))["gaits"]
 
 
+def unit_reference():
+    """The gait at friction 0.6 of the unit's own runner, which has the clamp or does not."""
+    gaits = reference_gaits()
+    if not tdmf_slip.load_fmu().variables["hip.swing_clamp"].start:
+        free = pathlib.Path(__file__).with_name("free_swing.json").read_text(encoding="utf-8")
+        gaits = json.loads(free)["gaits"]
+    return next(gait for gait in gaits if gait["friction"] == 0.6)
+
+
 def apex_start(apex):
-    """Start values of a Table 1 runner at an apex, from the section's six coordinates."""
+    """State of a Table 1 runner at an apex, from the section's six coordinates."""
     return tdmf_slip.Runner.of({}).state_at(apex)
 
 

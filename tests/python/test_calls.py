@@ -3,11 +3,11 @@
 import fmpy
 import numpy as np
 import pytest
-from conftest import reference_gaits
+from conftest import unit_reference
 from fmpy.fmi1 import FMICallException
 from fmpy.simulation import instantiate_fmu
 
-(REFERENCE,) = (gait for gait in reference_gaits() if gait["friction"] == 0.6)
+REFERENCE = unit_reference()
 
 
 def test_a_unit_that_was_read_before_its_start_runs_as_ever(unpacked, description):

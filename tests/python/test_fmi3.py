@@ -8,7 +8,7 @@ from xml.etree import ElementTree
 import fmpy
 import numpy as np
 import pytest
-from conftest import apex_start, reference_gaits
+from conftest import CLAMPED, apex_start, reference_gaits
 from fmpy.fmi3 import FMU3Model, FMU3Slave
 from fmpy.validation import validate_fmu
 from lxml import etree
@@ -23,7 +23,7 @@ CO_SIMULATION = {
 
 
 def start_of(gait):
-    return apex_start(gait["apex"]) | {"ground.friction": gait["friction"]}
+    return apex_start(gait["apex"]) | CLAMPED | {"ground.friction": gait["friction"]}
 
 
 def strides(fmu, gait, **options):

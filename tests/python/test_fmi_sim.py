@@ -6,11 +6,11 @@ import subprocess
 
 import pytest
 import tdmf_slip
-from conftest import HANGS, reference_gaits
+from conftest import HANGS, unit_reference
 
 FMI_SIM = pathlib.Path(__file__).resolve().parents[2] / "build/importers/bin/fmi-sim"
 QUANTITIES = ("period", "length", "speed", "work", "cost_of_transport")
-(REFERENCE,) = (gait for gait in reference_gaits() if gait["friction"] == 0.6)
+REFERENCE = unit_reference()
 
 pytestmark = pytest.mark.skipif(
     not FMI_SIM.is_file(),

@@ -9,9 +9,9 @@ import zipfile
 import fmpy
 import pytest
 import tdmf_slip
-from conftest import RELEASE, reference_gaits
+from conftest import RELEASE, unit_reference
 
-(REFERENCE,) = (gait for gait in reference_gaits() if gait["friction"] == 0.6)
+REFERENCE = unit_reference()
 PAIRS = [(2, "gcc"), (3, "clang"), (2, "clang"), (3, "gcc")]
 """FMI version and compiler. The units share the core: the last two are tried before a release only."""
 QUANTITIES = ("period", "length", "speed", "work", "cost_of_transport")

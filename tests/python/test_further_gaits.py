@@ -8,6 +8,7 @@ import fmpy
 import numpy as np
 import pytest
 import tdmf_slip
+from conftest import CLAMPED
 from tdmf_slip.library.gait import gait_near
 
 GAITS = json.loads(pathlib.Path(__file__).with_name("further_gaits.json").read_text(encoding="utf-8"))[
@@ -36,7 +37,7 @@ NOT_COUNTED = ("clamp",)
 
 def given_of(gait):
     """Start values without a posture, angles in rad."""
-    return {
+    return CLAMPED | {
         name: np.radians(float(value.removesuffix(" deg"))) if isinstance(value, str) else value
         for name, value in gait["start_values"].items()
     }

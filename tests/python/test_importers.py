@@ -10,9 +10,9 @@ import subprocess
 import sys
 
 import pytest
-from conftest import HANGS, reference_gaits
+from conftest import HANGS, unit_reference
 
-(REFERENCE,) = (gait for gait in reference_gaits() if gait["friction"] == 0.6)
+REFERENCE = unit_reference()
 QUANTITIES = ("period", "length", "speed", "work", "cost_of_transport")
 
 # The programs get the unit's path and the value references of the quantities and of stride.count.

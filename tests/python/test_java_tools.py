@@ -6,12 +6,12 @@ import shutil
 import subprocess
 
 import pytest
-from conftest import HANGS, reference_gaits
+from conftest import HANGS, unit_reference
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 JARS = ROOT / "build/importers/java"
 QUANTITIES = ("period", "length", "speed", "work", "cost_of_transport")
-(REFERENCE,) = (gait for gait in reference_gaits() if gait["friction"] == 0.6)
+REFERENCE = unit_reference()
 
 pytestmark = pytest.mark.skipif(
     shutil.which("java") is None or not (JARS / "vdmcheck2.jar").is_file(),

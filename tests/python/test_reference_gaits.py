@@ -4,7 +4,7 @@ import dataclasses
 
 import numpy as np
 import pytest
-from conftest import apex_start, reference_gaits
+from conftest import CLAMPED, apex_start, reference_gaits
 from tdmf_slip import find_gait
 
 SCALARS = ("period", "length", "speed", "work", "cost_of_transport")
@@ -30,14 +30,12 @@ def settle(reference, run):
     A gait shrinks a distance by its largest eigenvalue a stride, so it piles up the solver's error of one
     stride 1/(1 - 0.91) = 11 times at friction 0.2: the long run is the more exact one.
     """
-    friction = {"ground.friction": reference["friction"]}
-    strides = np.ceil(np.log(LEFT) / np.log(find_gait(friction).lambda_max))
-    _, instance = run((strides + 0.5) * reference["period"], friction, tolerance=1e-10, output_interval=5.0)
+    given = CLAMPED | {"ground.friction": reference["friction"]}
+    strides = np.ceil(np.log(LEFT) / np.log(find_gait(given).lambda_max))
+    _, instance = run((strides + 0.5) * reference["period"], given, tolerance=1e-10, output_interval=5.0)
     apex = instance.real(*(f"apex.{name}" for name in APEX))
     counts = ("stride.count", "event.count")
-    rows, instance = run(
-        2.1 * reference["period"], apex_start(apex) | friction, tolerance=1e-9, output=counts
-    )
+    rows, instance = run(2.1 * reference["period"], apex_start(apex) | given, tolerance=1e-9, output=counts)
     stride = dict(zip(SCALARS, instance.real(*(f"stride.{name}" for name in SCALARS)), strict=True))
     return Settled(apex, rows, stride, instance.text("stride.word"), instance.real("hip.liftoff_angle")[0])
 

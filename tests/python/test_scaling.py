@@ -4,7 +4,7 @@ import math
 import random
 
 import pytest
-from conftest import apex_start, reference_gaits
+from conftest import CLAMPED, apex_start, reference_gaits
 
 GAITS = {gait["friction"]: gait for gait in reference_gaits()}
 
@@ -43,7 +43,7 @@ def test_scaling(run, seed):
     m, k, l0 = (10 ** draw.uniform(-3, 4) for _ in range(3))
     time, energy = math.sqrt(m / k), k * l0**2
     values = scaled_parameters(m, k, l0) | scaled_start(gait["apex"], l0, time)
-    values["ground.friction"] = gait["friction"]
+    values |= {**CLAMPED, "ground.friction": gait["friction"]}
     _, instance = run(3.3 * gait["period"] * time, values, output_interval=gait["period"] * time / 20)
     assert instance.text("stride.word") == gait["word"]
     found = instance.real("stride.period", "stride.length", "stride.work", "stride.cost_of_transport")

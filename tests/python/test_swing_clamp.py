@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 import tdmf_slip
 import xarray
-from conftest import long, some_of
+from conftest import release, some_of
 from scipy_strides import Stride
 from tdmf_slip import InputError, Runner, find_gait, stride_map, sweep
 from tdmf_slip.errors import Note
@@ -104,7 +104,7 @@ def test_borders_without_the_clamp_are_proved(border):
     assert proof.word_continued in (border["from"], border["to"])
 
 
-@long
+@release
 @pytest.mark.parametrize("friction", FRICTIONS)
 def test_what_gaits_without_the_clamp_attract_is_proved(friction):
     pytest.importorskip("flint")

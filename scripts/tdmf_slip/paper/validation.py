@@ -198,7 +198,7 @@ def validate(
     True
     """
     fmu = load_fmu(fmu)
-    parameters = read_parameters("paper")
+    parameters = {**read_parameters("paper"), **reference.RUNNER}
     gaits = []
     with progress_bar("gaits", len(WORDS), "gaits", progress) as bar:
         for friction in WORDS:
