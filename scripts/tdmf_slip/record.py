@@ -6,7 +6,7 @@ instead of `runner`, and a proof has its exact `parameters`. A NetCDF file has e
 
 import json
 import warnings
-from collections.abc import Mapping
+from collections.abc import Container, Mapping
 from typing import Any
 
 from .errors import Note
@@ -26,9 +26,10 @@ def origin_of(*, reduced: bool = False, version: str = __version__) -> dict[str,
     return {"version": version, "model": "reduced" if reduced else "full"}
 
 
-def record_of(values: Mapping[str, float], *, reduced: bool = False) -> dict[str, Any]:
-    """The record of a result of one runner, as a plain object."""
-    return {**origin_of(reduced=reduced), "runner": dict(values)}
+def record_of(values: Mapping[str, float], varied: Container[str], *, reduced: bool) -> dict[str, Any]:
+    """The record of a result of one runner, as a plain object, without the values that vary in it."""
+    kept = {name: value for name, value in values.items() if name not in varied}
+    return {**origin_of(reduced=reduced), "runner": kept}
 
 
 def attributes_of(record: Mapping[str, Any]) -> dict[str, float | int | str]:

@@ -148,8 +148,7 @@ class Runner(ByContents):
         dict
             `version`, `model` and, without the varied values, `runner`.
         """
-        values = {name: value for name, value in self.values.items() if name not in varied}
-        return record_of(values, reduced=self.reduced)
+        return record_of(self.values, varied, reduced=self.reduced)
 
     def __reduce__(self) -> tuple[Callable[..., "Runner"], tuple[dict[str, Any], float]]:
         """Without what the C library has made of it, which is of use in this process only."""
@@ -209,12 +208,10 @@ class Runner(ByContents):
     def apex(self) -> NDArray[np.float64]:
         """The apex section that has the height, the forward speed and the leg of the start values.
 
-        The vertical velocity is left out.
-
         Returns
         -------
         ndarray of float, shape (n,)
-            In the order of `coordinates`.
+            In the order of `coordinates`; the vertical velocity is left out.
 
         Raises
         ------
