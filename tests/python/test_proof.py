@@ -8,7 +8,7 @@ from fractions import Fraction
 import numpy as np
 import pytest
 import tdmf_slip
-from conftest import release
+from conftest import CLAMPED, release
 
 pytest.importorskip("flint")
 
@@ -55,7 +55,7 @@ def check(proof, known):
 
 @pytest.fixture(scope="module")
 def proof():
-    return tdmf_slip.prove({"ground.friction": "0.6"})
+    return tdmf_slip.prove({"ground.friction": "0.6", **CLAMPED})
 
 
 def test_a_published_gait_is_proved_with_the_values_that_another_program_proved(proof):
@@ -72,7 +72,7 @@ def test_a_published_gait_is_proved_with_the_values_that_another_program_proved(
 @release
 @pytest.mark.parametrize("friction", GAITS)
 def test_every_published_gait_is_proved(friction):
-    check(tdmf_slip.prove({"ground.friction": friction}, digits=30, box="1e-32"), GAITS[friction])
+    check(tdmf_slip.prove({"ground.friction": friction, **CLAMPED}, digits=30, box="1e-32"), GAITS[friction])
 
 
 def test_enclosures_hold_what_the_library_computes(proof):
@@ -87,7 +87,7 @@ def test_enclosures_hold_what_the_library_computes(proof):
 
 
 def displaced(by):
-    gait = tdmf_slip.find_gait({"ground.friction": 10.0})
+    gait = tdmf_slip.find_gait({"ground.friction": 10.0, **CLAMPED})
     return replace(gait, apex=gait.apex + by)
 
 
@@ -106,7 +106,7 @@ def test_a_displaced_centre_is_proved_where_it_does():
 
 
 def test_a_box_across_a_border_is_undecided_with_guard_and_time():
-    proof = tdmf_slip.prove({"ground.friction": "0.49911"}, box="1e-3", digits=5)
+    proof = tdmf_slip.prove({"ground.friction": "0.49911", **CLAMPED}, box="1e-3", digits=5)
     assert not proof.proved
     assert 12 < proof.undecided["time"] < 14
 
@@ -134,7 +134,9 @@ def test_the_command_prints_the_proof():
     from tdmf_slip.cli.prove import prove_command
 
     ran = CliRunner().invoke(
-        prove_command, ["--friction", "10", "--digits", "5", "--json"], standalone_mode=False
+        prove_command,
+        ["--friction", "10", "--set", "hip.swing_clamp=true", "--digits", "5", "--json"],
+        standalone_mode=False,
     )
     printed = json.loads(ran.stdout)
     assert printed["proved"]
@@ -171,7 +173,7 @@ def check_border(proof, known):
 
 @pytest.fixture(scope="module")
 def border():
-    return tdmf_slip.prove_border(0.26585156, digits=8)
+    return tdmf_slip.prove_border(0.26585156, CLAMPED, digits=8)
 
 
 def test_a_border_is_proved_where_another_program_proved_it(border):
@@ -205,7 +207,7 @@ def test_a_side_that_is_undecided_is_told_to_be(border):
 @release
 @pytest.mark.parametrize("known", PROVED["borders"], ids=lambda known: known["kind"])
 def test_every_border_is_proved_with_a_gait_on_each_side(known):
-    proof = tdmf_slip.prove_border(float(arb(known["friction"]).mid()), digits=25)
+    proof = tdmf_slip.prove_border(float(arb(known["friction"]).mid()), CLAMPED, digits=25)
     check_border(proof, known)
     assert len(set(proof.words)) == 2
     assert all(side.proved for side in proof.sides)

@@ -82,6 +82,7 @@ class Point:
             "control.touchdown_angle": draw(-0.2, 0.2),
             "control.stance_torque": draw(-0.1, 0.1),
             "control.thrust": draw(0, 0.1),
+            "hip.swing_clamp": bool(rng.random() < 0.5),
         }
         fmu = load_fmu()
         self.runner = Runner.of(self.given)
@@ -111,7 +112,7 @@ class Point:
             "off": draw(-1, 1),
         }
         whole = with_helpers(self.balls, self.mode, {n: arb(v) for n, v in self.values.items()})
-        if off and not self.mode.places:
+        if off and not self.mode.places and self.given["hip.swing_clamp"]:
             clamped = laws.servo_torque(self.balls, self.mode, Record(**whole)) < 0
             self.mode = Mode(**{**vars(self.mode), "clamped": bool(clamped)})
         self.at = Record(**whole)
@@ -157,9 +158,9 @@ class Point:
 
 
 def exact_names(runner):
-    from tdmf_slip.library.members import VARIED
+    from tdmf_slip.library.members import MOVING
 
-    return [name for name in VARIED if name in runner.values]
+    return [name for name in MOVING if name in runner.values]
 
 
 def close(one, other, scale=1.0):

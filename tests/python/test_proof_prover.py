@@ -7,7 +7,7 @@ from types import SimpleNamespace as Record
 
 import pytest
 import tdmf_slip
-from conftest import some_of
+from conftest import CLAMPED, some_of
 
 pytest.importorskip("flint")
 
@@ -21,7 +21,7 @@ from tdmf_slip.proof.varied_flow import VariedFlow
 
 PROVED = json.loads((pathlib.Path(__file__).parent / "proved_gaits.json").read_text(encoding="utf-8"))
 KNOWN = next(gait for gait in PROVED["gaits"] if gait["friction"] == "0.2")
-GIVEN = {"ground.friction": "0.2"}
+GIVEN = {"ground.friction": "0.2", **CLAMPED}
 BITS, DEGREE = 128, 40
 PLANE = Record(
     line=Record(slope=arb(0)),
