@@ -6,8 +6,8 @@ instead of `runner`, and a proof has its exact `parameters`. A NetCDF file has e
 
 import json
 import warnings
-from collections.abc import Container, Mapping
-from typing import Any
+from collections.abc import Mapping
+from typing import Any, Protocol
 
 from .errors import Note
 from .version import __version__
@@ -26,10 +26,22 @@ def origin_of(*, reduced: bool = False, version: str = __version__) -> dict[str,
     return {"version": version, "model": "reduced" if reduced else "full"}
 
 
-def record_of(values: Mapping[str, float], varied: Container[str], *, reduced: bool) -> dict[str, Any]:
-    """The record of a result of one runner, as a plain object, without the values that vary in it."""
-    kept = {name: value for name, value in values.items() if name not in varied}
-    return {**origin_of(reduced=reduced), "runner": kept}
+class HasRunnerValues(Protocol):
+    """A runner: its values and its model."""
+
+    @property
+    def values(self) -> Mapping[str, float]:
+        """Values by the unit's names."""
+
+    @property
+    def reduced(self) -> bool:
+        """Whether its model is the reduced map."""
+
+
+def record_of(runner: HasRunnerValues, *varied: str) -> dict[str, Any]:
+    """What a saved result says of its runner: `version`, `model` and `runner`, without values that vary."""
+    kept = {name: value for name, value in runner.values.items() if name not in varied}
+    return {**origin_of(reduced=runner.reduced), "runner": kept}
 
 
 def attributes_of(record: Mapping[str, Any]) -> dict[str, float | int | str]:

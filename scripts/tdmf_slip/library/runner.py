@@ -135,20 +135,7 @@ class Runner(ByContents):
             raise InputError(f"{name} = {shown(value)} is not allowed; allowed: a number")
         return replace(self, values={**self.values, name: value if name in FLAGS else float(value)})
 
-    def record(self, *varied: str) -> dict[str, Any]:
-        """What a saved result says of its runner.
-
-        Parameters
-        ----------
-        varied : str
-            Names of values that the result has many of.
-
-        Returns
-        -------
-        dict
-            `version`, `model` and, without the varied values, `runner`.
-        """
-        return record_of(self.values, varied, reduced=self.reduced)
+    record = record_of
 
     def __reduce__(self) -> tuple[Callable[..., "Runner"], tuple[dict[str, Any], float]]:
         """Without what the C library has made of it, which is of use in this process only."""
