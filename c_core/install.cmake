@@ -18,13 +18,13 @@ install(FILES ${CMAKE_CURRENT_BINARY_DIR}/tdmf_slipConfigVersion.cmake DESTINATI
         COMPONENT library)
 # A package that pkg-config finds may have been moved since it was configured, as by cmake --install --prefix, unless a
 # folder was given as an absolute path.
-set(prefix_of_pc ${CMAKE_INSTALL_PREFIX})
+string(REPLACE " " "\\ " prefix_of_pc ${CMAKE_INSTALL_PREFIX})
 if(NOT IS_ABSOLUTE "${CMAKE_INSTALL_LIBDIR}")
     file(RELATIVE_PATH prefix_of_pc ${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig ${CMAKE_INSTALL_PREFIX})
     string(PREPEND prefix_of_pc "\${pcfiledir}/")
 endif()
 foreach(folder IN ITEMS LIBDIR INCLUDEDIR)
-    set(${folder}_of_pc ${CMAKE_INSTALL_${folder}})
+    string(REPLACE " " "\\ " ${folder}_of_pc ${CMAKE_INSTALL_${folder}})
     if(NOT IS_ABSOLUTE "${CMAKE_INSTALL_${folder}}")
         string(PREPEND ${folder}_of_pc "\${prefix}/")
     endif()

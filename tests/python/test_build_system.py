@@ -4,6 +4,7 @@ import itertools
 import json
 import os
 import pathlib
+import shlex
 import shutil
 import subprocess
 import sys
@@ -101,11 +102,11 @@ def test_as_a_part_of_another_project_it_builds_and_installs_nothing_unasked(ins
 
 
 @pytest.mark.skipif(shutil.which("pkg-config") is None, reason="pkg-config is not installed")
-@pytest.mark.parametrize("library_folder", ["lib", "lib/sub", "/opt/elsewhere/lib"])
-@pytest.mark.parametrize("header_folder", ["include", "/opt/headers"])
+@pytest.mark.parametrize("library_folder", ["lib", "lib/sub", "/opt/else where/lib"])
+@pytest.mark.parametrize("header_folder", ["include", "/opt/the headers"])
 def test_pkg_config_finds_absolute_folders(tmp_path_factory, configured, library_folder, header_folder):
-    """Relative folders move with the file, absolute ones stay."""
-    moved = tmp_path_factory.mktemp("moved")
+    """Relative folders move with the file, absolute ones stay; spaces are quoted."""
+    moved = tmp_path_factory.mktemp("moved to")
     run(
         "cmake",
         f"-DCMAKE_INSTALL_LIBDIR={library_folder}",
@@ -115,9 +116,8 @@ def test_pkg_config_finds_absolute_folders(tmp_path_factory, configured, library
     packages = moved / library_folder.lstrip("/") / "pkgconfig"
     packages.mkdir(parents=True)
     shutil.copy(configured / "c_core" / "tdmf_slip.pc", packages)
-    flags = run(
-        "pkg-config", "--cflags", "--libs", "tdmf_slip", env=os.environ | {"PKG_CONFIG_PATH": str(packages)}
-    ).split()
+    environment = os.environ | {"PKG_CONFIG_PATH": str(packages)}
+    flags = shlex.split(run("pkg-config", "--cflags", "--libs", "tdmf_slip", env=environment))
     found = {flag[:2]: pathlib.Path(os.path.normpath(flag[2:])) for flag in flags if flag[:2] in ("-I", "-L")}
     prefix = pathlib.Path("/usr/local") if library_folder.startswith("/") else moved
     assert found == {"-I": prefix / header_folder, "-L": moved / library_folder}
