@@ -206,16 +206,20 @@ def test_every_fate_has_a_colour():
     assert set(ensemble.FATES) == {*basin_map.COUNTED, *basin_map.OTHERS}
 
 
-@pytest.mark.parametrize("preset", ["paper", "human"])
-def test_a_map_says_friction_and_units(fmu, monkeypatch, preset):
-    """SI on both axes, as the ranges are given, with the scales of the runner."""
+@pytest.mark.parametrize(
+    ("preset", "length", "rate"),
+    [
+        ("paper", "leg length (l₀)", "rate of leg angle (√(k/m))"),
+        ("human", "leg length (m;  l₀ = 1 m)", "rate of leg angle (rad/s;  √(k/m) = 16.52 rad/s)"),
+    ],
+)
+def test_a_map_says_friction_and_units(fmu, monkeypatch, preset, length, rate):
+    """The paper's units for a runner in them; SI with the runner's scales for any other."""
     runner = Runner.of(preset, fmu).but("ground.friction", 0.55)
     data = basin.basin(runner, {"leg_length": (1.2, 1.3), "leg_angle_rate": (0.2, 0.4)}, 2, threads=1)
     _, axes, figure = drawn(data, monkeypatch)
     assert "friction 0.55" in axes.get_title(loc="left")
-    rate = "1" if preset == "paper" else "16.52"
-    assert axes.get_ylabel() == "leg length (m;  l₀ = 1 m)"
-    assert axes.get_xlabel() == f"rate of leg angle (rad/s;  √(k/m) = {rate} rad/s)"
+    assert (axes.get_ylabel(), axes.get_xlabel()) == (length, rate)
     assert "beyond the map" in figure.legends[0].get_texts()[0].get_text()
 
 

@@ -157,7 +157,7 @@ def test_a_file_that_is_none_is_told_without_a_number(command, tmp_path, option,
 
 
 def test_quantities_are_printed_with_their_units(command):
-    _, out, _ = command("gait")
+    _, out, _ = command("gait", "--parameters", "human")
     lines = dict(line.split(maxsplit=1) for line in out.splitlines())
     for name, unit in (
         ("period", "s"),
@@ -172,9 +172,9 @@ def test_quantities_are_printed_with_their_units(command):
         "basin", "--n", 2, "--axes", "com_height=1.3:1.4", "--axes", "com_speed=1:1.1", "--samples", 0
     )
     lines = dict(line.split(maxsplit=1) for line in out.splitlines())
-    assert lines["settled_area"].endswith(" m·m/s")
-    assert lines["step_up"].endswith(" m")
-    assert "period (s)" in command("sweep", "--friction", "0.6:0.6:1")[1]
+    assert lines["settled_area"].endswith(" l0·l0 sqrt(k/m)")
+    assert lines["step_up"].endswith(" l0")
+    assert "period (s)" in command("sweep", "--parameters", "human", "--friction", "0.6:0.6:1")[1]
 
 
 def test_a_preset_may_be_changed_by_an_option(command):

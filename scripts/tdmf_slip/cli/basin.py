@@ -192,7 +192,7 @@ def _axes(spans: tuple[str, ...], coordinates: Sequence[str]) -> dict[str, str]:
 def _basin_text(result: Mapping[str, Any], axes: tuple[str, ...], display: DisplayUnits) -> str:
     units = {axis: display.unit(f"apex.{axis}") for axis in COORDINATES}
     rows = {n: str(v) for n, v in without_record(result).items() if n not in ("robustness", "volume")}
-    rows["settled_area"] = quantity(result["settled_area"], " ".join(units[axis] for axis in axes), 6)
+    rows["settled_area"] = quantity(result["settled_area"], "·".join(units[axis] for axis in axes), 6)
     for name, value in result["robustness"].items():
         rows[name] = (
             "beyond the largest tried" if value is None else quantity(value, units[DISTURBED[name]], 4)
