@@ -66,7 +66,7 @@ class OldRun:
         return time, CONTACTS[mode.contact], PHASES[mode.phase]
 
     def to(self, until):
-        """Go on to a time, in pieces, since the log has room for few events; the inputs are ramped on the way."""
+        """Go on to a time, in pieces because the log has room for few events; inputs are ramped."""
         for end in np.linspace(self.motion.time, until, 9)[1:] if until > self.motion.time else [until]:
             self.log.count = 0
             elapsed = end - self.motion.time
