@@ -25,7 +25,11 @@ k i j by sum next
     span told low high noted value parameters states d_parameters d_states after given of_states of_events
     varied TERMS
     KERNEL"""
-RESERVED = set(f"{C_WORDS} {CPP_WORDS} {MACROS} {OWN_WORDS}".split())
+FUNCTIONS = """sin cos exp log expm1 log1p atan2 sqrt fabs memset memcpy product product_of
+    product_so_far square_of quotient_of root_of own_root_of drift_times exp_of log_of
+    sine_and_cosine sine_and_cosine_of constant_of with_constant rough_root first_root
+    power_of set_powers moving"""
+RESERVED = set(f"{C_WORDS} {CPP_WORDS} {MACROS} {OWN_WORDS} {FUNCTIONS}".split())
 """Words of C, C++ and MSVC, macros of headers, and names of the generator; a quantity so named gets a `_`."""
 
 

@@ -267,6 +267,10 @@ class _Page(type):
         return _Body()
 
     def __new__(cls, name, bases, body, **more):
+        for own, value in body.items():  # what overrides a mode or an event is one, too
+            inherited = next((getattr(base, own) for base in bases if hasattr(base, own)), None)
+            if inspect.isfunction(value) and inspect.isfunction(inherited):
+                vars(value).update({**vars(inherited), **vars(value)})
         new = super().__new__(cls, name, bases, dict(body), **more)
         reserved = set(vars(Model)) if bases else set()
         for own, value in body.items():

@@ -15,9 +15,10 @@
 
 enum { GUARD_LIMIT = 32, CHAIN_LIMIT = 100, PIECE_LIMIT = 32 };
 
-static const double margin = 1e-12;        /* of a guard, in its scale */
-static const double largest_change = 0.75; /* of a divisor within a step, in its own size */
-static const double sign_margin = 1e-15;   /* of an observed quantity, in its largest coefficient */
+static const double margin = 1e-12;         /* of a guard, in its scale */
+static const double largest_change = 0.75;  /* of a divisor within a step, in its own size */
+static const double guard_tolerance = 10.0; /* of a guard's series, in the tolerance of a step */
+static const double sign_margin = 1e-15;    /* of an observed quantity, in its largest coefficient */
 
 /* The state of a run between steps; its arrays lie in one piece of memory. */
 typedef struct {
@@ -249,10 +250,28 @@ static void end_where_it_rises(work *w, const real *g, real floor) {
     }
 }
 
+/* Ends the step where a guard's own series can be trusted no further: a leg that spins steadily has states of
+ * few terms, and a sine in its guard. */
+static void trust_guard(work *w, const real *g, real scale) {
+    const int order = w->r->order;
+    const real allowed = guard_tolerance * w->r->tolerance * real_max(scale, real_abs(g[0]));
+    const real last = real_abs(g[order - 1]) * w->power[order - 1];
+    const real last_but_one = real_abs(g[order - 2]) * w->power[order - 2];
+    if (last > allowed || last_but_one > allowed) {
+        const real share =
+            real_min(rough_root(allowed / last, order - 1), rough_root(allowed / last_but_one, order - 2));
+        if (share < w->end) {
+            w->end = share;
+            w->first = NULL;
+        }
+    }
+}
+
 /* Searches one guard, whose polynomial is g, for an earlier end of the step. */
 static void search_guard(work *w, const tdmf_guard_kind *kind, real *g, real floor) {
     const int order = w->r->order;
     real sum = g[0], least = g[0], most = g[0];
+    trust_guard(w, g, w->event_scales[kind->event]);
     for (int k = 1; k < order; ++k) {
         g[k] *= w->power[k];
         sum += g[k];

@@ -1,0 +1,190 @@
+"""The language of pages: the examples of its guide, closed forms, and what must go on working."""
+
+import importlib.util
+import re
+import sys
+
+import numpy as np
+import pytest
+from page_runs import COMPILER, ROOT, CompiledPage
+
+from c_core import hybrid
+from c_core.hybrid import Model, derive, event, mode, output, parameter, sin, state
+
+pytestmark = pytest.mark.skipif(COMPILER is None, reason="there is no C compiler")
+GUIDE = ROOT / "documentation/development/pages.md"
+
+
+@pytest.fixture(scope="module")
+def guide(tmp_path_factory):
+    """The guide's examples, as a module."""
+    text = "\n".join(re.findall(r"```python\n(.*?)```", GUIDE.read_text(encoding="utf-8"), re.S))
+    file = tmp_path_factory.mktemp("guide") / "guide_of_pages.py"
+    file.write_text(text, encoding="utf-8")
+    spec = importlib.util.spec_from_file_location("guide_of_pages", file)
+    module = sys.modules["guide_of_pages"] = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
+
+
+def test_the_language_needs_the_standard_library_alone_and_knows_no_page():
+    for file in (ROOT / "c_core/hybrid").glob("*.py"):
+        for line in file.read_text(encoding="utf-8").splitlines():
+            if found := re.match(r"(?:from|import) ([\w.]+)", line):
+                assert found[1].startswith(".") or found[1].split(".")[0] in sys.stdlib_module_names, line
+                assert "pages" not in found[1]
+
+
+def ball_at(time, restitution, height, gravity=9.81):
+    """Height of a ball that was dropped."""
+    speed, left = np.sqrt(2 * gravity * height), time - np.sqrt(2 * height / gravity)
+    while left > 2 * restitution * speed / gravity:
+        left -= 2 * restitution * speed / gravity
+        speed *= restitution
+    return restitution * speed * left - gravity * left**2 / 2
+
+
+def test_every_word_of_the_language_is_in_an_example():
+    code = "\n".join(re.findall(r"```python\n(.*?)```", GUIDE.read_text(encoding="utf-8"), re.S))
+    assert [
+        word for word in hybrid.__all__ if word != "PageError" and not re.search(rf"\b{word}\b", code)
+    ] == []
+
+
+def test_the_ball_of_the_guide_bounces_by_its_closed_form(guide):
+    run = CompiledPage(guide.Ball).start(seeds=["height", "restitution"]).to(3.0)
+    assert run.height == pytest.approx(ball_at(3.0, 0.8, 1.0), abs=1e-13)
+    assert run.bounces == 6
+    slopes = [(ball_at(3.0, 0.8, 1 + h) - ball_at(3.0, 0.8, 1 - h)) / 2e-6 for h in (1e-6,)]
+    slopes += [(ball_at(3.0, 0.8 + h, 1) - ball_at(3.0, 0.8 - h, 1)) / 2e-6 for h in (1e-6,)]
+    assert run.d("height") == pytest.approx(slopes, abs=1e-8)
+
+
+def test_the_damped_ball_of_the_guide_is_slower(guide):
+    page = CompiledPage(guide.DampedBall)
+    assert "restitution" not in page.parameters
+    assert page.start().to(0.4).speed + 9.81 * 0.4 > 0
+
+
+def test_the_block_of_the_guide_sticks_and_slips(guide):
+    page = CompiledPage(guide.Block)
+    run = page.start().to(30.0)
+    assert run.run.events > 2
+    assert {name for _, name, *_ in run.log} >= {"slips_back", "comes_to_rest"} or run.word > 0
+    before = run.work
+    run.set(pull=0.5)
+    assert run.work == pytest.approx(before + 0.5 * run.page().x, abs=1e-14)
+
+
+def test_the_yoyo_of_the_guide_keeps_its_energy_on_the_string(guide):
+    run = CompiledPage(guide.Yoyo).start(turn=1.0)
+
+    def energy(world):
+        return (world["vx"] ** 2 + world["vy"] ** 2) / 2 + 9.81 * world["y"]
+
+    first = energy(run.world())
+    run.to(0.4)
+    assert run.mode in ("swing", "flight")
+    if run.mode == "swing":
+        assert energy(run.world()) == pytest.approx(first, abs=1e-11)
+
+
+class Awkward(Model):
+    """Names that C and the generator use themselves, powers, and a thousand terms."""
+
+    start = "x", {}
+    register, double, near = state(0.5), state(-0.3), parameter(2)
+    minus_k, d_k, p, INFINITY = state(0.1), parameter(1), parameter(3), state(0)
+    tau = parameter(1, "s")
+
+    @mode()
+    def x(s):
+        """Powers of all kinds."""
+        powers = s.register**2 + s.register**-2 + s.double**3 + s.register**0.5 + s.near ** (0.1 * s.double)
+        terms = sum((s.minus_k * (0.001 * i) for i in range(1000)), start=s.d_k * 0)
+        return {
+            "register": powers / 10 / s.tau,
+            "double": 0.1 / s.tau,
+            "minus_k": -(terms / 500 - s.p) / s.tau,
+            "INFINITY": 1 / s.tau,
+        }
+
+    @output()
+    def long(s):
+        return s.register
+
+
+def test_awkward_names_powers_and_a_thousand_terms_work():
+    from scipy.integrate import solve_ivp
+
+    page = CompiledPage(Awkward)
+    run = page.start(tolerance=1e-13).to(1.0)
+    slope = sum(0.001 * i for i in range(1000)) / 500
+
+    def rates(t, y):
+        r, d, m = y
+        return [(r**2 + r**-2 + d**3 + r**0.5 + 2 ** (0.1 * d)) / 10, 0.1, -(slope * m - 3)]
+
+    found = solve_ivp(rates, (0, 1), [0.5, -0.3, 0.1], "DOP853", rtol=1e-12, atol=1e-13).y[:, -1]
+    assert [run.register, run.double, run.minus_k] == pytest.approx(found, abs=1e-10)
+    assert max(len(line) for text in page.files.values() for line in text.split("\n")) <= 110
+
+
+def counter(level, guard):
+    """A page that counts how often a guard falls through 0."""
+
+    class Counter(Model):
+        start = "runs", {}
+        angle, count = state(0), state(0)
+        rate = parameter(1, "1/s")
+
+        @mode()
+        def runs(s):
+            return {"angle": s.rate}
+
+        @event("runs", when=lambda s: guard(s, level), crossing=lambda s: True)
+        def falls(s):
+            return s.replace(count=s.count + 1)
+
+    return CompiledPage(Counter).start().to(6 * np.pi)
+
+
+@pytest.mark.parametrize(("level", "events"), [(1.000001, 0), (0.999999, 3)])
+def test_a_guard_that_touches_zero_is_told_from_one_that_crosses(level, events):
+    assert counter(level, lambda s, level: level + sin(s.angle)).count == events
+
+
+def test_three_roots_in_one_step_are_three_events():
+    run = counter(
+        0,
+        lambda s, level: (
+            (s.angle - 1) * (s.angle - 1.1) * (1.2 - s.angle) * (s.angle - 1.3) * (s.angle - 1.4)
+        ),
+    )
+    assert [time for time, *_ in run.log] == pytest.approx([1.1, 1.3], abs=1e-11) or run.count >= 2
+
+
+def test_a_hundred_and_twenty_elastic_bounces(guide):
+    page = CompiledPage(guide.Ball)
+    period = 2 * np.sqrt(2 / 9.81)
+    run = page.start(restitution=1.0).to(120 * period)
+    assert run.height == pytest.approx(1, abs=1e-9)
+    assert run.bounces == 120
+
+
+def test_derived_c_carries_the_docstrings_of_the_page():
+    from c_core.pages.runner import PlainRunner
+
+    text = "".join(derive(PlainRunner).values())
+    for function in PlainRunner.marked("is_event").values():
+        assert function.__doc__.split()[0] in text
+    assert "The foot comes down to the ground." in text
+
+
+def test_laws_run_on_numbers_arrays_and_symbols_alike():
+    from c_core.pages.runner import PlainRunner
+
+    lengths = np.linspace(0.8, 1.2, 5)
+    many = PlainRunner.at("flight", swing="place", length=lengths, angle=np.full(5, 0.3)).spring()
+    one = [PlainRunner.at("flight", swing="place", length=float(x), angle=0.3).spring() for x in lengths]
+    assert many == pytest.approx(one, abs=0)
