@@ -6,7 +6,8 @@
 Each file is a table between tabulators with the vertical force in newtons in the column Fy, 300 rows a
 second; so others read those of Fukuchi, Fukuchi and Duarte (2017, PeerJ 5:e3298, data at
 doi:10.6084/m9.figshare.4543435). The speed, in tenths of a metre per second, stands in its name behind a T.
-Neither foot is told from the other, for a stride of the model is a step.
+Neither foot is told from the other, for a stride of the model is a step. An empty cell is a gap: steps that
+touch one are left out, and their number is printed on stderr.
 """
 
 import csv
@@ -17,6 +18,8 @@ from pathlib import Path
 
 import numpy as np
 
+COLUMN = "Fy"
+"""Of the vertical force, in letters of either case."""
 RATE = 300.0
 """Rows a second."""
 THRESHOLD = 30.0
@@ -48,17 +51,54 @@ def contacts(force):
     return down[: len(up)], up
 
 
+def read_forces(path):
+    """The column Fy, with NaN for each gap."""
+    try:
+        with open(path, encoding="utf-8-sig", newline="") as file:
+            header, *rows = csv.reader(file, delimiter="\t")
+    except (OSError, ValueError) as problem:
+        raise SystemExit(f"{path}: cannot be read: {problem}; allowed: a table with a header") from None
+    titles = [title.strip().lower() for title in header]
+    if COLUMN.lower() not in titles:
+        raise SystemExit(f"{path}: the columns {', '.join(titles)}; allowed: with the force in {COLUMN}")
+    column = titles.index(COLUMN.lower())
+    cells = [row[column].strip() if len(row) > column else "" for row in rows]
+    if any("," in cell for cell in cells) and any("." in cell for cell in cells):
+        raise SystemExit(f"{path}: decimal commas and points; allowed: one of the two, and no other mark")
+    try:
+        return np.array([float(cell.replace(",", ".") or "nan") for cell in cells])
+    except ValueError as problem:
+        raise SystemExit(f"{path}: {problem}; allowed: numbers, or empty cells") from None
+
+
+def steps_of(force):
+    """Of steps without a gap, the rows, those in contact and the peak force; and how many have a gap."""
+    is_gap = ~np.isfinite(force)
+    rows = np.arange(len(force))
+    known = force if is_gap.all() else np.interp(rows, rows[~is_gap], force[~is_gap])
+    down, up = contacts(known)
+    whole, cut = [], []
+    for begin, lift, end in zip(down[:-1], up[:-1], down[1:], strict=True):
+        if is_gap[begin - 1 : end + 1].any():
+            cut.append(end - begin)  # several steps, where the gap is long
+        else:
+            whole.append((end - begin, lift - begin, force[begin:lift].max()))
+    columns = np.array(whole, dtype=float).reshape(-1, 3).T
+    usual = np.median(columns[0]) if whole else np.inf
+    return columns, sum(max(1, round(length / usual)) for length in cut)
+
+
 def row_of(path):
     """Means over the steps, each with its standard error."""
-    with open(path, encoding="utf-8") as file:
-        force = np.array([float(row["Fy"] or "nan") for row in csv.DictReader(file, delimiter="\t")])
-    down, up = contacts(np.nan_to_num(force))
-    if len(down) < 3:
-        raise SystemExit(f"{path}: {len(down)} steps; allowed: 3 or more, with the force in the column Fy")
-    peaks = np.array([force[begin:end].max() for begin, end in zip(down, up, strict=True)])
-    steps, stances = np.diff(down) / RATE, (up - down) / RATE
+    (steps, stances, peaks), left_out = steps_of(read_forces(path))
+    if left_out:
+        print(f"{path}: {left_out} steps touch a gap and are left out", file=sys.stderr)
+    if len(steps) < 3:
+        raise SystemExit(
+            f"{path}: {len(steps)} steps; allowed: 3 or more, with the force in the column {COLUMN}"
+        )
     reported = [(speed_of(path), 0.01)]
-    for values in (steps, stances, peaks):
+    for values in (steps / RATE, stances / RATE, peaks):
         reported.append((values.mean(), values.std(ddof=1) / np.sqrt(len(values))))
     period, error = reported[1]
     reported[1] = 1.0 / period, error / period**2

@@ -98,6 +98,66 @@ def test_forces_without_steps_or_speed_are_refused(load, tmp_path):
         example.speed_of("forces.txt")
 
 
+def written(folder, force, title="Fy", mark="", point="."):
+    """A recording of forces, with an empty cell for each NaN."""
+    path = folder / "RBDS001runT35forces.txt"
+    cells = ["" if np.isnan(f) else f"{f:.3f}".replace(".", point) for f in force]
+    text = f"Time\t{title}\n" + "".join(f"{k}\t{cell}\n" for k, cell in enumerate(cells))
+    path.write_text(mark + text, encoding="utf-8")
+    return path
+
+
+STEPS = np.r_[np.tile(np.r_[np.zeros(50), np.full(60, 900.0)], 12), np.zeros(50)]
+"""Eleven steps of 110 rows each, and a last contact."""
+
+
+@pytest.mark.parametrize(
+    ("gap", "left_out"),
+    [
+        (slice(0, 0), 0),
+        (slice(400, 401), 1),  # in a stance
+        (slice(435, 436), 1),  # in a flight
+        (slice(379, 380), 2),  # before a foot comes down, where one step ends and another begins
+        (slice(700, 850), 3),  # half a second
+        (slice(100, 180), 2),  # over the end of a contact and the beginning of the next
+        (slice(0, 120), 0),  # before all steps
+    ],
+)
+def test_steps_that_touch_a_gap_are_left_out_and_counted(load, tmp_path, capsys, gap, left_out):
+    example = load("treadmill_forces")
+    force = STEPS.copy()
+    force[gap] = np.nan
+    row = [float(cell) for cell in example.row_of(written(tmp_path, force))]
+    assert row[2:8:2] == pytest.approx([300.0 / 110.0, 60.0 / 300.0, 900.0], rel=1e-5)
+    said = capsys.readouterr().err
+    assert (f": {left_out} steps touch a gap" in said) == bool(left_out)
+
+
+@pytest.mark.parametrize("layout", [{"title": "fy"}, {"title": " FY "}, {"mark": "\ufeff"}, {"point": ","}])
+def test_forces_are_read_in_the_layouts_that_spreadsheets_write(load, tmp_path, layout):
+    example = load("treadmill_forces")
+    assert example.row_of(written(tmp_path, STEPS, **layout)) == example.row_of(written(tmp_path, STEPS))
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("Time\tFz\n0\t1\n", "the columns time, fz; allowed: with the force in Fy"),
+        ("Time\tFy\n0\t1,650\n1\t12.5\n", "decimal commas and points"),
+        ("Time\tFy\n0\tmuch\n", "'much'"),
+        ("", "cannot be read"),
+        (b"Time\tFy\n0\t\xff\n", "cannot be read"),
+    ],
+)
+def test_what_are_no_forces_gets_one_sentence(load, tmp_path, text, said):
+    path = tmp_path / "RBDS001runT35forces.txt"
+    path.write_bytes(text if isinstance(text, bytes) else text.encode())
+    with pytest.raises(SystemExit, match=said):
+        load("treadmill_forces").row_of(path)
+    with pytest.raises(SystemExit, match="cannot be read"):
+        load("treadmill_forces").row_of(tmp_path / "none")
+
+
 def test_a_bounce_of_the_force_is_no_step(load):
     """A dip of a few rows within a contact, and a knock within a flight."""
     example = load("treadmill_forces")
