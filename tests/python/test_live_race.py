@@ -86,6 +86,17 @@ def test_what_is_changed_in_a_race_is_changed_for_both(page):
     assert not page.execute_script("return tdmfSlip.race.on")
 
 
+def test_a_race_against_no_number_is_refused_where_it_is_seen(page):
+    begin(page, "0.43", "abc")
+    wait(page, "!document.getElementById('problem').hidden", "the reason")
+    assert sentence(page) == "No race: ground.friction is no number: allowed from 0 to 1000000"
+    top, bottom, height = page.execute_script(
+        "const { top, bottom } = document.getElementById('problem').getBoundingClientRect();"
+        "return [top, bottom, innerHeight]"
+    )
+    assert 0 <= top < bottom <= height
+
+
 def test_a_race_without_a_gait_says_why_and_all_goes_on(page):
     begin(page, "0.43", "-1")
     wait(page, "!document.getElementById('problem').hidden", "the reason")

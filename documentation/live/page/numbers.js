@@ -53,9 +53,9 @@ export function shownValue({ unit, isFlag }, value) {
   return `${digits(value * factor)}${name ? ` ${printed(name)}` : ""}`.replace(" °", "°");
 }
 
-/** What the core refuses, with its numbers in the units of the fields. */
+/** What the core refuses, with its numbers in the units of the fields; what was no number is called so. */
 export function inShownUnits(message) {
-  return message.replace(
+  const told = message.replace(
     /= (\S+) (\S+) (is refused: allowed from) (\S+) to (\S+) \2$/,
     (whole, value, unit, refused, low, high) => {
       const { name, factor } = shownUnit(unit);
@@ -63,6 +63,7 @@ export function inShownUnits(message) {
       return factor === 1 ? whole : `= ${given} ${name} ${refused} ${least} to ${most} ${name}`;
     },
   );
+  return told.replace(/= nan( \S+)? is refused: /i, "is no number: ");
 }
 
 const SCALES = ["body.mass", "leg.stiffness", "leg.free_length"];

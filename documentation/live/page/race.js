@@ -65,7 +65,7 @@ export class Race {
     const { apex } = this.page.state.runner;
     const given = { ...this.page.state.values, [FRICTION]: friction };
     const { start, message } = await this.pool.run("lane", { given, apex });
-    const changed = differences(given);
+    const changed = Number.isFinite(friction) ? differences(given) : [];
     const why = changed.length ? ` With ${changed.join(", ")}.` : "";
     return { start, problem: start ? "" : `No race: ${inShownUnits(message)}${why}` };
   }
