@@ -1,22 +1,51 @@
 """What is given, checked: by its kind, and against a range."""
 
+import contextlib
+import datetime
 import difflib
+import os
 import reprlib
-from collections.abc import Container, Iterable
-from numbers import Real
+from collections.abc import Container, Iterable, Iterator
+from decimal import Decimal
+from numbers import Integral, Real
+from pathlib import Path
 from typing import TypeGuard
+
+import numpy as np
 
 from .errors import InputError
 
 LONGEST_NAME = 100
 """Of what is searched for among names: none is as long, and the search takes the square of it."""
+LONGEST_PATH = 4096
+SECOND = np.timedelta64(1, "s")
 _REPR = reprlib.Repr()
 _REPR.maxstring = _REPR.maxother = _REPR.maxlong = 100
 
 
 def shown(given: object) -> str:
     """What was given, for a message: on one line, and with its middle left out where it is long."""
-    return " ".join(_REPR.repr(given).split())
+    try:
+        plain = given.item() if isinstance(given, np.number) and not _is_duration(given) else given
+        return " ".join(_REPR.repr(plain).split())
+    except Exception:  # somebody else's code
+        return f"<{type(given).__name__}>"
+
+
+def refusal(what: str, given: object, allowed: str) -> InputError:
+    """The message about an argument that is not allowed."""
+    return InputError(f"{what} = {shown(given)} is not allowed; allowed: {allowed}")
+
+
+@contextlib.contextmanager
+def reading(what: str, given: object, allowed: str) -> Iterator[None]:
+    """Refuse an argument whose own methods fail while it is read."""
+    try:
+        yield
+    except InputError:
+        raise
+    except Exception as problem:  # somebody else's code
+        raise refusal(what, given, allowed) from problem
 
 
 def is_one_of(given: object, names: Container[str]) -> TypeGuard[str]:
@@ -27,28 +56,83 @@ def is_one_of(given: object, names: Container[str]) -> TypeGuard[str]:
 def check_kind(given: object, kinds: type | tuple[type, ...], what: str, allowed: str) -> None:
     """Refuse what is of another kind than wanted."""
     if not isinstance(given, kinds):
-        raise InputError(f"{what} = {shown(given)} is not allowed; allowed: {allowed}")
+        raise refusal(what, given, allowed)
 
 
-def is_number(given: object) -> TypeGuard[float]:
-    """Whether something is a real number, of whatever type."""
-    return isinstance(given, Real)
+def checked_flag(name: str, given: object) -> bool:
+    """Yes or no, as a bool; whatever else is true or false in Python is refused."""
+    check_kind(given, (bool, np.bool_), name, "True or False")
+    return bool(given)
 
 
-def checked(name: str, value: object, low: float, high: float) -> float:
+def path_of(given: object, what: str, allowed: str) -> Path:
+    """A path that is given as a text or a Path."""
+    check_kind(given, (str, os.PathLike), what, allowed)
+    with reading(what, given, allowed):
+        path = Path(given)  # type: ignore[arg-type] # its kind is checked
+        if len(str(path)) <= LONGEST_PATH:
+            return path
+    raise refusal(what, given, allowed)
+
+
+def number_of(given: object, unit: str = "") -> float | None:
+    """The real number that is given, or None; a duration is one where the unit is that of time, s."""
+    try:
+        if isinstance(given, np.ndarray) and given.ndim == 0 and not np.ma.is_masked(given):
+            given = given[()]
+        if _is_duration(given):
+            return _seconds(given) if unit == "s" else None
+        is_real = isinstance(given, Real | Decimal) and not isinstance(given, bool)
+        return float(given) if is_real else None  # type: ignore[arg-type] # it is one
+    except Exception:  # too large, or somebody else's code
+        return None
+
+
+def _is_duration(given: object) -> bool:
+    """Whether something is a length of time; one of NumPy counts as an integer."""
+    return isinstance(given, np.timedelta64 | datetime.timedelta)
+
+
+def _seconds(duration: object) -> float:
+    if isinstance(duration, datetime.timedelta):  # of pandas, too, where NaT is none
+        return duration.total_seconds()
+    assert isinstance(duration, np.timedelta64)
+    return float(duration / SECOND)
+
+
+def checked(name: str, value: object, low: float, high: float, unit: str = "") -> float:
     """A number within its range."""
-    if not is_number(value) or not low <= value <= high:
-        raise InputError(f"{name} = {shown(value)} is not allowed; allowed: {low:g} to {high:g}")
-    return float(value)
+    number = number_of(value, unit)
+    if number is None:
+        raise refusal(name, value, f"a number, {low:g} to {high:g}")
+    if not low <= number <= high:
+        raise refusal(name, value, f"{low:g} to {high:g}")
+    return number
 
 
 def checked_whole(name: str, value: object, low: int, high: int) -> int:
     """A whole number within its range."""
-    if not is_number(value) or not low <= value <= high or value % 1:
-        raise InputError(
-            f"{name} = {shown(value)} is not allowed; allowed: a whole number from {low} to {high}"
-        )
-    return int(value)
+    number = number_of(value)
+    if number is not None and number.is_integer():
+        whole = int(value) if isinstance(value, Integral) else int(number)  # beyond 2^53 a float is none
+        if low <= whole <= high:
+            return whole
+    raise refusal(name, value, f"a whole number from {low} to {high}")
+
+
+MAX_THREADS = 2**31 - 1
+
+
+def checked_threads(threads: object) -> int:
+    """How many threads of this machine, by default one for each processor."""
+    return (os.cpu_count() or 1) if threads is None else checked_whole("threads", threads, 1, MAX_THREADS)
+
+
+def number_in(text: str) -> float:
+    """The number that a text is; ValueError where it is none. Python's own takes `1_05` for 105."""
+    if "_" in text:
+        raise ValueError(f"{shown(text)} is no number")
+    return float(text)
 
 
 MAX_NUMBERS = 100_000_000
@@ -63,8 +147,7 @@ def check_size(what: str, count: int, of: str, maximum: int = MAX_NUMBERS) -> No
 
 def near_matches(name: object, names: Iterable[str]) -> str:
     """A hint at names that may have been meant, to follow in a message; empty where none is near."""
-    text = str(name)
-    if len(text) > LONGEST_NAME:
+    if not isinstance(name, str) or len(name) > LONGEST_NAME:
         return ""
-    near = difflib.get_close_matches(text, names, n=3, cutoff=0.5)
+    near = difflib.get_close_matches(name, names, n=3, cutoff=0.5)
     return f"; near matches: {', '.join(near)}" if near else ""

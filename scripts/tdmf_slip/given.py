@@ -5,12 +5,13 @@ Those are known by what they can do, so that neither pandas nor another library 
 
 import math
 from collections import Counter
-from collections.abc import Hashable, Iterable, Mapping, Sequence
+from collections.abc import Hashable, Iterable, Mapping, Sequence, Sized
 from typing import Any, Protocol, TypeGuard
 
 import numpy as np
+from numpy.typing import NDArray
 
-from .checks import checked_whole, is_number, shown
+from .checks import check_size, checked_whole, number_of, reading, refusal
 from .errors import InputError
 
 
@@ -34,54 +35,90 @@ def is_series(given: object) -> TypeGuard[Any]:
     return hasattr(given, "to_numpy") and not hasattr(given, "columns")
 
 
-def mapping_of(given: object, what: str, allowed: str) -> Mapping[Any, Any]:
-    """What is given by name."""
+MAX_ROW = 10_000_000
+"""Of what is given one after the other."""
+
+
+def mapping_of(given: object, what: str, allowed: str) -> dict[Any, Any]:
+    """What is given by name, as a dictionary of its own."""
     if given is None:
         return {}
-    if isinstance(given, Mapping):
-        return given
-    if is_table(given):
-        _check_once(given.columns, what)
-        return {name: np.asarray(given[name]) for name in given.columns}
-    if is_series(given) and hasattr(given, "items"):
-        pairs = list(given.items())
-        _check_once((name for name, _ in pairs), what)
-        return dict(pairs)
-    raise InputError(f"{what} = {shown(given)} is not allowed; allowed: {allowed}")
+    with reading(what, given, allowed):
+        if isinstance(given, Mapping):
+            return dict(given)
+        if is_table(given):
+            _check_once(given.columns, what)
+            return {name: np.asarray(given[name]) for name in given.columns}
+        if is_series(given) and hasattr(given, "items"):
+            pairs = list(given.items())
+            _check_once((name for name, _ in pairs), what)
+            return dict(pairs)
+    raise refusal(what, given, allowed)
 
 
-def row_of(given: object, what: str, allowed: str) -> Sequence[Any]:
-    """What is given one after the other."""
-    check_row(given, what, allowed)
-    return given if isinstance(given, Sequence) else list(given)  # type: ignore[call-overload] # it is a row
-
-
-def check_row(given: object, what: str, allowed: str) -> None:
-    """Refuse what is no row, without going through what may be as long as any."""
+def row_of(given: object, what: str, allowed: str, maximum: int = MAX_ROW) -> list[Any]:
+    """What is given one after the other, as a list of its own."""
     is_array = isinstance(given, np.ndarray) and given.ndim > 0
     is_sequence = isinstance(given, Sequence) and not isinstance(given, str | bytes)
     if not (is_sequence or is_array or is_series(given)):
-        raise InputError(f"{what} = {shown(given)} is not allowed; allowed: {allowed}")
+        raise refusal(what, given, allowed)
+    row: Any = given
+    with reading(what, given, allowed):
+        check_size(what, len(row), "values", maximum)
+        return list(row)
 
 
-def rows_of(given: object) -> object:
+def numbers_of(what: str, given: object, allowed: str = "numbers", unit: str = "") -> NDArray[np.float64]:
+    """An array of real numbers, of any shape; durations are ones where the unit is that of time, s.
+
+    Refused are
+
+    - complex numbers and truth values, which would be taken for others,
+    - masked values, which are none,
+    - dates, texts, and rows of different lengths.
+    """
+    with reading(what, given, allowed):
+        length = (
+            given.size if isinstance(given, np.ndarray) else len(given) if isinstance(given, Sized) else 1
+        )
+        check_size(what, length, "numbers")
+        if not _is_masked(given):
+            array = np.asarray(given)
+            check_size(what, array.size, "numbers")
+            if array.dtype.kind in "iuf":
+                return array.astype(float)
+            if array.dtype.kind in "mO":
+                numbers = [number_of(one, unit) for one in array.ravel()]
+                if None not in numbers:
+                    return np.array(numbers, dtype=float).reshape(array.shape)
+    raise refusal(what, given, allowed)
+
+
+def _is_masked(given: object) -> bool:
+    """Whether a masked value is anywhere in what is given."""
+    if isinstance(given, np.ma.MaskedArray):
+        return bool(np.ma.is_masked(given))
+    return isinstance(given, list | tuple) and any(map(_is_masked, given))
+
+
+def rows_of(given: object, what: str) -> object:
     """The rows of a table as mappings; what is no table, as it is."""
     if not is_table(given):
         return given
-    columns = mapping_of(given, "table", "")
+    columns = mapping_of(given, what, "a table")
     return [dict(zip(columns, row, strict=True)) for row in zip(*columns.values(), strict=True)]
 
 
-def in_order(given: object, names: Sequence[str]) -> Any:
-    """Values by their labels, where these are the names that are wanted; else as they come."""
+def numbers_by(what: str, given: object, names: Sequence[str]) -> NDArray[np.float64]:
+    """Numbers by their labels, where these are the names that are wanted; else as they come."""
+    allowed = f"numbers for {', '.join(names)}"
     frame: Any = given
-    labels = frame.columns if is_table(given) else frame.index if _has_labels(given) else ()
-    texts = [label for label in labels if isinstance(label, str)]
-    if not texts:
-        return given
-    if sorted(texts) != sorted(names) or len(texts) != len(list(labels)):
-        raise InputError(f"an apex with {', '.join(map(str, labels))}; allowed: {', '.join(names)}")
-    return frame[list(names)].to_numpy()
+    with reading(what, given, allowed):
+        labels = list(frame.columns if is_table(given) else frame.index if _has_labels(given) else ())
+        texts = [label for label in labels if isinstance(label, str)]
+        if texts and (sorted(texts) != sorted(names) or len(texts) != len(labels)):
+            raise InputError(f"an apex with {', '.join(map(str, labels))}; allowed: {', '.join(names)}")
+        return numbers_of(what, frame[list(names)] if texts else given, allowed)
 
 
 def _has_labels(given: object) -> bool:
@@ -98,21 +135,19 @@ def _check_once(names: Iterable[object], what: str) -> None:
 def ends_given(what: str, given: object, *, may_be_one: bool = False) -> tuple[float, float]:
     """Both ends of a range (low, high), which differ unless they may be one."""
     allowed = "two finite numbers, the lower one first"
-    try:
-        low, high = (float(end) for end in row_of(given, what, allowed))
-    except (TypeError, ValueError):
-        raise InputError(f"{what} = {shown(given)} is not allowed; allowed: {allowed}") from None
-    if not (math.isfinite(high - low) and (low < high or (may_be_one and low == high))):
-        raise InputError(f"{what} = {shown(given)} is not allowed; allowed: {allowed}")
-    return low, high
+    ends = [number_of(end) for end in row_of(given, what, allowed)[:3]]
+    if len(ends) == 2 and ends[0] is not None and ends[1] is not None:
+        low, high = ends[0], ends[1]
+        if math.isfinite(high - low) and (low < high or (may_be_one and low == high)):
+            return low, high
+    raise refusal(what, given, allowed)
 
 
 def counts_given(given: object, high: int) -> tuple[int, int]:
     """How many points each of two axes has: a number `n`, or one for each axis, from 2 on."""
     allowed = "a number, or one of each axis"
-    both = is_number(given) or isinstance(given, bool | np.bool_)
-    counts = (given, given) if both else tuple(row_of(given, "n", allowed))
+    counts = [given, given] if number_of(given) is not None else row_of(given, "n", allowed)
     if len(counts) != 2:
-        raise InputError(f"n = {shown(given)} is not allowed; allowed: {allowed}")
+        raise refusal("n", given, allowed)
     first, second = (checked_whole("n", count, 2, high) for count in counts)
     return first, second

@@ -301,7 +301,7 @@ def test_a_table_has_comments_and_empty_cells(tmp_path):
     assert second == {"speed": Measured(1.1, 0.01), "frequency": Measured(0.04, 0.001)}
 
 
-@pytest.mark.parametrize("row", ["1.0;0.01;0.04;0.001", "1,0;,01;0,04;1,0e-3", '1,0;"0,01"; 0.04 ;0.001'])
+@pytest.mark.parametrize("row", ["1.0;0.01;0.04;0.001", "1,0;,01;0,04;1,0e-3", '1,0;"0,01"; 0,04 ;0,001'])
 @pytest.mark.parametrize("separator", [";", "\t"])
 def test_semicolons_and_tabulators_may_be_between_cells(tmp_path, separator, row):
     """As spreadsheets write where the decimal sign is a comma."""

@@ -381,7 +381,7 @@ def test_settings_that_are_none_are_told(gait):
         ground__friction=[1, -0.5, 1],
     )
     refused("inputs: runner 0, stride 2: hip.kp = nan is not allowed", hip__kp=[1, 1, np.nan])
-    refused("inputs: hip.kp: Cannot cast", hip__kp="much")
+    refused("inputs: hip.kp = 'much' is not allowed", hip__kp="much")
 
 
 def test_settings_that_do_not_act_are_told(gait, fmu):

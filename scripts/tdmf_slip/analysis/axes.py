@@ -1,11 +1,10 @@
 """Which slice of the apex section a map goes over."""
 
 import math
-import reprlib
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from ..errors import InputError
+from ..checks import refusal
 from ..given import ends_given, is_series, is_table, mapping_of, row_of
 from ..library.gait import Gait, check_is_gait
 from ..library.section import COORDINATES, check_axes
@@ -22,10 +21,13 @@ def axes_of(axes: Any, coordinates: Sequence[str]) -> dict[str, tuple[float, flo
     """The two coordinates with their ranges, None where it is to be around the gait."""
     allowed = "two coordinates of an apex with their ranges (low, high)"
     named = isinstance(axes, Mapping) or is_table(axes) or is_series(axes)
-    spans = mapping_of(axes, "axes", allowed) if named else dict.fromkeys(row_of(axes, "axes", allowed))
+    names = mapping_of(axes, "axes", allowed) if named else row_of(axes, "axes", allowed)
+    if len(names) != 2:
+        raise refusal("axes", axes, allowed)
+    check_axes(tuple(names), coordinates)
+    spans = names if isinstance(names, dict) else dict.fromkeys(names)
     if len(spans) != 2:
-        raise InputError(f"axes = {reprlib.repr(axes)} is not allowed; allowed: {allowed}")
-    check_axes(tuple(spans), coordinates)
+        raise refusal("axes", axes, allowed)
     return {name: None if span is None else ends_given(f"axes: {name}", span) for name, span in spans.items()}
 
 

@@ -17,7 +17,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from ..checks import shown
+from ..checks import is_one_of, refusal
 from ..contents import ByContents
 from ..errors import InputError
 from ..library import ensemble
@@ -180,8 +180,8 @@ def ball_of(gait: Gait, choice: Ball | str, starts: int, law: AffineLaw | None =
         if choice.matrix.shape != (len(gait.apex),) * 2:
             raise InputError(f"ball: of {len(choice.matrix)} coordinates; allowed: of {len(gait.apex)}")
         return choice
-    if choice not in CHOICES:
-        raise InputError(f"ball {shown(choice)}: allowed: {', '.join(CHOICES)}, or a Ball")
+    if not is_one_of(choice, CHOICES):
+        raise refusal("ball", choice, f"{', '.join(CHOICES)}, or a Ball")
     return tested_ball(gait, law) if choice == "tested" and pays(gait, starts) else None
 
 

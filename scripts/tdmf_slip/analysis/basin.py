@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..blocks.running import run_blocks
-from ..checks import check_size
+from ..checks import check_size, is_one_of, refusal
 from ..errors import InputError
 from ..files.whole import check_destination
 from ..fmu.fmu import Fmu, load_fmu
@@ -202,8 +202,8 @@ def _blank(gait: Gait, along: Mapping[str, NDArray[np.float64]], fmu: Fmu, refin
 
 
 def _check_refine(refine: str, law: AffineLaw | None) -> None:
-    if refine not in REFINEMENTS:
-        raise InputError(f"refine = {refine!r} is not allowed; allowed: {', '.join(REFINEMENTS)}")
+    if not is_one_of(refine, REFINEMENTS):
+        raise refusal("refine", refine, ", ".join(REFINEMENTS))
     if refine == PREVIEW and law is not None and law.is_noisy:
         raise InputError("refine = 'preview' with a law that has noise: allowed: 'exact'")
 

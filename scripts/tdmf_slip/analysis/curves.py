@@ -8,7 +8,7 @@ from functools import partial
 import numpy as np
 from numpy.typing import NDArray
 
-from ..checks import checked_whole, shown
+from ..checks import checked_whole, refusal, shown
 from ..errors import InputError, RunError
 from ..fmu.fmu import Fmu, load_fmu
 from ..fmu.names import by_full_name
@@ -132,7 +132,7 @@ def _checked_ranges(vary: object, fmu: Fmu) -> tuple[tuple[str, str], NDArray[np
         check_varied(name, "vary")
         pair = row_of(ends, f"vary {name}", allowed)
         if len(pair) != 2:
-            raise InputError(f"vary {name} = {shown(ends)} is not allowed; allowed: {allowed}")
+            raise refusal(f"vary {name}", ends, allowed)
         spans.append([float(fmu.find(name, "vary").value_of(value, f"vary {name}")) for value in pair])
     first, second = given
     return (first, second), np.array(spans)

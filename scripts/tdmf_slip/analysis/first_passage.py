@@ -25,6 +25,7 @@ from ..library.gait import Gait, check_is_gait
 from ..library.population import numbers
 from ..library.rough_ground import RoughGround
 from ..library.runner import Runner
+from ..library.settings import checked_values
 from ..terminal.progress import progress_bar
 from .fates import TOLERANCE
 from .search import periodic_gait
@@ -290,8 +291,9 @@ def _feet(
     if isinstance(foot_x, str) and foot_x == "random":
         before = np.random.default_rng(seed).uniform(1.0, 2.0, runners)
         return runner.values["ground.patch_begin"] - before * float(start.stride["length"])
-    feet = numbers("foot_x", 0.0 if foot_x is None else foot_x, 1)
-    if feet.size not in (1, runners) or not np.isfinite(feet).all():
+    feet = np.atleast_1d(numbers("foot_x", 0.0 if foot_x is None else foot_x, 1))
+    feet = checked_values("foot.x", feet, "foot_x", {"runner": 0})
+    if feet.size not in (1, runners):
         raise InputError(
             f'foot_x of shape {feet.shape}; allowed: a finite number, ({runners},) of them, or "random"'
         )

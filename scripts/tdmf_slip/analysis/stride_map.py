@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-import reprlib
 from collections.abc import Mapping
 from dataclasses import replace
 
@@ -11,12 +10,12 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..blocks.running import run_blocks
-from ..checks import check_size, checked_whole
+from ..checks import check_size, checked_whole, refusal
 from ..errors import InputError
 from ..fmu.fmu import Fmu, load_fmu
 from ..fmu.names import by_full_name
 from ..fmu.parameters import RunnerLike
-from ..given import in_order
+from ..given import numbers_by
 from ..library.affine_law import AffineLaw, check_law
 from ..library.ensemble import TOLERANCE
 from ..library.population import Population, numbers
@@ -182,18 +181,19 @@ def _broadcast(
 ) -> tuple[NDArray[np.float64], dict[str, NDArray[np.float64]]]:
     """Apices, shape (runners, n), and settings, shape (runners, strides), of as many runners."""
     coordinates = population.runner.coordinates
-    apices = in_order(apices, coordinates)
-    check_size("apices", math.prod(np.shape(apices)[:-1]) * strides, "strides in all", MAX_IN_ALL)
-    starts = np.atleast_2d(numbers("apices", apices, 2))
+    given_apices = numbers_by("apices", apices, coordinates)
+    check_size("apices", math.prod(given_apices.shape[:-1]) * strides, "strides in all", MAX_IN_ALL)
+    starts = np.atleast_2d(numbers("apices", given_apices, 2))
     if starts.shape[1] != len(coordinates):
         raise InputError(f"apices of shape {starts.shape}; allowed: rows of {', '.join(coordinates)}")
     given: dict[str, NDArray[np.float64]] = {}
-    for name, values in by_full_name(inputs, "inputs", "numbers or arrays by name").items():
+    for name, asked in by_full_name(inputs, "inputs", "numbers or arrays by name").items():
         setting_number(name, "inputs")
-        given[name] = np.atleast_2d(numbers(f"inputs: {name}", values, 2))
+        values = numbers(f"inputs: {name}", asked, 2)
+        given[name] = np.atleast_2d(values)
         if given[name].shape[1] not in (1, strides):
             raise InputError(
-                f"inputs: {name} of shape {np.shape(values)}; allowed: a number, ({strides},) or "
+                f"inputs: {name} of shape {values.shape}; allowed: a number, ({strides},) or "
                 f"(runners, {strides}), for each stride one"
             )
     counts = {"apices": len(starts), "runner's values": population.size or 1, "foot_x": feet}
@@ -218,10 +218,7 @@ def _feet(foot_x: ArrayLike | None, runner: Runner) -> NDArray[np.float64] | Non
         return None
     if runner.reduced:
         raise InputError("foot_x: by the reduced map, which has no foot; allowed: by the full model")
-    feet = np.atleast_1d(numbers("foot_x", foot_x, 1))
-    for number in np.flatnonzero(~np.isfinite(feet)):
-        raise InputError(f"foot_x: runner {number}: {feet[number]} is not allowed; allowed: finite numbers")
-    return feet
+    return checked_values("foot.x", np.atleast_1d(numbers("foot_x", foot_x, 1)), "foot_x", {"runner": 0})
 
 
 def _check_all(population: Population, given: Mapping[str, object], law: object, ground: RoughGround) -> None:
@@ -234,9 +231,7 @@ def _check_all(population: Population, given: Mapping[str, object], law: object,
         check_law(law, runner)
         set_by_law = tuple(law.inputs)
     elif law is not None and not callable(law):
-        raise InputError(
-            f"law = {reprlib.repr(law)} is not allowed; allowed: a function of apices, or an AffineLaw"
-        )
+        raise refusal("law", law, "a function of apices, or an AffineLaw")
     for name in given:
         check_acts(name, runner, (*given, *population.varied), "inputs")
     check_set(set_by_law, tuple(given), ground, "law")

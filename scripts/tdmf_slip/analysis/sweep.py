@@ -34,6 +34,8 @@ if TYPE_CHECKING:
 
 MAX_GAITS = 100_000
 """Of a sweep that is on no file: each takes 10 kB."""
+NAMES = "values by the name of one parameter or input, or of two"
+"""What `vary` takes."""
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -171,14 +173,15 @@ def sweep(
     """
     fmu = load_fmu(fmu)
     runner = Runner.of(runner, fmu, model=model)
-    if len(mapping_of(vary, "vary", "values by the name of one parameter or input, or of two")) == 2:
+    vary = mapping_of(vary, "vary", NAMES)
+    if len(vary) == 2:
         from .grid import grid_over  # xarray is slow to load
 
         where = {"scheduler": scheduler, "threads": threads, "progress": progress, "fmu": fmu}
         return GaitGrid.of_dataset(grid_over(runner, vary, path, **where))
-    if (path, scheduler, threads) != (None, None, None):
+    if path is not None or scheduler is not None or threads is not None:
         raise InputError("path, scheduler, threads: of a sweep over one name; allowed: of a grid over two")
-    name, values = varied_alone(vary, "values of one parameter or input by its name")
+    name, values = varied_alone(vary, NAMES)
     row = fmu.find(name, "vary").values_of(values, f"vary {name}")
     if len(row) > MAX_GAITS:
         raise InputError(f"vary {name}: {len(row):,} values; allowed: {MAX_GAITS:,}, or a grid, on file")

@@ -6,7 +6,7 @@ from collections.abc import Callable, Mapping
 
 import numpy as np
 
-from ..checks import checked, checked_whole, is_number, shown
+from ..checks import checked, checked_flag, checked_whole, number_of, refusal
 from ..errors import InputError, RunError
 from ..fmu.fmu import Fmu, load_fmu
 from ..fmu.parameters import RunnerLike
@@ -93,9 +93,13 @@ def continue_branch(
     allowed = "both ends of a range, by the name of one parameter or input"
     name, ends = varied_alone(vary, allowed)
     family, where = Family(runner, name), f"vary {name}"
-    if len(row_of(ends, where, allowed)) != 2:
-        raise InputError(f"{where} = {shown(ends)} is not allowed; allowed: {allowed}")
-    begin, end = (float(fmu.find(name, "vary").value_of(value, where)) for value in ends)
+    row = row_of(ends, where, allowed)
+    if len(row) != 2:
+        raise refusal(where, ends, allowed)
+    begin, end = (float(fmu.find(name, "vary").value_of(value, where)) for value in row)
+    switch = checked_flag("switch", switch)
+    max_step = checked("max_step", max_step, SHORTEST_STEP, LARGEST_STEP)
+    max_points = checked_whole("max_points", max_points, 1, MAX_POINTS)
     if begin == end:
         raise InputError(f"{where}: {begin:g} to {end:g}; allowed: ends that differ")
     with progress_bar("branch", None, "gaits", progress) as bar:
@@ -167,13 +171,13 @@ def trace(
     """
     runner = Family(runner, name).runner
     check_is_gait(first, "first")
-    checked("max_step", max_step, SHORTEST_STEP, LARGEST_STEP)
-    checked_whole("max_points", max_points, 1, MAX_POINTS)
+    max_step = checked("max_step", max_step, SHORTEST_STEP, LARGEST_STEP)
+    max_points = checked_whole("max_points", max_points, 1, MAX_POINTS)
     start = first.runner.values[name]
     begin = start if begin is None else begin
     for what, value in (("begin", begin), ("end", end)):
-        if not is_number(value):
-            raise InputError(f"{what} {value!r} of {name}: allowed: a number")
+        if number_of(value) is None:
+            raise refusal(f"{what} of {name}", value, "a number")
     if not abs(end - begin) > 0.0 or not min(begin, end) <= start <= max(begin, end):
         raise InputError(
             f"end {end:g} of {name}: allowed: a number other than {begin:g}, and the first gait's "

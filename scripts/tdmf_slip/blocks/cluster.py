@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
 from typing import TYPE_CHECKING
 
+from ..checks import shown
 from ..errors import InputError
 
 if TYPE_CHECKING:
@@ -40,7 +41,7 @@ def _client_at(scheduler: str) -> "Client":
         return Client(scheduler, timeout=CONNECTING, set_as_default=False)
     except (OSError, ValueError, TypeError) as problem:
         raise InputError(
-            f"scheduler {scheduler}: no Dask scheduler answers ({problem}); "
+            f"scheduler {shown(scheduler)}: no Dask scheduler answers ({shown(str(problem))}); "
             "allowed: an address such as tcp://host:8786"
         ) from problem
 

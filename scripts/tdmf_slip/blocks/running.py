@@ -3,11 +3,12 @@
 import contextlib
 import functools
 import itertools
-import os
 from collections.abc import Callable, Iterator, Sequence
 from queue import Empty, SimpleQueue
+from types import NoneType
 from typing import TYPE_CHECKING, Any, TypeVar
 
+from ..checks import check_kind, checked_threads
 from ..errors import InputError, RunError
 from ..terminal import interrupts
 from .cluster import client_of
@@ -39,11 +40,10 @@ def run_blocks(
     threads of this process, for the C library and the unit leave Python's lock while they compute. On a
     cluster, a block that a dying worker leaves behind is done again by another; nothing else is.
     """
-    if threads is not None and (not isinstance(threads, int) or threads < 1):
-        raise InputError(f"threads {threads!r}: allowed: a whole number, 1 or more")
     if threads is not None and scheduler is not None:
         raise InputError("threads and scheduler: allowed: one of them, a scheduler has workers of its own")
-    here = min(threads or os.cpu_count() or 1, max(1, len(blocks)))
+    check_kind(scheduler, (str, NoneType), "scheduler", "the address of a Dask scheduler")
+    here = min(checked_threads(threads), max(1, len(blocks)))
     if scheduler is None and here == 1:
         yield ((number, work(block)) for number, block in enumerate(blocks))
         return

@@ -7,7 +7,6 @@ import click
 
 from ..analysis.search import periodic_gait
 from ..errors import InputError
-from ..files.whole import check_destination
 from ..fmu.fmu import load_fmu
 from ..library.runner import Runner
 from ..terminal.progress import progress_bar
@@ -60,10 +59,10 @@ def animate_command(
     frames: int,
 ) -> None:
     """One stride of a runner's gait as an animation that loops."""
-    from ..pictures import animation  # matplotlib is slow to load
+    from ..pictures import animation, style  # matplotlib is slow to load
     from ..pictures.stride import Stride
 
-    check_destination(output, animation.FORMATS, "--output")
+    style.check_picture(output, "--output", animation.FORMATS)
     fmu = load_fmu()
     given = values_given(friction, settings)
     if from_gait is None:

@@ -118,9 +118,9 @@ def basin_command(
     if output is not None:
         check_destination(output, (".nc",), "--output")
     if plot is not None:
-        from ..pictures import basin_map, overview  # matplotlib is slow to load
+        from ..pictures import basin_map, style  # matplotlib is slow to load
 
-        check_destination(plot, overview.FORMATS, "--plot")
+        style.check_picture(plot, "--plot")
     fmu = load_fmu()
     runner = runner_of(fmu, parameters, values_given(friction, settings), model)
     axes = {

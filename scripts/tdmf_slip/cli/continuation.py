@@ -115,9 +115,9 @@ def continue_command(
 
         check_destination(output, (".nc",), "--output")
     if plot is not None:
-        from ..pictures import overview  # matplotlib is slow to load
+        from ..pictures import style  # matplotlib is slow to load
 
-        check_destination(plot, overview.FORMATS, "--plot")
+        style.check_picture(plot, "--plot")
     runner = runner_of(fmu, parameters, given, model)
     display = DisplayUnits(fmu, texts, runner.values)
     if len(spans) == 2:

@@ -78,6 +78,7 @@ def figures_command(
     from ..pictures import style
 
     check_folder(folder, "--output")
+    style.check_drawing("--output")
     names = list(dict.fromkeys(name.strip().lower() for name in formats.split(",")))
     begins = [name.strip() for name in only.split(",") if name.strip()]
     unknown = [name for name in names if name not in catalogue.FORMATS]

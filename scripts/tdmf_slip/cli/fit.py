@@ -5,8 +5,8 @@ from pathlib import Path
 
 import click
 
+from ..checks import number_in
 from ..errors import InputError
-from ..files.whole import check_destination
 from ..fitting.fitted import MAX_STARTS, STARTS, fit
 from ..fitting.measurements import shipped, shipped_names
 from ..fitting.result import Fit
@@ -107,22 +107,23 @@ def fit_command(
     FILE is a CSV table with a row for each condition, or one that comes with the package: human_running,
     human_fast_running; --parameters human_running.toml is the runner that their fits begin with. The
     header has any of "speed [m/s]", "frequency [Hz]",
-    "stance_time [s]", "duty_factor [1]", "slip_distance [m]", "peak_force [N]", each with its standard error,
-    as "speed_error [m/s]"; lines that begin with # are skipped. A stride is from one stance of the leg to the
-    next. The status is 1 where the search does not end.
+    "stance_time [s]", "duty_factor [1]", "slip_distance [m]", "peak_force [N]", or another quantity of a
+    stride, as "foot_clearance [m]", each with its standard error, as "speed_error [m/s]"; lines that begin
+    with # are skipped. A stride is from one stance of the leg to the next. The status is 1 where the search
+    does not end.
     """
     fmu = load_fmu()
     names, each = names_given(vary), names_given(vary_each)
     if not names and not each:
         raise InputError("--vary is missing; allowed: --vary or --vary-each, or both")
     if plot is not None:
-        from ..pictures import overview  # matplotlib is slow to load
+        from ..pictures import style  # matplotlib is slow to load
 
-        check_destination(plot, overview.FORMATS, "--plot")
+        style.check_picture(plot, "--plot")
     if report is not None:
-        from ..pictures import fit_page
+        from ..pictures import fit_page, style
 
-        check_destination(report, fit_page.FORMATS, "--report")
+        style.check_picture(report, "--report", fit_page.FORMATS)
     if parameters is not None and not Path(parameters).exists() and parameters in shipped_names():
         parameters = str(shipped(parameters))
     runner = runner_of(fmu, parameters, values_given(friction, settings), model)
@@ -165,7 +166,7 @@ def _priors(given: tuple[str, ...]) -> dict[str, tuple[str, float]]:
         if name in priors:
             raise InputError(f"--prior {text}: {name} is given twice; allowed: once")
         try:
-            priors[name] = value, float(error)
+            priors[name] = value, number_in(error)
         except ValueError:
             raise InputError(f"--prior {text}: allowed: NAME=VALUE,ERROR") from None
     return priors

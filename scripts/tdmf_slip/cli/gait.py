@@ -9,7 +9,6 @@ import click
 
 from ..analysis.targeted import TargetNotMetError, find_gait
 from ..errors import InputError
-from ..files.whole import check_destination
 from ..fmu.display_units import DisplayUnits
 from ..fmu.fmu import Fmu, load_fmu
 from ..fmu.variable import Given
@@ -76,9 +75,9 @@ def gait_command(
     Where there is none, JSON has the nearest one and the parameters that would help, and the status is 1.
     """
     if plot is not None:
-        from ..pictures import overview  # matplotlib is slow to load
+        from ..pictures import style  # matplotlib is slow to load
 
-        check_destination(plot, overview.FORMATS, "--plot")
+        style.check_picture(plot, "--plot")
     fmu = load_fmu()
     target = targets_given(targets)
     names = _names(vary, target)

@@ -8,6 +8,8 @@ from typing import Any
 from ..errors import InputError, reason
 from ..fmu.parameters import loads_json, parsed
 
+BYTE_ORDER_MARK = "\ufeff"
+"""That editors and shells of Windows begin a text with."""
 GAIT = "what `tdmf-slip gait --json` prints"
 
 
@@ -18,6 +20,7 @@ def read_gait(name: str) -> dict[str, Any]:
         if name == "-" and sys.stdin is None:
             raise ValueError("is closed")
         text = sys.stdin.read() if name == "-" else Path(name).read_text(encoding="utf-8")
+        text = text.removeprefix(BYTE_ORDER_MARK)
         content = parsed(text, loads_json, GAIT)
     except (OSError, ValueError) as problem:
         raise InputError(f"gait of {where}: {reason(problem)}") from None

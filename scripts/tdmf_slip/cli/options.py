@@ -5,7 +5,7 @@ from typing import Any
 
 import click
 
-from ..checks import checked, checked_whole
+from ..checks import checked, checked_whole, shown
 from ..errors import InputError
 from ..fmu.fmu import FRICTION, Fmu
 from ..fmu.names import full_name
@@ -22,12 +22,12 @@ def takes_one_value(option: click.Option) -> bool:
 
 
 class Command(click.Command):
-    """A command that refuses an option given twice, where click would take the last in silence."""
+    """A command that refuses what click would take in silence: an option given twice, and 1_0 for 10."""
 
     def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
         """Read the command line."""
         try:
-            _, _, given = self.make_parser(ctx).parse_args(args=list(args))
+            values, _, given = self.make_parser(ctx).parse_args(args=list(args))
         except click.UsageError as problem:
             problem.ctx = problem.ctx or ctx  # click forgets in some whose help is to be read
             if isinstance(problem, click.NoSuchOption) and problem.option_name in OPTIONS:
@@ -38,6 +38,13 @@ class Command(click.Command):
         twice = next((option for option in once if once.count(option) > 1), None)
         if twice is not None:
             raise click.UsageError(f"{twice.opts[0]} is given twice; allowed: once", ctx)
+        for option in given:
+            value = values.get(option.name or "")
+            texts = value if isinstance(value, list) else [value]
+            is_numeric = isinstance(option.type, NUMERIC)
+            wrong = next((text for text in map(str, texts) if is_numeric and "_" in text), None)
+            if wrong is not None:
+                raise click.UsageError(f"{option.opts[0]} {shown(wrong)}; allowed: a number without _", ctx)
         return super().parse_args(ctx, args)
 
 
@@ -58,6 +65,8 @@ class Number(click.ParamType[float]):
         return checked(name, click.FLOAT.convert(value, param, ctx), self.low, self.high)
 
 
+NUMERIC = (click.types.FloatParamType, click.types.IntParamType, Number)
+"""Types of options that are numbers."""
 FRICTION_OPTION = click.option(
     "--friction", type=float, metavar="MU", help=f"Friction of the ground; short for {FRICTION}."
 )

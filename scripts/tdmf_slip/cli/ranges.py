@@ -5,6 +5,7 @@ from collections.abc import Callable, Mapping
 import numpy as np
 from numpy.typing import NDArray
 
+from ..checks import number_in
 from ..errors import InputError
 from ..fmu import unit_text
 from ..fmu.variable import MAX_VALUES, Variable
@@ -34,7 +35,8 @@ def values_of(text: str, spacing: str, variable: Variable, where: str) -> NDArra
             f"{where} {text}: allowed: A:B:N, two ends and how many values, as in {_example(variable)}:5"
         )
     try:
-        number = int(parts[2])
+        count = number_in(parts[2])
+        number = int(count) if count.is_integer() else 0
     except ValueError:
         number = 0
     if not 1 <= number <= MAX_VALUES:

@@ -120,9 +120,9 @@ def simulate_command(
 
             refuse_resumable(output)
     if plot is not None:
-        from ..pictures import overview  # matplotlib is slow to load
+        from ..pictures import overview, style  # matplotlib is slow to load
 
-        check_destination(plot, overview.FORMATS, "--plot")
+        style.check_picture(plot, "--plot")
     fmu = load_fmu()
     if parameters is not None and from_gait is not None:
         raise InputError("--parameters: --from-gait says what the parameters are; allowed: one of the two")

@@ -99,9 +99,9 @@ def sweep_command(
     if output is not None:
         check_destination(output, FORMATS, "--output")
     if plot is not None:
-        from ..pictures import overview  # matplotlib is slow to load
+        from ..pictures import style  # matplotlib is slow to load
 
-        check_destination(plot, overview.FORMATS, "--plot")
+        style.check_picture(plot, "--plot")
     fmu = load_fmu()
     given = values_given(None, settings)
     texts = pairs_given(vary, "--vary", "NAME=A:B:N")

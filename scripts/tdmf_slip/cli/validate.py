@@ -55,8 +55,10 @@ def validate_command(
         raise InputError("--gaits and --long: allowed: one of the two")
     if pictures is not None:
         from ..paper.figures import gallery  # matplotlib is slow to load
+        from ..pictures import style
 
         check_folder(pictures, "--pictures")
+        style.check_drawing("--pictures")
     validation = validate(tolerance=tolerance, only_gaits=only_gaits, own=own, seed=seed, progress=True)
     print(json_text(validation.as_json()) if as_json_object else validation.as_text(program()))
     if pictures is not None:

@@ -130,9 +130,9 @@ def viability_command(
     if output is not None:
         check_destination(output, (".nc",), "--output")
     if plot is not None:
-        from ..pictures import overview, viability_map  # matplotlib is slow to load
+        from ..pictures import style, viability_map  # matplotlib is slow to load
 
-        check_destination(plot, overview.FORMATS, "--plot")
+        style.check_picture(plot, "--plot")
     if controller is not None:
         check_destination(controller, (".csv",), "--controller")
     fmu = load_fmu()

@@ -9,12 +9,12 @@ from typing import Any, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
-from ..checks import is_number, is_one_of, near_matches, shown
+from ..checks import is_one_of, near_matches, refusal, shown
 from ..drawable import Drawable
 from ..errors import InputError
 from ..fmu.fmu import FRICTION, Fmu, load_fmu
 from ..fmu.names import by_full_name
-from ..given import row_of
+from ..given import numbers_of, row_of
 from ..library.affine_law import AffineLaw
 from .linearization import Linearization
 
@@ -101,11 +101,11 @@ def _checked_limits(
         variable = fmu.variables[name]
         asked = given.get(name, (variable.minimum, variable.maximum))
         allowed = f"two numbers within {variable.allowed} with {nominal:g}, the gait's own, between them"
-        pair = row_of(asked, f"limits: {name}", allowed)
-        if len(pair) != 2 or not all(map(is_number, pair)):
-            raise InputError(f"limits: {name}: {shown(asked)} is not allowed; allowed: {allowed}")
-        if not variable.minimum <= pair[0] <= nominal <= pair[1] <= variable.maximum or pair[0] == pair[1]:
-            raise InputError(f"limits: {name}: {pair[0]:g} to {pair[1]:g} is not allowed; allowed: {allowed}")
-        found.append((float(pair[0]), float(pair[1])))
+        pair = numbers_of(f"limits: {name}", row_of(asked, f"limits: {name}", allowed), allowed)
+        if pair.shape != (2,) or pair[0] == pair[1]:
+            raise refusal(f"limits: {name}", asked, allowed)
+        if not variable.minimum <= pair[0] <= nominal <= pair[1] <= variable.maximum:
+            raise refusal(f"limits: {name}", asked, allowed)
+        found.append(pair)
     low, high = np.array(found).T
     return low, high

@@ -5,23 +5,25 @@ Each is an affine law from the apex to the settings of the stride that follows, 
 
 from __future__ import annotations
 
-import reprlib
 from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ..checks import is_number
+from ..checks import number_of, refusal
 from ..errors import InputError
 from ..fmu.fmu import Fmu
-from ..given import check_row
+from ..given import numbers_of, row_of
 from ..library.gait import Gait
 from .controllability import Controllability, controllability_of
 from .dead_beat_gain import dead_beat_gain
 from .feedback import Feedback, Limits, feedback_of
 from .linearization import Linearization, linearize
 from .modes import NEGLIGIBLE, Modes, lasting_modes
+
+MAX_EIGENVALUES = 1000
+"""No section has as many modes."""
 
 
 def dead_beat(
@@ -240,15 +242,15 @@ def _not_movable(model: Linearization, eigenvalues: NDArray[Any]) -> InputError:
 
 def _checked_eigenvalues(given: object, reported: Controllability) -> NDArray[Any]:
     count = len(reported.eigenvalues)
-    try:
-        wanted = np.asarray(given, complex)
-    except (TypeError, ValueError):
-        wanted = np.empty(0)
+    allowed = (
+        f"{count} numbers, one for each mode that lasts, which are {_listed(reported.eigenvalues)} "
+        "without feedback"
+    )
+    row = row_of(given, "eigenvalues", allowed, MAX_EIGENVALUES)
+    numbers = [number_of(one) if not isinstance(one, complex) else one for one in row]
+    wanted = np.array([np.nan if one is None else one for one in numbers], complex)
     if wanted.shape != (count,) or not np.isfinite(wanted).all():
-        raise InputError(
-            f"eigenvalues = {reprlib.repr(given)} is not allowed; allowed: {count} numbers, one for each "
-            f"mode that lasts, which are {_listed(reported.eigenvalues)} without feedback"
-        )
+        raise refusal("eigenvalues", given, allowed)
     pairs = np.sort_complex(wanted)
     if not np.allclose(pairs, np.sort_complex(pairs.conj()), rtol=0.0, atol=1e-14):
         raise InputError(
@@ -267,17 +269,11 @@ def _weight(name: str, given: ArrayLike, count: int, minimum: float) -> NDArray[
         f"a number, {count} of them, or a symmetric matrix of {count} by {count}, "
         f"{'none negative' if minimum == 0.0 else 'positive'}"
     )
-    if not is_number(given):
-        check_row(given, name, allowed)
-    try:
-        weight = np.asarray(given, float)
-    except (TypeError, ValueError):
-        weight = np.array(np.nan)
+    weight = numbers_of(name, given, allowed)
     if weight.shape in ((), (count,)):
         weight = np.diag(np.broadcast_to(weight, count))
     sound = weight.shape == (count, count) and np.isfinite(weight).all() and np.allclose(weight, weight.T)
     rounding = 1e-12 * np.abs(weight).max() if sound else 0.0
     if not sound or np.linalg.eigvalsh(weight)[0] < minimum - (rounding if minimum == 0.0 else 0.0):
-        reported = " ".join(reprlib.repr(given).split())
-        raise InputError(f"{name} = {reported} is not allowed; allowed: {allowed}")
+        raise refusal(name, given, allowed)
     return weight

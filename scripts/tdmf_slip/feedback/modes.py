@@ -11,7 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from ..checks import is_number
+from ..checks import number_of, refusal
 from ..contents import ByContents
 from ..errors import InputError
 from .linearization import Linearization
@@ -46,14 +46,15 @@ def lasting_modes(model: Linearization, negligible: float = NEGLIGIBLE) -> Modes
     """The modes that are to be moved."""
     from scipy.linalg import schur  # slow to load
 
-    if not is_number(negligible) or not 1e-9 <= negligible < 1.0:
-        raise InputError(f"negligible = {negligible!r} is not allowed; allowed: 1e-9 to below 1")
+    threshold = number_of(negligible)
+    if threshold is None or not 1e-9 <= threshold < 1.0:
+        raise refusal("negligible", negligible, "1e-9 to below 1")
 
     def lasts(real: float, imaginary: float = 0.0) -> bool:
-        return abs(complex(real, imaginary)) > negligible
+        return abs(complex(real, imaginary)) > threshold
 
     transposed, vectors, count = schur(model.scaled_state_matrix.T, output="real", sort=lasts)
     if not count:
-        raise InputError(f"negligible = {negligible:g}: no mode of this gait lasts longer; allowed: less")
+        raise InputError(f"negligible = {threshold:g}: no mode of this gait lasts longer; allowed: less")
     directions = vectors[:, :count]
     return Modes(directions, transposed[:count, :count].T, directions.T @ model.scaled_input_matrix)

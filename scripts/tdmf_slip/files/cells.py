@@ -8,7 +8,8 @@ from ..errors import InputError
 
 LONGEST_CELL = 100
 """Characters: no number needs as many."""
-DECIMAL_COMMA = re.compile(r"([+-]?\d*),(\d+)")
+DECIMAL_COMMA = re.compile(r"([+-]?\d*),(\d+)([^.]*)$")
+DECIMAL_POINT = re.compile(r"[+-]?\d*\.\d*(e[+-]?\d+)?( .*)?$", re.IGNORECASE)
 SEPARATORS = {",": ",", ";": ";", "\t": "a tabulator"}
 """Between cells, and how messages name them; the first that the header has, for it has no decimal comma."""
 
@@ -27,9 +28,8 @@ def cells_of(lines: Iterable[tuple[int, str]], where: str) -> list[tuple[int, li
             raise InputError(
                 f"{where}, line {number}: {problem}; allowed: cells with {SEPARATORS[separator]} between"
             ) from None
-        cells = [cell.strip() for cell in row]
-        found.append((number, cells if separator == "," else [_with_point(cell) for cell in cells]))
-    return found
+        found.append((number, [cell.strip() for cell in row]))
+    return found if separator == "," else _with_points(found, where)
 
 
 def _check_lengths(line: str, separator: str, here: str) -> None:
@@ -40,7 +40,18 @@ def _check_lengths(line: str, separator: str, here: str) -> None:
             )
 
 
-def _with_point(cell: str) -> str:
-    """A number whose decimal sign is a comma; anything else as it is."""
-    match = DECIMAL_COMMA.match(cell)
-    return f"{match[1]}.{match[2]}{cell[match.end() :]}" if match and "." not in cell else cell
+def _with_points(lines: list[tuple[int, list[str]]], where: str) -> list[tuple[int, list[str]]]:
+    """Numbers whose decimal sign is a comma, as it is in the whole table; anything else as it is."""
+    with_point = next((cell for _, row in lines for cell in row if DECIMAL_POINT.match(cell)), None)
+    for number, row in lines:
+        for column, cell in enumerate(row):
+            match = DECIMAL_COMMA.match(cell)
+            if match is None:
+                continue
+            if with_point is not None:
+                raise InputError(
+                    f"{where}, line {number}: {cell} in a table that has {with_point}, too; allowed: a comma "
+                    "or a point for the decimal sign, and nothing between thousands"
+                )
+            row[column] = f"{match[1]}.{match[2]}{match[3]}"
+    return lines

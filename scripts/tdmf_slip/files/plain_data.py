@@ -21,11 +21,11 @@ def dataset_of(plain: Mapping[str, Any]) -> xarray.Dataset:
         if isinstance(value, list | tuple) and value and all(isinstance(row, Mapping) for row in value):
             for column in dict.fromkeys(key for row in value for key, _ in _flat(row)):
                 array = _array([dict(_flat(row)).get(column) for row in value])
-                if array is not None and array.ndim:
+                if array is not None and array.ndim and array.size:
                     data[f"{name}.{column}"] = _dimensions(name, column, array), array
             continue
         array = _array(value)
-        if array is not None:
+        if array is not None and array.size:  # a file of the classic format has no empty dimension
             data[name] = _dimensions(name, "", array), array
     return data
 

@@ -10,7 +10,7 @@ from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
-from ..checks import check_kind
+from ..checks import path_of
 from ..errors import InputError, reason
 from ..terminal import interrupts
 
@@ -101,8 +101,7 @@ def destination(path: Path, what: str) -> Path:
 
 def check_destination(path: Path | str, allowed: Iterable[str], what: str) -> Path:
     """Refuse, before any work, a path whose suffix names no format or that cannot be written."""
-    check_kind(path, (str, os.PathLike), what, "the path of a file")
-    path = Path(path)
+    path = path_of(path, what, "the path of a file")
     if path.suffix.lower() not in allowed:
         raise InputError(f"{what}: {path}: format {path.suffix or '(none)'}; allowed: {', '.join(allowed)}")
     resolved = destination(path, f"{what}: {path}")

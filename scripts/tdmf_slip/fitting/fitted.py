@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..analysis.search import periodic_gait
-from ..checks import checked_whole
+from ..checks import checked_flag, checked_whole
 from ..errors import InputError, RunError
 from ..fmu.fmu import Fmu, load_fmu
 from ..fmu.parameters import RunnerLike
@@ -138,8 +138,8 @@ def fit(
         shared=shared,
         each=each,
         priors=known,
-        robust=bool(robust),
-        scale_errors=bool(scale_errors),
+        robust=checked_flag("robust", robust),
+        scale_errors=checked_flag("scale_errors", scale_errors),
         profiled=profiled,
         starts=checked_whole("starts", starts, 1, MAX_STARTS),
         ranges={
@@ -147,7 +147,7 @@ def fit(
             for name in (*shared, *each)
         },
     )
-    if scale_errors and request.degrees_of_freedom < 1:
+    if request.scale_errors and request.degrees_of_freedom < 1:
         raise InputError(
             "scale_errors: as many numbers are fitted as were measured, and no residual tells the errors' "
             "factor; allowed: more data, or errors that are known"

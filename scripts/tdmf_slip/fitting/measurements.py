@@ -1,13 +1,12 @@
 """Measured gaits: quantities of a stride with their standard errors, a row for each condition."""
 
 import math
-import os
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
 from ..analysis.targeted import MAXIMUM, MINIMUM
-from ..checks import check_kind, near_matches
+from ..checks import near_matches, number_in, number_of, path_of, shown
 from ..contents import ByContents
 from ..errors import InputError, reason
 from ..files.cells import cells_of
@@ -15,22 +14,19 @@ from ..given import is_table, mapping_of
 from ..library.measures import MEASURES
 from ..library.quantities import SIGNED, unit_of
 
-MEASURABLE = (
-    "speed",
-    "frequency",
-    "stance_time",
-    "duty_factor",
-    "slip_distance",
-    "peak_force",
-    *MEASURES,
-)
-"""What may be measured, by names of `library.quantities.QUANTITIES`; the frequency is one over the period."""
+USUAL = ("speed", "frequency", "stance_time", "duty_factor", "slip_distance", "peak_force")
+"""What is measured of runners, by names of `library.quantities.QUANTITIES`; the frequency is one over the
+period."""
+MEASURABLE = (*USUAL, *MEASURES)
+"""What may be measured."""
+SYNONYMS = {"velocity": "speed", "cadence": "frequency", "contact_time": "stance_time"}
+"""What people call it."""
 ERROR = "_error"
 """What the name of a quantity's column of errors ends with."""
 DATA = Path(__file__).parent / "data"
 """Tables that come with the package, and the runners that their fits begin with."""
-NOTHING = ("nan", "None", "<NA>")
-"""What a table in memory has where nothing was measured."""
+NOTHING = ("", "nan", "na", "<na>", "nat", "none", "null")
+"""What a cell has where nothing was measured, on file as in memory, in letters of either case."""
 SMALLEST_ERROR = 1e-12
 """Over the value, or over `MINIMUM` where that is less: it is beyond what a gait is computed to."""
 COMMENT = "#"
@@ -84,22 +80,31 @@ def measurements_of(given: "Measurements | str | Path") -> Measurements:
         return given
     if is_table(given):
         return _of_table(given)
-    check_kind(given, (str, os.PathLike), "data", "the path of a CSV file, or Measurements")
-    if str(given) in [path.stem for path in DATA.glob("*.csv")]:
-        return read_measurements(shipped(f"{given}.csv"), str(given))
-    return read_measurements(Path(given))
+    path = path_of(given, "data", "the path of a CSV file, a DataFrame, or Measurements")
+    if str(path) in [known.stem for known in DATA.glob("*.csv")]:
+        return read_measurements(shipped(f"{path}.csv"), str(path))
+    return read_measurements(path)
 
 
 def _of_table(given: object) -> Measurements:
-    """Those of a DataFrame with the titles that a file has, and NaN where nothing was measured."""
-    titles = mapping_of(given, "data", "")
+    """Those of a DataFrame with the titles that a file has; durations are times."""
+    titles = mapping_of(given, "data", "a table with the titles that a file has")
     columns = [_column(str(title).strip(), "data") for title in titles]
     _check_columns(columns, "data")
+    units = [unit_of(name.removesuffix(ERROR)) for name in columns]
     cells = [
-        ["" if str(value) in NOTHING else str(value) for value in row]
+        [_cell_of(value, unit) for value, unit in zip(row, units, strict=True)]
         for row in zip(*titles.values(), strict=True)
     ]
     return Measurements(tuple(_rows(columns, cells, "data")), "data")
+
+
+def _cell_of(value: object, unit: str) -> str:
+    """A value in memory as a file has it."""
+    number = number_of(value, unit)
+    if number is not None:
+        return repr(number)
+    return value if isinstance(value, str) else shown(value)
 
 
 def read_measurements(path: Path, name: str | None = None) -> Measurements:
@@ -107,8 +112,9 @@ def read_measurements(path: Path, name: str | None = None) -> Measurements:
 
     The header has any of `speed [m/s]`, `frequency [Hz]`, `stance_time [s]`, `duty_factor [1]`,
     `slip_distance [m]`, `peak_force [N]`, and for each its standard error, as in `speed_error [m/s]`. Each
-    row is a condition; a quantity that was not measured in it has both of its cells empty. Between cells is a
-    comma, or a semicolon, and then the decimal sign may be a comma. Lines that begin with `#` are skipped.
+    row is a condition; a quantity that was not measured in it has both of its cells empty, or NaN. Between
+    cells is a comma, or a semicolon, and then the decimal sign may be a comma. Lines that begin with `#` are
+    skipped.
     """
     where = f"table {name or path}"
     try:
@@ -132,17 +138,18 @@ def _column(title: str, where: str) -> str:
     name = name.strip()
     quantity = name.removesuffix(ERROR)
     if quantity not in MEASURABLE:
-        titles = [*MEASURABLE, *(f"{known}{ERROR}" for known in MEASURABLE)]
+        known = SYNONYMS.get(quantity)
+        hint = f"; near matches: {known}" if known else near_matches(quantity, USUAL)
         raise InputError(
-            f"{where}: column {title!r} is unknown; allowed: {', '.join(MEASURABLE)}, each with {ERROR} "
-            f"as well{near_matches(name, titles)}"
+            f"{where}: column {shown(title)} is unknown; allowed: {', '.join(USUAL)}, or another of "
+            f"{', '.join(MEASURES)}, each with {ERROR} as well{hint}"
         )
     allowed = f"{name} [{unit_of(quantity)}]"
     if not bracket:
-        raise InputError(f"{where}: column {title!r} has no unit; allowed: {allowed}")
+        raise InputError(f"{where}: column {shown(title)} has no unit; allowed: {allowed}")
     if rest.strip() != f"{unit_of(quantity)}]":
         raise InputError(
-            f"{where}: column {title!r} is not in the unit that it has to be in; allowed: {allowed}"
+            f"{where}: column {shown(title)} is not in the unit that it has to be in; allowed: {allowed}"
         )
     return name
 
@@ -169,7 +176,8 @@ def _rows(columns: Sequence[str], cells: Sequence[Sequence[str]], where: str) ->
         measured = {
             name: Measured(*_pair(name, by_name[name], by_name[f"{name}{ERROR}"], here))
             for name in columns
-            if not name.endswith(ERROR) and (by_name[name] or by_name[f"{name}{ERROR}"])
+            if not name.endswith(ERROR)
+            and not {by_name[name].lower(), by_name[f"{name}{ERROR}"].lower()} <= {*NOTHING}
         }
         if not measured:
             raise InputError(f"{here}: nothing is measured; allowed: one quantity or more")
@@ -197,6 +205,6 @@ def _pair(name: str, value: str, error: str, here: str) -> tuple[float, float]:
 
 def _number(text: str) -> float:
     try:
-        return float(text)
+        return number_in(text)
     except ValueError:
         return math.nan

@@ -1,9 +1,10 @@
 """What is known of parameters beside the data, checked."""
 
+import math
 from collections.abc import Sequence
 from typing import TypeAlias
 
-from ..checks import is_number, shown
+from ..checks import number_of, refusal, shown
 from ..errors import InputError
 from ..fmu.fmu import Fmu
 from ..fmu.names import by_full_name
@@ -30,16 +31,8 @@ def checked_priors(given: object, each: Sequence[str], fmu: Fmu) -> tuple[Prior,
                 f"{where} = {shown(pair)} is not allowed; allowed: a value and its standard error"
             )
         value = float(fmu.variables[name].value_of(reported[0], where))
-        error = _error(reported[1])
-        if error is None:
-            raise InputError(
-                f"{where}: error {shown(reported[1])} is not allowed; allowed: a standard error above 0"
-            )
+        error = number_of(reported[1])
+        if error is None or not 0.0 < error < math.inf:
+            raise refusal(f"{where}: error", reported[1], "a standard error above 0")
         priors.append(Prior(name, value, error))
     return tuple(priors)
-
-
-def _error(given: object) -> float | None:
-    if isinstance(given, bool) or not is_number(given):
-        return None
-    return float(given) if 0.0 < float(given) < float("inf") else None

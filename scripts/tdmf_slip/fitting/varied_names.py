@@ -4,6 +4,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from ..checks import is_one_of, shown
 from ..errors import InputError
 from ..fmu.names import full_names
 from ..library.members import check_varied
@@ -16,8 +17,8 @@ def profiled_names(profile: object, names: Sequence[str]) -> tuple[str, ...]:
         return tuple(names) if profile else ()
     chosen = full_names(profile, "profile", "True, False, or a list of names of varied parameters")
     for name in chosen:
-        if name not in names:
-            raise InputError(f"profile: {name} does not vary; allowed: {', '.join(names)}")
+        if not is_one_of(name, names):
+            raise InputError(f"profile: {shown(name)} does not vary; allowed: {', '.join(names)}")
     return chosen
 
 

@@ -124,7 +124,7 @@ def simulate_many(
     checked_whole("strides", strides, 1, MAX_STRIDES)
     checked("tolerance", tolerance, *TOLERANCES)
     allowed = "one or more runners in a list, or a table with a row for each"
-    given = row_of(rows_of(runners), "runners", allowed)
+    given = row_of(rows_of(runners, "runners"), "runners", allowed)
     if not len(given):
         raise InputError(f"runners: none; allowed: {allowed}")
     jobs = [

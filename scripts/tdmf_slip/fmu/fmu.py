@@ -11,12 +11,11 @@ import tempfile
 from collections.abc import Mapping
 from multiprocessing.util import Finalize
 from pathlib import Path
-from types import NoneType
 
 import fmpy
 from fmpy.model_description import ModelDescription
 
-from ..checks import check_kind, is_number, is_one_of, near_matches, shown
+from ..checks import check_kind, is_one_of, near_matches, number_of, path_of, refusal, shown
 from ..errors import InputError, RunError, reason
 from .aliases import ALIASES
 from .names import by_full_name, full_name
@@ -57,11 +56,12 @@ def fmu_path(fmi: int = 2) -> Path:
     >>> print(tdmf_slip.fmu_path().name, tdmf_slip.fmu_path(fmi=3).name)
     TDMF_SLIP.fmu TDMF_SLIP_FMI3.fmu
     """
-    if not is_number(fmi) or fmi not in FILES:
-        raise InputError(f"fmi = {shown(fmi)} is not allowed; allowed: {', '.join(map(str, FILES))}")
+    version = number_of(fmi)
+    if version not in FILES:
+        raise refusal("fmi", fmi, ", ".join(map(str, FILES)))
     override = os.environ.get(PATH_VARIABLE)
     path = Path(override) if override else Path(__file__).parents[1] / FILES[2]
-    path = path if fmi == 2 else path.with_name(FILES[fmi])
+    path = path if version == 2 else path.with_name(FILES[3])
     if path.is_file():
         return path
     if override:
@@ -253,8 +253,7 @@ def load_fmu(path: Path | str | Fmu | None = None) -> Fmu:
     """
     if isinstance(path, Fmu):
         return path
-    check_kind(path, (str, os.PathLike, NoneType), "fmu", "an Fmu, or the path of an FMU")
-    path = fmu_path() if path is None else Path(path)
+    path = fmu_path() if path is None else path_of(path, "fmu", "an Fmu, or the path of an FMU")
     try:
         return _load(path.resolve(), path.stat().st_mtime_ns)
     except (OSError, ValueError) as problem:  # no path at all, as with a zero byte

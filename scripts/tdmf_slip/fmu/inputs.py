@@ -7,14 +7,15 @@ from typing import Any, Literal, TypeGuard
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ..checks import shown
+from ..checks import number_in, refusal
 from ..errors import InputError, reason
 from ..files.cells import cells_of
-from ..given import is_series, is_table
+from ..given import is_series, is_table, numbers_of, row_of
 from .fmu import Fmu
 from .names import by_full_name
 from .variable import Value, Variable
 
+PAIR = "a pair of times and values"
 TIME = "time"
 """Name of the column of times in a table."""
 InputTables = Mapping[str, tuple[ArrayLike, ArrayLike]]
@@ -98,7 +99,7 @@ def _numbers(path: Path, line: int, row: list[str], inputs: Sequence[Variable]) 
     if len(row) != 1 + len(inputs):
         raise InputError(f"{where}: {len(row)} numbers; allowed: {1 + len(inputs)}, as in the header")
     try:
-        time = float(row[0])
+        time = number_in(row[0])
     except ValueError as problem:
         raise InputError(f"{where}: {problem}; allowed: numbers") from None
     return [time, *(_number(cell, variable, where) for cell, variable in zip(row[1:], inputs, strict=True))]
@@ -106,7 +107,7 @@ def _numbers(path: Path, line: int, row: list[str], inputs: Sequence[Variable]) 
 
 def _number(cell: str, variable: Variable, where: str) -> float:
     try:
-        return float(cell)
+        return number_in(cell)
     except ValueError:
         return variable.value_of(cell, where)
 
@@ -119,10 +120,11 @@ def _checked(
         raise InputError(
             f"{where}: {name} is neither an input nor tunable; inputs: {', '.join(fmu.names('input'))}"
         )
-    try:
-        times, values = (np.asarray(column, dtype=float) for column in table)
-    except (TypeError, ValueError):
-        raise InputError(f"{where}: {name} = {shown(table)}: allowed: a pair of times and values") from None
+    pair = row_of(table, f"{where}: {name}", PAIR)
+    if len(pair) != 2:
+        raise refusal(f"{where}: {name}", table, PAIR)
+    times = numbers_of(f"{where}: times of {name}", pair[0], "times in s, or durations", "s")
+    values = numbers_of(f"{where}: {name}", pair[1], unit=variable.unit)
     if times.ndim != 1 or times.shape != values.shape or not len(times):
         raise InputError(
             f"{where}: {name}: times {times.shape} and values {values.shape} have to be equally long"

@@ -9,7 +9,7 @@ from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
 from typing import Any, Protocol, TypeAlias
 
-from ..checks import check_kind, near_matches, shown
+from ..checks import near_matches, path_of, shown
 from ..errors import InputError, reason
 from ..given import LabelledRow
 from .names import by_full_name
@@ -53,7 +53,7 @@ def preset_names() -> list[str]:
     return sorted(path.stem for path in PRESETS.glob("*.toml"))
 
 
-def read_parameters(name: str | Path) -> dict[str, Any]:
+def read_parameters(name: str | os.PathLike[str]) -> dict[str, Any]:
     """Start values from a file, or from one of the package's presets.
 
     The keys are names of the unit's variables, either whole (`"leg.stiffness"`), nested by their groups
@@ -67,18 +67,16 @@ def read_parameters(name: str | Path) -> dict[str, Any]:
     >>> print(human["body.mass"], human["leg.stiffness"])
     75.1 20500.0
     """
-    check_kind(name, (str, os.PathLike), "parameters", "the path of a file, or a preset's name")
-    path = PRESETS / f"{name}.toml" if str(name) in preset_names() else Path(name)
+    given = path_of(name, "parameters", "the path of a file, or a preset's name")
+    path = PRESETS / f"{given}.toml" if str(given) in preset_names() else given
     readers: Mapping[str, Callable[[str], object]] = {".toml": _loads_toml, ".json": loads_json}
-    if path.is_dir():
-        raise InputError(f"parameters {name}: is a folder; allowed: a .toml or .json file")
     if path.suffix not in readers:
         raise InputError(
-            f"parameters {name}: neither a preset ({', '.join(preset_names())}) nor a .toml or .json file"
-            f"{near_matches(name, preset_names())}"
+            f"parameters {shown(str(given))}: neither a preset ({', '.join(preset_names())}) "
+            f"nor a .toml or .json file{near_matches(str(given), preset_names())}"
         )
     try:
-        content = parsed(path.read_text(encoding="utf-8"), readers[path.suffix], "names with values")
+        content = parsed(path.read_text(encoding="utf-8-sig"), readers[path.suffix], "names with values")
         once = _keys_once(list(_flat(content)))  # a name may be given whole and nested
         return by_full_name(once, f"parameters {path}", "names with values")
     except RecursionError:
@@ -90,7 +88,7 @@ def read_parameters(name: str | Path) -> dict[str, Any]:
 def start_values_of(runner: object) -> Mapping[str, Any]:
     """What a runner, given in whatever way, says of start values."""
     if isinstance(runner, str | os.PathLike):
-        return read_parameters(Path(runner) if isinstance(runner, os.PathLike) else runner)
+        return read_parameters(runner)
     for name in ("start_values", "values"):  # of a Gait, and of a Runner
         own = getattr(runner, name, None)
         if isinstance(own, Mapping):

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import sys
 from dataclasses import dataclass
 
 import numpy as np
@@ -10,8 +11,11 @@ from numpy.typing import ArrayLike, NDArray
 
 from ..checks import checked, checked_whole
 from ..errors import InputError
+from ..given import numbers_of
 
 MAX_LINES = 10**7
+FARTHEST = 1e9
+"""In m."""
 
 
 @dataclass(frozen=True)
@@ -50,10 +54,8 @@ class Profile:
         InputError
             Not two rows of finite numbers that are equally long, or positions that go back.
         """
-        try:
-            self.x, self.y = (np.array(row, dtype=float) for row in (x, y))
-        except (TypeError, ValueError):
-            raise InputError("profile: allowed: two rows of numbers, positions and heights") from None
+        self.x = numbers_of("profile: positions", x, "numbers in a row, m")
+        self.y = numbers_of("profile: heights", y, "numbers in a row, m")
         if self.x.ndim != 1 or self.x.shape != self.y.shape or not len(self.x):
             raise InputError(
                 f"profile: positions {self.x.shape} and heights {self.y.shape}; "
@@ -98,7 +100,8 @@ class Profile:
         InputError
             Not such rows.
         """
-        positions, levels = np.atleast_1d(np.asarray(edges)), np.atleast_1d(np.asarray(heights))
+        positions = np.atleast_1d(numbers_of("profile: edges", edges, "numbers in a row, m"))
+        levels = np.atleast_1d(numbers_of("profile: heights", heights, "numbers in a row, m"))
         if positions.ndim != 1 or levels.shape != (len(positions) + 1,) or not len(positions):
             raise InputError(
                 f"profile: edges {positions.shape} and heights {levels.shape}; "
@@ -136,8 +139,9 @@ class Profile:
             A number that is not allowed.
         """
         count = checked_whole("count", count, 1, MAX_LINES)
-        tread = checked("tread", tread, 1e-9, 1e9)
-        roughness = checked("roughness", roughness, 0.0, 1e9)
+        tread = checked("tread", tread, 1e-9, FARTHEST)
+        roughness = checked("roughness", roughness, 0.0, FARTHEST)
+        begin = checked("begin", begin, -FARTHEST, FARTHEST)
         generator = np.random.Generator(np.random.Philox(checked_whole("seed", seed, 0, 2**63 - 1)))
         heights = np.cumsum(generator.normal(0.0, roughness, count)) if roughness else np.zeros(count)
         return cls.steps(begin + tread * np.arange(count), [0.0, *heights])
@@ -155,7 +159,7 @@ class Profile:
         ndarray of float
             Heights, m, shaped as `x`.
         """
-        positions = np.asarray(x, dtype=float)
+        positions = numbers_of("x", x, "numbers, m")
         lines = [self.line(position) for position in positions.ravel()]
         heights = np.array(
             [
@@ -185,6 +189,7 @@ class Profile:
         Line
             Its height at x = 0, and its slope.
         """
+        x = checked("x", x, -sys.float_info.max, sys.float_info.max)
         after = int(np.searchsorted(self.x, x, side="right"))
         if after in (0, len(self.x)):
             return Line(float(self.y[0 if after == 0 else -1]), 0.0)

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Mapping
+from itertools import islice
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ..checks import check_kind, checked, checked_whole
+from ..checks import check_kind, checked, checked_flag, checked_whole, reading
 from ..errors import InputError, RunError
 from ..terminal.progress import progress_bar
 from . import paper_units
@@ -29,6 +30,9 @@ TOLERANCES = 1e-14, 0.1
 TIMES = 1e-9, 1e9
 INTERVALS = 1e-12, 1e9
 MAX_STRIDES = 10**9
+NAMES = "names of variables in a list"
+MAX_NAMES = 10_000
+"""More than any unit has."""
 POINTS_PER_TIME_UNIT = 10
 """Recorded points in each sqrt(m/k), unless an output interval is given. Also bounds what FMPy lets CVODE do
 between two points: 500 steps."""
@@ -121,8 +125,13 @@ def simulate(
     starts = fmu.start_values(start_values_of(runner), "start values")
     if isinstance(runner, Mapping):
         paper_units.warn_of_mixture({**{n: fmu.start_of(n) for n in paper_units.COMPARED}, **starts}, fmu)
-    if stop_time is None and strides is None:
+    if stop_time is not None:
+        stop_time = checked("stop_time", stop_time, *TIMES, "s")
+    elif strides is None:
         strides = DEFAULT_STRIDES
+    if strides is not None:
+        strides = checked_whole("strides", strides, 1, MAX_STRIDES)
+    record_events = checked_flag("record_events", record_events)
     recorded = _recorded(fmu, variables)
     experiment = Experiment(
         stop_time=_stop_time(fmu, starts, stop_time, strides),
@@ -162,8 +171,9 @@ def longest_time(fmu: Fmu, starts: Mapping[str, Value], strides: int) -> float:
 def _recorded(fmu: Fmu, variables: Iterable[str] | None) -> list[str]:
     if variables is None:
         return fmu.names("input") + fmu.names("output")
-    check_kind(variables, Iterable, "variables", "names of variables in a list")
-    names = [variables] if isinstance(variables, str) else variables
+    check_kind(variables, Iterable, "variables", NAMES)
+    with reading("variables", variables, NAMES):
+        names = [variables] if isinstance(variables, str) else list(islice(variables, MAX_NAMES))
     found = {fmu.find(name, "variables").name: fmu.variables[name] for name in names}
     for variable in found.values():
         if variable.type == "String":
@@ -177,13 +187,15 @@ def _stop_time(fmu: Fmu, starts: Mapping[str, Value], stop_time: float | None, s
     """The time that is given, or one in which the strides have closed if they do at all."""
     longest = math.inf
     if strides is not None:
-        longest = longest_time(fmu, starts, checked_whole("strides", strides, 1, MAX_STRIDES))
-    return longest if stop_time is None else checked("stop_time", stop_time, *TIMES)
+        longest = longest_time(fmu, starts, strides)
+    return longest if stop_time is None else stop_time
 
 
 def _interval(fmu: Fmu, starts: Mapping[str, Value], interval: float | None, over_profile: bool) -> float:
     points = STEPS_PER_TIME_UNIT if over_profile else POINTS_PER_TIME_UNIT
-    return time_unit(fmu, starts) / points if interval is None else interval
+    if interval is None:
+        return time_unit(fmu, starts) / points
+    return checked("output_interval", interval, *INTERVALS, "s")
 
 
 def _min_duration(
@@ -196,7 +208,7 @@ def _min_duration(
 
 def _check_rows(experiment: Experiment, duration: float) -> None:
     """Refuse, before any work, more rows than there is room for; `duration` is the least that is run."""
-    interval = checked("output_interval", experiment.output_interval, *INTERVALS)
+    interval = experiment.output_interval
     if duration / interval > experiment.max_rows:
         raise InputError(
             f"output_interval = {interval:g}: {duration / interval:,.0f} rows up to {duration:g} s; "

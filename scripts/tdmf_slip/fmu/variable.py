@@ -1,18 +1,19 @@
 """A variable of the unit: its type, unit and range, and values for it."""
 
 import math
-import reprlib
-from collections.abc import Mapping, Sequence, Sized
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from numbers import Real
 from typing import TypeAlias
 
 import numpy as np
 from fmpy.model_description import ModelVariable
 from numpy.typing import NDArray
 
-from ..checks import check_size, shown
+from ..checks import check_kind, number_in, number_of, shown
 from ..contents import ByContents
 from ..errors import InputError
+from ..given import row_of
 from . import unit_text
 
 Value: TypeAlias = float | bool
@@ -23,6 +24,8 @@ Given: TypeAlias = float | bool | str
 
 MAX_VALUES = 1_000_000
 """In a row, as of a range."""
+LONGEST_TEXT = 100
+"""That a message repeats as it is."""
 
 Values: TypeAlias = Sequence[float] | NDArray[np.float64]
 """Numbers in a row, in the variable's unit."""
@@ -108,37 +111,35 @@ class Variable(ByContents):
         """A start value for this variable, checked against its range."""
         if self.type == "Boolean":
             return self._boolean(given, where)
-        value = self._parsed(given, where) if isinstance(given, str) else self._number(given, given, where)
+        value = (
+            self._parsed(given, where)
+            if isinstance(given, str)
+            else self._finite(number_of(given, self.unit), given, where)
+        )
         if not self.minimum <= value <= self.maximum or (self.items and value not in self.items):
             raise self._refusal(given, where)
         return value
 
     def values_of(self, given: object, where: str) -> NDArray[np.float64]:
         """One or more numbers for this variable, checked against its range."""
-        refusal = InputError(
-            f"{where} = {reprlib.repr(given)} is not allowed; allowed: a row of values of {self.name}"
-        )
-        if isinstance(given, str | Mapping):
-            raise refusal
-        check_size(where, len(given) if isinstance(given, Sized) else 1, "values", MAX_VALUES)
-        try:
-            row = list(given)  # type: ignore[call-overload] # what is no row is refused
-            values = np.array([self.value_of(value, where) for value in row], dtype=float)
-        except TypeError:
-            raise refusal from None
-        if not len(values):
+        row = row_of(given, where, f"a row of values of {self.name}", MAX_VALUES)
+        if not row:
             raise InputError(f"{where}: no values of {self.name}; allowed: one or more")
-        return values
+        return np.array([self.value_of(value, where) for value in row], dtype=float)
 
-    def _refusal(self, given: object, where: str, hint: str = "") -> InputError:
-        shown = given if str(given).isprintable() else repr(given)
-        return InputError(f"{where}: {self.name} = {shown} is not allowed; allowed: {self.allowed}{hint}")
+    def _refusal(self, given: object, where: str, hint: str = "", kind: str = "") -> InputError:
+        plain = isinstance(given, str) and given.isprintable() and len(given) <= LONGEST_TEXT
+        text = given if plain else shown(given)
+        return InputError(
+            f"{where}: {self.name} = {text} is not allowed; allowed: {kind}{self.allowed}{hint}"
+        )
 
     def _boolean(self, given: Given, where: str) -> bool:
         values = {"true": True, "false": False, "1": True, "0": False, "1.0": True, "0.0": False}
         try:
+            check_kind(given, (str, bool, np.bool_, Real), where, self.allowed)
             return values[str(given).lower()]
-        except KeyError:
+        except (InputError, KeyError):
             raise self._refusal(given, where) from None
 
     def _parsed(self, text: str, where: str) -> float:
@@ -153,17 +154,18 @@ class Variable(ByContents):
                 f"{', '.join(self.known_units) or 'none'}"
             )
         hint = ", or a number and a unit" if self.unit not in ("", "1") else ""
-        return self._number(number, text, where, hint) / factor
-
-    def _number(self, number: Given, given: Given, where: str, hint: str = "") -> float:
-        """A finite number, by what was given as one."""
         try:
-            value = float(number)
-        except (TypeError, ValueError, OverflowError):
-            raise self._refusal(given, where, hint) from None
-        if isinstance(number, bool | np.bool_ | bytes) or not math.isfinite(value):
+            return self._finite(number_in(number), text, where) / factor
+        except ValueError:
+            raise self._refusal(text, where, hint) from None
+
+    def _finite(self, number: float | None, given: object, where: str) -> float:
+        """A finite number, by what was given as one."""
+        if number is None:
+            raise self._refusal(given, where, kind="a number, ")
+        if not math.isfinite(number):
             raise self._refusal(given, where)
-        return value
+        return number
 
 
 def variable_of(variable: ModelVariable, factors: Mapping[str, Mapping[str, float]]) -> Variable:

@@ -12,6 +12,7 @@ from ..checks import check_kind, checked_whole, shown
 from ..contents import ByContents
 from ..errors import InputError
 from ..fmu.names import full_names
+from ..given import numbers_of, row_of
 from .binding import c, ffi
 from .rough_ground import LAST_RUNNER, LAST_SEED, MAX_STEPS
 from .runner import Runner
@@ -72,7 +73,8 @@ class AffineLaw(ByContents):
             setting_number(name, "inputs")
             if name in names[:number]:
                 raise InputError(f"inputs: {name} is there twice; allowed: once")
-        coordinates = REDUCED if np.shape(self.apex) == (len(REDUCED),) else COORDINATES
+        given = row_of(self.apex, "apex", f"numbers for {', '.join(COORDINATES)}")
+        coordinates = REDUCED if len(given) == len(REDUCED) else COORDINATES
         n, k = len(coordinates), len(names)
         rows = {
             "apex": _numbers("apex", checked_apex(self.apex, coordinates), (n,)),
@@ -177,10 +179,7 @@ def check_law(law: object, runner: Runner) -> None:
 
 
 def _numbers(what: str, given: object, shape: tuple[int, ...]) -> NDArray[np.float64]:
-    try:
-        values = np.asarray(given).astype(float, casting="same_kind")
-    except (TypeError, ValueError) as problem:
-        raise InputError(f"{what}: {problem}; allowed: numbers of shape {shape}") from None
+    values = numbers_of(what, given, f"numbers of shape {shape}")
     if values.shape != shape:
         raise InputError(f"{what} of shape {values.shape}: allowed: {shape}")
     if not (np.abs(values) <= LARGEST).all():

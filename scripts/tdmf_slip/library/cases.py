@@ -7,10 +7,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..checks import check_kind, check_size
+from ..checks import check_kind
 from ..contents import ByContents
 from ..errors import InputError
-from ..given import check_row, in_order, is_table
+from ..given import numbers_by, numbers_of
 from .affine_law import AffineLaw, check_law
 from .binding import ffi
 from .maps import refuse_patch
@@ -51,8 +51,8 @@ class Case(ByContents):
         object.__setattr__(self, "runner", Runner.of(self.runner))
         check_kind(self.ground, RoughGround, "ground", "a RoughGround")
         self.ground.check_runner(self.runner.values, self.runner.scales)
-        if not is_table(self.gaits):
-            check_row(self.gaits, "gaits", f"rows of {', '.join(COORDINATES)}")
+        gaits = numbers_by("gaits", self.gaits, self.runner.coordinates)
+        object.__setattr__(self, "gaits", np.atleast_1d(gaits))
         check_law(self.law, self.runner)
         if len(self.gaits) or self.runner.reduced:
             refuse_patch(self.runner.values)
@@ -111,7 +111,7 @@ def c_cases(cases: Sequence[Case], max_strides: int, near: float) -> tuple[Struc
 def _c_balls(balls: Sequence[NDArray[np.float64]], coordinates: int) -> Any:
     made: Any = ffi.new("tdmf_ball[]", len(balls))
     for ball, c_ball in zip(balls, made, strict=True):
-        matrix = np.asarray(ball, dtype=float)
+        matrix = numbers_of("balls", ball)
         if matrix.shape != (coordinates, coordinates) or not np.all(np.abs(matrix) <= LARGEST):
             raise InputError(
                 f"balls: of shape {matrix.shape}; allowed: {coordinates} by {coordinates}, up to {LARGEST:g}"
@@ -123,12 +123,7 @@ def _c_balls(balls: Sequence[NDArray[np.float64]], coordinates: int) -> Any:
 
 def sections_of(name: str, given: object, coordinates: Sequence[str]) -> NDArray[np.float64]:
     """Apices one to a row, with zeros for the coordinates that the reduced map has not."""
-    try:
-        rows = np.asarray(in_order(given, coordinates))
-        check_size(name, len(rows) if rows.ndim else 1, "rows")
-        apices = np.ascontiguousarray(rows.astype(float, casting="same_kind"))
-    except (TypeError, ValueError) as problem:
-        raise InputError(f"{name}: {problem}; allowed: rows of {', '.join(coordinates)}") from None
+    apices = np.ascontiguousarray(numbers_by(name, given, coordinates))
     if apices.ndim != 2 or apices.shape[1] != len(coordinates):
         raise InputError(f"{name} of shape {apices.shape}: allowed: rows of {', '.join(coordinates)}")
     if len(coordinates) == len(COORDINATES):

@@ -6,7 +6,6 @@
     ends["fate"] == FATES.index("settled")
 """
 
-import os
 from collections.abc import Mapping, Sequence, Sized
 from dataclasses import dataclass
 from typing import Any
@@ -14,10 +13,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ..checks import check_size, checked_whole, is_number, is_one_of, shown
+from ..checks import check_size, checked_threads, checked_whole, is_one_of, number_of, refusal, shown
 from ..errors import InputError
 from ..fmu.variable import Given
-from ..given import row_of, rows_of
+from ..given import numbers_of, row_of, rows_of
 from .binding import c, ffi
 from .cases import Case as Case
 from .cases import c_cases, check_alike, sections_of
@@ -25,6 +24,7 @@ from .engine import run
 from .refusals import text_of
 from .rough_ground import LAST_RUNNER
 from .runner import Runner
+from .settings import checked_values
 from .structs import Ensemble
 
 TOLERANCE = 2e-10
@@ -35,6 +35,7 @@ distance and energies over sqrt(m/k), l0 and k l0^2. Held by starts anywhere in 
 runners whose parameters differ from the default ones by factors of up to e."""
 MIN_TOLERANCE = 1e-30
 """Steps for less are so many that no stride closes, and rounding has long decided."""
+LAST_STRIDE = 2**31 - 1
 MAX_RUNNERS = 10_000_000
 """In a call: start and end of one take 300 bytes. More go in several calls, with their first numbers."""
 NEAR = 1e-2
@@ -142,7 +143,7 @@ def run_ensemble(
     >>> print(ends["strides"], ends["apex"][:, 1].round(3))
     [20 20] [1.063 1.068]
     """
-    given = row_of(rows_of(cases), "cases", "one or more cases in a list")
+    given = row_of(rows_of(cases, "cases"), "cases", "one or more cases in a list")
     if not len(given):
         raise InputError("cases: none; allowed: one or more")
     all_cases = [case if isinstance(case, Case) else Case(Runner.of(case)) for case in given]
@@ -151,16 +152,18 @@ def run_ensemble(
     check_size("apices", len(apices) if isinstance(apices, Sized) else 1, "runners", MAX_RUNNERS)
     sections = sections_of("apices", apices, runner.coordinates)
     ensemble = ensemble_of(runner, sections, first_number, tolerance, threads, instructions)
-    positions = None if foot_x is None else np.ascontiguousarray(foot_x, dtype=float)
+    positions = None if foot_x is None else np.ascontiguousarray(numbers_of("foot_x", foot_x))
     if positions is not None:
-        if positions.shape != (len(sections),) or not np.isfinite(positions).all():
+        checked_values("foot.x", np.atleast_1d(positions), "foot_x", {"runner": 0})
+        if positions.shape != (len(sections),):
             raise InputError(
                 f"foot_x of shape {positions.shape}; allowed: finite numbers, ({len(sections)},), for each "
                 "runner one"
             )
         ensemble.foot_x = ffi.cast("double *", ffi.from_buffer(positions))
-    ensemble.step_limit = 0 if step_limit is None else _whole("step_limit", step_limit)
-    max_strides, near = _whole("max_strides", max_strides), _within("near", near, 0.0, np.inf)
+    ensemble.step_limit = 0 if step_limit is None else checked_whole("step_limit", step_limit, 1, LAST_STRIDE)
+    max_strides = checked_whole("max_strides", max_strides, 1, LAST_STRIDE)
+    near = _within("near", near, 0.0, np.inf)
     made, kept = c_cases(all_cases, max_strides, near)
     ensemble.cases = made
     ensemble.case_count = len(all_cases)
@@ -192,7 +195,7 @@ def ensemble_of(
         "count": len(sections),
         "first_number": checked_whole("first_number", first_number, 0, LAST_RUNNER),
         "relative_tolerance": _within("tolerance", tolerance, MIN_TOLERANCE, 1.0),
-        "threads": _whole("threads", (os.cpu_count() or 1) if threads is None else threads),
+        "threads": checked_threads(threads),
         "instructions": _number(instructions),
     }
     for name, value in settings.items():
@@ -201,23 +204,17 @@ def ensemble_of(
 
 
 def _case_numbers(case_of: ArrayLike, runners: int, cases: int) -> NDArray[np.intc]:
-    given = np.asarray(case_of)
-    numbers = given.astype(np.intc) if given.dtype.kind in "iu" else None
-    if numbers is None or given.shape != (runners,) or not np.all((given >= 0) & (given < cases)):
+    given = numbers_of("case_of", case_of)
+    if given.shape != (runners,) or not np.all((given >= 0) & (given < cases) & (given % 1 == 0)):
         raise InputError(f"case_of: allowed: {runners} numbers from 0 to {cases - 1}, one for each runner")
-    return np.ascontiguousarray(numbers)
+    return np.ascontiguousarray(given.astype(np.intc))
 
 
 def _within(name: str, value: object, low: float, high: float) -> float:
-    if not is_number(value) or not low < value < high:
-        raise InputError(f"{name} = {shown(value)}: allowed: a number above {low:g} and below {high:g}")
-    return float(value)
-
-
-def _whole(name: str, value: object) -> int:
-    if not is_number(value) or not 1 <= value < 2**31 or value % 1:
-        raise InputError(f"{name} = {shown(value)}: allowed: a whole number from 1 to {2**31 - 1}")
-    return int(value)
+    number = number_of(value)
+    if number is None or not low < number < high:
+        raise refusal(name, value, f"a number above {low:g} and below {high:g}")
+    return number
 
 
 def _number(instructions: str | None) -> int:

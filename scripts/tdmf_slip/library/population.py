@@ -8,11 +8,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..checks import check_size
 from ..contents import ByContents
 from ..errors import InputError
 from ..fmu.fmu import Fmu, load_fmu
 from ..fmu.names import by_full_name
+from ..given import is_series, numbers_of
 from .affine_law import AffineLaw
 from .binding import c, ffi
 from .maps import PATCH, refuse_patch
@@ -38,9 +38,7 @@ class Population(ByContents):
         if given is None or isinstance(given, str | os.PathLike | Runner) or hasattr(given, "runner"):
             return cls(Runner.of(given, fmu, model=model))
         by_name = by_full_name(given, "runner", "a Runner, or numbers or arrays by name")
-        rows = {
-            name: value for name, value in by_name.items() if not isinstance(value, str) and np.ndim(value)
-        }
+        rows = {name: value for name, value in by_name.items() if _is_row(value)}
         runner = Runner.of(
             {name: value for name, value in by_name.items() if name not in rows}, fmu, model=model
         )
@@ -119,14 +117,14 @@ def _check_flags(name: str, values: NDArray[np.float64]) -> None:
         )
 
 
+def _is_row(value: object) -> bool:
+    """Whether a value is one for each runner."""
+    return is_series(value) or isinstance(value, list | tuple) or getattr(value, "ndim", 0) > 0
+
+
 def numbers(what: str, given: object, dimensions: int) -> NDArray[np.float64]:
-    """An array of numbers."""
-    try:
-        array = np.asarray(given)
-        check_size(what, array.size, "numbers")
-        values = array.astype(float, casting="same_kind")
-    except (TypeError, ValueError) as problem:
-        raise InputError(f"{what}: {problem}; allowed: numbers") from None
+    """An array of numbers, of so many dimensions at the most."""
+    values = numbers_of(what, given)
     if values.ndim > dimensions or not values.size:
         raise InputError(
             f"{what} of shape {values.shape}; allowed: one or more numbers, {dimensions} dimensions"

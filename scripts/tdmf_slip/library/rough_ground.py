@@ -1,6 +1,7 @@
 """Random ground, the same for a seed: steps and friction by stride, or level segments of a terrain."""
 
 import math
+import re
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Any
@@ -8,9 +9,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ..checks import checked, checked_whole
-from ..errors import InputError
-from ..given import row_of
+from ..checks import checked, checked_flag, checked_whole, number_in, path_of, shown
+from ..errors import InputError, reason
+from ..given import numbers_of, row_of
 from .binding import c, ffi
 
 LARGEST = 1e9
@@ -24,6 +25,9 @@ LAST_RUNNER = 2**63 - 1
 MAX_STEPS = 2**31 - 1
 
 
+BARE_COMMA = re.compile(r"\d,\d")
+BLANK = re.compile(r"\d\s+[\d.+-]")
+"""White space alone between two numbers."""
 MAX_WEIGHTS = 4096
 WEIGHTLESS = 1e-12
 """Weights of a correlation end where they are less."""
@@ -40,7 +44,7 @@ def correlated_weights(correlation: float) -> tuple[float, ...]:
 
 def spectrum_weights(density: ArrayLike) -> tuple[float, ...]:
     """Weights of deviates that have a given spectrum."""
-    power = np.asarray(density, dtype=float)
+    power = numbers_of("density", density)
     if power.ndim != 1 or not 2 <= len(power) <= MAX_WEIGHTS // 2 or not np.all(np.isfinite(power)):
         raise InputError(
             f"density of shape {power.shape}; allowed: a row of 2 to {MAX_WEIGHTS // 2} finite numbers"
@@ -98,6 +102,7 @@ class RoughGround:
         object.__setattr__(self, "seed", checked_whole("seed", self.seed, 0, LAST_SEED))
         spread = checked("friction_spread", self.friction_spread, 0.0, LARGEST_SPREAD)
         object.__setattr__(self, "friction_spread", spread)
+        object.__setattr__(self, "trips", checked_flag("trips", self.trips))
         for name in ("step_weights", "friction_weights"):
             object.__setattr__(self, name, _checked_weights(name, getattr(self, name)))
         object.__setattr__(
@@ -201,7 +206,8 @@ def read_heights(path: str) -> tuple[float, ...]:
     Parameters
     ----------
     path : str
-        A text file with numbers, m, apart by white space or commas; what follows a `#` is not read.
+        A text file with numbers, m, apart by white space or commas; what follows a `#` is not read. A comma
+        between two digits may be a decimal sign: it is refused but where other numbers have a decimal point.
 
     Returns
     -------
@@ -214,17 +220,23 @@ def read_heights(path: str) -> tuple[float, ...]:
         There is no such file, or what is in it are no numbers.
     """
     try:
-        with open(path, encoding="utf-8") as file:
-            lines = file.read().splitlines()
-    except (OSError, UnicodeError) as problem:
-        why = problem.strerror if isinstance(problem, OSError) else "it is no text"
-        raise InputError(f"{path}: {why}; allowed: a file of heights, m") from None
+        text = path_of(path, "heights", "the path of a file").read_text(encoding="utf-8-sig")
+    except (OSError, ValueError) as problem:
+        raise InputError(f"{path}: {reason(problem)}; allowed: a file of heights, m") from None
+    lines = [line.partition("#")[0] for line in text.splitlines()]
+    with_points = any("." in line for line in lines)
     heights = []
     for number, line in enumerate(lines, 1):
+        bare = BARE_COMMA.search(line)
+        if bare and (not with_points or BLANK.search(line)):
+            raise InputError(
+                f"{path}, line {number}: {shown(line.strip())}: the comma may be between two numbers, or in "
+                "one; allowed: decimal points, with a comma and a space between numbers"
+            )
         try:
-            heights += [float(word) for word in line.partition("#")[0].replace(",", " ").split()]
+            heights += [number_in(word) for word in line.replace(",", " ").split()]
         except ValueError:
-            raise InputError(f"{path}, line {number}: {line.strip()!r}; allowed: numbers, m") from None
+            raise InputError(f"{path}, line {number}: {shown(line.strip())}; allowed: numbers, m") from None
     if not heights:
         raise InputError(f"{path}: no heights; allowed: one or more numbers, m")
     return _checked_heights(heights)

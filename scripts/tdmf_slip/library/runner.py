@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..checks import is_number, is_one_of, near_matches, shown
+from ..checks import is_one_of, near_matches, number_of, refusal, shown
 from ..contents import ByContents
 from ..errors import InputError
 from ..fmu import paper_units
@@ -131,9 +131,10 @@ class Runner(ByContents):
             raise InputError(f"{shown(name)} is not a name in the runner's values{near}")
         if name in FLAGS or isinstance(value, str):
             value = load_fmu().variables[name].value_of(value, "runner")
-        if not is_number(value):
-            raise InputError(f"{name} = {shown(value)} is not allowed; allowed: a number")
-        return replace(self, values={**self.values, name: value if name in FLAGS else float(value)})
+        number = value if name in FLAGS else number_of(value)
+        if number is None:
+            raise refusal(name, value, "a number")
+        return replace(self, values={**self.values, name: number})
 
     record = record_of
 
@@ -185,9 +186,10 @@ class Runner(ByContents):
     def solver(self, log: EventLog | None = None) -> Solver:
         """A native solver, the library's `tdmf_solver *`, which writes its events to a log."""
         solver: Solver = ffi.new("tdmf_solver *", c.tdmf_solver_default())
-        if not is_number(self.tolerance) or not 0 < self.tolerance < 1:
-            raise InputError(f"tolerance = {self.tolerance!r} is not allowed; allowed: above 0, below 1")
-        solver.relative_tolerance = self.tolerance
+        tolerance = number_of(self.tolerance)
+        if tolerance is None or not 0.0 < tolerance < 1.0:
+            raise refusal("tolerance", self.tolerance, "above 0, below 1")
+        solver.relative_tolerance = tolerance
         solver.log = ffi.NULL if log is None else log
         search_under_way().hand_out(solver)
         return solver

@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from ..checks import is_one_of, shown
 from ..errors import InputError
-from ..given import in_order
+from ..given import numbers_by
 
 COORDINATES = ("com_height", "com_speed", "leg_length", "leg_angle", "leg_length_rate", "leg_angle_rate")
 """Names in the unit's group `apex`; the horizontal position is dropped, the vertical velocity is zero."""
@@ -24,13 +24,10 @@ Apex = Sequence[float] | NDArray[np.float64]
 
 def checked_apex(apex: Apex, coordinates: Sequence[str] = COORDINATES) -> NDArray[np.float64]:
     """An apex as an array."""
-    values = in_order(apex, coordinates)
-    if np.shape(values) != (len(coordinates),):
-        raise InputError(f"an apex of shape {np.shape(values)}: allowed: {', '.join(coordinates)}")
-    try:
-        return np.array([float(value) for value in values])
-    except (TypeError, ValueError):
-        raise InputError(f"an apex {shown(apex)}: allowed: numbers for {', '.join(coordinates)}") from None
+    values = numbers_by("an apex", apex, coordinates)
+    if values.shape != (len(coordinates),):
+        raise InputError(f"an apex of shape {values.shape}: allowed: {', '.join(coordinates)}")
+    return values
 
 
 def check_axes(axes: Sequence[str], coordinates: Sequence[str] = COORDINATES) -> None:

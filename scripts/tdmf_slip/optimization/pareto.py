@@ -16,6 +16,7 @@ from ..errors import InputError
 from ..fmu.fmu import Fmu, load_fmu
 from ..fmu.parameters import RunnerLike
 from ..fmu.variable import Given
+from ..given import row_of
 from ..library.runner import Runner
 from ..library.shared_steps import shares_steps
 from ..record import origin_of
@@ -156,11 +157,11 @@ def _between(
 
 def _checked_objectives(minimize: Sequence[str], maximize: Sequence[str]) -> dict[str, float]:
     """Two quantities with their signs."""
-    if isinstance(minimize, str) or isinstance(maximize, str):
-        raise InputError("minimize, maximize: a text; allowed: lists of names, two in all")
-    signs = {checked_quantity(name, "minimize"): 1.0 for name in minimize}
-    both = [*minimize, *maximize]
-    signs |= {checked_quantity(name, "maximize"): -1.0 for name in maximize}
+    allowed = "names of quantities in a list, two in all"
+    least, largest = row_of(minimize, "minimize", allowed), row_of(maximize, "maximize", allowed)
+    signs = {checked_quantity(name, "minimize"): 1.0 for name in least}
+    both = [*least, *largest]
+    signs |= {checked_quantity(name, "maximize"): -1.0 for name in largest}
     if len(both) != 2 or len(signs) != 2:
         raise InputError(
             f"minimize, maximize: {', '.join(map(str, both))}; allowed: two quantities that differ"

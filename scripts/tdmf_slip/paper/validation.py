@@ -5,6 +5,7 @@ from collections.abc import Sequence
 from dataclasses import asdict, dataclass, field
 from typing import TYPE_CHECKING
 
+from ..checks import checked_flag, checked_whole
 from ..contents import ByContents
 from ..drawable import Drawable
 from ..fmu.fmu import FRICTION, Fmu, load_fmu
@@ -197,7 +198,7 @@ def validate(
     >>> print(validation.passed)
     True
     """
-    fmu = load_fmu(fmu)
+    fmu, own, seed = load_fmu(fmu), checked_flag("own", own), checked_whole("seed", seed, 0, 2**63 - 1)
     parameters = {**read_parameters("paper"), **reference.RUNNER}
     gaits = []
     with progress_bar("gaits", len(WORDS), "gaits", progress) as bar:

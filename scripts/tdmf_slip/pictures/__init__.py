@@ -8,3 +8,8 @@ except ImportError:
     raise InputError(
         "pictures need Matplotlib (the extra plots), which is missing; install it by: pip install matplotlib"
     ) from None
+except Exception as problem:  # of the variable MPLBACKEND, or of a file of settings
+    why = " ".join(str(problem).split())
+    raise InputError(
+        f"pictures: Matplotlib does not start: {why}; allowed: other settings of it"
+    ) from problem

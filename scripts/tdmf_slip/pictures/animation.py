@@ -84,7 +84,7 @@ def draw(
 
 def animate(gait: Gait, path: Path | str, frames: int = FRAMES) -> Path:
     """Write one stride of a gait, as `Gait.animate` says."""
-    path = check_destination(path, FORMATS, "path")
+    path = style.check_picture(path, "path", FORMATS)
     draw(path, Stride(gait, load_fmu()), frames=checked_whole("frames", frames, *FRAMES_ALLOWED))
     return path
 

@@ -15,7 +15,6 @@ from ..fmu.fmu import Fmu
 from ..fmu.run import Run
 from . import style
 
-FORMATS = (".png", ".svg", ".pdf")
 PANELS: Sequence[tuple[str, Sequence[tuple[str, str]]]] = (
     ("height", (("com.y", "centre of mass"), ("foot.y", "foot"))),
     ("leg angle", (("leg.angle", "leg angle"),)),

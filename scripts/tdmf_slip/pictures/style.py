@@ -1,9 +1,10 @@
 """What all pictures share: colours and names of contact modes, type, axes, and how files are written."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from contextlib import contextmanager
 from contextvars import ContextVar
 from dataclasses import dataclass
+from io import BytesIO
 from pathlib import Path
 from typing import Any, Literal, TypeAlias
 
@@ -13,12 +14,16 @@ from matplotlib.axis import Axis
 from matplotlib.figure import Figure
 from matplotlib.ticker import AutoLocator, FuncFormatter
 
-from ..files.whole import whole
+from ..errors import InputError
+from ..files.whole import check_destination, whole
 from ..fmu.display_units import DisplayUnits
 from ..fmu.events import SLIPS
 
 LineStyle: TypeAlias = Literal["-"] | tuple[float, tuple[float, ...]]
 
+FORMATS = (".png", ".svg", ".pdf")
+LONGEST_REASON = 200
+"""Characters of what Matplotlib says."""
 INK = "#22303c"
 FAINT = "#8a97a3"
 GROUND = "#c9d1d8"
@@ -165,6 +170,30 @@ def styled() -> Iterator[None]:
     """The present style, for what is drawn inside."""
     with plt.rc_context({**SETTINGS, **STYLES[_PRESENT.get(DESIGNED).style]}):
         yield
+
+
+def check_picture(path: Path | str, what: str, formats: Iterable[str] = FORMATS) -> Path:
+    """Refuse, before any work, a picture that cannot be written, or that Matplotlib cannot draw."""
+    path = check_destination(path, formats, what)
+    check_drawing(f"{what}: {path}")
+    return path
+
+
+def check_drawing(what: str) -> None:
+    """Refuse, before any work, a Matplotlib that cannot draw, as with texts by LaTeX where there is none."""
+    try:
+        with styled():
+            figure = plt.figure(figsize=(1.0, 1.0))
+            figure.text(0.0, 0.5, f"{with_unit('torque', 'N.m')}, {word('+-')}")
+            try:
+                figure.savefig(BytesIO(), format="png")
+            finally:
+                plt.close(figure)
+    except Exception as problem:  # of whatever draws, and of the programs it calls
+        raise InputError(
+            f"{what}: Matplotlib cannot draw: {' '.join(str(problem).split())[:LONGEST_REASON]}; "
+            "allowed: other settings of it"
+        ) from problem
 
 
 def save(figure: Figure, path: Path, dots_per_inch: int = DOTS_PER_INCH) -> None:

@@ -6,14 +6,16 @@ from dataclasses import dataclass
 from fractions import Fraction
 from numbers import Rational
 
-import numpy as np
 from flint import arb, fmpq
 
-from ..errors import InputError
+from ..checks import refusal, shown
 from ..fmu import unit_text
 from ..fmu.fmu import Fmu
 from ..fmu.variable import Variable
 
+LONGEST_TEXT = 1000
+LONGEST_EXPONENT = 4
+"""Characters of an exponent; a fraction has as many digits as it says."""
 DEGREES = 180
 """Of a half turn."""
 
@@ -53,25 +55,27 @@ def ball_of(value: Fraction) -> arb:
     return arb(fmpq(value.numerator, value.denominator))
 
 
+def fraction_in(text: str) -> Fraction:
+    """The exact number that a text is; ValueError where it is none, or has too many digits."""
+    exponent = text.lower().partition("e")[2]
+    if "_" in text or len(text) > LONGEST_TEXT or len(exponent) > LONGEST_EXPONENT:
+        raise ValueError(f"{shown(text)} is no number")
+    return Fraction(text)
+
+
 def exact_value(variable: Variable, given: object, where: str) -> Exact:
     """The number that is meant by a value as it is given."""
     if variable.type == "Boolean":
         return Flag(Fraction(variable.value_of(given, where)))  # type: ignore[arg-type] # it checks the kind
     if not isinstance(given, str):
-        if isinstance(given, bool) or not isinstance(given, Rational | float | np.floating):
-            raise InputError(
-                f"{where}: {variable.name} = {given!r} is not allowed; allowed: {variable.allowed}"
-            )
-        variable.value_of(float(given), where)
-        return Exact(Fraction(given) if isinstance(given, Rational) else Fraction(float(given)))
-    number, unit = _split(given)
+        number = variable.value_of(given, where)  # type: ignore[arg-type] # which refuses other kinds
+        return Exact(Fraction(given) if isinstance(given, Rational) else Fraction(number))
+    text, unit = _split(given)
     try:
-        rational = Fraction(number)
-    except (ValueError, ZeroDivisionError):
-        rational = None
-    variable.value_of(f"{float(rational)!r} {unit}" if rational is not None else given, where)
-    if rational is None:
-        raise InputError(f"{where}: {variable.name} = {given} is not allowed; allowed: {variable.allowed}")
+        rational = fraction_in(text)
+        variable.value_of(f"{float(rational)!r} {unit}", where)
+    except (ValueError, ArithmeticError):
+        raise refusal(f"{where}: {variable.name}", given, variable.allowed) from None
     if unit in ("", variable.unit):
         return Exact(rational)
     if unit.startswith("deg"):

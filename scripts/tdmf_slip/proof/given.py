@@ -2,16 +2,18 @@
 
 from collections.abc import Mapping
 from fractions import Fraction
+from numbers import Rational
 from typing import TypeAlias
 
 from ..analysis.search import periodic_gait
+from ..checks import number_of, refusal
 from ..errors import InputError
 from ..fmu import parameters
 from ..fmu.fmu import load_fmu
 from ..library.gait import Gait
 from ..library.members import MOVING
 from ..library.runner import Runner
-from .exact import Exact, exact_values
+from .exact import Exact, exact_values, fraction_in
 
 MAX_DIGITS = 200
 MIN_BOX = Fraction(1, 10**MAX_DIGITS)
@@ -75,9 +77,11 @@ def runner_of(given: RunnerLike) -> tuple[Runner, dict[str, object]]:
 def radius_of(box: Radius) -> Fraction:
     """A radius that is asked for."""
     try:
-        radius = Fraction(repr(box) if isinstance(box, float) else box)
-    except (TypeError, ValueError, OverflowError, ZeroDivisionError):
-        radius = Fraction(0)
-    if not MIN_BOX <= radius <= 1:
-        raise InputError(f"box = {box!r} is not allowed; allowed: from 1e-{MAX_DIGITS} to 1")
-    return radius
+        number = None if isinstance(box, str) else number_of(box)
+        exact = box if isinstance(box, Rational) and number is not None else repr(number)
+        radius = fraction_in(box) if isinstance(box, str) else Fraction(exact)
+        if MIN_BOX <= radius <= 1:
+            return radius
+    except (ValueError, ArithmeticError):
+        pass
+    raise refusal("box", box, f"from 1e-{MAX_DIGITS} to 1")

@@ -6,19 +6,19 @@ import math
 import os
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
-from pathlib import Path
 from typing import overload
 
 import numpy as np
 from flint import acb, arb, ctx
 
-from ..checks import check_kind, checked_whole
+from ..checks import checked_whole, path_of, refusal
 from ..errors import InputError
 from ..fmu.fmu import load_fmu
-from ..fmu.names import by_full_name, full_name
+from ..fmu.names import by_full_name
 from ..fmu.parameters import RUNNER
+from ..given import row_of
 from ..library.gait import Gait
-from ..library.members import check_varied
+from ..library.members import varied_alone
 from ..library.shared_steps import shares_steps
 from .eigenvalues import eigenvalues
 from .exact import Exact, exact_value
@@ -126,7 +126,7 @@ def prove(
     """
     if vary is not None:
         if box is not None:
-            raise InputError(f"box = {box!r}: with vary it is chosen by itself; allowed: without vary")
+            raise InputError("box: with vary it is chosen by itself; allowed: without vary")
         return _over(gait, vary, output, processes, progress)
     if output is not None or processes is not None:
         raise InputError("output, processes: are of use for a range only; allowed: with vary")
@@ -150,15 +150,11 @@ def _over(
     processes: int | None,
     progress: bool,
 ) -> RangeProof:
-    check_kind(vary, Mapping, "vary", "a parameter with the ends of its range")
-    if len(vary) != 1:
-        raise InputError(f"vary = {dict(vary)!r}: {len(vary)} parameters; allowed: one")
-    ((name, span),) = vary.items()
-    name = full_name(name)
-    check_varied(name, "vary")
-    if not isinstance(span, Sequence) or isinstance(span, str) or len(span) != 2:
-        raise InputError(f"vary: {name} = {span!r}; allowed: the two ends of a range")
-    ends = [exact_value(load_fmu().variables[name], end, "vary") for end in span]
+    name, span = varied_alone(vary, "a parameter with the ends of its range")
+    row = row_of(span, f"vary: {name}", "the two ends of a range")
+    if len(row) != 2:
+        raise refusal(f"vary: {name}", span, "the two ends of a range")
+    ends = [exact_value(load_fmu().variables[name], end, "vary") for end in row]
     if any(end.turns for end in ends):
         raise InputError(f"vary: {name} from {ends[0]} to {ends[1]}; allowed: rational ends")
     begin, end = (end.rational for end in ends)
@@ -169,7 +165,7 @@ def _over(
     if gait is None or isinstance(gait, Mapping):
         gait = {name: begin, **by_full_name(gait, "gait", RUNNER)}
     found, values = gait_of(gait)
-    path = None if output is None else Path(output)
+    path = None if output is None else path_of(output, "output", "the path of a file")
     return prove_range(found, values, name, (begin, end), output=path, processes=processes, progress=progress)
 
 

@@ -11,7 +11,7 @@ from flint import arb, ctx
 
 from ..analysis.borders import Border
 from ..analysis.search import periodic_gait
-from ..checks import check_kind, checked_whole
+from ..checks import checked_flag, checked_whole, number_of, refusal
 from ..drawable import Drawable
 from ..fmu.fmu import FRICTION, load_fmu
 from ..fmu.names import full_name
@@ -163,9 +163,10 @@ def prove_border(
     vary = full_name(vary)
     check_varied(vary, "vary")
     digits = checked_whole("digits", digits, 5, MAX_DIGITS)
-    if not isinstance(border, Border):
-        check_kind(border, (float, int), "border", "one of a sweep's borders, or its value")
-    value = border.value if isinstance(border, Border) else float(border)
+    value = border.value if isinstance(border, Border) else number_of(border)
+    if value is None:
+        raise refusal("border", border, "one of a sweep's borders, or its value")
+    sides = checked_flag("sides", sides)
     return _BorderProver(runner, vary, value, digits, sides).proof()
 
 

@@ -86,7 +86,7 @@ def _done(output: Path | None, head: Mapping[str, Any]) -> dict[tuple[Fraction, 
     """Parts that a file has already; a last line that was cut off is none."""
     if output is None or not output.exists():
         return {}
-    lines = output.read_text(encoding="utf-8").splitlines()
+    lines = output.read_text(encoding="utf-8-sig").splitlines()
     rows = [row for line in lines if (row := _row(line)) is not None]
     if not rows or not _is_of(head, rows[0]):
         raise InputError(

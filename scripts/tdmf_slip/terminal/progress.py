@@ -4,6 +4,8 @@ import sys
 import threading
 from typing import TYPE_CHECKING, NoReturn, TypeAlias
 
+from ..checks import checked_flag
+
 if TYPE_CHECKING:
     from tqdm import tqdm
 
@@ -16,6 +18,7 @@ would leave behind; each bar is drawn by one process."""
 
 def progress_bar(what: str, total: float | None, unit: str, show: bool = True) -> Bar:
     """A progress bar on a terminal, for what takes longer than a second; elsewhere none."""
+    show = checked_flag("progress", show)
     from tqdm import tqdm  # slow to load, and not needed for short work
 
     tqdm.set_lock(LOCK)

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ..checks import shown
+from ..checks import number_of, refusal, shown
 from ..contents import ByContents
 from ..errors import InputError
 from ..fmu.names import by_full_name
@@ -92,13 +92,11 @@ class ViableController(ByContents):
             raise InputError(f"wish: {shown(unknown)} is not allowed; allowed: {', '.join(grid.actions)}")
         values = {}
         for name in grid.actions:
-            try:
-                values[name] = float(given.get(name, runner.values[name]))
-            except (TypeError, ValueError):
-                raise InputError(
-                    f"wish: {name} = {shown(given[name])} is not allowed; allowed: a number"
-                ) from None
-            checked_values(name, np.array(values[name]), "wish", {})
+            number = number_of(given.get(name, runner.values[name]))
+            if number is None:
+                raise refusal(f"wish: {name}", given[name], "a number")
+            values[name] = number
+            checked_values(name, np.array(number), "wish", {})
         return cls(grid, inner, outer, tuple(values.values()))
 
     def inputs_at(self, apex: ArrayLike) -> dict[str, float]:

@@ -1,0 +1,232 @@
+"""Numbers as people and programs give them: durations, masked values, decimal commas, marks of editors."""
+
+import datetime
+import io
+
+import numpy as np
+import pandas
+import pytest
+import tdmf_slip
+from tdmf_slip import InputError, Profile, simulate
+from tdmf_slip.analysis.search import periodic_gait
+from tdmf_slip.fitting.measurements import measurements_of, read_measurements
+from tdmf_slip.fmu.inputs import read_tables
+from tdmf_slip.fmu.parameters import read_parameters
+from tdmf_slip.library.rough_ground import read_heights
+
+FRICTION = "ground.friction"
+DATES = pandas.to_datetime(["2026-01-01 00:00:00", "2026-01-01 00:00:05"])
+SECONDS = pandas.to_timedelta([0.0, 5.0], unit="s")
+
+
+def friction_at_the_end(inputs):
+    return simulate({}, inputs=inputs, stop_time=6.0, output_interval=1.0).final[FRICTION]
+
+
+@pytest.mark.parametrize(
+    "times",
+    [
+        SECONDS,
+        SECONDS.to_numpy().astype("m8[ns]"),
+        np.array([0, 5000], "m8[ms]"),
+        [datetime.timedelta(0), datetime.timedelta(seconds=5)],
+        [np.timedelta64(0, "s"), 5.0],
+    ],
+    ids=range(5),
+)
+def test_durations_are_seconds(times):
+    """Of friction that has fallen to a half by 5 s; taken as nanoseconds, it would hardly have begun to."""
+    assert friction_at_the_end({FRICTION: (times, [0.6, 0.3])}) == 0.3
+
+
+def test_durations_over_an_index_are_seconds_too():
+    index = SECONDS.rename("time")
+    assert friction_at_the_end(pandas.Series([0.6, 0.3], index=index, name=FRICTION)) == 0.3
+    assert friction_at_the_end(pandas.DataFrame({FRICTION: [0.6, 0.3]}, index=index)) == 0.3
+
+
+@pytest.mark.parametrize("second", [1.0, np.timedelta64(1000, "ms"), datetime.timedelta(seconds=1)])
+def test_a_duration_is_a_stop_time_and_an_interval(second):
+    run = simulate({}, stop_time=second, output_interval=second / 2)
+    assert run["time"][-1] == 1.0 and len(run["time"]) >= 3
+
+
+def test_a_stance_may_last_a_duration():
+    data = pandas.DataFrame(
+        {"stance_time [s]": pandas.to_timedelta([250], unit="ms"), "stance_time_error [s]": [0.01]}
+    )
+    assert measurements_of(data).rows[0]["stance_time"].value == 0.25
+
+
+MASKED = np.ma.masked_array([0.0, 5.0], [False, True])
+SIX = np.ma.masked_array(np.ones(6), [1, 0, 0, 0, 0, 0])
+NO_NUMBERS = {
+    "dates of inputs": lambda: friction_at_the_end({FRICTION: (DATES, [0.6, 0.3])}),
+    "dates with a zone": lambda: friction_at_the_end({FRICTION: (DATES.tz_localize("UTC"), [0.6, 0.3])}),
+    "dates over an index": lambda: friction_at_the_end(
+        pandas.DataFrame({FRICTION: [0.6, 0.3]}, index=DATES.rename("time"))
+    ),
+    "a date to stop at": lambda: simulate({}, stop_time=np.datetime64("2026-01-01")),
+    "durations of friction": lambda: friction_at_the_end({FRICTION: ([0.0, 5.0], SECONDS)}),
+    "a duration for friction": lambda: tdmf_slip.find_gait({FRICTION: np.timedelta64(1, "s")}),
+    "durations for strides": lambda: simulate({}, strides=np.timedelta64(1, "s")),
+    "durations along the ground": lambda: Profile(SECONDS, [0.0, 1.0]),
+    "dates along the ground": lambda: Profile(DATES, [0.0, 1.0]),
+    "durations of height": lambda: Profile([0.0, 1.0], SECONDS),
+    "edges that are dates": lambda: Profile.steps(DATES, [0.0, 1.0, 0.0]),
+    "durations that are frictions": lambda: tdmf_slip.sweep({}, {FRICTION: SECONDS}),
+    "complex values of inputs": lambda: friction_at_the_end({FRICTION: ([0.0, 5.0], [0.6, 0.3 + 1j])}),
+    "complex positions": lambda: Profile([0.0, 1.0 + 1j], [0.0, 1.0]),
+    "a complex guess": lambda: tdmf_slip.find_gait({}, guess=np.ones(6) * (1 + 1j)),
+    "complex apices": lambda: tdmf_slip.stride_map({}, np.ones(6) * (1 + 1j)),
+    "complex friction": lambda: tdmf_slip.find_gait({FRICTION: np.complex128(0.6 + 1j)}),
+    "complex weights": lambda: tdmf_slip.lqr(periodic_gait({}), ["hip.touchdown_angle"], np.eye(6) * 1j),
+    "masked times": lambda: friction_at_the_end({FRICTION: (MASKED, [0.6, 0.3])}),
+    "masked values": lambda: friction_at_the_end({FRICTION: ([0.0, 5.0], MASKED)}),
+    "masked positions": lambda: Profile(MASKED, [0.0, 1.0]),
+    "masked heights": lambda: Profile([0.0, 1.0], MASKED),
+    "a masked guess": lambda: tdmf_slip.find_gait({}, guess=SIX),
+    "masked apices": lambda: tdmf_slip.stride_map({}, SIX),
+    "masked apices in a list": lambda: tdmf_slip.stride_map({}, [np.ones(6), SIX]),
+    "a masked number": lambda: tdmf_slip.find_gait({FRICTION: np.ma.masked}),
+    "masked frictions": lambda: tdmf_slip.sweep({}, {FRICTION: np.ma.masked_array([0.5, 0.6], [1, 0])}),
+    "masked frictions of runners": lambda: tdmf_slip.stride_map({FRICTION: SIX}, np.ones((6, 6))),
+    "masked feet": lambda: tdmf_slip.stride_map({}, np.ones((6, 6)), foot_x=SIX),
+    "masked ends": lambda: tdmf_slip.continue_branch({}, {FRICTION: MASKED}),
+    "masked settings": lambda: tdmf_slip.stride_map({}, np.ones(6), strides=6, inputs={FRICTION: SIX}),
+    "truth values": lambda: friction_at_the_end({FRICTION: ([0.0, 5.0], [True, False])}),
+}
+
+
+@pytest.mark.filterwarnings("error")
+@pytest.mark.parametrize("name", NO_NUMBERS)
+def test_what_are_no_numbers_is_refused(name):
+    with pytest.raises(InputError, match=r"is not allowed; allowed: ") as caught:
+        NO_NUMBERS[name]()
+    assert len(str(caught.value)) < 400
+
+
+def test_masked_arrays_without_a_masked_value_are_arrays():
+    ground = Profile(np.ma.masked_array([0.0, 1.0]), np.ma.masked_array([0.0, 2.0], [False, False]))
+    assert ground == Profile([0.0, 1.0], [0.0, 2.0])
+
+
+# ---- texts ----
+
+
+def written(folder, name, text, mark=""):
+    path = folder / name
+    path.write_bytes((mark + text).encode())
+    return path
+
+
+@pytest.mark.parametrize(
+    "text", ["0,01", "0.1,0.2 0.3", "1,650 12.5", "1,2,3", "0,01\n0,02\n", "1_05", "0.1, 2_0"]
+)
+def test_heights_that_may_be_others_are_refused(tmp_path, text):
+    with pytest.raises(InputError, match=r"line 1: .*allowed: "):
+        read_heights(str(written(tmp_path, "heights.txt", text)))
+
+
+@pytest.mark.parametrize(
+    ("text", "heights"),
+    [
+        ("0, 0.1", (0.0, 0.1)),
+        ("0.5,0.25,-1\n2", (0.5, 0.25, -1.0, 2.0)),
+        ("1, 2, 3", (1.0, 2.0, 3.0)),
+        ("1e-3 .5", (1e-3, 0.5)),
+    ],
+)
+def test_heights_are_what_they_say(tmp_path, text, heights):
+    assert read_heights(str(written(tmp_path, "heights.txt", text))) == heights
+
+
+TITLES = "speed [m/s]{0}speed_error [m/s]{0}peak_force [N]{0}peak_force_error [N]\n"
+
+
+@pytest.mark.parametrize("separator", [";", "\t"])
+@pytest.mark.parametrize(
+    "row", ["1.5|0.01|1,650|12.5", "1,5|0,01|1650.0|12", "2|0,1|1.650|12", "1,5|1e-3|.5|1"]
+)
+def test_a_comma_is_no_decimal_sign_beside_points(tmp_path, separator, row):
+    text = TITLES.format(separator) + row.replace("|", separator)
+    with pytest.raises(InputError, match=r"line 2: .* in a table that has "):
+        read_measurements(written(tmp_path, "data.csv", text))
+
+
+@pytest.mark.parametrize("cell", ["1_05", "1_650.5", "1,650,000"])
+def test_what_is_no_number_is_none_in_a_table(tmp_path, cell):
+    text = TITLES.format(";") + f"1;0,1;{cell};12"
+    with pytest.raises(InputError, match=r"peak_force = .* is not allowed|in a table that has"):
+        read_measurements(written(tmp_path, "data.csv", text))
+
+
+def test_what_has_no_number_was_not_measured(tmp_path):
+    """On file as in memory."""
+    columns = {"speed [m/s]": [1.0, 1.1], "speed_error [m/s]": 0.01}
+    for nothing in (np.nan, None):
+        table = pandas.DataFrame(
+            columns | {"peak_force [N]": [nothing, 2.0], "peak_force_error [N]": [nothing, 0.1]}
+        )
+        for text in ("", "nan", "NaN", "NA"):
+            path = tmp_path / "data.csv"
+            table.to_csv(path, index=False, na_rep=text)
+            rows = read_measurements(path).rows
+            assert [list(row) for row in rows] == [["speed"], ["speed", "peak_force"]]
+            assert rows == measurements_of(table).rows == measurements_of(table.convert_dtypes()).rows
+
+
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        ("gait", "--friction", "0_6"),
+        ("gait", "--set", "ground.friction=0_6"),
+        ("gait", "--target", "speed=1_0", "--vary", "hip.stance_torque"),
+        ("sweep", "--friction", "0.5:0_6:2"),
+        ("sweep", "--friction", "0.5:0.6:1_0"),
+        ("simulate", "--strides", "1_0"),
+        ("simulate", "--tolerance", "1e-1_0"),
+        ("rough", "--roughness", "0_1"),
+        ("basin", "--n", "1_0"),
+        ("basin", "--threads", "1_0"),
+        (
+            "compare",
+            "--friction",
+            "0.5",
+            "--friction",
+            "0_6",
+            "--hold",
+            "speed",
+            "--vary",
+            "hip.stance_torque",
+        ),
+        ("fit", "human_running", "--vary", "leg.stiffness", "--prior", "leg.free_length=1,0_1"),
+        ("prove", "--friction", "0_6"),
+        ("prove", "--digits", "1_0"),
+        ("prove", "--box", "1e-1_0"),
+    ],
+    ids=" ".join,
+)
+def test_an_underscore_is_no_digit(command, arguments):
+    status, out, err = command(*arguments)
+    assert status == 2 and not out and "_" in err.splitlines()[-1]
+
+
+MARK = "\ufeff"
+
+
+def test_a_byte_order_mark_is_no_part_of_a_text(tmp_path, fmu, command, monkeypatch):
+    toml = written(tmp_path, "runner.toml", "[ground]\nfriction = 0.5\n", MARK)
+    json = written(tmp_path, "runner.json", '{"ground.friction": 0.5}', MARK)
+    assert read_parameters(toml) == read_parameters(json) == {FRICTION: 0.5}
+    assert read_heights(str(written(tmp_path, "heights.txt", "0.5 1", MARK))) == (0.5, 1.0)
+    table = written(tmp_path, "inputs.csv", f"time,{FRICTION}\n0,1\n", MARK)
+    assert list(read_tables(table, fmu)) == [FRICTION]
+    data = written(tmp_path, "data.csv", "speed [m/s],speed_error [m/s]\n1,0.1\n", MARK)
+    assert read_measurements(data).rows[0]["speed"].value == 1.0
+    printed = command("gait", "--json")[1]
+    gait = written(tmp_path, "gait.json", printed, MARK)
+    told = command("simulate", "--from-gait", gait, "--strides", "1", "--json")
+    assert told[0] == 0
+    monkeypatch.setattr("sys.stdin", io.StringIO(gait.read_text(encoding="utf-8")))
+    assert command("simulate", "--from-gait", "-", "--strides", "1", "--json") == told
