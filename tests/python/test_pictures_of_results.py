@@ -188,7 +188,7 @@ def test_a_curve_lies_over_its_two_parameters():
     points = np.array([[0.5, 0.1], [0.6, 0.2], [0.7, 0.25]])
     curve = tdmf_slip.Curve(Runner.of(), "fold", (FRICTION, "leg.damping"), points, "edge", "edge")
     (axes,) = curve.plot().axes
-    assert labels(axes) == (FRICTION, "leg.damping (N·s/m)")
+    assert labels(axes) == (FRICTION, "leg.damping (√(k m))")
     assert np.array_equal(np.transpose(axes.lines[0].get_data()), points)
 
 

@@ -53,7 +53,8 @@ def figure_of_one(curve: Curve) -> Figure:
         name: (float(row.min()), float(row.max()))
         for name, row in zip(curve.names, curve.points.T, strict=True)
     }
-    figure = figure_of([replace(curve, words=None)], bounds)
+    display = DisplayUnits(load_fmu(), values=curve.runner.values)
+    figure = figure_of([replace(curve, words=None)], bounds, display)
     (axes,) = figure.axes
     words = "" if curve.words is None else f": {style.word(curve.words[0])} | {style.word(curve.words[1])}"
     axes.legend([curve.kind + words])

@@ -14,6 +14,8 @@ Bar: TypeAlias = "tqdm[NoReturn]"
 LOCK = threading.RLock()
 """Held while a bar is drawn. By default tqdm makes a semaphore of the system, which a process that is killed
 would leave behind; each bar is drawn by one process."""
+DELAY = 1.0
+"""Seconds of work before a bar is drawn."""
 
 
 def progress_bar(what: str, total: float | None, unit: str, show: bool = True) -> Bar:
@@ -31,6 +33,6 @@ def progress_bar(what: str, total: float | None, unit: str, show: bool = True) -
         leave=total is None,  # what took how many is worth keeping where nobody knew
         file=sys.stderr,
         mininterval=0.2,
-        delay=1.0,
+        delay=DELAY,
         bar_format="{l_bar}{bar}| {n:.0f}/{total:.0f}{unit} [{elapsed}]" if total is not None else None,
     )
