@@ -35,6 +35,7 @@ class Importer:
         self._folder = fmpy.extract(str(tdmf_slip.fmu_path()))
         self._description = fmpy.read_model_description(self._folder)
         self._references = {v.name: v.valueReference for v in self._description.modelVariables}
+        self._booleans = {v.name for v in self._description.modelVariables if v.type == "Boolean"}
         self._unit = FMU2Model(
             guid=self._description.guid,
             unzipDirectory=self._folder,
@@ -64,7 +65,10 @@ class Importer:
 
     def __setitem__(self, name, value):
         """Set a start value, or at an event a setting."""
-        self._unit.setReal([self._references[name]], [value])
+        if name in self._booleans:
+            self._unit.setBoolean([self._references[name]], [bool(value)])
+        else:
+            self._unit.setReal([self._references[name]], [value])
 
     @property
     def apex(self):
