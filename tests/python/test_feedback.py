@@ -484,7 +484,7 @@ def test_what_is_no_gait_is_refused(gaits):
     ("options", "says"),
     [
         ({"limits": {TORQUE: (0, 1)}}, "'hip.stance_torque' is not allowed; allowed: hip.touchdown_angle"),
-        ({"limits": {ANGLE: (0.7, 0.8)}}, "0.7 to 0.8 is not allowed"),
+        ({"limits": {ANGLE: (0.7, 0.8)}}, "(0.7, 0.8) is not allowed"),
         ({"limits": {ANGLE: (-2.0, 0.8)}}, "two numbers within"),
         ({"limits": {ANGLE: (np.nan, 0.8)}}, "is not allowed"),
         ({"limits": {ANGLE: 0.1}}, "two numbers"),

@@ -43,13 +43,14 @@ def test_a_gait_loads_what_it_needs():
         "contents",
         "drawable",
         "errors",
-        "files",
         "given",
         "library",
         "numerics",
+        "record",
         "renamed",
         "terminal",
         "fmu",
+        "version",
     }
     assert not unpacked
 

@@ -59,9 +59,6 @@ MADE = {
     "controllability": lambda gait: tdmf_slip.controllability(gait, [ANGLE, TORQUE]),
     "feedback": lambda gait: tdmf_slip.dead_beat(gait, [ANGLE, TORQUE]),
     "optimum": lambda gait: tdmf_slip.optimize(gait, {TORQUE: (0.19, 0.21)}, maximize="speed", starts=1),
-    "fit": lambda gait: tdmf_slip.fit(
-        gait, Measurements(({"speed": Measured(1.06, 0.01)},), "one gait"), [TORQUE], profile=False
-    ),
     "front": lambda gait: tdmf_slip.pareto_front(
         gait.runner,
         {TORQUE: (0.19, 0.21)},
@@ -158,6 +155,14 @@ def test_json_records_them_too(name, gait, result_of):
 @pytest.mark.parametrize("name", MADE)
 def test_a_pickle_is_read_as_it_was_written(name, result_of):
     assert pickle.loads(pickle.dumps(result_of(name))) == result_of(name)
+
+
+def test_a_fit_without_priors_has_no_empty_dimension(gait, tmp_path):
+    """A file of the classic format cannot have one."""
+    speed = Measurements(({"speed": Measured(1.06, 0.01)},), "one gait")
+    data = tdmf_slip.fit(gait, speed, [TORQUE], profile=False).to_xarray()
+    data.to_netcdf(tmp_path / "data.nc", format="NETCDF3_CLASSIC")
+    assert "chi_square" in data and 0 not in data.sizes.values()
 
 
 def test_the_columns_of_a_run_go_by_their_names(gait):
