@@ -183,7 +183,7 @@ def test_the_command_prints_a_table_before_and_after(command):
     status, out, _ = command("optimize", *arguments)
     assert status == 0
     rows = {line.split()[0]: line.split() for line in out.splitlines() if line}
-    assert rows[TORQUE] == [TORQUE, "N.m", "0.2", "0.25", "upper"]
+    assert rows[TORQUE] == [TORQUE, "k", "l0^2", "0.2", "0.25", "upper"]
     assert rows["word"][1:] == ["+0-0+", "+0-"]
     assert "a local optimum to first order" in out and "one search" in out
     status, out, _ = command("optimize", *arguments, "--json")
@@ -191,7 +191,7 @@ def test_the_command_prints_a_table_before_and_after(command):
     assert status == 0
     assert {"parameters", "before", "after", "word", "stable", "active_bounds"} <= set(printed)
     assert printed["parameters"] == {TORQUE: 0.25} and printed["active_bounds"] == {TORQUE: "upper"}
-    assert printed["after"]["speed"] == pytest.approx(float(rows["speed"][3]), rel=1e-8)
+    assert printed["after"]["speed"] == pytest.approx(float(rows["speed"][-1]), rel=1e-8)
     assert printed["after"]["speed"] > printed["before"]["speed"]
     again = gait_near(find_gait({TORQUE: 0.25}).runner, printed["apex"])
     assert again.stride["speed"] == pytest.approx(printed["after"]["speed"], rel=1e-9)

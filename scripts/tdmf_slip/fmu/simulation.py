@@ -174,7 +174,7 @@ def _recorded(fmu: Fmu, variables: Iterable[str] | None) -> list[str]:
     check_kind(variables, Iterable, "variables", NAMES)
     with reading("variables", variables, NAMES):
         names = [variables] if isinstance(variables, str) else list(islice(variables, MAX_NAMES))
-    found = {fmu.find(name, "variables").name: fmu.variables[name] for name in names}
+    found = {variable.name: variable for variable in (fmu.find(name, "variables") for name in names)}
     for variable in found.values():
         if variable.type == "String":
             raise InputError(
