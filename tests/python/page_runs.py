@@ -66,7 +66,7 @@ def library_of(files, name, level):
         for file, text in files.items():
             (own / file).write_text(text)
         jobs = [
-            (folders[0] / "driver.c", "-O3"),
+            (folders[0] / "driver.c", level),
             (own / f"{name}_motions.c", level),
             (own / f"{name}.c", "-O1"),
         ]
@@ -76,7 +76,7 @@ def library_of(files, name, level):
                 [
                     *ccache,
                     COMPILER,
-                    level,
+                    *level.split(),
                     *FLAGS,
                     f"-I{own}",
                     *(f"-I{folder}" for folder in folders),

@@ -128,16 +128,19 @@ static real end_of_sign(const real *g, int degree, real largest, real from) {
     return found.is_root && found.time < 1.0 ? found.time : 1.0;
 }
 
-static real positive_integral(const real *g, int order, real size) {
+/* The partial sums of a polynomial on [0, 1] bound it. An integral below `least` is not worth a search. */
+static real positive_integral(const real *g, int order, real size, real least) {
     real integral[TERMS] = {0.0}, power[TERMS];
-    real tail = 0.0, largest = real_abs(g[0]), whole = 0.0;
+    real partial = 0.0, low = INFINITY, high = -INFINITY, largest = 0.0, whole = 0.0;
     for (int k = 0; k < order; ++k) {
         integral[k + 1] = g[k] * series_reciprocal[k + 1];
         whole += integral[k + 1];
-        tail += k > 0 ? real_abs(g[k]) : 0.0;
+        partial += g[k];
+        low = real_min(low, partial);
+        high = real_max(high, partial);
         largest = real_max(largest, real_abs(g[k]));
     }
-    if (tail <= real_abs(g[0])) { /* one sign, or zero all along */
+    if (low >= 0.0 || high <= 0.0 || size * (high - low) < least) {
         return size * real_max(0.0, whole);
     }
     real sum = 0.0, from = 0.0, before = 0.0;
@@ -187,12 +190,13 @@ static void observe(work *w) {
     for (int i = 0; i < w->mode->watch_count; ++i) {
         const tdmf_watch_kind *kind = &w->mode->watches[i];
         real g[TERMS], *value = &w->r->x[kind->into];
+        const real least = sign_margin * real_max(w->scales[kind->into], real_abs(*value));
         w->motion->polynomials[w->mode->guard_count + i](w->c, w->s[0], order, g);
         for (int k = 1; k < order; ++k) {
             g[k] *= w->power[k];
         }
         *value = kind->part == TDMF_LARGEST ? largest_value(g, order, *value)
-                                            : *value + positive_integral(g, order, w->power[1]);
+                                            : *value + positive_integral(g, order, w->power[1], least);
     }
 }
 
