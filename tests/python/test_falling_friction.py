@@ -4,6 +4,7 @@ import fmpy
 import numpy as np
 import pytest
 import tdmf_slip
+from conftest import CLAMPED
 from tdmf_slip.library import ensemble
 from tdmf_slip.library.section import COORDINATES
 from test_further_gaits import start_of
@@ -22,7 +23,7 @@ def end_of_stride(runner, apex, velocities=0.0):
 
 
 def runner_and_apex(friction, ratio):
-    runner = {"ground.friction": friction, "ground.static_friction_ratio": ratio}
+    runner = {"ground.friction": friction, "ground.static_friction_ratio": ratio, **CLAMPED}
     return runner, tdmf_slip.find_gait(runner).apex
 
 

@@ -7,6 +7,7 @@ import fmpy
 import numpy as np
 import pytest
 import tdmf_slip
+from conftest import CLAMPED
 from test_further_gaits import LEDGER, WORKS, start_of
 
 RUNS = json.loads(pathlib.Path(__file__).with_name("patch_runs.json").read_text(encoding="utf-8"))["runs"]
@@ -18,7 +19,7 @@ each_run = pytest.mark.parametrize("run_over", RUNS, ids=lambda run_over: run_ov
 
 def moved(run_over, by):
     """The same run on ground that is moved along itself."""
-    given = run_over["start_values"]
+    given = run_over["start_values"] | CLAMPED
     return given | {name: given.get(name, 0.0) + by for name in ("ground.patch_begin", "ground.patch_end")}
 
 

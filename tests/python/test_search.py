@@ -6,6 +6,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from conftest import CLAMPED
 from tdmf_slip import GaitNotFoundError, RunError, Runner, find_gait
 from tdmf_slip.analysis import search, spread
 from tdmf_slip.analysis.search import periodic_gait
@@ -22,6 +23,7 @@ FROM_ISSUE = {
     "hip.kp": 0.2327,
     "hip.kd": 0.2629,
     "hip.retraction_rate": 0.0033,
+    **CLAMPED,
 }
 
 
@@ -43,7 +45,7 @@ def test_gaits_of_random_runners_are_found_without_a_guess(fmu):
     for stored in RUNNERS:
         if not stored["gaits"]:
             continue
-        runner = Runner.of(stored["runner"], fmu)
+        runner = Runner.of(stored["runner"] | CLAMPED, fmu)
         for known in stored["gaits"]:
             again = gait_near(runner, known["apex"])
             assert again.word == known["word"] and np.allclose(again.apex, known["apex"], atol=1e-6)
