@@ -102,6 +102,15 @@ def test_a_search_whose_strides_take_too_many_steps_ends_and_says_so(fmu, monkey
     assert int(steps.replace(",", "")) <= 256 * spread.STEP_LIMIT * (1 + len(spread.ROUNDS))
 
 
+@pytest.mark.parametrize("model", ["full", "reduced"])
+def test_a_runner_that_is_carried_has_no_gait_and_none_is_searched(fmu, model):
+    """Its centre of mass rises ever faster in flight: that no apex comes takes no search to know."""
+    weight = 0.01 * 1.1
+    with pytest.raises(GaitNotFoundError, match=r"body\.external_fy = 0\.012 N carries .* weighs 0\.011 N"):
+        find_gait({"body.external_fy": 0.012}, model=model, fmu=fmu)
+    assert find_gait({"body.external_fy": 0.2 * weight}, model=model, fmu=fmu).error < 1e-11
+
+
 def test_the_reduced_map_is_searched_too(fmu):
     runner = Runner.of({**FROM_ISSUE, "hip.retraction_rate": 0.0}, fmu)
     gait = find_gait(runner, model="reduced", fmu=fmu)

@@ -3,6 +3,7 @@
 from ..errors import GaitNotFoundError, RunError
 from ..fmu.fmu import FRICTION, Fmu, load_fmu
 from ..library.gait import Gait, gait_near, settled_gait
+from ..library.members import check_comes_down
 from ..library.return_map import Along
 from ..library.runner import Runner
 from ..library.section import Apex
@@ -24,6 +25,7 @@ def periodic_gait(
     runner = Runner.of(runner, fmu, model=model)
     if guess is not None:
         return gait_near(runner, guess, along=along)
+    check_comes_down(runner.values)
     try:
         return settled_gait(runner, along=along)
     except RunError as problem:

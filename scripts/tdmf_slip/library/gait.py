@@ -22,7 +22,7 @@ from ..record import origin_of
 from .binding import c, ffi
 from .maps import map_of, why_no_gait
 from .measures import STRIDE_QUANTITIES, all_measures
-from .members import check_has_gaits
+from .members import check_comes_down, check_has_gaits
 from .refusals import text_of
 from .return_map import Along, derivatives, seed_of
 from .runner import Runner
@@ -209,6 +209,7 @@ def settled_gait(runner: Runner, *, along: Along | None = None) -> Gait:
 def _search(runner: Runner, apex: NDArray[np.float64], settling: int, along: Along | None) -> Gait:
     """By Newton's method, after so many strides."""
     check_has_gaits(runner.values[FRICTION])
+    check_comes_down(runner.values)
     seed, map = seed_of(along), map_of(runner)
     log: EventLog = ffi.new("tdmf_event_log *")
     solver, section = runner.solver(log), ffi.new("double[]", list(apex))

@@ -1,11 +1,11 @@
 """Values in the C library's structs, by the unit's names: parameters, inputs and states."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any
 
 from ..checks import is_one_of, near_matches, shown
-from ..errors import InputError
+from ..errors import GaitNotFoundError, InputError
 from ..fmu.aliases import ALIASES
 from ..fmu.names import by_full_name
 from .binding import ffi
@@ -88,4 +88,14 @@ def check_has_gaits(friction: float) -> None:
         raise InputError(
             "ground.friction = 0: nothing fixes a runner's speed, so that no gait is one of its own; "
             "allowed for gaits: above 0"
+        )
+
+
+def check_comes_down(values: Mapping[str, float]) -> None:
+    """Refuse to search for a gait of a runner that an external force carries: it has no apex in flight."""
+    push, weight = values["body.external_fy"], values["gravity"] * (values["body.mass"] + values["foot.mass"])
+    if push >= weight:
+        raise GaitNotFoundError(
+            f"no gait: body.external_fy = {push:g} N carries the runner, which weighs {weight:g} N, so that "
+            "it never comes down; allowed for gaits: less than its weight"
         )

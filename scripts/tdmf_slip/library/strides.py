@@ -17,7 +17,7 @@ from .binding import ffi
 from .gait import Gait, gait_near, gait_of_stride
 from .maps import map_of, why_no_return
 from .measures import APEX_QUANTITIES
-from .members import check_has_gaits
+from .members import check_comes_down, check_has_gaits
 from .return_map import Along, seed_of
 from .runner import Runner
 from .section import Apex, checked_apex
@@ -36,6 +36,7 @@ BETWEEN_WORDS = " "
 def strides_from(runner: Runner, apex: Apex, strides: int = 1, *, along: Along | None = None) -> Gait:
     """Strides in a row from an apex, whether they lead back to it or not."""
     check_has_gaits(runner.values[FRICTION])
+    check_comes_down(runner.values)
     made = [_stride(runner, checked_apex(apex, runner.coordinates), along)]
     while len(made) < strides:
         made.append(_stride(runner, made[-1][0], along))

@@ -15,7 +15,7 @@ from ..fmu.fmu import FRICTION
 from .binding import c, ffi
 from .maps import map_of, why_no_return
 from .measures import APEX_QUANTITIES, MEASURES, all_measures, apex_quantities, measures_of, weight_of
-from .members import check_has_gaits
+from .members import check_comes_down, check_has_gaits
 from .quantities import check_quantities, quantity_of
 from .refusals import text_of
 from .return_map import seed_of
@@ -133,6 +133,7 @@ def _stride(
     runner: Runner, apex: NDArray[np.float64], parameters: Sequence[str], derivatives: bool
 ) -> Return:
     check_has_gaits(runner.values[FRICTION])
+    check_comes_down(runner.values)
     map, seeds = map_of(runner), ffi.new("tdmf_seed[]", len(parameters) or 1)
     for k, name in enumerate(parameters):
         seeds[k] = seed_of(name)[0]

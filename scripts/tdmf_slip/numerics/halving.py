@@ -2,9 +2,13 @@
 
 from collections.abc import Callable, Iterator
 from functools import partial
+from itertools import count
 from typing import TypeVar
 
 from ..errors import InputError, RunError
+
+MAX_STEPS = 500
+"""Of a walk: usual ones take less than a hundred."""
 
 Found = TypeVar("Found")
 Known = TypeVar("Known")
@@ -41,10 +45,15 @@ def walk(
     """What is found on the way from a value to another, each from what is known at the value before.
 
     Where `advance` raises RunError the step is halved, where it succeeds the next one is twice as long. No
-    step is shorter than the shortest, nor is what it leaves of the way; else the RunError is raised.
+    step is shorter than the shortest, nor is what it leaves of the way; else the RunError is raised. So it is
+    where the end is not reached in `MAX_STEPS` steps.
     """
     at, step = begin, end - begin if first is None else first
-    while at != end:
+    for number in count():
+        if at == end:
+            return
+        if number == MAX_STEPS:
+            raise RunError(f"{MAX_STEPS} steps from {begin:g} towards {end:g} lead no farther than to {at:g}")
         step = max(-abs(end - at), min(step, abs(end - at)))
         attempt = partial(_advanced, advance, known, at, end, shortest)
         (at, known), step = halved(attempt, step, shortest, (RunError,))
