@@ -53,8 +53,7 @@ static tdmf_return stride_from(search *search, const double *apex, bool derivati
         search->map(solver, search->system, apex, TDMF_LONGEST_STRIDE * search->system.model->scales.time,
                     derivatives, search->seeds, search->count);
     solver->step_limit = step_limit;
-    search->steps_left = tdmf_steps_of_next_stride(
-        search->steps_left - (double)(solver->steps - steps_before), (double)step_limit);
+    search->steps_left -= (double)(solver->steps - steps_before);
     search->last = stride.outcome == TDMF_RETURN_UNSOLVED ? stride.solver : TDMF_ARRIVED;
     return stride;
 }
@@ -140,6 +139,8 @@ static int settle(search *search, int strides, double *apex) {
             return i;
         }
         memcpy(apex, stride.apex, (size_t)search->coordinates * sizeof *apex);
+        search->steps_left =
+            tdmf_steps_of_next_stride(search->steps_left, (double)search->solver->step_limit);
     }
     return strides > 0 ? strides : 0;
 }

@@ -436,7 +436,7 @@ static void strides_of_a_search_share_their_steps(void **state) {
         memcpy(section, scene.section, sizeof section);
         section[TDMF_SECTION_COM_SPEED] *= 1.3;
         const tdmf_orbit found = tdmf_find_orbit(&searching, system, section, NULL, 0);
-        assert_true(searching.steps <= limit + 480 * limit / TDMF_STEP_SHARE);
+        assert_true(searching.steps <= limit);
         if (found.outcome != TDMF_ORBIT_FOUND) {
             assert_int_equal(found.outcome, TDMF_ORBIT_UNSOLVED);
             assert_int_equal(found.stride.solver, TDMF_TOO_MANY_STEPS);

@@ -38,9 +38,10 @@ typedef struct {
 /* Default limits of one call of a solver. A usual stride takes some 50 steps. An event ends its step, so that
  * a limit of steps bounds events, too.
  *
- * Many strides in a row share their steps, where they are tried in a search for a gait or made by a runner of
- * an ensemble: the first may take step_limit of them, and each that follows those that were left over and a
- * fortieth of step_limit, but never more than step_limit. */
+ * Strides in a row share their steps, those to settle on a gait as those of a runner of an ensemble: the
+ * first may take step_limit of them, and each that follows those that were left over and a fortieth of
+ * step_limit, but never more than step_limit. All strides of Newton's method have step_limit steps together.
+ */
 enum { TDMF_STEP_LIMIT = 200000, TDMF_EVENT_LIMIT = 100000, TDMF_STEP_SHARE = 40 };
 
 /* Settings of the native solver, and its counters. */
