@@ -169,7 +169,6 @@ def test_pandas_is_not_loaded_for_what_needs_it_not():
 
 MANY = np.broadcast_to([1.3, 1.0, 1.0, 0.0, 0.0, 0.0], (10**9, 6))
 HALF = np.broadcast_to(0.5, 10**9)
-RELEASE = np.broadcast_to(1.3, 10**5)
 REFUSED = {
     "stride_map": (
         lambda gait: tdmf_slip.stride_map(GIVEN, MANY),

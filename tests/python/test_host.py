@@ -9,6 +9,7 @@ import fmpy.sundials
 import numpy as np
 import pytest
 import tdmf_slip
+from conftest import HANGS
 
 TORQUE = {"hip.external_torque": ([1.0, 3.33, 7.77, 9.1], [0.0, 0.02, -0.01, 0.01])}
 
@@ -65,6 +66,6 @@ def test_settings_of_the_process_stay(look, use, tmp_path):
     program = f"import tdmf_slip\nbefore = {look}\n{use}\nassert {look} == before"
     environment = {"PATH": "", "MPLCONFIGDIR": str(tmp_path)}  # this process has used the package already
     done = subprocess.run(
-        [sys.executable, "-c", program], capture_output=True, text=True, timeout=120, env=environment
+        [sys.executable, "-c", program], capture_output=True, text=True, timeout=HANGS, env=environment
     )
     assert done.returncode == 0, done.stderr

@@ -71,7 +71,7 @@ def test_there_is_a_control_for_every_parameter_input_and_start_value(page, fmu)
             assert shown is None and note.endswith(f"; default {str(variable.start).lower()}")
             continue
         numbers = re.search(r"default (\S+), from (\S+) to (\S+)", note).groups()
-        limits = (0, 1) if variable.type == "Boolean" else (variable.minimum, variable.maximum)
+        limits = (variable.minimum, variable.maximum)
         for text, value in zip(numbers, (variable.start, *limits), strict=True):
             assert float(text.replace("−", "-")) == pytest.approx(value * factor, rel=1e-5)
         value_shown = {"": "", "1": "", "rad": "°", "rad/s": "deg sqrt(k/m)"}

@@ -42,7 +42,7 @@ def test_a_race_on_request(page):
     lead = page.execute_script("return tdmfSlip.race.margin")
     behind = 100 * (1 - gaits[1].stride["speed"] / gaits[0].stride["speed"])
     assert page.execute_script("return tdmfSlip.race.winner") == 0 and lead == pytest.approx(behind, abs=0.5)
-    assert page.execute_script(f"return {STATUS}") == f"Friction 0.43 wins over 100 m by {lead:.3g} m."
+    assert page.execute_script(f"return {STATUS}") == f"Friction 0.43 wins over 100 l₀ by {lead:.3g} l₀."
     seen = page.execute_script(
         f"const {{ view, surface }} = tdmfSlip.view.scene; return [surface.width, ...{BOTH}.map((run) =>"
         "view.x(run.outputs['com.x']))]"

@@ -52,7 +52,7 @@ STATES = (
 )
 ALL_MODES = {1, 2, 3, 4, 5}
 STARTS, RUNS, INITIAL_STARTS = (600, 60, 240) if RELEASE else (150, 20, 40)
-"""How many starts, runs in steps and start values are tried; with --release four and three times as many."""
+"""Starts, runs in steps and start values that are tried; with --release four, three and six times as many."""
 
 
 def random_start(draw):

@@ -8,6 +8,7 @@ import sys
 
 import pytest
 import tdmf_slip
+from conftest import HANGS
 from tdmf_slip.fmu.fmu import Fmu
 
 STRIDE = "assert tdmf_slip.simulate(strides=1).stride['count'] == 1"
@@ -46,7 +47,7 @@ def run(program, folder, temporary):
         text=True,
         cwd=folder,
         env={"TMPDIR": str(temporary), "PATH": ""},
-        timeout=120,
+        timeout=HANGS,
     )
 
 

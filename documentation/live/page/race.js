@@ -143,15 +143,16 @@ export class Race {
   get standing() {
     const [own, other] = this.distances;
     const length = this.page.state.values["leg.free_length"];
+    const distance = (legs, count) => `${digits(legs * length, count)} ${printed("m")}`;
     if (own === other) {
-      return `On the line, ${digits(DISTANCE * length)} m to run.`;
+      return `On the line, ${distance(DISTANCE)} to run.`;
     }
     const fallen = [this.page.run, this.rival].flatMap(({ fallen: fell }, i) => (fell ? [this.frictions[i]] : []));
     const falls = fallen.map((friction) => ` Friction ${digits(friction)} has fallen.`).join("");
     const first = this.frictions[this.winner ?? (own >= other ? 0 : 1)];
-    const verb = this.winner === null ? "is ahead" : `wins over ${digits(DISTANCE * length)} ${printed("m")}`;
+    const verb = this.winner === null ? "is ahead" : `wins over ${distance(DISTANCE)}`;
     const lead = this.winner === null ? Math.abs(own - other) : this.margin;
-    return `Friction ${digits(first)} ${verb} by ${digits(lead * length, 3)} m.${falls}`;
+    return `Friction ${digits(first)} ${verb} by ${distance(lead, 3)}.${falls}`;
   }
 
   tell() {
