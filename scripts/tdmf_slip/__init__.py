@@ -22,13 +22,4 @@ What is loaded is what is used: the names and their modules are in `__init__.pyi
 
 import lazy_loader
 
-from . import renamed
-
-_loaded, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)
-
-
-def __getattr__(name: str) -> object:
-    """A name of the package, loaded when it is asked for."""
-    if name in renamed.NAMES:
-        raise AttributeError(renamed.sentence(f"tdmf_slip.{name}", f"tdmf_slip.{renamed.NAMES[name]}"))
-    return _loaded(name)
+__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)

@@ -47,7 +47,6 @@ def test_a_gait_loads_what_it_needs():
         "library",
         "numerics",
         "record",
-        "renamed",
         "terminal",
         "fmu",
         "version",

@@ -1,14 +1,11 @@
 """Options of the command: none is discarded in silence, and ranges have units."""
 
 import json
-import operator
 
 import click
 import numpy as np
 import pytest
-import tdmf_slip
 import xarray
-from tdmf_slip import renamed
 from tdmf_slip.cli.main import COMMANDS, commands
 from tdmf_slip.cli.ranges import ends_of, values_of
 
@@ -180,21 +177,3 @@ def test_quantities_are_printed_with_their_units(command):
 def test_a_preset_may_be_changed_by_an_option(command):
     _, out, _ = command("gait", "--parameters", "human", "--friction", 0.5, "--json")
     assert json.loads(out)["friction"] == 0.5
-
-
-def test_replaced_names_are_answered_with_the_new_ones(command):
-    """Options by the command, names by the package: each that is listed, and none of them works still."""
-    for old, new in renamed.OPTIONS.items():
-        takers = [
-            name
-            for name in COMMANDS
-            if old in {part for param in commands.get_command(None, name).params for part in param.opts}
-        ]
-        assert takers == [], old
-        status, out, said = command("gait", old, "1")
-        assert (status, out) == (2, "") and f"{old} is called {new} now" in said
-    for old, new in renamed.NAMES.items():
-        with pytest.raises(AttributeError, match=f"tdmf_slip.{old} is called tdmf_slip.{new} now"):
-            getattr(tdmf_slip, old)
-        assert operator.attrgetter(new)(tdmf_slip) is not None and old not in tdmf_slip.__all__
-    assert len(renamed.OPTIONS) > 20 and len(renamed.NAMES) > 4

@@ -13,7 +13,6 @@ from ..fmu.parameters import preset_names, read_parameters
 from ..fmu.variable import Given, Value
 from ..library.quantities import QUANTITIES, quantity_given
 from ..library.section import MODELS
-from ..renamed import OPTIONS, sentence
 
 
 def takes_one_value(option: click.Option) -> bool:
@@ -30,9 +29,6 @@ class Command(click.Command):
             values, _, given = self.make_parser(ctx).parse_args(args=list(args))
         except click.UsageError as problem:
             problem.ctx = problem.ctx or ctx  # click forgets in some whose help is to be read
-            if isinstance(problem, click.NoSuchOption) and problem.option_name in OPTIONS:
-                now = sentence(problem.option_name, OPTIONS[problem.option_name])
-                raise click.UsageError(now, ctx) from None
             raise
         once = [option for option in given if isinstance(option, click.Option) and takes_one_value(option)]
         twice = next((option for option in once if once.count(option) > 1), None)
