@@ -161,6 +161,17 @@ def test_runners_of_both_readings_run_in_one_ensemble():
     np.testing.assert_allclose(ends["apex"], found["next_apex"][:, -1], atol=1e-7)
 
 
+@pytest.mark.parametrize("value", [False, 0, 0.0, "0", "false", np.False_])
+def test_a_runner_records_it_as_a_boolean_however_it_was_given(value):
+    given = Runner.of({CLAMP: True})
+    changed = (
+        Runner.of(given, swing_clamp=value),
+        given.but(CLAMP, value),
+        Runner({**given.values, CLAMP: value}),
+    )
+    assert all(runner.record()["runner"][CLAMP] is False for runner in changed)
+
+
 def test_what_is_neither_true_nor_false_is_refused(command):
     for value in ("2", "maybe", "nan", "''"):
         status, out, err = command("gait", "--set", f"{CLAMP}={value}")
@@ -169,6 +180,8 @@ def test_what_is_neither_true_nor_false_is_refused(command):
         stride_map({CLAMP: [1.0, 0.5]}, Runner.of().apex())
     with pytest.raises(InputError, match=f"{CLAMP} = 0.5 is not allowed; allowed: true or false"):
         Runner.of().but(CLAMP, 0.5)
+    with pytest.raises(InputError, match=f"{CLAMP} = nan is not allowed; allowed: true or false"):
+        Runner({**Runner.of().values, CLAMP: np.nan})
     for command_line in (("sweep", "--vary", f"{CLAMP}=0:1:2"), ("continue", "--vary", f"{CLAMP}=0:1")):
         status, out, err = command(*command_line)
         assert status == 2 and not out and CLAMP in err and "allowed: " in err

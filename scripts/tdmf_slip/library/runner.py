@@ -47,12 +47,15 @@ class Runner(ByContents):
     """Goes from apex to apex by the reduced map, whose apices are height and speed alone."""
 
     def __post_init__(self) -> None:
-        """Refuse values that are not all there."""
+        """Check that no value is missing, and make Booleans of the flags."""
         values = mapping_of(self.values, "values", "numbers by the unit's names")
-        object.__setattr__(self, "values", completed(values))
-        missing = next((name for name in (*MOVING, *STATES) if name not in self.values), None)
+        own = completed(values)
+        missing = next((name for name in (*MOVING, *STATES) if name not in own), None)
         if missing is not None:
             raise InputError(f"values: {missing} is missing; allowed: all of them, as Runner.of gives them")
+        variables = load_fmu().variables
+        own |= {name: variables[name].value_of(own[name], "runner") for name in FLAGS}
+        object.__setattr__(self, "values", own)
         note_missing(values, "values of a runner")
 
     def __repr__(self) -> str:
@@ -290,5 +293,5 @@ class Runner(ByContents):
 
 
 def _recorded(record: Mapping[str, Any], tolerance: float) -> Runner:
-    """The runner of a record, as pickles have it."""
+    """Rebuild a runner from its pickled record."""
     return Runner(record["runner"], tolerance, record["model"] == "reduced")
