@@ -25,7 +25,7 @@ static inline tdmf_ground_force tdmf_force_in_stance(const tdmf_evaluation *at) 
 
 /* N of the flight law, of a foot at rest on the ground that would stay there; with f_t of (10).
  *
- * Nobody locates a clamp of (12) for a foot on the ground: it is where the servo has it now. */
+ * No event locates the clamp of (12) for a foot on the ground: the servo's present sign decides it. */
 static inline tdmf_ground_force tdmf_force_in_flight(const tdmf_evaluation *at) {
     if (at->mode->phase == TDMF_PHASE_PLACE) {
         const double target = at->model->parameters.hip.touchdown_angle +

@@ -73,7 +73,7 @@ static inline tdmf_hip_law tdmf_servo(const tdmf_model *model, const tdmf_inputs
     return result;
 }
 
-/* Off the ground: the servo, unless a clamp of (12) holds it at 0, and the torque from outside. */
+/* Law off the ground: the servo, 0 where the clamp of (12) is closed, plus the external torque. */
 static inline tdmf_hip_law tdmf_flight_law(const tdmf_model *model, const tdmf_inputs *inputs,
                                            const tdmf_inputs *rates, const tdmf_mode *mode,
                                            double place_time) {

@@ -11,9 +11,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Runners under way at once: enough that a full batch is waiting somewhere, few enough for the cache. Of the
- * common kinds, mostly all runners rise with a clamp or all without. */
-enum { RUNNERS_OF_A_KIND = 5 * LANES, RUNNERS = (BATCH_USUAL - 1) * RUNNERS_OF_A_KIND };
+/* Runners under way at once: enough that a full batch is waiting somewhere, few enough for the cache. Most
+ * ensembles have the clamp in all runners or in none, so one of the common batches stays empty. */
+enum { RUNNERS_OF_A_KIND = 5 * LANES, RUNNERS = (COMMON_BATCHES - 1) * RUNNERS_OF_A_KIND };
 
 enum { EMPTY = -1 };
 
@@ -41,7 +41,7 @@ typedef struct {
 
 typedef struct {
     batch batches[BATCH_COUNT];
-    int seldom; /* runners in others than the usual ones */
+    int rare_count; /* runners in batches that are not common */
     union {
         flight_series flight;
         ground_series ground;
@@ -61,7 +61,7 @@ static void wait_in(integration *integration, int index) {
     const batch_kind kind = tdmf_runner_batch(&integration->runners[index]);
     batch *batch = &integration->batches[kind];
     batch->waiting[batch->waiting_count++] = index;
-    integration->seldom += kind >= BATCH_USUAL;
+    integration->rare_count += kind >= COMMON_BATCHES;
 }
 
 /* Puts the next start that runs in a runner's place. */
@@ -124,7 +124,7 @@ static void fill_lanes(integration *integration, batch *batch) {
     }
 }
 
-/* Runners that are pushed are few: they share one kernel, which asks which case it is. */
+/* Pushed runners are rare, so they share one kernel that branches on the case. */
 static lane_outcome step_forced(flying_member *m, mask live, batch_kind kind, int order, double tolerance,
                                 flight_series *f) {
     const bool clamped = kind == BATCH_CLAMPED_FORCED || kind == BATCH_CLAMPED_FORCED_AND_WAIT;
@@ -246,7 +246,7 @@ static void empty_lane(integration *integration, batch_kind kind, int lane, cons
     batch->runner_in[lane] = EMPTY;
     batch->live[lane] = 0;
     --batch->count;
-    integration->seldom -= kind >= BATCH_USUAL;
+    integration->rare_count -= kind >= COMMON_BATCHES;
     if (goes_on) {
         wait_in(integration, index);
     } else {
@@ -319,7 +319,7 @@ static void step_and_sort(integration *integration, batch_kind kind) {
 
 /* The batch that the next step serves most runners of. */
 static batch_kind fullest(const integration *integration) {
-    const int kinds = integration->seldom > 0 ? BATCH_COUNT : BATCH_USUAL;
+    const int kinds = integration->rare_count > 0 ? BATCH_COUNT : COMMON_BATCHES;
     batch_kind best = BATCH_PLACE;
     int maximum = -1;
     for (int kind = 0; kind < kinds; ++kind) {

@@ -37,12 +37,12 @@ typedef struct {
 enum {
     FLYING_FIELDS = offsetof(flying_member, constants.servo) / sizeof(real),
     CLAMPED_FIELDS = offsetof(flying_member, constants.new_slope) / sizeof(real),
-    SELDOM_FIELDS = sizeof(flying_member) / sizeof(real), /* to wait for a ground, or to be forced */
+    RARE_FIELDS = sizeof(flying_member) / sizeof(real), /* with a pending ground line, or forced */
     STANDING_FIELDS = offsetof(standing_member, constants.law.rest_length_rate) / sizeof(real), /* no ramps */
     GRAZING_FIELDS = offsetof(standing_member, constants.border) / sizeof(real),
     /* where friction falls with speed, or the foot meets the border of a patch */
-    SELDOM_STANDING_FIELDS = sizeof(standing_member) / sizeof(real),
-    MEMBER_FIELDS = SELDOM_FIELDS > SELDOM_STANDING_FIELDS ? SELDOM_FIELDS : SELDOM_STANDING_FIELDS,
+    RARE_STANDING_FIELDS = sizeof(standing_member) / sizeof(real),
+    MEMBER_FIELDS = RARE_FIELDS > RARE_STANDING_FIELDS ? RARE_FIELDS : RARE_STANDING_FIELDS,
     FLYING_CHANGING = offsetof(flying_member, time_left) / sizeof(real),
     STANDING_CHANGING = offsetof(standing_member, time_left) / sizeof(real),
     CHANGING_FIELDS = FLYING_CHANGING > STANDING_CHANGING ? FLYING_CHANGING : STANDING_CHANGING

@@ -27,8 +27,8 @@ static bool coasts(const tdmf_runner *runner) {
     return !tdmf_law_acts(&law);
 }
 
-/* The batch of a runner that is clamped, rises or falls in flight, by the batch of those that fall: they come
- * in this order. */
+/* Batch of a runner in flight. Each group of flight batches has falling, rising and clamped runners in this
+ * order. */
 static batch_kind batch_in_flight(const tdmf_runner *runner) {
     const tdmf_mode *mode = &runner->motion.mode;
     const bool waits = tdmf_ground_is_pending(&runner->inputs, mode);
@@ -113,12 +113,12 @@ int tdmf_runner_load(tdmf_runner *runner, double *fields) {
                    motion->state, runner->direction);
     if (motion->mode.contact == TDMF_CONTACT_FLIGHT) {
         *(flying_member *)fields = flying_fields(runner);
-        return runner->equations.ground_waits || runner->equations.is_forced ? SELDOM_FIELDS
+        return runner->equations.ground_waits || runner->equations.is_forced ? RARE_FIELDS
                : tdmf_has_clamp(runner->model, &motion->mode)                ? CLAMPED_FIELDS
                                                                              : FLYING_FIELDS;
     }
     write_standing_fields(runner, (standing_member *)fields);
-    return runner->equations.falls || runner->equations.meets_border ? SELDOM_STANDING_FIELDS
+    return runner->equations.falls || runner->equations.meets_border ? RARE_STANDING_FIELDS
            : motion->mode.contact == TDMF_CONTACT_GRAZE              ? GRAZING_FIELDS
                                                                      : STANDING_FIELDS;
 }

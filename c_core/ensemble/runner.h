@@ -14,28 +14,28 @@
 /* Runners in the same kind of motion share a batch. */
 typedef enum {
     BATCH_PLACE,
-    BATCH_RISE,    /* to an apex: in retract without a clamp, or to another one in place */
-    BATCH_CLAMPED, /* in retract, with the clamp of (12) */
+    BATCH_RISE,    /* toward an apex: in retract without a clamp, or in place */
+    BATCH_CLAMPED, /* in retract with the clamp of (12) */
     BATCH_STICK,   /* with a torque */
     BATCH_STICK_AND_COAST,
     BATCH_SLIP,
     BATCH_SLIP_AND_COAST,
     BATCH_GRAZE,
-    BATCH_PLACE_AND_WAIT, /* for a ground that waits to be in force, too */
+    BATCH_PLACE_AND_WAIT, /* in flight, toward a ground line that is not in force yet */
     BATCH_RISE_AND_WAIT,
     BATCH_CLAMPED_AND_WAIT,
-    BATCH_PLACE_FORCED, /* and all these by a push on the body */
+    BATCH_PLACE_FORCED, /* in flight, with an external force on the body */
     BATCH_RISE_FORCED,
     BATCH_CLAMPED_FORCED,
     BATCH_PLACE_FORCED_AND_WAIT,
     BATCH_RISE_FORCED_AND_WAIT,
     BATCH_CLAMPED_FORCED_AND_WAIT,
     BATCH_FALLING_SLIP,   /* under a friction that falls with speed, with a torque or without */
-    BATCH_SLIP_TO_BORDER, /* of a patch of ground, so too */
+    BATCH_SLIP_TO_BORDER, /* of a patch of ground, with a torque or without */
     BATCH_FALLING_SLIP_TO_BORDER,
     BATCH_STICK_ON_BORDER,
     BATCH_COUNT,
-    BATCH_USUAL = BATCH_PLACE_AND_WAIT /* the kinds that runners are mostly in */
+    COMMON_BATCHES = BATCH_PLACE_AND_WAIT /* the batches that most runners are in */
 } batch_kind;
 
 /* Series of a step that peaks of force and signs of power are found by. */

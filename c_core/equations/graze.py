@@ -23,7 +23,7 @@ def force_in_stance(at):
 def force_in_flight(at):
     """N of the flight law, of a foot at rest on the ground that would stay there; with f_t of (10).
 
-    Nobody locates a clamp of (12) for a foot on the ground: it is where the servo has it now.
+    No event locates the clamp of (12) for a foot on the ground: the servo's present sign decides it.
     """
     servo = hip.servo_torque(at.model, at.inputs, at.state, at.mode.phase, at.mode.liftoff_angle)
     if at.mode.phase == "place":

@@ -5,9 +5,9 @@
                   with swing_clamp never below 0
     place (12):   tau = -kp (theta - theta_ref) - kd (thetadot + omega)       from the apex on
 
-The sign in (11) is turned, because theta falls in forward running and only a negative torque then does
-positive work. The text asks for a positive torque that stops the leg's backward rotation, which the
-min{..., 0} of (12) excludes. So with hip.swing_clamp it is max{..., 0}, and without it has no clamp.
+The sign of (11) is reversed: theta falls in forward running, and only a negative torque then does positive
+work. The text asks for a positive torque that stops the leg's backward rotation, which the printed
+min{..., 0} of (12) excludes. With hip.swing_clamp (12) is max{..., 0}; without, it has no clamp.
 
 In place the leg is retracted: theta_ref = theta0 - omega s, with s the time since place began; the paper has
 omega = 0.
@@ -72,7 +72,7 @@ def servo(model, inputs, phase, liftoff_angle, place_time):
 
 
 def flight(model, inputs, rates, phase, clamp_closed, liftoff_angle, place_time):
-    """Off the ground: the servo, unless a clamp of (12) holds it at 0, and the torque from outside."""
+    """Law off the ground: the servo, 0 where the clamp of (12) is closed, plus the external torque."""
     if phase != "place" and clamp_closed:
         return external(inputs, rates)
     law = servo(model, inputs, phase, liftoff_angle, place_time)

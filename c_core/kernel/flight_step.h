@@ -19,7 +19,7 @@ typedef struct {
     real body_share;     /* of the mass */
     real slope;          /* of the ground */
     real normal_gravity; /* away from it */
-    signed_law servo;    /* where clamped: its torque is what the clamp is decided by, with its sign now */
+    signed_law servo;    /* where clamped: the sign of its torque decides the clamp; with the present sign */
     real new_slope, new_normal_gravity; /* of a ground that waits to be in force */
 } flight_constants;
 

@@ -14,7 +14,7 @@ static inline void integrate_angle(const ground_series *g, real angle, int order
     }
 }
 
-/* Has steps end where the clamp opens or closes, and closes it where it is closed now. */
+/* Ends the step where the clamp switches, and zeroes the torque in lanes that are already clamped. */
 static inline void clamp_servo(event_search *search, const ground_constants *c, mask clamped, int order,
                                real torque[SERIES_TERMS]) {
     const real zero = TDMF_ZERO_CLAMP_ARGUMENT * c->mode.energy_scale;

@@ -18,6 +18,7 @@ static tdmf_resolution resolve(tdmf_system system, tdmf_motion *motion, tdmf_leg
     memcpy(state_before, motion->state, sizeof state_before);
 
     tdmf_run run = {system, motion, direction};
+    /* The host may have changed hip.swing_clamp since the last call. */
     motion->mode.clamp_closed = motion->mode.clamp_closed && tdmf_has_clamp(system.model, &motion->mode);
     if (!motion->mode.fallen) {
         tdmf_account_for_rest_length(&run);

@@ -13,7 +13,7 @@
 #include "guard_laws.h"
 #include "margins.h"
 
-/* A clamp, max{servo, 0}, has no derivative where the servo is 0 and does not stay so. */
+/* Whether the clamp, max{servo, 0}, has no derivative: the servo's torque is 0 and its change is not. */
 static bool is_at_kink(const tdmf_evaluation *at, const tdmf_evaluation *d) {
     return at->model->parameters.hip.swing_clamp && at->mode->phase != TDMF_PHASE_PLACE &&
            tdmf_servo_torque(at->model, at->inputs, at->mode, at->state) == 0.0 &&

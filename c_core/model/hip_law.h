@@ -6,13 +6,13 @@
 #include "input_rates.h"
 #include "seed.h"
 
-/* Whether the clamp of (12) is part of the law. */
+/* Whether the law has the clamp of (12): in retract, with hip.swing_clamp. */
 static inline bool tdmf_has_clamp(const tdmf_model *model, const tdmf_mode *mode) {
     return model->parameters.hip.swing_clamp && mode->phase == TDMF_PHASE_RETRACT;
 }
 
-/* The servo is zero whatever the leg does, but not along the direction: no derivative tells what the clamp
- * makes of it. */
+/* Whether both gains are zero but change along the direction: the clamp then has a kink, and the torque no
+ * derivative. */
 bool tdmf_clamp_has_no_derivative(const tdmf_model *model, const tdmf_mode *mode, const tdmf_local_seed *d);
 
 /* Whether the law makes a torque, sooner or later. */

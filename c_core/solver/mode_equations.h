@@ -30,10 +30,10 @@ typedef struct {
     tdmf_ground_line new_ground;
     tdmf_mode_coordinates start;
     tdmf_hip_law law; /* of flight or stance; in graze the torque from outside alone */
-    /* Laws that guards are made of: in flight the servo that a clamp is decided by, in graze servo and stance
-     * law. */
+    /* Laws in guards: where clamped the servo, whose sign decides the clamp; in graze servo and stance law.
+     */
     tdmf_hip_law servo, stance_law;
-    bool clamped;                                 /* off the ground: the servo's torque is, where negative */
+    bool clamped;                                 /* off the ground: a negative servo torque becomes 0 */
     double friction, friction_rate;               /* in slip, with the sign of the foot's velocity */
     double static_friction, static_friction_rate; /* of a foot at rest; on a border, to slip forward */
     bool meets_border; /* of a patch: one that slips has it ahead, one at rest stands on it */

@@ -8,8 +8,7 @@
 /* In sqrt(m/k): a stride that takes longer counts as none. */
 #define TDMF_LONGEST_STRIDE 1e4
 
-/* Steps that the next of several strides may take, with those that the strides before it have left over: see
- * TDMF_STEP_LIMIT. */
+/* Step limit of the next of several strides, from the steps left over so far: see TDMF_STEP_LIMIT. */
 static inline double tdmf_steps_of_next_stride(double left_over, double step_limit) {
     const double steps = left_over + step_limit / TDMF_STEP_SHARE;
     return steps < step_limit ? steps : step_limit;

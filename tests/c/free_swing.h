@@ -13,13 +13,13 @@ typedef struct {
     double jacobian[TDMF_SECTION_COUNT][TDMF_SECTION_COUNT];
 } free_gait;
 
-/* Above this friction the gait has the one word, below it the other. */
+/* A border between gait words: `above` at larger friction, `below` at smaller. */
 typedef struct {
     double friction;
     const char *above, *below;
 } free_border;
 
-/* A stride of a runner from an apex. What is not given is Table 1's. */
+/* A stride of a runner from an apex. All other parameters have the values of Table 1. */
 typedef struct {
     double friction, body_mass, foot_mass, stiffness, damping, free_length, gravity;
     double stance_torque, touchdown_angle, kp, kd, liftoff_angle_factor;

@@ -41,8 +41,8 @@ extern const reference_gait reference_gaits[REFERENCE_GAITS];
 /* A runner started at the apex of a reference gait. */
 runner runner_at_reference_apex(const reference_gait *gait);
 
-/* The same events in the same order, each within a tolerance of its time, but the clamp's. Returns how many.
- */
+/* Asserts that the events come in the reference's order, each within a tolerance of its time. The release of
+ * the clamp has a wider tolerance of its own. Returns the number of events. */
 int assert_reference_events(const tdmf_event_log *log, const reference_event *expected, double tolerance);
 
 /* Each of the section's coordinates within an absolute tolerance of the reference. */

@@ -13,7 +13,7 @@
 #include <math.h>
 #include <string.h>
 
-/* What one of the kinds of runner is, and one stride of it. */
+/* A runner, and its solver and log. */
 typedef struct {
     tdmf_model model;
     tdmf_inputs inputs;
@@ -100,7 +100,7 @@ static void and_by_cvode(void **state) {
     }
 }
 
-/* The leg waits near eta theta_LO for the apex, as in figure 5(b). */
+/* The leg reaches the apex near eta theta_LO, as in figure 5(b). */
 static void the_leg_converges_to_the_angle_aimed_at(void **state) {
     (void)state;
     for (int i = 0; i < FREE_GAITS; ++i) {
@@ -147,7 +147,7 @@ static void the_jacobian_is_that_of_the_reference(void **state) {
     }
 }
 
-/* A billionth of the friction off the border the gait has the word of that side. */
+/* At 1e-9 of the friction from a border, the gait has the word of that side. */
 static void borders_part_the_words(void **state) {
     (void)state;
     for (int i = 0; i < FREE_BORDERS; ++i) {
@@ -168,7 +168,7 @@ static void borders_part_the_words(void **state) {
 
 /* ---- in lanes ------------------------------------------------------------------------------------------ */
 
-/* Gaits of both laws, each a case of its own, and strides of random runners by both laws. */
+/* Gaits of both laws, one case each, and strides of random runners by both laws. */
 enum { MIXED_GAITS = FREE_GAITS + REFERENCE_GAITS, MIXED = MIXED_GAITS + 2 * FREE_STRIDES };
 
 typedef struct {
@@ -242,7 +242,8 @@ static void one_ensemble_has_runners_of_both_laws(void **state) {
     assert_true(sets >= 2);
 }
 
-/* Over drawn terrain, or pushed over slopes that step, with thrust and retraction: lanes go as one by one. */
+/* Lanes agree with the scalar solver over drawn terrain, and with pushes over changing slopes, thrust and
+ * retraction. */
 static void choose_ground(tdmf_ensemble_case *its_case, int i) {
     its_case->rules.max_strides = 4;
     its_case->rules.roughness = 0.01;
@@ -451,7 +452,7 @@ static void without_a_clamp_gains_of_zero_have_derivatives(void **state) {
     }
 }
 
-/* In the reduced map the leg is placed as if by itself. */
+/* The reduced map has no swing: it places the leg at once. */
 static void the_reduced_map_does_not_depend_on_the_law(void **state) {
     static const double apex[TDMF_REDUCED_COUNT] = {1.4, 1.05};
     (void)state;
@@ -474,7 +475,7 @@ static void the_reduced_map_does_not_depend_on_the_law(void **state) {
 
 /* ---- from one law to the other ------------------------------------------------------------------------- */
 
-/* At an apex a run forgets which law it had. */
+/* At an apex the swing is over, so its law no longer matters. */
 static void from_an_apex_on_the_law_may_be_the_other(void **state) {
     (void)state;
     for (int clamp = 0; clamp < 2; ++clamp) {

@@ -208,17 +208,26 @@ typedef struct {
 } tdmf_ensemble_work;
 
 /* Runs all; `ends` has room for one of each. A runner's end depends neither on its neighbours nor on the
- * number of threads. `work` may be NULL. False, with nothing written, where the instructions are not to be
- * had, the tolerance is not above 0 and below 1, the limit of steps is below 0, the number of threads is not
- * positive, a runner's case is none of those given, or has a patch of ground and gaits to settle on, which a
- * place has not, or goes by the reduced map, a roughness is not finite, below 0 or above 0 in the reduced
- * map, the map is none, a setting is none, is set twice or gets a value out of its range, heights of rough
- * ground or a friction that is drawn are set, terrain has a length that is not finite or below
- * TDMF_MIN_SEGMENT l0, or comes with a slope, a push, gaits to settle on, checkpoints, the reduced map or
- * settings of any of these, a height of it is not finite, weights or a spread are not finite or the spread is
- * below 0 or above it in the reduced map, a number of a law or a ball is beyond 1e100 or its limits are no
- * range, a number of elements is below 0 or their array NULL, a checkpoint to go on from has a contact or
- * phase that there is not, or there is no memory. */
+ * number of threads. `work` may be NULL.
+ *
+ * Returns false, with nothing written, if:
+ *   - this build does not have the instructions, or there is no memory;
+ *   - the tolerance is not above 0 and below 1, the step limit is below 0, or the number of threads is not
+ *     positive;
+ *   - the map is not one of its enumerators;
+ *   - a number of elements is below 0, or their array is NULL;
+ *   - a runner's case is not one of those given, or the position of its foot is out of range;
+ *   - a case has a patch of ground together with gaits to settle on or the reduced map;
+ *   - a roughness is not finite, is below 0, or is above 0 in the reduced map;
+ *   - weights or a spread are not finite, or the spread is below 0, or above 0 in the reduced map;
+ *   - a setting does not exist, is set twice, or gets a value out of its range;
+ *   - heights of rough ground, or a friction that is drawn, are also settings;
+ *   - a segment of terrain has a length that is not finite or below TDMF_MIN_SEGMENT l0, or a height that is
+ *     not finite or beyond 1e9 m;
+ *   - terrain comes with a slope, a push, gaits to settle on, checkpoints, the reduced map, or settings of
+ *     height, slope or push;
+ *   - a number of a law or a ball is beyond 1e100, or a law's limits are not a range;
+ *   - a checkpoint to resume from has a contact or phase that is not an enumerator. */
 TDMF_API bool tdmf_run_ensemble(const tdmf_ensemble *ensemble, tdmf_ensemble_end *ends,
                                 tdmf_ensemble_work *work);
 

@@ -3,9 +3,10 @@
  *
  * The foot comes down with r = l0, rdot = 0, theta = theta0 - omega t, thetadot = -omega, at t after the
  * apex. Impact and stance are those of the full model, up to where the stance law loads the foot no more;
- * from there the centre of mass flies to the next apex, and what is left in the leg is lost. So nothing
- * depends on how the hip moves the leg in flight: not on hip.kp, hip.kd and hip.liftoff_angle_factor, nor on
- * hip.swing_clamp. */
+ * from there the centre of mass flies to the next apex, and what is left in the leg is lost.
+ *
+ * The map does not depend on hip.kp, hip.kd, hip.liftoff_angle_factor and hip.swing_clamp, because these only
+ * move the leg in flight. */
 #ifndef TDMF_SLIP_REDUCED_MAP_H
 #define TDMF_SLIP_REDUCED_MAP_H
 
@@ -29,7 +30,7 @@ TDMF_API void tdmf_reduced_state(tdmf_system system, const double apex[TDMF_REDU
                                  double state[TDMF_STATE_COUNT]);
 
 /* Seeds of parameters and inputs along which a stride is differentiated, at the most.
- * The first plus is for C++20, which subtracts no enumerator of one enumeration from another's. */
+ * Unary plus makes an int: C++20 deprecates arithmetic between two enumerations. */
 enum { TDMF_REDUCED_MAP_SEEDS = +TDMF_VARIATION_LIMIT - TDMF_REDUCED_COUNT };
 
 /* One stride from an apex, whose flight down and whose stance take no longer than `until` each. With

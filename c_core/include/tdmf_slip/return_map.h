@@ -58,7 +58,7 @@ typedef struct {
 } tdmf_stride_variation;
 
 /* Seeds of parameters and inputs along which a stride of the return map is differentiated, at the most.
- * The first plus is for C++20, which subtracts no enumerator of one enumeration from another's. */
+ * Unary plus makes an int: C++20 deprecates arithmetic between two enumerations. */
 enum { TDMF_RETURN_MAP_SEEDS = +TDMF_VARIATION_LIMIT - TDMF_SECTION_COUNT };
 
 /* Whether a stride closed, and else why not. Some of this only the reduced map meets. */

@@ -35,13 +35,12 @@ typedef struct {
     tdmf_event events[TDMF_EVENT_CAPACITY]; /* the first ones, in order */
 } tdmf_event_log;
 
-/* Default limits of one call of a solver. A usual stride takes some 50 steps. An event ends its step, so that
- * a limit of steps bounds events, too.
+/* Default limits of one call of a solver. A typical stride takes some 50 steps. An event ends its step, so a
+ * limit of steps also bounds events.
  *
- * Strides in a row share their steps, those to settle on a gait as those of a runner of an ensemble: the
- * first may take step_limit of them, and each that follows those that were left over and a fortieth of
- * step_limit, but never more than step_limit. All strides of Newton's method have step_limit steps together.
- */
+ * Strides that settle on a gait, or that one runner of an ensemble makes, share their steps. The first stride
+ * may take step_limit steps. Each later stride may take the steps left over and step_limit / TDMF_STEP_SHARE
+ * more, but never more than step_limit. All strides of Newton's method together may take step_limit steps. */
 enum { TDMF_STEP_LIMIT = 200000, TDMF_EVENT_LIMIT = 100000, TDMF_STEP_SHARE = 40 };
 
 /* Settings of the native solver, and its counters. */
@@ -111,9 +110,11 @@ enum { TDMF_VARIATION_LIMIT = 8 };
 /* As tdmf_native_stride, and carries `count` variations along, each with the change of parameters that it
  * belongs to: at the call they are those of `motion` at its time, on return those at the time it stands at
  * then. More than TDMF_VARIATION_LIMIT, or less than 0, are refused, as are NULL for some of them and all
- * that tdmf_native_advance refuses. A run on the edge of an event, where a crossing is a touch, two events
- * come together or a foot stands without friction, has no variation, nor has one by gains that are both zero
- * with hip.swing_clamp; values are then not finite. Steps are bounded by the variations, too. */
+ * that tdmf_native_advance refuses.
+ *
+ * Variations also limit the steps. They are not finite where none exists:
+ *   - on the edge of an event: a crossing is a touch, two events coincide, or a foot stands without friction;
+ *   - along a gain, if both gains are zero and hip.swing_clamp is true. */
 TDMF_API tdmf_stride_outcome tdmf_native_stride_varied(tdmf_solver *solver, tdmf_system system, double until,
                                                        tdmf_motion *motion, const tdmf_seed *seeds,
                                                        tdmf_variation *variations, int count);
