@@ -1,4 +1,4 @@
-"""What every saved result records: the version that computed it, the model, and all values of its runner.
+"""Record of a saved result: the version that computed it, the model, and all values of its runner.
 
 JSON has them as `version`, `model` and `runner`; a result from which a run can begin has `start_values`
 instead of `runner`, and a proof has its exact `parameters`. A NetCDF file has each value as an attribute.
@@ -18,11 +18,11 @@ NAMES = ("version", "model", *RUNNERS)
 """Entries of a record."""
 
 EARLIER: Mapping[str, float | bool] = {"hip.swing_clamp": True}
-"""Values that earlier files do not have, and with which their results were computed."""
+"""Parameters that earlier files do not record, with the values that those results were computed with."""
 
 
 def origin_of(*, reduced: bool = False, version: str = __version__) -> dict[str, str]:
-    """Version and model of a result whose runners are recorded elsewhere in it."""
+    """The version and the model, for a result that records its runners in other entries."""
     return {"version": version, "model": "reduced" if reduced else "full"}
 
 
@@ -39,13 +39,13 @@ class HasRunnerValues(Protocol):
 
 
 def record_of(runner: HasRunnerValues, *varied: str) -> dict[str, Any]:
-    """What a saved result says of its runner: `version`, `model` and `runner`, without values that vary."""
+    """Record of a runner: `version`, `model` and `runner`, without the values that vary in the result."""
     kept = {name: value for name, value in runner.values.items() if name not in varied}
     return {**origin_of(reduced=runner.reduced), "runner": kept}
 
 
 def attributes_of(record: Mapping[str, Any]) -> dict[str, float | int | str]:
-    """The record in a plain object as attributes of a NetCDF file, which has no booleans."""
+    """The record of a plain object as NetCDF attributes. Booleans become integers: NetCDF has none."""
     entries = {name: record[name] for name in ("version", "model") if name in record}
     for name in RUNNERS:
         entries |= record.get(name, {})
@@ -53,12 +53,12 @@ def attributes_of(record: Mapping[str, Any]) -> dict[str, float | int | str]:
 
 
 def completed(values: Mapping[str, Any]) -> dict[str, Any]:
-    """The values of a runner on file, with those that earlier files do not have."""
+    """A runner's values from a file, completed by the parameters that earlier files do not record."""
     return {**EARLIER, **values}
 
 
 def note_missing(values: Mapping[str, Any], where: str) -> None:
-    """Warn of values that an earlier file does not have, and say with which it is read."""
+    """Warn of parameters that an earlier file does not record, and name the values assumed for them."""
     missing = {name: value for name, value in EARLIER.items() if name not in values}
     if missing:
         read_as = ", ".join(f"{name} = {json.dumps(value)}" for name, value in missing.items())
@@ -68,9 +68,9 @@ def note_missing(values: Mapping[str, Any], where: str) -> None:
 
 
 def completed_attributes(attributes: Mapping[str, Any]) -> dict[str, Any]:
-    """The attributes of a NetCDF file, with those that earlier files do not have."""
+    """The attributes of a NetCDF file, completed by those that earlier files do not record."""
     own = dict(attributes)
-    of_runner = json.loads(own.pop("runner", "{}")) | own  # it was a text once
+    of_runner = json.loads(own.pop("runner", "{}")) | own  # earlier files have the runner as one JSON text
     return {**origin_of(), **attributes_of({"runner": completed(of_runner)})}
 
 

@@ -68,10 +68,10 @@ class Peer(Protocol):
     seconds: float
     """Spent in integrators so far; 0 where nobody says."""
     evaluations: int | None
-    """Of the right-hand side so far; None where nobody says."""
+    """Evaluations of the right-hand side so far; None if the peer does not count them."""
 
     def __init__(self, tolerance: float, swing_clamp: bool) -> None:
-        """Make it ready, for runners with the clamp of the swing or without it."""
+        """Prepare the solver for runners with this `hip.swing_clamp`."""
         ...
 
     def stride(self, section: Apex) -> NDArray[np.float64]:

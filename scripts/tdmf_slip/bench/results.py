@@ -48,9 +48,9 @@ class Bench(ByContents):
     """What was measured, and on what."""
 
     runner: Runner
-    """The runner whose strides were made."""
+    """Runner whose strides were timed."""
     measurements: tuple[Measurement, ...]
-    """In the order of the table."""
+    """Measurements in the order of the table."""
     ours: Mapping[str, str]
     """By group, the solver of ours that the others are compared with."""
     threads: int

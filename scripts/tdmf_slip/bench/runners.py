@@ -15,7 +15,7 @@ from .accuracy import fastest
 
 FRICTION = 0.6
 CLAMP = "hip.swing_clamp"
-"""Name of the parameter that tells the two readings of (12)."""
+"""Name of the parameter that selects the reading of (12)."""
 RUNNERS, STRIDES_EACH = 4096, 4
 SPREAD = 0.05
 """Of starts about the gait's apex, either way; all make the gait's word."""
@@ -91,7 +91,7 @@ class Runners(ByContents):
 
 
 def runners_about_the_gait(fmu: Fmu, *, swing_clamp: bool | None = None, reduced: bool = False) -> Runners:
-    """Starts drawn about the gait's apex, of the full model or of the reduced map; the unit's own reading."""
+    """Starts drawn about the gait's apex; `swing_clamp` replaces the unit's own value."""
     source = np.random.default_rng(0)
     runner = Runner.of({"ground.friction": FRICTION}, fmu, model="reduced" if reduced else "full")
     if swing_clamp is not None:

@@ -17,7 +17,7 @@ from .results import MANY, MOTION, ONE, REDUCED, Bench, Measurement, versions_he
 from .runners import CLAMP, Runners, runners_about_the_gait
 
 PEERS = ("heyoka", "numba", "scipy")
-"""Of one runner; heyoka makes batches, too."""
+"""Peers that simulate one runner at a time; heyoka also simulates batches."""
 
 
 def _peer_of(name: str) -> type[Peer]:
@@ -50,7 +50,7 @@ def check_agreement(fmu: Fmu, done: Callable[[], object] = lambda: None) -> None
         many = runners_about_the_gait(fmu, swing_clamp=swing_clamp)
         for name, error_at in _errors(fmu, many):
             what = f"{name}, {CLAMP} = {str(swing_clamp).lower()}"
-            with contextlib.suppress(ImportError):  # told with the measurements
+            with contextlib.suppress(ImportError):  # bench reports which peers are missing
                 check_agrees(what, error_at)
             done()
 
@@ -60,7 +60,7 @@ def bench(
 ) -> Bench:
     """Measure everything on this machine; all but the scaling over threads in one thread.
 
-    The runners have the clamp of the swing as `swing_clamp` says, by default as the unit's own runner.
+    `swing_clamp` is the runners' `hip.swing_clamp`; by default the unit's own value.
     """
     checked("effort", effort, 1e-3, 1e3)
     fmu = load_fmu(fmu)

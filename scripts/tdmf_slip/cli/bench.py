@@ -31,13 +31,13 @@ if TYPE_CHECKING:
 @click.option(
     "--swing-clamp/--no-swing-clamp",
     default=None,
-    help="Whether the runners clamp the torque of the swing, hip.swing_clamp; by default as the unit's own.",
+    help="Value of hip.swing_clamp for the runners that are timed; by default the unit's own.",
 )
 @JSON_OPTION
 def bench_command(effort: float, of_growth: bool, swing_clamp: bool | None, as_json_object: bool) -> None:
     """Solvers and the ensemble engine against their peers, on the same strides at equal accuracy.
 
-    Before anything is timed, all of them have to make the same strides, with the clamp and without it.
+    Nothing is timed before all of them have made the same strides, with the clamp and without it.
     """
     measured: Growth | Bench
     if of_growth:

@@ -141,7 +141,7 @@ def _show_warning(
     file: TextIO | None = None,
     line: str | None = None,
 ) -> None:
-    """On stderr in a line, without the place in the code, which helps nobody at a terminal."""
+    """Print a note on one line of stderr, without its place in the code; drop other warnings."""
     if issubclass(category, Note):
         _complain(f"warning: {message}", 0)
 

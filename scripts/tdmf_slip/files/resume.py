@@ -1,4 +1,4 @@
-"""Results on file that are gone on with: only a file of the very same work will do."""
+"""Resume work from a file: only a file of exactly the same work is accepted."""
 
 import contextlib
 from collections.abc import Hashable, Mapping
@@ -15,7 +15,7 @@ from .netcdf import read_dataset
 
 
 def resumed(path: Path, blank: xarray.Dataset, what: str) -> xarray.Dataset:
-    """What a file holds already of the work that would fill `blank`, or `blank` where there is no file."""
+    """The partial result on file of the work that would fill `blank`; `blank` if there is no file."""
     try:
         data = read_dataset(path)
     except FileNotFoundError:
@@ -79,12 +79,12 @@ def _difference(data: xarray.Dataset, blank: xarray.Dataset) -> str | None:
 
 
 def _kind(variable: xarray.DataArray) -> str:
-    """Of its values; texts come back from a file in another type."""
+    """Kind of the values. Texts come back from a file with another dtype."""
     return "text" if variable.dtype.kind in "OSTU" else variable.dtype.kind
 
 
 def _same(found: Mapping[Any, Any], wanted: Mapping[Any, Any], name: Hashable) -> bool:
-    """Numbers up to rounding, as in a gait that another machine has found."""
+    """Whether an attribute agrees; numbers may differ by rounding, as between two machines."""
     value, there = wanted[name], found.get(name, "")
     if isinstance(value, str):
         return isinstance(there, str) and there == value

@@ -187,7 +187,7 @@ class Fmu:
         return checked
 
     def all_start_values(self, given: Mapping[str, Value]) -> dict[str, Value]:
-        """The start value of every variable that takes one: what is given, and else the unit's own."""
+        """Start value of every variable that takes one: the given value, or else the unit's own."""
         own = {v.name: v.start for v in self.variables.values() if v.settable and v.start is not None}
         return {**own, **given}
 

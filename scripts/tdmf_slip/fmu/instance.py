@@ -200,7 +200,6 @@ class Instance:
         setters = {"Real": self._fmu.setReal, "Boolean": self._fmu.setBoolean}
         for name, value in values.items():
             variable = self.fmu.variables[name]
-            value = bool(value) if variable.type == "Boolean" else value  # a runner's values are floats
             setters.get(variable.type, self._fmu.setInteger)([variable.reference], [value])
 
     def advance(self, time: float, duration: float) -> None:

@@ -36,7 +36,7 @@ class Run(ByContents, Drawable):
     version: str
     """Version of the unit."""
     start_values: Mapping[str, Value]
-    """What the run began with: every parameter, input and state, by the unit's names."""
+    """Every parameter, input and state at the start, by the unit's names."""
     final: Mapping[str, float | int | bool | str]
     """Every variable of the unit at the end of the run, also where the runner has fallen."""
     events: list[Event] = field(default_factory=list)
@@ -55,12 +55,12 @@ class Run(ByContents, Drawable):
 
     @property
     def names(self) -> tuple[str, ...]:
-        """Of the table's fields, `time` first."""
+        """Names of the table's fields, `time` first."""
         return tuple(self.units)
 
     @property
     def record(self) -> dict[str, Any]:
-        """What a file of the run says of its runner: `version`, `model` and `start_values`."""
+        """Record for a file of the run: `version`, `model` and `start_values`."""
         return {**origin_of(version=self.version), "start_values": dict(self.start_values)}
 
     @property

@@ -35,7 +35,7 @@ class Member:
     """It is a Boolean."""
 
     def write(self, struct: Any, value: float) -> None:
-        """Give it a value in a struct; of a Boolean 0 or 1."""
+        """Write a value into a struct; a Boolean is 0 or 1."""
         for step in self.path[:-1]:
             struct = getattr(struct, step)
         setattr(struct, self.path[-1], bool(value) if self.is_flag else value)
@@ -56,11 +56,11 @@ PARAMETERS = tuple(_members(ffi.typeof("tdmf_parameters")))
 INPUTS = tuple(_members(ffi.typeof("tdmf_inputs")))
 """Where its inputs are."""
 VARIED = tuple(member.name for member in (*PARAMETERS, *INPUTS) if not member.is_flag)
-"""Numbers among parameters and inputs: what a runner's motion may be followed along."""
+"""Numeric parameters and inputs: those that a continuation or a derivative can vary."""
 FLAGS = tuple(member.name for member in PARAMETERS if member.is_flag)
-"""Booleans among the parameters: 0 or 1."""
+"""Boolean parameters."""
 MOVING = (*VARIED, *FLAGS)
-"""All parameters and inputs: what a runner's motion depends on, beside its start."""
+"""All parameters and inputs. A runner's motion depends on these and on its start."""
 
 
 def check_varied(name: object, what: str) -> None:

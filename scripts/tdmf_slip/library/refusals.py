@@ -1,4 +1,4 @@
-"""Texts of the C library, and what it refuses, as errors."""
+"""Refusals of the C library as Python errors, and its texts as Python strings."""
 
 from ..errors import InputError
 from .binding import c, ffi
@@ -12,7 +12,7 @@ def text_of(characters: object) -> str:
 
 
 def check_accepted(refusal: Refusal, where: str = "") -> None:
-    """Raise what the library refused, if it did, with where that was."""
+    """Raise an `InputError` if the library refused a value; `where` begins its message."""
     if refusal.variable != ffi.NULL:
         text = ffi.new("char[256]")
         c.tdmf_refusal_text(ffi.new("tdmf_refusal *", refusal), text, len(text))

@@ -16,7 +16,7 @@ from .runner import Runner
 SETTINGS = tuple(name for name in VARIED if c.tdmf_setting_of(name.encode()) >= 0)
 """By the unit's names."""
 OF_FLIGHT = ("hip.kp", "hip.kd", "hip.liftoff_angle_factor", "hip.swing_clamp")
-"""Of the leg's motion in flight, which the reduced map has not."""
+"""Parameters of the leg's motion in flight, which has no part in the reduced map."""
 BY_GAINS = (
     "hip.touchdown_angle",
     "hip.retraction_rate",

@@ -46,7 +46,7 @@ class ReferenceGait:
     events: Sequence[object]
     """Of the stride, as they were recorded."""
     clamp_release: float
-    """Time at which the clamp of the hip opens, by which its torque is 0 in flight  (12)."""
+    """Time at which the clamp of (12), which holds the hip torque at 0, opens."""
 
 
 @dataclass(frozen=True)

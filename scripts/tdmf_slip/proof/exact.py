@@ -17,7 +17,7 @@ LONGEST_TEXT = 1000
 LONGEST_EXPONENT = 4
 """Characters of an exponent; a fraction has as many digits as it says."""
 DEGREES = 180
-"""Of a half turn."""
+"""Degrees in a half turn."""
 
 
 @dataclass(frozen=True)
@@ -25,16 +25,16 @@ class Exact:
     """A rational number and a rational multiple of pi."""
 
     rational: Fraction
-    """What it is apart from pi."""
+    """The rational part."""
     turns: Fraction = Fraction(0)
-    """In units of pi."""
+    """The multiple of pi."""
 
     def ball(self) -> arb:
-        """Enclosed to the working precision."""
+        """Enclosure of the number to the working precision."""
         return ball_of(self.rational) + ball_of(self.turns) * arb.pi()
 
     def __str__(self) -> str:
-        """As a mathematician writes it."""
+        """The number as text, such as `2/5` or `2 pi/9`."""
         if not self.turns:
             return str(self.rational)
         numerator = "" if self.turns.numerator == 1 else f"{self.turns.numerator} "
@@ -43,10 +43,10 @@ class Exact:
 
 
 class Flag(Exact):
-    """Whether something holds: 1 or 0, written as a word."""
+    """A Boolean parameter: 1 or 0, written as `true` or `false`."""
 
     def __str__(self) -> str:
-        """As files and messages have it."""
+        """`true` or `false`."""
         return "true" if self.rational else "false"
 
 

@@ -31,7 +31,7 @@ KNOWN = frozenset(
 """Parameters and inputs that the enclosures take account of."""
 Radius: TypeAlias = float | str | Fraction
 RunnerLike: TypeAlias = parameters.RunnerLike | Mapping[str, object]
-"""What may be given for a runner, as to any function; start values may be fractions, too."""
+"""A runner as any function takes it; start values may also be fractions."""
 
 
 def gait_of(gait: RunnerLike) -> tuple[Gait, dict[str, Exact]]:

@@ -72,7 +72,7 @@ def servo_torque(runner: Any, mode: Mode, at: Any) -> Number:
 
 
 def flight_torque(runner: Any, mode: Mode, at: Any) -> Number:
-    """The flight law (12), which a closed clamp replaces by 0, and the torque from outside."""
+    """Torque of the flight law (12), 0 where its clamp is closed, plus the external torque."""
     if not mode.places and mode.clamped:
         return hip.external(runner.inputs, hip.CONSTANT_INPUTS).torque
     return servo_torque(runner, mode, at) + runner.inputs.hip.external_torque

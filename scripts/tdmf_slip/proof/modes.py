@@ -1,4 +1,4 @@
-"""Modes of the motion, and which numbers tell it in each."""
+"""Modes of the motion, and the numbers that describe it in each."""
 
 from dataclasses import dataclass
 from typing import Any, Literal
@@ -6,25 +6,25 @@ from typing import Any, Literal
 Contact = Literal["flight", "stick", "slip", "graze"]
 LEG = ("length", "angle", "length_rate", "angle_rate")
 BALLISTIC = ("height", "along", "off")
-"""Of the centre of mass in flight: its distance from the line, its velocity along it and away from it."""
+"""Centre of mass in flight: distance from the ground line, velocity along it and away from it."""
 PARAMETER = "parameter"
-"""The name of what is varied, a number like those of the motion that does not change."""
+"""Name of the varied parameter, which is carried along like a constant state."""
 
 
 @dataclass(frozen=True)
 class Mode:
-    """What the foot and the hip do."""
+    """Contact mode of the foot and phase of the hip."""
 
     contact: Contact
-    """Of the foot; off the ground it is in flight."""
+    """Contact mode of the foot."""
     sign: int = 0
-    """Of the foot's speed in slip."""
+    """Sign of the foot's velocity in slip."""
     places: bool = False
     """Off the ground: the hip is in place, else in retract."""
     drives: bool = False
     """The stance began with the foot ahead and the leg has not been upright yet."""
     clamped: bool = False
-    """Off the ground, in retract, with `hip.swing_clamp`: the servo would pull, and the torque is 0."""
+    """Retract with `hip.swing_clamp`: the servo's torque is negative, so the clamp holds it at 0."""
     rises: bool = False
     """Off the ground: an apex is to come."""
     thrusts: bool = False

@@ -1,4 +1,4 @@
-"""What is proved of a gait, and the sentence that says it."""
+"""Proof of a gait, and the sentence that states it."""
 
 import math
 from collections.abc import Mapping, Sequence
@@ -30,7 +30,7 @@ QUANTITIES = (
     "duty_factor",
     "liftoff_angle",
 )
-"""Of a stride, those that are enclosed."""
+"""Quantities of a stride that a proof encloses."""
 FURTHER = 15
 """Digits that are printed beyond those asked for, as far as they are known."""
 
@@ -42,11 +42,11 @@ class Box:
     centre: Sequence[Fraction]
     """The apex in its middle, shape (6,)."""
     radii: Sequence[Fraction]
-    """How far it goes to both sides of its middle, shape (6,)."""
+    """Half widths, shape (6,)."""
 
     @classmethod
     def around(cls, centre: Sequence[arb], radius: Fraction, scales: Sequence[float]) -> "Box":
-        """Of a radius in units of the scales, around decimals near a point."""
+        """A box of this radius, in units of the scales, around decimals near a point."""
         decimals = 3 - math.floor(math.log10(float(radius)))
         rounded = [Fraction(round(exactly(x) * 10**decimals), 10**decimals) for x in centre]
         return cls(rounded, [radius * Fraction(scale) for scale in scales])
@@ -90,7 +90,7 @@ def decimal(value: Fraction, digits: int = 60) -> str:
 
 
 def assumptions() -> list[str]:
-    """What a proof rests on."""
+    """Assumptions of every proof."""
     return [
         f"the ball arithmetic of FLINT {flint.__FLINT_VERSION__}, under python-flint {flint.__version__}, "
         "encloses as it is documented to",
@@ -100,7 +100,7 @@ def assumptions() -> list[str]:
 
 
 class Proved(Protocol):
-    """Whatever says in a sentence what is proved of something, or left open."""
+    """A proof: a sentence that says what is proved, or what is left open."""
 
     @property
     def values(self) -> Mapping[str, Exact]:
@@ -116,11 +116,11 @@ class Proved(Protocol):
 
     @property
     def sentence(self) -> str:
-        """For a reader who wants to sign it."""
+        """What is proved, or left open, in one sentence."""
 
 
 def statement(proof: Proved, varied: str | None = None) -> dict[str, object]:
-    """What every proof has in JSON; without the value of a parameter that is varied."""
+    """Entries that every proof has in JSON, without the value of a varied parameter."""
     return {
         **origin_of(version=proof.version),
         "parameters": texts_of(proof.values, varied),
@@ -131,34 +131,34 @@ def statement(proof: Proved, varied: str | None = None) -> dict[str, object]:
 
 
 def texts_of(values: Mapping[str, Exact], varied: str | None = None) -> dict[str, str]:
-    """A runner's parameters and inputs as a mathematician writes them, without one that is varied."""
+    """Exact texts of a runner's parameters and inputs, without a varied one."""
     return {name: str(value) for name, value in values.items() if name != varied}
 
 
 @dataclass(frozen=True, repr=False)
 class Proof(Drawable):
-    """A gait with enclosures of all that is told of it, or what could not be decided."""
+    """A gait with enclosures of all that is reported, or what could not be decided."""
 
     proved: bool
     """False is undecided: it says nothing against the gait."""
     values: Mapping[str, Exact] = field(repr=False)
     """The runner's parameters, exactly, by the unit's names."""
     box: Box = field(repr=False)
-    """In which exactly one gait is."""
+    """Box that contains exactly one gait."""
     digits: int
-    """That were asked for."""
+    """Number of digits that were asked for."""
     word: str = ""
     """The gait word."""
     stable: bool | None = None
     """All eigenvalues are inside the unit circle, or one is outside; None where that is open."""
     apex: Sequence[arb] = field(default=(), repr=False)
-    """Of the gait, shape (6,), enclosed."""
+    """Enclosure of the gait's apex, shape (6,)."""
     quantities: Mapping[str, arb] = field(default_factory=dict, repr=False)
-    """By the names in `QUANTITIES`."""
+    """Enclosures by the names in `QUANTITIES`."""
     eigenvalues: Sequence[acb] = field(default=(), repr=False)
     """Discs, the largest first."""
     events: Sequence[tuple[str, arb]] = field(default=(), repr=False)
-    """Of the stride, with their times since the apex, s."""
+    """Events of the stride, with their times since the apex, s."""
     undecided: Mapping[str, object] = field(default_factory=dict)
     """Where it ended: `guard` and `time`."""
     version: str = field(default=__version__, repr=False, compare=False)
@@ -171,7 +171,7 @@ class Proof(Drawable):
 
     @property
     def assumptions(self) -> Sequence[str]:
-        """What the proof rests on."""
+        """Assumptions of the proof."""
         return assumptions()
 
     def __repr__(self) -> str:
@@ -179,7 +179,7 @@ class Proof(Drawable):
         return f"<Proof: {self.sentence[:160]}{'...' if len(self.sentence) > 160 else ''}>"
 
     def as_json(self) -> dict[str, object]:
-        """As a plain object, in which enclosures are texts `[mid +/- radius]`."""
+        """Plain object in which enclosures are texts `[mid +/- radius]`."""
         return {
             **statement(self),
             "word": self.word or None,

@@ -41,13 +41,13 @@ class Attraction(Drawable):
     radius: float = 0.0
     """Every apex no farther from the gait's in any coordinate, in units of the scales, settles on it."""
     rate: float = 1.0
-    """By which the distance, in the norm of the Jacobian's, falls each stride at the least."""
+    """Upper bound of the factor by which each stride shrinks the distance, in the norm of `basis`."""
     box: Fraction = Fraction(0)
     """Radius of the box in which the derivative was enclosed, in units of the scales."""
     norm_radius: float = 0.0
-    """Of the ball, the largest ``|(S^-1 x)_i| / w_i``."""
+    """Radius of the ball: the largest ``|(S^-1 x)_i| / w_i`` in it."""
     basis: Sequence[Sequence[complex]] = field(default=(), repr=False)
-    """The norm's S, shape (6, 6), the eigenvectors of the Jacobian about."""
+    """The norm's S, shape (6, 6): approximate eigenvectors of the Jacobian."""
     weights: Sequence[float] = field(default=(), repr=False)
     """The norm's w, shape (6,)."""
     undecided: str = ""

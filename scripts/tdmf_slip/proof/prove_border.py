@@ -44,23 +44,23 @@ class BorderProof(Drawable):
     proved: bool
     """False is undecided: it says nothing against the border."""
     name: str
-    """Of the parameter that is varied."""
+    """Name of the varied parameter."""
     values: Mapping[str, Exact] = field(repr=False)
     """The runner's other parameters, exactly."""
     digits: int
-    """That were asked for."""
+    """Number of digits that were asked for."""
     kind: str = ""
-    """What happens at once there."""
+    """Events that coincide on the border."""
     word_continued: str = ""
     """The gait word of the side along which the stride was continued across it."""
     value: arb | None = None
-    """Of the parameter, enclosed."""
+    """Enclosure of the parameter."""
     apex: list[arb] = field(default_factory=list, repr=False)
-    """Of the gait on the border, shape (6,)."""
+    """Apex of the gait on the border, shape (6,)."""
     box: Box | None = field(default=None, repr=False)
-    """Of apexes and of the parameter, in which there is exactly one."""
+    """Box of apexes and parameter that contains exactly one border."""
     sides: tuple[Proof, ...] = field(default=(), repr=False)
-    """A gait on each side, proved."""
+    """Proofs of a gait on each side."""
     undecided: Mapping[str, object] = field(default_factory=dict)
     """Where it ended: `guard` and `time`."""
     version: str = field(default=__version__, repr=False, compare=False)
@@ -68,7 +68,7 @@ class BorderProof(Drawable):
 
     @property
     def words(self) -> tuple[str, ...]:
-        """On the sides whose gait is proved, in the parameter's order."""
+        """Gait words of the sides whose gait is proved, in the parameter's order."""
         return tuple(side.word for side in self.sides if side.proved)
 
     def __repr__(self) -> str:
@@ -76,7 +76,7 @@ class BorderProof(Drawable):
         return f"<BorderProof: {self.sentence[:160]}{'...' if len(self.sentence) > 160 else ''}>"
 
     def as_json(self) -> dict[str, object]:
-        """As a plain object, in which enclosures are texts `[mid +/- radius]`."""
+        """Plain object in which enclosures are texts `[mid +/- radius]`."""
         return {
             **statement(self, self.name),
             "vary": self.name,

@@ -25,9 +25,9 @@ from .workers import side_by_side
 PARTS = 256
 """Into which a wide range is cut, to be proved side by side; each is written to a file as it is done."""
 NARROWEST_PART = Fraction(1, 500)
-"""Of the greater end: of less width none is."""
+"""Smallest width of a part, over the greater end of the range."""
 NONE = "0"
-"""What an earlier file does not write of a parameter that proofs know."""
+"""Text of a value that earlier files left out if the parameter is in `KNOWN`."""
 
 
 def prove_subintervals(
@@ -83,7 +83,7 @@ def prove_range(
 
 
 def _done(output: Path | None, head: Mapping[str, Any]) -> dict[tuple[Fraction, Fraction], list[Subinterval]]:
-    """Parts that a file has already; a last line that was cut off is none."""
+    """Parts that a file already has; a truncated last line does not count."""
     if output is None or not output.exists():
         return {}
     lines = output.read_text(encoding="utf-8-sig").splitlines()
@@ -102,9 +102,9 @@ def _done(output: Path | None, head: Mapping[str, Any]) -> dict[tuple[Fraction, 
 
 
 def _is_of(head: Mapping[str, Any], read: Any) -> bool:
-    """Whether a file is of this range and runner; which version proved its parts does not matter.
+    """Whether a file holds this range and this runner, proved by any version.
 
-    A parameter that an earlier file does not have is the unit's own if proofs do not know it, and else 0.
+    Earlier files left out parameters. One that is in `KNOWN` was 0, any other had the unit's start value.
     """
     if not isinstance(read, dict) or not isinstance(read.get("parameters"), dict):
         return False

@@ -1,4 +1,4 @@
-"""What is proved of gaits over a range of a parameter, subinterval by subinterval."""
+"""Proof of gaits over a range of a parameter, subinterval by subinterval."""
 
 import itertools
 from collections.abc import Mapping, Sequence
@@ -55,7 +55,7 @@ class Subinterval:
 
     @classmethod
     def of_row(cls, row: Mapping[str, object]) -> "Subinterval":
-        """Of a plain object."""
+        """Subinterval from its plain object."""
         ends = {name: Fraction(str(row[name])) for name in ("begin", "end")}
         return cls(**{**row, **ends})  # type: ignore[arg-type] # as it was written
 
@@ -83,7 +83,7 @@ class RangeProof:
     """Gaits over a range of a parameter."""
 
     name: str
-    """Of the parameter."""
+    """Name of the varied parameter."""
     begin: Fraction
     """The parameter's least value."""
     end: Fraction
@@ -91,9 +91,9 @@ class RangeProof:
     values: Mapping[str, Exact] = field(repr=False)
     """The runner's other parameters, exactly."""
     subintervals: Sequence[Subinterval] = field(repr=False)
-    """In order, without gaps."""
+    """Subintervals in order, without gaps."""
     version: str = field(default=__version__, repr=False, compare=False)
-    """The version that proved the last of them."""
+    """The version that put the subintervals together; a file records the version of each part."""
 
     @property
     def proved(self) -> bool:
@@ -102,7 +102,7 @@ class RangeProof:
 
     @property
     def left(self) -> list[tuple[Fraction, Fraction]]:
-        """What is undecided."""
+        """Undecided subintervals."""
         return [
             (subinterval.begin, subinterval.end)
             for subinterval in self.subintervals
@@ -111,7 +111,7 @@ class RangeProof:
 
     @property
     def words(self) -> tuple[str, ...]:
-        """That are proved, each once, in order."""
+        """Proved gait words, each once, in order."""
         return tuple(
             dict.fromkeys(subinterval.word for subinterval in self.subintervals if subinterval.proved)
         )

@@ -190,7 +190,7 @@ class Transition:
         )
 
     def _off(self, places: bool, latched: Number) -> Mode:
-        """The hip off the ground, a clamp as the servo has it; sets what the servo knows."""
+        """Mode after lift-off, clamped where the servo's torque is negative; sets latched angle and clock."""
         at = self.at
         at.latched_angle = latched
         if not (self.mode.places and places and hasattr(at, "clock")):

@@ -33,12 +33,12 @@ class Peer:
     name = f"heyoka {hy.__version__}"
 
     def __init__(self, tolerance: float, swing_clamp: bool) -> None:
-        """Compile them."""
+        """Compile the integrators of the modes."""
         self._swing_clamp = swing_clamp
         self.seconds = 0.0
-        """Spent in integrators so far."""
+        """Seconds spent in integrators so far."""
         self.evaluations: int | None = None
-        """Not told."""
+        """Unknown: heyoka does not count evaluations."""
         self._integrators: dict[str, Any] = {}
         for name in sequence.modes_of(swing_clamp):
             system, guards = _system(name)
@@ -75,12 +75,12 @@ class BatchPeer:
     lanes = hy.recommended_simd_size()
 
     def __init__(self, tolerance: float, swing_clamp: bool) -> None:
-        """Compile them."""
+        """Compile the integrators of the modes."""
         self._swing_clamp = swing_clamp
         self.seconds = 0.0
-        """Spent in integrators so far."""
+        """Seconds spent in integrators so far."""
         self.evaluations: int | None = None
-        """Not told."""
+        """Unknown: heyoka does not count evaluations."""
         self._integrators: dict[str, Any] = {}
         for name in sequence.modes_of(swing_clamp):
             system, guards = _system(name)

@@ -199,7 +199,7 @@ class Peer:
         self._tolerance, self._swing_clamp = tolerance, swing_clamp
         self.seconds = 0.0
         self.evaluations: int | None = 0
-        """Of the right-hand side so far, event location left out."""
+        """Evaluations of the right-hand side so far, without event location."""
 
     def _run(self, name: str, state: Sequence[float], parameters: Sequence[float]) -> tuple[list[float], int]:
         now = np.array(state, dtype=float)

@@ -19,11 +19,11 @@ class Peer:
     name = f"scipy {scipy.__version__} DOP853"
 
     def __init__(self, tolerance: float, swing_clamp: bool) -> None:
-        """At a relative tolerance; the absolute one is the same, in units of Table 1."""
+        """Set the relative tolerance, which is also the absolute one in units of Table 1."""
         self._tolerance, self._swing_clamp = tolerance, swing_clamp
         self.seconds = 0.0
         self.evaluations: int | None = 0
-        """Of the right-hand side so far."""
+        """Evaluations of the right-hand side so far."""
 
     def _run(self, name: str, state: Sequence[float], parameters: Sequence[float]) -> tuple[list[float], int]:
         mode = sequence.mode_of(name)

@@ -20,7 +20,7 @@ MOVING = {
     "slip": (0, 2, 3, 4, 6, 7),
     "graze": (0, 2, 3, 4, 6, 7),
 }
-"""Indices of the states that change in a mode. Retract is without the clamp of the swing, clamped with it."""
+"""Indices of the states that change in a mode; `clamped` is retract with the clamp of (12)."""
 FLIGHT = ("place", "retract", "clamped")
 """Modes of flight."""
 LONGEST = 100.0
@@ -51,7 +51,7 @@ def mode_of(name: str) -> str:
 
 
 def torque_of(name: str, state: State, parameters: State) -> Number:
-    """Of the hip.
+    """Hip torque in a mode.
 
     In flight the parameters are gain, target and rate gain, and the sign of a clamp's argument; on the
     ground torque, friction, sign of the slip, and what keeps the guard of mid-stance away.
