@@ -23,12 +23,6 @@ STATES = (
 """The core's states by the page's names."""
 CONTACTS = ("", "flight", "stick", "slip+", "slip-", "graze")
 PHASES = ("", "drive", "coast", "retract", "place")
-HAS_CLAMP = any(
-    name == "swing_clamp"
-    for name, _ in ffi.typeof("tdmf_parameters").fields
-    and dict(ffi.typeof("tdmf_parameters").fields)["hip"].type.fields
-)
-"""Whether this core has both readings of (12); without, it has the clamped one alone."""
 
 
 def write(struct, values):

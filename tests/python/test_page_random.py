@@ -5,7 +5,7 @@ from collections import Counter
 import numpy as np
 import pytest
 from conftest import some_of
-from old_core import HAS_CLAMP, STATES, OldRun, lasting
+from old_core import STATES, OldRun, lasting
 from page_runs import COMPILER
 from test_page_runner import difference, first_hop, trace_core, trace_page, world_of
 from test_page_whole import whole  # noqa: F401
@@ -83,12 +83,11 @@ def drawn(number):
 def compare(page, number, tolerance=1e-13):
     """How a random run compares: see test_page_runner.compare."""
     parameters, inputs, world, segments, (length, rate, force) = drawn(number)
-    clamps = bool(number % 2) if HAS_CLAMP else True
-    clamp = {"hip.swing_clamp": clamps} if HAS_CLAMP else {}
+    clamps = bool(number % 2)
     names = {page.model.public(n): n for n in [*page.states, *page.parameters]}
     given = {names[n]: v for n, v in (parameters | inputs).items()} | world
     given |= {"swing_clamp": clamps, "tolerance": tolerance}
-    old = OldRun(parameters | clamp, inputs, [world[n] for n in STATES[:8]], tolerance)
+    old = OldRun(parameters | {"hip.swing_clamp": clamps}, inputs, [world[n] for n in STATES[:8]], tolerance)
     if old.refused:
         return "refused", 0.0, old.refused
     mine_segments, old_segments = [], []

@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from conftest import some_of
-from old_core import HAS_CLAMP, STATES, OldRun, lasting
+from old_core import STATES, OldRun, lasting
 from page_runs import COMPILER, CompiledPage
 
 from c_core.pages.runner import PlainRunner
@@ -280,12 +280,11 @@ def compare(page, number, tolerance=1e-13):
     They agree until a foot that is hardly loaded hops.
     """
     parameters, inputs, world, rate = drawn(number)
-    clamps = bool(number % 2) if HAS_CLAMP else True
+    clamps = bool(number % 2)
     names = {page.model.public(n): n for n in [*page.states, *page.parameters]}
     given = {names[n]: v for n, v in (parameters | inputs).items()} | world
     given |= {"swing_clamp": clamps, "tolerance": tolerance}
-    clamp = {"hip.swing_clamp": clamps} if HAS_CLAMP else {}
-    old = OldRun(parameters | clamp, inputs, [world[n] for n in STATES[:8]], tolerance)
+    old = OldRun(parameters | {"hip.swing_clamp": clamps}, inputs, [world[n] for n in STATES[:8]], tolerance)
     if old.refused:
         return "refused", 0.0, ""
     length = parameters["leg.free_length"]
