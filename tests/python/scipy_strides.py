@@ -28,11 +28,11 @@ class Leg:
         self.force = 1.0 - self.length - DAMPING * self.rate
 
     def normal(self, torque):
-        """What the ground would bear of a foot that stays on it."""
+        """Normal force of the ground on a foot that stays on it."""
         return self.force * self.cosine - torque / self.length * self.sine + FOOT * GRAVITY
 
     def tangential(self, torque):
-        """What would hold the foot in place."""
+        """Tangential force that holds the foot in place."""
         return -self.force * self.sine - torque / self.length * self.cosine
 
     @property
@@ -99,12 +99,12 @@ class Stride:
         return found | {"forwards": lambda g: self.room(g, 1), "backwards": lambda g: self.room(g, -1)}
 
     def room(self, leg, sign):
-        """In the cone of a foot at rest: where it is 0, the foot slips that way."""
+        """Margin to one edge of the friction cone; at 0 the foot at rest begins to slip."""
         torque = self.stance_torque()
         return self.friction * leg.normal(torque) + sign * leg.tangential(torque)
 
     def stick_or_slip(self, z):
-        """Of a foot at rest."""
+        """Set the contact mode of a foot at rest: stick, or slip where the cone is left."""
         leg = Leg(z)
         self.mode, self.sign = "stick", 0
         for sign in (1, -1):

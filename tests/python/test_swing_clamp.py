@@ -16,7 +16,7 @@ from tdmf_slip.library.ensemble import Case, run_ensemble
 
 CLAMP = "hip.swing_clamp"
 REFERENCE = json.loads(pathlib.Path(__file__).with_name("free_swing.json").read_text(encoding="utf-8"))
-"""Of runners without the clamp, by two independent programs."""
+"""Reference values without the clamp, on which two independent programs agree."""
 FRICTIONS = (10.0, 1.2, 0.6, 0.43, 0.2)
 FREE = {gait["friction"]: gait for gait in REFERENCE["gaits"]}
 EXACT = {10.0: "10", 1.2: "1.2", 0.6: "0.6", 0.43: "0.43", 0.2: "0.2"}
@@ -133,7 +133,7 @@ def test_files_options_and_mappings_set_it(command, tmp_path):
 
 @pytest.mark.parametrize("interface", ["me", "cs"])
 def test_the_unit_runs_without_the_clamp(command, tmp_path, interface):
-    """From the gait that the command wrote, and with the option."""
+    """It runs from the gait's file alone, and from the file with the option."""
     reference, file, rows = FREE[0.6], tmp_path / "gait.json", tmp_path / "run.nc"
     file.write_text(command("gait", "--set", f"{CLAMP}=0", "--json")[1], encoding="utf-8")
     tight = ("--tolerance", 1e-12) if interface == "me" else ("--set", "solver.relative_tolerance=1e-12")
@@ -218,7 +218,7 @@ def test_a_gait_on_file_without_it_has_the_clamp(command, tmp_path):
 
 
 def made_in(folder, clamp):
-    """Three results on file, made or gone on with."""
+    """Three results on file, computed or resumed."""
     runner = Runner.of({CLAMP: clamp})
     grid = sweep(runner, {"ground.friction": [0.6], "leg.damping": [0.2]}, path=folder / "grid.nc", threads=1)
     axes = {"com_height": (1.3, 1.5), "com_speed": (1.0, 1.1)}
@@ -279,7 +279,7 @@ def test_a_pickle_without_it_has_the_clamp():
 
 
 class _Earlier:
-    """Pickled as runners were."""
+    """An object that is pickled as runners once were."""
 
     def __init__(self, arguments):
         self.arguments = arguments

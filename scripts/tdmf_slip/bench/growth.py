@@ -25,7 +25,7 @@ from .results import versions_here
 from .runners import FRICTION, Runners, runners_about_the_gait
 
 STRIDES_EACH = 4
-"""Of an ensemble's runners."""
+"""Strides of each runner in an ensemble."""
 RUNNER = {"ground.friction": FRICTION}
 TORQUE, ANGLE = "hip.stance_torque", "hip.touchdown_angle"
 
@@ -35,15 +35,15 @@ class Timing:
     """One question of one size."""
 
     question: str
-    """What is asked."""
+    """Name of the question."""
     size: str
-    """How much of it."""
+    """Size of the question, in words."""
     threads: int
-    """That it may use."""
+    """Number of threads that it may use."""
     seconds: float
-    """Of the wall clock."""
+    """Time by the wall clock, s."""
     processor_seconds: float
-    """Of all processors together."""
+    """Time of all processors together, s."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -51,9 +51,9 @@ class Growth(ByContents):
     """What was timed, and on what."""
 
     timings: tuple[Timing, ...]
-    """In the order of the table."""
+    """Timings in the order of the table."""
     versions: Mapping[str, str]
-    """Of the machine and the libraries."""
+    """Machine, and versions of the libraries."""
 
     def as_json(self) -> dict[str, object]:
         """The timings as a plain object."""

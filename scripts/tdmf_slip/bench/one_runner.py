@@ -64,9 +64,9 @@ class Peer(Protocol):
     """Makes one stride at a time, at a tolerance."""
 
     name: str
-    """As the table has it."""
+    """Name in the table."""
     seconds: float
-    """Spent in integrators so far; 0 where nobody says."""
+    """Seconds spent in integrators so far; 0 if the peer does not measure them."""
     evaluations: int | None
     """Evaluations of the right-hand side so far; None if the peer does not count them."""
 

@@ -32,15 +32,15 @@ class Measurement:
     solver: str
     """Its name."""
     accuracy: float
-    """That was asked for."""
+    """Accuracy that was asked for."""
     tolerance: float
-    """That reaches it."""
+    """Loosest tolerance that reaches the accuracy."""
     error: float
-    """Of the apex after one stride, the largest coordinate over its scale; from the worst of the starts."""
+    """Largest scaled error of a coordinate of the apex after one stride, from the worst start."""
     evaluations: float | None
-    """Of the right-hand side, or of a coefficient of its series, a stride; None where nobody says."""
+    """Evaluations of the right-hand side, or of a coefficient of its series, per stride; None if unknown."""
     microseconds: float
-    """A stride, the fastest of the repeats."""
+    """Time of a stride, in the fastest of the repeats."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -52,13 +52,13 @@ class Bench(ByContents):
     measurements: tuple[Measurement, ...]
     """Measurements in the order of the table."""
     ours: Mapping[str, str]
-    """By group, the solver of ours that the others are compared with."""
+    """Our solver that the others are compared with, by group."""
     threads: int
-    """Of the ensemble."""
+    """Number of threads of the ensemble."""
     scaling: float
-    """Of the ensemble over so many threads: strides a second each, over those of one alone."""
+    """Strides per second and thread of the ensemble, over those of a single thread."""
     versions: Mapping[str, str]
-    """By library."""
+    """Versions by library."""
     missing: tuple[str, ...] = ()
     """Peers that are not installed."""
 

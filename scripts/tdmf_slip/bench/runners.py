@@ -30,15 +30,15 @@ class Runners(ByContents):
     """Runners that start about a gait's apex."""
 
     gait: Gait
-    """About which."""
+    """Gait that the runners start about."""
     case: ensemble.Case
-    """Whose parameters they have."""
+    """Case with the parameters of all runners."""
     starts: NDArray[np.float64]
     """Apices, shape (runners, n)."""
 
     @property
     def swing_clamp(self) -> bool:
-        """Whether the swing is clamped (12)."""
+        """`hip.swing_clamp` of the runners."""
         return bool(self.case.runner.values[CLAMP])
 
     @cached_property
@@ -48,11 +48,11 @@ class Runners(ByContents):
 
     @cached_property
     def exact(self) -> NDArray[np.void]:
-        """What one stride from each of them comes to, by the native solver at `TIGHT`."""
+        """Ends of one stride from each of `judged`, by the native solver at `TIGHT`."""
         return self.ends("one by one", TIGHT)
 
     def ends(self, instructions: str, tolerance: float) -> NDArray[np.void]:
-        """What one stride of the ensemble engine from each of them comes to, see `run_ensemble`."""
+        """Ends of one stride from each of `judged`, by the ensemble engine: see `run_ensemble`."""
         return ensemble.run_ensemble(
             [self.case],
             self.judged,

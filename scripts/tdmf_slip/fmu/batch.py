@@ -29,9 +29,9 @@ class Job(ByContents):
     values: Mapping[str, Value]
     """Start values by name."""
     strides: int
-    """How many."""
+    """Number of strides."""
     tolerance: float
-    """Of the solver."""
+    """Relative tolerance of the solver."""
     interface: str
     """`me` or `cs`."""
 

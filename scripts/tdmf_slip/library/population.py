@@ -25,12 +25,12 @@ from .settings import checked_values
 
 @dataclass(frozen=True, eq=False)
 class Population(ByContents):
-    """A runner, and of how many runners which of its values are others."""
+    """A runner, and the values in which the members of a population differ from it."""
 
     runner: Runner
-    """Whose values all have but for those that vary."""
+    """Runner whose other values all members have."""
     varied: Mapping[str, NDArray[np.float64]] = field(default_factory=dict)
-    """By name: of each runner, shape (runners,)."""
+    """Values of each member by name, shape (runners,)."""
 
     @classmethod
     def of(cls, given: object, fmu: Fmu | None = None, model: str | None = None) -> "Population":
