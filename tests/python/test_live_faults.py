@@ -243,11 +243,11 @@ def test_the_axes_of_the_region_are_never_the_same(page):
 def test_the_pace_says_how_fast_it_is(page):
     full = math.sqrt(20000 / 80)
     Select(find(page, "pace")).select_by_value("full")
-    assert find(page, "pace-text").text == f"each second shows {full:.3g} s of the run"
+    assert find(page, "pace-text").text == f"each second shows {full:.3g} √(m/k) of the run"
     Select(find(page, "pace")).select_by_value("stance")
     assert (
         find(page, "pace-text").text
-        == f"each second shows {full:.3g} s of a flight, {full / 10:.3g} s of a stance"
+        == f"each second shows {full:.3g} √(m/k) of a flight, {full / 10:.3g} √(m/k) of a stance"
     )
     Select(find(page, "preset")).select_by_visible_text("human scale")
     human = read_parameters("human")
