@@ -7,7 +7,7 @@ import shutil
 import subprocess
 import sys
 import tempfile
-from ctypes import POINTER, Structure, byref, c_bool, c_char_p, c_double, c_int, c_long, c_void_p
+from ctypes import CFUNCTYPE, POINTER, Structure, byref, c_bool, c_char_p, c_double, c_int, c_long, c_void_p
 from pathlib import Path
 
 import numpy as np
@@ -38,12 +38,22 @@ class RunStruct(Structure):
     ]
 
 
+class ModeStruct(Structure):
+    MAPS = ("to_world", "from_world", "world_rates")
+    FUNCTIONS = (*("open", "vary_open", "tell", "vary_tell", "longest", "leave", "vary_leave"), *MAPS)
+    _fields_ = [
+        *(("motion", c_void_p), ("ends", c_bool), ("guard_count", c_int), ("guards", c_void_p)),
+        *(("watch_count", c_int), ("watches", c_void_p), *((name, c_void_p) for name in FUNCTIONS)),
+        *((f"vary_{name}", c_void_p) for name in MAPS),
+    ]
+
+
 class ModelStruct(Structure):
     COUNTS = ("state_count", "parameter_count", "event_count", "mode_count", "output_count", "set_count")
     NAMES = ("mode_names", "event_names", "state_names", "parameter_names", "output_names")
     _fields_ = [
         *((name, c_int) for name in COUNTS),
-        *((name, c_void_p) for name in ("modes", "sets", "scales")),
+        *(("modes", POINTER(ModeStruct)), ("sets", c_void_p), ("scales", c_void_p)),
         *((name, c_int) for name in ("series_count", "constant_count")),
         *((name, POINTER(c_char_p)) for name in NAMES),
         *(("parameter_defaults", POINTER(c_double)), ("state_defaults", POINTER(c_double))),
@@ -123,6 +133,15 @@ class CompiledPage:
     def start(self, seeds=(), tolerance=1e-11, **values):
         """A run from the page's start, with these values of parameters and states."""
         return PageRun(self, list(seeds), tolerance, values)
+
+    def map(self, name, mode, p, x, dp=None, dx=None):
+        """The map "to_world", "from_world" or "world_rates" of a mode; its variation where `dx` is given."""
+        given = [p, x] if dx is None else [p, x, dp, dx]
+        function = getattr(self.struct.modes[mode], name if dx is None else f"vary_{name}")
+        values = given[-1].copy()
+        call = CFUNCTYPE(None, *[c_void_p] * (len(given) + 1))(function)
+        call(*(array.ctypes.data for array in given), values.ctypes.data)
+        return values
 
 
 class PageRun:

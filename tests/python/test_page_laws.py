@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from independent_runner import Stride
 from page_runs import COMPILER, CompiledPage
-from test_page_runner import DATA, SECTION, section, world_of
+from test_page_runner import FREE, SECTION, section, world_of
 
 from c_core.hybrid import parameter, sin
 from c_core.pages.runner import PlainRunner
@@ -71,14 +71,12 @@ LAWS = [
 @pytest.mark.parametrize(("model", "laws", "seeds"), LAWS, ids=[law[0].__name__ for law in LAWS])
 def test_a_law_of_ten_lines_agrees_with_scipy_and_its_derivatives_with_differences(model, laws, seeds):
     page = CompiledPage(model, level="-O1")
-    for friction in (0.43,):
-        gait = next(g for g in DATA["free"] if g["friction"] == friction)
-        world = world_of(gait["apex"])
-        run = page.start(friction=friction, tolerance=1e-13, **world).to(stop="apex")
-        time, apex, work = Stride(friction, **laws).run([world[name] for name in STATES])
-        assert run.time == pytest.approx(time, abs=1e-9)
-        assert section(run) == pytest.approx(apex, abs=1e-9)
-        assert run.work == pytest.approx(work, abs=1e-9)
+    world = world_of(next(gait for gait in FREE["gaits"] if gait["friction"] == 0.43)["apex"])
+    run = page.start(friction=0.43, tolerance=1e-13, **world).to(stop="apex")
+    time, apex, work = Stride(0.43, **laws).run([world[name] for name in STATES])
+    assert run.time == pytest.approx(time, abs=1e-9)
+    assert section(run) == pytest.approx(apex, abs=1e-9)
+    assert run.work == pytest.approx(work, abs=1e-9)
     world["seen_vy"] -= 0.02  # no apex to begin with
     seeds, ends = [*seeds, "seen_vx", "angle", "length_rate"], {}
     run = page.start(seeds=seeds, friction=0.43, tolerance=1e-14, **world).to(stop="apex")

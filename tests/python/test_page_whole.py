@@ -6,6 +6,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from old_core import STATES
 from page_runs import COMPILER, CompiledPage
 from test_page_runner import SECTION, jacobian, section, word, world_of
 
@@ -14,6 +15,7 @@ from c_core.pages.runner import Runner
 pytestmark = pytest.mark.skipif(COMPILER is None, reason="there is no C compiler")
 FOLDER = Path(__file__).parent
 GAITS = json.loads((FOLDER / "further_gaits.json").read_text(encoding="utf-8"))["gaits"]
+FRICTION = json.loads((FOLDER / "friction_cases.json").read_text(encoding="utf-8"))
 PATCHES = json.loads((FOLDER / "patch_runs.json").read_text(encoding="utf-8"))["runs"]
 
 
@@ -66,6 +68,91 @@ def test_runs_over_a_patch_are_those_of_the_references(whole, case):
     assert section(run) == pytest.approx(
         case["end"]["apex"] if "apex" in case["end"] else case["end"], abs=1e-9
     )
+
+
+def before_impact(case):
+    """The numbers that an impact depends on, by the page's names."""
+    return {
+        "seen_vx": case["speed_before"], "seen_vy": -case["normal_speed"], "friction": case["friction"],
+        "static_ratio": case["static_friction_ratio"], "stribeck_velocity": case["stribeck_velocity"],
+    }  # fmt: skip
+
+
+def impact(page, case, seeds=(), **changes):
+    """A run that starts with an impact, at the instant after it."""
+    start = before_impact(case) | {"seen_y": 0.0, "length": 0.95, "angle": -0.3}
+    return page.start(seeds=seeds, **start | changes).to(0.0)
+
+
+@pytest.mark.parametrize("case", FRICTION["impacts"], ids=range(len(FRICTION["impacts"])))
+def test_impacts_under_falling_friction_are_those_of_the_references(whole, case):
+    assert impact(whole, case).foot_vx == pytest.approx(case["speed_after"], abs=1e-14)
+    assert impact(whole, case, seen_vx=-case["speed_before"]).foot_vx == pytest.approx(
+        -case["speed_after"], abs=1e-14
+    )
+    border = case["sticks_up_to"]
+    assert impact(whole, case, seen_vx=border - 1e-12).foot_vx == 0
+    assert impact(whole, case, seen_vx=border + 1e-12).foot_vx > 0
+    seeds = list(before_impact(case))
+    run = impact(whole, case, seeds)
+    for seed, exact in zip(seeds, run.d("foot_vx"), strict=True):
+        value = before_impact(case)[seed]
+        step = 1e-6 * abs(value)
+        ends = [impact(whole, case, **{seed: value + sign * step}).foot_vx for sign in (1, -1)]
+        assert exact == pytest.approx((ends[0] - ends[1]) / (2 * step), abs=1e-7 * (1 + abs(exact))), seed
+
+
+@pytest.mark.parametrize("case", FRICTION["stands"], ids=[c["mode_after_start"] for c in FRICTION["stands"]])
+def test_a_foot_at_rest_on_a_border_moves_as_in_the_references(whole, case):
+    run = whole.start(tolerance=1e-13, **given(whole, case["given"] | case["start"])).to(0.0)
+    way = {"slip": "+" if run.way > 0 else "-"}
+    assert run.mode.split("_")[0] + way.get(run.mode.split("_")[0], "") == case["mode_after_start"]
+    world = run.to(case["time"]).world()
+    assert [world[name] for name in STATES[:8]] == pytest.approx(case["state"], abs=1e-12)
+
+
+def instants(page):
+    """An instant of every mode that some strides on a slope reach, with wind and without."""
+    found, values = (
+        {},
+        {"ground_slope": 0.02, "slope": 0.02, "static_ratio": 1.3, "thrust": 0.02, "seen_y": 1},
+    )
+    for friction, layer, clamp, wind in (0.3, 0.1, 1, 1e-4), (0.6, 0.1, 0, 0), (10, 0, 1, 0), (0.1, 0, 0, 0):
+        values |= {"friction": friction, "stribeck_velocity": layer, "swing_clamp": clamp}
+        run = page.start(**values, external_fx=wind, retraction_rate=0.01)
+        for time in np.arange(0.1, 30.0, 0.02):
+            if run.to(time).outcome != "arrived":
+                break
+            found.setdefault(run.mode, (run.run.mode, run.p.copy(), run.x.copy(), run.page()))
+    return found.items()
+
+
+def map_along(page, kind, mode, p, x, dp, dx, step=1e-3):
+    """The derivative of a map along a direction, by differences of sixth order."""
+    ends = {i: page.map(kind, mode, p + i * step * dp, x + i * step * dx) for i in (1, 2, 3, -1, -2, -3)}
+    return sum(weight * (ends[i] - ends[-i]) for i, weight in ((1, 45), (2, -9), (3, 1))) / (60 * step)
+
+
+def test_the_world_seen_from_every_mode_its_rates_and_all_variations(whole):
+    random, kinds = np.random.default_rng(5), set()
+    states = whole.model.quantities("state")
+    for name, (mode, p, x, page) in instants(whole):
+        kinds.add(page.mode)
+        function = whole.model.marked("is_mode")[page.mode]
+        own, world = ([of in (states[n].of or ()) for n in whole.states] for of in (function.of, "world"))
+        at_world = whole.map("to_world", mode, p, x)
+        assert whole.map("from_world", mode, p, at_world)[own] == pytest.approx(x[own], abs=1e-13), name
+        rates = {n: getattr(page, f"{n}_rate") for n, q in states.items() if q.is_input} | function(page)
+        moves = np.array([rates.get(n, 0.0) for n in whole.states])
+        found = map_along(whole, "to_world", mode, p, x, 0 * p, moves)
+        assert whole.map("world_rates", mode, p, x)[world] == pytest.approx(found[world], abs=1e-10), name
+        dp, dx = random.uniform(-1, 1, len(p)) * p, random.uniform(-1, 1, len(x))
+        maps = {"to_world": (x, world), "from_world": (at_world, own), "world_rates": (x, world)}
+        for kind, (at, written) in maps.items():
+            exact = whole.map(kind, mode, p, at, dp, dx)[written]
+            found = map_along(whole, kind, mode, p, at, dp, dx)[written]
+            assert exact == pytest.approx(found, abs=1e-8 * (1 + abs(found).max())), (name, kind)
+    assert kinds == {"flight", "stick", "slip", "graze"}
 
 
 def test_the_whole_page_has_few_modes(whole):
