@@ -3,11 +3,11 @@
     python examples/treadmill_forces.py RBDS001runT25forces.txt RBDS001runT35forces.txt > run.csv
     tdmf-slip fit run.csv --vary-each leg.stiffness,hip.stance_torque,hip.touchdown_angle --model reduced
 
-Each file is a table between tabulators with the vertical force in newtons in the column Fy, 300 rows a
-second; so others read those of Fukuchi, Fukuchi and Duarte (2017, PeerJ 5:e3298, data at
-doi:10.6084/m9.figshare.4543435). The speed, in tenths of a metre per second, stands in its name behind a T.
-Neither foot is told from the other, for a stride of the model is a step. An empty cell is a gap: steps that
-touch one are left out, and their number is printed on stderr.
+Each file is a tab-separated table with 300 rows a second. Its column Fy is the vertical force in newtons, as
+in the recordings of Fukuchi, Fukuchi and Duarte (2017, PeerJ 5:e3298, data at
+doi:10.6084/m9.figshare.4543435). The file's name has the speed, in tenths of a metre per second, behind a T.
+Left and right foot are not distinguished, because a stride of the model is a step. An empty cell is a gap.
+Steps that touch a gap are left out, and their number is printed on stderr.
 """
 
 import csv
@@ -19,18 +19,18 @@ from pathlib import Path
 import numpy as np
 
 COLUMN = "Fy"
-"""Of the vertical force, in letters of either case."""
+"""Title of the column of the vertical force, in upper or lower case."""
 RATE = 300.0
 """Rows a second."""
 THRESHOLD = 30.0
 """Newtons: the foot is on the ground where the force is more."""
 SHORTEST = 0.05
-"""Seconds of a contact, or of a flight; what is shorter is noise."""
+"""Duration in seconds below which a contact or a flight is noise."""
 HEADER = ("speed [m/s]", "frequency [Hz]", "stance_time [s]", "peak_force [N]")
 
 
 def speed_of(path):
-    """By the name of the file."""
+    """Speed in m/s, from the name of the file."""
     found = re.search(r"T(\d\d)", Path(path).stem)
     if found is None:
         raise SystemExit(f"{path}: no speed in its name; allowed: as in RBDS001runT25forces.txt")
@@ -72,7 +72,7 @@ def read_forces(path):
 
 
 def steps_of(force):
-    """Of steps without a gap, the rows, those in contact and the peak force; and how many have a gap."""
+    """Rows, rows in contact and peak force of each step without a gap, and how many steps have a gap."""
     is_gap = ~np.isfinite(force)
     rows = np.arange(len(force))
     known = force if is_gap.all() else np.interp(rows, rows[~is_gap], force[~is_gap])

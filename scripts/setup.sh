@@ -33,7 +33,7 @@ step() {
     printf '%-76s %5d s\n' "$what" $((SECONDS - start)) >&2
 }
 
-# may_use_sudo WHAT...: asks, where somebody is at a terminal; elsewhere nothing waits for an answer.
+# may_use_sudo WHAT...: asks on a terminal. Without a terminal the answer is no.
 may_use_sudo() {
     local answer
     command -v sudo >/dev/null && [ -t 0 ] && [ -t 2 ] || return 1
@@ -42,7 +42,7 @@ may_use_sudo() {
     [[ $answer == [yY]* ]]
 }
 
-# install_packages PACKAGE...: by apt-get, with sudo only after asking. Where that cannot be, says what is missing.
+# install_packages PACKAGE...: by apt-get, with sudo only after asking. Where neither is possible, says what is missing.
 install_packages() {
     local as_root=()
     command -v apt-get >/dev/null ||
@@ -56,8 +56,8 @@ install_packages() {
         apt-get install -y -qq --no-install-recommends "$@"
 }
 
-# need_debian_packages PACKAGE...: installs those that Debian's list of packages does not have as installed. Other systems
-# have no such list: there cmake and python say what they lack.
+# need_debian_packages PACKAGE...: installs the packages that dpkg does not list as installed. Systems without dpkg are left
+# alone: there cmake and python say what they lack.
 need_debian_packages() {
     local missing=() package
     command -v dpkg-query >/dev/null || return 0
@@ -110,14 +110,14 @@ share_compilations() {
     export SKBUILD_CMAKE_DEFINE=TDMF_SLIP_WARNINGS_ARE_ERRORS=ON
 }
 
-# Whatever python3 it is: Debian keeps what makes environments in a package of its own.
+# Python 3.11 or later with the module venv, which Debian keeps in a package of its own.
 need_python() {
     command -v python3 >/dev/null || install_packages python3 python3-venv
     python3 -c 'import sys; sys.exit(sys.version_info < (3, 11))' || fail "Python 3.11 or later is needed, python3 is $(python3 --version)"
     python3 -c 'import ensurepip, venv' 2>/dev/null || need_debian_packages python3-venv
 }
 
-# pip_install ARGUMENT...: into .venv. Python translates a module when it is first imported: most never are.
+# pip_install ARGUMENT...: into .venv, without compiling to bytecode: most modules are never imported.
 pip_install() {
     .venv/bin/python -m pip install --quiet --disable-pip-version-check --no-input --no-compile "$@"
 }
@@ -130,7 +130,7 @@ install_locked() {
     pip_install --require-hashes "$@" -r "scripts/locks/$name.txt"
 }
 
-# install_once NAME: the same, where it has not been done.
+# install_once NAME: installs the lock NAME unless it is installed already.
 install_once() {
     local wanted stamp=.venv/installed.$1
     wanted=$(cksum "scripts/locks/$1.txt")
@@ -165,7 +165,7 @@ get_release_tools() {
     get_zig && install_once platforms
 }
 
-# What is given out carries the time of the last commit, so that the same sources make the same bytes.
+# Files of a release carry the time of the last commit, so that the same sources make the same bytes.
 set_source_date() {
     SOURCE_DATE_EPOCH=${SOURCE_DATE_EPOCH:-$(git log -1 --format=%ct 2>/dev/null || echo 315532800)}
     export SOURCE_DATE_EPOCH
@@ -212,7 +212,7 @@ build_platforms() {
     .venv/bin/python scripts/merge_fmus.py build/platforms "${units[@]}"
 }
 
-# The wheels' own binaries come from Zig too, for the systems that their tags name.
+# wheel_tag PLATFORM: the tag of its wheel, which names the oldest system that Zig builds for.
 wheel_tag() {
     case $1 in
     x86_64-linux) echo manylinux_2_17_x86_64 ;;
@@ -239,8 +239,8 @@ pack_wheels() {
     .venv/bin/python scripts/pack_wheels.py "$folder"/pure/*.whl dist "${packed[@]}"
 }
 
-# What is given out, in dist: source distribution, a wheel for every platform, both units, and what goes with them
-# (scripts/release_files.py).
+# The release in dist: source distribution, a wheel for every platform, both units, and the files that
+# scripts/release_files.py writes.
 build_distribution() {
     set_source_date
     say "Packing source distribution and wheels into dist"
@@ -296,7 +296,7 @@ build_site() {
     documentation/live/build dist/site
 }
 
-# What wine keeps of Windows: made at its first start, which takes some seconds, or a minute where much else runs.
+# Wine's copy of Windows, made at its first start in some seconds, or in a minute on a busy machine.
 make_windows_folder() {
     local wine folder=$PWD/build/platforms/wine
     wine=$(PATH=$PATH:/usr/lib/wine command -v wine64) || return 0
@@ -307,8 +307,8 @@ make_windows_folder() {
         say "wine's folder could not be made: see build/wine.log"
 }
 
-# What the tests of platforms and distribution are run with, and what they look at is made by. What cannot be had is said
-# loudly, and those tests are skipped: wine64 for Windows, qemu-user for Arm Linux, Zig for all of it.
+# Tools for the tests of platforms and distribution: wine64 for Windows, qemu-user for Arm Linux, and Zig, which builds what
+# is tested. If a tool cannot be installed, a message says so and its tests are skipped.
 get_platform_tools() {
     (need_debian_packages wine64 qemu-user libc6-arm64-cross) ||
         say "NOT TESTED: Windows and Arm Linux, because wine64 or qemu-user could not be installed"
@@ -316,7 +316,7 @@ get_platform_tools() {
         { say "NOT TESTED: other platforms and the distribution, because Zig could not be installed"; return 1; }
 }
 
-# What they look at.
+# Builds what the tests of platforms and distribution look at.
 prepare_release() {
     make_windows_folder
     build_platforms
