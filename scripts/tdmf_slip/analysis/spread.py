@@ -23,10 +23,12 @@ from ..numerics.newton import last_iterate
 
 MAX_STRIDES = 150_000
 """Of all runners of a search, about a second of two processors."""
-STEP_LIMIT = 5_000
-"""Of a runner's first stride, a hundred times as many as is usual; see `run_ensemble`."""
-MAX_STEPS, MAX_NEWTON_STEPS = 50_000_000, 500_000
-"""Of the runners side by side, and of Newton's method from where they come to: ten seconds each."""
+STEP_LIMIT = 50_000
+"""Largest number of steps in a runner's first stride: a foot of a thousandth of the body takes 2,300 on average."""
+MAX_STEPS, MAX_NEWTON_STEPS = 100_000_000, 500_000
+"""Largest number of steps of all runners together, and of Newton's method: about ten seconds each."""
+BLOCK = 1_024
+"""Runners in one call of the engine; the steps of all runners are counted after each call."""
 STARTS = 16_384
 """That are drawn."""
 SEED = 2016
@@ -148,17 +150,22 @@ class _Runs:
 
     def _after(self, strides: int) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
         """Those apexes from which so many strides close, and the last ones; no more than may be made."""
-        made, steps, events = self.done
-        apexes = self.apexes[: (self.max_strides - made) // strides if steps < MAX_STEPS else 0]
-        if not len(apexes):
-            return apexes, apexes
-        ends, work = run_ensemble(
-            [Case(self.runner)], apexes, max_strides=strides, tolerance=TOLERANCE, step_limit=STEP_LIMIT
-        )
-        self.done = made + work.strides, steps + work.steps, events + work.events
-        self.given_up += int(np.count_nonzero(ends["fate"] == UNSOLVED))
-        closed = ends["strides"] == strides
-        return apexes[closed], ends["apex"][closed, : apexes.shape[1]]
+        apexes = self.apexes[: (self.max_strides - self.done[0]) // strides]
+        begins, ends = [apexes[:0]], [apexes[:0]]
+        for first in range(0, len(apexes), BLOCK):
+            made, steps, events = self.done
+            if steps >= MAX_STEPS:
+                break
+            block = apexes[first : first + BLOCK]
+            found, work = run_ensemble(
+                [Case(self.runner)], block, max_strides=strides, tolerance=TOLERANCE, step_limit=STEP_LIMIT
+            )
+            self.done = made + work.strides, steps + work.steps, events + work.events
+            self.given_up += int(np.count_nonzero(found["fate"] == UNSOLVED))
+            closed = found["strides"] == strides
+            begins.append(block[closed])
+            ends.append(found["apex"][closed, : apexes.shape[1]])
+        return np.concatenate(begins), np.concatenate(ends)
 
 
 class _Found:
