@@ -1,4 +1,4 @@
-"""What is given, checked: by its kind, and against a range."""
+"""Checks of arguments: of what kind they are, and whether they are within a range."""
 
 import contextlib
 import datetime
@@ -24,7 +24,7 @@ _REPR.maxstring = _REPR.maxother = _REPR.maxlong = 100
 
 
 def shown(given: object) -> str:
-    """What was given, for a message: on one line, and with its middle left out where it is long."""
+    """An argument as messages show it: on one line, and with its middle left out where it is long."""
     try:
         plain = given.item() if isinstance(given, np.number) and not _is_duration(given) else given
         return " ".join(_REPR.repr(plain).split())
@@ -60,7 +60,7 @@ def check_kind(given: object, kinds: type | tuple[type, ...], what: str, allowed
 
 
 def checked_flag(name: str, given: object) -> bool:
-    """Yes or no, as a bool; whatever else is true or false in Python is refused."""
+    """True or False as a bool; numbers and objects that Python would take for either are refused."""
     check_kind(given, (bool, np.bool_), name, "True or False")
     return bool(given)
 
@@ -76,7 +76,7 @@ def path_of(given: object, what: str, allowed: str) -> Path:
 
 
 def number_of(given: object, unit: str = "") -> float | None:
-    """The real number that is given, or None; a duration is one where the unit is that of time, s."""
+    """The real number that an argument is, or None. A duration is converted to seconds if the unit is s."""
     try:
         if isinstance(given, np.ndarray) and given.ndim == 0 and not np.ma.is_masked(given):
             given = given[()]
@@ -89,12 +89,12 @@ def number_of(given: object, unit: str = "") -> float | None:
 
 
 def _is_duration(given: object) -> bool:
-    """Whether something is a length of time; one of NumPy counts as an integer."""
+    """Whether something is a duration. Check it first, because NumPy's counts as an integer."""
     return isinstance(given, np.timedelta64 | datetime.timedelta)
 
 
 def _seconds(duration: object) -> float:
-    if isinstance(duration, datetime.timedelta):  # of pandas, too, where NaT is none
+    if isinstance(duration, datetime.timedelta):  # pandas has a subclass, to which NaT does not belong
         return duration.total_seconds()
     assert isinstance(duration, np.timedelta64)
     return float(duration / SECOND)
@@ -114,7 +114,7 @@ def checked_whole(name: str, value: object, low: int, high: int) -> int:
     """A whole number within its range."""
     number = number_of(value)
     if number is not None and number.is_integer():
-        whole = int(value) if isinstance(value, Integral) else int(number)  # beyond 2^53 a float is none
+        whole = int(value) if isinstance(value, Integral) else int(number)  # a float beyond 2^53 is not exact
         if low <= whole <= high:
             return whole
     raise refusal(name, value, f"a whole number from {low} to {high}")
@@ -124,12 +124,12 @@ MAX_THREADS = 2**31 - 1
 
 
 def checked_threads(threads: object) -> int:
-    """How many threads of this machine, by default one for each processor."""
+    """Number of threads, by default one for each processor."""
     return (os.cpu_count() or 1) if threads is None else checked_whole("threads", threads, 1, MAX_THREADS)
 
 
 def number_in(text: str) -> float:
-    """The number that a text is; ValueError where it is none. Python's own takes `1_05` for 105."""
+    """The number in a text. It raises ValueError for `1_05`, which Python's `float` reads as 105."""
     if "_" in text:
         raise ValueError(f"{shown(text)} is no number")
     return float(text)

@@ -28,7 +28,7 @@ class GaitNotFoundError(RunError):
 
 
 class Note(UserWarning):
-    """Something to know about a result that is there all the same."""
+    """A warning about a result that is valid all the same."""
 
 
 class StoppedError(KeyboardInterrupt):

@@ -36,11 +36,11 @@ def is_series(given: object) -> TypeGuard[Any]:
 
 
 MAX_ROW = 10_000_000
-"""Of what is given one after the other."""
+"""Length of a row, at most."""
 
 
 def mapping_of(given: object, what: str, allowed: str) -> dict[Any, Any]:
-    """What is given by name, as a dictionary of its own."""
+    """Values by name, as a new dictionary."""
     if given is None:
         return {}
     with reading(what, given, allowed):
@@ -57,7 +57,7 @@ def mapping_of(given: object, what: str, allowed: str) -> dict[Any, Any]:
 
 
 def row_of(given: object, what: str, allowed: str, maximum: int = MAX_ROW) -> list[Any]:
-    """What is given one after the other, as a list of its own."""
+    """Values in a row, as a new list."""
     is_array = isinstance(given, np.ndarray) and given.ndim > 0
     is_sequence = isinstance(given, Sequence) and not isinstance(given, str | bytes)
     if not (is_sequence or is_array or is_series(given)):
@@ -69,12 +69,12 @@ def row_of(given: object, what: str, allowed: str, maximum: int = MAX_ROW) -> li
 
 
 def numbers_of(what: str, given: object, allowed: str = "numbers", unit: str = "") -> NDArray[np.float64]:
-    """An array of real numbers, of any shape; durations are ones where the unit is that of time, s.
+    """An array of real numbers, of any shape. Durations are converted to seconds if the unit is s.
 
     Refused are
 
-    - complex numbers and truth values, which would be taken for others,
-    - masked values, which are none,
+    - complex numbers and truth values, which NumPy would convert to real numbers,
+    - masked values,
     - dates, texts, and rows of different lengths.
     """
     with reading(what, given, allowed):
@@ -110,7 +110,7 @@ def rows_of(given: object, what: str) -> object:
 
 
 def numbers_by(what: str, given: object, names: Sequence[str]) -> NDArray[np.float64]:
-    """Numbers by their labels, where these are the names that are wanted; else as they come."""
+    """Numbers in the order of the names if they are labelled by them, else in their own order."""
     allowed = f"numbers for {', '.join(names)}"
     frame: Any = given
     with reading(what, given, allowed):

@@ -69,11 +69,11 @@ class Spread(ByContents):
     strides: int
     """So many were made."""
     steps: int
-    """Of the solver, in these strides and in those that did not close."""
+    """Solver steps, in these strides and in those that did not close."""
     events: int
-    """Taken in these steps."""
+    """Events in these steps."""
     given_up: int
-    """So many strides could not be followed, as they took too many steps: where they lead is not known."""
+    """Strides that were given up, most of them because they take too many steps."""
 
     def __str__(self) -> str:
         """What was tried, in words."""

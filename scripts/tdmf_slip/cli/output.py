@@ -13,7 +13,7 @@ def json_text(value: object) -> str:
 
 
 def program() -> str:
-    """How the command is called so that it is found: by its name, or else as it was called."""
+    """The command as it can be typed: its name if the shell finds it, else the path of this call."""
     name, called = "tdmf-slip", sys.argv[0]
     found = shutil.which(name)
     by_path = os.path.basename(called) == name and os.path.isfile(called)

@@ -41,7 +41,7 @@ def _check_lengths(line: str, separator: str, here: str) -> None:
 
 
 def _with_points(lines: list[tuple[int, list[str]]], where: str) -> list[tuple[int, list[str]]]:
-    """Numbers whose decimal sign is a comma, as it is in the whole table; anything else as it is."""
+    """The cells with decimal commas turned into points; a table with both decimal signs is refused."""
     with_point = next((cell for _, row in lines for cell in row if DECIMAL_POINT.match(cell)), None)
     for number, row in lines:
         for column, cell in enumerate(row):

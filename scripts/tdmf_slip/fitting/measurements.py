@@ -15,18 +15,18 @@ from ..library.measures import MEASURES
 from ..library.quantities import SIGNED, unit_of
 
 USUAL = ("speed", "frequency", "stance_time", "duty_factor", "slip_distance", "peak_force")
-"""What is measured of runners, by names of `library.quantities.QUANTITIES`; the frequency is one over the
-period."""
+"""Quantities that are usually measured, by names of `library.quantities.QUANTITIES`. The frequency is 1
+over the period."""
 MEASURABLE = (*USUAL, *MEASURES)
-"""What may be measured."""
+"""All quantities that may be measured."""
 SYNONYMS = {"velocity": "speed", "cadence": "frequency", "contact_time": "stance_time"}
-"""What people call it."""
+"""Other words for quantities, from which a message about a wrong title suggests the right one."""
 ERROR = "_error"
-"""What the name of a quantity's column of errors ends with."""
+"""Suffix of a quantity's column of standard errors."""
 DATA = Path(__file__).parent / "data"
 """Tables that come with the package, and the runners that their fits begin with."""
 NOTHING = ("", "nan", "na", "<na>", "nat", "none", "null")
-"""What a cell has where nothing was measured, on file as in memory, in letters of either case."""
+"""Cells that say that nothing was measured, in lower case; upper case counts as well."""
 SMALLEST_ERROR = 1e-12
 """Over the value, or over `MINIMUM` where that is less: it is beyond what a gait is computed to."""
 COMMENT = "#"
@@ -87,7 +87,7 @@ def measurements_of(given: "Measurements | str | Path") -> Measurements:
 
 
 def _of_table(given: object) -> Measurements:
-    """Those of a DataFrame with the titles that a file has; durations are times."""
+    """Measurements from a DataFrame with the titles that a file has; durations are converted to seconds."""
     titles = mapping_of(given, "data", "a table with the titles that a file has")
     columns = [_column(str(title).strip(), "data") for title in titles]
     _check_columns(columns, "data")
@@ -100,7 +100,7 @@ def _of_table(given: object) -> Measurements:
 
 
 def _cell_of(value: object, unit: str) -> str:
-    """A value in memory as a file has it."""
+    """A value of a DataFrame as the text that a file would have."""
     number = number_of(value, unit)
     if number is not None:
         return repr(number)

@@ -26,11 +26,11 @@ class DisplayUnits:
         return self._variables[name].factor_of(self._units.get(name, "")) or 1.0
 
     def unit(self, name: str) -> str:
-        """The unit that a variable is told in."""
+        """The unit that a variable is shown in."""
         return self._units.get(name) or self.label(self._variables[name].unit)
 
     def label(self, unit: str) -> str:
-        """What stands for a unit: the paper's, where the runner is in the paper's units."""
+        """The label of a unit: the paper's, if the runner is in the paper's units."""
         return paper_units.label(unit, self._values)
 
     def value(self, name: str, value: float) -> float:

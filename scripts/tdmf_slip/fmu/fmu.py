@@ -104,9 +104,9 @@ class Fmu:
 
     @property
     def folder(self) -> str:
-        """Where the unit is unpacked, to be run; the copy goes when the process ends that has made it.
+        """Folder of the unpacked unit. It is deleted when the process that made it ends.
 
-        It is unpacked again where somebody has cleaned the folder of temporary files meanwhile.
+        The unit is unpacked again if temporary files were cleaned meanwhile.
 
         Raises
         ------
@@ -120,7 +120,7 @@ class Fmu:
     def _unpack(self) -> Path:
         try:
             folder = tempfile.mkdtemp(prefix="tdmf_slip_")
-            # Goes with this process alone: a forked one that ends leaves it to its parent.
+            # Deletes the folder at the end of this process only: a forked child leaves it to its parent.
             Finalize(None, shutil.rmtree, (folder,), {"ignore_errors": True}, exitpriority=0)
             return Path(fmpy.extract(str(self.path), folder))
         except OSError as problem:

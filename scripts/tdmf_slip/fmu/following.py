@@ -21,7 +21,7 @@ CLOCK_ROUNDING = 1e-12
 
 
 class Input(fmpy.simulation.Input):  # type: ignore[misc] # FMPy tells no types
-    """FMPy's inputs, set whenever the clock is; from the time on at which a jump is taken, those after it."""
+    """FMPy's inputs, set together with the unit's clock. Once a jump is taken, the values after it hold."""
 
     taken = -math.inf
     next_jump = math.inf
@@ -80,7 +80,7 @@ class Input(fmpy.simulation.Input):  # type: ignore[misc] # FMPy tells no types
 
 @functools.cache
 def simulation() -> ModuleType:
-    """FMPy's module of that name once more, with these inputs: the one that others import stays as it is."""
+    """A private copy of FMPy's module that uses these inputs; the module that others import is unchanged."""
     spec = importlib.util.find_spec("fmpy.simulation")
     assert spec is not None and spec.loader is not None
     module = importlib.util.module_from_spec(spec)

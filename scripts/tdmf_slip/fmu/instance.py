@@ -27,7 +27,7 @@ for log in ("SUNLOGGER_WARNING_FILENAME", "SUNLOGGER_ERROR_FILENAME"):
 LOADING = threading.Lock()
 """FMPy changes the working directory, which all threads share, while it loads a library."""
 MAX_NUMBERS = 50_000_000
-"""Recorded in a run, in all rows and columns: FMPy keeps each as an object, in some 2 GB together."""
+"""Numbers that a run may record, rows times columns. FMPy keeps each as an object: about 2 GB."""
 REFUSING_CALLS = ("fmi2Set", "fmi2ExitInitializationMode")
 """FMI calls by which the unit refuses start values: one alone, or several together."""
 
@@ -51,7 +51,7 @@ class Experiment(ByContents):
 
     @property
     def max_rows(self) -> int:
-        """How many may be recorded."""
+        """Rows that may be recorded."""
         return MAX_NUMBERS // (1 + len(self.variables))
 
     def too_many_rows(self, time: float) -> RunError:
@@ -66,7 +66,7 @@ class Recorder(Protocol):
     """FMPy's recorder of a run."""
 
     rows: list[object]
-    """So far."""
+    """Rows recorded so far."""
 
     def sample(self, time: float) -> None:
         """Record a row."""
@@ -211,9 +211,7 @@ class Instance:
 
     def _account_of(self, problem: Exception) -> TdmfSlipError:
         said = "; ".join(dict.fromkeys(self.messages))
-        if isinstance(
-            problem, TypeError
-        ):  # FMPy formats CVODE's account of an error even where there is none
+        if isinstance(problem, TypeError):  # FMPy formats CVODE's account of an error even if there is none
             problem = RuntimeError("CVODE failed")
         if isinstance(problem, FMICallException) and problem.function.startswith(REFUSING_CALLS):
             return InputError(f"start values: {said or problem}")

@@ -35,11 +35,11 @@ MEASURED = ("foot.mass", "leg.damping", "gravity", "hip.stance_torque", "hip.kp"
 """Parameters with a dimension that are nonzero in the paper's runner; compared with the runner's scales."""
 COMPARED = (*SCALES, *MEASURED)
 FACTOR = 50.0
-"""A parameter over its scale may differ from the paper's by so much; a person's differ by 13 at the most."""
+"""Ratio of a scaled parameter to the paper's beyond which it is suspicious; a person's are at most 13."""
 
 
 def mixture(values: Mapping[str, Any], fmu: Fmu) -> str:
-    """A sentence about values that do not fit each other; empty where none is suspected."""
+    """A sentence about values in different systems of units; empty if none are suspected."""
     own = {name: float(values[name]) for name in COMPARED}
     paper = {name: fmu.start_of(name) for name in own}
     scales = _scales(own)
@@ -72,14 +72,14 @@ def _scales(values: Mapping[str, float]) -> tuple[float, float, float]:
 
 
 def warn_of_mixture(values: Mapping[str, Any], fmu: Fmu) -> None:
-    """Warn of values that do not fit each other."""
+    """Warn of values in different systems of units."""
     sentence = mixture(values, fmu)
     if sentence:
         warnings.warn(sentence, MixedUnitsWarning, stacklevel=_depth())
 
 
 def _depth() -> int:
-    """How far up the caller is who is no part of this package."""
+    """Stack level of the nearest caller outside this package."""
     package = __name__.partition(".")[0]
     frame, depth = inspect.currentframe(), 0
     while frame is not None and frame.f_globals.get("__name__", "").partition(".")[0] == package:

@@ -15,7 +15,7 @@ from ..given import numbers_of
 
 MAX_LINES = 10**7
 FARTHEST = 1e9
-"""In m."""
+"""Largest position, tread and roughness, m."""
 
 
 @dataclass(frozen=True)

@@ -50,7 +50,7 @@ class Run(ByContents, Drawable):
     """The section at the last apex: `time`, `com_height` and so on."""
 
     def label(self, unit: str) -> str:
-        """What stands for a unit in texts and pictures of this run: `l0` for `m` in the paper's units."""
+        """The label of a unit in texts and pictures of this run: `l0` for `m` in the paper's units."""
         return paper_units.label(unit, self.final)
 
     @property

@@ -1,4 +1,4 @@
-"""Quantities as texts, such as `20 kN/m`: number, unit, and how many of it make another unit."""
+"""Quantities as texts, such as `20 kN/m`: their number, their unit, and its conversion factor."""
 
 import math
 import re
@@ -17,8 +17,8 @@ OTHER_UNITS: Mapping[str, tuple[str, float]] = {
     "degrees": ("rad", 180.0 / math.pi),
     "deg": ("rad", 180.0 / math.pi),
 }
-"""Units that people write beside those of the description: of which unit they are others, and how many make
-one."""
+"""Units that people write beside those of the description, each with its SI unit and how many of it make one
+SI unit."""
 _SPELLINGS = {"·": ".", "*": ".", "²": "2", "^": "", "°": "deg"}
 _NUMBER = re.compile(r"\s*([-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)(.*)", re.DOTALL)
 
@@ -39,7 +39,7 @@ def spelled(unit: str) -> str:
 
 
 def factor(unit: str, own: str, display_units: Mapping[str, float]) -> float | None:
-    """How many of a unit make one of a variable's own; None where it is a unit of something else."""
+    """How many of a unit make one of a variable's own unit; None if the unit has another dimension."""
     if unit in ("", own):
         return 1.0
     other, number = OTHER_UNITS.get(unit, ("", 1.0))

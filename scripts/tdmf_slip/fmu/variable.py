@@ -25,7 +25,7 @@ Given: TypeAlias = float | bool | str
 MAX_VALUES = 1_000_000
 """In a row, as of a range."""
 LONGEST_TEXT = 100
-"""That a message repeats as it is."""
+"""Length of a text that a message repeats unchanged, at most."""
 
 Values: TypeAlias = Sequence[float] | NDArray[np.float64]
 """Numbers in a row, in the variable's unit."""

@@ -45,7 +45,7 @@ def unit_of(quantity: str, fmu: Fmu | None = None) -> str:
 
 
 def quantity_given(name: str, given: object, where: str) -> object:
-    """What is prescribed of a quantity in its own unit, where it was given as a text; else as it is."""
+    """The prescribed value of a quantity; a text is converted to the quantity's unit."""
     if not isinstance(given, str):
         return given
     own = unit_of(name)

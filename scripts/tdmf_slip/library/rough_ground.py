@@ -206,8 +206,9 @@ def read_heights(path: str) -> tuple[float, ...]:
     Parameters
     ----------
     path : str
-        A text file with numbers, m, apart by white space or commas; what follows a `#` is not read. A comma
-        between two digits may be a decimal sign: it is refused but where other numbers have a decimal point.
+        A text file with numbers, m, separated by white space or commas; what follows a `#` is a comment. A
+        comma between two digits may be a decimal sign: it is refused unless other numbers have a decimal
+        point.
 
     Returns
     -------

@@ -171,7 +171,7 @@ class Runner(ByContents):
         return system
 
     def label(self, unit: str) -> str:
-        """What stands for a unit in texts and pictures of this runner: `l0` for `m` in the paper's units."""
+        """The label of a unit in texts and pictures of this runner: `l0` for `m` in the paper's units."""
         return paper_units.label(unit, self.values)
 
     @property

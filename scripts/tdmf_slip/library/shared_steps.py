@@ -53,12 +53,12 @@ _SEARCH: ContextVar[SharedSteps | None] = ContextVar("search", default=None)
 
 
 def search_under_way() -> SharedSteps:
-    """The search that this thread is in; outside of any, one for a single call."""
+    """The search that this thread is in; outside of any search, a new one for a single call."""
     return _SEARCH.get() or SharedSteps()
 
 
 def shares_steps(search: Callable[Given, Result]) -> Callable[Given, Result]:
-    """Make a function a search; one that it calls shares the steps of its own strides only."""
+    """Make a function a search. A search within it has steps of its own."""
 
     @wraps(search)
     def sharing(*given: Given.args, **named: Given.kwargs) -> Result:

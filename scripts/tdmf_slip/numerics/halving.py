@@ -8,7 +8,7 @@ from typing import TypeVar
 from ..errors import InputError, RunError
 
 MAX_STEPS = 500
-"""Of a walk: usual ones take less than a hundred."""
+"""Steps of a walk, at most; usual walks take fewer than a hundred."""
 
 Found = TypeVar("Found")
 Known = TypeVar("Known")

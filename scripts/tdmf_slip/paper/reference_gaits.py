@@ -14,7 +14,7 @@ from .settling import SettledRun
 
 PATH = Path(__file__).with_suffix(".json")
 RUNNER = {"hip.swing_clamp": True}
-"""What the references' runner has beside Table 1."""
+"""Values of the references' runner beside Table 1."""
 QUANTITY_TOLERANCE = 1e-6
 """Relative, for a stride's quantities."""
 APEX_TOLERANCE = 1e-5

@@ -23,7 +23,7 @@ LineStyle: TypeAlias = Literal["-"] | tuple[float, tuple[float, ...]]
 
 FORMATS = (".png", ".svg", ".pdf")
 LONGEST_REASON = 200
-"""Characters of what Matplotlib says."""
+"""Characters of Matplotlib's own message that are repeated."""
 INK = "#22303c"
 FAINT = "#8a97a3"
 GROUND = "#c9d1d8"
@@ -180,7 +180,7 @@ def check_picture(path: Path | str, what: str, formats: Iterable[str] = FORMATS)
 
 
 def check_drawing(what: str) -> None:
-    """Refuse, before any work, a Matplotlib that cannot draw, as with texts by LaTeX where there is none."""
+    """Refuse, before any work, a Matplotlib that cannot draw, as with `text.usetex` but no LaTeX."""
     try:
         with styled():
             figure = plt.figure(figsize=(1.0, 1.0))
@@ -189,7 +189,7 @@ def check_drawing(what: str) -> None:
                 figure.savefig(BytesIO(), format="png")
             finally:
                 plt.close(figure)
-    except Exception as problem:  # of whatever draws, and of the programs it calls
+    except Exception as problem:  # raised by any backend, or by a program that it calls
         raise InputError(
             f"{what}: Matplotlib cannot draw: {' '.join(str(problem).split())[:LONGEST_REASON]}; "
             "allowed: other settings of it"
@@ -245,7 +245,7 @@ def with_unit(name: str, unit: str) -> str:
 
 
 def printed(unit: str) -> str:
-    """A unit as it is printed: N·s/m for N.s/m, m/s² for m/s2, l₀√(k/m) for l0 sqrt(k/m)."""
+    """A unit in print: N·s/m for N.s/m, m/s² for m/s2, l₀√(k/m) for l0 sqrt(k/m)."""
     for written, shown in PRINTED.items():
         unit = unit.replace(written, shown)
     return unit
