@@ -24,7 +24,8 @@ from ..numerics.newton import last_iterate
 MAX_STRIDES = 150_000
 """Of all runners of a search, about a second of two processors."""
 STEP_LIMIT = 50_000
-"""Largest number of steps in a runner's first stride: a foot of a thousandth of the body takes 2,300 on average."""
+"""Largest number of steps in a runner's first stride: a foot of a thousandth of the body takes 2,300 on
+average."""
 MAX_STEPS, MAX_NEWTON_STEPS = 100_000_000, 500_000
 """Largest number of steps of all runners together, and of Newton's method: about ten seconds each."""
 BLOCK = 1_024
