@@ -66,8 +66,9 @@ class RareFalls(ByContents, Drawable):
     def __repr__(self) -> str:
         """In a line: the mean with its interval."""
         low, high = self.interval
+        roughness = f"{self.roughness:.4g} {self.runner.label('m')}"
         return (
-            f"<RareFalls of {self.word} on ground of roughness {self.roughness:.4g}: "
+            f"<RareFalls of {self.word} on steps of {roughness}: "
             f"{self.mean_strides:.4g} strides, {low:.4g} to {high:.4g}>"
         )
 
