@@ -222,7 +222,9 @@ def test_a_validation_shows_each_value_beside_what_is_allowed():
         Drift(0.6, "word", "+0+", "+0+", 0.0, 0.0),
         Drift(math.nan, "fold", 1.0, 1.0, 1e-9, 1e-6),
     ]
+    plt.close("all")
     figure = tdmf_slip.Validation([], [], drifts).plot()
+    assert not plt.get_fignums()  # else a notebook shows it twice
     (axes,) = figure.axes
     assert sorted(line(axes, "as recorded: 3 values")[0]) == pytest.approx([1e-6, 1e-6, 1e-3])
     assert line(axes, "differs: 1 values")[0] == pytest.approx([10.0])
@@ -237,10 +239,11 @@ def test_pyplot_keeps_a_figure_only_where_it_has_windows(monkeypatch):
     gait = tdmf_slip.find_gait(friction=0.43)
     for framework, kept in ((None, False), ("tk", True)):
         monkeypatch.setattr(FigureCanvasAgg, "required_interactive_framework", framework)
+        plt.close("all")
         figure = gait.plot()
         assert bool(plt.get_fignums()) == kept
-        plt.close("all")
         figure.savefig(io.BytesIO())
+    plt.close("all")
 
 
 def test_the_command_draws_a_gait_and_says_where_the_picture_is(command, tmp_path):

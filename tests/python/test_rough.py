@@ -40,7 +40,8 @@ class Slave:
         self.unit.instantiate(eventModeUsed=True, earlyReturnAllowed=True)
 
     def set(self, name, value):
-        self.unit.setFloat64([self.references[name]], [value])
+        write = self.unit.setBoolean if isinstance(value, bool) else self.unit.setFloat64
+        write([self.references[name]], [value])
 
     def get(self, name):
         return self.unit.getFloat64([self.references[name]])[0]

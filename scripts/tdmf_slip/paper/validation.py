@@ -50,9 +50,10 @@ class Validation(ByContents, Drawable):
 
     def plot(self) -> "Figure":
         """Every recorded value, over its deviation from the reference."""
-        from . import drift_diagram  # Matplotlib is slow to load
+        from ..pictures.plot import released  # Matplotlib is slow to load
+        from . import drift_diagram
 
-        return drift_diagram.figure_of(self.drifts)
+        return released(drift_diagram.figure_of(self.drifts))
 
     def __repr__(self) -> str:
         """In a line: how many statements, and how many of them differ."""

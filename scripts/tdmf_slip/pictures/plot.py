@@ -39,8 +39,12 @@ BY_NAME: Mapping[str, tuple[str, str]] = {
 
 
 def plot(result: object) -> Figure:
-    """The picture of a result; pyplot keeps it where it has windows, so that `pyplot.show()` opens it."""
-    figure = _figure_of(result)
+    """The picture of a result."""
+    return released(_figure_of(result))
+
+
+def released(figure: Figure) -> Figure:
+    """A figure that pyplot keeps only if it has windows, so that `pyplot.show()` opens it."""
     if figure.canvas.required_interactive_framework is None:
         plt.close(figure)  # else a notebook shows it once more, at the end of the cell
     return figure
