@@ -388,7 +388,7 @@ def test_wrong_arguments_are_said(fmu):
         run_blocks(abs, [1], scheduler="tcp://a:1", threads=2),
     ):
         pass
-    with pytest.raises(InputError, match="threads 0"), run_blocks(abs, [1, 2], threads=0):
+    with pytest.raises(InputError, match="threads = 0 is not allowed"), run_blocks(abs, [1, 2], threads=0):
         pass
     with pytest.raises(InputError, match="runners: none; allowed"):
         batch.simulate_many([], strides=1, fmu=fmu)

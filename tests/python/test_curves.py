@@ -19,7 +19,7 @@ class HenonPlane(Plane):
     """Fixed points of the Henon map over a and b."""
 
     def __init__(self, kind):
-        self.names, self.kind, self.scales = ("a", "b"), kind, np.ones(4)
+        self.runner, self.names, self.kind, self.scales = None, ("a", "b"), kind, np.ones(4)
 
     def strides_at(self, at, along):
         *point, a, b = at
@@ -68,7 +68,7 @@ class RingPlane(HenonPlane):
     """x' = x + x^2 + a^2 + b^2 - 1, whose folds are at x = 0 on the unit circle."""
 
     def __init__(self):
-        self.names, self.kind, self.scales = ("a", "b"), "fold", np.ones(3)
+        self.runner, self.names, self.kind, self.scales = None, ("a", "b"), "fold", np.ones(3)
 
     def strides_at(self, at, along):
         x, a, b = at

@@ -12,7 +12,7 @@ from ..contents import ByContents
 from ..errors import InputError
 from ..fmu.fmu import Fmu, load_fmu
 from ..fmu.names import by_full_name
-from ..given import is_series, numbers_of
+from ..given import is_series, numbers_of, row_of
 from .affine_law import AffineLaw
 from .binding import c, ffi
 from .maps import PATCH, refuse_patch
@@ -44,16 +44,20 @@ class Population(ByContents):
         )
         varied: dict[str, NDArray[np.float64]] = {}
         for name, row in rows.items():
-            load_fmu(fmu).find(name, "runner")
+            variable = load_fmu(fmu).find(name, "runner")
             if name not in MOVING:
                 raise InputError(
                     f"runner: {name} of shape {np.shape(row)}; allowed in an array: a parameter or input "
                     "of the model"
                 )
-            varied[name] = numbers(f"runner: {name}", row, 1)
             if name in FLAGS:
-                _check_flags(name, varied[name])
+                flags = row_of(row, f"runner: {name}", "true or false for each runner")
+                varied[name] = np.array(
+                    [variable.value_of(flag, f"runner: runner {k}") for k, flag in enumerate(flags)],
+                    dtype=float,
+                )
             else:
+                varied[name] = numbers(f"runner: {name}", row, 1)
                 checked_values(name, varied[name], "runner", {"runner": 0})
             if len(varied[name]) != len(next(iter(varied.values()))):
                 first = next(iter(varied))
@@ -106,15 +110,6 @@ class Population(ByContents):
         )
         longest = np.argmax(end - begin)
         refuse_patch(dict(zip(PATCH, (begin[longest], end[longest]), strict=True)))
-
-
-def _check_flags(name: str, values: NDArray[np.float64]) -> None:
-    """Refuse values of a Boolean that are neither 0 nor 1."""
-    other = np.flatnonzero((values != 0.0) & (values != 1.0))
-    if other.size:
-        raise InputError(
-            f"runner: runner {other[0]}: {name} = {values[other[0]]:g} is not allowed; allowed: true or false"
-        )
 
 
 def _is_row(value: object) -> bool:
