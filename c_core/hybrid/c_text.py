@@ -1,50 +1,39 @@
-"""C99 text of expressions: safe names, statements, lines that are not too long."""
+"""C99 text: safe names, expressions, statements, functions, wrapped lines."""
 
+import re
 from collections import Counter
 
 from .expressions import ordered
 
 WIDTH = 110
-C_WORDS = """auto break case char const continue default do double else enum extern float for goto if inline
-int long register
-    restrict return short signed sizeof static struct switch typedef union unsigned void volatile while bool
-    true false
-    complex imaginary"""
+C_WORDS = """auto break case char const continue default do double else enum extern float for goto if
+    inline int long register restrict return short signed sizeof static struct switch typedef union
+    unsigned void volatile while bool true false complex imaginary"""
 CPP_WORDS = """alignas alignof and and_eq asm bitand bitor catch class compl constexpr const_cast decltype
-delete
-    dynamic_cast explicit export friend mutable namespace new noexcept not not_eq nullptr operator or or_eq
-    private protected public reinterpret_cast static_assert static_cast template this thread_local throw try
-    typeid typename
-    using virtual wchar_t xor xor_eq"""
+    delete dynamic_cast explicit export friend mutable namespace new noexcept not not_eq nullptr operator
+    or or_eq private protected public reinterpret_cast static_assert static_cast template this
+    thread_local throw try typeid typename using virtual wchar_t xor xor_eq"""
 MACROS = """NULL NAN INFINITY HUGE_VAL EOF I assert errno stdin stdout stderr signbit isnan isinf isfinite
-isnormal fpclassify
-    near far small interface unix linux min max huge pascal cdecl offsetof va_arg setjmp DOMAIN OVERFLOW
-    UNDERFLOW"""
-OWN_WORDS = """real mask interval select any broadcast power order series constants p x y dp dx dy c d s t g
-k i j by sum next
-    span told low high noted value parameters states d_parameters d_states after given of_states of_events
-    varied TERMS
-    KERNEL"""
-FUNCTIONS = """sin cos exp log expm1 log1p atan2 sqrt fabs memset memcpy product product_of
-    product_so_far square_of quotient_of root_of own_root_of drift_times exp_of log_of
-    sine_and_cosine sine_and_cosine_of constant_of with_constant rough_root first_root
-    power_of set_powers moving"""
+    isnormal fpclassify near far small interface unix linux min max huge pascal cdecl offsetof va_arg
+    setjmp DOMAIN OVERFLOW UNDERFLOW"""
+OWN_WORDS = """real mask interval select any broadcast power order series constants p x y dp dx dy c d s t
+    g k i j by sum next span outputs low high counted value parameters states d_parameters d_states after
+    given of_states of_events varied TERMS KERNEL"""
+FUNCTIONS = """sin cos exp log expm1 log1p atan2 sqrt fabs memset memcpy product product_of product_so_far
+    square_of quotient_of root_of own_root_of drift_times exp_of log_of sine_and_cosine sine_and_cosine_of
+    constant_of with_constant rough_root first_root power_of set_powers moving"""
 RESERVED = set(f"{C_WORDS} {CPP_WORDS} {MACROS} {OWN_WORDS} {FUNCTIONS}".split())
 """Words of C, C++ and MSVC, macros of headers, and names of the generator; a quantity so named gets a `_`."""
 
 
 def safe_names(names):
-    """A name in C for each name of a page: its own, or with `_` where C or C++ has another use for it."""
-    found = {}
+    """A name in C for each name of a page: the same name, with `_` appended if it is reserved."""
+    found, taken = {}, set(RESERVED)
     for name in names:
         new = name
-        while (
-            new in RESERVED
-            or new in found.values()
-            or (new != name and new in names)
-            or new.startswith("real_")
-        ):
+        while new in taken or (new != name and new in names) or new.startswith("real_"):
             new += "_"
+        taken.add(new)
         found[name] = new
     return found
 
@@ -60,14 +49,9 @@ def number_text(value):
 
 
 def c_text(expression, text_of=lambda node: None):
-    """An expression in C; `text_of` gives the text of what has a name of its own."""
-    written = {}
-
-    def own(node):
-        return text_of(node) or (str(node.value) if node.operation == "symbol" else None)
-
-    known = {}
-    for node in ordered([expression], _Lookup(own, known)):
+    """An expression in C; `text_of` gives the variable of a node that has one, else None."""
+    known, written = _Texts(text_of), {}
+    for node in ordered([expression], known):
         if node in known:
             written[node] = known[node], 4
         elif node.operation == "number":
@@ -77,19 +61,17 @@ def c_text(expression, text_of=lambda node: None):
     return written[expression][0]
 
 
-class _Lookup:
-    """What has a text of its own, asked for once."""
+class _Texts(dict):
+    """Variables and symbols by node; each node is looked up once."""
 
-    def __init__(self, own, known):
-        self.own, self.known = own, known
+    def __init__(self, text_of):
+        super().__init__()
+        self.text_of = text_of
 
     def __contains__(self, node):
-        if node not in self.known:
-            text = self.own(node)
-            if text is None:
-                return False
-            self.known[node] = text
-        return True
+        if node not in self.keys():
+            self[node] = self.text_of(node) or (str(node.value) if node.operation == "symbol" else None)
+        return self[node] is not None
 
 
 def _operation(node, operands):
@@ -110,7 +92,7 @@ def _enclosed(operand, least):
 
 
 def wrapped(line):
-    """A line of C as lines of at most WIDTH letters, broken at spaces."""
+    """A line of C, broken at spaces into lines of at most WIDTH characters."""
     if len(line) <= WIDTH:
         return line
     indent, lines = len(line) - len(line.lstrip()), []
@@ -130,11 +112,34 @@ def wrapped_text(text):
     return "\n".join(wrapped(line) for line in text.split("\n"))
 
 
+def lines_of(lines, indent="    "):
+    """Lines of C with an indent."""
+    return "".join(f"{indent}{line}\n" for line in lines)
+
+
+def comment(text):
+    """A comment of C, or nothing where there is no text."""
+    return f"/* {' '.join(text.split())} */\n" if text else ""
+
+
+def function_in_c(result, name, given, body, about, structs):
+    """A function of C. `structs` gives the variable, type and `const` by which it reads an array."""
+    begin = ""
+    for argument in re.findall(r"(\w+)(?:,|$)", given):
+        variable, struct, const = structs.get(argument, ("", "", ""))
+        if variable and re.search(rf"\b{variable}->", body):
+            begin += f"    {const}{struct} *{variable} = ({const}void *){argument};\n"
+        elif not re.search(rf"\b{argument}\b", body):
+            begin += f"    (void){argument};\n"
+    return f"{comment(about)}static {result} {name}({given}) {{\n{begin}{body}}}\n"
+
+
 NAMES = {"*": "_times_", "/": "_over_", "+": "_plus_", "-": "_minus_", "negative": "minus_", "select": "_or_"}
+SHORT_NAMES = {"*": "product", "/": "ratio", "+": "sum", "-": "sum"}
 
 
 def name_of(node):
-    """The page's name of an expression, else one made of its operands' names."""
+    """The name of an expression on the page, else a name composed of its operands' names."""
     todo, parts = [node], {}
     while todo:
         top = todo[-1]
@@ -146,26 +151,26 @@ def name_of(node):
             parts[todo.pop()] = top.name
         elif top.operation == "number":
             digits = f"{float(top.value):.4g}".replace("-", "minus_")
-            parts[todo.pop()] = "by_" + "".join(
-                sign if sign.isalnum() or sign == "_" else "_" for sign in digits
-            )
+            parts[todo.pop()] = "by_" + re.sub(r"\W", "_", digits)
         elif missing := [o for o in top.operands[-2:] if o not in parts]:
             todo += missing
         else:
             of = [parts[o] for o in top.operands[-2:]]
             word = NAMES.get(top.operation, f"{top.operation}_of_")
-            text = word.join(["", *of][-2:]) if len(of) == 1 else word.join(of)
-            word = (
-                top.operation
-                if top.operation.isalpha()
-                else {"*": "product", "/": "ratio"}.get(top.operation, "sum_")
-            )
-            parts[todo.pop()] = text if len(text) < 40 else word.rstrip("_")
+            text = word.join(of) if len(of) > 1 else word + of[0]
+            parts[todo.pop()] = text if len(text) < 40 else SHORT_NAMES.get(top.operation, top.operation)
     return parts[node]
 
 
+def take_name(node, taken):
+    """Keep the name of an expression if it is free, else give it another one; `taken` receives the name."""
+    if node.name is None or node.name in taken or node.name in RESERVED:
+        node.name = own_name(node, taken)
+    taken.add(node.name)
+
+
 def own_name(node, taken):
-    """A name that is in no use yet; `taken` gets it."""
+    """A name that is not in use yet; `taken` receives it."""
     name = base = name_of(node)
     count = 1
     while name in taken or name in RESERVED:
@@ -176,7 +181,7 @@ def own_name(node, taken):
 
 
 def statements(roots, taken, used_names, indent="    "):
-    """Variables of C for what has a name or is used twice; `taken` gets their names."""
+    """Variables of C for expressions that have a name or are used twice; `taken` receives them."""
     nodes, lines = ordered(roots, taken), ""
     used = Counter(operand for node in nodes if node not in taken for operand in node.operands)
     for node in nodes:
@@ -188,9 +193,8 @@ def statements(roots, taken, used_names, indent="    "):
 
 
 def assigned(values, into, indent="    "):
-    """Statements that write values to their places."""
+    """Statements that assign values to members."""
     taken = {}
     lines = statements(list(values.values()), taken, set(), indent)
-    return lines + "".join(
-        f"{indent}{into}{name} = {c_text(value, taken.get)};\n" for name, value in values.items()
-    )
+    texts = {name: c_text(value, taken.get) for name, value in values.items()}
+    return lines + lines_of([f"{into}{name} = {text};" for name, text in texts.items()], indent)

@@ -9,11 +9,13 @@ PACKAGE = str(Path(__file__).parent)
 
 
 class PageError(Exception):
-    """A page cannot be read; the message begins with the file and the line that have to change."""
+    """A page cannot be read. The message begins with the file and line to change."""
+
+    is_located = False
 
 
 class Undecided(BaseException):
-    """Leaves a page's function at a comparison that has no answer yet; the caller explores both."""
+    """Leaves a page's function at a comparison without an answer; the caller then explores both answers."""
 
 
 def caller():
@@ -24,56 +26,52 @@ def caller():
     return frame.f_code.co_filename, frame.f_lineno
 
 
-def location_of(function):
-    """File and line where a function of a page begins."""
-    code = getattr(function, "__code__", None)
-    return (code.co_filename, code.co_firstlineno) if code else None
+def location_of(declared):
+    """File and line where a function begins or a quantity is declared."""
+    code = getattr(declared, "__code__", None)
+    return (code.co_filename, code.co_firstlineno) if code else getattr(declared, "location", None)
 
 
 def page_error(location, name, text):
-    """The error at a location, about what has this name."""
+    """An error that starts with its location and name. A location may be given as what is declared there."""
+    location = location if isinstance(location, tuple) else location_of(location)
     where = f"{location[0]}:{location[1]}: " if location else ""
-    return PageError(f"{where}`{name}` {text}")
+    error = PageError(f"{where}`{name}` {text}")
+    error.is_located = True
+    return error
 
 
 def similar(name, names):
-    """A question for somebody who may have mistyped one of the names."""
+    """The question "did you mean ...?" where a known name resembles a mistyped one."""
     found = difflib.get_close_matches(str(name), list(names), 1)
     return f"; did you mean `{found[0]}`?" if found else ""
 
 
 @contextmanager
 def reading(function, name):
-    """Turn whatever goes wrong in a page's function into an error of the page, at the line that did it."""
+    """Turn every exception of a page's function into a PageError at the line that raised it."""
     try:
         yield
-    except PageError as error:
+    except Exception as error:
         if getattr(error, "is_located", False):
             raise
-        located = _located(error, function, name)
-        raise located from None
-    except RecursionError as error:
-        raise _located("calls itself without end", function, name) from error
-    except ArithmeticError as error:
-        raise _located(f"cannot be computed: {error}", function, name, error) from error
-    except Exception as error:
-        raise _located(_in_words(error), function, name, error) from error
+        location, traceback = location_of(function), error.__traceback__
+        while traceback:
+            code = traceback.tb_frame.f_code
+            if not code.co_filename.startswith(PACKAGE) and code.co_filename.endswith(".py"):
+                location = code.co_filename, traceback.tb_lineno
+            traceback = traceback.tb_next
+        raise page_error(location, name, _in_words(error)) from error
 
 
 def _in_words(error):
+    if isinstance(error, PageError):
+        return str(error)
+    if isinstance(error, RecursionError):
+        return "calls itself without end"
+    if isinstance(error, ArithmeticError):
+        return f"cannot be computed: {error}"
     if isinstance(error, AttributeError) and getattr(error, "name", None) and error.obj is not None:
         names = [n for n in dir(error.obj) if not n.startswith("_")]
         return f"reads `{error.name}`, which it does not have here{similar(error.name, names)}"
     return f"raises {type(error).__name__}: {error}"
-
-
-def _located(error, function, name, raised=None):
-    location, traceback = location_of(function), getattr(raised or error, "__traceback__", None)
-    while traceback:
-        code = traceback.tb_frame.f_code
-        if not code.co_filename.startswith(PACKAGE) and code.co_filename.endswith(".py"):
-            location = code.co_filename, traceback.tb_lineno
-        traceback = traceback.tb_next
-    located = page_error(location, name, error if isinstance(error, str) else str(error))
-    located.is_located = True
-    return located

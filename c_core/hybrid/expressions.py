@@ -1,6 +1,6 @@
-"""Expressions that record what a page's functions compute: equal ones are one object.
+"""Expressions that record what a page's functions compute. Equal expressions are one object.
 
-Numbers are exact fractions until they are written. An expression is constant where no quantity in it moves.
+Numbers are exact fractions until they are written. An expression is constant if no quantity in it moves.
 """
 
 import math
@@ -12,6 +12,7 @@ from .units import dimension_of_node
 
 ARITHMETIC = {"+": operator.add, "-": operator.sub, "*": operator.mul, "negative": operator.neg}
 COMPARE = {">": operator.gt, ">=": operator.ge, "<": operator.lt, "<=": operator.le}
+POWER_LIMIT, COMPARISON_LIMIT = 64, 40
 FUNCTIONS = ("sqrt", "sin", "cos", "exp", "log", "expm1", "log1p", "atan2", "abs")
 
 _table = {}
@@ -20,7 +21,7 @@ _checks_units = [False]
 
 
 def forget_expressions():
-    """Begin anew: whatever was recorded belongs to a trace that is finished."""
+    """Clear the table of expressions before the next trace."""
     _table.clear()
     _names.clear()
 
@@ -61,9 +62,7 @@ class Expression:
     def __float__(self):
         if self.operation == "number":
             return float(self.value)
-        raise PageError(
-            "needs a plain number here; sin, cos, sqrt and their like come from the language, not from math"
-        )
+        raise PageError("needs a plain number here; sin, cos and sqrt come from the language, not from math")
 
     def __getattr__(self, name):
         if name in FUNCTIONS:
@@ -71,24 +70,19 @@ class Expression:
         raise PageError(f"asks a number for `{name}`")
 
     def is_number(self, value):
-        """Whether this is the number."""
+        """Whether the expression is this number."""
         return self.operation == "number" and self.value == value
 
     def call(self, name):
-        """Take a name, unless there is one or another expression has it."""
+        """Take a name, unless the expression has one or the name is taken."""
         if self.name is None and name not in _names and self.operands:
             self.name = name
             _names.add(name)
 
 
-def _two_sided(operation):
-    return lambda a, b: made(operation, a, lift(b)), lambda a, b: made(operation, lift(b), a)
-
-
 for _sign, _name in (("+", "add"), ("-", "sub"), ("*", "mul"), ("/", "truediv")):
-    _left, _right = _two_sided(_sign)
-    setattr(Expression, f"__{_name}__", _left)
-    setattr(Expression, f"__r{_name}__", _right)
+    setattr(Expression, f"__{_name}__", lambda a, b, sign=_sign: made(sign, a, lift(b)))
+    setattr(Expression, f"__r{_name}__", lambda a, b, sign=_sign: made(sign, lift(b), a))
 for _sign, _name in ((">", "gt"), (">=", "ge"), ("<", "lt"), ("<=", "le")):
     setattr(Expression, f"__{_name}__", lambda a, b, sign=_sign: Condition(sign, a, lift(b)))
 
@@ -98,13 +92,8 @@ def _recorded(operation, operands, value=None, constant=False):
     node = _table.get(key)
     if node is None:
         node = _table[key] = object.__new__(Expression)
-        node.operation, node.operands, node.value, node.name, node.drifts = (
-            operation,
-            operands,
-            value,
-            None,
-            False,
-        )
+        node.operation, node.operands, node.value = operation, operands, value
+        node.name, node.drifts = None, False
         node.is_constant = (operation != "symbol" or constant) and all(o.is_constant for o in operands)
         is_checked = _checks_units[0] and operation != "symbol"
         node.dimension = dimension_of_node(node, [o.dimension for o in operands]) if is_checked else None
@@ -112,7 +101,7 @@ def _recorded(operation, operands, value=None, constant=False):
 
 
 def symbol(text, constant=False, dimension=None):
-    """A quantity by its text in C; the one with this text, if it has been recorded before."""
+    """The symbol of a quantity with this text in C."""
     node = _recorded("symbol", (), text, constant)
     if dimension is not None:
         node.dimension = dimension
@@ -136,9 +125,9 @@ def lift(value):
 
 
 def made(operation, *operands):
-    """An operation on operands: done where these are numbers, left out where it changes nothing.
+    """An operation, simplified: numbers are folded, neutral elements dropped, signs pulled out of products.
 
-    Signs are pulled out of products. In a product a number comes first, then what is constant.
+    The factors of a product are ordered: a number first, then a constant.
     """
     a, b = operands[0], operands[-1]
     if operation in ARITHMETIC and all(o.operation == "number" for o in operands):
@@ -168,6 +157,8 @@ def made(operation, *operands):
             return a
         case "*" if a.is_number(-1):
             return -b
+        case "/" if a.operation == "number" and a.value < 0:
+            return -made("/", lift(-a.value), b)
         case "*" | "/" if a.operation == "negative":
             return -made(operation, a.operands[0], b)
         case "*" | "/" if b.operation == "negative":
@@ -184,7 +175,7 @@ def _steadiness(a):
 
 
 def power(base, exponent):
-    """A power: a chain of products for an integer, a root for halves, else by exponential and logarithm."""
+    """A power: products for an integer, a square root for a half, else exp(exponent log(base))."""
     exponent = lift(exponent)
     if exponent.operation != "number":
         if base.operation == "number" and base.value <= 0:
@@ -197,8 +188,8 @@ def power(base, exponent):
         return 1 / power(base, -n)
     if n.denominator == 2:
         return power(base, n - Fraction(1, 2)) * base.sqrt()
-    if n > 64:
-        raise PageError(f"raises to the power {n}; at most 64 is allowed")
+    if n > POWER_LIMIT:
+        raise PageError(f"raises to the power {n}; at most {POWER_LIMIT} is allowed")
     found, square, left = lift(1), base, int(n)
     while left:
         found = found * square if left & 1 else found
@@ -208,7 +199,7 @@ def power(base, exponent):
 
 
 def selected(sign, a, b, yes, no):
-    """One of two numbers by a comparison: a decision about a number, which needs no branch."""
+    """One of two numbers, selected by a comparison without a branch."""
     if a.operation == b.operation == "number":
         return yes if COMPARE[sign](a.value, b.value) else no
     return yes if yes is no else _recorded("select", (a, b, yes, no), sign)
@@ -218,7 +209,7 @@ def selected(sign, a, b, yes, no):
 
 
 class Condition:
-    """A comparison. Where a page decides, it may branch on one: `explore` runs it for both answers."""
+    """A comparison. A decision may branch on it: `explore` runs the decision for both answers."""
 
     answers = None
     asked = ()
@@ -231,25 +222,22 @@ class Condition:
         if self.a.operation == self.b.operation == "number":
             return COMPARE[self.sign](self.a.value, self.b.value)
         if Condition.answers is None:
-            raise PageError(
-                "branches on a number that moves; let an event change a word of the mode, or use "
-                "`select` of held states"
-            )
+            text = "branches on a number that moves; let an event change a word of the mode, or use "
+            raise PageError(f"{text}`select` of held states")
         for asked, answer in zip(Condition.asked, Condition.answers, strict=False):
             if (asked.sign, asked.a, asked.b) == (self.sign, self.a, self.b):
                 return answer
         Condition.asked.append(self)
-        if len(Condition.asked) > 40:
-            raise PageError(
-                "asks more than 40 comparisons one after the other; a loop on a number does not end"
-            )
+        if len(Condition.asked) > COMPARISON_LIMIT:
+            text = f"asks more than {COMPARISON_LIMIT} comparisons one after the other"
+            raise PageError(f"{text}; a loop on a number does not end")
         if len(Condition.asked) > len(Condition.answers):
             raise Undecided
         return Condition.answers[len(Condition.asked) - 1]
 
 
 def explore(run, answers=()):
-    """Run a page's function for each way through its comparisons: a tree of conditions and results."""
+    """Run a page's function for every combination of answers: a tree of conditions and results."""
     Condition.answers, Condition.asked = list(answers), []
     try:
         return run()
@@ -264,7 +252,7 @@ def explore(run, answers=()):
 
 
 def ordered(roots, known=()):
-    """Expressions and all that they are made of, operands first; `known` ones are not looked into."""
+    """Expressions and all their operands, operands first; the operands of `known` ones are left out."""
     found, todo = {}, [(root, False) for root in reversed(list(roots))]
     while todo:
         node, is_ready = todo.pop()
@@ -279,17 +267,17 @@ def ordered(roots, known=()):
 
 
 def leaves_of(roots):
-    """The symbols that expressions are made of."""
+    """The symbols in expressions."""
     return [node for node in ordered(roots) if node.operation == "symbol"]
 
 
 def remade(node, operands):
-    """The operation of a node on other operands."""
+    """The operation of a node, applied to other operands."""
     return selected(node.value, *operands) if node.operation == "select" else made(node.operation, *operands)
 
 
 def replaced(roots, new, change=remade):
-    """Expressions with some of their parts replaced; names stay. `new` gets all that was made."""
+    """Expressions with some parts replaced; names stay. `new` also receives every part that is rebuilt."""
     for node in ordered(roots, new):
         if node not in new:
             new[node] = change(node, [new[o] for o in node.operands]) if node.operands else node
@@ -319,36 +307,29 @@ VARIATIONS = {
 
 
 class Variation:
-    """First variations of expressions, by those of some of their parts, which `of_parts` gives."""
+    """First variations of expressions by the chain rule, from the variations of their parts, `of_parts`."""
 
     def __init__(self, of_parts, prefix=""):
         self.found = {part: lift(variation) for part, variation in of_parts.items()}
         self.prefix = prefix
 
     def of(self, expression):
-        """The variation of an expression; what has none given is constant."""
+        """The variation of an expression."""
         for node in ordered([expression], self.found):
             if node not in self.found:
                 parts = [self.found[operand] for operand in node.operands]
                 varies = any(not part.is_number(0) for part in parts)
-                self.found[node] = (
-                    VARIATIONS[node.operation](node, *node.operands, *parts) if varies else lift(0)
-                )
+                variation = VARIATIONS[node.operation] if varies else lambda *_: lift(0)
+                self.found[node] = variation(node, *node.operands, *parts)
                 if varies and self.prefix and node.name:
                     self.found[node].call(self.prefix + node.name)
         return self.found[expression]
 
 
 def value_of(roots, values):
-    """Evaluate expressions on floats; `values` has those of the symbols, and gets all others."""
-    calculate = {
-        "+": operator.add,
-        "-": operator.sub,
-        "*": operator.mul,
-        "/": operator.truediv,
-        "negative": operator.neg,
-        "abs": abs,
-    } | {name: getattr(math, name) for name in FUNCTIONS[:-1]}
+    """Evaluate expressions on floats; `values` holds the symbols' values and receives all others."""
+    calculate = ARITHMETIC | {"/": operator.truediv, "abs": abs}
+    calculate |= {name: getattr(math, name) for name in FUNCTIONS if name != "abs"}
     for node in ordered(roots, values):
         if node in values:
             continue

@@ -1,25 +1,25 @@
-"""Plain C99 of a page: a header, the motions of its modes, and what is decided and reported at an instant.
+"""C99 of a page: a header, the motions of its modes, and functions of an instant, such as decisions.
 
-Each mode that a run can reach is traced alone, its words being plain Python. What several modes decide or
-report by the same text is one function of C.
+Each mode that a run can reach is traced on its own, with plain Python values for its words. Modes share a
+function of C if its text is equal in them.
 """
 
 import re
 
-from .c_text import assigned, c_text, number_text, statements, wrapped, wrapped_text
+from .c_text import assigned, c_text, comment, function_in_c, lines_of, number_text, statements, wrapped_text
 from .errors import page_error
 from .expressions import forget_expressions, lift, symbol
-from .motions import InstantVariation, Motion, comment, constants_in_c, lines_of
-from .page import PARTS, Page, keys_of
+from .motions import InstantVariation, Motion
+from .page import LIMITS, Page, keys_of
 from .tracing import trace
 
 TOP = "/* Derived from the page {name}: edit the page, not this. */\n"
-NEXT_LIMIT = 16
 GIVEN = {
     "parameters": ("p", "parameters", "const "),
     "states": ("x", "states", "const "),
     "d_parameters": ("dp", "parameters", "const "),
     "d_states": ("dx", "states", "const "),
+    "after": ("y", "states", ""),
 }
 AT, VARIED_AT = "const real *parameters, const real *states", "const real *d_parameters, const real *d_states"
 SIGNATURES = {
@@ -29,16 +29,16 @@ SIGNATURES = {
     "vary_react": ("void", f"{AT}, {VARIED_AT}, real *after"),
     "vary_guard": ("real", f"{AT}, {VARIED_AT}"),
     "answer": ("real", AT),
-    "leave": ("void", f"{AT}, real noted, real *after"),
-    "vary_leave": ("void", f"{AT}, {VARIED_AT}, real noted, real *after"),
-    "tell": ("void", f"{AT}, real *told"),
-    "vary_tell": ("void", f"{AT}, {VARIED_AT}, real *told"),
+    "leave": ("void", f"{AT}, real counted, real *after"),
+    "vary_leave": ("void", f"{AT}, {VARIED_AT}, real counted, real *after"),
+    "outputs": ("void", f"{AT}, real *outputs"),
+    "vary_outputs": ("void", f"{AT}, {VARIED_AT}, real *outputs"),
     "set": ("void", f"{AT}, real given, real *after"),
     "map": ("void", f"{AT}, real *after"),
     "vary_map": ("void", f"{AT}, {VARIED_AT}, real *after"),
     "scale": ("void", "const real *parameters, real *of_states, real *of_events"),
 }
-"""What functions of an instant are given, by what they do."""
+"""Result and arguments of functions of an instant, by kind."""
 
 
 def c_name(key):
@@ -47,64 +47,68 @@ def c_name(key):
 
 
 class Functions:
-    """Functions of C: each body once, so that modes in which a law reads the same share one."""
+    """Functions of C. Each body stands once: modes in which a law reads alike share one function."""
 
     def __init__(self, page_name):
-        self.page_name, self.names, self.texts = page_name, {}, []
+        self.names, self.texts = {}, []
+        self.structs = {a: (v, f"{page_name}_{struct}", const) for a, (v, struct, const) in GIVEN.items()}
 
     def add(self, name, kind, body, about):
         """The name of the function with this body, which is written if it is new."""
         if (kind, body) not in self.names:
             self.names[kind, body] = name
             result, given = SIGNATURES[kind]
-            casts = ""
-            for argument in re.findall(r"(\w+)(?:,|$)", given):
-                variable, what, const = GIVEN.get(argument, ("y", "states", ""))
-                if argument == "after" and "y->" in body:
-                    casts += f"    {self.page_name}_states *y = (void *)after;\n"
-                elif argument in GIVEN and re.search(rf"\b{variable}->", body):
-                    casts += f"    {const}{self.page_name}_{what} *{variable} = ({const}void *){argument};\n"
-                elif not re.search(rf"\b{argument}\b", body):
-                    casts += f"    (void){argument};\n"
-            head = wrapped(f"static {result} {name}({given}) {{")
-            self.texts.append(f"{comment(about)}{head}\n{casts}{body}}}\n")
+            self.texts.append(function_in_c(result, name, given, body, about, self.structs))
         return self.names[kind, body]
 
-
-def question_in_c(tree, indent="    "):
-    """The tree of a page's answers."""
-    if not isinstance(tree, tuple):
-        return f"{indent}return {c_text(lift(int(tree) if isinstance(tree, bool) else tree))};\n"
-    condition, yes, no = tree
-    test = f"{c_text(condition.a)} {condition.sign} {c_text(condition.b)}"
-    inner = question_in_c(yes, indent + "    ")
-    return f"{indent}if ({test}) {{\n{inner}{indent}}}\n{question_in_c(no, indent)}"
+    def add_with_variation(self, name, kind, values, about, of, begin="", into="y->"):
+        """Functions that write values and their first variations, by their members in the table of modes."""
+        vary = InstantVariation()
+        varied = {n: vary.of(value) for n, value in values.items()}
+        own = self.add(of, kind, begin + assigned(values, into), about)
+        body, about = begin + assigned(varied, into), f"First variation of {of}."
+        return {name: own, f"vary_{name}": self.add(f"vary_{of}", f"vary_{kind}", body, about)}
 
 
-def decision_in_c(tree, next_keys, vary, taken=(), names=(), indent="    "):
-    """The tree of a decision: `if`s, and at its ends the states that change, or their variations."""
+def tree_in_c(tree, leaf_in_c, taken=(), names=(), indent="    "):
+    """The tree of a page's answers as `if`s; `leaf_in_c` writes an answer."""
     taken, names = dict(taken), set(names)
-    if len(tree) == 3:
-        condition, yes, no = tree
-        lines = statements([condition.a, condition.b], taken, names, indent)
-        test = f"{c_text(condition.a, taken.get)} {condition.sign} {c_text(condition.b, taken.get)}"
-        inner = decision_in_c(yes, next_keys, vary, taken, names, indent + "    ")
-        outer = decision_in_c(no, next_keys, vary, taken, names, indent)
-        return f"{lines}{indent}if ({test}) {{\n{inner}{indent}}}\n{outer}"
-    key, changes = tree
-    changes = {name: vary.of(value) for name, value in changes.items()} if vary else changes
-    lines = statements(list(changes.values()), taken, names, indent)
-    lines += "".join(f"{indent}y->{n} = {c_text(v, taken.get)};\n" for n, v in changes.items())
-    return lines + (
-        f"{indent}return;\n" if vary else f"{indent}return next[{next_keys.index(key)}]; /* {key[0]} */\n"
-    )
+    if not (isinstance(tree, tuple) and len(tree) == 3):
+        return leaf_in_c(tree, taken, names, indent)
+    condition, yes, no = tree
+    lines = statements([condition.a, condition.b], taken, names, indent)
+    test = f"{c_text(condition.a, taken.get)} {condition.sign} {c_text(condition.b, taken.get)}"
+    inner = tree_in_c(yes, leaf_in_c, taken, names, indent + "    ")
+    outer = tree_in_c(no, leaf_in_c, taken, names, indent)
+    return f"{lines}{indent}if ({test}) {{\n{inner}{indent}}}\n{outer}"
+
+
+def answer_in_c(answer, taken, names, indent):
+    """A number or a truth value that a function of C returns."""
+    value = lift(int(answer) if isinstance(answer, bool) else answer)
+    lines = statements([value], taken, names, indent)
+    return f"{lines}{indent}return {c_text(value, taken.get)};\n"
+
+
+def decision_in_c(tree, next_keys, vary):
+    """The body of a decision: it writes the states that change, or their variations."""
+
+    def leaf_in_c(leaf, taken, names, indent):
+        key, changes = leaf
+        changes = {name: vary.of(value) for name, value in changes.items()} if vary else changes
+        lines = statements(list(changes.values()), taken, names, indent)
+        lines += "".join(f"{indent}y->{n} = {c_text(v, taken.get)};\n" for n, v in changes.items())
+        returned = "" if vary else f" next[{next_keys.index(key)}]"
+        return f"{lines}{indent}return{returned};" + ("\n" if vary else f" /* {key[0]} */\n")
+
+    return tree_in_c(tree, leaf_in_c)
 
 
 class Instants:
-    """What a page decides and reports at an instant, in C."""
+    """Functions of an instant in C, and the tables that list them."""
 
-    def __init__(self, page, functions, name):
-        self.page, self.functions, self.name = page, functions, name
+    def __init__(self, page, functions):
+        self.page, self.functions = page, functions
 
     def in_c(self, tree):
         """A decision's tree with the states' names in C."""
@@ -115,67 +119,56 @@ class Instants:
     def guard_row(self, key, event_name):
         """An event as a mode watches it: the row of its table."""
         page, event, of = self.page, self.page.events[event_name], f"{c_name(key)}_{event_name}"
-        about = f"{event_name}: {event.__doc__ or ''}"
-        tree = self.in_c(page.decide(key, event_name))
-        next_keys = keys_of(tree)
-        if len(next_keys) > NEXT_LIMIT:
-            raise page_error(None, event_name, f"leads to more than {NEXT_LIMIT} modes")
-        row = {"event": f"EVENT_{event_name}", "is_noted": str(bool(event.noted)).lower()}
-        row["react"] = self.functions.add(f"react_{of}", "react", decision_in_c(tree, next_keys, None), about)
+        add, tree = self.functions.add, self.in_c(page.decide(key, event_name))
+        next_keys, about = keys_of(tree), f"{event_name}: {event.__doc__ or ''}"
+        if len(next_keys) > LIMITS["NEXT"]:
+            raise page_error(event, event_name, f"leads to more than {LIMITS['NEXT']} modes")
+        row = {"event": f"EVENT_{event_name}", "is_counted": c_boolean(event.counted)}
+        row["react"] = add(f"react_{of}", "react", decision_in_c(tree, next_keys, None), about)
         varied = decision_in_c(tree, next_keys, InstantVariation()).removesuffix("    return;\n")
-        row["vary_react"] = self.functions.add(
-            f"vary_react_{of}", "vary_react", varied, f"First variation of {event_name}."
-        )
-        armed = True if event.only is None else page.answer(key, event.only, event_name)
-        if armed is not True:
-            row["is_watched"] = self.functions.add(
-                f"watches_{of}", "answer", question_in_c(armed), f"Whether {event_name} is watched."
-            )
+        about = f"First variation of {event_name}."
+        row["vary_react"] = add(f"vary_react_{of}", "vary_react", varied, about)
+        watches = True if event.only is None else page.answer(key, event.only, event_name)
+        if watches is not True:
+            about = f"Whether {event_name} is watched."
+            row["is_watched"] = add(f"watches_{of}", "answer", tree_in_c(watches, answer_in_c), about)
         if event.crossing is not None and page.answer(key, event.crossing, event_name) is True:
             row["is_crossing"] = "true"
         forget_expressions()
         d_guard, taken = InstantVariation().of(page.guard(key, event_name)), {}
         body = statements([d_guard], taken, set()) + f"    return {c_text(d_guard, taken.get)};\n"
-        row["vary_guard"] = self.functions.add(
-            f"vary_guard_{of}", "vary_guard", body, f"First variation of the guard of {event_name}."
-        )
+        about = f"First variation of the guard of {event_name}."
+        row["vary_guard"] = add(f"vary_guard_{of}", "vary_guard", body, about)
         row["next"] = f"{{{', '.join(f'MODE_{c_name(next_key)}' for next_key in next_keys)}}}"
         return row
 
     def changes(self, key, kind, name, changes, about):
-        """A function that writes changed states, and its variation; the names of both, or nothing."""
-        if not changes:
-            return {}
+        """Functions that write changed states and their variations; nothing where none changes."""
         named = {self.page.c_names[n]: value for n, value in changes.items()}
-        vary, of = InstantVariation(), f"{name}_{c_name(key)}"
-        varied = {n: vary.of(value) for n, value in named.items()}
-        return {
-            name: self.functions.add(of, kind, assigned(named, "y->"), about),
-            f"vary_{name}": self.functions.add(
-                f"vary_{of}", f"vary_{kind}", assigned(varied, "y->"), f"First variation of {of}."
-            ),
-        }
+        of = f"{name}_{c_name(key)}"
+        return self.functions.add_with_variation(name, kind, named, about, of) if named else {}
 
     def leaving(self, key):
-        """What is written down as an event finds a mode."""
+        """What every event writes down as it leaves a mode."""
         forget_expressions()
         before = self.page.at(key)
-        after = trace(before.leaving, symbol("noted"), name="leaving")
+        after = trace(before.leaving, symbol("counted"), name="leaving")
         return self.changes(key, "leave", "leave", self.page.changes(before, after), before.leaving.__doc__)
 
-    def telling(self, key):
+    def outputs(self, key):
         """The outputs in a mode."""
         forget_expressions()
-        values = {n: self.page.number(f, key, n, f.unit) for n, f in self.page.outputs.items()}
-        told = {f"[OUTPUT_{n}]": value for n, value in values.items()}
-        vary, of = InstantVariation(), c_name(key)
-        varied = {n: vary.of(value) for n, value in told.items()}
-        return {
-            "tell": self.functions.add(f"tell_{of}", "tell", assigned(told, "told"), f"Outputs in {of}."),
-            "vary_tell": self.functions.add(
-                f"vary_tell_{of}", "vary_tell", assigned(varied, "told"), f"First variation of tell_{of}."
-            ),
-        }
+        values = {f"[OUTPUT_{n}]": self.page.number(f, key, n, f.unit) for n, f in self.page.outputs.items()}
+        for name in self.page.outputs:
+            values[f"[OUTPUT_{name}]"].call(name)
+        about, of = f"Outputs in {c_name(key)}.", f"outputs_{c_name(key)}"
+        return self.functions.add_with_variation("outputs", "outputs", values, about, of, into="outputs")
+
+    def constants(self, motion):
+        """Constants of a mode."""
+        begin = f"    {motion.name}_constants *c = (void *)constants;\n" if motion.constants else ""
+        about, of = f"Constants of {motion.name}.", f"open_{motion.name}"
+        return self.functions.add_with_variation("open", "open", motion.constants, about, of, begin, "c->")
 
     def longest(self, key):
         """The longest step that the law of a mode allows."""
@@ -183,11 +176,8 @@ class Instants:
         answer = function and self.page.answer(key, function, f"longest step of {key[0]}")
         if answer is None:
             return {}
-        return {
-            "longest": self.functions.add(
-                f"longest_{c_name(key)}", "answer", question_in_c(answer), "The longest step."
-            )
-        }
+        body = tree_in_c(answer, answer_in_c)
+        return {"longest": self.functions.add(f"longest_{c_name(key)}", "answer", body, "Longest step.")}
 
     def world(self, key):
         """Maps from the mode's states to the world's and back, and the world's rates."""
@@ -196,69 +186,105 @@ class Instants:
         if not world_key or of in (None, "world"):
             return {}
         row = {}
-        for name, at, to in (("to_world", key, "world"), ("from_world", world_key, of)):
+        for name, at, to in (("from_world", world_key, of), ("to_world", key, "world")):
             forget_expressions()
             before = page.at(at)
-            after = trace(before.in_coordinates, to, name=to)
-            values = {
-                n: lift(value)
-                for n, value in after.items()
-                if n in page.states and value is not getattr(before, n)
-            }
+            seen = trace(before.in_coordinates, to, name=to)
+            seen = {n: lift(value) for n, value in seen.items() if n in page.states}
+            values = {n: value for n, value in seen.items() if value is not getattr(before, n)}
             row |= self.changes(key, "map", name, values, f"{name.replace('_', ' ')}, in {key[0]}.")
-        forget_expressions()
-        before, rates = page.at(key), page.rates(key)
-        moving = InstantVariation()
+        rates, moving = page.rates(key), InstantVariation()
         moving.found |= {page.symbol_of(n, "x"): rates.get(n, lift(0)) for n in page.states}
         moving.found |= {page.symbol_of(n, "p", True): lift(0) for n in page.parameters}
-        world = {
-            n: moving.of(lift(value))
-            for n, value in trace(before.in_coordinates, "world", name="world").items()
-        }
-        world = {n: rate for n, rate in world.items() if n in page.states}
-        return row | self.changes(
-            key, "map", "world_rates", world, f"Rates of the world's states in {key[0]}."
-        )
+        world = {n: moving.of(value) for n, value in seen.items()}
+        about = f"Rates of the world's states in {key[0]}."
+        return row | self.changes(key, "map", "world_rates", world, about)
 
     def setting(self, key, name):
-        """What else changes where an importer sets a quantity."""
+        """The function of what changes with a quantity that an importer sets."""
         forget_expressions()
         function, before = self.page.on_set[name], self.page.at(key)
         quantity = self.page.parameters.get(name) or self.page.states[name]
-        after = trace(function, before, symbol("given", constant=True, dimension=quantity.dimension))
+        changed = self.page.at(key)
+        setattr(changed, name, symbol("given", constant=True, dimension=quantity.dimension))
+        after = trace(function, before, changed)
         named = {self.page.c_names[n]: v for n, v in self.page.changes(before, after).items()}
         if not named:
             return "NULL"
-        return self.functions.add(
-            f"set_{name}_{c_name(key)}",
-            "set",
-            assigned(named, "y->"),
-            f"{name} is set: {function.__doc__ or ''}",
-        )
+        about = f"{name} is set: {function.__doc__ or ''}"
+        return self.functions.add(f"set_{name}_{c_name(key)}", "set", assigned(named, "y->"), about)
+
+    def mode_row(self, key, motion):
+        """The tables of a mode, and its row in the table of modes."""
+        name, states = motion.name, list(self.page.states)
+        if len(motion.watched) > LIMITS["GUARD"]:
+            text = f"watches {len(motion.watched)} events; at most {LIMITS['GUARD']} are allowed"
+            raise page_error(motion.function, key[0], text)
+        row = {"motion": f"&{self.page.c}_motions[MODE_{name}]", "ends": c_boolean(motion.function.ends)}
+        row |= self.constants(motion)
+        guards = [row_in_c(self.guard_row(key, event)) for event in motion.watched]
+        observed = [(o.part.upper().replace(" ", "_"), o.into) for o in motion.observed.values()]
+        watches = [row_in_c({"part": f"TDMF_{part}", "into": states.index(into)}) for part, into in observed]
+        tables = rows_in_c("guard", f"guards_{name}", guards, "event")
+        tables += rows_in_c("watch", f"watches_{name}", watches, "into")
+        row |= {"guard_count": len(guards), "guards": f"guards_{name}"}
+        row |= {"watch_count": len(watches), "watches": f"watches_{name}"}
+        row |= self.outputs(key) | self.longest(key) | self.leaving(key) | self.world(key)
+        return tables, row_in_c(row)
+
+    def sets(self):
+        """Tables of the functions of `setting`."""
+        page, tables, rows = self.page, "", []
+        for name in page.on_set:
+            of = page.states if name in page.states else page.parameters
+            if name in of:  # not where a subclass has fixed it
+                tables += list_in_c("tdmf_set", f"set_{name}", [self.setting(key, name) for key in page.keys])
+                row = {"is_state": c_boolean(of is page.states), "index": list(of).index(name)}
+                rows.append(row_in_c(row | {"set": f"set_{name}"}))
+        return tables, rows
+
+    def scales(self):
+        """The function that writes the scales of states and guards."""
+        forget_expressions()
+        page = self.page
+        scales = {f"of_states[{i}]": page.scale(q.unit) for i, q in enumerate(page.states.values())}
+        scales |= {f"of_events[EVENT_{n}]": page.scale(e.unit) for n, e in page.events.items()}
+        about = "What is large in the unit of each state and of each event's guard."
+        return self.functions.add("scales", "scale", assigned(scales, ""), about)
+
+
+def c_boolean(value):
+    """A truth value of C."""
+    return "true" if value else "false"
 
 
 def row_in_c(row):
     """A row of a table, by names of its members."""
-    return wrapped(f"    {{{', '.join(f'.{name} = {value}' for name, value in row.items())}}},") + "\n"
+    return f"    {{{', '.join(f'.{name} = {value}' for name, value in row.items())}}},\n"
+
+
+def rows_in_c(kind, name, rows, last):
+    """A table of rows. The row behind its end keeps C from seeing an empty table."""
+    return f"static const tdmf_{kind}_kind {name}[] = {{\n{''.join(rows)}    {{.{last} = -1}},\n}};\n"
 
 
 def list_in_c(kind, name, values):
     """A table of numbers or names."""
-    return wrapped(f"static const {kind} {name}[] = {{{', '.join(map(str, values or [0]))}}};") + "\n"
+    return f"static const {kind} {name}[] = {{{', '.join(map(str, values or [0]))}}};\n"
 
 
 def enumeration(prefix, names):
     """Names for the rows of a table."""
-    members = [f"{prefix}_{name}" for name in names] + [f"{prefix}_COUNT"]
-    return wrapped(f"enum {{{', '.join(members)}}};") + "\n"
+    return f"enum {{{', '.join(f'{prefix}_{name}' for name in [*names, 'COUNT'])}}};\n"
 
 
-def struct(name, members):
-    """A struct of reals with the meaning of each."""
-    lines = [f"real {member};{f' /* {about} */' if about else ''}" for member, about in members] or [
-        "real none;"
-    ]
-    return f"typedef struct {{\n{''.join(wrapped('    ' + line) + chr(10) for line in lines)}}} {name};\n"
+def struct_of(page, kind, quantities):
+    """A struct of quantities, with the unit and meaning of each."""
+    lines = []
+    for name, q in quantities.items():
+        about = f"{q.unit}: {q.meaning}" if q.meaning else q.unit
+        lines.append(f"real {page.c_names[name]}; /* {about.replace('*/', '* /')} */")
+    return f"typedef struct {{\n{lines_of(lines or ['real none;'])}}} {page.c}_{kind};\n"
 
 
 def text_literal(text):
@@ -266,159 +292,74 @@ def text_literal(text):
     return '"' + text.replace("\\", "\\\\").replace('"', '\\"') + '"'
 
 
-def quantities_in_c(page):
-    """Parameters and states: their structs, their names and their defaults."""
-    about = {
-        n: f"{q.unit}{': ' + q.meaning if q.meaning else ''}".replace("*/", "* /")
-        for n, q in [*page.parameters.items(), *page.states.items()]
-    }
-    structs = [
-        struct(f"{page.c}_{kind}", [(page.c_names[n], about[n]) for n in names])
-        for kind, names in (("parameters", page.parameters), ("states", page.states))
-    ]
-    return "\n".join(structs)
+def motion_row(page, motion):
+    """The tables of a motion, and its row in the table of motions."""
+    name, states = motion.name, list(page.states)
+    polynomials = [f"guard_{name}_{n}" for n in [*motion.watched, *motion.observed]] or ["NULL"]
+    tables = list_in_c("tdmf_polynomial", f"polynomials_{name}", polynomials)
+    moving = [states.index(n) for n in motion.moving]
+    row = {"moving_count": len(moving), "extra_count": len(motion.rates) - len(moving)}
+    row |= {"judged_count": len(motion.judged), "divisor_count": len(motion.divisors)}
+    for what in ("moving", "degrees", "judged", "divisors"):
+        tables += list_in_c("int", f"{what}_{name}", moving if what == "moving" else getattr(motion, what))
+    row |= {what: f"{what}_{name}" for what in ("moving", "degrees", "judged", "divisors", "polynomials")}
+    row |= {"expand": f"expand_{name}", "vary": f"vary_{name}"}
+    return tables, row_in_c(row | {"bounds": f"bounds_{name}" if motion.has_bounds else "NULL"})
 
 
 def derive(model):
-    """The C of a page by file: a header, motions and instants."""
-    return derive_with_keys(model)[0]
+    """The C of a page by file: a header, the motions of its modes, and what happens at an instant."""
+    return generate(Page(model))
 
 
-def derive_with_keys(model):
-    """The C of a page by file, and its modes with their words in the order of C."""
-    page = Page(model)
-    page.c = re.sub(r"(?<=[a-z0-9])(?=[A-Z])", "_", model.__name__).lower()
-    functions = Functions(page.c)
-    instants, names = Instants(page, functions, page.c), [c_name(key) for key in page.keys]
+def generate(page):
+    """The C of a page that has been read, by file."""
+    page.c = re.sub(r"(?<=[a-z0-9])(?=[A-Z])", "_", page.model.__name__).lower()
+    functions, names = Functions(page.c), [c_name(key) for key in page.keys]
+    instants, top = Instants(page, functions), TOP.format(name=page.model.__name__)
     header = [
-        TOP.format(name=model.__name__)
-        + f'#ifndef {page.c.upper()}_H\n#define {page.c.upper()}_H\n\n#include "driver.h"\n',
-        enumeration("MODE", names),
-        enumeration("EVENT", page.events),
-        enumeration("OUTPUT", page.outputs),
-        quantities_in_c(page),
+        f'{top}#ifndef {page.c.upper()}_H\n#define {page.c.upper()}_H\n\n#include "driver.h"\n',
+        enumeration("MODE", names) + enumeration("EVENT", page.events) + enumeration("OUTPUT", page.outputs),
+        struct_of(page, "parameters", page.parameters),
+        struct_of(page, "states", page.states),
     ]
-    motions = [TOP.format(name=model.__name__) + f'#include "{page.c}.h"\n']
-    motion_rows, mode_rows, tables, motion_tables = "", "", "", ""
-    most_series, most_constants = 1, 1
+    motions, motion_rows, motion_tables, mode_rows, tables = [f'{top}#include "{page.c}.h"\n'], "", "", "", ""
+    series_count = constant_count = 1
     for key, name in zip(page.keys, names, strict=True):
-        m = Motion(page, key, name)
-        header.append(m.struct("constants", m.constants))
-        about = f"/* ---- {name} */\n\n{comment(m.function.__doc__)}"
-        motions += [
-            about + "\n".join([*m.c_of_series(), *m.c_of_variation(), *m.c_of_guards(), *m.c_of_bounds()])
-        ]
-        mode_row = {"motion": f"&{page.c}_motions[MODE_{name}]", "ends": str(m.function.ends).lower()}
-        opens = list(constants_in_c(m, functions.add))
-        mode_row |= {"open": opens[0], "vary_open": opens[1]}
-        tables += f"static const tdmf_guard_kind guards_{name}[] = {{\n"
-        tables += (
-            "".join(row_in_c(instants.guard_row(key, e)) for e in m.watched) + "    {.event = -1},\n};\n"
-        )
-        tables += f"static const tdmf_watch_kind watches_{name}[] = {{\n"
-        for o in m.observed.values():
-            part = PARTS[PARTS.index(o.part)].upper().replace(" ", "_")
-            tables += row_in_c({"part": f"TDMF_{part}", "into": list(page.states).index(o.into)})
-        tables += "    {.into = -1},\n};\n"
-        mode_row |= {
-            "guard_count": len(m.watched),
-            "guards": f"guards_{name}",
-            "watch_count": len(m.observed),
-            "watches": f"watches_{name}",
-        }
-        mode_row |= (
-            instants.telling(key) | instants.longest(key) | instants.leaving(key) | instants.world(key)
-        )
-        mode_rows += row_in_c(mode_row)
-        states = list(page.states)
-        motion_tables += list_in_c(
-            "tdmf_polynomial",
-            f"polynomials_{name}",
-            [f"guard_{name}_{n}" for n in [*m.watched, *m.observed]] or ["NULL"],
-        )
-        motion_tables += list_in_c("int", f"moving_{name}", [states.index(n) for n in m.moving])
-        for what in ("degrees", "judged", "divisors"):
-            motion_tables += list_in_c("int", f"{what}_{name}", getattr(m, what))
-        motion_rows += row_in_c(
-            {
-                "moving_count": len(m.moving),
-                "extra_count": len(m.rates) - len(m.moving),
-                "moving": f"moving_{name}",
-                "degrees": f"degrees_{name}",
-                "judged_count": len(m.judged),
-                "judged": f"judged_{name}",
-                "divisor_count": len(m.divisors),
-                "divisors": f"divisors_{name}",
-                "polynomials": f"polynomials_{name}",
-                "expand": f"expand_{name}",
-                "vary": f"vary_{name}",
-                "bounds": f"bounds_{name}" if m.has_bounds else "NULL",
-            }
-        )
-        most_series, most_constants = max(most_series, len(m.series)), max(most_constants, len(m.constants))
+        motion = Motion(page, key, name)
+        header.append(motion.struct("constants", motion.constants))
+        motions.append(f"/* ---- {name} */\n\n{comment(motion.function.__doc__)}{motion.in_c()}")
+        for_mode, mode_row = instants.mode_row(key, motion)
+        for_motion, row = motion_row(page, motion)
+        tables, mode_rows = tables + for_mode, mode_rows + mode_row
+        motion_tables, motion_rows = motion_tables + for_motion, motion_rows + row
+        series_count = max(series_count, len(motion.series))
+        constant_count = max(constant_count, len(motion.constants))
     motions.append(f"{motion_tables}\nconst tdmf_motion_kind {page.c}_motions[] = {{\n{motion_rows}}};\n")
-    set_rows = ""
-    for name in page.on_set:
-        if name in page.parameters or name in page.states:
-            own = [instants.setting(key, name) for key in page.keys]
-            tables += list_in_c("tdmf_set", f"set_{name}", own)
-            is_state = name in page.states
-            index = list(page.states if is_state else page.parameters).index(name)
-            set_rows += row_in_c({"is_state": str(is_state).lower(), "index": index, "set": f"set_{name}"})
-    forget_expressions()
-    scales = {f"of_states[{i}]": page.scale(q.unit) for i, q in enumerate(page.states.values())}
-    scales |= {f"of_events[EVENT_{n}]": page.scale(e.unit) for n, e in page.events.items()}
-    scale = functions.add(
-        "scales",
-        "scale",
-        assigned(scales, ""),
-        "What is large in the unit of each state and of each event's guard.",
-    )
-    name_rows = [
-        list_in_c("char *const", f"{what}_names", [text_literal(n) for n in of])
-        for what, of in (
-            ("mode", names),
-            ("event", page.events),
-            ("state", page.states),
-            ("parameter", page.parameters),
-            ("output", page.outputs),
-        )
-    ]
-    defaults = [
-        list_in_c("double", f"{what}_defaults", [number_text(lift(q.value).value) for q in of.values()])
-        for what, of in (("parameter", page.parameters), ("state", page.states))
-    ]
-    model_row = {
-        "state_count": len(page.states),
-        "parameter_count": len(page.parameters),
-        "event_count": len(page.events),
-        "mode_count": len(names),
-        "output_count": len(page.outputs),
-        "modes": "modes",
-        "scales": scale,
-        "set_count": set_rows.count(".index"),
-        "sets": "sets",
-        "series_count": most_series,
-        "constant_count": most_constants,
-        **{f"{what}_names": f"{what}_names" for what in ("mode", "event", "state", "parameter", "output")},
-        "parameter_defaults": "parameter_defaults",
-        "state_defaults": "state_defaults",
-    }
     header.append(
         f"extern const tdmf_motion_kind {page.c}_motions[];\n"
         f"extern const tdmf_model_kind {page.c}_model;\n\n#endif\n"
     )
-    rest = [
-        TOP.format(name=model.__name__) + f'#include "{page.c}.h"\n',
+    set_tables, set_rows = instants.sets()
+    row = {"modes": "modes", "sets": "sets", "set_count": len(set_rows), "scales": instants.scales()}
+    row |= {"series_count": series_count, "constant_count": constant_count}
+    lists = ""
+    named = {"state": page.states, "parameter": page.parameters, "event": page.events, "output": page.outputs}
+    for what, of in ({"mode": names} | named).items():
+        lists += list_in_c("char *const", f"{what}_names", map(text_literal, of))
+        row |= {f"{what}_count": len(of), f"{what}_names": f"{what}_names"}
+    for what in ("state", "parameter"):
+        defaults = [number_text(lift(q.value).value) for q in named[what].values()]
+        lists += list_in_c("double", f"{what}_defaults", defaults)
+        row[f"{what}_defaults"] = f"{what}_defaults"
+    instant = [
+        f'{top}#include "{page.c}.h"\n',
         *functions.texts,
-        tables,
+        tables + set_tables,
         f"static const tdmf_mode_kind modes[] = {{\n{mode_rows}}};\n",
-        f"static const tdmf_set_kind sets[] = {{\n{set_rows}    {{.index = -1}},\n}};\n",
-        *name_rows,
-        *defaults,
-        f"const tdmf_model_kind {page.c}_model = {{\n",
-        lines_of(f".{n} = {v}," for n, v in model_row.items()) + "};\n",
+        rows_in_c("set", "sets", set_rows, "index") + lists,
+        f"const tdmf_model_kind {page.c}_model = {{\n{lines_of(f'.{n} = {v},' for n, v in row.items())}}};\n",
     ]
     forget_expressions()
-    texts = {f"{page.c}.h": header, f"{page.c}_motions.c": motions, f"{page.c}.c": rest}
-    return {name: wrapped_text("\n".join(parts)) for name, parts in texts.items()}, page.keys
+    texts = {f"{page.c}.h": header, f"{page.c}_motions.c": motions, f"{page.c}.c": instant}
+    return {name: wrapped_text("\n".join(parts)) for name, parts in texts.items()}

@@ -7,11 +7,12 @@ and decorators mark the functions that give rates, decide at events or report.
 import functools
 import inspect
 import math
+import operator
 import sys
 from types import SimpleNamespace as Record
 from typing import ClassVar
 
-from .errors import PageError, caller, location_of, page_error, similar
+from .errors import PageError, caller, page_error, similar
 from .expressions import Condition, Expression, lift, selected
 from .units import dimension_of
 
@@ -22,7 +23,12 @@ __all__ = [
 ]  # fmt: skip
 
 radians = math.radians
-BOUNDS = {"least": "at least", "above": "above", "most": "at most", "below": "below"}
+BOUNDS = {
+    "least": ("at least", operator.ge),
+    "above": ("above", operator.gt),
+    "most": ("at most", operator.le),
+    "below": ("below", operator.lt),
+}
 
 
 def _function(name):
@@ -45,7 +51,7 @@ sqrt, sin, cos, exp, log, expm1, log1p, atan2 = map(
 
 
 def select(condition, if_true, if_false):
-    """One of two numbers. A decision about a number takes `select`; a decision about a mode takes `if`."""
+    """One of two numbers, by a condition. To choose a mode or a word, use `if` instead."""
     if isinstance(condition, Condition):
         return selected(condition.sign, condition.a, condition.b, lift(if_true), lift(if_false))
     if hasattr(condition, "shape") and condition.shape:
@@ -63,58 +69,34 @@ class Quantity(Record):
 
     def __set_name__(self, page, name):
         if self.is_input:
-            rate = state(0, per_second(self.unit), f"Rate at which `{name}` is ramped")
+            unit = f"{self.unit}/s" if self.unit else "1/s"
+            rate = state(0, unit, f"Rate at which `{name}` is ramped")
             rate.location = self.location
             setattr(page, f"{name}_rate", rate)
 
 
-def per_second(unit):
-    """The unit of a rate."""
-    return f"{unit}/s" if unit not in ("", "1") else "1/s"
-
-
 def _declared(kind, value, unit, meaning, name, within, **more):
-    location = caller()
-    new = Quantity(
-        kind=kind, value=value, unit=unit, meaning=meaning, name=name, within=within, location=location
-    )
-    vars(new).update({"of": None, "values": float} | more)
+    new = Quantity(kind=kind, value=value, unit=unit, meaning=meaning, name=name, within=within)
+    vars(new).update({"location": caller(), "of": None, "values": float} | more)
     return new
 
 
 def check_quantity(name, quantity):
-    """Refuse a declaration that cannot be right, and find the dimension of its unit."""
+    """Refuse an invalid declaration, and set the dimension of its unit."""
     value, within = quantity.value, quantity.within
     try:
         quantity.dimension = dimension_of(quantity.unit)
     except PageError as error:
-        raise page_error(quantity.location, name, str(error)) from None
-    unknown = next((word for word in within if word not in BOUNDS), None)
-    if unknown:
-        text = f"has `{unknown}`, which is no bound{similar(unknown, BOUNDS)}"
-        raise page_error(quantity.location, name, text)
+        raise page_error(quantity, name, str(error)) from None
+    for word in within:
+        if word not in BOUNDS:
+            raise page_error(quantity, name, f"has `{word}`, which is no bound{similar(word, BOUNDS)}")
     if not isinstance(value, (int, float)) or not math.isfinite(value):
-        raise page_error(quantity.location, name, f"starts at {value!r}; it has to be a finite number")
-    if not is_within(value, within):
-        text = f"starts at {value:g}; it must be {bounds_in_words(within)}"
-        raise page_error(quantity.location, name, text)
+        raise page_error(quantity, name, f"starts at {value!r}; it has to be a finite number")
+    if not all(BOUNDS[word][1](value, bound) for word, bound in within.items()):
+        allowed = " and ".join(f"{BOUNDS[word][0]} {bound:g}" for word, bound in within.items())
+        raise page_error(quantity, name, f"starts at {value:g}; it must be {allowed}")
     quantity.value = float(value)
-
-
-def is_within(value, within):
-    """Whether a number is in its bounds."""
-    tests = {
-        "least": value >= within.get("least", value),
-        "above": value > within.get("above", -math.inf),
-        "most": value <= within.get("most", value),
-        "below": value < within.get("below", math.inf),
-    }
-    return all(tests.values())
-
-
-def bounds_in_words(within):
-    """What a number may be, for messages."""
-    return " and ".join(f"{BOUNDS[word]} {bound:g}" for word, bound in within.items())
 
 
 def parameter(value, unit="1", meaning="", name=None, tunable=False, **within):
@@ -129,17 +111,17 @@ def parameter(value, unit="1", meaning="", name=None, tunable=False, **within):
 
 
 def setting(value=0.0, unit="1", meaning="", name=None, **within):
-    """A discrete input: constant but for jumps, which only an importer makes."""
+    """A discrete input, which is constant between the changes that an importer makes."""
     return _declared("parameter", value, unit, meaning, name, within, role="setting")
 
 
 def input(value=0.0, unit="1", meaning="", name=None, **within):
-    """A continuous input: every mode moves it at the held rate `<name>_rate`, 0 unless it is ramped."""
+    """A continuous input, which every mode moves at the held rate `<name>_rate`, 0 by default."""
     return _declared("state", value, unit, meaning, name, within, role="input", is_input=True)
 
 
 def state(value=0.0, unit="1", meaning="", name=None, of=None, values=float, **within):
-    """A state and its start. A mode that gives it no rate holds it: there it is a constant.
+    """A state and its start value. It is constant ("held") in modes that give it no rate.
 
     `of` names the sets of coordinates that it belongs to; without it the state is in all of them. `values`
     is the kind of its values, as in `output`.
@@ -149,17 +131,17 @@ def state(value=0.0, unit="1", meaning="", name=None, of=None, values=float, **w
 
 
 def clock(meaning="Time"):
-    """The time: a state that every mode moves at rate 1."""
+    """The time, a state with rate 1 in every mode."""
     return _declared("state", 0.0, "s", meaning, None, {}, role="clock", is_clock=True)
 
 
 def letters(alphabet):
-    """The kind of an output that is text: each digit of the number stands for a letter of the alphabet."""
+    """The kind of a text output: each digit of the number stands for a letter of the alphabet."""
     return ("letters", alphabet)
 
 
 class Absent:
-    """Stands for a state that the coordinates of a mode do not have; reading it is an error of the page."""
+    """Placeholder of a state that the coordinates of a mode do not have; reading it is an error."""
 
     __array_ufunc__ = None
 
@@ -207,38 +189,41 @@ def coordinates(name):
     return _marked(gives_coordinates=name)
 
 
-def event(modes, when, unit="1", only=None, crossing=None, noted=True, **words):
-    """Mark the decision at an event: `when` falls through 0 in these modes, or is below 0 where one begins.
+def event(modes, when, unit="1", only=None, crossing=None, counted=True, **words):
+    """Mark the decision at an event, which is due where `when` falls through 0 or a mode begins below 0.
 
-    `words` restrict it to some cases of the modes. Where `only` does not hold as a mode begins, it is not
-    watched. Where `crossing` holds it is never due at once. The function returns the model after the event.
-    An event that is not `noted` is bookkeeping: it is not counted.
+    `words` restrict the event to some cases of the modes. If `only` does not hold where a mode begins, the
+    event is not watched there. If `crossing` holds, `when` must cross 0. The function returns the model after
+    the event. `counted` tells `leaving` whether the event counts; bookkeeping does not.
     """
-    return _marked(
-        is_event=True,
-        modes=_words(modes, "event"),
-        when=when,
-        unit=unit,
-        only=only,
-        crossing=crossing,
-        noted=noted,
-        case={w: v if isinstance(v, tuple) else (v,) for w, v in words.items()},
-    )
+    case = {word: value if isinstance(value, tuple) else (value,) for word, value in words.items()}
+    marks = {"when": when, "unit": unit, "only": only, "crossing": crossing, "counted": counted, "case": case}
+    return _marked(is_event=True, modes=_words(modes, "event"), **marks)
 
 
-def on_set(name):
-    """Mark what else changes where this quantity is set: a function of the model and the new value."""
-    return _marked(is_on_set=True, sets=name)
+def on_set(names):
+    """Mark what else changes when an importer sets one of these quantities.
+
+    The function takes the model before and after the change, and returns the one before with its changes.
+    """
+    return _marked(is_on_set=True, sets=_words(names, "on_set"))
 
 
 def require(name, allowed):
-    """Mark a number that may not be negative at a start, with the words that refuse the variable."""
+    """Mark a number that must not be negative at a start; `allowed` says what the variable has to be."""
     return _marked(is_required=True, of_variable=name, allowed=allowed)
 
 
-def output(unit="1", name=None, kind=float):
-    """Mark a quantity that is reported: float, int, bool, a tuple of names (1, 2, ...) or `letters`."""
-    return _marked(is_output=True, unit=unit, name=name, kind_of_value=kind)
+def output(unit="1", meaning="", name=None, kind=float, of=None):
+    """Mark a function whose value is reported; or declare an output `of` a function, with its meaning.
+
+    The kind is float, int, bool, a tuple of names for the values 1, 2, ..., or `letters`.
+    """
+    mark = _marked(is_output=True, unit=unit, name=name, kind_of_value=kind)
+    if of is None:
+        return mark
+    of.__doc__ = meaning
+    return mark(of)
 
 
 def observe(modes, part, into, unit="1"):
@@ -247,7 +232,7 @@ def observe(modes, part, into, unit="1"):
 
 
 class _Body(dict):
-    """The body of a page's class: a name that is declared twice is an error."""
+    """Namespace of a page's class, in which a second declaration of a name is an error."""
 
     def __setitem__(self, name, value):
         old = self.get(name)
@@ -256,11 +241,12 @@ class _Body(dict):
         super().__setitem__(name, value)
 
 
+NAME_LIMIT = 60
 MARKS = ("is_mode", "is_event", "is_output", "is_observed", "is_on_set", "is_required", "gives_coordinates")
 
 
 class _Page(type):
-    """Checks the names that a page declares, as its class is made."""
+    """Metaclass of pages, which checks the declared names."""
 
     @classmethod
     def __prepare__(cls, name, bases, **_):
@@ -272,32 +258,21 @@ class _Page(type):
             if inspect.isfunction(value) and inspect.isfunction(inherited):
                 vars(value).update({**vars(inherited), **vars(value)})
         new = super().__new__(cls, name, bases, dict(body), **more)
-        reserved = set(vars(Model)) if bases else set()
         for own, value in body.items():
-            location = getattr(value, "location", None) or location_of(value)
-            if (isinstance(value, Quantity) or any(hasattr(value, m) for m in MARKS)) and not own.startswith(
-                "__"
-            ):
-                if own in reserved:
-                    raise page_error(location, own, "is a word of the language; choose another name")
-                if own.startswith("_") or not own.isascii() or len(own) > 60:
-                    raise page_error(
-                        location,
-                        own,
-                        "cannot be a name: it has to begin with a letter of a to z, and "
-                        "have at most 60 letters, digits and _",
-                    )
+            if isinstance(value, Quantity) or any(hasattr(value, mark) for mark in MARKS):
+                if bases and own in vars(Model):
+                    raise page_error(value, own, "is a word of the language; choose another name")
+                if own.startswith("_") or not own.isascii() or len(own) > NAME_LIMIT:
+                    text = f"cannot be a name: use at most {NAME_LIMIT} letters, digits and _, a letter first"
+                    raise page_error(value, own, text)
         for own, value in vars(new).items():
             if isinstance(value, Quantity):
                 check_quantity(own, value)
         for own in dict.fromkeys(n for base in new.__mro__ for n in vars(base)):
             declared = [base for base in new.__mro__ if isinstance(vars(base).get(own), Quantity)]
             if len(declared) > 1 and not issubclass(declared[0], declared[1]) and own not in body:
-                raise page_error(
-                    vars(declared[0])[own].location,
-                    own,
-                    f"is declared by the parts {declared[0].__name__} and {declared[1].__name__}",
-                )
+                text = f"is declared by the parts {declared[0].__name__} and {declared[1].__name__}"
+                raise page_error(vars(declared[0])[own], own, text)
         return new
 
 
@@ -307,9 +282,9 @@ class Model(metaclass=_Page):
     start = "", {}
     """The mode in which runs start, and its words."""
     scales: ClassVar = {}
-    """For each unit a function of the parameters: what is large in it. Without one it is 1."""
+    """Typical size of quantities by unit, as functions of the parameters; 1 by default."""
     prefix = ""
-    """Prefix of the names, in a unit, of what a part declares."""
+    """Prefix that a part gives to the names of its quantities in a unit."""
 
     def __init_subclass__(cls):
         for name in list(vars(cls)):
@@ -320,22 +295,27 @@ class Model(metaclass=_Page):
 
     @classmethod
     @functools.cache
+    def members(cls):
+        """Everything that the page declares, by name, in the order of the page."""
+        names = dict.fromkeys(name for base in reversed(cls.__mro__) for name in vars(base))
+        return {name: inspect.getattr_static(cls, name) for name in names}
+
+    @classmethod
+    @functools.cache
     def marked(cls, mark):
         """Functions of the page with a mark, by name, in the order of the page."""
-        names = dict.fromkeys(name for base in reversed(cls.__mro__) for name in vars(base))
-        return {name: getattr(cls, name) for name in names if hasattr(getattr(cls, name), mark)}
+        return {name: function for name, function in cls.members().items() if hasattr(function, mark)}
 
     @classmethod
     @functools.cache
     def quantities(cls, kind):
         """Quantities of a kind by name, in the order of the page."""
-        names = dict.fromkeys(name for base in reversed(cls.__mro__) for name in vars(base))
-        found = {name: inspect.getattr_static(cls, name) for name in names}
-        return {name: q for name, q in found.items() if isinstance(q, Quantity) and q.kind == kind}
+        found = cls.members().items()
+        return {name: q for name, q in found if isinstance(q, Quantity) and q.kind == kind}
 
     @classmethod
     def public(cls, name):
-        """The name in a unit: its own, else with the prefix of the part that declares it first."""
+        """The name in a unit: `name=` of the declaration, else the name with the prefix of its part."""
         declared = [base for base in cls.__mro__ if name in vars(base)]
         for base in declared:
             if getattr(vars(base)[name], "name", None):
@@ -345,44 +325,38 @@ class Model(metaclass=_Page):
 
     @classmethod
     def at(cls, mode, **values):
-        """The model at an instant of a mode: values of any kind for its words, parameters and states."""
+        """The model at an instant of a mode, with these values of words, parameters and states."""
         new = object.__new__(cls)
         for kind in ("parameter", "state"):
             vars(new).update({name: q.value for name, q in cls.quantities(kind).items()})
         unknown = [n for n in values if not hasattr(cls, n) and n not in cls.all_words()]
         if unknown:
-            raise PageError(
-                f"is given `{unknown[0]}`, which it does not have{similar(unknown[0], vars(new))}"
-            )
+            text = f"is given `{unknown[0]}`, which it does not have{similar(unknown[0], vars(new))}"
+            raise PageError(text)
         vars(new).update(values, mode=mode)
         return new.without_other_coordinates()
 
     @classmethod
     @functools.cache
     def all_words(cls):
-        """Words of any mode."""
+        """The words of all modes."""
         return {word for function in cls.marked("is_mode").values() for word in function.words}
 
-    @classmethod
-    @functools.cache
-    def states_of_sets(cls):
-        """States that belong to sets of coordinates, with these."""
-        return {name: q.of for name, q in cls.quantities("state").items() if q.of}
-
     def without_other_coordinates(self):
-        """Take away the states that the mode's coordinates do not have."""
-        for name, of in self.states_of_sets().items():
-            if self.seen_in not in of:
+        """Remove the states that the mode's coordinates do not have."""
+        seen_in = self.seen_in
+        for name, quantity in self.quantities("state").items():
+            if quantity.of and seen_in not in quantity.of:
                 setattr(self, name, Absent(name, self.mode))
         return self
 
     @property
     def seen_in(self):
-        """The coordinates of the mode."""
+        """The set of coordinates of the mode."""
         return getattr(self.marked("is_mode").get(self.mode), "of", None)
 
     def in_coordinates(self, name):
-        """The model's values of a set of coordinates, as a mapping."""
+        """The values of another set of coordinates, as a mapping."""
         for give in self.marked("gives_coordinates").values():
             if give.gives_coordinates == name:
                 return give(self)
@@ -396,9 +370,8 @@ class Model(metaclass=_Page):
         allowed = self.quantities("state").keys() | self.all_words()
         for name in changes:
             if name not in allowed and not hasattr(type(self), name):
-                raise PageError(
-                    f"changes `{name}`, which is neither a state nor a word{similar(name, allowed)}"
-                )
+                text = f"changes `{name}`, which is neither a state nor a word{similar(name, allowed)}"
+                raise PageError(text)
             if name in self.quantities("parameter"):
                 raise PageError(f"changes the parameter `{name}`; only a state can change")
         changes = {name: value for name, value in changes.items() if name in allowed}  # others are fixed
@@ -414,6 +387,6 @@ class Model(metaclass=_Page):
         """The model in the same mode, with other words and states."""
         return self.to(self.mode, **changes)
 
-    def leaving(self, noted):
-        """The model as an event finds it: what every event writes down. `noted` is 1 or 0."""
+    def leaving(self, counted):
+        """The model before the decision of any event, with what all events record. `counted` is 1 or 0."""
         return self

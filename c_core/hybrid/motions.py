@@ -1,8 +1,8 @@
-"""C of a mode's motion: its constants, the series of its states, its guards, and their variations."""
+"""C of the motion in a mode: constants, series of the states, guards, and their variations."""
 
 import re
 
-from .c_text import RESERVED, assigned, c_text, name_of, own_name, wrapped_text
+from .c_text import c_text, function_in_c, lines_of, name_of, take_name
 from .errors import reading
 from .expressions import Variation, forget_expressions, leaves_of, lift, made, ordered, replaced, symbol
 from .series import (
@@ -57,53 +57,32 @@ CASTS = {
     "d_constants": ("d", "constants", "const "),
     "varied": ("t", "series", ""),
 }
-TURNS = {"sin": "sine", "cos": "cosine"}
+TURNS = {"sin": "true", "cos": "false"}
 INTERVALS = {"+": "interval_sum", "-": "interval_difference", "*": "interval_product"}
 
 
-def lines_of(lines, indent="    "):
-    """Lines of C with an indent."""
-    return "".join(f"{indent}{line}\n" for line in lines)
-
-
 def loop_of(lines):
-    """Statements for each coefficient."""
+    """A loop over the coefficients."""
     return f"    for (int k = 0; k < order; ++k) {{\n{lines_of(lines, '        ')}    }}\n"
 
 
-def unused(names, body):
-    """Statements that keep compilers quiet about what a function is given and does not need."""
-    return lines_of(f"(void){n};" for n in names.split() if f"{n}->" not in body and f"{n}[" not in body)
-
-
-def comment(text):
-    """A comment of C, of one line or several."""
-    return wrapped_text(f"/* {' '.join(text.split())} */") + "\n" if text else ""
-
-
 class Motion:
-    """A mode traced: its constants, its states and the series that they need, its guards."""
+    """The expressions of a mode: its constants, the series of its states, its guards."""
 
     def __init__(self, page, key, name):
         self.page, self.key, self.name, self.function = page, key, name, page.modes[key[0]]
         self.watched = list(page.watched(key))
         self.observed = {n: o for n, o in page.observed.items() if key[0] in o.modes}
         self.moving, drifting = [], []
-        for seen in range(
-            3
-        ):  # first what moves, since all else is constant, then what moves at constant rates
+        for seen in range(3):  # first finds what moves, then what moves at a constant rate
             forget_expressions()
             states = {n: self.symbol_of(n) for n in page.states}
             for n in drifting:
                 states[n].drifts = True
             given = page.rates(key, states.get)
-            drifting = [
-                n for n, rate in given.items() if seen > 0 and rate.is_constant and not rate.is_number(0)
-            ]
-            moving = [
-                n for n in page.states if n in given and not given[n].is_number(0) and n not in drifting
-            ]
-            self.moving = moving + drifting
+            moving = [n for n in page.states if n in given and not given[n].is_number(0)]
+            drifting = [n for n in given if n in moving and seen > 0 and given[n].is_constant]
+            self.moving = [n for n in moving if n not in drifting] + drifting
         rates = {states[n]: given[n] for n in self.moving}
         self.drifting = [states[n] for n in drifting]
         guards = self.traced_guards(rates, states)
@@ -117,47 +96,36 @@ class Motion:
         self.series = [array.removeprefix("s->") for array in self.known.values()]
         degrees = degrees_of(self.rates)
         self.degrees = [degrees[s] for s in self.rates]
-        self.judged = [
-            i
-            for i, (s, rate) in enumerate(self.rates.items())
-            if degrees[s] == NO_DEGREE and rate not in self.rates
-        ]
+        steers = [degrees[s] == NO_DEGREE and rate not in self.rates for s, rate in self.rates.items()]
+        self.judged = [i for i, is_judged in enumerate(steers) if is_judged]
 
     def symbol_of(self, name):
-        return self.page.symbol_of(
-            name, "s" if name in self.moving else "x", constant=name not in self.moving
-        )
+        is_moving = name in self.moving
+        return self.page.symbol_of(name, "s" if is_moving else "x", constant=not is_moving)
 
     def traced_guards(self, rates, states):
-        """Guards of the events that are watched, and quantities that are observed, as expressions."""
+        """Guards of watched events, then observed quantities, as expressions."""
         page = self.page
-        for root in rates.values():
-            with reading(self.function, self.key[0]):
-                refuse_kinks(root)
-        guards = []
-        for n in self.watched:
-            guards.append(page.guard(self.key, n, states.get))
-            with reading(page.events[n].when, n):
-                refuse_kinks(guards[-1])
+        traced = [(self.function, self.key[0], rate) for rate in rates.values()]
+        traced += [(page.events[n].when, n, page.guard(self.key, n, states.get)) for n in self.watched]
         for n, function in self.observed.items():
-            guards.append(page.number(function, self.key, n, function.unit, states.get))
-            with reading(function, n):
-                refuse_kinks(guards[-1])
-        state_of_rate = {rate: state for state, rate in rates.items()}
-        return [
-            made("rate", state_of_rate[g]) if g in state_of_rate and not g.is_constant else g for g in guards
-        ]
+            traced.append((function, n, page.number(function, self.key, n, function.unit, states.get)))
+        for function, name, expression in traced:
+            with reading(function, name):
+                refuse_kinks(expression)
+        of_rate = {rate: made("rate", state) for state, rate in rates.items() if not rate.is_constant}
+        return [of_rate.get(guard, guard) for _, _, guard in traced[len(rates) :]]
 
     def take_constants(self, rates, guards, starts):
-        """Make constants of the mode of what does not move."""
+        """Replace the constant parts of rates, guards and starts by constants of the mode."""
         self.constants, taken, new = {}, set(), {}
         roots = [*rates.values(), *guards, *starts.values()]
         nodes = ordered(roots)
         asked = {o for node in nodes if not node.is_constant for o in node.operands} | set(roots)
         for node in nodes:
             if node.is_constant and node.operation != "number" and node in asked:
-                if node.operands and (not node.name or node.name in taken or node.name in RESERVED):
-                    node.name = own_name(node, taken)
+                if node.operands:
+                    take_name(node, taken)
                 name = name_of(node)
                 taken.add(name)
                 self.constants[name] = node
@@ -173,23 +141,21 @@ class Motion:
         return f"typedef struct {{\n{lines}}} {self.name}_{what};\n"
 
     def function_of(self, name, given, body, about):
-        """A function of the motion, with the structs that it reads in place of arrays."""
-        casts = ""
-        for argument in re.findall(r"(\w+)(?:,|$)", given):
-            variable, what, const = CASTS.get(argument, ("", "", ""))
-            if variable and f"{variable}->" in body:
-                casts += f"    {const}{self.name}_{what} *{variable} = ({const}void *){argument};\n"
-            elif not re.search(rf"\b{argument}\b", body):
-                casts += f"    (void){argument};\n"
-        return f"{comment(about)}static void {name}({given}) {{\n{casts}{body}}}\n"
+        """A function of the motion, which reads its arrays as structs."""
+        structs = {a: (v, f"{self.name}_{struct}", const) for a, (v, struct, const) in CASTS.items()}
+        return function_in_c("void", name, given, body, about, structs)
+
+    def in_c(self):
+        """The motion's structs and functions."""
+        parts = (self.c_of_series(), self.c_of_variation(), self.c_of_guards(), self.c_of_bounds())
+        return "\n".join(text for part in parts for text in part)
 
     def c_of_series(self):
         """The structs of the series and their expansion."""
         value, arrays = self.value, self.value.arrays
         summed = value.summed()
-        divisors = list(
-            dict.fromkeys(value.series_in(n)[-1] for n in summed if kind_of(n) in ("quotient", "sqrt"))
-        )
+        divided = [n for n in summed if kind_of(n) in ("quotient", "sqrt")]
+        divisors = list(dict.fromkeys(value.series_in(n)[-1] for n in divided))
         self.divisors = [self.series.index(arrays[node].removeprefix("s->")) for node in divisors]
         zero = {node: f"{array}[0]" for node, array in arrays.items()}
         first = [f"{s.value}[1] = {c_text(self.rates[s])};" for s in self.drifting]
@@ -203,35 +169,33 @@ class Motion:
             a, b = (arrays[series] for series in value.series_in(node))
             is_ahead, half, n = node in value.ahead, "0.5 * " if a == b else "", node.name
             j = "j + 1" if is_ahead else "j"
-            pairs += [
-                f"sum->{n} += {term};" for term in dict.fromkeys([f"{a}[i] * {b}[{j}]", f"{b}[i] * {a}[{j}]"])
-            ]
+            terms = dict.fromkeys([f"{a}[i] * {b}[{j}]", f"{b}[i] * {a}[{j}]"])
+            pairs += [f"sum->{n} += {term};" for term in terms]
             both = " + ".join(dict.fromkeys([f"{a}[i] * {b}[i + 1]", f"{b}[i] * {a}[i + 1]"]))
             middle += [
                 f"sum->{n} = {both if is_ahead else f'{half}({a}[i] * {b}[i])'};",
                 f"next->{n} = {f'{half}({a}[i + 1] * {b}[i + 1])' if is_ahead else 'broadcast(0.0)'};",
             ]
         if not summed:
-            pairs, middle = (
-                [f"(void){n};" for n in ["s", "i", "j", "sum"]],
-                [f"(void){n};" for n in ["s", "i", "sum", "next"]],
-            )
-        step = value.step()
+            pairs = [f"(void){n};" for n in ("s", "i", "j", "sum")]
+            middle = [f"(void){n};" for n in ("s", "i", "sum", "next")]
+        step = lines_of(value.step())
+        quiet = [f"(void){n};" for n in ("c", "by", "sum", "s") if not re.search(rf"\b{n}(->|\[)", step)]
+        quiet += [] if "k" in step else ["(void)k;"]
         yield self.struct("series", self.series, "[TERMS]")
         yield self.struct("sums", [node.name for node in summed])
         yield self.struct("factors", [f"inverse_{name_of(node)}" for node in divisors])
-        quiet = unused("c by sum s", " ".join(step)) + ("" if "k" in " ".join(step) else "    (void)k;\n")
         yield EXPAND.format(
             mode=self.name,
             first=lines_of(first),
             pairs=lines_of(pairs),
             middle=lines_of(middle),
-            step=quiet + lines_of(step),
+            step=lines_of(quiet) + step,
             factors=", ".join(f"1.0 / {zero[node]}" for node in divisors) or "broadcast(0.0)",
         )
 
     def c_of_variation(self):
-        """The variation of the series: one more expansion, where the motion's series are known."""
+        """The first variation of the series, an expansion that reuses the series."""
         leaves = leaves_of([*self.rates, *self.rates.values(), *self.starts.values()])
         of = {n: symbol(f"{'d' if n.is_constant else 't'}->{n.value[3:]}", n.is_constant) for n in leaves}
         varies = Variation(of, "d_")
@@ -239,9 +203,8 @@ class Motion:
         zero = {node: f"{array}[0]" for node, array in self.known.items()}
         zero |= {v: f"{v.value}[0]" for v in of.values() if v.value.startswith("t->")}
         first = [f"{zero[of[s]]} = {c_text(varies.of(start), zero.get)};" for s, start in self.starts.items()]
-        first += [
-            varied.define(n, "0")[-1] for n in varied.ahead if n in varied.arrays and n not in self.known
-        ]
+        ahead = [n for n in varied.ahead if n in varied.arrays and n not in self.known]
+        first += [varied.define(n, "0")[-1] for n in ahead]
         own = [f"real {array}[TERMS];" for array in varied.arrays.values() if "->" not in array]
         body = lines_of(own + first) + loop_of(varied.step())
         given = "const real *constants, const real *series, const real *d_constants, int order, real *varied"
@@ -258,7 +221,7 @@ class Motion:
             yield self.function_of(f"guard_{self.name}_{name}", given, body, f"{name}: {about.__doc__ or ''}")
 
     def c_of_bounds(self):
-        """What guards are no less than in a step, by intervals; a guard that divides has no bound."""
+        """Lower bounds of the guards in a step, by interval arithmetic; a guard that divides has none."""
         self.has_bounds = False
         lines, variables = [], {}
         for i, guard in enumerate(self.guards[: len(self.watched)]):
@@ -267,20 +230,13 @@ class Motion:
             lines.append(f"low[{i}] = {f'{bound}.low' if bound else 'broadcast(-INFINITY)'};")
         if self.has_bounds:
             given = "const real *constants, const real *series, const real *power, int order, real *low"
-            about = "What the guards are no less than in a step."
+            about = "Lower bounds of the guards in a step."
             yield self.function_of(f"bounds_{self.name}", given, lines_of(lines), about)
 
     def bound(self, guard, variables, lines):
-        """Statements for the interval of a guard; the variable's name, or None."""
-
-        def is_turn(node):
-            return node.operation in ("sin", "cos") and not node.is_constant
-
-        stops = {
-            *self.known,
-            *(node for node in ordered([guard], self.known) if is_turn(node) and node not in self.known),
-        }
-        nodes, new = ordered([guard], stops), []
+        """Add statements for the interval of a guard; the variable's name, or None where it has no bound."""
+        turns = [n for n in ordered([guard], self.known) if n.operation in TURNS and not n.is_constant]
+        nodes, new = ordered([guard], {*self.known, *turns}), []
         for node in nodes:
             if node in variables:
                 continue
@@ -290,19 +246,13 @@ class Motion:
             elif node.is_constant:
                 if all(user.is_constant for user in nodes if node in user.operands) and node is not guard:
                     continue
-                text = f"interval_at({c_text(node)}, {c_text(node)})"
-                text = (
-                    text
-                    if node.operation != "number"
-                    else f"interval_at(broadcast({c_text(node)}), broadcast({c_text(node)}))"
-                )
-            elif is_turn(node):
-                angle = node.operands[0]
-                if angle not in self.known:
-                    text = "interval_at(broadcast(-1.0), broadcast(1.0))"
-                else:
-                    array = self.known[angle]
-                    text = f"interval_of_{TURNS[node.operation]}({array}, power, order)"
+                value = f"broadcast({c_text(node)})" if node.operation == "number" else c_text(node)
+                text = f"interval_at({value}, {value})"
+            elif node in turns and node.operands[0] in self.known:
+                given = f"{self.known[node.operands[0]]}, power, order, {TURNS[node.operation]}"
+                text = f"interval_of_turn({given})"
+            elif node in turns:
+                text = "interval_at(broadcast(-1.0), broadcast(1.0))"
             elif node.operation == "negative":
                 text = f"interval_at(-{of[0]}.high, -{of[0]}.low)"
             elif node.operation in INTERVALS:
@@ -315,25 +265,8 @@ class Motion:
         return variables[guard]
 
 
-def constants_in_c(motion, function_of):
-    """What is constant in the mode, and its variation."""
-    vary = InstantVariation()
-    values = motion.constants
-    cast = f"    {motion.name}_constants *c = (void *)constants;\n" if values else ""
-    yield function_of(
-        f"open_{motion.name}", "open", cast + assigned(values, "c->"), f"Constants of {motion.name}."
-    )
-    varied = {name: vary.of(value) for name, value in values.items()}
-    yield function_of(
-        f"vary_open_{motion.name}",
-        "vary_open",
-        cast + assigned(varied, "c->"),
-        f"First variation of open_{motion.name}.",
-    )
-
-
 class InstantVariation(Variation):
-    """First variations at an instant: parameters vary by dp, states by dx, and nothing else varies."""
+    """First variations at an instant, along variations dp of the parameters and dx of the states."""
 
     def __init__(self):
         super().__init__({}, "d_")

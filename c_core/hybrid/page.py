@@ -1,31 +1,35 @@
-"""A page as the generator reads it: its model on symbols, the modes that runs can reach, its decisions."""
+"""A page on symbols: the modes that runs can reach, their rates, guards and decisions, and checks."""
 
 import math
+import re
+from pathlib import Path
 
 from .c_text import safe_names
-from .errors import PageError, location_of, page_error, reading, similar
+from .errors import PageError, page_error, reading, similar
 from .expressions import Condition, Variation, explore, forget_expressions, leaves_of, lift, symbol, value_of
 from .model import Absent, Model
 from .tracing import trace
 from .units import ANY, SECOND, dimension_of, power, text_of, times
 
 PARTS = ("positive integral", "largest")
-CHAIN_LIMIT = 100
+MODE_LIMIT, START_MARGIN = 100, 1e-9
+HEADER = (Path(__file__).parent / "kernel" / "driver.h").read_text(encoding="utf-8")
+LIMITS = {name: int(limit) for name, limit in re.findall(r"TDMF_(\w+)_LIMIT = (\d+)", HEADER)}
+"""The driver's limits: events in zero time (CHAIN), events of a mode (GUARD), modes after one (NEXT)."""
 
 
 class Page:
-    """A model's class: what it declares, and the model at an instant of a mode.
+    """The declarations of a model, and its functions on symbols.
 
-    A key is a mode with its words: each key that a run can reach is a mode of C.
+    A key is a mode with its words. Each key that a run can reach becomes a mode of C.
     """
 
     def __init__(self, model):
-        self.model, self.location = model, None
+        self.model = model
         self.parameters, self.states = model.quantities("parameter"), model.quantities("state")
-        self.modes, self.events, self.outputs, self.observed = map(
-            model.marked, ("is_mode", "is_event", "is_output", "is_observed")
-        )
-        self.on_set = {f.sets: f for f in model.marked("is_on_set").values()}
+        self.modes, self.events = model.marked("is_mode"), model.marked("is_event")
+        self.outputs, self.observed = model.marked("is_output"), model.marked("is_observed")
+        self.on_set = {name: f for f in model.marked("is_on_set").values() for name in f.sets}
         self.inputs = [name for name, q in self.states.items() if q.is_input]
         self.clocks = [name for name, q in self.states.items() if q.is_clock]
         self.c_names = safe_names(list(self.parameters)) | safe_names(list(self.states))
@@ -37,27 +41,26 @@ class Page:
     # ---- the model on symbols
 
     def symbol_of(self, name, of, constant=False):
-        """The symbol of a quantity: `p->name`, `x->name` and their like in C."""
+        """The symbol of a quantity, in C a member of the struct `of`: `p->name` or `x->name`."""
         quantity = self.parameters.get(name) or self.states[name]
         return symbol(f"{of}->{self.c_names[name]}", constant, quantity.dimension)
 
     def at(self, key, state_of=None):
-        """The model in a mode, its parameters and states being symbols."""
+        """The model in a mode, with symbols for parameters and states."""
         state_of = state_of or (lambda name: self.symbol_of(name, "x"))
         values = {name: self.symbol_of(name, "p", constant=True) for name in self.parameters}
-        return self.model.at(
-            key[0], **dict(key[1]), **values, **{name: state_of(name) for name in self.states}
-        )
+        values |= {name: state_of(name) for name in self.states}
+        return self.model.at(key[0], **dict(key[1]), **values)
 
     def key(self, mode, words):
-        """A mode with its words, and no others."""
+        """The key of a mode, from the values of words."""
         for word in self.modes[mode].words:
             if words.get(word) is None:
                 raise PageError(f"goes to `{mode}` without its word `{word}`")
         return mode, tuple((word, words[word]) for word in self.modes[mode].words)
 
     def rates(self, key, state_of=None):
-        """Rates of the states in a mode, those of inputs and clocks included."""
+        """Rates of the states in a mode, inputs and clocks included."""
         function, model = self.modes[key[0]], self.at(key, state_of)
         given = trace(function, model)
         with reading(function, key[0]):
@@ -69,12 +72,12 @@ class Page:
             found = {} if function.ends else found | given
             rates = {n: lift(rate) for n, rate in found.items() if n in self.states}
             for name, rate in rates.items():
-                self.check_unit(
-                    rate, times(self.states[name].dimension, power(SECOND, -1)), f"gives `{name}` a rate"
-                )
+                dimension = times(self.states[name].dimension, power(SECOND, -1))
+                self.check_unit(rate, dimension, f"gives `{name}` a rate")
         return rates
 
     def check_rate(self, name, mode):
+        """Refuse the rate of a name that is no state, or no state of the mode's coordinates."""
         of = self.states[name].of if name in self.states else ()
         if name not in self.states and not isinstance(
             vars(self.model).get(name, getattr(self.model, name, None)), (int, float)
@@ -84,11 +87,12 @@ class Page:
             raise PageError(f"gives a rate to `{name}`, which the coordinates of `{mode}` do not have")
 
     def check_unit(self, value, dimension, what):
+        """Refuse a value in another unit."""
         if value.dimension not in (ANY, dimension):
             raise PageError(f"{what} in {text_of(value.dimension)}; its unit is {text_of(dimension)}")
 
     def number(self, function, key, name, unit=None, state_of=None):
-        """What a function of the page gives in a mode, as an expression; a comparison counts as 1 or 0."""
+        """The value of a page's function in a mode, as an expression; a comparison counts as 1 or 0."""
         value = trace(function, self.at(key, state_of), name=name)
         with reading(function, name):
             if value is None:
@@ -99,27 +103,24 @@ class Page:
         return value
 
     def scale(self, unit):
-        """The scale of a unit, an expression of parameters."""
+        """The scale of a unit, as an expression of parameters."""
         function = self.model.scales.get(unit, lambda model: 1)
         return lift(trace(function, self.at(("", ())), name=f"scale of {unit}"))
 
     # ---- events
 
     def watched(self, key):
-        """Events that a mode watches, in the page's order, without those that can never be due."""
+        """Events that can become due in a mode, in the page's order."""
         if key not in self._watched:
             words = dict(key[1])
-            found = {
+            self._watched[key] = {
                 name: e
                 for name, e in self.events.items()
-                if key[0] in e.modes and all(words.get(word) in values for word, values in e.case.items())
+                if key[0] in e.modes
+                and all(words.get(word) in values for word, values in e.case.items())
+                and (e.only is None or self.answer(key, e.only, name) is not False)
+                and not self.is_never_due(key, name)
             }
-            found = {
-                name: e
-                for name, e in found.items()
-                if e.only is None or self.answer(key, e.only, name) is not False
-            }
-            self._watched[key] = {name: e for name, e in found.items() if not self.is_never_due(key, name)}
         return self._watched[key]
 
     def guard(self, key, name, state_of=None):
@@ -127,9 +128,7 @@ class Page:
         event = self.events[name]
         guard = self.number(event.when, key, name, event.unit, state_of)
         if guard.is_number(0):
-            raise page_error(
-                location_of(event.when), name, f"has a guard that is 0 for ever in the mode `{key[0]}`"
-            )
+            raise page_error(event.when, name, f"has a guard that is 0 for ever in the mode `{key[0]}`")
         return guard
 
     def is_never_due(self, key, name):
@@ -138,12 +137,12 @@ class Page:
         return guard.operation == "number" and guard.value > 0
 
     def answer(self, key, question, name):
-        """A page's answer to a question in a mode: a value, or a tree where it branches on numbers."""
+        """The answer of a page's function in a mode: a value, or a tree if it branches on numbers."""
         forget_expressions()
         return explore(lambda: _answered(trace(question, self.at(key), name=name)))
 
     def decide(self, key, name):
-        """What an event makes of the model, for each way through its `if`s: keys and changed states."""
+        """The decision of an event, as a tree of conditions whose leaves are keys and changed states."""
         event = self.events[name]
 
         def run():
@@ -151,15 +150,12 @@ class Page:
             after = trace(event, before)
             with reading(event, name):
                 if not isinstance(after, Model):
-                    raise PageError(
-                        f"returns {'nothing' if after is None else type(after).__name__}; it has to return "
-                        "the model after the event"
-                    )
+                    given = "nothing" if after is None else type(after).__name__
+                    raise PageError(f"returns {given}; it has to return the model after the event")
                 new_key, changes = self.key(after.mode, vars(after)), self.changes(before, after)
                 if new_key == key and not changes and event.crossing is None:
-                    raise PageError(
-                        f"returns the model as it was in `{key[0]}`: it would be due again without end"
-                    )
+                    text = f"returns the model as it was in `{key[0]}`: it would be due again without end"
+                    raise PageError(text)
             return new_key, changes
 
         forget_expressions()
@@ -174,7 +170,7 @@ class Page:
         return values
 
     def reachable(self):
-        """Modes that runs can reach, found by following the page's decisions from its start."""
+        """Keys that runs can reach, found by following the decisions from the page's start."""
         todo, found = [self.key(*self.model.start)], []
         while todo:
             key = todo.pop(0)
@@ -182,113 +178,84 @@ class Page:
                 found.append(key)
                 for name in self.watched(key):
                     todo += keys_of(self.decide(key, name))
-            if len(found) > 100:
-                raise page_error(
-                    self.location,
-                    self.model.__name__,
-                    "reaches more than 100 modes; numbers belong into held states, words are for structure",
-                )
+            if len(found) > MODE_LIMIT:
+                self.refuse(f"reaches more than {MODE_LIMIT} modes; hold numbers in states, not in words")
         return found
 
     # ---- checks
 
+    def refuse(self, text):
+        """Raise an error about the page as a whole."""
+        raise page_error(next(iter(self.modes.values()), None), self.model.__name__, text)
+
     def check_declarations(self):
-        """Refuse what can be seen without running anything."""
-        model = self.model
-        self.location = next(map(location_of, self.modes.values()), None)
+        """Refuse errors that are visible without running a function of the page."""
+        model, start = self.model, self.model.start[0]
         if not self.modes:
-            raise page_error(None, model.__name__, "has no mode; a page needs one function marked by @mode()")
-        if model.start[0] not in self.modes:
-            raise page_error(
-                self.location,
-                model.__name__,
-                f"starts in `{model.start[0]}`, which is no mode{similar(model.start[0], self.modes)}",
-            )
-        for kind in (self.events, self.observed):
-            for name, function in kind.items():
-                self.check_modes(name, function)
+            self.refuse("has no mode; a page needs one function marked by @mode()")
+        if start not in self.modes:
+            self.refuse(f"starts in `{start}`, which is no mode{similar(start, self.modes)}")
+        for name, function in [*self.events.items(), *self.observed.items()]:
+            self.check_modes(name, function)
         for name, function in self.observed.items():
             if function.part not in PARTS:
-                raise page_error(
-                    location_of(function),
-                    name,
-                    f"observes the `{function.part}`; known are {' and '.join(PARTS)}",
-                )
+                text = f"observes the `{function.part}`; known are {' and '.join(PARTS)}"
+                raise page_error(function, name, text)
             if function.into not in self.states:
-                raise page_error(
-                    location_of(function),
-                    name,
-                    f"goes into `{function.into}`, which is no state{similar(function.into, self.states)}",
-                )
-        for function in (*self.events.values(), *self.outputs.values(), *self.observed.values()):
-            with reading(function, function.__name__):
+                text = f"goes into `{function.into}`, which is no state{similar(function.into, self.states)}"
+                raise page_error(function, name, text)
+        for name, function in (self.events | self.outputs | self.observed).items():
+            with reading(function, name):
                 dimension_of(function.unit)
         known = self.parameters.keys() | self.states.keys()
         for name, function in self.on_set.items():
             if name not in known and not hasattr(model, name):
-                raise page_error(
-                    location_of(function),
-                    function.__name__,
-                    f"is about `{name}`, which the page does not have{similar(name, known)}",
-                )
+                text = f"is about `{name}`, which the page does not have{similar(name, known)}"
+                raise page_error(function, function.__name__, text)
         sets = {f.gives_coordinates for f in model.marked("gives_coordinates").values()}
-        used = {of: q.location for q in self.states.values() for of in q.of or ()}
-        used |= {f.of: location_of(f) for f in self.modes.values() if f.of}
-        for of, location in used.items():
+        used = {of: q for q in self.states.values() for of in q.of or ()}
+        used |= {f.of: f for f in self.modes.values() if f.of}
+        for of, declared in used.items():
             if of not in sets:
-                raise page_error(
-                    location, of, f"is no set of coordinates: no function gives it{similar(of, sets)}"
-                )
+                text = f"is no set of coordinates: no function gives it{similar(of, sets)}"
+                raise page_error(declared, of, text)
         named = {}
         for name in [*self.parameters, *(n for n, q in self.states.items() if q.name), *self.outputs]:
-            public = model.public(name)
-            if public in named:
-                raise page_error(
-                    getattr(getattr(model, name), "location", None) or location_of(getattr(model, name)),
-                    name,
-                    f"has the name `{public}` in a unit, which `{named[public]}` has",
-                )
-            named[public] = name
+            other = named.setdefault(model.public(name), name)
+            if other != name:
+                text = f"has the name `{model.public(name)}` in a unit, which `{other}` has"
+                raise page_error(getattr(model, name), name, text)
 
     def check_modes(self, name, function):
+        """Refuse modes and words that the page does not have."""
         for mode in function.modes:
             if mode not in self.modes:
-                raise page_error(
-                    location_of(function),
-                    name,
-                    f"is about the mode `{mode}`, which the page does not have{similar(mode, self.modes)}",
-                )
+                text = f"is about the mode `{mode}`, which the page does not have{similar(mode, self.modes)}"
+                raise page_error(function, name, text)
+        words = {word for mode in function.modes for word in self.modes[mode].words}
         for word in getattr(function, "case", ()):
-            words = {w for mode in function.modes for w in self.modes[mode].words}
             if word not in words:
-                raise page_error(
-                    location_of(function),
-                    name,
-                    f"asks for the word `{word}`, which none of its modes has{similar(word, words)}",
-                )
+                text = f"asks for the word `{word}`, which none of its modes has{similar(word, words)}"
+                raise page_error(function, name, text)
 
     def check_start(self):
-        """Run the start on plain numbers, which finds divisions by zero and chains that do not end."""
+        """Run the start on plain numbers, which detects divisions by zero and endless chains."""
         mode, words = self.model.start
         self.key(mode, words)
         model = self.model.at(mode, **words)
-        for _ in range(CHAIN_LIMIT):
+        for _ in range(LIMITS["CHAIN"]):
             due = next((e for n, e in self.events.items() if self.is_due(model, n, e)), None)
             if due is None:
                 break
             with reading(due, due.__name__):
                 after = due(model)
                 if not isinstance(after, Model):
-                    raise PageError("returns nothing; it has to return the model after the event")
+                    raise PageError("returns no model; it has to return the model after the event")
                 model = after
         else:
-            raise page_error(
-                location_of(due),
-                due.__name__,
-                f"is due again at the start, in the mode `{model.mode}`, after "
-                f"{CHAIN_LIMIT} events in zero time: its guard stays below 0. Let its decision go to a mode "
-                "that does not watch it",
-            )
+            after = f"in the mode `{model.mode}`, after {LIMITS['CHAIN']} events in zero time"
+            text = "its guard stays below 0. Let its decision go to a mode that does not watch it"
+            raise page_error(due, due.__name__, f"is due again at the start, {after}: {text}")
         function = self.modes[model.mode]
         with reading(function, model.mode):
             rates = function(model)
@@ -310,19 +277,16 @@ class Page:
             guard = event.when(model)
             if guard is None or not math.isfinite(guard):
                 raise PageError(f"has the guard {guard} at the start; it has to be a finite number")
-            return guard < -1e-9
+            return guard < -START_MARGIN
 
     def check_smooth(self, model):
-        """Refuse rates that have no derivative at the start: a Taylor series cannot begin there."""
+        """Refuse rates without a derivative at the start, because a Taylor series needs one."""
         forget_expressions()
         key = self.key(model.mode, vars(model))
         rates = self.rates(key)
         values = {self.symbol_of(n, "p", True): self.parameters[n].value for n in self.parameters}
-        values |= {
-            self.symbol_of(n, "x"): getattr(model, n)
-            for n in self.states
-            if not isinstance(getattr(model, n), Absent)
-        }
+        starts = {n: getattr(model, n) for n in self.states}
+        values |= {self.symbol_of(n, "x"): x for n, x in starts.items() if not isinstance(x, Absent)}
         moving = {self.symbol_of(n, "x"): rate for n, rate in rates.items()}
         varies = Variation(moving | {leaf: 0 for leaf in leaves_of(rates.values()) if leaf not in moving})
         with reading(self.modes[model.mode], model.mode):
@@ -334,7 +298,7 @@ def _answered(value):
 
 
 def keys_of(tree):
-    """Modes that a decision can lead to, each once."""
+    """The keys that a decision can lead to."""
     if len(tree) == 2:
         return [tree[0]]
     return list(dict.fromkeys([*keys_of(tree[1]), *keys_of(tree[2])]))

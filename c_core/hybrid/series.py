@@ -1,12 +1,12 @@
-"""Taylor series of quantities that move: what coefficient k of each is made of.
+"""Taylor series of moving quantities: the recursion for coefficient k of each.
 
-A quantity is expanded by the recursion of its last operation; sums need none. First variations and guards are
-expansions, too: of expressions some parts of which are series that are there already.
+The last operation of a quantity determines its recursion; sums need none. First variations and guards are
+expanded in the same way, and reuse the series of the motion.
 """
 
 import random
 
-from .c_text import RESERVED, c_text, name_of, own_name
+from .c_text import c_text, name_of, take_name
 from .errors import PageError
 from .expressions import (
     VARIATIONS,
@@ -21,9 +21,8 @@ from .expressions import (
     value_of,
 )
 
-# For each kind: the series that its recursion reads (n is the quantity, a and b its operands); how
-# coefficient k follows from inner sums that the loops of a motion add up for two coefficients at once; and
-# by a sum of its own.
+# For each kind: the series that its recursion reads (n is the quantity, a and b its operands), the text of
+# coefficient k from the inner sums of a motion's loops, and its text with a sum of its own.
 RECURSIONS = {
     "product": ("ab", "product_of({k}, {inner}, {a}, {b})", "product({a}, {b}, {k})"),
     "square": ("aa", "square_of({k}, {inner}, {a})", "product({a}, {a}, {k})"),
@@ -41,18 +40,18 @@ RECURSIONS = {
     "cos": ("asc", "sine_and_cosine_of({k}, {a}, {s}, {c})"),
 }
 NO_DEGREE = 99
-"""The degree of what is no polynomial in time."""
+"""Degree of a quantity that is no polynomial in time."""
 
 
 def drifts(node):
-    """Whether a quantity grows at a constant rate, as a ramped input does: coefficient 1 is its last."""
+    """Whether a quantity is linear in time, as a ramped input is."""
     if node.operation == "symbol":
         return node.drifts
     return kind_of(node) == "linear" and all(o.is_constant or drifts(o) for o in node.operands)
 
 
 def kind_of(node):
-    """The kind of recursion, "linear" for none."""
+    """The kind of recursion that an operation needs; "linear" for none."""
     if node.is_constant or node.operation in ("+", "-", "negative"):
         return "linear"
     if node.operation not in ("*", "/"):
@@ -66,7 +65,7 @@ def kind_of(node):
 
 
 class Expansion:
-    """Series of states and of what their rates are made of, one coefficient after the other.
+    """Series of states and of the quantities in their rates, one coefficient after the other.
 
     `rates` are those of the states, by symbol. `wanted` has further quantities, by the arrays that they go
     to. `known` are series that are there. `by_pairs` says that inner sums come from the loops of a motion.
@@ -75,9 +74,8 @@ class Expansion:
     def __init__(self, rates, wanted, into, known=(), by_pairs=False):
         self.rates, self.wanted, self.known, self.by_pairs = rates, wanted, dict(known), by_pairs
         roots = [*rates.values(), *wanted.values(), *rates]
-        angles = dict.fromkeys(
-            n.operands[0] for n in ordered(roots, self.known) if kind_of(n) in ("sin", "cos")
-        )
+        turns = [n for n in ordered(roots, self.known) if kind_of(n) in ("sin", "cos")]
+        angles = dict.fromkeys(turn.operands[0] for turn in turns)
         roots += [function for angle in angles for function in (angle.sin(), angle.cos())]
         self.nodes = [node for node in ordered(roots, self.known) if not node.is_constant]
         self.made = [node for node in self.nodes if node.operands and node not in self.known]
@@ -87,26 +85,18 @@ class Expansion:
         self.ahead = [node for node in ordered(needed, self.known) if node in set(self.made)]
         self.early = [s for s, rate in rates.items() if rate in rates or rate.drifts]
         late = {leaf for leaf in ordered(needed, self.known) if not leaf.operands and leaf in rates}
-        assert not late - set(self.early), "the rate of what is not known a coefficient ahead"
+        assert not late - set(self.early), "a rate of a quantity that cannot be expanded one order ahead"
 
     def _give_arrays(self, into):
         taken = {name_of(node) for node in self.arrays}
-        for node in self.made:
-            if kind_of(node) != "linear":
-                if node.name is None or node.name in taken or node.name in RESERVED:
-                    node.name = own_name(node, taken)
-                taken.add(node.name)
+        read = [series for node in self.made for series in self.series_in(node)]
+        for node in [*(n for n in self.made if kind_of(n) != "linear"), *read]:
+            if node not in self.arrays:
+                take_name(node, taken)
                 self.arrays[node] = into.format(node.name)
-        for node in self.made:
-            for series in self.series_in(node):
-                if series not in self.arrays:
-                    if series.name is None or series.name in taken or series.name in RESERVED:
-                        series.name = own_name(series, taken)
-                    taken.add(series.name)
-                    self.arrays[series] = into.format(series.name)
 
     def parts(self, node):
-        """The series that a recursion reads, by their letters."""
+        """The series of a recursion, by their letters in RECURSIONS."""
         a, b = node.operands[0], node.operands[-1]
         if kind_of(node) == "drift":
             return {"a": a, "b": b} if drifts(a) else {"a": b, "b": a}
@@ -124,7 +114,7 @@ class Expansion:
         return f"{self.arrays[node]}[{k}]" if node in self.arrays else self.recursion(node, k)
 
     def recursion(self, node, k):
-        """Text of how coefficient k is computed."""
+        """Text that computes coefficient k."""
         if kind_of(node) == "linear":
             return self.linear(node, k)
         _, *texts = RECURSIONS[kind_of(node)]
@@ -138,11 +128,12 @@ class Expansion:
         return text.format(k=k, **given)
 
     def linear(self, node, k):
-        """Text of coefficient k of a sum: what is constant stands in coefficient 0 alone."""
+        """Text of coefficient k of a sum, whose constant terms contribute to coefficient 0 only."""
         atoms = self.atoms(node)
         zeros = dict.fromkeys(atoms, lift(0))
         moving = lift(0)
-        for atom, factor in linear_factors(node, atoms).items():
+        for atom in atoms:  # its constant factor in the sum is the derivative by it
+            factor = Variation({other: int(other is atom) for other in atoms}).of(node)
             moving = moving + factor * symbol(self.coefficient(atom, k))
         (rest,) = replaced([node], zeros)
         steady = c_text(rest)
@@ -152,7 +143,7 @@ class Expansion:
         return c_text(moving) if rest.is_number(0) else f"with_constant({k}, {c_text(moving)}, {steady})"
 
     def atoms(self, node):
-        """What a sum is made of, of all that moves: quantities with series of their own."""
+        """The moving terms of a sum that have series of their own."""
         if node in self.arrays and (node in self.known or not node.operands):
             return [node]
         found, todo, seen = {}, list(reversed([o for o in node.operands if not o.is_constant])), set()
@@ -168,64 +159,31 @@ class Expansion:
         return list(found)
 
     def define(self, node, k):
-        """Statements that give coefficient k of a quantity with a series of its own."""
+        """Statements that compute coefficient k of a quantity with a series of its own."""
         if node not in self.arrays:
             return []
         text = self.recursion(node, k)
         if kind_of(node) in ("sin", "cos"):
             return [f"{text};"]
-        formula = c_text(
-            node, lambda part: name_of(part) if part is not node and part in self.arrays else None
-        )
+        names = {part: name_of(part) for part in self.arrays if part is not node}
+        formula = c_text(node, names.get)
         lines = [f"/* {name_of(node)} = {formula} */"] if self.by_pairs and len(formula) < 300 else []
         return [*lines, f"{self.arrays[node]}[{k}] = {text};"]
 
     def step(self):
-        """Statements from coefficient k of the states to k + 1; what is known ahead goes first."""
-        lines = [
-            f"{self.arrays[s]}[k + 1] = {self.coefficient(self.rates[s], 'k')} * series_reciprocal[k + 1];"
-            for s in self.early
-        ]
+        """Statements from coefficient k of the states to k + 1, first of quantities one order ahead."""
+        rates = {s: (self.arrays[s], self.coefficient(rate, "k")) for s, rate in self.rates.items()}
+        lines = [f"{a}[k + 1] = {rate} * series_reciprocal[k + 1];" for a, rate in map(rates.get, self.early)]
         ahead, late = set(self.ahead), [s for s in self.rates if s not in self.early]
         lines += [line for node in self.ahead for line in self.define(node, "k + 1")]
         lines += [line for node in self.made if node not in ahead for line in self.define(node, "k")]
         lines += [f"{array}[k] = {self.coefficient(node, 'k')};" for array, node in self.wanted.items()]
-        lines += [
-            f"{self.arrays[s]}[k + 1] = series_reciprocal[k + 1] * ({self.coefficient(self.rates[s], 'k')});"
-            for s in late
-        ]
+        lines += [f"{a}[k + 1] = series_reciprocal[k + 1] * ({rate});" for a, rate in map(rates.get, late)]
         return list(dict.fromkeys(lines))
 
     def summed(self):
-        """Quantities whose inner sums the loops of a motion add up."""
+        """Quantities whose inner sums are accumulated by the loops of a motion."""
         return [n for n in self.made if "{inner}" in "".join(RECURSIONS.get(kind_of(n), ""))]
-
-
-def linear_factors(node, atoms):
-    """The constant factor of each atom in a sum."""
-    factors, known = dict.fromkeys(atoms, lift(0)), set(atoms)
-    if node in known and not node.operands:
-        return {node: lift(1)}
-    share = {node: lift(1)}
-    for part in reversed(ordered([node], known - {node})):
-        factor = share.get(part)
-        if factor is None or part.is_constant:
-            continue
-        if part in known:
-            factors[part] = factors[part] + factor
-            continue
-        a, b = part.operands[0], part.operands[-1]
-        of = {
-            "+": [(a, factor), (b, factor)],
-            "-": [(a, factor), (b, -factor)],
-            "negative": [(a, -factor)],
-            "*": [(b, a * factor)],
-            "/": [(a, factor / b)],
-        }[part.operation]
-        for operand, more in of:
-            if not operand.is_constant:
-                share[operand] = share[operand] + more if operand in share else more
-    return factors
 
 
 def degrees_of(rates):
@@ -236,13 +194,8 @@ def degrees_of(rates):
         for node in ordered(rates.values()):
             if node not in found:
                 of = [found[o] for o in node.operands]
-                degree = (
-                    max(of, default=0)
-                    if kind_of(node) == "linear"
-                    else sum(of)
-                    if node.operation == "*"
-                    else NO_DEGREE
-                )
+                degree = sum(of) if node.operation == "*" else NO_DEGREE
+                degree = max(of, default=0) if kind_of(node) == "linear" else degree
                 found[node] = 0 if node.is_constant else min(NO_DEGREE, degree)
         degrees = {s: min(NO_DEGREE, 1 + found[rate]) for s, rate in rates.items()}
     return degrees
@@ -252,17 +205,15 @@ def degrees_of(rates):
 
 
 def refuse_kinks(root):
-    """Refuse what has no Taylor series."""
+    """Refuse functions without a Taylor series."""
     for node in ordered([root]):
         if node.operation in ("abs", "select") and not node.is_constant:
-            raise PageError(
-                f"uses `{node.operation}` of what moves: its Taylor series breaks at the kink. Hold the case "
-                "in a state, and let an event change it"
-            )
+            text = f"uses `{node.operation}` of what moves: its Taylor series breaks at the kink. "
+            raise PageError(f"{text}Hold the case in a state, and let an event change it")
 
 
 def with_series_of_functions(rates, guards):
-    """Rewrite functions that have no recursion: atan2 becomes a state by its rate, with a start."""
+    """Rewrite functions without a recursion; atan2 becomes a state, with a start and a rate."""
     starts, given = {}, list(rates)
 
     def change(node, operands):
@@ -286,10 +237,10 @@ def with_series_of_functions(rates, guards):
 
 
 def with_rates_seen(rates, guards):
-    """Replace what is the rate of another quantity, as (x vx + y vy)/r is of r = sqrt(x^2 + y^2).
+    """Replace quantities that are the rate of another one: (x vx + y vy)/r is that of r = sqrt(x^2 + y^2).
 
-    Rates of positions are known a coefficient ahead, which is cheaper. Whether two expressions are equal is
-    asked at two random points.
+    Functions of positions are expanded one order ahead, so their rates are cheap. Two expressions count as
+    equal if they have equal values at two random points.
     """
     early = {state: rate for state, rate in rates.items() if rate in rates}
     roots = [*rates.values(), *guards]

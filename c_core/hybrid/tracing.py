@@ -1,4 +1,4 @@
-"""Runs a page's functions on symbols, and reads the names that they give to what they compute."""
+"""Runs a page's functions on symbols, and names expressions after the page's local variables."""
 
 import sys
 from types import SimpleNamespace
@@ -7,7 +7,7 @@ from .errors import PACKAGE, reading
 from .expressions import Expression, _checks_units
 
 _locals_of = {}
-"""Local variables of a page's functions by code object; nothing for functions that are not a page's."""
+"""Local variables by code object; None for functions that belong to no page."""
 
 
 def _local_names(code):
@@ -18,7 +18,7 @@ def _local_names(code):
 
 
 def _read_names(frame, happening, result):
-    """Give expressions the names of the local variables that hold them, as a function of a page returns."""
+    """Name expressions after local variables, when a function of a page returns."""
     if happening != "return" or result is None:
         return
     names = _local_names(frame.f_code)
@@ -36,7 +36,7 @@ def _read_names(frame, happening, result):
 
 
 def trace(function, *arguments, name=None):
-    """Run a function of a page; local variables and members of records give their names to expressions."""
+    """Run a function of a page; expressions take the names of local variables and record members."""
     before, checked = sys.getprofile(), _checks_units[0]
     sys.setprofile(_read_names)
     _checks_units[0] = True

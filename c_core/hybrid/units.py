@@ -1,4 +1,4 @@
-"""Units of SI as products of powers, and the units of expressions."""
+"""Dimensions of SI units, as powers of the base units, and dimensions of expressions."""
 
 import functools
 import re
@@ -7,7 +7,7 @@ from .errors import PageError
 
 BASE = ["kg", "m", "s", "A", "K", "mol", "cd"]
 ANY = None
-"""The dimension of a bare number: it takes the unit that its place needs."""
+"""Dimension of a bare number, which takes whatever unit its context needs."""
 
 
 def _product(*powers):
@@ -54,10 +54,8 @@ def dimension_of(unit):
         for factor in part.strip("()").split("."):
             name, exponent = re.fullmatch(r"([A-Za-z]*|1)(-?\d*)", factor).groups() if factor else ("", "")
             if name not in UNITS:
-                raise PageError(
-                    f"has the unit `{unit}`, of which `{factor}` is not known; known are "
-                    f"{', '.join(u for u in UNITS if u)} and their products"
-                )
+                known = f"known are {', '.join(u for u in UNITS if u)} and their products"
+                raise PageError(f"has the unit `{unit}`, of which `{factor}` is not known; {known}")
             found = times(found, power(UNITS[name], sign * int(exponent or 1)))
     return found
 
@@ -68,7 +66,7 @@ def text_of(dimension):
     return ".".join(name if x == 1 else f"{name}{x:g}" for name, x in names) or "1"
 
 
-def _alike(node, dimensions, what):
+def _alike(dimensions, what):
     known = [d for d in dimensions if d is not ANY]
     if any(d != known[0] for d in known):
         raise PageError(f"{what} {' and '.join(dict.fromkeys(map(text_of, known)))}, which do not fit")
@@ -76,7 +74,7 @@ def _alike(node, dimensions, what):
 
 
 def dimension_of_node(node, of):
-    """The dimension of an operation on operands that have these dimensions."""
+    """The dimension of an operation on operands of the dimensions `of`."""
     match node.operation:
         case "number":
             return ANY
@@ -85,7 +83,7 @@ def dimension_of_node(node, of):
         case "/":
             return times(of[0], power(of[1], -1))
         case "+" | "-":
-            return _alike(node, of, "adds or subtracts")
+            return _alike(of, "adds or subtracts")
         case "sqrt":
             return power(of[0], 0.5)
         case "rate":
@@ -93,13 +91,11 @@ def dimension_of_node(node, of):
         case "negative" | "abs":
             return of[0]
         case "select":
-            _alike(node, of[:2], "compares")
-            return _alike(node, of[2:], "selects between")
+            _alike(of[:2], "compares")
+            return _alike(of[2:], "selects between")
         case "atan2":
-            _alike(node, of, "takes the angle of")
+            _alike(of, "takes the angle of")
             return NONE
     if of[0] not in (ANY, NONE):
-        raise PageError(
-            f"takes `{node.operation}` of a quantity in {text_of(of[0])}; it has to be a pure number"
-        )
+        raise PageError(f"takes `{node.operation}` of a quantity in {text_of(of[0])}; make it dimensionless")
     return NONE

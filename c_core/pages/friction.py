@@ -5,84 +5,86 @@ The patch divides the ground into zones: 0 before it, 1 on it, 2 beyond.
 
 from ..hybrid import Model, exp, expm1, input, log1p, parameter, select, state
 
-LAYER, CHANGE = 60, 3
-"""Above 60 v_s friction is constant. Below, a step changes the speed by at most 3 v_s."""
+LAYER = 60
+"""Slip speed above which friction is constant, in units of v_s."""
+CHANGE, GROWTH = 3, 3
+"""Largest change of speed in a step, in units of v_s, and largest exponent of the growth of an error."""
 
 
 class Friction(Model):
     """Coulomb's law (2); at rest rho mu, in slip mu (1 + (rho - 1) exp(-|v|/v_s))."""
 
     prefix = "ground"
-    friction = input(0.6, "1", "Coefficient of friction of foot and ground, mu", least=0, most=1e6)
+    friction = input(0.6, "1", "Friction coefficient between foot and ground, mu", least=0, most=1e6)
     static_ratio = parameter(
-        1, "1", "Friction of a foot at rest over that of one that slips, rho",
+        1, "1", "Static over kinetic friction coefficient, rho",
         name="ground.static_friction_ratio", least=1, most=1e6)
     stribeck_velocity = parameter(
-        0, "m/s", "Speed over which friction falls from that of a foot at rest to that of slip, v_s",
+        0, "m/s", "Stribeck velocity: scale of the slip speed over which friction falls, v_s",
         least=0, most=1e9)
-    patch_begin = parameter(0, "m", "Where a patch of ground with a friction of its own begins")
-    patch_end = parameter(0, "m", "Where the patch ends; no patch where it begins")
-    patch_friction = parameter(0.1, "1", "Coefficient of friction of foot and patch, mu_p", least=0, most=1e6)
+    patch_begin = parameter(0, "m", "Position where the patch begins")
+    patch_end = parameter(0, "m", "Position where the patch ends; at most ground.patch_begin for no patch")
+    patch_friction = parameter(0.1, "1", "Friction coefficient on the patch, mu_p", least=0, most=1e6)
 
     way = state(1, "1", "Direction of slip, 1 or -1")
-    zone = state(0, "1", "Zone of a foot that slips")
-    zone_ahead = state(0, "1", "Zone of a foot that is pushed forward")
-    zone_behind = state(0, "1", "Zone of a foot that is pushed backward")
+    zone = state(0, "1", "Zone of the ground below a slipping foot")
+    zone_ahead = state(0, "1", "Zone that a foot at rest would slip into, forward")
+    zone_behind = state(0, "1", "Zone that a foot at rest would slip into, backward")
     friction_loss = state(
         0, "J", "Energy lost to sliding friction since the start", name="energy.friction_loss")
     impact_loss = state(0, "J", "Energy lost in impacts since the start", name="energy.impact_loss")
 
     def friction_in(r, zone):
-        """Coefficient of friction in a zone."""
+        """Friction coefficient in a zone."""
         on_patch = zone * (2 - zone)
         return (1 - on_patch) * r.friction + on_patch * r.patch_friction
 
     def zones(r):
-        """The zones of a foot that moves, or is pushed, forward or backward: on a border they differ."""
-        x, margin, begin, end = r.foot().x, 1e-12 * r.free_length, r.patch_begin, r.patch_end
+        """The zones that the foot would slip into, forward and backward; they differ on a border."""
+        x, margin, begin, end = r.foot().x, r.margin_of("m"), r.patch_begin, r.patch_end
         ahead = select(x >= begin - margin, 1, 0) + select(x >= end - margin, 1, 0)
         behind = select(x > begin + margin, 1, 0) + select(x > end + margin, 1, 0)
         return dict(zone_ahead=ahead, zone_behind=behind)
 
     def zone_along(r, way):
-        """The zone of a foot that moves in a direction."""
+        """The zone that the foot would slip into, in a direction."""
         return select(way > 0, r.zone_ahead, r.zone_behind)
 
     def border_ahead(r):
-        """The next border along the slip: 0 where the patch begins, 1 where it ends."""
+        """Index of the next border in the direction of slip: 0 where the patch begins, 1 where it ends."""
         return r.zone - (1 - r.way) / 2
 
     def border_distance(r):
-        """Distance to that border."""
+        """Distance to the next border in the direction of slip."""
         border = r.patch_begin + r.border_ahead() * (r.patch_end - r.patch_begin)
         return r.way * (border - r.foot().x)
 
     def has_border_ahead(r):
-        """Whether the foot slips towards a border."""
+        """Whether a border lies ahead of the slipping foot."""
         return r.patch_end > r.patch_begin and r.border_ahead() >= 0 and r.border_ahead() <= 1
 
     def cone(r, zone):
-        """Largest force along the ground on a foot at rest."""
+        """Largest tangential force that static friction bears in a zone."""
         return r.static_ratio * r.friction_in(zone) * r.standing().normal
 
     def slip_friction(r):
-        """Coefficient of friction of a foot that slips."""
+        """Friction coefficient of a slipping foot."""
         if r.law == "constant":
             return r.friction_in(r.zone)
         fading = exp(-r.way * r.foot_vx / r.stribeck_velocity)
         return r.friction_in(r.zone) * (1 + (r.static_ratio - 1) * fading)
 
     def friction_falls(r):
-        """Whether friction depends on the speed."""
+        """Whether friction falls with the slip speed."""
         return r.stribeck_velocity > 0 and r.static_ratio > 1
 
     def longest_step(r):
-        """Longest step that resolves falling friction: neither growth nor change of speed is large."""
+        """Longest time step that resolves falling friction."""
         if r.law == "constant":
             return None
         growth = (r.static_ratio - 1) * r.friction_in(r.zone) * r.standing().normal / r.stribeck_velocity
         force = r.standing().along + r.way * r.slip_friction() * r.standing().normal
-        by_growth = 3 * r.foot_mass / abs(growth)
+        by_growth = GROWTH * r.foot_mass / abs(growth)
         by_speed = CHANGE * r.stribeck_velocity * r.foot_mass / abs(force)
         return select(by_growth < by_speed, by_growth, by_speed)
 

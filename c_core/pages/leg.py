@@ -1,4 +1,4 @@
-"""The leg: masses, spring and damper, and the coordinates that the runner is seen in (7)."""
+"""The leg: masses, spring and damper, and the coordinates of the runner (7)."""
 
 from ..hybrid import (
     Model, Record, atan2, coordinates, cos, input, on_set, parameter, setting, sin, sqrt, state,
@@ -6,7 +6,10 @@ from ..hybrid import (
 
 
 class Leg(Model):
-    """Two points with a spring between them. Laws read `leg`, `foot`, `body`, `center` in any coordinates."""
+    """Two point masses with a spring and damper between them.
+
+    The laws read `leg`, `foot`, `body` and `center`, which work in all coordinates.
+    """
 
     prefix = "leg"
     body_mass = parameter(1, "kg", "Mass of the body, m", name="body.mass", least=1e-9, most=1e9)
@@ -15,18 +18,18 @@ class Leg(Model):
     damping = parameter(0.2, "N.s/m", "Damping of the leg, c", least=0, most=1e12)
     free_length = parameter(1, "m", "Length of the unloaded leg, l0", least=1e-6, most=1e6)
     least_length = parameter(
-        0.05, "m", "A leg shorter than this ends the run as a fall", name="leg.min_length", least=1e-9,
+        0.05, "m", "Leg length below which the runner falls", name="leg.min_length", least=1e-9,
         most=1e6)
     gravity = parameter(0.01, "m/s2", "Acceleration of gravity, g", name="gravity", least=1e-9, most=1e6)
     thrust = parameter(
-        0, "m", "Length that the leg gains from its greatest compression to the end of the stance, epsilon",
+        0, "m", "Increase of the rest length from greatest compression to lift-off, epsilon",
         tunable=True, least=0, most=1e6)
     more_thrust = setting(0, "m", "Added to leg.thrust", name="control.thrust")
-    extension = input(0, "m", "Length added to the leg at rest")
-    external_fx = input(0, "N", "Horizontal force from outside on the body", name="body.external_fx")
-    external_fy = input(0, "N", "Vertical force from outside on the body", name="body.external_fy")
+    extension = input(0, "m", "Change of the rest length of the leg")
+    external_fx = input(0, "N", "Horizontal external force on the body", name="body.external_fx")
+    external_fy = input(0, "N", "Vertical external force on the body", name="body.external_fy")
 
-    # The world: what a unit shows. Length, angle and the length's rate serve in flight, too.
+    # World coordinates, the states of a unit. Flight shares length, angle and length rate.
     seen_x = state(-0.4722627765193387, "m", "Horizontal position of the foot, x", name="foot.x", of="world")
     seen_y = state(0.6417114468531165, "m", "Height of the foot, y", name="foot.y", of="world")
     length = state(0.9999993776846997, "m", "Length of the leg, r", of="world flight", above=0)
@@ -38,31 +41,31 @@ class Leg(Model):
     length_rate = state(1.1268102275039307e-06, "m/s", "Rate of the leg length", of="world flight")
     angle_rate = state(4.039363331769765e-05, "rad/s", "Rate of the leg angle", of="world")
 
-    # Flight: the centre of mass, and the angular momentum of the leg per unit of reduced mass.
+    # Flight coordinates: the centre of mass and the leg.
     com_x = state(0, "m", "Horizontal position of the centre of mass", of="flight")
     com_y = state(1.4, "m", "Height of the centre of mass", of="flight")
     com_vx = state(1, "m/s", "Horizontal velocity of the centre of mass", of="flight")
     com_vy = state(0, "m/s", "Vertical velocity of the centre of mass", of="flight")
-    momentum = state(0, "m2/s", "r^2 thetadot", of="flight")
+    momentum = state(0, "m2/s", "Angular momentum of the leg per reduced mass, r^2 thetadot", of="flight")
 
-    # Ground: the body as seen from the foot, and the foot along the ground.
-    x = state(0, "m", "Position of the body from the foot, along the ground", of="ground")
-    y = state(1, "m", "Position of the body from the foot, off the ground", of="ground")
-    vx = state(0, "m/s", "Rate of x", of="ground")
-    vy = state(0, "m/s", "Rate of y", of="ground")
+    # Ground coordinates: the body relative to the foot, and the foot along the ground.
+    x = state(0, "m", "Position of the body relative to the foot, along the ground", of="ground")
+    y = state(1, "m", "Position of the body relative to the foot, normal to the ground", of="ground")
+    vx = state(0, "m/s", "Velocity of the body relative to the foot, along the ground", of="ground")
+    vy = state(0, "m/s", "Velocity of the body relative to the foot, normal to the ground", of="ground")
     foot_x = state(0, "m", "Position of the foot along the ground", of="ground")
     foot_vx = state(0, "m/s", "Velocity of the foot along the ground", of="ground")
-    winding = state(0, "rad", "Whole turns in the leg angle", of="ground")
+    winding = state(0, "rad", "Leg angle less its principal value: a multiple of 2 pi", of="ground")
 
-    thrusting = state(0, "1", "1 from greatest compression until flight")
-    leg_work = state(0, "J", "Work of the leg by thrust and extension since the start", name="leg.work")
+    thrusting = state(0, "1", "1 from greatest compression to lift-off, else 0")
+    leg_work = state(0, "J", "Work of thrust and leg extension since the start", name="leg.work")
     external_work = state(
-        0, "J", "Work of the forces from outside on the body since the start", name="energy.external_work")
+        0, "J", "Work of external forces on the body since the start", name="energy.external_work")
     damper_loss = state(0, "J", "Energy lost in the damper since the start", name="energy.damper_loss")
 
     @coordinates("world")
     def seen(r):
-        """The foot and the leg."""
+        """World coordinates: the foot and the leg."""
         foot, leg = r.foot(), r.leg()
         return dict(seen_x=foot.x, seen_y=foot.y, seen_vx=foot.vx, seen_vy=foot.vy,
                     length=leg.length, angle=leg.angle, length_rate=leg.length_rate,
@@ -70,14 +73,14 @@ class Leg(Model):
 
     @coordinates("flight")
     def in_flight(r):
-        """The centre of mass and the leg."""
+        """Flight coordinates: the centre of mass and the leg."""
         leg, center = r.leg(), r.center()
         return dict(com_x=center.x, com_y=center.y, com_vx=center.vx, com_vy=center.vy,
                     length=leg.length, angle=leg.angle, length_rate=leg.length_rate, momentum=leg.moment)
 
     @coordinates("ground")
     def from_ground(r):
-        """The body from the foot, which is taken to be on the ground."""
+        """Ground coordinates: the foot, which is on the ground, and the body relative to the foot."""
         foot, body = r.foot(), r.body_from_foot()
         place, moves = r.on_line(foot.x, foot.y - r.height), r.on_line(foot.vx, foot.vy)
         at, turns = r.on_line(body.x, body.y), r.on_line(body.vx, body.vy)
@@ -100,47 +103,33 @@ class Leg(Model):
                       angle_rate=rate, moment=moment)
 
     def spring(r):
-        """F_s = k (l - r) - c rdot, with the rest length l: it pushes body and foot apart."""
+        """F_s = k (l - r) - c rdot, with the rest length l; positive when it pushes."""
         leg = r.leg()
         return r.stiffness * (r.rest_length() - leg.length) - r.damping * leg.length_rate
 
     def rest_length(r):
-        """The free length, what is added to it, and under thrust epsilon."""
+        """Rest length l: free length, extension, and epsilon under thrust."""
         return r.free_length + r.extension + r.thrusting * (r.thrust + r.more_thrust)
 
-    def lengthened(r, jump):
-        """The rest length jumps by this and does work."""
+    @on_set("extension thrust more_thrust")
+    def lengthened(r, after):
+        """Work that a jump of the rest length does on the spring."""
+        jump = after.rest_length() - r.rest_length()
         middle = r.rest_length() + jump / 2 - r.leg().length
         return r.replace(leg_work=r.leg_work + r.stiffness * jump * middle)
 
     def with_thrust(r, thrusting):
-        """Thrust on or off."""
-        jump = (thrusting - r.thrusting) * (r.thrust + r.more_thrust)
-        return r.lengthened(jump).replace(thrusting=thrusting)
-
-    @on_set("extension")
-    def with_extension(r, extension):
-        """The rest length jumps."""
-        return r.lengthened(extension - r.extension)
-
-    @on_set("thrust")
-    def with_greatest_thrust(r, thrust):
-        """Under thrust the rest length jumps."""
-        return r.lengthened(r.thrusting * (thrust - r.thrust))
-
-    @on_set("more_thrust")
-    def with_more_thrust(r, thrust):
-        """Under thrust the rest length jumps."""
-        return r.lengthened(r.thrusting * (thrust - r.more_thrust))
+        """Switch thrust on (1) or off (0)."""
+        return r.lengthened(r.replace(thrusting=thrusting)).replace(thrusting=thrusting)
 
     def leg_rates(r):
-        """The work of a ramped extension, and the damper's loss."""
+        """Power of a ramped extension, and power lost in the damper."""
         leg = r.leg()
         return dict(leg_work=r.stiffness * r.extension_rate * (r.rest_length() - leg.length),
                     damper_loss=r.damping * (leg.length_rate * leg.length_rate))
 
     def push(r, torque):
-        """Force of leg and hip on the body, along the ground and off it; the foot feels the opposite."""
+        """Force of leg and hip on the body, and opposite on the foot, by components on the ground line."""
         leg = r.leg()
         axial = r.spring() / leg.length
         turning = torque / leg.square
@@ -149,7 +138,7 @@ class Leg(Model):
     # ---- positions and velocities in the world's axes
 
     def share(r):
-        """The body's share of the total mass."""
+        """Share of the body in the total mass."""
         return r.body_mass / (r.body_mass + r.foot_mass)
 
     def body_from_foot(r):

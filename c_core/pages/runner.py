@@ -9,7 +9,7 @@ from .stride import Stride
 
 
 class Runner(Hip, Friction, Leg, Ground, Stride, Model):
-    """The whole runner. `PlainRunner`, below, is the one on level ground."""
+    """The whole runner. `PlainRunner` below leaves out everything but level ground."""
 
     start = "start_of_run", {}
     scales = {
@@ -23,24 +23,28 @@ class Runner(Hip, Friction, Leg, Ground, Stride, Model):
         "J": lambda r: r.stiffness * r.free_length * r.free_length,
     }
 
+    def margin_of(r, unit):
+        """Margin of decisions about a quantity in this unit."""
+        return 1e-12 * r.scales[unit](r)
+
     # ---- forces of the ground
 
     def holding(r, torque):
-        """Force of the ground on a foot that it holds still  (10)."""
+        """Force of the ground on a foot at rest, under a given hip torque  (10)."""
         push = r.push(torque)
         weight = r.on_line(0, r.foot_mass * r.gravity)
         return Record(normal=push.off + weight.off, along=push.along + weight.along)
 
     def standing(r):
-        """The same force under the stance law."""
+        """Force of the ground on a foot at rest, under the stance law."""
         return r.holding(r.stance_torque())
 
     def flight_lifts(r):
-        """Normal force that would hold the foot under the flight law: below 0 that law lifts the foot."""
+        """Normal force that holds the foot under the flight law; if negative, that law lifts the foot."""
         return r.holding(r.swing_torque()).normal
 
     def equilibrium_turn(r):
-        """tau_eq/r^2: the torque between both laws, which keeps the foot on the ground without force."""
+        """tau_eq/r^2, where the torque tau_eq keeps the foot on the ground without force."""
         weight = r.on_line(0, r.foot_mass * r.gravity)
         return -(r.spring() / r.leg().length * r.y + weight.off) / r.x
 
@@ -49,28 +53,28 @@ class Runner(Hip, Friction, Leg, Ground, Stride, Model):
     @require("foot.y", "on the ground or above it")
     def starts_above_ground(r):
         """Height of the foot above the ground."""
-        return r.foot_above(r.ground_height, r.ground_slope) + 1e-12 * r.free_length
+        return r.foot_above(r.ground_height, r.ground_slope) + r.margin_of("m")
 
     @require("leg.length", "longer than leg.min_length")
     def starts_long_enough(r):
-        """Length of the leg above its least one."""
+        """Length of the leg in excess of leg.min_length."""
         return r.length - r.least_length
 
     @mode(of="world")
     def start_of_run(r):
-        """The world as an importer has set it."""
+        """Start of a run, in the world's states."""
         return {}
 
-    @event("start_of_run", when=lambda r: -1, noted=False)
+    @event("start_of_run", when=lambda r: -1, counted=False)
     def begins(r):
-        """On the ground and not leaving it: as after an impact. Else in flight; an apex opens a stride."""
+        """An impact if the foot is on the ground and does not rise, else flight. An apex opens a stride."""
         r = r.replace(liftoff_angle=r.angle, height=r.ground_height, slope=r.ground_slope)
-        foot, speed = r.foot(), r.free_length * sqrt(r.stiffness / r.body_mass)
+        foot, slow = r.foot(), r.margin_of("m/s")
         flying = r.to("flight", wind="calm", swing="place", placing=0)
         falls = r.on_line(foot.vx, foot.vy).off
-        if r.foot_above(r.height, r.slope) <= 1e-12 * r.free_length and falls <= 1e-12 * speed:
+        if r.foot_above(r.height, r.slope) <= r.margin_of("m") and falls <= slow:
             return r.land(was_placed=0)
-        if abs(r.rise()) <= 1e-12 * speed:
+        if abs(r.rise()) <= slow:
             return flying.open_stride()
         return flying if r.rise() < 0 else flying.replace(swing=r.rising_swing())
 
@@ -89,7 +93,7 @@ class Runner(Hip, Friction, Leg, Ground, Stride, Model):
         return rates if r.wind == "calm" else rates | r.pushed(rates)
 
     def pushed(r, rates):
-        """What a force from outside on the body adds to the rates of flight."""
+        """Rates of flight that an external force on the body changes."""
         leg, fx, fy, sine, cosine = r.leg(), r.external_fx, r.external_fy, sin(r.angle), cos(r.angle)
         total_mass = r.body_mass + r.foot_mass
         axial, moment = fy * cosine - fx * sine, -r.length * (fx * cosine + fy * sine)
@@ -101,7 +105,7 @@ class Runner(Hip, Friction, Leg, Ground, Stride, Model):
             external_work=fx * r.com_vx + fy * r.com_vy + power_on_leg)
 
     def on_ground(r, push, torque, foot_acceleration=0):
-        """Rates of the body as seen from the foot, and of the foot  (8)-(9)."""
+        """Rates of the body relative to the foot, and of the foot  (8)-(9)."""
         weight, outside = r.on_line(0, r.gravity), r.on_line(r.external_fx, r.external_fy)
         return dict(
             x=r.vx, y=r.vy,
@@ -117,7 +121,7 @@ class Runner(Hip, Friction, Leg, Ground, Stride, Model):
 
     @mode("stance law", of="ground", longest=lambda r: r.longest_step())
     def slip(r):
-        """m_f vdot = p - s mu f_n, with the push p of the leg and the direction s of the slip."""
+        """m_f vdot = p - s mu f_n, where p is the push of the leg and s the direction of slip."""
         friction_force = r.way * r.slip_friction() * r.standing().normal
         acceleration = (-r.standing().along - friction_force) / r.foot_mass
         rates = r.on_ground(r.push(r.stance_torque()), r.stance_torque(), acceleration)
@@ -125,7 +129,7 @@ class Runner(Hip, Friction, Leg, Ground, Stride, Model):
 
     @mode("stance swing", of="ground")
     def graze(r):
-        """The foot stays on the ground without force, by the torque tau_eq between both laws."""
+        """The foot touches the ground without force, under the torque tau_eq between both hip laws."""
         axial, turning = r.spring() / r.leg().length, r.equilibrium_turn()
         weight = r.on_line(0, r.foot_mass * r.gravity)
         push = Record(along=axial * r.x - turning * r.y, off=-weight.off)
@@ -140,7 +144,7 @@ class Runner(Hip, Friction, Leg, Ground, Stride, Model):
     # ---- changes of mode
 
     def contact(r, foot_velocity, **changes):
-        """Contact: the foot moves along the ground at this velocity, and the body keeps its own."""
+        """Contact with this velocity of the foot along the ground; the body keeps its velocity."""
         foot = r.foot()
         before = r.on_line(foot.vx, foot.vy)
         landed = r.to("stick", **changes)
@@ -148,7 +152,7 @@ class Runner(Hip, Friction, Leg, Ground, Stride, Model):
         return landed.replace(foot_vx=foot_velocity, vx=vx, vy=landed.vy + before.off)
 
     def land(r, was_placed):
-        """An impact stops the foot vertically, and friction what it can of the rest  (4)-(6)."""
+        """Inelastic impact of the foot, with the impulse of friction along the ground  (4)-(6)."""
         foot = r.foot()
         before = r.on_line(foot.vx, foot.vy)
         way = select(before.along >= 0, 1, -1)
@@ -165,11 +169,11 @@ class Runner(Hip, Friction, Leg, Ground, Stride, Model):
         return landed.slide(way) if way * after > 0 else landed
 
     def slide(r, way):
-        """Slip in a direction. Where the speed is low enough for friction to fall, that begins at once."""
+        """Slip in a direction. Slow slip enters the layer of falling friction at once."""
         return r.to("slip", way=way, zone=r.zone_along(way), law="constant")
 
     def resting(r):
-        """A foot that has come to rest sticks inside the cone, else it slips the way it is pushed."""
+        """A foot at rest sticks inside the friction cone; outside, it slips in the direction of the push."""
         along = r.standing().along
         way = select(along > 0, -1, 1)
         if abs(along) <= r.cone(r.zone_along(way)):
@@ -177,25 +181,25 @@ class Runner(Hip, Friction, Leg, Ground, Stride, Model):
         return r.replace(foot_vx=0).slide(way)
 
     def fly(r):
-        """The foot leaves the ground."""
+        """Flight begins, and thrust ends."""
         return r.with_thrust(0).to("flight", wind="calm")
 
     # ---- events, in the order in which those due at one instant are taken
 
-    @event("flight", wind="calm", when=lambda r: -1, noted=False, only=lambda r: r.is_pushed())
+    @event("flight", wind="calm", when=lambda r: -1, counted=False, only=lambda r: r.is_pushed())
     def wind_rises(r):
-        """A force from outside acts: flight is ballistic no more."""
+        """An external force acts, so flight is no longer ballistic."""
         return r.replace(wind="pushed")
 
     def is_pushed(r):
-        """Whether a force from outside acts, or is about to."""
+        """Whether an external force acts or is ramped."""
         now, soon = abs(r.external_fx) + abs(r.external_fy), abs(r.external_fx_rate) + abs(r.external_fy_rate)
         return now > 0 or soon > 0
 
     @event("flight", when=lambda r: -r.foot_above(r.ground_height, r.ground_slope), unit="m",
            only=lambda r: r.line_waits())
     def new_ground(r):
-        """The foot flies above the line that waits."""
+        """The foot is above the pending ground line, which comes into force."""
         return r.replace(height=r.ground_height, slope=r.ground_slope)
 
     @event("flight stick slip graze", when=lambda r: r.body_above(), unit="m")
@@ -205,89 +209,89 @@ class Runner(Hip, Friction, Leg, Ground, Stride, Model):
 
     @event("flight stick slip graze", when=lambda r: r.leg().length - r.least_length, unit="m")
     def collapses(r):
-        """The leg is too short."""
+        """The leg is shorter than leg.min_length."""
         return r.to("fallen")
 
     @event("flight", when=lambda r: r.rise(), unit="m/s", crossing=lambda r: r.swing == "place",
            only=lambda r: r.swing != "place" or r.wind == "pushed" or r.rises_again > 0)
     def apex(r):
-        """A stride closes, and place begins. A force can lift the centre of mass in place, too."""
+        """A stride closes and place begins. An external force can cause further apices in place."""
         return r.close_stride().replace(swing="place", placing=0, rises_again=0)
 
     @event("graze", swing=("retract", "rest"), when=lambda r: r.rise(), unit="m/s")
     def apex_in_graze(r):
-        """Place begins; a stride closes in flight only."""
+        """Place begins. No stride closes, because the foot is on the ground."""
         return r.replace(swing="place", placing=0)
 
     @event("flight", when=lambda r: r.foot_above(r.height, r.slope), unit="m")
     def touchdown(r):
-        """The foot comes down to the ground."""
+        """The foot reaches the ground."""
         return r.land(was_placed=1 if r.swing == "place" else 0)
 
-    @event("flight graze", swing="retract", when=lambda r: r.retracting_torque(), unit="N.m", noted=False,
+    @event("flight graze", swing="retract", when=lambda r: r.retracting_torque(), unit="N.m", counted=False,
            only=lambda r: r.swing_clamp > 0)
     def clamp(r):
-        """The clamp of (12) closes."""
+        """The clamp of (12) holds the retracting torque at 0."""
         return r.replace(swing="rest")
 
-    @event("flight graze", swing="rest", when=lambda r: -r.retracting_torque(), unit="N.m", noted=False)
+    @event("flight graze", swing="rest", when=lambda r: -r.retracting_torque(), unit="N.m", counted=False)
     def release(r):
-        """The clamp of (12) opens."""
+        """The clamp of (12) releases the retracting torque."""
         return r.replace(swing="retract")
 
     @event("stick slip", when=lambda r: -r.leg().length_rate, unit="m/s", only=lambda r: r.thrusting <= 0)
     def greatest_compression(r):
-        """Thrust begins, once per stance."""
+        """Thrust begins where the leg is shortest, once per stance."""
         return r.with_thrust(1)
 
     @event("stick slip graze", stance="drive", when=lambda r: r.leg().angle, unit="rad")
     def mid_stance(r):
-        """The leg is upright: the drive ends, once per stance."""
+        """Drive ends where the leg is upright, once per stance."""
         return r.replace(stance="coast")
 
     @event("stick slip", when=lambda r: r.standing().normal, unit="N")
     def lift_off(r):
-        """Flight where both laws let go of the foot; graze where the flight law would push it down again."""
+        """Flight where the flight law lifts the foot too; graze where it would push the foot down again."""
         off = r.swinging()
-        if off.flight_lifts() > 1e-12 * r.stiffness * r.free_length:
+        if off.flight_lifts() > r.margin_of("N"):
             return off.to("graze")
         return off.fly()
 
-    @event("slip", law="constant", unit="m/s", noted=False, only=lambda r: r.friction_falls(),
+    @event("slip", law="constant", unit="m/s", counted=False, only=lambda r: r.friction_falls(),
            when=lambda r: r.way * r.foot_vx - LAYER * r.stribeck_velocity)
     def enters_layer(r):
-        """The slip is so slow that friction falls with speed."""
+        """Slip is slow enough for friction to depend on the speed."""
         return r.replace(law="falling")
 
-    @event("slip", law="falling", unit="m/s", noted=False,
+    @event("slip", law="falling", unit="m/s", counted=False,
            when=lambda r: (LAYER + 1) * r.stribeck_velocity - r.way * r.foot_vx)
     def leaves_layer(r):
-        """The slip is so fast that friction is constant."""
+        """Slip is fast enough for friction to be constant."""
         return r.replace(law="constant")
 
     @event("stick", when=lambda r: r.cone(r.zone_ahead) + r.standing().along, unit="N")
     def slips_forward(r):
-        """The ground cannot hold the foot back."""
+        """The push of the leg exceeds static friction, and the foot slips forward."""
         return r.slide(1)
 
     @event("stick", when=lambda r: r.cone(r.zone_behind) - r.standing().along, unit="N")
     def slips_backward(r):
-        """The ground cannot hold the foot ahead."""
+        """The push of the leg exceeds static friction, and the foot slips backward."""
         return r.slide(-1)
 
     @event("slip", when=lambda r: r.way * r.foot_vx, unit="m/s")
     def comes_to_rest(r):
-        """The slip velocity reaches 0."""
+        """The slip velocity reaches 0: the foot sticks, or slips the other way."""
         return r.replace(**r.zones()).resting()
 
     @event("slip", when=lambda r: r.border_distance(), unit="m", only=lambda r: r.has_border_ahead())
     def crosses_border(r):
-        """The foot slides onto the patch, or off it."""
+        """The foot slips onto the patch or off it."""
         return r.replace(zone=r.zone + r.way)
 
     @event("graze", when=lambda r: -r.standing().normal, unit="N")
     def graze_to_contact(r):
-        """The stance law loads the foot again."""
+        """The stance law presses the foot on the ground again."""
         r = r.replace(**r.zones())
         return r.slide(select(r.foot_vx > 0, 1, -1)) if abs(r.foot_vx) > 0 else r.resting()
 
@@ -300,7 +304,7 @@ class Runner(Hip, Friction, Leg, Ground, Stride, Model):
 
     @output("N.m", name="hip.torque")
     def torque(r):
-        """Total hip torque, the external one included."""
+        """Total hip torque, external torque included."""
         if r.mode in ("stick", "slip"):
             return r.stance_torque()
         if r.mode == "flight":
@@ -309,70 +313,36 @@ class Runner(Hip, Friction, Leg, Ground, Stride, Model):
 
     @output("N", name="contact.normal")
     def normal_force(r):
-        """Force of the ground on the foot across the ground, f_n."""
+        """Normal force of the ground on the foot, f_n."""
         return r.standing().normal if r.mode in ("stick", "slip") else 0
 
     @output("N", name="contact.tangential")
     def tangential_force(r):
-        """Force of the ground on the foot along the ground, f_t."""
+        """Tangential force of the ground on the foot, f_t."""
         if r.mode == "slip":
             return -r.way * r.slip_friction() * r.standing().normal
         return r.standing().along if r.mode == "stick" else 0
 
-    @output("N", name="contact.fx")
-    def ground_force_x(r):
-        """Horizontal force of the ground on the foot."""
-        return r.in_world(r.tangential_force(), r.normal_force(), 0, 0).x
-
-    @output("N", name="contact.fy")
-    def ground_force_y(r):
-        """Vertical force of the ground on the foot."""
-        return r.in_world(r.tangential_force(), r.normal_force(), 0, 0).y
-
-    @output("N", name="leg.force")
-    def force_of_leg(r):
-        """Force of spring and damper along the leg, pushing body and foot apart, F_s."""
-        return r.spring()
-
-    @output("m", name="body.x")
-    def body_x(r):
-        """Horizontal position of the body."""
-        return r.body().x
-
-    @output("m", name="body.y")
-    def body_y(r):
-        """Height of the body."""
-        return r.body().y
-
-    @output("m/s", name="body.vx")
-    def body_vx(r):
-        """Horizontal velocity of the body."""
-        return r.body().vx
-
-    @output("m/s", name="body.vy")
-    def body_vy(r):
-        """Vertical velocity of the body."""
-        return r.body().vy
-
-    @output("m", name="com.x")
-    def center_x(r):
-        """Horizontal position of the centre of mass."""
-        return r.center().x
-
-    @output("m", name="com.y")
-    def center_y(r):
-        """Height of the centre of mass."""
-        return r.center().y
-
-    @output("m/s", name="com.vx")
-    def center_vx(r):
-        """Horizontal velocity of the centre of mass."""
-        return r.center().vx
-
-    @output("m/s", name="com.vy")
-    def center_vy(r):
-        """Vertical velocity of the centre of mass."""
-        return r.center().vy
+    ground_force_x = output(
+        "N", "Horizontal force of the ground on the foot", name="contact.fx",
+        of=lambda r: r.in_world(r.tangential_force(), r.normal_force(), 0, 0).x)
+    ground_force_y = output(
+        "N", "Vertical force of the ground on the foot", name="contact.fy",
+        of=lambda r: r.in_world(r.tangential_force(), r.normal_force(), 0, 0).y)
+    force_of_leg = output(
+        "N", "Force of spring and damper along the leg, positive when it pushes, F_s", name="leg.force",
+        of=lambda r: r.spring())
+    body_x = output("m", "Horizontal position of the body", name="body.x", of=lambda r: r.body().x)
+    body_y = output("m", "Height of the body", name="body.y", of=lambda r: r.body().y)
+    body_vx = output("m/s", "Horizontal velocity of the body", name="body.vx", of=lambda r: r.body().vx)
+    body_vy = output("m/s", "Vertical velocity of the body", name="body.vy", of=lambda r: r.body().vy)
+    center_x = output(
+        "m", "Horizontal position of the centre of mass", name="com.x", of=lambda r: r.center().x)
+    center_y = output("m", "Height of the centre of mass", name="com.y", of=lambda r: r.center().y)
+    center_vx = output(
+        "m/s", "Horizontal velocity of the centre of mass", name="com.vx", of=lambda r: r.center().vx)
+    center_vy = output(
+        "m/s", "Vertical velocity of the centre of mass", name="com.vy", of=lambda r: r.center().vy)
 
     @output("J", name="energy.kinetic")
     def kinetic_energy(r):
@@ -388,37 +358,37 @@ class Runner(Hip, Friction, Leg, Ground, Stride, Model):
 
     @output("J", name="energy.elastic")
     def elastic_energy(r):
-        """Energy in the leg spring."""
+        """Elastic energy of the leg spring."""
         shorter = r.rest_length() - r.leg().length
         return r.stiffness * (shorter * shorter) / 2
 
     @output("J", name="energy.total")
     def energy(r):
-        """Mechanical energy: it changes by all work less all losses."""
+        """Mechanical energy, kinetic, potential and elastic; it changes by all work less all losses."""
         return r.kinetic_energy() + r.potential_energy() + r.elastic_energy()
 
     @output(name="contact.mode", kind=("flight", "stick", "slip_positive", "slip_negative", "graze"))
     def kind_of_contact(r):
-        """How the foot meets the ground."""
+        """Contact mode of the foot."""
         if r.mode == "slip":
             return select(r.way > 0, 3, 4)
         return {"stick": 2, "graze": 5}.get(r.mode, 1)
 
     @output(name="hip.phase", kind=("drive", "coast", "retract", "place"))
     def phase_of_hip(r):
-        """What the hip torque does."""
+        """Phase of the hip law."""
         if r.mode in ("stick", "slip"):
             return 1 if r.stance == "drive" else 2
         return 3 if r.mode in ("flight", "graze") and r.swing != "place" else 4
 
     @output(name="status.fallen", kind=bool)
     def has_fallen(r):
-        """The runner has fallen, and the motion is frozen."""
+        """Whether the runner has fallen, which freezes the motion."""
         return 1 if r.mode == "fallen" else 0
 
 
 class PlainRunner(Runner):
-    """The runner on level ground with constant friction and no other actuation: what is fixed is free."""
+    """The runner on level ground with constant friction, driven by the hip alone."""
 
     height = slope = ground_height = ground_slope = more_angle = more_torque = more_thrust = 0
     thrust = thrusting = extension = external_fx = external_fy = retraction_rate = 0
@@ -428,5 +398,5 @@ class PlainRunner(Runner):
     greatest_compression = new_ground = wind_rises = crosses_border = enters_layer = leaves_layer = None
 
     def zones(r):
-        """There is no patch."""
+        """No zones, because there is no patch."""
         return {}

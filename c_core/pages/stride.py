@@ -1,4 +1,4 @@
-"""Strides, from apex to apex: what is summed up along one, and what is kept of the last complete one."""
+"""Strides, from apex to apex: quantities of the open stride, and those of the last completed stride."""
 
 from ..hybrid import Model, clock, letters, observe, select, state
 
@@ -11,48 +11,48 @@ class Stride(Model):
 
     prefix = "stride"
     time = clock()
-    events = state(0, "1", "Contact and phase changes since the start", name="event.count", values=int)
-    last_event = state(0, "s", "Time of the last of them", name="event.last_time")
+    events = state(0, "1", "Changes of contact and phase since the start", name="event.count", values=int)
+    last_event = state(0, "s", "Time of the last change of contact or phase", name="event.last_time")
 
-    # The stride that is under way, and what it began with.
-    is_open = state(0, "1", "1 if it began at an apex")
-    work_then = state(0, "J", "Work of the hip until its beginning")
-    leg_work_then = state(0, "J", "Work of the leg until its beginning")
+    # The open stride, and values at its start.
+    is_open = state(0, "1", "1 if the open stride began at an apex, else 0")
+    work_then = state(0, "J", "Work of the hip at the start of the stride")
+    leg_work_then = state(0, "J", "Work of the leg at the start of the stride")
     positive_work_so_far = state(
-        0, "J", "Work of the hip at positive power since the start", name="hip.positive_work")
-    positive_work_then = state(0, "J", "Work of the hip at positive power until its beginning")
-    peak_force_so_far = state(0, "N", "Largest normal force in it")
-    touchdowns_so_far = state(0, "1", "Impacts in it")
-    slip_so_far = state(0, "m", "Path that the foot slid in it, but for the present mode")
-    slid_from = state(0, "m", "Position of the foot where the present mode began")
-    stance_so_far = state(0, "s", "Time in contact in it, but for the present mode")
-    word_so_far = state(0, "1", "Its gait word")
-    last_letter = state(0, "1", "The last letter of that, in base 4")
-    bar_is_due = state(0, "1", "1 after a touchdown, until a contact lasts")
+        0, "J", "Positive work of the hip since the start", name="hip.positive_work")
+    positive_work_then = state(0, "J", "Positive work of the hip at the start of the stride")
+    peak_force_so_far = state(0, "N", "Largest normal force in the open stride")
+    touchdowns_so_far = state(0, "1", "Impacts in the open stride")
+    slip_so_far = state(0, "m", "Slip distance in the open stride before the present mode")
+    slid_from = state(0, "m", "Position of the foot at the last event")
+    stance_so_far = state(0, "s", "Time in contact in the open stride before the present mode")
+    word_so_far = state(0, "1", "Gait word of the open stride, in base 4")
+    last_letter = state(0, "1", "Last letter of the open stride's gait word")
+    bar_is_due = state(0, "1", "1 from touchdown until a contact mode lasts, else 0")
     mode_began = state(0, "s", "Time of the last event")
-    x_then = state(0, "m", "Position of the centre of mass at its beginning")
-    y_then = state(0, "m", "Height of the centre of mass at its beginning")
+    x_then = state(0, "m", "Position of the centre of mass at the start of the stride")
+    y_then = state(0, "m", "Height of the centre of mass at the start of the stride")
 
-    # The last stride that was completed.
-    count = state(0, "1", "Completed strides", name="stride.count", values=int)
+    # The last completed stride.
+    count = state(0, "1", "Number of completed strides", name="stride.count", values=int)
     word_code = state(
-        0, "1", "Gait word: + slip forward, 0 stick, - slip backward, | a new stance", name="stride.word",
+        0, "1", "Gait word: + slip forward, 0 stick, - slip backward, | new stance", name="stride.word",
         values=letters("|-0+"))
-    period = state(0, "s", "Period, T", name="stride.period")
-    distance = state(0, "m", "Distance covered by the centre of mass", name="stride.length")
-    rise_of_stride = state(0, "m", "Height gained by the centre of mass", name="stride.rise")
-    work_of_stride = state(0, "J", "Net work of hip and leg, W", name="stride.work")
-    hip_work = state(0, "J", "Net work of the hip", name="stride.hip_work")
+    period = state(0, "s", "Period of the last stride, T", name="stride.period")
+    distance = state(0, "m", "Distance covered in the last stride", name="stride.length")
+    rise_of_stride = state(0, "m", "Height gained in the last stride", name="stride.rise")
+    work_of_stride = state(0, "J", "Net work of hip and leg in the last stride, W", name="stride.work")
+    hip_work = state(0, "J", "Net work of the hip in the last stride", name="stride.hip_work")
     leg_work_of_stride = state(
-        0, "J", "Net work of the leg by thrust and extension", name="stride.leg_work")
-    positive_work = state(0, "J", "Work of the hip at positive power", name="stride.positive_work")
-    speed = state(0, "m/s", "Average speed, V", name="stride.speed")
+        0, "J", "Net work of thrust and leg extension in the last stride", name="stride.leg_work")
+    positive_work = state(0, "J", "Positive work of the hip in the last stride", name="stride.positive_work")
+    speed = state(0, "m/s", "Average speed of the last stride, V", name="stride.speed")
     cost_of_transport = state(
-        0, "1", "Net work per weight and distance, c_mt", name="stride.cost_of_transport")
-    touchdowns = state(0, "1", "Impacts of the foot", name="stride.touchdowns", values=int)
-    stance_time = state(0, "s", "Time in contact, sticking or slipping", name="stride.stance_time")
-    slip_distance = state(0, "m", "Path that the foot slid", name="stride.slip_distance")
-    peak_force = state(0, "N", "Largest ground force across the ground", name="stride.peak_force")
+        0, "1", "Mechanical cost of transport of the last stride, c_mt", name="stride.cost_of_transport")
+    touchdowns = state(0, "1", "Impacts of the foot in the last stride", name="stride.touchdowns", values=int)
+    stance_time = state(0, "s", "Time in contact in the last stride", name="stride.stance_time")
+    slip_distance = state(0, "m", "Slip distance of the foot in the last stride", name="stride.slip_distance")
+    peak_force = state(0, "N", "Largest normal force in the last stride", name="stride.peak_force")
 
     # The section at the last apex.
     apex_time = state(0, "s", "Time of the last apex", name="apex.time")
@@ -66,19 +66,19 @@ class Stride(Model):
     apex_angle_rate = state(0, "rad/s", "Rate of the leg angle at the last apex", name="apex.leg_angle_rate")
 
     def letter(r):
-        """The letter of a contact mode, a digit; none off the ground and in graze."""
+        """The digit of a contact mode in the gait word; None in flight and graze."""
         if r.mode == "slip":
             return select(r.way > 0, FORWARD, BACKWARD)
         return STICK if r.mode == "stick" else None
 
-    def leaving(r, noted):
-        """Count the event. A contact that lasted adds its letter to the word, a new stance a bar."""
+    def leaving(r, counted):
+        """Count the event. A contact mode that lasted adds a letter to the gait word, a new stance a bar."""
         letter, lasted = r.letter(), r.time - r.mode_began
         if letter is not None:
             slid = r.way * (r.foot_x - r.slid_from) if r.mode == "slip" else 0
             r = r.replace(stance_so_far=r.stance_so_far + lasted, slip_so_far=r.slip_so_far + slid)
-        last_event = select(noted > 0, r.time, r.last_event)
-        r = r.replace(mode_began=r.time, events=r.events + noted, last_event=last_event)
+        last_event = select(counted > 0, r.time, r.last_event)
+        r = r.replace(mode_began=r.time, events=r.events + counted, last_event=last_event)
         if r.seen_in == "ground":
             r = r.replace(slid_from=r.foot_x)
         if letter is None:
@@ -92,7 +92,7 @@ class Stride(Model):
             bar_is_due=select(lasted > 0, 0, r.bar_is_due))
 
     def close_stride(r):
-        """An apex: keep what the stride has come to, if it began at one, and begin the next  (13)."""
+        """At an apex, latch the quantities of a stride that began at an apex, and open the next one  (13)."""
         center = r.center()
         hip, leg = r.work - r.work_then, r.leg_work - r.leg_work_then
         work, period, distance = hip + leg, r.time - r.apex_time, center.x - r.x_then
@@ -108,7 +108,7 @@ class Stride(Model):
         return r.replace(**kept).open_stride()
 
     def open_stride(r):
-        """An apex: a stride begins."""
+        """Open a stride at an apex."""
         center, leg = r.center(), r.leg()
         return r.replace(
             is_open=1, work_then=r.work, leg_work_then=r.leg_work, x_then=center.x, y_then=center.y,
@@ -124,5 +124,5 @@ class Stride(Model):
 
     @observe("stick slip", "largest", into="peak_force_so_far", unit="N")
     def force_on_foot(r):
-        """Normal force of a contact."""
+        """Normal force of a sticking or slipping foot."""
         return r.standing().normal

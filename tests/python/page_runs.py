@@ -16,7 +16,8 @@ ROOT = Path(__file__).resolve().parents[2]
 if str(ROOT) not in sys.path:
     sys.path.append(str(ROOT))  # the folder c_core is imported from the tree
 
-from c_core.hybrid.generate import derive_with_keys  # noqa: E402
+from c_core.hybrid.generate import generate  # noqa: E402
+from c_core.hybrid.page import Page  # noqa: E402
 
 COMPILER = shutil.which("cc")
 FLAGS = ["-std=c99", "-ffp-contract=off", "-fno-math-errno", "-fPIC", "-Wall", "-Wextra", "-Werror"]
@@ -40,7 +41,7 @@ class RunStruct(Structure):
 
 class ModeStruct(Structure):
     MAPS = ("to_world", "from_world", "world_rates")
-    FUNCTIONS = (*("open", "vary_open", "tell", "vary_tell", "longest", "leave", "vary_leave"), *MAPS)
+    FUNCTIONS = (*("open", "vary_open", "outputs", "vary_outputs", "longest", "leave", "vary_leave"), *MAPS)
     _fields_ = [
         *(("motion", c_void_p), ("ends", c_bool), ("guard_count", c_int), ("guards", c_void_p)),
         *(("watch_count", c_int), ("watches", c_void_p), *((name, c_void_p) for name in FUNCTIONS)),
@@ -114,10 +115,10 @@ class CompiledPage:
 
     def __init__(self, model, level="-O3"):
         self.model = model
-        files, keys = derive_with_keys(model)
-        self.name = next(iter(files)).removesuffix(".h")
-        self.files, self.keys = files, keys
-        self.library = library_of(files, self.name, level)
+        page = Page(model)
+        self.keys, self.files = page.keys, generate(page)
+        self.name = next(iter(self.files)).removesuffix(".h")
+        self.library = library_of(self.files, self.name, level)
         self.struct = ModelStruct.in_dll(self.library, f"{self.name}_model")
         self.modes, self.events, self.states, self.parameters, self.outputs = (
             [
@@ -137,11 +138,14 @@ class CompiledPage:
     def map(self, name, mode, p, x, dp=None, dx=None):
         """The map "to_world", "from_world" or "world_rates" of a mode; its variation where `dx` is given."""
         given = [p, x] if dx is None else [p, x, dp, dx]
-        function = getattr(self.struct.modes[mode], name if dx is None else f"vary_{name}")
         values = given[-1].copy()
-        call = CFUNCTYPE(None, *[c_void_p] * (len(given) + 1))(function)
-        call(*(array.ctypes.data for array in given), values.ctypes.data)
+        self.call(name if dx is None else f"vary_{name}", mode, *given, values)
         return values
+
+    def call(self, name, mode, *arrays):
+        """Call a function of a mode, if it has that function."""
+        if function := getattr(self.struct.modes[mode], name):
+            CFUNCTYPE(None, *[c_void_p] * len(arrays))(function)(*(array.ctypes.data for array in arrays))
 
 
 class PageRun:
@@ -227,8 +231,7 @@ class PageRun:
 
     def world(self):
         """The world's states by name, those that the mode's coordinates give and all others."""
-        values = self.x.copy()
-        self.of.library.tdmf_page_world(byref(self.of.struct), byref(self.run), c_void_p(values.ctypes.data))
+        values = self.of.map("to_world", self.run.mode, self.p, self.x)
         return dict(zip(self.of.states, values, strict=False))
 
     def modes_entered(self):
@@ -248,10 +251,10 @@ class PageRun:
         return found
 
     @property
-    def told(self):
+    def outputs(self):
         """Outputs by name."""
         values = np.zeros(len(self.of.outputs) + 1)
-        self.of.library.tdmf_page_tell(byref(self.of.struct), byref(self.run), c_void_p(values.ctypes.data))
+        self.of.call("outputs", self.run.mode, self.p, self.x, values)
         return dict(zip(self.of.outputs, values, strict=False))
 
     @property

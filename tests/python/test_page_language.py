@@ -178,7 +178,7 @@ def test_derived_c_carries_the_docstrings_of_the_page():
     text = "".join(derive(PlainRunner).values())
     for function in PlainRunner.marked("is_event").values():
         assert function.__doc__.split()[0] in text
-    assert "The foot comes down to the ground." in text
+    assert "The foot reaches the ground." in text
 
 
 def test_laws_run_on_numbers_arrays_and_symbols_alike():

@@ -82,7 +82,7 @@ def jacobian(page, apex, **given):
 def test_gaits_are_those_of_the_references(runner, reading, gait):
     given = {"friction": gait["friction"], "swing_clamp": reading == "clamped", "tolerance": 1e-13}
     run = runner.start(**given, **world_of(gait["apex"]))
-    energy = run.to(0.0).told["energy"]
+    energy = run.to(0.0).outputs["energy"]
     run.to(stop="apex")
     assert word(run) == gait["word"]
     assert section(run) == pytest.approx(gait["apex"], abs=1e-11)
@@ -97,7 +97,7 @@ def test_gaits_are_those_of_the_references(runner, reading, gait):
     }
     assert found == pytest.approx({**found, **{n: gait[n] for n in found if n in gait}}, abs=1e-11)
     lost = run.damper_loss + run.friction_loss + run.impact_loss
-    assert run.told["energy"] - energy == pytest.approx(run.work - lost, abs=1e-13)
+    assert run.outputs["energy"] - energy == pytest.approx(run.work - lost, abs=1e-13)
     expected = [time for _, time in gait["events"]]
     if reading == "clamped":
         expected = sorted([*expected, gait["clamp_release"]])
@@ -138,7 +138,7 @@ def runner_defaults(page):
 def test_outputs_of_c_are_those_of_the_page_on_plain_numbers(runner):
     run = runner.start(friction=0.6, **world_of(GAIT["apex"]))
     for time in (0.0, 5.0, 12.2, 12.6, 12.85, 13.0, 13.15, 20.0):
-        at, told = run.to(time).page(), run.told
+        at, told = run.to(time).page(), run.outputs
         assert told == pytest.approx({name: float(getattr(at, name)()) for name in told}, abs=1e-13)
 
 

@@ -38,7 +38,7 @@ def given(page, values):
 def test_gaits_beyond_the_paper_are_those_of_the_references(whole, gait):
     values = given(whole, gait["start_values"])
     run = whole.start(tolerance=1e-13, **values, **world_of(gait["apex"]))
-    energy = run.to(0.0).told["energy"]
+    energy = run.to(0.0).outputs["energy"]
     run.to(stop="apex")
     assert word(run) == gait["word"]
     assert section(run) == pytest.approx(gait["apex"], abs=1e-10)
@@ -51,7 +51,7 @@ def test_gaits_beyond_the_paper_are_those_of_the_references(whole, gait):
     assert mine == pytest.approx({n: gait.get(n, value) for n, value in mine.items()}, abs=2e-10)
     lost = run.damper_loss + run.friction_loss + run.impact_loss
     done = run.work + run.leg_work + run.external_work
-    assert run.told["energy"] - energy == pytest.approx(done - lost, abs=1e-12)
+    assert run.outputs["energy"] - energy == pytest.approx(done - lost, abs=1e-12)
     if "jacobian" in gait:
         found = jacobian(whole, gait["apex"], tolerance=1e-13, **values)
         assert found == pytest.approx(np.array(gait["jacobian"]), abs=1e-8)

@@ -89,6 +89,7 @@ WRONG = [
     ("a guard that is nothing", {"event": '@event("fall", when=lambda b: None, unit="m")'}, "has the guard None|returns nothing"),
     ("a loop on a number", {"decision": "while b.speed < 0: b = b.replace(speed=b.speed + 1)\n        return b"}, "more than 40 comparisons"),
     ("an endless chain", {"event": '@event("fall", when=lambda b: -1)', "decision": "return b.replace(speed=b.speed + 1)"}, "after 100 events in zero time: its guard stays below 0"),
+    ("more events than a mode can watch", {"more": 'for i in range(33):\n        locals()[f"e{i}"] = event("fall", when=lambda b, i=i: b.height + i * b.height, unit="m")(lambda b: b.replace(speed=0))'}, "watches 34 events; at most 32"),
     # coordinates, outputs and what is observed
     ("a state of other coordinates", {"quantities": 'x = state(0, "m", of="world")', "more": WORLD, "rates": "dict(height=b.x)"}, "reads `x` in the mode `fall`, whose coordinates do not have it"),
     ("an output in another unit", {"more": OUTPUT + "return b.speed"}, "is in m.s-1; its unit is m"),

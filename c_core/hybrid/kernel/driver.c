@@ -13,12 +13,12 @@
 
 #include <stdlib.h>
 
-enum { GUARD_LIMIT = 32, CHAIN_LIMIT = 100, PIECE_LIMIT = 32 };
+enum { PIECE_LIMIT = 32 }; /* pieces of a step in which an observed quantity keeps its sign */
 
-static const double margin = 1e-12;         /* of a guard, in its scale */
-static const double largest_change = 0.75;  /* of a divisor within a step, in its own size */
-static const double guard_tolerance = 10.0; /* of a guard's series, in the tolerance of a step */
-static const double sign_margin = 1e-15;    /* of an observed quantity, in its largest coefficient */
+static const double margin = 1e-12;         /* of a guard, relative to its scale */
+static const double largest_change = 0.75;  /* of a divisor within a step, relative to it */
+static const double guard_tolerance = 10.0; /* of a guard's series, relative to that of a step */
+static const double sign_margin = 1e-15;    /* of an observed quantity, relative to its largest coefficient */
 
 /* The state of a run between steps; its arrays lie in one piece of memory. */
 typedef struct {
@@ -26,16 +26,16 @@ typedef struct {
     const tdmf_mode_kind *mode;
     const tdmf_motion_kind *motion;
     tdmf_page_run *r;
-    real *c, *d;                   /* constants of the mode, and their variations by seed */
-    real (*s)[TERMS], (*t)[TERMS]; /* series, and the variation of one seed's */
-    real *room, *rates, *none;     /* as many as states; `none` is zero, for parameters that do not vary */
+    real *c, *d;                   /* constants of the mode, and their variations for each seed */
+    real (*s)[TERMS], (*t)[TERMS]; /* series, and their variation for one seed */
+    real *room, *rates, *none;     /* arrays of states; `none` holds zeros for parameters that do not vary */
     real *scales, *event_scales;
-    real power[TERMS];            /* of the step's size */
-    real size, end;               /* of the step, and the share of it at which an event ends it */
-    const tdmf_guard_kind *first; /* that event */
+    real power[TERMS];            /* powers of the step size */
+    real size, end;               /* step size, and the share of it at which the step ends */
+    const tdmf_guard_kind *first; /* event at that end; NULL: none */
     int chain;                    /* events in zero time so far */
-    bool begins, is_shifted;      /* the mode has just begun; variations are those at the last event */
-    bool is_watched[GUARD_LIMIT];
+    bool begins, is_shifted;      /* the mode has just begun; variations are on the guard of the last event */
+    bool is_watched[TDMF_GUARD_LIMIT];
 } work;
 
 static real *seed_dx(const work *w, int seed) {
@@ -76,8 +76,12 @@ static void expand(work *w) {
     w->motion->expand(w->c, w->r->order, w->s[0]);
 }
 
-/* How far the series can be trusted: cut at either of two coefficients near their end, what is left out would
- * be as small as the tolerance. And no divisor may come near zero. */
+/* The share of a step at which the last two terms of a series are no larger than what is allowed. */
+static real trusted_share(real allowed, real last, real last_but_one, int order) {
+    return real_min(rough_root(allowed / last, order - 1), rough_root(allowed / last_but_one, order - 2));
+}
+
+/* Chooses a step whose truncation error is within the tolerance and in which no divisor comes near zero. */
 static void choose_size(work *w, real longest) {
     const tdmf_motion_kind *m = w->motion;
     const int order = w->r->order;
@@ -93,8 +97,7 @@ static void choose_size(work *w, real longest) {
     if (w->mode->longest) {
         longest = real_min(longest, w->mode->longest(w->r->p, w->r->x));
     }
-    const real trusted = real_min(rough_root(w->r->tolerance / last, order - 1),
-                                  rough_root(w->r->tolerance / last_but_one, order - 2));
+    const real trusted = trusted_share(w->r->tolerance, last, last_but_one, order);
     w->size = is_finite(last + last_but_one) ? real_min(longest, trusted) : NAN;
     set_powers(w->power, w->size, order);
     for (int i = 0; i < m->divisor_count; ++i) {
@@ -157,25 +160,21 @@ static real positive_integral(const real *g, int order, real size, real least) {
 /* The largest value is that at an end, or where the rate changes its sign. */
 static real largest_value(const real *g, int order, real largest) {
     real rate[TERMS] = {0.0}, power[TERMS];
-    real tail = 0.0, scale = 0.0, end = g[0];
+    real tail = 0.0, scale = 0.0, rates = 0.0, end = g[0], from = 0.0;
     for (int k = 1; k < order; ++k) {
         rate[k - 1] = k * g[k];
         tail += real_abs(g[k]);
         scale = real_max(scale, real_abs(rate[k - 1]));
+        rates += real_abs(rate[k - 1]);
         end += g[k];
     }
     if (g[0] + tail <= largest || scale == 0.0) {
         return real_max(largest, g[0]);
     }
     largest = real_max(largest, real_max(g[0], end));
-    real others = 0.0;
-    for (int k = 1; k < order - 1; ++k) {
-        others += real_abs(rate[k]);
-    }
-    if (others < real_abs(rate[0])) { /* it only rises, or only falls */
+    if (rates < 2.0 * real_abs(rate[0])) { /* the rate keeps its sign */
         return largest;
     }
-    real from = 0.0;
     for (int pieces = 0; pieces < PIECE_LIMIT && from < 1.0; ++pieces) {
         from = end_of_sign(rate, order - 2, scale, from);
         set_powers(power, from, order);
@@ -184,7 +183,7 @@ static real largest_value(const real *g, int order, real largest) {
     return largest;
 }
 
-/* Follows the observed quantities up to the end of the step, whose powers are set. */
+/* Updates the observed quantities over a step whose powers are set. */
 static void observe(work *w) {
     const int order = w->r->order;
     for (int i = 0; i < w->mode->watch_count; ++i) {
@@ -216,7 +215,7 @@ static void advance_variations(work *w) {
     }
 }
 
-/* Goes on to a time within the step. */
+/* Advances the run within the step. */
 static void advance(work *w, real elapsed) {
     const tdmf_motion_kind *m = w->motion;
     const int order = w->r->order;
@@ -240,18 +239,21 @@ static void advance(work *w, real elapsed) {
 
 /* ---- events -------------------------------------------------------------------------------------------- */
 
-/* Ends the step where a guard that only a crossing makes due has come above zero: it is watched from there
- * on. */
+static void end_without_event(work *w, real share) {
+    if (share < w->end) {
+        w->end = share;
+        w->first = NULL;
+    }
+}
+
+/* Ends the step where a guard that has to cross zero rises above it: the guard is watched from there on. */
 static void end_where_it_rises(work *w, const real *g, real floor) {
     real below[TERMS];
     for (int k = 0; k < w->r->order; ++k) {
         below[k] = -g[k];
     }
-    const root found = first_root(below, w->r->order - 1, 2.0 * floor, 0.0, real_min(1.0, w->end), true);
-    if (found.time < w->end) {
-        w->end = found.time;
-        w->first = NULL;
-    }
+    end_without_event(w,
+                      first_root(below, w->r->order - 1, 2.0 * floor, 0.0, real_min(1.0, w->end), true).time);
 }
 
 /* Ends the step where a guard's own series can be trusted no further: a leg that spins steadily has states of
@@ -262,16 +264,11 @@ static void trust_guard(work *w, const real *g, real scale) {
     const real last = real_abs(g[order - 1]) * w->power[order - 1];
     const real last_but_one = real_abs(g[order - 2]) * w->power[order - 2];
     if (last > allowed || last_but_one > allowed) {
-        const real share =
-            real_min(rough_root(allowed / last, order - 1), rough_root(allowed / last_but_one, order - 2));
-        if (share < w->end) {
-            w->end = share;
-            w->first = NULL;
-        }
+        end_without_event(w, trusted_share(allowed, last, last_but_one, order));
     }
 }
 
-/* Searches one guard, whose polynomial is g, for an earlier end of the step. */
+/* Ends the step at the first root of a guard, whose polynomial is g. */
 static void search_guard(work *w, const tdmf_guard_kind *kind, real *g, real floor) {
     const int order = w->r->order;
     real sum = g[0], least = g[0], most = g[0];
@@ -298,9 +295,9 @@ static void search_guard(work *w, const tdmf_guard_kind *kind, real *g, real flo
     }
 }
 
-/* Searches the step for the first event; gives one that is due where the mode begins. */
+/* Searches the step for the first event. Returns an event that is due at once where the mode begins. */
 static const tdmf_guard_kind *search(work *w) {
-    real low[GUARD_LIMIT];
+    real low[TDMF_GUARD_LIMIT];
     w->end = INFINITY;
     w->first = NULL;
     if (w->motion->bounds) {
@@ -322,7 +319,7 @@ static const tdmf_guard_kind *search(work *w) {
     return NULL;
 }
 
-/* Moves the variations to where the event is now, by the rates of the mode that it ends. */
+/* Moves the variations onto the guard of an event, along the rates before the event. */
 static void shift_to_event(work *w, const tdmf_guard_kind *kind) {
     tdmf_page_run *r = w->r;
     const tdmf_motion_kind *m = w->motion;
@@ -345,7 +342,7 @@ static void shift_to_event(work *w, const tdmf_guard_kind *kind) {
     w->is_shifted = true;
 }
 
-/* Moves them back, by the rates of the mode that lasts. */
+/* Moves the variations back to a fixed time, along the rates after the event. */
 static void shift_back(work *w) {
     for (int seed = 0; seed < w->r->seed_count; ++seed) {
         for (int i = 0; i < w->motion->moving_count; ++i) {
@@ -359,14 +356,14 @@ void tdmf_page_take(const tdmf_model_kind *model, const tdmf_guard_kind *kind, t
                     double *room) {
     const tdmf_mode_kind *left = &model->modes[r->mode];
     const size_t size = (size_t)model->state_count * sizeof *room;
-    const real noted = kind->is_noted ? 1.0 : 0.0;
-    for (int part = left->leave ? 0 : 1; part < 2; ++part) { /* what is written down, then the decision */
+    const real counted = kind->is_counted ? 1.0 : 0.0;
+    for (int part = left->leave ? 0 : 1; part < 2; ++part) { /* `leave`, then the decision */
         for (int seed = 0; seed < r->seed_count; ++seed) {
             const real *dp = r->dp + seed * model->parameter_count;
             real *dx = r->dx + seed * model->state_count;
             memcpy(room, dx, size);
             if (part == 0) {
-                left->vary_leave(r->p, r->x, dp, dx, noted, room);
+                left->vary_leave(r->p, r->x, dp, dx, counted, room);
             } else {
                 kind->vary_react(r->p, r->x, dp, dx, room);
             }
@@ -374,7 +371,7 @@ void tdmf_page_take(const tdmf_model_kind *model, const tdmf_guard_kind *kind, t
         }
         memcpy(room, r->x, size);
         if (part == 0) {
-            left->leave(r->p, r->x, noted, room);
+            left->leave(r->p, r->x, counted, room);
         } else {
             r->mode = kind->react(r->p, r->x, room, kind->next);
         }
@@ -382,7 +379,7 @@ void tdmf_page_take(const tdmf_model_kind *model, const tdmf_guard_kind *kind, t
     }
 }
 
-/* Takes an event and notes it. */
+/* Takes an event and logs it. */
 static void take(work *w, const tdmf_guard_kind *kind) {
     tdmf_page_run *r = w->r;
     const int count = w->model->state_count, before = r->mode;
@@ -437,7 +434,7 @@ static tdmf_run_outcome go_on(work *w, double until) {
         }
         take(w, due);
         stops |= due->event == r->stop_event;
-        if (w->chain > CHAIN_LIMIT) {
+        if (w->chain > TDMF_CHAIN_LIMIT) {
             return TDMF_RUN_ENDLESS_CHAIN;
         }
     }
@@ -486,16 +483,6 @@ tdmf_page_run tdmf_page_run_default(const tdmf_model_kind *model, double *p, dou
                                .observes = true,
                                .step_limit = 100000};
     return run;
-}
-
-void tdmf_page_tell(const tdmf_model_kind *model, const tdmf_page_run *r, double *told) {
-    model->modes[r->mode].tell(r->p, r->x, told);
-}
-
-void tdmf_page_world(const tdmf_model_kind *model, const tdmf_page_run *r, double *world) {
-    if (model->modes[r->mode].to_world) {
-        model->modes[r->mode].to_world(r->p, r->x, world);
-    }
 }
 
 void tdmf_page_set(const tdmf_model_kind *model, tdmf_page_run *r, double *p, bool is_state, int index,

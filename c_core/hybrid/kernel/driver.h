@@ -1,4 +1,4 @@
-/* What a derived model and the driver know of each other. Neither knows what the model is about.
+/* The interface between a derived model and the driver, which knows no model.
  *
  * A model is a table of modes. A mode has a motion, whose states are Taylor series and whose guards are
  * polynomials in time, and functions of an instant: constants, decisions at events, outputs. All are derived
@@ -23,48 +23,50 @@ typedef void (*tdmf_polynomial)(const real *constants, const real *series, int o
 /* The first series are those of the states that move, then come states that only the motion has. */
 typedef struct {
     int moving_count, extra_count;
-    const int *moving;  /* places of the moving states among the model's */
-    const int *degrees; /* of those that are polynomials in time; a large number for others */
+    const int *moving;  /* indices of the moving states among the states of the model */
+    const int *degrees; /* degrees of states that are polynomials in time; a large number for others */
     int judged_count;
-    const int *judged; /* series whose last coefficients decide how long a step is */
+    const int *judged; /* series whose last coefficients control the size of a step */
     int divisor_count;
-    const int *divisors;                /* series that are divided by */
+    const int *divisors;                /* series that occur as divisors */
     const tdmf_polynomial *polynomials; /* guards, then observed quantities */
     tdmf_expand *expand;
     tdmf_vary *vary;
-    tdmf_bounds *bounds; /* what guards are no less than; NULL where none is bounded */
+    tdmf_bounds *bounds; /* lower bounds of the guards; NULL: none is bounded */
 } tdmf_motion_kind;
 
 /* ---- an instant ---------------------------------------------------------------------------------------- */
 
-typedef void tdmf_open(const real *p, const real *x, real *constants);
-typedef void tdmf_vary_open(const real *p, const real *x, const real *dp, const real *dx, real *d_constants);
+/* Functions of parameters p and states x, and their first variations by dp and dx. `after` begins as a copy
+ * of the states, or of dx. */
 typedef int tdmf_react(const real *p, const real *x, real *after, const int *next);
 typedef void tdmf_change(const real *p, const real *x, real *after);
 typedef void tdmf_vary_change(const real *p, const real *x, const real *dp, const real *dx, real *after);
 typedef real tdmf_vary_guard(const real *p, const real *x, const real *dp, const real *dx);
 typedef real tdmf_answer(const real *p, const real *x);
-typedef void tdmf_leave(const real *p, const real *x, real noted, real *after);
-typedef void tdmf_vary_leave(const real *p, const real *x, const real *dp, const real *dx, real noted,
+typedef void tdmf_leave(const real *p, const real *x, real counted, real *after);
+typedef void tdmf_vary_leave(const real *p, const real *x, const real *dp, const real *dx, real counted,
                              real *after);
 typedef void (*tdmf_set)(const real *p, const real *x, real given, real *after);
 typedef void tdmf_scales(const real *p, real *of_states, real *of_events);
 
-enum { TDMF_NEXT_LIMIT = 16 };
+/* Modes after an event, events that a mode watches, events of a chain in zero time. The generator reads
+ * these. */
+enum { TDMF_NEXT_LIMIT = 16, TDMF_GUARD_LIMIT = 32, TDMF_CHAIN_LIMIT = 100 };
 
 /* An event as a mode watches it. */
 typedef struct {
     int event;
-    bool is_noted;           /* an event of the world, not bookkeeping */
-    bool is_crossing;        /* never due at once */
-    tdmf_answer *is_watched; /* asked where the mode begins; NULL: always */
-    tdmf_react *react;       /* writes the states that change, and gives the next mode */
+    bool is_counted;         /* passed to `leave` */
+    bool is_crossing;        /* the guard has to cross zero: the event is not due at once */
+    tdmf_answer *is_watched; /* evaluated where the mode begins; NULL: always watched */
+    tdmf_react *react;       /* writes the states that change and returns the next mode */
     tdmf_vary_change *vary_react;
     tdmf_vary_guard *vary_guard;
-    int next[TDMF_NEXT_LIMIT]; /* the modes that it can lead to */
+    int next[TDMF_NEXT_LIMIT]; /* modes that the event can lead to */
 } tdmf_guard_kind;
 
-/* A quantity that is followed along the steps into a state. */
+/* Observed quantities: their integral or largest value goes into a state. */
 typedef enum { TDMF_POSITIVE_INTEGRAL, TDMF_LARGEST } tdmf_part;
 
 typedef struct {
@@ -76,21 +78,21 @@ typedef struct {
     const tdmf_motion_kind *motion;
     bool ends; /* the run */
     int guard_count;
-    const tdmf_guard_kind *guards; /* in the order in which those due at one instant are taken */
+    const tdmf_guard_kind *guards; /* in the order of events that are due at one instant */
     int watch_count;
     const tdmf_watch_kind *watches;
-    tdmf_open *open;
-    tdmf_vary_open *vary_open;
-    tdmf_change *tell; /* outputs */
-    tdmf_vary_change *vary_tell;
-    tdmf_answer *longest; /* step; NULL: any */
-    tdmf_leave *leave;    /* what is written down as an event finds the mode; NULL: nothing */
+    tdmf_change *open; /* writes the constants of the mode */
+    tdmf_vary_change *vary_open;
+    tdmf_change *outputs;
+    tdmf_vary_change *vary_outputs;
+    tdmf_answer *longest; /* time step; NULL: no limit */
+    tdmf_leave *leave;    /* called before the decision of any event; NULL: nothing to do */
     tdmf_vary_leave *vary_leave;
     tdmf_change *to_world, *from_world, *world_rates; /* NULL where the mode's coordinates are the world's */
     tdmf_vary_change *vary_to_world, *vary_from_world, *vary_world_rates;
 } tdmf_mode_kind;
 
-/* What else changes where a quantity is set, by mode. */
+/* What else changes when a quantity is set, by mode. */
 typedef struct {
     bool is_state;
     int index;
@@ -101,8 +103,8 @@ typedef struct {
     int state_count, parameter_count, event_count, mode_count, output_count, set_count;
     const tdmf_mode_kind *modes; /* runs start in the first */
     const tdmf_set_kind *sets;
-    tdmf_scales *scales;              /* what is large in the unit of each state and guard */
-    int series_count, constant_count; /* the most of any mode */
+    tdmf_scales *scales;              /* typical size of each state and guard */
+    int series_count, constant_count; /* largest numbers of any mode */
     const char *const *mode_names, *const *event_names, *const *state_names, *const *parameter_names,
                                                                                  *const *output_names;
     const double *parameter_defaults, *state_defaults;
@@ -131,7 +133,7 @@ typedef struct {
     int seed_count;
     const double *dp;
     double *dx, *shift;
-    /* Events are noted as long as there is room; `log_states` may be NULL. */
+    /* The log of events, while there is room; `log_states` may be NULL. */
     tdmf_event_row *log;
     double *log_states;
     int log_size, log_count;
@@ -150,8 +152,8 @@ typedef enum {
     TDMF_RUN_NO_MEMORY
 } tdmf_run_outcome;
 
-/* A run from the start of the page; room for variations and a log is the caller's. `p` and `x` get the
- * defaults. */
+/* A run from the start of the page. `p` and `x` receive the defaults; the caller adds memory for variations
+ * and the log. */
 tdmf_page_run tdmf_page_run_default(const tdmf_model_kind *model, double *p, double *x);
 
 /* The order of the series that suits a tolerance. */
@@ -159,17 +161,11 @@ int tdmf_page_order(double tolerance);
 
 tdmf_run_outcome tdmf_page_run_to(const tdmf_model_kind *model, tdmf_page_run *run, double until);
 
-/* Writes the world's states where the mode has coordinates of its own; `world` is a copy of the states. */
-void tdmf_page_world(const tdmf_model_kind *model, const tdmf_page_run *run, double *world);
-
-/* Sets a quantity, with what else changes there. `p` is the run's, which the caller may write. */
+/* Sets a quantity as an importer does, with what else changes. `p` are the parameters of the run. */
 void tdmf_page_set(const tdmf_model_kind *model, tdmf_page_run *run, double *p, bool is_state, int index,
                    double value, double *room);
 
-/* The outputs at this instant. */
-void tdmf_page_tell(const tdmf_model_kind *model, const tdmf_page_run *run, double *told);
-
-/* Takes an event, with its variations; `room` is for the states. */
+/* Applies the decision of an event, and its variation; `room` is working memory for the states. */
 void tdmf_page_take(const tdmf_model_kind *model, const tdmf_guard_kind *kind, tdmf_page_run *run,
                     double *room);
 

@@ -1,5 +1,5 @@
-/* What the derived motions of a page are made of, beside series_products.h: written over `real`, one number
- * or several side by side. */
+/* Recursions and interval arithmetic for derived motions, beside series_products.h. Written over `real`,
+ * which is one number or several lanes. */
 #ifndef TDMF_KERNEL_PAGE_SERIES_H
 #define TDMF_KERNEL_PAGE_SERIES_H
 
@@ -49,7 +49,8 @@ static inline void sine_and_cosine_of(int k, const real *a, real *sine, real *co
     cosine[k] = -with_sine * series_reciprocal[k];
 }
 
-/* ---- intervals: what a guard is no less than in a step, found before it is expanded -------------------- */
+/* ---- intervals: lower bounds of guards in a step, found before the guards are expanded ------------------
+ */
 
 typedef struct {
     real low, high;
@@ -72,25 +73,16 @@ static inline interval interval_of_series(const real *c, const real *power, int 
     return of;
 }
 
-/* The sine of an angle that is at most `turn` away from one with this sine and cosine: it changes by at most
- * turn |cosine| + turn^2/2. */
-static inline interval interval_of_turn(real sine, real cosine, real turn) {
-    const real change = turn * (real_abs(cosine) + 0.5 * turn);
-    return interval_at(real_max(sine - change, broadcast(-1.0)), real_min(sine + change, broadcast(1.0)));
-}
-
-static inline interval interval_of_sine(const real *angle, const real *power, int order) {
+/* The sine or cosine of an angle that turns by at most `turn`: a function f with slope f' at the start
+ * changes by at most turn |f'| + turn^2/2. */
+static inline interval interval_of_turn(const real *angle, const real *power, int order, bool is_sine) {
     const interval of = interval_of_series(angle, power, order);
+    const real turn = real_max(of.high - angle[0], angle[0] - of.low);
     real sine, cosine;
     sine_and_cosine(angle[0], &sine, &cosine);
-    return interval_of_turn(sine, cosine, real_max(of.high - angle[0], angle[0] - of.low));
-}
-
-static inline interval interval_of_cosine(const real *angle, const real *power, int order) {
-    const interval of = interval_of_series(angle, power, order);
-    real sine, cosine;
-    sine_and_cosine(angle[0], &sine, &cosine);
-    return interval_of_turn(cosine, sine, real_max(of.high - angle[0], angle[0] - of.low));
+    const real value = is_sine ? sine : cosine, slope = is_sine ? cosine : sine;
+    const real change = turn * (real_abs(slope) + 0.5 * turn);
+    return interval_at(real_max(value - change, broadcast(-1.0)), real_min(value + change, broadcast(1.0)));
 }
 
 static inline interval interval_sum(interval a, interval b) {
