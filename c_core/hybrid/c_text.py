@@ -140,26 +140,21 @@ SHORT_NAMES = {"*": "product", "/": "ratio", "+": "sum", "-": "sum"}
 
 def name_of(node):
     """The name of an expression on the page, else a name composed of its operands' names."""
-    todo, parts = [node], {}
-    while todo:
-        top = todo[-1]
-        if top in parts:
-            todo.pop()
-        elif top.operation == "symbol":
-            parts[todo.pop()] = top.value.replace("->", ".").split(".")[-1]
-        elif top.name:
-            parts[todo.pop()] = top.name
-        elif top.operation == "number":
-            digits = f"{float(top.value):.4g}".replace("-", "minus_")
-            parts[todo.pop()] = "by_" + re.sub(r"\W", "_", digits)
-        elif missing := [o for o in top.operands[-2:] if o not in parts]:
-            todo += missing
-        else:
-            of = [parts[o] for o in top.operands[-2:]]
-            word = NAMES.get(top.operation, f"{top.operation}_of_")
-            text = word.join(of) if len(of) > 1 else word + of[0]
-            parts[todo.pop()] = text if len(text) < 40 else SHORT_NAMES.get(top.operation, top.operation)
-    return parts[node]
+    own, names = _Texts(_own_name), {}
+    for part in ordered([node], own):
+        of = [names[o] for o in part.operands[-2:]] if part not in own else []
+        word = NAMES.get(part.operation, f"{part.operation}_of_")
+        text = own[part] or (word.join(of) if len(of) > 1 else word + of[0])
+        names[part] = text if not of or len(text) < 40 else SHORT_NAMES.get(part.operation, part.operation)
+    return names[node]
+
+
+def _own_name(node):
+    if node.operation == "symbol":
+        return node.value.replace("->", ".").split(".")[-1]
+    if node.operation == "number":
+        return "by_" + re.sub(r"\W", "_", f"{float(node.value):.4g}".replace("-", "minus_"))
+    return node.name
 
 
 def take_name(node, taken):

@@ -4,6 +4,7 @@ Each mode that a run can reach is traced on its own, with plain Python values fo
 function of C if its text is equal in them.
 """
 
+import json
 import re
 
 from .c_text import assigned, c_text, comment, function_in_c, lines_of, number_text, statements, wrapped_text
@@ -23,22 +24,19 @@ GIVEN = {
 }
 AT, VARIED_AT = "const real *parameters, const real *states", "const real *d_parameters, const real *d_states"
 SIGNATURES = {
-    "open": ("void", f"{AT}, real *constants"),
-    "vary_open": ("void", f"{AT}, {VARIED_AT}, real *constants"),
     "react": ("int", f"{AT}, real *after, const int *next"),
     "vary_react": ("void", f"{AT}, {VARIED_AT}, real *after"),
     "vary_guard": ("real", f"{AT}, {VARIED_AT}"),
     "answer": ("real", AT),
-    "leave": ("void", f"{AT}, real counted, real *after"),
-    "vary_leave": ("void", f"{AT}, {VARIED_AT}, real counted, real *after"),
-    "outputs": ("void", f"{AT}, real *outputs"),
-    "vary_outputs": ("void", f"{AT}, {VARIED_AT}, real *outputs"),
     "set": ("void", f"{AT}, real given, real *after"),
-    "map": ("void", f"{AT}, real *after"),
-    "vary_map": ("void", f"{AT}, {VARIED_AT}, real *after"),
     "scale": ("void", "const real *parameters, real *of_states, real *of_events"),
 }
 """Result and arguments of functions of an instant, by kind."""
+LEAVE = "real counted, real *after"
+WRITTEN = {"open": "real *constants", "leave": LEAVE, "outputs": "real *outputs", "map": "real *after"}
+for _kind, _into in WRITTEN.items():
+    SIGNATURES[_kind] = "void", f"{AT}, {_into}"
+    SIGNATURES[f"vary_{_kind}"] = "void", f"{AT}, {VARIED_AT}, {_into}"
 
 
 def c_name(key):
@@ -287,11 +285,6 @@ def struct_of(page, kind, quantities):
     return f"typedef struct {{\n{lines_of(lines or ['real none;'])}}} {page.c}_{kind};\n"
 
 
-def text_literal(text):
-    """A string of C."""
-    return '"' + text.replace("\\", "\\\\").replace('"', '\\"') + '"'
-
-
 def motion_row(page, motion):
     """The tables of a motion, and its row in the table of motions."""
     name, states = motion.name, list(page.states)
@@ -346,7 +339,7 @@ def generate(page):
     lists = ""
     named = {"state": page.states, "parameter": page.parameters, "event": page.events, "output": page.outputs}
     for what, of in ({"mode": names} | named).items():
-        lists += list_in_c("char *const", f"{what}_names", map(text_literal, of))
+        lists += list_in_c("char *const", f"{what}_names", map(json.dumps, of))
         row |= {f"{what}_count": len(of), f"{what}_names": f"{what}_names"}
     for what in ("state", "parameter"):
         defaults = [number_text(lift(q.value).value) for q in named[what].values()]

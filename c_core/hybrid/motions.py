@@ -5,15 +5,7 @@ import re
 from .c_text import c_text, function_in_c, lines_of, name_of, take_name
 from .errors import reading
 from .expressions import Variation, forget_expressions, leaves_of, lift, made, ordered, replaced, symbol
-from .series import (
-    NO_DEGREE,
-    Expansion,
-    degrees_of,
-    kind_of,
-    refuse_kinks,
-    with_rates_seen,
-    with_series_of_functions,
-)
+from .series import NO_DEGREE, Expansion, degrees_of, kind_of, refuse_kinks, with_rates_seen, with_recursions
 
 EXPAND = """\
 /* Adds the terms of coefficient i of one factor and j of the other to the sums of products. */
@@ -87,7 +79,7 @@ class Motion:
         self.drifting = [states[n] for n in drifting]
         guards = self.traced_guards(rates, states)
         rates, guards = with_rates_seen(rates, guards)
-        self.take_constants(*with_series_of_functions(rates, guards))
+        self.take_constants(*with_recursions(rates, guards))
         own = {s: rate for s, rate in self.rates.items() if s not in self.drifting}
         self.value = Expansion(own, {}, "s->{}", by_pairs=True)
         arrays = self.value.arrays | {s: s.value for s in self.drifting}

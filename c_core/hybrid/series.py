@@ -212,7 +212,7 @@ def refuse_kinks(root):
             raise PageError(f"{text}Hold the case in a state, and let an event change it")
 
 
-def with_series_of_functions(rates, guards):
+def with_recursions(rates, guards):
     """Rewrite functions without a recursion; atan2 becomes a state, with a start and a rate."""
     starts, given = {}, list(rates)
 

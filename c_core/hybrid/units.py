@@ -10,25 +10,10 @@ ANY = None
 """Dimension of a bare number, which takes whatever unit its context needs."""
 
 
-def _product(*powers):
-    return tuple(float(power) for power in (*powers, *[0] * (len(BASE) - len(powers))))
-
-
-NONE = _product()
-DERIVED = {
-    "1": NONE,
-    "": NONE,
-    "rad": NONE,
-    "N": _product(1, 1, -2),
-    "J": _product(1, 2, -2),
-    "W": _product(1, 2, -3),
-    "Pa": _product(1, -1, -2),
-    "Hz": _product(0, 0, -1),
-    "C": _product(0, 0, 1, 1),
-    "V": _product(1, 2, -3, -1),
-    "Ohm": _product(1, 2, -3, -2),
-}
-UNITS = {name: _product(*[0] * i, 1) for i, name in enumerate(BASE)} | DERIVED
+NONE = (0.0,) * len(BASE)
+UNITS = dict.fromkeys(["1", "", "rad"], NONE)
+UNITS |= {unit: tuple(float(unit == base) for base in BASE) for unit in BASE}
+DERIVED = "N=kg.m/s2 J=N.m W=J/s Pa=N/m2 Hz=1/s C=A.s V=W/A Ohm=V/A"
 
 
 @functools.cache
@@ -58,6 +43,11 @@ def dimension_of(unit):
                 raise PageError(f"has the unit `{unit}`, of which `{factor}` is not known; {known}")
             found = times(found, power(UNITS[name], sign * int(exponent or 1)))
     return found
+
+
+for _derived in DERIVED.split():
+    _unit, _text = _derived.split("=")
+    UNITS[_unit] = dimension_of(_text)
 
 
 def text_of(dimension):

@@ -311,10 +311,9 @@ class Runner(Hip, Friction, Leg, Ground, Stride, Model):
             return r.swing_torque()
         return r.equilibrium_turn() * r.leg().square if r.mode == "graze" else 0
 
-    @output("N", name="contact.normal")
-    def normal_force(r):
-        """Normal force of the ground on the foot, f_n."""
-        return r.standing().normal if r.mode in ("stick", "slip") else 0
+    normal_force = output(
+        "N", "Normal force of the ground on the foot, f_n", name="contact.normal",
+        of=lambda r: r.standing().normal if r.mode in ("stick", "slip") else 0)
 
     @output("N", name="contact.tangential")
     def tangential_force(r):
@@ -351,10 +350,9 @@ class Runner(Hip, Friction, Leg, Ground, Stride, Model):
         of_body = r.body_mass * (body.vx * body.vx + body.vy * body.vy)
         return (of_body + r.foot_mass * (foot.vx * foot.vx + foot.vy * foot.vy)) / 2
 
-    @output("J", name="energy.potential")
-    def potential_energy(r):
-        """Potential energy of body and foot."""
-        return r.gravity * (r.body_mass * r.body().y + r.foot_mass * r.foot().y)
+    potential_energy = output(
+        "J", "Potential energy of body and foot", name="energy.potential",
+        of=lambda r: r.gravity * (r.body_mass * r.body().y + r.foot_mass * r.foot().y))
 
     @output("J", name="energy.elastic")
     def elastic_energy(r):
@@ -362,10 +360,9 @@ class Runner(Hip, Friction, Leg, Ground, Stride, Model):
         shorter = r.rest_length() - r.leg().length
         return r.stiffness * (shorter * shorter) / 2
 
-    @output("J", name="energy.total")
-    def energy(r):
-        """Mechanical energy, kinetic, potential and elastic; it changes by all work less all losses."""
-        return r.kinetic_energy() + r.potential_energy() + r.elastic_energy()
+    energy = output(
+        "J", "Mechanical energy, which changes by all work less all losses", name="energy.total",
+        of=lambda r: r.kinetic_energy() + r.potential_energy() + r.elastic_energy())
 
     @output(name="contact.mode", kind=("flight", "stick", "slip_positive", "slip_negative", "graze"))
     def kind_of_contact(r):
@@ -381,10 +378,9 @@ class Runner(Hip, Friction, Leg, Ground, Stride, Model):
             return 1 if r.stance == "drive" else 2
         return 3 if r.mode in ("flight", "graze") and r.swing != "place" else 4
 
-    @output(name="status.fallen", kind=bool)
-    def has_fallen(r):
-        """Whether the runner has fallen, which freezes the motion."""
-        return 1 if r.mode == "fallen" else 0
+    has_fallen = output(
+        "1", "Whether the runner has fallen, which freezes the motion", name="status.fallen", kind=bool,
+        of=lambda r: 1 if r.mode == "fallen" else 0)
 
 
 class PlainRunner(Runner):

@@ -1,4 +1,4 @@
-"""Runs of the core that stands beside the pages of equations, in their words."""
+"""Runs of the hand-written core, with the names of the runner's page."""
 
 from functools import reduce
 
@@ -6,21 +6,10 @@ import numpy as np
 from tdmf_slip.library.binding import c, ffi
 
 STATES = (
-    *(
-        "seen_x",
-        "seen_y",
-        "length",
-        "angle",
-        "seen_vx",
-        "seen_vy",
-        "length_rate",
-        "angle_rate",
-        "work",
-        "placing",
-    ),
-    *("leg_work", "damper_loss", "friction_loss", "positive_work_so_far", "external_work"),
-)
-"""The core's states by the page's names."""
+    "seen_x", "seen_y", "length", "angle", "seen_vx", "seen_vy", "length_rate", "angle_rate", "work",
+    "placing", "leg_work", "damper_loss", "friction_loss", "positive_work_so_far", "external_work",
+)  # fmt: skip
+"""The core's states, in its order, by the names of the page."""
 CONTACTS = ("", "flight", "stick", "slip+", "slip-", "graze")
 PHASES = ("", "drive", "coast", "retract", "place")
 
@@ -76,7 +65,7 @@ class OldRun:
         write(self.inputs, dict(inputs))
         write(self.rates, dict(rates))
         self.refused = self._create()
-        self.to(self.motion.time)  # a jump changes the mode at once, which the log does not tell
+        self.to(self.motion.time)  # a jump changes the mode at once, which is not logged
         self.modes.append(self._mode(self.motion.time, self.motion.mode))
 
     @property
