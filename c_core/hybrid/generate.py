@@ -88,14 +88,14 @@ def answer_in_c(answer, taken, names, indent):
     return f"{lines}{indent}return {c_text(value, taken.get)};\n"
 
 
-def decision_in_c(tree, next_keys, vary):
+def decision_in_c(tree, c_names, next_keys, vary):
     """The body of a decision: it writes the states that change, or their variations."""
 
     def leaf_in_c(leaf, taken, names, indent):
         key, changes = leaf
         changes = {name: vary.of(value) for name, value in changes.items()} if vary else changes
         lines = statements(list(changes.values()), taken, names, indent)
-        lines += "".join(f"{indent}y->{n} = {c_text(v, taken.get)};\n" for n, v in changes.items())
+        lines += lines_of([f"y->{c_names[n]} = {c_text(v, taken.get)};" for n, v in changes.items()], indent)
         returned = "" if vary else f" next[{next_keys.index(key)}]"
         return f"{lines}{indent}return{returned};" + ("\n" if vary else f" /* {key[0]} */\n")
 
@@ -108,22 +108,18 @@ class Instants:
     def __init__(self, page, functions):
         self.page, self.functions = page, functions
 
-    def in_c(self, tree):
-        """A decision's tree with the states' names in C."""
-        if len(tree) == 3:
-            return tree[0], self.in_c(tree[1]), self.in_c(tree[2])
-        return tree[0], {self.page.c_names[n]: value for n, value in tree[1].items()}
-
     def guard_row(self, key, event_name):
         """An event as a mode watches it: the row of its table."""
         page, event, of = self.page, self.page.events[event_name], f"{c_name(key)}_{event_name}"
-        add, tree = self.functions.add, self.in_c(page.decide(key, event_name))
+        add, tree = self.functions.add, page.decide(key, event_name)
         next_keys, about = keys_of(tree), f"{event_name}: {event.__doc__ or ''}"
         if len(next_keys) > LIMITS["NEXT"]:
             raise page_error(event, event_name, f"leads to more than {LIMITS['NEXT']} modes")
         row = {"event": f"EVENT_{event_name}", "is_counted": c_boolean(event.counted)}
-        row["react"] = add(f"react_{of}", "react", decision_in_c(tree, next_keys, None), about)
-        varied = decision_in_c(tree, next_keys, InstantVariation()).removesuffix("    return;\n")
+        row["react"] = add(f"react_{of}", "react", decision_in_c(tree, page.c_names, next_keys, None), about)
+        varied = decision_in_c(tree, page.c_names, next_keys, InstantVariation()).removesuffix(
+            "    return;\n"
+        )
         about = f"First variation of {event_name}."
         row["vary_react"] = add(f"vary_react_{of}", "vary_react", varied, about)
         watches = True if event.only is None else page.answer(key, event.only, event_name)

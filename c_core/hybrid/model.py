@@ -331,8 +331,8 @@ class Model(metaclass=_Page):
             vars(new).update({name: q.value for name, q in cls.quantities(kind).items()})
         unknown = [n for n in values if not hasattr(cls, n) and n not in cls.all_words()]
         if unknown:
-            text = f"is given `{unknown[0]}`, which it does not have{similar(unknown[0], vars(new))}"
-            raise PageError(text)
+            known = similar(unknown[0], vars(new))
+            raise PageError(f"is given `{unknown[0]}`, which it does not have{known}")
         vars(new).update(values, mode=mode)
         return new.without_other_coordinates()
 

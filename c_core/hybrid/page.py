@@ -267,12 +267,11 @@ class Page:
         self.check_smooth(model)
 
     def is_due(self, model, name, event):
-        if model.mode not in event.modes or not all(
-            getattr(model, w, None) in v for w, v in event.case.items()
-        ):
-            return False
+        fits = all(getattr(model, word, None) in values for word, values in event.case.items())
         with reading(event.when, name):
-            if (event.only and not event.only(model)) or (event.crossing and event.crossing(model)):
+            if model.mode not in event.modes or not fits or (event.only and not event.only(model)):
+                return False
+            if event.crossing and event.crossing(model):
                 return False
             guard = event.when(model)
             if guard is None or not math.isfinite(guard):

@@ -10,26 +10,21 @@ _locals_of = {}
 """Local variables by code object; None for functions that belong to no page."""
 
 
-def _local_names(code):
+def _read_names(frame, happening, result):
+    """Name expressions after local variables, when a function of a page returns."""
+    code = frame.f_code
+    if happening != "return" or result is None:
+        return
     if code not in _locals_of:
         is_of_page = not code.co_filename.startswith(PACKAGE) and not code.co_name.startswith("<")
         _locals_of[code] = code.co_varnames[code.co_argcount :] if is_of_page else None
-    return _locals_of[code]
-
-
-def _read_names(frame, happening, result):
-    """Name expressions after local variables, when a function of a page returns."""
-    if happening != "return" or result is None:
+    if _locals_of[code] is None:
         return
-    names = _local_names(frame.f_code)
-    if names is None:
-        return
-    found = vars(result) if isinstance(result, SimpleNamespace) else {}
-    if names:
-        values = frame.f_locals
-        found = {name: values[name] for name in names if name in values} | found
+    values = frame.f_locals if _locals_of[code] else {}
+    found = {name: values[name] for name in _locals_of[code] if name in values}
+    found |= vars(result) if isinstance(result, SimpleNamespace) else {}
     if isinstance(result, Expression):
-        found = {**found, frame.f_code.co_name: result}
+        found[code.co_name] = result
     for name, value in found.items():
         if isinstance(value, Expression) and not name.startswith("_"):
             value.call(name)
