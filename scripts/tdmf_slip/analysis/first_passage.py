@@ -70,9 +70,8 @@ class FirstPassage(Drawable):
     def __repr__(self) -> str:
         """In a line: whose, and the mean number of strides with its interval."""
         low, high = self.interval
-        roughness = f"{self.roughness:.4g} {self.runner.label('m')}"
         return (
-            f"<FirstPassage of the gait {self.word} on steps of {roughness}: "
+            f"<FirstPassage of the gait {self.word} on steps of {self.roughness:.4g} {self.runner.label('m')}: "
             f"{self.mean_strides:.4g} strides until the fall ({low:.4g} to {high:.4g}), "
             f"{self.falls:,} of {self.runners:,} runners fell>"
         )
