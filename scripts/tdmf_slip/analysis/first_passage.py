@@ -71,7 +71,8 @@ class FirstPassage(Drawable):
         """In a line: whose, and the mean number of strides with its interval."""
         low, high = self.interval
         return (
-            f"<FirstPassage of the gait {self.word} on steps of {self.roughness:.4g} {self.runner.label('m')}: "
+            f"<FirstPassage of the gait {self.word} "
+            f"on steps of {self.roughness:.4g} {self.runner.label('m')}: "
             f"{self.mean_strides:.4g} strides until the fall ({low:.4g} to {high:.4g}), "
             f"{self.falls:,} of {self.runners:,} runners fell>"
         )
@@ -261,7 +262,8 @@ def strides_to_fall(
     max_strides = checked_whole("max_strides", max_strides, 1, MAX_STRIDES)
     if gait is not None:
         check_is_gait(gait, "gait")
-    start = periodic_gait(_without_patch(runner), fmu=fmu) if gait is None else gait
+    plain = runner.but("ground.patch_end", runner.values["ground.patch_begin"])
+    start = periodic_gait(plain, fmu=fmu) if gait is None else gait
     runner, apex = Runner(runner.values), tuple(start.apex)
     feet = _feet(foot_x, start, runner, runners, ground.seed)
     size = min(MAX_IN_A_BLOCK, max(MIN_IN_A_BLOCK, STRIDES_IN_A_BLOCK // max_strides))
@@ -278,10 +280,6 @@ def strides_to_fall(
             counted += found
             bar.update(shares[number].count)
     return FirstPassage(runner, start.word, ground.roughness, runners, *map(int, counted))
-
-
-def _without_patch(runner: Runner) -> Runner:
-    return runner.but("ground.patch_end", runner.values["ground.patch_begin"])
 
 
 def _feet(
