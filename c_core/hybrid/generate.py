@@ -143,7 +143,7 @@ class Instants:
         return self.functions.add_with_variation(name, kind, named, about, of) if named else {}
 
     def leaving(self, key):
-        """What every event writes down as it leaves a mode."""
+        """Held values that every event updates as it leaves a mode."""
         forget_expressions()
         before = self.page.at(key)
         after = trace(before.leaving, symbol("counted"), name="leaving")

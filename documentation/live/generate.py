@@ -181,7 +181,7 @@ def aliases():
 
 
 def paper_units():
-    """By unit: what stands for it where the runner is in the paper's units."""
+    """Label of each unit where the runner is in the paper's units."""
     known = runpy.run_path(str(PACKAGE / "fmu/dimensions.py"))
     labels = {unit: known["paper_unit"](unit) for unit in known["DIMENSIONS"]}
     return {unit: label for unit, label in labels.items() if label != unit} | {"deg/s": "deg sqrt(k/m)"}

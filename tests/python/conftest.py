@@ -105,7 +105,7 @@ def unpacked3(fmu3, tmp_path_factory):
 
 
 CLAMPED = RUNNER
-"""What the runners of references have that were computed with the clamp of the swing."""
+"""Setting of the runners whose references were computed with the clamp of the swing."""
 
 
 def reference_gaits():

@@ -35,7 +35,7 @@ if TYPE_CHECKING:
 MAX_GAITS = 100_000
 """Of a sweep that is on no file: each takes 10 kB."""
 NAMES = "values by the name of one parameter or input, or of two"
-"""What `vary` takes."""
+"""Names that `vary` accepts."""
 
 
 @dataclass(frozen=True, eq=False, repr=False)

@@ -43,7 +43,7 @@ DESCENTS = 2
 NO_ACTION = 1e-11
 """Changes over the scales that are no more than rounding."""
 NAMES = "a list of names of parameters and inputs"
-"""What `vary` takes."""
+"""Names that `vary` accepts."""
 
 
 class TargetNotMetError(RunError):

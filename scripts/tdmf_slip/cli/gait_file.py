@@ -9,7 +9,7 @@ from ..errors import InputError, reason
 from ..fmu.parameters import loads_json, parsed
 
 BYTE_ORDER_MARK = "\ufeff"
-"""That editors and shells of Windows begin a text with."""
+"""Byte-order mark with which Windows editors and shells begin a text."""
 GAIT = "what `tdmf-slip gait --json` prints"
 
 

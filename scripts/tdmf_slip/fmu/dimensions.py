@@ -37,7 +37,7 @@ def scale(unit: str, length: float, time: float, mass: float) -> float:
 
 
 def paper_unit(unit: str) -> str:
-    """What stands for a unit in the paper's units: `l0 sqrt(k/m)` for `m/s`, nothing for `1`."""
+    """Label of a unit in the paper's units: `l0 sqrt(k/m)` for `m/s`, empty for `1`."""
     length, time, mass = DIMENSIONS[unit]
     if (length, time, mass) == (0, 0, 0):
         return unit

@@ -116,7 +116,7 @@ class Proved(Protocol):
 
     @property
     def sentence(self) -> str:
-        """What is proved, or left open, in one sentence."""
+        """One sentence: the claim that is proved, or the reason why it is undecided."""
 
 
 def statement(proof: Proved, varied: str | None = None) -> dict[str, object]:

@@ -46,7 +46,7 @@ def modes_of(swing_clamp: bool) -> tuple[str, ...]:
 
 
 def mode_of(name: str) -> str:
-    """What `equations.accelerations` calls a mode."""
+    """Name of the mode in `equations.accelerations`."""
     return "flight" if name in FLIGHT else name
 
 
