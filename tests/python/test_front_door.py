@@ -201,7 +201,7 @@ def test_every_page_describes_itself():
 @built
 def test_the_home_page_leads_to_install_cite_and_a_result():
     page = (SITE / "index.html").read_text(encoding="utf-8")
-    for target in ("install.html", "cite.html", "findings.html", "gallery.html", "live.html"):
+    for target in ("install.html", "cite.html", "results.html", "gallery.html", "live.html"):
         assert f'href="{target}' in page, target
     text = " ".join(re.sub(r"<[^>]+>", "", page).split())
     assert "find_gait" in text or "find_gait" in text

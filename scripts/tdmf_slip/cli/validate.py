@@ -33,7 +33,7 @@ from .output import json_text, program
 @click.option(
     "--gaits", "only_gaits", is_flag=True, help="Only the five gaits, without what the paper states of them."
 )
-@click.option("--long", "own", is_flag=True, help="Also recompute this project's own claims: some minutes.")
+@click.option("--long", "own", is_flag=True, help="Also compute this project's own claims: up to an hour.")
 @click.option(
     "--seed",
     type=Number(0, LAST_SEED - 1, whole=True),
@@ -46,10 +46,10 @@ from .output import json_text, program
 def validate_command(
     tolerance: float, pictures: Path | None, only_gaits: bool, own: bool, seed: int, as_json_object: bool
 ) -> None:
-    """The five published gaits, published beside computed; and what this project says of its own.
+    """The five published gaits, published beside computed; with --long this project's own claims, too.
 
-    The exit status is 1 where a computed value is farther from its recorded reference than allowed, or beyond
-    what is stated.
+    The exit status is 1 where a computed value is farther from its recorded reference than allowed, or
+    a claim does not hold.
     """
     if only_gaits and own:
         raise InputError("--gaits and --long: allowed: one of the two")

@@ -1,90 +1,108 @@
-"""What this project says of its own, recomputed and held against what is stated."""
+"""What this project says of its own, recomputed in every regime."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from typing import Any
 
 from ..contents import ByContents
+from ..errors import RunError
 from ..terminal.progress import progress_bar
 from ..terminal.text import table
-from .statements.table import CLAIMS
+from .statements.claim import REGIMES, Cell, Estimate, OwnClaim, Row
+from .statements.table import SECTIONS
 
 
-@dataclass(frozen=True)
-class Recomputed:
-    """A claim beside what it is now."""
+@dataclass(frozen=True, eq=False)
+class Recomputed(ByContents):
+    """A claim, and what every regime has."""
 
-    what: str
-    """In words."""
-    command: str
-    """That recomputes it."""
-    low: float
-    """Least that is stated."""
-    high: float
-    """Most."""
-    computed: float | None
-    """Now; None where it was not computed."""
+    claim: OwnClaim
+    rows: Mapping[str, Row]
+    """By the regime's name."""
 
     @property
-    def holds(self) -> bool | None:
-        """Whether it is within what is stated; None where it was not computed."""
-        return None if self.computed is None else self.low <= self.computed <= self.high
+    def holds(self) -> bool:
+        """Whether the claim is true; a claim about a number that there is not is not true."""
+        try:
+            return self.claim.holds(self.rows)
+        except RunError:
+            return False
+
+    def as_json(self) -> dict[str, object]:
+        """All as a plain object; a number is [value, low, high]."""
+        return {
+            "name": self.claim.name,
+            "claim": self.claim.what,
+            "command": self.claim.command,
+            "holds": self.holds,
+            "regimes": {
+                name: {"value": _plain(row.value), "control": _plain(row.control)}
+                for name, row in self.rows.items()
+            },
+        }
+
+    @classmethod
+    def of_json(cls, claim: OwnClaim, stored: Mapping[str, Any]) -> "Recomputed":
+        """The claim with stored numbers."""
+        return cls(
+            claim,
+            {
+                name: Row(_read(cells["value"]), _read(cells["control"]))
+                for name, cells in stored["regimes"].items()
+            },
+        )
+
+
+def _plain(cell: Cell | None) -> object:
+    return [cell.value, cell.low, cell.high] if isinstance(cell, Estimate) else cell
+
+
+def _read(cell: Any) -> Any:
+    return Estimate(*map(float, cell)) if isinstance(cell, list) else cell
 
 
 @dataclass(frozen=True, eq=False)
 class OwnClaims(ByContents):
-    """All claims."""
+    """Claims, recomputed."""
 
     seed: int
     """Of what is drawn."""
     claims: Sequence[Recomputed]
-    """In the order in which they are told."""
+    """In the order of the page."""
 
     @property
     def passed(self) -> bool:
-        """None that was computed is beyond what is stated."""
-        return all(claim.holds is not False for claim in self.claims)
+        """Whether all of them hold."""
+        return all(claim.holds for claim in self.claims)
 
     def as_json(self) -> list[dict[str, object]]:
         """All as plain objects."""
-        return [
-            {
-                "claim": claim.what,
-                "command": claim.command,
-                "interval": [claim.low, claim.high],
-                "computed": claim.computed,
-                "holds": claim.holds,
-            }
-            for claim in self.claims
-        ]
+        return [claim.as_json() for claim in self.claims]
 
     def as_text(self, program: str = "tdmf-slip") -> str:
-        """A table, and the commands with the name by which `program` is called."""
-        header = ["", "what this project says", "stated"]
-        rows = [
-            [str(number), claim.what, f"{claim.low:g} to {claim.high:g}"]
-            for number, claim in enumerate(self.claims, start=1)
+        """A table of both readings, a line for each regime, and the commands."""
+        header = ["", "what this project says", "regime", f"value / control, seed {self.seed}", "verdict"]
+        rows = []
+        for number, one in enumerate(self.claims, start=1):
+            said = [str(number), one.claim.what, "holds" if one.holds else "DOES NOT HOLD"]
+            for regime in REGIMES:
+                rows.append([*said[:2], regime.title, str(one.rows[regime.name]), *said[2:]])
+                said = ["", "", ""]
+        commands = [f"{n:>2}  {one.claim.command}" for n, one in enumerate(self.claims, start=1)]
+        said_by = [
+            line.replace("tdmf-slip", program, 1).replace("{seed}", str(self.seed)) for line in commands
         ]
-        recomputed = any(claim.computed is not None for claim in self.claims)
-        if recomputed:
-            header += [f"computed, seed {self.seed}", "verdict"]
-            verdicts = {True: "holds", False: "DOES NOT HOLD", None: ""}
-            for row, claim in zip(rows, self.claims, strict=True):
-                row += [f"{claim.computed:.5g}", verdicts[claim.holds]]
-        how = [] if recomputed else [f"{program} validate --long computes all of them; one by one:"]
-        commands = [
-            f"{number:>2}  {claim.command.replace('tdmf-slip', program, 1)}"
-            for number, claim in enumerate(self.claims, start=1)
-        ]
-        return "\n".join([table(header, rows), *how, "", *commands])
+        return "\n".join([table(header, rows), "", *said_by])
 
 
-def own_claims(*, recompute: bool = False, seed: int = 1, progress: bool = False) -> OwnClaims:
-    """The claims of this project, on request recomputed."""
+def own_claims(
+    *, sections: Sequence[str] = tuple(SECTIONS), seed: int = 1, progress: bool = False
+) -> OwnClaims:
+    """The claims of this project, computed in every regime."""
+    chosen = [claim for section in sections for claim in SECTIONS[section]]
     found = []
-    with progress_bar("claims", len(CLAIMS), "claims", progress and recompute) as bar:
-        for claim in CLAIMS:
-            computed = claim.compute(seed) if recompute else None
-            command = claim.command.replace("{seed}", str(seed))
-            found.append(Recomputed(claim.what, command, claim.low, claim.high, computed))
+    with progress_bar("claims", len(chosen), "claims", progress) as bar:
+        for claim in chosen:
+            found.append(Recomputed(claim, {regime.name: claim.row(regime, seed) for regime in REGIMES}))
             bar.update()
     return OwnClaims(seed, found)

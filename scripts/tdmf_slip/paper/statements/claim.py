@@ -1,45 +1,192 @@
-"""A claim of this project, and the gaits that several of them are of."""
+"""A claim of this project: what is measured, its control, and the relation that must hold between them."""
 
-from collections.abc import Callable
-from dataclasses import dataclass
+import math
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
 from functools import cache
 
 from ...analysis.comparison import compare
+from ...analysis.first_passage import FirstPassage
 from ...analysis.search import periodic_gait
+from ...errors import GaitNotFoundError, RunError
 from ...fmu.fmu import FRICTION
+from ...fmu.parameters import read_parameters
+from ...fmu.variable import Given
 from ...library.gait import Gait
+from ..matched import HOLD, VARY
 
 TORQUE, ANGLE, THRUST = "hip.stance_torque", "hip.touchdown_angle", "leg.thrust"
-HOLD = ("speed", "apex_height", "apex_leg_angle")
-"""With these equal the foot is as high at the apex, too, where the ground steps."""
-VARY = (TORQUE, ANGLE, "hip.liftoff_angle_factor")
+CLAMP = "hip.swing_clamp"
 SLIPS, STICKS = 0.2, 10.0
 """Frictions of a runner that slips all the time, and of one that sticks."""
+
+
+@dataclass(frozen=True)
+class Regime:
+    """A runner for which claims are computed, and what distinguishes it from Table 1."""
+
+    name: str
+    """Key of stored values."""
+    title: str
+    """Head of its column."""
+    values: Mapping[str, Given] = field(hash=False)
+    """Parameters, over the unit's own."""
+    step: float = 1.0
+    """Factor of every roughness: a light runner hops higher than a heavy one, and clears higher steps."""
+
+
+DEFAULT = Regime("default", "Table 1", {CLAMP: False})
+CLAMPED = Regime("clamp", "Table 1, with the clamp", {CLAMP: True})
+HEAVY = Regime("heavy", "weight 0.022, 45°", {CLAMP: False, "gravity": 0.02, ANGLE: "45 deg"})
+HUMAN = Regime("human", "human size", {**read_parameters("human"), CLAMP: False}, 0.02)
+REGIMES = (DEFAULT, CLAMPED, HEAVY, HUMAN)
+
+
+@dataclass(frozen=True)
+class Estimate:
+    """A number with its interval of 95 %; the interval of what is solved is the number itself."""
+
+    value: float
+    low: float
+    high: float
+
+    @classmethod
+    def exact(cls, value: float) -> "Estimate":
+        """What is solved, not drawn."""
+        return cls(float(value), float(value), float(value))
+
+    @classmethod
+    def of_strides(cls, passage: FirstPassage) -> "Estimate":
+        """Mean number of strides until the fall."""
+        return cls(passage.mean_strides, *passage.interval)
+
+    def __str__(self) -> str:
+        """The number, with its interval if it has one; the lower bound where there was no event."""
+        if math.isinf(self.value):
+            return f"> {_digits(self.low)}"
+        if self.low == self.high:
+            return _digits(self.value)
+        return f"{_digits(self.value)} ({_digits(self.low)} to {_digits(self.high)})"
+
+
+def _digits(value: float) -> str:
+    return f"{value:,.0f}" if abs(value) >= 1000.0 else f"{value:.3g}"
+
+
+Cell = Estimate | str
+"""A number, or why there is none: "no gait", "no equal runner"."""
+Measure = Callable[[Regime, int], Estimate]
+"""By regime and seed. It raises RunError where there is no number; the message becomes the cell."""
+
+
+@dataclass(frozen=True)
+class Row:
+    """What one regime has. Its comparisons raise RunError where there is no number."""
+
+    value: Cell
+    control: Cell | None
+    """None where the claim compares nothing."""
+
+    def __str__(self) -> str:
+        """Value and control."""
+        return str(self.value) if self.control is None else f"{self.value} / {self.control}"
+
+    @property
+    def number(self) -> float:
+        """The value without its interval."""
+        return _number(self.value).value
+
+    @property
+    def above(self) -> bool:
+        """Whether the interval of the value lies above that of the control."""
+        return _number(self.value).low > _number(self.control).high
+
+    @property
+    def below(self) -> bool:
+        """Whether the interval of the value lies below that of the control."""
+        return _number(self.value).high < _number(self.control).low
+
+    @property
+    def ratio(self) -> float:
+        """Value over control."""
+        return self.number / _number(self.control).value
+
+
+def _number(cell: Cell | None) -> Estimate:
+    if not isinstance(cell, Estimate):
+        raise RunError(cell or "no control")
+    return cell
 
 
 @dataclass(frozen=True)
 class OwnClaim:
     """Something that this project says, and how it is recomputed."""
 
+    name: str
+    """Its anchor on the page of results."""
     what: str
-    """In words."""
+    """In words, with units, and with what changes sign between the readings."""
+    measure: Measure
+    control: Measure | None
+    """The same, with what else could do it held equal."""
     command: str
-    """That recomputes it, or the first of what it is made of."""
-    low: float
-    """Least that is stated."""
-    high: float
-    """Most."""
-    compute: Callable[[int], float]
-    """By a seed, of which only what is drawn depends."""
+    """That recomputes the value for Table 1, or the first part of it."""
+    holds: Callable[[Mapping[str, Row]], bool]
+    """Whether the claim is true of what the regimes, by name, have."""
+
+    def row(self, regime: Regime, seed: int) -> Row:
+        """Compute value and control."""
+        return Row(
+            _cell(self.measure, regime, seed),
+            None if self.control is None else _cell(self.control, regime, seed),
+        )
+
+
+def _cell(measure: Measure, regime: Regime, seed: int) -> Cell:
+    try:
+        return measure(regime, seed)
+    except GaitNotFoundError:
+        return "no gait"
+    except RunError as error:
+        return str(error)
+
+
+def solved(quantity: Callable[[Regime], float]) -> Measure:
+    """A number that is solved and does not depend on the seed."""
+    return lambda regime, seed: Estimate.exact(quantity(regime))
 
 
 @cache
-def gait(friction: float) -> Gait:
-    """Of the paper's runner."""
-    return periodic_gait({FRICTION: friction})
+def gait(regime: Regime, friction: float, **changed: Given) -> Gait:
+    """The gait at a friction; other values by the unit's names with `__` for the dot."""
+    values = {name.replace("__", "."): value for name, value in changed.items()}
+    return periodic_gait({**regime.values, **values, FRICTION: friction})
 
 
 @cache
-def matched(reference: float, other: float) -> Gait:
-    """The runner on the other friction, as the control of that on the first."""
-    return compare([gait(reference), gait(other)], hold=HOLD, vary=VARY).gaits[1]
+def stable_gait(regime: Regime, friction: float) -> Gait:
+    """The gait at a friction; an unstable one is refused."""
+    return _stable(gait(regime, friction))
+
+
+@cache
+def matched(regime: Regime, reference: float, other: float) -> Gait:
+    """The runner on the other friction with the speed, apex height and leg angle of that on the first.
+
+    With these equal the foot is as high at the apex, too, where the ground steps.
+    """
+    return equal_to(stable_gait(regime, reference), gait(regime, other))
+
+
+def equal_to(reference: Gait, other: Gait) -> Gait:
+    """The control: the other runner with the speed, apex height and leg angle of the reference."""
+    found = compare([reference, other], hold=HOLD, vary=VARY)
+    if found.not_held:
+        raise RunError("no equal runner")
+    return _stable(found.gaits[1])
+
+
+def _stable(one: Gait) -> Gait:
+    if not one.stable:
+        raise RunError("unstable")
+    return one

@@ -1,0 +1,70 @@
+"""The tables of the page of results, from stored values: the page cannot say what was not computed.
+
+`documentation/write_results` computes the values, stores them, and writes the tables into the page.
+"""
+
+import json
+import re
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+from .own_claims import Recomputed, own_claims
+from .statements.claim import CLAMPED, DEFAULT, HEAVY, HUMAN
+from .statements.table import SECTIONS
+
+SEEDS = (1, 2, 3)
+TABLE = re.compile(r"(<!-- results: (\w+) -->\n).*?(<!-- end -->)", re.DOTALL)
+Stored = Mapping[str, Sequence[Mapping[str, Any]]]
+"""Rows of a section by seed."""
+
+
+def compute(section: str, progress: bool = False) -> Stored:
+    """All claims of a section at every seed."""
+    return {
+        str(seed): own_claims(sections=[section], seed=seed, progress=progress).as_json() for seed in SEEDS
+    }
+
+
+def read(folder: Path, section: str) -> Stored:
+    """What is stored of a section."""
+    stored: Stored = json.loads((folder / f"{section}.json").read_text(encoding="utf-8"))
+    return stored
+
+
+def write(folder: Path, section: str, stored: Stored) -> None:
+    """Store the values of a section."""
+    text = json.dumps(stored, indent=1, ensure_ascii=False)
+    (folder / f"{section}.json").write_text(text + "\n", encoding="utf-8")
+
+
+def recomputed(section: str, stored: Stored, seed: int) -> list[Recomputed]:
+    """The claims of a section with their values at a seed."""
+    rows = {row["name"]: row for row in stored[str(seed)]}
+    return [Recomputed.of_json(claim, rows[claim.name]) for claim in SECTIONS[section]]
+
+
+def filled(page: str, folder: Path) -> str:
+    """The page with the table of every section as it is stored, with the numbers of the first seed."""
+
+    def tables(match: re.Match[str]) -> str:
+        section = match[2]
+        return match[1] + _markdown(recomputed(section, read(folder, section), SEEDS[0])) + match[3]
+
+    return TABLE.sub(tables, page)
+
+
+def _markdown(claims: Sequence[Recomputed]) -> str:
+    lines = [
+        f"| claim | {DEFAULT.title}: value | control | {CLAMPED.title} | {HEAVY.title} | {HUMAN.title} |",
+        "| --- | --- | --- | --- | --- | --- |",
+    ]
+    for number, one in enumerate(claims, start=1):
+        default = one.rows[DEFAULT.name]
+        others = " | ".join(str(one.rows[regime.name]) for regime in (CLAMPED, HEAVY, HUMAN))
+        control = "" if default.control is None else default.control
+        said = f'<a id="{one.claim.name}"></a>{number}. {one.claim.what}'
+        lines.append(f"| {said} | {default.value} | {control} | {others} |")
+    commands = [f"# {number}\n{one.claim.command}" for number, one in enumerate(claims, start=1)]
+    code = "\n".join(["```sh", *commands, "```"]).replace("{seed}", str(SEEDS[0]))
+    return "\n".join([*lines, "", code, ""])
