@@ -57,7 +57,7 @@ def test_rows_are_written_with_units(command, tmp_path, interface):
     assert (tmp_path / "run.png").stat().st_size > 10_000
 
 
-@pytest.mark.parametrize(("preset", "word", "speed"), [("paper", "+0-0+", 1.06174), ("human", "+0+", 2.709)])
+@pytest.mark.parametrize(("preset", "word", "speed"), [("paper", "+0-0+", 1.06174), ("human", "+0+", 2.699)])
 def test_presets_start_on_their_gaits(command, preset, word, speed):
     _, out, _ = command("simulate", "--parameters", preset, "--strides", 2, "--json")
     stride = json.loads(out)["stride"]
