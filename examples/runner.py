@@ -5,26 +5,30 @@ import shutil
 import fmpy
 import tdmf_slip
 from fmpy.fmi2 import FMU2Slave
+from fmpy.fmi3 import FMU3Slave
 
 
 class Runner:
-    """One running instance; a context manager, gone with its files at the end."""
+    """One running instance of either FMI version; a context manager that removes its files at the end."""
 
-    def __init__(self, step):
-        """Unpack the unit, instantiate and initialize it; `step` is the communication step."""
+    def __init__(self, step, start_values=None, fmi=2):
+        """Unpack the unit and initialize it; `step` is the communication step, `fmi` the version, 2 or 3."""
         self.step = step
         self.steps_taken = 0
-        self._folder = fmpy.extract(str(tdmf_slip.fmu_path()))
+        self._folder = fmpy.extract(str(tdmf_slip.fmu_path(fmi=fmi)))
         description = fmpy.read_model_description(self._folder)
         self._variables = {variable.name: variable for variable in description.modelVariables}
-        self._slave = FMU2Slave(
+        self._slave = (FMU3Slave if fmi == 3 else FMU2Slave)(
             guid=description.guid,
             unzipDirectory=self._folder,
             modelIdentifier=description.coSimulation.modelIdentifier,
             instanceName="runner",
         )
         self._slave.instantiate()
-        self._slave.setupExperiment()
+        for name, value in (start_values or {}).items():
+            self[name] = value
+        if fmi == 2:
+            self._slave.setupExperiment()
         self._slave.enterInitializationMode()
         self._slave.exitInitializationMode()
 
@@ -41,19 +45,25 @@ class Runner:
 
     @property
     def time(self):
-        """Where the last communication step ended."""
+        """Time at which the last communication step ended."""
         return self.steps_taken * self.step
+
+    def _call(self, verb, name, *values):
+        """Call the get or set function of the variable's type."""
+        variable = self._variables[name]
+        kind = variable.type
+        if kind == "Enumeration":
+            kind = "Int64" if isinstance(self._slave, FMU3Slave) else "Integer"
+        return getattr(self._slave, f"{verb}{kind}")([variable.valueReference], *values)
 
     def __getitem__(self, name):
         """Present value of a variable."""
-        variable = self._variables[name]
-        kind = "Integer" if variable.type == "Enumeration" else variable.type
-        (value,) = getattr(self._slave, f"get{kind}")([variable.valueReference])
-        return value.decode() if kind == "String" else value
+        (value,) = self._call("get", name)
+        return value.decode() if isinstance(value, bytes) else value
 
     def __setitem__(self, name, value):
-        """Set an input."""
-        self._slave.setReal([self._variables[name].valueReference], [value])
+        """Set a start value, before the run, or an input."""
+        self._call("set", name, [value])
 
     def advance(self):
         """Take one communication step; True if a stride closed in it."""

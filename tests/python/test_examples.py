@@ -31,6 +31,18 @@ def test_the_runner_crosses_the_ice_and_recovers(load):
     assert strides[0][1] == strides[-1][1] == "+0-0+"
 
 
+@pytest.mark.parametrize("fmi", [2, 3])
+def test_a_runner_of_either_version_takes_start_values(load, fmi):
+    given = {"ground.friction": 0.43, "leg.damping": 0.21, "status.terminate_on_fall": False}
+    wanted = tdmf_slip.simulate(given, strides=2).stride
+    with load("runner").Runner(0.5, given, fmi) as runner:
+        while runner["stride.count"] < 2:
+            runner.advance()
+        assert runner["stride.word"] == wanted["word"] and runner["contact.mode"] == 1
+        assert runner["stride.speed"] == pytest.approx(wanted["speed"], rel=1e-6)
+        assert not runner["status.terminate_on_fall"]
+
+
 def test_a_controller_at_the_hip_holds_the_speed(load):
     """Alone, the runner settles on a slower gait on the slippery ground; the controller drives it up."""
     example = load("hip_controller")

@@ -122,7 +122,7 @@ def test_pieces_of_the_published_table_are_proved_again(table):
 
 
 def test_the_guide_has_the_hash_of_the_published_table(table):
-    guide = (DOCUMENTATION / "guides/proofs.md").read_text(encoding="utf-8")
+    guide = (DOCUMENTATION / "guides/proof_ranges.md").read_text(encoding="utf-8")
     assert hashlib.sha256(TABLE.read_bytes()).hexdigest() in guide
     assert f"{len(table[1])} subintervals" in guide
 
@@ -165,7 +165,7 @@ def test_pieces_of_the_long_table_are_proved_again(long_table):
 
 
 def test_the_guide_has_the_hash_of_the_long_table(long_table):
-    guide = (DOCUMENTATION / "guides/proofs.md").read_text(encoding="utf-8")
+    guide = (DOCUMENTATION / "guides/proof_ranges.md").read_text(encoding="utf-8")
     with gzip.open(LONG_TABLE) as file:
         assert hashlib.sha256(file.read()).hexdigest() in guide
     assert f"{len(long_table):,} subintervals" in guide
