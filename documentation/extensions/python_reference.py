@@ -1,4 +1,4 @@
-"""A page for each sub-package, written before Sphinx reads its sources, and a check that nothing is untold.
+"""A page for each sub-package, written before Sphinx reads its sources, and a check for missing docstrings.
 
 Public are: every module outside the command line, and in it every name without an underscore.
 """
@@ -18,7 +18,7 @@ from sphinx.util.docutils import SphinxDirective
 PACKAGE = "tdmf_slip"
 WITHOUT_PAGE = ("cli", "__main__", "bench.peers", "equations", "library.structs")
 """The command line has a page of its own, structs have that of the C library; peers are for the benchmark.
-The laws are what the guides of the model and of the equations tell of."""
+The guides on the model and on the equations document the laws."""
 
 
 def modules(folder: Path) -> dict[str, Path]:
@@ -85,7 +85,7 @@ def write_pages(app: Sphinx) -> None:
         is_package = (folder / part / "__init__.py").exists()
         parts.setdefault(part if is_package else "", []).append(name)
     for part, names in parts.items():
-        title = f"{PACKAGE}.{part}" if part else f"{PACKAGE}: the ground that all parts stand on"
+        title = f"{PACKAGE}.{part}" if part else f"{PACKAGE}: errors and values"
         lines = [title, "=" * len(title), ""]
         for name in names:
             lines += _module(name, part)
@@ -104,19 +104,59 @@ def _write_if_changed(path: Path, text: str) -> None:
         path.write_text(text, encoding="utf-8")
 
 
+FIRST = (
+    "find_gait",
+    "simulate",
+    "sweep",
+    "compare",
+    "continue_branch",
+    "continue_curves",
+    "basin",
+    "viability",
+    "strides_to_fall",
+    "rare_falls",
+    "stride_map",
+    "simulate_many",
+    "controllability",
+    "dead_beat",
+    "lqr",
+    "place_poles",
+    "apex_covariance",
+    "optimize",
+    "pareto_front",
+    "fit",
+    "prove",
+)
+"""Functions in the order in which the guides introduce them; all others follow by name."""
+
+
+def _kind(thing: object) -> str:
+    if not inspect.isclass(thing):
+        return "Functions"
+    return "Errors" if issubclass(thing, Exception) else "Classes"
+
+
+def _as_introduced(name: str) -> tuple[int, str]:
+    return (FIRST.index(name) if name in FIRST else len(FIRST), name)
+
+
 class PythonTop(SphinxDirective):
-    """The directive `python-top`: what the package itself offers, each with its first sentence and a link."""
+    """The directive `python-top`: the names of the package itself, each with its first sentence and a link."""
 
     def run(self) -> list[nodes.Node]:
-        """A list in alphabetic order."""
+        """Write functions, classes and errors, each in the order in which a user meets them."""
         package = importlib.import_module(PACKAGE)
+        names = sorted((name for name in package.__all__ if not name.startswith("_")), key=_as_introduced)
         lines = StringList(["````{eval-rst}"], PACKAGE)  # pages are MyST
-        for name in sorted(package.__all__):
-            thing = getattr(package, name)
-            if not name.startswith("_"):
-                summary = (inspect.getdoc(thing) or "").partition("\n\n")[0].replace("\n", " ")
-                lines.append(f":py:obj:`~{thing.__module__}.{name}`", PACKAGE)
-                lines.append(f"   {summary}", PACKAGE)
+        for kind in ("Functions", "Classes", "Errors"):
+            lines.extend(StringList([f".. rubric:: {kind}", ""], PACKAGE))
+            for name in names:
+                thing = getattr(package, name)
+                if _kind(thing) == kind:
+                    summary = (inspect.getdoc(thing) or "").partition("\n\n")[0].replace("\n", " ")
+                    lines.append(f":py:obj:`~{thing.__module__}.{name}`", PACKAGE)
+                    lines.append(f"   {summary}", PACKAGE)
+            lines.append("", PACKAGE)
         lines.append("````", PACKAGE)
         around = nodes.container()
         self.state.nested_parse(lines, self.content_offset, around)

@@ -24,7 +24,7 @@ export function fillLegend(list) {
     mark(item, name);
     list.append(item);
   }
-  for (const [name, text] of Object.entries({ wedge: "the wedge", arrows: "the arrows" })) {
+  for (const [name, text] of Object.entries({ wedge: "friction cone", arrows: "forces" })) {
     const item = document.createElement("li");
     item.append(text);
     mark(item, name);
