@@ -77,7 +77,7 @@ html_title = "TDMF-SLIP"
 html_baseurl = SITE
 html_static_path = ["static"]
 html_css_files = ["site.css"]
-html_search_scorer = "static/search_scorer.js"
+html_search_scorer = str(HERE / "static" / "search_scorer.js")
 versions_file = VERSIONS
 html_sidebars = {
     "**": [

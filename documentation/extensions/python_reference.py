@@ -141,7 +141,7 @@ def _as_introduced(name: str) -> tuple[int, str]:
 
 
 class PythonTop(SphinxDirective):
-    """The directive `python-top`: the names of the package itself, each with its first sentence and a link."""
+    """The directive `python-top`: names of the package itself, each with its first sentence and a link."""
 
     def run(self) -> list[nodes.Node]:
         """Write functions, classes and errors, each in the order in which a user meets them."""
