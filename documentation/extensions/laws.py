@@ -57,33 +57,37 @@ EQUATIONS: dict[str, Callable[[], dict[str, Expression]]] = {
 
 
 def latex(node: Expression, smallest: int = 0) -> str:
-    """Write an expression as one prints it: products without a sign, quotients as fractions."""
-    if node.operation == "symbol":
-        return str(node.value)
-    if node.operation == "number":
+    """Write an expression as it is printed: products without a sign, quotients as fractions."""
+    if node.operation in ("symbol", "number"):
         return str(node.value)
     if node.operation in ("sin", "cos"):
         return rf"\{node.operation} {latex(node.operands[0], 2)}"
     if node.operation == "/":
         above, below = (latex(operand) for operand in node.operands)
         return rf"\frac{{{above}}}{{{below}}}"
-    if node.operation == "negative":
-        strength, text = 0, f"-{latex(node.operands[0], 1)}"
+    if node.operation in ("negative", "*"):
+        is_negative, factors = _factors(node)
+        product = r"\,".join(latex(factor, 1) for factor in factors)
+        strength, text = (0, f"-{product}") if is_negative else (1, product)
     elif node.operation in ("+", "-"):
         left, right = node.operands
-        strength = 0
-        text = f"{latex(left)} {node.operation} {latex(right, 1)}"
-    elif node.operation == "*":
-        left, right = _in_print(node)
-        strength, text = 1, rf"{latex(left, 1)}\,{latex(right, 1)}"
+        is_negative, factors = _factors(right)
+        sign = "-" if is_negative != (node.operation == "-") else "+"
+        strength, text = 0, rf"{latex(left)} {sign} " + r"\,".join(latex(factor, 1) for factor in factors)
     else:
         raise ValueError(f"no law in print has the operation {node.operation}")
     return rf"\left({text}\right)" if strength < smallest else text
 
 
-def _in_print(product: Expression) -> tuple[Expression, ...]:
-    """The factors of a product, a sine or cosine behind what it is multiplied by."""
-    return tuple(sorted(product.operands, key=lambda factor: factor.operation in ("sin", "cos")))
+def _factors(node: Expression) -> tuple[bool, list[Expression]]:
+    """Whether a product is negative, and its factors without signs, sines and cosines last."""
+    if node.operation == "negative":
+        is_negative, factors = _factors(node.operands[0])
+        return not is_negative, factors
+    if node.operation != "*":
+        return False, [node]
+    (one, left), (other, right) = map(_factors, node.operands)
+    return one != other, sorted(left + right, key=lambda factor: factor.operation in ("sin", "cos"))
 
 
 def written(name: str) -> str:

@@ -72,6 +72,15 @@ def _unchanged(outputs: list[Cell]) -> list[Cell]:
 # ---- notebooks for download ----
 
 
+def folded(tags: list[str]) -> Cell:
+    """Metadata by which Jupyter folds what the page folds."""
+    hidden = {
+        "source_hidden": bool({"hide-cell", "hide-input"} & set(tags)),
+        "outputs_hidden": "hide-cell" in tags,
+    }
+    return {"jupyter": hidden} if any(hidden.values()) else {}
+
+
 class Notebook:
     """A guide's notebook on its way to one that stands alone."""
 
@@ -90,6 +99,7 @@ class Notebook:
                 self.plain(cell)
             elif cell["cell_type"] == "code":
                 cell["outputs"] = in_one_piece(cell["outputs"], _unchanged)
+                cell["metadata"] |= folded(cell["metadata"].get("tags", []))
         self.path.write_text(json.dumps(self.content, indent=1, ensure_ascii=False) + "\n", encoding="utf-8")
 
     def plain(self, cell: Cell) -> None:

@@ -50,6 +50,17 @@ def test_every_notebook_reads_without_sphinx():
 
 
 @built
+def test_solutions_are_folded_in_the_notebook_too():
+    tagged = [
+        cell["metadata"]
+        for cell in cells("exercises", "code")
+        if "hide-cell" in cell["metadata"].get("tags", [])
+    ]
+    assert len(tagged) == 3
+    assert all(each["jupyter"] == {"source_hidden": True, "outputs_hidden": True} for each in tagged)
+
+
+@built
 @release
 @pytest.mark.parametrize("name", NOTEBOOKS)
 def test_a_notebook_runs_from_an_empty_folder_with_the_wheel_alone(environment, wheel, tmp_path, name):

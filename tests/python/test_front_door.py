@@ -210,15 +210,25 @@ def test_the_home_page_leads_to_install_cite_and_a_result():
 
 @built
 @in_browser
-@pytest.mark.parametrize(("query", "page"), [("install", "install.html"), ("cite", "cite.html")])
-def test_the_search_finds(query, page):
+@pytest.mark.parametrize(
+    ("query", "page", "rank"),
+    [
+        ("install", "install.html", 5),
+        ("cite", "cite.html", 5),
+        ("viability", "guides/viability.html", 1),
+        ("find_gait", "guides/gaits.html", 5),
+        ("feedback", "guides/feedback.html", 1),
+    ],
+)
+def test_the_search_finds_guides_before_the_reference(query, page, rank):
     from browser import chromium, served, wait
 
     with served(SITE) as address, chromium(1280, 900) as driver:
         driver.get(f"{address}/search.html?q={query}")
         links = "[...document.querySelectorAll('#search-results li a')].map((link) => link.pathname)"
         found = wait(driver, f"{links}.length && {links}", "what was found")
-        assert f"/{page}" in found[:5], found
+        assert f"/{page}" in found[:rank], found
+        assert not any("reference" in path for path in found[:rank]), found
 
 
 @built
@@ -234,6 +244,35 @@ def test_pictures_are_dark_where_the_page_is():
                     "return getComputedStyle(document.querySelector('.gallery-figure img')).filter"
                 )
                 assert ("invert" in shown) == dark, shown
+
+
+@built
+@in_browser
+@pytest.mark.parametrize("page", ["model", "extensions", "proof_method"])
+def test_an_equation_has_no_vertical_scroll_bar_and_is_not_cut_off(page):
+    from browser import chromium, served
+
+    with served(SITE) as address, chromium(1280, 900) as driver:
+        driver.get(f"{address}/guides/{page}.html")
+        count, cut = driver.execute_script(
+            """const boxes = [...document.querySelectorAll(".math-wrapper, .math-wrapper *")];
+            return [boxes.length, boxes.filter((box) => box.scrollHeight > box.clientHeight + 1
+                && getComputedStyle(box).overflowY !== "visible").length];"""
+        )
+        assert count > 0 and cut == 0
+
+
+@built
+@in_browser
+def test_the_gallery_is_a_grid():
+    from browser import chromium, served
+
+    with served(SITE) as address, chromium(1280, 900) as driver:
+        driver.get(f"{address}/gallery.html")
+        boxes = driver.execute_script(
+            "return [...document.querySelectorAll('.gallery-figure')].map((box) => box.offsetTop)"
+        )
+        assert boxes[0] == boxes[1] < boxes[2]
 
 
 @in_browser

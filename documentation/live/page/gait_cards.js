@@ -74,7 +74,7 @@ export class GaitCards {
     $("start-gait").disabled = true;
     $("friction-hint").hidden = false;
     $("friction-hint").textContent = FRICTION_HINT;
-    $("gait-hint").textContent = "Newton’s method on the return map, from where the runner settles.";
+    $("gait-hint").textContent = "Newton’s method on the return map finds it, from where the runner settles.";
   }
 
   /** The present friction, and the gait if there is one, on the curve. */
