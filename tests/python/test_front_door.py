@@ -215,8 +215,8 @@ def test_the_home_page_leads_to_install_cite_and_a_result():
     [
         ("install", "install.html", 5),
         ("cite", "cite.html", 5),
-        ("viability", "guides/viability.html", 1),
-        ("find_gait", "guides/gaits.html", 5),
+        ("viability", "guides/viability.html", 5),
+        ("sweep", "guides/sweep.html", 1),
         ("feedback", "guides/feedback.html", 1),
     ],
 )
