@@ -168,7 +168,7 @@ def test_it_ends_where_the_guide_says_that_omsimulator_did(example, structure):
     stop_time = float(experiment.get("stopTime"))
     held = example.by_communication(STEP, stop_time - STEP / 2)
     assert held[-1][0] + STEP == pytest.approx(stop_time) and stop_time == example.LONGEST
-    guide = (EXAMPLES.parent / "documentation/guides/tools.md").read_text(encoding="utf-8")
+    guide = (EXAMPLES.parent / "documentation/guides/importers.md").read_text(encoding="utf-8")
     assert f"{held[-1][1]:.6f}" in guide
 
 
