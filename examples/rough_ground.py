@@ -7,10 +7,12 @@ The picture shows the ground, where foot and centre of mass go, and the leg wher
 """
 
 import sys
+from pathlib import Path
 
 import matplotlib.pyplot as plt
 import numpy as np
 from tdmf_slip import Profile, simulate
+from tdmf_slip.pictures import style
 
 STRIDES = 8
 RECORDED = ("foot.x", "foot.y", "body.x", "body.y", "com.x", "com.y", "contact.normal")
@@ -31,27 +33,27 @@ def run():
 
 def draw(path, profile, rows):
     """Draw the rows of a run."""
-    figure, axes = plt.subplots(figsize=(11, 3.6), layout="constrained")
-    end = rows["com.x"][-1]
-    inside = (profile.x > 0) & (profile.x < end)
-    x = np.concatenate([[0.0], profile.x[inside], [end]])
-    y = np.concatenate([profile.height([0.0]), profile.y[inside], profile.height([end])])
-    axes.fill_between(x, y, y.min() - 0.4, color="0.85", linewidth=0)
-    axes.plot(x, y, color="0.4", linewidth=1)
-    axes.plot(rows["com.x"], rows["com.y"], color="tab:blue", label="centre of mass")
-    axes.plot(rows["foot.x"], rows["foot.y"], color="tab:orange", linewidth=0.8, label="foot")
-    loaded = np.flatnonzero(rows["contact.normal"] > 0)[::4]
-    coordinates = (rows["foot.x"], rows["body.x"]), (rows["foot.y"], rows["body.y"])
-    legs = [np.array([foot[loaded], body[loaded]]) for foot, body in coordinates]
-    axes.plot(*legs, color="black", linewidth=0.7, alpha=0.6)
-    axes.set(xlim=(0.0, end), ylim=(y.min() - 0.4, 3.0), xlabel="x (l0)", ylabel="height (l0)")
-    axes.legend(loc="upper right", ncols=2)
-    figure.savefig(path, dpi=130)
-    plt.close(figure)
+    with style.styled():
+        figure, axes = plt.subplots(figsize=(7.6, 3.2), layout="constrained")
+        end = rows["com.x"][-1]
+        inside = (profile.x > 0) & (profile.x < end)
+        x = np.concatenate([[0.0], profile.x[inside], [end]])
+        y = np.concatenate([profile.height([0.0]), profile.y[inside], profile.height([end])])
+        axes.fill_between(x, y, y.min() - 0.4, color=style.GROUND, linewidth=0)
+        axes.plot(rows["com.x"], rows["com.y"], color=style.CURVE, label="centre of mass")
+        axes.plot(rows["foot.x"], rows["foot.y"], color=style.SECOND_CURVE, linewidth=1.0, label="foot")
+        loaded = np.flatnonzero(rows["contact.normal"] > 0)[::4]
+        coordinates = (rows["foot.x"], rows["body.x"]), (rows["foot.y"], rows["body.y"])
+        legs = [np.array([foot[loaded], body[loaded]]) for foot, body in coordinates]
+        axes.plot(*legs, color=style.FAINT, linewidth=0.7, zorder=1)
+        axes.set(xlim=(0.0, end), ylim=(y.min() - 0.4, 3.4))
+        style.label(axes, "x  / l₀", "height  / l₀")
+        axes.legend(loc="upper right", ncols=2)
+        style.save(figure, Path(path))
 
 
 def main():
-    """Run, tell and draw."""
+    """Run, report and draw."""
     ran = run()
     fate = "fell" if ran.fallen else "ran on"
     print(f"{fate} after {ran.strides} strides and {ran.final['com.x']:.1f} leg lengths")

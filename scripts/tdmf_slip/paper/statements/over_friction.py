@@ -1,0 +1,188 @@
+"""Speed, cost and stability of the gaits over the friction."""
+
+from functools import cache
+
+import numpy as np
+
+from ...analysis.sweep import sweep
+from ...errors import RunError
+from ...fmu.fmu import FRICTION
+from ...library.gait import Gait
+from .claim import CLAMPED, DEFAULT, HEAVY, STICKS, Measure, OwnClaim, Regime, gait, matched, solved
+from .rough import MATCH
+
+FRICTIONS = np.geomspace(STICKS, 0.1, 200)
+REFINED = 41
+"""Frictions between the neighbours of the fastest gait."""
+NEAR_OPTIMUM, LOW = 0.5, 0.25
+"""Friction near which Table 1 runs fastest, and one at which every runner slips for most of its stance."""
+SWEEP = "tdmf-slip sweep --friction 10:0.1:200 --spacing log"
+
+
+@cache
+def gaits(regime: Regime) -> tuple[Gait, ...]:
+    """All gaits that are found, from the greatest friction on."""
+    return tuple(sweep(regime.values, {FRICTION: FRICTIONS}).gaits)
+
+
+@cache
+def fastest(regime: Regime) -> Gait:
+    """The fastest gait over the friction."""
+    found = gaits(regime)
+    number = int(np.argmax([one.stride["speed"] for one in found]))
+    ends = found[max(number - 1, 0)].friction, found[min(number + 1, len(found) - 1)].friction
+    near = sweep(regime.values, {FRICTION: np.geomspace(*ends, REFINED)}).gaits
+    best: Gait = max(near, key=lambda one: one.stride["speed"])
+    return best
+
+
+def _percent(ratio: float) -> float:
+    return 100.0 * (ratio - 1.0)
+
+
+def _over_sticking(quantity: str, friction: float) -> Measure:
+    """Change of a quantity from friction 10 to another, in per cent."""
+
+    def change(regime: Regime) -> float:
+        return _percent(gait(regime, friction).stride[quantity] / gait(regime, STICKS).stride[quantity])
+
+    return solved(change)
+
+
+def _equal_over_sticking(quantity: str, friction: float) -> Measure:
+    """The same change at equal speed, apex height and leg angle."""
+
+    def change(regime: Regime) -> float:
+        return _percent(
+            matched(regime, STICKS, friction).stride[quantity] / gait(regime, STICKS).stride[quantity]
+        )
+
+    return solved(change)
+
+
+def _gain(regime: Regime) -> float:
+    return _percent(fastest(regime).stride["speed"] / gait(regime, STICKS).stride["speed"])
+
+
+def _drop(regime: Regime) -> float:
+    """How far the spectral radius falls below what it was at a greater friction."""
+    radii = np.array([one.lambda_max for one in gaits(regime)])
+    return round(float(np.max(np.maximum.accumulate(radii) - radii)), 6)
+
+
+def _at_40_degrees(friction: float) -> Measure:
+    """Spectral radius at weight 0.022 and the touchdown angle of Table 1, by either reading."""
+
+    def radius(regime: Regime) -> float:
+        if regime not in (DEFAULT, CLAMPED):
+            raise RunError("not asked")
+        return gait(regime, friction, gravity=HEAVY.values["gravity"]).lambda_max
+
+    return solved(radius)
+
+
+CLAIMS = (
+    OwnClaim(
+        "fastest-friction",
+        "Friction of the fastest gait: just below 0.5. The human preset is fastest where its foot hardly "
+        "slips.",
+        solved(lambda regime: fastest(regime).friction),
+        None,
+        SWEEP,
+        lambda rows: (
+            all(0.445 < rows[name].number < 0.5 for name in ("default", "clamp", "heavy"))
+            and rows["human"].number > 0.85
+        ),
+    ),
+    OwnClaim(
+        "fastest-gain",
+        "How much faster it is than the gait on friction 10, per cent.",
+        solved(_gain),
+        None,
+        SWEEP,
+        lambda rows: (
+            all(10.0 < rows[name].number < 13.0 for name in ("default", "clamp", "heavy"))
+            and 0.0 <= rows["human"].number < 0.1
+        ),
+    ),
+    OwnClaim(
+        "net-cost",
+        "Change of the cost of transport from friction 10 to 0.5, per cent, as runners come and (control) "
+        "at equal speed, apex height and leg angle. The human preset costs more as it comes, and less at "
+        "equal kinematics.",
+        _over_sticking("cost_of_transport", NEAR_OPTIMUM),
+        _equal_over_sticking("cost_of_transport", NEAR_OPTIMUM),
+        MATCH.format(STICKS, NEAR_OPTIMUM),
+        lambda rows: (
+            all(
+                rows[name].number < -15.0 and 0.0 < rows[name].ratio < 1.0
+                for name in ("default", "clamp", "heavy")
+            )
+            and rows["human"].number > 0.0 > rows["human"].ratio
+        ),
+    ),
+    OwnClaim(
+        "positive-cost",
+        "The same by positive work, which refunds no braking.",
+        _over_sticking("positive_cost_of_transport", NEAR_OPTIMUM),
+        _equal_over_sticking("positive_cost_of_transport", NEAR_OPTIMUM),
+        MATCH.format(STICKS, NEAR_OPTIMUM),
+        lambda rows: all(row.number < 0.0 < row.ratio for row in rows.values()),
+    ),
+    OwnClaim(
+        "net-cost-slippery",
+        "Change of the cost of transport from friction 10 to 0.25, per cent, likewise. The human preset "
+        "costs more as it comes.",
+        _over_sticking("cost_of_transport", LOW),
+        _equal_over_sticking("cost_of_transport", LOW),
+        MATCH.format(STICKS, LOW),
+        lambda rows: (
+            all(rows[name].number < 0.0 < rows[name].ratio < 30.0 for name in ("default", "clamp", "heavy"))
+            and rows["human"].number > 0.0 > rows["human"].ratio
+        ),
+    ),
+    OwnClaim(
+        "positive-cost-slippery",
+        "The same by positive work. Of Table 1 its sign depends on the reading: cheaper in the default, "
+        "dearer with the clamp. At equal kinematics slipping is dearer in both. The human preset is cheaper "
+        "either way.",
+        _over_sticking("positive_cost_of_transport", LOW),
+        _equal_over_sticking("positive_cost_of_transport", LOW),
+        MATCH.format(STICKS, LOW),
+        lambda rows: (
+            rows["default"].number < 0.0 < rows["clamp"].number
+            and rows["default"].ratio < 0.0 < rows["clamp"].ratio
+            and rows["human"].number < 0.0 < rows["human"].ratio
+        ),
+    ),
+    OwnClaim(
+        "eigenvalues-rise",
+        "The largest eigenvalue rises as friction falls at weight 0.011 only: how far it ever falls below "
+        "what it was at a greater friction.",
+        solved(_drop),
+        None,
+        SWEEP,
+        lambda rows: (
+            all(rows[name].number < 0.001 for name in ("default", "clamp"))
+            and all(rows[name].number > 0.01 for name in ("heavy", "human"))
+        ),
+    ),
+    OwnClaim(
+        "heavy-sticks",
+        "Size of the largest eigenvalue at weight 0.022 and 40° on friction 10 (gravity of 0.02 for Table "
+        "1).",
+        _at_40_degrees(STICKS),
+        None,
+        "tdmf-slip gait --set gravity=0.02 --friction 10",
+        lambda rows: all(rows[name].number > 1.0 for name in ("default", "clamp")),
+    ),
+    OwnClaim(
+        "heavy-slips",
+        "The same on friction 0.3: less friction makes this gait stable with the clamp, and not in the "
+        "default.",
+        _at_40_degrees(0.3),
+        None,
+        "tdmf-slip gait --set gravity=0.02 --friction 0.3",
+        lambda rows: rows["clamp"].number < 1.0 < rows["default"].number,
+    ),
+)

@@ -1,0 +1,153 @@
+"""The reduced map of the plane beside the full model, over the friction."""
+
+from collections.abc import Callable
+from functools import cache
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...analysis.basin import basin
+from ...analysis.search import periodic_gait
+from ...analysis.sweep import sweep
+from ...fmu.fmu import FRICTION
+from ...library.ensemble import SETTLED
+from ...library.gait import Gait
+from ...library.runner import Runner
+from .claim import STICKS, Measure, OwnClaim, Regime, solved
+from .over_friction import FRICTIONS
+
+CELLS = 64
+PLANE = {"com_height": (0.6, 4.0), "com_speed": (-1.0, 2.5)}
+PLANES = {"human": {"com_height": (0.85, 1.3), "com_speed": (0.5, 5.0)}}
+"""Heights in m and speeds in m/s of the starts; by regime where they are other ones."""
+RATE, RETRACTS = "hip.retraction_rate", 0.008
+SWEEP = "tdmf-slip sweep --friction 10:0.1:200 --spacing log --model reduced"
+BASIN = (
+    f"tdmf-slip basin --friction 0.6 --axes com_height=0.6:4 --axes com_speed=-1:2.5 --n {CELLS} --samples 0 "
+    "--model reduced"
+)
+
+
+@cache
+def _pairs(regime: Regime) -> tuple[tuple[Gait, Gait], ...]:
+    """Gaits of both models at the frictions at which both have one."""
+    full, small = (
+        sweep(regime.values, {FRICTION: FRICTIONS}, model=model).by_value for model in ("full", "reduced")
+    )
+    return tuple((one, other) for one, other in zip(full, small, strict=True) if one and other)
+
+
+def _same_words(regime: Regime) -> float:
+    """Share of the frictions at which both models have the same word."""
+    pairs = _pairs(regime)
+    return sum(full.word == small.word for full, small in pairs) / len(pairs)
+
+
+def _farthest(distance: Callable[[Gait, Gait], float]) -> Measure:
+    """The largest difference of the two models over the friction."""
+    return solved(lambda regime: max(distance(*pair) for pair in _pairs(regime)))
+
+
+def _percent_of(quantity: str) -> Measure:
+    return _farthest(lambda full, small: 100.0 * abs(small.stride[quantity] / full.stride[quantity] - 1.0))
+
+
+def _eigenvalue(number: int) -> Measure:
+    return _farthest(lambda full, small: abs(small.eigenvalues[number] - full.eigenvalues[number]))
+
+
+@cache
+def _settles(regime: Regime, model: str) -> NDArray[np.bool_]:
+    """Whether each start settles on the gait, over a plane of height and speed."""
+    found = basin({**regime.values, FRICTION: 0.6}, PLANES.get(regime.name, PLANE), CELLS, model=model)
+    settled: NDArray[np.bool_] = found["fate"] == SETTLED
+    return settled
+
+
+def _only(model: str, other: str) -> Measure:
+    """Share of the starts that settle by one model and not by the other."""
+    return solved(lambda regime: float(np.mean(_settles(regime, model) & ~_settles(regime, other))))
+
+
+def _retracted(model: str) -> Measure:
+    """How much the size of the second eigenvalue, that of height, grows with the rate of retraction."""
+
+    def growth(regime: Regime) -> float:
+        runner = Runner.of({**regime.values, FRICTION: STICKS}, model=model)
+        scale = runner.scales[1] / runner.scales[0]
+        faster = runner.but(RATE, runner.values[RATE] + RETRACTS * scale)
+        sizes = [abs(periodic_gait(one).eigenvalues[1]) for one in (runner, faster)]
+        return float(sizes[1] - sizes[0])
+
+    return solved(growth)
+
+
+CLAIMS = (
+    OwnClaim(
+        "reduced-words",
+        "Share of 200 frictions from 10 to 0.1 at which the reduced map has the word of the full model.",
+        solved(_same_words),
+        None,
+        SWEEP,
+        lambda rows: all(rows[name].number > 0.99 for name in ("default", "clamp")),
+    ),
+    OwnClaim(
+        "reduced-speed",
+        "Largest difference of their speeds, per cent. At the lowest frictions the reduced map of the human "
+        "preset has another gait.",
+        _percent_of("speed"),
+        None,
+        SWEEP,
+        lambda rows: (
+            all(rows[name].number < 0.1 for name in ("default", "clamp")) and rows["heavy"].number < 3.0
+        ),
+    ),
+    OwnClaim(
+        "reduced-period",
+        "Largest difference of their periods, per cent.",
+        _percent_of("period"),
+        None,
+        SWEEP,
+        lambda rows: all(rows[name].number < 1.1 for name in ("default", "clamp")),
+    ),
+    OwnClaim(
+        "reduced-largest",
+        "Largest distance of their largest eigenvalues, about speed.",
+        _eigenvalue(0),
+        None,
+        SWEEP,
+        lambda rows: all(rows[name].number < 2e-3 for name in ("default", "clamp")),
+    ),
+    OwnClaim(
+        "reduced-second",
+        "Largest distance of their second eigenvalues, about height: the leg's swing has not settled at "
+        "touchdown, least so in the default.",
+        _eigenvalue(1),
+        None,
+        SWEEP,
+        lambda rows: rows["clamp"].number < 0.07 < rows["default"].number < 0.13,
+    ),
+    OwnClaim(
+        "reduced-retraction",
+        "Growth of the second eigenvalue's size on friction 10 with a retraction rate of 0.008 sqrt(k/m), "
+        "by the full model and (control) by the reduced map. In the default the two have opposite signs, "
+        "with the clamp the same.",
+        _retracted("full"),
+        _retracted("reduced"),
+        f"tdmf-slip gait --friction 10 --set {RATE}={RETRACTS} --model reduced",
+        lambda rows: rows["default"].ratio < 0.0 < rows["clamp"].ratio,
+    ),
+    OwnClaim(
+        "reduced-falls",
+        "Share of starts over height and speed on friction 0.6 that settle by the full model alone, and "
+        "(control) by the reduced map alone. Far from the gait the map is no guide: too careful for Table "
+        "1, too hopeful for the other two runners.",
+        _only("full", "reduced"),
+        _only("reduced", "full"),
+        BASIN,
+        lambda rows: (
+            all(rows[name].ratio > 1.0 for name in ("default", "clamp"))
+            and all(rows[name].ratio < 1.0 for name in ("heavy", "human"))
+        ),
+    ),
+)

@@ -1,0 +1,90 @@
+"""Viable sets: what some choice of the touchdown angle at each apex can save, slipping and sticking."""
+
+from collections.abc import Callable, Mapping
+from functools import cache
+
+from ...analysis.comparison import compare
+from ...analysis.search import periodic_gait
+from ...errors import RunError
+from ...fmu.fmu import FRICTION
+from ...library.runner import Runner
+from ...viable_sets.result import Viability
+from ...viable_sets.viability import viability
+from .claim import ANGLE, SLIPS, STICKS, TORQUE, Estimate, Measure, OwnClaim, Regime
+
+CELLS = 96
+Range = tuple[float, float]
+PLANE: Mapping[str, Range] = {"com_height": (0.3, 4.0), "com_speed": (0.0, 4.0)}
+PLANES: Mapping[str, Mapping[str, Range]] = {"human": {"com_height": (0.6, 1.4), "com_speed": (0.0, 6.0)}}
+"""Heights in m and speeds in m/s; by regime where they are other ones."""
+CHOSEN = {ANGLE: (0.1, 1.3, 24)}
+VIABILITY = (
+    f"tdmf-slip viability --friction {{}} --axes com_height=0.3:4 --axes com_speed=0:4 "
+    f"--vary {ANGLE}=0.1:1.3:24 --n {CELLS}"
+)
+
+
+@cache
+def _viable(regime: Regime, friction: float, reference: float | None = None) -> Viability:
+    """Viable set of the reduced map, which has no swing and so none of the two readings."""
+    runner = Runner.of({**regime.values, FRICTION: friction}, model="reduced")
+    if reference is not None:
+        found = compare(
+            [periodic_gait(runner.but(FRICTION, reference)), periodic_gait(runner)],
+            hold=("speed", "apex_height"),
+            vary=(TORQUE, ANGLE),
+        )
+        if found.not_held:
+            raise RunError("no equal runner")
+        runner = found.gaits[1].runner
+    return viability(runner, axes=PLANES.get(regime.name, PLANE), vary=CHOSEN, n=CELLS)
+
+
+def _enclosed(
+    inner: Callable[[Viability], float], outer: Callable[[Viability], float]
+) -> Callable[..., Measure]:
+    def of(friction: float, reference: float | None = None) -> Measure:
+        def measure(regime: Regime, seed: int) -> Estimate:
+            found = _viable(regime, friction, reference)
+            low, high = inner(found), outer(found)
+            return Estimate(0.5 * (low + high), low, high)
+
+        return measure
+
+    return of
+
+
+_share = _enclosed(lambda found: found.inner_share, lambda found: found.outer_share)
+_robustness = _enclosed(
+    lambda found: float(found.inner_robustness.mean()), lambda found: float(found.outer_robustness.mean())
+)
+
+CLAIMS = (
+    OwnClaim(
+        "viable",
+        "More can be saved where the foot slips: share of a plane of height and speed that some touchdown "
+        "angle at each apex saves, on friction 0.2 and (control) on 10 at equal speed and apex height. By "
+        "the reduced map, which has no swing and so the same in both readings; the range is that from the "
+        "inner to the outer set.",
+        _share(SLIPS),
+        _share(STICKS, SLIPS),
+        VIABILITY.format(SLIPS),
+        lambda rows: all(rows[name].above for name in ("default", "clamp", "heavy")),
+    ),
+    OwnClaim(
+        "viable-angles",
+        "But the choice must be finer: mean share of the touchdown angles that are viable, likewise.",
+        _robustness(SLIPS),
+        _robustness(STICKS, SLIPS),
+        VIABILITY.format(SLIPS),
+        lambda rows: all(rows[name].below for name in ("default", "clamp")),
+    ),
+    OwnClaim(
+        "viable-angles-between",
+        "The same on friction 1.2, and (control) on 0.2, at equal speed and apex height.",
+        _robustness(1.2, SLIPS),
+        _robustness(SLIPS),
+        VIABILITY.format(1.2),
+        lambda rows: all(rows[name].above for name in ("default", "clamp")),
+    ),
+)
