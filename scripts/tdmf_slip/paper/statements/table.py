@@ -2,12 +2,13 @@
 
 from collections.abc import Mapping
 
-from . import falling, over_friction, reduced, rough, viable
+from . import attraction, falling, over_friction, reduced, rough, viable
 from .claim import OwnClaim
 
 SECTIONS: Mapping[str, tuple[OwnClaim, ...]] = {
     "over_friction": over_friction.CLAIMS,
     "falling": falling.CLAIMS,
+    "attraction": attraction.CLAIMS,
     "viable": viable.CLAIMS,
     "reduced": reduced.CLAIMS,
     "rough": rough.CLAIMS,
