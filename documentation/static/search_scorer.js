@@ -1,5 +1,5 @@
 /* Ranks what the search finds: pages that explain come before the reference, and the reference before sources. */
-var Scorer = {
+globalThis.Scorer = {
     score: ([page, , , , score]) =>
         score + (page.startsWith("_modules/") ? -100 : /^(reference|development)\//.test(page) ? 0 : 100),
     objNameMatch: 11,
