@@ -8,17 +8,17 @@ from .expressions import Variation, forget_expressions, leaves_of, lift, made, o
 from .series import NO_DEGREE, Expansion, degrees_of, kind_of, refuse_kinks, with_rates_seen, with_recursions
 
 EXPAND = """\
-/* Adds the terms of coefficient i of one factor and j of the other to the sums of products. */
+/* Adds the terms of coefficients i - 1 and i of one factor and j of the other to the sums of products. */
 KERNEL void add_{mode}_sums(const {mode}_series *s, int i, int j, {mode}_sums *sum) {{
 {pairs}}}
 
 /* The terms in the middle of the sums of coefficients 2 i and 2 i + 1. */
-KERNEL void begin_{mode}_sums(const {mode}_series *s, int i, {mode}_sums *sum, {mode}_sums *next) {{
+KERNEL void begin_{mode}_sums(const {mode}_series *s, int i, {mode}_sums *sum) {{
 {middle}}}
 
-/* From coefficient k of the states to k + 1. */
+/* From coefficient k of the states to k + 1; `odd` says which of the two sums is that of k. */
 KERNEL void step_{mode}(const {mode}_constants *c, const {mode}_factors *by, int k, const {mode}_sums *sum,
-                        {mode}_series *s) {{
+                        int odd, {mode}_series *s) {{
 {step}}}
 
 /* All coefficients up to `order`, which is even: the sums of two coefficients are added up in one loop. */
@@ -26,20 +26,19 @@ static void expand_{mode}(const real *constants, int order, real *series) {{
     const {mode}_constants copy = *(const {mode}_constants *)(const void *)constants, *c = &copy;
     {mode}_series *s = (void *)series;
     static const {mode}_sums none;
-    {mode}_sums sum = none, next = none;
+    {mode}_sums sum = none;
 {first}    const {mode}_factors factors = {{{factors}}}, *by = &factors;
-    step_{mode}(c, by, 0, &sum, s);
-    begin_{mode}_sums(s, 0, &sum, &next);
-    step_{mode}(c, by, 1, &next, s);
+    step_{mode}(c, by, 0, &sum, 0, s);
+    begin_{mode}_sums(s, 0, &sum);
+    step_{mode}(c, by, 1, &sum, 1, s);
     for (int k = 2; k < order; k += 2) {{
-        begin_{mode}_sums(s, k / 2, &sum, &next);
+        begin_{mode}_sums(s, k / 2, &sum);
         for (int i = k / 2, j = i + 1; i > 1; --i, ++j) {{
-            add_{mode}_sums(s, i, j, &next);
-            add_{mode}_sums(s, i - 1, j, &sum);
+            add_{mode}_sums(s, i, j, &sum);
         }}
-        step_{mode}(c, by, k, &sum, s);
-        add_{mode}_sums(s, 1, k, &next);
-        step_{mode}(c, by, k + 1, &next, s);
+        step_{mode}(c, by, k, &sum, 0, s);
+        add_{mode}_sums(s, 1, k, &sum);
+        step_{mode}(c, by, k + 1, &sum, 1, s);
     }}
 }}
 """
@@ -127,9 +126,9 @@ class Motion:
         self.guards = made_new[len(rates) : len(rates) + len(guards)]
         self.starts = dict(zip(starts, made_new[len(rates) + len(guards) :], strict=True))
 
-    def struct(self, what, members, size=""):
-        """A struct of reals."""
-        lines = lines_of(f"real {m}{size};" for m in members or ["none"])
+    def struct(self, what, members, size="", of="real"):
+        """A struct of reals, or pairs of reals."""
+        lines = lines_of(f"{of} {m}{size};" for m in members or ["none"])
         return f"typedef struct {{\n{lines}}} {self.name}_{what};\n"
 
     def function_of(self, name, given, body, about):
@@ -161,21 +160,20 @@ class Motion:
             a, b = (arrays[series] for series in value.series_in(node))
             is_ahead, half, n = node in value.ahead, "0.5 * " if a == b else "", node.name
             j = "j + 1" if is_ahead else "j"
-            terms = dict.fromkeys([f"{a}[i] * {b}[{j}]", f"{b}[i] * {a}[{j}]"])
-            pairs += [f"sum->{n} += {term};" for term in terms]
+            terms = dict.fromkeys([f"{a} + i - 1, {b}[{j}]", f"{b} + i - 1, {a}[{j}]"])
+            pairs += [f"add_products(&sum->{n}, {term});" for term in terms]
             both = " + ".join(dict.fromkeys([f"{a}[i] * {b}[i + 1]", f"{b}[i] * {a}[i + 1]"]))
-            middle += [
-                f"sum->{n} = {both if is_ahead else f'{half}({a}[i] * {b}[i])'};",
-                f"next->{n} = {f'{half}({a}[i + 1] * {b}[i + 1])' if is_ahead else 'broadcast(0.0)'};",
-            ]
+            low = both if is_ahead else f"{half}({a}[i] * {b}[i])"
+            high = f"{half}({a}[i + 1] * {b}[i + 1])" if is_ahead else "broadcast(0.0)"
+            middle.append(f"sum->{n} = pair_of({low}, {high});")
         if not summed:
             pairs = [f"(void){n};" for n in ("s", "i", "j", "sum")]
-            middle = [f"(void){n};" for n in ("s", "i", "sum", "next")]
+            middle = [f"(void){n};" for n in ("s", "i", "sum")]
         step = lines_of(value.step())
         quiet = [f"(void){n};" for n in ("c", "by", "sum", "s") if not re.search(rf"\b{n}(->|\[)", step)]
-        quiet += [] if "k" in step else ["(void)k;"]
+        quiet += [f"(void){n};" for n in ("k", "odd") if not re.search(rf"\b{n}\b", step)]
         yield self.struct("series", self.series, "[TERMS]")
-        yield self.struct("sums", [node.name for node in summed])
+        yield self.struct("sums", [node.name for node in summed], of="pair")
         yield self.struct("factors", [f"inverse_{name_of(node)}" for node in divisors])
         yield EXPAND.format(
             mode=self.name,

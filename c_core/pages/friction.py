@@ -3,7 +3,7 @@
 The patch divides the ground into zones: 0 before it, 1 on it, 2 beyond.
 """
 
-from ..hybrid import Model, exp, expm1, input, log1p, parameter, select, state
+from ..hybrid import Model, event, exp, expm1, input, log1p, parameter, select, state
 
 LAYER = 60
 """Slip speed above which friction is constant, in units of v_s."""
@@ -33,6 +33,12 @@ class Friction(Model):
     friction_loss = state(
         0, "J", "Energy lost to sliding friction since the start", name="energy.friction_loss")
     impact_loss = state(0, "J", "Energy lost in impacts since the start", name="energy.impact_loss")
+
+    @event("flight stick slip graze", when=lambda r: r.friction, counted=False,
+           only=lambda r: r.friction_rate < 0)
+    def ramp_ends(r):
+        """A ramp of the friction coefficient ends at 0."""
+        return r.replace(friction=0, friction_rate=0)
 
     def friction_in(r, zone):
         """Friction coefficient in a zone."""

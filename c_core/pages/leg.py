@@ -1,7 +1,7 @@
 """The leg: masses, spring and damper, and the coordinates of the runner (7)."""
 
 from ..hybrid import (
-    Model, Record, atan2, coordinates, cos, input, on_set, parameter, setting, sin, sqrt, state,
+    Model, Record, atan2, coordinates, cos, input, on_set, parameter, select, setting, sin, sqrt, state,
 )
 
 
@@ -108,8 +108,9 @@ class Leg(Model):
         return r.stiffness * (r.rest_length() - leg.length) - r.damping * leg.length_rate
 
     def rest_length(r):
-        """Rest length l: free length, extension, and epsilon under thrust."""
-        return r.free_length + r.extension + r.thrusting * (r.thrust + r.more_thrust)
+        """Rest length l: free length, extension, and epsilon, which is not negative, under thrust."""
+        longer = r.thrust + r.more_thrust
+        return r.free_length + r.extension + r.thrusting * select(longer > 0, longer, 0)
 
     @on_set("extension thrust more_thrust")
     def lengthened(r, after):

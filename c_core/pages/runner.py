@@ -384,14 +384,14 @@ class Runner(Hip, Friction, Leg, Ground, Stride, Model):
 
 
 class PlainRunner(Runner):
-    """The runner on level ground with constant friction, driven by the hip alone."""
+    """The runner on level ground with constant friction, driven by the hip alone, whose inputs do not ramp."""
 
     height = slope = ground_height = ground_slope = more_angle = more_torque = more_thrust = 0
     thrust = thrusting = extension = external_fx = external_fy = retraction_rate = 0
     leg_work = external_work = leg_work_of_stride = leg_work_then = 0
-    static_ratio = 1
+    static_ratio, friction_rate, external_torque_rate = 1, 0, 0
     stribeck_velocity = patch_begin = patch_end = patch_friction = zone = zone_ahead = zone_behind = 0
-    greatest_compression = new_ground = wind_rises = crosses_border = enters_layer = leaves_layer = None
+    greatest_compression = new_ground = wind_rises = crosses_border = enters_layer = leaves_layer = ramp_ends = None
 
     def zones(r):
         """No zones, because there is no patch."""

@@ -1,9 +1,15 @@
 """Runs of the hand-written core, with the names of the runner's page."""
 
 from functools import reduce
+from pathlib import Path
+from xml.etree import ElementTree
 
 import numpy as np
 from tdmf_slip.library.binding import c, ffi
+
+TABLE = ElementTree.parse(Path(__file__).resolve().parents[2] / "modelDescription.xml")
+VARIABLES = {v.get("name"): v for v in TABLE.iter("ScalarVariable")}
+"""The unit's variables, by name."""
 
 STATES = (
     "seen_x", "seen_y", "length", "angle", "seen_vx", "seen_vy", "length_rate", "angle_rate", "work",
@@ -24,7 +30,7 @@ def write(struct, values):
 class OldRun:
     """A run from a state of the world; `refused` names what was refused."""
 
-    def __init__(self, parameters, inputs, state, tolerance=1e-12):
+    def __init__(self, parameters, inputs, state, tolerance=1e-12, step_limit=None):
         self.parameters = ffi.new("tdmf_parameters *", c.tdmf_default_parameters())
         self.inputs, self.rates = ffi.new("tdmf_inputs *", c.tdmf_default_inputs()), ffi.new("tdmf_inputs *")
         write(self.parameters, parameters)
@@ -33,11 +39,13 @@ class OldRun:
         self.system = ffi.new("tdmf_system *", {"model": self.model, "inputs": self.inputs})
         self.solver, self.log = ffi.new("tdmf_solver *", c.tdmf_solver_default()), ffi.new("tdmf_event_log *")
         self.solver.relative_tolerance, self.solver.log = tolerance, self.log
+        self.solver.step_limit = step_limit or self.solver.step_limit
         self.refused = self._create()
         if not self.refused:
             self.motion.state[0 : len(state)] = list(state)
             self.refused = self._text(c.tdmf_start(self.system[0], self.motion))
         self.modes, self.outcome = [self._mode(0.0, self.motion.mode)], 0
+        self.noted_until = np.inf
 
     def _text(self, refusal):
         return ffi.string(refusal.variable).decode() if refusal.variable else ""
@@ -51,12 +59,13 @@ class OldRun:
     def to(self, until):
         """Go on to a time, in pieces because the log has room for few events; inputs are ramped."""
         for end in np.linspace(self.motion.time, until, 9)[1:] if until > self.motion.time else [until]:
-            self.log.count = 0
-            elapsed = end - self.motion.time
+            elapsed, self.log.count = end - self.motion.time, 0
             self.outcome = c.tdmf_native_advance(self.solver, self.system[0], self.rates, end, self.motion)
             self.inputs[0] = c.tdmf_inputs_after(self.inputs, self.rates, elapsed)
             taken = self.log.events[0 : min(self.log.count, 32)]
             self.modes += [self._mode(e.time, e.after) for e in taken]
+            if self.log.count > len(taken):
+                self.noted_until = min(self.noted_until, taken[len(taken) - 1].time)
         return self
 
     def set(self, parameters=(), inputs=(), rates=()):
@@ -81,11 +90,19 @@ class OldRun:
         return ffi.string(self.motion.record.stride.word).decode()
 
 
-def lasting(modes):
+def clipped(name, value):
+    """A value within the allowed range of a variable."""
+    limits = VARIABLES[name][0]
+    return float(np.clip(value, float(limits.get("min")), float(limits.get("max"))))
+
+
+def lasting(modes, unit=1.0, until=np.inf):
     """Modes that last, each with the time at which it begins: no two alike follow one another."""
     found = []
     for time, *mode in modes:
-        while found and time - found[-1][0] < 1e-13 * max(1.0, time):
+        if time > until:
+            break
+        while found and time - found[-1][0] < 1e-13 * max(unit, time):
             found.pop()
         if not found or found[-1][1:] != (*mode,):
             found.append((time, *mode))

@@ -113,7 +113,7 @@ def library_of(files, name, level):
 class CompiledPage:
     """A page in C."""
 
-    def __init__(self, model, level="-O3"):
+    def __init__(self, model, level="-O2"):
         self.model = model
         page = Page(model)
         self.keys, self.files = page.keys, generate(page)
@@ -131,9 +131,9 @@ class CompiledPage:
         self.library.tdmf_page_run_default.argtypes = [c_void_p, c_void_p, c_void_p]
         self.library.tdmf_page_order.argtypes = [c_double]
 
-    def start(self, seeds=(), tolerance=1e-11, **values):
+    def start(self, seeds=(), tolerance=1e-11, step_limit=100000, **values):
         """A run from the page's start, with these values of parameters and states."""
-        return PageRun(self, list(seeds), tolerance, values)
+        return PageRun(self, list(seeds), tolerance, step_limit, values)
 
     def map(self, name, mode, p, x, dp=None, dx=None):
         """The map "to_world", "from_world" or "world_rates" of a mode; its variation where `dx` is given."""
@@ -151,11 +151,12 @@ class CompiledPage:
 class PageRun:
     """A run of a page: its states and parameters by name, and variations by `seeds`, names of either."""
 
-    def __init__(self, of, seeds, tolerance, values):
+    def __init__(self, of, seeds, tolerance, step_limit, values):
         self.of, self.seeds = of, seeds
         self.p, self.x = np.zeros(max(1, len(of.parameters))), np.zeros(max(1, len(of.states)))
         self.run = of.library.tdmf_page_run_default(byref(of.struct), self.p.ctypes.data, self.x.ctypes.data)
         self.run.tolerance, self.run.order = tolerance, of.library.tdmf_page_order(tolerance)
+        self.run.step_limit = step_limit
         for name, value in values.items():
             self._place(name)[0][self._place(name)[1]] = value
         self.dp, self.dx = np.zeros((len(seeds) + 1, len(self.p))), np.zeros((len(seeds) + 1, len(self.x)))
@@ -233,6 +234,11 @@ class PageRun:
         """The world's states by name, those that the mode's coordinates give and all others."""
         values = self.of.map("to_world", self.run.mode, self.p, self.x)
         return dict(zip(self.of.states, values, strict=False))
+
+    @property
+    def noted_until(self):
+        """The time until which the log has all events."""
+        return self.rows[LOG_SIZE - 1].time if self.run.events > LOG_SIZE else np.inf
 
     def modes_entered(self):
         """Times at which modes began, with contact and hip phase in the core's words."""

@@ -5,7 +5,7 @@ from collections import Counter
 import numpy as np
 import pytest
 from conftest import some_of
-from old_core import STATES, OldRun, lasting
+from old_core import STATES, VARIABLES, OldRun, clipped, lasting
 from page_runs import COMPILER
 from test_page_runner import difference, first_hop, trace_core, trace_page, world_of
 from test_page_whole import whole  # noqa: F401
@@ -16,67 +16,89 @@ RAMPED = {
     "body.external_fy": 1e-4,
 }  # fmt: skip
 """Inputs that are ramped, and how fast at most, in units m = k = l0 = 1."""
-INPUTS = (
-    *RAMPED,
-    "ground.height",
-    "ground.slope",
-    "control.touchdown_angle",
-    "control.stance_torque",
-    "control.thrust",
-)
+INPUTS = (*RAMPED, "ground.height", "ground.slope", "control.touchdown_angle", "control.stance_torque",
+          "control.thrust")  # fmt: skip
+NEAR = {
+    "leg.damping": (0.15, 0.26), "gravity": (0.0077, 0.013), "hip.liftoff_angle_factor": (0.8, 1.5),
+    "leg.min_length": (0.05, 0.05), "ground.static_friction_ratio": (1, 1.6),
+    "ground.stribeck_velocity": (0.01, 0.5), "ground.patch_begin": (5, 16), "ground.patch_friction": (0.05, 1.2),
+    "ground.friction": (0.03, 1.5), "leg.extension": (-0.03, 0.03), "hip.external_torque": (-5e-3, 5e-3),
+    "body.external_fx": (-1e-3, 1e-3), "body.external_fy": (-2e-3, 2e-3), "ground.height": (-0.05, 0.05),
+    "ground.slope": (-0.06, 0.06), "control.touchdown_angle": (-0.1, 0.1),
+    "control.stance_torque": (-0.05, 0.05), "control.thrust": (0, 0.02), "leg.thrust": (0, 0.05),
+    "hip.stance_torque": (0.1, 0.3), "hip.retraction_rate": (-0.004, 0.012),
+    "hip.touchdown_angle": (0.5, 0.9), "hip.kp": (0.03, 0.3), "hip.kd": (0.03, 0.3),
+}  # fmt: skip
+"""Ranges of a runner near Table 1, in units m = k = l0 = 1."""
+FAR = {
+    "leg.damping": (1e-4, 1e3), "gravity": (1e-7, 10), "hip.liftoff_angle_factor": (0.01, 100),
+    "leg.min_length": (1e-3, 0.9), "ground.static_friction_ratio": (1, 1e6),
+    "ground.stribeck_velocity": (1e-6, 1e4), "ground.patch_begin": (1e-3, 1e6), "ground.patch_friction": (1e-4, 1e6),
+    "ground.friction": (1e-4, 1e6), "leg.extension": (1e-4, 0.5), "hip.external_torque": (1e-6, 1),
+    "body.external_fx": (1e-7, 1), "body.external_fy": (1e-7, 1), "ground.height": (1e-3, 10),
+    "ground.slope": (1e-3, 0.99), "control.touchdown_angle": (1e-3, np.pi), "control.stance_torque": (1e-4, 10),
+    "control.thrust": (1e-4, 1), "leg.thrust": (1e-4, 1), "hip.stance_torque": (1e-4, 10),
+    "hip.retraction_rate": (1e-5, 10), "hip.touchdown_angle": (1e-2, np.pi / 2), "hip.kp": (1e-4, 1e3),
+    "hip.kd": (1e-4, 1e3),
+}  # fmt: skip
+"""Sizes of what a runner far from Table 1 has: the allowed range, as far as a run of such a runner can be followed."""
+SIGNED = {n for n, (low, _) in NEAR.items() if low < 0} | {
+    "hip.stance_torque", "hip.touchdown_angle", "ground.patch_begin", "control.thrust",
+}  # fmt: skip
+STEP_LIMIT = 20000
 
 
 def drawn(number):
-    """A runner, its start and segments of time, each of which begins with something set or ramped."""
-    random = np.random.default_rng([47, number])
+    """A runner, its start and segments of time, each of which begins with something set or ramped.
+
+    In a third of the runners, some or all parameters are drawn over their whole range, and the masses,
+    the stiffness and the length over many powers of ten.
+    """
+    random = np.random.default_rng([48, number])
     u, is_far = random.uniform, number % 3 == 0
-    times = lambda value: value * (10 if is_far else 1.3) ** u(-1, 1)  # noqa: E731
-    mass, stiffness, length = times(1), times(1), times(1)
-    foot_mass = mass * (10 ** u(-3, 0.3) if is_far else u(0.03, 0.3))
+    share_far = random.choice([0.05, 0.15, 0.5]) if is_far else 0.0
+    mass, stiffness, length = (10 ** u(-most, most) if is_far else 1.3 ** u(-1, 1) for most in (8, 8, 5))
+    foot_mass = mass * (10 ** u(-4, 1) if u() < share_far else u(0.03, 0.3))
     rate, force = np.sqrt(stiffness / mass), stiffness * length
-    units = {"ground.friction": 1, "leg.extension": length, "hip.external_torque": force * length,
-             "body.external_fx": force, "body.external_fy": force, "ground.height": length, "ground.slope": 1,
-             "control.touchdown_angle": 1, "control.stance_torque": force * length, "control.thrust": length,
-             "leg.thrust": length, "hip.stance_torque": force * length, "hip.retraction_rate": rate,
-             "hip.touchdown_angle": 1, "hip.kp": force * length, "hip.kd": force * length / rate}  # fmt: skip
-    span = {"ground.friction": (0.03, 1.5), "leg.extension": (-0.03, 0.03),
-            "hip.external_torque": (-5e-3, 5e-3),
-            "body.external_fx": (-1e-3, 1e-3), "body.external_fy": (-2e-3, 2e-3),
-            "ground.height": (-0.05, 0.05),
-            "ground.slope": (-0.06, 0.06), "control.touchdown_angle": (-0.1, 0.1),
-            "control.stance_torque": (-0.05, 0.05),
-            "control.thrust": (0, 0.02), "leg.thrust": (0, 0.05), "hip.stance_torque": (0.1, 0.3),
-            "hip.retraction_rate": (-0.004, 0.012), "hip.touchdown_angle": (0.5, 0.9), "hip.kp": (0.03, 0.3),
-            "hip.kd": (0.03, 0.3)}  # fmt: skip
+    torque = force * length
+    units = {
+        "leg.damping": np.sqrt(stiffness * mass), "gravity": force / mass, "leg.extension": length,
+        "hip.external_torque": torque, "body.external_fx": force, "body.external_fy": force,
+        "ground.height": length, "control.stance_torque": torque, "control.thrust": length, "leg.thrust": length,
+        "hip.stance_torque": torque, "hip.retraction_rate": rate, "hip.kp": torque, "hip.kd": torque / rate,
+        "leg.min_length": length, "ground.stribeck_velocity": length * rate, "ground.patch_begin": length,
+    }  # fmt: skip
 
     def draw(name):
-        return u(*span[name]) * units[name]
+        value = u(*NEAR[name])
+        if u() < share_far:
+            low, high = np.log10(FAR[name])
+            value = 0.0 if u() < 0.1 else 10 ** u(low, high) * (random.choice([-1, 1]) if name in SIGNED else 1)
+        return clipped(name, value * units.get(name, 1))
 
-    begin = u(5, 16) * length
+    parameters = {n: draw(n) for n in NEAR if n not in INPUTS}
+    parameters |= {"ground.static_friction_ratio": 1.0} if u() < 0.3 else {}
+    parameters |= {"ground.stribeck_velocity": 0.0} if u() < 0.4 else {}
     patch = (0 if u() < 0.3 else 10 ** u(-2, 1)) * length
-    parameters = {
+    parameters |= {
         "body.mass": mass, "foot.mass": foot_mass, "leg.stiffness": stiffness, "leg.free_length": length,
-        "leg.damping": np.sqrt(stiffness * mass) * times(0.2), "gravity": 0.01 * force / mass * times(1),
-        "leg.min_length": 0.05 * length, "ground.static_friction_ratio": 1.0 if u() < 0.3 else u(1, 1.6),
-        "ground.stribeck_velocity": 0.0 if u() < 0.4 else 10 ** u(-2, -0.3) * length * rate,
-        "ground.patch_begin": begin, "ground.patch_end": begin + patch,
-        "ground.patch_friction": u(0.05, 1.2), "hip.liftoff_angle_factor": u(0.8, 1.5),
+        "ground.patch_end": parameters["ground.patch_begin"] + patch,
     }  # fmt: skip
-    parameters |= {n: draw(n) for n in span if n not in INPUTS}
     inputs = {n: draw(n) if n == "ground.friction" or u() < 0.6 else 0.0 for n in INPUTS}
     apex = [u(1.2, 2.0) * length, u(0.2, 1.5) * length * rate, u(0.9, 1.1) * length, u(-0.8, 1.4),
             u(-0.05, 0.05) * length * rate, u(-0.3, 0.3) * rate]  # fmt: skip
-    segments = []
+    segments, changing = [], sorted(n for n in NEAR if n in INPUTS or VARIABLES[n].get("variability") == "tunable")
     for duration in [u(6, 14), *u(0.02, 0.5, 6), u(5, 15), *u(0.02, 0.5, 4), u(5, 15)]:
         sets = {}
         if u() < 0.4:
-            names = random.choice(sorted(span), size=3, replace=False)
+            names = random.choice(changing, size=3, replace=False)
             sets = {str(name): draw(name) for name in names}
-        rates = {n: u(-1, 1) * most * units[n] * rate if u() < 0.5 else 0.0 for n, most in RAMPED.items()}
+        faster = 10 ** u(0, 3) if u() < share_far else 1
+        rates = {n: u(-1, 1) * most * faster * units.get(n, 1) * rate if u() < 0.5 else 0.0
+                 for n, most in RAMPED.items()}  # fmt: skip
         segments.append((duration / rate, sets, rates))
     world = world_of(apex, mass / (mass + foot_mass))
-    com_slope = inputs["ground.slope"]
-    world["seen_y"] += inputs["ground.height"] + abs(np.tan(com_slope)) * 3 * length
+    world["seen_y"] += inputs["ground.height"] + abs(np.tan(inputs["ground.slope"])) * 3 * length
     return parameters, inputs, world, segments, (length, rate, force)
 
 
@@ -86,8 +108,9 @@ def compare(page, number, tolerance=1e-13):
     clamps = bool(number % 2)
     names = {page.model.public(n): n for n in [*page.states, *page.parameters]}
     given = {names[n]: v for n, v in (parameters | inputs).items()} | world
-    given |= {"swing_clamp": clamps, "tolerance": tolerance}
-    old = OldRun(parameters | {"hip.swing_clamp": clamps}, inputs, [world[n] for n in STATES[:8]], tolerance)
+    given |= {"swing_clamp": clamps, "tolerance": tolerance, "step_limit": STEP_LIMIT}
+    state = [world[n] for n in STATES[:8]]
+    old = OldRun(parameters | {"hip.swing_clamp": clamps}, inputs, state, tolerance, STEP_LIMIT)
     if old.refused:
         return "refused", 0.0, old.refused
     mine_segments, old_segments = [], []
@@ -108,7 +131,8 @@ def compare(page, number, tolerance=1e-13):
     theirs = trace_core(old, old_segments)
     worst = [difference(page, *pair, scales) for pair in zip(mine, theirs, strict=False)]
     fell_alone = (run.outcome == "ended") != old.fell
-    entered = lasting(run.modes_entered()), lasting(old.modes)
+    noted_until = min(old.noted_until, run.noted_until)
+    entered = [lasting(modes, 1 / rate, noted_until) for modes in (run.modes_entered(), old.modes)]
     same = [[row[1:] for row in rows] for rows in entered]
     if (
         len(mine) == len(theirs)
@@ -127,6 +151,9 @@ def compare(page, number, tolerance=1e-13):
     is_close = all(off < may for (off, _), may in zip(worst, allowed, strict=False))
     if len(mine) == len(theirs) and not fell_alone and same[0] == same[1] and is_close:
         return "sensitive", 0.0, ""
+    is_stiff = run.outcome == "too-many-steps" or old.outcome in (2, 3)
+    if is_stiff and max(worst, default=(0,))[0] < 1e-9:
+        return "stiff", 0.0, ""
     first = next((i for i, (off, _) in enumerate(worst) if off > 1e-9), len(worst))
     parting = next((p for p in zip(*entered, strict=False) if p[0][1:] != p[1][1:]), None)
     return (

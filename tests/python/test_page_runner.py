@@ -238,7 +238,7 @@ def drawn(number):
 def trace_page(page, given, segments, nudge=0.0):
     """World states at the end of each segment, and the run; `nudge` changes the start's leg length."""
     given = given | {"length": given["length"] * (1 + nudge)}
-    run, rows, until = page.start(**given), [], 0.0
+    run, rows, until = page.start(**given).to(0.0), [], 0.0
     for duration, changes in segments:
         run.set(**changes)
         until += duration
@@ -273,7 +273,7 @@ def difference(page, mine, theirs, scales):
 
 def first_hop(run, rate):
     """When the foot first hops so shortly that the margin of touchdown makes the length of the hop."""
-    entered = lasting(run.modes_entered())
+    entered = lasting(run.modes_entered(), 1 / rate)
     starts = [t for t, contact, _ in entered if contact == "flight"]
     ends = [t for (_, before, _), (t, after, _) in pairwise(entered) if before == "flight" != after]
     return min((end for start in starts for end in ends if 0 < end - start < 2e-3 / rate), default=np.inf)
@@ -316,7 +316,7 @@ def compare(page, number, tolerance=1e-13):
         if len(mine) != len(theirs) or fell_alone or max(worst)[0] > most:
             return "differs", max(worst)[0], f"{max(worst)}: {run.log[-4:]}, {old.modes[-4:]}"
         return "sensitive", 0.0, ""
-    mine, theirs = lasting(run.modes_entered()), lasting(old.modes)
+    mine, theirs = lasting(run.modes_entered(), 1 / rate), lasting(old.modes, 1 / rate)
     if [m[1:] for m in mine] != [m[1:] for m in theirs]:
         return "modes", max(worst)[0], f"{mine}, {theirs}"
     stride = old.motion.record.stride

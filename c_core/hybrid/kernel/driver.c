@@ -13,12 +13,15 @@
 
 #include <stdlib.h>
 
-enum { PIECE_LIMIT = 32 }; /* pieces of a step in which an observed quantity keeps its sign */
+enum { PIECE_LIMIT = 32, /* pieces of a step in which an observed quantity keeps its sign */
+       LEAST_ORDER = 4 };
 
 static const double margin = 1e-12;         /* of a guard, relative to its scale */
+static const double late_margin = 1e-9;     /* of the guard of an event that was just taken */
 static const double largest_change = 0.75;  /* of a divisor within a step, relative to it */
 static const double guard_tolerance = 10.0; /* of a guard's series, relative to that of a step */
-static const double sign_margin = 1e-15;    /* of an observed quantity, relative to its largest coefficient */
+static const double part_tolerance = 0.01;  /* of a positive integral, relative to that of a step */
+static const double sign_margin = 1e-7;    /* of an observed quantity, relative to its largest coefficient */
 
 /* The state of a run between steps; its arrays lie in one piece of memory. */
 typedef struct {
@@ -30,6 +33,8 @@ typedef struct {
     real (*s)[TERMS], (*t)[TERMS]; /* series, and their variation for one seed */
     real *room, *rates, *none;     /* arrays of states; `none` holds zeros for parameters that do not vary */
     real *scales, *event_scales;
+    real *taken_at, *late;        /* by event: when it was last taken, how far its guard may be below zero */
+    int order;                    /* of the series in this step */
     real power[TERMS];            /* powers of the step size */
     real size, end;               /* step size, and the share of it at which the step ends */
     const tdmf_guard_kind *first; /* event at that end; NULL: none */
@@ -73,7 +78,8 @@ static void expand(work *w) {
     for (int i = 0; i < w->motion->moving_count; ++i) {
         w->s[i][0] = w->r->x[w->motion->moving[i]];
     }
-    w->motion->expand(w->c, w->r->order, w->s[0]);
+    w->order = w->r->order;
+    w->motion->expand(w->c, w->order, w->s[0]);
 }
 
 /* The share of a step at which the last two terms of a series are no larger than what is allowed. */
@@ -81,121 +87,169 @@ static real trusted_share(real allowed, real last, real last_but_one, int order)
     return real_min(rough_root(allowed / last, order - 1), rough_root(allowed / last_but_one, order - 2));
 }
 
-/* Chooses a step whose truncation error is within the tolerance and in which no divisor comes near zero. */
+/* The sum of |c[k]| power[k] over k = 1, 2, ... bounds the change of a series. Two sums, because one would
+ * wait for each of its terms. */
+static real change_of(const real *c, const real *power, int order) {
+    real odd = 0.0, even = 0.0;
+    int k = 1;
+    for (; k + 1 < order; k += 2) {
+        odd += real_abs(c[k]) * power[k];
+        even += real_abs(c[k + 1]) * power[k + 1];
+    }
+    return k < order ? odd + real_abs(c[k]) * power[k] + even : odd + even;
+}
+
+/* The size for which the series of the mode have a truncation error within the tolerance. Where coefficients
+ * overflow, the series has fewer terms. */
+static real trusted_size(work *w) {
+    const tdmf_motion_kind *m = w->motion;
+    for (;; w->order -= 2) {
+        real last = 0.0, last_but_one = 0.0;
+        for (int i = 0; i < m->judged_count; ++i) {
+            const int j = m->judged[i];
+            const real *x = w->s[j], unit = j < m->moving_count ? w->scales[m->moving[j]] : 1.0;
+            const real allowed = 1.0 / real_max(unit, real_abs(x[0]));
+            last += real_abs(x[w->order - 1]) * allowed;
+            last_but_one += real_abs(x[w->order - 2]) * allowed;
+        }
+        if (is_finite(last + last_but_one)) {
+            return trusted_share(w->r->tolerance, last, last_but_one, w->order);
+        }
+        if (w->order <= LEAST_ORDER) {
+            return NAN;
+        }
+    }
+}
+
+/* Chooses a step that can be trusted, and in which no divisor comes near zero. */
 static void choose_size(work *w, real longest) {
     const tdmf_motion_kind *m = w->motion;
-    const int order = w->r->order;
-    real last = 0.0, last_but_one = 0.0;
-    for (int i = 0; i < m->judged_count; ++i) {
-        const int j = m->judged[i];
-        const real *x = w->s[j];
-        const real allowed =
-            1.0 / real_max(j < m->moving_count ? w->scales[m->moving[j]] : 1.0, real_abs(x[0]));
-        last += real_abs(x[order - 1]) * allowed;
-        last_but_one += real_abs(x[order - 2]) * allowed;
-    }
+    const real trusted = trusted_size(w);
     if (w->mode->longest) {
         longest = real_min(longest, w->mode->longest(w->r->p, w->r->x));
     }
-    const real trusted = trusted_share(w->r->tolerance, last, last_but_one, order);
-    w->size = is_finite(last + last_but_one) ? real_min(longest, trusted) : NAN;
-    set_powers(w->power, w->size, order);
+    w->size = trusted < longest ? trusted : trusted >= longest ? longest : NAN;
+    set_powers(w->power, w->size, w->order);
     for (int i = 0; i < m->divisor_count; ++i) {
-        const real *d = w->s[m->divisors[i]];
-        real change = 0.0;
-        for (int k = 1; k < order; ++k) {
-            change += real_abs(d[k]) * w->power[k];
-        }
-        if (change > largest_change * real_abs(d[0])) {
-            w->size *= largest_change * real_abs(d[0]) / change;
-            set_powers(w->power, w->size, order);
+        const real *d = w->s[m->divisors[i]], most = largest_change * real_abs(d[0]);
+        const real change = change_of(d, w->power, w->order);
+        if (change > most) {
+            w->size *= most / change;
+            set_powers(w->power, w->size, w->order);
         }
     }
 }
 
 static real sum_of(const real *c, const real *power, int order) {
-    real even = 0.0, odd = 0.0;
+    pair sum = pair_of(0.0, 0.0);
     int k = 1;
     for (; k < order; k += 2) {
-        odd += c[k] * power[k];
-        even += c[k + 1] * power[k + 1];
+        add_terms(&sum, c + k, power + k);
     }
-    return c[0] + (k == order ? odd + c[k] * power[k] + even : odd + even);
+    const real rest = k == order ? part_of(sum, 0) + c[k] * power[k] : part_of(sum, 0);
+    return c[0] + (rest + part_of(sum, 1));
 }
 
 /* ---- observed quantities ------------------------------------------------------------------------------- */
 
+/* Scales a polynomial, or its negative, to the step. */
+static void scale_to_step(const work *w, real sign, real *g) {
+    for (int k = 0; k < w->order; ++k) {
+        g[k] *= sign * w->power[k];
+    }
+}
+
+/* The range of the partial sums of a polynomial, which bound it on [0, 1]. */
+static interval range_of(const real *g, int order) {
+    interval of = interval_at(g[0], g[0]);
+    real sum = g[0];
+    for (int k = 1; k < order; ++k) {
+        sum += g[k];
+        of.low = real_min(of.low, sum);
+        of.high = real_max(of.high, sum);
+    }
+    return of;
+}
+
 /* The end of a piece of [from, 1] in which a polynomial, scaled to the step, keeps its sign. */
-static real end_of_sign(const real *g, int degree, real largest, real from) {
+static real end_of_sign(const real *g, int degree, real from) {
+    real largest = 0.0;
+    for (int k = 0; k <= degree; ++k) {
+        largest = real_max(largest, real_abs(g[k]));
+    }
     const root found = first_sign_change(g, degree, sign_margin * largest, from, 1.0, true);
     return found.is_root && found.time < 1.0 ? found.time : 1.0;
 }
 
-/* The partial sums of a polynomial on [0, 1] bound it. An integral below `least` is not worth a search. */
-static real positive_integral(const real *g, int order, real size, real least) {
-    real integral[TERMS] = {0.0}, power[TERMS];
-    real partial = 0.0, low = INFINITY, high = -INFINITY, largest = 0.0, whole = 0.0;
-    for (int k = 0; k < order; ++k) {
-        integral[k + 1] = g[k] * series_reciprocal[k + 1];
-        whole += integral[k + 1];
-        partial += g[k];
-        low = real_min(low, partial);
-        high = real_max(high, partial);
-        largest = real_max(largest, real_abs(g[k]));
+/* The integral over the step where g is positive. The partial sums of a polynomial on [0, 1] bound it. It is
+ * not searched for changes of sign if its integral is below `least`. */
+static real positive_integral(const work *w, real *g, real least) {
+    const real tail = change_of(g, w->power, w->order), size = w->power[1];
+    if (g[0] + tail <= 0.0) {
+        return 0.0;
     }
-    if (low >= 0.0 || high <= 0.0 || size * (high - low) < least) {
-        return size * real_max(0.0, whole);
+    real integral[TERMS], power[TERMS];
+    integral[0] = integral[w->order + 1] = 0.0;
+    for (int k = 0; k < w->order; ++k) {
+        integral[k + 1] = g[k] * series_reciprocal[k + 1];
+    }
+    const real whole = real_max(0.0, sum_of(integral, w->power, w->order));
+    if (g[0] >= tail || size * (g[0] + tail) < least) {
+        return whole;
+    }
+    scale_to_step(w, 1.0, g);
+    const interval range = range_of(g, w->order);
+    if (range.low >= 0.0 || range.high <= 0.0 || size * (range.high - range.low) < least) {
+        return whole;
     }
     real sum = 0.0, from = 0.0, before = 0.0;
     for (int pieces = 0; pieces < PIECE_LIMIT && from < 1.0; ++pieces) {
-        from = end_of_sign(g, order - 1, largest, from);
-        set_powers(power, from, order);
-        const real after = sum_of(integral, power, order);
+        from = end_of_sign(g, w->order - 1, from);
+        set_powers(power, from * size, w->order);
+        const real after = sum_of(integral, power, w->order);
         sum += real_max(0.0, after - before);
         before = after;
     }
-    return size * sum;
+    return sum;
 }
 
 /* The largest value is that at an end, or where the rate changes its sign. */
-static real largest_value(const real *g, int order, real largest) {
-    real rate[TERMS] = {0.0}, power[TERMS];
-    real tail = 0.0, scale = 0.0, rates = 0.0, end = g[0], from = 0.0;
-    for (int k = 1; k < order; ++k) {
+static real largest_value(const work *w, real *g, real largest) {
+    if (g[0] + change_of(g, w->power, w->order) <= largest) {
+        return largest;
+    }
+    real rate[TERMS], power[TERMS];
+    real rates = 0.0, end = 0.0, from = 0.0;
+    scale_to_step(w, 1.0, g);
+    for (int k = 1; k < w->order; ++k) {
         rate[k - 1] = k * g[k];
-        tail += real_abs(g[k]);
-        scale = real_max(scale, real_abs(rate[k - 1]));
         rates += real_abs(rate[k - 1]);
         end += g[k];
     }
-    if (g[0] + tail <= largest || scale == 0.0) {
-        return real_max(largest, g[0]);
-    }
-    largest = real_max(largest, real_max(g[0], end));
-    if (rates < 2.0 * real_abs(rate[0])) { /* the rate keeps its sign */
+    largest = real_max(largest, real_max(g[0], g[0] + end));
+    if (rates <= 2.0 * real_abs(rate[0])) { /* the rate keeps its sign */
         return largest;
     }
     for (int pieces = 0; pieces < PIECE_LIMIT && from < 1.0; ++pieces) {
-        from = end_of_sign(rate, order - 2, scale, from);
-        set_powers(power, from, order);
-        largest = real_max(largest, sum_of(g, power, order - 1));
+        from = end_of_sign(rate, w->order - 2, from);
+        set_powers(power, from, w->order);
+        largest = real_max(largest, sum_of(g, power, w->order - 1));
     }
     return largest;
 }
 
 /* Updates the observed quantities over a step whose powers are set. */
 static void observe(work *w) {
-    const int order = w->r->order;
     for (int i = 0; i < w->mode->watch_count; ++i) {
         const tdmf_watch_kind *kind = &w->mode->watches[i];
         real g[TERMS], *value = &w->r->x[kind->into];
-        const real least = sign_margin * real_max(w->scales[kind->into], real_abs(*value));
-        w->motion->polynomials[w->mode->guard_count + i](w->c, w->s[0], order, g);
-        for (int k = 1; k < order; ++k) {
-            g[k] *= w->power[k];
+        w->motion->polynomials[w->mode->guard_count + i](w->c, w->s[0], w->order, g);
+        if (kind->part == TDMF_LARGEST) {
+            *value = largest_value(w, g, *value);
+        } else {
+            const real least = part_tolerance * w->r->tolerance * w->scales[kind->into];
+            *value += positive_integral(w, g, least);
         }
-        *value = kind->part == TDMF_LARGEST ? largest_value(g, order, *value)
-                                            : *value + positive_integral(g, order, w->power[1], least);
     }
 }
 
@@ -208,9 +262,9 @@ static void advance_variations(work *w) {
         for (int i = 0; i < m->moving_count; ++i) {
             w->t[i][0] = dx[m->moving[i]];
         }
-        m->vary(w->c, w->s[0], w->d + seed * w->model->constant_count, w->r->order, w->t[0]);
+        m->vary(w->c, w->s[0], w->d + seed * w->model->constant_count, w->order, w->t[0]);
         for (int i = 0; i < m->moving_count; ++i) {
-            dx[m->moving[i]] = sum_of(w->t[i], w->power, w->r->order);
+            dx[m->moving[i]] = sum_of(w->t[i], w->power, w->order);
         }
     }
 }
@@ -218,7 +272,7 @@ static void advance_variations(work *w) {
 /* Advances the run within the step. */
 static void advance(work *w, real elapsed) {
     const tdmf_motion_kind *m = w->motion;
-    const int order = w->r->order;
+    const int order = w->order;
     if (elapsed != w->size) {
         set_powers(w->power, elapsed, order);
     }
@@ -246,20 +300,10 @@ static void end_without_event(work *w, real share) {
     }
 }
 
-/* Ends the step where a guard that has to cross zero rises above it: the guard is watched from there on. */
-static void end_where_it_rises(work *w, const real *g, real floor) {
-    real below[TERMS];
-    for (int k = 0; k < w->r->order; ++k) {
-        below[k] = -g[k];
-    }
-    end_without_event(w,
-                      first_root(below, w->r->order - 1, 2.0 * floor, 0.0, real_min(1.0, w->end), true).time);
-}
-
 /* Ends the step where a guard's own series can be trusted no further: a leg that spins steadily has states of
  * few terms, and a sine in its guard. */
 static void trust_guard(work *w, const real *g, real scale) {
-    const int order = w->r->order;
+    const int order = w->order;
     const real allowed = guard_tolerance * w->r->tolerance * real_max(scale, real_abs(g[0]));
     const real last = real_abs(g[order - 1]) * w->power[order - 1];
     const real last_but_one = real_abs(g[order - 2]) * w->power[order - 2];
@@ -268,31 +312,39 @@ static void trust_guard(work *w, const real *g, real scale) {
     }
 }
 
+/* Ends the step where a guard that has to cross zero rises above it: the guard is watched from there on. */
+static void end_where_it_rises(work *w, real *g, real floor) {
+    scale_to_step(w, -1.0, g);
+    const root found = first_root(g, w->order - 1, 2.0 * floor, 0.0, real_min(1.0, w->end), true);
+    end_without_event(w, found.time);
+}
+
 /* Ends the step at the first root of a guard, whose polynomial is g. */
 static void search_guard(work *w, const tdmf_guard_kind *kind, real *g, real floor) {
-    const int order = w->r->order;
-    real sum = g[0], least = g[0], most = g[0];
     trust_guard(w, g, w->event_scales[kind->event]);
-    for (int k = 1; k < order; ++k) {
-        g[k] *= w->power[k];
-        sum += g[k];
-        least = real_min(least, sum);
-        most = real_max(most, sum);
-    }
     if (kind->is_crossing && g[0] <= -floor) {
-        if (most > -2.0 * floor) {
+        if (g[0] + change_of(g, w->power, w->order) > -2.0 * floor) {
             end_where_it_rises(w, g, floor);
         }
         return;
     }
-    if (least > 0.0) {
+    if (g[0] > change_of(g, w->power, w->order)) {
         return;
     }
-    const root found = first_root(g, order - 1, floor, 0.0, real_min(1.0, w->end), true);
+    scale_to_step(w, 1.0, g);
+    if (range_of(g, w->order).low > 0.0) {
+        return;
+    }
+    const root found = first_root(g, w->order - 1, floor, 0.0, real_min(1.0, w->end), true);
     if (found.zero < w->end && (found.is_root || found.time < 1.0)) {
         w->end = found.zero;
         w->first = found.is_root ? kind : NULL;
     }
+}
+
+/* Whether the guard of an event that was just taken is a rounding error below zero, and rises. */
+static bool is_late(const work *w, int event, const real *g) {
+    return w->taken_at[event] == w->r->time && g[1] > 0.0 && g[0] > -late_margin * w->event_scales[event];
 }
 
 /* Searches the step for the first event. Returns an event that is due at once where the mode begins. */
@@ -301,7 +353,7 @@ static const tdmf_guard_kind *search(work *w) {
     w->end = INFINITY;
     w->first = NULL;
     if (w->motion->bounds) {
-        w->motion->bounds(w->c, w->s[0], w->power, w->r->order, low);
+        w->motion->bounds(w->c, w->s[0], w->power, w->order, low);
     }
     for (int i = 0; i < w->mode->guard_count; ++i) {
         const tdmf_guard_kind *kind = &w->mode->guards[i];
@@ -309,12 +361,18 @@ static const tdmf_guard_kind *search(work *w) {
             continue;
         }
         real g[TERMS];
-        w->motion->polynomials[i](w->c, w->s[0], w->r->order, g);
+        w->motion->polynomials[i](w->c, w->s[0], w->order, g);
         const real floor = -margin * w->event_scales[kind->event];
-        if (w->begins && !kind->is_crossing && g[0] < 2.0 * floor) {
-            return kind;
+        real *late = &w->late[kind->event];
+        if (g[0] > 0.0) {
+            *late = 0.0;
+        } else if (w->begins && !kind->is_crossing && g[0] < 2.0 * floor) {
+            if (!is_late(w, kind->event, g)) {
+                return kind;
+            }
+            *late = 2.0 * g[0];
         }
-        search_guard(w, kind, g, floor);
+        search_guard(w, kind, g, floor + *late);
     }
     return NULL;
 }
@@ -326,7 +384,7 @@ static void shift_to_event(work *w, const tdmf_guard_kind *kind) {
     memset(w->rates, 0, (size_t)w->model->state_count * sizeof *w->rates);
     for (int i = 0; i < m->moving_count; ++i) {
         real rate = 0.0;
-        for (int k = 1; k <= r->order; ++k) {
+        for (int k = 1; k <= w->order; ++k) {
             rate += k * w->s[i][k] * w->power[k - 1];
         }
         w->rates[m->moving[i]] = rate;
@@ -394,6 +452,7 @@ static void take(work *w, const tdmf_guard_kind *kind) {
     ++r->events;
     ++w->chain;
     r->stuck_event = kind->event;
+    w->taken_at[kind->event] = r->time;
     open_mode(w);
 }
 
@@ -444,7 +503,7 @@ static tdmf_run_outcome go_on(work *w, double until) {
 tdmf_run_outcome tdmf_page_run_to(const tdmf_model_kind *model, tdmf_page_run *r, double until) {
     const int states = model->state_count, series = model->series_count;
     const int size = 2 * series * TERMS + (1 + r->seed_count) * model->constant_count + 3 * states +
-                     model->parameter_count + model->event_count;
+                     model->parameter_count + 3 * model->event_count;
     real *memory = calloc((size_t)size, sizeof *memory);
     if (!memory) {
         return TDMF_RUN_NO_MEMORY;
@@ -458,7 +517,12 @@ tdmf_run_outcome tdmf_page_run_to(const tdmf_model_kind *model, tdmf_page_run *r
     w.rates = w.room + states;
     w.scales = w.rates + states;
     w.event_scales = w.scales + states;
-    w.none = w.event_scales + model->event_count;
+    w.taken_at = w.event_scales + model->event_count;
+    w.late = w.taken_at + model->event_count;
+    w.none = w.late + model->event_count;
+    for (int i = 0; i < model->event_count; ++i) {
+        w.taken_at[i] = -INFINITY;
+    }
     model->scales(r->p, w.scales, w.event_scales);
     const tdmf_run_outcome outcome = go_on(&w, until);
     free(memory);

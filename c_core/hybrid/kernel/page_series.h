@@ -15,6 +15,60 @@ enum { TERMS = SERIES_TERMS };
 #define real_log1p log1p
 #define real_atan2 atan2
 
+/* ---- sums for two coefficients that follow one another ------------------------------------------------- */
+
+#if defined(__GNUC__) && !defined(TDMF_LANES)
+typedef double pair __attribute__((vector_size(16)));
+
+KERNEL pair pair_of(real low, real high) {
+    return (pair){low, high};
+}
+
+KERNEL real part_of(pair a, int high) {
+    return a[high];
+}
+
+/* Adds a[0] b and a[1] b. */
+KERNEL void add_products(pair *sum, const real *a, real b) {
+    pair both;
+    memcpy(&both, a, sizeof both);
+    *sum += both * b;
+}
+
+/* Adds a[0] b[0] and a[1] b[1]. */
+KERNEL void add_terms(pair *sum, const real *a, const real *b) {
+    pair of_a, of_b;
+    memcpy(&of_a, a, sizeof of_a);
+    memcpy(&of_b, b, sizeof of_b);
+    *sum += of_a * of_b;
+}
+#else
+typedef struct {
+    real part[2];
+} pair;
+
+KERNEL pair pair_of(real low, real high) {
+    const pair both = {{low, high}};
+    return both;
+}
+
+KERNEL real part_of(pair a, int high) {
+    return a.part[high];
+}
+
+KERNEL void add_products(pair *sum, const real *a, real b) {
+    sum->part[0] += a[0] * b;
+    sum->part[1] += a[1] * b;
+}
+
+KERNEL void add_terms(pair *sum, const real *a, const real *b) {
+    sum->part[0] += a[0] * b[0];
+    sum->part[1] += a[1] * b[1];
+}
+#endif
+
+/* ---- coefficients of functions ------------------------------------------------------------------------- */
+
 /* Coefficient k of q, where q q = p. */
 static inline real own_root_of(int k, real p, const real *q) {
     real inner = broadcast(0.0);
@@ -49,8 +103,7 @@ static inline void sine_and_cosine_of(int k, const real *a, real *sine, real *co
     cosine[k] = -with_sine * series_reciprocal[k];
 }
 
-/* ---- intervals: lower bounds of guards in a step, found before the guards are expanded ------------------
- */
+/* ---- intervals: lower bounds of guards in a step, found before the guards are expanded ------------------ */
 
 typedef struct {
     real low, high;
