@@ -120,7 +120,8 @@ class Expansion:
         _, *texts = RECURSIONS[kind_of(node)]
         text, parts = texts[0] if self.by_pairs else texts[-1], self.parts(node)
         given = {letter: self.arrays.get(part) for letter, part in parts.items()}
-        given |= {"inner": f"part_of(sum->{node.name}, odd)", "inverse": f"inverse_{name_of(self.series_in(node)[-1])}"}
+        given["inner"] = f"part_of(sum->{node.name}, odd)"
+        given["inverse"] = f"inverse_{name_of(self.series_in(node)[-1])}"
         if "{slope}" in text:
             given |= {"value": self.coefficient(parts["a"], 0), "slope": self.coefficient(parts["a"], 1)}
         if "{over}" in text:

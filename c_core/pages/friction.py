@@ -22,8 +22,10 @@ class Friction(Model):
     stribeck_velocity = parameter(
         0, "m/s", "Stribeck velocity: scale of the slip speed over which friction falls, v_s",
         least=0, most=1e9)
-    patch_begin = parameter(0, "m", "Position where the patch begins")
-    patch_end = parameter(0, "m", "Position where the patch ends; at most ground.patch_begin for no patch")
+    patch_begin = parameter(0, "m", "Position where the patch begins", least=-1e9, most=1e9)
+    patch_end = parameter(
+        0, "m", "Position where the patch ends; at most ground.patch_begin for no patch", least=-1e9,
+        most=1e9)
     patch_friction = parameter(0.1, "1", "Friction coefficient on the patch, mu_p", least=0, most=1e6)
 
     way = state(1, "1", "Direction of slip, 1 or -1")

@@ -7,9 +7,10 @@ class Ground(Model):
     """The line y = height + x tan(slope), and components of vectors tangential and normal to it."""
 
     prefix = "ground"
-    ground_height = setting(0, "m", "Height of the ground at x = 0, h", name="ground.height")
+    ground_height = setting(
+        0, "m", "Height of the ground at x = 0, h", name="ground.height", least=-1e9, most=1e9)
     ground_slope = setting(
-        0, "rad", "Slope of the ground, positive uphill, sigma", name="ground.slope", above=-1, below=1)
+        0, "rad", "Slope of the ground, positive uphill, sigma", name="ground.slope", least=-1, most=1)
     height = state(0, "m", "Height at x = 0 of the ground line in force")
     slope = state(0, "rad", "Slope of the ground line in force")
 

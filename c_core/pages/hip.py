@@ -9,27 +9,35 @@ class Hip(Model):
     prefix = "hip"
     drive_torque = parameter(
         0.2, "N.m", "Hip torque in the first half of a stance, tau0", name="hip.stance_torque",
-        tunable=True)
-    kp = parameter(0.1, "N.m/rad", "Proportional gain of the hip in flight", tunable=True, least=0)
-    kd = parameter(0.1, "N.m.s/rad", "Derivative gain of the hip in flight", tunable=True, least=0)
+        tunable=True, least=-1e18, most=1e18)
+    kp = parameter(
+        0.1, "N.m/rad", "Proportional gain of the hip in flight", tunable=True, least=0, most=1e18)
+    kd = parameter(
+        0.1, "N.m.s/rad", "Derivative gain of the hip in flight", tunable=True, least=0, most=1e18)
     touchdown_angle = parameter(
-        radians(40), "rad", "Target of the leg angle before touchdown, theta0", tunable=True)
+        radians(40), "rad", "Target of the leg angle before touchdown, theta0", tunable=True,
+        least=-radians(90), most=radians(90))
     liftoff_factor = parameter(
         1.2, "1", "Target of the leg angle after lift-off, over the angle at lift-off, eta",
-        name="hip.liftoff_angle_factor", tunable=True, least=0)
+        name="hip.liftoff_angle_factor", tunable=True, least=0, most=100)
     retraction_rate = parameter(
-        0, "rad/s", "Rate at which the target angle falls after the apex, omega", tunable=True)
+        0, "rad/s", "Rate at which the target angle falls after the apex, omega", tunable=True,
+        least=-1e9, most=1e9)
     swing_clamp = parameter(False, "1", "Whether the torque that retracts the leg is clamped at 0 from below")
-    external_torque = input(0, "N.m", "Torque added to the hip law")
+    external_torque = input(0, "N.m", "Torque added to the hip law", least=-1e18, most=1e18)
 
-    more_angle = setting(0, "rad", "Added to hip.touchdown_angle", name="control.touchdown_angle")
-    more_torque = setting(0, "N.m", "Added to hip.stance_torque", name="control.stance_torque")
+    more_angle = setting(
+        0, "rad", "Added to hip.touchdown_angle", name="control.touchdown_angle", least=-radians(180),
+        most=radians(180))
+    more_torque = setting(
+        0, "N.m", "Added to hip.stance_torque", name="control.stance_torque", least=-1e18, most=1e18)
 
     liftoff_angle = state(
         0, "rad", "Leg angle when the foot last left the ground, theta_LO", name="hip.liftoff_angle")
-    placing = state(0, "s", "Time since the leg began to be placed", name="hip.place_time")
+    placing = state(0, "s", "In place, the time since it began; else 0", name="hip.place_time")
     touchdown_time = state(0, "s", "Time of the last impact")
     was_placed = state(0, "1", "1 if the leg was being placed at the last impact, else 0")
+    placed_for = state(0, "s", "Time in place at the last impact")
     rises_again = state(0, "1", "1 if an impact with immediate lift-off interrupted place, else 0")
     work = state(0, "J", "Work of the total hip torque since the start, W")
 
@@ -68,7 +76,7 @@ class Hip(Model):
         An impact with immediate lift-off does not end place.
         """
         goes_on = select(r.time <= r.touchdown_time, r.was_placed, 0)
-        r = r.replace(liftoff_angle=r.leg().angle, placing=goes_on * r.placing, rises_again=goes_on)
+        r = r.replace(liftoff_angle=r.leg().angle, placing=goes_on * r.placed_for, rises_again=goes_on)
         if r.rise() < 0 or goes_on > 0:
             return r.replace(swing="place")
         return r.replace(swing=r.rising_swing())

@@ -24,22 +24,34 @@ class Leg(Model):
     thrust = parameter(
         0, "m", "Increase of the rest length from greatest compression to lift-off, epsilon",
         tunable=True, least=0, most=1e6)
-    more_thrust = setting(0, "m", "Added to leg.thrust", name="control.thrust")
-    extension = input(0, "m", "Change of the rest length of the leg")
-    external_fx = input(0, "N", "Horizontal external force on the body", name="body.external_fx")
-    external_fy = input(0, "N", "Vertical external force on the body", name="body.external_fy")
+    more_thrust = setting(0, "m", "Added to leg.thrust", name="control.thrust", least=-1e6, most=1e6)
+    extension = input(0, "m", "Change of the rest length of the leg", least=-1e6, most=1e6)
+    external_fx = input(
+        0, "N", "Horizontal external force on the body", name="body.external_fx", least=-1e18, most=1e18)
+    external_fy = input(
+        0, "N", "Vertical external force on the body", name="body.external_fy", least=-1e18, most=1e18)
 
     # World coordinates, the states of a unit. Flight shares length, angle and length rate.
-    seen_x = state(-0.4722627765193387, "m", "Horizontal position of the foot, x", name="foot.x", of="world")
-    seen_y = state(0.6417114468531165, "m", "Height of the foot, y", name="foot.y", of="world")
-    length = state(0.9999993776846997, "m", "Length of the leg, r", of="world flight", above=0)
+    seen_x = state(
+        -0.4722627765193387, "m", "Horizontal position of the foot, x", name="foot.x", of="world",
+        least=-1e12, most=1e12)
+    seen_y = state(
+        0.6417114468531165, "m", "Height of the foot, y", name="foot.y", of="world", least=-1e9, most=1e9)
+    length = state(
+        0.9999993776846997, "m", "Length of the leg, r", of="world flight", least=1e-9, most=1e9)
     angle = state(
         -0.5462532571145313, "rad", "Angle of the leg from the vertical, positive with the foot ahead, theta",
-        of="world flight")
-    seen_vx = state(1.0620355917619932, "m/s", "Horizontal velocity of the foot", name="foot.vx", of="world")
-    seen_vy = state(-1.99517124419258e-05, "m/s", "Vertical velocity of the foot", name="foot.vy", of="world")
-    length_rate = state(1.1268102275039307e-06, "m/s", "Rate of the leg length", of="world flight")
-    angle_rate = state(4.039363331769765e-05, "rad/s", "Rate of the leg angle", of="world")
+        of="world flight", least=-1000, most=1000)
+    seen_vx = state(
+        1.0620355917619932, "m/s", "Horizontal velocity of the foot", name="foot.vx", of="world",
+        least=-1e12, most=1e12)
+    seen_vy = state(
+        -1.99517124419258e-05, "m/s", "Vertical velocity of the foot", name="foot.vy", of="world",
+        least=-1e12, most=1e12)
+    length_rate = state(
+        1.1268102275039307e-06, "m/s", "Rate of the leg length", of="world flight", least=-1e12, most=1e12)
+    angle_rate = state(
+        4.039363331769765e-05, "rad/s", "Rate of the leg angle", of="world", least=-1e12, most=1e12)
 
     # Flight coordinates: the centre of mass and the leg.
     com_x = state(0, "m", "Horizontal position of the centre of mass", of="flight")

@@ -163,8 +163,8 @@ class Runner(Hip, Friction, Leg, Ground, Stride, Model):
         lost = r.foot_mass * speeds / 2
         landed = landing.contact(
             after, stance="drive" if r.leg().angle >= 0 else "coast", impact_loss=r.impact_loss + lost,
-            was_placed=was_placed, touchdown_time=r.time, touchdowns_so_far=r.touchdowns_so_far + 1,
-            bar_is_due=1)
+            was_placed=was_placed, placed_for=r.placing, placing=0, touchdown_time=r.time,
+            touchdowns_so_far=r.touchdowns_so_far + 1, bar_is_due=1)
         landed = landed.replace(slid_from=landed.foot_x)
         return landed.slide(way) if way * after > 0 else landed
 
@@ -292,7 +292,7 @@ class Runner(Hip, Friction, Leg, Ground, Stride, Model):
     @event("graze", when=lambda r: -r.standing().normal, unit="N")
     def graze_to_contact(r):
         """The stance law presses the foot on the ground again."""
-        r = r.replace(**r.zones())
+        r = r.replace(placing=0, **r.zones())
         return r.slide(select(r.foot_vx > 0, 1, -1)) if abs(r.foot_vx) > 0 else r.resting()
 
     @event("graze", when=lambda r: r.flight_lifts(), unit="N")
@@ -384,14 +384,19 @@ class Runner(Hip, Friction, Leg, Ground, Stride, Model):
 
 
 class PlainRunner(Runner):
-    """The runner on level ground with constant friction, driven by the hip alone, whose inputs do not ramp."""
+    """The runner on level ground with constant friction, driven by the hip alone. No input ramps."""
 
     height = slope = ground_height = ground_slope = more_angle = more_torque = more_thrust = 0
     thrust = thrusting = extension = external_fx = external_fy = retraction_rate = 0
     leg_work = external_work = leg_work_of_stride = leg_work_then = 0
     static_ratio, friction_rate, external_torque_rate = 1, 0, 0
     stribeck_velocity = patch_begin = patch_end = patch_friction = zone = zone_ahead = zone_behind = 0
-    greatest_compression = new_ground = wind_rises = crosses_border = enters_layer = leaves_layer = ramp_ends = None
+    vertical_so_far, vertical_force_on_foot, ramp_ends = 0, None, None
+    greatest_compression = new_ground = wind_rises = crosses_border = enters_layer = leaves_layer = None
+
+    def peak_of_vertical_force(r):
+        """Largest vertical ground force, which is the normal force."""
+        return r.peak_force_so_far
 
     def zones(r):
         """No zones, because there is no patch."""

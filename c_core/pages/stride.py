@@ -11,7 +11,8 @@ class Stride(Model):
 
     prefix = "stride"
     time = clock()
-    events = state(0, "1", "Changes of contact and phase since the start", name="event.count", values=int)
+    events = state(0, "1", "Changes of contact and phase since the start", name="event.count", values=int,
+        least=0)
     last_event = state(0, "s", "Time of the last change of contact or phase", name="event.last_time")
 
     # The open stride, and values at its start.
@@ -22,6 +23,7 @@ class Stride(Model):
         0, "J", "Positive work of the hip since the start", name="hip.positive_work")
     positive_work_then = state(0, "J", "Positive work of the hip at the start of the stride")
     peak_force_so_far = state(0, "N", "Largest normal force in the open stride")
+    vertical_so_far = state(0, "N", "Largest vertical ground force in the open stride")
     touchdowns_so_far = state(0, "1", "Impacts in the open stride")
     slip_so_far = state(0, "m", "Slip distance in the open stride before the present mode")
     slid_from = state(0, "m", "Position of the foot at the last event")
@@ -34,7 +36,7 @@ class Stride(Model):
     y_then = state(0, "m", "Height of the centre of mass at the start of the stride")
 
     # The last completed stride.
-    count = state(0, "1", "Number of completed strides", name="stride.count", values=int)
+    count = state(0, "1", "Number of completed strides", name="stride.count", values=int, least=0)
     word_code = state(
         0, "1", "Gait word: + slip forward, 0 stick, - slip backward, | new stance", name="stride.word",
         values=letters("|-0+"))
@@ -49,10 +51,15 @@ class Stride(Model):
     speed = state(0, "m/s", "Average speed of the last stride, V", name="stride.speed")
     cost_of_transport = state(
         0, "1", "Mechanical cost of transport of the last stride, c_mt", name="stride.cost_of_transport")
-    touchdowns = state(0, "1", "Impacts of the foot in the last stride", name="stride.touchdowns", values=int)
+    touchdowns = state(
+        0, "1", "Impacts of the foot in the last stride", name="stride.touchdowns", values=int, least=0)
     stance_time = state(0, "s", "Time in contact in the last stride", name="stride.stance_time")
+    duty_factor = state(
+        0, "1", "Share of the last stride in which the foot was in contact", name="stride.duty_factor")
     slip_distance = state(0, "m", "Slip distance of the foot in the last stride", name="stride.slip_distance")
     peak_force = state(0, "N", "Largest normal force in the last stride", name="stride.peak_force")
+    peak_vertical_force = state(
+        0, "N", "Largest vertical ground force in the last stride", name="stride.peak_vertical_force")
 
     # The section at the last apex.
     apex_time = state(0, "s", "Time of the last apex", name="apex.time")
@@ -102,7 +109,8 @@ class Stride(Model):
             hip_work=hip, leg_work_of_stride=leg, work_of_stride=work, speed=distance / period,
             cost_of_transport=work / (weight * distance),
             positive_work=r.positive_work_so_far - r.positive_work_then, touchdowns=r.touchdowns_so_far,
-            stance_time=r.stance_so_far, slip_distance=r.slip_so_far, peak_force=r.peak_force_so_far,
+            stance_time=r.stance_so_far, duty_factor=r.stance_so_far / period, slip_distance=r.slip_so_far,
+            peak_force=r.peak_force_so_far, peak_vertical_force=r.peak_of_vertical_force(),
             word_code=r.word_so_far)
         kept = {name: select(r.is_open > 0, value, getattr(r, name)) for name, value in done.items()}
         return r.replace(**kept).open_stride()
@@ -113,14 +121,24 @@ class Stride(Model):
         return r.replace(
             is_open=1, work_then=r.work, leg_work_then=r.leg_work, x_then=center.x, y_then=center.y,
             positive_work_then=r.positive_work_so_far, touchdowns_so_far=0, stance_so_far=0, slip_so_far=0,
-            peak_force_so_far=0, word_so_far=0, last_letter=0, bar_is_due=0, apex_time=r.time,
-            apex_com_height=r.height_of_section(), apex_com_speed=center.vx, apex_length=leg.length,
-            apex_angle=leg.angle, apex_length_rate=leg.length_rate, apex_angle_rate=leg.angle_rate)
+            peak_force_so_far=0, vertical_so_far=0, word_so_far=0, last_letter=0, bar_is_due=0,
+            apex_time=r.time, apex_com_height=r.height_of_section(), apex_com_speed=center.vx,
+            apex_length=leg.length, apex_angle=leg.angle, apex_length_rate=leg.length_rate,
+            apex_angle_rate=leg.angle_rate)
 
     @observe("flight stick slip graze", "positive integral", into="positive_work_so_far", unit="W")
     def power_of_hip(r):
         """Power of the total hip torque."""
         return r.torque() * r.leg().angle_rate
+
+    def peak_of_vertical_force(r):
+        """Largest vertical ground force in the open stride."""
+        return r.vertical_so_far
+
+    @observe("stick slip", "largest", into="vertical_so_far", unit="N")
+    def vertical_force_on_foot(r):
+        """Vertical force of the ground on a sticking or slipping foot."""
+        return r.in_world(r.tangential_force(), r.standing().normal, 0, 0).y
 
     @observe("stick slip", "largest", into="peak_force_so_far", unit="N")
     def force_on_foot(r):

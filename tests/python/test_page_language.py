@@ -186,6 +186,45 @@ def test_three_roots_in_one_step_are_three_events():
     assert [time for time, *_ in run.log] == pytest.approx([1.0, 1.2, 1.4], abs=1e-11)
 
 
+class Hopper(Model):
+    """A mass that a decision puts a rounding error below the ground, from where it rises."""
+
+    start = "flight", {}
+    height, speed, hops = state(1), state(0), state(0)
+    second, depth = parameter(1, "s"), parameter(1e-12)
+
+    @mode()
+    def flight(b):
+        return {"height": b.speed / b.second, "speed": -2 / b.second}
+
+    @event("flight", when=lambda b: b.height)
+    def hop(b):
+        return b.replace(height=-b.depth, speed=-b.speed, hops=b.hops + 1)
+
+
+@pytest.mark.parametrize("depth", [0, 5e-13, 1e-12, 3e-12, 1e-11])
+def test_an_event_that_was_just_taken_is_not_due_again_by_rounding(depth):
+    run = CompiledPage(Hopper).start(depth=depth).to(6.5)
+    assert [time for time, *_ in run.log] == pytest.approx([1, 3, 5], abs=1e-8)
+    assert run.height == pytest.approx(2 * 1.5 - 1.5**2, abs=1e-8)
+
+
+class Stiff(Model):
+    """A decay so fast that the higher coefficients of its series overflow."""
+
+    start = "decays", {}
+    x = state(1)
+    rate = parameter(1e25, "1/s")
+
+    @mode()
+    def decays(b):
+        return {"x": -b.rate * b.x}
+
+
+def test_a_series_whose_coefficients_overflow_has_fewer_terms():
+    assert CompiledPage(Stiff).start().to(1e-24).x == pytest.approx(np.exp(-10), rel=1e-9)
+
+
 def test_a_hundred_and_twenty_elastic_bounces(guide):
     page = CompiledPage(guide.Ball)
     period = 2 * np.sqrt(2 / 9.81)

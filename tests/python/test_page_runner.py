@@ -2,7 +2,6 @@
 
 import json
 from collections import Counter
-from itertools import pairwise
 from pathlib import Path
 
 import numpy as np
@@ -265,18 +264,40 @@ def difference(page, mine, theirs, scales):
     off = {
         n: abs(mine[n] - theirs[n]) / scales[page.model.quantities("state")[n].unit] / (1 + abs(theirs[n]))
         for n in STATES
-        if n in mine and n != "placing"
+        if n in mine
     }
     name = max(off, key=off.get)
     return off[name], name
 
 
+STRIDE = {
+    "peak_force": "N", "peak_vertical_force": "N", "duty_factor": "1", "slip_distance": "m", "period": "s",
+    "positive_work": "J", "stance_time": "s",
+}  # fmt: skip
+"""Quantities of a stride, and their units."""
+
+
+def difference_of_strides(run, old, scales):
+    """What differs between the last strides of a page and of the core, in words."""
+    stride = old.motion.record.stride
+    if (run.count, word(run), run.touchdowns) != (stride.count, old.word, stride.touchdowns):
+        return f"{run.count} {word(run)}, {stride.count} {old.word}"
+    for name in STRIDE:
+        mine, theirs = getattr(run, name) / scales[name], getattr(stride, name) / scales[name]
+        if mine != pytest.approx(theirs, rel=1e-8, abs=1e-9):
+            return f"{name} {mine}, {theirs}"
+    return ""
+
+
 def first_hop(run, rate):
     """When the foot first hops so shortly that the margin of touchdown makes the length of the hop."""
-    entered = lasting(run.modes_entered(), 1 / rate)
-    starts = [t for t, contact, _ in entered if contact == "flight"]
-    ends = [t for (_, before, _), (t, after, _) in pairwise(entered) if before == "flight" != after]
-    return min((end for start in starts for end in ends if 0 < end - start < 2e-3 / rate), default=np.inf)
+    left = -np.inf
+    for time, _, before, after in run.log:
+        is_flying = [mode.startswith("flight") for mode in (before, after)]
+        if is_flying == [True, False] and 0 < time - left < 2e-3 / rate:
+            return time
+        left = time if is_flying == [False, True] else left
+    return np.inf
 
 
 def compare(page, number, tolerance=1e-13):
@@ -319,12 +340,8 @@ def compare(page, number, tolerance=1e-13):
     mine, theirs = lasting(run.modes_entered(), 1 / rate), lasting(old.modes, 1 / rate)
     if [m[1:] for m in mine] != [m[1:] for m in theirs]:
         return "modes", max(worst)[0], f"{mine}, {theirs}"
-    stride = old.motion.record.stride
-    if (run.count, word(run), run.touchdowns) != (stride.count, old.word, stride.touchdowns):
-        return "word", max(worst)[0], f"{run.count} {word(run)}, {stride.count} {old.word}"
-    for name in ("peak_force", "slip_distance", "period", "positive_work", "stance_time"):
-        if getattr(run, name) != pytest.approx(getattr(stride, name), rel=1e-8, abs=1e-9):
-            return "stride", max(worst)[0], f"{name} {getattr(run, name)}, {getattr(stride, name)}"
+    if text := difference_of_strides(run, old, dict.fromkeys(STRIDE, 1)):
+        return "stride", max(worst)[0], text
     return "same", max(worst)[0], ""
 
 

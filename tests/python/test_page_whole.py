@@ -6,7 +6,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from old_core import STATES
+from old_core import STATES, TABLE, VARIABLES
 from page_runs import COMPILER, CompiledPage
 from test_page_runner import SECTION, jacobian, section, word, world_of
 
@@ -153,6 +153,70 @@ def test_the_world_seen_from_every_mode_its_rates_and_all_variations(whole):
             found = map_along(whole, kind, mode, p, at, dp, dx)[written]
             assert exact == pytest.approx(found, abs=1e-8 * (1 + abs(found).max())), (name, kind)
     assert kinds == {"flight", "stick", "slip", "graze"}
+
+
+# ---- what the random runs beside the core found, settled by the model's text ----------------------------
+
+
+def test_a_ramp_of_the_friction_coefficient_ends_at_0(whole):
+    run = whole.start(friction=0.3, friction_rate=-0.1, seeds=["friction_rate"]).to(5.0)
+    assert (run.friction, run.friction_rate) == (0, 0)
+    assert run.d("friction") == pytest.approx([0.0], abs=0)
+    assert [time for time, name, *_ in run.log if name == "ramp_ends"] == pytest.approx([3.0], abs=1e-11)
+
+
+@pytest.mark.parametrize(("more", "longer"), [(-0.05, 0.0), (-0.005, 0.015), (0.01, 0.03)])
+def test_thrust_makes_no_leg_shorter(whole, more, longer):
+    given = {"thrusting": 1, "thrust": 0.02, "more_thrust": more}
+    assert Runner.at("stick", stance="coast", **given).rest_length() == pytest.approx(1 + longer, abs=1e-15)
+
+
+def test_a_second_apex_closes_a_stride_however_low_the_rise_before_it(whole):
+    """An external force lifts the centre of mass by 1e-13 and pulls it down again: place begins anew."""
+    weight, push, time = 1.1 * 0.01, 1e-8, 1e-2
+    given = {"external_fy": weight + push, "external_fy_rate": -2 * push / time, "retraction_rate": 0.01}
+    run = whole.start(**given, tolerance=1e-13, seen_vy=whole.start().seen_vy).to(5.0)
+    assert [at for at, name, *_ in run.log if name == "apex"] == pytest.approx([time], abs=1e-4)
+    assert (run.count, run.placing) == (1, pytest.approx(5.0 - time, abs=1e-4))
+
+
+def test_the_time_in_place_is_0_elsewhere(whole):
+    run, placings = whole.start(tolerance=1e-11), {}
+    for time in np.arange(0.1, 26, 0.1):
+        run.to(time)
+        placings.setdefault("place" in run.mode, []).append(run.placing)
+    assert max(placings[False]) == 0
+    assert min(placings[True]) > 0
+
+
+# ---- the table of the unit's variables --------------------------------------------------------------
+
+
+def test_the_page_declares_the_units_variables(whole):
+    """Units, bounds, start values and roles are those of modelDescription.xml, and no variable is missing."""
+    types = {t.get("name"): t[0].get("unit") for t in TABLE.iter("SimpleType")}
+    model, declared = whole.model, {}
+    for kind in ("parameter", "state"):  # the state `height` is that of the line in force: not ground.height
+        for name, q in model.quantities(kind).items():
+            declared.setdefault(model.public(name), q)
+    outputs = {model.public(name): f for name, f in model.marked("is_output").items()}
+    of_unit = {"time", "status.terminate_on_fall", "contact.mode_index", "hip.phase_index"}
+    missing = VARIABLES.keys() - declared - outputs.keys() - of_unit - {"stride.word_code"}
+    assert [n for n in missing if not n.startswith(("der(", "guard.", "solver."))] == []
+    for name, q in (declared | outputs).items():
+        if name in VARIABLES and VARIABLES[name][0].tag == "Real":
+            assert q.unit == types[VARIABLES[name][0].get("declaredType")], name
+    for name, q in declared.items():
+        if (variable := VARIABLES.get(name)) is None:
+            continue  # a state behind the quantities of a stride
+        bounds = {"min": q.within.get("least"), "max": q.within.get("most")}
+        assert {k: v if v is None else float(v) for k, v in variable[0].items() if k in bounds} == {
+            k: v for k, v in bounds.items() if v is not None
+        }, name
+        if q.kind == "parameter":
+            assert (q.role == "tunable") == (variable.get("variability") == "tunable"), name
+            start = {"true": 1.0, "false": 0.0}.get(variable[0].get("start"), variable[0].get("start"))
+            assert q.value == float(start) or name == "hip.swing_clamp", name
 
 
 def test_the_whole_page_has_few_modes(whole):

@@ -104,15 +104,16 @@ static real change_of(const real *c, const real *power, int order) {
 static real trusted_size(work *w) {
     const tdmf_motion_kind *m = w->motion;
     for (;; w->order -= 2) {
-        real last = 0.0, last_but_one = 0.0;
+        real last = 0.0, last_but_one = 0.0, left_out = 0.0;
         for (int i = 0; i < m->judged_count; ++i) {
             const int j = m->judged[i];
             const real *x = w->s[j], unit = j < m->moving_count ? w->scales[m->moving[j]] : 1.0;
             const real allowed = 1.0 / real_max(unit, real_abs(x[0]));
             last += real_abs(x[w->order - 1]) * allowed;
             last_but_one += real_abs(x[w->order - 2]) * allowed;
+            left_out += real_abs(x[w->order]);
         }
-        if (is_finite(last + last_but_one)) {
+        if (is_finite(last + last_but_one + left_out)) {
             return trusted_share(w->r->tolerance, last, last_but_one, w->order);
         }
         if (w->order <= LEAST_ORDER) {
@@ -342,9 +343,9 @@ static void search_guard(work *w, const tdmf_guard_kind *kind, real *g, real flo
     }
 }
 
-/* Whether the guard of an event that was just taken is a rounding error below zero, and rises. */
-static bool is_late(const work *w, int event, const real *g) {
-    return w->taken_at[event] == w->r->time && g[1] > 0.0 && g[0] > -late_margin * w->event_scales[event];
+/* Whether the guard of an event that was just taken is below zero by a rounding error. */
+static bool is_late(const work *w, int event, real guard) {
+    return w->taken_at[event] == w->r->time && guard > -late_margin * w->event_scales[event];
 }
 
 /* Searches the step for the first event. Returns an event that is due at once where the mode begins. */
@@ -366,11 +367,10 @@ static const tdmf_guard_kind *search(work *w) {
         real *late = &w->late[kind->event];
         if (g[0] > 0.0) {
             *late = 0.0;
-        } else if (w->begins && !kind->is_crossing && g[0] < 2.0 * floor) {
-            if (!is_late(w, kind->event, g)) {
-                return kind;
-            }
+        } else if (w->begins && is_late(w, kind->event, g[0])) {
             *late = 2.0 * g[0];
+        } else if (w->begins && !kind->is_crossing && g[0] < 2.0 * floor) {
+            return kind;
         }
         search_guard(w, kind, g, floor + *late);
     }
