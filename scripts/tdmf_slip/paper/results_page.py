@@ -33,8 +33,12 @@ def read(folder: Path, section: str) -> Stored:
 
 
 def write(folder: Path, section: str, stored: Stored) -> None:
-    """Store the values of a section."""
-    text = json.dumps(stored, indent=1, ensure_ascii=False)
+    """Store the values of a section; words, commands and verdicts are those of the code."""
+    values = {
+        seed: [{"name": row["name"], "regimes": row["regimes"]} for row in rows]
+        for seed, rows in stored.items()
+    }
+    text = json.dumps(values, indent=1)
     (folder / f"{section}.json").write_text(text + "\n", encoding="utf-8")
 
 
@@ -44,11 +48,13 @@ def recomputed(section: str, stored: Stored, seed: int) -> list[Recomputed]:
     return [Recomputed.of_json(claim, rows[claim.name]) for claim in SECTIONS[section]]
 
 
-def filled(page: str, folder: Path) -> str:
-    """The page with the table of every section as it is stored, with the numbers of the first seed."""
+def filled(page: str, folder: Path, sections: Sequence[str] = tuple(SECTIONS)) -> str:
+    """The page with the tables of the sections as they are stored, with the numbers of the first seed."""
 
     def tables(match: re.Match[str]) -> str:
         section = match[2]
+        if section not in sections:
+            return match[0]
         return match[1] + _markdown(recomputed(section, read(folder, section), SEEDS[0])) + match[3]
 
     return TABLE.sub(tables, page)
@@ -65,6 +71,9 @@ def _markdown(claims: Sequence[Recomputed]) -> str:
         control = "" if default.control is None else default.control
         said = f'<a id="{one.claim.name}"></a>{number}. {one.claim.what}'
         lines.append(f"| {said} | {default.value} | {control} | {others} |")
-    commands = [f"# {number}\n{one.claim.command}" for number, one in enumerate(claims, start=1)]
+    numbers: dict[str, list[str]] = {}
+    for number, one in enumerate(claims, start=1):
+        numbers.setdefault(one.claim.command, []).append(str(number))
+    commands = [f"# {', '.join(of_it)}\n{command}" for command, of_it in numbers.items()]
     code = "\n".join(["```sh", *commands, "```"]).replace("{seed}", str(SEEDS[0]))
     return "\n".join([*lines, "", code, ""])

@@ -3,7 +3,8 @@
 import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
-from functools import cache
+from functools import wraps
+from typing import ParamSpec, TypeVar
 
 from ...analysis.comparison import compare
 from ...analysis.first_passage import FirstPassage
@@ -15,6 +16,8 @@ from ...fmu.variable import Given
 from ...library.gait import Gait
 from ..matched import HOLD, VARY
 
+Arguments = ParamSpec("Arguments")
+Found = TypeVar("Found")
 TORQUE, ANGLE, THRUST = "hip.stance_torque", "hip.touchdown_angle", "leg.thrust"
 CLAMP = "hip.swing_clamp"
 SLIPS, STICKS = 0.2, 10.0
@@ -38,7 +41,7 @@ class Regime:
 DEFAULT = Regime("default", "Table 1", {CLAMP: False})
 CLAMPED = Regime("clamp", "Table 1, with the clamp", {CLAMP: True})
 HEAVY = Regime("heavy", "weight 0.022, 45°", {CLAMP: False, "gravity": 0.02, ANGLE: "45 deg"})
-HUMAN = Regime("human", "human size", {**read_parameters("human"), CLAMP: False}, 0.02)
+HUMAN = Regime("human", "human size", {**read_parameters("human"), CLAMP: False}, 0.03)
 REGIMES = (DEFAULT, CLAMPED, HEAVY, HUMAN)
 
 
@@ -61,7 +64,9 @@ class Estimate:
         return cls(passage.mean_strides, *passage.interval)
 
     def __str__(self) -> str:
-        """The number, with its interval if it has one; the lower bound where there was no event."""
+        """The number, with its interval if it has one; the lower bound where none fell."""
+        if math.isinf(self.low):
+            return "no fall"
         if math.isinf(self.value):
             return f"> {_digits(self.low)}"
         if self.low == self.high:
@@ -70,6 +75,8 @@ class Estimate:
 
 
 def _digits(value: float) -> str:
+    if math.isinf(value):
+        return "∞"
     return f"{value:,.0f}" if abs(value) >= 1000.0 else f"{value:.3g}"
 
 
@@ -151,25 +158,45 @@ def _cell(measure: Measure, regime: Regime, seed: int) -> Cell:
         return str(error)
 
 
+def remembered(compute: Callable[Arguments, Found]) -> Callable[Arguments, Found]:
+    """A cache that also keeps refusals: to find out that there is no gait takes longest."""
+    known: dict[object, Found | RunError] = {}
+
+    @wraps(compute)
+    def found(*arguments: Arguments.args, **named: Arguments.kwargs) -> Found:
+        key = (arguments, *sorted(named.items()))
+        if key not in known:
+            try:
+                known[key] = compute(*arguments, **named)
+            except RunError as error:
+                known[key] = error
+        outcome = known[key]
+        if isinstance(outcome, RunError):
+            raise outcome
+        return outcome
+
+    return found
+
+
 def solved(quantity: Callable[[Regime], float]) -> Measure:
     """A number that is solved and does not depend on the seed."""
     return lambda regime, seed: Estimate.exact(quantity(regime))
 
 
-@cache
+@remembered
 def gait(regime: Regime, friction: float, **changed: Given) -> Gait:
     """The gait at a friction; other values by the unit's names with `__` for the dot."""
     values = {name.replace("__", "."): value for name, value in changed.items()}
     return periodic_gait({**regime.values, **values, FRICTION: friction})
 
 
-@cache
+@remembered
 def stable_gait(regime: Regime, friction: float) -> Gait:
     """The gait at a friction; an unstable one is refused."""
     return _stable(gait(regime, friction))
 
 
-@cache
+@remembered
 def matched(regime: Regime, reference: float, other: float) -> Gait:
     """The runner on the other friction with the speed, apex height and leg angle of that on the first.
 

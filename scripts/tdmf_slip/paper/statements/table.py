@@ -2,7 +2,18 @@
 
 from collections.abc import Mapping
 
-from . import attraction, falling, over_friction, reduced, rough, viable
+from . import (
+    attraction,
+    falling,
+    over_friction,
+    patches,
+    reduced,
+    retraction,
+    rough,
+    slopes,
+    thrust,
+    viable,
+)
 from .claim import OwnClaim
 
 SECTIONS: Mapping[str, tuple[OwnClaim, ...]] = {
@@ -12,4 +23,8 @@ SECTIONS: Mapping[str, tuple[OwnClaim, ...]] = {
     "viable": viable.CLAIMS,
     "reduced": reduced.CLAIMS,
     "rough": rough.CLAIMS,
+    "patches": patches.CLAIMS,
+    "retraction": retraction.CLAIMS,
+    "slopes": slopes.CLAIMS,
+    "thrust": thrust.CLAIMS,
 }

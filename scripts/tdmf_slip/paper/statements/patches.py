@@ -1,0 +1,98 @@
+"""A slippery patch, on level ground and downhill: the share of runners that fall."""
+
+import math
+from collections.abc import Callable
+from functools import cache
+
+from scipy.stats import binomtest
+
+from ...analysis.first_passage import strides_to_fall
+from ...analysis.search import periodic_gait
+from ...analysis.targeted import find_gait
+from ...errors import RunError
+from ...fmu.fmu import FRICTION
+from ...library.gait import Gait
+from .claim import ANGLE, STICKS, TORQUE, Estimate, Measure, OwnClaim, Regime
+
+SLOPE = -4.0
+"""Degrees."""
+ON_PATCH, LENGTH, BEGIN = 0.02, 300.0, 100.0
+"""Friction of the patch, its length and where it begins, l0."""
+GRIPPY, SLIPPERY = STICKS, 0.6
+"""Frictions of the ground around it."""
+RUNNERS, STRIDES_AFTER = 256, 60
+"""At so many phases of a stride; and strides beyond the patch."""
+
+
+def on_slope(regime: Regime, friction: float, degrees: float) -> Gait:
+    """The gait of the ground around the patch."""
+    return periodic_gait({**regime.values, FRICTION: friction, "ground.slope": math.radians(degrees)})
+
+
+def as_fast(regime: Regime) -> Gait:
+    """The runner downhill on grippy ground with speed and apex height of the one on slippery ground."""
+    one, reference = (on_slope(regime, friction, SLOPE) for friction in (GRIPPY, SLIPPERY))
+    target = {name: float(reference.stride[name]) for name in ("speed", "apex_height")}
+    try:
+        return find_gait(one.runner, target=target, vary=(TORQUE, ANGLE), guess=one.apex)
+    except RunError as error:
+        raise RunError("no equal runner") from error
+
+
+def falls(of: Callable[[Regime], Gait]) -> Measure:
+    """Share of runners that fall on the patch or within so many strides beyond it."""
+
+    @cache
+    def measure(regime: Regime, seed: int) -> Estimate:
+        one = of(regime)
+        length = one.runner.values["leg.free_length"]
+        runner = one.runner.but("ground.patch_begin", BEGIN * length)
+        runner = runner.but("ground.patch_end", (BEGIN + LENGTH) * length)
+        runner = runner.but("ground.patch_friction", ON_PATCH)
+        strides = int(LENGTH * length / one.stride["length"]) + STRIDES_AFTER
+        found = strides_to_fall(runner, 0.0, RUNNERS, seed, strides, gait=one, foot_x="random")
+        interval = binomtest(found.falls, RUNNERS).proportion_ci()
+        return Estimate(found.falls / RUNNERS, interval.low, interval.high)
+
+    return measure
+
+
+grippy_downhill = falls(lambda regime: on_slope(regime, GRIPPY, SLOPE))
+slippery_downhill = falls(lambda regime: on_slope(regime, SLIPPERY, SLOPE))
+COMMAND = (
+    f"tdmf-slip rough --friction {GRIPPY:g} --roughness 0 --set ground.slope={{}}deg "
+    f"--set ground.patch_begin={BEGIN:g} --set ground.patch_end={BEGIN + LENGTH:g} "
+    f"--set ground.patch_friction={ON_PATCH} --max-strides 80 --seed {{{{seed}}}}"
+)
+
+CLAIMS = (
+    OwnClaim(
+        "patch-level",
+        "On level ground of friction 10 no runner of Table 1 falls on a patch of friction 0.02 that is 300 "
+        "l₀ long: share that falls (control: 4° downhill). At weight 0.022 and at human size all fall.",
+        falls(lambda regime: on_slope(regime, GRIPPY, 0.0)),
+        grippy_downhill,
+        COMMAND.format(0),
+        lambda rows: (
+            all(rows[name].below for name in ("default", "clamp"))
+            and all(rows[name].number == 1.0 for name in ("heavy", "human"))
+        ),
+    ),
+    OwnClaim(
+        "patch-downhill",
+        "4° downhill runners fall where the ground around the patch has friction 10, not where it has 0.6 "
+        "(control).",
+        grippy_downhill,
+        slippery_downhill,
+        COMMAND.format(-4),
+        lambda rows: all(rows[name].above for name in ("default", "clamp")),
+    ),
+    OwnClaim(
+        "patch-matched",
+        "So they do with the speed and apex height of the runner on ground of friction 0.6 (control).",
+        falls(as_fast),
+        slippery_downhill,
+        COMMAND.format(-4),
+        lambda rows: all(rows[name].above for name in ("default", "clamp")),
+    ),
+)

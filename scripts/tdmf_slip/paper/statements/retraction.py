@@ -1,0 +1,176 @@
+"""Retraction of the leg before touchdown: eigenvalue of height, and strides on rough ground."""
+
+import math
+from collections.abc import Callable
+from functools import cache
+
+from ...analysis.first_passage import strides_to_fall
+from ...errors import GaitNotFoundError, RunError
+from ...library.gait import Gait, gait_near
+from ...library.rough_ground import RoughGround
+from .claim import (
+    ANGLE,
+    SLIPS,
+    STICKS,
+    Estimate,
+    Measure,
+    OwnClaim,
+    Regime,
+    equal_to,
+    gait,
+    remembered,
+    solved,
+)
+from .rough import LOW
+
+RATE = "hip.retraction_rate"
+RETRACTS, STEPS = 0.008, 4
+"""A rate over the root of k/m, and the steps in which it is reached along the branch."""
+RUNNERS, MAX_STRIDES = 400, 400
+FLAT = "45 deg"
+"""Another touchdown angle."""
+GAIT = f"tdmf-slip gait --friction {{}} --set {RATE}={RETRACTS} --json"
+ROUGH = (
+    f"tdmf-slip rough --friction {SLIPS} --set {RATE}={RETRACTS} --roughness {LOW} "
+    f"--runners {RUNNERS} --max-strides {MAX_STRIDES} --seed {{seed}}"
+)
+
+
+@remembered
+def plain(regime: Regime, friction: float, angle: str | None) -> Gait:
+    """The gait without more retraction than the regime has."""
+    return gait(regime, friction) if angle is None else gait(regime, friction, hip__touchdown_angle=angle)
+
+
+@remembered
+def retracting(regime: Regime, friction: float, angle: str | None = None) -> Gait:
+    """The gait at the rate, added to the one that the regime has."""
+    one = plain(regime, friction, angle)
+    values = one.runner.values
+    added = RETRACTS * math.sqrt(values["leg.stiffness"] / values["body.mass"])
+    for step in range(1, STEPS + 1):
+        try:
+            one = gait_near(one.runner.but(RATE, values[RATE] + added * step / STEPS), one.apex)
+        except RunError as error:
+            raise GaitNotFoundError(str(error)) from error
+    return one
+
+
+@remembered
+def equal(regime: Regime, friction: float, angle: str | None = None) -> Gait:
+    """The retracting gait with speed, apex height and leg angle of the one that does not retract."""
+    return equal_to(plain(regime, friction, angle), retracting(regime, friction, angle))
+
+
+Which = Callable[[Regime, float, str | None], Gait]
+
+
+def height(which: Which, friction: float, angle: str | None = None) -> Measure:
+    """Real part of the eigenvalue about height: of the two of largest size, the lesser."""
+    return solved(lambda regime: float(min(which(regime, friction, angle).eigenvalues[:2].real)))
+
+
+def slip(which: Which) -> Measure:
+    """Slip distance in a stride, over the leg's length."""
+
+    def over_length(regime: Regime) -> float:
+        one = which(regime, SLIPS, None)
+        return one.stride["slip_distance"] / one.runner.values["leg.free_length"]
+
+    return solved(over_length)
+
+
+def strides(which: Which) -> Measure:
+    """Mean number of strides until the fall on steps."""
+
+    @cache
+    def measure(regime: Regime, seed: int) -> Estimate:
+        one = which(regime, SLIPS, None)
+        ground = RoughGround(LOW * regime.step, 2 * seed + (which is not plain))
+        found = strides_to_fall(one.runner, ground, RUNNERS, max_strides=MAX_STRIDES, gait=one)
+        return Estimate.of_strides(found)
+
+    return measure
+
+
+CLAIMS = (
+    OwnClaim(
+        "retraction-height",
+        "Retraction at 0.008 √(k/m) brings the eigenvalue of height nearer to 0 at friction 10 (real part; "
+        "control: without retraction). With the clamp it drives it towards −1.",
+        height(retracting, STICKS),
+        height(plain, STICKS),
+        GAIT.format(STICKS),
+        lambda rows: rows["default"].above and rows["clamp"].below,
+    ),
+    OwnClaim(
+        "retraction-height-slips",
+        "That is not so at every friction: at friction 0.2 retraction drives the eigenvalue towards −1 by "
+        "both readings.",
+        height(retracting, SLIPS),
+        height(plain, SLIPS),
+        GAIT.format(SLIPS),
+        lambda rows: rows["default"].below and rows["clamp"].below,
+    ),
+    OwnClaim(
+        "retraction-height-flat",
+        "Nor at every touchdown angle: at 45° and friction 10 it drives the eigenvalue towards −1 by both "
+        "readings.",
+        height(retracting, STICKS, FLAT),
+        height(plain, STICKS, FLAT),
+        f"{GAIT.format(STICKS)} --set {ANGLE}=45deg",
+        lambda rows: rows["default"].below and rows["clamp"].below,
+    ),
+    OwnClaim(
+        "retraction-height-matched",
+        "At equal speed, apex height and leg angle retraction drives the eigenvalue of height towards −1 by "
+        "both readings: friction 10.",
+        height(equal, STICKS),
+        height(plain, STICKS),
+        GAIT.format(STICKS),
+        lambda rows: rows["default"].below and rows["clamp"].below,
+    ),
+    OwnClaim(
+        "retraction-height-matched-0.6",
+        "The same at friction 0.6.",
+        height(equal, 0.6),
+        height(plain, 0.6),
+        GAIT.format(0.6),
+        lambda rows: rows["default"].below and rows["clamp"].below,
+    ),
+    OwnClaim(
+        "retraction-height-matched-0.2",
+        "The same at friction 0.2.",
+        height(equal, SLIPS),
+        height(plain, SLIPS),
+        GAIT.format(SLIPS),
+        lambda rows: rows["default"].below and rows["clamp"].below,
+    ),
+    OwnClaim(
+        "retraction-steps",
+        "On steps of 0.3 l₀ retraction at 0.008 √(k/m) shortens runs on friction 0.2: strides until the "
+        "fall (control: without retraction).",
+        strides(retracting),
+        strides(plain),
+        ROUGH,
+        lambda rows: rows["default"].below and rows["clamp"].below,
+    ),
+    OwnClaim(
+        "retraction-steps-matched",
+        "So it does at equal speed, apex height and leg angle, where the foot is carried as high. At weight "
+        "0.022 and 45° it does not.",
+        strides(equal),
+        strides(plain),
+        ROUGH,
+        lambda rows: rows["default"].below and rows["clamp"].below and not rows["heavy"].below,
+    ),
+    OwnClaim(
+        "retraction-slip-matched",
+        "At equal speed, apex height and leg angle a stride on friction 0.2 slips less with retraction: "
+        "slip distance, l₀.",
+        slip(equal),
+        slip(plain),
+        GAIT.format(SLIPS),
+        lambda rows: all(rows[name].ratio < 1.0 for name in ("default", "clamp", "heavy")),
+    ),
+)

@@ -1,0 +1,178 @@
+"""Slopes: the speed uphill, the steepest slope with a gait, and the steepest on which it is stable."""
+
+import math
+
+import numpy as np
+
+from ...errors import GaitNotFoundError, RunError
+from ...library.gait import Gait, gait_near
+from ..matched import changed
+from .claim import (
+    ANGLE,
+    SLIPS,
+    STICKS,
+    Estimate,
+    Measure,
+    OwnClaim,
+    Regime,
+    gait,
+    matched,
+    remembered,
+    solved,
+)
+from .rough import MATCH
+
+SLOPE = "ground.slope"
+FIRST, SHORTEST = 0.005, 1e-5
+"""Steps of the slope, rad."""
+AWAY = 0.1
+"""Of the scales: farther from where it is predicted a gait is of another branch."""
+FLAT = 0.85
+"""A touchdown angle, rad, that lays the leg flatter than the paper's 40 degrees."""
+UPHILL = math.radians(1.5)
+"""A slope on which all of these are stable in Table 1."""
+
+
+@remembered
+def climb(regime: Regime, friction: float, reference: float | None, angle: float | None) -> tuple[Gait, ...]:
+    """Gaits up to the fold at which the branch from level ground turns back."""
+    if reference is not None:
+        first = matched(regime, reference, friction)
+    else:
+        first = (
+            gait(regime, friction) if angle is None else gait(regime, friction, hip__touchdown_angle=angle)
+        )
+    found, step = [first], FIRST
+    while step > SHORTEST:
+        last = found[-1]
+        guess = last.apex
+        if len(found) > 1:
+            guess = guess + (last.apex - found[-2].apex) * step / (_slope(last) - _slope(found[-2]))
+        try:
+            next_one = gait_near(last.runner.but(SLOPE, _slope(last) + step), guess)
+        except RunError:
+            step *= 0.5
+            continue
+        if np.max(np.abs(next_one.apex - guess) / last.runner.scales) > AWAY:
+            step *= 0.5
+            continue
+        found.append(next_one)
+    return tuple(found)
+
+
+def _slope(one: Gait) -> float:
+    return one.runner.values[SLOPE]
+
+
+def steepest(friction: float, angle: float | None = None) -> Measure:
+    """Slope of the steepest gait, degrees."""
+    return solved(lambda regime: math.degrees(_slope(climb(regime, friction, None, angle)[-1])))
+
+
+def stable_to(friction: float, angle: float | None = None, reference: float | None = None) -> Measure:
+    """Slope at which gaits become unstable, degrees; between the last stable one and the next."""
+
+    def degrees(regime: Regime, seed: int) -> Estimate:
+        gaits = climb(regime, friction, reference, angle)
+        unstable = next((k for k, one in enumerate(gaits) if not one.stable), len(gaits))
+        if not unstable:
+            raise RunError("unstable")
+        last = math.degrees(_slope(gaits[unstable - 1]))
+        return Estimate(last, last, math.degrees(_slope(gaits[min(unstable, len(gaits) - 1)])))
+
+    return degrees
+
+
+def at_the_top(quantity: str, friction: float) -> Measure:
+    """A quantity of the steepest gait."""
+    return solved(lambda regime: climb(regime, friction, None, None)[-1].stride[quantity])
+
+
+def slowed(friction: float, reference: float | None = None) -> Measure:
+    """Speed uphill over that on the level."""
+
+    def over(regime: Regime) -> float:
+        one = gait(regime, friction) if reference is None else matched(regime, reference, friction)
+        uphill = changed(one, {SLOPE: UPHILL}, 6)
+        if uphill is None:
+            raise GaitNotFoundError("uphill")
+        return uphill.stride["speed"] / one.stride["speed"]
+
+    return solved(over)
+
+
+def _command(friction: float, angle: float | None = None) -> str:
+    setting = "" if angle is None else f" --set {ANGLE}={angle}"
+    return f"tdmf-slip continue --vary ground.slope=0:0.33 --friction {friction:g}{setting} --no-switch"
+
+
+CLAIMS = (
+    OwnClaim(
+        "slope-speed",
+        "Slip slows the runner uphill: speed 1.5° uphill over that on the level, on friction 0.2 (control: "
+        "the runner on friction 10 with its speed, apex height and leg angle on the level). At human size "
+        "both are faster uphill.",
+        slowed(SLIPS),
+        slowed(STICKS, SLIPS),
+        MATCH.format(SLIPS, STICKS),
+        lambda rows: (
+            all(rows[name].below for name in ("default", "clamp", "heavy")) and rows["human"].number > 1.0
+        ),
+    ),
+    OwnClaim(
+        "slope-steepest",
+        "At the regime's touchdown angle (40° in Table 1) the branch of gaits from level ground climbs "
+        "steeper on friction 0.2 than on friction 10 (control): steepest slope with a gait, degrees. The "
+        "greatest possible on friction 0.2 is arctan 0.2 = 11.3°.",
+        steepest(SLIPS),
+        steepest(STICKS),
+        _command(SLIPS),
+        lambda rows: all(row.above for row in rows.values()),
+    ),
+    OwnClaim(
+        "slope-top-speed",
+        "The steepest gait on friction 0.2 hardly advances: its speed (control: on the level).",
+        at_the_top("speed", SLIPS),
+        solved(lambda regime: gait(regime, SLIPS).stride["speed"]),
+        _command(SLIPS),
+        lambda rows: rows["default"].ratio < 0.05 and rows["clamp"].ratio < 0.25,
+    ),
+    OwnClaim(
+        "slope-stable",
+        "Uphill from level ground the gait loses stability on a steeper slope on friction 0.2 than on "
+        "friction 10 (control), degrees. With the clamp it is the other way round.",
+        stable_to(SLIPS),
+        stable_to(STICKS),
+        _command(SLIPS),
+        lambda rows: rows["default"].above and rows["clamp"].below,
+    ),
+    OwnClaim(
+        "slope-stable-matched",
+        "Most of that is due to speed, apex height and leg angle: the control is the runner on friction 10 "
+        "with those of the runner on friction 0.2.",
+        stable_to(SLIPS),
+        stable_to(STICKS, None, SLIPS),
+        MATCH.format(SLIPS, STICKS),
+        lambda rows: 1.0 < rows["default"].ratio < 1.4,
+    ),
+    OwnClaim(
+        "slope-flat",
+        "With touchdown at 0.85 rad the gaits on friction 0.2 are stable up to 11.3°, those on friction 10 "
+        "(control) are not.",
+        stable_to(SLIPS, FLAT),
+        stable_to(STICKS, FLAT),
+        _command(SLIPS, FLAT),
+        lambda rows: all(
+            rows[name].above and rows[name].number > 11.2 for name in ("default", "clamp", "heavy")
+        ),
+    ),
+    OwnClaim(
+        "slope-flat-0.6",
+        "There friction 0.6 has gaits up to a lesser slope than friction 0.2 (control), degrees. With the "
+        "clamp up to a steeper one.",
+        steepest(0.6, FLAT),
+        steepest(SLIPS, FLAT),
+        _command(0.6, FLAT),
+        lambda rows: rows["default"].below and rows["clamp"].above,
+    ),
+)

@@ -1,0 +1,124 @@
+"""Thrust of the leg beside torque of the hip, at equal speed."""
+
+from collections.abc import Callable
+
+from ...analysis.comparison import compare
+from ...analysis.targeted import find_gait
+from ...errors import GaitNotFoundError, RunError
+from ...fmu.fmu import FRICTION
+from ...library.gait import Gait
+from ..matched import changed
+from .claim import ANGLE, SLIPS, THRUST, TORQUE, Measure, OwnClaim, Regime, gait, remembered, solved
+
+FASTER = 1.3
+"""Speed over that of the gait on friction 0.2 as it comes."""
+HELPED = 0.1
+"""Thrust, over the leg's length."""
+TARGET = "--target speed=1.085"
+"""That speed in Table 1."""
+BY_TORQUE = f"tdmf-slip gait --friction {SLIPS} {TARGET} --vary {TORQUE} --json"
+BY_THRUST = f"tdmf-slip gait --friction {SLIPS} --set {THRUST}={HELPED} {TARGET} --vary {THRUST} --json"
+
+
+@remembered
+def by_torque(regime: Regime) -> Gait:
+    """The runner whose torque gives the speed."""
+    return _at_speed(regime, TORQUE, 0.0)
+
+
+@remembered
+def by_thrust(regime: Regime) -> Gait:
+    """The runner whose thrust, added to its torque, gives the speed."""
+    return _at_speed(regime, THRUST, HELPED)
+
+
+def _at_speed(regime: Regime, name: str, added: float) -> Gait:
+    one = gait(regime, SLIPS)
+    begin = one.runner.values[name] + added * one.runner.values["leg.free_length"]
+    values = {**regime.values, FRICTION: SLIPS, name: begin}
+    try:
+        return find_gait(values, target={"speed": FASTER * one.stride["speed"]}, vary=[name])
+    except RunError as error:
+        raise GaitNotFoundError(str(error)) from error
+
+
+@remembered
+def as_high(regime: Regime) -> Gait:
+    """The runner with thrust that is as fast and hops as high as by torque."""
+    reference = by_torque(regime)
+    near = changed(reference, {THRUST: HELPED * reference.runner.values["leg.free_length"]}, 2)
+    if near is None:
+        raise GaitNotFoundError("with thrust")
+    found = compare([reference, near], hold=("speed", "apex_height"), vary=(TORQUE, ANGLE))
+    if found.not_held:
+        raise RunError("no equal runner")
+    return found.gaits[1]
+
+
+def _over_length(of: Callable[[Regime], Gait], quantity: str) -> Measure:
+    return solved(lambda regime: of(regime).stride[quantity] / of(regime).runner.values["leg.free_length"])
+
+
+def _by_way(of: Callable[[Regime], Gait]) -> Measure:
+    return solved(lambda regime: of(regime).stride["slip_distance"] / of(regime).stride["length"])
+
+
+def _cost(of: Callable[[Regime], Gait], quantity: str) -> Measure:
+    return solved(lambda regime: of(regime).stride[quantity])
+
+
+READINGS = ("default", "clamp")
+CLAIMS = (
+    OwnClaim(
+        "thrust-slip",
+        "At friction 0.2 and 1.3 times the speed of the gait as it comes, a runner driven by added thrust "
+        "slips less for the way than one driven by more torque (control): slip distance over the stride's "
+        "length.",
+        _by_way(by_thrust),
+        _by_way(by_torque),
+        BY_THRUST,
+        lambda rows: all(rows[name].below for name in READINGS),
+    ),
+    OwnClaim(
+        "thrust-slip-stride",
+        "In a stride it slips more: slip distance, l₀.",
+        _over_length(by_thrust, "slip_distance"),
+        _over_length(by_torque, "slip_distance"),
+        BY_THRUST,
+        lambda rows: all(rows[name].above for name in READINGS),
+    ),
+    OwnClaim(
+        "thrust-height",
+        "For it hops higher: height of the apex, l₀.",
+        _over_length(by_thrust, "apex_height"),
+        _over_length(by_torque, "apex_height"),
+        BY_TORQUE,
+        lambda rows: all(rows[name].above for name in READINGS),
+    ),
+    OwnClaim(
+        "thrust-slip-matched",
+        "At equal speed and apex height a runner with a thrust of 0.1 l₀ slips more for the way than one by "
+        "torque alone (control).",
+        _by_way(as_high),
+        _by_way(by_torque),
+        BY_TORQUE,
+        lambda rows: all(rows[name].above for name in (*READINGS, "heavy")),
+    ),
+    OwnClaim(
+        "thrust-cost-matched",
+        "At friction 0.2 its net cost of transport is lower than that of the runner by torque alone "
+        "(control).",
+        _cost(as_high, "cost_of_transport"),
+        _cost(by_torque, "cost_of_transport"),
+        BY_TORQUE,
+        lambda rows: all(rows[name].below for name in (*READINGS, "heavy")),
+    ),
+    OwnClaim(
+        "thrust-positive-cost-matched",
+        "At friction 0.2, so is its cost by positive work, which refunds no braking.",
+        _cost(as_high, "positive_cost_of_transport"),
+        _cost(by_torque, "positive_cost_of_transport"),
+        BY_TORQUE,
+        lambda rows: all(rows[name].below for name in (*READINGS, "heavy")),
+    ),
+)
