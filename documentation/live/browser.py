@@ -64,6 +64,16 @@ def chromium(width, height, dark=False):
         driver.quit()
 
 
+@contextlib.contextmanager
+def script_first(driver, source):
+    """Run a script in each page that is opened meanwhile, before the page's own."""
+    script = driver.execute_cdp_cmd("Page.addScriptToEvaluateOnNewDocument", {"source": source})
+    try:
+        yield driver
+    finally:
+        driver.execute_cdp_cmd("Page.removeScriptToEvaluateOnNewDocument", script)
+
+
 def wait(driver, condition, what="the page"):
     """What a condition, JavaScript that gives a value, comes to when it is true of the page."""
     return WebDriverWait(driver, PATIENCE, poll_frequency=0.05).until(

@@ -3,6 +3,7 @@
 import contextlib
 import ctypes
 import fcntl
+import functools
 import importlib.resources
 import json
 import os
@@ -65,6 +66,17 @@ def temporary_files_go(tmp_path_factory):
         patch.setenv("TMPDIR", folder)
         patch.setattr(tempfile, "tempdir", folder)
         yield
+
+
+@pytest.fixture(scope="session")
+def browsers():
+    """Gives the browser of a screen (width, height, whether it is dark), which is started once and stays."""
+    sys.path.insert(0, str(ROOT / "documentation" / "live"))
+    from browser import chromium
+
+    with contextlib.ExitStack() as stack:
+        browser = functools.cache(lambda *screen: stack.enter_context(chromium(*screen)))
+        yield lambda width, height, dark=False: browser(width, height, dark)
 
 
 @pytest.fixture(scope="session")
@@ -249,30 +261,51 @@ def locked(name):
 
 
 @pytest.fixture(scope="session")
-def installed_library(tmp_path_factory):
-    """Folder into which `cmake --install` has put the library; all workers compile it once.
+def made_once(tmp_path_factory):
+    """Gives the folder of a name, which a function fills: once, whichever worker is first."""
+    own = tmp_path_factory.getbasetemp()
+    all_workers = own.parent if "PYTEST_XDIST_WORKER" in os.environ else own
+
+    def folder_of(name, fill):
+        folder, filled = all_workers / name, all_workers / f"{name} is filled"
+        with locked(name):
+            if not filled.exists():
+                shutil.rmtree(folder, ignore_errors=True)
+                folder.mkdir()
+                fill(folder)
+                filled.touch()
+        return folder
+
+    return folder_of
+
+
+@pytest.fixture(scope="session")
+def installed_library(made_once):
+    """Folder into which `cmake --install` has put the library.
 
     The CMake that built the package builds it, in a folder that lies as deep as the package's. Then the
     commands are the same, and ccache has their results where scripts/test has set it up.
     """
-    build, prefix = ROOT / "build" / "library", tmp_path_factory.mktemp("prefix")
-    programs = pathlib.Path(sys.executable).parent
+    build, programs = ROOT / "build" / "library", pathlib.Path(sys.executable).parent
     cmake = shutil.which("cmake", path=f"{programs}{os.pathsep}{os.environ['PATH']}")
-    with locked("library"):
+
+    def install(prefix):
         succeed(cmake, "-S", ROOT, "-B", build, "-DTDMF_SLIP_BUILD_FMU=OFF")
         succeed(cmake, "--build", build, "--parallel", "2")
         succeed(cmake, "--install", build, "--component", "library", "--prefix", prefix)
-    return prefix
+
+    return made_once("library", install)
 
 
 @pytest.fixture(scope="session")
-def wheel(tmp_path_factory):
+def wheel(made_once):
     """This machine's wheel, from the folder in which the installed package was built."""
-    folder = tmp_path_factory.mktemp("wheel")
-    with locked("wheel"):
+
+    def pack(folder):
         options = ("--no-deps", "--no-build-isolation", "--no-index", "--disable-pip-version-check")
         succeed(sys.executable, "-m", "pip", "wheel", *options, "--wheel-dir", folder, ROOT)
-    (path,) = folder.glob("*.whl")
+
+    (path,) = made_once("wheel", pack).glob("*.whl")
     return path
 
 

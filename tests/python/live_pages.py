@@ -1,6 +1,5 @@
 """The live page in a browser, for its tests: the page's fixtures, and what a person does on it."""
 
-import functools
 import pathlib
 import shutil
 import subprocess
@@ -16,7 +15,7 @@ pytest.importorskip("selenium")
 if not (shutil.which("chromium") and shutil.which("chromedriver")):
     pytest.skip("needs Debian's chromium and chromium-driver", allow_module_level=True)
 
-from browser import chromium, open_page, served, wait  # noqa: E402
+from browser import open_page, script_first, served, wait  # noqa: E402
 from browser import size_of as size_of  # noqa: E402
 from selenium.webdriver.common.action_chains import ActionChains  # noqa: E402
 from selenium.webdriver.common.actions.interaction import POINTER_TOUCH  # noqa: E402
@@ -29,20 +28,15 @@ EQUAL = 1e-8
 SCREENS = {"desk": (1280, 900, False), "phone in the dark": (360, 740, True)}
 
 
-@functools.cache
-def build_once(session):
-    """Build it once in a session: a fixture that several files import is made for each of them."""
-    folder = session / "site"
-    folder.mkdir()
-    made = subprocess.run([LIVE / "build", folder], capture_output=True, text=True)
-    assert made.returncode == 0, made.stderr
-    return folder
-
-
 @pytest.fixture(scope="session")
-def built(tmp_path_factory):
+def built(made_once):
     """The folder of the page."""
-    return build_once(tmp_path_factory.getbasetemp())
+
+    def build(folder):
+        made = subprocess.run([LIVE / "build", folder], capture_output=True, text=True)
+        assert made.returncode == 0, made.stderr
+
+    return made_once("live page", build)
 
 
 @pytest.fixture(scope="module")
@@ -51,35 +45,69 @@ def address(built):
         yield address
 
 
-FEW_POINTS = """addEventListener("readystatechange", () => {
-    const points = document.getElementById("region-points");
-    if (points) points.value = "32";
-}, { once: true, capture: true });"""
+UNSEEN = """if (location.search !== "?seen") {
+    addEventListener("readystatechange", () => {
+        const points = document.getElementById("region-points");
+        if (points) points.value = "32";
+    }, { once: true, capture: true });
+    Object.defineProperty(Document.prototype, "hidden", { get: () => !globalThis.seen, configurable: true });
+}"""
+"""The page says that nobody sees it: it computes no figure 9 and no region, later one of fewer points."""
+
+
+def unseen(driver):
+    """Pages of a browser, but `?seen`, do without what costs most, until `show` or `paint`."""
+    return script_first(driver, UNSEEN)
 
 
 @pytest.fixture(scope="module", params=SCREENS.values(), ids=SCREENS)
-def driver(request):
-    """A browser whose pages paint a quarter of the region: each page paints it as soon as it opens."""
-    with chromium(*request.param) as driver:
-        driver.execute_cdp_cmd("Page.addScriptToEvaluateOnNewDocument", {"source": FEW_POINTS})
+def driver(request, browsers):
+    """A browser of unseen pages."""
+    driver = browsers(*request.param)
+    driver.get_log("browser")  # what files before have left there
+    with unseen(driver):
         yield driver
 
 
-@pytest.fixture(scope="module", params=SCREENS.values(), ids=SCREENS)
-def driver_of_all_points(request):
-    """A browser whose pages paint the region as users see it."""
-    with chromium(*request.param) as driver:
-        yield driver
+def check_console(driver):
+    """Nothing may have gone to the console."""
+    assert [entry["message"] for entry in driver.get_log("browser")] == []
+
+
+def open_defaults(driver, address):
+    open_page(driver, address)
+    driver.execute_script("document.querySelector('.region details').open = true")
 
 
 @pytest.fixture
 def page(driver, address):
-    """The page at its defaults; nothing may have gone to the console in the end."""
-    open_page(driver, address)
-    driver.execute_script("document.querySelector('.region details').open = true")
+    """The page at its defaults."""
+    open_defaults(driver, address)
     yield driver
     driver.execute_script("localStorage.clear()")
-    assert [entry["message"] for entry in driver.get_log("browser")] == []
+    check_console(driver)
+
+
+@pytest.fixture
+def used_page(driver, address):
+    """The page, begun anew at its defaults but not loaded anew, for tests that change nothing but values."""
+    if not driver.execute_script("return globalThis.isUsed === true"):
+        open_defaults(driver, address)
+        driver.execute_script("globalThis.isUsed = true")
+    driver.execute_script("tdmfSlip.choose({ name: 'defaults', values: {} }); tdmfSlip.player.play(true)")
+    yield driver
+    check_console(driver)
+
+
+def show(driver):
+    """Let the page know that somebody sees it."""
+    driver.execute_script("globalThis.seen = true; document.dispatchEvent(new Event('visibilitychange'))")
+
+
+def show_curve(driver):
+    """And wait until figure 9 stands."""
+    show(driver)
+    wait(driver, "tdmfSlip.gaits.frictionPlot.points.length > 60", "figure 9")
 
 
 def find(driver, ident):
@@ -158,6 +186,7 @@ def hint(ident):
 
 def paint(driver):
     """And wait until it is painted."""
+    show(driver)
     press(driver, "paint")
     wait(
         driver, "/settle on the gait/.test(document.getElementById('region-hint').textContent)", "the region"

@@ -220,10 +220,11 @@ def test_the_home_page_leads_to_install_cite_and_a_result():
         ("feedback", "guides/feedback.html", 1),
     ],
 )
-def test_the_search_finds_guides_before_the_reference(query, page, rank):
-    from browser import chromium, served, wait
+def test_the_search_finds_guides_before_the_reference(query, page, rank, browsers):
+    from browser import served, wait
 
-    with served(SITE) as address, chromium(1280, 900) as driver:
+    driver = browsers(1280, 900)
+    with served(SITE) as address:
         driver.get(f"{address}/search.html?q={query}")
         links = "[...document.querySelectorAll('#search-results li a')].map((link) => link.pathname)"
         found = wait(driver, f"{links}.length && {links}", "what was found")
@@ -233,26 +234,27 @@ def test_the_search_finds_guides_before_the_reference(query, page, rank):
 
 @built
 @in_browser
-def test_pictures_are_dark_where_the_page_is():
-    from browser import chromium, served
+def test_pictures_are_dark_where_the_page_is(browsers):
+    from browser import served
 
     with served(SITE) as address:
-        for dark in (False, True):
-            with chromium(1280, 900, dark) as driver:
-                driver.get(f"{address}/gallery.html")
-                shown = driver.execute_script(
-                    "return getComputedStyle(document.querySelector('.gallery-figure img')).filter"
-                )
-                assert ("invert" in shown) == dark, shown
+        for screen, dark in (((1280, 900, False), False), ((360, 740, True), True)):
+            driver = browsers(*screen)
+            driver.get(f"{address}/gallery.html")
+            shown = driver.execute_script(
+                "return getComputedStyle(document.querySelector('.gallery-figure img')).filter"
+            )
+            assert ("invert" in shown) == dark, shown
 
 
 @built
 @in_browser
 @pytest.mark.parametrize("page", ["model", "extensions", "proof_method"])
-def test_an_equation_has_no_vertical_scroll_bar_and_is_not_cut_off(page):
-    from browser import chromium, served
+def test_an_equation_has_no_vertical_scroll_bar_and_is_not_cut_off(page, browsers):
+    from browser import served
 
-    with served(SITE) as address, chromium(1280, 900) as driver:
+    driver = browsers(1280, 900)
+    with served(SITE) as address:
         driver.get(f"{address}/guides/{page}.html")
         count, cut = driver.execute_script(
             """const boxes = [...document.querySelectorAll(".math-wrapper, .math-wrapper *")];
@@ -264,10 +266,11 @@ def test_an_equation_has_no_vertical_scroll_bar_and_is_not_cut_off(page):
 
 @built
 @in_browser
-def test_the_gallery_is_a_grid():
-    from browser import chromium, served
+def test_the_gallery_is_a_grid(browsers):
+    from browser import served
 
-    with served(SITE) as address, chromium(1280, 900) as driver:
+    driver = browsers(1280, 900)
+    with served(SITE) as address:
         driver.get(f"{address}/gallery.html")
         boxes = driver.execute_script(
             "return [...document.querySelectorAll('.gallery-figure')].map((box) => box.offsetTop)"
@@ -276,15 +279,13 @@ def test_the_gallery_is_a_grid():
 
 
 @in_browser
-def test_a_live_page_that_was_opened_as_a_file_says_only_what_it_needs(tmp_path):
-    from browser import chromium
-
+def test_a_live_page_that_was_opened_as_a_file_says_only_what_it_needs(tmp_path, browsers):
     shutil.copytree(SOURCES / "live" / "page", tmp_path / "live")
     shutil.move(tmp_path / "live" / "live.html", tmp_path)
-    with chromium(1280, 900) as driver:
-        driver.get((tmp_path / "live.html").as_uri())
-        assert "python3 -m http.server" in driver.find_element("id", "loading").text
-        assert not driver.find_element("tag name", "main").is_displayed()
+    driver = browsers(1280, 900)
+    driver.get((tmp_path / "live.html").as_uri())
+    assert "python3 -m http.server" in driver.find_element("id", "loading").text
+    assert not driver.find_element("tag name", "main").is_displayed()
 
 
 @built

@@ -22,6 +22,8 @@ from live_pages import (
     pointer,
     press,
     sentence,
+    show,
+    show_curve,
     size_of,
     type_value,
     value_shown,
@@ -37,7 +39,8 @@ from tdmf_slip.library.ensemble import FATES
 from tdmf_slip.library.members import INPUTS, PARAMETERS, STATES
 from tdmf_slip.pictures import style
 
-built, address, driver, page = live_pages.built, live_pages.address, live_pages.driver, live_pages.page
+built, address, driver = live_pages.built, live_pages.address, live_pages.driver
+page, used_page = live_pages.page, live_pages.used_page
 
 CLAMP = "hip.swing_clamp"
 MAX_BYTES = 1_000_000
@@ -54,9 +57,9 @@ def test_the_page_and_all_that_it_loads_is_small_and_its_own(page, built, addres
 
 
 @pytest.mark.both_screens
-def test_there_is_a_control_for_every_parameter_input_and_start_value(page, fmu):
+def test_there_is_a_control_for_every_parameter_input_and_start_value(used_page, fmu):
     wanted = [member.name for member in (*PARAMETERS, *INPUTS)] + list(STATES)
-    rows = page.execute_script(
+    rows = used_page.execute_script(
         "return [...document.querySelectorAll('.control')].map((row) => ["
         "row.querySelector('label').htmlFor.replace('value-', ''),"
         "row.querySelector('.set span')?.textContent,"
@@ -151,36 +154,36 @@ def closes(ledger):
     return work - losses == pytest.approx(ledger["energy.total"], abs=1e-12)
 
 
-def test_the_ledger_of_a_stride_closes_also_where_inputs_and_settings_jump_in_it(page):
-    page.execute_script("tdmfSlip.player.advanceBy(() => tdmfSlip.run.advance(60))")
-    assert closes(page.execute_script("return tdmfSlip.run.lastLedger"))
-    page.execute_script(
+def test_the_ledger_of_a_stride_closes_also_where_inputs_and_settings_jump_in_it(used_page):
+    used_page.execute_script("tdmfSlip.player.advanceBy(() => tdmfSlip.run.advance(60))")
+    assert closes(used_page.execute_script("return tdmfSlip.run.lastLedger"))
+    used_page.execute_script(
         "tdmfSlip.player.advanceBy(() => { do { tdmfSlip.run.advanceToEvent(1000); }"
         "while (tdmfSlip.run.outputs['contact.mode'] !== 2); tdmfSlip.run.advance(0.05); })"
     )
     for name, value in {"leg.extension": 0.02, "leg.thrust": 0.03, "ground.friction": 0.5}.items():
-        page.execute_script("tdmfSlip.set(...arguments)", name, value)
-    strides = int(value_shown(page, "numbers", "stride.count"))
-    page.execute_script("tdmfSlip.player.advanceBy(() => tdmfSlip.run.advance(20))")
-    assert int(value_shown(page, "numbers", "stride.count")) == strides + 1
-    ledger = page.execute_script("return tdmfSlip.run.lastLedger")
+        used_page.execute_script("tdmfSlip.set(...arguments)", name, value)
+    strides = int(value_shown(used_page, "numbers", "stride.count"))
+    used_page.execute_script("tdmfSlip.player.advanceBy(() => tdmfSlip.run.advance(20))")
+    assert int(value_shown(used_page, "numbers", "stride.count")) == strides + 1
+    ledger = used_page.execute_script("return tdmfSlip.run.lastLedger")
     assert closes(ledger) and ledger["leg.work"] > 1e-3
 
 
-def test_a_stride_in_which_a_mass_was_changed_has_no_ledger(page):
-    page.execute_script(
+def test_a_stride_in_which_a_mass_was_changed_has_no_ledger(used_page):
+    used_page.execute_script(
         "tdmfSlip.begin(tdmfSlip.state.values); tdmfSlip.player.advanceBy(() => tdmfSlip.run.advance(40))"
     )
-    page.execute_script(
+    used_page.execute_script(
         "tdmfSlip.set('body.mass', 1.01); tdmfSlip.player.advanceBy(() => tdmfSlip.run.advance(24))"
     )
-    assert page.execute_script("return tdmfSlip.run.lastLedger") is None
+    assert used_page.execute_script("return tdmfSlip.run.lastLedger") is None
 
 
 @pytest.mark.both_screens
 def test_dragging_the_friction_across_a_border_changes_the_word(page):
     find_gait(page)
-    wait(page, "tdmfSlip.gaits.frictionPlot.points.length > 60", "the curve")
+    show_curve(page)
     assert value_shown(page, "gait", "word") == "+0-0+"
     drag_friction(page, 0.6, 0.43)
     wait(page, "tdmfSlip.gaits.search.gait.word === '+0-'", "the other word")
@@ -196,6 +199,7 @@ def test_dragging_the_friction_across_a_border_changes_the_word(page):
 
 def test_the_curve_over_the_friction_is_the_librarys(page):
     find_gait(page)
+    show(page)
     points = "tdmfSlip.gaits.frictionPlot.points"
     wait(page, f"{points}.at(0)?.friction < 0.0501 && {points}.at(-1).friction > 9.99", "the curve")
     points = page.execute_script("return tdmfSlip.gaits.frictionPlot.points")
@@ -256,15 +260,17 @@ def test_a_click_into_the_region_starts_the_runner_there(page):
         ("foot.vx", "2e12", "foot.vx = 2e+12 m/s is refused: allowed from -1e+12 to 1e+12 m/s"),
     ],
 )
-def test_a_bad_value_gets_a_sentence_and_the_runner_runs_on(page, name, text, says):
-    before = page.execute_script("return [tdmfSlip.state.values, tdmfSlip.run.time]")
-    type_value(page, name, text)
-    assert sentence(page) == says
-    assert find(page, f"value-{name}").get_attribute("aria-invalid") == "true"
-    assert page.execute_script("return tdmfSlip.state.values") == before[0]
-    wait(page, f"tdmfSlip.run.time > {before[1]} + 1", "the run")
-    type_value(page, name, "0.5")
-    assert sentence(page) == "" and find(page, f"value-{name}").get_attribute("aria-invalid") is None
+def test_a_bad_value_gets_a_sentence_and_the_runner_runs_on(used_page, name, text, says):
+    before = used_page.execute_script("return [tdmfSlip.state.values, tdmfSlip.run.time]")
+    type_value(used_page, name, text)
+    assert sentence(used_page) == says
+    assert find(used_page, f"value-{name}").get_attribute("aria-invalid") == "true"
+    assert used_page.execute_script("return tdmfSlip.state.values") == before[0]
+    wait(used_page, f"tdmfSlip.run.time > {before[1]} + 1", "the run")
+    type_value(used_page, name, "0.5")
+    assert (
+        sentence(used_page) == "" and find(used_page, f"value-{name}").get_attribute("aria-invalid") is None
+    )
 
 
 def test_an_address_shows_the_same_runner(driver, address):

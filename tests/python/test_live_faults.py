@@ -5,8 +5,8 @@ import math
 import live_pages
 import pytest
 from live_pages import (
+    SCREENS,
     center,
-    chromium,
     drag_friction,
     find,
     find_gait,
@@ -16,7 +16,10 @@ from live_pages import (
     pointer,
     press,
     sentence,
+    show,
+    show_curve,
     type_value,
+    unseen,
     value_shown,
     wait,
 )
@@ -25,7 +28,8 @@ from selenium.webdriver.common.keys import Keys
 from selenium.webdriver.support.select import Select
 from tdmf_slip.fmu.parameters import read_parameters
 
-built, address, driver, page = live_pages.built, live_pages.address, live_pages.driver, live_pages.page
+built, address, driver = live_pages.built, live_pages.address, live_pages.driver
+page, used_page = live_pages.page, live_pages.used_page
 
 FRICTION = "tdmfSlip.state.values['ground.friction']"
 COLOURED_PIXELS = """
@@ -71,6 +75,7 @@ def test_a_region_of_other_values_is_said_to_be(page):
 def test_a_preset_chosen_while_the_region_is_painted_ends_it(page):
     find_gait(page)
     Select(find(page, "region-points")).select_by_visible_text("128")
+    show(page)
     press(page, "paint")
     wait(page, f"{hint('region-hint')}.includes('Painting')", "the begin")
     said = page.execute_script(
@@ -109,10 +114,8 @@ def test_noise_is_zero_and_no_number_is_cut_off(page):
 
 
 @pytest.mark.both_screens
-def test_axes_without_points_have_room_for_their_ticks(page):
-    open_page(page, page.current_url.split("/live.html")[0], "")
-    page.execute_script("tdmfSlip.player.play(false); tdmfSlip.begin(tdmfSlip.state.values)")
-    ticks, margin = page.execute_script(
+def test_axes_without_points_have_room_for_their_ticks(used_page):
+    ticks, margin = used_page.execute_script(
         "const module = await import('./live/axes.js');"
         "const context = document.createElement('canvas').getContext('2d');"
         "const box = {x: 0, y: 0, width: 300, height: 190};"
@@ -121,7 +124,7 @@ def test_axes_without_points_have_room_for_their_ticks(page):
         [0, 0],
     )
     assert ticks == [-1, -0.5, 0, 0.5, 1] and margin == 52
-    wide = page.execute_script(
+    wide = used_page.execute_script(
         "const module = await import('./live/axes.js');"
         "const context = document.createElement('canvas').getContext('2d');"
         "const box = {x: 0, y: 0, width: 300, height: 190};"
@@ -148,20 +151,20 @@ def test_a_vertical_swipe_over_the_friction_plot_scrolls(page):
 
 
 @pytest.mark.parametrize(("key", "degrees"), [(Keys.END, 90.0), (Keys.HOME, -90.0)])
-def test_the_ends_of_a_slider_are_accepted(page, key, degrees):
-    slider = slide_to(page, "hip.touchdown_angle", key)
-    assert sentence(page) == ""
-    value = page.execute_script("return tdmfSlip.state.values['hip.touchdown_angle']")
+def test_the_ends_of_a_slider_are_accepted(used_page, key, degrees):
+    slider = slide_to(used_page, "hip.touchdown_angle", key)
+    assert sentence(used_page) == ""
+    value = used_page.execute_script("return tdmfSlip.state.values['hip.touchdown_angle']")
     low, high = (
-        page.execute_script(f"return tdmfSlip.controls.all.get('hip.touchdown_angle').reach.{end}")
+        used_page.execute_script(f"return tdmfSlip.controls.all.get('hip.touchdown_angle').reach.{end}")
         for end in ("low", "high")
     )
     assert value == (high if degrees > 0 else low)
     assert slider.get_attribute("aria-valuetext").endswith("°")
 
 
-def test_both_ends_of_every_slider_and_every_preset_are_within_what_the_core_accepts(page):
-    tried = page.execute_script(
+def test_both_ends_of_every_slider_and_every_preset_are_within_what_the_core_accepts(used_page):
+    tried = used_page.execute_script(
         "const tried = []; const { presets } = await import('./live/data.js');"
         "for (const preset of [{ name: 'defaults', values: {} }, ...presets]) {"
         "  tdmfSlip.choose(preset);"
@@ -180,15 +183,15 @@ def test_both_ends_of_every_slider_and_every_preset_are_within_what_the_core_acc
     assert [row for row in tried if not all(row[2:])] == []
 
 
-def test_what_is_refused_is_told_in_the_units_of_the_field(page):
-    type_value(page, "hip.touchdown_angle", "120")
-    assert sentence(page) == "hip.touchdown_angle = 120 deg is refused: allowed from -90 to 90 deg"
+def test_what_is_refused_is_told_in_the_units_of_the_field(used_page):
+    type_value(used_page, "hip.touchdown_angle", "120")
+    assert sentence(used_page) == "hip.touchdown_angle = 120 deg is refused: allowed from -90 to 90 deg"
 
 
-def test_a_value_that_the_slider_does_not_reach_moves_its_reach(page):
-    type_value(page, "body.external_fx", "-5")
+def test_a_value_that_the_slider_does_not_reach_moves_its_reach(used_page):
+    type_value(used_page, "body.external_fx", "-5")
     control = "tdmfSlip.controls.all.get('body.external_fx')"
-    low, high, value = page.execute_script(
+    low, high, value = used_page.execute_script(
         f"return [{control}.reach.low, {control}.reach.high, {control}.sliderValue()]"
     )
     assert low < -5 < high and value == pytest.approx(-5, rel=0.02)
@@ -228,8 +231,8 @@ def test_a_fallen_runner_does_not_slip(driver, address):
     assert find(driver, "scene").get_attribute("aria-label").startswith("The runner: fallen;")
 
 
-def test_the_axes_of_the_region_are_never_the_same(page):
-    rows, columns = (Select(find(page, f"region-{name}")) for name in ("rows", "columns"))
+def test_the_axes_of_the_region_are_never_the_same(used_page):
+    rows, columns = (Select(find(used_page, f"region-{name}")) for name in ("rows", "columns"))
 
     def chosen():
         return [int(select.first_selected_option.get_attribute("value")) for select in (rows, columns)]
@@ -241,20 +244,20 @@ def test_the_axes_of_the_region_are_never_the_same(page):
     assert chosen() == before
 
 
-def test_the_pace_says_how_fast_it_is(page):
+def test_the_pace_says_how_fast_it_is(used_page):
     full = math.sqrt(20000 / 80)
-    Select(find(page, "pace")).select_by_value("full")
-    assert find(page, "pace-text").text == f"each second shows {full:.3g} √(m/k) of the run"
-    Select(find(page, "pace")).select_by_value("stance")
+    Select(find(used_page, "pace")).select_by_value("full")
+    assert find(used_page, "pace-text").text == f"each second shows {full:.3g} √(m/k) of the run"
+    Select(find(used_page, "pace")).select_by_value("stance")
     assert (
-        find(page, "pace-text").text
+        find(used_page, "pace-text").text
         == f"each second shows {full:.3g} √(m/k) of a flight, {full / 10:.3g} √(m/k) of a stance"
     )
-    Select(find(page, "preset")).select_by_visible_text("human scale")
+    Select(find(used_page, "preset")).select_by_visible_text("human scale")
     human = read_parameters("human")
     second = full * math.sqrt(human["body.mass"] / human["leg.stiffness"])
     slow = f"each second shows {second:.3g} s of a flight, {second / 10:.3g} s of a stance"
-    assert find(page, "pace-text").text == slow
+    assert find(used_page, "pace-text").text == slow
 
 
 def test_angles_of_an_address_are_in_degrees_and_give_every_bit_back(driver, address):
@@ -271,8 +274,10 @@ def test_angles_of_an_address_are_in_degrees_and_give_every_bit_back(driver, add
 
 
 def test_nothing_moves_by_itself_where_motion_is_unwelcome(driver, address):
+    dark = driver.execute_script("return matchMedia('(prefers-color-scheme: dark)').matches")
+    scheme = {"name": "prefers-color-scheme", "value": "dark" if dark else "light"}
     reduced = {"name": "prefers-reduced-motion", "value": "reduce"}
-    driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"features": [reduced]})
+    driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"features": [scheme, reduced]})
     try:
         open_page(driver, address)
         assert find(driver, "play").text == "Run"
@@ -284,7 +289,7 @@ def test_nothing_moves_by_itself_where_motion_is_unwelcome(driver, address):
             driver.execute_script("return tdmfSlip.player.running") and find(driver, "play").text == "Pause"
         )
     finally:
-        driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"features": []})
+        driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"features": [scheme]})
 
 
 @pytest.mark.both_screens
@@ -300,10 +305,10 @@ def test_the_theme_is_remembered_and_shared_with_the_guides(page, address):
 
 
 @pytest.mark.both_screens
-def test_the_ruler_has_few_ticks_however_high_the_runner_flies(page):
-    type_value(page, "hip.stance_torque", "100")
-    page.execute_script("tdmfSlip.player.advanceBy(() => tdmfSlip.run.advance(300))")
-    labels = page.execute_script(
+def test_the_ruler_has_few_ticks_however_high_the_runner_flies(used_page):
+    type_value(used_page, "hip.stance_torque", "100")
+    used_page.execute_script("tdmfSlip.player.advanceBy(() => tdmfSlip.run.advance(300))")
+    labels = used_page.execute_script(
         "const { context } = tdmfSlip.view.scene.surface; const all = []; const write = context.fillText;"
         "context.fillText = (text) => all.push(text); tdmfSlip.view.draw();"
         "context.fillText = write; return all"
@@ -311,9 +316,9 @@ def test_the_ruler_has_few_ticks_however_high_the_runner_flies(page):
     assert 1 <= sum(text.endswith(" l₀") for text in labels) <= 14
 
 
-def test_a_persons_path(page, address):
+def test_a_persons_path(page, address, browsers):
     find_gait(page)
-    wait(page, "tdmfSlip.gaits.frictionPlot.points.length > 60", "the curve")
+    show_curve(page)
     drag_friction(page, 0.6, 0.2)
     friction = page.execute_script(f"return {FRICTION}")
     assert friction == pytest.approx(0.2, rel=0.03)
@@ -337,7 +342,7 @@ def test_a_persons_path(page, address):
     press(page, "link")
     hash_ = page.execute_script("return location.hash")
     values = page.execute_script("return tdmfSlip.state.values")
-    with chromium(360, 740) as phone:
+    with unseen(browsers(*SCREENS["phone in the dark"])) as phone:
         open_page(phone, address, hash_)
         assert phone.execute_script("return tdmfSlip.state.values") == values
         Select(find(phone, "pace")).select_by_value("full")

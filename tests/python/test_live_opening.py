@@ -3,18 +3,25 @@
 import live_pages
 import pytest
 import tdmf_slip
-from live_pages import center, drag_friction, find, hint, open_page, pointer, press, wait
+from live_pages import (
+    center,
+    check_console,
+    drag_friction,
+    find,
+    hint,
+    open_page,
+    pointer,
+    press,
+    show_curve,
+    wait,
+)
 from selenium.webdriver.common.action_chains import ActionChains
 from selenium.webdriver.common.by import By
 from selenium.webdriver.common.keys import Keys
 from selenium.webdriver.support.select import Select
 
-built, address, driver, page = (
-    live_pages.built,
-    live_pages.address,
-    live_pages.driver_of_all_points,
-    live_pages.page,
-)
+built, address, driver = live_pages.built, live_pages.address, live_pages.driver
+page, used_page = live_pages.page, live_pages.used_page
 
 PAINTED = "performance.getEntriesByName('region painted').map((entry) => entry.detail)"
 SENTENCES = {
@@ -27,39 +34,44 @@ SENTENCES = {
 
 
 @pytest.mark.both_screens
-def test_the_first_pictures_stand_without_a_click(page):
-    wait(page, f"{PAINTED}.includes(64)", "the region")
-    wait(page, "tdmfSlip.gaits.frictionPlot.points.length > 60", "figure 9")
-    assert page.execute_script(f"return {PAINTED}") == [16, 32, 64]
+def test_the_first_pictures_stand_without_a_click(driver, address):
+    open_page(driver, address, "?seen")
+    wait(driver, f"{PAINTED}.includes(64)", "the region")
+    wait(driver, "tdmfSlip.gaits.frictionPlot.points.length > 60", "figure 9")
+    assert driver.execute_script(f"return {PAINTED}") == [16, 32, 64]
     gait = tdmf_slip.find_gait()
-    assert page.execute_script("return tdmfSlip.gaits.search.gait.word") == gait.word
-    region = page.execute_script("return tdmfSlip.gaits.region.read")
+    assert driver.execute_script("return tdmfSlip.gaits.search.gait.word") == gait.word
+    region = driver.execute_script("return tdmfSlip.gaits.region.read")
     assert region["axes"] == ["com_height", "com_speed"] and "" not in region["fates"]
-    found = page.execute_script("return performance.getEntriesByName('gait found')[0].startTime")
-    assert found < page.execute_script("return performance.getEntriesByName('region painted')[0].startTime")
-    if page.execute_script("return innerWidth > 900"):
+    found = driver.execute_script("return performance.getEntriesByName('gait found')[0].startTime")
+    assert found < driver.execute_script("return performance.getEntriesByName('region painted')[0].startTime")
+    if driver.execute_script("return innerWidth > 900"):
         for ident in ("scene", "gait", "friction", "region"):
-            box = find(page, ident).rect
+            box = find(driver, ident).rect
             assert box["y"] >= 0 and box["y"] + 100 < 900, ident
-    assert page.execute_script("return document.querySelectorAll('#controls details[open]').length") == 0
+    assert driver.execute_script("return document.querySelectorAll('#controls details[open]').length") == 0
+    check_console(driver)
 
 
-def test_nothing_is_painted_while_the_page_is_hidden(page):
-    hide = "Object.defineProperty(document, 'hidden', { value: arguments[0], configurable: true });"
-    page.execute_script(f"{hide} tdmfSlip.choose({{ name: 'another', values: {{ 'hip.kp': 0.11 }} }})", True)
+def test_no_picture_is_computed_while_the_page_is_hidden(page):
+    page.execute_script("tdmfSlip.choose({ name: 'another', values: { 'hip.kp': 0.11 } })")
     wait(page, f"{hint('region-hint')}.includes('Painting')", "the begin")
-    wait(page, "tdmfSlip.gaits.frictionPlot.points.length > 60", "figure 9")
+    page.execute_script("tdmfSlip.choose({ name: 'a third', values: { 'hip.kp': 0.12 } })")
+    wait(page, f"{hint('region-hint')}.includes('Painting')", "the begin")
+    assert len(page.execute_script("return tdmfSlip.gaits.frictionPlot.points")) == 1
     assert set(page.execute_script("return tdmfSlip.gaits.region.read.fates")) == {""}
-    page.execute_script(f"{hide} document.dispatchEvent(new Event('visibilitychange'))", False)
+    show_curve(page)
     wait(page, f"{hint('region-hint')}.includes('settle on the gait')", "the region")
+    region = page.execute_script("return tdmfSlip.gaits.region.read")
+    assert "" not in region["fates"] and len(region["rows"]) == 32
 
 
 @pytest.mark.both_screens
-def test_the_word_lights_up_letter_by_letter_and_a_sentence_says_what_happens(page):
-    page.execute_script("tdmfSlip.player.advanceBy(() => tdmfSlip.run.advance(400))")
+def test_the_word_lights_up_letter_by_letter_and_a_sentence_says_what_happens(used_page):
+    used_page.execute_script("tdmfSlip.player.advanceBy(() => tdmfSlip.run.advance(400))")
     letters, modes = [], set()
     for _ in range(60):
-        mode, lit, whole, said = page.execute_script(
+        mode, lit, whole, said = used_page.execute_script(
             "tdmfSlip.player.stepToEvent(); const word = document.getElementById('word');"
             "const run = tdmfSlip.run; const { contactModes } = await import('./live/data.js');"
             "const lit = [...word.querySelectorAll('.lit')].map((letter) => letter.textContent).join('');"
@@ -75,35 +87,34 @@ def test_the_word_lights_up_letter_by_letter_and_a_sentence_says_what_happens(pa
 
 
 @pytest.mark.both_screens
-def test_the_large_slider_sets_the_friction_and_follows_it(page):
-    slider = find(page, "friction-slider")
-    center(page, slider)
+def test_the_large_slider_sets_the_friction_and_follows_it(used_page):
+    slider = find(used_page, "friction-slider")
+    center(used_page, slider)
     slider.send_keys(Keys.HOME)
-    assert page.execute_script("return tdmfSlip.state.values['ground.friction']") == 0.05
-    assert find(page, "friction-text").text == slider.get_attribute("aria-valuetext") == "0.05"
-    page.execute_script("tdmfSlip.set('ground.friction', 10)")
-    assert slider.get_attribute("value") == "1000" and find(page, "friction-text").text == "10"
+    assert used_page.execute_script("return tdmfSlip.state.values['ground.friction']") == 0.05
+    assert find(used_page, "friction-text").text == slider.get_attribute("aria-valuetext") == "0.05"
+    used_page.execute_script("tdmfSlip.set('ground.friction', 10)")
+    assert slider.get_attribute("value") == "1000" and find(used_page, "friction-text").text == "10"
 
 
-def test_a_filter_shows_the_parameters_that_it_names(page):
-    field = find(page, "filter")
-    center(page, field)
+def test_a_filter_shows_the_parameters_that_it_names(used_page):
+    field = find(used_page, "filter")
+    center(used_page, field)
     field.send_keys("mass")
     shown = (
         "return [...document.querySelectorAll('.control:not([hidden]) input[type=text]')].map((f) => f.name)"
     )
-    names = page.execute_script(shown)
+    names = used_page.execute_script(shown)
     assert {"body.mass", "foot.mass"} <= set(names) and len(names) < 12
-    assert find(page, "value-body.mass").is_displayed()
+    assert find(used_page, "value-body.mass").is_displayed()
     field.send_keys(Keys.BACKSPACE * 4)
-    assert len(page.execute_script(shown)) > 30 and not find(page, "value-body.mass").is_displayed()
+    assert len(used_page.execute_script(shown)) > 30 and not find(used_page, "value-body.mass").is_displayed()
 
 
 @pytest.mark.both_screens
 def test_terms_are_explained_on_hover_and_tap(page):
-    """When the pictures stand: a page that still grows moves words away from under the pointer."""
-    wait(page, f"{PAINTED}.includes(64)", "the region")
-    wait(page, "tdmfSlip.gaits.frictionPlot.points.length > 60", "figure 9")
+    """When figure 9 stands: a page that still grows moves words away from under the pointer."""
+    show_curve(page)
     for term in ("graze", "wedge", "arrows", "word", "hip", "gait", "eigenvalue", "friction"):
         element = page.find_element(By.CSS_SELECTOR, f"[data-term='{term}']")
         center(page, element)
@@ -119,7 +130,7 @@ def test_terms_are_explained_on_hover_and_tap(page):
 
 @pytest.mark.both_screens
 def test_the_runner_stays_in_sight_while_figure_9_is_dragged_and_the_region_clicked(page):
-    wait(page, "tdmfSlip.gaits.frictionPlot.points.length > 60", "figure 9")
+    show_curve(page)
     for ident in ("friction", "region"):
         center(page, find(page, ident))
         top, bottom = page.execute_script(

@@ -16,7 +16,7 @@ pytest.importorskip("selenium")
 if not (shutil.which("chromium") and shutil.which("chromedriver")):
     pytest.skip("needs Debian's chromium and chromium-driver", allow_module_level=True)
 
-from browser import chromium, served, wait  # noqa: E402
+from browser import served, wait  # noqa: E402
 from selenium.webdriver.common.by import By  # noqa: E402
 from selenium.webdriver.support.select import Select  # noqa: E402
 
@@ -57,9 +57,9 @@ def folder(tmp_path_factory):
 
 
 @pytest.fixture(scope="module")
-def browser(folder):
-    with served(folder) as address, chromium(1280, 900) as driver:
-        yield driver, address
+def browser(folder, browsers):
+    with served(folder) as address:
+        yield browsers(1280, 900), address
 
 
 def list_versions(folder, *versions):

@@ -7,6 +7,7 @@ import { Surface } from "./canvas.js";
 import { apex as coordinates } from "./data.js";
 import { digits, printed } from "./numbers.js";
 import { palette } from "./theme.js";
+import { seen } from "./visibility.js";
 
 /** When a runner has settled; as `tdmf-slip basin` has it. */
 const RULES = { tolerance: 1e-5, distance: 1e-2, strides: 400 };
@@ -36,15 +37,6 @@ function rangeAround(apex, scales, index, width) {
     return [here - 0.5 * width * scales[index], here + 0.5 * width * scales[index]].map(rounded);
   }
   return [Math.max(1 - 0.3 * width, MIN_SHARE) * here, (1 + 0.5 * width) * here].map(rounded);
-}
-
-/** Nothing is painted while nobody can see it. */
-function shown() {
-  return document.hidden
-    ? new Promise((resolve) => {
-        document.addEventListener("visibilitychange", resolve, { once: true });
-      })
-    : null;
 }
 
 const spaced = ([low, high], count) =>
@@ -106,8 +98,7 @@ export class Region {
     this.cross = [gait.apex[axes[1]], gait.apex[axes[0]]];
     const blocks = Array.from({ length: Math.ceil(count / ROWS_AT_ONCE) }, (_, i) => i * ROWS_AT_ONCE);
     const work = async (hand) => {
-      while (blocks.length && painting === this.painting) {
-        await shown();
+      for (await seen(); blocks.length && painting === this.painting; await seen()) {
         const first = blocks.shift();
         const from = this.starts(first, Math.min(first + ROWS_AT_ONCE, count));
         const found = await hand.run("block", { given, apex: gait.apex, from, rules: RULES });

@@ -5,6 +5,7 @@
  */
 import { frictionsFrom, HIGH, LOW } from "./friction_plot.js";
 import { FRICTION } from "./gaits.js";
+import { seen } from "./visibility.js";
 
 const AGAIN_DELAY = 350; // ms after the last change of a parameter
 
@@ -43,7 +44,11 @@ export class GaitSearch {
   }
 
   /** The curve from the gait to both ends of the axis. */
-  continueBothWays(given, gait, version) {
+  async continueBothWays(given, gait, version) {
+    await seen();
+    if (version !== this.version) {
+      return;
+    }
     for (const end of [LOW, HIGH]) {
       const send = ({ friction, gait: point }) => version === this.version && this.listener.point(friction, point);
       this.pool.run("curve", { given, gait, frictions: frictionsFrom(given[FRICTION], end) }, send);
