@@ -70,10 +70,12 @@ def library_of(files, name, level):
     folders = [ROOT / "c_core" / "hybrid" / "kernel", ROOT / "c_core" / "kernel"]
     sources = {**files, **{f.name: f.read_text() for folder in folders for f in sorted(folder.iterdir())}}
     key = hashlib.sha256(repr((level, sorted(sources.items()))).encode()).hexdigest()[:16]
-    folder = Path(tempfile.gettempdir()) / f"tdmf-page-{name}-{key}"
+    pages = ROOT / "build" / "pages"  # all workers of pytest, and the next run, find it there
+    pages.mkdir(parents=True, exist_ok=True)
+    folder = pages / f"{name}-{key}"
     library = folder / "page.so"
     if not library.exists():
-        own = Path(tempfile.mkdtemp(prefix="tdmf-page-"))
+        own = Path(tempfile.mkdtemp(dir=pages))
         for file, text in files.items():
             (own / file).write_text(text)
         jobs = [

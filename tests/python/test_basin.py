@@ -182,15 +182,18 @@ def map_of(slice_, size, fate, strides):
 
 
 @pytest.mark.parametrize("size", [5, 64, 512])
-@pytest.mark.parametrize("name", ["undecided", "no_start", "unsolved"])
 @pytest.mark.parametrize(("around", "strides"), [(0, 3), (0, 100), (1, 3), (1, 100)])
-def test_a_single_start_of_another_fate_is_seen(slice_, monkeypatch, size, name, around, strides):
+def test_a_single_start_of_another_fate_is_seen(slice_, monkeypatch, size, around, strides):
+    """Each of three on one map."""
     data = map_of(slice_, size, around, strides)
-    row = size // 2 + size // 4
-    data["fate"][row, row] = ensemble.FATES.index(name)
+    low, high = size // 4, size // 2 + size // 4
+    places = {"undecided": (high, high), "no_start": (low, high), "unsolved": (high, low)}
+    for name, (row, column) in places.items():
+        data["fate"][row, column] = ensemble.FATES.index(name)
     pixels, axes, _ = drawn(data, monkeypatch)
-    at = data["com_speed"][row], data["com_height"][row]
-    assert pixels_near(pixels, axes, at, basin_map.OTHERS[name][0]) >= 30
+    for name, (row, column) in places.items():
+        at = data["com_speed"][column], data["com_height"][row]
+        assert pixels_near(pixels, axes, at, basin_map.OTHERS[name][0]) >= 30, name
 
 
 @pytest.mark.parametrize("fate", range(len(ensemble.FATES)))

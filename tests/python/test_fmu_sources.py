@@ -14,6 +14,8 @@ from conftest import RELEASE, unit_reference
 REFERENCE = unit_reference()
 PAIRS = [(2, "gcc"), (3, "clang"), (2, "clang"), (3, "gcc")]
 """FMI version and compiler. The units share the core: the last two are tried before a release only."""
+SMALL_OPTIMISATION = 'set(CMAKE_C_FLAGS_RELEASE "-O1 -DNDEBUG" CACHE STRING "")'
+"""A toolchain for CMake that compiles a unit in a third of the time that FMPy's own -O3 takes."""
 QUANTITIES = ("period", "length", "speed", "work", "cost_of_transport")
 SOLVER = "solver.method"
 
@@ -39,11 +41,16 @@ def compiled(request, tmp_path_factory):
         pytest.skip(f"{compiler} or cmake is not installed")
     unit = without_binaries(tdmf_slip.fmu_path(version), tmp_path_factory.mktemp("sources") / "TDMF_SLIP.fmu")
     assert library_names(unit) == []
+    variables = os.environ | {"CC": compiler}
+    if not RELEASE:
+        toolchain = unit.parent / "toolchain.cmake"
+        toolchain.write_text(SMALL_OPTIMISATION, encoding="utf-8")
+        variables["CMAKE_TOOLCHAIN_FILE"] = str(toolchain)
     done = subprocess.run(
         [sys.executable, "-m", "fmpy", "compile", str(unit), "--all-warnings"],
         capture_output=True,
         text=True,
-        env=os.environ | {"CC": compiler},
+        env=variables,
         cwd=unit.parent,
     )
     said = done.stdout + done.stderr
