@@ -272,28 +272,35 @@ get_site_tools() {
     install_once site
 }
 
-# The site, in dist/site, with warnings as errors, and the live page in it.
+# The site, in dist/site, with warnings as errors, and the live page in it. Zig uses one processor only, so that gallery
+# and live page are made beside the pages.
 build_site() {
     get_site_tools
+    get_zig
     say "Building the site into dist/site"
     rm -rf dist/site build/site
-    mkdir -p build/site dist
-    local drawing
+    mkdir -p build/site/live dist
+    local drawing compiling
     draw_gallery build/site/figures >build/site/gallery.log 2>&1 &
     drawing=$!
+    documentation/live/build build/site/live >build/site/live.log 2>&1 &
+    compiling=$!
     .venv/bin/python -m sphinx --builder html --fail-on-warning --keep-going --quiet --jobs 2 \
         --doctree-dir build/site/read documentation build/site/html >build/site/log 2>&1 || {
         cat build/site/log >&2
-        kill "$drawing" 2>/dev/null || true
+        kill "$drawing" "$compiling" 2>/dev/null || true
         fail "the site could not be built"
     }
     wait "$drawing" || {
         tail -n 20 build/site/gallery.log >&2
         fail "the gallery's figures could not be drawn"
     }
+    wait "$compiling" || {
+        cat build/site/live.log >&2
+        fail "the live page could not be built"
+    }
     mv build/site/html dist/site
-    mv build/site/figures dist/site
-    documentation/live/build dist/site
+    mv build/site/figures build/site/live/* dist/site
 }
 
 # Wine's copy of Windows, made at its first start in some seconds, or in a minute on a busy machine.
