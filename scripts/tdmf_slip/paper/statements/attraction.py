@@ -98,7 +98,7 @@ CLAIMS = (
     ),
     OwnClaim(
         "push-forward",
-        "Largest push forward at the apex that is recovered from, over l0 sqrt(k/m), on friction 10 and "
+        "Largest push forward at the apex that is recovered from, over l₀√(k/m), on friction 10 and "
         "(control) on 0.2 at equal speed, apex height and leg angle. The largest that was tried is 5.",
         _largest("push_forward", STICKS),
         _largest("push_forward", SLIPS, STICKS),
@@ -107,7 +107,7 @@ CLAIMS = (
     ),
     OwnClaim(
         "step-up",
-        "Likewise the largest step up, over l0.",
+        "Likewise the largest step up, over l₀.",
         _largest("step_up", STICKS),
         _largest("step_up", SLIPS, STICKS),
         f"{BASIN} --samples 0",
@@ -115,7 +115,7 @@ CLAIMS = (
     ),
     OwnClaim(
         "step-down",
-        "Likewise the largest step down, over l0.",
+        "Likewise the largest step down, over l₀.",
         _largest("step_down", STICKS),
         _largest("step_down", SLIPS, STICKS),
         f"{BASIN} --samples 0",

@@ -44,7 +44,7 @@ def _at_equal(quantity: str) -> Measure:
 CLAIMS = (
     OwnClaim(
         "falling-speed",
-        "Speed where friction falls from 0.6 at rest to 0.3 over 0.1 l0 sqrt(k/m), and (control) "
+        "Speed where friction falls from 0.6 at rest to 0.3 over 0.1 l₀√(k/m), and (control) "
         "where it is 0.6 at any speed: the human preset is slower there, the others are faster.",
         _has("speed"),
         _with_static("speed"),

@@ -129,7 +129,7 @@ CLAIMS = (
     ),
     OwnClaim(
         "reduced-retraction",
-        "Growth of the second eigenvalue's size on friction 10 with a retraction rate of 0.008 sqrt(k/m), "
+        "Growth of the second eigenvalue's size on friction 10 with a retraction rate of 0.008 √(k/m), "
         "by the full model and (control) by the reduced map. In the default the two have opposite signs, "
         "with the clamp the same.",
         _retracted("full"),
