@@ -65,7 +65,7 @@ def _largest(disturbance: str, friction: float, reference: float | None = None) 
 
     def measure(regime: Regime, seed: int) -> Estimate:
         scale = gait(regime, friction).runner.scales[int("step" not in disturbance)]
-        found = getattr(_robustness(regime, friction, reference), disturbance) / scale
+        found = float(getattr(_robustness(regime, friction, reference), disturbance) / scale)
         return Estimate(found, min(found, FARTHEST), found)
 
     return measure
