@@ -106,6 +106,6 @@ def draw(
             axes.set_title(f"({letter}) leading eigenvalues at friction {friction:g}")
         panels[0].set_xlim(*SHOWN)
         panels[0].set_ylim(*EIGENVALUES)
-        panels[0].legend(loc="center right", ncols=2)
+        panels[0].legend(loc="center right")
         panels[-1].set_xlabel("rate of retraction  / √(k/m)")
         style.save(figure, path)

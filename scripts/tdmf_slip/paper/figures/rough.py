@@ -26,7 +26,7 @@ RUNNERS, MAX_STRIDES, SEED = 256, 400, 20261122
 COLOURS = ("#0b7a75", "#1f5fa8", "#b3216f", "#e07b00")
 DRAWN = ("friction", "mean_strides", "mean_strides_low", "mean_strides_high")
 
-REFERENCE, MATCHED_ROUGHNESS = 0.2, 0.5
+REFERENCE, MATCHED_ROUGHNESS = 0.2, 0.3
 """The friction whose kinematics the matched runners have, and the ground that they run on."""
 HOLD = ("speed", "apex_height", "apex_leg_angle")
 VARY = ("hip.stance_torque", "hip.touchdown_angle", "hip.liftoff_angle_factor")

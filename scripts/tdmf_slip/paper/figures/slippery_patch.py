@@ -16,12 +16,12 @@ from ...library.runner import Runner
 from ...pictures import style
 from .columns import Columns
 
-SLOPES = (-4.0, 0.0)
+SLOPE = -4.0
 """Degrees."""
 OUTSIDE = (10.0, 1.2, 0.6)
 """Frictions of the ground around the patch."""
 ON_PATCH = np.linspace(0.0, 0.1, 11)
-LENGTHS = np.geomspace(20.0, 2000.0, 21)
+LENGTHS = np.geomspace(100.0, 2000.0, 14)
 """m."""
 RUNNERS, STRIDES_AFTER = 32, 60
 """At so many phases; and strides beyond the patch."""
@@ -32,9 +32,9 @@ NEVER = 1.25 * LENGTHS[-1]
 """Where a patch is drawn that fells nobody at any length."""
 
 
-def gaits(runner: Runner, slope: float) -> list[tuple[Gait, bool]]:
+def gaits(runner: Runner) -> list[tuple[Gait, bool]]:
     """On each ground, and those at the speed and apex height of the least friction's, with True."""
-    its = runner.but("ground.slope", float(np.radians(slope)))
+    its = runner.but("ground.slope", float(np.radians(SLOPE)))
     own = [periodic_gait(its.but(FRICTION, friction)) for friction in OUTSIDE]
     target = {"speed": float(own[-1].stride["speed"]), "apex_height": float(own[-1].apex[0])}
     found = [(gait, False) for gait in own]
@@ -55,23 +55,21 @@ def falls(gait: Gait, friction: float, length: float, seed: int = 0) -> int:
 
 
 def measure(runner: Runner) -> Columns:
-    """Falls over slope, ground, friction and length of the patch, in minutes."""
+    """Falls over ground, friction and length of the patch, in minutes."""
     rows = [
-        (slope, gait.friction, matched, gait.stride["speed"], friction, length, falls(gait, friction, length))
-        for slope in SLOPES
-        for gait, matched in gaits(runner, slope)
+        (gait.friction, matched, gait.stride["speed"], friction, length, falls(gait, friction, length))
+        for gait, matched in gaits(runner)
         for friction in ON_PATCH
         for length in LENGTHS
     ]
-    names = ("slope", "friction", "matched", "speed", "patch_friction", "length", "falls")
+    names = ("friction", "matched", "speed", "patch_friction", "length", "falls")
     return {name: [row[k] for row in rows] for k, name in enumerate(names)}
 
 
 def shortest(data: Columns, friction: float, matched: bool) -> NDArray[np.float64]:
     """Downhill, by the friction of the patch: the shortest one that fells any, infinite where none does."""
     columns = {name: np.asarray(values, float) for name, values in data.items()}
-    its = (columns["slope"] == SLOPES[0]) & (columns["friction"] == friction)
-    its &= (columns["matched"] == matched) & (columns["falls"] > 0.0)
+    its = (columns["friction"] == friction) & (columns["matched"] == matched) & (columns["falls"] > 0.0)
     return np.array(
         [
             np.min(columns["length"][its & np.isclose(columns["patch_friction"], on_patch)], initial=np.inf)
@@ -92,12 +90,12 @@ def draw(path: Path, data: Columns) -> None:
                 axes.plot(ON_PATCH, np.minimum(alike, NEVER), "x", color=colour, markersize=8)
         axes.plot([], [], "x", color=style.INK, label="at equal speed and apex height")
         axes.axhline(LENGTHS[-1], **style.LIMIT_LINE)
-        slope = float(np.tan(np.radians(-SLOPES[0])))
+        slope = float(np.tan(np.radians(-SLOPE)))
         axes.axvline(slope, **style.LIMIT_LINE)
         axes.text(slope, 220.0, "tangent of the slope", ha="right", va="bottom", rotation=90)
         axes.text(ON_PATCH[0], 1.1 * NEVER, "above the dashed line: none up to 2,000 l₀", va="bottom")
         axes.set_yscale("log")
-        axes.set_ylim(100.0, 1.4 * NEVER)
+        axes.set_ylim(0.9 * LENGTHS[0], 1.4 * NEVER)
         axes.set_xlabel("friction of the patch")
         axes.set_ylabel("shortest patch that fells a runner  / l₀")
         axes.legend(loc="lower right")

@@ -29,6 +29,9 @@ STEP = np.radians(0.25)
 POINTS = 260
 """Of a branch uphill, of which what is beyond its steepest climb is not shown."""
 
+HIGHEST_COST = 3.0
+"""Shown: towards its steepest climb the runner on friction 0.2 hardly advances."""
+
 DRAWN = {"speed": 0, "cost_of_transport": 1, "greater_eigenvalue": 2, "other_eigenvalue": 2}
 """Columns, and the panels that they are in."""
 
@@ -124,9 +127,10 @@ def draw(path: Path, data: Columns) -> None:
         panels[0].set_title("(a) average speed  / l₀√(k/m)")
         panels[1].set_title("(b) cost of transport")
         panels[2].set_title("(c) both leading eigenvalues")
+        panels[1].set_ylim(0.0, HIGHEST_COST)
         panels[2].set_ylim(-2.5, 1.2)
         panels[0].plot([], [], ":", color=style.FAINT, label="kinematics of friction 0.2 on the level")
-        panels[0].legend(loc="upper right")
+        panels[0].legend(loc="lower left")
         panels[2].set_xlabel("slope of the ground in degrees; dots: the steepest climb of a branch")
         style.save(figure, path)
 
