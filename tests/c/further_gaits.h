@@ -1,6 +1,6 @@
 /* Periodic gaits of runners that go beyond the paper: on slopes, with swing-leg retraction, with a static
  * friction larger than the sliding one, also where friction falls with speed, with a thrust of the leg, and
- * pushed by a force; all else is as in Table 1.
+ * pushed by a force; all else is as in Table 1. The swing is clamped.
  * They were computed independently of this project, in extended precision, and are good to 1e-12; their
  * Jacobians, by differences, to 3e-9. */
 #ifndef TDMF_TESTS_FURTHER_GAITS_H
@@ -16,7 +16,6 @@ typedef struct {
     reference_gait gait; /* its work is that of hip and leg */
     double rise, leg_work, external_work;
     double damper_loss, friction_loss, impact_loss; /* of a stride */
-    double jacobian[6][6];                          /* of the return map, in the order of the apex */
 } further_gait;
 
 enum { FURTHER_GAITS = 28 };

@@ -5,10 +5,24 @@
 
 #include <math.h>
 
+tdmf_model table_1(bool swing_clamp) {
+    tdmf_parameters parameters = tdmf_default_parameters();
+    tdmf_model model;
+    parameters.hip.swing_clamp = swing_clamp;
+    assert_null(tdmf_model_create(&model, &parameters).variable);
+    return model;
+}
+
+tdmf_inputs inputs_at_friction(double friction) {
+    tdmf_inputs inputs = tdmf_default_inputs();
+    inputs.ground.friction = friction;
+    return inputs;
+}
+
 /* Section coordinates fix the foot: v_c = v + share (v_body - v), vy_c = 0, x_c = 0. */
 runner runner_at_reference_apex(const reference_gait *gait) {
     runner runner = runner_default(gait->friction);
-    runner.model.parameters.hip.swing_clamp = true;
+    runner.model = table_1(gait->swing_clamp);
     const double share = runner.model.parameters.body.mass / runner.model.total_mass;
     const double r = gait->apex.leg_length;
     const double sine = sin(gait->apex.leg_angle);
@@ -36,6 +50,33 @@ void assert_reference_apex(const tdmf_apex *apex, const reference_gait *gait, do
     assert_close(apex->leg_angle, gait->apex.leg_angle, tolerance);
     assert_close(apex->leg_length_rate, gait->apex.leg_length_rate, tolerance);
     assert_close(apex->leg_angle_rate, gait->apex.leg_angle_rate, tolerance);
+}
+
+void assert_reference_stride(const tdmf_motion *motion, const reference_gait *gait, double tolerance) {
+    const tdmf_stride *stride = &motion->record.stride;
+    assert_string_equal(stride->word, gait->word);
+    assert_int_equal(stride->touchdowns, 1);
+    assert_relatively_close(stride->period, gait->period, tolerance);
+    assert_relatively_close(stride->length, gait->length, tolerance);
+    assert_relatively_close(stride->speed, gait->speed, tolerance);
+    assert_relatively_close(stride->work, gait->work, tolerance);
+    assert_relatively_close(stride->cost_of_transport, gait->cost_of_transport, tolerance);
+    assert_relatively_close(motion->mode.liftoff_angle, gait->liftoff_angle, tolerance);
+    if (gait->stance_time > 0.0) {
+        assert_relatively_close(stride->stance_time, gait->stance_time, tolerance);
+        assert_close(stride->slip_distance, gait->slip_distance, tolerance);
+    }
+    assert_reference_apex(&motion->record.apex, gait, tolerance);
+}
+
+bool assert_reference_jacobian(const tdmf_return *stride, const reference_gait *gait) {
+    const bool known = gait->jacobian[0][0] != 0.0;
+    for (int row = 0; known && row < TDMF_SECTION_COUNT; ++row) {
+        for (int column = 0; column < TDMF_SECTION_COUNT; ++column) {
+            assert_close(stride->variations[column].apex[row], gait->jacobian[row][column], 1e-8);
+        }
+    }
+    return known;
 }
 
 static reference_event_kind kind_of(const tdmf_event *event) {

@@ -1,11 +1,12 @@
-/* Periodic gaits at Table 1 values in units m = k = l0 = 1, with the clamp of (12). They were computed
+/* Periodic gaits at Table 1 values in units m = k = l0 = 1: the five published ones without the clamp of
+ * (12), which is the default, the same five with the clamp, and two more without it. They were computed
  * independently of this project, in extended precision; every digit but the last two is trusted (of event
- * times, all 13). */
+ * times, 12). */
 #ifndef TDMF_TESTS_REFERENCE_GAITS_H
 #define TDMF_TESTS_REFERENCE_GAITS_H
 
 #include "integrate.h"
-#include "tdmf_slip/solver.h"
+#include "tdmf_slip/return_map.h"
 
 typedef enum {
     TOUCHDOWN = 1,
@@ -26,17 +27,33 @@ typedef struct {
 
 typedef struct {
     double friction;
+    bool swing_clamp;
     const char *word;
     double period, length, speed, work, cost_of_transport, liftoff_angle;
+    double positive_work, slip_distance, stance_time; /* 0 with the clamp, where no reference states them */
     struct {
         double com_height, com_speed, leg_length, leg_angle, leg_length_rate, leg_angle_rate;
     } apex;
-    reference_event events[12]; /* the unused ones are 0 */
+    reference_event events[12];                              /* the unused ones are 0 */
+    double jacobian[TDMF_SECTION_COUNT][TDMF_SECTION_COUNT]; /* of the return map, good to 3e-9; or 0 */
 } reference_gait;
 
-enum { REFERENCE_GAITS = 5 };
+/* Indices of gaits: the default runner's gait, and its gait with the clamp. The published gaits come first:
+ * five without the clamp, five with it, both in the order of falling friction. */
+enum {
+    DEFAULT_GAIT = 2,
+    PUBLISHED_GAITS = 5,
+    CLAMPED_GAIT = PUBLISHED_GAITS + DEFAULT_GAIT,
+    REFERENCE_GAITS = 2 * PUBLISHED_GAITS + 2,
+    EVERY_OTHER = 2 /* step of an expensive test: the words and both readings are left */
+};
 
 extern const reference_gait reference_gaits[REFERENCE_GAITS];
+
+/* Table 1, with the clamp or without. */
+tdmf_model table_1(bool swing_clamp);
+
+tdmf_inputs inputs_at_friction(double friction);
 
 /* A runner started at the apex of a reference gait. */
 runner runner_at_reference_apex(const reference_gait *gait);
@@ -47,5 +64,12 @@ int assert_reference_events(const tdmf_event_log *log, const reference_event *ex
 
 /* Each of the section's coordinates within an absolute tolerance of the reference. */
 void assert_reference_apex(const tdmf_apex *apex, const reference_gait *gait, double tolerance);
+
+/* The last stride and the apex that it ended at, to a relative tolerance (the apex and the distance slipped:
+ * absolute). */
+void assert_reference_stride(const tdmf_motion *motion, const reference_gait *gait, double tolerance);
+
+/* The return map's Jacobian at the gait's apex, where the reference has one. Returns whether it has. */
+bool assert_reference_jacobian(const tdmf_return *stride, const reference_gait *gait);
 
 #endif

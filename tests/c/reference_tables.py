@@ -66,25 +66,33 @@ def degrees(values, name, default=0.0):
     return float(str(values.get(name, f"{default} deg")).removesuffix(" deg"))
 
 
-def reference(gait, friction, work):
+def reference(gait, friction, swing_clamp, work):
     """A `reference_gait`."""
     same = ("word", "period", "length", "speed", "cost_of_transport", "liftoff_angle")
+    known = ("positive_work", "slip_distance", "stance_time", "jacobian")
     events = [(time, EVENTS[event]) for event, time in gait["events"]]
     if "clamp_release" in gait:
         events = sorted([*events, (gait["clamp_release"], "CLAMP_RELEASE")])
     return {
         "friction": friction,
+        "swing_clamp": Name(str(swing_clamp).lower()),
         "work": work,
         "apex": dict(zip(APEX, gait["apex"], strict=True)),
         "events": [(Name(event), time) for time, event in events],
         **{name: gait[name] for name in same},
+        **{name: gait[name] for name in known if name in gait},
     }
+
+
+def published(gait):
+    """A `reference_gait` at Table 1 values."""
+    return reference(gait, gait["friction"], gait["swing_clamp"], gait["work"])
 
 
 def further(gait):
     """A `further_gait`."""
     given = gait["start_values"]
-    same = ("rise", "leg_work", "external_work", "damper_loss", "friction_loss", "impact_loss", "jacobian")
+    same = ("rise", "leg_work", "external_work", "damper_loss", "friction_loss", "impact_loss")
     return {
         "slope": degrees(given, "ground.slope"),
         "touchdown_angle": degrees(given, "hip.touchdown_angle", 40.0),
@@ -94,7 +102,7 @@ def further(gait):
         "thrust": given.get("leg.thrust", 0.0),
         "external_fx": given.get("body.external_fx", 0.0),
         "external_fy": given.get("body.external_fy", 0.0),
-        "gait": reference(gait, given["ground.friction"], gait["hip_work"] + gait["leg_work"]),
+        "gait": reference(gait, given["ground.friction"], True, gait["hip_work"] + gait["leg_work"]),
         **{name: gait[name] for name in same},
     }
 
@@ -110,15 +118,6 @@ def reduced(gait):
         "static_friction_ratio": given.get("ground.static_friction_ratio", 1.0),
         "slope": degrees(given, "ground.slope"),
         "work": gait["stance_work"],
-        **{name: gait[name] for name in same},
-    }
-
-
-def free(gait):
-    """A `free_gait`."""
-    same = ("positive_work", "slip_distance", "stance_time", "jacobian")
-    return {
-        "gait": reference(gait, gait["friction"], gait["work"]),
         **{name: gait[name] for name in same},
     }
 
@@ -186,18 +185,18 @@ def main(root, output):
         return json.loads((root / path).read_text(encoding="utf-8"))[member]
 
     python = pathlib.Path("tests/python")
-    published = rows("scripts/tdmf_slip/paper/reference_gaits.json")
+    gaits = rows("scripts/tdmf_slip/paper/reference_gaits.json") + rows(python / "free_swing.json")
+    clamped = [gait for gait in gaits if gait["swing_clamp"]]
     rows_of = {
-        "reference_gait": [reference(gait, gait["friction"], gait["work"]) for gait in published],
+        "reference_gait": [published(gait) for gait in gaits],
         "further_gait": [further(gait) for gait in rows(python / "further_gaits.json")],
         "reduced_gait": [reduced(gait) for gait in rows(python / "reduced_gaits.json")],
         "proved_gait": [
             proved(gait)
-            for given in published
+            for given in clamped
             for gait in rows(python / "proved_gaits.json")
             if float(gait["friction"]) == given["friction"]
         ],
-        "free_gait": [free(gait) for gait in rows(python / "free_swing.json")],
         "free_border": [
             {"friction": border["friction"], "above": border["from"], "below": border["to"]}
             for border in rows(python / "free_swing.json", "borders")

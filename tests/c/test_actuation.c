@@ -124,7 +124,7 @@ static void jump(random_source *source, run *run, double largest) {
 }
 
 static void whatever_jumps_the_ledger_closes_and_chains_end(void **state) {
-    enum { RUNS = 400, JUMPS = 12 };
+    enum { RUNS = 600, JUMPS = 12 };
     random_source source = {20};
     int thrusts = 0, fell = 0, apices = 0;
     (void)state;

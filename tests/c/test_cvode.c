@@ -1,5 +1,5 @@
-/* CVODE beside the native solver: limits and refusals of a call are the same. That the two agree on a run is
- * tested through the unit; here, that they do where a law reads the clock. */
+/* CVODE on the reference gaits, and beside the native solver: limits and refusals of a call are the same.
+ * That the two agree on a run is tested through the unit; here, that they do where a law reads the clock. */
 #include "tdmf_slip/cvode.h"
 
 #include "compare.h"
@@ -17,15 +17,12 @@ typedef struct {
     tdmf_solver solver;
 } run;
 
-static run begin(void) {
+static run begin(const reference_gait *gait) {
     run run;
     memset(&run, 0, sizeof run);
-    run.runner = runner_at_reference_apex(&reference_gaits[2]);
+    run.runner = runner_at_reference_apex(gait);
     run.solver = tdmf_solver_default();
-    run.motion.time = run.runner.motion.time;
-    memcpy(run.motion.state, run.runner.motion.state, sizeof run.motion.state);
-    run.motion.mode = run.runner.motion.mode;
-    run.motion.record = run.runner.motion.record;
+    run.motion = run.runner.motion;
     run.solver.relative_tolerance = 1e-9;
     return run;
 }
@@ -34,27 +31,44 @@ static tdmf_outcome advance(run *run, double until) {
     return tdmf_cvode_advance(&run->solver, SYSTEM_OF(&run->runner), &no_rates, until, &run->motion);
 }
 
+static void a_stride_of_every_gait(void **state) {
+    (void)state;
+    if (!tdmf_cvode_is_available()) {
+        skip();
+    }
+    for (int i = 0; i < REFERENCE_GAITS; ++i) {
+        run run = begin(&reference_gaits[i]);
+        run.solver.relative_tolerance = 1e-12;
+        assert_int_equal(advance(&run, reference_gaits[i].period + 0.01), TDMF_ARRIVED);
+        assert_reference_stride(&run.motion, &reference_gaits[i], 1e-8);
+        if (!reference_gaits[i].swing_clamp) {
+            assert_relatively_close(run.motion.record.stride.positive_work, reference_gaits[i].positive_work,
+                                    1e-8);
+        }
+    }
+}
+
 static void limits_are_those_of_a_call(void **state) {
     (void)state;
     if (!tdmf_cvode_is_available()) {
         skip();
     }
     for (long limit = 0; limit < 3000; limit += 600) {
-        run run = begin();
+        run run = begin(&reference_gaits[DEFAULT_GAIT]);
         run.solver.step_limit = limit;
         assert_int_equal(advance(&run, 300.0), TDMF_TOO_MANY_STEPS);
         assert_int_equal(run.solver.steps, limit);
         assert_true(limit == 0 ? run.motion.time == 0.0 : run.motion.time > 0.005 * (double)limit);
         run.solver = tdmf_solver_default();
         run.solver.relative_tolerance = 1e-9;
-        assert_int_equal(advance(&run, 300.0), TDMF_ARRIVED);
+        assert_int_equal(advance(&run, 301.0), TDMF_ARRIVED);
         assert_int_equal(run.motion.record.stride.count, 12);
     }
 }
 
 static void requests_without_sense_are_refused(void **state) {
     (void)state;
-    run run = begin();
+    run run = begin(&reference_gaits[DEFAULT_GAIT]);
     const tdmf_motion before = run.motion;
     assert_int_equal(advance(&run, NAN), TDMF_REFUSED);
     assert_int_equal(advance(&run, -1.0), TDMF_REFUSED);
@@ -76,14 +90,14 @@ static void another_scale_is_the_same_work(void **state) {
     if (!tdmf_cvode_is_available()) {
         skip();
     }
-    run plain = begin();
+    run plain = begin(&reference_gaits[DEFAULT_GAIT]);
     plain.solver.relative_tolerance = finer;
     assert_int_equal(advance(&plain, 60.0), TDMF_ARRIVED);
     assert_int_equal(plain.motion.record.stride.count, 2);
     for (size_t i = 0; i < sizeof exponents / sizeof exponents[0]; ++i) {
         const double length = ldexp(1.0, exponents[i][0]), time = ldexp(1.0, exponents[i][1]);
         const double mass = ldexp(1.0, exponents[i][2]), energy = mass * length * length / (time * time);
-        run scaled = begin();
+        run scaled = begin(&reference_gaits[DEFAULT_GAIT]);
         scaled.solver.relative_tolerance = finer;
         tdmf_parameters p = scaled.runner.model.parameters;
         p.body.mass *= mass;
@@ -119,7 +133,7 @@ static void an_input_that_has_jumped_is_met_before_the_first_step(void **state) 
     if (!tdmf_cvode_is_available()) {
         skip();
     }
-    run standing = begin();
+    run standing = begin(&reference_gaits[DEFAULT_GAIT]);
     assert_int_equal(advance(&standing, 10.0), TDMF_ARRIVED);
     while (standing.motion.mode.contact != TDMF_CONTACT_STICK) {
         assert_true(standing.motion.time < 30.0);
@@ -144,7 +158,7 @@ static void a_leg_that_is_retracted_goes_by_the_clock(void **state) {
     if (!tdmf_cvode_is_available()) {
         skip();
     }
-    run run = begin();
+    run run = begin(&reference_gaits[DEFAULT_GAIT]);
     tdmf_parameters retracted = run.runner.model.parameters;
     retracted.hip.retraction_rate = 0.01;
     assert_null(tdmf_model_create(&run.runner.model, &retracted).variable);
@@ -170,6 +184,7 @@ static void a_leg_that_is_retracted_goes_by_the_clock(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_stride_of_every_gait),
         cmocka_unit_test(limits_are_those_of_a_call),
         cmocka_unit_test(requests_without_sense_are_refused),
         cmocka_unit_test(another_scale_is_the_same_work),

@@ -226,6 +226,7 @@ static void a_stride_under_the_weakest_gravity_is_that_of_the_other_solver(void 
         skip();
     }
     parameters.gravity = 1e-4;
+    parameters.hip.swing_clamp = true;
     start(&native, &parameters, 0.6, tightest, apex);
     stride(&native);
     start(&other, &parameters, 0.6, tightest, apex);

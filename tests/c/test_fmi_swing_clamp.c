@@ -4,7 +4,7 @@
 #include "compare.h"
 #include "fmi_interface.h"
 #include "forge.h"
-#include "free_swing.h"
+#include "reference_gaits.h"
 #include "tdmf_slip/cvode.h"
 
 #include <string.h>
@@ -53,9 +53,9 @@ static void it_is_set_before_the_start_and_never_after(void **state) {
 
 /* ---- strides ------------------------------------------------------------------------------------------- */
 
-static void assert_stride(const fmi_interface *fmi, const free_gait *free, int method, double tolerance) {
-    const reference_gait *gait = &free->gait;
-    const tdmf_model model = table_1(false);
+static void assert_stride(const fmi_interface *fmi, const reference_gait *gait, int method,
+                          double tolerance) {
+    const tdmf_model model = table_1(gait->swing_clamp);
     const tdmf_inputs inputs = inputs_at_friction(gait->friction);
     double start[TDMF_STATE_COUNT];
     void *instance = new_of_kind(fmi, STEPS);
@@ -63,7 +63,7 @@ static void assert_stride(const fmi_interface *fmi, const free_gait *free, int m
     for (int i = 0; i < TDMF_MECHANICAL_COUNT; ++i) {
         assert_int_equal(set_value(fmi, instance, mechanical[i], start[i]), FMI_OK);
     }
-    set_clamp(fmi, instance, false);
+    set_clamp(fmi, instance, gait->swing_clamp);
     assert_int_equal(set_value(fmi, instance, "ground.friction", gait->friction), FMI_OK);
     assert_int_equal(fmi->set_item(instance, reference_of("solver.method"), method), FMI_OK);
     assert_int_equal(set_value(fmi, instance, "solver.relative_tolerance", 1e-12), FMI_OK);
@@ -77,11 +77,11 @@ static void assert_stride(const fmi_interface *fmi, const free_gait *free, int m
     fmi->free(instance);
 }
 
-static void strides_without_it_are_those_of_the_reference(void **state) {
-    for (int i = 0; i < FREE_GAITS; ++i) {
-        assert_stride(*state, &free_gaits[i], SOLVER_NATIVE, 1e-10);
+static void strides_are_those_of_the_reference(void **state) {
+    for (int i = 0; i < REFERENCE_GAITS; ++i) {
+        assert_stride(*state, &reference_gaits[i], SOLVER_NATIVE, 1e-10);
         if (tdmf_cvode_is_available()) {
-            assert_stride(*state, &free_gaits[i], SOLVER_CVODE, 1e-7);
+            assert_stride(*state, &reference_gaits[i], SOLVER_CVODE, 1e-7);
         }
     }
 }
@@ -191,7 +191,7 @@ static void a_forged_state_has_no_closed_clamp_without_one(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         IN_BOTH_VERSIONS(it_is_set_before_the_start_and_never_after),
-        IN_BOTH_VERSIONS(strides_without_it_are_those_of_the_reference),
+        IN_BOTH_VERSIONS(strides_are_those_of_the_reference),
         IN_BOTH_VERSIONS(without_it_the_indicator_is_constant_and_the_servo_pulls),
         IN_BOTH_VERSIONS(without_it_derivatives_are_those_of_the_servo),
         IN_BOTH_VERSIONS(a_saved_state_takes_the_law_along),

@@ -38,7 +38,7 @@ static void gather(population *population, int first) {
     const tdmf_ensemble_case its_case = {&population->model, tdmf_default_inputs(), {.max_strides = STRIDES}};
     population->its_case = its_case;
     for (int i = 0; i < RUNNERS; ++i) {
-        memcpy(population->starts[i], &reference_gaits[2].apex, sizeof population->starts[i]);
+        memcpy(population->starts[i], &reference_gaits[DEFAULT_GAIT].apex, sizeof population->starts[i]);
     }
     const tdmf_ensemble ensemble = {.cases = &population->its_case,
                                     .case_count = 1,

@@ -35,7 +35,7 @@ static tdmf_parameters parameters_of(double length) {
 static run run_of_length(double length, double height, double slope) {
     run run = {.inputs = tdmf_default_inputs(), .solver = tdmf_solver_default()};
     const tdmf_parameters parameters = parameters_of(length);
-    const double *apex = (const double *)&reference_gaits[2].apex;
+    const double *apex = (const double *)&reference_gaits[DEFAULT_GAIT].apex;
     double section[TDMF_SECTION_COUNT], scales[TDMF_SECTION_COUNT];
     assert_null(tdmf_model_create(&run.model, &parameters).variable);
     tdmf_section_scales(&run.model, scales);
@@ -189,7 +189,7 @@ static void a_step_set_at_an_apex_shifts_its_height_by_its_own_and_no_more(void 
     (void)state;
     set_line(&stepped, step, 0.0);
     stride(&stepped);
-    memcpy(section, &reference_gaits[2].apex, sizeof section);
+    memcpy(section, &reference_gaits[DEFAULT_GAIT].apex, sizeof section);
     section[TDMF_SECTION_COM_HEIGHT] -= step;
     const tdmf_return next =
         tdmf_return_map(&lower.solver, SYSTEM_OF(&lower), section, forever, false, NULL, 0);
@@ -200,8 +200,8 @@ static void a_step_set_at_an_apex_shifts_its_height_by_its_own_and_no_more(void 
     for (int i = 0; i < TDMF_SECTION_COUNT; ++i) {
         assert_close(reached[i], next.apex[i], 1e-11);
     }
-    assert_close(stepped.motion.record.stride.rise, next.apex[0] + step - reference_gaits[2].apex.com_height,
-                 1e-11);
+    assert_close(stepped.motion.record.stride.rise,
+                 next.apex[0] + step - reference_gaits[DEFAULT_GAIT].apex.com_height, 1e-11);
 }
 
 /* Within 1e-12 l0 of a line the foot's side is not asked for, but whether it moves into it. */
@@ -346,7 +346,7 @@ static bool begin_random(random_source *source, run *run) {
     *run = run_at_apex(random_uniform(source, -1.0, 1.0), random_uniform(source, -0.3, 0.2));
     run->inputs.ground.friction = random_magnitude(source, 0.05, 5.0);
     assert_null(tdmf_model_create(&run->model, &p).variable);
-    memcpy(section, &reference_gaits[2].apex, sizeof section);
+    memcpy(section, &reference_gaits[DEFAULT_GAIT].apex, sizeof section);
     section[TDMF_SECTION_COM_HEIGHT] += random_uniform(source, -0.2, 0.2);
     section[TDMF_SECTION_COM_SPEED] *= random_uniform(source, 0.3, 1.3);
     tdmf_section_state(SYSTEM_OF(run), section, run->motion.state);

@@ -16,13 +16,6 @@ enum { FRICTIONS = sizeof frictions / sizeof *frictions, STRIDES = 300, STEPS_OF
 
 static const tdmf_inputs no_rates = {.ground = {.friction = 0.0}};
 
-static tdmf_motion motion_of(const runner *runner) {
-    tdmf_motion motion = {
-        .time = runner->motion.time, .mode = runner->motion.mode, .record = runner->motion.record};
-    memcpy(motion.state, runner->motion.state, sizeof motion.state);
-    return motion;
-}
-
 static runner started(double friction) {
     runner runner = runner_default(friction);
     runner_start(&runner);
@@ -57,7 +50,7 @@ static void every_stride_closes_in_few_steps(void **unused) {
     double periods[FRICTIONS];
     for (int i = 0; i < FRICTIONS; ++i) {
         const runner runner = started(frictions[i]);
-        tdmf_motion motion = motion_of(&runner);
+        tdmf_motion motion = runner.motion;
         tdmf_solver solver = tdmf_solver_default();
         for (int stride = 0; stride < STRIDES; ++stride) {
             const int64_t steps = solver.steps;
@@ -80,7 +73,7 @@ static void the_two_solvers_agree(void **unused) {
     }
     for (int i = 0; i < FRICTIONS; ++i) {
         const runner runner = started(frictions[i]);
-        tdmf_motion native = motion_of(&runner), cvode = native;
+        tdmf_motion native = runner.motion, cvode = native;
         tdmf_solver solver = tdmf_solver_default();
         assert_int_equal(tdmf_native_advance(&solver, SYSTEM_OF(&runner), &no_rates, 110.0, &native),
                          TDMF_ARRIVED);

@@ -19,15 +19,6 @@ static runner started(void) {
     return runner;
 }
 
-static tdmf_motion motion_of(const runner *runner) {
-    tdmf_motion motion;
-    memset(&motion, 0, sizeof motion);
-    motion.mode = runner->motion.mode;
-    motion.record = runner->motion.record;
-    memcpy(motion.state, runner->motion.state, sizeof motion.state);
-    return motion;
-}
-
 static void assert_same_numbers(const double *a, const double *b, int count) {
     for (int i = 0; i < count; ++i) {
         assert_true(a[i] == b[i]);
@@ -39,7 +30,7 @@ static void without_rates_inputs_are_held(void **unused) {
     advance *const solvers[] = {tdmf_native_advance, tdmf_cvode_advance};
     const runner runner = started();
     for (int i = 0; i < 1 + tdmf_cvode_is_available(); ++i) {
-        tdmf_motion given = motion_of(&runner), none = given;
+        tdmf_motion given = runner.motion, none = given;
         tdmf_solver solver = tdmf_solver_default();
         assert_int_equal(solvers[i](&solver, SYSTEM_OF(&runner), &no_rates, 30.0, &given), TDMF_ARRIVED);
         assert_int_equal(solvers[i](&solver, SYSTEM_OF(&runner), NULL, 30.0, &none), TDMF_ARRIVED);
@@ -97,7 +88,7 @@ static void arrays_of_no_elements_may_be_absent(void **unused) {
     assert_true(none.outcome == TDMF_RETURN_CLOSED && one.outcome == TDMF_RETURN_CLOSED);
     assert_same_numbers(none.apex, one.apex, TDMF_SECTION_COUNT);
     assert_same_numbers(none.variations[0].apex, one.variations[0].apex, TDMF_SECTION_COUNT);
-    tdmf_motion motion = motion_of(&runner), varied = motion;
+    tdmf_motion motion = runner.motion, varied = motion;
     assert_true(tdmf_native_stride(&solver, SYSTEM_OF(&runner), 1e3, &motion).closed);
     assert_true(tdmf_native_stride_varied(&solver, SYSTEM_OF(&runner), 1e3, &varied, NULL, NULL, 0).closed);
     assert_same_numbers(varied.state, motion.state, TDMF_STATE_COUNT);
@@ -113,7 +104,7 @@ static void a_number_below_zero_is_refused(void **unused) {
     (void)unused;
     const runner runner = started();
     tdmf_solver solver = tdmf_solver_default();
-    tdmf_motion motion = motion_of(&runner);
+    tdmf_motion motion = runner.motion;
     double section[TDMF_SECTION_COUNT];
     default_section(section);
     assert_int_equal(tdmf_return_map(&solver, SYSTEM_OF(&runner), section, 1e3, true, NULL, -1).outcome,

@@ -29,7 +29,7 @@ static scene scene_on_slope(double friction, double slope) {
     scene.inputs = tdmf_default_inputs();
     scene.inputs.ground.friction = friction;
     scene.inputs.ground.slope = slope;
-    memcpy(scene.section, &reference_gaits[2].apex, sizeof scene.section);
+    memcpy(scene.section, &reference_gaits[DEFAULT_GAIT].apex, sizeof scene.section);
     return scene;
 }
 

@@ -75,7 +75,7 @@ static start random_start(random_source *source) {
     set_zero(source, 0.2, &p->leg.damping);
     set_zero(source, 0.5, &start.inputs.hip.external_torque);
     choose_ground(*source, &start.inputs);
-    memcpy(start.section, &reference_gaits[2].apex, sizeof start.section);
+    memcpy(start.section, &reference_gaits[DEFAULT_GAIT].apex, sizeof start.section);
     for (int k = 0; k < TDMF_SECTION_COUNT; ++k) {
         start.section[k] += random_uniform(source, -0.1, 0.1);
     }

@@ -31,7 +31,7 @@ static scene stride_known(void) {
     memset(&log, 0, sizeof log);
     assert_null(tdmf_model_create(&scene.model, &parameters).variable);
     scene.inputs = tdmf_default_inputs();
-    memcpy(scene.apex, &reference_gaits[2].apex, sizeof scene.apex);
+    memcpy(scene.apex, &reference_gaits[DEFAULT_GAIT].apex, sizeof scene.apex);
     const tdmf_return whole = stride(&scene, 1e3, &log);
     assert_int_equal(whole.outcome, TDMF_RETURN_CLOSED);
     assert_int_equal(log.events[0].guard, TDMF_GUARD_TOUCHDOWN);

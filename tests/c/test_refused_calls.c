@@ -11,8 +11,6 @@
 #include <math.h>
 #include <string.h>
 
-enum { GAIT = 2 };
-
 static const double long_enough = 1e3;
 
 typedef struct {
@@ -30,7 +28,7 @@ static scene standing_at_apex(void) {
     scene.solver = tdmf_solver_default();
     scene.inputs = tdmf_default_inputs();
     assert_null(tdmf_model_create(&scene.model, &parameters).variable);
-    memcpy(scene.section, &reference_gaits[GAIT].apex, sizeof scene.section);
+    memcpy(scene.section, &reference_gaits[DEFAULT_GAIT].apex, sizeof scene.section);
     tdmf_section_state(SYSTEM_OF(&scene), scene.section, scene.motion.state);
     scene.motion.time = 0.0;
     assert_null(tdmf_start(SYSTEM_OF(&scene), &scene.motion).variable);

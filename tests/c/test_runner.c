@@ -18,7 +18,7 @@ static void limits_of_steps_go_along(void **state) {
     assert_null(tdmf_model_create(&model, &parameters).variable);
     const tdmf_ensemble_case its_case = {&model, tdmf_default_inputs(), {.max_strides = 1}};
     double apex[1][TDMF_SECTION_COUNT];
-    memcpy(apex, &reference_gaits[2].apex, sizeof apex);
+    memcpy(apex, &reference_gaits[DEFAULT_GAIT].apex, sizeof apex);
     const tdmf_ensemble ensemble = {
         .cases = &its_case, .case_count = 1, .starts = (const double(*)[TDMF_SECTION_COUNT])apex, .count = 1};
     assert_true(tdmf_runner_begin(&runner, &ensemble, 0, &end));

@@ -24,11 +24,9 @@ typedef struct {
 
 /* Starts over the gait's apex, the first in the ball: half axes 0.2 in height and so much less in speed. */
 static void gather(population *population) {
-    tdmf_parameters parameters = tdmf_default_parameters();
-    parameters.hip.swing_clamp = true;
     memset(population, 0, sizeof *population);
-    assert_null(tdmf_model_create(&population->model, &parameters).variable);
-    memcpy(population->gait[0], &reference_gaits[2].apex, sizeof population->gait[0]);
+    population->model = table_1(false);
+    memcpy(population->gait[0], &reference_gaits[DEFAULT_GAIT].apex, sizeof population->gait[0]);
     for (int i = 0; i < TDMF_SECTION_COUNT; ++i) {
         population->ball.matrix[i][i] = 2.0;
     }

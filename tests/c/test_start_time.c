@@ -67,7 +67,7 @@ static void run_on(advance *advance, const runner *runner, double tolerance, dou
  */
 static void assert_independent(advance *advance, double tolerance, double agreement) {
     int compared = 0;
-    for (size_t i = 0; i < REFERENCE_GAITS; ++i) {
+    for (size_t i = 0; i < REFERENCE_GAITS; i += EVERY_OTHER) {
         const runner runner = runner_at_gait(&reference_gaits[i]);
         tdmf_motion at_zero = start_at(&runner, 0.0);
         run_on(advance, &runner, tolerance, 16.0, 7, &at_zero);
@@ -83,7 +83,7 @@ static void assert_independent(advance *advance, double tolerance, double agreem
             ++compared;
         }
     }
-    assert_int_equal(compared, REFERENCE_GAITS * START_TIMES);
+    assert_int_equal(compared, REFERENCE_GAITS / EVERY_OTHER * START_TIMES);
 }
 
 static void strides_of_the_native_solver(void **state) {
@@ -101,14 +101,14 @@ static void strides_of_cvode(void **state) {
 
 static void strides_one_by_one(void **state) {
     (void)state;
-    const runner runner = runner_at_reference_apex(&reference_gaits[2]);
+    const runner runner = runner_at_reference_apex(&reference_gaits[DEFAULT_GAIT]);
     for (int k = 0; k < START_TIMES; ++k) {
         tdmf_motion motion = start_at(&runner, start_times[k]);
         tdmf_solver solver = tdmf_solver_default();
         for (int i = 0; i < 10; ++i) {
             assert_true(tdmf_native_stride(&solver, SYSTEM_OF(&runner), INFINITY, &motion).closed);
-            assert_relatively_close(motion.record.stride.period, reference_gaits[2].period, 1e-9);
-            assert_string_equal(motion.record.stride.word, reference_gaits[2].word);
+            assert_relatively_close(motion.record.stride.period, reference_gaits[DEFAULT_GAIT].period, 1e-9);
+            assert_string_equal(motion.record.stride.word, reference_gaits[DEFAULT_GAIT].word);
         }
     }
 }
@@ -132,7 +132,7 @@ static void instants_lose_nothing(void **state) {
 /* Where somebody sets the time anew, what rounding left out of the old one is gone with it. */
 static void a_time_set_anew_is_taken_as_it_is(void **state) {
     (void)state;
-    const runner runner = runner_at_reference_apex(&reference_gaits[2]);
+    const runner runner = runner_at_reference_apex(&reference_gaits[DEFAULT_GAIT]);
     tdmf_motion motion = start_at(&runner, 1.7e9);
     tdmf_solver solver = tdmf_solver_default();
     assert_true(tdmf_native_stride(&solver, SYSTEM_OF(&runner), INFINITY, &motion).closed);

@@ -353,15 +353,6 @@ static void quantities_agree_with_a_dense_sampling(void **unused) {
     }
 }
 
-static tdmf_motion motion_of(const runner *runner) {
-    tdmf_motion motion;
-    memset(&motion, 0, sizeof motion);
-    motion.mode = runner->motion.mode;
-    motion.record = runner->motion.record;
-    memcpy(motion.state, runner->motion.state, sizeof motion.state);
-    return motion;
-}
-
 /* On a slope the vertical force is another than that across the ground, and peaks at another time; where the
  * foot comes to rest it jumps. */
 static void both_peaks_of_the_force_are_found_on_a_slope(void **unused) {
@@ -374,7 +365,7 @@ static void both_peaks_of_the_force_are_found_on_a_slope(void **unused) {
         runner runner = runner_default(frictions[i % 3]);
         runner.inputs.ground.slope = slopes[i / 3];
         runner_start(&runner);
-        tdmf_motion native = motion_of(&runner), cvode = native;
+        tdmf_motion native = runner.motion, cvode = native;
         tdmf_solver solver = tdmf_solver_default();
         const sampling seen = sample_stride(&runner, step);
         const tdmf_stride *stride = &runner.motion.record.stride;

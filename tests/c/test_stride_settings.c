@@ -59,7 +59,7 @@ static population *gather(double roughness) {
                                  .noise = {0.02, 0.02, 0.0, 0.05, 0.0, 0.01},
                                  .seed = seed};
     population->law = law;
-    memcpy(population->law.apex, &reference_gaits[2].apex, sizeof population->law.apex);
+    memcpy(population->law.apex, &reference_gaits[DEFAULT_GAIT].apex, sizeof population->law.apex);
     const tdmf_ensemble_case its_case = {&population->model,
                                          tdmf_default_inputs(),
                                          {.max_strides = STRIDES, .roughness = roughness, .seed = seed}};
