@@ -24,14 +24,14 @@ static const char *const coordinate_names[COORDINATES] = {"apex.com_height",    
                                                           "apex.leg_length",      "apex.leg_angle",
                                                           "apex.leg_length_rate", "apex.leg_angle_rate"};
 static const char *const setting_names[SETTINGS] = {"hip.touchdown_angle", "hip.stance_torque"};
-static const double gait[COORDINATES] = {1.4061068544414972, 1.0628912248180626,    1.0042822453480815,
-                                         1.2427795379318771, 9.849525619329637e-07, 0.21659162739548052};
+static const double gait[COORDINATES] = {1.4185081527459575,  1.0620047462715523,     0.9999993776846997,
+                                         -0.5462532571145319, 1.1268102273045027e-06, 4.039363331787232e-05};
 static const double nominal[SETTINGS] = {0.6981317007977318, 0.2};
 static const double gain[SETTINGS][COORDINATES] = {
-    {-0.055177872654508194, -0.18113319858276153, 0.0005952320306083677, 0.0013748112256890567,
-     -2.962566441732729e-05, 0.001555662332942866},
-    {0.44787971719704084, -0.19973274721357154, -6.069260655543887e-06, 3.078381049940343e-05,
-     -9.906723020362422e-07, 5.55511394830347e-06}};
+    {-0.029797520858160162, -0.18620795330990733, 0.00021380560034669154, 0.0016455611226696128,
+     6.124576371498846e-06, 0.001599358330147895},
+    {0.43708763545179213, -0.1935808738505937, 3.4189738581685566e-06, 4.052951675699531e-05,
+     -3.0746758710377296e-06, 8.50124857852615e-06}};
 static const double low[SETTINGS] = {-1.5707963267948966, 0.0};
 static const double high[SETTINGS] = {1.5707963267948966, 0.6};
 static const char *const pushed_names[PUSHES] = {"foot.y", "foot.vx"};

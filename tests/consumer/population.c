@@ -7,9 +7,8 @@
 enum { RUNNERS = 200, PROCESSORS = 2 };
 
 int main(void) {
-    static const double gait[1][TDMF_SECTION_COUNT] = {{1.406106854441984, 1.062891224817656,
-                                                        1.004282245348082, 1.242779537928858, 0.0,
-                                                        0.2165916273954818}};
+    static const double gait[1][TDMF_SECTION_COUNT] = {
+        {1.418508152745958, 1.0620047462715507, 0.9999993776846997, -0.5462532571145313, 0.0, 0.0}};
     static double starts[RUNNERS][TDMF_SECTION_COUNT];
     static tdmf_ensemble_end ends[RUNNERS];
     const tdmf_parameters parameters = tdmf_default_parameters();

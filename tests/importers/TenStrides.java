@@ -6,7 +6,7 @@ import no.ntnu.ihb.fmi4j.SlaveInstance;
 
 class TenStrides {
     static final double STEP = 0.1;
-    static final int STEPS = 2500;
+    static final int STEPS = 2510;
 
     /** Arguments: the unit, the value reference of stride.count, and those of the quantities. */
     public static void main(String[] arguments) throws Exception {

@@ -17,10 +17,10 @@ def run(*command, **options):
 
 
 SAYS = {
-    "strides": "+0-, speed 1.033110, cost of transport 0.364532",
-    "strides_shared": "+0-, speed 1.033110, cost of transport 0.364532",
-    "own_solver": "10 strides, the last +0-0+ at speed 1.061742, t = 247.64449",
-    "runner": "tdmf_slip 0.1.0: touchdown at t = 11.90",
+    "strides": "+0-, speed 1.033652, cost of transport 0.366586",
+    "strides_shared": "+0-, speed 1.033652, cost of transport 0.366586",
+    "own_solver": "10 strides, the last +0-0+ at speed 1.060856, t = 250.00146",
+    "runner": "tdmf_slip 0.1.0: touchdown at t = 12.02",
     "rough_ground": "stride,x,ground,word,speed",
     "population": "200 of 200 runners are back on the gait",
 }
