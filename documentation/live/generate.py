@@ -167,6 +167,7 @@ def presets(table):
             "apex": gait["apex"],
         }
         for gait in gaits
+        if not gait["swing_clamp"]  # as by default
     ]
     for path in sorted((PACKAGE / "fmu/presets").glob("*.toml")):
         values = known_values(table, dict(flat(tomllib.loads(path.read_text(encoding="utf-8")))))

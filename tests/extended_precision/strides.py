@@ -11,7 +11,7 @@ whose results agree to 13 digits at the least.
 """
 
 import sys
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 from numpy import arctan2, cos, format_float_positional, longdouble, sin, sqrt
 
@@ -37,6 +37,7 @@ class Runner:
     foot_mass: str = "0.1"
     touchdown_angle: str = "0.6981317007977318"  # as the library has it: 40 degrees to double precision
     liftoff_angle_factor: str = "1.2"
+    swing_clamp: bool = False
 
 
 @dataclass
@@ -94,6 +95,14 @@ class Run:
         target = self.touchdown_angle if self.placing else self.liftoff_angle_factor * self.liftoff_angle
         return -self.kp * (leg.angle - target) - self.kd * leg.angle_rate
 
+    def flight_torque(self, leg):
+        """Where the clamp is on, it holds the torque at zero before the apex."""
+        return max(self.servo(leg), longdouble(0)) if self.clamps else self.servo(leg)
+
+    @property
+    def clamps(self):
+        return self.swing_clamp and not self.placing
+
     def normal(self, leg, torque):
         return self.axial(leg) * leg.cosine - torque / leg.length * leg.sine + self.foot_mass * self.gravity
 
@@ -142,13 +151,12 @@ class Run:
             of = {"touchdown": state[1]}
             if not self.placing:
                 of["apex"] = rise
+            if self.clamps:
                 of["clamp"] = -self.servo(leg) if self.clamped else self.servo(leg)
             return of
         stance = self.normal(leg, self.stance_torque_now())
         if self.mode == GRAZE:
-            flight = self.normal(
-                leg, self.servo(leg) if self.placing else max(self.servo(leg), longdouble(0))
-            )
+            flight = self.normal(leg, self.flight_torque(leg))
             return {"graze_to_contact": -stance, "graze_to_flight": flight}
         of = {"lift_off": stance}
         if self.driving:
@@ -188,9 +196,8 @@ class Run:
         leg = leg_of(self.state)
         assert self.foot_mass * self.state[3] + self.state[7] > 0, "the centre of mass falls: not followed"
         self.liftoff_angle, self.placing = leg.angle, False
-        servo = self.servo(leg)
-        self.clamped = servo < 0
-        self.mode = GRAZE if self.normal(leg, max(servo, longdouble(0))) > 0 else FLIGHT
+        self.clamped = self.clamps and self.servo(leg) < 0
+        self.mode = GRAZE if self.normal(leg, self.flight_torque(leg)) > 0 else FLIGHT
 
     def take(self, event):
         if event == "touchdown":
@@ -205,7 +212,7 @@ class Run:
         elif event.startswith("slip_onset"):
             self.mode = FORWARD if event.endswith("positive") else BACKWARD
         elif event == "graze_to_flight":
-            self.clamped = self.servo(leg_of(self.state)) < 0
+            self.clamped = self.clamps and self.servo(leg_of(self.state)) < 0
             self.mode = FLIGHT
         elif event == "clamp":
             self.clamped = not self.clamped
@@ -334,7 +341,8 @@ def decimal(number):
 
 def parameters_of(runner):
     names = ("gravity", "friction", "stiffness", "damping", "stance_torque", "kp", "kd")
-    return ", ".join(f".{name} = {getattr(runner, name)}" for name in names)
+    values = ", ".join(f".{name} = {getattr(runner, name)}" for name in names)
+    return f"{values}, .swing_clamp = {str(runner.swing_clamp).lower()}"
 
 
 def row(runner, apex, run, last, agreed):
@@ -376,7 +384,9 @@ def stride_by_two_steps(runner, apex):
 def main():
     print('#include "extended_strides.h"\n\nconst extended_stride extended_strides[EXTENDED_STRIDES] = {')
     for runner, apex in STRIDES:
-        print(row(runner, apex, *stride_by_two_steps(runner, apex)), flush=True)
+        for clamp in (True, False):
+            of_reading = replace(runner, swing_clamp=clamp)
+            print(row(of_reading, apex, *stride_by_two_steps(of_reading, apex)), flush=True)
     print("};")
 
 

@@ -22,7 +22,6 @@ import pytest
 import tdmf_slip
 from fmpy.fmi2 import FMU2Model
 from tdmf_slip.cli.main import main
-from tdmf_slip.paper.reference_gaits import RUNNER
 
 RELEASE = os.environ.get("TDMF_SLIP_RELEASE") == "1"
 """Whether every sample is taken in full and tests that take minutes run: `scripts/test --release`."""
@@ -116,23 +115,30 @@ def unpacked3(fmu3, tmp_path_factory):
     return fmpy.extract(fmu3, str(tmp_path_factory.mktemp("unit3")))
 
 
-CLAMPED = RUNNER
+CLAMPED = {"hip.swing_clamp": True}
 """Setting of the runners whose references were computed with the clamp of the swing."""
 
 
-def reference_gaits():
-    """The published gaits, of runners that have `CLAMPED`."""
+def reference_gaits(*readings):
+    """The published gaits for these values of `hip.swing_clamp`; both values by default."""
     file = importlib.resources.files("tdmf_slip.paper").joinpath("reference_gaits.json")
-    return json.loads(file.read_text(encoding="utf-8"))["gaits"]
+    gaits = json.loads(file.read_text(encoding="utf-8"))["gaits"]
+    return [gait for gait in gaits if gait["swing_clamp"] in (readings or (False, True))]
+
+
+def name_of_gait(gait):
+    """A reference gait as the name of a test's case."""
+    return f"friction {gait['friction']}, {'clamped' if gait['swing_clamp'] else 'free'}"
+
+
+def runner_of_gait(gait):
+    """Start values of a reference gait that are not Table 1's."""
+    return {"ground.friction": gait["friction"], "hip.swing_clamp": gait["swing_clamp"]}
 
 
 def unit_reference():
-    """The gait at friction 0.6 of the unit's own runner, which has the clamp or does not."""
-    gaits = reference_gaits()
-    if not tdmf_slip.load_fmu().variables["hip.swing_clamp"].start:
-        free = pathlib.Path(__file__).with_name("free_swing.json").read_text(encoding="utf-8")
-        gaits = json.loads(free)["gaits"]
-    return next(gait for gait in gaits if gait["friction"] == 0.6)
+    """The gait of the unit's own start values."""
+    return next(gait for gait in reference_gaits(False) if gait["friction"] == 0.6)
 
 
 def apex_start(apex):

@@ -5,14 +5,14 @@ import pathlib
 
 import fmpy
 import pytest
-from conftest import CLAMPED, HANGS, apex_start, reference_gaits
+from conftest import HANGS, apex_start, name_of_gait, reference_gaits, runner_of_gait
 from fmpy.fmi2 import FMU2Slave
 
 QUANTITIES = ("period", "length", "speed", "work", "cost_of_transport")
 OUTPUTS = [f"stride.{name}" for name in QUANTITIES]
 
 
-@pytest.mark.parametrize("gait", reference_gaits(), ids=lambda gait: f"friction {gait['friction']}")
+@pytest.mark.parametrize("gait", reference_gaits(), ids=name_of_gait)
 def test_three_strides_of_a_gait(unpacked, description, gait):
     rows = fmpy.simulate_fmu(
         unpacked,
@@ -20,7 +20,7 @@ def test_three_strides_of_a_gait(unpacked, description, gait):
         fmi_type="CoSimulation",
         stop_time=3.3 * gait["period"],
         output_interval=0.7,
-        start_values=apex_start(gait["apex"]) | CLAMPED | {"ground.friction": gait["friction"]},
+        start_values=apex_start(gait["apex"]) | runner_of_gait(gait),
         output=[*OUTPUTS, "stride.count"],
     )
     assert rows["stride.count"][-1] == 3

@@ -66,19 +66,19 @@ def assert_judged_rightly(special):
 
 
 def test_a_branch_is_followed_past_loss_of_stability(runner):
-    """More drive than the paper's: an eigenvalue passes -1, the period doubles, the gait goes on unstable."""
+    """A leg placed steeper than the paper's: an eigenvalue passes -1, and the gait goes on unstable."""
     first = find_gait(runner)
-    branch = trace(runner, "hip.stance_torque", first, 0.6, max_step=0.1)
+    branch = trace(runner, ANGLE, first, 0.54, max_step=0.1)
     assert branch.ended == "end of the range"
     assert all(gait.error < 1e-11 for gait in branch.gaits)
     (doubling,) = [special for special in branch.specials if special.kind != "word border"]
     assert doubling.kind == "period doubling"
     assert_judged_rightly(doubling)
-    assert doubling.value == pytest.approx(doubling.gait.runner.values["hip.stance_torque"], abs=0.0)
+    assert doubling.value == pytest.approx(doubling.gait.runner.values[ANGLE], abs=0.0)
     before = [
-        gait.stable for gait, at in zip(branch.gaits, branch.values, strict=True) if at < doubling.value
+        gait.stable for gait, at in zip(branch.gaits, branch.values, strict=True) if at > doubling.value
     ]
-    assert all(before) and not branch.gaits[-1].stable and branch.values[-1] == 0.6
+    assert all(before) and not branch.gaits[-1].stable and branch.values[-1] == 0.54
     assert doubling.as_json() == {"kind": "period doubling", "value": doubling.value}
 
 

@@ -8,7 +8,7 @@ from xml.etree import ElementTree
 import fmpy
 import numpy as np
 import pytest
-from conftest import CLAMPED, apex_start, reference_gaits
+from conftest import apex_start, name_of_gait, reference_gaits, runner_of_gait, unit_reference
 from fmpy.fmi3 import FMU3Model, FMU3Slave
 from fmpy.validation import validate_fmu
 from lxml import etree
@@ -23,7 +23,7 @@ CO_SIMULATION = {
 
 
 def start_of(gait):
-    return apex_start(gait["apex"]) | CLAMPED | {"ground.friction": gait["friction"]}
+    return apex_start(gait["apex"]) | runner_of_gait(gait)
 
 
 def strides(fmu, gait, **options):
@@ -40,14 +40,14 @@ def strides(fmu, gait, **options):
 
 
 @pytest.mark.parametrize("how", CO_SIMULATION)
-@pytest.mark.parametrize("gait", reference_gaits(), ids=lambda gait: f"friction {gait['friction']}")
+@pytest.mark.parametrize("gait", reference_gaits(), ids=name_of_gait)
 def test_co_simulation_has_the_reference_strides(unpacked3, gait, how):
     rows = strides(unpacked3, gait, fmi_type="CoSimulation", **CO_SIMULATION[how])
     for name in QUANTITIES:
         assert rows[f"stride.{name}"][-1] == pytest.approx(gait[name], rel=1e-8), name
 
 
-@pytest.mark.parametrize("gait", reference_gaits(), ids=lambda gait: f"friction {gait['friction']}")
+@pytest.mark.parametrize("gait", reference_gaits(), ids=name_of_gait)
 def test_model_exchange_has_the_reference_strides(unpacked3, gait):
     rows = strides(unpacked3, gait, fmi_type="ModelExchange", relative_tolerance=1e-9)
     for name in QUANTITIES:
@@ -56,7 +56,7 @@ def test_model_exchange_has_the_reference_strides(unpacked3, gait):
 
 @pytest.mark.parametrize("interface", ["ModelExchange", "CoSimulation"])
 def test_both_versions_record_the_same(unpacked, unpacked3, interface):
-    (gait,) = (gait for gait in reference_gaits() if gait["friction"] == 0.6)
+    gait = unit_reference()
     two, three = (strides(fmu, gait, fmi_type=interface) for fmu in (unpacked, unpacked3))
     assert len(two) == len(three)
     for name in two.dtype.names:

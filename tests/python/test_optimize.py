@@ -4,6 +4,7 @@ import json
 
 import numpy as np
 import pytest
+from conftest import CLAMPED
 from tdmf_slip import InputError, TargetNotMetError, find_gait, optimize, sweep
 from tdmf_slip.fmu.parameters import read_parameters
 from tdmf_slip.library.gait import gait_near
@@ -241,13 +242,14 @@ def test_the_plain_call_finds_what_lies_beyond_the_runners_own_basin():
     """From the runner's own gait the least slip is 0.2363; begun at .434, .4967, .2408 it is 0.2108."""
     over = {ANGLE: (0.4, 0.9), TORQUE: (0.05, 0.5), "leg.damping": (0.1, 0.3)}
     asked = {"minimize": "slip_distance", "target": {"speed": 0.9}, "stable": True}
-    near = {"ground.friction": 0.3, ANGLE: 0.434, TORQUE: 0.4967, "leg.damping": 0.2408}
+    own = {**CLAMPED, "ground.friction": 0.3}
+    near = {**own, ANGLE: 0.434, TORQUE: 0.4967, "leg.damping": 0.2408}
     known = optimize(near, over, **asked, starts=1)
-    best = optimize({"ground.friction": 0.3}, over, **asked)
+    best = optimize(own, over, **asked)
     assert best.value == pytest.approx(0.210811, abs=1e-6) and best.value <= known.value + 1e-9
     assert best.why == "" and best.is_local
     assert best.basins >= 2 and 2 <= best.starts <= 6
-    alone = optimize({"ground.friction": 0.3}, over, **asked, starts=1)
+    alone = optimize(own, over, **asked, starts=1)
     assert alone.value > 0.23 and alone.starts == 1 == alone.basins
     again = strides_from(best.gait.runner, best.gait.apex)
     assert np.max(np.abs(again.left_over / best.gait.runner.scales)) < 1e-11
@@ -287,7 +289,9 @@ def test_the_best_point_along_the_edge_of_a_fold_is_found():
 def test_eigenvalues_change_on_the_edge_of_a_word_and_of_the_bounds():
     """Along the thrust both ways lead off, to another word and below zero; beside it one does not."""
     asked = {"maximize": "frequency", "stable": True, "starts": 1}
-    best = optimize({"ground.friction": 2.463}, {TORQUE: (0.08, 0.45), "leg.thrust": (0.0, 0.2)}, **asked)
+    best = optimize(
+        {"ground.friction": 2.463, **CLAMPED}, {TORQUE: (0.08, 0.45), "leg.thrust": (0.0, 0.2)}, **asked
+    )
     assert best.why == "" and best.limits == ("stability",)
     assert best.gait.lambda_max == pytest.approx(0.99, abs=1e-7)
     assert best.active_bounds == {"leg.thrust": "lower"}

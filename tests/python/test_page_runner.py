@@ -23,8 +23,9 @@ SECTION = [
     "apex_length_rate",
     "apex_angle_rate",
 ]
-GAITS = [("free", gait) for gait in FREE["gaits"]] + [("clamped", gait) for gait in reference_gaits()]
-GAIT = next(gait for gait in FREE["gaits"] if gait["friction"] == 0.6)
+GAITS = [("free", gait) for gait in [*reference_gaits(False), *FREE["gaits"]]]
+GAITS += [("clamped", gait) for gait in reference_gaits(True)]
+GAIT = next(gait for gait in reference_gaits(False) if gait["friction"] == 0.6)
 EVERY_GAIT = pytest.mark.parametrize(
     ("reading", "gait"), GAITS, ids=[f"{r} {g['friction']}" for r, g in GAITS]
 )

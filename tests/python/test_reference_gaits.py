@@ -1,10 +1,10 @@
-"""The five published gaits, run through FMPy's CVODE from the default start until they have settled."""
+"""The published gaits by both readings, run through FMPy's CVODE from the default start until settled."""
 
 import dataclasses
 
 import numpy as np
 import pytest
-from conftest import CLAMPED, apex_start, reference_gaits
+from conftest import apex_start, name_of_gait, reference_gaits, runner_of_gait
 from tdmf_slip import find_gait
 
 SCALARS = ("period", "length", "speed", "work", "cost_of_transport")
@@ -30,7 +30,7 @@ def settle(reference, run):
     A gait shrinks a distance by its largest eigenvalue a stride, so it piles up the solver's error of one
     stride 1/(1 - 0.91) = 11 times at friction 0.2: the long run is the more exact one.
     """
-    given = CLAMPED | {"ground.friction": reference["friction"]}
+    given = runner_of_gait(reference)
     strides = np.ceil(np.log(LEFT) / np.log(find_gait(given).lambda_max))
     _, instance = run((strides + 0.5) * reference["period"], given, tolerance=1e-10, output_interval=5.0)
     apex = instance.real(*(f"apex.{name}" for name in APEX))
@@ -40,7 +40,7 @@ def settle(reference, run):
     return Settled(apex, rows, stride, instance.text("stride.word"), instance.real("hip.liftoff_angle")[0])
 
 
-@pytest.fixture(scope="module", params=reference_gaits(), ids=lambda gait: f"friction {gait['friction']}")
+@pytest.fixture(scope="module", params=reference_gaits(), ids=name_of_gait)
 def reference(request):
     return request.param
 
@@ -52,10 +52,10 @@ def settled_runs():
 
 @pytest.fixture
 def settled(reference, run, settled_runs):
-    friction = reference["friction"]
-    if friction not in settled_runs:
-        settled_runs[friction] = settle(reference, run)
-    return settled_runs[friction]
+    name = name_of_gait(reference)
+    if name not in settled_runs:
+        settled_runs[name] = settle(reference, run)
+    return settled_runs[name]
 
 
 def test_word(settled, reference):

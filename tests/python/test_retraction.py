@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from conftest import CLAMPED
 from tdmf_slip import Runner, find_gait
 from tdmf_slip.analysis.bifurcations import PERIOD_DOUBLING
 from tdmf_slip.analysis.tracing import trace
@@ -13,7 +14,8 @@ RATE = "hip.retraction_rate"
 
 @pytest.fixture(scope="module")
 def branch(fmu):
-    runner = Runner.of({"ground.friction": 0.2}, fmu)
+    """With the clamp, where gaits of two strides last; without it they are soon lost."""
+    runner = Runner.of({"ground.friction": 0.2, **CLAMPED}, fmu)
     return trace(runner, RATE, find_gait(runner), 0.01)
 
 

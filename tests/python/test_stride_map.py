@@ -151,7 +151,7 @@ def test_runners_have_their_own_parameters_and_settings(gait, starts):
     angle, torque = rng.uniform(0.69, 0.71, (RUNNERS, 2)), rng.uniform(0.195, 0.205, 2)
     found = stride_map(
         {"foot.mass": 0.11, "leg.stiffness": stiffness, "ground.friction": friction},
-        starts,
+        (gait.apex + starts) / 2,
         strides=2,
         inputs={ANGLE: angle, TORQUE: torque, "hip.kd": 0.5},
         tolerance=1e-13,

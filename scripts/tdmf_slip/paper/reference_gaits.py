@@ -1,8 +1,8 @@
-"""The recorded reference gaits, and how far a computed gait is from them."""
+"""The recorded reference gaits of both readings of (12), and how far a computed gait is from them."""
 
 import json
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from functools import cache
 from pathlib import Path
 
@@ -13,8 +13,6 @@ from ..library.section import COORDINATES
 from .settling import SettledRun
 
 PATH = Path(__file__).with_suffix(".json")
-RUNNER = {"hip.swing_clamp": True}
-"""Values of the references' runner beside Table 1."""
 QUANTITY_TOLERANCE = 1e-6
 """Relative, for a stride's quantities."""
 APEX_TOLERANCE = 1e-5
@@ -27,6 +25,8 @@ class ReferenceGait:
 
     friction: float
     """Of the ground."""
+    swing_clamp: bool
+    """Value of `hip.swing_clamp`; the other parameters are Table 1's."""
     word: str
     """The gait's."""
     period: float
@@ -45,8 +45,8 @@ class ReferenceGait:
     """In the order of `COORDINATES`."""
     events: Sequence[object]
     """Of the stride, as they were recorded."""
-    clamp_release: float
-    """Time at which the clamp of (12), which holds the hip torque at 0, opens."""
+    clamp_release: float | None = None
+    """Time at which the clamp of (12), which holds the hip torque at 0, opens; None without the clamp."""
 
 
 @dataclass(frozen=True)
@@ -74,8 +74,13 @@ class Drift:
 
 @cache
 def gaits() -> tuple[ReferenceGait, ...]:
-    """All reference gaits."""
-    return tuple(ReferenceGait(**gait) for gait in json.loads(PATH.read_text(encoding="utf-8"))["gaits"])
+    """All reference gaits, of both readings."""
+    names = {field.name for field in fields(ReferenceGait)}
+    stored = json.loads(PATH.read_text(encoding="utf-8"))["gaits"]
+    return tuple(
+        ReferenceGait(**{name: gait[name] for name in names & gait.keys()})
+        for gait in stored  # those without the clamp have more: eigenvalues, Jacobian, slip distance
+    )
 
 
 def drifts(run: SettledRun, reference: ReferenceGait, fmu: Fmu) -> list[Drift]:
