@@ -64,7 +64,7 @@ def test_ten_strides(compiled, interface):
     rows = fmpy.simulate_fmu(
         compiled,
         fmi_type=interface,
-        stop_time=250.0,
+        stop_time=251.0,
         output_interval=1.0,
         relative_tolerance=1e-9,
         output=[f"stride.{name}" for name in (*QUANTITIES, "count")],

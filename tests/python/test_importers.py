@@ -25,7 +25,7 @@ execution = CosimExecution.from_step_size(step_size=10**8)
 slave = execution.add_local_slave(CosimLocalSlave(fmu_path=unit, instance_name="runner"))
 observer = CosimObserver.create_last_value()
 execution.add_observer(observer)
-execution.simulate_until(250 * 10**9)
+execution.simulate_until(251 * 10**9)
 values = observer.last_real_values(slave_index=slave, variable_references=[references[n] for n in names])
 (count,) = observer.last_integer_values(slave_index=slave, variable_references=[references["stride.count"]])
 """
@@ -37,7 +37,7 @@ structure = EcosSimulationStructure()
 structure.add_model("runner", unit)
 with EcosSimulation(structure=structure, step_size=0.1) as simulation:
     simulation.init()
-    simulation.step(2500)
+    simulation.step(2510)
     values = [simulation.get_real(f"runner::{name}") for name in names]
     count = simulation.get_integer("runner::stride.count")
 """
@@ -53,7 +53,7 @@ plan = {"name": "box.fmu", "step_size": 0.1, "fmu": [pathlib.Path(unit).name]}
 command = [tool, "-fmu-directory", folder, "-container", "box.json"]
 subprocess.run(command, check=True, cwd=folder, capture_output=True)
 wanted = [*names, "stride.count"]
-rows = fmpy.simulate_fmu(str(folder / "box.fmu"), stop_time=250, output_interval=0.1, output=wanted)
+rows = fmpy.simulate_fmu(str(folder / "box.fmu"), stop_time=251, output_interval=0.1, output=wanted)
 values = [float(rows[name][-1]) for name in names]
 count = int(rows["stride.count"][-1])
 """

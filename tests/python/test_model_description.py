@@ -9,6 +9,7 @@ import subprocess
 import zipfile
 from xml.etree import ElementTree
 
+import fmpy
 import pytest
 import tdmf_slip
 from fmpy.validation import validate_fmu
@@ -21,6 +22,17 @@ def number(text):
 
 def test_checker_finds_nothing(fmu_file):
     assert validate_fmu(fmu_file) == []
+
+
+def test_the_default_experiment_has_ten_strides_and_no_more(fmu_file, description):
+    """The stop time is the end of the tenth stride of the default gait, rounded up."""
+    ends = {}
+    for stop_time in (None, float(description.defaultExperiment.stopTime) - 1.0):
+        rows = fmpy.simulate_fmu(
+            fmu_file, fmi_type="CoSimulation", stop_time=stop_time, output=["stride.count"]
+        )
+        ends[stop_time] = rows["stride.count"][-1]
+    assert list(ends.values()) == [10, 9]
 
 
 def test_ranges_are_not_empty_and_hold_the_starts(description):

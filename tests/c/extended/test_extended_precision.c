@@ -4,28 +4,15 @@
  * margin. */
 #include "check_reduced_map.h"
 #include "random.h"
+#include "reference_gaits.h"
+#include "reference_gaits_table.h"
 #include "stride_results.h"
 #include "tdmf_slip/orbit.h"
 
-enum { GAITS = 5, PARAMETERS = TDMF_PARAMETER_COUNT };
+enum { PARAMETERS = TDMF_PARAMETER_COUNT };
 
 static const double step = 1e-6L;
 static const double allowed = 2e-10L;
-
-static const double frictions[GAITS] = {10.0L, 1.2L, 0.6L, 0.43L, 0.2L};
-
-/* Of the reference gaits; see reference_gaits.c. */
-static const double apices[GAITS][TDMF_SECTION_COUNT] = {
-    {1.335681084574639L, 0.95460064906904L, 1.003468056490547L, 0.9264410563264225L, -4.473205042769141e-06L,
-     0.1949581135034323L},
-    {1.368813195564043L, 1.015067679911492L, 1.003911694284511L, 1.088966741995681L, -2.210891594266132e-06L,
-     0.2070426488477578L},
-    {1.406106854441984L, 1.062891224817656L, 1.004282245348082L, 1.242779537928858L, 9.84952562003722e-07L,
-     0.2165916273954818L},
-    {1.441887324102063L, 1.034090452026958L, 1.004638100817883L, 1.390973195188192L, 1.786781830291911e-06L,
-     0.2253582638618812L},
-    {1.583107783307573L, 0.8348521986773341L, 1.005710963304427L, 1.904748062999908L, -5.374819445992559e-07L,
-     0.2499278780100866L}};
 
 /* What a stride starts from. */
 typedef struct {
@@ -131,8 +118,9 @@ static scene light_runner(unsigned number) {
     scene.parameters.hip.kd *= random_magnitude(&source, 0.3L, 3.0L);
     scene.parameters.hip.kp *= random_magnitude(&source, 0.3L, 3.0L);
     scene.inputs.ground.friction = random_magnitude(&source, 0.1L, 3.0L);
+    memcpy(scene.apex, &reference_gaits[DEFAULT_GAIT].apex, sizeof scene.apex);
     for (int k = 0; k < TDMF_SECTION_COUNT; ++k) {
-        scene.apex[k] = apices[2][k] + random_uniform(&source, -0.05L, 0.05L);
+        scene.apex[k] += random_uniform(&source, -0.05L, 0.05L);
     }
     return scene;
 }
@@ -260,13 +248,15 @@ static int check_light_runners(void) {
 
 int main(void) {
     int failures = check_light_runners() + check_reduced_map();
-    for (int i = 0; i < GAITS; ++i) {
+    for (int i = 0; i < 2 * PUBLISHED_GAITS; i += EVERY_OTHER) {
+        const reference_gait *gait = &reference_gaits[i];
         scene scene = {tdmf_default_parameters(), tdmf_default_inputs(), {0.0L}};
-        scene.inputs.ground.friction = frictions[i];
-        memcpy(scene.apex, apices[i], sizeof scene.apex);
+        scene.parameters.hip.swing_clamp = gait->swing_clamp;
+        scene.inputs.ground.friction = gait->friction;
+        memcpy(scene.apex, &gait->apex, sizeof scene.apex);
         const double section = check_section(&scene), parameters = check_parameters(&scene);
-        printf("friction %5.2Lf: by the section within %.1Le, by parameters within %.1Le\n", frictions[i],
-               section, parameters);
+        printf("friction %5.2Lf, clamp %d: by the section within %.1Le, by parameters within %.1Le\n",
+               gait->friction, gait->swing_clamp, section, parameters);
         failures += !(section <= allowed) + !(parameters <= allowed);
     }
     return failures > 0;
