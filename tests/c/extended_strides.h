@@ -1,15 +1,16 @@
 /* Single strides from stated apices, integrated with 30 digits by a program that shares nothing with the
  * library, tests/extended_precision/strides.py. Body mass and free length are 1, what is not stated is Table
- * 1's. The swing is clamped. */
+ * 1's. Each stride is there with the clamp of the swing, and without it. */
 #ifndef TDMF_TESTS_EXTENDED_STRIDES_H
 #define TDMF_TESTS_EXTENDED_STRIDES_H
 
 #include "proved_gaits.h"
 
-enum { EXTENDED_STRIDES = 9 };
+enum { EXTENDED_STRIDES = 18 };
 
 typedef struct {
     double gravity, friction, stiffness, damping, stance_torque, kp, kd;
+    bool swing_clamp;
     double start[TDMF_SECTION_COUNT];
     int apex_count; /* coordinates of the apex that are known: all, or those of the centre of mass */
     double apex[TDMF_SECTION_COUNT];
@@ -27,7 +28,7 @@ static inline tdmf_parameters parameters_of_stride(const extended_stride *stride
     parameters.hip.stance_torque = stride->stance_torque;
     parameters.hip.kp = stride->kp;
     parameters.hip.kd = stride->kd;
-    parameters.hip.swing_clamp = true;
+    parameters.hip.swing_clamp = stride->swing_clamp;
     return parameters;
 }
 
