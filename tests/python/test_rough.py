@@ -132,7 +132,7 @@ def test_where_all_fall_at_once_the_mean_is_one():
 def test_censoring_does_not_move_the_mean(gait):
     """Runners stopped early tell what runners tell that nearly all fall: the fall is forgetful."""
     long = strides_to_fall(gait.runner, 0.5, 400, 1, 1000, threads=1)
-    short = strides_to_fall(gait.runner, 0.5, 400, 2, 40, threads=1)
+    short = strides_to_fall(gait.runner, 0.5, 400, 2, 15, threads=1)
     assert long.censored < 10 and short.censored > 100
     assert long.interval[0] < short.interval[1] and short.interval[0] < long.interval[1]
 
