@@ -32,8 +32,8 @@ ALL = (ANGLE, TORQUE, "hip.retraction_rate", "hip.kp", "hip.kd", "hip.liftoff_an
 HUMAN = pathlib.Path(__file__).parent / "fast_human.toml"
 DRAWN = 24 if RELEASE else 12
 FRICTIONS = (0.1, 0.2, 0.6, 1.0, 10.0)
-SIZES = {1: 1e-6, 2: 1e-5, 3: 3e-4}
-"""Of what dead-beat laws of so many settings are to take away: the fewer, the farther they go on the way."""
+SIZES = {1: 1e-6, 2: 1e-5, 3: 1e-5}
+"""Of what dead-beat laws of so many settings are to take away: the fewer the settings, the farther these go on the way."""
 RUNNERS = {
     "default": {THRUST: 0.05},
     "slippery": {"ground.friction": 0.1, THRUST: 0.05},
@@ -95,11 +95,11 @@ def test_both_matrices_are_differences_of_the_return_map(name):
 
 def test_a_foot_that_sticks_makes_the_stride_forget_three_modes_and_one_that_slips_two(gaits):
     forgets = {
-        friction: controllability(gaits[friction], [ANGLE], negligible=1e-8).negligible
+        friction: controllability(gaits[friction], [ANGLE], negligible=1e-9).negligible
         for friction in FRICTIONS
     }
     assert forgets == {0.1: 2, 0.2: 2, 0.6: 3, 1.0: 3, 10.0: 3}
-    assert controllability(gaits[0.2], [ANGLE]).negligible == 3  # the fourth eigenvalue is -1.1e-7
+    assert controllability(gaits[0.2], [ANGLE]).negligible == 3  # the fourth eigenvalue is 1.2e-8
 
 
 def test_lasting_modes_obey_the_map_of_their_own(gaits):
@@ -233,7 +233,7 @@ def test_a_dead_beat_law_reaches_the_gait_and_its_error_falls_with_the_square(ga
 def test_what_is_moved_after_the_foot_has_stuck_goes_in_the_stride_that_follows(gaits):
     gait = gaits[0.6]
     law = dead_beat(gait, [ANGLE, TORQUE, "hip.kp"])
-    x = np.abs(deviations(law, strides_under(law, away(gait, 1e-4), 2))).max(axis=1)
+    x = np.abs(deviations(law, strides_under(law, away(gait, 1e-5), 2))).max(axis=1)
     assert x[1] > 1e-7 and x[2] < 1e-9
 
 
@@ -310,8 +310,8 @@ def test_the_cost_of_a_small_push_is_that_of_the_simulated_strides(gaits):
 
 
 def test_a_gait_that_is_unstable_is_held():
-    runner = Runner.of({"hip.retraction_rate": 0.012, ANGLE: np.radians(45)})
-    gait = find_gait(runner, guess=find_gait(runner.but("hip.retraction_rate", 0.0)).apex)
+    """The leg is placed steeper than where the period doubles."""
+    gait = find_gait({ANGLE: np.radians(31)}, guess=find_gait({ANGLE: np.radians(33)}).apex)
     assert not gait.stable
     for law in (lqr(gait, [ANGLE]), dead_beat(gait, [ANGLE, TORQUE])):
         assert law.lambda_max < 1.0
@@ -428,7 +428,7 @@ def test_a_spread_without_end_is_refused(gaits):
 def test_each_is_told_in_a_line(gaits):
     law = lqr(gaits[0.6], [ANGLE, TORQUE])
     assert repr(law).startswith("<Feedback by hip.touchdown_angle, hip.stance_torque at the gait +0-0+,")
-    assert f"largest eigenvalue {law.lambda_max:.4g}, 0.8574 without>" in repr(law)
+    assert f"largest eigenvalue {law.lambda_max:.4g}, 0.8556 without>" in repr(law)
     found = controllability(gaits[0.6], [ANGLE])
     assert repr(found).startswith("<Controllability by hip.touchdown_angle: 3 of 3 modes, least over largest")
 

@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 import tdmf_slip
 from conftest import CLAMPED
-from tdmf_slip.errors import InputError, Note
+from tdmf_slip.errors import InputError
 
 pytest.importorskip("flint")
 
@@ -85,8 +85,7 @@ def test_the_published_table_is_of_the_runner_of_today():
     """Given the table, the command has nothing left to do."""
     text = TABLE.read_bytes()
     vary = {"ground.friction": ("0.47", "0.48")}
-    with pytest.warns(Note, match="does not record hip.swing_clamp; read as with hip.swing_clamp = true"):
-        proof = tdmf_slip.prove(CLAMPED, vary=vary, output=TABLE, processes=1)
+    proof = tdmf_slip.prove(vary=vary, output=TABLE, processes=1)
     assert TABLE.read_bytes() == text
     assert proof.proved
     assert proof.is_one_branch
@@ -112,7 +111,7 @@ def test_a_parameter_without_effect_makes_no_other_runner(span, tmp_path):
 
 
 def test_pieces_of_the_published_table_are_proved_again(table):
-    _, values = gait_of({"ground.friction": "0.47", **CLAMPED})
+    _, values = gait_of({"ground.friction": "0.47"})
     parameters = Parameters(values, "ground.friction")
     for subinterval in table[1][:: len(table[1]) // 2]:
         again, _ = proved_subinterval(parameters, subinterval)
@@ -132,7 +131,7 @@ def long_table():
     """What an hour's run over [0.05, 10] came to: its pieces, in order."""
     with gzip.open(LONG_TABLE, "rt", encoding="utf-8") as file:
         head, *parts = (json.loads(line) for line in file)
-    assert head["range"] == ["1/20", "10"]
+    assert head["range"] == ["1/20", "10"] and head["parameters"]["hip.swing_clamp"] == "true"
     subintervals = [Subinterval.of_row(row) for part in parts for row in part["pieces"]]
     return sorted(subintervals, key=lambda subinterval: subinterval.begin)
 

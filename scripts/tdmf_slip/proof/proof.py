@@ -17,6 +17,8 @@ from .exact import Exact, ball_of, default_value
 from .section import COORDINATES
 from .starts import Starts
 
+CLAMP = "hip.swing_clamp"
+"""Which of the two readings of (12) a runner has."""
 QUANTITIES = (
     "period",
     "length",
@@ -231,9 +233,10 @@ def short(value: Fraction) -> str:
 
 
 def reported(values: Mapping[str, Exact], varied: str | None = None) -> str:
-    """The runner as a sentence has it: what differs from Table 1, and what is varied."""
+    """The runner as a sentence has it: what differs from Table 1, the reading of (12), and what is varied."""
     table = {name: default_value(load_fmu().variables[name]) for name in values}
-    others = [f"{name} = {v}" for name, v in values.items() if name != varied and v != table[name]]
+    named = [name for name, v in values.items() if name != varied and (v != table[name] or name == CLAMP)]
+    others = [f"{name} = {values[name]}" for name in named]
     if varied is not None:
         others.append(f"any {varied}")
     if not any(FRICTION in text for text in others):
