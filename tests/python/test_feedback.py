@@ -33,7 +33,7 @@ HUMAN = pathlib.Path(__file__).parent / "fast_human.toml"
 DRAWN = 24 if RELEASE else 12
 FRICTIONS = (0.1, 0.2, 0.6, 1.0, 10.0)
 SIZES = {1: 1e-6, 2: 1e-5, 3: 1e-5}
-"""Of what dead-beat laws of so many settings are to take away: the fewer the settings, the farther these go on the way."""
+"""Deviations that dead-beat laws of so many settings take away: fewer settings go farther on the way."""
 RUNNERS = {
     "default": {THRUST: 0.05},
     "slippery": {"ground.friction": 0.1, THRUST: 0.05},
