@@ -9,8 +9,8 @@ the one in which the stride closed, as each unit gets at the beginning of a step
 end of the last. `fmucontainer -container held_runner.ssp:0.1` makes one unit of the system.
 
 How much that delay costs, against an angle set at the apex itself: after 8 strides, while the angle still
-changes, the runner's position differs by 1.8e-4, 2.8e-5 and 3.2e-6 leg lengths with communication steps of 1,
-0.1 and 0.01 sqrt(m/k); after 20, when the speed is held, by 2.5e-5, 2.3e-6 and 2.6e-7.
+changes, the runner's position differs by 1.5e-4, 4.2e-5 and 4.1e-6 leg lengths with communication steps of 1,
+0.1 and 0.01 sqrt(m/k); after 20, when the speed is held, by 1.7e-5, 3.1e-6 and 3.1e-7.
 """
 
 import pathlib
