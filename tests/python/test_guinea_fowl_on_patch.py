@@ -57,5 +57,5 @@ def test_co_simulation_sees_the_same_slip(gait):
     end = (BEFORE + 3.5) * gait.stride["period"]
     run = tdmf_slip.simulate(start, stop_time=end, interface="cs")
     slipped = float(np.max(run["stride.slip_distance"]))
-    assert slipped > 0.1
+    assert slipped > 0.05
     assert slipped == pytest.approx(cross(gait, 0.1, stride).slips[number], abs=1e-7)

@@ -101,7 +101,8 @@ def test_the_five_published_gaits_are_found(page, clamp):
         gait = tdmf_slip.find_gait(runner_of_gait(reference))
         assert np.abs(eigenvalues(page) - gait.eigenvalues).max() < EQUAL
         if not clamp:
-            assert np.abs(eigenvalues(page) - reference["eigenvalues"]).max() < EQUAL
+            lasting = reference["eigenvalues"][:3]  # the others are rounded to 0
+            assert np.abs(eigenvalues(page)[:3] - lasting).max() < EQUAL
         assert close(value_shown(page, "gait", "lambda_max"), gait.lambda_max)
         assert value_shown(page, "gait", "stable") == "stable"
         compared += 1

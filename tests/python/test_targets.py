@@ -81,7 +81,7 @@ def test_three_parameters_make_three_quantities():
 
 def test_more_parameters_may_vary_than_are_prescribed():
     """The least change of both, over their values: less than where one alone varies."""
-    vary = ["hip.stance_torque", "leg.stiffness"]
+    vary = ["hip.stance_torque", "leg.damping"]
     first = find_gait({"ground.friction": 0.6}).runner.values
 
     def change(gait):
@@ -140,7 +140,7 @@ def test_the_jogger_runs_with_a_target(command, target):
 
 REFUSED = {
     "fast": (str(FAST_HUMAN), {"speed": 3.5, "frequency": 2.75}, ["hip.stance_torque", "leg.stiffness"]),
-    "far": ("paper", {"speed": 3.0}, ["hip.stance_torque"]),
+    "far": ("paper", {"speed": 3.0}, ["hip.touchdown_angle"]),
     "slow": ("paper", {"speed": 1.0, "frequency": 0.1}, ["hip.stance_torque", "leg.damping"]),
 }
 
@@ -316,7 +316,7 @@ def test_what_a_random_runner_has_is_met():
         "leg.thrust": (0.0, 0.2),
     }
     random, met = np.random.default_rng(2026), 0
-    for _ in range(12):
+    for _ in range(14):
         vary = [str(name) for name in random.choice(list(ranges), size=2, replace=False)]
         true = find_gait({name: random.uniform(*ranges[name]) for name in vary})
         names = [str(name) for name in random.choice(QUANTITIES, size=2, replace=False)]
