@@ -80,19 +80,22 @@ def test_three_parameters_make_three_quantities():
 
 
 def test_more_parameters_may_vary_than_are_prescribed():
-    """The least change of both, over their values: less than where one alone varies."""
-    vary = ["hip.stance_torque", "leg.damping"]
-    first = find_gait({"ground.friction": 0.6}).runner.values
+    """The least change of apex and parameters, over their scales: less than where one alone varies."""
+    vary = ["hip.stance_torque", "leg.stiffness"]
+    first = find_gait({"ground.friction": 0.6})
 
     def change(gait):
-        return np.hypot(*(gait.runner.values[name] / first[name] - 1.0 for name in vary))
+        of_apex = (gait.apex - first.apex) / first.runner.scales
+        of_parameters = [gait.runner.values[name] / first.runner.values[name] - 1.0 for name in vary]
+        return np.linalg.norm([*of_apex, *of_parameters])
 
     both, *alone = (
         find_gait({"ground.friction": 0.6}, target={"speed": 1.08}, vary=names)
         for names in (vary, *([n] for n in vary))
     )
     assert_met(both, {"speed": 1.08})
-    assert 0.0 < change(both) < min(map(change, alone))
+    assert all(both.runner.values[name] != first.runner.values[name] for name in vary)
+    assert change(both) < min(map(change, alone))
 
 
 def test_the_fast_human_runs_at_five_metres_a_second():
@@ -316,12 +319,12 @@ def test_what_a_random_runner_has_is_met():
         "leg.thrust": (0.0, 0.2),
     }
     random, met = np.random.default_rng(2026), 0
-    for _ in range(14):
+    for _ in range(12):
         vary = [str(name) for name in random.choice(list(ranges), size=2, replace=False)]
         true = find_gait({name: random.uniform(*ranges[name]) for name in vary})
         names = [str(name) for name in random.choice(QUANTITIES, size=2, replace=False)]
         target = quantities_of(true, names)
-        if min(target.values()) > 1e-6:
+        if min(map(abs, target.values())) > 1e-6:
             assert_met(find_gait({}, target=target, vary=vary), target, 1e-9)
             met += 1
     assert met >= 10
