@@ -57,10 +57,11 @@ class RoughRunner:
         level.__dict__.update(self.__dict__, ground=RoughGround(), roughness=0.0, law=None)
         starts = np.zeros((1, KNOWN + 8 * len(self.step_weights)), dtype=np.uint8)
         self._start, _ = level._run(starts, 0, 0, goes_on=False)
-        self._start[:, KNOWN:] = 0
+        past = [0.0, *[math.nan] * (len(self.step_weights) - 1)] if len(self.step_weights) else []
+        self._start[0, KNOWN:] = np.array(past).view(np.uint8)
 
     def begin(self, count: int) -> NDArray[np.uint8]:
-        """At the gait's apex."""
+        """At the gait's apex; the deviates before, which are not numbers here, are drawn at the first step."""
         return np.repeat(self._start, count, axis=0)
 
     def advance(
@@ -115,8 +116,10 @@ class RoughRunner:
         if not len(self.step_weights):
             return rows[:, KNOWN:], {}
         past = np.ascontiguousarray(rows[:, KNOWN:]).view(np.float64)
-        drawn = np.random.default_rng((seed, time)).normal(size=len(rows))
-        deviates = np.column_stack([drawn, past[:, 1:]])
+        random = np.random.default_rng((seed, time))
+        deviates = np.column_stack([random.normal(size=len(rows)), past[:, 1:]])
+        unknown = np.isnan(deviates)
+        deviates[unknown] = random.normal(size=np.count_nonzero(unknown))
         height = past[:, 0] + self.roughness * deviates @ self.step_weights
         after = np.column_stack([height, deviates[:, :-1]])
         return np.ascontiguousarray(after).view(np.uint8), {HEIGHT: height[:, None]}
