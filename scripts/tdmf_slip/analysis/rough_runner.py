@@ -61,7 +61,7 @@ class RoughRunner:
         self._start[0, KNOWN:] = np.array(past).view(np.uint8)
 
     def begin(self, count: int) -> NDArray[np.uint8]:
-        """At the gait's apex; the deviates before, which are not numbers here, are drawn at the first step."""
+        """At the gait's apex. The deviates before are NaN here and drawn at the first step."""
         return np.repeat(self._start, count, axis=0)
 
     def advance(
