@@ -63,13 +63,14 @@ def test_stored_values_of_single_gaits_are_computed_again(claim):
 
 
 def check(row, stored):
+    """What is solved is solved again; what is drawn may differ between processors, within the intervals."""
     for now, then in ((row.value, stored.value), (row.control, stored.control)):
-        if isinstance(then, Estimate):
-            assert [now.value, now.low, now.high] == pytest.approx(
-                [then.value, then.low, then.high], rel=1e-6
-            )
-        else:
+        if not isinstance(then, Estimate):
             assert now == then
+        elif then.low == then.high:
+            assert now.value == pytest.approx(then.value, rel=1e-6)
+        else:
+            assert now.low <= then.high and then.low <= now.high
 
 
 def one_claim(measure, holds=lambda rows: rows["default"].number == 2.0):

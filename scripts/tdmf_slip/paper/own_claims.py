@@ -1,5 +1,6 @@
 """What this project says of its own, recomputed in every regime."""
 
+import textwrap
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -8,7 +9,7 @@ from ..contents import ByContents
 from ..errors import RunError
 from ..terminal.progress import progress_bar
 from ..terminal.text import table
-from .statements.claim import REGIMES, Cell, Estimate, OwnClaim, Row
+from .statements.claim import DEFAULT, REGIMES, Cell, Estimate, OwnClaim, Row
 from .statements.table import SECTIONS
 
 
@@ -80,19 +81,18 @@ class OwnClaims(ByContents):
         return [claim.as_json() for claim in self.claims]
 
     def as_text(self, program: str = "tdmf-slip") -> str:
-        """A table of both readings, a line for each regime, and the commands."""
-        header = ["", "what this project says", "regime", f"value / control, seed {self.seed}", "verdict"]
-        rows = []
+        """Each claim with its verdict, value and control by regime, and the command, called as `program`."""
+        count = sum(one.holds for one in self.claims)
+        parts = [f"{count} of {len(self.claims)} claims of this project hold at seed {self.seed}."]
         for number, one in enumerate(self.claims, start=1):
-            said = [str(number), one.claim.what, "holds" if one.holds else "DOES NOT HOLD"]
-            for regime in REGIMES:
-                rows.append([*said[:2], regime.title, str(one.rows[regime.name]), *said[2:]])
-                said = ["", "", ""]
-        commands = [f"{n:>2}  {one.claim.command}" for n, one in enumerate(self.claims, start=1)]
-        said_by = [
-            line.replace("tdmf-slip", program, 1).replace("{seed}", str(self.seed)) for line in commands
-        ]
-        return "\n".join([table(header, rows), "", *said_by])
+            verdict = "holds" if one.holds else "DOES NOT HOLD"
+            said = textwrap.fill(f"{number}. {one.claim.what}", 96, subsequent_indent="   ")
+            head = ["regime", "value" if one.rows[DEFAULT.name].control is None else "value / control"]
+            rows = [[regime.title, str(one.rows[regime.name])] for regime in REGIMES]
+            command = one.claim.command.replace("tdmf-slip", program, 1).replace("{seed}", str(self.seed))
+            numbers = textwrap.indent(table(head, rows), "   ")
+            parts.append(f"{said}\n{numbers}\n   {verdict}: {command}")
+        return "\n\n".join(parts)
 
 
 def own_claims(
