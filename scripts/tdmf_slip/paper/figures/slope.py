@@ -129,7 +129,7 @@ def draw(path: Path, data: Columns) -> None:
         panels[2].set_title("(c) both leading eigenvalues")
         panels[1].set_ylim(0.0, HIGHEST_COST)
         panels[2].set_ylim(-2.5, 1.2)
-        panels[0].plot([], [], ":", color=style.FAINT, label="kinematics of friction 0.2 on the level")
+        panels[0].plot([], [], ":", color=style.FAINT, label="matched to friction 0.2 on level ground")
         panels[0].legend(loc="lower left")
         panels[2].set_xlabel("slope of the ground in degrees; dots: the steepest climb of a branch")
         style.save(figure, path)
