@@ -128,18 +128,19 @@ def test_what_gaits_without_the_clamp_attract_is_proved(friction):
 
 
 def test_files_options_and_mappings_set_it(command, tmp_path):
-    toml, table = tmp_path / "free.toml", tmp_path / "free.json"
-    toml.write_text("[hip]\nswing_clamp = false\n", encoding="utf-8")
-    table.write_text(json.dumps({CLAMP: False}), encoding="utf-8")
-    expected = FREE[0.6]["speed"]
-    for given in (["--parameters", toml], ["--parameters", table], ["--set", f"{CLAMP}=false"]):
+    toml, table = tmp_path / "clamped.toml", tmp_path / "clamped.json"
+    toml.write_text("[hip]\nswing_clamp = true\n", encoding="utf-8")
+    table.write_text(json.dumps({CLAMP: True}), encoding="utf-8")
+    (expected,) = (gait["speed"] for gait in reference_gaits(True) if gait["friction"] == 0.6)
+    for given in (["--parameters", toml], ["--parameters", table], ["--set", f"{CLAMP}=true"]):
         status, out, err = command("gait", "--json", *given)
         assert status == 0, err
         plain = json.loads(out)
-        assert plain["speed"] == pytest.approx(expected, abs=1e-11) and plain["start_values"][CLAMP] is False
-    free = find_gait(Runner.of("human").but(CLAMP, False))
-    assert free.speed != pytest.approx(find_gait("human").speed, rel=1e-4)
-    assert find_gait(free.runner.but(CLAMP, True)).apex == pytest.approx(find_gait("human").apex, abs=1e-9)
+        assert plain["speed"] == pytest.approx(expected, abs=1e-11) and plain["start_values"][CLAMP] is True
+    free = find_gait("human")
+    clamped = find_gait(Runner.of("human").but(CLAMP, True))
+    assert clamped.speed != pytest.approx(free.speed, rel=1e-4)
+    assert find_gait(clamped.runner.but(CLAMP, False)).apex == pytest.approx(free.apex, abs=1e-9)
 
 
 @pytest.mark.parametrize("interface", ["me", "cs"])
