@@ -25,9 +25,11 @@ from ...optimization.space import Space
 from ...optimization.starts import Start
 from ...pictures import style
 from ...terminal.progress import progress_bar
+from . import figure_9
 from .columns import Columns
 
-FRICTIONS = np.geomspace(10.0, 0.05, 16)
+FRICTIONS = np.geomspace(10.0, 0.05, 16)[:12]
+"""On less friction a search that begins at the friction before ends at worse runners than others do."""
 SPEED = 0.8
 """Over l0 sqrt(k/m)."""
 RADIUS = 0.95
@@ -37,7 +39,9 @@ BOUNDS = {ANGLE: (0.3, 1.1), TORQUE: (0.0, 0.6), THRUST: (0.0, 0.4)}
 """In rad, k l0^2, l0."""
 CHEAPEST, MIN_SLIP = "cost_of_transport", "slip_distance"
 COLOURS = {CHEAPEST: "#e07b00", MIN_SLIP: "#1f5fa8"}
-COSTS = (0.2, 1.0)
+MARGIN = 1.1
+"""Ratio of frictions beyond the first and the last."""
+COSTS = (0.2, 0.8)
 """Shown."""
 NAMES = {CHEAPEST: "cheapest", MIN_SLIP: "least slip"}
 
@@ -141,8 +145,8 @@ def draw(path: Path, data: Columns) -> None:
         for axes in (cost, drive):
             axes.legend()
         for axes in panels[1]:
-            axes.set_xscale("log")
-            axes.set_xlabel("friction")
+            figure_9.friction_axis(axes, FRICTIONS)
+            axes.set_xlim(FRICTIONS[-1] / MARGIN, FRICTIONS[0] * MARGIN)
         style.save(figure, path)
 
 
