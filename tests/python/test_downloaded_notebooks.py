@@ -115,7 +115,8 @@ def test_validate_as_json(validated):
     status, printed, wanted = validated
     found = json.loads(printed)
     assert status == 0 and found["passed"] and wanted.passed
-    assert len(found["drifts"]) == 69 and len(found["gaits"]) == 5 and len(found["claims"]) == 20
+    assert len(found["drifts"]) == 135 and len(found["gaits"]) == 10
+    assert sum(found["counts"].values()) == len(found["claims"]) == len(wanted.claims)
 
 
 @built
@@ -123,7 +124,6 @@ def test_the_paper_page_shows_the_table_as_validate_prints_it(validated):
     *_, wanted = validated
     (table,) = [one for one in outputs("paper") if one.startswith("friction mu")]
     assert table == wanted.as_text().strip()
-    assert "\n".join(f"{claim.source}: {claim.what}" for claim in wanted.differing) in outputs("paper")
 
 
 def test_pieces_of_an_output_are_joined_as_they_came():

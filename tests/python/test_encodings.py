@@ -36,14 +36,15 @@ VALIDATE = """
 import math
 from tdmf_slip.cli import validate
 from tdmf_slip.cli.main import main
-from tdmf_slip.paper.claims import Claim
+from tdmf_slip.paper.claims import Claim, alike
 from tdmf_slip.paper.reference_gaits import Drift
 from tdmf_slip.paper.validation import Validation
 
-claims = [Claim("speed", "≈ +10 %", "≈ +9 %", True), Claim("SLIP at 44°", "stable", "unstable", False)]
+claims = [Claim("speed", "≈ +10 %", alike("≈ +9 %", True))]
+claims += [Claim("SLIP at 44°", "stable", alike("unstable", False))]
 met = [Drift(0.6, "period", 2.0, 2.0, 3e-9, 1e-6), Drift(0.6, "apex", 1.0, 1.0, 7e-8, 1e-5)]
 met += [Drift(math.nan, name, 0.5, 0.5, 4e-5, 5e-5) for name in ("a border", "of the SLIP")]
-validate.validate = lambda **_: Validation([], claims, met)
+validate.validate = lambda **_: Validation({}, claims, met)
 main(["validate"])
 """
 """The command at work, but with a verdict that took no minutes."""

@@ -217,18 +217,18 @@ def test_a_proved_attraction_bounds_the_distance_stride_by_stride():
 
 def test_a_validation_shows_each_value_beside_what_is_allowed():
     drifts = [
-        Drift(0.6, "period", 1.0, 1.0, 0.0, 1e-6),
-        Drift(0.6, "speed", 1.0, 1.1, 1e-5, 1e-6),
-        Drift(0.6, "word", "+0+", "+0+", 0.0, 0.0),
+        Drift(0.6, "period", 1.0, 1.0, 0.0, 1e-6, "clamp"),
+        Drift(0.6, "speed", 1.0, 1.1, 1e-5, 1e-6, "clamp"),
+        Drift(0.6, "word", "+0+", "+0+", 0.0, 0.0, "clamp"),
         Drift(math.nan, "fold", 1.0, 1.0, 1e-9, 1e-6),
     ]
     plt.close("all")
-    figure = tdmf_slip.Validation([], [], drifts).plot()
+    figure = tdmf_slip.Validation({}, [], drifts).plot()
     assert not plt.get_fignums()  # else a notebook shows it twice
     (axes,) = figure.axes
     assert sorted(line(axes, "as recorded: 3 values")[0]) == pytest.approx([1e-6, 1e-6, 1e-3])
     assert line(axes, "differs: 1 values")[0] == pytest.approx([10.0])
-    assert [text.get_text() for text in axes.get_yticklabels()] == ["0.6", "of no single gait"]
+    assert [text.get_text() for text in axes.get_yticklabels()] == ["0.6, clamp", "of no single gait"]
     assert "allowed" in axes.get_xlabel()
 
 

@@ -1,4 +1,4 @@
-"""The command `validate`: what the paper says, published beside computed."""
+"""The command `validate`: what the paper says, beside what is computed for both readings of its swing law."""
 
 from pathlib import Path
 from textwrap import fill, indent
@@ -31,7 +31,10 @@ from .output import json_text, program
     help="Also draw figures 5 to 9 of the paper, one stride, and the model.",
 )
 @click.option(
-    "--gaits", "only_gaits", is_flag=True, help="Only the five gaits, without what the paper states of them."
+    "--gaits",
+    "only_gaits",
+    is_flag=True,
+    help="Only the five gaits of both readings, without the statements.",
 )
 @click.option("--long", "own", is_flag=True, help="Also compute this project's own claims: up to an hour.")
 @click.option(
@@ -46,7 +49,7 @@ from .output import json_text, program
 def validate_command(
     tolerance: float, pictures: Path | None, only_gaits: bool, own: bool, seed: int, as_json_object: bool
 ) -> None:
-    """The five published gaits, published beside computed; with --long this project's own claims, too.
+    """The paper's gaits and statements beside both readings of (12); with --long our own claims, too.
 
     The exit status is 1 where a computed value is farther from its recorded reference than allowed, or
     a claim does not hold.

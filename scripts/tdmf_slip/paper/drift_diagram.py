@@ -41,7 +41,9 @@ def figure_of(drifts: Sequence[Drift]) -> Figure:
 
 
 def _gait(drift: Drift) -> str:
-    return f"{drift.friction:g}" if np.isfinite(drift.friction) else OTHER
+    if not np.isfinite(drift.friction):
+        return OTHER
+    return ", ".join(filter(None, (f"{drift.friction:g}", drift.reading)))
 
 
 def _share(drift: Drift) -> float:

@@ -10,6 +10,7 @@ from ..fmu.fmu import Fmu
 from ..library.gait import REPORTED
 from ..library.runner import Runner
 from ..library.section import COORDINATES
+from .claims import CLAMP, FREE
 from .settling import SettledRun
 
 PATH = Path(__file__).with_suffix(".json")
@@ -65,6 +66,8 @@ class Drift:
     """Relative for a gait's quantities, over its scale for its apex; 0 or 1 for its word; else absolute."""
     allowed: float
     """The largest deviation that passes."""
+    reading: str = ""
+    """Reading of the swing law (12); empty for what has no swing."""
 
     @property
     def passed(self) -> bool:
@@ -86,11 +89,14 @@ def gaits() -> tuple[ReferenceGait, ...]:
 def drifts(run: SettledRun, reference: ReferenceGait, fmu: Fmu) -> list[Drift]:
     """All recorded values of a gait beside their references."""
     mu, scales = run.friction, Runner.of(run.start_values, fmu).scales
-    found = [Drift(mu, "word", run.word, reference.word, float(run.word != reference.word), 0.0)]
+    reading = CLAMP if reference.swing_clamp else FREE
+    found = [Drift(mu, "word", run.word, reference.word, float(run.word != reference.word), 0.0, reading)]
     for name in REPORTED:
         computed, wanted = getattr(run, name), getattr(reference, name)
-        found.append(Drift(mu, name, computed, wanted, abs(computed / wanted - 1.0), QUANTITY_TOLERANCE))
+        found.append(
+            Drift(mu, name, computed, wanted, abs(computed / wanted - 1.0), QUANTITY_TOLERANCE, reading)
+        )
     for name, computed, wanted, scale in zip(COORDINATES, run.apex, reference.apex, scales, strict=True):
         deviation = float(abs(computed - wanted) / scale)
-        found.append(Drift(mu, f"apex {name}", computed, wanted, deviation, APEX_TOLERANCE))
+        found.append(Drift(mu, f"apex {name}", computed, wanted, deviation, APEX_TOLERANCE, reading))
     return found

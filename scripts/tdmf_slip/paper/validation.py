@@ -1,7 +1,7 @@
-"""The five published gaits, by the unit, compared: with the paper, and with the reference."""
+"""The paper's gaits and statements, for both readings of its swing law, beside what is computed."""
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass, field
 from typing import TYPE_CHECKING
 
@@ -14,9 +14,10 @@ from ..library.runner import Runner
 from ..record import origin_of
 from ..terminal.progress import progress_bar
 from ..terminal.text import table
-from . import guinea_fowl
+from . import guinea_fowl, human_running, published, recorded
 from . import reference_gaits as reference
-from .claims import WORDS, Claim, claims, gather, recorded
+from .claims import PAPER, READINGS, WORDS, Claim, Group, of_group
+from .evidence import gather, gather_classic
 from .own_claims import OwnClaims, own_claims
 from .reference_gaits import Drift
 from .settling import DEFAULT_TOLERANCE, SettledRun, settle_fmu
@@ -27,14 +28,16 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Validation(ByContents, Drawable):
-    """The five gaits, what the paper says of them, and how far they are from the reference."""
+    """The five gaits in both readings, what is published of them, and how far they are from the reference."""
 
-    gaits: Sequence[SettledRun]
-    """Of the unit, at the five frictions."""
+    gaits: Mapping[str, Sequence[SettledRun]]
+    """Gaits of the unit at the five frictions, by reading."""
     claims: Sequence[Claim]
     """The paper's statements beside what is computed; none where only the gaits were asked for."""
     drifts: Sequence[Drift]
     """Every value beside its reference."""
+    others: Sequence[Claim] = ()
+    """Statements of other papers, on guinea fowl and on human running."""
     own: OwnClaims = field(default_factory=lambda: OwnClaims(0, ()))
     """This project's own claims; none where they were not computed."""
 
@@ -44,9 +47,9 @@ class Validation(ByContents, Drawable):
         return all(drift.passed for drift in self.drifts) and self.own.passed
 
     @property
-    def differing(self) -> list[Claim]:
-        """The statements that what is computed does not bear out."""
-        return [claim for claim in self.claims if not claim.agrees]
+    def counts(self) -> dict[str, int]:
+        """Number of the paper's statements, by the name of their group."""
+        return {group.name.lower(): len(of_group(self.claims, group)) for group in Group}
 
     def plot(self) -> "Figure":
         """Every recorded value, over its deviation from the reference."""
@@ -56,23 +59,28 @@ class Validation(ByContents, Drawable):
         return released(drift_diagram.figure_of(self.drifts))
 
     def __repr__(self) -> str:
-        """In a line: how many statements, and how many of them differ."""
-        return f"<Validation of {len(self.claims)} statements: {len(self.differing)} differ>"
+        """In a line: how many statements, and how many of each group."""
+        return f"<Validation of {len(self.claims)} statements: {self._counted()}>"
 
     def as_json(self) -> dict[str, object]:
         """Everything as a plain object."""
         return {
             **origin_of(),
             "passed": self.passed,
-            "differing": len(self.differing),
-            "gaits": [{"published_word": WORDS[g.friction], **g.as_json()} for g in self.gaits],
-            "claims": [{**asdict(claim), "verdict": claim.verdict} for claim in self.claims],
+            "counts": self.counts,
+            "gaits": [
+                {"reading": reading, "published_word": WORDS[gait.friction], **gait.as_json()}
+                for reading, gaits in self.gaits.items()
+                for gait in gaits
+            ],
+            "claims": [claim.as_json() for claim in self.claims],
+            "other_papers": [claim.as_json() for claim in self.others],
             "drifts": [{**asdict(drift), "passed": drift.passed} for drift in self.drifts],
             "own_claims": self.own.as_json(),
         }
 
     def as_text(self, program: str = "tdmf-slip") -> str:
-        """The gaits, the paper's claims, the project's own, and the verdict on the reference.
+        """The gaits, the statements of the paper, of others and of ours, and the verdict on the reference.
 
         Parameters
         ----------
@@ -84,48 +92,47 @@ class Validation(ByContents, Drawable):
         str
             Tables.
         """
-        said = [self._claim_table()] if self.claims else []
+        groups = [_group_table(group, of_group(self.claims, group)) for group in Group]
+        said = [*filter(None, groups), self._summary()] if self.claims else []
+        others = [_table_of_others(self.others)] if self.others else []
         own = [self.own.as_text(program)] if self.own.claims else []
-        return "\n\n".join([self._gait_table(), *said, *own, self._drift_summary()])
+        return "\n\n".join([self._gait_table(), *said, *others, *own, self._drift_summary()])
 
     def _gait_table(self) -> str:
-        header = [
-            "friction mu",
-            "published word",
-            "computed word",
-            "period",
-            "speed",
-            "cost of transport",
-            "verdict",
+        header = ["friction mu", "published word"]
+        for reading in self.gaits:
+            header += [f"{reading}: word", "period", "speed", "cost"]
+        rows = []
+        for row in zip(*self.gaits.values(), strict=True):
+            cells = [f"{row[0].friction:g}", WORDS[row[0].friction]]
+            for gait in row:
+                cells += [
+                    gait.word,
+                    f"{gait.period:.4f}",
+                    f"{gait.speed:.5f}",
+                    f"{gait.cost_of_transport:.5f}",
+                ]
+            same = all(gait.word == WORDS[gait.friction] for gait in row)
+            rows.append([*cells, "same words" if same else "OTHER WORDS"])
+        notes = [
+            "Periods in sqrt(m/k), speeds in l0 sqrt(k/m). The paper gives no numbers for single gaits.",
+            "Readings of (12): free swing (hip.swing_clamp = false, the default) and clamp (true).",
         ]
-        rows = [
-            [
-                f"{gait.friction:g}",
-                WORDS[gait.friction],
-                gait.word,
-                f"{gait.period:.5f}",
-                f"{gait.speed:.6f}",
-                f"{gait.cost_of_transport:.6f}",
-                "same word" if gait.word == WORDS[gait.friction] else "OTHER WORD",
-            ]
-            for gait in self.gaits
-        ]
-        units = "Periods in sqrt(m/k), speeds in l0 sqrt(k/m). The paper gives no numbers for single gaits."
-        return f"{table(header, rows)}\n{units}"
+        return "\n".join([table([*header, "verdict"], rows), *notes])
 
-    def _claim_table(self) -> str:
-        header = ["claim", "published", "computed", "verdict"]
-        rows = [[c.what, c.published, c.computed, c.verdict] for c in self.claims]
-        return f"{table(header, rows)}\n{self._differing()}"
+    def _summary(self) -> str:
+        return f"{len(self.claims)} statements of {PAPER}: {self._counted()}."
 
-    def _differing(self) -> str:
-        """How many statements differ, of all and by who says them."""
-        parts = []
-        for source in dict.fromkeys(claim.source for claim in self.claims):
-            of_it = [claim for claim in self.claims if claim.source == source]
-            differ = sum(not claim.agrees for claim in of_it)
-            parts.append(f"{differ} of the {len(of_it)} of {source}")
-        return f"{len(self.differing)} of {len(self.claims)} statements differ: {', '.join(parts)}."
+    def _counted(self) -> str:
+        """How many statements are in each group, in words."""
+        names = {
+            Group.AGREES: "agree",
+            Group.CORRECTION: "depend on the correction of a misprint",
+            Group.BEYOND: "were beyond what the paper could compute",
+            Group.DIFFERS: "differ",
+        }
+        counts = self.counts
+        return ", ".join(f"{counts[group.name.lower()]} {name}" for group, name in names.items())
 
     def _drift_summary(self) -> str:
         missed = [drift for drift in self.drifts if not drift.passed]
@@ -140,10 +147,11 @@ class Validation(ByContents, Drawable):
                 f"of a gait {largest[quantities]:.1e} (allowed {quantities:g}), "
                 f"of an apex {largest[apexes]:.1e} (allowed {apexes:g})."
             )
-        header = ["friction mu", "what", "computed", "reference", "deviation", "allowed"]
+        header = ["friction mu", "reading", "what", "computed", "reference", "deviation", "allowed"]
         rows = [
             [
                 f"{d.friction:g}" if math.isfinite(d.friction) else "",
+                d.reading,
                 d.what,
                 f"{d.computed}",
                 f"{d.reference}",
@@ -156,6 +164,27 @@ class Validation(ByContents, Drawable):
         return f"Reference: {count} recorded values are NOT met:\n{table(header, rows)}"
 
 
+def _group_table(group: Group, claims: Sequence[Claim]) -> str:
+    """The statements of a group under its heading; nothing where there are none."""
+    if not claims:
+        return ""
+    header = ["section", "statement", "published", *READINGS, "verdict"]
+    rows = [[c.where, c.what, c.published, *_findings(c), c.verdict] for c in claims]
+    return f"{group.value}\n{table(header, rows)}"
+
+
+def _table_of_others(claims: Sequence[Claim]) -> str:
+    header = ["source", "statement", "published", *READINGS, "verdict"]
+    rows = [[c.source, c.what, c.published, *_findings(c), c.verdict] for c in claims]
+    return f"Other papers\n{table(header, rows)}"
+
+
+def _findings(claim: Claim) -> list[str]:
+    """What is computed in each reading; "same" where a reading changes nothing."""
+    first, *rest = (claim.computed[reading].text for reading in READINGS)
+    return [first, *("same" if text == first else text for text in rest)]
+
+
 def validate(
     *,
     tolerance: float = DEFAULT_TOLERANCE,
@@ -165,7 +194,7 @@ def validate(
     progress: bool = False,
     fmu: Fmu | None = None,
 ) -> Validation:
-    """Run the five published gaits through FMPy's CVODE, and compare them.
+    """Run the five published gaits through FMPy's CVODE in both readings, and compare them with the paper.
 
     Parameters
     ----------
@@ -200,21 +229,33 @@ def validate(
     True
     """
     fmu, own, seed = load_fmu(fmu), checked_flag("own", own), checked_whole("seed", seed, 0, 2**63 - 1)
-    parameters = {**read_parameters("paper"), "hip.swing_clamp": True}
-    gaits = []
-    with progress_bar("gaits", len(WORDS), "gaits", progress) as bar:
-        for friction in WORDS:
-            gaits.append(settle_fmu({**parameters, FRICTION: friction}, tolerance=tolerance, fmu=fmu))
-            bar.update()
-    references = {known.friction: known for known in reference.gaits() if known.swing_clamp}
-    drifts = [d for gait in gaits for d in reference.drifts(gait, references[gait.friction], fmu)]
+    runners = {
+        reading: {**read_parameters("paper"), "hip.swing_clamp": value} for reading, value in READINGS.items()
+    }
+    gaits: dict[str, list[SettledRun]] = {reading: [] for reading in READINGS}
+    with progress_bar("gaits", len(WORDS) * len(READINGS), "gaits", progress) as bar:
+        for reading, parameters in runners.items():
+            for friction in WORDS:
+                run = settle_fmu({**parameters, FRICTION: friction}, tolerance=tolerance, fmu=fmu)
+                gaits[reading].append(run)
+                bar.update()
+    references = {(known.swing_clamp, known.friction): known for known in reference.gaits()}
+    drifts = [
+        drift
+        for reading, runs in gaits.items()
+        for run in runs
+        for drift in reference.drifts(run, references[READINGS[reading], run.friction], fmu)
+    ]
     if only_gaits:
         return Validation(gaits=gaits, claims=(), drifts=drifts)
-    evidence = gather(Runner.of(parameters, fmu), progress)
-    drifts += [
-        Drift(float("nan"), what, now, then, abs(now - then), allowed)
-        for what, now, then, allowed in recorded(evidence)
-    ]
-    said = [*claims(evidence), *guinea_fowl.claims(guinea_fowl.fall_map())]
-    of_our_own = own_claims(seed=seed, progress=progress) if own else OwnClaims(seed, ())
-    return Validation(gaits=gaits, claims=said, drifts=drifts, own=of_our_own)
+    evidence = {reading: gather(Runner.of(given, fmu), progress) for reading, given in runners.items()}
+    classic = gather_classic()
+    for reading, of_reading in evidence.items():
+        drifts += recorded.drifts(reading, of_reading)
+    return Validation(
+        gaits=gaits,
+        claims=published.claims(evidence, classic),
+        drifts=[*drifts, *recorded.classic_drifts(classic)],
+        others=[*guinea_fowl.claims(guinea_fowl.fall_map()), *human_running.claims()],
+        own=own_claims(seed=seed, progress=progress) if own else OwnClaims(seed, ()),
+    )

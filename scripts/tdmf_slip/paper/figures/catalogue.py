@@ -2,7 +2,7 @@
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from functools import cache
+from functools import cache, partial
 from pathlib import Path
 
 import numpy as np
@@ -22,6 +22,8 @@ from ...pictures.stride import Stride
 from ...terminal.progress import progress_bar
 from .. import guinea_fowl as slippery
 from .. import matched
+from ..claims import READINGS
+from ..evidence import SWEPT
 from . import (
     attraction,
     energy,
@@ -51,12 +53,11 @@ from .columns import Columns, write_columns
 
 FORMATS = ("png", "svg", "pdf")
 """That figures can be written in."""
-SWEPT = np.geomspace(10.0, 0.05, 200)
-"""Frictions of figure 9."""
 MEASURED = 26
 """So many of these have their region of attraction measured."""
 EQUAL, MEASURED_EQUAL = 48, 12
 """So many are made equal in speed and apex, and of these have theirs measured."""
+CLAMP = "hip.swing_clamp"
 STRIDE_COLUMNS = (
     "time",
     "com.y",
@@ -117,8 +118,11 @@ def _figures(fmu: Fmu, measure: bool = False) -> dict[str, Figure]:
     runner = Runner.of(read_parameters("paper"), fmu)
 
     @cache
-    def stride(friction: float) -> Stride:
-        return Stride(periodic_gait(runner.but(FRICTION, friction)), fmu)
+    def stride(friction: float, clamp: bool = False) -> Stride:
+        given = runner.but(FRICTION, friction).but(CLAMP, clamp)
+        return Stride(periodic_gait(given), fmu)
+
+    both = [partial(stride, figure_5.FRICTION, clamp) for clamp in READINGS.values()]
 
     @cache
     def gaits() -> Sweep:
@@ -199,7 +203,10 @@ def _figures(fmu: Fmu, measure: bool = False) -> dict[str, Figure]:
         "figure_2b": Figure(figure_2.draw_gaits, figure_2.gait_table),
         "figure_3": Figure(figure_3.draw, figure_3.table),
         "figure_4a": Figure(figure_4.draw, figure_2.gait_table),
-        "figure_5": _of_stride(figure_5.draw, stride, figure_5.FRICTION),
+        "figure_5": Figure(
+            lambda path: figure_5.draw(path, *(one() for one in both)),
+            lambda: _stride_table([one() for one in both]),
+        ),
         "figure_6": _of_stride(figure_6.draw, stride, figure_6.FRICTION),
         "figure_7": _of_stride(figure_7.draw, stride, figure_7.FRICTION),
         "figure_8": Figure(
@@ -251,6 +258,10 @@ def _of_stride(
 
 
 def _stride_table(strides: Sequence[Stride]) -> Columns:
-    """Recorded rows of one or more strides, normalised, with the gait's friction first."""
-    rows = {"friction": np.concatenate([np.full(len(s.time), s.gait.friction) for s in strides])}
+    """Recorded rows of one or more strides, normalised, with the gait's friction and reading first."""
+    lengths = [len(stride.time) for stride in strides]
+    rows = {
+        "friction": np.repeat([stride.gait.friction for stride in strides], lengths),
+        "swing_clamp": np.repeat([int(stride.gait.runner.values[CLAMP]) for stride in strides], lengths),
+    }
     return rows | {name: np.concatenate([s[name] for s in strides]) for name in STRIDE_COLUMNS}

@@ -12,14 +12,15 @@ from numpy.typing import NDArray
 
 from ...library import classic_slip
 from ...pictures import style
+from ..evidence import gather_classic
 from .columns import Columns
 
 ANGLES = (38.0, 40.0, 42.0, 44.0)
 """Of the maps, degrees."""
 COLOURS = ("#9bb8d3", "#1f5fa8", "#e07b00", "#b3216f")
 POINTS = 400
-SWEPT = 44.588 - 8.588 * np.linspace(1.0, 0.0, 80) ** 2
-"""Angles of the gaits, degrees, closer towards the fold, which follows."""
+SWEPT = 44.588 - 13.288 * np.linspace(1.0, 0.0, 100) ** 2
+"""Angles of the gaits, degrees: from the lowest stable one, closer towards the fold, which follows."""
 
 
 def map_table() -> Columns:
@@ -86,7 +87,7 @@ def _cut(values: NDArray[np.float64], at: NDArray[np.float64]) -> NDArray[np.flo
 def _diagonal(axes: Axes) -> None:
     top = classic_slip.highest(classic_slip.slip(math.radians(ANGLES[0])))
     axes.plot([0.5, top], [0.5, top], color=style.FAINT, linestyle="-.", linewidth=1.0, zorder=1)
-    axes.set_xlim(0.5, 4.0)
+    axes.set_xlim(0.5, 5.5)
     axes.set_ylim(0.5, 8.0)
 
 
@@ -109,6 +110,9 @@ def draw_gaits(path: Path) -> None:
             axes.plot(angles, np.array(data["height"])[rows], line, color=style.CURVE, label=name)
         angle, height = data["angle_degrees"][-1], data["height"][-1]
         axes.plot(angle, height, "o", color=style.SECOND_CURVE, label=f"fold at {angle:.2f}°")
+        lowest = gather_classic().lowest
+        angle, height = math.degrees(lowest), classic_slip.fixed_points(lowest)[0].height
+        axes.plot(angle, height, "s", color=style.SECOND_CURVE, label=f"period doubling at {angle:.2f}°")
         axes.legend()
         style.label(axes, r"touchdown angle  $\theta_0$ in degrees", "apex height  y*  in m")
         style.save(figure, path)

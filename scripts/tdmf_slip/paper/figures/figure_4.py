@@ -6,7 +6,8 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 from ...pictures import style
-from ..claims import IMPACT_FRICTION, SLIP_ANGLE, STANCE_FRICTION
+from ..evidence import SLIP_ANGLE
+from ..published import IMPACT_FRICTION, STANCE_FRICTION
 from . import figure_2
 
 

@@ -1,6 +1,11 @@
-"""Figure 5: the gait at high friction, where the foot sticks: heights, leg, foot velocity, force ratio."""
+"""Figure 5: the gait at high friction, where the foot sticks: heights, leg, foot velocity, force ratio.
 
+The gait of the default is drawn in full, and that with the clamp of the swing law (12) dotted.
+"""
+
+from collections.abc import Mapping
 from pathlib import Path
+from typing import Any
 
 import matplotlib.pyplot as plt
 import numpy as np
@@ -10,35 +15,39 @@ from ...pictures import panels, style
 from ...pictures.stride import Stride
 
 FRICTION = 10.0
+CLAMPED: Mapping[str, Any] = {"linestyle": (0.0, (1.0, 1.2)), "linewidth": 1.3, "zorder": 2}
 
 
-def draw(path: Path, stride: Stride) -> None:
-    """Draw the four panels."""
+def draw(path: Path, stride: Stride, clamped: Stride) -> None:
+    """Draw the four panels of one gait, with heights and leg of the other."""
     with style.styled():
         figure, axes = plt.subplots(2, 2, figsize=(8.4, 6.2), layout="constrained")
-        _heights(axes[0, 0], stride)
-        _leg(axes[0, 1], stride)
-        _velocity(axes[1, 0], stride)
+        _heights(axes[0, 0], stride, clamped)
+        _leg(axes[0, 1], stride, clamped)
+        _velocity(axes[1, 0], stride, clamped)
         _ratio(axes[1, 1], stride)
         figure.suptitle(
-            rf"Periodic gait at $\mu = {stride.gait.friction:g}$, word  {style.word(stride.gait.word)}",
+            rf"Periodic gait at $\mu = {stride.gait.friction:g}$, word  {style.word(stride.gait.word)};  "
+            "dotted: with the clamp of (12)",
             x=0.02,
             ha="left",
         )
         style.save(figure, path)
 
 
-def _heights(axes: Axes, stride: Stride) -> None:
+def _heights(axes: Axes, stride: Stride, clamped: Stride) -> None:
     panels.mark_stance(axes, stride)
     axes.plot(stride.time, stride["com.y"], color=style.CURVE, label=r"centre of mass $y_c$")
     axes.plot(stride.time, stride["foot.y"], color=style.SECOND_CURVE, label=r"foot $y$")
+    axes.plot(clamped.time, clamped["com.y"], color=style.CURVE, **CLAMPED)
+    axes.plot(clamped.time, clamped["foot.y"], color=style.SECOND_CURVE, **CLAMPED)
     axes.set_title("(a) heights")
     axes.set_ylim(-0.05, 1.75)
     axes.legend(loc="upper center", ncols=2, bbox_to_anchor=(0.5, 1.0))
     style.label(axes, panels.TIME_LABEL, "height  / l₀")
 
 
-def _leg(axes: Axes, stride: Stride) -> None:
+def _leg(axes: Axes, stride: Stride, clamped: Stride) -> None:
     panels.mark_stance(axes, stride)
     axes.plot(stride.time, stride["leg.length"], color=style.CURVE)
     axes.set_title("(b) leg length and angle")
@@ -47,18 +56,21 @@ def _leg(axes: Axes, stride: Stride) -> None:
     angle = axes.twinx()
     angle.spines["right"].set_visible(True)
     angle.plot(stride.time, np.degrees(stride["leg.angle"]), color=style.SECOND_CURVE)
+    angle.plot(clamped.time, np.degrees(clamped["leg.angle"]), color=style.SECOND_CURVE, **CLAMPED)
+    waits = np.degrees(stride.gait.runner.values["hip.liftoff_angle_factor"] * stride.gait.liftoff_angle)
+    angle.axhline(waits, **style.LIMIT_LINE)
+    angle.annotate(r"$\eta\,\theta_{LO}$", (0.02, waits - 3.0), xycoords=("axes fraction", "data"), va="top")
     angle.set_ylabel("leg angle  θ  in degrees", color=style.SECOND_CURVE)
     angle.tick_params(axis="y", colors=style.SECOND_CURVE)
     angle.set_ylim(-65, 75)
 
 
-def _velocity(axes: Axes, stride: Stride) -> None:
+def _velocity(axes: Axes, stride: Stride, clamped: Stride) -> None:
     panels.mark_stance(axes, stride)
     panels.foot_velocity(axes, stride, stance_only=False)
+    axes.plot(clamped.time, clamped["foot.vx"], color=style.FAINT, **CLAMPED)
     axes.set_title("(c) foot velocity")
-    axes.legend(
-        handles=panels.mode_key(stride, style.MODE_COLOURS), loc="center", bbox_to_anchor=(0.27, 0.42)
-    )
+    axes.legend(handles=panels.mode_key(stride, style.MODE_COLOURS), loc="center", bbox_to_anchor=(0.27, 0.3))
 
 
 def _ratio(axes: Axes, stride: Stride) -> None:

@@ -16,7 +16,7 @@ from ...analysis.sweep import Sweep
 from ...fmu.variable import Values
 from ...library.gait import Gait
 from ...pictures import style
-from ..claims import BEST_FRICTION, COST_GAIN, SPEED_GAIN
+from ..published import BEST_FRICTION, COST_GAIN, SPEED_GAIN
 from .columns import Columns
 
 CONTROL = {"color": "#7a5195", "linestyle": "--", "zorder": 3, "label": "speed and apex of the runner on 10"}

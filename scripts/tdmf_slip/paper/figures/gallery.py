@@ -13,32 +13,37 @@ from ...pictures.stride import Stride
 from ...terminal.progress import progress_bar
 from .. import matched
 from ..claims import WORDS
+from ..evidence import SWEPT
 from . import figure_5, figure_6, figure_7, figure_8, figure_9
-from .catalogue import EQUAL, SWEPT
+from .catalogue import CLAMP, EQUAL
 
 
 def draw(folder: Path, fmu: Fmu, progress: bool = False) -> list[Path]:
     """Draw figures 5 to 9 of the paper, one stride as snapshots and as an animation, and the model."""
     folder.mkdir(exist_ok=True)
     runner = Runner.of(read_parameters("paper"), fmu)
-    with progress_bar("pictures", len(WORDS) + 8, "", progress) as bar:
+    with progress_bar("pictures", len(WORDS) + 9, "", progress) as bar:
         strides = {}
         for friction in WORDS:
             strides[friction] = Stride(periodic_gait(runner.but(FRICTION, friction)), fmu)
             bar.update()
+        clamped = Stride(periodic_gait(runner.but(FRICTION, figure_5.FRICTION).but(CLAMP, True)), fmu)
+        bar.update()
         written = []
         gaits = sweep(runner, {FRICTION: SWEPT})
-        for name, drawing in _drawings(strides, gaits).items():
+        for name, drawing in _drawings(strides, clamped, gaits).items():
             drawing(folder / name)
             written.append(folder / name)
             bar.update()
     return written
 
 
-def _drawings(strides: dict[float, Stride], gaits: Sweep) -> dict[str, Callable[[Path], None]]:
+def _drawings(
+    strides: dict[float, Stride], clamped: Stride, gaits: Sweep
+) -> dict[str, Callable[[Path], None]]:
     first, second = figure_8.FRICTIONS
     return {
-        "figure_5.png": lambda path: figure_5.draw(path, strides[figure_5.FRICTION]),
+        "figure_5.png": lambda path: figure_5.draw(path, strides[figure_5.FRICTION], clamped),
         "figure_6.png": lambda path: figure_6.draw(path, strides[figure_6.FRICTION]),
         "figure_7.png": lambda path: figure_7.draw(path, strides[figure_7.FRICTION]),
         "figure_8.png": lambda path: figure_8.draw(path, (strides[first], strides[second])),

@@ -1,0 +1,124 @@
+"""What the paper's statements are compared with: gaits, simulations and perturbed strides of one reading."""
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cache
+
+import numpy as np
+from scipy.optimize import brentq
+
+from ..analysis.search import periodic_gait
+from ..analysis.spread import Spread, search_from_spread
+from ..analysis.stride_map import stride_map
+from ..analysis.sweep import Sweep, sweep
+from ..contents import ByContents
+from ..fmu.fmu import FRICTION
+from ..library import classic_slip
+from ..library.binding import c
+from ..library.gait import Gait
+from ..library.members import STATES
+from ..library.runner import Runner
+from ..library.section import COORDINATES
+from .claims import WORDS
+
+SWEPT = np.geomspace(10.0, 0.05, 200)
+"""Frictions at which gaits are sought."""
+LEAST_FRICTION = float(SWEPT[-1])
+SIMULATED, SETTLED = 700, 1e-6
+"""Strides of a simulation on the least friction, and the distance from the gait at which it has settled."""
+PERTURBED = np.geomspace(0.3, 0.05, 8)
+"""Frictions of perturbed gaits: the paper could not differentiate its map there."""
+PERTURBATIONS = np.linspace(-0.2, 0.2, 41)
+"""Change of one coordinate of the apex, in units of l0, sqrt(m/k) and rad."""
+LEG_ANGLE = COORDINATES.index("leg_angle")
+SLIP_ANGLE = 40.0
+"""Touchdown angle of the classic SLIP for which the paper gives numbers, degrees."""
+BRACKET = (math.radians(30.0), math.radians(33.0))
+"""Touchdown angles between which the lower gait of the classic SLIP becomes stable."""
+
+
+@dataclass(frozen=True, eq=False)
+class Evidence(ByContents):
+    """What is computed of the paper's runner for one reading."""
+
+    sweep: Sweep
+    """Gaits over the friction."""
+    five: Sequence[Gait]
+    """Gaits at the frictions of the paper's figures 5 to 8."""
+    touchdown_angle: float
+    """Leg angle at touchdown at the highest friction, rad."""
+    settling: int | None
+    """Strides after which a plain simulation on the least friction has settled on the gait; None if never."""
+    perturbed: int
+    """Strides that began off a gait on low friction."""
+    further_touchdowns: int
+    """Strides among them that have more than one touchdown, or do not reach the next apex."""
+    printed_torque: Spread
+    """Search for a gait with the stance torque (11) as it is printed, from starts all over the section."""
+
+
+@dataclass(frozen=True, eq=False)
+class ClassicEvidence(ByContents):
+    """What is computed of the classic SLIP, which has no swing."""
+
+    stable: classic_slip.FixedPoint
+    """Stable gait at 40 degrees."""
+    lowest: float
+    """Least touchdown angle with a stable gait, rad; the map's slope is -1 there."""
+    fold: classic_slip.FixedPoint
+    """Largest touchdown angle with a gait."""
+
+
+def gather(runner: Runner, progress: bool = False) -> Evidence:
+    """Compute what the statements about the paper's runner are compared with."""
+    found = sweep(runner, {FRICTION: SWEPT}, progress=progress)
+    five = [periodic_gait(runner.but(FRICTION, friction)) for friction in WORDS]
+    perturbed, further = _perturb(runner)
+    return Evidence(
+        found, five, _touchdown_angle(five[0]), _settling(runner), perturbed, further, _printed_torque(runner)
+    )
+
+
+def _touchdown_angle(gait: Gait) -> float:
+    touchdown = next(event for event in gait.events if event.contact_after != c.TDMF_CONTACT_FLIGHT)
+    return touchdown.state[STATES.index("leg.angle")]
+
+
+def _settling(runner: Runner) -> int | None:
+    """Run from the unit's own start, as a simulation would."""
+    slippery = runner.but(FRICTION, LEAST_FRICTION)
+    run = stride_map(slippery, [runner.start_apex()], strides=SIMULATED)
+    distance = np.max(np.abs(run["apex"][0] - periodic_gait(slippery).apex) / slippery.scales, axis=1)
+    settled = np.flatnonzero(distance < SETTLED)
+    return int(settled[0]) if len(settled) else None
+
+
+def _perturb(runner: Runner) -> tuple[int, int]:
+    """Count strides that begin off a gait by one coordinate, and those with a second impact."""
+    directions = np.eye(len(COORDINATES)) * runner.scales
+    offsets = np.concatenate([size * directions for size in PERTURBATIONS])
+    further = 0
+    for friction in PERTURBED:
+        gait = periodic_gait(runner.but(FRICTION, friction))
+        run = stride_map(gait.runner, gait.apex + offsets)
+        further += int(np.sum(run["touchdowns"] != 1.0))
+    return len(PERTURBED) * len(offsets), further
+
+
+def _printed_torque(runner: Runner) -> Spread:
+    """Search gaits of the runner whose torque has the sign of (11) as it is printed."""
+    return search_from_spread(runner.but("hip.stance_torque", -runner.values["hip.stance_torque"]))
+
+
+@cache
+def gather_classic() -> ClassicEvidence:
+    """Compute what the statements about the classic SLIP are compared with."""
+    fold = classic_slip.fold()
+    lowest: float = brentq(_above_minus_one, *BRACKET, xtol=1e-6)
+    return ClassicEvidence(classic_slip.fixed_points(math.radians(SLIP_ANGLE))[0], lowest, fold)
+
+
+def _above_minus_one(angle: float) -> float:
+    """Slope of the map at the lower gait, plus one."""
+    return classic_slip.fixed_points(angle)[0].slope + 1.0

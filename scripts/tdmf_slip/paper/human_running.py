@@ -1,0 +1,250 @@
+"""Human running, published beside computed: the preset of human size, and a fit at eight speeds.
+
+The sources stand in `fmu/presets/human.toml` and `fitting/data/human_running.csv`.
+"""
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, replace
+from functools import cache
+
+import numpy as np
+
+from ..analysis.search import periodic_gait
+from ..errors import GaitNotFoundError
+from ..fitting.fitted import fit
+from ..fitting.measurements import shipped
+from ..fitting.result import Fit
+from ..fmu.parameters import read_parameters
+from ..fmu.variable import Given
+from ..library.gait import Gait
+from .claims import CLAMP, FREE, Claim, Finding, alike
+
+STIFFNESS, EACH = "leg.stiffness", ("hip.stance_torque", "hip.touchdown_angle")
+JOG, FIT = "human jog", "human at 2.6 to 4.0 m/s"
+SCATTER = 2.0
+"""Standard deviations between people within which a gait agrees."""
+
+
+@dataclass(frozen=True)
+class Measured:
+    """A quantity of people at 2.5 to 3.1 m/s, as the preset cites it."""
+
+    what: str
+    """Quantity."""
+    mean: float
+    """Mean over the people."""
+    deviation: float
+    """Standard deviation between them."""
+    unit: str
+    """Unit, in the table."""
+    source: str
+    """Paper."""
+
+
+TUNED: Mapping[str, Mapping[str, Given]] = {
+    FREE: {},
+    CLAMP: {"hip.stance_torque": 336.0, "hip.liftoff_angle_factor": 0.63, "hip.swing_clamp": True},
+}
+"""Values over the preset's that tune it to the measured speed and step frequency, by reading."""
+STEPS = Measured("steps per second, tuned", 2.62, 0.16, "Hz", "Karamanidis 2005")
+CONTACT = Measured("contact", 271.0, 23.0, "ms", "Karamanidis 2005")
+PEAK = Measured("peak force", 2.36, 0.19, "body weights", "Front. Physiol. 2022")
+
+GROUPS = ((15.0, 1.7), (16.6, 3.1))
+"""Mean leg stiffness of two groups at 20 km/h with its standard deviation, kN/m, by another method."""
+
+
+@cache
+def fitted() -> Fit:
+    """One stiffness at eight speeds, torque and touchdown angle at each, by the reduced map."""
+    runner = str(shipped("human_running.toml"))
+    found: Fit = fit(
+        runner, "human_running", [STIFFNESS], vary_each=list(EACH), model="reduced", profile=False
+    )
+    return found
+
+
+def weight(gait: Gait) -> float:
+    """Weight of body and foot, N."""
+    values = gait.runner.values
+    return (values["body.mass"] + values["foot.mass"]) * values["gravity"]
+
+
+def claims() -> list[Claim]:
+    """Published numbers of human running beside those computed."""
+    preset = read_parameters("human")
+    jogs = {reading: periodic_gait({**preset, **values}) for reading, values in TUNED.items()}
+    return [
+        _measured(STEPS, jogs, lambda gait: 1.0 / gait.period),
+        _measured(CONTACT, jogs, lambda gait: 1000.0 * gait.stride["stance_time"]),
+        _measured(PEAK, jogs, lambda gait: gait.stride["peak_force"] / weight(gait)),
+        *_of_fit(fitted()),
+        _fast(),
+    ]
+
+
+def _measured(measured: Measured, jogs: Mapping[str, Gait], quantity: Callable[[Gait], float]) -> Claim:
+    digits = 0 if measured.mean > 100.0 else 2
+    findings = {}
+    for reading, gait in jogs.items():
+        value = quantity(gait)
+        agrees = abs(value - measured.mean) <= SCATTER * measured.deviation
+        findings[reading] = Finding(f"{value:.{digits}f}", agrees)
+    published = f"{measured.mean:g} ± {measured.deviation:g} {measured.unit}"
+    return Claim(f"{JOG}: {measured.what}", published, findings, source=measured.source)
+
+
+def _fast() -> Claim:
+    """Leg stiffness of two groups at 20 km/h."""
+    found = fit(
+        str(shipped("human_running.toml")),
+        "human_fast_running",
+        [],
+        vary_each=[STIFFNESS, *EACH],
+        model="reduced",
+        profile=False,
+    )
+    values = [found.parameters[f"{STIFFNESS}[{row}]"].value / 1000.0 for row in (1, 2)]
+    agrees = all(
+        abs(value - mean) <= deviation for value, (mean, deviation) in zip(values, GROUPS, strict=True)
+    )
+    published = ", ".join(f"{mean} ± {deviation}" for mean, deviation in GROUPS)
+    return Claim(
+        "human at 20 km/h: leg stiffness of two groups",
+        f"{published} kN/m",
+        alike(f"{values[0]:.1f}, {values[1]:.1f} kN/m", agrees),
+        source="Girard 2017",
+    )
+
+
+def _of_fit(found: Fit) -> list[Claim]:
+    """What the fit says of the runner of Matijevich and others; the reduced map has no swing."""
+    source = "Matijevich 2019"
+    stiffness, gait = found.parameters[STIFFNESS].value, found.gaits[0]
+    relative = stiffness * gait.runner.values["leg.free_length"] / weight(gait)
+    values = [one.lambda_max for one in found.gaits]
+    expected = found.degrees_of_freedom + SCATTER * np.sqrt(2.0 * found.degrees_of_freedom)
+    return [
+        Claim(
+            f"{FIT}: frequency and peak force",
+            "eight of each",
+            alike(
+                f"one stiffness, {relative:.1f} weights per leg length; chi2 {found.chi_square:.1f} of "
+                f"{found.degrees_of_freedom}",
+                bool(found.chi_square <= expected),
+            ),
+            source=source,
+        ),
+        Claim(
+            f"{FIT}: gait",
+            "steady",
+            alike(
+                f"all unstable, eigenvalues {min(values):.2f} to {max(values):.2f}"
+                if min(values) > 1.0
+                else f"eigenvalues {min(values):.2f} to {max(values):.2f}",
+                max(values) < 1.0,
+            ),
+            source=source,
+        ),
+    ]
+
+
+@dataclass(frozen=True)
+class FitRow:
+    """One claim about the fit on the page of results."""
+
+    claim: str
+    """In words."""
+    value: str
+    """With its interval, if it has one."""
+    control: str
+    """What else could cause it, varied."""
+    command: str
+    """Command that computes it."""
+
+
+ASSUMED: Mapping[str, tuple[float, float]] = {
+    "leg.free_length": (0.9, 1.03),
+    "foot.mass": (3.0, 5.0),
+    "leg.damping": (40.0, 100.0),
+    "ground.friction": (0.4, 1.0),
+}
+"""Constants that the fit assumes, with the ends between which they are varied: m, kg, N s/m, 1."""
+MASSES = (71.4, 84.0, 92.4)
+"""Masses of the runner, which is not published, kg; forces are published in body weights."""
+COMMAND = (
+    f"tdmf-slip fit human_running --parameters human_running.toml --vary {STIFFNESS} "
+    f"--vary-each {','.join(EACH)} --model reduced"
+)
+
+
+def fit_rows() -> list[FitRow]:
+    """Claims about the fit of one stiffness at eight speeds."""
+    found = fitted()
+    stiffness, gait = found.parameters[STIFFNESS], found.gaits[0]
+    length, mass = gait.runner.values["leg.free_length"], weight(gait) / gait.runner.values["gravity"]
+    relative = length / weight(gait)
+    low, high = (relative * end for end in (stiffness.low, stiffness.high))
+    by_mass = [f"{stiffness.value * one / mass / 1000.0:.1f} at {one:g} kg" for one in MASSES]
+    refitted = [_refitted(name, end) for name, ends in ASSUMED.items() for end in ends]
+    changes = [100.0 * (one / stiffness.value - 1.0) for one in refitted]
+    values = [one.lambda_max for one in found.gaits]
+    slips = [100.0 * one.stride["slip_distance"] for one in found.gaits]
+    return [
+        FitRow(
+            "One leg stiffness fits a human runner at eight speeds, 2.6 to 4.0 m/s; weights per leg length.",
+            f"{relative * stiffness.value:.1f} ({low:.1f} to {high:.1f}); chi square "
+            f"{found.chi_square:.1f} with {found.degrees_of_freedom} degrees of freedom",
+            f"leg length, foot mass, damping or friction changed: {min(changes):+.1f} % to "
+            f"{max(changes):+.1f} %",
+            COMMAND,
+        ),
+        FitRow(
+            "In kN/m it is proportional to the runner's mass, which is assumed.",
+            ", ".join(by_mass),
+            "",
+            COMMAND,
+        ),
+        FitRow(
+            "All eight fitted gaits are unstable in the reduced map: largest eigenvalues.",
+            f"{min(values):.2f} to {max(values):.2f}",
+            f"by all laws: {_full_gaits(found)} of 8 runners have a gait with the free swing, "
+            f"{_full_gaits(found, clamp=True)} with the clamp",
+            f"{COMMAND} --json",
+        ),
+        FitRow(
+            "The fitted runner slips in every step, cm; slip of the person was not measured.",
+            f"{min(slips):.1f} to {max(slips):.1f}",
+            "at the assumed friction of 0.6",
+            f"{COMMAND} --json",
+        ),
+    ]
+
+
+def _refitted(name: str, value: float) -> float:
+    """The stiffness with one assumed constant changed."""
+    values = read_parameters(str(shipped("human_running.toml")))
+    changed = {name: value}
+    if name == "leg.free_length":  # the start is an apex, with a leg of this length above the ground
+        changed |= {"leg.length": value, "foot.y": float(values["foot.y"]) * value + 0.02}
+    found = fit(
+        {**values, **changed},
+        "human_running",
+        [STIFFNESS],
+        vary_each=list(EACH),
+        model="reduced",
+        profile=False,
+    )
+    return float(found.parameters[STIFFNESS].value)
+
+
+def _full_gaits(found: Fit, clamp: bool = False) -> int:
+    """How many of the fitted runners have a gait by the full model."""
+    count = 0
+    for gait in found.gaits:
+        try:
+            periodic_gait(replace(gait.runner, reduced=False).but("hip.swing_clamp", clamp))
+        except GaitNotFoundError:
+            continue
+        count += 1
+    return count

@@ -1,0 +1,70 @@
+"""The fit to a human runner at eight speeds, and the tables of published statements among the results."""
+
+import csv
+from pathlib import Path
+
+import pytest
+import tdmf_slip
+from tdmf_slip.fitting.measurements import shipped
+from tdmf_slip.fmu.parameters import read_parameters
+from tdmf_slip.paper import human_running, papers_page
+from tdmf_slip.paper.claims import CLAMP, FREE
+
+DOCUMENTATION = Path(__file__).parents[2] / "documentation"
+PAGE = (DOCUMENTATION / "results.md").read_text(encoding="utf-8")
+STORED = papers_page.read(DOCUMENTATION / "data/results/papers.json")
+OF_MASS = ("body.mass", "foot.mass", "leg.stiffness", "leg.damping", "hip.stance_torque", "hip.kp", "hip.kd")
+"""Values that are in proportion to the mass of the same motion."""
+
+
+@pytest.fixture(scope="module")
+def claims():
+    return {claim.what: claim for claim in human_running.claims()}
+
+
+def test_the_stiffness_is_in_proportion_to_the_assumed_mass(tmp_path):
+    """Forces are published in body weights: 15 % less mass is 15 % less force, and as much less stiffness."""
+    lines = [line for line in shipped("human_running.csv").read_text().splitlines() if line[0] != "#"]
+    rows = [{name: float(value) for name, value in row.items()} for row in csv.DictReader(lines)]
+    light = [
+        {name: 0.85 * value if "force" in name else value for name, value in row.items()} for row in rows
+    ]
+    with (tmp_path / "light.csv").open("w", newline="") as file:
+        writer = csv.DictWriter(file, light[0])
+        writer.writeheader()
+        writer.writerows(light)
+    values = read_parameters(str(shipped("human_running.toml")))
+    found = tdmf_slip.fit(
+        {**values, **{name: 0.85 * values[name] for name in OF_MASS}},
+        tmp_path / "light.csv",
+        ["leg.stiffness"],
+        vary_each=["hip.stance_torque", "hip.touchdown_angle"],
+        model="reduced",
+        profile=False,
+    )
+    known = human_running.fitted().parameters["leg.stiffness"].value
+    assert found.parameters["leg.stiffness"].value == pytest.approx(0.85 * known, rel=1e-6)
+
+
+def test_the_stored_rows_of_human_running_are_what_is_computed(claims):
+    stored = {row["what"]: row for row in STORED["others"] if row["what"] in claims}
+    assert stored.keys() == claims.keys()
+    for what, claim in claims.items():
+        assert stored[what] == claim.as_json()
+    unstable = human_running.fitted().gaits
+    assert all(gait.lambda_max > 1.0 for gait in unstable)
+    low, high = (choose(gait.lambda_max for gait in unstable) for choose in (min, max))
+    assert f"{low:.2f} to {high:.2f}" in PAGE
+
+
+def test_the_jog_is_tuned_to_the_measured_speed_and_frequency_in_both_readings():
+    preset = read_parameters("human")
+    for reading in (FREE, CLAMP):
+        gait = tdmf_slip.find_gait({**preset, **human_running.TUNED[reading]})
+        assert gait.stable and gait.speed == pytest.approx(2.7, abs=0.01)
+        assert 1.0 / gait.period == pytest.approx(2.62, abs=0.01)
+
+
+def test_the_tables_on_the_page_are_those_that_are_stored():
+    assert papers_page.filled(PAGE, STORED) == PAGE
+    assert PAGE.count("<!-- papers: ") == 3
