@@ -6,6 +6,8 @@ from contextlib import contextmanager
 from pathlib import Path
 
 PACKAGE = str(Path(__file__).parent)
+returned = {}
+"""The line at which a function of a page last returned, by the file and line of its beginning."""
 
 
 class PageError(Exception):
@@ -27,9 +29,11 @@ def caller():
 
 
 def location_of(declared):
-    """File and line where a function begins or a quantity is declared."""
-    code = getattr(declared, "__code__", None)
-    return (code.co_filename, code.co_firstlineno) if code else getattr(declared, "location", None)
+    """File and line where a function returned, or begins if it did not, or where a quantity is declared."""
+    if code := getattr(declared, "__code__", None):
+        begin = code.co_filename, code.co_firstlineno
+        return begin[0], returned.get(begin, begin[1])
+    return getattr(declared, "location", None)
 
 
 def page_error(location, name, text):

@@ -213,7 +213,7 @@ class Instants:
         name, states = motion.name, list(self.page.states)
         if len(motion.watched) > LIMITS["GUARD"]:
             text = f"watches {len(motion.watched)} events; at most {LIMITS['GUARD']} are allowed"
-            raise page_error(motion.function, key[0], text)
+            raise page_error(self.page.events[motion.watched[LIMITS["GUARD"]]], key[0], text)
         row = {"motion": f"&{self.page.c}_motions[MODE_{name}]", "ends": c_boolean(motion.function.ends)}
         row |= self.constants(motion)
         guards = [row_in_c(self.guard_row(key, event)) for event in motion.watched]

@@ -239,6 +239,8 @@ class _Body(dict):
         if isinstance(old, Quantity) or any(mark in vars(old) for mark in MARKS if hasattr(old, "__dict__")):
             raise page_error(caller(), name, "is declared twice")
         super().__setitem__(name, value)
+        if name == "start":
+            super().__setitem__("start_at", caller())
 
 
 NAME_LIMIT = 60

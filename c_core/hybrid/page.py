@@ -194,7 +194,8 @@ class Page:
         if not self.modes:
             self.refuse("has no mode; a page needs one function marked by @mode()")
         if start not in self.modes:
-            self.refuse(f"starts in `{start}`, which is no mode{similar(start, self.modes)}")
+            text = f"starts in `{start}`, which is no mode{similar(start, self.modes)}"
+            raise page_error(model.start_at, model.__name__, text)
         for name, function in [*self.events.items(), *self.observed.items()]:
             self.check_modes(name, function)
         for name, function in self.observed.items():
@@ -248,7 +249,7 @@ class Page:
             if due is None:
                 break
             with reading(due, due.__name__):
-                after = due(model)
+                after = trace(due, model)
                 if not isinstance(after, Model):
                     raise PageError("returns no model; it has to return the model after the event")
                 model = after
@@ -258,7 +259,7 @@ class Page:
             raise page_error(due, due.__name__, f"is due again at the start, {after}: {text}")
         function = self.modes[model.mode]
         with reading(function, model.mode):
-            rates = function(model)
+            rates = trace(function, model)
             for name, rate in (rates if isinstance(rates, dict) else {}).items():
                 if isinstance(rate, Absent):
                     rate.refuse()

@@ -3,25 +3,21 @@
 import sys
 from types import SimpleNamespace
 
-from .errors import PACKAGE, reading
+from .errors import PACKAGE, reading, returned
 from .expressions import Expression, _checks_units
-
-_locals_of = {}
-"""Local variables by code object; None for functions that belong to no page."""
 
 
 def _read_names(frame, happening, result):
-    """Name expressions after local variables, when a function of a page returns."""
+    """Name expressions after local variables, when a function of a page returns; note the line."""
     code = frame.f_code
-    if happening != "return" or result is None:
+    if happening != "return" or code.co_filename.startswith(PACKAGE):
         return
-    if code not in _locals_of:
-        is_of_page = not code.co_filename.startswith(PACKAGE) and not code.co_name.startswith("<")
-        _locals_of[code] = code.co_varnames[code.co_argcount :] if is_of_page else None
-    if _locals_of[code] is None:
+    returned[code.co_filename, code.co_firstlineno] = frame.f_lineno
+    if result is None or code.co_name.startswith("<"):
         return
-    values = frame.f_locals if _locals_of[code] else {}
-    found = {name: values[name] for name in _locals_of[code] if name in values}
+    names = code.co_varnames[code.co_argcount :]
+    values = frame.f_locals if names else {}
+    found = {name: values[name] for name in names if name in values}
     found |= vars(result) if isinstance(result, SimpleNamespace) else {}
     if isinstance(result, Expression):
         found[code.co_name] = result

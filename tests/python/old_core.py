@@ -102,7 +102,7 @@ def lasting(modes, unit=1.0, until=np.inf):
     for time, *mode in modes:
         if time > until:
             break
-        while found and time - found[-1][0] < 1e-13 * max(unit, time):
+        while found and time - found[-1][0] < max(1e-9 * unit, 1e-13 * time):
             found.pop()
         if not found or found[-1][1:] != (*mode,):
             found.append((time, *mode))

@@ -189,6 +189,21 @@ def test_the_time_in_place_is_0_elsewhere(whole):
     assert min(placings[True]) > 0
 
 
+def test_peaks_are_the_largest_forces_of_modes_that_last(whole):
+    """On a slope, with a torque that jumps while the foot sticks: then it slips, and the forces jump."""
+    world = world_of(GAITS[0]["apex"])
+    run, forces = whole.start(ground_slope=0.05, friction=0.4, tolerance=1e-12, **world).to(0.0), []
+    for time in np.arange(0.01, 16.0, 0.01):
+        if "stick" in run.mode and run.more_torque == 0:
+            run.set(more_torque=0.1)
+        outputs = run.to(time).outputs
+        forces.append([outputs["normal_force"], outputs["ground_force_y"]])
+    peaks = [run.peak_force_so_far, run.vertical_so_far]
+    assert run.more_torque == 0.1
+    assert peaks == pytest.approx(np.max(forces, axis=0), rel=2e-3)
+    assert (peaks >= np.max(forces, axis=0)).all()
+
+
 # ---- the table of the unit's variables --------------------------------------------------------------
 
 

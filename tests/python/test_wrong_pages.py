@@ -1,6 +1,7 @@
 """Pages that are written wrongly: each gets one message, with file, line and name, before anything is compiled."""
 
 import importlib.util
+import re
 import sys
 
 import page_runs
@@ -90,6 +91,15 @@ WRONG = [
     ("a loop on a number", {"decision": "while b.speed < 0: b = b.replace(speed=b.speed + 1)\n        return b"}, "more than 40 comparisons"),
     ("an endless chain", {"event": '@event("fall", when=lambda b: -1)', "decision": "return b.replace(speed=b.speed + 1)"}, "after 100 events in zero time: its guard stays below 0"),
     ("more events than a mode can watch", {"more": 'for i in range(33):\n        locals()[f"e{i}"] = event("fall", when=lambda b, i=i: b.height + i * b.height, unit="m")(lambda b: b.replace(speed=0))'}, "watches 34 events; at most 32"),
+    # numbers
+    ("a power of a negative number", {"quantities": 'x, tau = state(-2), parameter(1, "s")', "rates": "dict(x=b.x**1.5 / b.tau)"}, "gives `x` the rate (-"),
+    ("a negative number to a power", {"quantities": 'x, tau = state(1), parameter(1, "s")', "rates": "dict(x=(-2) ** b.x / b.tau)"}, "raises -2 to a power; the base has to be above 0"),
+    ("a power that is too high", {"quantities": 'x, tau = state(1), parameter(1, "s")', "rates": "dict(x=b.x**65 / b.tau)"}, "raises to the power 65; at most 64"),
+    ("an array as a quantity", {"quantities": "a = parameter(numpy.ones(2))"}, "starts at array([1., 1.]); it has to be a finite number"),
+    ("a name that is too long", {"quantities": f"{'a' * 61} = parameter(1)"}, "cannot be a name: use at most 60"),
+    ("math.sqrt in a guard", {"event": '@event("fall", when=lambda b: math.sqrt(b.height), unit="m")'}, "not from math"),
+    ("nan in a decision", {"decision": 'return b.replace(speed=-b.speed * float("nan"))'}, "uses the number nan, which is not finite"),
+    ("a choice in a guard", {"event": '@event("fall", when=lambda b: abs(b.height), unit="m")'}, "uses `abs` of what moves"),
     # coordinates, outputs and what is observed
     ("a state of other coordinates", {"quantities": 'x = state(0, "m", of="world")', "more": WORLD, "rates": "dict(height=b.x)"}, "reads `x` in the mode `fall`, whose coordinates do not have it"),
     ("an output in another unit", {"more": OUTPUT + "return b.speed"}, "is in m.s-1; its unit is m"),
@@ -104,6 +114,12 @@ WRONG = [
 def test_a_wrong_page_is_refused_with_file_line_and_name(tmp_path, changes, words):
     file = tmp_path / "ball.py"
     text = PAGE.format(**GOOD | changes)
+    marked = PAGE.format(**GOOD | {name: f"<{code}>" for name, code in changes.items()}).split("\n")
+    wrong, is_in = set(), False
+    for number, line in enumerate(marked, 1):
+        is_in |= "<" in line
+        wrong |= {number} if is_in else set()
+        is_in &= not line.rstrip().endswith(">")
     file.write_text(text, encoding="utf-8")
     with pytest.raises(PageError) as refused:
         spec = importlib.util.spec_from_file_location("ball", file)
@@ -113,7 +129,7 @@ def test_a_wrong_page_is_refused_with_file_line_and_name(tmp_path, changes, word
     message = str(refused.value)
     place, line, rest = message.split(":", 2)
     assert place == str(file)
-    assert 1 <= int(line) <= text.count("\n") + 1
+    assert int(line) in wrong, message
     assert rest.startswith(" `"), message
     assert any(word in message for word in words.split("|")), message
 
@@ -141,6 +157,28 @@ def test_the_page_that_the_wrong_ones_are_made_of_is_right(tmp_path):
     sys.modules["right_ball"] = module
     spec.loader.exec_module(module)
     assert set(derive(module.Ball)) == {"ball.h", "ball_motions.c", "ball.c"}
+
+
+@pytest.mark.skipif(page_runs.COMPILER is None, reason="there is no C compiler")
+@pytest.mark.parametrize(("restitution", "rests_at"), [(0.9, "8.57901"), (0.5, "1.35462"), (0.0, "0.451")])
+def test_a_ball_that_comes_to_rest_is_an_endless_chain(restitution, rests_at):
+    from c_core.hybrid import Model, event, mode, state
+
+    class Ball(Model):
+        start = "fall", {}
+        height, speed = state(1, "m"), state(0, "m/s")
+
+        @mode()
+        def fall(b):
+            return {"height": b.speed, "speed": -9.81}
+
+        @event("fall", when=lambda b: b.height, unit="m")
+        def bounce(b):
+            return b.replace(speed=-restitution * b.speed)
+
+    words = f"`bounce` is due again and again in the mode `fall` at t = {rests_at}"
+    with pytest.raises(page_runs.StuckError, match=re.escape(words)):
+        page_runs.CompiledPage(Ball).start().to(20.0)
 
 
 @pytest.mark.skipif(page_runs.COMPILER is None, reason="there is no C compiler")

@@ -13,15 +13,17 @@
 
 #include <stdlib.h>
 
-enum { PIECE_LIMIT = 32, /* pieces of a step in which an observed quantity keeps its sign */
-       LEAST_ORDER = 4 };
+enum {
+    PIECE_LIMIT = 32, /* pieces of a step in which an observed quantity keeps its sign */
+    LEAST_ORDER = 4
+};
 
 static const double margin = 1e-12;         /* of a guard, relative to its scale */
 static const double late_margin = 1e-9;     /* of the guard of an event that was just taken */
 static const double largest_change = 0.75;  /* of a divisor within a step, relative to it */
 static const double guard_tolerance = 10.0; /* of a guard's series, relative to that of a step */
 static const double part_tolerance = 0.01;  /* of a positive integral, relative to that of a step */
-static const double sign_margin = 1e-7;    /* of an observed quantity, relative to its largest coefficient */
+static const double sign_margin = 1e-7;     /* of an observed quantity, relative to its largest coefficient */
 
 /* The state of a run between steps; its arrays lie in one piece of memory. */
 typedef struct {
