@@ -164,14 +164,14 @@ class Instants:
         about, of = f"Constants of {motion.name}.", f"open_{motion.name}"
         return self.functions.add_with_variation("open", "open", motion.constants, about, of, begin, "c->")
 
-    def longest(self, key):
-        """The longest step that the law of a mode allows."""
-        function = self.page.modes[key[0]].longest
-        answer = function and self.page.answer(key, function, f"longest step of {key[0]}")
+    def time_scale(self, key):
+        """The time scale of the law of a mode."""
+        function = self.page.modes[key[0]].time_scale
+        answer = function and self.page.answer(key, function, f"time scale of {key[0]}")
         if answer is None:
             return {}
         body = tree_in_c(answer, answer_in_c)
-        return {"longest": self.functions.add(f"longest_{c_name(key)}", "answer", body, "Longest step.")}
+        return {"time_scale": self.functions.add(f"time_scale_{c_name(key)}", "answer", body, "Time scale.")}
 
     def world(self, key):
         """Maps from the mode's states to the world's and back, and the world's rates."""
@@ -223,7 +223,7 @@ class Instants:
         tables += rows_in_c("watch", f"watches_{name}", watches, "into")
         row |= {"guard_count": len(guards), "guards": f"guards_{name}"}
         row |= {"watch_count": len(watches), "watches": f"watches_{name}"}
-        row |= self.outputs(key) | self.longest(key) | self.leaving(key) | self.world(key)
+        row |= self.outputs(key) | self.time_scale(key) | self.leaving(key) | self.world(key)
         return tables, row_in_c(row)
 
     def sets(self):

@@ -174,14 +174,14 @@ def _words(text, what):
     return text.split()
 
 
-def mode(words="", of=None, ends=False, longest=None):
+def mode(words="", of=None, ends=False, time_scale=None):
     """Mark the function that gives the rates of the states in a mode.
 
     Its `words` tell cases apart: each case that a run can reach becomes a mode of its own in C. `of` names
-    its coordinates, `longest` gives the longest step that the law allows. A mode that `ends` the run has no
-    rates.
+    its coordinates. `time_scale` is that of a law whose series does not show it: steps are at most three
+    times as long. A mode that `ends` the run has no rates.
     """
-    return _marked(is_mode=True, words=_words(words, "mode"), ends=ends, longest=longest, of=of)
+    return _marked(is_mode=True, words=_words(words, "mode"), ends=ends, time_scale=time_scale, of=of)
 
 
 def coordinates(name):
@@ -287,6 +287,8 @@ class Model(metaclass=_Page):
     """Typical size of quantities by unit, as functions of the parameters; 1 by default."""
     prefix = ""
     """Prefix that a part gives to the names of its quantities in a unit."""
+    decayed = 60
+    """Exponent beyond which exp(-x) counts as 0, because it is far below rounding."""
 
     def __init_subclass__(cls):
         for name in list(vars(cls)):
@@ -384,6 +386,10 @@ class Model(metaclass=_Page):
             vars(new).update(self.in_coordinates(of) if of else {})
         vars(new).update(changes, mode=mode)
         return new if is_same else new.without_other_coordinates()
+
+    def margin_of(self, unit):
+        """Margin of decisions about a quantity in this unit."""
+        return 1e-12 * self.scales.get(unit, lambda model: 1)(self)
 
     def replace(self, **changes):
         """The model in the same mode, with other words and states."""

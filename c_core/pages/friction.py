@@ -5,11 +5,6 @@ The patch divides the ground into zones: 0 before it, 1 on it, 2 beyond.
 
 from ..hybrid import Model, event, exp, expm1, input, log1p, parameter, select, state
 
-LAYER = 60
-"""Slip speed above which friction is constant, in units of v_s."""
-CHANGE, GROWTH = 3, 3
-"""Largest change of speed in a step, in units of v_s, and largest exponent of the growth of an error."""
-
 
 class Friction(Model):
     """Coulomb's law (2); at rest rho mu, in slip mu (1 + (rho - 1) exp(-|v|/v_s))."""
@@ -86,14 +81,14 @@ class Friction(Model):
         """Whether friction falls with the slip speed."""
         return r.stribeck_velocity > 0 and r.static_ratio > 1
 
-    def longest_step(r):
-        """Longest time step that resolves falling friction."""
+    def time_scale_of_slip(r):
+        """Time in which falling friction changes the slip speed by v_s, or lets an error grow e times."""
         if r.law == "constant":
             return None
         growth = (r.static_ratio - 1) * r.friction_in(r.zone) * r.standing().normal / r.stribeck_velocity
         force = r.standing().along + r.way * r.slip_friction() * r.standing().normal
-        by_growth = GROWTH * r.foot_mass / abs(growth)
-        by_speed = CHANGE * r.stribeck_velocity * r.foot_mass / abs(force)
+        by_growth = r.foot_mass / abs(growth)
+        by_speed = r.stribeck_velocity * r.foot_mass / abs(force)
         return select(by_growth < by_speed, by_growth, by_speed)
 
     def speed_after_impact(r, speed, normal_speed, friction):

@@ -1,7 +1,7 @@
 """TDMF-SLIP: a spring-legged runner whose foot has a mass and can slip (Or & Moravia 2016)."""
 
 from ..hybrid import Model, Record, cos, event, mode, output, require, select, sin, sqrt
-from .friction import LAYER, Friction
+from .friction import Friction
 from .ground import Ground
 from .hip import Hip
 from .leg import Leg
@@ -22,10 +22,6 @@ class Runner(Hip, Friction, Leg, Ground, Stride, Model):
         "N.m": lambda r: r.stiffness * r.free_length * r.free_length,
         "J": lambda r: r.stiffness * r.free_length * r.free_length,
     }
-
-    def margin_of(r, unit):
-        """Margin of decisions about a quantity in this unit."""
-        return 1e-12 * r.scales[unit](r)
 
     # ---- forces of the ground
 
@@ -119,7 +115,7 @@ class Runner(Hip, Friction, Leg, Ground, Stride, Model):
         """The foot is at rest."""
         return r.on_ground(r.push(r.stance_torque()), r.stance_torque())
 
-    @mode("stance law", of="ground", longest=lambda r: r.longest_step())
+    @mode("stance law", of="ground", time_scale=lambda r: r.time_scale_of_slip())
     def slip(r):
         """m_f vdot = p - s mu f_n, where p is the push of the leg and s the direction of slip."""
         friction_force = r.way * r.slip_friction() * r.standing().normal
@@ -258,13 +254,13 @@ class Runner(Hip, Friction, Leg, Ground, Stride, Model):
         return off.fly()
 
     @event("slip", law="constant", unit="m/s", counted=False, only=lambda r: r.friction_falls(),
-           when=lambda r: r.way * r.foot_vx - LAYER * r.stribeck_velocity)
+           when=lambda r: r.way * r.foot_vx - r.decayed * r.stribeck_velocity)
     def enters_layer(r):
         """Slip is slow enough for friction to depend on the speed."""
         return r.replace(law="falling")
 
     @event("slip", law="falling", unit="m/s", counted=False,
-           when=lambda r: (LAYER + 1) * r.stribeck_velocity - r.way * r.foot_vx)
+           when=lambda r: (r.decayed + 1) * r.stribeck_velocity - r.way * r.foot_vx)
     def leaves_layer(r):
         """Slip is fast enough for friction to be constant."""
         return r.replace(law="constant")

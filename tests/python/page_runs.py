@@ -41,7 +41,8 @@ class RunStruct(Structure):
 
 class ModeStruct(Structure):
     MAPS = ("to_world", "from_world", "world_rates")
-    FUNCTIONS = (*("open", "vary_open", "outputs", "vary_outputs", "longest", "leave", "vary_leave"), *MAPS)
+    AT_INSTANTS = ("open", "vary_open", "outputs", "vary_outputs", "time_scale", "leave", "vary_leave")
+    FUNCTIONS = (*AT_INSTANTS, *MAPS)
     _fields_ = [
         *(("motion", c_void_p), ("ends", c_bool), ("guard_count", c_int), ("guards", c_void_p)),
         *(("watch_count", c_int), ("watches", c_void_p), *((name, c_void_p) for name in FUNCTIONS)),

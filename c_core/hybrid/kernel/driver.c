@@ -20,6 +20,7 @@ enum {
 
 static const double margin = 1e-12;         /* of a guard, relative to its scale */
 static const double late_margin = 1e-9;     /* of the guard of an event that was just taken */
+static const double most_time_scales = 3.0; /* of a law in a step */
 static const double largest_change = 0.75;  /* of a divisor within a step, relative to it */
 static const double guard_tolerance = 10.0; /* of a guard's series, relative to that of a step */
 static const double part_tolerance = 0.01;  /* of a positive integral, relative to that of a step */
@@ -128,8 +129,8 @@ static real trusted_size(work *w) {
 static void choose_size(work *w, real longest) {
     const tdmf_motion_kind *m = w->motion;
     const real trusted = trusted_size(w);
-    if (w->mode->longest) {
-        longest = real_min(longest, w->mode->longest(w->r->p, w->r->x));
+    if (w->mode->time_scale) {
+        longest = real_min(longest, most_time_scales * w->mode->time_scale(w->r->p, w->r->x));
     }
     w->size = trusted < longest ? trusted : trusted >= longest ? longest : NAN;
     set_powers(w->power, w->size, w->order);

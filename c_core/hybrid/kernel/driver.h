@@ -85,8 +85,8 @@ typedef struct {
     tdmf_vary_change *vary_open;
     tdmf_change *outputs;
     tdmf_vary_change *vary_outputs;
-    tdmf_answer *longest; /* time step; NULL: no limit */
-    tdmf_leave *leave;    /* called before the decision of any event; NULL: nothing to do */
+    tdmf_answer *time_scale; /* of a law whose series does not show it; NULL: there is none */
+    tdmf_leave *leave;       /* called before the decision of any event; NULL: nothing to do */
     tdmf_vary_leave *vary_leave;
     tdmf_change *to_world, *from_world, *world_rates; /* NULL where the mode's coordinates are the world's */
     tdmf_vary_change *vary_to_world, *vary_from_world, *vary_world_rates;
