@@ -1,5 +1,6 @@
 """The language of pages: the examples of its guide, closed forms, and what must go on working."""
 
+import importlib
 import importlib.util
 import re
 import sys
@@ -34,6 +35,14 @@ def test_the_language_needs_the_standard_library_alone_and_knows_no_page():
             if found := re.match(r"(?:from|import) ([\w.]+)", line):
                 assert found[1].startswith(".") or found[1].split(".")[0] in sys.stdlib_module_names, line
                 assert "pages" not in found[1]
+
+
+def test_the_installed_package_has_the_language_and_the_runner():
+    installed = importlib.import_module("tdmf_slip.hybrid")
+    runner = importlib.import_module("tdmf_slip.pages.runner").PlainRunner
+    assert installed.__all__ == hybrid.__all__
+    assert issubclass(runner, installed.Model)
+    assert list(installed.derive(runner)) == ["plain_runner.h", "plain_runner_motions.c", "plain_runner.c"]
 
 
 def ball_at(time, restitution, height, gravity=9.81):
