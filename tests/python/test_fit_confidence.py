@@ -14,6 +14,8 @@ from tdmf_slip.library.quantities import quantities_of
 
 SEEDS, MINIMUM, MAXIMUM = (400, 0.92, 0.98) if RELEASE else (20, 0.80, 1.0)
 """By chance the share of 400 is outside these limits once in 200 times, that of 20 once in 390."""
+FEWER = {} if RELEASE else {"weak": (10, 0.70)}
+"""Seeds and least share of the scenario that takes as long as all others: by chance less, once in 970."""
 PRECISE = ("speed", "frequency", "stance_time", "duty_factor", "slip_distance", "peak_force")
 WEAK = ("speed", "frequency", "stance_time", "peak_force")
 TORQUES = (0.14, 0.17, 0.2, 0.24, 0.28)
@@ -79,18 +81,19 @@ def test_intervals_hold_the_truth_as_often_as_they_say(name):
     gaits = [find_gait(runner, model=model) for runner in runners]
     rows = [measured(gait, names, error) for gait in gaits]
     begin = gaits[0] if len(gaits) == 1 else find_gait(FIRST, model=model)
+    seeds, minimum = FEWER.get(name, (SEEDS, MINIMUM))
     true, held = {of: gaits[0].runner.values[of] for of in free}, dict.fromkeys(free, 0)
     fitted = 0
-    for seed in range(SEEDS):
+    for seed in range(seeds):
         random = np.random.default_rng(seed)
         data = Measurements(tuple(disturbed(row, random) for row in rows), "disturbed gaits")
         found = fit(begin.runner, data, free, vary_each=each, guess=begin.apex, profile=free)
         fitted += found.converged
         for of, value in true.items():
             held[of] += found.parameters[of].low <= value <= found.parameters[of].high
-    shares = {of: count / SEEDS for of, count in held.items()}
-    assert all(MINIMUM <= share <= MAXIMUM for share in shares.values()), (shares, fitted)
-    assert fitted >= 0.95 * SEEDS, fitted
+    shares = {of: count / seeds for of, count in held.items()}
+    assert all(minimum <= share <= MAXIMUM for share in shares.values()), (shares, fitted)
+    assert fitted >= 0.95 * seeds, fitted
 
 
 def test_an_interval_ends_where_the_profile_has_risen_by_its_quantile():
