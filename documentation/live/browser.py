@@ -66,12 +66,13 @@ def chromium(width, height, dark=False):
 
 @contextlib.contextmanager
 def script_first(driver, source):
-    """Run a script in each page that is opened meanwhile, before the page's own."""
+    """Run a script in each page that is opened meanwhile, before the page's own; leave the last page."""
     script = driver.execute_cdp_cmd("Page.addScriptToEvaluateOnNewDocument", {"source": source})
     try:
         yield driver
     finally:
         driver.execute_cdp_cmd("Page.removeScriptToEvaluateOnNewDocument", script)
+        driver.get("about:blank")  # a runner would run on
 
 
 def wait(driver, condition, what="the page"):
