@@ -140,14 +140,17 @@ install_once() {
     fi
 }
 
+make_empty_environment() {
+    need_python
+    .venv/bin/python -c 'import pip' 2>/dev/null ||
+        step "Python's virtual environment in .venv" python3 -m venv --clear .venv
+}
+
 # make_environment [NAME]: the virtual environment .venv, with the package, what it needs, and what the lock NAME adds.
 # Building without isolation lets the C build go on where it stopped.
 make_environment() {
-    need_python
+    make_empty_environment
     local name
-    if ! .venv/bin/python -c 'import pip' 2>/dev/null; then
-        step "Python's virtual environment in .venv" python3 -m venv --clear .venv
-    fi
     for name in environment "$@"; do
         install_once "$name"
     done
