@@ -5,6 +5,7 @@ from collections.abc import Mapping
 from . import (
     attraction,
     falling,
+    feedback,
     over_friction,
     patches,
     reduced,
@@ -27,4 +28,5 @@ SECTIONS: Mapping[str, tuple[OwnClaim, ...]] = {
     "retraction": retraction.CLAIMS,
     "slopes": slopes.CLAIMS,
     "thrust": thrust.CLAIMS,
+    "feedback": feedback.CLAIMS,
 }
