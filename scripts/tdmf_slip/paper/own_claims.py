@@ -18,6 +18,7 @@ class Recomputed(ByContents):
     """A claim, and what every regime has."""
 
     claim: OwnClaim
+    """What was claimed."""
     rows: Mapping[str, Row]
     """By the regime's name."""
 

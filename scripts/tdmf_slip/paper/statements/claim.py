@@ -50,8 +50,11 @@ class Estimate:
     """A number with its interval of 95 %; the interval of what is solved is the number itself."""
 
     value: float
+    """The estimate itself."""
     low: float
+    """Lower end of the interval."""
     high: float
+    """Upper end of the interval."""
 
     @classmethod
     def exact(cls, value: float) -> "Estimate":
@@ -91,6 +94,7 @@ class Row:
     """What one regime has. Its comparisons raise RunError where there is no number."""
 
     value: Cell
+    """The quantity of the runner that the claim is about."""
     control: Cell | None
     """None where the claim compares nothing."""
 
@@ -134,6 +138,7 @@ class OwnClaim:
     what: str
     """In words, with units, and with what changes sign between the readings."""
     measure: Measure
+    """Computes the value for a regime and a seed."""
     control: Measure | None
     """The same, with what else could do it held equal."""
     command: str
