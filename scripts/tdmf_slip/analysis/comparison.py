@@ -213,7 +213,7 @@ def compare(
     ...     vary=["hip.stance_torque", "hip.touchdown_angle", "hip.liftoff_angle_factor"],
     ... )
     >>> matched.not_held, round(matched.gaits[1].stride["speed"], 6)
-    ((), 0.83435)
+    ((), 0.83453)
     """
     given = row_of(runners, "runners", "a list of two runners or more")
     if len(given) < 2:

@@ -193,7 +193,7 @@ def lqr(
     >>> gait = tdmf_slip.find_gait({"ground.friction": 0.6})
     >>> law = tdmf_slip.lqr(gait, ["hip.touchdown_angle", "hip.stance_torque"])
     >>> print(abs(gait.eigenvalues[:2]).round(3), abs(law.eigenvalues[:2]).round(3))
-    [0.857 0.372] [0.467 0.113]
+    [0.856 0.519] [0.541 0.022]
     """
     model = linearize(gait, inputs, fmu=fmu)
     state = _weight("state_weight", state_weight, len(model.scales), 0.0)

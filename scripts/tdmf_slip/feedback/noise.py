@@ -50,7 +50,7 @@ def apex_covariance(feedback: Feedback, roughness: float = 0.0) -> NDArray[np.fl
     >>> noisy = replace(law, noise=1e-3 * gait.runner.scales)
     >>> covariance = tdmf_slip.apex_covariance(noisy)
     >>> print(covariance.shape, f"{covariance[0, 0] ** 0.5:.2e} m")
-    (6, 6) 1.08e-03 m
+    (6, 6) 1.18e-03 m
     """
     from scipy.linalg import solve_discrete_lyapunov  # slow to load
 

@@ -117,7 +117,7 @@ def simulate_many(
     >>> runners = [{"ground.friction": 0.6}, {"ground.friction": 1.2}]
     >>> runs = tdmf_slip.simulate_many(runners, strides=2, threads=1)
     >>> print(runs["speed"].round(3), runs["fallen"])
-    [1.062 1.051] [False False]
+    [1.061 1.05 ] [False False]
     """
     fmu = load_fmu(fmu)
     fmu.require_interface(interface)

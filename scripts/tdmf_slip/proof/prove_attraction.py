@@ -110,7 +110,7 @@ def prove_attraction(gait: RunnerLike = None) -> Attraction:
     >>> import tdmf_slip
     >>> ball = tdmf_slip.prove_attraction({"ground.friction": 0.6})
     >>> print(ball.proved, f"{ball.radius:.1e}")
-    True 2.6e-06
+    True 2.8e-06
     """
     found, values = gait_of(gait)
     if not found.stable:
