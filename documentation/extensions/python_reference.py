@@ -16,9 +16,9 @@ from sphinx.errors import ExtensionError
 from sphinx.util.docutils import SphinxDirective
 
 PACKAGE = "tdmf_slip"
-WITHOUT_PAGE = ("cli", "__main__", "bench.peers", "equations", "library.structs")
+WITHOUT_PAGE = ("cli", "__main__", "bench.peers", "equations", "hybrid", "library.structs", "pages")
 """The command line has a page of its own, structs have that of the C library; peers are for the benchmark.
-The guides on the model and on the equations document the laws."""
+The guides on the model, on the equations and on the language of pages document the laws and the language."""
 
 
 def modules(folder: Path) -> dict[str, Path]:
