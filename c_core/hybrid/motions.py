@@ -4,8 +4,9 @@ import re
 
 from .c_text import c_text, function_in_c, lines_of, name_of, take_name
 from .errors import reading
-from .expressions import Variation, forget_expressions, leaves_of, lift, made, ordered, replaced, symbol
+from .expressions import forget_expressions, leaves_of, lift, made, ordered, replaced, symbol
 from .series import NO_DEGREE, Expansion, degrees_of, kind_of, refuse_kinks, with_rates_seen, with_recursions
+from .variations import Variation
 
 EXPAND = """\
 /* Adds the terms of coefficients i - 1 and i of one factor and j of the other to the sums of products. */

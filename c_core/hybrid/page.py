@@ -6,10 +6,11 @@ from pathlib import Path
 
 from .c_text import safe_names
 from .errors import PageError, page_error, reading, similar
-from .expressions import Condition, Variation, explore, forget_expressions, leaves_of, lift, symbol, value_of
+from .expressions import Condition, explore, forget_expressions, leaves_of, lift, symbol
 from .model import Absent, Model
 from .tracing import trace
 from .units import ANY, SECOND, dimension_of, power, text_of, times
+from .variations import Variation, value_of
 
 PARTS = ("positive integral", "largest")
 MODE_LIMIT, START_MARGIN = 100, 1e-9

@@ -8,18 +8,8 @@ import random
 
 from .c_text import c_text, name_of, take_name
 from .errors import PageError
-from .expressions import (
-    VARIATIONS,
-    Variation,
-    leaves_of,
-    lift,
-    made,
-    ordered,
-    remade,
-    replaced,
-    symbol,
-    value_of,
-)
+from .expressions import leaves_of, lift, made, ordered, remade, replaced, symbol
+from .variations import VARIATIONS, Variation, value_of
 
 # For each kind: the series that its recursion reads (n is the quantity, a and b its operands), the text of
 # coefficient k from the inner sums of a motion's loops, and its text with a sum of its own.

@@ -43,10 +43,10 @@ class Leg(Model):
         -0.5462532571145313, "rad", "Angle of the leg from the vertical, positive with the foot ahead, theta",
         of="world flight", least=-1000, most=1000)
     seen_vx = state(
-        1.0620355917619932, "m/s", "Horizontal velocity of the foot", name="foot.vx", of="world",
+        1.062035591761993, "m/s", "Horizontal velocity of the foot", name="foot.vx", of="world",
         least=-1e12, most=1e12)
     seen_vy = state(
-        -1.99517124419258e-05, "m/s", "Vertical velocity of the foot", name="foot.vy", of="world",
+        -1.9951712441925837e-05, "m/s", "Vertical velocity of the foot", name="foot.vy", of="world",
         least=-1e12, most=1e12)
     length_rate = state(
         1.1268102275039307e-06, "m/s", "Rate of the leg length", of="world flight", least=-1e12, most=1e12)

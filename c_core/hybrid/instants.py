@@ -1,0 +1,240 @@
+"""Functions of an instant in C: constants of modes, decisions at events, outputs, maps, and what is set."""
+
+from .c_text import assigned, c_text, function_in_c, lines_of, statements
+from .errors import page_error
+from .expressions import forget_expressions, lift, symbol
+from .motions import InstantVariation
+from .page import LIMITS, keys_of
+from .tables import c_boolean, list_in_c, row_in_c, rows_in_c
+from .tracing import trace
+
+GIVEN = {
+    "parameters": ("p", "parameters", "const "),
+    "states": ("x", "states", "const "),
+    "d_parameters": ("dp", "parameters", "const "),
+    "d_states": ("dx", "states", "const "),
+    "after": ("y", "states", ""),
+}
+AT, VARIED_AT = "const real *parameters, const real *states", "const real *d_parameters, const real *d_states"
+SIGNATURES = {
+    "react": ("int", f"{AT}, real *after, const int *next"),
+    "vary_react": ("void", f"{AT}, {VARIED_AT}, real *after"),
+    "vary_guard": ("real", f"{AT}, {VARIED_AT}"),
+    "answer": ("real", AT),
+    "set": ("void", f"{AT}, real given, real *after"),
+    "scale": ("void", "const real *parameters, real *of_states, real *of_events"),
+}
+"""Result and arguments of functions of an instant, by kind."""
+LEAVE = "real counted, real *after"
+WRITTEN = {"open": "real *constants", "leave": LEAVE, "outputs": "real *outputs", "map": "real *after"}
+for _kind, _into in WRITTEN.items():
+    SIGNATURES[_kind] = "void", f"{AT}, {_into}"
+    SIGNATURES[f"vary_{_kind}"] = "void", f"{AT}, {VARIED_AT}, {_into}"
+
+
+def c_name(key):
+    """The name in C of a mode."""
+    return "_".join([key[0], *(str(value).replace("-", "minus_") for _, value in key[1])])
+
+
+class Functions:
+    """Functions of C. Each body stands once: modes in which a law reads alike share one function."""
+
+    def __init__(self, page_name):
+        self.names, self.texts = {}, []
+        self.structs = {a: (v, f"{page_name}_{struct}", const) for a, (v, struct, const) in GIVEN.items()}
+
+    def add(self, name, kind, body, about):
+        """The name of the function with this body, which is written if it is new."""
+        if (kind, body) not in self.names:
+            self.names[kind, body] = name
+            result, given = SIGNATURES[kind]
+            self.texts.append(function_in_c(result, name, given, body, about, self.structs))
+        return self.names[kind, body]
+
+    def add_with_variation(self, name, kind, values, about, of, begin="", into="y->"):
+        """Functions that write values and their first variations, by their members in the table of modes."""
+        vary = InstantVariation()
+        varied = {n: vary.of(value) for n, value in values.items()}
+        own = self.add(of, kind, begin + assigned(values, into), about)
+        body, about = begin + assigned(varied, into), f"First variation of {of}."
+        return {name: own, f"vary_{name}": self.add(f"vary_{of}", f"vary_{kind}", body, about)}
+
+
+def tree_in_c(tree, leaf_in_c, taken=(), names=(), indent="    "):
+    """The tree of a page's answers as `if`s; `leaf_in_c` writes an answer."""
+    taken, names = dict(taken), set(names)
+    if not (isinstance(tree, tuple) and len(tree) == 3):
+        return leaf_in_c(tree, taken, names, indent)
+    condition, yes, no = tree
+    lines = statements([condition.a, condition.b], taken, names, indent)
+    test = f"{c_text(condition.a, taken.get)} {condition.sign} {c_text(condition.b, taken.get)}"
+    inner = tree_in_c(yes, leaf_in_c, taken, names, indent + "    ")
+    outer = tree_in_c(no, leaf_in_c, taken, names, indent)
+    return f"{lines}{indent}if ({test}) {{\n{inner}{indent}}}\n{outer}"
+
+
+def answer_in_c(answer, taken, names, indent):
+    """A number or a truth value that a function of C returns."""
+    value = lift(int(answer) if isinstance(answer, bool) else answer)
+    lines = statements([value], taken, names, indent)
+    return f"{lines}{indent}return {c_text(value, taken.get)};\n"
+
+
+def decision_in_c(tree, c_names, next_keys, vary):
+    """The body of a decision: it writes the states that change, or their variations."""
+
+    def leaf_in_c(leaf, taken, names, indent):
+        key, changes = leaf
+        changes = {name: vary.of(value) for name, value in changes.items()} if vary else changes
+        lines = statements(list(changes.values()), taken, names, indent)
+        lines += lines_of([f"y->{c_names[n]} = {c_text(v, taken.get)};" for n, v in changes.items()], indent)
+        returned = "" if vary else f" next[{next_keys.index(key)}]"
+        return f"{lines}{indent}return{returned};" + ("\n" if vary else f" /* {key[0]} */\n")
+
+    return tree_in_c(tree, leaf_in_c)
+
+
+class Instants:
+    """Functions of an instant in C, and the tables that list them."""
+
+    def __init__(self, page, functions):
+        self.page, self.functions = page, functions
+
+    def guard_row(self, key, event_name):
+        """An event as a mode watches it: the row of its table."""
+        page, event, of = self.page, self.page.events[event_name], f"{c_name(key)}_{event_name}"
+        add, tree = self.functions.add, page.decide(key, event_name)
+        next_keys, about = keys_of(tree), f"{event_name}: {event.__doc__ or ''}"
+        if len(next_keys) > LIMITS["NEXT"]:
+            raise page_error(event, event_name, f"leads to more than {LIMITS['NEXT']} modes")
+        row = {"event": f"EVENT_{event_name}", "is_counted": c_boolean(event.counted)}
+        row["react"] = add(f"react_{of}", "react", decision_in_c(tree, page.c_names, next_keys, None), about)
+        varied = decision_in_c(tree, page.c_names, next_keys, InstantVariation()).removesuffix(
+            "    return;\n"
+        )
+        about = f"First variation of {event_name}."
+        row["vary_react"] = add(f"vary_react_{of}", "vary_react", varied, about)
+        watches = True if event.only is None else page.answer(key, event.only, event_name)
+        if watches is not True:
+            about = f"Whether {event_name} is watched."
+            row["is_watched"] = add(f"watches_{of}", "answer", tree_in_c(watches, answer_in_c), about)
+        if event.crossing is not None and page.answer(key, event.crossing, event_name) is True:
+            row["is_crossing"] = "true"
+        forget_expressions()
+        d_guard, taken = InstantVariation().of(page.guard(key, event_name)), {}
+        body = statements([d_guard], taken, set()) + f"    return {c_text(d_guard, taken.get)};\n"
+        about = f"First variation of the guard of {event_name}."
+        row["vary_guard"] = add(f"vary_guard_{of}", "vary_guard", body, about)
+        row["next"] = f"{{{', '.join(f'MODE_{c_name(next_key)}' for next_key in next_keys)}}}"
+        return row
+
+    def changes(self, key, kind, name, changes, about):
+        """Functions that write changed states and their variations; nothing where none changes."""
+        named = {self.page.c_names[n]: value for n, value in changes.items()}
+        of = f"{name}_{c_name(key)}"
+        return self.functions.add_with_variation(name, kind, named, about, of) if named else {}
+
+    def leaving(self, key):
+        """Held values that every event updates as it leaves a mode."""
+        forget_expressions()
+        before = self.page.at(key)
+        after = trace(before.leaving, symbol("counted"), name="leaving")
+        return self.changes(key, "leave", "leave", self.page.changes(before, after), before.leaving.__doc__)
+
+    def outputs(self, key):
+        """The outputs in a mode."""
+        forget_expressions()
+        values = {f"[OUTPUT_{n}]": self.page.number(f, key, n, f.unit) for n, f in self.page.outputs.items()}
+        for name in self.page.outputs:
+            values[f"[OUTPUT_{name}]"].call(name)
+        about, of = f"Outputs in {c_name(key)}.", f"outputs_{c_name(key)}"
+        return self.functions.add_with_variation("outputs", "outputs", values, about, of, into="outputs")
+
+    def constants(self, motion):
+        """Constants of a mode."""
+        begin = f"    {motion.name}_constants *c = (void *)constants;\n" if motion.constants else ""
+        about, of = f"Constants of {motion.name}.", f"open_{motion.name}"
+        return self.functions.add_with_variation("open", "open", motion.constants, about, of, begin, "c->")
+
+    def time_scale(self, key):
+        """The time scale of the law of a mode."""
+        function = self.page.modes[key[0]].time_scale
+        answer = function and self.page.answer(key, function, f"time scale of {key[0]}")
+        if answer is None:
+            return {}
+        body = tree_in_c(answer, answer_in_c)
+        return {"time_scale": self.functions.add(f"time_scale_{c_name(key)}", "answer", body, "Time scale.")}
+
+    def world(self, key):
+        """Maps from the mode's states to the world's and back, and the world's rates."""
+        page, of = self.page, self.page.modes[key[0]].of
+        world_key = next((k for k in page.keys if page.modes[k[0]].of == "world"), None)
+        if not world_key or of in (None, "world"):
+            return {}
+        row = {}
+        for name, at, to in (("from_world", world_key, of), ("to_world", key, "world")):
+            forget_expressions()
+            before = page.at(at)
+            seen = trace(before.in_coordinates, to, name=to)
+            seen = {n: lift(value) for n, value in seen.items() if n in page.states}
+            values = {n: value for n, value in seen.items() if value is not getattr(before, n)}
+            row |= self.changes(key, "map", name, values, f"{name.replace('_', ' ')}, in {key[0]}.")
+        rates, moving = page.rates(key), InstantVariation()
+        moving.found |= {page.symbol_of(n, "x"): rates.get(n, lift(0)) for n in page.states}
+        moving.found |= {page.symbol_of(n, "p", True): lift(0) for n in page.parameters}
+        world = {n: moving.of(value) for n, value in seen.items()}
+        about = f"Rates of the world's states in {key[0]}."
+        return row | self.changes(key, "map", "world_rates", world, about)
+
+    def setting(self, key, name):
+        """The function of what changes with a quantity that an importer sets."""
+        forget_expressions()
+        function, before = self.page.on_set[name], self.page.at(key)
+        quantity = self.page.parameters.get(name) or self.page.states[name]
+        changed = self.page.at(key)
+        setattr(changed, name, symbol("given", constant=True, dimension=quantity.dimension))
+        after = trace(function, before, changed)
+        named = {self.page.c_names[n]: v for n, v in self.page.changes(before, after).items()}
+        if not named:
+            return "NULL"
+        about = f"{name} is set: {function.__doc__ or ''}"
+        return self.functions.add(f"set_{name}_{c_name(key)}", "set", assigned(named, "y->"), about)
+
+    def mode_row(self, key, motion):
+        """The tables of a mode, and its row in the table of modes."""
+        name, states = motion.name, list(self.page.states)
+        if len(motion.watched) > LIMITS["GUARD"]:
+            text = f"watches {len(motion.watched)} events; at most {LIMITS['GUARD']} are allowed"
+            raise page_error(self.page.events[motion.watched[LIMITS["GUARD"]]], key[0], text)
+        row = {"motion": f"&{self.page.c}_motions[MODE_{name}]", "ends": c_boolean(motion.function.ends)}
+        row |= self.constants(motion)
+        guards = [row_in_c(self.guard_row(key, event)) for event in motion.watched]
+        observed = [(o.part.upper().replace(" ", "_"), o.into) for o in motion.observed.values()]
+        watches = [row_in_c({"part": f"TDMF_{part}", "into": states.index(into)}) for part, into in observed]
+        tables = rows_in_c("guard", f"guards_{name}", guards, "event")
+        tables += rows_in_c("watch", f"watches_{name}", watches, "into")
+        row |= {"guard_count": len(guards), "guards": f"guards_{name}"}
+        row |= {"watch_count": len(watches), "watches": f"watches_{name}"}
+        row |= self.outputs(key) | self.time_scale(key) | self.leaving(key) | self.world(key)
+        return tables, row_in_c(row)
+
+    def sets(self):
+        """Tables of the functions of `setting`."""
+        page, tables, rows = self.page, "", []
+        for name in page.on_set:
+            of = page.states if name in page.states else page.parameters
+            if name in of:  # not where a subclass has fixed it
+                tables += list_in_c("tdmf_set", f"set_{name}", [self.setting(key, name) for key in page.keys])
+                row = {"is_state": c_boolean(of is page.states), "index": list(of).index(name)}
+                rows.append(row_in_c(row | {"set": f"set_{name}"}))
+        return tables, rows
+
+    def scales(self):
+        """The function that writes the scales of states and guards."""
+        forget_expressions()
+        page = self.page
+        scales = {f"of_states[{i}]": page.scale(q.unit) for i, q in enumerate(page.states.values())}
+        scales |= {f"of_events[EVENT_{n}]": page.scale(e.unit) for n, e in page.events.items()}
+        about = "What is large in the unit of each state and of each event's guard."
+        return self.functions.add("scales", "scale", assigned(scales, ""), about)
