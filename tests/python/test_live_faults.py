@@ -319,9 +319,9 @@ def test_the_ruler_has_few_ticks_however_high_the_runner_flies(used_page):
 def test_a_persons_path(page, address, browsers):
     find_gait(page)
     show_curve(page)
-    drag_friction(page, 0.6, 0.2)
+    drag_friction(page, 0.6, 0.43)
     friction = page.execute_script(f"return {FRICTION}")
-    assert friction == pytest.approx(0.2, rel=0.03)
+    assert friction == pytest.approx(0.43, rel=0.03)
     wait(page, f"tdmfSlip.gaits.search.friction === {friction} && tdmfSlip.gaits.search.gait", "the gait")
     paint(page)
     region = page.execute_script("return tdmfSlip.gaits.region.read")
