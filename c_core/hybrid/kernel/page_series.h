@@ -103,8 +103,7 @@ static inline void sine_and_cosine_of(int k, const real *a, real *sine, real *co
     cosine[k] = -with_sine * series_reciprocal[k];
 }
 
-/* ---- intervals: lower bounds of guards in a step, found before the guards are expanded ------------------
- */
+/* ---- intervals: lower bounds of guards in a step, found before the guards are expanded ----------------- */
 
 typedef struct {
     real low, high;
