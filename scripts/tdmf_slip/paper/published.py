@@ -8,23 +8,18 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import NDArray
 
-from .claims import WORDS, Claim, Finding, alike
-from .evidence import LEAST_FRICTION, LEG_ANGLE, SLIP_ANGLE, ClassicEvidence, Evidence
+from .claims import WORDS, Claim, Finding
+from .evidence import LEAST_FRICTION, LEG_ANGLE, ClassicEvidence, Evidence
+from .published_classic import NEAR_ANGLE, classic_claims
 
 BEST_FRICTION, SPEED_GAIN, COST_GAIN = 0.5, 12.0, -25.0
 """Friction at which the paper's runner is fastest and cheapest, and its gains over friction 10, per cent."""
 SHARP_BELOW = 0.2
 """Friction below which the paper's speed drops sharply."""
-STABLE_ANGLES = (40.0, 44.0)
-"""Touchdown angles of the classic SLIP with stable gaits, about, degrees."""
-STANCE_FRICTION, IMPACT_FRICTION = 0.84, 4.5
-"""Friction that the SLIP's gait at 40 degrees needs in stance and at the impact."""
 ROUGHLY = 2.0
 """Per cent by which a value may be off a rough figure of the paper and agree."""
 NEAR_FRICTION = 0.02
 """Distance from a rough friction of the paper at which a friction agrees."""
-NEAR_ANGLE = 1.0
-"""Degrees within which two angles agree."""
 TINY, COUNT = 1e-2, 4
 """Bound of the eigenvalues that the paper calls very small, and how many of seven it has."""
 ROUNDING = 1e-8
@@ -58,37 +53,7 @@ class Statement:
 
 def claims(evidence: Mapping[str, Evidence], classic: ClassicEvidence) -> list[Claim]:
     """All statements of the paper, in its order."""
-    return [*_classic(classic), *(statement.claim(evidence) for statement in STATEMENTS)]
-
-
-def _classic(evidence: ClassicEvidence) -> list[Claim]:
-    stable, lowest, fold = evidence.stable, math.degrees(evidence.lowest), math.degrees(evidence.fold.angle)
-    low, high = STABLE_ANGLES
-    return [
-        Claim(
-            "SLIP: touchdown angles with a stable gait",
-            f"small range around {low:g}° to {high:g}°",
-            alike(
-                f"{lowest:.1f}° to {fold:.2f}°",
-                abs(lowest - low) < NEAR_ANGLE and abs(fold - high) < NEAR_ANGLE,
-            ),
-            "2",
-        ),
-        Claim(
-            f"SLIP at {SLIP_ANGLE:g}°: friction needed in stance",
-            f"mu > {STANCE_FRICTION:g}",
-            alike(
-                f"mu > {stable.stance_friction:.3f}", abs(stable.stance_friction - STANCE_FRICTION) < 0.005
-            ),
-            "3.2",
-        ),
-        Claim(
-            f"SLIP at {SLIP_ANGLE:g}°: friction needed at impact",
-            f"mu > {IMPACT_FRICTION:g}",
-            alike(f"mu > {stable.impact_friction:.2f}", abs(stable.impact_friction - IMPACT_FRICTION) < 0.05),
-            "3.2",
-        ),
-    ]
+    return [*classic_claims(classic), *(statement.claim(evidence) for statement in STATEMENTS)]
 
 
 def _values(evidence: Evidence, name: str) -> NDArray[np.float64]:
