@@ -2,9 +2,10 @@
 
 import numpy as np
 import pytest
+from conftest import reference_gaits
 from independent_runner import Stride
 from page_runs import COMPILER, CompiledPage
-from test_page_runner import FREE, SECTION, section, world_of
+from test_page_runner import SECTION, section, world_of
 
 from c_core.hybrid import parameter, sin
 from c_core.pages.runner import PlainRunner
@@ -71,7 +72,7 @@ LAWS = [
 @pytest.mark.parametrize(("model", "laws", "seeds"), LAWS, ids=[law[0].__name__ for law in LAWS])
 def test_a_law_of_ten_lines_agrees_with_scipy_and_its_derivatives_with_differences(model, laws, seeds):
     page = CompiledPage(model, level="-O1")
-    world = world_of(next(gait for gait in FREE["gaits"] if gait["friction"] == 0.43)["apex"])
+    world = world_of(next(gait for gait in reference_gaits(False) if gait["friction"] == 0.43)["apex"])
     run = page.start(friction=0.43, tolerance=1e-13, **world).to(stop="apex")
     time, apex, work = Stride(0.43, **laws).run([world[name] for name in STATES])
     assert run.time == pytest.approx(time, abs=1e-9)
