@@ -6,6 +6,7 @@ from . import (
     attraction,
     falling,
     feedback,
+    optima,
     over_friction,
     patches,
     reduced,
@@ -29,4 +30,5 @@ SECTIONS: Mapping[str, tuple[OwnClaim, ...]] = {
     "slopes": slopes.CLAIMS,
     "thrust": thrust.CLAIMS,
     "feedback": feedback.CLAIMS,
+    "optima": optima.CLAIMS,
 }
