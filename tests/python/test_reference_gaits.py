@@ -33,7 +33,7 @@ def settle(reference, run):
     """
     given = runner_of_gait(reference)
     strides = np.ceil(np.log(LEFT) / np.log(find_gait(given).lambda_max))
-    _, instance = run((strides + 0.5) * reference["period"], given, tolerance=1e-10, output_interval=5.0)
+    _, instance = run((strides + 0.5) * reference["period"], given, tolerance=1e-10, output_interval=2.0)
     apex = instance.real(*(f"apex.{name}" for name in APEX))
     counts = ("stride.count", "event.count")
     rows, instance = run(2.1 * reference["period"], apex_start(apex) | given, tolerance=1e-9, output=counts)
