@@ -12,7 +12,9 @@ def main() -> int:
     # The matrices have a handful of rows: threads of BLAS beside the engine's own cost a start and gain
     # nothing.
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
-    os.environ.setdefault("MPLBACKEND", "Agg")  # the command writes pictures to files
+    # FMPy's CVODE prints, on stdout too, what its status says anyway. SUNDIALS reads this at its first use.
+    for log in ("SUNLOGGER_WARNING_FILENAME", "SUNLOGGER_ERROR_FILENAME"):
+        os.environ.setdefault(log, os.devnull)
     try:
         with interrupts.deferred():
             from .cli import main as command

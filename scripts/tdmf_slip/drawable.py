@@ -20,7 +20,9 @@ class Drawable:
     """A result with a picture, a dataset and a table."""
 
     def plot(self) -> "Figure":
-        """Draw it; a notebook shows the figure, `savefig` writes it, and pyplot's `show` opens a window.
+        """Draw it; a notebook shows the figure, and `savefig` writes it.
+
+        Where `matplotlib.pyplot` is imported before, its `show` opens a window. Else no backend is chosen.
 
         A run is drawn over time, a gait as velocities and force ratio of its stride, a sweep and a branch
         over their parameter, a curve over its two; a fit by its residuals, an optimum and a comparison by

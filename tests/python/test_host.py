@@ -53,7 +53,6 @@ def test_signal_handlers_stay_those_of_the_host(call, tmp_path, monkeypatch):
     call(tmp_path)
 
 
-@pytest.mark.xfail(strict=True, reason="SUNDIALS would print on stdout, and Matplotlib look for a screen")
 @pytest.mark.parametrize(
     ("look", "use"),
     [

@@ -20,10 +20,6 @@ from . import following
 from .fmu import Fmu
 from .variable import Value
 
-# FMPy's CVODE prints what its status says anyway, on stdout too. SUNDIALS asks before its first use.
-for log in ("SUNLOGGER_WARNING_FILENAME", "SUNLOGGER_ERROR_FILENAME"):
-    os.environ.setdefault(log, os.devnull)
-
 LOADING = threading.Lock()
 """FMPy changes the working directory, which all threads share, while it loads a library."""
 MAX_NUMBERS = 50_000_000

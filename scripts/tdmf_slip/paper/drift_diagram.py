@@ -2,7 +2,6 @@
 
 from collections.abc import Sequence
 
-import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.figure import Figure
 
@@ -21,7 +20,7 @@ def figure_of(drifts: Sequence[Drift]) -> Figure:
     rows = np.array([names.index(_gait(drift)) for drift in drifts])
     passed = np.array([drift.passed for drift in drifts], dtype=bool)
     with style.styled():
-        figure, axes = plt.subplots(figsize=(7.2, 3.8), layout="constrained")
+        figure, axes = style.subplots(figsize=(7.2, 3.8))
         for where, name, colour in (
             (passed, "as recorded", style.SECOND_CURVE),
             (~passed, "differs", style.MODE_COLOURS["slip_negative"]),

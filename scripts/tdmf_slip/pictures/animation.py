@@ -8,7 +8,6 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.animation import AbstractMovieWriter, FFMpegWriter, FuncAnimation, PillowWriter
 from matplotlib.axes import Axes
@@ -67,19 +66,16 @@ def draw(
     check_destination(path, FORMATS, "animation")
     writer = _writer(path)
     with style.styled():
-        figure = plt.figure(figsize=SIZE, dpi=DOTS_PER_INCH)
+        figure = style.Picture(figsize=SIZE, dpi=DOTS_PER_INCH)
         scene = _Scene(figure.add_axes((0.0, 0.0, 1.0, 1.0)), stride)
         film = FuncAnimation(figure, scene.show, frames=frame_times(stride, frames), blit=False)
-        try:
-            with whole(path) as beside:
-                film.save(
-                    beside,
-                    writer=writer,
-                    dpi=DOTS_PER_INCH,
-                    progress_callback=lambda _number, _total: step_finished(),
-                )
-        finally:
-            plt.close(figure)
+        with whole(path) as beside:
+            film.save(
+                beside,
+                writer=writer,
+                dpi=DOTS_PER_INCH,
+                progress_callback=lambda _number, _total: step_finished(),
+            )
 
 
 def animate(gait: Gait, path: Path | str, frames: int = FRAMES) -> Path:

@@ -3,7 +3,7 @@
 import math
 from pathlib import Path
 
-import matplotlib.pyplot as plt
+import matplotlib
 import numpy as np
 from matplotlib.artist import Artist
 from matplotlib.axes import Axes
@@ -58,7 +58,7 @@ def draw(path: Path, data: Basin) -> None:
 def figure_of(data: Basin) -> Figure:
     """The map: starts that settle in blue, those that fall in red, by strides; the gait as a cross."""
     with style.styled():
-        figure, axes = plt.subplots(figsize=(7.6, 5.8), layout="constrained")
+        figure, axes = style.subplots(figsize=(7.6, 5.8))
         handles = paint(axes, data)
         axes.set_title(_title(data, data["fate"] == SETTLED))
         figure.legend(handles=handles, loc="outside lower center", ncols=len(handles))
@@ -110,7 +110,7 @@ def edges_of(values: NDArray[np.float64]) -> NDArray[np.float64]:
 
 
 def _without_palest(name: str) -> Colormap:
-    return ListedColormap(plt.get_cmap(name)(np.linspace(0.0, PALEST, 256)))
+    return ListedColormap(matplotlib.colormaps[name](np.linspace(0.0, PALEST, 256)))
 
 
 def _title(data: Basin, settled: NDArray[np.bool_]) -> str:

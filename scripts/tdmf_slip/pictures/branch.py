@@ -4,7 +4,6 @@ from collections.abc import Mapping, Sequence
 from itertools import pairwise
 from pathlib import Path
 
-import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
@@ -36,9 +35,7 @@ def figure_of(
     """Three panels over a parameter; unstable gaits are dashed."""
     display = display or DisplayUnits(fmu, values=gaits[0].runner.values)
     with style.styled():
-        figure, panels = plt.subplots(
-            len(PANELS) + 1, 1, figsize=(7.6, 7.2), sharex=True, layout="constrained"
-        )
+        figure, panels = style.subplots(len(PANELS) + 1, 1, figsize=(7.6, 7.2), sharex=True)
         _eigenvalues(panels[0], values, gaits)
         for axes, (quantity, label) in zip(panels[1:], PANELS.items(), strict=True):
             _draw(axes, values, [gait.stride[quantity] for gait in gaits], gaits)

@@ -8,7 +8,6 @@ from itertools import groupby, pairwise
 from pathlib import Path
 from typing import Any
 
-import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
@@ -66,9 +65,7 @@ def figure_of(branch: Branch, quantity: str = DRAWN, display: DisplayUnits | Non
     fmu = load_fmu()
     display = display or DisplayUnits(fmu, values=branch.gaits[0].runner.values)
     with style.styled():
-        figure, panels = plt.subplots(
-            2, 1, figsize=(8.2, 7.0), sharex=True, height_ratios=(2, 1), layout="constrained"
-        )
+        figure, panels = style.subplots(2, 1, figsize=(8.2, 7.0), sharex=True, height_ratios=(2, 1))
         kind = "apex" if quantity in COORDINATES else "stride"
         variable = fmu.variables.get(f"{kind}.{quantity}")
         label = f"{kind}.{quantity}" if variable else quantity

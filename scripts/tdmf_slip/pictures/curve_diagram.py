@@ -4,7 +4,6 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 
-import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
@@ -23,7 +22,7 @@ def figure_of(
     """The curves in the plane of the parameters: borders thin, with each word on its side."""
     display = display or DisplayUnits(load_fmu())
     with style.styled():
-        figure, axes = plt.subplots(figsize=(7.6, 5.4), layout="constrained")
+        figure, axes = style.subplots(figsize=(7.6, 5.4))
         labels = [
             style.tell_in(axis, name, display)
             for axis, name in zip((axes.xaxis, axes.yaxis), over, strict=True)

@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING
 
-import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.figure import Figure
 
@@ -34,7 +33,7 @@ def of_falls(found: FirstPassage | RareFalls) -> Figure:
     mean = found.mean_strides if math.isfinite(found.mean_strides) else low
     strides = np.geomspace(max(1.0, SPAN[0] * low), SPAN[1] * (high if math.isfinite(high) else mean), POINTS)
     with style.styled():
-        figure, axes = plt.subplots(figsize=(6.8, 4.4), layout="constrained")
+        figure, axes = style.subplots(figsize=(6.8, 4.4))
         bounds = (_still_up(strides, low), _still_up(strides, high))
         axes.fill_between(
             strides, *bounds, color=style.GROUND, label=f"{CONFIDENCE:.0%} interval", linewidth=0
@@ -64,7 +63,7 @@ def of_attraction(proof: Attraction) -> Figure:
     count = max(1, math.ceil(math.log(SMALLEST) / math.log(proof.rate))) if proof.rate > 0.0 else 1
     strides = np.arange(count + 1)
     with style.styled():
-        figure, axes = plt.subplots(figsize=(6.8, 4.4), layout="constrained")
+        figure, axes = style.subplots(figsize=(6.8, 4.4))
         axes.plot(strides, proof.norm_radius * proof.rate**strides, ".-", color=style.CURVE, markersize=4.0)
         axes.set_yscale("log")
         style.label(axes, "strides", "largest distance from the gait, in the norm of the proof")

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
-import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
@@ -88,7 +87,7 @@ def _middles(proof: Proof) -> NDArray[np.complex128]:
 
 
 def _panels() -> tuple[Figure, tuple[Axes, Axes]]:
-    figure, (left, right) = plt.subplots(1, 2, figsize=(9.6, 4.6), layout="constrained")
+    figure, (left, right) = style.subplots(1, 2, figsize=(9.6, 4.6))
     return figure, (left, right)
 
 

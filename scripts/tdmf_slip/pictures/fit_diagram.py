@@ -4,7 +4,6 @@ from collections.abc import Sequence
 from itertools import cycle
 from pathlib import Path
 
-import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
@@ -37,7 +36,7 @@ def figure_of(fit: Fit) -> Figure:
     shown = [name for name in names if title.startswith("row") or name != "speed"] or names
     lines = (len(shown) + 1) // 2
     with style.styled():
-        figure = plt.figure(figsize=(WIDTH, HEIGHT * (lines + 1)), layout="constrained")
+        figure = style.Picture(figsize=(WIDTH, HEIGHT * (lines + 1)), layout="constrained")
         grid = figure.add_gridspec(lines + 1, 2)
         for number, name in enumerate(shown):
             whole = number == len(shown) - 1 and number % 2 == 0

@@ -6,8 +6,6 @@ import io
 from collections.abc import Iterable, Sequence
 from pathlib import Path
 
-import matplotlib.pyplot as plt
-
 from ..files.whole import whole
 from ..fitting.result import CONFIDENCE, PARAMETER_HEADER, RESIDUAL_HEADER, Fit
 from . import style
@@ -57,11 +55,8 @@ def write(path: Path, fit: Fit) -> None:
 
 def _picture(fit: Fit) -> str:
     """As PNG in base 64."""
-    figure, file = figure_of(fit), io.BytesIO()
-    try:
-        figure.savefig(file, format="png", dpi=style.DOTS_PER_INCH, metadata=style.UNDATED[".png"])
-    finally:
-        plt.close(figure)
+    file = io.BytesIO()
+    figure_of(fit).savefig(file, format="png", dpi=style.DOTS_PER_INCH, metadata=style.UNDATED[".png"])
     return base64.b64encode(file.getvalue()).decode()
 
 

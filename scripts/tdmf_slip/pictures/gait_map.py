@@ -1,6 +1,6 @@
 """Gaits over two parameters: how fast they are, and by which word they go."""
 
-import matplotlib.pyplot as plt
+import matplotlib
 import numpy as np
 from matplotlib.colors import ListedColormap
 from matplotlib.figure import Figure
@@ -14,7 +14,7 @@ from ..fmu.fmu import load_fmu
 from . import style
 from .basin_map import edges_of
 
-WORD_COLOURS = plt.get_cmap("tab20").colors  # type: ignore[attr-defined] # a list of colours
+WORD_COLOURS = matplotlib.colormaps["tab20"].colors  # type: ignore[attr-defined] # a list of colours
 
 
 def _runner_of(grid: GaitGrid) -> dict[str, float]:
@@ -30,7 +30,7 @@ def figure_of(grid: GaitGrid) -> Figure:
     edges = edges_of(grid[horizontal]), edges_of(grid[vertical])
     display = DisplayUnits(load_fmu(), values=_runner_of(grid))
     with style.styled():
-        figure, panels = plt.subplots(1, 2, figsize=(10.4, 4.6), sharey=True, layout="constrained")
+        figure, panels = style.subplots(1, 2, figsize=(10.4, 4.6), sharey=True)
         speeds = np.ma.masked_invalid(grid["speed"])
         mesh = panels[0].pcolormesh(*edges, speeds, cmap="viridis", rasterized=True)
         figure.colorbar(mesh, ax=panels[0], label=style.with_unit("speed", display.label("m/s")), pad=0.01)

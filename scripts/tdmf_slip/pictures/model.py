@@ -3,7 +3,6 @@
 from pathlib import Path
 from typing import Any, TypeAlias
 
-import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.patches import Arc, Circle, FancyArrowPatch
@@ -31,7 +30,7 @@ INCHES, DOTS_PER_INCH = 5.0, 144
 def draw(path: Path) -> None:
     """Draw the sketch: 720 by 720 pixels."""
     with style.styled():
-        figure = plt.figure(figsize=(INCHES, INCHES))
+        figure = style.Picture(figsize=(INCHES, INCHES))
         axes = figure.add_axes((0, 0, 1, 1))
         axes.set_xlim(-1.0, 0.62)
         axes.set_ylim(-0.38, 1.24)

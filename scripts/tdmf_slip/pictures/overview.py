@@ -3,7 +3,6 @@
 from collections.abc import Sequence
 from pathlib import Path
 
-import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
@@ -35,7 +34,7 @@ def figure_of(run: Run, fmu: Fmu) -> Figure:
     if missing:
         raise InputError(f"plot: the run has not recorded {', '.join(sorted(missing))}")
     with style.styled():
-        figure, all_axes = plt.subplots(len(PANELS), 1, sharex=True, figsize=(8.4, 7.6), layout="constrained")
+        figure, all_axes = style.subplots(len(PANELS), 1, sharex=True, figsize=(8.4, 7.6))
         for axes, (label, curves) in zip(all_axes, PANELS, strict=True):
             _panel(axes, run, label, curves)
             _shade(axes, run, fmu)

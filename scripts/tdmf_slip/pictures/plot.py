@@ -1,10 +1,10 @@
 """The picture of a result, by its kind: what its `plot()` shows."""
 
 import importlib
+import sys
 from collections.abc import Mapping
 from functools import singledispatch
 
-import matplotlib.pyplot as plt
 from matplotlib.figure import Figure
 
 from ..analysis.branch import Branch
@@ -44,9 +44,12 @@ def plot(result: object) -> Figure:
 
 
 def released(figure: Figure) -> Figure:
-    """A figure that pyplot keeps only if it has windows, so that `pyplot.show()` opens it."""
-    if figure.canvas.required_interactive_framework is None:
-        plt.close(figure)  # else a notebook shows it once more, at the end of the cell
+    """Hand a figure to pyplot if the user has imported it and it has windows: `pyplot.show()` opens it."""
+    pyplot = sys.modules.get("matplotlib.pyplot")
+    if pyplot is not None:
+        pyplot.figure(FigureClass=lambda **_: figure)
+        if figure.canvas.required_interactive_framework is None:
+            pyplot.close(figure)  # else a notebook shows it once more, at the end of the cell
     return figure
 
 

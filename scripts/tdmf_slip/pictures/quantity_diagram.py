@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING
 
-import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
@@ -34,10 +33,9 @@ def of_optimum(found: Optimum) -> Figure:
     given = {name: found.before.runner.values[name] for name in found.parameters}
     rows = len(before) + len(given)
     with style.styled():
-        figure, (upper, lower) = plt.subplots(
+        figure, (upper, lower) = style.subplots(
             *(2, 1),
             figsize=(7.6, HEIGHT + BAR * rows),
-            layout="constrained",
             height_ratios=[len(before), max(2, len(given))],
         )
         _changes(upper, before, {"optimum": after}, bold=(found.objective,))
@@ -53,9 +51,7 @@ def of_comparison(found: Comparison) -> Figure:
     names = known_quantities(found.runners[0].after.runner)
     reference, *others = (quantities_of(gait, names) | {LAMBDA_MAX: gait.lambda_max} for gait in found.gaits)
     with style.styled():
-        figure, axes = plt.subplots(
-            figsize=(7.6, HEIGHT + BAR * len(reference) * max(1, len(others))), layout="constrained"
-        )
+        figure, axes = style.subplots(figsize=(7.6, HEIGHT + BAR * len(reference) * max(1, len(others))))
         runners = {f"runner {number}": values for number, values in enumerate(others, 1)}
         _changes(axes, reference, runners, bold=found.hold)
         style.label(axes, "difference from runner 0 (%)", "quantity; bold: held")
@@ -70,7 +66,7 @@ def of_front(front: Front) -> Figure:
         [[quantities_of(best.gait, front.objectives)[n] for n in front.objectives] for best in front.optima]
     )
     with style.styled():
-        figure, axes = plt.subplots(figsize=(6.4, 4.6), layout="constrained")
+        figure, axes = style.subplots(figsize=(6.4, 4.6))
         axes.plot(*points.T, color=style.FAINT, linewidth=1.0, zorder=1)
         stable = np.array([best.stable for best in front.optima], dtype=bool)
         for where, name, face in ((stable, "stable", style.SECOND_CURVE), (~stable, "unstable", "white")):

@@ -1,6 +1,5 @@
 """What many runners did: their apices from stride to stride, or the last strides of their runs."""
 
-import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
@@ -26,7 +25,7 @@ def of_strides(made: Strides) -> Figure:
     """Height and speed of the apices, stride by stride."""
     apices = np.concatenate([made["apex"][:, :1], made["next_apex"]], axis=1)
     with style.styled():
-        figure, panels = plt.subplots(2, 1, figsize=(6.8, 5.4), sharex=True, layout="constrained")
+        figure, panels = style.subplots(2, 1, figsize=(6.8, 5.4), sharex=True)
         for axes, name in zip(panels, DRAWN, strict=True):
             _draw_runners(axes, apices[..., list(made["coordinate"]).index(name)])
             unit = paper_units.label(load_fmu().variables[f"apex.{name}"].unit, made.attributes)
@@ -65,7 +64,7 @@ def of_runs(runs: Runs) -> Figure:
         for of in paper_units.SCALES
     }
     with style.styled():
-        figure, panels = plt.subplots(2, 1, figsize=(6.8, 5.4), sharex=True, layout="constrained")
+        figure, panels = style.subplots(2, 1, figsize=(6.8, 5.4), sharex=True)
         for axes, quantity in zip(panels, REPORTED, strict=True):
             for fell, colour, label in ((False, style.CURVE, "ran"), (True, "#b3216f", "fell in the end")):
                 where = runs["fallen"] == fell

@@ -2,7 +2,6 @@
 
 from pathlib import Path
 
-import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
@@ -24,7 +23,7 @@ HALF_WIDTH, HEIGHT, DEPTH = 1.12, 0.92, 0.05
 def draw(path: Path, stride: Stride) -> None:
     """Draw the stride above, its stance below, and below that the path of the foot over time."""
     with style.styled():
-        figure = plt.figure(figsize=SIZE)
+        figure = style.Picture(figsize=SIZE)
         letters = style.word(stride.gait.word)
         title = rf"One stride, gait word  {letters}, friction $\mu = {stride.gait.friction:g}$"
         figure.text(0.015, 0.955, title, size=11)

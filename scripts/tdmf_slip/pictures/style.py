@@ -8,7 +8,7 @@ from io import BytesIO
 from pathlib import Path
 from typing import Any, Literal, TypeAlias
 
-import matplotlib.pyplot as plt
+import matplotlib
 from matplotlib.axes import Axes
 from matplotlib.axis import Axis
 from matplotlib.figure import Figure
@@ -168,8 +168,26 @@ def appearing(appearance: Appearance) -> Iterator[None]:
 @contextmanager
 def styled() -> Iterator[None]:
     """The present style, for what is drawn inside."""
-    with plt.rc_context({**SETTINGS, **STYLES[_PRESENT.get(DESIGNED).style]}):
+    with matplotlib.rc_context({**SETTINGS, **STYLES[_PRESENT.get(DESIGNED).style]}):
         yield
+
+
+class Picture(Figure):
+    """A figure made without pyplot, which would choose Matplotlib's backend for the whole process."""
+
+    def _repr_png_(self) -> bytes:
+        """Image for a notebook in which pyplot has not been imported."""
+        file = BytesIO()
+        self.savefig(file, format="png", dpi=DOTS_PER_INCH, metadata=UNDATED[".png"])
+        return file.getvalue()
+
+
+def subplots(
+    rows: int = 1, columns: int = 1, *, figsize: tuple[float, float], **axes: Any
+) -> tuple[Picture, Any]:
+    """Make a picture and its axes, as `pyplot.subplots` does, in a constrained layout."""
+    figure = Picture(figsize=figsize, layout="constrained")
+    return figure, figure.subplots(rows, columns, **axes)
 
 
 def check_picture(path: Path | str, what: str, formats: Iterable[str] = FORMATS) -> Path:
@@ -183,12 +201,9 @@ def check_drawing(what: str) -> None:
     """Refuse, before any work, a Matplotlib that cannot draw, as with `text.usetex` but no LaTeX."""
     try:
         with styled():
-            figure = plt.figure(figsize=(1.0, 1.0))
+            figure = Picture(figsize=(1.0, 1.0))
             figure.text(0.0, 0.5, f"{with_unit('torque', 'N.m')}, {word('+-')}")
-            try:
-                figure.savefig(BytesIO(), format="png")
-            finally:
-                plt.close(figure)
+            figure.savefig(BytesIO(), format="png")
     except Exception as problem:  # raised by any backend, or by a program that it calls
         raise InputError(
             f"{what}: Matplotlib cannot draw: {' '.join(str(problem).split())[:LONGEST_REASON]}; "
@@ -197,18 +212,15 @@ def check_drawing(what: str) -> None:
 
 
 def save(figure: Figure, path: Path, dots_per_inch: int = DOTS_PER_INCH) -> None:
-    """Write a figure whole or not at all, and let go of it."""
+    """Write a figure whole or not at all."""
     present = _PRESENT.get(DESIGNED)
-    try:
-        if present.width is not None:
-            width, height = figure.get_size_inches()
-            figure.set_size_inches(present.width, height * present.width / width)
-        with whole(path) as beside:
-            figure.savefig(
-                beside, dpi=present.dots_per_inch or dots_per_inch, metadata=UNDATED.get(path.suffix.lower())
-            )
-    finally:
-        plt.close(figure)
+    if present.width is not None:
+        width, height = figure.get_size_inches()
+        figure.set_size_inches(present.width, height * present.width / width)
+    with whole(path) as beside:
+        figure.savefig(
+            beside, dpi=present.dots_per_inch or dots_per_inch, metadata=UNDATED.get(path.suffix.lower())
+        )
 
 
 def label(axes: Axes, horizontal: str, vertical: str) -> None:

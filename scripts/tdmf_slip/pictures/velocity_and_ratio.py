@@ -2,7 +2,6 @@
 
 from pathlib import Path
 
-import matplotlib.pyplot as plt
 from matplotlib.figure import Figure
 
 from . import panels, style
@@ -17,7 +16,7 @@ def draw(path: Path, stride: Stride) -> None:
 def figure_of(stride: Stride) -> Figure:
     """The two panels."""
     with style.styled():
-        figure, (left, right) = plt.subplots(1, 2, figsize=(8.4, 3.7), layout="constrained")
+        figure, (left, right) = style.subplots(1, 2, figsize=(8.4, 3.7))
         for axes in (left, right):
             panels.mark_stance(axes, stride)
             panels.mark_mid_stance(axes, stride)

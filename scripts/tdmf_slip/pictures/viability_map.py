@@ -2,7 +2,7 @@
 
 from pathlib import Path
 
-import matplotlib.pyplot as plt
+import matplotlib
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.cm import ScalarMappable
@@ -16,7 +16,7 @@ from ..viable_sets.result import Viability
 from . import style
 from .basin_map import NAMES
 
-COLOURS = ListedColormap(plt.get_cmap("GnBu")(np.linspace(0.18, 1.0, 256)))
+COLOURS = ListedColormap(matplotlib.colormaps["GnBu"](np.linspace(0.18, 1.0, 256)))
 """Without the palest, which are hardly told from the paper."""
 OPEN, NOT_VIABLE = "#f0b35a", "#efe9e4"
 """Colours of cells that the grid leaves open, and of those from which no action of the grid helps."""
@@ -35,7 +35,7 @@ def figure_of(found: Viability) -> Figure:
 
 
 def _figure(found: Viability) -> Figure:
-    figure, axes = plt.subplots(figsize=(7.6, 5.4), layout="constrained")
+    figure, axes = style.subplots(figsize=(7.6, 5.4))
     mesh = paint(axes, found)
     figure.colorbar(mesh, ax=axes, label="share of the actions that are viable, from inside", pad=0.01)
     handles = [

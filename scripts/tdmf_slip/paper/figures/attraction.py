@@ -3,7 +3,6 @@
 from collections.abc import Sequence
 from pathlib import Path
 
-import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.axes import Axes
 
@@ -44,7 +43,7 @@ def draw(path: Path, sweep: Sweep, measured: Sequence[Attraction], matched: Sequ
     """Draw the share of the section that is attracted, the largest eigenvalue, and the disturbances."""
     data, equal = table(measured), table(matched)
     with style.styled():
-        figure, axes = plt.subplots(3, 1, figsize=(7.6, 7.6), sharex=True, layout="constrained")
+        figure, axes = style.subplots(3, 1, figsize=(7.6, 7.6), sharex=True)
         _draw_share(axes[0], data)
         axes[0].plot(equal["friction"], equal["attracted_share"], **figure_9.CONTROL)
         axes[0].legend(loc="lower left")

@@ -4,7 +4,6 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
-import matplotlib.pyplot as plt
 from matplotlib.axes import Axes
 
 from ...analysis.sweep import Sweep
@@ -44,9 +43,7 @@ def table(gaits: Sequence[Gait], matched: Sequence[Gait] = ()) -> Columns:
 def draw(path: Path, sweep: Sweep, matched: Sequence[Gait]) -> None:
     """Draw the losses one on the other, under the hip's work: as runners come, and where they are equal."""
     with style.styled():
-        figure, panels = plt.subplots(
-            2, 1, figsize=(7.6, 7.6), sharex=True, sharey=True, layout="constrained"
-        )
+        figure, panels = style.subplots(2, 1, figsize=(7.6, 7.6), sharex=True, sharey=True)
         for axes, gaits, title in zip(
             panels,
             (sweep.gaits, matched),

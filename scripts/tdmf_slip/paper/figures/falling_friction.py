@@ -4,7 +4,6 @@ from collections.abc import Iterator, Mapping
 from itertools import pairwise
 from pathlib import Path
 
-import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.patheffects import withStroke
@@ -119,7 +118,7 @@ def _shown(its: Mapping[str, NDArray[np.generic]]) -> dict[str, NDArray[np.gener
 def draw(path: Path, data: Columns) -> None:
     """Draw level ground on the left and the slope on the right; dashed where gaits are unstable."""
     with style.styled():
-        figure, panels = plt.subplots(3, 2, figsize=(9.6, 9.0), sharex="col", layout="constrained")
+        figure, panels = style.subplots(3, 2, figsize=(9.6, 9.0), sharex="col")
         for column, slope in zip(panels.T, RATIOS, strict=True):
             for axes, (name, what) in zip(column, DRAWN.items(), strict=True):
                 for ratio in RATIOS[slope]:

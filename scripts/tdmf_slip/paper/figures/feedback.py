@@ -5,7 +5,6 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.axes import Axes
 
@@ -128,7 +127,7 @@ def _lambda_max(trial: Trial) -> float:
 def draw(path: Path, data: Columns) -> None:
     """Draw strides until the fall, what is recovered from and what is attracted; a colour for each law."""
     with style.styled():
-        figure, panels = plt.subplots(4, 1, figsize=(7.6, 9.6), sharex=True, layout="constrained")
+        figure, panels = style.subplots(4, 1, figsize=(7.6, 9.6), sharex=True)
         strides, step, push, share = panels
         for number, (name, colour) in enumerate(SHOWN.items()):
             rows = np.asarray(data["law"]) == name

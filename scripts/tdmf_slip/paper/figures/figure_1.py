@@ -3,7 +3,6 @@
 import math
 from pathlib import Path
 
-import matplotlib.pyplot as plt
 import numpy as np
 
 from ...library import classic_slip
@@ -30,7 +29,7 @@ def draw(path: Path) -> None:
     """Draw the path, and the leg at five instants of the stance and at both apexes."""
     step = _path()
     with style.styled():
-        figure, axes = plt.subplots(figsize=(8.0, 3.6), layout="constrained")
+        figure, axes = style.subplots(figsize=(8.0, 3.6))
         slip_path.ground(axes)
         axes.plot(step.x, step.y, color=style.SECOND_CURVE, linestyle="--", linewidth=1.2)
         stance = [i for i, phase in enumerate(step.phase) if phase == "stance"]

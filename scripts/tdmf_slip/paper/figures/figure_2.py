@@ -5,7 +5,6 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
-import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.axes import Axes
 from numpy.typing import NDArray
@@ -55,7 +54,7 @@ def draw_maps(path: Path) -> None:
     """Figure 2(a)."""
     data = {name: np.array(values) for name, values in map_table().items()}
     with style.styled():
-        figure, axes = plt.subplots(figsize=(5.6, 5.2), layout="constrained")
+        figure, axes = style.subplots(figsize=(5.6, 5.2))
         for angle, colour in zip(ANGLES, COLOURS, strict=True):
             chosen = data["angle_degrees"] == angle
             for forwards, line in ((True, "-"), (False, ":")):
@@ -104,7 +103,7 @@ def draw_gaits(path: Path) -> None:
     """Figure 2(b)."""
     data = gait_table()
     with style.styled():
-        figure, axes = plt.subplots(figsize=(5.6, 4.2), layout="constrained")
+        figure, axes = style.subplots(figsize=(5.6, 4.2))
         for (name, rows), line in zip(branches(data), ("-", "--"), strict=True):
             angles = np.array(data["angle_degrees"])[rows]
             axes.plot(angles, np.array(data["height"])[rows], line, color=style.CURVE, label=name)

@@ -3,7 +3,6 @@
 import math
 from pathlib import Path
 
-import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.patches import Polygon
@@ -48,7 +47,7 @@ def table() -> Columns:
 def draw(path: Path) -> None:
     """Draw the three panels."""
     with style.styled():
-        figure, axes = plt.subplots(1, 3, figsize=(9.6, 3.8), layout="constrained", sharey=True)
+        figure, axes = style.subplots(1, 3, figsize=(9.6, 3.8), sharey=True)
         _touchdown(axes[0])
         _take_off(axes[1])
         _impact(axes[2])

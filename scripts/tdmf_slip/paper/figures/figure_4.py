@@ -2,7 +2,6 @@
 
 from pathlib import Path
 
-import matplotlib.pyplot as plt
 import numpy as np
 
 from ...pictures import style
@@ -15,7 +14,7 @@ def draw(path: Path) -> None:
     """Draw friction needed over touchdown angle."""
     data = figure_2.gait_table()
     with style.styled():
-        figure, axes = plt.subplots(figsize=(5.6, 4.2), layout="constrained")
+        figure, axes = style.subplots(figsize=(5.6, 4.2))
         for (name, rows), line in zip(figure_2.branches(data), ("-", "--"), strict=True):
             angles = np.array(data["angle_degrees"])[rows]
             needed = np.array(data["impact_friction"])[rows]

@@ -7,7 +7,6 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
-import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.axes import Axes
 
@@ -21,7 +20,7 @@ CLAMPED: Mapping[str, Any] = {"linestyle": (0.0, (1.0, 1.2)), "linewidth": 1.3, 
 def draw(path: Path, stride: Stride, clamped: Stride) -> None:
     """Draw the four panels of one gait, with heights and leg of the other."""
     with style.styled():
-        figure, axes = plt.subplots(2, 2, figsize=(8.4, 6.2), layout="constrained")
+        figure, axes = style.subplots(2, 2, figsize=(8.4, 6.2))
         _heights(axes[0, 0], stride, clamped)
         _leg(axes[0, 1], stride, clamped)
         _velocity(axes[1, 0], stride, clamped)

@@ -2,8 +2,6 @@
 
 from pathlib import Path
 
-import matplotlib.pyplot as plt
-
 from ...pictures import panels, style
 from ...pictures.stride import Stride
 
@@ -13,7 +11,7 @@ FRICTIONS = (0.43, 0.2)
 def draw(path: Path, strides: tuple[Stride, Stride]) -> None:
     """Draw one panel for each gait."""
     with style.styled():
-        figure, both = plt.subplots(1, 2, figsize=(8.4, 3.7), layout="constrained")
+        figure, both = style.subplots(1, 2, figsize=(8.4, 3.7))
         for axes, stride, letter in zip(both, strides, "ab", strict=True):
             panels.mark_stance(axes, stride)
             panels.mark_mid_stance(axes, stride)

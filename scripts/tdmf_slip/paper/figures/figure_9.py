@@ -7,7 +7,6 @@ out, and what the paper does not show is drawn on a tinted ground.
 from collections.abc import Sequence
 from pathlib import Path
 
-import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.patches import Patch
@@ -51,7 +50,7 @@ def draw(path: Path, sweep: Sweep, matched: Sequence[Gait]) -> None:
         ("cost_of_transport", r"(c) cost of transport $c_{mt}$", "gait"),
     )
     with style.styled():
-        figure, axes = plt.subplots(3, 1, figsize=(7.6, 8.4), sharex=True, layout="constrained")
+        figure, axes = style.subplots(3, 1, figsize=(7.6, 8.4), sharex=True)
         for panel, (name, title, shown) in zip(axes, panels, strict=True):
             tint(panel, PAPER_SHOWS[shown], data["friction"])
             panel.plot(data["friction"], data[name], color=style.CURVE, zorder=3)

@@ -2,7 +2,6 @@
 
 from pathlib import Path
 
-import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.colors import ListedColormap
@@ -41,9 +40,7 @@ def table(found: guinea_fowl.Map) -> Columns:
 def draw(path: Path, found: guinea_fowl.Map) -> None:
     """Draw a panel for each friction of the patch, the last one for a patch that is not slippery."""
     with style.styled():
-        figure, panels = plt.subplots(
-            2, 2, figsize=(7.6, 6.6), sharex=True, sharey=True, layout="constrained"
-        )
+        figure, panels = style.subplots(2, 2, figsize=(7.6, 6.6), sharex=True, sharey=True)
         for axes, friction in zip(panels.flat, found.meetings, strict=True):
             _panel(axes, found, friction)
         for axes in panels[1]:

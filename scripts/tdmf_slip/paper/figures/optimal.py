@@ -8,7 +8,6 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import Any
 
-import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.axes import Axes
 from numpy.typing import NDArray
@@ -115,7 +114,7 @@ def draw(path: Path, data: Columns) -> None:
     """
     columns = {name: np.asarray(values) for name, values in data.items()}
     with style.styled():
-        figure, panels = plt.subplots(2, 2, figsize=(9.2, 6.2), sharex=True, layout="constrained")
+        figure, panels = style.subplots(2, 2, figsize=(9.2, 6.2), sharex=True)
         (cost, angle), (slip, drive) = panels
         for objective, chosen in ((CHEAPEST, 1.0), (MIN_SLIP, 0.0)):
             rows = (columns["cheapest"].astype(float) == chosen) & (columns["shown"].astype(float) > 0.0)

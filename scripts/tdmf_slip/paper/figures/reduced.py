@@ -3,7 +3,6 @@
 from pathlib import Path
 from typing import Any
 
-import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.artist import Artist
 from matplotlib.axes import Axes
@@ -58,7 +57,7 @@ def draw_regions(path: Path, maps: dict[str, Basin]) -> None:
         "reduced": "(b) reduced map, the whole plane",
     }
     with style.styled():
-        figure, panels = plt.subplots(1, 2, figsize=(11.0, 5.2), sharey=True, layout="constrained")
+        figure, panels = style.subplots(1, 2, figsize=(11.0, 5.2), sharey=True)
         handles: dict[object, Artist] = {}
         for panel, (name, data) in zip(panels, maps.items(), strict=True):
             handles |= {handle.get_label(): handle for handle in basin_map.paint(panel, data)}
@@ -85,9 +84,7 @@ def draw_eigenvalues(path: Path, sweeps: dict[str, Sweep]) -> None:
     data = eigenvalue_table(sweeps)
     friction = np.asarray(data["friction"])
     with style.styled():
-        figure, axes = plt.subplots(
-            3, 1, figsize=(7.6, 8.0), sharex=True, layout="constrained", height_ratios=(3, 3, 2)
-        )
+        figure, axes = style.subplots(3, 1, figsize=(7.6, 8.0), sharex=True, height_ratios=(3, 3, 2))
         for panel, number in zip(axes, (1, 2), strict=False):
             for name, dashes in (("full", "-"), ("reduced", (0, (4, 2)))):
                 panel.plot(
@@ -144,7 +141,7 @@ def draw_planes(path: Path, maps: tuple[StabilityMap, StabilityMap]) -> None:
     """Draw the largest eigenvalue over both planes, with the border of stability."""
     first, second = maps
     with style.styled():
-        figure, (left, right) = plt.subplots(1, 2, figsize=(11.0, 4.9), layout="constrained")
+        figure, (left, right) = style.subplots(1, 2, figsize=(11.0, 4.9))
         mesh = _draw_plane(left, first, np.degrees(first.columns), first.rows)
         left.set_title(f"(a) friction 0.6: {first.stable_share:.0%} of the plane has a stable gait")
         style.label(left, "touchdown angle  θ₀ (°)", "damping  c  / √(mk)")

@@ -3,7 +3,6 @@
 from collections.abc import Mapping
 from pathlib import Path
 
-import matplotlib.pyplot as plt
 import numpy as np
 
 from ...analysis.branch import Branch
@@ -89,9 +88,7 @@ def draw(
 ) -> None:
     """Draw a panel for each friction, the matched runners by crosses."""
     with style.styled():
-        figure, panels = plt.subplots(
-            len(found), 1, figsize=(7.6, 7.6), sharex=True, sharey=True, layout="constrained"
-        )
+        figure, panels = style.subplots(len(found), 1, figsize=(7.6, 7.6), sharex=True, sharey=True)
         for axes, letter, (friction, pair) in zip(panels, "abc", found.items(), strict=True):
             for number, branch in enumerate(pair):
                 named = axes is panels[0] and number == 1

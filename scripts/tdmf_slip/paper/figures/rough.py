@@ -6,7 +6,6 @@ As runners come, and, as the control, with the speed, apex height and leg angle 
 from collections.abc import Sequence
 from pathlib import Path
 
-import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.axes import Axes
 
@@ -85,7 +84,7 @@ def table(measured: Measured) -> Columns:
 def draw(path: Path, data: Columns) -> None:
     """Draw the mean number of strides over the friction, a curve for each roughness."""
     with style.styled():
-        figure, axes = plt.subplots(figsize=(7.6, 4.8), layout="constrained")
+        figure, axes = style.subplots(figsize=(7.6, 4.8))
         for roughness, colour in zip(ROUGHNESS, COLOURS, strict=True):
             for matched in (False, True):
                 chosen = (np.asarray(data["roughness"], float) == roughness) & (

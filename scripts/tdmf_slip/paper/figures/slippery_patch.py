@@ -2,7 +2,6 @@
 
 from pathlib import Path
 
-import matplotlib.pyplot as plt
 import numpy as np
 from numpy.typing import NDArray
 
@@ -81,7 +80,7 @@ def shortest(data: Columns, friction: float, matched: bool) -> NDArray[np.float6
 def draw(path: Path, data: Columns) -> None:
     """Draw a curve for each ground; crosses for runners as fast and as high as that of the least friction."""
     with style.styled():
-        figure, axes = plt.subplots(figsize=(6.4, 4.6), layout="constrained")
+        figure, axes = style.subplots(figsize=(6.4, 4.6))
         for friction, colour in zip(OUTSIDE, COLOURS, strict=True):
             own = shortest(data, friction, matched=False)
             axes.plot(ON_PATCH, np.minimum(own, NEVER), "o-", color=colour, label=f"ground of {friction:g}")

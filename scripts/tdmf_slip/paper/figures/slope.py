@@ -3,7 +3,6 @@
 from collections.abc import Iterator, Mapping
 from pathlib import Path
 
-import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.axes import Axes
 
@@ -107,7 +106,7 @@ def table(found: Gaits, alike: Gaits) -> Columns:
 def draw(path: Path, data: Columns) -> None:
     """Draw three panels, a colour for each friction; dashed where the gait is unstable."""
     with style.styled():
-        figure, panels = plt.subplots(3, 1, figsize=(7.6, 8.4), sharex=True, layout="constrained")
+        figure, panels = style.subplots(3, 1, figsize=(7.6, 8.4), sharex=True)
         for friction, colour in COLOURS.items():
             of_it = np.asarray(data["friction"], float) == friction
             is_matched = np.asarray(data["matched"], float) > 0.0

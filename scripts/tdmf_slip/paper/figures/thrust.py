@@ -3,7 +3,6 @@
 from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 
-import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.axes import Axes
 from numpy.typing import NDArray
@@ -118,9 +117,7 @@ def actuated(data: Columns) -> dict[str, NDArray[np.bool_]]:
 def draw(path: Path, data: Columns) -> None:
     """Draw a column for each friction, a colour for each actuation; dashed where the gait is unstable."""
     with style.styled():
-        figure, panels = plt.subplots(
-            2, len(FRICTIONS), figsize=(9.6, 6.4), sharex=True, sharey="row", layout="constrained"
-        )
+        figure, panels = style.subplots(2, len(FRICTIONS), figsize=(9.6, 6.4), sharex=True, sharey="row")
         for column, friction in zip(panels.T, FRICTIONS, strict=True):
             for name, chosen in actuated(data).items():
                 rows = chosen & (np.asarray(data["friction"], float) == friction)

@@ -3,7 +3,6 @@
 from collections.abc import Sequence
 from pathlib import Path
 
-import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.axes import Axes
 
@@ -62,7 +61,7 @@ def table(measured: Measured) -> Columns:
 def draw(path: Path, data: Columns) -> None:
     """Draw both shares over the friction, each as a band from the inner to the outer set."""
     with style.styled():
-        figure, axes = plt.subplots(2, 1, figsize=(7.6, 6.6), sharex=True, layout="constrained")
+        figure, axes = style.subplots(2, 1, figsize=(7.6, 6.6), sharex=True)
         _band(axes[0], data, "share")
         axes[0].set_title("(a) share of the plane that is viable, from the inner to the outer set")
         _band(axes[1], data, "robustness")
