@@ -7,6 +7,7 @@ import signal
 import stat
 import subprocess
 import sys
+import time
 
 import pytest
 import xarray
@@ -225,12 +226,22 @@ def test_an_error_leaves_the_old_file_and_no_other(tmp_path):
 
 
 @POSIX_ONLY
-def test_an_interrupt_waits_until_the_file_is_there(tmp_path):
-    file = tmp_path / "new.csv"
-    with pytest.raises(KeyboardInterrupt), whole.whole(file) as beside:
+def test_an_interrupt_waits_until_a_dataset_is_written(tmp_path, monkeypatch):
+    """Rows that took minutes are not lost; any other file is written whole or not at all."""
+    honest, file = os.replace, tmp_path / "new.nc"
+
+    def replace(*paths):
+        os.kill(os.getpid(), signal.SIGINT)
+        time.sleep(0.3)
+        honest(*paths)
+
+    monkeypatch.setattr(os, "replace", replace)
+    with pytest.raises(KeyboardInterrupt):
+        netcdf.write_dataset(file, xarray.Dataset({"a": 1}))
+    assert [path.name for path in tmp_path.iterdir()] == ["new.nc"] and xarray.load_dataset(file)["a"] == 1
+    with pytest.raises(KeyboardInterrupt), whole.whole(tmp_path / "new.csv"):
         signal.raise_signal(signal.SIGINT)
-        beside.write_text("new")
-    assert [path.name for path in tmp_path.iterdir()] == ["new.csv"] and file.read_text() == "new"
+    assert [path.name for path in tmp_path.iterdir()] == ["new.nc"]
 
 
 def test_a_folder_that_cannot_be_is_refused(tmp_path):

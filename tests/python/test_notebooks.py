@@ -22,7 +22,7 @@ def test_each_is_told_in_a_line(results):
     lines = {name: repr(result) for name, result in results.items()}
     assert all("\n" not in line and len(line) < 250 for line in lines.values()), lines
     assert "2 strides" in lines["run"] and f"{results['run'].stride['speed']:.6g}" in lines["run"]
-    assert "+0-0+" in lines["gait"] and "stable" in lines["gait"] and "0.857" in lines["gait"]
+    assert "+0-0+" in lines["gait"] and "stable" in lines["gait"] and "0.8555" in lines["gait"]
     assert "+0-0+, +0-" in lines["sweep"] and "4 of 4" in lines["sweep"]
     assert "leg.damping 0.2 to 0.22" in lines["branch"]
 

@@ -104,7 +104,7 @@ class RoughRunner:
         request.goes_on = goes_on
         given, kept_settings = given_settings(settings, time) if settings else (ffi.NULL, None)
         request.given = given
-        run(request, ends)
+        run(request, ends, 1)
         del kept, kept_settings
         bytes_of_ends = ends.view(np.uint8).reshape(count, END.itemsize)
         return np.concatenate([bytes_of_ends, checkpoints, past], axis=1), ends["fate"].copy()

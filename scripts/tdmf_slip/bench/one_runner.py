@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from ..fmu.fmu import Fmu
 from ..fmu.instance import opened
 from ..library.section import COORDINATES, Apex
-from ..terminal import interrupts
+from ..uninterrupted import uninterrupted
 from .accuracy import REPEATS, fastest, loosest
 from .results import ALONE, ONE, Measurement
 from .runners import Runners
@@ -86,9 +86,8 @@ def _strides(peer: Peer, apex: Apex, count: int) -> None:
 
 def peer_error(peer_of: type[Peer], many: Runners, tolerance: float) -> float:
     """Error of the apex after one stride by a peer, from the worst start."""
-    with interrupts.deferred():  # a compiler may lose one
-        peer = peer_of(tolerance, many.swing_clamp)
-        peer.stride(many.gait.apex)
+    peer = peer_of(tolerance, many.swing_clamp)
+    uninterrupted(lambda: peer.stride(many.gait.apex))  # a compiler may lose an interrupt
     return many.error(np.array([peer.stride(start) for start in many.judged]))
 
 

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, TypeVar
 
 from ..checks import check_kind, checked_threads
 from ..errors import InputError, RunError
-from ..terminal import interrupts
+from ..uninterrupted import LOOKING_UP
 from .cluster import client_of
 from .threads import Threads
 
@@ -22,8 +22,6 @@ Result = TypeVar("Result")
 
 IN_HAND = 2
 """Blocks that are given to each thread at a time, so that none waits while a result is written."""
-LOOKING_UP = 0.1
-"""Seconds after which a wait for results looks whether an interrupt came."""
 
 
 @contextlib.contextmanager
@@ -48,17 +46,13 @@ def run_blocks(
         yield ((number, work(block)) for number, block in enumerate(blocks))
         return
     pending: dict[Future[Any], int] = {}
-    with interrupts.deferred() as interrupt:
-        if scheduler is None:
-            with Threads(here) as pool:
-                yield _as_they_come(
-                    functools.partial(pool.submit, work), blocks, IN_HAND * here, pending, interrupt
-                )
-            return
-        with client_of(scheduler) as client:
-            submit = functools.partial(client.submit, work, pure=False, retries=0)
-            results = _as_they_come(submit, blocks, len(blocks), pending, interrupt)
-            yield _of_cluster(results)
+    if scheduler is None:
+        with Threads(here) as pool:
+            yield _as_they_come(functools.partial(pool.submit, work), blocks, IN_HAND * here, pending)
+        return
+    with client_of(scheduler) as client:
+        submit = functools.partial(client.submit, work, pure=False, retries=0)
+        yield _of_cluster(_as_they_come(submit, blocks, len(blocks), pending))
 
 
 def _as_they_come(
@@ -66,20 +60,18 @@ def _as_they_come(
     blocks: Sequence[Any],
     at_once: int,
     pending: "dict[Future[Any], int]",
-    interrupt: interrupts.Interrupt,
 ) -> Iterator[tuple[int, Any]]:
     """Results with the numbers of their blocks, of which so many are pending, as futures, at a time."""
     waiting = enumerate(blocks)
     done: SimpleQueue[Future[Any]] = SimpleQueue()
     while True:
         for number, block in itertools.islice(waiting, at_once - len(pending)):
-            interrupt.deliver()
             future = submit(block)
             pending[future] = number
             future.add_done_callback(done.put)
         if not pending:
             return
-        future = _next_done(done, interrupt)
+        future = _next_done(done)
         number = pending.pop(future)
         result = future.result()
         if hasattr(future, "release"):
@@ -87,10 +79,9 @@ def _as_they_come(
         yield number, result
 
 
-def _next_done(done: "SimpleQueue[Future[Any]]", interrupt: interrupts.Interrupt) -> "Future[Any]":
-    """The wait is where an interrupt does no harm."""
+def _next_done(done: "SimpleQueue[Future[Any]]") -> "Future[Any]":
+    """Wait in short pieces: on Windows an interrupt does not end a wait."""
     while True:
-        interrupt.deliver()
         with contextlib.suppress(Empty):
             return done.get(timeout=LOOKING_UP)
 

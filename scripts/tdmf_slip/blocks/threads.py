@@ -7,6 +7,8 @@ from queue import SimpleQueue
 from types import TracebackType
 from typing import Any
 
+from ..uninterrupted import stop_flag, stops_by
+
 Task = tuple[Future[Any], Callable[..., Any], tuple[Any, ...]]
 
 
@@ -17,15 +19,19 @@ class Threads:
     """
 
     def __init__(self, count: int) -> None:
-        """They begin at once."""
+        """They begin with the context."""
         self._tasks: SimpleQueue[Task | None] = SimpleQueue()
         self._count = count
-        self._given_up = threading.Event()
-        for _ in range(count):
-            threading.Thread(target=self._work, daemon=True).start()
+        self._given_up = stop_flag()
 
     def __enter__(self) -> "Threads":
-        """Of the context."""
+        """Have the threads begin, all or none."""
+        try:
+            for _ in range(self._count):
+                threading.Thread(target=self._work, daemon=True).start()
+        except BaseException:
+            self._give_up()
+            raise
         return self
 
     def __exit__(
@@ -34,8 +40,11 @@ class Threads:
         _problem: BaseException | None,
         _traceback: TracebackType | None,
     ) -> None:
-        """Have the threads end after what they are at."""
-        self._given_up.set()
+        """Have the threads end after what they are at, which stops, too, where it looks at its flag."""
+        self._give_up()
+
+    def _give_up(self) -> None:
+        self._given_up[0] = 1
         for _ in range(self._count):
             self._tasks.put(None)
 
@@ -46,8 +55,9 @@ class Threads:
         return future
 
     def _work(self) -> None:
+        stops_by(self._given_up)
         while (task := self._tasks.get()) is not None:
-            if self._given_up.is_set():
+            if self._given_up[0]:
                 continue
             future, work, arguments = task
             try:

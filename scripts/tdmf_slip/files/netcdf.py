@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Literal
 
 from .datasets import Dataset, NetCDF4DataStore, xarray
-from .whole import destination, whole
+from .whole import destination, write_whole
 
 IN_MEMORY = "memory.nc"
 """Name of a NetCDF file that is on no disk."""
@@ -35,8 +35,7 @@ def netcdf_of(data: xarray.Dataset, form: Format = "NETCDF4") -> bytes:
 
 def write_dataset(path: Path, data: xarray.Dataset, form: Format = "NETCDF4") -> None:
     """A dataset as NetCDF."""
-    with whole(path) as beside:
-        beside.write_bytes(netcdf_of(data, form))
+    write_whole(path, lambda beside: beside.write_bytes(netcdf_of(data, form)))
 
 
 def read_dataset(path: Path) -> xarray.Dataset:

@@ -12,7 +12,7 @@ from pathlib import Path
 import numpy as np
 
 from ..errors import InputError
-from ..terminal import interrupts
+from ..uninterrupted import uninterrupted
 from .datasets import xarray
 from .netcdf import CLASSIC, write_dataset
 from .whole import destination
@@ -35,8 +35,11 @@ class RowFile:
 
     def write(self, names: Sequence[str], rows: Sequence[int]) -> None:
         """Write rows of variables, each whole before the next: what tells of a row is ready comes last."""
+        uninterrupted(lambda: self._write(names, rows))
+
+    def _write(self, names: Sequence[str], rows: Sequence[int]) -> None:
         try:
-            with interrupts.deferred(), destination(self.path, str(self.path)).open("r+b") as file:
+            with destination(self.path, str(self.path)).open("r+b") as file:
                 for name in names:
                     values = self.data[name].values
                     for row in rows:

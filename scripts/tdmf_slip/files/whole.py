@@ -6,13 +6,13 @@ import os
 import secrets
 import stat
 import tempfile
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
 from ..checks import path_of
 from ..errors import InputError, reason
-from ..terminal import interrupts
+from ..uninterrupted import uninterrupted
 
 
 @contextmanager
@@ -20,13 +20,8 @@ def whole(path: Path) -> Iterator[Path]:
     """A path to write to, beside `path` and with its suffix; moved to `path` at the end, gone after an error.
 
     Where `path` is a symbolic link, its target is written. A file that is replaced hands on its mode and its
-    owner. An interrupt from the keyboard waits until the file is there.
+    owner.
     """
-    with interrupts.deferred():
-        yield from _whole(path)
-
-
-def _whole(path: Path) -> Iterator[Path]:
     resolved = destination(path, str(path))
     try:
         beside = _created(resolved, path.suffix)
@@ -43,6 +38,16 @@ def _whole(path: Path) -> Iterator[Path]:
         raise InputError(f"{path}: cannot be written: {problem.strerror or problem}") from problem
     finally:
         beside.unlink(missing_ok=True)
+
+
+def write_whole(path: Path, write: Callable[[Path], object]) -> None:
+    """Write a file, given how; an interrupt from the keyboard waits until the file is there."""
+
+    def work() -> None:
+        with whole(path) as beside:
+            write(beside)
+
+    uninterrupted(work)
 
 
 def _created(resolved: Path, suffix: str) -> Path:

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from ..contents import ByContents
 from ..errors import InputError, RunError, TdmfSlipError, reason
-from ..terminal import interrupts
+from ..uninterrupted import stop_flag, uninterrupted
 from . import following
 from .fmu import Fmu
 from .variable import Value
@@ -140,16 +140,14 @@ class Instance:
     ) -> NDArray[np.void]:
         """Run through FMPy: Model Exchange with CVODE, recording before and after each event.
 
-        An interrupt is delivered where `step_finished` is called: in CVODE's calls of Python it would be lost
-        with the numbers that they were about to give.
+        An interrupt ends the run after a step: what is raised in CVODE's calls of Python is lost.
         """
-        with interrupts.deferred() as interrupt:
+        flag = stop_flag()
 
-            def step(time: float, recorder: Recorder) -> bool:
-                interrupt.deliver()
-                return step_finished(time, recorder)
+        def step(time: float, recorder: Recorder) -> bool:
+            return not flag[0] and step_finished(time, recorder)
 
-            return self._simulate(experiment, step)
+        return uninterrupted(lambda: self._simulate(experiment, step), flag)
 
     def _simulate(
         self, experiment: Experiment, step_finished: Callable[[float, Recorder], bool]

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ..files.whole import check_destination, whole
+from ..files.whole import check_destination, write_whole
 from ..record import attributes_of
 from .fmu import Fmu
 from .run import Run
@@ -19,8 +19,7 @@ if TYPE_CHECKING:
 def write_table(path: Path | str, run: Run, fmu: Fmu) -> None:
     """A run's recorded rows as CSV (a header of names) or NetCDF (with units, flags and the run's end)."""
     path = check_destination(path, WRITERS, "output")
-    with whole(path) as beside:
-        WRITERS[path.suffix.lower()](beside, run, fmu)
+    write_whole(path, lambda beside: WRITERS[path.suffix.lower()](beside, run, fmu))
 
 
 def _write_csv(path: Path, run: Run, _unit: Fmu) -> None:

@@ -171,7 +171,7 @@ def run_ensemble(
         numbers = _case_numbers(case_of, len(sections), len(all_cases))
         ensemble.case_of = ffi.cast("int *", ffi.from_buffer(numbers))
     ends = np.zeros(len(sections), dtype=END)
-    work = run(ensemble, ends)
+    work = run(ensemble, ends, max_strides)
     del made, kept
     performed = Work(
         work.strides, work.events, work.steps, work.lane_steps, work.evaluations, work.layer_steps

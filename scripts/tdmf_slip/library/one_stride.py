@@ -32,7 +32,7 @@ def next_apices(
     given, values = given_settings({name: row[:, None] for name, row in settings.items()}, 0)
     ensemble.given = given
     ends = np.zeros(len(apices), END)
-    run(ensemble, ends)
+    run(ensemble, ends, 1)
     del kept, values
     closed = ends["strides"] == 1
     fates = np.where(closed, 0, ends["fate"]).astype(np.int8)

@@ -136,7 +136,7 @@ class _Engine:
         self.ensemble.goes_on = first > 0
         for case in self.cases:
             case.rules.max_strides = first + count
-        run(self.ensemble, self.ends)
+        run(self.ensemble, self.ends, count)
         return self._columns(recorded, begin, first, given)
 
     def _columns(

@@ -6,7 +6,7 @@ import io
 from collections.abc import Iterable, Sequence
 from pathlib import Path
 
-from ..files.whole import whole
+from ..files.whole import write_whole
 from ..fitting.result import CONFIDENCE, PARAMETER_HEADER, RESIDUAL_HEADER, Fit
 from . import style
 from .fit_diagram import figure_of
@@ -49,8 +49,7 @@ def write(path: Path, fit: Fit) -> None:
         picture=_picture(fit),
         residuals=_table(RESIDUAL_HEADER, fit.residual_rows()),
     )
-    with whole(path) as beside:
-        beside.write_text(page, encoding="utf-8", errors="backslashreplace")
+    write_whole(path, lambda beside: beside.write_text(page, encoding="utf-8", errors="backslashreplace"))
 
 
 def _picture(fit: Fit) -> str:
