@@ -48,6 +48,7 @@ def test_a_gait_loads_what_it_needs():
         "numerics",
         "record",
         "terminal",
+        "uninterrupted",
         "fmu",
         "version",
     }
