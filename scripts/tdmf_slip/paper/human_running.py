@@ -212,7 +212,7 @@ def fit_rows() -> list[FitRow]:
         FitRow(
             "All eight fitted gaits are unstable in the reduced map: largest eigenvalues.",
             f"{min(values):.2f} to {max(values):.2f}",
-            f"by all laws: {_full_gaits(found)} of 8 runners have a gait with the free swing, "
+            f"by the full model: {_full_gaits(found)} of 8 runners have a gait with the free swing, "
             f"{_full_gaits(found, clamp=True)} with the clamp",
             OF_GAITS,
         ),

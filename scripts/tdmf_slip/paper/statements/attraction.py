@@ -74,10 +74,10 @@ def _largest(disturbance: str, friction: float, reference: float | None = None) 
 CLAIMS = (
     OwnClaim(
         "attraction",
-        "Slipping attracts more: share of a box in all six coordinates of the apex that settles on the gait "
-        "on friction 10, and (control) on that of a runner on friction 0.2 with its speed, apex height and "
-        "leg angle. Of that box, which is the same for all, the human preset attracts less than a hundredth "
-        "either way.",
+        "A slipping runner attracts more starts: share of a box in all six coordinates of the apex that "
+        "settles on the gait on friction 10, and (control) on the gait of the equal runner on friction 0.2. "
+        "All regimes have the same box. The human preset attracts at most about a hundredth of it, sticking "
+        "or slipping.",
         _share(STICKS),
         _share(SLIPS, STICKS),
         f"{BASIN} --samples {SAMPLES}",
@@ -90,7 +90,8 @@ CLAIMS = (
     OwnClaim(
         "attraction-light",
         "Weight decides how much more: at half the weight of Table 1 the difference is less than a tenth, "
-        "and at twice the weight (third column of the row above) slipping attracts more than twice as much.",
+        "and at twice the weight (column of weight 0.022 in the row above) slipping attracts more than "
+        "twice as much.",
         _light_share,
         _light_control,
         f"{BASIN} --samples {SAMPLES} --set gravity={LIGHT}",

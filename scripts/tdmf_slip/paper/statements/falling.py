@@ -45,7 +45,7 @@ CLAIMS = (
     OwnClaim(
         "falling-speed",
         "Speed where friction falls from 0.6 at rest to 0.3 over 0.1 l₀√(k/m), and (control) "
-        "where it is 0.6 at any speed: the human preset is slower there, the others are faster.",
+        "where it is 0.6 at any speed. Falling friction makes the human preset slower, the others faster.",
         _has("speed"),
         _with_static("speed"),
         FALLING,
@@ -53,8 +53,8 @@ CLAIMS = (
     ),
     OwnClaim(
         "falling-cost",
-        "It is cheaper: cost of transport, and (control) with a friction of 0.6 at equal speed, apex height "
-        "and leg angle.",
+        "Falling friction is cheaper: cost of transport, and (control) with a friction of 0.6 at equal "
+        "speed, apex height and leg angle.",
         _has("cost_of_transport"),
         _at_equal("cost_of_transport"),
         FALLING,

@@ -114,9 +114,9 @@ CLAIMS = (
     ),
     OwnClaim(
         "feedback-without",
-        "The reason: step up to which every lower one is recovered from without the regulator, and "
-        "(control) the foot clearance at the apex, l₀. In the default that is the whole clearance already; "
-        "with the clamp it is not.",
+        "The reason: height up to which the runner without the regulator recovers from every step up, and "
+        "(control) the foot clearance at the apex, l₀. In the default that height is nearly the whole "
+        "clearance already; with the clamp it is not.",
         _largest("step_up", FRICTION, held=False),
         foot("foot_clearance", FRICTION),
         ROUGH,
@@ -141,8 +141,8 @@ CLAIMS = (
     ),
     OwnClaim(
         "feedback-dead-beat",
-        "On friction 0.1 a dead-beat law of the same settings helps, but not with the clamp: strides with "
-        "it, and (control) without.",
+        "On friction 0.1 a dead-beat law of touchdown angle and torque helps, but not with the clamp: "
+        "strides with the law, and (control) without.",
         _strides(SLIPPERY, dead_beat_law),
         _strides(SLIPPERY),
         f"tdmf-slip rough --friction {SLIPPERY} --roughness {LOW} --runners {RUNNERS} --seed {{seed}}",

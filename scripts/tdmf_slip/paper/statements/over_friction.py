@@ -96,7 +96,7 @@ CLAIMS = (
     ),
     OwnClaim(
         "fastest-gain",
-        "How much faster it is than the gait on friction 10, per cent.",
+        "How much faster the fastest gait is than the gait on friction 10, per cent.",
         solved(_gain),
         None,
         SWEEP,
@@ -143,9 +143,9 @@ CLAIMS = (
     ),
     OwnClaim(
         "positive-cost-slippery",
-        "The same by positive work. Of Table 1 its sign depends on the reading: cheaper in the default, "
+        "The same by positive work. For Table 1 the sign depends on the reading: cheaper in the default, "
         "dearer with the clamp. At equal kinematics slipping is dearer in both. The human preset is cheaper "
-        "either way.",
+        "as it comes and at equal kinematics.",
         _over_sticking("positive_cost_of_transport", LOW),
         _equal_over_sticking("positive_cost_of_transport", LOW),
         MATCH.format(STICKS, LOW),
@@ -157,8 +157,8 @@ CLAIMS = (
     ),
     OwnClaim(
         "eigenvalues-rise",
-        "The largest eigenvalue rises as friction falls at weight 0.011 only: how far it ever falls below "
-        "what it was at a greater friction.",
+        "Only at weight 0.011 does the largest eigenvalue rise as friction falls. The number is its greatest "
+        "drop below its value at a greater friction; 0 means that it never falls.",
         solved(_drop),
         None,
         SWEEP,

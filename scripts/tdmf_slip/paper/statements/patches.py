@@ -86,7 +86,8 @@ CLAIMS = (
     ),
     OwnClaim(
         "patch-matched",
-        "So they do with the speed and apex height of the runner on ground of friction 0.6 (control).",
+        "Runners on ground of friction 10 also fall with the speed and apex height of the runner on ground "
+        "of friction 0.6 (control).",
         falls(as_fast),
         slippery_downhill,
         COMMAND,

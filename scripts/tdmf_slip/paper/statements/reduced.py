@@ -93,8 +93,8 @@ CLAIMS = (
     ),
     OwnClaim(
         "reduced-speed",
-        "Largest difference of their speeds, per cent. At the lowest frictions the reduced map of the human "
-        "preset has another gait.",
+        "Largest difference of the two speeds, per cent. At the lowest frictions the reduced map of the "
+        "human preset has another gait.",
         _percent_of("speed"),
         None,
         SWEEP,
@@ -104,7 +104,7 @@ CLAIMS = (
     ),
     OwnClaim(
         "reduced-period",
-        "Largest difference of their periods, per cent.",
+        "Largest difference of the two periods, per cent.",
         _percent_of("period"),
         None,
         SWEEP,
@@ -112,7 +112,7 @@ CLAIMS = (
     ),
     OwnClaim(
         "reduced-largest",
-        "Largest distance of their largest eigenvalues, about speed.",
+        "Largest distance between the two largest eigenvalues, which belong to speed.",
         _eigenvalue(0),
         None,
         SWEEP,
@@ -120,8 +120,8 @@ CLAIMS = (
     ),
     OwnClaim(
         "reduced-second",
-        "Largest distance of their second eigenvalues, about height: the leg's swing has not settled at "
-        "touchdown, least so in the default.",
+        "Largest distance between the second eigenvalues, which belong to height: the leg's swing has not "
+        "settled at touchdown, and is farther from it in the default than with the clamp.",
         _eigenvalue(1),
         None,
         SWEEP,
@@ -130,8 +130,8 @@ CLAIMS = (
     OwnClaim(
         "reduced-retraction",
         "Growth of the second eigenvalue's size on friction 10 with a retraction rate of 0.008 √(k/m), "
-        "by the full model and (control) by the reduced map. In the default the two have opposite signs, "
-        "with the clamp the same.",
+        "by the full model and (control) by the reduced map. In the default the growths have opposite "
+        "signs, with the clamp the same sign.",
         _retracted("full"),
         _retracted("reduced"),
         f"tdmf-slip gait --friction 10 --set {RATE}={RETRACTS} --model reduced",

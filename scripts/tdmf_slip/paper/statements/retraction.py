@@ -105,8 +105,8 @@ CLAIMS = (
     ),
     OwnClaim(
         "retraction-height-slips",
-        "That is not so at every friction: at friction 0.2 retraction drives the eigenvalue towards −1 by "
-        "both readings.",
+        "This does not hold at every friction: at friction 0.2 retraction drives the eigenvalue towards −1 "
+        "by both readings.",
         height(retracting, SLIPS),
         height(plain, SLIPS),
         GAIT.format(SLIPS),
@@ -114,8 +114,8 @@ CLAIMS = (
     ),
     OwnClaim(
         "retraction-height-flat",
-        "Nor at every touchdown angle: at 45° and friction 10 it drives the eigenvalue towards −1 by both "
-        "readings.",
+        "This does not hold at every touchdown angle either: at 45° and friction 10 retraction drives the "
+        "eigenvalue towards −1 by both readings.",
         height(retracting, STICKS, FLAT),
         height(plain, STICKS, FLAT),
         f"{GAIT.format(STICKS)} --set {ANGLE}=45deg",
@@ -157,8 +157,8 @@ CLAIMS = (
     ),
     OwnClaim(
         "retraction-steps-matched",
-        "So it does at equal speed, apex height and leg angle, where the foot is carried as high. At weight "
-        "0.022 and 45° it does not.",
+        "Retraction also shortens runs at equal speed, apex height and leg angle, where the foot is carried "
+        "equally high. At weight 0.022 and 45° it does not.",
         strides(equal),
         strides(plain),
         ROUGH,

@@ -136,8 +136,8 @@ CLAIMS = (
     ),
     OwnClaim(
         "steps-foot-height",
-        "The greatest height of the foot in a stride does not explain it: it is no greater on friction 0.2 "
-        "than for its equal on friction 10 (control), l₀.",
+        "The greatest height of the foot in a stride does not explain the longer runs: that height is no "
+        "greater on friction 0.2 than for the equal runner on friction 10 (control), l₀.",
         foot("greatest_foot_height", SLIPS),
         foot("greatest_foot_height", STICKS, SLIPS),
         MATCH.format(SLIPS, STICKS),
@@ -156,7 +156,8 @@ CLAIMS = (
     OwnClaim(
         "steps-rare",
         "On steps of 0.2 l₀ the runner on friction 0.2 makes more than ten times the strides of its equal "
-        "on friction 10 (control): by multilevel splitting, because its falls are too rare to be counted.",
+        "on friction 10 (control). The value is by multilevel splitting, because falls on friction 0.2 are "
+        "too rare to be counted.",
         rarely,
         strides(STICKS, LOWER, SLIPS),
         ROUGH_RARE,
@@ -174,7 +175,8 @@ CLAIMS = (
     OwnClaim(
         "segments",
         "On level segments of 5 l₀ with heights of 0.3 l₀ slipping lengthens runs, too (control: equal "
-        "runner on friction 10). Where the foot comes down between the faces is not held.",
+        "runner on friction 10). The place on a segment at which the foot lands is "
+        "not made equal.",
         strides(SLIPS, LOW, segment=SEGMENT),
         strides(STICKS, LOW, SLIPS, segment=SEGMENT),
         ROUGH.format(SLIPS, LOW) + f" --segment-length {SEGMENT:g}",

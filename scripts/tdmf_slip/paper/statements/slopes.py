@@ -148,8 +148,8 @@ CLAIMS = (
     ),
     OwnClaim(
         "slope-stable-matched",
-        "Most of that is due to speed, apex height and leg angle: the control is the runner on friction 10 "
-        "with those of the runner on friction 0.2.",
+        "Most of the difference in row 4 is due to speed, apex height and leg angle: here the control is the "
+        "runner on friction 10 with those of the runner on friction 0.2.",
         stable_to(SLIPS),
         stable_to(STICKS, None, SLIPS),
         MATCH.format(SLIPS, STICKS),
@@ -168,8 +168,8 @@ CLAIMS = (
     ),
     OwnClaim(
         "slope-flat-0.6",
-        "There friction 0.6 has gaits up to a lesser slope than friction 0.2 (control), degrees. With the "
-        "clamp up to a steeper one.",
+        "With touchdown at 0.85 rad friction 0.6 has gaits up to a lesser slope than friction 0.2 (control), "
+        "degrees. With the clamp it has gaits up to a steeper slope.",
         steepest(0.6, FLAT),
         steepest(SLIPS, FLAT),
         _command(0.6, FLAT),

@@ -72,7 +72,7 @@ CLAIMS = (
     OwnClaim(
         "thrust-slip",
         "At friction 0.2 and 1.3 times the speed of the gait as it comes, a runner driven by added thrust "
-        "slips less for the way than one driven by more torque (control): slip distance over the stride's "
+        "slips less per distance than one driven by more torque (control): slip distance over the stride's "
         "length.",
         _by_way(by_thrust),
         _by_way(by_torque),
@@ -81,7 +81,7 @@ CLAIMS = (
     ),
     OwnClaim(
         "thrust-slip-stride",
-        "In a stride it slips more: slip distance, l₀.",
+        "Per stride the runner with thrust slips more: slip distance, l₀.",
         _over_length(by_thrust, "slip_distance"),
         _over_length(by_torque, "slip_distance"),
         BY_THRUST,
@@ -89,7 +89,7 @@ CLAIMS = (
     ),
     OwnClaim(
         "thrust-height",
-        "For it hops higher: height of the apex, l₀.",
+        "The reason is that the runner with thrust hops higher: height of the apex, l₀.",
         _over_length(by_thrust, "apex_height"),
         _over_length(by_torque, "apex_height"),
         BY_TORQUE,
@@ -97,8 +97,8 @@ CLAIMS = (
     ),
     OwnClaim(
         "thrust-slip-matched",
-        "At equal speed and apex height a runner with a thrust of 0.1 l₀ slips more for the way than one by "
-        "torque alone (control).",
+        "At equal speed and apex height a runner with a thrust of 0.1 l₀ slips more per distance than one "
+        "driven by torque alone (control).",
         _by_way(as_high),
         _by_way(by_torque),
         BY_TORQUE,
@@ -106,8 +106,8 @@ CLAIMS = (
     ),
     OwnClaim(
         "thrust-cost-matched",
-        "At friction 0.2 its net cost of transport is lower than that of the runner by torque alone "
-        "(control).",
+        "The net cost of transport of that runner with thrust is lower than that of the runner driven by "
+        "torque alone (control).",
         _cost(as_high, "cost_of_transport"),
         _cost(by_torque, "cost_of_transport"),
         BY_TORQUE,
@@ -115,7 +115,7 @@ CLAIMS = (
     ),
     OwnClaim(
         "thrust-positive-cost-matched",
-        "At friction 0.2, so is its cost by positive work, which refunds no braking.",
+        "Its cost by positive work, which refunds no braking, is lower, too.",
         _cost(as_high, "positive_cost_of_transport"),
         _cost(by_torque, "positive_cost_of_transport"),
         BY_TORQUE,

@@ -62,10 +62,9 @@ _robustness = _enclosed(
 CLAIMS = (
     OwnClaim(
         "viable",
-        "More can be saved where the foot slips: share of a plane of height and speed that some touchdown "
-        "angle at each apex saves, on friction 0.2 and (control) on 10 at equal speed and apex height. By "
-        "the reduced map, which has no swing and so the same in both readings; the range is that from the "
-        "inner to the outer set.",
+        "More states can be saved where the foot slips: share of a plane of height and speed that some "
+        "touchdown angle at each apex saves, on friction 0.2 and (control) on 10 at equal speed and apex "
+        "height. Brackets give the range from the inner to the outer set.",
         _share(SLIPS),
         _share(STICKS, SLIPS),
         VIABILITY.format(SLIPS),
@@ -73,7 +72,8 @@ CLAIMS = (
     ),
     OwnClaim(
         "viable-angles",
-        "But the choice must be finer: mean share of the touchdown angles that are viable, likewise.",
+        "But the angle must be chosen more finely: mean share of the touchdown angles that are viable, on "
+        "friction 0.2 and (control) on 10.",
         _robustness(SLIPS),
         _robustness(STICKS, SLIPS),
         VIABILITY.format(SLIPS),
@@ -81,7 +81,7 @@ CLAIMS = (
     ),
     OwnClaim(
         "viable-angles-between",
-        "The same on friction 1.2, and (control) on 0.2, at equal speed and apex height.",
+        "The same share is greater on friction 1.2 than (control) on 0.2, at equal speed and apex height.",
         _robustness(1.2, SLIPS),
         _robustness(SLIPS),
         VIABILITY.format(1.2),
