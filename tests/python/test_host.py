@@ -53,13 +53,18 @@ def test_signal_handlers_stay_those_of_the_host(call, tmp_path, monkeypatch):
     call(tmp_path)
 
 
+BASIN = "tdmf_slip.basin({}, {'com_height': (1.3, 1.4), 'com_speed': (1, 1.1)}, n=2, threads=1)"
+
+
 @pytest.mark.parametrize(
     ("look", "use"),
     [
         ("dict(__import__('os').environ)", "tdmf_slip.simulate(strides=1)"),
         ("__import__('matplotlib').rcParams._get('backend')", "tdmf_slip.simulate(strides=1).plot()"),
+        ("__import__('threading').enumerate()", BASIN),
+        ("vars(__import__('tqdm').tqdm).get('_lock')", BASIN),
     ],
-    ids=["environment", "backend"],
+    ids=["environment", "backend", "threads", "lock of tqdm"],
 )
 def test_settings_of_the_process_stay(look, use, tmp_path):
     program = f"import tdmf_slip\nbefore = {look}\n{use}\nassert {look} == before"

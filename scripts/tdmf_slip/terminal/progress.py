@@ -23,9 +23,14 @@ def progress_bar(what: str, total: float | None, unit: str, show: bool = True) -
     show = checked_flag("progress", show)
     from tqdm import tqdm  # slow to load, and not needed for short work
 
-    tqdm.set_lock(LOCK)
+    class OwnBar(tqdm):  # type: ignore[type-arg]
+        """tqdm with a lock of its own, and without the thread that watches over bars drawn too seldom."""
+
+        monitor_interval = 0
+
+    OwnBar.set_lock(LOCK)
     on_screen = sys.stderr is not None and sys.stderr.isatty()
-    return tqdm(
+    return OwnBar(
         desc=what,
         total=total,
         unit=f" {unit}",
@@ -33,6 +38,7 @@ def progress_bar(what: str, total: float | None, unit: str, show: bool = True) -
         leave=total is None,  # what took how many is worth keeping where nobody knew
         file=sys.stderr,
         mininterval=0.2,
+        miniters=1,
         delay=DELAY,
         bar_format="{l_bar}{bar}| {n:.0f}/{total:.0f}{unit} [{elapsed}]" if total is not None else None,
     )
