@@ -275,8 +275,8 @@ get_site_tools() {
     install_once site
 }
 
-# The site, in dist/site, with warnings as errors, and the live page in it. Zig uses one processor only, so that gallery
-# and live page are made beside the pages.
+# The site, in dist/site, with warnings as errors, and the live page in it. The gallery is drawn, and the live page compiled,
+# while Sphinx writes the pages: Zig uses one processor only.
 build_site() {
     get_site_tools
     get_zig
@@ -296,6 +296,7 @@ build_site() {
     }
     wait "$drawing" || {
         tail -n 20 build/site/gallery.log >&2
+        kill "$compiling" 2>/dev/null || true
         fail "the gallery's figures could not be drawn"
     }
     wait "$compiling" || {

@@ -66,13 +66,12 @@ static void the_leg_converges_to_the_angle_aimed_at(void **state) {
 
 /* At 1e-9 of the friction from a border, the gait has the word of that side. */
 static void borders_part_the_words(void **state) {
-    static const int near[FREE_BORDERS] = {0, 1, 2, 3, 4}; /* a gait near the border */
     (void)state;
     for (int i = 0; i < FREE_BORDERS; ++i) {
         const free_border *border = &free_borders[i];
         const tdmf_model model = table_1(false);
         double guess[TDMF_SECTION_COUNT];
-        memcpy(guess, &reference_gaits[near[i]].apex, sizeof guess);
+        memcpy(guess, &reference_gaits[i].apex, sizeof guess); /* a gait near this border */
         for (double side = -1.0; side < 2.0; side += 2.0) {
             const tdmf_inputs inputs = inputs_at_friction(border->friction * (1.0 + side * 1e-9));
             tdmf_solver solver = tdmf_solver_default();

@@ -52,11 +52,11 @@ UNSEEN = """if (location.search !== "?seen") {
     }, { once: true, capture: true });
     Object.defineProperty(Document.prototype, "hidden", { get: () => !globalThis.seen, configurable: true });
 }"""
-"""The page says that nobody sees it: it computes no figure 9 and no region, later one of fewer points."""
+"""Makes the page report that it is hidden: it draws no figure 9 and no region, later one of fewer points."""
 
 
 def unseen(driver):
-    """Pages of a browser, but `?seen`, do without what costs most, until `show` or `paint`."""
+    """Pages of a browser, except `?seen`, draw figure 9 and the region only after `show` or `paint`."""
     return script_first(driver, UNSEEN)
 
 
@@ -64,13 +64,13 @@ def unseen(driver):
 def driver(request, browsers):
     """A browser of unseen pages."""
     driver = browsers(*request.param)
-    driver.get_log("browser")  # what files before have left there
+    driver.get_log("browser")  # left by earlier test files
     with unseen(driver):
         yield driver
 
 
 def check_console(driver):
-    """Nothing may have gone to the console."""
+    """Check that nothing was written to the console."""
     assert [entry["message"] for entry in driver.get_log("browser")] == []
 
 
@@ -90,7 +90,7 @@ def page(driver, address):
 
 @pytest.fixture
 def used_page(driver, address):
-    """The page, begun anew at its defaults but not loaded anew, for tests that change nothing but values."""
+    """The page at its defaults, but not loaded again: for tests that change only values."""
     if not driver.execute_script("return globalThis.isUsed === true"):
         open_defaults(driver, address)
         driver.execute_script("globalThis.isUsed = true")
@@ -100,12 +100,12 @@ def used_page(driver, address):
 
 
 def show(driver):
-    """Let the page know that somebody sees it."""
+    """Make the page report that it is visible."""
     driver.execute_script("globalThis.seen = true; document.dispatchEvent(new Event('visibilitychange'))")
 
 
 def show_curve(driver):
-    """And wait until figure 9 stands."""
+    """Show the page and wait until figure 9 is drawn."""
     show(driver)
     wait(driver, "tdmfSlip.gaits.frictionPlot.points.length > 60", "figure 9")
 
@@ -185,7 +185,7 @@ def hint(ident):
 
 
 def paint(driver):
-    """And wait until it is painted."""
+    """Paint the region and wait until it is painted."""
     show(driver)
     press(driver, "paint")
     wait(

@@ -184,7 +184,7 @@ def map_of(slice_, size, fate, strides):
 @pytest.mark.parametrize("size", [5, 64, 512])
 @pytest.mark.parametrize(("around", "strides"), [(0, 3), (0, 100), (1, 3), (1, 100)])
 def test_a_single_start_of_another_fate_is_seen(slice_, monkeypatch, size, around, strides):
-    """Each of three on one map."""
+    """One map has a start of each of three other fates."""
     data = map_of(slice_, size, around, strides)
     low, high = size // 4, size // 2 + size // 4
     places = {"undecided": (high, high), "no_start": (low, high), "unsolved": (high, low)}

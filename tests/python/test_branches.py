@@ -27,7 +27,7 @@ def runner(fmu):
 
 @pytest.fixture(scope="module")
 def over_low_angle(runner, fmu):
-    """The branch goes downwards over a period doubling."""
+    """A branch over falling angles that passes a period doubling."""
     return continue_branch(runner, {ANGLE: (0.575, 0.56)}, fmu=fmu)
 
 
@@ -39,7 +39,7 @@ def over_angle(runner, fmu):
 
 @pytest.fixture(scope="module")
 def over_rate(fmu):
-    """The branch is of friction 0.2, with the clamp of the swing, and goes over the rate of retraction."""
+    """A branch over the rate of retraction, on friction 0.2 and with the clamp of the swing."""
     return continue_branch({FRICTION: 0.2, **CLAMPED}, {"hip.retraction_rate": (0.0, 0.03)}, fmu=fmu)
 
 
@@ -60,7 +60,7 @@ def one(branch, kind):
 
 
 def test_the_default_runner_over_the_touchdown_angle(over_angle):
-    """Two real eigenvalues that meet outside the unit circle after the second fold are nothing.
+    """Two real eigenvalues that meet outside the unit circle, after the second fold, are no bifurcation.
 
     Between the folds the branch turns twice within a millionth of a degree, where it crosses two borders.
     """

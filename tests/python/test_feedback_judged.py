@@ -74,7 +74,7 @@ def test_what_is_kept_of_the_figure_is_what_is_measured(few, monkeypatch):
     assert len(data["law"]) == len(feedback.COLOURS) * len(feedback.FRICTIONS)
     monkeypatch.setattr(judgement, "RUNNERS", 256)
     monkeypatch.setattr(judgement, "MAX_STRIDES", 400)
-    gait = tdmf_slip.find_gait({"hip.swing_clamp": False, "ground.friction": 10.0})
+    gait = tdmf_slip.find_gait({"ground.friction": 10.0})
     name = "quadratic regulator: touchdown angle"
     law = dataclasses.replace(feedback.laws(gait)[name], noise=[feedback.NOISE] * 6, seed=feedback.SEED)
     found = judgement.judge(gait, law, roughness=[0.5], seed=feedback.SEED)

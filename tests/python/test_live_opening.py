@@ -113,7 +113,7 @@ def test_a_filter_shows_the_parameters_that_it_names(used_page):
 
 @pytest.mark.both_screens
 def test_terms_are_explained_on_hover_and_tap(page):
-    """When figure 9 stands: a page that still grows moves words away from under the pointer."""
+    """Waits for figure 9, because a page that still grows moves words away from under the pointer."""
     show_curve(page)
     for term in ("graze", "wedge", "arrows", "word", "hip", "gait", "eigenvalue", "friction"):
         element = page.find_element(By.CSS_SELECTOR, f"[data-term='{term}']")

@@ -13,8 +13,6 @@ from tdmf_slip.paper.figures import optimal, rough, slippery_patch, slope, store
 from tdmf_slip.pictures import style
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-FREE = {"hip.swing_clamp": False}
-"""The reading of the swing that the figures draw."""
 OF_THE_GAITS = {"snapshots", "stride"}
 """What `tdmf-slip validate --pictures` draws, and the documentation shows."""
 
@@ -24,7 +22,7 @@ def test_a_mean_on_rough_ground_is_what_is_kept():
     of_it = (data["roughness"] == 0.5) & (data["friction"] == 1.2)
     (row,) = np.flatnonzero(of_it & (data["matched"] == 0.0))
     found = strides_to_fall(
-        {**FREE, "ground.friction": 1.2}, 0.5, rough.RUNNERS, rough.SEED, rough.MAX_STRIDES, threads=1
+        {"ground.friction": 1.2}, 0.5, rough.RUNNERS, rough.SEED, rough.MAX_STRIDES, threads=1
     )
     assert found.mean_strides == pytest.approx(data["mean_strides"][row], rel=0.05)
 
@@ -40,7 +38,7 @@ def test_matched_runners_on_rough_ground_are_what_is_kept():
     mean = data["mean_strides"][matched]
     assert np.all(np.diff(mean[(friction >= 0.15) & (friction <= 2.5)]) < 0.0)
     runners = compare(
-        [{**FREE, "ground.friction": mu} for mu in (rough.REFERENCE, 10.0)], hold=rough.HOLD, vary=rough.VARY
+        [{"ground.friction": mu} for mu in (rough.REFERENCE, 10.0)], hold=rough.HOLD, vary=rough.VARY
     )
     runner = Runner(runners.gaits[1].runner.values)
     found = strides_to_fall(
@@ -55,7 +53,7 @@ def test_gaits_on_slopes_are_what_is_kept():
     for friction in slope.COLOURS:
         row = np.flatnonzero(data["friction"] == friction)[0]
         angle = np.radians(data["slope_degrees"][row])
-        gait = find_gait(Runner.of({**FREE, "ground.friction": friction, "ground.slope": angle}))
+        gait = find_gait(Runner.of({"ground.friction": friction, "ground.slope": angle}))
         for name in ("speed", "cost_of_transport"):
             assert gait.stride[name] == pytest.approx(data[name][row], rel=1e-7)
 
@@ -68,7 +66,7 @@ def test_gaits_of_each_actuation_are_what_is_kept():
             rows = np.flatnonzero(chosen & (data["friction"] == friction) & (data["stable"] > 0.0))
             for row in rows[len(rows) // 2 :][:1]:
                 torque, thrusts = (data[name][row] for name in ("hip_torque", "thrust"))
-                start = {**FREE, "ground.friction": friction, thrust.TORQUE: torque, thrust.THRUST: thrusts}
+                start = {"ground.friction": friction, thrust.TORQUE: torque, thrust.THRUST: thrusts}
                 start[thrust.ANGLE] = data["touchdown_angle"][row]
                 stride = find_gait(Runner.of(start)).stride
                 slip = stride["slip_distance"] / stride["length"]
@@ -88,7 +86,7 @@ def test_patches_fell_downhill_by_the_grip_beyond_them():
     }
     assert [round(first[friction][2]) for friction in (10.0, 1.2)] == [251, 1002]
     assert first[0.6][2] == np.inf and np.all(first[10.0] <= first[1.2])
-    its = slippery_patch.gaits(Runner.of(FREE))
+    its = slippery_patch.gaits(Runner.of({}))
     for gait, matched in its:
         rows = (data["matched"] == matched) & (data["friction"] == gait.friction)
         for row in np.flatnonzero(rows)[[3, 60, 100]]:

@@ -1,4 +1,4 @@
-"""What the paper's statements are compared with: gaits, simulations and perturbed strides of one reading."""
+"""Gaits, simulations and perturbed strides of one reading, with which the paper's statements are compared."""
 
 import math
 from collections.abc import Sequence
@@ -28,7 +28,7 @@ LEAST_FRICTION = float(SWEPT[-1])
 SIMULATED, SETTLED = 700, 1e-6
 """Strides of a simulation on the least friction, and the distance from the gait at which it has settled."""
 PERTURBED = np.geomspace(0.3, 0.05, 8)
-"""Frictions of perturbed gaits: the paper could not differentiate its map there."""
+"""Frictions of perturbed gaits, where the paper could not differentiate its return map."""
 PERTURBATIONS = np.linspace(-0.2, 0.2, 41)
 """Change of one coordinate of the apex, in units of l0, sqrt(m/k) and rad."""
 LEG_ANGLE = COORDINATES.index("leg_angle")
@@ -40,7 +40,7 @@ BRACKET = (math.radians(30.0), math.radians(33.0))
 
 @dataclass(frozen=True, eq=False)
 class Evidence(ByContents):
-    """What is computed of the paper's runner for one reading."""
+    """Computed results about the paper's runner for one reading."""
 
     sweep: Sweep
     """Gaits over the friction."""
@@ -60,7 +60,7 @@ class Evidence(ByContents):
 
 @dataclass(frozen=True, eq=False)
 class ClassicEvidence(ByContents):
-    """What is computed of the classic SLIP, which has no swing."""
+    """Computed results about the classic SLIP, which has no swing."""
 
     stable: classic_slip.FixedPoint
     """Stable gait at 40 degrees."""
@@ -71,7 +71,7 @@ class ClassicEvidence(ByContents):
 
 
 def gather(runner: Runner, progress: bool = False) -> Evidence:
-    """Compute what the statements about the paper's runner are compared with."""
+    """Compute the evidence on the statements about the paper's runner."""
     found = sweep(runner, {FRICTION: SWEPT}, progress=progress)
     five = [periodic_gait(runner.but(FRICTION, friction)) for friction in WORDS]
     perturbed, further = _perturb(runner)
@@ -113,7 +113,7 @@ def _printed_torque(runner: Runner) -> Spread:
 
 @cache
 def gather_classic() -> ClassicEvidence:
-    """Compute what the statements about the classic SLIP are compared with."""
+    """Compute the evidence on the statements about the classic SLIP."""
     fold = classic_slip.fold()
     lowest: float = brentq(_above_minus_one, *BRACKET, xtol=1e-6)
     return ClassicEvidence(classic_slip.fixed_points(math.radians(SLIP_ANGLE))[0], lowest, fold)

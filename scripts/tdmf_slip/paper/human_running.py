@@ -118,7 +118,7 @@ def _fast() -> Claim:
 
 
 def _of_fit(found: Fit) -> list[Claim]:
-    """What the fit says of the runner of Matijevich and others; the reduced map has no swing."""
+    """Claims about the runner of Matijevich and others; the reduced map has no swing."""
     source = "Matijevich 2019"
     stiffness, gait = found.parameters[STIFFNESS].value, found.gaits[0]
     relative = stiffness * gait.runner.values["leg.free_length"] / weight(gait)
@@ -154,11 +154,11 @@ class FitRow:
     """One claim about the fit on the page of results."""
 
     claim: str
-    """In words."""
+    """The claim in words."""
     value: str
-    """With its interval, if it has one."""
+    """The number, with its interval if it has one."""
     control: str
-    """What else could cause it, varied."""
+    """The number with other possible causes varied."""
     command: str
     """Command that computes it."""
 
@@ -243,7 +243,7 @@ def _refitted(name: str, value: float) -> float:
 
 
 def _full_gaits(found: Fit, clamp: bool = False) -> int:
-    """How many of the fitted runners have a gait by the full model."""
+    """Number of the fitted runners that have a gait in the full model."""
     count = 0
     for gait in found.gaits:
         try:

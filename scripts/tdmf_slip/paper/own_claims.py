@@ -1,4 +1,4 @@
-"""What this project says of its own, recomputed in every regime."""
+"""The claims of this project, recomputed in every regime."""
 
 import textwrap
 from collections.abc import Mapping, Sequence
@@ -15,23 +15,23 @@ from .statements.table import SECTIONS
 
 @dataclass(frozen=True, eq=False)
 class Recomputed(ByContents):
-    """A claim, and what every regime has."""
+    """A claim with its values in every regime."""
 
     claim: OwnClaim
-    """What was claimed."""
+    """The claim."""
     rows: Mapping[str, Row]
-    """By the regime's name."""
+    """Values and controls by name of the regime."""
 
     @property
     def holds(self) -> bool:
-        """Whether the claim is true; a claim about a number that there is not is not true."""
+        """Whether the claim is true; false if it needs a number that does not exist."""
         try:
             return self.claim.holds(self.rows)
         except RunError:
             return False
 
     def as_json(self) -> dict[str, object]:
-        """All as a plain object; a number is [value, low, high]."""
+        """The claim as a plain object; a number is [value, low, high]."""
         return {
             "name": self.claim.name,
             "claim": self.claim.what,
@@ -68,9 +68,9 @@ class OwnClaims(ByContents):
     """Claims, recomputed."""
 
     seed: int
-    """Of what is drawn."""
+    """Seed of the random numbers."""
     claims: Sequence[Recomputed]
-    """In the order of the page."""
+    """Claims in the order of the page."""
 
     @property
     def passed(self) -> bool:
@@ -78,7 +78,7 @@ class OwnClaims(ByContents):
         return all(claim.holds for claim in self.claims)
 
     def as_json(self) -> list[dict[str, object]]:
-        """All as plain objects."""
+        """The claims as plain objects."""
         return [claim.as_json() for claim in self.claims]
 
     def as_text(self, program: str = "tdmf-slip") -> str:

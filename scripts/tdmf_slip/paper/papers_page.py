@@ -30,7 +30,7 @@ def compute() -> Stored:
 
 
 def read(path: Path) -> Stored:
-    """What is stored."""
+    """Read the stored values."""
     stored: Stored = json.loads(path.read_text(encoding="utf-8"))
     return stored
 

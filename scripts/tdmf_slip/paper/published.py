@@ -23,9 +23,9 @@ NEAR_FRICTION = 0.02
 TINY, COUNT = 1e-2, 4
 """Bound of the eigenvalues that the paper calls very small, and how many of seven it has."""
 ROUNDING = 1e-8
-"""Change of an eigenvalue that is none."""
+"""Change of an eigenvalue that counts as rounding."""
 NARROW = 1.001
-"""Ratio of two borders of friction between which the paper cannot be expected to have seen a word."""
+"""Ratio of two borders of friction that are too close for the paper to have seen the word between them."""
 
 
 @dataclass(frozen=True)
@@ -226,7 +226,8 @@ def _cheaper(evidence: Evidence) -> Finding:
 def _dearer(evidence: Evidence) -> Finding:
     costs = _from_best(evidence, "cost_of_transport")
     return Finding(
-        f"{costs[0]:.3f} to {costs[-1]:.3f} at mu = {LEAST_FRICTION:g}", bool(np.all(np.diff(costs) > 0.0))
+        f"{costs[0]:.3f} to {costs[-1]:.3f} at mu = {evidence.sweep.gaits[-1].friction:g}",
+        bool(np.all(np.diff(costs) > 0.0)),
     )
 
 

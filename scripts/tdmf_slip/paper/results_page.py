@@ -1,4 +1,4 @@
-"""The tables of the page of results, from stored values: the page cannot say what was not computed.
+"""Tables of the page of results, written from stored values: the page shows only computed numbers.
 
 `documentation/write_results` computes the values, stores them, and writes the tables into the page.
 """
@@ -27,13 +27,13 @@ def compute(section: str, progress: bool = False) -> Stored:
 
 
 def read(folder: Path, section: str) -> Stored:
-    """What is stored of a section."""
+    """Read the stored values of a section."""
     stored: Stored = json.loads((folder / f"{section}.json").read_text(encoding="utf-8"))
     return stored
 
 
 def write(folder: Path, section: str, stored: Stored) -> None:
-    """Store the values of a section; words, commands and verdicts are those of the code."""
+    """Store the values of a section. Words, commands and verdicts are not stored: the code has them."""
     values = {
         seed: [{"name": row["name"], "regimes": row["regimes"]} for row in rows]
         for seed, rows in stored.items()
@@ -49,7 +49,7 @@ def recomputed(section: str, stored: Stored, seed: int) -> list[Recomputed]:
 
 
 def filled(page: str, folder: Path, sections: Sequence[str] = tuple(SECTIONS)) -> str:
-    """The page with the tables of the sections as they are stored, with the numbers of the first seed."""
+    """The page with the tables of the sections, which show the stored numbers of the first seed."""
 
     def tables(match: re.Match[str]) -> str:
         section = match[2]

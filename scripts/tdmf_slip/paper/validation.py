@@ -59,7 +59,7 @@ class Validation(ByContents, Drawable):
         return released(drift_diagram.figure_of(self.drifts))
 
     def __repr__(self) -> str:
-        """In a line: how many statements, and how many of each group."""
+        """Number of statements, in all and in each group, in one line."""
         return f"<Validation of {len(self.claims)} statements: {self._counted()}>"
 
     def as_json(self) -> dict[str, object]:
@@ -199,13 +199,13 @@ def validate(
     Parameters
     ----------
     tolerance : float, default 1e-10
-        Of CVODE. At 1e-9 the gait at friction 0.2 misses the reference, by 1.4e-6.
+        Relative tolerance of CVODE. At 1e-9 the gait at friction 0.2 misses the reference by 1.4e-6.
     only_gaits : bool, default False
-        Leave out what the paper and this project state.
+        Leave out the statements of the paper and this project's own claims.
     own : bool, default False
         Also compute this project's own claims in every regime, up to an hour on two cores.
     seed : int, default 1
-        Of what is drawn for that.
+        Seed of the random numbers of these claims.
     progress : bool, default False
         Bars on stderr, where that is a terminal.
     fmu : Fmu, optional

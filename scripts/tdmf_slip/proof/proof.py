@@ -18,7 +18,7 @@ from .section import COORDINATES
 from .starts import Starts
 
 CLAMP = "hip.swing_clamp"
-"""Which of the two readings of (12) a runner has."""
+"""Parameter that chooses between the two readings of (12)."""
 QUANTITIES = (
     "period",
     "length",

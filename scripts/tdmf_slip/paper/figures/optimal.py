@@ -28,7 +28,7 @@ from . import figure_9
 from .columns import Columns
 
 FRICTIONS = np.geomspace(10.0, 0.05, 16)[:12]
-"""On less friction a search that begins at the friction before ends at worse runners than others do."""
+"""On less friction the search, which also starts at the previous optimum, ends in worse optima."""
 SPEED = 0.8
 """Over l0 sqrt(k/m)."""
 RADIUS = 0.95

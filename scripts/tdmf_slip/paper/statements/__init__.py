@@ -1,5 +1,5 @@
-"""What this project says of its own: a module for each section of the page of results.
+"""Claims of this project: one module for each section of the page of results.
 
-A claim that compares two runners has its control beside it: the same comparison with the runners made equal
-in what else could do it. What it says must be true at any seed.
+A claim that compares two runners has a control: the same comparison with runners that are equal in every
+other possible cause. A claim must hold at any seed.
 """

@@ -2,10 +2,12 @@
 
 from functools import cache
 
-from ...analysis.robustness import FARTHEST, Robustness, robustness
+from ...analysis.robustness import DISTURBED, FARTHEST, Robustness, robustness
 from ...analysis.volume import volume
 from ...errors import RunError
+from ...library.affine_law import AffineLaw
 from ...library.gait import Gait
+from ...library.section import COORDINATES
 from .claim import (
     CLAMPED,
     DEFAULT,
@@ -29,14 +31,15 @@ LIGHT = 0.005
 BASIN = "tdmf-slip basin --friction 10 --n 8 --ball none"
 
 
-def _share_of(one: Gait, seed: int) -> Estimate:
-    found = volume(one, SAMPLES, seed=seed)
+def share_of(one: Gait, seed: int, law: AffineLaw | None = None) -> Estimate:
+    """Share of the box of `analysis.volume` that settles on a gait."""
+    found = volume(one, SAMPLES, seed=seed, law=law)
     return Estimate(found.share, *found.interval)
 
 
 def _share(friction: float, reference: float | None = None) -> Measure:
-    """Share of the box that settles on the gait; two that are compared have independent starts."""
-    return lambda regime, seed: _share_of(
+    """Share of the box that settles on the gait. Value and control have independent starts."""
+    return lambda regime, seed: share_of(
         runner_on(regime, friction, reference), 2 * seed + (reference is not None)
     )
 
@@ -48,11 +51,11 @@ def _light_gait(regime: Regime, friction: float) -> Gait:
 
 
 def _light_share(regime: Regime, seed: int) -> Estimate:
-    return _share_of(_light_gait(regime, STICKS), 2 * seed)
+    return share_of(_light_gait(regime, STICKS), 2 * seed)
 
 
 def _light_control(regime: Regime, seed: int) -> Estimate:
-    return _share_of(equal_to(_light_gait(regime, STICKS), _light_gait(regime, SLIPS)), 2 * seed + 1)
+    return share_of(equal_to(_light_gait(regime, STICKS), _light_gait(regime, SLIPS)), 2 * seed + 1)
 
 
 @cache
@@ -60,15 +63,17 @@ def _robustness(regime: Regime, friction: float, reference: float | None) -> Rob
     return robustness(runner_on(regime, friction, reference))
 
 
-def _largest(disturbance: str, friction: float, reference: float | None = None) -> Measure:
+def over_scale(disturbance: str, found: Robustness, one: Gait) -> Estimate:
     """The largest disturbance that is recovered from, over the scale of its coordinate."""
+    scale = one.runner.scales[COORDINATES.index(DISTURBED[disturbance])]
+    largest = float(getattr(found, disturbance) / scale)
+    return Estimate(largest, min(largest, FARTHEST), largest)
 
-    def measure(regime: Regime, seed: int) -> Estimate:
-        scale = gait(regime, friction).runner.scales[int("step" not in disturbance)]
-        found = float(getattr(_robustness(regime, friction, reference), disturbance) / scale)
-        return Estimate(found, min(found, FARTHEST), found)
 
-    return measure
+def _largest(disturbance: str, friction: float, reference: float | None = None) -> Measure:
+    return lambda regime, seed: over_scale(
+        disturbance, _robustness(regime, friction, reference), gait(regime, friction)
+    )
 
 
 CLAIMS = (

@@ -6,7 +6,6 @@ from dataclasses import dataclass, field
 from functools import wraps
 from typing import ParamSpec, TypeVar
 
-from ...analysis.comparison import compare
 from ...analysis.first_passage import FirstPassage
 from ...analysis.search import periodic_gait
 from ...errors import GaitNotFoundError, RunError
@@ -14,14 +13,14 @@ from ...fmu.fmu import FRICTION
 from ...fmu.parameters import read_parameters
 from ...fmu.variable import Given
 from ...library.gait import Gait
-from ..matched import HOLD, VARY
+from ..matched import like
 
 Arguments = ParamSpec("Arguments")
 Found = TypeVar("Found")
 TORQUE, ANGLE, THRUST = "hip.stance_torque", "hip.touchdown_angle", "leg.thrust"
 CLAMP = "hip.swing_clamp"
 SLIPS, STICKS = 0.2, 10.0
-"""Frictions of a runner that slips all the time, and of one that sticks."""
+"""Frictions of a runner that slips all the time, and of one whose foot only sticks."""
 
 
 @dataclass(frozen=True)
@@ -31,23 +30,23 @@ class Regime:
     name: str
     """Key of stored values."""
     title: str
-    """Head of its column."""
+    """Heading of the regime's column."""
     values: Mapping[str, Given] = field(hash=False)
-    """Parameters, over the unit's own."""
+    """Start values that differ from the unit's own."""
     step: float = 1.0
     """Factor of every roughness: a light runner hops higher than a heavy one, and clears higher steps."""
 
 
-DEFAULT = Regime("default", "Table 1", {CLAMP: False})
+DEFAULT = Regime("default", "Table 1", {})
 CLAMPED = Regime("clamp", "Table 1, with the clamp", {CLAMP: True})
-HEAVY = Regime("heavy", "weight 0.022, 45°", {CLAMP: False, "gravity": 0.02, ANGLE: "45 deg"})
-HUMAN = Regime("human", "human size", {**read_parameters("human"), CLAMP: False}, 0.03)
+HEAVY = Regime("heavy", "weight 0.022, 45°", {"gravity": 0.02, ANGLE: "45 deg"})
+HUMAN = Regime("human", "human size", read_parameters("human"), 0.03)
 REGIMES = (DEFAULT, CLAMPED, HEAVY, HUMAN)
 
 
 @dataclass(frozen=True)
 class Estimate:
-    """A number with its interval of 95 %; the interval of what is solved is the number itself."""
+    """A number with its 95 % confidence interval, which is the number itself where chance plays no part."""
 
     value: float
     """The estimate itself."""
@@ -58,7 +57,7 @@ class Estimate:
 
     @classmethod
     def exact(cls, value: float) -> "Estimate":
-        """What is solved, not drawn."""
+        """A number that does not depend on chance."""
         return cls(float(value), float(value), float(value))
 
     @classmethod
@@ -67,7 +66,7 @@ class Estimate:
         return cls(passage.mean_strides, *passage.interval)
 
     def __str__(self) -> str:
-        """The number, with its interval if it has one; the lower bound where none fell."""
+        """The number, with its interval if it has one; only the lower bound where no runner fell."""
         if math.isinf(self.low):
             return "no fall"
         if math.isinf(self.value):
@@ -84,19 +83,19 @@ def _digits(value: float) -> str:
 
 
 Cell = Estimate | str
-"""A number, or why there is none: "no gait", "no equal runner"."""
+"""A number, or the reason why there is none: "no gait", "no equal runner"."""
 Measure = Callable[[Regime, int], Estimate]
-"""By regime and seed. It raises RunError where there is no number; the message becomes the cell."""
+"""Computes a number from regime and seed. If there is none, the message of its RunError becomes the cell."""
 
 
 @dataclass(frozen=True)
 class Row:
-    """What one regime has. Its comparisons raise RunError where there is no number."""
+    """Value and control of one regime. Comparisons raise RunError where there is no number."""
 
     value: Cell
-    """The quantity of the runner that the claim is about."""
+    """Quantity of the runner that the claim is about."""
     control: Cell | None
-    """None where the claim compares nothing."""
+    """Quantity of the control; None if the claim compares nothing."""
 
     def __str__(self) -> str:
         """Value and control."""
@@ -131,20 +130,20 @@ def _number(cell: Cell | None) -> Estimate:
 
 @dataclass(frozen=True)
 class OwnClaim:
-    """Something that this project says, and how it is recomputed."""
+    """A claim of this project, and how it is recomputed."""
 
     name: str
-    """Its anchor on the page of results."""
+    """Anchor of the claim on the page of results."""
     what: str
-    """In words, with units, and with what changes sign between the readings."""
+    """The claim in words, with units; it says which signs differ between the readings."""
     measure: Measure
     """Computes the value for a regime and a seed."""
     control: Measure | None
-    """The same, with what else could do it held equal."""
+    """Computes the same quantity of the control; None if the claim compares nothing."""
     command: str
-    """That recomputes the value for Table 1, or the first part of it."""
+    """Command that recomputes the value for Table 1, or the first part of the value."""
     holds: Callable[[Mapping[str, Row]], bool]
-    """Whether the claim is true of what the regimes, by name, have."""
+    """Whether the rows, by name of the regime, bear the claim out."""
 
     def row(self, regime: Regime, seed: int) -> Row:
         """Compute value and control."""
@@ -164,7 +163,7 @@ def _cell(measure: Measure, regime: Regime, seed: int) -> Cell:
 
 
 def remembered(compute: Callable[Arguments, Found]) -> Callable[Arguments, Found]:
-    """A cache that also keeps refusals: to find out that there is no gait takes longest."""
+    """A cache that also keeps errors, because finding out that there is no gait takes longest."""
     known: dict[object, Found | RunError] = {}
 
     @wraps(compute)
@@ -197,25 +196,25 @@ def gait(regime: Regime, friction: float, **changed: Given) -> Gait:
 
 @remembered
 def stable_gait(regime: Regime, friction: float) -> Gait:
-    """The gait at a friction; an unstable one is refused."""
+    """The gait at a friction; an unstable gait raises RunError."""
     return _stable(gait(regime, friction))
 
 
 @remembered
 def matched(regime: Regime, reference: float, other: float) -> Gait:
-    """The runner on the other friction with the speed, apex height and leg angle of that on the first.
-
-    With these equal the foot is as high at the apex, too, where the ground steps.
-    """
+    """The runner on friction `other`, equal to the runner on friction `reference`; see `equal_to`."""
     return equal_to(stable_gait(regime, reference), gait(regime, other))
 
 
 def equal_to(reference: Gait, other: Gait) -> Gait:
-    """The control: the other runner with the speed, apex height and leg angle of the reference."""
-    found = compare([reference, other], hold=HOLD, vary=VARY)
-    if found.not_held:
+    """The control: the other runner with the speed, apex height and leg angle of the reference.
+
+    Then the foot is also equally high at the apex, where the ground steps.
+    """
+    found = like(reference, other)
+    if found is None:
         raise RunError("no equal runner")
-    return _stable(found.gaits[1])
+    return _stable(found)
 
 
 def _stable(one: Gait) -> Gait:

@@ -1,9 +1,7 @@
-"""Friction that falls with the speed of the foot, beside a friction that is the static one at any speed."""
-
-from functools import cache
+"""Friction that falls with the speed of the foot, beside the static friction at any speed."""
 
 from ...library.gait import Gait
-from .claim import Measure, OwnClaim, Regime, equal_to, gait, solved
+from .claim import Measure, OwnClaim, Regime, equal_to, gait, remembered, solved
 
 SLIDING, RATIO, VELOCITY = 0.3, 2.0, 0.1
 """Sliding friction, static over sliding friction, and the velocity over which it falls, over l0 sqrt(k/m)."""
@@ -13,7 +11,7 @@ FALLING = (
 )
 
 
-@cache
+@remembered
 def _falling(regime: Regime) -> Gait:
     scale = gait(regime, SLIDING).runner.scales[1]
     return gait(
@@ -24,7 +22,7 @@ def _falling(regime: Regime) -> Gait:
     )
 
 
-@cache
+@remembered
 def _equal(regime: Regime) -> Gait:
     return equal_to(_falling(regime), gait(regime, RATIO * SLIDING))
 

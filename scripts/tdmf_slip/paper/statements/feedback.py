@@ -5,12 +5,12 @@ from dataclasses import replace
 from functools import cache
 
 from ...analysis.first_passage import strides_to_fall
-from ...analysis.robustness import FARTHEST, Robustness, robustness
-from ...analysis.volume import volume
+from ...analysis.robustness import Robustness, robustness
 from ...feedback.feedback import Feedback
 from ...feedback.gains import dead_beat, lqr
 from ...library.gait import Gait
 from ...library.rough_ground import RoughGround
+from .attraction import SAMPLES, over_scale, share_of
 from .claim import ANGLE, SLIPS, STICKS, TORQUE, Estimate, Measure, OwnClaim, Regime, stable_gait
 from .rough import LOW, MATCH, foot, runner_on
 
@@ -20,11 +20,10 @@ FRICTION, SLIPPERY = 0.6, 0.1
 NEGLIGIBLE = 0.05
 """Size of an eigenvalue that a dead-beat law leaves as it is."""
 ANGLE_REACH, TORQUE_REACH = 0.1, 0.5
-"""How far a setting may go from the gait's: rad, and over the gait's own torque."""
+"""Largest change of a setting: rad, and as a share of the gait's own torque."""
 NOISE = 0.01
-"""Standard deviation of the sensors' noise, over the scales of the section, on steps of Table 1's size."""
+"""Standard deviation of the sensors' noise, over the scales of the section; smaller where steps are."""
 RUNNERS, MAX_STRIDES = 256, 400
-SAMPLES = 4000
 ROUGH = (
     f"tdmf-slip rough --friction {FRICTION} --roughness {LOW} --runners {RUNNERS} "
     f"--max-strides {MAX_STRIDES} --seed {{seed}}"
@@ -78,25 +77,16 @@ def _robustness(regime: Regime, friction: float, held: bool) -> Robustness:
 
 
 def _largest(disturbance: str, friction: float, *, held: bool) -> Measure:
-    """The largest disturbance that is recovered from, over the scale of its coordinate."""
-
-    def measure(regime: Regime, seed: int) -> Estimate:
-        scale = stable_gait(regime, friction).runner.scales[int("step" not in disturbance)]
-        found = float(getattr(_robustness(regime, friction, held), disturbance) / scale)
-        return Estimate(found, min(found, FARTHEST), found)
-
-    return measure
+    return lambda regime, seed: over_scale(
+        disturbance, _robustness(regime, friction, held), stable_gait(regime, friction)
+    )
 
 
 def _share(*, held: bool) -> Measure:
-    """Share of the box of `analysis.volume` that settles on the gait on friction 10."""
-
-    def measure(regime: Regime, seed: int) -> Estimate:
-        law = regulator(regime, STICKS) if held else None
-        found = volume(stable_gait(regime, STICKS), SAMPLES, seed=2 * seed + held, law=law)
-        return Estimate(found.share, *found.interval)
-
-    return measure
+    """Share of the box that settles on the gait on friction 10. Value and control have independent starts."""
+    return lambda regime, seed: share_of(
+        stable_gait(regime, STICKS), 2 * seed + held, regulator(regime, STICKS) if held else None
+    )
 
 
 CLAIMS = (

@@ -1,12 +1,11 @@
 """The cheapest runners at one speed: by net work, and by positive work, which refunds no braking."""
 
 from collections.abc import Mapping
-from functools import cache
 
 from ...fmu.fmu import FRICTION
 from ...optimization.optimize import optimize
 from ...optimization.optimum import Optimum
-from .claim import ANGLE, STICKS, THRUST, TORQUE, Measure, OwnClaim, Regime, solved
+from .claim import ANGLE, STICKS, THRUST, TORQUE, Measure, OwnClaim, Regime, remembered, solved
 
 SLIPPERY, BETWEEN = 0.3, 0.85
 """Frictions at which the runner of least net work slips for most of its stance, and for some of it."""
@@ -22,9 +21,9 @@ HUMAN_BOUNDS: Mapping[str, tuple[float, float]] = {
 """Speed in m/s, largest spectral radius, and what may vary, of the human preset."""
 
 
-@cache
+@remembered
 def _best(regime: Regime, friction: float, quantity: str) -> Optimum:
-    """The runner with the least of a quantity; the search begins at the regime's own."""
+    """The runner with the least value of a quantity; the search begins at the regime's own runner."""
     is_human = regime.name == "human"
     return optimize(
         {**regime.values, FRICTION: friction},
@@ -37,7 +36,7 @@ def _best(regime: Regime, friction: float, quantity: str) -> Optimum:
 
 
 def _cost(friction: float, least: str, counted: str) -> Measure:
-    """A cost of the runner that has the least of one."""
+    """The cost `counted` of the runner that has the least cost `least`."""
     return solved(lambda regime: _best(regime, friction, least).gait.stride[counted])
 
 

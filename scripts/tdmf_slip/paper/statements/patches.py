@@ -21,7 +21,7 @@ ON_PATCH, LENGTH, BEGIN = 0.02, 300.0, 100.0
 GRIPPY, SLIPPERY = STICKS, 0.6
 """Frictions of the ground around it."""
 RUNNERS, STRIDES_AFTER = 256, 60
-"""At so many phases of a stride; and strides beyond the patch."""
+"""Runners, each at a random phase of its stride, and the strides that they make beyond the patch."""
 
 
 def on_slope(regime: Regime, friction: float, degrees: float) -> Gait:

@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 from ...analysis.basin import basin
 from ...analysis.search import periodic_gait
 from ...analysis.sweep import sweep
+from ...errors import RunError
 from ...fmu.fmu import FRICTION
 from ...library.ensemble import SETTLED
 from ...library.gait import Gait
@@ -19,7 +20,7 @@ from .over_friction import FRICTIONS
 CELLS = 64
 PLANE = {"com_height": (0.6, 4.0), "com_speed": (-1.0, 2.5)}
 PLANES = {"human": {"com_height": (0.85, 1.3), "com_speed": (0.5, 5.0)}}
-"""Heights in m and speeds in m/s of the starts; by regime where they are other ones."""
+"""Ranges of height in m and speed in m/s of the starts, and by regime where they differ from these."""
 RATE, RETRACTS = "hip.retraction_rate", 0.008
 SWEEP = "tdmf-slip sweep --friction 10:0.1:200 --spacing log --model reduced"
 BASIN = (
@@ -34,11 +35,14 @@ def _pairs(regime: Regime) -> tuple[tuple[Gait, Gait], ...]:
     full, small = (
         sweep(regime.values, {FRICTION: FRICTIONS}, model=model).by_value for model in ("full", "reduced")
     )
-    return tuple((one, other) for one, other in zip(full, small, strict=True) if one and other)
+    pairs = tuple((one, other) for one, other in zip(full, small, strict=True) if one and other)
+    if not pairs:
+        raise RunError("no common gait")
+    return pairs
 
 
 def _same_words(regime: Regime) -> float:
-    """Share of the frictions at which both models have the same word."""
+    """Share of the frictions with gaits of both models at which the words are the same."""
     pairs = _pairs(regime)
     return sum(full.word == small.word for full, small in pairs) / len(pairs)
 
@@ -65,12 +69,12 @@ def _settles(regime: Regime, model: str) -> NDArray[np.bool_]:
 
 
 def _only(model: str, other: str) -> Measure:
-    """Share of the starts that settle by one model and not by the other."""
+    """Share of the starts that settle by one model but not by the other."""
     return solved(lambda regime: float(np.mean(_settles(regime, model) & ~_settles(regime, other))))
 
 
 def _retracted(model: str) -> Measure:
-    """How much the size of the second eigenvalue, that of height, grows with the rate of retraction."""
+    """Growth of the size of the second eigenvalue, which belongs to height, with the rate of retraction."""
 
     def growth(regime: Regime) -> float:
         runner = Runner.of({**regime.values, FRICTION: STICKS}, model=model)

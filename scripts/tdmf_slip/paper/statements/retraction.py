@@ -25,10 +25,10 @@ from .rough import LOW
 
 RATE = "hip.retraction_rate"
 RETRACTS, STEPS = 0.008, 4
-"""A rate over the root of k/m, and the steps in which it is reached along the branch."""
+"""Rate of retraction over sqrt(k/m), and the number of steps along the branch to this rate."""
 RUNNERS, MAX_STRIDES = 400, 400
 FLAT = "45 deg"
-"""Another touchdown angle."""
+"""Touchdown angle that lays the leg flatter than the 40 degrees of Table 1."""
 GAIT = f"tdmf-slip gait --friction {{}} --set {RATE}={RETRACTS} --json"
 ROUGH = (
     f"tdmf-slip rough --friction {SLIPS} --set {RATE}={RETRACTS} --roughness {LOW} "
@@ -38,13 +38,13 @@ ROUGH = (
 
 @remembered
 def plain(regime: Regime, friction: float, angle: str | None) -> Gait:
-    """The gait without more retraction than the regime has."""
+    """The gait with the regime's own rate of retraction."""
     return gait(regime, friction) if angle is None else gait(regime, friction, hip__touchdown_angle=angle)
 
 
 @remembered
 def retracting(regime: Regime, friction: float, angle: str | None = None) -> Gait:
-    """The gait at the rate, added to the one that the regime has."""
+    """The gait with `RETRACTS` added to the regime's own rate of retraction."""
     one = plain(regime, friction, angle)
     values = one.runner.values
     added = RETRACTS * math.sqrt(values["leg.stiffness"] / values["body.mass"])
@@ -58,7 +58,7 @@ def retracting(regime: Regime, friction: float, angle: str | None = None) -> Gai
 
 @remembered
 def equal(regime: Regime, friction: float, angle: str | None = None) -> Gait:
-    """The retracting gait with speed, apex height and leg angle of the one that does not retract."""
+    """The retracting gait with speed, apex height and leg angle of the plain gait."""
     return equal_to(plain(regime, friction, angle), retracting(regime, friction, angle))
 
 
@@ -66,7 +66,7 @@ Which = Callable[[Regime, float, str | None], Gait]
 
 
 def height(which: Which, friction: float, angle: str | None = None) -> Measure:
-    """Real part of the eigenvalue about height: of the two of largest size, the lesser."""
+    """Real part of the eigenvalue that belongs to height: the lesser of the two of largest size."""
     return solved(lambda regime: float(min(which(regime, friction, angle).eigenvalues[:2].real)))
 
 

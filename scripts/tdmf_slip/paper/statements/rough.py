@@ -1,4 +1,4 @@
-"""Rough ground: strides until the fall, and what the height of the foot has to do with them."""
+"""Rough ground: strides until the fall, and how they depend on the height of the foot."""
 
 from functools import cache
 
@@ -11,18 +11,18 @@ from .claim import SLIPS, STICKS, Estimate, Measure, OwnClaim, Regime, matched, 
 RUNNERS, MAX_STRIDES = 256, 300
 """200 falls give a mean to 15 %, with a confidence of 95 %; a runner still up at the end is censored."""
 LOW = 0.3
-"""Steps of the ground, or heights of segments, l0 in Table 1."""
+"""Standard deviation of the ground's steps, or of the segments' heights, l0 in Table 1."""
 LOWER, WALKERS = 0.2, 16
 """Steps on which falls are too rare to be counted, and walkers at each level of the splitting."""
 CORRELATION = 0.7
-"""Of each step with the one before: ground that goes on to rise or fall."""
+"""Correlation of each step with the step before: such ground goes on rising or falling."""
 SEGMENT = 5.0
 """Length of a level segment, l0."""
 MATCH = (
     "tdmf-slip compare --friction {} --friction {} --hold speed,apex_height,apex_leg_angle "
     "--vary hip.stance_torque,hip.touchdown_angle,hip.liftoff_angle_factor"
 )
-"""A control; `strides` runs its second runner."""
+"""Command that finds the equal runner of a control, whose strides `strides` counts."""
 ROUGH = (
     "tdmf-slip rough --friction {} --roughness {} --runners "
     f"{RUNNERS} --max-strides {MAX_STRIDES} --seed {{{{seed}}}}"
@@ -31,13 +31,13 @@ ROUGH_RARE = f"tdmf-slip rough --friction {SLIPS} --roughness {LOWER} --rare --s
 
 
 def runner_on(regime: Regime, friction: float, reference: float | None) -> Gait:
-    """The runner on a friction, as it comes or made equal to the one on a reference."""
+    """The runner on a friction, as it comes or made equal to the runner on friction `reference`."""
     return stable_gait(regime, friction) if reference is None else matched(regime, reference, friction)
 
 
 @cache
 def falls(regime: Regime, friction: float, reference: float | None, ground: RoughGround) -> FirstPassage:
-    """Run until the fall, or so many strides."""
+    """Run all runners until they fall or have made `MAX_STRIDES` strides."""
     one = runner_on(regime, friction, reference)
     return strides_to_fall(one.runner, ground, RUNNERS, max_strides=MAX_STRIDES, gait=one)
 
@@ -51,12 +51,12 @@ def strides(
     segment: float = 0.0,
     trips: bool = False,
 ) -> Measure:
-    """Mean number of strides until the fall; with a reference, of the runner that is made equal to it."""
+    """Mean number of strides until the fall of the runner of `runner_on`."""
 
     def measure(regime: Regime, seed: int) -> Estimate:
         ground = RoughGround(
             roughness * regime.step,
-            2 * seed + (reference is not None),  # two that are compared have independent ground
+            2 * seed + (reference is not None),  # value and control have independent ground
             correlated_weights(correlation),
             segment_length=segment,
             trips=trips,
@@ -67,7 +67,7 @@ def strides(
 
 
 def rarely(regime: Regime, seed: int) -> Estimate:
-    """Mean number of strides of the slipping runner on low steps, by multilevel splitting."""
+    """Mean number of strides until the fall of the slipping runner on low steps, by multilevel splitting."""
     one = stable_gait(regime, SLIPS)
     found = rare_falls(one.runner, LOWER * regime.step, walkers=WALKERS, seed=seed, gait=one)
     return Estimate(found.mean_strides, *found.interval)

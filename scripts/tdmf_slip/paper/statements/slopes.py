@@ -24,13 +24,13 @@ from .rough import MATCH
 
 SLOPE = "ground.slope"
 FIRST, SHORTEST = 0.005, 1e-5
-"""Steps of the slope, rad."""
+"""First step of the slope along a branch, and the step at which its fold counts as reached, rad."""
 AWAY = 0.1
-"""Of the scales: farther from where it is predicted a gait is of another branch."""
+"""Distance from its prediction, over the scales, beyond which a gait belongs to another branch."""
 FLAT = 0.85
-"""A touchdown angle, rad, that lays the leg flatter than the paper's 40 degrees."""
+"""Touchdown angle that lays the leg flatter than the paper's 40 degrees, rad."""
 UPHILL = math.radians(1.5)
-"""A slope on which all of these are stable in Table 1."""
+"""Slope on which the gaits of both frictions are stable in Table 1, rad."""
 
 
 @remembered
@@ -70,7 +70,7 @@ def steepest(friction: float, angle: float | None = None) -> Measure:
 
 
 def stable_to(friction: float, angle: float | None = None, reference: float | None = None) -> Measure:
-    """Slope at which gaits become unstable, degrees; between the last stable one and the next."""
+    """Slope of the last stable gait, degrees; the interval ends at the first unstable gait."""
 
     def degrees(regime: Regime, seed: int) -> Estimate:
         gaits = climb(regime, friction, reference, angle)
@@ -89,7 +89,7 @@ def at_the_top(quantity: str, friction: float) -> Measure:
 
 
 def slowed(friction: float, reference: float | None = None) -> Measure:
-    """Speed uphill over that on the level."""
+    """Speed uphill over the speed on level ground."""
 
     def over(regime: Regime) -> float:
         one = gait(regime, friction) if reference is None else matched(regime, reference, friction)

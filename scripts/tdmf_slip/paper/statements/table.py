@@ -1,4 +1,4 @@
-"""All claims by section of the page of results, in its order."""
+"""All claims by section of the page of results, in the order of the page."""
 
 from collections.abc import Mapping
 

@@ -2,20 +2,19 @@
 
 from collections.abc import Callable
 
-from ...analysis.comparison import compare
 from ...analysis.targeted import find_gait
 from ...errors import GaitNotFoundError, RunError
 from ...fmu.fmu import FRICTION
 from ...library.gait import Gait
-from ..matched import changed
+from ..matched import changed, like
 from .claim import ANGLE, SLIPS, THRUST, TORQUE, Measure, OwnClaim, Regime, gait, remembered, solved
 
 FASTER = 1.3
-"""Speed over that of the gait on friction 0.2 as it comes."""
+"""Speed over the speed of the gait on friction 0.2 as it comes."""
 HELPED = 0.1
 """Thrust, over the leg's length."""
 TARGET = "--target speed=1.085"
-"""That speed in Table 1."""
+"""Target speed in Table 1: `FASTER` times the speed of its gait on friction 0.2."""
 BY_TORQUE = f"tdmf-slip gait --friction {SLIPS} {TARGET} --vary {TORQUE} --json"
 BY_THRUST = f"tdmf-slip gait --friction {SLIPS} --set {THRUST}={HELPED} {TARGET} --vary {THRUST} --json"
 
@@ -44,15 +43,15 @@ def _at_speed(regime: Regime, name: str, added: float) -> Gait:
 
 @remembered
 def as_high(regime: Regime) -> Gait:
-    """The runner with thrust that is as fast and hops as high as by torque."""
+    """The runner with thrust that has the speed and apex height of the runner driven by torque."""
     reference = by_torque(regime)
     near = changed(reference, {THRUST: HELPED * reference.runner.values["leg.free_length"]}, 2)
     if near is None:
         raise GaitNotFoundError("with thrust")
-    found = compare([reference, near], hold=("speed", "apex_height"), vary=(TORQUE, ANGLE))
-    if found.not_held:
+    equal = like(reference, near, hold=("speed", "apex_height"), vary=(TORQUE, ANGLE))
+    if equal is None:
         raise RunError("no equal runner")
-    return found.gaits[1]
+    return equal
 
 
 def _over_length(of: Callable[[Regime], Gait], quantity: str) -> Measure:

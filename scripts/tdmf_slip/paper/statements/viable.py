@@ -1,22 +1,21 @@
-"""Viable sets: what some choice of the touchdown angle at each apex can save, slipping and sticking."""
+"""Viable sets, slipping and sticking: apexes from which some touchdown angle at each apex prevents a fall."""
 
 from collections.abc import Callable, Mapping
-from functools import cache
 
-from ...analysis.comparison import compare
 from ...analysis.search import periodic_gait
 from ...errors import RunError
 from ...fmu.fmu import FRICTION
 from ...library.runner import Runner
 from ...viable_sets.result import Viability
 from ...viable_sets.viability import viability
-from .claim import ANGLE, SLIPS, STICKS, TORQUE, Estimate, Measure, OwnClaim, Regime
+from ..matched import like
+from .claim import ANGLE, SLIPS, STICKS, TORQUE, Estimate, Measure, OwnClaim, Regime, remembered
 
 CELLS = 96
 Range = tuple[float, float]
 PLANE: Mapping[str, Range] = {"com_height": (0.3, 4.0), "com_speed": (0.0, 4.0)}
 PLANES: Mapping[str, Mapping[str, Range]] = {"human": {"com_height": (0.6, 1.4), "com_speed": (0.0, 6.0)}}
-"""Heights in m and speeds in m/s; by regime where they are other ones."""
+"""Ranges of height in m and speed in m/s, and by regime where they differ from these."""
 CHOSEN = {ANGLE: (0.1, 1.3, 24)}
 VIABILITY = (
     f"tdmf-slip viability --friction {{}} --axes com_height=0.3:4 --axes com_speed=0:4 "
@@ -24,19 +23,16 @@ VIABILITY = (
 )
 
 
-@cache
+@remembered
 def _viable(regime: Regime, friction: float, reference: float | None = None) -> Viability:
-    """Viable set of the reduced map, which has no swing and so none of the two readings."""
+    """Viable set of the reduced map, which has no swing and is the same in both readings."""
     runner = Runner.of({**regime.values, FRICTION: friction}, model="reduced")
     if reference is not None:
-        found = compare(
-            [periodic_gait(runner.but(FRICTION, reference)), periodic_gait(runner)],
-            hold=("speed", "apex_height"),
-            vary=(TORQUE, ANGLE),
-        )
-        if found.not_held:
+        gaits = periodic_gait(runner.but(FRICTION, reference)), periodic_gait(runner)
+        equal = like(*gaits, hold=("speed", "apex_height"), vary=(TORQUE, ANGLE))
+        if equal is None:
             raise RunError("no equal runner")
-        runner = found.gaits[1].runner
+        runner = equal.runner
     return viability(runner, axes=PLANES.get(regime.name, PLANE), vary=CHOSEN, n=CELLS)
 
 
