@@ -1,8 +1,8 @@
 """A runner on rough ground as splitting takes it: rows of bytes from apex to apex, with a score of danger.
 
-A row holds the library's end and checkpoint. On ground whose steps hang together it also holds the height
-that the ground has come to and the deviates before: there steps are drawn here, for a walker that is copied
-takes its past along.
+A row holds the library's end and checkpoint. On ground with correlated steps it also holds the height of
+the ground and the previous normal deviates. Such steps are drawn here, because a walker that is copied takes
+its past along.
 """
 
 import math
@@ -61,7 +61,7 @@ class RoughRunner:
         self._start[0, KNOWN:] = np.array(past).view(np.uint8)
 
     def begin(self, count: int) -> NDArray[np.uint8]:
-        """At the gait's apex. The deviates before are NaN here and drawn at the first step."""
+        """Rows at the gait's apex. Previous deviates are NaN; the first step draws them."""
         return np.repeat(self._start, count, axis=0)
 
     def advance(
@@ -112,7 +112,7 @@ class RoughRunner:
     def _stepped(
         self, rows: NDArray[np.uint8], seed: int, time: int
     ) -> tuple[NDArray[np.uint8], dict[str, NDArray[np.float64]]]:
-        """What is past after one step more, and the height that it brings; none where each is its own."""
+        """Past after one more step, and height of the ground; nothing where steps are independent."""
         if not len(self.step_weights):
             return rows[:, KNOWN:], {}
         past = np.ascontiguousarray(rows[:, KNOWN:]).view(np.float64)

@@ -15,9 +15,9 @@ from .settling import SettledRun
 
 PATH = Path(__file__).with_suffix(".json")
 QUANTITY_TOLERANCE = 1e-6
-"""Relative, for a stride's quantities."""
+"""Largest relative deviation of a stride's quantities."""
 APEX_TOLERANCE = 1e-5
-"""Over the coordinates' scales."""
+"""Largest deviation of an apex, over the scales of its coordinates."""
 
 
 @dataclass(frozen=True)
@@ -25,27 +25,27 @@ class ReferenceGait:
     """A recorded gait of the paper's runner."""
 
     friction: float
-    """Of the ground."""
+    """Friction coefficient of the ground."""
     swing_clamp: bool
     """Value of `hip.swing_clamp`; the other parameters are Table 1's."""
     word: str
-    """The gait's."""
+    """Gait word."""
     period: float
-    """Of a stride."""
+    """Period of a stride."""
     length: float
-    """Of a stride."""
+    """Length of a stride."""
     speed: float
-    """On average over a stride."""
+    """Average speed over a stride."""
     work: float
-    """Of the hip in a stride."""
+    """Work of the hip in a stride."""
     cost_of_transport: float
-    """Of a stride."""
+    """Cost of transport of a stride."""
     liftoff_angle: float
-    """Of the leg, rad."""
+    """Leg angle at lift-off, rad."""
     apex: Sequence[float]
-    """In the order of `COORDINATES`."""
+    """Coordinates of the apex, in the order of `COORDINATES`."""
     events: Sequence[object]
-    """Of the stride, as they were recorded."""
+    """Recorded events of the stride."""
     clamp_release: float | None = None
     """Time at which the clamp of (12), which holds the hip torque at 0, opens; None without the clamp."""
 
@@ -55,17 +55,17 @@ class Drift:
     """One value of a gait beside its reference."""
 
     friction: float
-    """Not a number for what is not of one gait."""
+    """Friction of the gait; NaN for a value that belongs to no single gait."""
     what: str
-    """Is compared."""
+    """Quantity that is compared."""
     computed: float | str
-    """Now."""
+    """Computed value."""
     reference: float | str
-    """Recorded."""
+    """Recorded value."""
     deviation: float
     """Relative for a gait's quantities, over its scale for its apex; 0 or 1 for its word; else absolute."""
     allowed: float
-    """The largest deviation that passes."""
+    """Largest deviation that passes."""
     reading: str = ""
     """Reading of the swing law (12); empty for what has no swing."""
 

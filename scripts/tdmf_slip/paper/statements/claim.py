@@ -187,6 +187,16 @@ def solved(quantity: Callable[[Regime], float]) -> Measure:
     return lambda regime, seed: Estimate.exact(quantity(regime))
 
 
+def stride_quantity(of: Callable[[Regime], Gait], quantity: str) -> Measure:
+    """A quantity of a gait's stride."""
+    return solved(lambda regime: of(regime).stride[quantity])
+
+
+def over_length(of: Callable[[Regime], Gait], quantity: str) -> Measure:
+    """A length of a gait's stride, over the free length of the leg."""
+    return solved(lambda regime: of(regime).stride[quantity] / of(regime).runner.values["leg.free_length"])
+
+
 @remembered
 def gait(regime: Regime, friction: float, **changed: Given) -> Gait:
     """The gait at a friction; other values by the unit's names with `__` for the dot."""

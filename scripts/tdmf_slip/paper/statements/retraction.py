@@ -18,6 +18,7 @@ from .claim import (
     Regime,
     equal_to,
     gait,
+    over_length,
     remembered,
     solved,
 )
@@ -72,12 +73,7 @@ def height(which: Which, friction: float, angle: str | None = None) -> Measure:
 
 def slip(which: Which) -> Measure:
     """Slip distance in a stride, over the leg's length."""
-
-    def over_length(regime: Regime) -> float:
-        one = which(regime, SLIPS, None)
-        return one.stride["slip_distance"] / one.runner.values["leg.free_length"]
-
-    return solved(over_length)
+    return over_length(lambda regime: which(regime, SLIPS, None), "slip_distance")
 
 
 def strides(which: Which) -> Measure:

@@ -6,7 +6,7 @@ from ...analysis.first_passage import FirstPassage, strides_to_fall
 from ...analysis.rare_falls import rare_falls
 from ...library.gait import Gait
 from ...library.rough_ground import RoughGround, correlated_weights
-from .claim import SLIPS, STICKS, Estimate, Measure, OwnClaim, Regime, matched, solved, stable_gait
+from .claim import SLIPS, STICKS, Estimate, Measure, OwnClaim, Regime, matched, over_length, stable_gait
 
 RUNNERS, MAX_STRIDES = 256, 300
 """200 falls give a mean to 15 %, with a confidence of 95 %; a runner still up at the end is censored."""
@@ -75,12 +75,7 @@ def rarely(regime: Regime, seed: int) -> Estimate:
 
 def foot(quantity: str, friction: float, reference: float | None = None) -> Measure:
     """A height of the foot above the ground, over the leg's length."""
-
-    def over_length(regime: Regime) -> float:
-        one = runner_on(regime, friction, reference)
-        return one.stride[quantity] / one.runner.values["leg.free_length"]
-
-    return solved(over_length)
+    return over_length(lambda regime: runner_on(regime, friction, reference), quantity)
 
 
 CLAIMS = (

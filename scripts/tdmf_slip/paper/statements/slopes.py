@@ -19,6 +19,7 @@ from .claim import (
     matched,
     remembered,
     solved,
+    stride_quantity,
 )
 from .rough import MATCH
 
@@ -85,7 +86,7 @@ def stable_to(friction: float, angle: float | None = None, reference: float | No
 
 def at_the_top(quantity: str, friction: float) -> Measure:
     """A quantity of the steepest gait."""
-    return solved(lambda regime: climb(regime, friction, None, None)[-1].stride[quantity])
+    return stride_quantity(lambda regime: climb(regime, friction, None, None)[-1], quantity)
 
 
 def slowed(friction: float, reference: float | None = None) -> Measure:

@@ -7,7 +7,20 @@ from ...errors import GaitNotFoundError, RunError
 from ...fmu.fmu import FRICTION
 from ...library.gait import Gait
 from ..matched import changed, like
-from .claim import ANGLE, SLIPS, THRUST, TORQUE, Measure, OwnClaim, Regime, gait, remembered, solved
+from .claim import (
+    ANGLE,
+    SLIPS,
+    THRUST,
+    TORQUE,
+    Measure,
+    OwnClaim,
+    Regime,
+    gait,
+    over_length,
+    remembered,
+    solved,
+    stride_quantity,
+)
 
 FASTER = 1.3
 """Speed over the speed of the gait on friction 0.2 as it comes."""
@@ -54,16 +67,8 @@ def as_high(regime: Regime) -> Gait:
     return equal
 
 
-def _over_length(of: Callable[[Regime], Gait], quantity: str) -> Measure:
-    return solved(lambda regime: of(regime).stride[quantity] / of(regime).runner.values["leg.free_length"])
-
-
 def _by_way(of: Callable[[Regime], Gait]) -> Measure:
     return solved(lambda regime: of(regime).stride["slip_distance"] / of(regime).stride["length"])
-
-
-def _cost(of: Callable[[Regime], Gait], quantity: str) -> Measure:
-    return solved(lambda regime: of(regime).stride[quantity])
 
 
 READINGS = ("default", "clamp")
@@ -81,16 +86,16 @@ CLAIMS = (
     OwnClaim(
         "thrust-slip-stride",
         "Per stride the runner with thrust slips more: slip distance, l₀.",
-        _over_length(by_thrust, "slip_distance"),
-        _over_length(by_torque, "slip_distance"),
+        over_length(by_thrust, "slip_distance"),
+        over_length(by_torque, "slip_distance"),
         BY_THRUST,
         lambda rows: all(rows[name].above for name in READINGS),
     ),
     OwnClaim(
         "thrust-height",
         "The reason is that the runner with thrust hops higher: height of the apex, l₀.",
-        _over_length(by_thrust, "apex_height"),
-        _over_length(by_torque, "apex_height"),
+        over_length(by_thrust, "apex_height"),
+        over_length(by_torque, "apex_height"),
         BY_TORQUE,
         lambda rows: all(rows[name].above for name in READINGS),
     ),
@@ -107,16 +112,16 @@ CLAIMS = (
         "thrust-cost-matched",
         "The net cost of transport of that runner with thrust is lower than that of the runner driven by "
         "torque alone (control).",
-        _cost(as_high, "cost_of_transport"),
-        _cost(by_torque, "cost_of_transport"),
+        stride_quantity(as_high, "cost_of_transport"),
+        stride_quantity(by_torque, "cost_of_transport"),
         BY_TORQUE,
         lambda rows: all(rows[name].below for name in (*READINGS, "heavy")),
     ),
     OwnClaim(
         "thrust-positive-cost-matched",
         "Its cost by positive work, which refunds no braking, is lower, too.",
-        _cost(as_high, "positive_cost_of_transport"),
-        _cost(by_torque, "positive_cost_of_transport"),
+        stride_quantity(as_high, "positive_cost_of_transport"),
+        stride_quantity(by_torque, "positive_cost_of_transport"),
         BY_TORQUE,
         lambda rows: all(rows[name].below for name in (*READINGS, "heavy")),
     ),
