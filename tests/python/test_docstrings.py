@@ -9,6 +9,7 @@ import pytest
 import tdmf_slip
 
 PACKAGE = pathlib.Path(__file__).resolve().parents[2] / "scripts/tdmf_slip"
+INSTALLED = pathlib.Path(tdmf_slip.__file__).parent
 NEEDS_A_PEER = "bench.peers"
 SECTION = re.compile(r"^(\w+)\n-+\n(.*?)(?=^\w+\n-+\n|\Z)", re.MULTILINE | re.DOTALL)
 ENTRY = re.compile(r"^(\*{0,2}\w+(?:, \w+)*) : \S", re.MULTILINE)
@@ -22,6 +23,11 @@ def modules():
             yield importlib.import_module(f"tdmf_slip.{name}")
 
 
+def is_own(function):
+    """Whether the package defines it: Matplotlib adds a method `set` to each class of artists."""
+    return inspect.unwrap(function).__code__.co_filename.startswith(str(INSTALLED))
+
+
 def functions():
     """Public functions and methods of all modules, each once."""
     for module in modules():
@@ -33,7 +39,7 @@ def functions():
             elif inspect.isclass(thing):
                 for member, value in vars(thing).items():
                     function = value.__func__ if isinstance(value, classmethod) else value
-                    if inspect.isfunction(function) and not member.startswith("_"):
+                    if inspect.isfunction(function) and not member.startswith("_") and is_own(function):
                         yield f"{module.__name__}.{name}.{member}", function
 
 
