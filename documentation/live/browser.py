@@ -66,13 +66,13 @@ def chromium(width, height, dark=False):
 
 @contextlib.contextmanager
 def script_first(driver, source):
-    """Run a script in each page that is opened meanwhile, before the page's own; leave the last page."""
+    """Run a script before those of each page that is opened in this context; then leave the last page."""
     script = driver.execute_cdp_cmd("Page.addScriptToEvaluateOnNewDocument", {"source": source})
     try:
         yield driver
     finally:
         driver.execute_cdp_cmd("Page.removeScriptToEvaluateOnNewDocument", script)
-        driver.get("about:blank")  # a runner would run on
+        driver.get("about:blank")  # stops the runner of the last page
 
 
 def wait(driver, condition, what="the page"):

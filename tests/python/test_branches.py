@@ -166,7 +166,7 @@ def test_a_branch_does_not_jump_to_another_sheet(fmu):
         assert nearest > 0.5 * min(before, after), number
 
 
-def test_a_doubled_gait_is_told_like_any_other(over_low_angle):
+def test_a_doubled_gait_is_reported_like_any_other(over_low_angle):
     (doubled,) = over_low_angle.branches
     printed = doubled.as_json()
     assert printed["strides"] == 2 and printed["began"].startswith(

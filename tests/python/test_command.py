@@ -28,14 +28,14 @@ def middle_of(ball):
 
 
 @pytest.mark.parametrize("proved", PROVED, ids=lambda proved: f"friction {proved['friction']}")
-def test_a_gait_is_told_with_its_proved_period(command, proved):
+def test_a_gait_has_its_proved_period(command, proved):
     options = ("--friction", proved["friction"], "--set", "hip.swing_clamp=true")
     gait = json.loads(command("gait", *options, "--json")[1])
     assert gait["period"] == pytest.approx(middle_of(proved["period"]), rel=1e-13, abs=0)
 
 
 @pytest.mark.parametrize("known", reference_gaits(False), ids=name_of_gait)
-def test_a_gait_of_the_default_runner_is_told_with_its_reference_period(command, known):
+def test_a_gait_of_the_default_runner_has_its_reference_period(command, known):
     gait = json.loads(command("gait", "--friction", known["friction"], "--json")[1])
     assert gait["period"] == pytest.approx(known["period"], rel=1e-13, abs=0)
 

@@ -1,4 +1,4 @@
-"""This project's claims: commands that parse, stored values that bear them out, a page that says no more."""
+"""Claims of this project: their commands parse, stored values bear them out, the page shows stored values."""
 
 import os
 from pathlib import Path
@@ -22,7 +22,7 @@ SOLVED = [claim for claim in CLAIMS if "tdmf-slip gait" in claim.command]
 PAGE = (DOCUMENTATION / "results.md").read_text(encoding="utf-8")
 
 
-def told(claim):
+def name_of(claim):
     return claim.name
 
 
@@ -43,7 +43,7 @@ def test_names_are_unique():
     assert len({claim.name for claim in CLAIMS}) == len(CLAIMS)
 
 
-@pytest.mark.parametrize("claim", CLAIMS, ids=told)
+@pytest.mark.parametrize("claim", CLAIMS, ids=name_of)
 def test_its_command_is_one(claim):
     """It parses: every option is known and has a value, and every file that it names is there."""
     name, *arguments = claim.command.replace("{seed}", "3").removeprefix("tdmf-slip ").split()
@@ -53,7 +53,7 @@ def test_its_command_is_one(claim):
     assert given.get("parameters") in (None, *preset_names(), *shipped_names())
 
 
-@pytest.mark.parametrize("claim", SOLVED, ids=told)
+@pytest.mark.parametrize("claim", SOLVED, ids=name_of)
 def test_stored_values_of_single_gaits_are_computed_again(claim):
     section = next(name for name, claims in SECTIONS.items() if claim in claims)
     stored = results_page.recomputed(section, results_page.read(FOLDER, section), 1)
@@ -63,7 +63,7 @@ def test_stored_values_of_single_gaits_are_computed_again(claim):
 
 
 def check(row, stored):
-    """What is solved is solved again; what is drawn may differ between processors, within the intervals."""
+    """Numbers without chance are equal; intervals of estimates overlap, as processors round differently."""
     for now, then in ((row.value, stored.value), (row.control, stored.control)):
         if not isinstance(then, Estimate):
             assert now == then
@@ -77,7 +77,7 @@ def one_claim(measure, holds=lambda rows: rows["default"].number == 2.0):
     return OwnClaim("name", "two", measure, None, "tdmf-slip gait --seed {seed}", holds)
 
 
-def test_a_claim_about_a_number_that_there_is_not_does_not_hold():
+def test_a_claim_that_needs_a_missing_number_does_not_hold():
     def fails(regime):
         raise RunError("unstable")
 
@@ -94,7 +94,7 @@ def test_a_claim_about_a_number_that_there_is_not_does_not_hold():
         assert again.rows == found.claims[0].rows
 
 
-def test_an_estimate_says_its_interval_and_a_bound_where_nothing_happened():
+def test_an_estimate_shows_its_interval_or_a_bound_where_no_runner_fell():
     assert str(Estimate(12.34, 10.0, 15.06)) == "12.3 (10 to 15.1)"
     assert str(Estimate(float("inf"), 12345.6, float("inf"))) == "> 12,346"
     assert str(Row(Estimate.exact(0.25), "no gait")) == "0.25 / no gait"

@@ -58,7 +58,7 @@ SIGNED = {n for n, (low, _) in NEAR.items() if low < 0} | {
 }  # fmt: skip
 STEP_LIMIT = 20000
 AT_JUMPS = "peak_vertical_force"
-"""The core takes this force before the foot slips where an input jumps: a mode that does not last."""
+"""Where an input jumps, the core also counts this force in a mode that ends at once."""
 
 
 def drawn(number):

@@ -171,7 +171,7 @@ def test_thrust_makes_no_leg_shorter(whole, more, longer):
     assert Runner.at("stick", stance="coast", **given).rest_length() == pytest.approx(1 + longer, abs=1e-15)
 
 
-def test_a_second_apex_closes_a_stride_however_low_the_rise_before_it(whole):
+def test_a_second_apex_closes_a_stride_after_the_lowest_rise(whole):
     """An external force lifts the centre of mass by 1e-13 and pulls it down again: place begins anew."""
     weight, push, time = 1.1 * 0.01, 1e-8, 1e-2
     given = {"external_fy": weight + push, "external_fy_rate": -2 * push / time, "retraction_rate": 0.01}
@@ -180,7 +180,7 @@ def test_a_second_apex_closes_a_stride_however_low_the_rise_before_it(whole):
     assert (run.count, run.placing) == (1, pytest.approx(5.0 - time, abs=1e-4))
 
 
-def test_the_time_in_place_is_0_elsewhere(whole):
+def test_the_time_in_place_is_0_in_other_phases(whole):
     run, placings = whole.start(tolerance=1e-11), {}
     for time in np.arange(0.1, 26, 0.1):
         run.to(time)

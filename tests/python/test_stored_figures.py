@@ -6,6 +6,7 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
+from matplotlib.backends.backend_agg import FigureCanvasAgg
 from tdmf_slip import Runner, compare, find_gait, strides_to_fall
 from tdmf_slip import viability as find_viable
 from tdmf_slip.library.quantities import quantities_of
@@ -77,8 +78,8 @@ def test_gaits_of_each_actuation_are_what_is_kept():
     assert compared == 10
 
 
-def test_patches_fell_downhill_by_the_grip_beyond_them():
-    """Some places measured again, and what the guide says of all."""
+def test_patches_cause_falls_downhill_on_grippy_ground():
+    """Some points are measured again; the guide's numbers are those of all points."""
     data = stored.columns("slippery_patch")
     assert len(data["falls"]) == 5 * 11 * 14
     first = {
@@ -177,7 +178,7 @@ def test_figures_are_drawn_of_what_is_kept_and_no_legend_is_cut_off(command, mon
     save = style.save
 
     def look(figure, path, *arguments):
-        renderer = figure.canvas.get_renderer()
+        renderer = FigureCanvasAgg(figure).get_renderer()
         figure.draw(renderer)
         legends = [*figure.legends, *(axes.get_legend() for axes in figure.axes if axes.get_legend())]
         boxes = [legend.get_window_extent(renderer) for legend in legends]

@@ -1,9 +1,9 @@
 /**
- * Pictures that cost much wait until somebody can see them.
+ * Expensive pictures wait until the page is visible.
  * @module
  */
 
-/** @returns {Promise<void>} Kept as soon as the page is visible. */
+/** @returns {Promise<void>} Fulfilled as soon as the page is visible. */
 export async function seen() {
   while (document.hidden) {
     await new Promise((resolve) => {
