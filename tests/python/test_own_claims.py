@@ -11,7 +11,7 @@ from tdmf_slip.errors import RunError
 from tdmf_slip.fitting.measurements import shipped_names
 from tdmf_slip.fmu.parameters import preset_names
 from tdmf_slip.paper import results_page
-from tdmf_slip.paper.own_claims import OwnClaims, Recomputed, own_claims
+from tdmf_slip.paper.own_claims import LAST_SEED, OwnClaims, Recomputed, own_claims
 from tdmf_slip.paper.statements.claim import DEFAULT, REGIMES, Estimate, OwnClaim, Row, solved
 from tdmf_slip.paper.statements.table import SECTIONS
 
@@ -107,6 +107,13 @@ def test_a_row_is_above_its_control_where_the_intervals_are_apart():
     for row in (Row("no gait", lower), Row(lower, "no gait"), Row(lower, None)):
         with pytest.raises(RunError):
             print(row.above)
+
+
+@pytest.mark.parametrize("name", ["feedback-matched", "attraction"])
+def test_the_largest_seed_suits_the_claims_that_draw_from_its_multiples(name):
+    (claim,) = (claim for claim in CLAIMS if claim.name == name)
+    row = claim.row(DEFAULT, LAST_SEED)
+    assert isinstance(row.value, Estimate) and isinstance(row.control, Estimate)
 
 
 @release

@@ -9,7 +9,7 @@ from ..errors import InputError
 from ..files.whole import check_folder
 from ..fmu.fmu import load_fmu
 from ..fmu.simulation import TOLERANCES
-from ..library.rough_ground import LAST_SEED
+from ..paper.own_claims import LAST_SEED
 from ..paper.settling import DEFAULT_TOLERANCE
 from ..paper.validation import validate
 from .options import JSON_OPTION, Command, Number
@@ -34,22 +34,22 @@ from .output import json_text, program
     "--gaits",
     "only_gaits",
     is_flag=True,
-    help="Only the five gaits of both readings, without the statements.",
+    help="Compute only the five gaits of both readings, not the statements.",
 )
 @click.option("--long", "own", is_flag=True, help="Also compute this project's own claims: up to an hour.")
 @click.option(
     "--seed",
-    type=Number(0, LAST_SEED - 1, whole=True),
+    type=Number(0, LAST_SEED, whole=True),
     default=1,
     show_default=True,
     metavar="K",
-    help="Of what is drawn for --long.",
+    help="Seed of the random numbers of --long.",
 )
 @JSON_OPTION
 def validate_command(
     tolerance: float, pictures: Path | None, only_gaits: bool, own: bool, seed: int, as_json_object: bool
 ) -> None:
-    """The paper's gaits and statements beside both readings of (12); with --long our own claims, too.
+    """Compare the paper's gaits and statements with both readings of (12); with --long also our own claims.
 
     The exit status is 1 where a computed value is farther from its recorded reference than allowed, or
     a claim does not hold.

@@ -12,6 +12,9 @@ from ..terminal.text import table
 from .statements.claim import DEFAULT, REGIMES, Cell, Estimate, OwnClaim, Row
 from .statements.table import SECTIONS
 
+LAST_SEED = 2**62 - 1
+"""Largest seed: claims draw from up to three times a seed, and `volume` takes seeds up to 2**63."""
+
 
 @dataclass(frozen=True, eq=False)
 class Recomputed(ByContents):

@@ -18,7 +18,7 @@ from . import guinea_fowl, human_running, published, recorded
 from . import reference_gaits as reference
 from .claims import PAPER, READINGS, WORDS, Claim, Group, of_group
 from .evidence import gather, gather_classic
-from .own_claims import OwnClaims, own_claims
+from .own_claims import LAST_SEED, OwnClaims, own_claims
 from .reference_gaits import Drift
 from .settling import DEFAULT_TOLERANCE, SettledRun, settle_fmu
 
@@ -228,7 +228,7 @@ def validate(
     >>> print(validation.passed)
     True
     """
-    fmu, own, seed = load_fmu(fmu), checked_flag("own", own), checked_whole("seed", seed, 0, 2**63 - 1)
+    fmu, own, seed = load_fmu(fmu), checked_flag("own", own), checked_whole("seed", seed, 0, LAST_SEED)
     runners = {
         reading: {**read_parameters("paper"), "hip.swing_clamp": value} for reading, value in READINGS.items()
     }
