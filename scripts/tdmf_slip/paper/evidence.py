@@ -29,7 +29,7 @@ SIMULATED, SETTLED = 700, 1e-6
 """Strides of a simulation on the least friction, and the distance from the gait at which it has settled."""
 PERTURBED = np.geomspace(0.3, 0.05, 8)
 """Frictions of perturbed gaits, where the paper could not differentiate its return map."""
-PERTURBATIONS = np.linspace(-0.2, 0.2, 41)
+PERTURBATIONS = np.concatenate([np.linspace(-0.2, -0.01, 20), np.linspace(0.01, 0.2, 20)])
 """Change of one coordinate of the apex, in units of l0, sqrt(m/k) and rad."""
 LEG_ANGLE = COORDINATES.index("leg_angle")
 SLIP_ANGLE = 40.0
