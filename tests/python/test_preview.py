@@ -54,9 +54,9 @@ def test_an_island_as_wide_as_a_square_is_found_and_a_smaller_one_may_be_missed(
 
 @pytest.mark.parametrize("friction", [1.2, 10.0])
 def test_a_preview_is_the_exact_map_where_a_border_crosses_it(friction):
-    """Where there are both fates, and by a fifth of the strides at the most."""
-    exact = tdmf_slip.basin({"ground.friction": friction}, AXES, n=96, threads=1)
-    preview = tdmf_slip.basin({"ground.friction": friction}, AXES, n=96, threads=1, refine="preview")
+    """Where there are both fates, and with about a third of the strides at most."""
+    exact = tdmf_slip.basin({"ground.friction": friction}, AXES, n=160, threads=1)
+    preview = tdmf_slip.basin({"ground.friction": friction}, AXES, n=160, threads=1, refine="preview")
     assert len(np.unique(exact["fate"])) > 1
     assert (preview["fate"] != exact["fate"]).mean() < 2e-3
     is_followed = preview["is_followed"] == 1

@@ -7,7 +7,8 @@ projection that takes its part away. Then the form
 
 falls each stride, by that eigenvalue squared in its first part and by g^2 in its second (Lyapunov). With
 several g and widths r, how far from the gait the norm sqrt(x' P x) still falls, over two strides, is tried
-from points of the surface and of shells inside; x is over the section's scales.
+from points of the surface and of shells inside; x is over the section's scales. The ball ends inside the
+tested surface, because a start that falls may lie between two points of it.
 """
 
 import itertools
@@ -34,6 +35,8 @@ FIRST_POINTS = 500
 """Of these, for a radius to be worth the test."""
 RADII = tuple(0.6 * 2.0 ** (-k / 6) for k in range(30))
 """That are tried, in the form's norm, which measures the slowest part: from 0.6 of the section's scales."""
+INSIDE = 0.9
+"""The ball's radius over that of the tested surface."""
 WIDTHS = ((0.3, 1.5), (0.3, 2.5), (0.7, 1.5))
 """That are tried: how far g is from the second largest eigenvalue to 1, over the way, and r."""
 MARGIN = 0.75
@@ -105,7 +108,7 @@ def tested_ball(gait: Gait, law: AffineLaw | None = None) -> Ball | None:
                 continue
             rate = stride.rate(radius * points)
             if rate <= maximum:
-                matrix = stride.matrix / radius
+                matrix = stride.matrix / (INSIDE * radius)
                 return Ball("tested", cube_in(matrix * scales), rate, POINTS, matrix)
     return None
 
