@@ -163,8 +163,16 @@ class PythonTop(SphinxDirective):
         return around.children
 
 
+def skip_foreign(
+    app: Sphinx, what: str, name: str, thing: object, skip: bool, options: object
+) -> bool | None:
+    """Leave out methods of other packages: Matplotlib adds `set` to each class of artists."""
+    return True if inspect.isfunction(thing) and not thing.__module__.startswith(PACKAGE) else None
+
+
 def setup(app: Sphinx) -> dict[str, bool]:
     """Let the pages be written before the sources are read."""
     app.add_directive("python-top", PythonTop)
+    app.connect("autodoc-skip-member", skip_foreign)
     app.connect("builder-inited", write_pages)
     return {"parallel_read_safe": True, "parallel_write_safe": True}
