@@ -99,9 +99,9 @@ class Validation(ByContents, Drawable):
         return "\n\n".join([self._gait_table(), *said, *others, *own, self._drift_summary()])
 
     def _gait_table(self) -> str:
-        header = ["friction mu", "published word"]
+        header = ["friction", "paper"]
         for reading in self.gaits:
-            header += [f"{reading}: word", "period", "speed", "cost"]
+            header += [reading, "period", "speed", "cost"]
         rows = []
         for row in zip(*self.gaits.values(), strict=True):
             cells = [f"{row[0].friction:g}", WORDS[row[0].friction]]
@@ -113,10 +113,11 @@ class Validation(ByContents, Drawable):
                     f"{gait.cost_of_transport:.5f}",
                 ]
             same = all(gait.word == WORDS[gait.friction] for gait in row)
-            rows.append([*cells, "same words" if same else "OTHER WORDS"])
+            rows.append([*cells, "same words" if same else "OTHER"])
         notes = [
-            "Periods in sqrt(m/k), speeds in l0 sqrt(k/m). The paper gives no numbers for single gaits.",
-            "Readings of (12): free swing (hip.swing_clamp = false, the default) and clamp (true).",
+            "Gait words of the paper and of both readings of (12): free swing (hip.swing_clamp = false,",
+            "the default) and clamp (true). Periods in sqrt(m/k), speeds in l0 sqrt(k/m); the paper gives",
+            "no such numbers.",
         ]
         return "\n".join([table([*header, "verdict"], rows), *notes])
 
