@@ -9,7 +9,17 @@ import pytest
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 PACKAGE = ROOT / "scripts/tdmf_slip"
 PAGES = ROOT / "c_core/equations"
-GROUND = {"checks", "contents", "drawable", "errors", "given", "labelled", "record", "version"}
+GROUND = {
+    "checks",
+    "contents",
+    "drawable",
+    "errors",
+    "given",
+    "labelled",
+    "record",
+    "uninterrupted",
+    "version",
+}
 KNOWS = {
     "terminal": GROUND,
     "numerics": GROUND,

@@ -32,12 +32,12 @@ description = fmpy.read_model_description(folder)
 unit = fmpy.simulation.instantiate_fmu(
     folder, description, "CoSimulation", debug_logging=True, logger=lambda *a: said.append(a[-1].decode())
 )
-unit.setupExperiment(stopTime=13.0)
+unit.setupExperiment(stopTime=12.2)
 unit.enterInitializationMode()
 unit.exitInitializationMode()
-unit.doStep(0.0, 13.0)
+unit.doStep(0.0, 12.2)
 try:
-    unit.doStep(13.0, 1.0)
+    unit.doStep(12.2, 1.0)
 except fmpy.fmi1.FMICallException:
     rows.append(said)
 unit.freeInstance()
@@ -64,4 +64,4 @@ def test_ten_strides_are_the_same_to_the_last_bit(tmp_path):
     refusal, (event, stop) = with_comma[-2:]
     assert "0.01" in refusal
     assert event.startswith("touchdown at 12.02")
-    assert "stop time, 13 s" in stop
+    assert "stop time, 12.2 s" in stop
