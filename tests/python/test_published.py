@@ -1,13 +1,12 @@
 """Verdicts on the paper's statements, against references and independent derivations."""
 
-import importlib.resources
-import json
 import math
 from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
+from conftest import reference_gaits
 from scipy.integrate import solve_ivp
 from tdmf_slip import Runner, stride_map
 from tdmf_slip.paper import papers_page, published
@@ -31,13 +30,6 @@ def claims(evidence):
     return {claim.what: claim for claim in published.claims(evidence, gather_classic())}
 
 
-def references(reading):
-    """Gaits by an independent program, by falling friction."""
-    file = importlib.resources.files("tdmf_slip.paper").joinpath("reference_gaits.json")
-    gaits = json.loads(file.read_text(encoding="utf-8"))["gaits"]
-    return [gait for gait in gaits if gait["swing_clamp"] == READINGS[reading]]
-
-
 @pytest.mark.parametrize(
     ("free", "clamp", "options", "group", "verdict"),
     [
@@ -58,16 +50,16 @@ def test_the_findings_of_both_readings_decide_on_the_group(free, clamp, options,
 @pytest.mark.parametrize("reading", READINGS)
 def test_where_the_leg_waits_is_as_in_the_references(reading, claims):
     """The reference's leg at the apex is at eta theta_LO without the clamp, far from it with the clamp."""
-    gait = references(reading)[0]
+    gait, *_ = gaits = reference_gaits(READINGS[reading])
     off = math.degrees(abs(gait["apex"][3] - 1.2 * gait["liftoff_angle"]))
     assert claims["theta after lift-off, mu = 10"].computed[reading].agrees == (off < 1.0)
-    behind = all(gait["apex"][3] < 0.0 for gait in references(reading) if gait["friction"] >= 0.2)
+    behind = all(gait["apex"][3] < 0.0 for gait in gaits if gait["friction"] >= 0.2)
     assert claims["trajectories"].computed[reading].agrees == behind == (reading == FREE)
 
 
 @pytest.mark.parametrize("reading", READINGS)
 def test_the_work_falls_below_friction_one_half_as_in_the_references(reading, claims):
-    work = [gait["work"] for gait in references(reading) if gait["friction"] <= 0.5]
+    work = [gait["work"] for gait in reference_gaits(READINGS[reading]) if gait["friction"] <= 0.5]
     assert len(work) >= 2 and np.all(np.diff(work) < 0.0)
     assert not claims["work W below mu = 0.5"].computed[reading].agrees
 
