@@ -9,7 +9,6 @@ import pytest
 import tdmf_slip
 
 PACKAGE = pathlib.Path(__file__).resolve().parents[2] / "scripts/tdmf_slip"
-INSTALLED = pathlib.Path(tdmf_slip.__file__).parent
 NEEDS_A_PEER = "bench.peers"
 SECTION = re.compile(r"^(\w+)\n-+\n(.*?)(?=^\w+\n-+\n|\Z)", re.MULTILINE | re.DOTALL)
 ENTRY = re.compile(r"^(\*{0,2}\w+(?:, \w+)*) : \S", re.MULTILINE)
@@ -25,7 +24,7 @@ def modules():
 
 def is_own(function):
     """Whether the package defines it: Matplotlib adds a method `set` to each class of artists."""
-    return inspect.unwrap(function).__code__.co_filename.startswith(str(INSTALLED))
+    return function.__module__.startswith(tdmf_slip.__name__)
 
 
 def functions():
