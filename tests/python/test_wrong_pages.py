@@ -1,5 +1,6 @@
 """Pages that are written wrongly: each gets one message, with file, line and name, before anything is compiled."""
 
+import difflib
 import importlib.util
 import re
 import sys
@@ -113,13 +114,9 @@ WRONG = [
 @pytest.mark.parametrize(("changes", "words"), [case[1:] for case in WRONG], ids=[case[0] for case in WRONG])
 def test_a_wrong_page_is_refused_with_file_line_and_name(tmp_path, changes, words):
     file = tmp_path / "ball.py"
-    text = PAGE.format(**GOOD | changes)
-    marked = PAGE.format(**GOOD | {name: f"<{code}>" for name, code in changes.items()}).split("\n")
-    wrong, is_in = set(), False
-    for number, line in enumerate(marked, 1):
-        is_in |= "<" in line
-        wrong |= {number} if is_in else set()
-        is_in &= not line.rstrip().endswith(">")
+    text, right = PAGE.format(**GOOD | changes), PAGE.format(**GOOD)
+    edits = difflib.SequenceMatcher(None, right.splitlines(), text.splitlines()).get_opcodes()
+    wrong = {line + 1 for kind, _, _, low, high in edits if kind != "equal" for line in range(low, high)}
     file.write_text(text, encoding="utf-8")
     with pytest.raises(PageError) as refused:
         spec = importlib.util.spec_from_file_location("ball", file)
