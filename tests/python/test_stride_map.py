@@ -167,12 +167,12 @@ def test_runners_have_their_own_parameters_and_settings(gait, starts):
                 TORQUE: torque[stride],
                 "hip.kd": 0.5,
             }
-            here = one_stride(found, number, stride)
-            if found["fate"][number, stride] == FELL:
+            runner, here = Runner.of(values), one_stride(found, number, stride)
+            if here["fate"] == FELL:
                 with pytest.raises(RunError, match="fell"):
-                    strides_from(Runner.of(values), here["apex"])
+                    strides_from(runner, here["apex"])
                 continue
-            stride = strides_from(Runner.of(values), here["apex"])
+            stride = strides_from(runner, here["apex"])
             assert here["word"] == stride.word
             assert here["cost_of_transport"] == pytest.approx(stride.stride["cost_of_transport"], abs=1e-8)
             np.testing.assert_allclose(here["next_apex"] - here["apex"], stride.left_over, atol=1e-8)
