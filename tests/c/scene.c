@@ -74,11 +74,6 @@ void scene_set_vertical_force(runner *runner, double vertical_force) {
     runner->motion.state[TDMF_LEG_LENGTH] = length;
 }
 
-double scene_stance_law(const runner *runner) {
-    const double torque = runner->model.parameters.hip.stance_torque + runner->inputs.control.stance_torque;
-    return runner->motion.mode.mid_stance_pending ? -torque : 0.0;
-}
-
 double scene_retract_law(const runner *runner) {
     const tdmf_parameters *p = &runner->model.parameters;
     const double target = p->hip.liftoff_angle_factor * runner->motion.mode.liftoff_angle;

@@ -24,9 +24,8 @@ runner scene_at_impact(tdmf_hip_phase phase, double leg_angle, double vertical_f
 /* Adjusts the leg length so that the ground carries `vertical_force` under the present hip torque. */
 void scene_set_vertical_force(runner *runner, double vertical_force);
 
-/* The hip's laws (11) and (12) once more, for the tests, without the external torque: stance, retract
- * without its clamp, and place. */
-double scene_stance_law(const runner *runner);
+/* The hip's law (12) once more, for the tests, without the external torque: retract without its clamp, and
+ * place. */
 double scene_retract_law(const runner *runner);
 double scene_place_law(const runner *runner);
 
