@@ -45,7 +45,7 @@ enum {
     PUBLISHED_GAITS = 5,
     CLAMPED_GAIT = PUBLISHED_GAITS + DEFAULT_GAIT,
     REFERENCE_GAITS = 2 * PUBLISHED_GAITS + 2,
-    EVERY_OTHER = 2 /* step of an expensive test: the words and both readings are left */
+    EVERY_OTHER = 2 /* step of an expensive test: it keeps every word and both readings */
 };
 
 extern const reference_gait reference_gaits[REFERENCE_GAITS];

@@ -455,9 +455,9 @@ static void work_is_counted(void **state) {
     free(population);
 }
 
-/* Of the word +0-0+: touchdown, two slips that end and two that begin, mid-stance, lift-off, the end of
- * graze, the apex, and the clamp. At this tolerance too each is due where a series has found it, and not once
- * more. */
+/* Events of the word +0-0+: touchdown, two slips that end and two that begin, mid-stance, lift-off, the end
+ * of graze, and the apex; with the clamp, its release too. Even at this tolerance each event is met once,
+ * where a series has found it. */
 static void each_event_is_met_once(void **state) {
     enum { EVENTS = 9, STRIDES = 7 };
     int sets = 0;

@@ -96,7 +96,7 @@ class Run:
         return -self.kp * (leg.angle - target) - self.kd * leg.angle_rate
 
     def flight_torque(self, leg):
-        """Where the clamp is on, it holds the torque at zero before the apex."""
+        """Torque of the servo; before the apex, the clamp keeps it from being negative."""
         return max(self.servo(leg), longdouble(0)) if self.clamps else self.servo(leg)
 
     @property

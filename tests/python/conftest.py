@@ -268,7 +268,7 @@ def locked(name):
 
 @pytest.fixture(scope="session")
 def made_once(tmp_path_factory):
-    """Gives the folder of a name, which a function fills: once, whichever worker is first."""
+    """Function that returns a folder for all workers; the first worker that asks for it has it filled."""
     own = tmp_path_factory.getbasetemp()
     all_workers = own.parent if "PYTEST_XDIST_WORKER" in os.environ else own
 

@@ -15,7 +15,7 @@ from tdmf_slip.library.quantities import quantities_of
 SEEDS, MINIMUM, MAXIMUM = (400, 0.92, 0.98) if RELEASE else (20, 0.80, 1.0)
 """By chance the share of 400 is outside these limits once in 200 times, that of 20 once in 390."""
 FEWER = {} if RELEASE else {"weak": (10, 0.70)}
-"""Seeds and least share of the scenario that takes as long as all others: by chance less, once in 970."""
+"""Seeds and minimum share of the slowest scenario. By chance the share is smaller once in 970 times."""
 PRECISE = ("speed", "frequency", "stance_time", "duty_factor", "slip_distance", "peak_force")
 WEAK = ("speed", "frequency", "stance_time", "peak_force")
 TORQUES = (0.14, 0.17, 0.2, 0.24, 0.28)
