@@ -26,10 +26,15 @@ def name_of(claim):
     return claim.name
 
 
+def stored_claims(section, seed):
+    """Claims of a section with their stored values for a seed."""
+    return results_page.recomputed(section, results_page.read(FOLDER, section), seed)
+
+
 @pytest.mark.parametrize("section", SECTIONS)
 @pytest.mark.parametrize("seed", results_page.SEEDS)
 def test_every_claim_holds_of_the_stored_values(section, seed):
-    found = results_page.recomputed(section, results_page.read(FOLDER, section), seed)
+    found = stored_claims(section, seed)
     assert [one.claim.name for one in found if not one.holds] == []
     assert all(list(one.rows) == [regime.name for regime in REGIMES] for one in found)
 
@@ -56,7 +61,7 @@ def test_its_command_is_one(claim):
 @pytest.mark.parametrize("claim", SOLVED, ids=name_of)
 def test_stored_values_of_single_gaits_are_computed_again(claim):
     section = next(name for name, claims in SECTIONS.items() if claim in claims)
-    stored = results_page.recomputed(section, results_page.read(FOLDER, section), 1)
+    stored = stored_claims(section, 1)
     rows = next(one.rows for one in stored if one.claim is claim)
     for regime in REGIMES:
         check(claim.row(regime, 1), rows[regime.name])
@@ -121,7 +126,7 @@ def test_the_largest_seed_suits_the_claims_that_draw_from_its_multiples(name):
 def test_every_claim_computed_again_holds(section):
     seed = int(os.environ.get("TDMF_SLIP_SEED", "1"))
     found = own_claims(sections=[section], seed=seed)
-    stored = results_page.recomputed(section, results_page.read(FOLDER, section), seed)
+    stored = stored_claims(section, seed)
     for one, then in zip(found.claims, stored, strict=True):
         assert one.holds, one.claim.name
         for regime in REGIMES:
