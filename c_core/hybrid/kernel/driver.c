@@ -163,18 +163,6 @@ static void scale_to_step(const work *w, real sign, real *g) {
     }
 }
 
-/* The range of the partial sums of a polynomial, which bound it on [0, 1]. */
-static interval range_of(const real *g, int order) {
-    interval of = interval_at(g[0], g[0]);
-    real sum = g[0];
-    for (int k = 1; k < order; ++k) {
-        sum += g[k];
-        of.low = real_min(of.low, sum);
-        of.high = real_max(of.high, sum);
-    }
-    return of;
-}
-
 /* The end of a piece of [from, 1] in which a polynomial, scaled to the step, keeps its sign. */
 static real end_of_sign(const real *g, int degree, real from) {
     real largest = 0.0;
@@ -185,8 +173,8 @@ static real end_of_sign(const real *g, int degree, real from) {
     return found.is_root && found.time < 1.0 ? found.time : 1.0;
 }
 
-/* The integral over the step where g is positive. The partial sums of a polynomial on [0, 1] bound it. It is
- * not searched for changes of sign if its integral is below `least`. */
+/* The integral over the step where g is positive. The polynomial is not searched for changes of sign if its
+ * integral is below `least`. */
 static real positive_integral(const work *w, real *g, real least) {
     const real tail = change_of(g, w->power, w->order), size = w->power[1];
     if (g[0] + tail <= 0.0) {
@@ -201,11 +189,11 @@ static real positive_integral(const work *w, real *g, real least) {
     if (g[0] >= tail || size * (g[0] + tail) < least) {
         return whole;
     }
-    scale_to_step(w, 1.0, g);
-    const interval range = range_of(g, w->order);
+    const interval range = interval_of_series(g, w->power, w->order);
     if (range.low >= 0.0 || range.high <= 0.0 || size * (range.high - range.low) < least) {
         return whole;
     }
+    scale_to_step(w, 1.0, g);
     real sum = 0.0, from = 0.0, before = 0.0;
     for (int pieces = 0; pieces < PIECE_LIMIT && from < 1.0; ++pieces) {
         from = end_of_sign(g, w->order - 1, from);
@@ -332,13 +320,10 @@ static void search_guard(work *w, const tdmf_guard_kind *kind, real *g, real flo
         }
         return;
     }
-    if (g[0] > change_of(g, w->power, w->order)) {
+    if (g[0] > change_of(g, w->power, w->order) || interval_of_series(g, w->power, w->order).low > 0.0) {
         return;
     }
     scale_to_step(w, 1.0, g);
-    if (range_of(g, w->order).low > 0.0) {
-        return;
-    }
     const root found = first_root(g, w->order - 1, floor, 0.0, real_min(1.0, w->end), true);
     if (found.zero < w->end && (found.is_root || found.time < 1.0)) {
         w->end = found.zero;
