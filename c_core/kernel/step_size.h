@@ -24,13 +24,17 @@ static inline void add_to_remainder(series_remainder *remainder, const real *c, 
     remainder->last_but_one += real_abs(c[order - 1]) * allowed;
 }
 
+/* The time at which neither of the last two terms is larger than the tolerance. */
+static inline real size_of_remainder(const series_remainder *remainder, int order, real tolerance) {
+    return real_min(rough_root(tolerance / remainder->last, order),
+                    rough_root(tolerance / remainder->last_but_one, order - 1));
+}
+
 /* How far series of an order may be trusted, but no further than `longest`; not a number where they are not
  * finite. */
 static inline real trusted_size(const series_remainder *remainder, real longest, int order, real tolerance) {
-    const real by_last = rough_root(tolerance / remainder->last, order);
-    const real by_last_but_one = rough_root(tolerance / remainder->last_but_one, order - 1);
     const mask known = is_finite(remainder->last + remainder->last_but_one);
-    return select(known, real_min(longest, real_min(by_last, by_last_but_one)), broadcast(NAN));
+    return select(known, real_min(longest, size_of_remainder(remainder, order, tolerance)), broadcast(NAN));
 }
 
 /* Where a leg does not turn, its motion is a sum of exponentials, whose coefficients fall sooner than those

@@ -11,6 +11,8 @@
  */
 #include "driver.h"
 
+#include "step_size.h"
+
 #include <stdlib.h>
 
 enum {
@@ -21,7 +23,7 @@ enum {
 static const double margin = 1e-12;         /* of a guard, relative to its scale */
 static const double late_margin = 1e-9;     /* of the guard of an event that was just taken */
 static const double most_time_scales = 3.0; /* of a law in a step */
-static const double largest_change = 0.75;  /* of a divisor within a step, relative to it */
+static const double divisor_change = 0.75;  /* of a divisor within a step, relative to it */
 static const double guard_tolerance = 10.0; /* of a guard's series, relative to that of a step */
 static const double part_tolerance = 0.01;  /* of a positive integral, relative to that of a step */
 static const double sign_margin = 1e-7;     /* of an observed quantity, relative to its largest coefficient */
@@ -85,39 +87,21 @@ static void expand(work *w) {
     w->motion->expand(w->c, w->order, w->s[0]);
 }
 
-/* The share of a step at which the last two terms of a series are no larger than what is allowed. */
-static real trusted_share(real allowed, real last, real last_but_one, int order) {
-    return real_min(rough_root(allowed / last, order - 1), rough_root(allowed / last_but_one, order - 2));
-}
-
-/* The sum of |c[k]| power[k] over k = 1, 2, ... bounds the change of a series. Two sums, because one would
- * wait for each of its terms. */
-static real change_of(const real *c, const real *power, int order) {
-    real odd = 0.0, even = 0.0;
-    int k = 1;
-    for (; k + 1 < order; k += 2) {
-        odd += real_abs(c[k]) * power[k];
-        even += real_abs(c[k + 1]) * power[k + 1];
-    }
-    return k < order ? odd + real_abs(c[k]) * power[k] + even : odd + even;
-}
-
 /* The size for which the series of the mode have a truncation error within the tolerance. Where coefficients
  * overflow, the series has fewer terms. */
-static real trusted_size(work *w) {
+static real size_of_series(work *w) {
     const tdmf_motion_kind *m = w->motion;
     for (;; w->order -= 2) {
-        real last = 0.0, last_but_one = 0.0, left_out = 0.0;
+        series_remainder remainder = {0.0, 0.0};
+        real left_out = 0.0;
         for (int i = 0; i < m->judged_count; ++i) {
             const int j = m->judged[i];
-            const real *x = w->s[j], unit = j < m->moving_count ? w->scales[m->moving[j]] : 1.0;
-            const real allowed = 1.0 / real_max(unit, real_abs(x[0]));
-            last += real_abs(x[w->order - 1]) * allowed;
-            last_but_one += real_abs(x[w->order - 2]) * allowed;
-            left_out += real_abs(x[w->order]);
+            const real unit = j < m->moving_count ? w->scales[m->moving[j]] : 1.0;
+            add_to_remainder(&remainder, w->s[j], w->order - 1, unit);
+            left_out += real_abs(w->s[j][w->order]);
         }
-        if (is_finite(last + last_but_one + left_out)) {
-            return trusted_share(w->r->tolerance, last, last_but_one, w->order);
+        if (is_finite(remainder.last + remainder.last_but_one + left_out)) {
+            return size_of_remainder(&remainder, w->order - 1, w->r->tolerance);
         }
         if (w->order <= LEAST_ORDER) {
             return NAN;
@@ -128,15 +112,15 @@ static real trusted_size(work *w) {
 /* Chooses a step that can be trusted, and in which no divisor comes near zero. */
 static void choose_size(work *w, real longest) {
     const tdmf_motion_kind *m = w->motion;
-    const real trusted = trusted_size(w);
+    const real trusted = size_of_series(w);
     if (w->mode->time_scale) {
         longest = real_min(longest, most_time_scales * w->mode->time_scale(w->r->p, w->r->x));
     }
-    w->size = trusted < longest ? trusted : trusted >= longest ? longest : NAN;
+    w->size = isnan(trusted) ? NAN : real_min(trusted, longest);
     set_powers(w->power, w->size, w->order);
     for (int i = 0; i < m->divisor_count; ++i) {
-        const real *d = w->s[m->divisors[i]], most = largest_change * real_abs(d[0]);
-        const real change = change_of(d, w->power, w->order);
+        const real *d = w->s[m->divisors[i]], most = divisor_change * real_abs(d[0]);
+        const real change = largest_change(d, w->power, w->order - 1);
         if (change > most) {
             w->size *= most / change;
             set_powers(w->power, w->size, w->order);
@@ -176,7 +160,7 @@ static real end_of_sign(const real *g, int degree, real from) {
 /* The integral over the step where g is positive. The polynomial is not searched for changes of sign if its
  * integral is below `least`. */
 static real positive_integral(const work *w, real *g, real least) {
-    const real tail = change_of(g, w->power, w->order), size = w->power[1];
+    const real tail = largest_change(g, w->power, w->order - 1), size = w->power[1];
     if (g[0] + tail <= 0.0) {
         return 0.0;
     }
@@ -207,7 +191,7 @@ static real positive_integral(const work *w, real *g, real least) {
 
 /* The largest value is that at an end, or where the rate changes its sign. */
 static real largest_value(const work *w, real *g, real largest) {
-    if (g[0] + change_of(g, w->power, w->order) <= largest) {
+    if (g[0] + largest_change(g, w->power, w->order - 1) <= largest) {
         return largest;
     }
     real rate[TERMS], power[TERMS];
@@ -297,10 +281,10 @@ static void end_without_event(work *w, real share) {
 static void trust_guard(work *w, const real *g, real scale) {
     const int order = w->order;
     const real allowed = guard_tolerance * w->r->tolerance * real_max(scale, real_abs(g[0]));
-    const real last = real_abs(g[order - 1]) * w->power[order - 1];
-    const real last_but_one = real_abs(g[order - 2]) * w->power[order - 2];
-    if (last > allowed || last_but_one > allowed) {
-        end_without_event(w, trusted_share(allowed, last, last_but_one, order));
+    const series_remainder remainder = {real_abs(g[order - 1]) * w->power[order - 1],
+                                        real_abs(g[order - 2]) * w->power[order - 2]};
+    if (remainder.last > allowed || remainder.last_but_one > allowed) {
+        end_without_event(w, size_of_remainder(&remainder, order - 1, allowed));
     }
 }
 
@@ -315,12 +299,13 @@ static void end_where_it_rises(work *w, real *g, real floor) {
 static void search_guard(work *w, const tdmf_guard_kind *kind, real *g, real floor) {
     trust_guard(w, g, w->event_scales[kind->event]);
     if (kind->is_crossing && g[0] <= -floor) {
-        if (g[0] + change_of(g, w->power, w->order) > -2.0 * floor) {
+        if (g[0] + largest_change(g, w->power, w->order - 1) > -2.0 * floor) {
             end_where_it_rises(w, g, floor);
         }
         return;
     }
-    if (g[0] > change_of(g, w->power, w->order) || interval_of_series(g, w->power, w->order).low > 0.0) {
+    if (g[0] > largest_change(g, w->power, w->order - 1) ||
+        interval_of_series(g, w->power, w->order).low > 0.0) {
         return;
     }
     scale_to_step(w, 1.0, g);
