@@ -142,17 +142,24 @@ class Page:
         forget_expressions()
         return explore(lambda: _answered(trace(question, self.at(key), name=name)))
 
+    def after(self, name, before):
+        """The model after an event."""
+        event = self.events[name]
+        after = trace(event, before, name=name)
+        with reading(event, name):
+            if not isinstance(after, Model):
+                given = "nothing" if after is None else type(after).__name__
+                raise PageError(f"returns {given}; it has to return the model after the event")
+        return after
+
     def decide(self, key, name):
         """The decision of an event, as a tree of conditions whose leaves are keys and changed states."""
         event = self.events[name]
 
         def run():
             before = self.at(key)
-            after = trace(event, before)
+            after = self.after(name, before)
             with reading(event, name):
-                if not isinstance(after, Model):
-                    given = "nothing" if after is None else type(after).__name__
-                    raise PageError(f"returns {given}; it has to return the model after the event")
                 new_key, changes = self.key(after.mode, vars(after)), self.changes(before, after)
                 if new_key == key and not changes and event.crossing is None:
                     text = f"returns the model as it was in `{key[0]}`: it would be due again without end"
@@ -246,18 +253,14 @@ class Page:
         self.key(mode, words)
         model = self.model.at(mode, **words)
         for _ in range(LIMITS["CHAIN"]):
-            due = next((e for n, e in self.events.items() if self.is_due(model, n, e)), None)
+            due = next((n for n, e in self.events.items() if self.is_due(model, n, e)), None)
             if due is None:
                 break
-            with reading(due, due.__name__):
-                after = trace(due, model)
-                if not isinstance(after, Model):
-                    raise PageError("returns no model; it has to return the model after the event")
-                model = after
+            model = self.after(due, model)
         else:
             after = f"in the mode `{model.mode}`, after {LIMITS['CHAIN']} events in zero time"
             text = "its guard stays below 0. Let its decision go to a mode that does not watch it"
-            raise page_error(due, due.__name__, f"is due again at the start, {after}: {text}")
+            raise page_error(self.events[due], due, f"is due again at the start, {after}: {text}")
         function = self.modes[model.mode]
         with reading(function, model.mode):
             rates = trace(function, model)
