@@ -1,4 +1,4 @@
-"""Functions of an instant in C: constants of modes, decisions at events, outputs, maps, and what is set."""
+"""Functions of an instant in C: constants of modes, decisions, outputs, maps, and jumps of quantities."""
 
 from .c_text import assigned, c_text, function_in_c, lines_of, statements
 from .errors import page_error
@@ -38,7 +38,7 @@ def c_name(key):
 
 
 class Functions:
-    """Functions of C. Each body stands once: modes in which a law reads alike share one function."""
+    """Functions of C. Each body is written once: modes whose bodies are equal share one function."""
 
     def __init__(self, page_name):
         self.names, self.texts = {}, []
@@ -188,7 +188,7 @@ class Instants:
         return row | self.changes(key, "map", "world_rates", world, about)
 
     def setting(self, key, name):
-        """The function of what changes with a quantity that an importer sets."""
+        """The function that changes other states when an importer sets a quantity."""
         forget_expressions()
         function, before = self.page.on_set[name], self.page.at(key)
         quantity = self.page.parameters.get(name) or self.page.states[name]
@@ -236,5 +236,5 @@ class Instants:
         page = self.page
         scales = {f"of_states[{i}]": page.scale(q.unit) for i, q in enumerate(page.states.values())}
         scales |= {f"of_events[EVENT_{n}]": page.scale(e.unit) for n, e in page.events.items()}
-        about = "What is large in the unit of each state and of each event's guard."
+        about = "Typical size of each state and guard."
         return self.functions.add("scales", "scale", assigned(scales, ""), about)

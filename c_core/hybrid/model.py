@@ -66,7 +66,7 @@ def event(modes, when, unit="1", only=None, crossing=None, counted=True, **words
 
     `words` restrict the event to some cases of the modes. If `only` does not hold where a mode begins, the
     event is not watched there. If `crossing` holds, `when` must cross 0. The function returns the model after
-    the event. `counted` tells `leaving` whether the event counts; bookkeeping does not.
+    the event. `leaving` receives 1 if the event is `counted`, else 0; bookkeeping is not counted.
     """
     case = {word: value if isinstance(value, tuple) else (value,) for word, value in words.items()}
     marks = {"when": when, "unit": unit, "only": only, "crossing": crossing, "counted": counted, "case": case}
@@ -74,9 +74,10 @@ def event(modes, when, unit="1", only=None, crossing=None, counted=True, **words
 
 
 def on_set(names):
-    """Mark what else changes when an importer sets one of these quantities.
+    """Mark the function that changes other states when an importer sets one of these quantities.
 
-    The function takes the model before and after the change, and returns the one before with its changes.
+    The function takes the model before and after the jump of the quantity. It returns the model before the
+    jump with the other states changed.
     """
     return _marked(is_on_set=True, sets=_words(names, "on_set"))
 
@@ -127,7 +128,7 @@ class _Page(type):
         return _Body()
 
     def __new__(cls, name, bases, body, **more):
-        for own, value in body.items():  # what overrides a mode or an event is one, too
+        for own, value in body.items():  # an overridden mode stays a mode
             inherited = next((getattr(base, own) for base in bases if hasattr(base, own)), None)
             if inspect.isfunction(value) and inspect.isfunction(inherited):
                 vars(value).update({**vars(inherited), **vars(value)})

@@ -58,7 +58,7 @@ class Expansion:
     """Series of states and of the quantities in their rates, one coefficient after the other.
 
     `rates` are those of the states, by symbol. `wanted` has further quantities, by the arrays that they go
-    to. `known` are series that are there. `by_pairs` says that inner sums come from the loops of a motion.
+    to. `known` are existing series. `by_pairs` says that inner sums come from the loops of a motion.
     """
 
     def __init__(self, rates, wanted, into, known=(), by_pairs=False):
@@ -123,7 +123,7 @@ class Expansion:
         atoms = self.atoms(node)
         zeros = dict.fromkeys(atoms, lift(0))
         moving = lift(0)
-        for atom in atoms:  # its constant factor in the sum is the derivative by it
+        for atom in atoms:  # the derivative by an atom is its constant factor
             factor = Variation({other: int(other is atom) for other in atoms}).of(node)
             moving = moving + factor * symbol(self.coefficient(atom, k))
         (rest,) = replaced([node], zeros)
@@ -192,7 +192,7 @@ def degrees_of(rates):
     return degrees
 
 
-# ---- what the page need not say ------------------------------------------------------------------
+# ---- rewriting of rates and guards ---------------------------------------------------------------
 
 
 def refuse_kinks(root):

@@ -39,8 +39,8 @@ def dimension_of(unit):
         for factor in part.strip("()").split("."):
             name, exponent = re.fullmatch(r"([A-Za-z]*|1)(-?\d*)", factor).groups() if factor else ("", "")
             if name not in UNITS:
-                known = f"known are {', '.join(u for u in UNITS if u)} and their products"
-                raise PageError(f"has the unit `{unit}`, of which `{factor}` is not known; {known}")
+                known = f"allowed are {', '.join(u for u in UNITS if u)} and their products"
+                raise PageError(f"has the unit `{unit}`, in which `{factor}` is no unit; {known}")
             found = times(found, power(UNITS[name], sign * int(exponent or 1)))
     return found
 

@@ -97,7 +97,7 @@ def clipped(name, value):
 
 
 def lasting(modes, unit=1.0, until=np.inf):
-    """Modes that last, each with the time at which it begins: no two alike follow one another."""
+    """Modes that last, each with the time at which it begins. Modes that follow one another differ."""
     found = []
     for time, *mode in modes:
         if time > until:

@@ -1,4 +1,4 @@
-"""The language of pages: the examples of its guide, closed forms, and what must go on working."""
+"""The language of pages: the examples of its guide, closed forms, and hard cases."""
 
 import importlib
 import importlib.util

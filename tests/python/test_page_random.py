@@ -62,7 +62,9 @@ AT_JUMPS = "peak_vertical_force"
 
 
 def drawn(number):
-    """A runner, its start and segments of time, each of which begins with something set or ramped.
+    """A random runner, its start, and the segments of its run.
+
+    Inputs and tunable parameters may be set where a segment begins, and inputs are ramped within it.
 
     In a third of the runners, some or all parameters are drawn over their whole range, and the masses,
     the stiffness and the length over many powers of ten.
@@ -172,7 +174,7 @@ def compare(page, number, tolerance=1e-13):
     nudged, _ = trace_page(page, given, mine_segments, 1e-13)
     allowed = [1e-9 + 100 * difference(page, *pair, scales)[0] for pair in zip(mine, nudged, strict=False)]
     is_close = all(off < may for (off, _), may in zip(worst, allowed, strict=False))
-    if is_close and (is_same or max(allowed, default=0) > 1e-6):  # what is chaotic takes other events, too
+    if is_close and (is_same or max(allowed, default=0) > 1e-6):  # chaotic runs take other events
         return "sensitive", 0.0, ""
     parts = 20  # the core's steps may be too long for falling friction
     shorter = [

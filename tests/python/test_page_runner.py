@@ -138,8 +138,8 @@ def runner_defaults(page):
 def test_outputs_of_c_are_those_of_the_page_on_plain_numbers(runner):
     run = runner.start(friction=0.6, **world_of(GAIT["apex"]))
     for time in (0.0, 5.0, 12.2, 12.6, 12.85, 13.0, 13.15, 20.0):
-        at, told = run.to(time).page(), run.outputs
-        assert told == pytest.approx({name: float(getattr(at, name)()) for name in told}, abs=1e-13)
+        at, outputs = run.to(time).page(), run.outputs
+        assert outputs == pytest.approx({name: float(getattr(at, name)()) for name in outputs}, abs=1e-13)
 
 
 @pytest.mark.parametrize("stride", FREE["strides"], ids=range(len(FREE["strides"])))
@@ -249,7 +249,7 @@ def trace_page(page, given, segments, nudge=0.0):
 
 
 def trace_core(old, segments):
-    """The same along a run of the core; its changes have been made by `change`."""
+    """World states of a run of the core at the end of each segment, which begins with a call of `change`."""
     rows, until = [], 0.0
     for duration, change in segments:
         change(old)
@@ -283,7 +283,7 @@ LONGEST_WORD = 26
 
 
 def difference_of_strides(run, old, scales, tolerance=1e-8):
-    """What differs between the last strides of a page and of the core, in words."""
+    """The first difference between the last strides of a page and of the core; empty if they agree."""
     stride = old.motion.record.stride
     known = old.word if len(old.word) > LONGEST_WORD else word(run)
     if (run.count, known, run.touchdowns) != (stride.count, old.word, stride.touchdowns):
@@ -296,7 +296,7 @@ def difference_of_strides(run, old, scales, tolerance=1e-8):
 
 
 def first_hop(run, rate):
-    """When the foot first hops so shortly that the margin of touchdown makes the length of the hop."""
+    """Time of the first hop that is so short that the margin of touchdown determines its length."""
     left = -np.inf
     for time, _, before, after in run.log:
         is_flying = [mode.startswith("flight") for mode in (before, after)]

@@ -49,7 +49,7 @@ WRONG = [
     ("a method of the language", {"quantities": "replace = parameter(1)"}, "`replace` is a word of the language"),
     ("a name that C cannot have", {"quantities": "größe = parameter(1)"}, "`größe` cannot be a name"),
     ("a private name", {"quantities": "_mass = parameter(1)"}, "`_mass` cannot be a name"),
-    ("an unknown unit", {"quantities": 'a = parameter(1, "newton")'}, "unit `newton`, of which `newton` is not known"),
+    ("an unknown unit", {"quantities": 'a = parameter(1, "newton")'}, "unit `newton`, in which `newton` is no unit; allowed are 1, rad, kg, m"),
     ("an unknown bound", {"quantities": "a = parameter(1, atleast=0)"}, "`atleast`, which is no bound; did you mean"),
     ("out of its bounds", {"quantities": "a = parameter(-1, least=0)"}, "starts at -1; it must be at least 0"),
     ("nan", {"quantities": 'a = parameter(float("nan"))'}, "starts at nan; it has to be a finite number"),

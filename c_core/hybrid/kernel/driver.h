@@ -50,8 +50,8 @@ typedef void tdmf_vary_leave(const real *p, const real *x, const real *dp, const
 typedef void (*tdmf_set)(const real *p, const real *x, real given, real *after);
 typedef void tdmf_scales(const real *p, real *of_states, real *of_events);
 
-/* Modes after an event, events that a mode watches, events of a chain in zero time. The generator reads
- * these. */
+/* Limits: modes that an event can lead to, events that a mode watches, events of a chain in zero time. The
+ * generator reads these numbers. */
 enum { TDMF_NEXT_LIMIT = 16, TDMF_GUARD_LIMIT = 32, TDMF_CHAIN_LIMIT = 100 };
 
 /* An event as a mode watches it. */
@@ -92,7 +92,7 @@ typedef struct {
     tdmf_vary_change *vary_to_world, *vary_from_world, *vary_world_rates;
 } tdmf_mode_kind;
 
-/* What else changes when a quantity is set, by mode. */
+/* Functions, one for each mode, that change other states when a quantity is set. */
 typedef struct {
     bool is_state;
     int index;
@@ -161,7 +161,8 @@ int tdmf_page_order(double tolerance);
 
 tdmf_run_outcome tdmf_page_run_to(const tdmf_model_kind *model, tdmf_page_run *run, double until);
 
-/* Sets a quantity as an importer does, with what else changes. `p` are the parameters of the run. */
+/* Sets a quantity as an importer does, and changes the states that depend on it. `p` has the parameters of
+ * the run. */
 void tdmf_page_set(const tdmf_model_kind *model, tdmf_page_run *run, double *p, bool is_state, int index,
                    double value, double *room);
 

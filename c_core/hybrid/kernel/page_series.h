@@ -15,7 +15,7 @@ enum { TERMS = SERIES_TERMS };
 #define real_log1p log1p
 #define real_atan2 atan2
 
-/* ---- sums for two coefficients that follow one another ------------------------------------------------- */
+/* ---- sums for two consecutive coefficients ------------------------------------------------------------- */
 
 #if defined(__GNUC__) && !defined(TDMF_LANES)
 typedef double pair __attribute__((vector_size(16)));
