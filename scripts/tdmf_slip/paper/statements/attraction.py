@@ -1,6 +1,6 @@
 """Regions of attraction, and the largest disturbances that are recovered from, sticking and slipping."""
 
-from functools import cache
+from collections.abc import Callable
 
 from ...analysis.robustness import DISTURBED, FARTHEST, Robustness, robustness
 from ...analysis.volume import volume
@@ -9,18 +9,18 @@ from ...library.affine_law import AffineLaw
 from ...library.gait import Gait
 from ...library.section import COORDINATES
 from .claim import (
-    CLAMPED,
-    DEFAULT,
     HEAVY,
     HUMAN,
     SLIPS,
     STICKS,
+    TABLE_1,
     Estimate,
     Measure,
     OwnClaim,
     Regime,
     equal_to,
     gait,
+    remembered,
 )
 from .rough import runner_on
 
@@ -29,19 +29,27 @@ SAMPLES = 4000
 LIGHT = 0.005
 """Gravity of a runner of half the weight of Table 1."""
 BASIN = "tdmf-slip basin --friction 10 --n 8 --ball none"
+Design = Callable[[Regime, float], AffineLaw]
+"""Designs a law for the gait of a regime at a friction."""
 
 
-def share_of(one: Gait, seed: int, law: AffineLaw | None = None) -> Estimate:
+def _share_of(one: Gait, seed: int, law: AffineLaw | None = None) -> Estimate:
     """Share of the box of `analysis.volume` that settles on a gait."""
     found = volume(one, SAMPLES, seed=seed, law=law)
     return Estimate(found.share, *found.interval)
 
 
-def _share(friction: float, reference: float | None = None) -> Measure:
-    """Share of the box that settles on the gait. Value and control have independent starts."""
-    return lambda regime, seed: share_of(
-        runner_on(regime, friction, reference), 2 * seed + (reference is not None)
-    )
+@remembered
+def _share(
+    regime: Regime, friction: float, reference: float | None, design: Design | None, seed: int
+) -> Estimate:
+    return _share_of(runner_on(regime, friction, reference), seed, design and design(regime, friction))
+
+
+def share(friction: float, reference: float | None = None, design: Design | None = None) -> Measure:
+    """Share of the box that settles on the gait. Other runners and laws have other starts than the gait."""
+    other = reference is not None or design is not None
+    return lambda regime, seed: _share(regime, friction, reference, design, 2 * seed + other)
 
 
 def _light_gait(regime: Regime, friction: float) -> Gait:
@@ -51,29 +59,33 @@ def _light_gait(regime: Regime, friction: float) -> Gait:
 
 
 def _light_share(regime: Regime, seed: int) -> Estimate:
-    return share_of(_light_gait(regime, STICKS), 2 * seed)
+    return _share_of(_light_gait(regime, STICKS), 2 * seed)
 
 
 def _light_control(regime: Regime, seed: int) -> Estimate:
-    return share_of(equal_to(_light_gait(regime, STICKS), _light_gait(regime, SLIPS)), 2 * seed + 1)
+    return _share_of(equal_to(_light_gait(regime, STICKS), _light_gait(regime, SLIPS)), 2 * seed + 1)
 
 
-@cache
-def _robustness(regime: Regime, friction: float, reference: float | None) -> Robustness:
-    return robustness(runner_on(regime, friction, reference))
+@remembered
+def _robustness(
+    regime: Regime, friction: float, reference: float | None, design: Design | None
+) -> Robustness:
+    law = design and design(regime, friction)
+    return robustness(runner_on(regime, friction, reference), law=law)
 
 
-def over_scale(disturbance: str, found: Robustness, one: Gait) -> Estimate:
+def largest(
+    disturbance: str, friction: float, reference: float | None = None, design: Design | None = None
+) -> Measure:
     """The largest disturbance that is recovered from, over the scale of its coordinate."""
-    scale = one.runner.scales[COORDINATES.index(DISTURBED[disturbance])]
-    largest = float(getattr(found, disturbance) / scale)
-    return Estimate(largest, min(largest, FARTHEST), largest)
 
+    def measure(regime: Regime, seed: int) -> Estimate:
+        found = getattr(_robustness(regime, friction, reference, design), disturbance)
+        scale = gait(regime, friction).runner.scales[COORDINATES.index(DISTURBED[disturbance])]
+        value = float(found / scale)
+        return Estimate(value, min(value, FARTHEST), value)
 
-def _largest(disturbance: str, friction: float, reference: float | None = None) -> Measure:
-    return lambda regime, seed: over_scale(
-        disturbance, _robustness(regime, friction, reference), gait(regime, friction)
-    )
+    return measure
 
 
 CLAIMS = (
@@ -83,11 +95,11 @@ CLAIMS = (
         "settles on the gait on friction 10, and (control) on the gait of the equal runner on friction 0.2. "
         "All regimes have the same box. The human preset attracts at most about a hundredth of it, sticking "
         "or slipping.",
-        _share(STICKS),
-        _share(SLIPS, STICKS),
+        share(STICKS),
+        share(SLIPS, STICKS),
         f"{BASIN} --samples {SAMPLES}",
         lambda rows: (
-            all(rows[of.name].below for of in (DEFAULT, CLAMPED))
+            all(rows[name].below for name in TABLE_1)
             and rows[HEAVY.name].ratio < 0.5
             and not rows[HUMAN.name].below
         ),
@@ -100,31 +112,31 @@ CLAIMS = (
         _light_share,
         _light_control,
         f"{BASIN} --samples {SAMPLES} --set gravity={LIGHT}",
-        lambda rows: all(0.9 < rows[of.name].ratio < 1.0 for of in (DEFAULT, CLAMPED)),
+        lambda rows: all(0.9 < rows[name].ratio < 1.0 for name in TABLE_1),
     ),
     OwnClaim(
         "push-forward",
         "Largest push forward at the apex that is recovered from, over l₀√(k/m), on friction 10 and "
         "(control) on 0.2 at equal speed, apex height and leg angle. The largest that was tried is 5.",
-        _largest("push_forward", STICKS),
-        _largest("push_forward", SLIPS, STICKS),
+        largest("push_forward", STICKS),
+        largest("push_forward", SLIPS, STICKS),
         f"{BASIN} --samples 0",
-        lambda rows: all(rows[of.name].below for of in (DEFAULT, CLAMPED)),
+        lambda rows: all(rows[name].below for name in TABLE_1),
     ),
     OwnClaim(
         "step-up",
         "Likewise the largest step up, over l₀.",
-        _largest("step_up", STICKS),
-        _largest("step_up", SLIPS, STICKS),
+        largest("step_up", STICKS),
+        largest("step_up", SLIPS, STICKS),
         f"{BASIN} --samples 0",
-        lambda rows: all(rows[of.name].below for of in (DEFAULT, CLAMPED)),
+        lambda rows: all(rows[name].below for name in TABLE_1),
     ),
     OwnClaim(
         "step-down",
         "Likewise the largest step down, over l₀.",
-        _largest("step_down", STICKS),
-        _largest("step_down", SLIPS, STICKS),
+        largest("step_down", STICKS),
+        largest("step_down", SLIPS, STICKS),
         f"{BASIN} --samples 0",
-        lambda rows: all(rows[of.name].below for of in (DEFAULT, CLAMPED)),
+        lambda rows: all(rows[name].below for name in TABLE_1),
     ),
 )

@@ -1,19 +1,20 @@
 """A claim of this project: what is measured, its control, and the relation that must hold between them."""
 
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import wraps
 from typing import ParamSpec, TypeVar
 
 from ...analysis.first_passage import FirstPassage
+from ...analysis.rare_falls import RareFalls
 from ...analysis.search import periodic_gait
 from ...errors import GaitNotFoundError, RunError
 from ...fmu.fmu import FRICTION
 from ...fmu.parameters import read_parameters
 from ...fmu.variable import Given
 from ...library.gait import Gait
-from ..matched import like
+from ..matched import HOLD, VARY, changed, like
 
 Arguments = ParamSpec("Arguments")
 Found = TypeVar("Found")
@@ -42,6 +43,9 @@ CLAMPED = Regime("clamp", "Table 1, with the clamp", {CLAMP: True})
 HEAVY = Regime("heavy", "weight 0.022, 45°", {"gravity": 0.02, ANGLE: "45 deg"})
 HUMAN = Regime("human", "human size", read_parameters("human"), 0.03)
 REGIMES = (DEFAULT, CLAMPED, HEAVY, HUMAN)
+TABLE_1 = (DEFAULT.name, CLAMPED.name)
+"""Names of the regimes of Table 1, one for each reading of the swing law."""
+ALL_BUT_HUMAN = (*TABLE_1, HEAVY.name)
 
 
 @dataclass(frozen=True)
@@ -61,7 +65,7 @@ class Estimate:
         return cls(float(value), float(value), float(value))
 
     @classmethod
-    def of_strides(cls, passage: FirstPassage) -> "Estimate":
+    def of_strides(cls, passage: FirstPassage | RareFalls) -> "Estimate":
         """Mean number of strides until the fall."""
         return cls(passage.mean_strides, *passage.interval)
 
@@ -198,9 +202,9 @@ def over_length(of: Callable[[Regime], Gait], quantity: str) -> Measure:
 
 
 @remembered
-def gait(regime: Regime, friction: float, **changed: Given) -> Gait:
-    """The gait at a friction; other values by the unit's names with `__` for the dot."""
-    values = {name.replace("__", "."): value for name, value in changed.items()}
+def gait(regime: Regime, friction: float, **others: Given | None) -> Gait:
+    """The gait at a friction. Other values, unless None, by the unit's names with `__` for the dot."""
+    values = {name.replace("__", "."): value for name, value in others.items() if value is not None}
     return periodic_gait({**regime.values, **values, FRICTION: friction})
 
 
@@ -219,12 +223,25 @@ def matched(regime: Regime, reference: float, other: float) -> Gait:
 def equal_to(reference: Gait, other: Gait) -> Gait:
     """The control: the other runner with the speed, apex height and leg angle of the reference.
 
-    Then the foot is also equally high at the apex, where the ground steps.
+    Then the foot is also equally high at the apex, where the ground steps. A control must be stable.
     """
-    found = like(reference, other)
+    return _stable(made_equal(reference, other))
+
+
+def made_equal(reference: Gait, other: Gait, hold: Sequence[str] = HOLD, vary: Sequence[str] = VARY) -> Gait:
+    """The other runner with the quantities `hold` of the reference, stable or not; see `matched.like`."""
+    found = like(reference, other, hold, vary)
     if found is None:
         raise RunError("no equal runner")
-    return _stable(found)
+    return found
+
+
+def changed_to(one: Gait, name: str, value: float, steps: int) -> Gait:
+    """The gait near another with one value changed, approached in steps."""
+    found = changed(one, {name: value}, steps)
+    if found is None:
+        raise GaitNotFoundError(f"{name} = {value:g}")
+    return found
 
 
 def _stable(one: Gait) -> Gait:

@@ -1,7 +1,7 @@
 """Friction that falls with the speed of the foot, beside the static friction at any speed."""
 
 from ...library.gait import Gait
-from .claim import OwnClaim, Regime, equal_to, gait, remembered, stride_quantity
+from .claim import ALL_BUT_HUMAN, OwnClaim, Regime, equal_to, gait, remembered, stride_quantity
 
 SLIDING, RATIO, VELOCITY = 0.3, 2.0, 0.1
 """Sliding friction, static over sliding friction, and the velocity over which it falls, over l0 sqrt(k/m)."""
@@ -39,7 +39,7 @@ CLAIMS = (
         stride_quantity(_falling, "speed"),
         stride_quantity(_static, "speed"),
         FALLING,
-        lambda rows: all(rows[name].above for name in ("default", "clamp", "heavy")) and rows["human"].below,
+        lambda rows: all(rows[name].above for name in ALL_BUT_HUMAN) and rows["human"].below,
     ),
     OwnClaim(
         "falling-cost",

@@ -1,20 +1,17 @@
 """Feedback from stride to stride, beside a runner that carries its foot higher without any."""
 
-from collections.abc import Callable
 from dataclasses import replace
 from functools import cache
 
 from ...analysis.first_passage import strides_to_fall
-from ...analysis.robustness import Robustness, robustness
 from ...feedback.feedback import Feedback
 from ...feedback.gains import dead_beat, lqr
 from ...library.gait import Gait
 from ...library.rough_ground import RoughGround
-from .attraction import SAMPLES, over_scale, share_of
-from .claim import ANGLE, SLIPS, STICKS, TORQUE, Estimate, Measure, OwnClaim, Regime, stable_gait
+from .attraction import SAMPLES, Design, largest, share
+from .claim import ANGLE, SLIPS, STICKS, TABLE_1, TORQUE, Estimate, Measure, OwnClaim, Regime, stable_gait
 from .rough import LOW, MATCH, foot, runner_on
 
-Design = Callable[[Regime, float], Feedback]
 SETTINGS = (ANGLE, TORQUE)
 FRICTION, SLIPPERY = 0.6, 0.1
 NEGLIGIBLE = 0.05
@@ -70,25 +67,6 @@ def _strides(friction: float, design: Design | None = None, reference: float | N
     return lambda regime, seed: _passage(regime, friction, design, reference, seed)
 
 
-@cache
-def _robustness(regime: Regime, friction: float, held: bool) -> Robustness:
-    law = regulator(regime, friction) if held else None
-    return robustness(stable_gait(regime, friction), law=law)
-
-
-def _largest(disturbance: str, friction: float, *, held: bool) -> Measure:
-    return lambda regime, seed: over_scale(
-        disturbance, _robustness(regime, friction, held), stable_gait(regime, friction)
-    )
-
-
-def _share(*, held: bool) -> Measure:
-    """Share of the box that settles on the gait on friction 10. Value and control have independent starts."""
-    return lambda regime, seed: share_of(
-        stable_gait(regime, STICKS), 2 * seed + held, regulator(regime, STICKS) if held else None
-    )
-
-
 CLAIMS = (
     OwnClaim(
         "feedback-strides",
@@ -107,7 +85,7 @@ CLAIMS = (
         "The reason: height up to which the runner without the regulator recovers from every step up, and "
         "(control) the foot clearance at the apex, l₀. In the default that height is nearly the whole "
         "clearance already; with the clamp it is not.",
-        _largest("step_up", FRICTION, held=False),
+        largest("step_up", FRICTION),
         foot("foot_clearance", FRICTION),
         ROUGH,
         lambda rows: rows["default"].ratio > 0.95 and rows["clamp"].ratio < 0.8,
@@ -115,10 +93,10 @@ CLAIMS = (
     OwnClaim(
         "feedback-with",
         "The same with the regulator, which goes no further than the clearance by either reading.",
-        _largest("step_up", FRICTION, held=True),
+        largest("step_up", FRICTION, design=regulator),
         foot("foot_clearance", FRICTION),
         ROUGH,
-        lambda rows: all(0.95 < rows[name].ratio < 1.01 for name in ("default", "clamp")),
+        lambda rows: all(0.95 < rows[name].ratio < 1.01 for name in TABLE_1),
     ),
     OwnClaim(
         "feedback-matched",
@@ -142,18 +120,18 @@ CLAIMS = (
         "feedback-step-down",
         "Largest step down that is recovered from on friction 10 with the regulator, and (control) without, "
         "l₀; the largest tried is 5. For the heavy runner the regulator harms.",
-        _largest("step_down", STICKS, held=True),
-        _largest("step_down", STICKS, held=False),
+        largest("step_down", STICKS, design=regulator),
+        largest("step_down", STICKS),
         BASIN.format(0),
-        lambda rows: all(rows[name].above for name in ("default", "clamp")) and rows["heavy"].below,
+        lambda rows: all(rows[name].above for name in TABLE_1) and rows["heavy"].below,
     ),
     OwnClaim(
         "feedback-attraction",
         "Share of the box of apices that settles on the gait on friction 10 with the regulator, and "
         "(control) without. For the heavy runner it harms here, too.",
-        _share(held=True),
-        _share(held=False),
+        share(STICKS, design=regulator),
+        share(STICKS),
         BASIN.format(SAMPLES),
-        lambda rows: all(rows[name].above for name in ("default", "clamp")) and rows["heavy"].below,
+        lambda rows: all(rows[name].above for name in TABLE_1) and rows["heavy"].below,
     ),
 )

@@ -5,7 +5,20 @@ from collections.abc import Mapping
 from ...fmu.fmu import FRICTION
 from ...optimization.optimize import optimize
 from ...optimization.optimum import Optimum
-from .claim import ANGLE, STICKS, THRUST, TORQUE, Measure, OwnClaim, Regime, remembered, solved
+from .claim import (
+    ALL_BUT_HUMAN,
+    ANGLE,
+    HUMAN,
+    STICKS,
+    TABLE_1,
+    THRUST,
+    TORQUE,
+    Measure,
+    OwnClaim,
+    Regime,
+    remembered,
+    solved,
+)
 
 SLIPPERY, BETWEEN = 0.3, 0.85
 """Frictions at which the runner of least net work slips for most of its stance, and for some of it."""
@@ -24,7 +37,7 @@ HUMAN_BOUNDS: Mapping[str, tuple[float, float]] = {
 @remembered
 def _best(regime: Regime, friction: float, quantity: str) -> Optimum:
     """The runner with the least value of a quantity; the search begins at the regime's own runner."""
-    is_human = regime.name == "human"
+    is_human = regime is HUMAN
     return optimize(
         {**regime.values, FRICTION: friction},
         HUMAN_BOUNDS if is_human else BOUNDS,
@@ -63,8 +76,7 @@ CLAIMS = (
         _cost(STICKS, NET, NET),
         _command(SLIPPERY, NET),
         lambda rows: (
-            all(0.78 < rows[name].ratio < 0.84 for name in ("default", "clamp", "heavy"))
-            and 0.95 < rows["human"].ratio < 1.0
+            all(0.78 < rows[name].ratio < 0.84 for name in ALL_BUT_HUMAN) and 0.95 < rows["human"].ratio < 1.0
         ),
     ),
     OwnClaim(
@@ -82,7 +94,7 @@ CLAIMS = (
         _cost(SLIPPERY, NET, POSITIVE),
         _cost(STICKS, POSITIVE, POSITIVE),
         _command(STICKS, POSITIVE),
-        lambda rows: all(rows[name].ratio > 1.04 for name in ("default", "clamp")),
+        lambda rows: all(rows[name].ratio > 1.04 for name in TABLE_1),
     ),
     OwnClaim(
         "optimal-positive",
@@ -92,7 +104,7 @@ CLAIMS = (
         _cost(STICKS, POSITIVE, POSITIVE),
         _command(BETWEEN, POSITIVE),
         lambda rows: (
-            all(0.97 < rows[name].ratio < 0.985 for name in ("default", "clamp", "heavy"))
+            all(0.97 < rows[name].ratio < 0.985 for name in ALL_BUT_HUMAN)
             and 0.99 < rows["human"].ratio < 1.0
         ),
     ),

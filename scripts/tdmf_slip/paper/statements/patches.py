@@ -7,12 +7,10 @@ from functools import cache
 from scipy.stats import binomtest
 
 from ...analysis.first_passage import strides_to_fall
-from ...analysis.search import periodic_gait
 from ...analysis.targeted import find_gait
 from ...errors import RunError
-from ...fmu.fmu import FRICTION
 from ...library.gait import Gait
-from .claim import ANGLE, STICKS, TORQUE, Estimate, Measure, OwnClaim, Regime
+from .claim import ANGLE, STICKS, TABLE_1, TORQUE, Estimate, Measure, OwnClaim, Regime, gait
 
 SLOPE = -4.0
 """Degrees."""
@@ -26,7 +24,7 @@ RUNNERS, STRIDES_AFTER = 256, 60
 
 def on_slope(regime: Regime, friction: float, degrees: float) -> Gait:
     """The gait of the ground around the patch."""
-    return periodic_gait({**regime.values, FRICTION: friction, "ground.slope": math.radians(degrees)})
+    return gait(regime, friction, ground__slope=math.radians(degrees))
 
 
 def as_fast(regime: Regime) -> Gait:
@@ -71,7 +69,7 @@ CLAIMS = (
         grippy_downhill,
         COMMAND,
         lambda rows: (
-            all(rows[name].below for name in ("default", "clamp"))
+            all(rows[name].below for name in TABLE_1)
             and all(rows[name].number == 1.0 for name in ("heavy", "human"))
         ),
     ),
@@ -82,7 +80,7 @@ CLAIMS = (
         grippy_downhill,
         slippery_downhill,
         COMMAND,
-        lambda rows: all(rows[name].above for name in ("default", "clamp")),
+        lambda rows: all(rows[name].above for name in TABLE_1),
     ),
     OwnClaim(
         "patch-matched",
@@ -91,6 +89,6 @@ CLAIMS = (
         falls(as_fast),
         slippery_downhill,
         COMMAND,
-        lambda rows: all(rows[name].above for name in ("default", "clamp")),
+        lambda rows: all(rows[name].above for name in TABLE_1),
     ),
 )

@@ -8,20 +8,19 @@ from numpy.typing import NDArray
 
 from ...analysis.basin import basin
 from ...analysis.search import periodic_gait
-from ...analysis.sweep import sweep
 from ...errors import RunError
 from ...fmu.fmu import FRICTION
 from ...library.ensemble import SETTLED
 from ...library.gait import Gait
 from ...library.runner import Runner
-from .claim import STICKS, Measure, OwnClaim, Regime, solved
-from .over_friction import FRICTIONS
+from .claim import STICKS, TABLE_1, Measure, OwnClaim, Regime, solved
+from .over_friction import swept
+from .retraction import RATE, RETRACTS, faster
 
 CELLS = 64
 PLANE = {"com_height": (0.6, 4.0), "com_speed": (-1.0, 2.5)}
 PLANES = {"human": {"com_height": (0.85, 1.3), "com_speed": (0.5, 5.0)}}
 """Ranges of height in m and speed in m/s of the starts, and by regime where they differ from these."""
-RATE, RETRACTS = "hip.retraction_rate", 0.008
 SWEEP = "tdmf-slip sweep --friction 10:0.1:200 --spacing log --model reduced"
 BASIN = (
     f"tdmf-slip basin --friction 0.6 --axes com_height=0.6:4 --axes com_speed=-1:2.5 --n {CELLS} --samples 0 "
@@ -32,9 +31,7 @@ BASIN = (
 @cache
 def _pairs(regime: Regime) -> tuple[tuple[Gait, Gait], ...]:
     """Gaits of both models at the frictions at which both have one."""
-    full, small = (
-        sweep(regime.values, {FRICTION: FRICTIONS}, model=model).by_value for model in ("full", "reduced")
-    )
+    full, small = (swept(regime, model).by_value for model in ("full", "reduced"))
     pairs = tuple((one, other) for one, other in zip(full, small, strict=True) if one and other)
     if not pairs:
         raise RunError("no common gait")
@@ -78,9 +75,8 @@ def _retracted(model: str) -> Measure:
 
     def growth(regime: Regime) -> float:
         runner = Runner.of({**regime.values, FRICTION: STICKS}, model=model)
-        scale = runner.scales[1] / runner.scales[0]
-        faster = runner.but(RATE, runner.values[RATE] + RETRACTS * scale)
-        sizes = [abs(periodic_gait(one).eigenvalues[1]) for one in (runner, faster)]
+        retracting = runner.but(RATE, faster(runner))
+        sizes = [abs(periodic_gait(one).eigenvalues[1]) for one in (runner, retracting)]
         return float(sizes[1] - sizes[0])
 
     return solved(growth)
@@ -93,7 +89,7 @@ CLAIMS = (
         solved(_same_words),
         None,
         SWEEP,
-        lambda rows: all(rows[name].number > 0.99 for name in ("default", "clamp")),
+        lambda rows: all(rows[name].number > 0.99 for name in TABLE_1),
     ),
     OwnClaim(
         "reduced-speed",
@@ -102,9 +98,7 @@ CLAIMS = (
         _percent_of("speed"),
         None,
         SWEEP,
-        lambda rows: (
-            all(rows[name].number < 0.1 for name in ("default", "clamp")) and rows["heavy"].number < 3.0
-        ),
+        lambda rows: all(rows[name].number < 0.1 for name in TABLE_1) and rows["heavy"].number < 3.0,
     ),
     OwnClaim(
         "reduced-period",
@@ -112,7 +106,7 @@ CLAIMS = (
         _percent_of("period"),
         None,
         SWEEP,
-        lambda rows: all(rows[name].number < 1.1 for name in ("default", "clamp")),
+        lambda rows: all(rows[name].number < 1.1 for name in TABLE_1),
     ),
     OwnClaim(
         "reduced-largest",
@@ -120,7 +114,7 @@ CLAIMS = (
         _eigenvalue(0),
         None,
         SWEEP,
-        lambda rows: all(rows[name].number < 2e-3 for name in ("default", "clamp")),
+        lambda rows: all(rows[name].number < 2e-3 for name in TABLE_1),
     ),
     OwnClaim(
         "reduced-second",
@@ -150,7 +144,7 @@ CLAIMS = (
         _only("reduced", "full"),
         BASIN,
         lambda rows: (
-            all(rows[name].ratio > 1.0 for name in ("default", "clamp"))
+            all(rows[name].ratio > 1.0 for name in TABLE_1)
             and all(rows[name].ratio < 1.0 for name in ("heavy", "human"))
         ),
     ),

@@ -70,7 +70,7 @@ def rarely(regime: Regime, seed: int) -> Estimate:
     """Mean number of strides until the fall of the slipping runner on low steps, by multilevel splitting."""
     one = stable_gait(regime, SLIPS)
     found = rare_falls(one.runner, LOWER * regime.step, walkers=WALKERS, seed=seed, gait=one)
-    return Estimate(found.mean_strides, *found.interval)
+    return Estimate.of_strides(found)
 
 
 def foot(quantity: str, friction: float, reference: float | None = None) -> Measure:

@@ -4,10 +4,10 @@ import math
 
 import numpy as np
 
-from ...errors import GaitNotFoundError, RunError
+from ...errors import RunError
 from ...library.gait import Gait, gait_near
-from ..matched import changed
 from .claim import (
+    ALL_BUT_HUMAN,
     ANGLE,
     SLIPS,
     STICKS,
@@ -15,6 +15,7 @@ from .claim import (
     Measure,
     OwnClaim,
     Regime,
+    changed_to,
     gait,
     matched,
     remembered,
@@ -34,16 +35,17 @@ UPHILL = math.radians(1.5)
 """Slope on which the gaits of both frictions are stable in Table 1, rad."""
 
 
+def _level(regime: Regime, friction: float, reference: float | None, angle: float | None = None) -> Gait:
+    """The gait on level ground, or the runner made equal to the one on friction `reference`."""
+    if reference is not None:
+        return matched(regime, reference, friction)
+    return gait(regime, friction, hip__touchdown_angle=angle)
+
+
 @remembered
 def climb(regime: Regime, friction: float, reference: float | None, angle: float | None) -> tuple[Gait, ...]:
     """Gaits up to the fold at which the branch from level ground turns back."""
-    if reference is not None:
-        first = matched(regime, reference, friction)
-    else:
-        first = (
-            gait(regime, friction) if angle is None else gait(regime, friction, hip__touchdown_angle=angle)
-        )
-    found, step = [first], FIRST
+    found, step = [_level(regime, friction, reference, angle)], FIRST
     while step > SHORTEST:
         last = found[-1]
         guess = last.apex
@@ -93,10 +95,8 @@ def slowed(friction: float, reference: float | None = None) -> Measure:
     """Speed uphill over the speed on level ground."""
 
     def over(regime: Regime) -> float:
-        one = gait(regime, friction) if reference is None else matched(regime, reference, friction)
-        uphill = changed(one, {SLOPE: UPHILL}, 6)
-        if uphill is None:
-            raise GaitNotFoundError("uphill")
+        one = _level(regime, friction, reference)
+        uphill = changed_to(one, SLOPE, UPHILL, 6)
         return uphill.stride["speed"] / one.stride["speed"]
 
     return solved(over)
@@ -116,9 +116,7 @@ CLAIMS = (
         slowed(SLIPS),
         slowed(STICKS, SLIPS),
         MATCH.format(SLIPS, STICKS),
-        lambda rows: (
-            all(rows[name].below for name in ("default", "clamp", "heavy")) and rows["human"].number > 1.0
-        ),
+        lambda rows: all(rows[name].below for name in ALL_BUT_HUMAN) and rows["human"].number > 1.0,
     ),
     OwnClaim(
         "slope-steepest",
@@ -134,7 +132,7 @@ CLAIMS = (
         "slope-top-speed",
         "The steepest gait on friction 0.2 hardly advances: its speed (control: on the level).",
         at_the_top("speed", SLIPS),
-        solved(lambda regime: gait(regime, SLIPS).stride["speed"]),
+        stride_quantity(lambda regime: gait(regime, SLIPS), "speed"),
         _command(SLIPS),
         lambda rows: rows["default"].ratio < 0.05 and rows["clamp"].ratio < 0.25,
     ),
@@ -163,9 +161,7 @@ CLAIMS = (
         stable_to(SLIPS, FLAT),
         stable_to(STICKS, FLAT),
         _command(SLIPS, FLAT),
-        lambda rows: all(
-            rows[name].above and rows[name].number > 11.2 for name in ("default", "clamp", "heavy")
-        ),
+        lambda rows: all(rows[name].above and rows[name].number > 11.2 for name in ALL_BUT_HUMAN),
     ),
     OwnClaim(
         "slope-flat-0.6",

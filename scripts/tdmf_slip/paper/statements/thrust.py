@@ -6,16 +6,18 @@ from ...analysis.targeted import find_gait
 from ...errors import GaitNotFoundError, RunError
 from ...fmu.fmu import FRICTION
 from ...library.gait import Gait
-from ..matched import changed, like
 from .claim import (
     ANGLE,
     SLIPS,
+    TABLE_1,
     THRUST,
     TORQUE,
     Measure,
     OwnClaim,
     Regime,
+    changed_to,
     gait,
+    made_equal,
     over_length,
     remembered,
     solved,
@@ -58,20 +60,14 @@ def _at_speed(regime: Regime, name: str, added: float) -> Gait:
 def as_high(regime: Regime) -> Gait:
     """The runner with thrust that has the speed and apex height of the runner driven by torque."""
     reference = by_torque(regime)
-    near = changed(reference, {THRUST: HELPED * reference.runner.values["leg.free_length"]}, 2)
-    if near is None:
-        raise GaitNotFoundError("with thrust")
-    equal = like(reference, near, hold=("speed", "apex_height"), vary=(TORQUE, ANGLE))
-    if equal is None:
-        raise RunError("no equal runner")
-    return equal
+    helped = changed_to(reference, THRUST, HELPED * reference.runner.values["leg.free_length"], 2)
+    return made_equal(reference, helped, ("speed", "apex_height"), (TORQUE, ANGLE))
 
 
 def _by_way(of: Callable[[Regime], Gait]) -> Measure:
     return solved(lambda regime: of(regime).stride["slip_distance"] / of(regime).stride["length"])
 
 
-READINGS = ("default", "clamp")
 CLAIMS = (
     OwnClaim(
         "thrust-slip",
@@ -81,7 +77,7 @@ CLAIMS = (
         _by_way(by_thrust),
         _by_way(by_torque),
         BY_THRUST,
-        lambda rows: all(rows[name].below for name in READINGS),
+        lambda rows: all(rows[name].below for name in TABLE_1),
     ),
     OwnClaim(
         "thrust-slip-stride",
@@ -89,7 +85,7 @@ CLAIMS = (
         over_length(by_thrust, "slip_distance"),
         over_length(by_torque, "slip_distance"),
         BY_THRUST,
-        lambda rows: all(rows[name].above for name in READINGS),
+        lambda rows: all(rows[name].above for name in TABLE_1),
     ),
     OwnClaim(
         "thrust-height",
@@ -97,7 +93,7 @@ CLAIMS = (
         over_length(by_thrust, "apex_height"),
         over_length(by_torque, "apex_height"),
         BY_TORQUE,
-        lambda rows: all(rows[name].above for name in READINGS),
+        lambda rows: all(rows[name].above for name in TABLE_1),
     ),
     OwnClaim(
         "thrust-slip-matched",
@@ -106,7 +102,7 @@ CLAIMS = (
         _by_way(as_high),
         _by_way(by_torque),
         BY_TORQUE,
-        lambda rows: all(rows[name].above for name in (*READINGS, "heavy")),
+        lambda rows: all(rows[name].above for name in (*TABLE_1, "heavy")),
     ),
     OwnClaim(
         "thrust-cost-matched",
@@ -115,7 +111,7 @@ CLAIMS = (
         stride_quantity(as_high, "cost_of_transport"),
         stride_quantity(by_torque, "cost_of_transport"),
         BY_TORQUE,
-        lambda rows: all(rows[name].below for name in (*READINGS, "heavy")),
+        lambda rows: all(rows[name].below for name in (*TABLE_1, "heavy")),
     ),
     OwnClaim(
         "thrust-positive-cost-matched",
@@ -123,6 +119,6 @@ CLAIMS = (
         stride_quantity(as_high, "positive_cost_of_transport"),
         stride_quantity(by_torque, "positive_cost_of_transport"),
         BY_TORQUE,
-        lambda rows: all(rows[name].below for name in (*READINGS, "heavy")),
+        lambda rows: all(rows[name].below for name in (*TABLE_1, "heavy")),
     ),
 )

@@ -3,13 +3,24 @@
 from collections.abc import Callable, Mapping
 
 from ...analysis.search import periodic_gait
-from ...errors import RunError
 from ...fmu.fmu import FRICTION
 from ...library.runner import Runner
 from ...viable_sets.result import Viability
 from ...viable_sets.viability import viability
-from ..matched import like
-from .claim import ANGLE, SLIPS, STICKS, TORQUE, Estimate, Measure, OwnClaim, Regime, remembered
+from .claim import (
+    ALL_BUT_HUMAN,
+    ANGLE,
+    SLIPS,
+    STICKS,
+    TABLE_1,
+    TORQUE,
+    Estimate,
+    Measure,
+    OwnClaim,
+    Regime,
+    made_equal,
+    remembered,
+)
 
 CELLS = 96
 Range = tuple[float, float]
@@ -29,10 +40,7 @@ def _viable(regime: Regime, friction: float, reference: float | None = None) -> 
     runner = Runner.of({**regime.values, FRICTION: friction}, model="reduced")
     if reference is not None:
         gaits = periodic_gait(runner.but(FRICTION, reference)), periodic_gait(runner)
-        equal = like(*gaits, hold=("speed", "apex_height"), vary=(TORQUE, ANGLE))
-        if equal is None:
-            raise RunError("no equal runner")
-        runner = equal.runner
+        runner = made_equal(*gaits, ("speed", "apex_height"), (TORQUE, ANGLE)).runner
     return viability(runner, axes=PLANES.get(regime.name, PLANE), vary=CHOSEN, n=CELLS)
 
 
@@ -64,7 +72,7 @@ CLAIMS = (
         _share(SLIPS),
         _share(STICKS, SLIPS),
         VIABILITY.format(SLIPS),
-        lambda rows: all(rows[name].above for name in ("default", "clamp", "heavy")),
+        lambda rows: all(rows[name].above for name in ALL_BUT_HUMAN),
     ),
     OwnClaim(
         "viable-angles",
@@ -73,7 +81,7 @@ CLAIMS = (
         _robustness(SLIPS),
         _robustness(STICKS, SLIPS),
         VIABILITY.format(SLIPS),
-        lambda rows: all(rows[name].below for name in ("default", "clamp")),
+        lambda rows: all(rows[name].below for name in TABLE_1),
     ),
     OwnClaim(
         "viable-angles-between",
@@ -81,6 +89,6 @@ CLAIMS = (
         _robustness(1.2, SLIPS),
         _robustness(SLIPS),
         VIABILITY.format(1.2),
-        lambda rows: all(rows[name].above for name in ("default", "clamp")),
+        lambda rows: all(rows[name].above for name in TABLE_1),
     ),
 )
