@@ -12,6 +12,7 @@ from typing import Any
 
 from .claims import CLAMP, FREE, Group
 from .human_running import fit_rows
+from .results_page import commands_block, markdown_table
 from .validation import validate
 
 TABLE = re.compile(r"(<!-- papers: (\w+) -->\n).*?(<!-- end -->)", re.DOTALL)
@@ -50,18 +51,13 @@ def filled(page: str, stored: Stored) -> str:
     return TABLE.sub(lambda match: f"{match[1]}{tables[match[2]]}\n{match[3]}", page)
 
 
-def _markdown(header: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
-    lines = [header, ["---"] * len(header), *rows]
-    return "\n".join(f"| {' | '.join(line)} |" for line in lines)
-
-
 def _statements(claims: Sequence[Mapping[str, Any]]) -> str:
     """How many statements of the paper are in each group, and which."""
     rows = []
     for group in Group:
         chosen = [claim["what"] for claim in claims if claim["group"] == group.name.lower()]
         rows.append([group.value, str(len(chosen)), "; ".join(chosen)])
-    return _markdown(["group", "statements", "about"], rows)
+    return markdown_table(["group", "statements", "about"], rows)
 
 
 def _others(claims: Sequence[Mapping[str, Any]]) -> str:
@@ -69,7 +65,7 @@ def _others(claims: Sequence[Mapping[str, Any]]) -> str:
         [claim["source"], claim["what"], claim["published"], _computed(claim["computed"]), claim["verdict"]]
         for claim in claims
     ]
-    return _markdown(["source", "statement", "published", "computed", "verdict"], rows)
+    return markdown_table(["source", "statement", "published", "computed", "verdict"], rows)
 
 
 def _computed(findings: Mapping[str, Mapping[str, str]]) -> str:
@@ -79,7 +75,9 @@ def _computed(findings: Mapping[str, Mapping[str, str]]) -> str:
 
 
 def _fit(rows: Sequence[Mapping[str, str]]) -> str:
-    numbered = list(enumerate(rows, start=1))
-    cells = [[f"{number}. {row['claim']}", row["value"], row["control"]] for number, row in numbered]
-    commands = [f"# {number}\n{row['command']}" for number, row in numbered]
-    return "\n".join([_markdown(["claim", "value", "control"], cells), "", "```sh", *commands, "```"])
+    cells = [
+        [f"{number}. {row['claim']}", row["value"], row["control"]]
+        for number, row in enumerate(rows, start=1)
+    ]
+    commands = commands_block([row["command"] for row in rows])
+    return f"{markdown_table(['claim', 'value', 'control'], cells)}\n\n{commands}"

@@ -61,19 +61,28 @@ def filled(page: str, folder: Path, sections: Sequence[str] = tuple(SECTIONS)) -
 
 
 def _markdown(claims: Sequence[Recomputed]) -> str:
-    lines = [
-        f"| claim | {DEFAULT.title}: value | control | {CLAMPED.title} | {HEAVY.title} | {HUMAN.title} |",
-        "| --- | --- | --- | --- | --- | --- |",
-    ]
+    others = (CLAMPED, HEAVY, HUMAN)
+    header = ["claim", f"{DEFAULT.title}: value", "control", *(regime.title for regime in others)]
+    rows = []
     for number, one in enumerate(claims, start=1):
         default = one.rows[DEFAULT.name]
-        others = " | ".join(str(one.rows[regime.name]) for regime in (CLAMPED, HEAVY, HUMAN))
-        control = "" if default.control is None else default.control
+        control = "" if default.control is None else str(default.control)
         said = f'<a id="{one.claim.name}"></a>{number}. {one.claim.what}'
-        lines.append(f"| {said} | {default.value} | {control} | {others} |")
+        rows.append([said, str(default.value), control, *(str(one.rows[regime.name]) for regime in others)])
+    code = commands_block([one.claim.command for one in claims]).replace("{seed}", str(SEEDS[0]))
+    return f"{markdown_table(header, rows)}\n\n{code}\n"
+
+
+def markdown_table(header: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
+    """A table of Markdown."""
+    lines = [header, ["---"] * len(header), *rows]
+    return "\n".join(f"| {' | '.join(line)} |" for line in lines)
+
+
+def commands_block(commands: Sequence[str]) -> str:
+    """The commands of numbered rows, each once, under the numbers of its rows."""
     numbers: dict[str, list[str]] = {}
-    for number, one in enumerate(claims, start=1):
-        numbers.setdefault(one.claim.command, []).append(str(number))
-    commands = [f"# {', '.join(of_it)}\n{command}" for command, of_it in numbers.items()]
-    code = "\n".join(["```sh", *commands, "```"]).replace("{seed}", str(SEEDS[0]))
-    return "\n".join([*lines, "", code, ""])
+    for number, command in enumerate(commands, start=1):
+        numbers.setdefault(command, []).append(str(number))
+    listed = [f"# {', '.join(rows)}\n{command}" for command, rows in numbers.items()]
+    return "\n".join(["```sh", *listed, "```"])
