@@ -3,7 +3,7 @@
 The sources stand in `fmu/presets/human.toml` and `fitting/data/human_running.csv`.
 """
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cache
 
@@ -54,14 +54,20 @@ GROUPS = ((15.0, 1.7), (16.6, 3.1))
 """Mean leg stiffness of two groups at 20 km/h with its standard deviation, kN/m, by another method."""
 
 
+RUNNER = str(shipped("human_running.toml"))
+"""Parameters of the person's runner."""
+
+
+def _fit(runner: str | Mapping[str, Given], data: str, vary: Sequence[str], each: Sequence[str]) -> Fit:
+    """A fit by the reduced map."""
+    found: Fit = fit(runner, data, vary, vary_each=each, model="reduced", profile=False)
+    return found
+
+
 @cache
 def fitted() -> Fit:
-    """One stiffness at eight speeds, torque and touchdown angle at each, by the reduced map."""
-    runner = str(shipped("human_running.toml"))
-    found: Fit = fit(
-        runner, "human_running", [STIFFNESS], vary_each=list(EACH), model="reduced", profile=False
-    )
-    return found
+    """One stiffness at eight speeds, torque and touchdown angle at each."""
+    return _fit(RUNNER, "human_running", [STIFFNESS], EACH)
 
 
 def weight(gait: Gait) -> float:
@@ -96,14 +102,7 @@ def _measured(measured: Measured, jogs: Mapping[str, Gait], quantity: Callable[[
 
 def _fast() -> Claim:
     """Leg stiffness of two groups at 20 km/h."""
-    found = fit(
-        str(shipped("human_running.toml")),
-        "human_fast_running",
-        [],
-        vary_each=[STIFFNESS, *EACH],
-        model="reduced",
-        profile=False,
-    )
+    found = _fit(RUNNER, "human_fast_running", [], [STIFFNESS, *EACH])
     values = [found.parameters[f"{STIFFNESS}[{row}]"].value / 1000.0 for row in (1, 2)]
     agrees = all(
         abs(value - mean) <= deviation for value, (mean, deviation) in zip(values, GROUPS, strict=True)
@@ -139,9 +138,8 @@ def _of_fit(found: Fit) -> list[Claim]:
             f"{FIT}: gait",
             "steady",
             alike(
-                f"all unstable, eigenvalues {min(values):.2f} to {max(values):.2f}"
-                if min(values) > 1.0
-                else f"eigenvalues {min(values):.2f} to {max(values):.2f}",
+                f"{'all unstable, ' if min(values) > 1.0 else ''}"
+                f"eigenvalues {min(values):.2f} to {max(values):.2f}",
                 max(values) < 1.0,
             ),
             source=source,
@@ -227,18 +225,11 @@ def fit_rows() -> list[FitRow]:
 
 def _refitted(name: str, value: float) -> float:
     """The stiffness with one assumed constant changed."""
-    values = read_parameters(str(shipped("human_running.toml")))
+    values = read_parameters(RUNNER)
     changed = {name: value}
     if name == "leg.free_length":  # the start is an apex, with a leg of this length above the ground
         changed |= {"leg.length": value, "foot.y": float(values["foot.y"]) * value + 0.02}
-    found = fit(
-        {**values, **changed},
-        "human_running",
-        [STIFFNESS],
-        vary_each=list(EACH),
-        model="reduced",
-        profile=False,
-    )
+    found = _fit({**values, **changed}, "human_running", [STIFFNESS], EACH)
     return float(found.parameters[STIFFNESS].value)
 
 
