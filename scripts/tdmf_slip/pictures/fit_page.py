@@ -2,7 +2,6 @@
 
 import base64
 import html
-import io
 from collections.abc import Iterable, Sequence
 from pathlib import Path
 
@@ -54,9 +53,7 @@ def write(path: Path, fit: Fit) -> None:
 
 def _picture(fit: Fit) -> str:
     """As PNG in base 64."""
-    file = io.BytesIO()
-    figure_of(fit).savefig(file, format="png", dpi=style.DOTS_PER_INCH, metadata=style.UNDATED[".png"])
-    return base64.b64encode(file.getvalue()).decode()
+    return base64.b64encode(style.png_of(figure_of(fit))).decode()
 
 
 def _table(header: Sequence[str], rows: Iterable[Sequence[str]]) -> str:

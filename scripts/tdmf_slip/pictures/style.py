@@ -177,9 +177,14 @@ class Picture(Figure):
 
     def _repr_png_(self) -> bytes:
         """Image for a notebook in which pyplot has not been imported."""
-        file = BytesIO()
-        self.savefig(file, format="png", dpi=DOTS_PER_INCH, metadata=UNDATED[".png"])
-        return file.getvalue()
+        return png_of(self)
+
+
+def png_of(figure: Figure) -> bytes:
+    """An image that does not depend on the date."""
+    file = BytesIO()
+    figure.savefig(file, format="png", dpi=DOTS_PER_INCH, metadata=UNDATED[".png"])
+    return file.getvalue()
 
 
 def subplots(
