@@ -36,7 +36,7 @@ from .output import json_text, program
     is_flag=True,
     help="Compute only the five gaits of both readings, not the statements.",
 )
-@click.option("--long", "own", is_flag=True, help="Also compute this project's own claims: up to an hour.")
+@click.option("--long", "own", is_flag=True, help="Also compute this project's own claims: some minutes.")
 @click.option(
     "--seed",
     type=Number(0, LAST_SEED, whole=True),

@@ -23,7 +23,7 @@ class Group(Enum):
 
 @dataclass(frozen=True)
 class Finding:
-    """What is computed for one reading."""
+    """Computed result for one reading, and whether it agrees."""
 
     text: str
     """Numbers, with a few words."""
@@ -40,7 +40,7 @@ class Claim:
     published: str
     """Published words or number."""
     computed: Mapping[str, Finding]
-    """What is computed, by reading."""
+    """Findings by reading."""
     where: str = ""
     """Section of the paper."""
     source: str = PAPER

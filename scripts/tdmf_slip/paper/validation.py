@@ -181,7 +181,7 @@ def _table_of_others(claims: Sequence[Claim]) -> str:
 
 
 def _findings(claim: Claim) -> list[str]:
-    """What is computed in each reading; "same" where a reading changes nothing."""
+    """Finding of each reading, or "same" if it equals that of the default."""
     first, *rest = (claim.computed[reading].text for reading in READINGS)
     return [first, *("same" if text == first else text for text in rest)]
 
@@ -204,7 +204,7 @@ def validate(
     only_gaits : bool, default False
         Leave out the statements of the paper and this project's own claims.
     own : bool, default False
-        Also compute this project's own claims in every regime, up to an hour on two cores.
+        Also compute this project's own claims in every regime, which takes some minutes.
     seed : int, default 1
         Seed of the random numbers of these claims.
     progress : bool, default False
