@@ -122,8 +122,7 @@ def test_validate_as_json(validated):
 @built
 def test_the_paper_page_shows_the_table_as_validate_prints_it(validated):
     *_, wanted = validated
-    (table,) = [one for one in outputs("paper") if one.startswith("friction mu")]
-    assert table == wanted.as_text().strip()
+    assert wanted.as_text().strip() in outputs("paper")
 
 
 def test_pieces_of_an_output_are_joined_as_they_came():
