@@ -80,7 +80,7 @@ def library_of(files, name, level):
         for file, text in files.items():
             (own / file).write_text(text)
         jobs = [
-            (folders[0] / "driver.c", level),
+            *((source, level) for source in sorted(folders[0].glob("*.c"))),
             (own / f"{name}_motions.c", level),
             (own / f"{name}.c", "-O1"),
         ]

@@ -7,48 +7,23 @@
 #ifndef TDMF_KERNEL_DRIVER_H
 #define TDMF_KERNEL_DRIVER_H
 
-#include "first_root.h"
-#include "page_series.h"
-
-/* ---- a motion ------------------------------------------------------------------------------------------ */
-
-typedef void tdmf_expand(const real *constants, int order, real *series);
-typedef void tdmf_vary(const real *constants, const real *series, const real *d_constants, int order,
-                       real *varied);
-typedef void tdmf_bounds(const real *constants, const real *series, const real *power, int order, real *low);
-
-/* A guard or an observed quantity as a polynomial in time, of less than `order` in degree. */
-typedef void (*tdmf_polynomial)(const real *constants, const real *series, int order, real *g);
-
-/* The first series are those of the states that move, then come states that only the motion has. */
-typedef struct {
-    int moving_count, extra_count;
-    const int *moving;  /* indices of the moving states among the states of the model */
-    const int *degrees; /* degrees of states that are polynomials in time; a large number for others */
-    int judged_count;
-    const int *judged; /* series whose last coefficients control the size of a step */
-    int divisor_count;
-    const int *divisors;                /* series that occur as divisors */
-    const tdmf_polynomial *polynomials; /* guards, then observed quantities */
-    tdmf_expand *expand;
-    tdmf_vary *vary;
-    tdmf_bounds *bounds; /* lower bounds of the guards; NULL: none is bounded */
-} tdmf_motion_kind;
+#include "motion.h"
 
 /* ---- an instant ---------------------------------------------------------------------------------------- */
 
 /* Functions of parameters p and states x, and their first variations by dp and dx. `after` begins as a copy
  * of the states, or of dx. */
-typedef int tdmf_react(const real *p, const real *x, real *after, const int *next);
-typedef void tdmf_change(const real *p, const real *x, real *after);
-typedef void tdmf_vary_change(const real *p, const real *x, const real *dp, const real *dx, real *after);
-typedef real tdmf_vary_guard(const real *p, const real *x, const real *dp, const real *dx);
-typedef real tdmf_answer(const real *p, const real *x);
-typedef void tdmf_leave(const real *p, const real *x, real counted, real *after);
-typedef void tdmf_vary_leave(const real *p, const real *x, const real *dp, const real *dx, real counted,
-                             real *after);
-typedef void (*tdmf_set)(const real *p, const real *x, real given, real *after);
-typedef void tdmf_scales(const real *p, real *of_states, real *of_events);
+typedef int tdmf_react(const double *p, const double *x, double *after, const int *next);
+typedef void tdmf_change(const double *p, const double *x, double *after);
+typedef void tdmf_vary_change(const double *p, const double *x, const double *dp, const double *dx,
+                              double *after);
+typedef double tdmf_vary_guard(const double *p, const double *x, const double *dp, const double *dx);
+typedef double tdmf_answer(const double *p, const double *x);
+typedef void tdmf_leave(const double *p, const double *x, double counted, double *after);
+typedef void tdmf_vary_leave(const double *p, const double *x, const double *dp, const double *dx,
+                             double counted, double *after);
+typedef void (*tdmf_set)(const double *p, const double *x, double given, double *after);
+typedef void tdmf_scales(const double *p, double *of_states, double *of_events);
 
 /* Limits: modes that an event can lead to, events that a mode watches, events of a chain in zero time. The
  * generator reads these numbers. */

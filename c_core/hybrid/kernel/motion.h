@@ -1,0 +1,32 @@
+/* What a step knows of a mode: its states are Taylor series, its guards polynomials in time. Written over
+ * `real`, so that the derived file of a page's motions is compiled once for each width.
+ */
+#ifndef TDMF_KERNEL_MOTION_H
+#define TDMF_KERNEL_MOTION_H
+
+#include "page_series.h"
+
+typedef void tdmf_expand(const real *constants, int order, real *series);
+typedef void tdmf_vary(const real *constants, const real *series, const real *d_constants, int order,
+                       real *varied);
+typedef void tdmf_bounds(const real *constants, const real *series, const real *power, int order, real *low);
+
+/* A guard or an observed quantity as a polynomial in time, of less than `order` in degree. */
+typedef void (*tdmf_polynomial)(const real *constants, const real *series, int order, real *g);
+
+/* The first series are those of the states that move, then come states that only the motion has. */
+typedef struct {
+    int moving_count, extra_count;
+    const int *moving;  /* indices of the moving states among the states of the model */
+    const int *degrees; /* degrees of states that are polynomials in time; a large number for others */
+    int judged_count;
+    const int *judged; /* series whose last coefficients control the size of a step */
+    int divisor_count;
+    const int *divisors;                /* series that occur as divisors */
+    const tdmf_polynomial *polynomials; /* guards, then observed quantities */
+    tdmf_expand *expand;
+    tdmf_vary *vary;
+    tdmf_bounds *bounds; /* lower bounds of the guards; NULL: none is bounded */
+} tdmf_motion_kind;
+
+#endif
