@@ -47,7 +47,7 @@ def draw(path, profile, rows):
         legs = [np.array([foot[loaded], body[loaded]]) for foot, body in coordinates]
         axes.plot(*legs, color=style.FAINT, linewidth=0.7, zorder=1)
         axes.set(xlim=(0.0, end), ylim=(y.min() - 0.4, 3.4))
-        style.label(axes, "x  / l₀", "height  / l₀")
+        style.label(axes, "x (l₀)", "height (l₀)")
         axes.legend(loc="upper right", ncols=2)
         style.save(figure, Path(path))
 

@@ -124,12 +124,12 @@ def test_what_happens_within_one_step_is_told_apart(gait):
     ],
 )
 def test_what_is_none_of_them_is_not_judged(gait, eigenvalues):
-    assert Made(gait, eigenvalues).reported() == [("not judged", 1.0)]
+    assert Made(gait, eigenvalues).reported() == [("unclassified", 1.0)]
 
 
 def test_a_turn_without_an_eigenvalue_of_one_is_not_judged(gait):
     made = Made(gait, lambda s: [real(0.5)], value=lambda s: 2.0 - (s - 1.0) ** 2)
-    assert made.reported() == [("not judged", 2.0)]
+    assert made.reported() == [("unclassified", 2.0)]
 
 
 def test_eigenvalues_may_jump_at_a_border(gait):
@@ -141,9 +141,9 @@ def test_eigenvalues_may_jump_at_a_border(gait):
     for low, high, reported in (
         (real(1.8, 0.5), real(2.1, 0.5), []),
         (real(0.8), real(0.9), []),
-        (real(0.8), real(1.1), [("not judged", 1.0)]),
+        (real(0.8), real(1.1), [("unclassified", 1.0)]),
         (real(-0.8), real(-1.1), [("period doubling", 1.0)]),
-        (real(-1.1), real(1.1), [("period doubling", 1.0), ("not judged", 1.0)]),
+        (real(-1.1), real(1.1), [("period doubling", 1.0), ("unclassified", 1.0)]),
     ):
         made = Made(gait, lambda s, low=low, high=high: [low if s < 1.0 else high], word=word)
         assert made.reported() == [("word border", 1.0), *reported]
@@ -156,10 +156,10 @@ def test_a_branch_that_cannot_be_parted_is_not_judged(gait):
     made = Made(gait, lambda s: [real(-s, -s - 0.05)])
     made.between = lambda before, after, share: after
     (special,) = special_points(made, made.made(0.5), made.made(1.5))[1]
-    assert (special.kind, special.between) == ("not judged", (0.5, 1.5))
+    assert (special.kind, special.between) == ("unclassified", (0.5, 1.5))
     assert special.why == "0 eigenvalues outside the unit circle become 2"
     assert special.as_json() == {
-        "kind": "not judged",
+        "kind": "unclassified",
         "value": 1.0,
         "between": [0.5, 1.5],
         "why": special.why,

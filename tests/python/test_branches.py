@@ -64,9 +64,9 @@ def test_the_default_runner_over_the_touchdown_angle(over_angle):
 
     Between the folds the branch turns twice within a millionth of a degree, where it crosses two borders.
     """
-    bifurcations = [s for s in over_angle.specials if s.kind not in ("word border", "not judged")]
+    bifurcations = [s for s in over_angle.specials if s.kind not in ("word border", "unclassified")]
     assert [special.kind for special in bifurcations] == ["fold", "fold", "Neimark-Sacker"]
-    turns = [special for special in over_angle.specials if special.kind == "not judged"]
+    turns = [special for special in over_angle.specials if special.kind == "unclassified"]
     borders = [
         s.value for s in over_angle.specials if s.words == ("+0-+", "+0-") and s.value < bifurcations[0].value
     ]
@@ -344,7 +344,7 @@ def test_a_wrong_range_is_told(command, over, said):
 
 
 def test_a_sweep_says_that_a_fold_ends_its_branch(command):
-    """The fast human down to 0.35, below the fold at 0.3836; over the friction by its own name, too."""
+    """The fast human down to friction 0.35, below the fold at 0.3836; by option and by name."""
     options = ("--parameters", str(FAST_HUMAN), "--json")
     for span in (("--friction", "0.5:0.35:4"), ("--vary", "ground.friction=0.5:0.35:4")):
         status, out, said = command("sweep", *span, *options)

@@ -17,7 +17,7 @@ from tdmf_slip.fmu.parameters import read_parameters
 
 FAST_HUMAN = Path(__file__).with_name("fast_human.toml")
 ANGLE = "hip.touchdown_angle"
-KINDS = {"fold", "period doubling", "Neimark-Sacker", "word border", "not judged"}
+KINDS = {"fold", "period doubling", "Neimark-Sacker", "word border", "unclassified"}
 UNSTABLE_APEX = [14.1, 0.219, 1.004, 10.41, 0.0, 0.214]
 """An unstable gait is near, at a touchdown angle of 0.725, beyond the fold at 0.915."""
 
@@ -61,7 +61,7 @@ def assert_judged_rightly(special):
         pair = values[np.argmin(np.abs(np.abs(values) - 1.0))]
         assert abs(abs(pair) - 1.0) < 1e-8 and abs(pair.imag) > 1e-3
     assert special.kind in KINDS
-    assert (special.kind == "not judged") == bool(special.why)
+    assert (special.kind == "unclassified") == bool(special.why)
     assert bool(special.words) or special.kind != "word border"
 
 
@@ -142,7 +142,7 @@ def test_nothing_is_passed_over_where_gaits_are_wild(human, name, end, most):
     for special in branch.specials:
         assert_judged_rightly(special)
         low, high = sorted(special.between)
-        if special.kind == "not judged":
+        if special.kind == "unclassified":
             assert low <= special.value <= high
             assert special.as_json()["between"] == list(special.between)
 
@@ -188,7 +188,7 @@ def test_what_cannot_be_located_is_told_as_not_judged(human):
     _, whole = special_points(family, start, end)
     assert "fold" in [special.kind for special in whole]
     no_borders, (torn,) = special_points(Torn(human, FRICTION), start, end)
-    assert torn.kind == "not judged" and "the branch turns" in torn.why and not no_borders
+    assert torn.kind == "unclassified" and "the branch turns" in torn.why and not no_borders
     assert torn.between == (start.value, end.value) and torn.gait is end.gait
 
 
@@ -199,7 +199,7 @@ def test_a_border_on_which_the_branch_turns_is_not_judged(human):
     end = family.on_plane(family.coordinates(start) + 0.5 * SHORTEST * start.tangent, start.tangent)
     other = Point(replace(end.gait, word="+0-0+"), end.value, -start.tangent)
     borders, specials = special_points(family, start, other)
-    assert [special.kind for special in specials] == ["word border", "not judged"]
+    assert [special.kind for special in specials] == ["word border", "unclassified"]
     assert [(border.before, border.after) for border in borders] == [("+0+", "+0-0+")]
     assert "the branch turns" in specials[1].why and specials[1].gait is other.gait
 
@@ -215,7 +215,7 @@ def test_stability_that_changes_at_a_border_is_not_judged(human):
     jumping = Point(replace(end.gait, jacobian=1.2 * end.gait.jacobian), end.value, end.tangent)
     assert (start.gait.unstable, jumping.gait.unstable) == (0, 1)
     _, specials = special_points(family, start, jumping)
-    assert [special.kind for special in specials if special.kind != "word border"] == ["not judged"]
+    assert [special.kind for special in specials if special.kind != "word border"] == ["unclassified"]
 
 
 def test_the_first_step_is_predicted_along_the_right_parameter(runner):

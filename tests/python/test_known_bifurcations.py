@@ -154,7 +154,7 @@ def test_where_two_branches_cross_is_not_judged():
     family = MapFamily(logistic, 1)
     branch, _ = followed(family, family.beginning(0.5, 0.0), 0.5, 1.7)
     (crossing,) = branch.specials
-    assert crossing.kind == "not judged" and crossing.why
+    assert crossing.kind == "unclassified" and crossing.why
     assert min(crossing.between) - 1e-6 <= 1.0 <= max(crossing.between) + 1e-6
     assert np.ptp(crossing.between) < 1e-5
 
@@ -198,7 +198,7 @@ def test_a_border_collision_is_judged_by_the_maps_of_both_sides(left, right, kin
     ("left", "right", "kinds"),
     [
         ((0.5, 0.9), (0.5, 0.5), ["word border"]),
-        ((0.5, 0.9), (0.5, 1.1), ["word border", "not judged"]),  # a pair jumps out of the unit circle
+        ((0.5, 0.9), (0.5, 1.1), ["word border", "unclassified"]),  # a pair jumps out of the unit circle
         ((0.5, 0.9), (-2.5, 0.9), ["word border", "period doubling"]),
         ((0.5, 0.9), (2.5, 0.9), ["word border", "fold"]),
         ((0.5, 1.2), (2.5, 0.9), ["word border", "fold"]),  # from two eigenvalues outside to one
@@ -209,7 +209,7 @@ def test_eigenvalues_that_jump_at_a_border_are_judged_or_told(left, right, kinds
     branch, _ = followed(family, family.beginning(-1.0, [-0.5, 0.3]), -1.0, 1.0)
     assert specials_of(branch) == [(kind, 0.0) for kind in kinds]
     for special in branch.specials:
-        assert (special.kind == "not judged") == bool(special.why)
+        assert (special.kind == "unclassified") == bool(special.why)
 
 
 def test_each_reason_to_stop_has_its_own_words():

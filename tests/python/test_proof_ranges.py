@@ -64,7 +64,7 @@ def test_a_proof_of_a_range_goes_on_from_its_file(span):
 
 @pytest.fixture(scope="module")
 def table():
-    """The published table of proved gaits over the friction: its heading, and all its pieces."""
+    """The published table of proved gaits against friction: its heading, and all its pieces."""
     head, *parts = (json.loads(line) for line in TABLE.read_text(encoding="utf-8").splitlines())
     return head, [Subinterval.of_row(row) for part in parts for row in part["pieces"]]
 

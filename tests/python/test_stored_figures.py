@@ -12,6 +12,7 @@ from tdmf_slip import viability as find_viable
 from tdmf_slip.library.quantities import quantities_of
 from tdmf_slip.paper.figures import optimal, rough, slippery_patch, slope, stored, thrust, viability
 from tdmf_slip.pictures import style
+from tdmf_slip.pictures.curve_label import CurveLabel
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 OF_THE_GAITS = {"snapshots", "stride"}
@@ -173,8 +174,14 @@ def test_optimal_runners_are_what_is_kept():
     assert 0.2 < frictions[np.argmin(over)] < 0.45 and np.min(over) < 0.85 * over[np.argmax(frictions)]
 
 
-def test_figures_are_drawn_of_what_is_kept_and_no_legend_is_cut_off(command, monkeypatch):
-    found = []
+def _crosses_a_line(label, renderer):
+    box = label.box_of_word(renderer)
+    paths = (line.get_transform().transform_path(line.get_path()) for line in label.axes.lines)
+    return any(path.cleaned(remove_nans=True).intersects_bbox(box, filled=False) for path in paths)
+
+
+def test_figures_are_drawn_of_what_is_kept_with_legends_inside_and_words_beside_curves(command, monkeypatch):
+    found, crossed = [], []
     save = style.save
 
     def look(figure, path, *arguments):
@@ -183,6 +190,8 @@ def test_figures_are_drawn_of_what_is_kept_and_no_legend_is_cut_off(command, mon
         legends = [*figure.legends, *(axes.get_legend() for axes in figure.axes if axes.get_legend())]
         boxes = [legend.get_window_extent(renderer) for legend in legends]
         found.extend(box.x0 >= 0 and box.x1 <= figure.bbox.width for box in boxes)
+        labels = [text for axes in figure.axes for text in axes.texts if isinstance(text, CurveLabel)]
+        crossed.extend(_crosses_a_line(label, renderer) for label in labels)
         save(figure, path, *arguments)
 
     monkeypatch.setattr(style, "save", look)
@@ -199,6 +208,7 @@ def test_figures_are_drawn_of_what_is_kept_and_no_legend_is_cut_off(command, mon
     ):
         assert command("figures", "--only", name, "--output", "made", "--format", "png")[0] == 0
     assert len(found) >= 5 and all(found)
+    assert len(crossed) >= 10 and not any(crossed)
 
 
 def test_each_picture_of_the_documentation_is_shown_and_is_remade_by_one_command(command):

@@ -1,5 +1,5 @@
 /**
- * The paper's figure 9: largest eigenvalue, speed and cost of transport of the gaits over the friction, with their
+ * The paper's figure 9: largest eigenvalue, speed and cost of transport of the gaits against friction, with their
  * words. It grows while the friction is dragged and while workers follow the gait.
  * @module
  */

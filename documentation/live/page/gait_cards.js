@@ -1,5 +1,5 @@
 /**
- * The cards of the gait: its numbers, its curve over the friction, its region of attraction.
+ * The cards of the gait: its numbers, its curve against friction, its region of attraction.
  * @module
  */
 import { differences } from "./address.js";

@@ -19,7 +19,7 @@ export class GaitSearch {
     Object.assign(this, { pool, runner, listener, gait: null, version: 0, following: null, wanted: false });
   }
 
-  /** Settles, then Newton's method; the curve over the friction follows. */
+  /** Settles, then Newton's method; then the curve against friction. */
   async find() {
     const version = this.forget();
     this.wanted = true;

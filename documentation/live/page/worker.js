@@ -8,7 +8,7 @@ import { findGait, followFriction, FRICTION, startOnGait } from "./gaits.js";
 
 let core = null;
 
-/** One branch of the gaits over the friction, sent point by point. */
+/** One branch of the gaits against friction, sent point by point. */
 function followCurve({ given, gait, frictions }, send) {
   let from = given[FRICTION];
   let here = gait;

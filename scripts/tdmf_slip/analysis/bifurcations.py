@@ -1,11 +1,11 @@
-"""Where a branch turns or a gait's stability changes: located along the branch, and judged there.
+"""Bifurcations of a branch: points where it turns or stability changes, located and classified.
 
-A fold is an eigenvalue at +1 where the parameter turns back, a period doubling one at -1, a Neimark-Sacker
-point a complex pair on the unit circle. Where the word changes the return map is smooth on either side only,
-and eigenvalues may jump: the maps of both sides then tell what happens, by Feigin's conditions for a border
-collision. The branch turns where det(I - J) changes its sign from one side to the other, and the period
-doubles where det(I + J) does. Whatever else changes the number of eigenvalues outside the unit circle from
-one gait to the next is told as not judged: none is passed over.
+At a fold an eigenvalue is +1 and the parameter turns back. At a period doubling an eigenvalue is -1, and at
+a Neimark-Sacker point a complex pair is on the unit circle. At a word border the return map has a kink, and
+eigenvalues may jump. Feigin's conditions for a border collision then classify the point from the maps of
+both sides: the branch turns where det(I - J) changes its sign across the border, and the period doubles
+where det(I + J) does. Any other change in the number of eigenvalues outside the unit circle is kept and
+marked `unclassified`.
 """
 
 from collections.abc import Callable, Iterator, Mapping
@@ -22,8 +22,8 @@ from .borders import Border, Crossing, crossings
 from .family import Family, Point
 
 FOLD, PERIOD_DOUBLING, NEIMARK_SACKER = "fold", "period doubling", "Neimark-Sacker"
-WORD_BORDER, NOT_JUDGED = "word border", "not judged"
-KINDS = (FOLD, PERIOD_DOUBLING, NEIMARK_SACKER, WORD_BORDER, NOT_JUDGED)
+WORD_BORDER, UNCLASSIFIED = "word border", "unclassified"
+KINDS = (FOLD, PERIOD_DOUBLING, NEIMARK_SACKER, WORD_BORDER, UNCLASSIFIED)
 SHORTEST = 1e-6
 """Length of branch within which changes that come together are not told apart."""
 LOCATED = 1e-11
@@ -38,19 +38,19 @@ class Special(ByContents):
     """A point of a branch where its stability, its direction or its word changes."""
 
     kind: str
-    """fold, period doubling, Neimark-Sacker, word border, or not judged."""
+    """fold, period doubling, Neimark-Sacker, word border, or unclassified."""
     value: float
-    """Of the parameter; of what is not judged, the middle of where it lies."""
+    """Value of the parameter; for an unclassified point, the middle of `between`."""
     gait: Gait
-    """The gait there; at a word border, and of what is not judged, the one just beyond."""
+    """Gait at the point; for a word border or an unclassified point, the gait just beyond it."""
     between: tuple[float, float]
     """Values of the parameter at two gaits around it, in their order along the branch."""
     why: str = ""
-    """Why it is not judged; of a period doubling, why gaits of twice the period are not followed."""
+    """Why the point is unclassified, or why the gaits of a period doubling are not followed."""
     words: tuple[str, str] | None = None
-    """At a word border, also of what else happens there: the words before and after it."""
+    """Gait words before and after the point, if they differ."""
     index: int = 0
-    """Number of the branch's point after which it lies."""
+    """Index of the branch's gait just before the point."""
 
     def as_json(self) -> dict[str, object]:
         """As a plain object; `from` and `to` are the words where they change."""
@@ -81,11 +81,11 @@ def _specials(family: Family, before: Point, after: Point) -> Iterator[Special]:
             return
     except (InputError, RunError) as problem:
         if family.distance(before, after) < SHORTEST:
-            yield _not_judged(before, after, str(problem))
+            yield _unclassified(before, after, str(problem))
             return
     halves = _halves(family, before, after)
     if halves is None:
-        yield _not_judged(before, after, _account(before, after))
+        yield _unclassified(before, after, _account(before, after))
         return
     for begin, end in halves:
         yield from _specials(family, begin, end)
@@ -128,13 +128,13 @@ def _at_border(crossing: Crossing, around: tuple[float, float]) -> Iterator[Spec
     more = abs(beyond.gait.unstable - short.gait.unstable)
     explained = more <= len(real) and (more - len(real)) % 2 == 0
     if not explained or turns != (FOLD in changes):
-        yield replace(_not_judged(short, beyond, _account(short, beyond)), words=words)
+        yield replace(_unclassified(short, beyond, _account(short, beyond)), words=words)
 
 
-def _not_judged(before: Point, after: Point, why: str) -> Special:
+def _unclassified(before: Point, after: Point, why: str) -> Special:
     middle, around = 0.5 * (before.value + after.value), (before.value, after.value)
     words = (before.gait.word, after.gait.word)
-    return Special(NOT_JUDGED, middle, after.gait, around, why, words if words[0] != words[1] else None)
+    return Special(UNCLASSIFIED, middle, after.gait, around, why, words if words[0] != words[1] else None)
 
 
 def _period_doubling(point: Point) -> float:

@@ -20,7 +20,7 @@ from ..library.runner import Runner
 from ..library.shared_steps import shares_steps
 from ..numerics.halving import halved
 from ..terminal.progress import progress_bar
-from .bifurcations import NEIMARK_SACKER, NOT_JUDGED, WORD_BORDER, Special
+from .bifurcations import NEIMARK_SACKER, UNCLASSIFIED, WORD_BORDER, Special
 from .curve import CLOSED, LONGEST, SHORTEST, Box, Curve
 from .lines import border_curve
 from .meeting import PointSet
@@ -108,7 +108,7 @@ def continue_curves(
 
         for special in branch.specials:
             at = np.array([special.value, runner.values[second]]) / sizes
-            if special.kind == NOT_JUDGED or _is_on(found, special, at, sizes, box):
+            if special.kind == UNCLASSIFIED or _is_on(found, special, at, sizes, box):
                 continue
             if special.kind == WORD_BORDER:
                 curve = border_curve(runner, names, sizes, box, branch, special, max_points, tell)

@@ -32,7 +32,7 @@ FRAMES = 12, 2000
     default=Path("stride.gif"),
     show_default=True,
     metavar="FILE",
-    help="Where it goes: .gif, .mp4 where ffmpeg is, or .html.",
+    help="File to write: .gif, .html, or .mp4 if ffmpeg is installed.",
 )
 @FRICTION_OPTION
 @SET_OPTION
@@ -40,7 +40,7 @@ FRAMES = 12, 2000
 @click.option(
     "--from-gait",
     metavar="FILE",
-    help="The gait that `tdmf-slip gait --json` wrote to a file, with its parameters; -: from stdin.",
+    help="Gait to animate, from a file that `tdmf-slip gait --json` wrote; - reads stdin.",
 )
 @click.option(
     "--frames",
@@ -48,7 +48,7 @@ FRAMES = 12, 2000
     default=120,
     show_default=True,
     metavar="N",
-    help="Frames in a stride, twenty a second; the stance is shown in slow motion.",
+    help="Frames per stride, shown at 20 per second; the stance is in slow motion.",
 )
 def animate_command(
     output: Path,
@@ -58,7 +58,7 @@ def animate_command(
     from_gait: str | None,
     frames: int,
 ) -> None:
-    """One stride of a runner's gait as an animation that loops."""
+    """Animate one stride of a runner's gait, in a loop."""
     from ..pictures import animation, style  # matplotlib is slow to load
     from ..pictures.stride import Stride
 

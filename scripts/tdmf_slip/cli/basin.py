@@ -44,8 +44,8 @@ from .runner import runner_of
     "spans",
     multiple=True,
     metavar="NAME[=A:B]",
-    help="Coordinate of the apex section and its range, as in com_height=1:4 or leg_angle='60 deg:80 deg'; "
-    "two of them.  [default: com_height and com_speed, around the gait]",
+    help="Coordinate of the apex section and its range, as in com_height=1:4 or leg_angle='60 deg:80 deg'."
+    " Given twice.  [default: com_height and com_speed, around the gait]",
 )
 @click.option(
     "--n",
@@ -59,7 +59,7 @@ from .runner import runner_of
     "--output",
     type=click.Path(path_type=Path),
     metavar="FILE",
-    help="Write the map as NetCDF (.nc), block by block; gone on with where the file has blocks already.",
+    help="Write the map as NetCDF (.nc), block by block. An existing file is resumed.",
 )
 @click.option(
     "--plot", type=click.Path(path_type=Path), metavar="FILE", help="Draw the map: .png, .svg or .pdf."
@@ -69,23 +69,24 @@ from .runner import runner_of
     type=click.IntRange(0, 100_000_000),
     default=20000,
     show_default=True,
-    help="Random starts in all six coordinates, for the region's volume; 0 for none.",
+    help="Random starts in all six coordinates, from which the volume is estimated; 0 for none.",
 )
 @click.option(
     "--ball",
     type=click.Choice((*CHOICES, "proved")),
     default="tested",
     show_default=True,
-    help="A ball around the gait in which a start has settled: tested by strides from points of it, where "
-    "that saves more than it costs; proved, small and slow; or none: each is followed until near the gait.",
+    help="Ball around the gait in which a start counts as settled. tested: its surface is tested by "
+    "simulation, if that saves time; proved: small and slow to compute; none: every start is "
+    "simulated until it is on the gait.",
 )
 @click.option(
     "--refine",
     type=click.Choice(REFINEMENTS),
     default="exact",
     show_default=True,
-    help="Follow every start; or, for a preview, those near a border and corners of squares: quick, but an "
-    "island of fewer than 16 starts can be missed.",
+    help="exact simulates every start. preview simulates those near a border and fills in the rest: "
+    "faster, but it can miss islands of fewer than 16 starts.",
 )
 @SCHEDULER_OPTION
 @THREADS_OPTION
@@ -109,10 +110,10 @@ def basin_command(
     model: str,
     as_json_object: bool,
 ) -> None:
-    """The region of attraction of a gait: a map over a slice of the apex section, its volume, its robustness.
+    """Compute the region of attraction of a gait: a map of a slice, its volume and its robustness.
 
-    Robustness is the largest push (a change of speed) and step (of the ground, at an apex) that the runner
-    recovers from.
+    Robustness is the largest push (a change of speed) and the largest step in the ground, both at an apex,
+    from which the runner recovers.
     """
     named = _axes(spans, MODELS[model])
     if output is not None:

@@ -19,25 +19,25 @@ if TYPE_CHECKING:
     type=float,
     default=1.0,
     show_default=True,
-    help="Scales how long is measured.",
+    help="Factor on the time spent measuring.",
 )
 @click.option(
     "--growth",
     "of_growth",
     is_flag=True,
-    help="Instead, how the time of whole questions grows with their size: basin, ensembles, optimize, fit, "
-    "continue.",
+    help="Measure instead how the time of whole tasks grows with their size: basin, ensembles, optimize, "
+    "fit, continue.",
 )
 @click.option(
     "--swing-clamp/--no-swing-clamp",
     default=None,
-    help="Value of hip.swing_clamp for the runners that are timed; by default the unit's own.",
+    help="Value of hip.swing_clamp for the timed runners.  [default: the unit's own]",
 )
 @JSON_OPTION
 def bench_command(effort: float, of_growth: bool, swing_clamp: bool | None, as_json_object: bool) -> None:
-    """Solvers and the ensemble engine against their peers, on the same strides at equal accuracy.
+    """Time the solvers and the ensemble engine against other programs at equal accuracy.
 
-    Nothing is timed before all of them have made the same strides, with the clamp and without it.
+    Before anything is timed, all programs must agree on the strides, with and without the clamp.
     """
     measured: Growth | Bench
     if of_growth:

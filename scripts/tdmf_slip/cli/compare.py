@@ -19,26 +19,26 @@ from .runner import runner_of
     type=float,
     multiple=True,
     metavar="MU",
-    help=f"A runner by the friction of its ground; short for {FRICTION}. Repeatable.",
+    help=f"Friction of the ground of one runner; short for {FRICTION}. Repeatable.",
 )
 @click.option(
     "--parameters",
     "files",
     multiple=True,
     metavar="FILE",
-    help="A runner by a TOML or JSON file, or a preset. Repeatable; as many as frictions, or one of either.",
+    help="TOML or JSON file, or preset, of one runner. Repeatable; give one, or as many as frictions.",
 )
 @click.option(
     "--hold",
     required=True,
     metavar="NAMES",
-    help=f"Quantities that are to be equal, as in speed,apex_height: {', '.join(QUANTITIES)}.",
+    help=f"Quantities to match, as in speed,apex_height: {', '.join(QUANTITIES)}.",
 )
 @click.option(
     "--vary",
     required=True,
     metavar="NAMES",
-    help="Parameters that may change for it, at least as many, as in hip.stance_torque,hip.touchdown_angle.",
+    help="Parameters to adjust, at least as many as quantities, as in hip.stance_torque,hip.touchdown_angle.",
 )
 @SET_OPTION
 @MODEL_OPTION
@@ -52,9 +52,9 @@ def compare_command(
     model: str,
     as_json_object: bool,
 ) -> None:
-    """Runners made equal in speed, clearance or the like: what is left of a difference has fewer causes.
+    """Match runners in speed, foot clearance or other quantities, to rule these out as causes.
 
-    The first runner is the reference. What could not be made equal is told, and is no error.
+    The first runner is the reference. A quantity that could not be matched is reported; it is not an error.
     """
     fmu = load_fmu()
     found = compare(

@@ -42,8 +42,8 @@ from .runner import runner_of
     required=True,
     multiple=True,
     metavar="NAME=A:B",
-    help="Parameter or input that is varied, as in ground.friction=0.6:0.2 or "
-    "hip.touchdown_angle='40 deg:60 deg'. Given twice: curves of special points over two parameters.",
+    help="Parameter or input to vary, as in ground.friction=0.6:0.2 or hip.touchdown_angle='40 deg:60 "
+    "deg'. Given twice: curves of special points over two parameters.",
 )
 @FRICTION_OPTION
 @click.option(
@@ -51,14 +51,14 @@ from .runner import runner_of
     type=Number(SHORTEST_STEP, LARGEST_STEP),
     default=0.2,
     show_default=True,
-    help="Longest step along the branch, over the scales of the apex and the parameter.",
+    help="Longest step along the branch, relative to the scales of the apex and of the parameter.",
 )
 @click.option(
     "--points",
     type=Number(1, MAX_POINTS, whole=True),
     default=1000,
     show_default=True,
-    help="Stop after so many gaits, in each direction.",
+    help="Maximum number of gaits in each direction.",
 )
 @click.option(
     "--no-switch", is_flag=True, help="Do not follow gaits of two and four strides from period doublings."
@@ -71,7 +71,7 @@ from .runner import runner_of
     default="com_speed",
     show_default=True,
     metavar="NAME",
-    help="What is drawn: a coordinate of the apex, a quantity of the stride, or lambda_max.",
+    help="Quantity to draw: a coordinate of the apex, a quantity of the stride, or lambda_max.",
 )
 @click.option(
     "--output", type=click.Path(path_type=Path), metavar="FILE", help="Write the gaits as NetCDF (.nc)."
@@ -94,13 +94,13 @@ def continue_command(
     model: str,
     as_json_object: bool,
 ) -> None:
-    """A branch of gaits along a parameter, past folds, with every special point found and judged.
+    """Follow a branch of gaits along a parameter, past folds, and locate its bifurcations.
 
-    Folds, period doublings, Neimark-Sacker points and borders between words are located; a point that cannot
-    be judged is told as such. From period doublings the gaits of two strides are followed, too, and from
-    theirs those of four. Where there is no gait at A, the branch begins where there is one and is followed
-    both ways. Over two parameters, the special points that the branch over the first one has are followed as
-    curves.
+    Folds, period doublings, Neimark-Sacker points and word borders are located. A point that cannot be
+    classified is listed as unclassified. At a period doubling, the gaits of two strides are followed too, and
+    from theirs the gaits of four. If there is no gait at A, the branch begins at the first value that has one
+    and is followed both ways. With two parameters, the special points of the branch over the first one are
+    followed as curves.
     """
     fmu = load_fmu()
     given = values_given(friction, settings)

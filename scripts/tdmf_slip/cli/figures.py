@@ -23,18 +23,18 @@ RESOLUTIONS = 20.0, 2400.0
     default=Path("figures"),
     show_default=True,
     metavar="FOLDER",
-    help="Where the figures go.",
+    help="Folder to write to.",
 )
 @click.option(
     "--only",
     metavar="NAMES",
     default="",
-    help="Only the figures whose names begin like these, with commas between them: figure_9,energy.",
+    help="Draw only the figures whose names begin with one of these, as in figure_9,energy.",
 )
 @click.option(
     "--measure",
     is_flag=True,
-    help="Compute anew the data that take minutes: rough ground, slopes, thrust, feedback.",
+    help="Recompute the data that take minutes instead of reading the stored ones.",
 )
 @click.option(
     "--format",
@@ -42,19 +42,19 @@ RESOLUTIONS = 20.0, 2400.0
     metavar="NAMES",
     default="png,svg",
     show_default=True,
-    help="Formats of the files, with commas between them: png, svg, pdf.",
+    help="Formats of the files, separated by commas: png, svg, pdf.",
 )
 @click.option(
     "--width",
     type=Number(*WIDTHS),
     metavar="CM",
-    help="Width of each figure, its height in proportion; type keeps its size.  [default: each its own]",
+    help="Width of each figure; the height follows, and the font size stays.  [default: each its own]",
 )
 @click.option(
     "--resolution",
     type=Number(*RESOLUTIONS),
     metavar="DPI",
-    help="Dots per inch of PNG files.  [default: each its own]",
+    help="Resolution of PNG files in dots per inch.  [default: each its own]",
 )
 @click.option(
     "--style",
@@ -62,7 +62,7 @@ RESOLUTIONS = 20.0, 2400.0
     type=click.Choice(["house", "print", "slides"]),
     default="house",
     show_default=True,
-    help="Type and lines: for a screen, for a journal, for a wall.",
+    help="Fonts and line widths: house for a screen, print for a journal, slides for a projector.",
 )
 def figures_command(
     folder: Path,
@@ -73,7 +73,7 @@ def figures_command(
     resolution: float | None,
     style_name: str,
 ) -> None:
-    """The paper's figures, remade, with the data of each beside it as CSV."""
+    """Draw the paper's figures and our own, each with its data as CSV."""
     from ..paper.figures import catalogue  # matplotlib is slow to load
     from ..pictures import style
 

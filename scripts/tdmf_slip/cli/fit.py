@@ -33,42 +33,42 @@ from .runner import runner_of
 @click.option(
     "--vary",
     metavar="NAMES",
-    help="Parameters to be found that all rows share, as in leg.stiffness,leg.damping; they begin with the "
-    "values given.",
+    help="Parameters to fit that all rows share, as in leg.stiffness,leg.damping. The search begins at the"
+    " given values.",
 )
 @click.option(
     "--vary-each",
     metavar="NAMES",
-    help="Parameters to be found of which each row has its own value, as in hip.stance_torque.",
+    help="Parameters to fit that have a value of their own in each row, as in hip.stance_torque.",
 )
 @click.option(
     "--prior",
     "priors",
     multiple=True,
     metavar="NAME=VALUE,ERROR",
-    help="What is known of a parameter beside the data: its value and standard error, as in "
-    "leg.free_length=0.95,0.02. One that is not among --vary is fitted, too. Repeatable.",
+    help="Prior knowledge of a parameter: its value and standard error, as in leg.free_length=0.95,0.02. A"
+    " parameter that is not in --vary is then fitted as well. Repeatable.",
 )
 @click.option(
-    "--robust", is_flag=True, help="Huber's loss instead of squares: data that are far off change little."
+    "--robust", is_flag=True, help="Use Huber's loss instead of squares, so that outliers have less weight."
 )
 @click.option(
     "--scale-errors",
     is_flag=True,
-    help="The errors are known but for a common factor, which the residuals tell.",
+    help="Treat the errors as relative weights, and estimate their common factor from the residuals.",
 )
 @click.option(
-    "--linear", is_flag=True, help="Intervals by slopes alone instead of the profile likelihood: quicker."
+    "--linear", is_flag=True, help="Linearized intervals instead of the profile likelihood: faster."
 )
 @click.option(
     "--starts",
     type=Number(1, MAX_STARTS, whole=True),
     default=STARTS,
     show_default=True,
-    help="How many fits are made at the most, from gaits all over what varies.",
+    help="Maximum number of starts, spread over the ranges of the parameters.",
 )
 @click.option(
-    "--without-each", is_flag=True, help="Also the shared parameters without one datum, for each datum."
+    "--without-each", is_flag=True, help="Also fit the shared parameters without each datum in turn."
 )
 @FRICTION_OPTION
 @SET_OPTION
@@ -81,7 +81,7 @@ from .runner import runner_of
     "--report",
     type=click.Path(path_type=Path),
     metavar="FILE",
-    help="Write tables, picture and what the fit says as a page (.html).",
+    help="Write a report with tables and picture (.html).",
 )
 @JSON_OPTION
 def fit_command(
@@ -102,15 +102,14 @@ def fit_command(
     report: Path | None,
     as_json_object: bool,
 ) -> None:
-    """Parameters of the runner whose gaits are nearest to measured ones, with 95 % intervals.
+    """Fit parameters of the runner to measured gaits, with 95 % intervals.
 
-    FILE is a CSV table with a row for each condition, or one that comes with the package: human_running,
-    human_fast_running; --parameters human_running.toml is the runner that their fits begin with. The
-    header has any of "speed [m/s]", "frequency [Hz]",
-    "stance_time [s]", "duty_factor [1]", "slip_distance [m]", "peak_force [N]", or another quantity of a
-    stride, as "foot_clearance [m]", each with its standard error, as "speed_error [m/s]"; lines that begin
-    with # are skipped. A stride is from one stance of the leg to the next. The status is 1 where the search
-    does not end.
+    FILE is a CSV table with one row per condition, or a table that comes with the package: human_running or
+    human_fast_running. Both begin with the runner of --parameters human_running.toml. A column is a quantity
+    of the stride with its unit: "speed [m/s]", "frequency [Hz]", "stance_time [s]", "duty_factor [1]",
+    "slip_distance [m]", "peak_force [N]" or others, such as "foot_clearance [m]". Each has its standard error
+    in a second column, as "speed_error [m/s]". Lines that begin with # are skipped. A stride runs from one
+    stance of the leg to the next. The exit status is 1 if the search does not converge.
     """
     fmu = load_fmu()
     names, each = names_given(vary), names_given(vary_each)

@@ -37,8 +37,8 @@ PICTURE = "gait.png"
 VARY_OPTION = click.option(
     "--vary",
     metavar="NAMES",
-    help="Parameters that may change for a target, at least as many as it prescribes, as in "
-    "hip.stance_torque,leg.stiffness; they begin with the values given.",
+    help="Parameters to adjust, at least as many as targets, as in hip.stance_torque,leg.stiffness. The "
+    "search begins at the given values.",
 )
 
 
@@ -69,10 +69,10 @@ def gait_command(
     plot: Path | None,
     as_json_object: bool,
 ) -> None:
-    """The periodic gait, stable or not, with the eigenvalues of its return map.
+    """Find the periodic gait, stable or not, and the eigenvalues of its return map.
 
-    With --target, the gait that has what is prescribed, by the parameters that --vary names.
-    Where there is none, JSON has the nearest one and the parameters that would help, and the status is 1.
+    With --target, find the gait that meets the targets by changing the parameters in --vary. If none is
+    found, the JSON holds the nearest gait and the parameters that would help, and the exit status is 1.
     """
     if plot is not None:
         from ..pictures import style  # matplotlib is slow to load

@@ -39,33 +39,34 @@ from .runner import runner_of
     "--minimize",
     multiple=True,
     metavar="QUANTITY",
-    help=f"What is to be the least: {', '.join(QUANTITIES)}. Of two, a Pareto front.",
+    help=f"Quantity to minimize: {', '.join(QUANTITIES)}. Two objectives give a Pareto front.",
 )
-@click.option("--maximize", multiple=True, metavar="QUANTITY", help="What is to be the most, likewise.")
+@click.option(
+    "--maximize", multiple=True, metavar="QUANTITY", help="Quantity to maximize, from the same list."
+)
 @click.option(
     "--vary",
     "ranges",
     required=True,
     multiple=True,
     metavar="NAME=A:B",
-    help="Parameter or input that is varied, and its bounds, as in hip.touchdown_angle='30 deg:50 deg'. "
-    "Repeatable.",
+    help="Parameter or input to vary, and its bounds, as in hip.touchdown_angle='30 deg:50 deg'. Repeatable.",
 )
 @TARGET_OPTION
-@click.option("--stable", is_flag=True, help="Only gaits whose spectral radius is 0.99 at the most.")
+@click.option("--stable", is_flag=True, help="Only gaits whose spectral radius is at most 0.99.")
 @click.option(
     "--starts",
     type=Number(1, MAX_STARTS, whole=True),
     default=STARTS,
     show_default=True,
-    help="How many searches are made at the most, from gaits all over the bounds.",
+    help="Maximum number of searches, from gaits spread over the bounds.",
 )
 @click.option(
     "--points",
     type=Number(2, MAX_POINTS, whole=True),
     default=POINTS,
     show_default=True,
-    help="How many runners of a Pareto front.",
+    help="Number of runners on a Pareto front.",
 )
 @FRICTION_OPTION
 @SET_OPTION
@@ -86,11 +87,11 @@ def optimize_command(
     model: str,
     as_json_object: bool,
 ) -> None:
-    """The best runner: parameters within bounds whose gait has the least or the most of a quantity.
+    """Find the parameters within bounds whose gait minimizes or maximizes a quantity.
 
-    By gradients that are exact through the gait, across changes of the gait word. Where no gait has what is
-    prescribed, JSON has the nearest one, and the status is 1. Of two quantities, the Pareto front: runners of
-    which none is better in one without being worse in the other.
+    The search uses exact gradients, also across changes of the gait word. If no gait meets the targets, the
+    JSON holds the nearest one, and the exit status is 1. Two objectives give a Pareto front: runners of which
+    none can be improved in one objective without losing in the other.
     """
     fmu = load_fmu()
     given = values_given(friction, settings)

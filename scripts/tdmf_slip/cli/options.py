@@ -64,7 +64,7 @@ class Number(click.ParamType[float]):
 NUMERIC = (click.types.FloatParamType, click.types.IntParamType, Number)
 """Types of options that are numbers."""
 FRICTION_OPTION = click.option(
-    "--friction", type=float, metavar="MU", help=f"Friction of the ground; short for {FRICTION}."
+    "--friction", type=float, metavar="MU", help=f"Friction coefficient of the ground; short for {FRICTION}."
 )
 JSON_OPTION = click.option(
     "--json", "as_json_object", is_flag=True, help="Print one JSON object and nothing else."
@@ -87,20 +87,21 @@ MODEL_OPTION = click.option(
     type=click.Choice(list(MODELS)),
     default="full",
     show_default=True,
-    help="Of flight: in full, or reduced to where the leg is to be placed, so that an apex is a height and a "
-    "speed.",
+    help="full: all six coordinates of an apex. reduced: the leg follows its reference without delay in "
+    "flight, so height and speed describe an apex.",
 )
 TARGET_OPTION = click.option(
     "--target",
     "targets",
     multiple=True,
     metavar="QUANTITY=VALUE",
-    help=f"Quantity that is prescribed, as in speed=1. Repeatable. Quantities: {', '.join(QUANTITIES)}.",
+    help=f"Target value of a quantity, as in speed=1. Repeatable. Quantities: {', '.join(QUANTITIES)}.",
 )
 SCHEDULER_OPTION = click.option(
     "--scheduler",
     metavar="ADDRESS",
-    help="Dask scheduler whose workers do the work, tcp://host:8786; without one, threads of this machine.",
+    help="Address of the Dask scheduler whose workers compute, as in tcp://host:8786. Without it, threads "
+    "of this machine compute.",
 )
 THREADS_OPTION = click.option(
     "--threads",

@@ -31,46 +31,45 @@ SHOWN = ("period", "length", "speed", "cost_of_transport", "slip_distance", "lif
 
 
 @click.command("prove", cls=Command)
-@click.option("--friction", metavar="MU", help=f"Friction of the ground; short for {FRICTION}.")
+@click.option("--friction", metavar="MU", help=f"Friction coefficient of the ground; short for {FRICTION}.")
 @SET_OPTION
 @PARAMETERS_OPTION
 @click.option(
     "--box",
     metavar="RADIUS",
-    help="Within how much of the apex exactly one gait is to lie, in units of the coordinates' scales, as in "
-    "1e-10.  [default: as much as is proved of some that are tried]",
+    help="Radius of the box of apices in which exactly one gait is proved, in units of the coordinates' "
+    "scales, as in 1e-10.  [default: the largest of several that can be proved]",
 )
 @click.option(
-    "--digits", type=int, default=20, show_default=True, metavar="N", help="That enclosures are to have."
+    "--digits", type=int, default=20, show_default=True, metavar="N", help="Digits of the enclosures."
 )
 @click.option(
     "--border",
     metavar="A:B",
-    help="Instead of a gait, the borders between gait words from one friction to another, and a gait on each "
-    "side of each.",
+    help="Prove the borders between gait words in a range of friction, and a gait on each side of each "
+    "border.",
 )
 @click.option(
     "--vary",
     metavar="NAME=A:B",
-    help="Instead of a gait, all gaits over a range of a parameter, by subdivision, as in "
-    "ground.friction=0.5999:0.6001.",
+    help="Prove all gaits over a range of a parameter, by subdivision, as in ground.friction=0.5999:0.6001.",
 )
 @click.option(
     "--output",
     type=click.Path(path_type=Path),
     metavar="FILE",
-    help="With --vary: JSON lines, added to part by part; a proof goes on from a file that is there.",
+    help="With --vary: write JSON lines, one per subinterval. An existing file is resumed.",
 )
 @click.option(
     "--processes",
     type=click.IntRange(min=1),
     metavar="N",
-    help="With --vary: how many processes prove parts of it side by side.  [default: one for each processor]",
+    help="With --vary: number of processes.  [default: one for each processor]",
 )
 @click.option(
     "--compare",
     is_flag=True,
-    help="Beside the proof: how far the stride of each solver may be from the proved gait.",
+    help="Also bound how far the stride of each solver is from the proved gait.",
 )
 @JSON_OPTION
 def prove_command(
@@ -86,11 +85,11 @@ def prove_command(
     compare: bool,
     as_json_object: bool,
 ) -> None:
-    """A periodic gait, proved: there is exactly one in a box, with its word, stability and enclosures.
+    """Prove that exactly one gait lies in a box, with its word, stability and enclosures.
 
-    All numbers are exact: 0.6 is 3/5, '40 deg' is 2 pi/9, and so are those of a file. Where the enclosures do
-    not decide, the answer is "undecided", with the guard and the time, and the status is 1; it says nothing
-    against the gait. Needs python-flint, the extra `proof`.
+    All numbers are exact: 0.6 is 3/5, '40 deg' is 2 pi/9, also in files. If the enclosures are too wide, the
+    answer is "undecided", with the guard and the time, and the exit status is 1. The answer is never "no
+    gait". Requires python-flint, the extra `proof`.
     """
     given = values_given(None, settings)
     if friction is not None:

@@ -40,7 +40,8 @@ from .runner import runner_of
     "--roughness",
     type=Number(0.0, LARGEST),
     metavar="S",
-    help="Standard deviation, in m, of the ground's steps at each apex, or of heights of segments.",
+    help="Standard deviation, in m, of the ground's step at each apex; with --segment-length, of the "
+    "segments' heights.",
 )
 @click.option(
     "--runners",
@@ -48,7 +49,7 @@ from .runner import runner_of
     default=1000,
     show_default=True,
     metavar="N",
-    help="How many run, each on ground of its own.",
+    help="Number of runners, each on its own random ground.",
 )
 @click.option(
     "--seed",
@@ -56,7 +57,7 @@ from .runner import runner_of
     default=0,
     show_default=True,
     metavar="K",
-    help="Of the ground: a whole number.",
+    help="Seed of the random ground.",
 )
 @click.option(
     "--max-strides",
@@ -64,41 +65,44 @@ from .runner import runner_of
     default=10_000,
     show_default=True,
     metavar="M",
-    help="A runner that has made as many is still up, and counted as censored.",
+    help="Number of strides after which a runner is censored.",
 )
 @click.option(
     "--correlation",
     type=Number(-0.99, 0.99),
     default=0.0,
     metavar="C",
-    help="Of each step with the one before.",
+    help="Correlation of each step with the one before.",
 )
 @click.option(
-    "--trips", is_flag=True, help="A foot below a step as it comes is a fall, not only one that stays there."
+    "--trips",
+    is_flag=True,
+    help="Count a foot that hits the face of a step as a fall. By default it passes through on its way up.",
 )
 @click.option(
     "--friction-spread",
     type=Number(0.0, LARGEST_SPREAD),
     default=0.0,
     metavar="S",
-    help="Standard deviation of the logarithm of each stride's friction, about the runner's.",
+    help="Standard deviation of the logarithm of the friction, drawn for each stride or segment.",
 )
 @click.option(
     "--segment-length",
     type=Number(0.0, LARGEST),
     default=0.0,
     metavar="L",
-    help="Of level segments, in m: heights and frictions belong to the ground there, no longer to strides.",
+    help="Length, in m, of level segments at fixed places, each with its own height and friction.",
 )
 @click.option(
     "--heights",
     metavar="FILE",
-    help="Heights of the segments, in m, in place of --roughness; after the last the first comes again.",
+    help="File with the heights of the segments, in m, in place of --roughness. They repeat after the last"
+    " one.",
 )
 @click.option(
     "--rare",
     is_flag=True,
-    help="By multilevel splitting, for falls that hardly ever come; without --runners and --max-strides.",
+    help="Use multilevel splitting, for rare falls. Not with --runners or --max-strides.",
 )
 @SCHEDULER_OPTION
 @THREADS_OPTION
@@ -123,9 +127,10 @@ def rough_command(
     parameters: str | None,
     as_json_object: bool,
 ) -> None:
-    """The mean number of strides until a runner falls on rough ground, with its confidence interval.
+    """Estimate the mean number of strides until a runner falls on rough ground, with its confidence interval.
 
-    Runners start from the gait on level ground. Those still up at the end are censored: their strides count.
+    Runners start from the gait on level ground. Runners that are still up at the end are censored: their
+    strides count, but they add no fall.
     """
     fmu = load_fmu()
     runner = runner_of(fmu, parameters, values_given(friction, settings))

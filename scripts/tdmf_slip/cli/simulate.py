@@ -51,7 +51,7 @@ SOLVER_TOLERANCE = "solver.relative_tolerance"
     show_default=True,
     help="FMI interface: Model Exchange or Co-Simulation.",
 )
-@click.option("--stop-time", type=Number(*TIMES), metavar="SECONDS", help="Stop at this time.")
+@click.option("--stop-time", type=Number(*TIMES), metavar="SECONDS", help="Time at which to stop.")
 @click.option(
     "--strides",
     type=Number(1, MAX_STRIDES, whole=True),
@@ -64,19 +64,20 @@ SOLVER_TOLERANCE = "solver.relative_tolerance"
 @click.option(
     "--from-gait",
     metavar="FILE",
-    help="Begin on the gait that `tdmf-slip gait --json` wrote to a file, with its parameters; -: to stdin.",
+    help="Start on the gait in a file that `tdmf-slip gait --json` wrote, with its parameters; - reads "
+    "stdin.",
 )
 @click.option(
     "--inputs",
     type=click.Path(path_type=Path),
     metavar="FILE",
-    help="Inputs over time: CSV with a header time,<input>,...",
+    help="Inputs over time: CSV with the header time,<input>,...",
 )
 @click.option(
     "--tolerance",
     type=Number(*TOLERANCES),
-    help="Relative tolerance: of CVODE in Model Exchange; in Co-Simulation the tighter of it and "
-    f"solver.relative_tolerance holds.  [default: {DEFAULT_TOLERANCE:g}]",
+    help="Relative tolerance of CVODE in Model Exchange. In Co-Simulation, the smaller of it and "
+    f"solver.relative_tolerance.  [default: {DEFAULT_TOLERANCE:g}]",
 )
 @click.option(
     "--output-interval",
@@ -106,9 +107,9 @@ def simulate_command(
     plot: Path | None,
     as_json_object: bool,
 ) -> None:
-    """One run of the unit through FMPy.
+    """Simulate one run of the FMI unit through FMPy.
 
-    A fall ends the run and is a result, not an error.
+    A fall ends the run. It is a result, not an error.
     """
     if output is not None:
         check_destination(output, WRITERS, "--output")

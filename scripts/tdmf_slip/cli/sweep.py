@@ -41,7 +41,7 @@ SPACING_OPTION = click.option(
     type=click.Choice(list(SPACINGS)),
     default="linear",
     show_default=True,
-    help="Of the values in a range.",
+    help="Spacing of the values in a range.",
 )
 
 
@@ -49,22 +49,22 @@ SPACING_OPTION = click.option(
 @click.option(
     "--friction",
     metavar="A:B:N",
-    help="N values from A to B; with --vary also a single one, MU, for all gaits.",
+    help="N values from A to B. With --vary, one value MU for all gaits is allowed too.",
 )
 @click.option(
     "--vary",
     multiple=True,
     metavar="NAME=A:B:N",
-    help="A parameter or input that is varied, as in leg.damping=0.1:0.3:20 or "
-    "hip.touchdown_angle='35 deg:45 deg:11'. Given twice, or with a range of friction, a grid of gaits, "
-    "written to --output row by row; resumed where the file has rows already.",
+    help="Parameter or input to vary, as in leg.damping=0.1:0.3:20 or hip.touchdown_angle='35 deg:45 "
+    "deg:11'. Given twice, or with a range of friction, it gives a grid of gaits, written to --output"
+    " row by row. An existing file is resumed.",
 )
 @SPACING_OPTION
 @click.option(
     "--output",
     type=click.Path(path_type=Path),
     metavar="FILE",
-    help="Write the gaits as NetCDF (.nc) or JSON (.json); -: JSON to stdout, as --json.",
+    help="Write the gaits as NetCDF (.nc) or JSON (.json); - writes JSON to stdout, as --json does.",
 )
 @click.option(
     "--plot", type=click.Path(path_type=Path), metavar="FILE", help="Draw the gaits: .png, .svg or .pdf."
@@ -88,11 +88,12 @@ def sweep_command(
     model: str,
     as_json_object: bool,
 ) -> None:
-    """Gaits over a range of friction or of another parameter, and the borders between gait words.
+    """Find gaits over a range of one or two parameters, and the borders between gait words.
 
-    A range that begins where there is no gait is swept from the first value that has one, both ways. Where a
-    fold ends a branch the sweep goes on with another, and says so. Where gaits are missing, those that were
-    found are printed and written, and the exit status is 1. The rows of a grid are computed side by side.
+    If there is no gait at the first value, the sweep begins at the first value that has one, and goes both
+    ways. Where a fold ends a branch, the sweep continues on another one and says so. If gaits are missing,
+    those that were found are printed and written, and the exit status is 1. The rows of a grid are computed
+    in parallel.
     """
     if output == STDOUT:
         output, as_json_object = None, True

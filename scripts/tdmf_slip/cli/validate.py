@@ -34,9 +34,11 @@ from .output import json_text, program
     "--gaits",
     "only_gaits",
     is_flag=True,
-    help="Compute only the five gaits of both readings, not the statements.",
+    help="Compute only the five gaits of both readings, without the statements.",
 )
-@click.option("--long", "own", is_flag=True, help="Also compute this project's own claims: some minutes.")
+@click.option(
+    "--long", "own", is_flag=True, help="Also compute this project's own claims, which takes some minutes."
+)
 @click.option(
     "--seed",
     type=Number(0, LAST_SEED, whole=True),
@@ -51,8 +53,8 @@ def validate_command(
 ) -> None:
     """Compare the paper's gaits and statements with both readings of (12); with --long also our own claims.
 
-    The exit status is 1 where a computed value is farther from its recorded reference than allowed, or
-    a claim does not hold.
+    The exit status is 1 if a computed value is too far from its recorded reference, or if a claim does not
+    hold.
     """
     if only_gaits and own:
         raise InputError("--gaits and --long: allowed: one of the two")

@@ -15,7 +15,7 @@ from .output import json_text
 @click.command("variables", cls=Command)
 @JSON_OPTION
 def variables_command(as_json_object: bool) -> None:
-    """Every variable of the unit with its short name, unit, range, default and meaning."""
+    """List every variable of the unit with its short name, unit, range, default and meaning."""
     variables = load_fmu().variables.values()
     if as_json_object:
         print(json_text({"variables": [_object(variable) for variable in variables]}))

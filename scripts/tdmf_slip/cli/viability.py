@@ -43,14 +43,14 @@ from .runner import runner_of
     multiple=True,
     required=True,
     metavar="NAME=A:B",
-    help="Range of com_height and of com_speed at the apex, as in com_height=0.5:3. Given twice.",
+    help="Range of com_height or com_speed at the apex, as in com_height=0.5:3. Given twice.",
 )
 @click.option(
     "--vary",
     multiple=True,
     required=True,
     metavar="NAME=A:B[:N]",
-    help="A setting that may be chosen anew at each apex, its range, and how many values of it, as in "
+    help="Setting to choose at each apex, its range, and the number of values, as in "
     f"'hip.touchdown_angle=20 deg:60 deg:32'. Repeatable.  [default: N = {VALUES}]",
 )
 @click.option(
@@ -68,21 +68,22 @@ from .runner import runner_of
     default=FACTOR,
     show_default=True,
     metavar="F",
-    help="Derivatives within a cell are taken to be up to so many times the largest at its corners.",
+    help="Safety factor: derivatives within a cell are assumed to be at most this many times the largest "
+    "at its corners.",
 )
 @click.option(
     "--model",
     type=click.Choice(list(MODELS)),
     default="reduced",
     show_default=True,
-    help="Map from apex to apex: reduced to height and speed, or in full, with the leg at rest where the "
-    "last placement leaves it.",
+    help="reduced: height and speed describe an apex. full: each stride starts with the leg at rest where "
+    "the last placement left it.",
 )
 @click.option(
     "--output",
     type=click.Path(path_type=Path),
     metavar="FILE",
-    help="Write strides and sets as NetCDF (.nc), block by block; gone on with where the file has some.",
+    help="Write strides and sets as NetCDF (.nc), block by block. An existing file is resumed.",
 )
 @click.option(
     "--plot", type=click.Path(path_type=Path), metavar="FILE", help="Draw the sets: .png, .svg or .pdf."
@@ -91,14 +92,14 @@ from .runner import runner_of
     "--gait",
     "of_gait",
     is_flag=True,
-    help="Also from which cells some choice leads to the runner's gait, and the largest drop of the ground "
-    "at its apex after which something is viable.",
+    help="Also find the cells from which some choice leads to the runner's gait, and the largest drop of "
+    "the ground at the gait's apex that leaves a viable state.",
 )
 @click.option(
     "--controller",
     type=click.Path(path_type=Path),
     metavar="FILE",
-    help="Write for each cell the viable action nearest to the runner's settings: .csv.",
+    help="Write the viable action nearest to the runner's settings for each cell, as CSV.",
 )
 @SCHEDULER_OPTION
 @THREADS_OPTION
@@ -122,10 +123,10 @@ def viability_command(
     parameters: str | None,
     as_json_object: bool,
 ) -> None:
-    """From which apices some choice of actions avoids a fall for ever, and how much room the choice has.
+    """Compute the viable set: the apices from which some choice of actions avoids a fall for ever.
 
-    The set is enclosed from inside and from outside, on a grid of heights and speeds; both are estimates.
-    What is in the one and not in the other is left open by the grid.
+    Two sets bracket it on a grid of heights and speeds, one from inside and one from outside. Both are
+    estimates. A cell that is only in the outer set is undecided.
     """
     if output is not None:
         check_destination(output, (".nc",), "--output")

@@ -43,7 +43,7 @@ class Evidence(ByContents):
     """Computed results about the paper's runner for one reading."""
 
     sweep: Sweep
-    """Gaits over the friction."""
+    """Gaits at many values of friction."""
     five: Sequence[Gait]
     """Gaits at the frictions of the paper's figures 5 to 8."""
     touchdown_angle: float

@@ -71,7 +71,7 @@ def _eigenvalues(axes: Axes, values: Sequence[float], gaits: Sequence[Gait]) -> 
     for column, colour in zip(sizes.T, (style.CURVE, style.SECOND_CURVE, style.FAINT), strict=True):
         _draw(axes, values, column, gaits, colour)
     axes.axhline(1.0, **style.LIMIT_LINE)
-    axes.set_ylabel("eigenvalues, size")
+    axes.set_ylabel("moduli of the eigenvalues")
 
 
 def _draw(

@@ -11,10 +11,9 @@ from typing import Any
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
-from matplotlib.patheffects import withStroke
 from numpy.typing import NDArray
 
-from ..analysis.bifurcations import FOLD, NEIMARK_SACKER, NOT_JUDGED, PERIOD_DOUBLING, WORD_BORDER
+from ..analysis.bifurcations import FOLD, NEIMARK_SACKER, PERIOD_DOUBLING, UNCLASSIFIED, WORD_BORDER
 from ..analysis.branch import Branch
 from ..checks import is_one_of, near_matches, shown
 from ..errors import InputError
@@ -23,6 +22,7 @@ from ..fmu.fmu import load_fmu
 from ..library.gait import Gait
 from ..library.section import COORDINATES
 from . import style
+from .curve_label import CurveLabel
 
 DRAWN = "com_speed"
 """The quantity that is drawn unless another is asked for."""
@@ -35,13 +35,13 @@ MARKS: dict[str, dict[str, Any]] = {
     FOLD: {"marker": "o", "color": style.MODE_COLOURS["slip_negative"], "markersize": 6.5},
     PERIOD_DOUBLING: {"marker": "D", "color": style.MODE_COLOURS["slip_positive"], "markersize": 5.5},
     NEIMARK_SACKER: {"marker": "s", "color": style.MODE_COLOURS["stick"], "markersize": 6},
-    NOT_JUDGED: {"marker": "x", "color": "#c0392b", "markersize": 7, "markeredgewidth": 1.8},
+    UNCLASSIFIED: {"marker": "x", "color": "#c0392b", "markersize": 7, "markeredgewidth": 1.8},
 }
 """Of special points, by kind."""
 SHORT_RUN = 0.03
 """Of the axes' diagonal: a word that holds over less is not written."""
-BESIDE, ASLANT = 6.0, 0.35
-"""How far from its line a word is, in points; and from which slope on it is at the side of it."""
+WORD_PLACES = 21
+"""Places along a line where its word may stand."""
 
 
 def values_of(gait: Gait, quantity: str) -> list[float]:
@@ -70,7 +70,7 @@ def figure_of(branch: Branch, quantity: str = DRAWN, display: DisplayUnits | Non
         variable = fmu.variables.get(f"{kind}.{quantity}")
         label = f"{kind}.{quantity}" if variable else quantity
         panels[0].set_ylabel(style.with_unit(label, display.label(variable.unit) if variable else ""))
-        panels[1].set_ylabel("largest eigenvalue, size")
+        panels[1].set_ylabel("modulus of the largest eigenvalue")
         panels[1].set_xlabel(style.tell_in(panels[1].xaxis, branch.name, display))
         begin = display.value(branch.name, branch.values[0])
         panels[0].set_title(f"{branch.name} from {begin:g}: {branch.ended}", wrap=True)
@@ -125,7 +125,7 @@ def _segments(
     by_index = {index: list(of) for index, of in groupby(branch.specials, key=lambda s: s.index)}
     gaits = list(zip(branch.values, branch.gaits, strict=True))
     for index, ((low, before), (high, after)) in enumerate(pairwise(gaits)):
-        met = [special for special in by_index.get(index, []) if special.kind != NOT_JUDGED]
+        met = [special for special in by_index.get(index, []) if special.kind != UNCLASSIFIED]
         points = [(low, before), *((s.value, s.gait) for s in met), (high, after)]
         changes = [number for number, s in enumerate(met, 1) if s.kind != WORD_BORDER]
         change = changes[0] if changes else len(points) - 1
@@ -146,20 +146,10 @@ def _write_words(axes: Axes, branch: Branch, quantity: str, depth: int = 0) -> N
         lengths = np.append(0.0, np.cumsum(np.hypot(*np.diff(seen, axis=0).T)))
         if lengths[-1] < SHORT_RUN * np.hypot(box.width, box.height):
             continue
-        after = int(np.clip(np.searchsorted(lengths, 0.5 * lengths[-1]), 1, len(run) - 1))
-        across = _upwards(seen[after] - seen[after - 1])
-        axes.annotate(
-            style.word(word),
-            0.5 * (run[after - 1] + run[after]),
-            xytext=tuple(BESIDE * across),
-            textcoords="offset points",
-            ha="center" if abs(across[0]) < ASLANT else "right" if across[0] < 0.0 else "left",
-            va="bottom" if across[1] > ASLANT else "center",
-            fontsize=8.5,
-            color=style.INK if depth == 0 else COLOURS[min(depth, len(COLOURS) - 1)],
-            zorder=7,
-            path_effects=[withStroke(linewidth=1.5, foreground="white")],
-        )
+        evenly = np.linspace(0.0, lengths[-1], WORD_PLACES)
+        points = np.column_stack([np.interp(evenly, lengths, column) for column in run.T])
+        colour = style.INK if depth == 0 else COLOURS[min(depth, len(COLOURS) - 1)]
+        CurveLabel(axes, style.word(word), points, fontsize=8.5, color=colour)
     for other in branch.branches:
         _write_words(axes, other, quantity, depth + 1)
 
@@ -175,12 +165,6 @@ def _runs_of_words(branch: Branch, quantity: str) -> Iterator[tuple[str, NDArray
         points = [(gait[0], values_of(gait[1], quantity)[0]) for gait in ends if gait is not None]
         yield word, np.array(points)
         begin = end
-
-
-def _upwards(way: NDArray[np.float64]) -> NDArray[np.float64]:
-    """The unit vector across a way that points upwards."""
-    across = np.array([-way[1], way[0]]) / (float(np.hypot(*way)) or 1.0)
-    return across if across[1] >= 0.0 else -across
 
 
 def _legend(axes: Axes) -> None:

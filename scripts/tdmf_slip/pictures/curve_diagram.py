@@ -13,7 +13,10 @@ from ..analysis.curve import Curve
 from ..fmu.display_units import DisplayUnits
 from ..fmu.fmu import load_fmu
 from . import style
-from .branch_diagram import ASLANT, BESIDE, MARKS
+from .branch_diagram import MARKS
+
+BESIDE, ASLANT = 6.0, 0.35
+"""How far from its curve a word is, in points; and from which slope on it is at the side of it."""
 
 
 def figure_of(

@@ -52,7 +52,7 @@ def _tick_positions(fit: Fit) -> tuple[Sequence[float], str]:
     """Of the rows on the horizontal axis, and its title."""
     speeds = [row["speed"].value for row in fit.measurements.rows if "speed" in row]
     if len(speeds) > 1 and len(set(speeds)) == len(fit.measurements.rows):
-        return speeds, f"measured speed  / {style.printed(fit.runners[0].label(unit_of('speed')))}"
+        return speeds, style.with_unit("measured speed", fit.runners[0].label(unit_of("speed")))
     return range(1, len(fit.measurements.rows) + 1), "row"
 
 
@@ -79,8 +79,8 @@ def _quantity(axes: Axes, residuals: Sequence[Residual], ticks: Sequence[float],
         label="measured, ± standard error",
     )
     axes.plot(at, [of.fitted for of in residuals], "x", color=FITTED, markersize=7, label="fitted", zorder=4)
-    unit = style.printed(runner.label(unit_of(residuals[0].name)))
-    axes.set_title(NAMES[residuals[0].name] + ("" if unit == "1" else f"  / {unit}"))
+    name = residuals[0].name
+    axes.set_title(style.with_unit(NAMES[name], runner.label(unit_of(name))))
     _ticks(axes, ticks)
 
 

@@ -11,9 +11,9 @@ from numpy.typing import NDArray
 from . import style
 from .stride import Stride
 
-TIME_LABEL = "time  t √(k/m)"
-VELOCITY_LABEL = "foot velocity  ẋ / l₀√(k/m)"
-RATIO_LABEL = r"force ratio  $f_x/f_y$"
+TIME_LABEL = "time t (√(m/k))"
+VELOCITY_LABEL = "foot velocity ẋ (l₀√(k/m))"
+RATIO_LABEL = r"force ratio $f_x/f_y$"
 MARGIN = 0.08
 """Shown before and after the stance, over its length."""
 SHORT = 0.004

@@ -88,7 +88,7 @@ def _path(axes: Axes, stride: Stride, limits: tuple[float, float]) -> None:
             )
     axes.set_xlim(*limits)
     axes.invert_yaxis()
-    style.label(axes, "position along the ground  x / l₀", "t √(k/m)\nfrom touchdown")
+    style.label(axes, "position along the ground x (l₀)", "time from\ntouchdown (√(m/k))")
     axes.legend(
         handles=panels.mode_key(stride, style.LOADED),
         loc="lower left",

@@ -268,6 +268,11 @@ def printed(unit: str) -> str:
     return unit
 
 
+def name_unstable(axes: Axes) -> None:
+    """Add an entry for unstable gaits, whose lines are thin and dashed, to the legend of the axes."""
+    axes.plot([], [], color=INK, linewidth=1.0, linestyle=SLIP_DASHES, label="unstable gaits")
+
+
 def dashes(mode: str) -> LineStyle:
     """Line style of a contact mode: slip dashed, all else solid."""
     return SLIP_DASHES if mode in SLIPS else "-"

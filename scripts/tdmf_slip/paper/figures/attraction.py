@@ -1,4 +1,4 @@
-"""Two measures of a gait's stability over the friction: its largest eigenvalue, and what it attracts."""
+"""Two measures of a gait's stability against friction: its largest eigenvalue, and what it attracts."""
 
 from collections.abc import Sequence
 from pathlib import Path
@@ -10,12 +10,13 @@ from ...analysis.attraction import Attraction
 from ...analysis.robustness import FARTHEST
 from ...analysis.sweep import Sweep
 from ...pictures import style
+from ...pictures.curve_label import CurveLabel
 from . import figure_9
 from .columns import Columns
 
 DISTURBANCES = {
-    "step_down": ("step down  / l₀", "#1f5fa8"),
-    "push_forward": ("push forward  / l₀√(k/m)", "#e07b00"),
+    "step_down": ("step down (l₀)", "#1f5fa8"),
+    "push_forward": ("push forward (l₀√(k/m))", "#e07b00"),
 }
 """Names and colours of the disturbances that are shown."""
 
@@ -46,7 +47,7 @@ def draw(path: Path, sweep: Sweep, measured: Sequence[Attraction], matched: Sequ
         figure, axes = style.subplots(3, 1, figsize=(7.6, 7.6), sharex=True)
         _draw_share(axes[0], data)
         axes[0].plot(equal["friction"], equal["attracted_share"], **figure_9.CONTROL)
-        axes[0].legend(loc="lower left")
+        figure.legend(*axes[0].get_legend_handles_labels(), loc="outside lower center", ncols=2)
         axes[1].plot(equal["friction"], equal["lambda_max"], **figure_9.CONTROL)
         axes[1].plot(
             [gait.friction for gait in sweep.gaits],
@@ -61,7 +62,7 @@ def draw(path: Path, sweep: Sweep, measured: Sequence[Attraction], matched: Sequ
             )
         for panel in axes:
             figure_9.mark_borders(panel, sweep)
-        figure_9.name_words(axes[0], sweep, height=0.2)
+        figure_9.name_words(axes[0], sweep)
         figure_9.friction_axis(axes[-1], [gait.friction for gait in sweep.gaits])
         style.save(figure, path)
 
@@ -72,16 +73,16 @@ def _draw_share(axes: Axes, data: Columns) -> None:
         data["attracted_share_low"],
         data["attracted_share_high"],
         color="#9bd3c4",
-        label="95 % confidence",
+        label="95 % confidence interval",
     )
     axes.plot(
         data["friction"],
         data["attracted_share"],
         color=style.SECOND_CURVE,
-        label=f"{data['samples'][0]} random starts",
+        label=f"{data['samples'][0]:,} random starts around the apex",
     )
     axes.set_ylim(0.0, 1.0)
-    axes.set_title("(a) share of a box in all six coordinates of the apex that the gait attracts", pad=18)
+    axes.set_title("(a) share of starts that settle on the gait", pad=18)
 
 
 def _draw_disturbances(axes: Axes, data: Columns) -> None:
@@ -90,14 +91,8 @@ def _draw_disturbances(axes: Axes, data: Columns) -> None:
             data["friction"], np.minimum(data[name], FARTHEST), "o-", markersize=3, color=colour, label=label
         )
     axes.axhline(FARTHEST, **style.LIMIT_LINE)
-    axes.annotate(
-        "the largest tried",
-        (data["friction"][0], FARTHEST),
-        xytext=(-4, 4),
-        textcoords="offset points",
-        ha="right",
-        fontsize=8.5,
-    )
+    along = np.array([(friction, FARTHEST) for friction in data["friction"] if friction > 1.0])
+    CurveLabel(axes, "largest tried", along, fontsize=8.5)
     axes.set_ylim(0.0, 1.15 * FARTHEST)
-    axes.set_title("(c) largest disturbance at an apex that is recovered from")
+    axes.set_title("(c) largest disturbance at the apex from which the runner recovers")
     axes.legend(loc="center right")

@@ -1,4 +1,4 @@
-"""Why slipping pays: where the hip's work of a stride goes, over the friction, by weight and length."""
+"""Why slipping pays: where the hip's work goes, per weight and stride length, against friction."""
 
 from collections.abc import Sequence
 from pathlib import Path
@@ -13,9 +13,9 @@ from . import figure_9
 from .columns import Columns
 
 SHARES = {
-    "impact_loss": ("impact", "#1f5fa8"),
-    "damper_loss": ("damper", "#9bb8d3"),
-    "friction_loss": ("friction", "#e07b00"),
+    "impact_loss": ("lost at the impact", "#1f5fa8"),
+    "damper_loss": ("lost in the damper", "#9bb8d3"),
+    "friction_loss": ("lost to friction", "#e07b00"),
 }
 """Names and colours of what takes energy, from below."""
 
@@ -48,18 +48,18 @@ def draw(path: Path, sweep: Sweep, matched: Sequence[Gait]) -> None:
             panels,
             (sweep.gaits, matched),
             (
-                "(a) runners as they come",
-                "(b) with speed, apex height and leg angle of the one on friction 10",
+                "(a) the paper's runner: only friction varies",
+                "(b) every runner with the speed, apex height and leg angle of the gait at friction 10",
             ),
             strict=True,
         ):
             _draw_shares(axes, table(gaits))
             axes.set_title(title, pad=18 if axes is panels[0] else None)
         figure_9.mark_borders(panels[0], sweep)
-        figure_9.name_words(panels[0], sweep, height=0.2)
+        figure_9.name_words(panels[0], sweep)
         figure_9.friction_axis(panels[1], [gait.friction for gait in sweep.gaits])
         panels[0].set_ylim(0.0, 1.2 * max(table([*sweep.gaits, *matched])["cost_of_transport"]))
-        panels[0].legend(loc="upper center", ncols=4)
+        figure.legend(*panels[0].get_legend_handles_labels(), loc="outside lower center", ncols=4)
         style.save(figure, path)
 
 
@@ -72,4 +72,4 @@ def _draw_shares(axes: Axes, data: Columns) -> None:
         linewidth=0,
     )
     axes.plot(data["friction"], data["cost_of_transport"], color=style.INK, label="work of the hip")
-    axes.set_ylabel("energy of a stride  / weight · length")
+    axes.set_ylabel("energy per stride (weight × stride length)")

@@ -6,7 +6,6 @@ from pathlib import Path
 
 import numpy as np
 from matplotlib.axes import Axes
-from matplotlib.patheffects import withStroke
 from numpy.typing import NDArray
 
 from ...analysis.bifurcations import FOLD, WORD_BORDER
@@ -18,6 +17,7 @@ from ...fmu.fmu import FRICTION
 from ...library.gait import Gait
 from ...library.runner import Runner
 from ...pictures import style
+from ...pictures.curve_label import CurveLabel
 from .columns import Columns
 
 SLOPE, RATIO, VELOCITY = "ground.slope", "ground.static_friction_ratio", "ground.stribeck_velocity"
@@ -34,9 +34,9 @@ BEGIN, RANGE, POINTS = 0.1, (0.005, 1.0), 110
 """Downhill: of the gait that is followed both ways, how far, and by how many gaits at most."""
 MARKS: Mapping[str, str] = {WORD_BORDER: "|", FOLD: "o"}
 DRAWN = {
-    "speed": "average speed  / l₀√(k/m)",
+    "speed": "average speed (l₀√(k/m))",
     "cost_of_transport": "cost of transport",
-    "lambda_max": "size of the largest eigenvalue",
+    "lambda_max": "modulus of the largest eigenvalue",
 }
 SHOWN = 2.0
 """Speed up to which gaits are drawn; those that never rest go on beyond."""
@@ -128,7 +128,7 @@ def draw(path: Path, data: Columns) -> None:
             _write_words(column[0], data, slope)
             column[2].axhline(1.0, **style.LIMIT_LINE)
             column[0].set_title(f"{_named(slope)}, sliding friction {FRICTIONS[slope]:g}")
-            column[2].set_xlabel("velocity over which friction falls, $v_s$  / l₀√(k/m)")
+            column[2].set_xlabel("Stribeck velocity $v_s$ (l₀√(k/m))")
         _key(panels[0, 0])
         figure.legend(loc="outside lower center", ncols=5)
         style.save(figure, path)
@@ -149,8 +149,8 @@ def _curve(axes: Axes, its: Mapping[str, NDArray[np.generic]], name: str, colour
 
 def _key(axes: Axes) -> None:
     for ratio, colour in COLOURS.items():
-        axes.plot([], [], color=colour, label=rf"$\rho$ = {ratio:g}")
-    axes.plot([], [], color=style.INK, linewidth=1.0, linestyle=style.SLIP_DASHES, label="unstable")
+        axes.plot([], [], color=colour, label=f"static / sliding friction {ratio:g}")
+    style.name_unstable(axes)
     for kind, marker in MARKS.items():
         axes.plot([], [], marker, color=style.INK, label=kind)
 
@@ -170,13 +170,5 @@ def _write_words(axes: Axes, data: Columns, slope: float) -> None:
             decades = np.log10(np.asarray(its["stribeck_velocity"], float)[rows])
             if np.ptp(decades) < SHORT_RUN:
                 continue
-            middle = rows[int(np.argmin(np.abs(decades - 0.5 * (decades.min() + decades.max()))))]
-            axes.annotate(
-                style.word(word),
-                (float(its["stribeck_velocity"][middle]), float(its["speed"][middle])),
-                (0, 4),
-                textcoords="offset points",
-                ha="center",
-                color=COLOURS[ratio],
-                path_effects=[withStroke(linewidth=2.5, foreground="white")],
-            )
+            points = np.column_stack([its["stribeck_velocity"][rows], its["speed"][rows]]).astype(float)
+            CurveLabel(axes, style.word(word), points, color=COLOURS[ratio])

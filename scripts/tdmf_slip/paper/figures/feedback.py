@@ -17,6 +17,7 @@ from ...fmu.fmu import FRICTION
 from ...library.gait import Gait
 from ...library.runner import Runner
 from ...pictures import style
+from ...pictures.curve_label import CurveLabel
 from ..matched import like
 from . import figure_9
 from .columns import Columns
@@ -33,7 +34,7 @@ SEED = 20261122
 LEFT_ALONE = 0.05
 """Of dead-beat laws: the mode that a stride shrinks to a hundredth."""
 
-NONE, MATCHED = "no feedback", "no feedback, kinematics of friction 0.2"
+NONE, MATCHED = "no feedback", "no feedback, gait matched to friction 0.2"
 REFERENCE = 0.2
 """The friction whose speed, apex height and leg angle the matched runners have."""
 COLOURS: Mapping[str, str] = {
@@ -127,8 +128,8 @@ def _lambda_max(trial: Trial) -> float:
 def draw(path: Path, data: Columns) -> None:
     """Draw strides until the fall, what is recovered from and what is attracted; a colour for each law."""
     with style.styled():
-        figure, panels = style.subplots(4, 1, figsize=(7.6, 9.6), sharex=True)
-        strides, step, push, share = panels
+        figure, panels = style.subplots(2, 2, figsize=(8.4, 6.6), sharex=True)
+        (strides, share), (step, push) = panels
         for number, (name, colour) in enumerate(SHOWN.items()):
             rows = np.asarray(data["law"]) == name
             its = {key: np.asarray(data[key])[rows] for key in data}
@@ -138,19 +139,22 @@ def draw(path: Path, data: Columns) -> None:
                 shown = np.minimum(np.asarray(its[disturbance], float), FARTHEST)
                 axes.plot(its["friction"], shown, "o-", color=colour, markersize=4, linewidth=1.0)
             _with_confidence(share, its, "attracted_share", colour, name)
-        strides.set_title("(a) mean strides until the fall on steps of 0.3 l₀, noisy sensors")
+        strides.set_title("(a) mean strides until the fall on steps of 0.3 l₀")
         strides.set_yscale("log")
         strides.set_ylim(top=MAX_SHOWN)
-        step.set_title("(b) largest step up that is recovered from  / l₀")
-        push.set_title("(c) largest push forward that is recovered from  / l₀√(k/m); the largest tried is 5")
+        step.set_title("(c) largest step up survived (l₀)")
+        push.set_title("(d) largest push forward survived (l₀√(k/m))")
         push.axhline(FARTHEST, **style.LIMIT_LINE)
-        share.set_title("(d) share of a box of apices that is attracted")
+        share.set_title("(b) share of starts that settle on the gait")
         for axes in (step, push, share):
             axes.set_ylim(bottom=0.0)
-        push.set_ylim(top=1.1 * FARTHEST)
-        figure_9.friction_axis(share, FRICTIONS)
-        share.set_xlim(FRICTIONS[0] / MARGIN, FRICTIONS[-1] * MARGIN)
-        figure.legend(*strides.get_legend_handles_labels(), loc="outside upper center", ncols=2)
+        push.set_ylim(top=1.2 * FARTHEST)
+        along = np.column_stack([np.geomspace(1.0, FRICTIONS[-1], 21), np.full(21, FARTHEST)])
+        CurveLabel(push, "largest tried", along, fontsize=8.5)
+        for axes in (step, push):
+            figure_9.friction_axis(axes, FRICTIONS)
+        push.set_xlim(FRICTIONS[0] / MARGIN, FRICTIONS[-1] * MARGIN)
+        figure.legend(*strides.get_legend_handles_labels(), loc="outside lower center", ncols=2)
         style.save(figure, path)
 
 

@@ -71,7 +71,7 @@ def draw_maps(path: Path) -> None:
                 axes.plot(gait.height, gait.height, "^" if gait.stable else "s", color=colour, markersize=7)
         _diagonal(axes)
         axes.legend(title="▲ stable   ■ unstable\n… runs backwards", loc="upper left")
-        style.label(axes, "apex height  in m", "next apex height  in m")
+        style.label(axes, "apex height (m)", "next apex height (m)")
         style.save(figure, path)
 
 
@@ -113,5 +113,5 @@ def draw_gaits(path: Path) -> None:
         angle, height = math.degrees(lowest), classic_slip.fixed_points(lowest)[0].height
         axes.plot(angle, height, "s", color=style.SECOND_CURVE, label=f"period doubling at {angle:.2f}°")
         axes.legend()
-        style.label(axes, r"touchdown angle  $\theta_0$ in degrees", "apex height  y*  in m")
+        style.label(axes, r"touchdown angle $\theta_0$ (°)", "apex height $y^*$ (m)")
         style.save(figure, path)

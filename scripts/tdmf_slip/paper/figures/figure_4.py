@@ -26,5 +26,5 @@ def draw(path: Path) -> None:
         axes.plot([SLIP_ANGLE] * 2, [STANCE_FRICTION, IMPACT_FRICTION], **style.PUBLISHED)
         axes.set_ylim(0.0, 6.0)
         axes.legend()
-        style.label(axes, r"touchdown angle  $\theta_0$ in degrees", "friction needed  μ")
+        style.label(axes, r"touchdown angle $\theta_0$ (°)", "friction needed μ")
         style.save(figure, path)

@@ -27,7 +27,7 @@ def draw(path: Path, stride: Stride, clamped: Stride) -> None:
         _ratio(axes[1, 1], stride)
         figure.suptitle(
             rf"Periodic gait at $\mu = {stride.gait.friction:g}$, word  {style.word(stride.gait.word)};  "
-            "dotted: with the clamp of (12)",
+            "dotted: with the clamp of equation (12)",
             x=0.02,
             ha="left",
         )
@@ -43,7 +43,7 @@ def _heights(axes: Axes, stride: Stride, clamped: Stride) -> None:
     axes.set_title("(a) heights")
     axes.set_ylim(-0.05, 1.75)
     axes.legend(loc="upper center", ncols=2, bbox_to_anchor=(0.5, 1.0))
-    style.label(axes, panels.TIME_LABEL, "height  / l₀")
+    style.label(axes, panels.TIME_LABEL, "height (l₀)")
 
 
 def _leg(axes: Axes, stride: Stride, clamped: Stride) -> None:
@@ -51,7 +51,7 @@ def _leg(axes: Axes, stride: Stride, clamped: Stride) -> None:
     axes.plot(stride.time, stride["leg.length"], color=style.CURVE)
     axes.set_title("(b) leg length and angle")
     axes.set_ylim(0.0, 1.25)
-    style.label(axes, panels.TIME_LABEL, "leg length  r / l₀")
+    style.label(axes, panels.TIME_LABEL, "leg length r (l₀)")
     angle = axes.twinx()
     angle.spines["right"].set_visible(True)
     angle.plot(stride.time, np.degrees(stride["leg.angle"]), color=style.SECOND_CURVE)
@@ -59,7 +59,7 @@ def _leg(axes: Axes, stride: Stride, clamped: Stride) -> None:
     waits = np.degrees(stride.gait.runner.values["hip.liftoff_angle_factor"] * stride.gait.liftoff_angle)
     angle.axhline(waits, **style.LIMIT_LINE)
     angle.annotate(r"$\eta\,\theta_{LO}$", (0.02, waits - 3.0), xycoords=("axes fraction", "data"), va="top")
-    angle.set_ylabel("leg angle  θ  in degrees", color=style.SECOND_CURVE)
+    angle.set_ylabel("leg angle θ (°)", color=style.SECOND_CURVE)
     angle.tick_params(axis="y", colors=style.SECOND_CURVE)
     angle.set_ylim(-65, 75)
 

@@ -1,4 +1,4 @@
-"""Figure 9: largest eigenvalue, speed and cost of transport of the gaits over the friction, with their words.
+"""Figure 9: largest eigenvalue, speed and cost of transport of the gaits against friction, with their words.
 
 Below 0.3 the paper has no eigenvalues and below 0.1 no gait; its axis leaves out 2 to 7. Here nothing is left
 out, and what the paper does not show is drawn on a tinted ground.
@@ -6,6 +6,7 @@ out, and what the paper does not show is drawn on a tinted ground.
 
 from collections.abc import Sequence
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -15,11 +16,19 @@ from ...analysis.sweep import Sweep
 from ...fmu.variable import Values
 from ...library.gait import Gait
 from ...pictures import style
+from ...pictures.curve_label import CurveLabel
 from ..published import BEST_FRICTION, COST_GAIN, SPEED_GAIN
 from .columns import Columns
 
-CONTROL = {"color": "#7a5195", "linestyle": "--", "zorder": 3, "label": "speed and apex of the runner on 10"}
+CONTROL = {
+    "color": "#7a5195",
+    "linestyle": "--",
+    "zorder": 3,
+    "label": "speed, apex height and leg angle of the gait at friction 10",
+}
 """Of runners that are made equal in speed, apex height and leg angle."""
+HEIGHTS, LEADER = np.linspace(0.05, 0.95, 19), 14.0
+"""Where the word of a narrow range may stand: share of the axes' height, and points beside its border."""
 NARROW = 1.02
 """Ratio of two borders of friction between which no word can be written."""
 PAPER_SHOWS = {"eigenvalue": ((0.3, 2.0), (7.0, 10.0)), "gait": ((0.1, 2.0), (7.0, 10.0))}
@@ -46,7 +55,7 @@ def draw(path: Path, sweep: Sweep, matched: Sequence[Gait]) -> None:
     data, equal = table(sweep, ()), table(sweep, matched)
     panels = (
         ("lambda_max", r"(a) largest eigenvalue $\lambda_{max}$", "eigenvalue"),
-        ("speed", r"(b) average speed $V$  / l₀√(k/m)", "gait"),
+        ("speed", r"(b) average speed $V$ (l₀√(k/m))", "gait"),
         ("cost_of_transport", r"(c) cost of transport $c_{mt}$", "gait"),
     )
     with style.styled():
@@ -61,8 +70,8 @@ def draw(path: Path, sweep: Sweep, matched: Sequence[Gait]) -> None:
             without = data[name][int(np.argmax(data["friction"]))]
             (mark,) = panel.plot(BEST_FRICTION, (1.0 + gain / 100.0) * without, **style.PUBLISHED)
         name_words(axes[0], sweep)
-        missing = Patch(color=TINT, label="not in the paper's figure")
-        axes[1].legend(handles=[control, mark, missing], loc="lower right")
+        missing = Patch(color=TINT, label="range that the paper's figure leaves out")
+        figure.legend(handles=[control, mark, missing], loc="outside lower center", ncols=2)
         friction_axis(axes[-1], data["friction"])
         style.save(figure, path)
 
@@ -88,26 +97,19 @@ def mark_borders(axes: Axes, sweep: Sweep) -> None:
         axes.axvline(border.value, **style.STANCE_LINE)
 
 
-def name_words(axes: Axes, sweep: Sweep, height: float = 0.62) -> None:
-    """The gait words between the borders, above the axes; what is too narrow is named inside, at a height."""
+def name_words(axes: Axes, sweep: Sweep) -> None:
+    """Write the gait words above the axes, between the borders; a narrow range is named inside the axes."""
     frictions = sorted(gait.friction for gait in (sweep.gaits[0], sweep.gaits[-1]))
     edges = [frictions[-1], *(border.value for border in sweep.borders), frictions[0]]
     words = [sweep.gaits[0].word, *(border.after for border in sweep.borders)]
     for word, high, low in zip(words, edges, edges[1:], strict=False):
         centre = (high * low) ** 0.5
+        where: Any = {"xycoords": ("data", "axes fraction"), "fontsize": 9}
         if high > NARROW * low:
-            top = ("data", "axes fraction")
-            axes.annotate(style.word(word), (centre, 1.02), xycoords=top, ha="center", fontsize=9)
+            axes.annotate(style.word(word), (centre, 1.02), ha="center", **where)
         else:
-            axes.annotate(
-                style.word(word),
-                (centre, height),
-                xycoords=("data", "axes fraction"),
-                xytext=(12, 14),
-                textcoords="offset points",
-                arrowprops={"arrowstyle": "-", "color": style.FAINT},
-                fontsize=9,
-            )
+            along = np.array([(centre, height) for height in HEIGHTS])
+            CurveLabel(axes, style.word(word), along, distances=(LEADER,), **where)
 
 
 def friction_axis(axes: Axes, frictions: Values) -> None:
@@ -116,4 +118,4 @@ def friction_axis(axes: Axes, frictions: Values) -> None:
     axes.set_xlim(min(frictions), max(frictions))
     axes.set_xticks(TICKS, [f"{tick:g}" for tick in TICKS])
     axes.minorticks_off()
-    axes.set_xlabel("friction coefficient  μ")
+    axes.set_xlabel("friction coefficient μ")

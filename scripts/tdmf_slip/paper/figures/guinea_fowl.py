@@ -15,9 +15,7 @@ from .columns import Columns
 
 FALLS, UP = "#b3216f", "#cfe8e6"
 NOT_CONTROLLED = (
-    "In a column the runner is the same up to its last apex and the angle alone differs; from column to\n"
-    "column apex height, hip torque and retraction go with the speed and are not held. Panels differ in\n"
-    "friction alone."
+    "At each speed only the contact angle varies. Apex height, hip torque and retraction change with speed."
 )
 """What is said above the panels."""
 SHOWN = (50.5, 75.5)
@@ -44,9 +42,9 @@ def draw(path: Path, found: guinea_fowl.Map) -> None:
         for axes, friction in zip(panels.flat, found.meetings, strict=True):
             _panel(axes, found, friction)
         for axes in panels[1]:
-            axes.set_xlabel("speed  / m/s")
+            axes.set_xlabel("speed (m/s)")
         for axes in panels[:, 0]:
-            axes.set_ylabel("contact angle of the leg  / °")
+            axes.set_ylabel("contact angle of the leg (°)")
         figure.suptitle(NOT_CONTROLLED, fontsize=9)
         figure.legend(handles=_key(), loc="outside lower center", ncols=3)
         style.save(figure, path)
@@ -71,7 +69,9 @@ def _panel(axes: Axes, found: guinea_fowl.Map, friction: float) -> None:
     axes.axhline(said["contact_angle"], **style.LIMIT_LINE)
     axes.axvline(said["fast"], **style.LIMIT_LINE)
     high = guinea_fowl.published()["runner"]["high_friction"]
-    axes.set_title(f"friction {friction:g}" + (", as everywhere else" if friction == high else ""))
+    axes.set_title(
+        f"friction {friction:g}" + (": the patch is like the ground" if friction == high else " on the patch")
+    )
     axes.set_ylim(*SHOWN)
 
 
@@ -80,8 +80,14 @@ def _key() -> list[Line2D | Patch]:
         Patch(color=FALLS, label="falls"),
         Patch(color=UP, label="stays up"),
         Line2D(
-            [], [], color=style.INK, marker=".", markersize=4, linestyle="", label="… with a slip of 10 cm"
+            [],
+            [],
+            color=style.INK,
+            marker=".",
+            markersize=4,
+            linestyle="",
+            label="stays up after slipping at least 10 cm",
         ),
-        Line2D([], [], color=style.SECOND_CURVE, label="angle of the gait itself"),
-        Line2D([], [], **style.LIMIT_LINE, label="70°, 3 m/s: Clark and Higham"),
+        Line2D([], [], color=style.SECOND_CURVE, label="contact angle of the gait"),
+        Line2D([], [], **style.LIMIT_LINE, label="70° and 3 m/s, as in Clark and Higham"),
     ]

@@ -24,7 +24,10 @@ def draw(axes: Axes, values: Sequence[float], gaits: Sequence[Gait], *, named: b
     """Draw both over a parameter, solid where the gait is stable, and the borders of stability."""
     stable = np.array([gait.stable for gait in gaits])
     for heights, colour, name in zip(
-        leading(gaits).T, COLOURS, ("the greater", "the other, of height"), strict=True
+        leading(gaits).T,
+        COLOURS,
+        ("largest eigenvalue, of speed", "second eigenvalue, of height"),
+        strict=True,
     ):
         axes.plot(values, heights, color=colour, linewidth=1.0, linestyle=style.SLIP_DASHES)
         axes.plot(values, np.where(stable, heights, np.nan), color=colour, label=name if named else None)

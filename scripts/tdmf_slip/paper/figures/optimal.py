@@ -42,7 +42,7 @@ MARGIN = 1.1
 """Ratio of frictions beyond the first and the last."""
 COSTS = (0.2, 0.8)
 """Shown."""
-NAMES = {CHEAPEST: "cheapest", MIN_SLIP: "least slip"}
+NAMES = {CHEAPEST: "cheapest runner", MIN_SLIP: "runner with least slip"}
 
 
 def measure(
@@ -108,7 +108,7 @@ def table(found: Sequence[Optimum]) -> Columns:
 
 
 def draw(path: Path, data: Columns) -> None:
-    """Draw cost and slip of both runners over the friction, and what the cheapest one does.
+    """Draw cost and slip of both runners against friction, and what the cheapest one does.
 
     Left out is what was not shown to be an optimum.
     """
@@ -130,17 +130,17 @@ def draw(path: Path, data: Columns) -> None:
                 "positive_cost_of_transport",
                 rows,
                 color=COLOURS[objective],
-                label=f"{NAMES[objective]}, by positive work",
+                label=f"{NAMES[objective]}, positive work only",
                 linestyle=style.SLIP_DASHES,
             )
         rows = (columns["cheapest"].astype(float) == 1.0) & (columns["shown"].astype(float) > 0.0)
-        _curve(drive, columns, "stance_torque", rows, color=style.CURVE, label="hip torque  / k l₀²")
-        _curve(drive, columns, "thrust", rows, color=style.SECOND_CURVE, label="thrust of the leg  / l₀")
+        _curve(drive, columns, "stance_torque", rows, color=style.CURVE, label="hip torque (k l₀²)")
+        _curve(drive, columns, "thrust", rows, color=style.SECOND_CURVE, label="leg thrust (l₀)")
         cost.set_ylim(*COSTS)
         cost.set_title(f"(a) cost of transport at speed {SPEED:g} l₀√(k/m)")
-        slip.set_title("(b) slip in a stride  / l₀")
-        angle.set_title("(c) touchdown angle, degrees")
-        drive.set_title("(d) drive of the cheapest")
+        slip.set_title("(b) slip per stride (l₀)")
+        angle.set_title("(c) touchdown angle (°)")
+        drive.set_title("(d) hip torque and leg thrust of the cheapest runner")
         for axes in (cost, drive):
             axes.legend()
         for axes in panels[1]:

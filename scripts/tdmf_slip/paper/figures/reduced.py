@@ -8,6 +8,8 @@ from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.collections import QuadMesh
 from matplotlib.colors import TwoSlopeNorm
+from matplotlib.lines import Line2D
+from matplotlib.patches import Patch
 from numpy.typing import NDArray
 
 from ...analysis.basin import basin
@@ -53,15 +55,15 @@ def region_table(maps: dict[str, Basin]) -> Columns:
 def draw_regions(path: Path, maps: dict[str, Basin]) -> None:
     """Draw the full model's slice and the reduced map's plane, one beside the other."""
     titles = {
-        "full": "(a) full model, a slice: the leg as at the gait's apex",
-        "reduced": "(b) reduced map, the whole plane",
+        "full": "(a) full model",
+        "reduced": "(b) reduced map",
     }
     with style.styled():
-        figure, panels = style.subplots(1, 2, figsize=(11.0, 5.2), sharey=True)
+        figure, panels = style.subplots(1, 2, figsize=(8.6, 4.9), sharey=True)
         handles: dict[object, Artist] = {}
         for panel, (name, data) in zip(panels, maps.items(), strict=True):
             handles |= {handle.get_label(): handle for handle in basin_map.paint(panel, data)}
-            panel.set_title(f"{titles[name]}: {data.settled_share:.1%} settle")
+            panel.set_title(f"{titles[name]}: {data.settled_share:.1%} of starts settle")
         panels[1].set_ylabel("")
         figure.legend(handles=list(handles.values()), loc="outside lower center", ncols=len(handles))
         style.save(figure, path)
@@ -80,7 +82,7 @@ def eigenvalue_table(sweeps: dict[str, Sweep]) -> Columns:
 
 
 def draw_eigenvalues(path: Path, sweeps: dict[str, Sweep]) -> None:
-    """Draw the two largest eigenvalues of both models over the friction, and how far apart they are."""
+    """Draw the two largest eigenvalues of both models against friction, and how far apart they are."""
     data = eigenvalue_table(sweeps)
     friction = np.asarray(data["friction"])
     with style.styled():
@@ -92,22 +94,24 @@ def draw_eigenvalues(path: Path, sweeps: dict[str, Sweep]) -> None:
                     data[f"eigenvalue_{number}_{name}"],
                     color=COLOURS[name],
                     linestyle=dashes,
-                    label="full model, six coordinates" if name == "full" else "reduced map, two",
+                    label="full model, six coordinates" if name == "full" else "reduced map, two coordinates",
                 )
-        axes[0].set_title("(a) largest eigenvalue: about speed", pad=18)
-        axes[1].set_title("(b) second: about height")
+        axes[0].set_title("(a) largest eigenvalue, of speed", pad=18)
+        axes[1].set_title("(b) second eigenvalue, of height")
         axes[0].legend(loc="lower left")
         for number, colour in ((1, style.CURVE), (2, style.SECOND_CURVE)):
             apart = np.abs(
                 np.asarray(data[f"eigenvalue_{number}_reduced"])
                 - np.asarray(data[f"eigenvalue_{number}_full"])
             )
-            axes[2].semilogy(friction, apart, color=colour, label=("largest", "second")[number - 1])
-        axes[2].set_title("(c) difference of the two models")
+            axes[2].semilogy(
+                friction, apart, color=colour, label=("largest eigenvalue", "second eigenvalue")[number - 1]
+            )
+        axes[2].set_title("(c) absolute difference between the two models")
         axes[2].legend(loc="center right")
         for panel in axes:
             figure_9.mark_borders(panel, sweeps["full"])
-        figure_9.name_words(axes[0], sweeps["full"], height=0.02)
+        figure_9.name_words(axes[0], sweeps["full"])
         figure_9.friction_axis(axes[-1], data["friction"])
         style.save(figure, path)
 
@@ -141,18 +145,21 @@ def draw_planes(path: Path, maps: tuple[StabilityMap, StabilityMap]) -> None:
     """Draw the largest eigenvalue over both planes, with the border of stability."""
     first, second = maps
     with style.styled():
-        figure, (left, right) = style.subplots(1, 2, figsize=(11.0, 4.9))
+        figure, (left, right) = style.subplots(1, 2, figsize=(8.4, 4.5))
         mesh = _draw_plane(left, first, np.degrees(first.columns), first.rows)
         left.set_title(f"(a) friction 0.6: {first.stable_share:.0%} of the plane has a stable gait")
-        style.label(left, "touchdown angle  θ₀ (°)", "damping  c  / √(mk)")
+        style.label(left, "touchdown angle θ₀ (°)", "damping c (√(mk))")
         _draw_plane(right, second, second.columns, second.rows)
         right.set_yscale("log")
         right.set_title(f"(b) touchdown angle 45°: {second.stable_share:.0%} has a stable gait")
-        style.label(right, "retraction rate  ω  / √(k/m)", "friction  μ")
+        style.label(right, "retraction rate ω (√(k/m))", "friction coefficient μ")
         right.set_yticks(figure_9.TICKS[:-1], [f"{tick:g}" for tick in figure_9.TICKS[:-1]])
         right.minorticks_off()
         right.set_xticks([-0.02, -0.01, 0.0, 0.01, 0.02])
-        figure.colorbar(mesh, ax=(left, right), label="size of the largest eigenvalue", pad=0.01)
+        figure.colorbar(mesh, ax=(left, right), label="modulus of the largest eigenvalue", pad=0.01)
+        border = Line2D([], [], color=style.INK, linewidth=1.2, label="modulus 1: border of stability")
+        missing = Patch(color=style.GROUND, label="no gait found")
+        figure.legend(handles=[border, missing], loc="outside lower center", ncols=2)
         style.save(figure, path)
 
 

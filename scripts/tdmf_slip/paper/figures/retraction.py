@@ -98,11 +98,19 @@ def draw(
             for heights, colour in zip(leading.leading(alike[friction]).T, leading.COLOURS, strict=True):
                 axes.plot(rates, heights, "x", color=colour, markersize=4.5)
             if axes is panels[0]:
-                axes.plot([], [], "x", color=style.FAINT, markersize=4.5, label="speed, height, angle held")
+                style.name_unstable(axes)
+                axes.plot(
+                    [],
+                    [],
+                    "x",
+                    color=style.FAINT,
+                    markersize=4.5,
+                    label="speed, apex height and leg angle held",
+                )
             axes.axvline(0.0, **style.STANCE_LINE)
-            axes.set_title(f"({letter}) leading eigenvalues at friction {friction:g}")
+            axes.set_title(f"({letter}) two largest eigenvalues at friction {friction:g}")
         panels[0].set_xlim(*SHOWN)
         panels[0].set_ylim(*EIGENVALUES)
         panels[0].legend(loc="center right")
-        panels[-1].set_xlabel("rate of retraction  / √(k/m)")
+        panels[-1].set_xlabel("retraction rate ω (√(k/m))")
         style.save(figure, path)

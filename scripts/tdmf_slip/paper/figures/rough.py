@@ -1,4 +1,4 @@
-"""Does the slipping runner stay up longer? Strides until the fall on rough ground, over the friction.
+"""Does the slipping runner stay up longer? Strides until the fall on rough ground, against friction.
 
 As runners come, and, as the control, with the speed, apex height and leg angle of one friction at all others.
 """
@@ -82,7 +82,7 @@ def table(measured: Measured) -> Columns:
 
 
 def draw(path: Path, data: Columns) -> None:
-    """Draw the mean number of strides over the friction, a curve for each roughness."""
+    """Draw the mean number of strides against friction, a curve for each roughness."""
     with style.styled():
         figure, axes = style.subplots(figsize=(7.6, 4.8))
         for roughness, colour in zip(ROUGHNESS, COLOURS, strict=True):
@@ -96,10 +96,10 @@ def draw(path: Path, data: Columns) -> None:
         axes.set_yscale("log")
         axes.set_ylabel("mean number of strides until the fall")
         figure_9.friction_axis(axes, FRICTIONS)
-        axes.plot([], [], "^", color=style.FAINT, markersize=5, label="none fell: at least")
-        axes.legend(title="steps of the ground  / l₀", loc="upper right")
+        axes.plot([], [], "^", color=style.FAINT, markersize=5, label="no runner fell: lower bound")
+        axes.legend(title="size of the steps (l₀)", loc="upper right")
         axes.set_title(
-            "matched: with the speed, apex height and leg angle of the runner at friction 0.2",
+            "matched: every runner with the speed, apex height and leg angle of the gait at friction 0.2",
             fontsize="small",
         )
         style.save(figure, path)

@@ -73,4 +73,4 @@ def ground(axes: Axes) -> None:
     """The ground line, and axes of equal scale."""
     axes.axhline(0.0, color=style.GROUND, linewidth=3.0, zorder=0)
     axes.set_aspect("equal")
-    style.label(axes, "x  in m", "y  in m")
+    style.label(axes, "x (m)", "y (m)")

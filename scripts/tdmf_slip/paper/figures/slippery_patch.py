@@ -13,6 +13,7 @@ from ...fmu.fmu import FRICTION
 from ...library.gait import Gait
 from ...library.runner import Runner
 from ...pictures import style
+from ...pictures.curve_label import CurveLabel
 from .columns import Columns
 
 SLOPE = -4.0
@@ -27,6 +28,8 @@ RUNNERS, STRIDES_AFTER = 32, 60
 MATCHED = ("hip.stance_torque", "hip.touchdown_angle")
 BEGIN = 100.0
 COLOURS = ("#22303c", "#0b7a75", "#e07b00")
+LEADER = 14.0
+"""Points between the line of the slope's tangent and its label."""
 NEVER = 1.25 * LENGTHS[-1]
 """Where a patch is drawn that fells nobody at any length."""
 
@@ -83,19 +86,26 @@ def draw(path: Path, data: Columns) -> None:
         figure, axes = style.subplots(figsize=(6.4, 4.6))
         for friction, colour in zip(OUTSIDE, COLOURS, strict=True):
             own = shortest(data, friction, matched=False)
-            axes.plot(ON_PATCH, np.minimum(own, NEVER), "o-", color=colour, label=f"ground of {friction:g}")
+            axes.plot(
+                ON_PATCH,
+                np.minimum(own, NEVER),
+                "o-",
+                color=colour,
+                label=f"friction {friction:g} around the patch",
+            )
             if friction != OUTSIDE[-1]:
                 alike = shortest(data, friction, matched=True)
                 axes.plot(ON_PATCH, np.minimum(alike, NEVER), "x", color=colour, markersize=8)
-        axes.plot([], [], "x", color=style.INK, label="at equal speed and apex height")
+        axes.plot([], [], "x", color=style.INK, label="speed and apex height as at friction 0.6")
         axes.axhline(LENGTHS[-1], **style.LIMIT_LINE)
         slope = float(np.tan(np.radians(-SLOPE)))
         axes.axvline(slope, **style.LIMIT_LINE)
-        axes.text(slope, 220.0, "tangent of the slope", ha="right", va="bottom", rotation=90)
-        axes.text(ON_PATCH[0], 1.1 * NEVER, "above the dashed line: none up to 2,000 l₀", va="bottom")
+        along = np.array([(slope, length) for length in LENGTHS])
+        CurveLabel(axes, "tangent of the slope", along, distances=(LEADER,))
+        axes.text(ON_PATCH[0], 1.1 * NEVER, "above the dashed line: no fall up to 2,000 l₀", va="bottom")
         axes.set_yscale("log")
         axes.set_ylim(0.9 * LENGTHS[0], 1.4 * NEVER)
-        axes.set_xlabel("friction of the patch")
-        axes.set_ylabel("shortest patch that fells a runner  / l₀")
+        axes.set_xlabel("friction on the patch")
+        axes.set_ylabel("shortest patch on which a runner falls (l₀)")
         axes.legend(loc="lower right")
         style.save(figure, path)

@@ -123,14 +123,17 @@ def draw(path: Path, data: Columns) -> None:
             panels[2].axhline(border, **style.LIMIT_LINE)
         for axes in panels:
             axes.axvline(0.0, **style.STANCE_LINE)
-        panels[0].set_title("(a) average speed  / l₀√(k/m)")
+        panels[0].set_title("(a) average speed (l₀√(k/m))")
         panels[1].set_title("(b) cost of transport")
-        panels[2].set_title("(c) both leading eigenvalues")
+        panels[2].set_title("(c) two largest eigenvalues")
         panels[1].set_ylim(0.0, HIGHEST_COST)
         panels[2].set_ylim(-2.5, 1.2)
-        panels[0].plot([], [], ":", color=style.FAINT, label="matched to friction 0.2 on level ground")
+        style.name_unstable(panels[0])
+        panels[0].plot(
+            [], [], ":", color=style.FAINT, label="matched on level ground to the gait at friction 0.2"
+        )
         panels[0].legend(loc="lower left")
-        panels[2].set_xlabel("slope of the ground in degrees; dots: the steepest climb of a branch")
+        panels[2].set_xlabel("slope of the ground (°); dots mark the steepest climb")
         style.save(figure, path)
 
 

@@ -29,8 +29,8 @@ POINTS = 70
 COSTS = (0.2, 1.2)
 """Shown."""
 
-HIP_ALONE, BOTH, LEG_ALONE = "hip torque alone", "thrust added to a hip torque of 0.2", "thrust alone"
-MATCHED = "thrust of 0.1, apex height held"
+HIP_ALONE, BOTH, LEG_ALONE = "hip torque alone", "thrust added to a hip torque of 0.2 k l₀²", "thrust alone"
+MATCHED = "thrust of 0.1 l₀ at equal apex height"
 COLOURS: Mapping[str, str] = {
     HIP_ALONE: "#e07b00",
     BOTH: "#0b7a75",
@@ -125,10 +125,11 @@ def draw(path: Path, data: Columns) -> None:
                 for axes, key in zip(column, ("cost_of_transport", "slip_per_length"), strict=True):
                     _curve(axes, speed, np.asarray(data[key], float)[rows], stable > 0.0, name)
             column[0].set_title(f"friction {friction:g}")
-            column[1].set_xlabel("average speed  / l₀√(k/m)")
+            column[1].set_xlabel("average speed (l₀√(k/m))")
         panels[0, 0].set_ylim(*COSTS)
         panels[0, 0].set_ylabel("cost of transport")
-        panels[1, 0].set_ylabel("slip distance  / length of the stride")
+        panels[1, 0].set_ylabel("slip distance per stride length")
+        style.name_unstable(panels[1, -1])
         panels[1, -1].legend(loc="upper left")
         style.save(figure, path)
 

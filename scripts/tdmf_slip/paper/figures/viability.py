@@ -1,4 +1,4 @@
-"""How much of the plane of apices some choice of actions can save, over the friction, at equal kinematics."""
+"""How large the viable sets are against friction, for runners of equal speed and apex height."""
 
 from collections.abc import Sequence
 from pathlib import Path
@@ -23,7 +23,7 @@ AXES = {"com_height": (0.3, 4.0), "com_speed": (0.0, 4.0)}
 CHOSEN = {"hip.touchdown_angle": (0.1, 1.3, 24)}
 """At each apex. At five frictions four times as many angles changed no share by more than 0.016."""
 CELLS = 64
-COLOUR = "#1f5fa8"
+BAND, COLOUR = "between the inner and the outer set", "#1f5fa8"
 
 Measured = Sequence[tuple[float, Viability]]
 """Frictions, and what was found."""
@@ -59,14 +59,15 @@ def table(measured: Measured) -> Columns:
 
 
 def draw(path: Path, data: Columns) -> None:
-    """Draw both shares over the friction, each as a band from the inner to the outer set."""
+    """Draw both shares against friction, each as a band from the inner to the outer set."""
     with style.styled():
         figure, axes = style.subplots(2, 1, figsize=(7.6, 6.6), sharex=True)
         _band(axes[0], data, "share")
-        axes[0].set_title("(a) share of the plane that is viable, from the inner to the outer set")
+        axes[0].set_title("(a) viable share of the plane of apex heights and speeds")
         _band(axes[1], data, "robustness")
         axes[1].set_ylim(bottom=0.0)
-        axes[1].set_title("(b) share of the touchdown angles that are viable, in the mean over the plane")
+        axes[1].set_title("(b) viable share of the touchdown angles, averaged over the plane")
+        axes[0].legend(loc="upper left")
         figure_9.friction_axis(axes[1], FRICTIONS)
         style.save(figure, path)
 
@@ -75,6 +76,6 @@ def _band(axes: Axes, data: Columns, what: str) -> None:
     friction, inner, outer = (
         np.asarray(data[name], float) for name in ("friction", f"inner_{what}", f"outer_{what}")
     )
-    axes.fill_between(friction, inner, outer, color=COLOUR, alpha=0.3, linewidth=0)
+    axes.fill_between(friction, inner, outer, color=COLOUR, alpha=0.3, linewidth=0, label=BAND)
     for ends in (inner, outer):
         axes.plot(friction, ends, ".-", color=COLOUR, linewidth=0.9, markersize=4)

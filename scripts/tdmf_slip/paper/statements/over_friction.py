@@ -1,4 +1,4 @@
-"""Speed, cost and stability of the gaits over the friction."""
+"""Statements on speed, cost and stability at each friction."""
 
 from collections.abc import Callable
 from functools import cache
@@ -42,7 +42,7 @@ def swept(regime: Regime, model: str = "full") -> Sweep:
 
 @cache
 def fastest(regime: Regime) -> Gait:
-    """The fastest gait over the friction."""
+    """The fastest of all gaits."""
     found = swept(regime).gaits
     number = int(np.argmax([one.stride["speed"] for one in found]))
     ends = found[max(number - 1, 0)].friction, found[min(number + 1, len(found) - 1)].friction

@@ -1,4 +1,4 @@
-"""The reduced map of the plane beside the full model, over the friction."""
+"""Statements on the reduced map beside the full model, at each friction."""
 
 from collections.abc import Callable
 from functools import cache
@@ -45,7 +45,7 @@ def _same_words(regime: Regime) -> float:
 
 
 def _farthest(distance: Callable[[Gait, Gait], float]) -> Measure:
-    """The largest difference of the two models over the friction."""
+    """Largest difference between the two models at any friction."""
     return solved(lambda regime: max(distance(*pair) for pair in _pairs(regime)))
 
 
