@@ -61,6 +61,12 @@ def c_text(expression, text_of=lambda node: None):
     return written[expression][0]
 
 
+def real_text(expression, text_of=lambda node: None):
+    """An expression in C of the type `real`, which a number has to be made."""
+    text = c_text(expression, text_of)
+    return f"broadcast({text})" if expression.operation == "number" else text
+
+
 class _Texts(dict):
     """Variables and symbols by node; each node is looked up once."""
 

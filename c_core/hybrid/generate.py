@@ -69,11 +69,9 @@ def generate(page):
         motion_tables, motion_rows = motion_tables + for_motion, motion_rows + row
         series_count = max(series_count, len(motion.series))
         constant_count = max(constant_count, len(motion.constants))
-    motions.append(f"{motion_tables}\nconst tdmf_motion_kind {page.c}_motions[] = {{\n{motion_rows}}};\n")
-    header.append(
-        f"extern const tdmf_motion_kind {page.c}_motions[];\n"
-        f"extern const tdmf_model_kind {page.c}_model;\n\n#endif\n"
-    )
+    table = f"const tdmf_motion_kind TDMF_OF_WIDTH({page.c}_motions)[]"
+    motions.append(f"{motion_tables}\n{table} = {{\n{motion_rows}}};\n")
+    header.append(f"extern {table};\nextern const tdmf_model_kind {page.c}_model;\n\n#endif\n")
     set_tables, set_rows = instants.sets()
     row = {"modes": "modes", "sets": "sets", "set_count": len(set_rows), "scales": instants.scales()}
     row |= {"series_count": series_count, "constant_count": constant_count}

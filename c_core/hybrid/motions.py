@@ -2,7 +2,7 @@
 
 import re
 
-from .c_text import c_text, function_in_c, lines_of, name_of, take_name
+from .c_text import c_text, function_in_c, lines_of, name_of, real_text, take_name
 from .errors import reading
 from .expressions import forget_expressions, leaves_of, lift, made, ordered, replaced, symbol
 from .series import NO_DEGREE, Expansion, degrees_of, kind_of, refuse_kinks, with_rates_seen, with_recursions
@@ -150,8 +150,8 @@ class Motion:
         divisors = list(dict.fromkeys(value.series_in(n)[-1] for n in divided))
         self.divisors = [self.series.index(arrays[node].removeprefix("s->")) for node in divisors]
         zero = {node: f"{array}[0]" for node, array in arrays.items()}
-        first = [f"{s.value}[1] = {c_text(self.rates[s])};" for s in self.drifting]
-        first += [f"{zero[s]} = {c_text(start, zero.get)};" for s, start in self.starts.items()]
+        first = [f"{s.value}[1] = {real_text(self.rates[s])};" for s in self.drifting]
+        first += [f"{zero[s]} = {real_text(start, zero.get)};" for s, start in self.starts.items()]
         for node in ordered([*divisors, *value.ahead]):
             if node in arrays and node.operands:
                 text = c_text(node, lambda n, node=node: zero.get(n) if n is not node else None)
@@ -193,7 +193,8 @@ class Motion:
         varied = Expansion({of[s]: varies.of(rate) for s, rate in self.rates.items()}, {}, "{}", self.known)
         zero = {node: f"{array}[0]" for node, array in self.known.items()}
         zero |= {v: f"{v.value}[0]" for v in of.values() if v.value.startswith("t->")}
-        first = [f"{zero[of[s]]} = {c_text(varies.of(start), zero.get)};" for s, start in self.starts.items()]
+        starts = {zero[of[s]]: varies.of(start) for s, start in self.starts.items()}
+        first = [f"{own} = {real_text(start, zero.get)};" for own, start in starts.items()]
         ahead = [n for n in varied.ahead if n in varied.arrays and n not in self.known]
         first += [varied.define(n, "0")[-1] for n in ahead]
         own = [f"real {array}[TERMS];" for array in varied.arrays.values() if "->" not in array]
@@ -237,7 +238,7 @@ class Motion:
             elif node.is_constant:
                 if all(user.is_constant for user in nodes if node in user.operands) and node is not guard:
                     continue
-                value = f"broadcast({c_text(node)})" if node.operation == "number" else c_text(node)
+                value = real_text(node)
                 text = f"interval_at({value}, {value})"
             elif node in turns and node.operands[0] in self.known:
                 given = f"{self.known[node.operands[0]]}, power, order, {TURNS[node.operation]}"

@@ -6,7 +6,7 @@ expanded in the same way, and reuse the series of the motion.
 
 import random
 
-from .c_text import c_text, name_of, take_name
+from .c_text import c_text, name_of, real_text, take_name
 from .errors import PageError
 from .expressions import leaves_of, lift, made, ordered, remade, replaced, symbol
 from .variations import VARIATIONS, Variation, value_of
@@ -127,9 +127,8 @@ class Expansion:
             factor = Variation({other: int(other is atom) for other in atoms}).of(node)
             moving = moving + factor * symbol(self.coefficient(atom, k))
         (rest,) = replaced([node], zeros)
-        steady = c_text(rest)
+        steady = real_text(rest)
         if moving.is_number(0):
-            steady = f"broadcast({steady})" if rest.operation == "number" else steady
             return steady if rest.is_number(0) else f"constant_of({k}, {steady})"
         return c_text(moving) if rest.is_number(0) else f"with_constant({k}, {c_text(moving)}, {steady})"
 

@@ -29,4 +29,13 @@ typedef struct {
     tdmf_bounds *bounds; /* lower bounds of the guards; NULL: none is bounded */
 } tdmf_motion_kind;
 
+/* The name of a table or function of this width. */
+#define TDMF_JOINED(name, width)  name##_##width
+#define TDMF_NAME_OF(name, width) TDMF_JOINED(name, width)
+#ifdef TDMF_LANES
+#define TDMF_OF_WIDTH(name) TDMF_NAME_OF(name, TDMF_LANES)
+#else
+#define TDMF_OF_WIDTH(name) name
+#endif
+
 #endif

@@ -8,12 +8,57 @@
 
 enum { TERMS = SERIES_TERMS };
 
+/* ---- functions of numbers ------------------------------------------------------------------------------ */
+
+#ifdef TDMF_LANES
+static inline real in_each_lane(double function(double), real x) {
+    for (int lane = 0; lane < LANES; ++lane) {
+        x[lane] = function(x[lane]);
+    }
+    return x;
+}
+
+#define real_sin(x)   in_each_lane(sin, x)
+#define real_cos(x)   in_each_lane(cos, x)
+#define real_log(x)   in_each_lane(log, x)
+#define real_expm1(x) in_each_lane(expm1, x)
+#define real_log1p(x) in_each_lane(log1p, x)
+
+static inline real real_atan2(real y, real x) {
+    for (int lane = 0; lane < LANES; ++lane) {
+        y[lane] = atan2(y[lane], x[lane]);
+    }
+    return y;
+}
+
+static inline void portable_sine_and_cosine(real x, real *sine, real *cosine) {
+    sine_and_cosine(x, sine, cosine);
+}
+#else
+#include "trigonometry.h"
+
 #define real_sin   sin
 #define real_cos   cos
 #define real_log   log
 #define real_expm1 expm1
 #define real_log1p log1p
 #define real_atan2 atan2
+
+/* The bits are those of lane_math.h. */
+static inline void portable_sine_and_cosine(real x, real *sine, real *cosine) {
+    if (!(fabs(x) < farthest_angle)) {
+        *sine = sin(x);
+        *cosine = cos(x);
+        return;
+    }
+    const real quarters = nearest_quarters(x), rest = without_quarters(x, quarters);
+    const int64_t quadrant = (int64_t)quarters;
+    const real s = sine_near_zero(rest), c = cosine_near_zero(rest);
+    const real own = quadrant & 1 ? c : s, other = quadrant & 1 ? s : c;
+    *sine = quadrant & 2 ? -own : own;
+    *cosine = (quadrant + 1) & 2 ? -other : other;
+}
+#endif
 
 /* ---- sums for two consecutive coefficients ------------------------------------------------------------- */
 
@@ -91,7 +136,7 @@ static inline real log_of(int k, const real *a, const real *l) {
 static inline void sine_and_cosine_of(int k, const real *a, real *sine, real *cosine) {
     real with_cosine = broadcast(0.0), with_sine = broadcast(0.0);
     if (k == 0) {
-        sine_and_cosine(a[0], &sine[0], &cosine[0]);
+        portable_sine_and_cosine(a[0], &sine[0], &cosine[0]);
         return;
     }
     for (int i = k; i > 0; --i) {
@@ -132,7 +177,7 @@ static inline interval interval_of_turn(const real *angle, const real *power, in
     const interval of = interval_of_series(angle, power, order);
     const real turn = real_max(of.high - angle[0], angle[0] - of.low);
     real sine, cosine;
-    sine_and_cosine(angle[0], &sine, &cosine);
+    portable_sine_and_cosine(angle[0], &sine, &cosine);
     const real value = is_sine ? sine : cosine, slope = is_sine ? cosine : sine;
     const real change = turn * (real_abs(slope) + 0.5 * turn);
     return interval_at(real_max(value - change, broadcast(-1.0)), real_min(value + change, broadcast(1.0)));
