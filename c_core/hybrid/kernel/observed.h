@@ -15,28 +15,6 @@ double tdmf_largest_of_pieces(const double *g, int order, double largest);
 
 static const double part_tolerance = 0.01; /* of a positive integral, relative to that of a step */
 
-#ifndef TDMF_LANES
-enum { LANES = 1 };
-#endif
-
-static inline bool has_lane(mask lanes, int lane) {
-#ifdef TDMF_LANES
-    return lanes[lane] != 0;
-#else
-    return lanes && lane == 0;
-#endif
-}
-
-static inline double lane_of(const real *x, int lane) {
-    double number;
-    memcpy(&number, (const char *)x + (size_t)lane * sizeof number, sizeof number);
-    return number;
-}
-
-static inline void set_lane(real *x, int lane, double number) {
-    memcpy((char *)x + (size_t)lane * sizeof number, &number, sizeof number);
-}
-
 static inline void copy_lane(const real *x, int count, int lane, double *own) {
     for (int k = 0; k < count; ++k) {
         own[k] = lane_of(&x[k], lane);

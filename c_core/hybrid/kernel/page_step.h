@@ -6,6 +6,7 @@
 
 #include "driver.h"
 #include "first_root.h"
+#include "run_state.h"
 #include "step_size.h"
 
 static const double margin = 1e-12;         /* of a guard, relative to its scale */
@@ -40,6 +41,64 @@ typedef struct {
     integer first;     /* guard whose event ends the step, or is due at once; NO_EVENT */
     mask is_due;       /* at once */
 } page_step;
+
+/* ---- lanes --------------------------------------------------------------------------------------------- */
+
+#ifndef TDMF_LANES
+enum { LANES = 1 };
+#endif
+
+static inline bool has_lane(mask lanes, int lane) {
+#ifdef TDMF_LANES
+    return lanes[lane] != 0;
+#else
+    return lanes && lane == 0;
+#endif
+}
+
+static inline double lane_of(const real *x, int lane) {
+    double number;
+    memcpy(&number, (const char *)x + (size_t)lane * sizeof number, sizeof number);
+    return number;
+}
+
+static inline void set_lane(real *x, int lane, double number) {
+    memcpy((char *)x + (size_t)lane * sizeof number, &number, sizeof number);
+}
+
+static inline void set_mask(mask *lanes, int lane, bool selected) {
+#ifdef TDMF_LANES
+    (*lanes)[lane] = selected ? -1 : 0;
+#else
+    (void)lane;
+    *lanes = selected;
+#endif
+}
+
+/* Loads what does not change within the mode, but for the constants, into a lane. */
+static inline void load_mode(page_step *step, int lane, const mode_start *at, const double *scales) {
+    set_mask(&step->begins, lane, true);
+    for (int i = 0; i < step->guard_count; ++i) {
+        guard_watch *watch = &step->guards[i];
+        set_mask(&watch->is_watched, lane, at->guards[i].is_watched);
+        set_mask(&watch->was_taken, lane, at->guards[i].was_taken);
+        set_lane(&watch->scale, lane, at->guards[i].scale);
+        set_lane(&watch->late, lane, 0.0);
+    }
+    for (int i = 0; i < step->motion->moving_count; ++i) {
+        set_lane(&step->units[i], lane, scales[step->motion->moving[i]]);
+    }
+}
+
+/* Clears the series of states that are polynomials in time: a ramp has no other coefficients. */
+static inline void clear_polynomials(page_step *step) {
+    const tdmf_motion_kind *m = step->motion;
+    for (int i = 0; i < m->moving_count + m->extra_count; ++i) {
+        if (m->degrees[i] < SERIES_ORDER_LIMIT) {
+            memset(step->s[i], 0, sizeof step->s[i]);
+        }
+    }
+}
 
 /* ---- its size ------------------------------------------------------------------------------------------ */
 

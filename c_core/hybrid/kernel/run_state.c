@@ -1,0 +1,111 @@
+/* Where a mode of a run begins, and its events. */
+#include "run_state.h"
+
+int tdmf_size_of_run_state(const tdmf_model_kind *model) {
+    return model->state_count + 2 * model->event_count;
+}
+
+int tdmf_size_of_mode_start(const tdmf_model_kind *model, int seed_count) {
+    return (1 + seed_count) * model->constant_count + 2 * model->state_count + model->parameter_count;
+}
+
+void tdmf_begin_run(run_state *state, const tdmf_model_kind *model, tdmf_page_run *r, double *memory) {
+    const run_state begun = {.model = model,
+                             .r = r,
+                             .scales = memory,
+                             .event_scales = memory + model->state_count,
+                             .taken_at = memory + model->state_count + model->event_count,
+                             .last_step = r->steps + r->step_limit};
+    *state = begun;
+    for (int i = 0; i < model->event_count; ++i) {
+        state->taken_at[i] = -INFINITY;
+    }
+    model->scales(r->p, state->scales, state->event_scales);
+}
+
+void tdmf_place_mode_start(mode_start *at, const tdmf_model_kind *model, int seed_count, double *zeros) {
+    at->c = zeros;
+    at->d = at->c + model->constant_count;
+    at->room = at->d + seed_count * model->constant_count;
+    at->rates = at->room + model->state_count;
+    at->none = at->rates + model->state_count;
+}
+
+void tdmf_begin_mode(const run_state *state, mode_start *at) {
+    const tdmf_page_run *r = state->r;
+    const tdmf_model_kind *model = state->model;
+    const tdmf_mode_kind *mode = &model->modes[r->mode];
+    mode->open(r->p, r->x, at->c);
+    for (int i = 0; i < mode->guard_count; ++i) {
+        const tdmf_guard_kind *kind = &mode->guards[i];
+        const guard_start guard = {
+            .is_watched = !kind->is_watched || kind->is_watched(r->p, r->x) != 0.0,
+            .was_taken = state->taken_at[kind->event] == r->time,
+            .scale = state->event_scales[kind->event],
+        };
+        at->guards[i] = guard;
+    }
+    for (int seed = 0; seed < r->seed_count; ++seed) {
+        mode->vary_open(r->p, r->x, r->dp + seed * model->parameter_count, r->dx + seed * model->state_count,
+                        at->d + seed * model->constant_count);
+    }
+}
+
+void tdmf_shift_to_event(run_state *state, const tdmf_guard_kind *kind, const mode_start *at) {
+    tdmf_page_run *r = state->r;
+    const tdmf_model_kind *model = state->model;
+    const double falls = kind->vary_guard(r->p, r->x, at->none, at->rates);
+    for (int seed = 0; seed < r->seed_count; ++seed) {
+        double *dx = r->dx + seed * model->state_count;
+        r->shift[seed] = -kind->vary_guard(r->p, r->x, r->dp + seed * model->parameter_count, dx) / falls;
+        for (int i = 0; i < model->state_count; ++i) {
+            dx[i] += at->rates[i] * r->shift[seed];
+        }
+    }
+    state->is_shifted = true;
+}
+
+void tdmf_page_take(const tdmf_model_kind *model, const tdmf_guard_kind *kind, tdmf_page_run *r,
+                    double *room) {
+    const tdmf_mode_kind *left = &model->modes[r->mode];
+    const size_t size = (size_t)model->state_count * sizeof *room;
+    const double counted = kind->is_counted ? 1.0 : 0.0;
+    for (int part = left->leave ? 0 : 1; part < 2; ++part) { /* `leave`, then the decision */
+        for (int seed = 0; seed < r->seed_count; ++seed) {
+            const double *dp = r->dp + seed * model->parameter_count;
+            double *dx = r->dx + seed * model->state_count;
+            memcpy(room, dx, size);
+            if (part == 0) {
+                left->vary_leave(r->p, r->x, dp, dx, counted, room);
+            } else {
+                kind->vary_react(r->p, r->x, dp, dx, room);
+            }
+            memcpy(dx, room, size);
+        }
+        memcpy(room, r->x, size);
+        if (part == 0) {
+            left->leave(r->p, r->x, counted, room);
+        } else {
+            r->mode = kind->react(r->p, r->x, room, kind->next);
+        }
+        memcpy(r->x, room, size);
+    }
+}
+
+bool tdmf_take_event(run_state *state, const tdmf_guard_kind *kind, double *room) {
+    tdmf_page_run *r = state->r;
+    const int count = state->model->state_count, before = r->mode;
+    if (r->log_count < r->log_size && r->log_states) {
+        memcpy(r->log_states + r->log_count * count, r->x, (size_t)count * sizeof *r->x);
+    }
+    tdmf_page_take(state->model, kind, r, room);
+    if (r->log_count < r->log_size) {
+        const tdmf_event_row row = {r->time, kind->event, before, r->mode};
+        r->log[r->log_count++] = row;
+    }
+    ++r->events;
+    r->stuck_event = kind->event;
+    state->taken_at[kind->event] = r->time;
+    state->stops |= kind->event == r->stop_event;
+    return ++state->chain <= TDMF_CHAIN_LIMIT;
+}

@@ -1,0 +1,48 @@
+/* A run between its steps: where a mode begins, and events. The driver and batches share it. */
+#ifndef TDMF_KERNEL_RUN_STATE_H
+#define TDMF_KERNEL_RUN_STATE_H
+
+#include "driver.h"
+
+/* Arrays lie in the caller's memory. */
+typedef struct {
+    const tdmf_model_kind *model;
+    tdmf_page_run *r;
+    double *scales, *event_scales; /* by state, and by event */
+    double *taken_at;              /* by event: when it was last taken */
+    long last_step;                /* number of steps at which the step limit is reached */
+    int chain;                     /* events in zero time so far */
+    bool is_shifted;               /* variations are on the guard of the last event */
+    bool stops;                    /* unless an event is due at once */
+} run_state;
+
+typedef struct {
+    bool is_watched, was_taken; /* was_taken: its event led to this mode, in this instant */
+    double scale;
+} guard_start;
+
+/* A mode where it begins, and working memory for events. */
+typedef struct {
+    double *c, *d; /* constants of the mode, and their variations for each seed */
+    guard_start guards[TDMF_GUARD_LIMIT];
+    double *room, *rates, *none; /* arrays of states; `none` holds zeros for parameters that do not vary */
+} mode_start;
+
+/* How many doubles the arrays need. */
+int tdmf_size_of_run_state(const tdmf_model_kind *model);
+int tdmf_size_of_mode_start(const tdmf_model_kind *model, int seed_count);
+
+/* Begins a run in memory for its arrays. */
+void tdmf_begin_run(run_state *state, const tdmf_model_kind *model, tdmf_page_run *r, double *memory);
+void tdmf_place_mode_start(mode_start *at, const tdmf_model_kind *model, int seed_count, double *zeros);
+
+/* Begins the mode of the run: its constants and their variations, and which guards are watched. */
+void tdmf_begin_mode(const run_state *state, mode_start *at);
+
+/* Moves the variations onto a guard, along the rates of all states before its event. */
+void tdmf_shift_to_event(run_state *state, const tdmf_guard_kind *kind, const mode_start *at);
+
+/* Takes an event and logs it. Returns whether the chain of events in zero time may go on. */
+bool tdmf_take_event(run_state *state, const tdmf_guard_kind *kind, double *room);
+
+#endif
