@@ -18,6 +18,7 @@ FUNCTIONS = ("sqrt", "sin", "cos", "exp", "log", "expm1", "log1p", "atan2", "abs
 _table = {}
 _names = set()
 _checks_units = [False]
+_looks_up = [False]
 
 
 def forget_expressions():
@@ -203,6 +204,16 @@ def selected(sign, a, b, yes, no):
     if a.operation == b.operation == "number":
         return yes if COMPARE[sign](a.value, b.value) else no
     return yes if yes is no else _recorded("select", (a, b, yes, no), sign)
+
+
+def looked_up(entry, row, own):
+    """The entry of a run's table in a row, or the page's own entry."""
+    return _recorded("looked_up", (row, own), entry)
+
+
+def variation_looked_up(entry, row, of_own):
+    """The variation of an entry."""
+    return _recorded("variation_looked_up", (row, of_own), entry)
 
 
 # ---- comparisons ---------------------------------------------------------------------------------------

@@ -54,6 +54,8 @@ def generate(page):
     header = [
         f'{top}#ifndef {page.c.upper()}_H\n#define {page.c.upper()}_H\n\n#include "driver.h"\n',
         enumeration("MODE", names) + enumeration("EVENT", page.events) + enumeration("OUTPUT", page.outputs),
+        enumeration("TABLE", page.tables)
+        + "".join(enumeration(f"COLUMN_{name}", of.columns) for name, of in page.tables.items()),
         struct_of(page, "parameters", page.parameters),
         struct_of(page, "states", page.states),
     ]
@@ -76,7 +78,8 @@ def generate(page):
     row = {"modes": "modes", "sets": "sets", "set_count": len(set_rows), "scales": instants.scales()}
     row |= {"series_count": series_count, "constant_count": constant_count}
     lists = ""
-    named = {"state": page.states, "parameter": page.parameters, "event": page.events, "output": page.outputs}
+    named = {"state": page.states, "parameter": page.parameters, "event": page.events}
+    named |= {"output": page.outputs, "table": page.tables}
     for what, of in ({"mode": names} | named).items():
         lists += list_in_c("char *const", f"{what}_names", map(json.dumps, of))
         row |= {f"{what}_count": len(of), f"{what}_names": f"{what}_names"}

@@ -17,8 +17,8 @@ GIVEN = {
 }
 AT, VARIED_AT = "const real *parameters, const real *states", "const real *d_parameters, const real *d_states"
 SIGNATURES = {
-    "react": ("int", f"{AT}, real *after, const int *next"),
-    "vary_react": ("void", f"{AT}, {VARIED_AT}, real *after"),
+    "react": ("int", f"{AT}, const tdmf_table *tables, real *after, const int *next"),
+    "vary_react": ("void", f"{AT}, {VARIED_AT}, const tdmf_table *tables, int seed, real *after"),
     "vary_guard": ("real", f"{AT}, {VARIED_AT}"),
     "answer": ("real", AT),
     "set": ("void", f"{AT}, real given, real *after"),

@@ -10,6 +10,7 @@ from types import SimpleNamespace as Record
 from typing import ClassVar
 
 from .errors import PageError, caller, page_error, similar
+from .expressions import Expression, _looks_up, lift, looked_up
 from .functions import atan2, cos, exp, expm1, log, log1p, radians, select, sin, sqrt
 from .quantities import (
     Absent,
@@ -22,11 +23,12 @@ from .quantities import (
     setting,
     state,
 )
+from .units import ANY, dimension_of, text_of
 
 __all__ = [
     "Model", "Record", "atan2", "clock", "coordinates", "cos", "event", "exp", "expm1", "input", "letters",
     "log", "log1p", "mode", "observe", "on_set", "output", "parameter", "radians", "require", "select",
-    "setting", "sin", "sqrt", "state",
+    "setting", "sin", "sqrt", "state", "table",
 ]  # fmt: skip
 
 
@@ -82,6 +84,14 @@ def on_set(names):
     return _marked(is_on_set=True, sets=_words(names, "on_set"))
 
 
+def table(**columns):
+    """Mark the function that gives a row of a table as a mapping; `columns` gives the unit of each entry.
+
+    Decisions look rows up by `row_of`. A run may bring a table of its own in place of the page's rows.
+    """
+    return _marked(is_table=True, columns=columns)
+
+
 def require(name, allowed):
     """Mark a number that must not be negative at a start; `allowed` says what the variable has to be."""
     return _marked(is_required=True, of_variable=name, allowed=allowed)
@@ -117,7 +127,10 @@ class _Body(dict):
 
 
 NAME_LIMIT = 60
-MARKS = ("is_mode", "is_event", "is_output", "is_observed", "is_on_set", "is_required", "gives_coordinates")
+MARKS = (
+    "is_mode", "is_event", "is_output", "is_observed", "is_on_set", "is_required", "is_table",
+    "gives_coordinates",
+)  # fmt: skip
 
 
 class _Page(type):
@@ -259,6 +272,29 @@ class Model(metaclass=_Page):
             vars(new).update(self.in_coordinates(of) if of else {})
         vars(new).update(changes, mode=mode)
         return new if is_same else new.without_other_coordinates()
+
+    def row_of(self, name, row):
+        """A row of a table as a record, by the number of the row. Only decisions may look rows up."""
+        tables = self.marked("is_table")
+        if name not in tables:
+            raise PageError(f"looks up `{name}`, which is no table of the page{similar(name, tables)}")
+        given, columns = tables[name](self, row), tables[name].columns
+        if not isinstance(given, dict) or given.keys() != columns.keys():
+            raise PageError(f"looks up `{name}`, whose rows must have exactly {', '.join(columns)}")
+        if not any(isinstance(value, Expression) for value in vars(self).values()):
+            return Record(**given)
+        if not _looks_up[0]:
+            raise PageError(f"looks up `{name}`; only a decision may. Let it hold what it finds in a state")
+        return Record(**{column: self.entry_of(name, row, column, given[column]) for column in columns})
+
+    def entry_of(self, name, row, column, own):
+        """An entry of a table on symbols: the page's own where a run does not bring the table."""
+        unit, own = self.marked("is_table")[name].columns[column], lift(own)
+        if own.dimension not in (ANY, dimension_of(unit)):
+            raise PageError(f"gives `{column}` in {text_of(own.dimension)}; its unit is {unit}")
+        found = looked_up((name, column), lift(row), own)
+        found.dimension = dimension_of(unit)
+        return found
 
     def margin_of(self, unit):
         """Margin of decisions about a quantity in this unit."""

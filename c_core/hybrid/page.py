@@ -6,7 +6,7 @@ from pathlib import Path
 
 from .c_text import safe_names
 from .errors import PageError, page_error, reading, similar
-from .expressions import Condition, explore, forget_expressions, leaves_of, lift, symbol
+from .expressions import Condition, _looks_up, explore, forget_expressions, leaves_of, lift, symbol
 from .model import Absent, Model
 from .tracing import trace
 from .units import ANY, SECOND, dimension_of, power, text_of, times
@@ -30,6 +30,7 @@ class Page:
         self.parameters, self.states = model.quantities("parameter"), model.quantities("state")
         self.modes, self.events = model.marked("is_mode"), model.marked("is_event")
         self.outputs, self.observed = model.marked("is_output"), model.marked("is_observed")
+        self.tables = model.marked("is_table")
         self.on_set = {name: f for f in model.marked("is_on_set").values() for name in f.sets}
         self.inputs = [name for name, q in self.states.items() if q.is_input]
         self.clocks = [name for name, q in self.states.items() if q.is_clock]
@@ -145,7 +146,11 @@ class Page:
     def after(self, name, before):
         """The model after an event."""
         event = self.events[name]
-        after = trace(event, before, name=name)
+        _looks_up[0] = True
+        try:
+            after = trace(event, before, name=name)
+        finally:
+            _looks_up[0] = False
         with reading(event, name):
             if not isinstance(after, Model):
                 given = "nothing" if after is None else type(after).__name__
@@ -216,6 +221,10 @@ class Page:
         for name, function in (self.events | self.outputs | self.observed).items():
             with reading(function, name):
                 dimension_of(function.unit)
+        for name, function in self.tables.items():
+            with reading(function, name):
+                for unit in function.columns.values():
+                    dimension_of(unit)
         known = self.parameters.keys() | self.states.keys()
         for name, function in self.on_set.items():
             if name not in known and not hasattr(model, name):

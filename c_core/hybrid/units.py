@@ -80,6 +80,8 @@ def dimension_of_node(node, of):
             return times(of[0], power(SECOND, -1))
         case "negative" | "abs":
             return of[0]
+        case "looked_up" | "variation_looked_up":
+            return of[1]
         case "select":
             _alike(of[:2], "compares")
             return _alike(of[2:], "selects between")

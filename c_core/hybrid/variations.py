@@ -3,7 +3,7 @@
 import math
 import operator
 
-from .expressions import ARITHMETIC, COMPARE, FUNCTIONS, lift, made, ordered, selected
+from .expressions import ARITHMETIC, COMPARE, FUNCTIONS, lift, made, ordered, selected, variation_looked_up
 
 VARIATIONS = {
     "negative": lambda y, a, d_a: -d_a,
@@ -21,6 +21,7 @@ VARIATIONS = {
     "abs": lambda y, a, d_a: a / y * d_a,
     "atan2": lambda y, a, b, d_a, d_b: (b * d_a - a * d_b) / (a * a + b * b),
     "rate": lambda y, a, d_a: made("rate", d_a),
+    "looked_up": lambda y, row, own, d_row, d_own: variation_looked_up(y.value, row, d_own),
     "select": lambda y, a, b, yes, no, d_a, d_b, d_yes, d_no: selected(y.value, a, b, d_yes, d_no),
 }
 """First variation of y = f(a), or f(a, b), by the variations of its operands."""
@@ -38,7 +39,7 @@ class Variation:
         for node in ordered([expression], self.found):
             if node not in self.found:
                 parts = [self.found[operand] for operand in node.operands]
-                varies = any(not part.is_number(0) for part in parts)
+                varies = node.operation == "looked_up" or any(not part.is_number(0) for part in parts)
                 variation = VARIATIONS[node.operation] if varies else lambda *_: lift(0)
                 self.found[node] = variation(node, *node.operands, *parts)
                 if varies and self.prefix and node.name:

@@ -1,6 +1,13 @@
-"""The ground: a sloped line. A new line is pending until the foot is above it in flight."""
+"""The ground: segments along x, each a sloped line with a friction of its own.
 
-from ..hybrid import Model, Record, cos, output, setting, sin, state
+A patch of other friction, terrain and drawn steps are ways to fill the table of segments. The line of a
+segment is pending until the foot is above it in flight.
+"""
+
+from ..hybrid import Model, Record, cos, event, output, parameter, select, setting, sin, state, table
+
+FAR = 1e12
+"""Borders that are not reached are this far away."""
 
 
 class Ground(Model):
@@ -11,12 +18,78 @@ class Ground(Model):
         0, "m", "Height of the ground at x = 0, h", name="ground.height", least=-1e9, most=1e9)
     ground_slope = setting(
         0, "rad", "Slope of the ground, positive uphill, sigma", name="ground.slope", least=-1, most=1)
+    patch_begin = parameter(0, "m", "Position where the patch begins", least=-1e9, most=1e9)
+    patch_end = parameter(
+        0, "m", "Position where the patch ends; at most ground.patch_begin for no patch", least=-1e9,
+        most=1e9)
+    patch_friction = parameter(0.1, "1", "Friction coefficient on the patch, mu_p", least=0, most=1e6)
+    by_stride = parameter(False, "1", "Whether a new segment comes at each apex, and not at its border")
+
     height = state(0, "m", "Height at x = 0 of the ground line in force")
     slope = state(0, "rad", "Slope of the ground line in force")
+    segment = state(-1, "1", "Segment of the ground below the foot; a run starts before the first")
+    segment_begin = state(-FAR, "m", "Position where the segment begins")
+    segment_end = state(-FAR, "m", "Position where the segment ends")
+    segment_height = state(0, "m", "Height of the segment's line at x = 0, above ground.height")
+    segment_slope = state(0, "rad", "Slope of the segment's line, added to ground.slope")
+    friction_ahead = state(-1, "1", "Friction that the foot would slip into, forward; see ground_segment")
+    friction_behind = state(-1, "1", "Friction that the foot would slip into, backward")
+
+    @table(begin="m", end="m", height="m", slope="rad", friction="1")
+    def ground_segment(r, row):
+        """A segment; a negative friction stands for `ground.friction`. The page's own make the patch."""
+        begin = select(r.patch_end > r.patch_begin, r.patch_begin, FAR)
+        end = select(r.patch_end > r.patch_begin, r.patch_end, FAR)
+        return dict(
+            begin=select(row > 0, select(row > 1, end, begin), -FAR),
+            end=select(row > 0, select(row > 1, FAR, end), begin), height=0, slope=0,
+            friction=select(abs(row - 1) > 0, -1, r.patch_friction))
+
+    def on_segment(r, number):
+        """States of a foot on a segment, or in flight above it."""
+        of = r.row_of("ground_segment", number)
+        return dict(segment=number, segment_begin=of.begin, segment_end=of.end, segment_height=of.height,
+                    segment_slope=of.slope, friction_ahead=of.friction, friction_behind=of.friction)
+
+    def segment_towards(r, way):
+        """The segment that the foot would slip into, in a direction: on a border the one that it enters."""
+        x = r.foot().x + way * r.margin_of("m")
+        return r.segment + select(x > r.segment_end, 1, 0) - select(x < r.segment_begin, 1, 0)
+
+    def neighbours(r):
+        """Friction that the foot would slip into, forward and backward; it differs on a border."""
+        ahead, behind = (r.row_of("ground_segment", r.segment_towards(way)) for way in (1, -1))
+        return dict(friction_ahead=ahead.friction, friction_behind=behind.friction)
+
+    @event("start_of_run flight graze", when=lambda r: r.segment_end - r.foot().x, unit="m", counted=False,
+           only=lambda r: r.mode == "start_of_run" or r.segment_end < FAR)
+    def passes_end(r):
+        """The foot is above the next segment."""
+        return r.replace(**r.on_segment(r.segment + 1))
+
+    @event("start_of_run flight graze", when=lambda r: r.foot().x - r.segment_begin, unit="m",
+           counted=False, only=lambda r: r.mode == "start_of_run" or r.segment_begin > -FAR)
+    def passes_begin(r):
+        """The foot is above the segment before."""
+        return r.replace(**r.on_segment(r.segment - 1))
+
+    @event("flight", when=lambda r: -1, counted=False,
+           only=lambda r: r.by_stride > 0 and r.segment < r.count)
+    def next_segment_comes(r):
+        """A stride has closed, and its successor has a segment of its own."""
+        return r.replace(**r.on_segment(r.segment + 1))
+
+    def set_height(r):
+        """Height at x = 0 of the line of the segment."""
+        return r.ground_height + r.segment_height
+
+    def set_slope(r):
+        """Slope of the line of the segment."""
+        return r.ground_slope + r.segment_slope
 
     def line_waits(r):
-        """Whether a new line is pending."""
-        return abs(r.ground_height - r.height) + abs(r.free_length * (r.ground_slope - r.slope)) > 0
+        """Whether the line of the segment is pending."""
+        return abs(r.set_height() - r.height) + abs(r.free_length * (r.set_slope() - r.slope)) > 0
 
     @output(name="ground.pending", kind=bool)
     def pending(r):

@@ -49,7 +49,7 @@ class Runner(Hip, Friction, Leg, Ground, Stride, Model):
     @require("foot.y", "on the ground or above it")
     def starts_above_ground(r):
         """Height of the foot above the ground."""
-        return r.foot_above(r.ground_height, r.ground_slope) + r.margin_of("m")
+        return r.foot_above(r.set_height(), r.set_slope()) + r.margin_of("m")
 
     @require("leg.length", "longer than leg.min_length")
     def starts_long_enough(r):
@@ -64,7 +64,7 @@ class Runner(Hip, Friction, Leg, Ground, Stride, Model):
     @event("start_of_run", when=lambda r: -1, counted=False)
     def begins(r):
         """An impact if the foot is on the ground and does not rise, else flight. An apex opens a stride."""
-        r = r.replace(liftoff_angle=r.angle, height=r.ground_height, slope=r.ground_slope)
+        r = r.replace(liftoff_angle=r.angle, height=r.set_height(), slope=r.set_slope())
         foot, slow = r.foot(), r.margin_of("m/s")
         flying = r.to("flight", wind="calm", swing="place", placing=0)
         falls = r.on_line(foot.vx, foot.vy).off
@@ -152,8 +152,8 @@ class Runner(Hip, Friction, Leg, Ground, Stride, Model):
         foot = r.foot()
         before = r.on_line(foot.vx, foot.vy)
         way = select(before.along >= 0, 1, -1)
-        landing = r.replace(**r.zones())
-        friction = r.friction_in(landing.zone_along(way))
+        landing = r.replace(**r.neighbours())
+        friction = landing.friction_along(way)
         after = way * r.speed_after_impact(way * before.along, -before.off, friction)
         speeds = before.along * before.along + before.off * before.off - after * after
         lost = r.foot_mass * speeds / 2
@@ -166,13 +166,13 @@ class Runner(Hip, Friction, Leg, Ground, Stride, Model):
 
     def slide(r, way):
         """Slip in a direction. Slow slip enters the layer of falling friction at once."""
-        return r.to("slip", way=way, zone=r.zone_along(way), law="constant")
+        return r.to("slip", way=way, law="constant", **r.on_segment(r.segment_towards(way)))
 
     def resting(r):
         """A foot at rest sticks inside the friction cone; outside, it slips in the direction of the push."""
         along = r.standing().along
         way = select(along > 0, -1, 1)
-        if abs(along) <= r.cone(r.zone_along(way)):
+        if abs(along) <= r.cone(way):
             return r.to("stick", foot_vx=0)
         return r.replace(foot_vx=0).slide(way)
 
@@ -192,11 +192,11 @@ class Runner(Hip, Friction, Leg, Ground, Stride, Model):
         now, soon = abs(r.external_fx) + abs(r.external_fy), abs(r.external_fx_rate) + abs(r.external_fy_rate)
         return now > 0 or soon > 0
 
-    @event("flight", when=lambda r: -r.foot_above(r.ground_height, r.ground_slope), unit="m",
+    @event("flight", when=lambda r: -r.foot_above(r.set_height(), r.set_slope()), unit="m",
            only=lambda r: r.line_waits())
     def new_ground(r):
         """The foot is above the pending ground line, which comes into force."""
-        return r.replace(height=r.ground_height, slope=r.ground_slope)
+        return r.replace(height=r.set_height(), slope=r.set_slope())
 
     @event("flight stick slip graze", when=lambda r: r.body_above(), unit="m")
     def falls(r):
@@ -265,12 +265,12 @@ class Runner(Hip, Friction, Leg, Ground, Stride, Model):
         """Slip is fast enough for friction to be constant."""
         return r.replace(law="constant")
 
-    @event("stick", when=lambda r: r.cone(r.zone_ahead) + r.standing().along, unit="N")
+    @event("stick", when=lambda r: r.cone(1) + r.standing().along, unit="N")
     def slips_forward(r):
         """The push of the leg exceeds static friction, and the foot slips forward."""
         return r.slide(1)
 
-    @event("stick", when=lambda r: r.cone(r.zone_behind) - r.standing().along, unit="N")
+    @event("stick", when=lambda r: r.cone(-1) - r.standing().along, unit="N")
     def slips_backward(r):
         """The push of the leg exceeds static friction, and the foot slips backward."""
         return r.slide(-1)
@@ -278,17 +278,17 @@ class Runner(Hip, Friction, Leg, Ground, Stride, Model):
     @event("slip", when=lambda r: r.way * r.foot_vx, unit="m/s")
     def comes_to_rest(r):
         """The slip velocity reaches 0: the foot sticks, or slips the other way."""
-        return r.replace(**r.zones()).resting()
+        return r.replace(**r.neighbours()).resting()
 
     @event("slip", when=lambda r: r.border_distance(), unit="m", only=lambda r: r.has_border_ahead())
     def crosses_border(r):
-        """The foot slips onto the patch or off it."""
-        return r.replace(zone=r.zone + r.way)
+        """The foot slips onto the next segment, whose line waits until the foot lifts off."""
+        return r.replace(**r.on_segment(r.segment + r.way))
 
     @event("graze", when=lambda r: -r.standing().normal, unit="N")
     def graze_to_contact(r):
         """The stance law presses the foot on the ground again."""
-        r = r.replace(placing=0, **r.zones())
+        r = r.replace(placing=0, **r.neighbours())
         return r.slide(select(r.foot_vx > 0, 1, -1)) if abs(r.foot_vx) > 0 else r.resting()
 
     @event("graze", when=lambda r: r.flight_lifts(), unit="N")
@@ -386,14 +386,21 @@ class PlainRunner(Runner):
     thrust = thrusting = extension = external_fx = external_fy = retraction_rate = 0
     leg_work = external_work = leg_work_of_stride = leg_work_then = 0
     static_ratio, friction_rate, external_torque_rate = 1, 0, 0
-    stribeck_velocity = patch_begin = patch_end = patch_friction = zone = zone_ahead = zone_behind = 0
+    stribeck_velocity = patch_begin = patch_end = patch_friction = by_stride = 0
+    segment = segment_begin = segment_end = segment_height = segment_slope = 0
+    friction_ahead = friction_behind = -1
     vertical_so_far, vertical_force_on_foot, ramp_ends = 0, None, None
     greatest_compression = new_ground = wind_rises = crosses_border = enters_layer = leaves_layer = None
+    ground_segment = passes_end = passes_begin = next_segment_comes = None
 
     def peak_of_vertical_force(r):
         """Largest vertical ground force, which is the normal force."""
         return r.peak_force_so_far
 
-    def zones(r):
-        """No zones, because there is no patch."""
+    def on_segment(r, number):
+        """Nothing: there is one segment."""
+        return {}
+
+    def neighbours(r):
+        """Nothing: there is one segment."""
         return {}

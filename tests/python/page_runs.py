@@ -31,11 +31,19 @@ class Row(Structure):
 
 class RunStruct(Structure):
     _fields_ = [
-        *(("p", c_void_p), ("x", c_void_p), ("time", c_double), ("mode", c_int), ("tolerance", c_double)),
+        *(("p", c_void_p), ("x", c_void_p), ("tables", c_void_p)),
+        *(("time", c_double), ("mode", c_int), ("tolerance", c_double)),
         *(("order", c_int), ("stop_event", c_int), ("observes", c_bool), ("step_limit", c_long)),
         *(("seed_count", c_int), ("dp", c_void_p), ("dx", c_void_p), ("shift", c_void_p)),
         *(("log", c_void_p), ("log_states", c_void_p), ("log_size", c_int), ("log_count", c_int)),
         *(("steps", c_long), ("events", c_long), ("stuck_event", c_int)),
+    ]
+
+
+class TableStruct(Structure):
+    _fields_ = [
+        *(("row_count", c_int), ("column_count", c_int), ("rows", c_void_p), ("d_rows", c_void_p)),
+        *(("entry", CFUNCTYPE(c_double, c_void_p, c_double, c_int)), ("context", c_void_p)),
     ]
 
 
@@ -51,8 +59,9 @@ class ModeStruct(Structure):
 
 
 class ModelStruct(Structure):
-    COUNTS = ("state_count", "parameter_count", "event_count", "mode_count", "output_count", "set_count")
-    NAMES = ("mode_names", "event_names", "state_names", "parameter_names", "output_names")
+    COUNTS = ("state_count", "parameter_count", "event_count", "mode_count", "output_count", "table_count",
+              "set_count")  # fmt: skip
+    NAMES = ("mode_names", "event_names", "state_names", "parameter_names", "output_names", "table_names")
     _fields_ = [
         *((name, c_int) for name in COUNTS),
         *(("modes", POINTER(ModeStruct)), ("sets", c_void_p), ("scales", c_void_p)),
@@ -123,7 +132,7 @@ class CompiledPage:
         self.name = next(iter(self.files)).removesuffix(".h")
         self.library = library_of(self.files, self.name, level)
         self.struct = ModelStruct.in_dll(self.library, f"{self.name}_model")
-        self.modes, self.events, self.states, self.parameters, self.outputs = (
+        self.modes, self.events, self.states, self.parameters, self.outputs, self.tables = (
             [
                 getattr(self.struct, names)[i].decode()
                 for i in range(getattr(self.struct, names.replace("names", "count")))
@@ -134,9 +143,9 @@ class CompiledPage:
         self.library.tdmf_page_run_default.argtypes = [c_void_p, c_void_p, c_void_p]
         self.library.tdmf_page_order.argtypes = [c_double]
 
-    def start(self, seeds=(), tolerance=1e-11, step_limit=100000, **values):
-        """A run from the page's start, with these values of parameters and states."""
-        return PageRun(self, list(seeds), tolerance, step_limit, values)
+    def start(self, seeds=(), tolerance=1e-11, step_limit=100000, tables=(), **values):
+        """A run from the page's start, with these values of parameters and states, and these tables."""
+        return PageRun(self, list(seeds), tolerance, step_limit, dict(tables), values)
 
     def map(self, name, mode, p, x, dp=None, dx=None):
         """The map "to_world", "from_world" or "world_rates" of a mode; its variation where `dx` is given."""
@@ -154,12 +163,17 @@ class CompiledPage:
 class PageRun:
     """A run of a page: its states and parameters by name, and variations by `seeds`, names of either."""
 
-    def __init__(self, of, seeds, tolerance, step_limit, values):
+    def __init__(self, of, seeds, tolerance, step_limit, tables, values):
         self.of, self.seeds = of, seeds
         self.p, self.x = np.zeros(max(1, len(of.parameters))), np.zeros(max(1, len(of.states)))
         self.run = of.library.tdmf_page_run_default(byref(of.struct), self.p.ctypes.data, self.x.ctypes.data)
         self.run.tolerance, self.run.order = tolerance, of.library.tdmf_page_order(tolerance)
         self.run.step_limit = step_limit
+        self.tables = [np.array(tables.get(name, []), dtype=float, ndmin=2) for name in of.tables]
+        self.table_structs = (TableStruct * (len(self.tables) + 1))(
+            *(TableStruct(*t.shape, t.ctypes.data if t.size else None, None) for t in self.tables)
+        )
+        self.run.tables = ctypes.addressof(self.table_structs)
         for name, value in values.items():
             self._place(name)[0][self._place(name)[1]] = value
         self.dp, self.dx = np.zeros((len(seeds) + 1, len(self.p))), np.zeros((len(seeds) + 1, len(self.x)))

@@ -70,6 +70,23 @@ def test_the_ball_of_the_guide_bounces_by_its_closed_form(guide):
     assert run.d("height") == pytest.approx(slopes, abs=1e-8)
 
 
+def test_the_ball_of_the_guide_falls_down_its_own_stair_and_a_given_one(guide):
+    page = CompiledPage(guide.Stair)
+    own = page.start(seeds=["gravity"], tolerance=1e-13)
+    own.to(stop="lands")
+    fallen = np.sqrt(2 * 0.2 / 9.81)
+    assert (own.time, own.page().x) == pytest.approx((0.3 + fallen, 0.3 + fallen), abs=1e-12)
+    assert own.d("x")[0] == pytest.approx(-fallen / 2 / 9.81, abs=1e-12)
+    stair, varied = [[0, 0], [-0.1, 0], [-1, 2]], np.array([[0, 0], [1, 0], [1, 1]], dtype=float)
+    given = page.start(seeds=["gravity"], tables={"steps": stair}, tolerance=1e-13)
+    given.table_structs[0].d_rows = varied.ctypes.data  # a stair that is higher from the second step on
+    given.dp[0] = 0
+    given.to(0.3 + np.sqrt(0.2 / 9.81) + 1e-3)
+    assert (given.vx, given.y, given.step) == (0, pytest.approx(-0.1, abs=1e-14), 1)
+    assert given.d("y")[0] == 1
+    assert page.start(vx=3.0, tables={"steps": stair}).to(stop="lands").vx == 2
+
+
 def test_the_damped_ball_of_the_guide_falls_as_scipy_integrates(guide):
     page = CompiledPage(guide.DampedBall)
     assert "restitution" not in page.parameters

@@ -41,7 +41,17 @@ GOOD = {
 }
 OUTPUT = '@output("m")\n    def shown(b):\n        '
 WORLD = '@coordinates("world")\n    def seen(b):\n        return dict(height=b.height)\n    '
+TABLE = (
+    '@table(low="m", high="m")\n    def rows(b, row):\n        return dict(low=0, high=row * b.height)\n    '
+)
 WRONG = [
+    # tables
+    ("an unknown table", {"more": TABLE, "decision": 'return b.replace(height=b.row_of("row", 1).low)'}, "looks up `row`, which is no table of the page; did you mean `rows`"),
+    ("a row without an entry", {"more": TABLE.replace("low=0, ", ""), "decision": 'return b.replace(height=b.row_of("rows", 1).low)'}, "whose rows must have exactly low, high"),
+    ("an entry in another unit", {"more": TABLE.replace("low=0", "low=b.speed"), "decision": 'return b.replace(height=b.row_of("rows", 1).low)'}, "gives `low` in m.s-1; its unit is m"),
+    ("a unit of a column", {"more": TABLE.replace('"m"', '"metre"')}, "unit `metre`, in which `metre` is no unit"),
+    ("a table in a rate", {"more": TABLE, "rates": 'dict(height=b.speed * b.row_of("rows", 1).low / b.height)'}, "looks up `rows`; only a decision may"),
+    ("a table in a guard", {"more": TABLE, "event": '@event("fall", when=lambda b: b.row_of("rows", 1).high, unit="m")'}, "looks up `rows`; only a decision may"),
     # declarations
     ("a name twice", {"quantities": 'height = state(2, "m")'}, "`height` is declared twice"),
     ("a function twice", {"more": "@mode()\n    def fall(b):\n        return {}"}, "`fall` is declared twice"),

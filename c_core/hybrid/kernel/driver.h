@@ -8,12 +8,16 @@
 #define TDMF_KERNEL_DRIVER_H
 
 #include "motion.h"
+#include "tables.h"
 
 /* ---- an instant ---------------------------------------------------------------------------------------- */
 
 /* Functions of parameters p and states x, and their first variations by dp and dx. `after` begins as a copy
  * of the states, or of dx. */
-typedef int tdmf_react(const double *p, const double *x, double *after, const int *next);
+typedef int tdmf_react(const double *p, const double *x, const tdmf_table *tables, double *after,
+                       const int *next);
+typedef void tdmf_vary_react(const double *p, const double *x, const double *dp, const double *dx,
+                             const tdmf_table *tables, int seed, double *after);
 typedef void tdmf_change(const double *p, const double *x, double *after);
 typedef void tdmf_vary_change(const double *p, const double *x, const double *dp, const double *dx,
                               double *after);
@@ -36,7 +40,7 @@ typedef struct {
     bool is_crossing;        /* the guard has to cross zero: the event is not due at once */
     tdmf_answer *is_watched; /* evaluated where the mode begins; NULL: always watched */
     tdmf_react *react;       /* writes the states that change and returns the next mode */
-    tdmf_vary_change *vary_react;
+    tdmf_vary_react *vary_react;
     tdmf_vary_guard *vary_guard;
     int next[TDMF_NEXT_LIMIT]; /* modes that the event can lead to */
 } tdmf_guard_kind;
@@ -75,13 +79,14 @@ typedef struct {
 } tdmf_set_kind;
 
 typedef struct {
-    int state_count, parameter_count, event_count, mode_count, output_count, set_count;
+    int state_count, parameter_count, event_count, mode_count, output_count, table_count, set_count;
     const tdmf_mode_kind *modes; /* runs start in the first */
     const tdmf_set_kind *sets;
     tdmf_scales *scales;              /* typical size of each state and guard */
     int series_count, constant_count; /* largest numbers of any mode */
     const char *const *mode_names, *const *event_names, *const *state_names, *const *parameter_names,
-                                                                                 *const *output_names;
+                                                                                 *const *output_names,
+                                                                                     *const *table_names;
     const double *parameter_defaults, *state_defaults;
 } tdmf_model_kind;
 
@@ -93,8 +98,9 @@ typedef struct {
 } tdmf_event_row;
 
 typedef struct {
-    const double *p; /* parameters */
-    double *x;       /* states */
+    const double *p;          /* parameters */
+    double *x;                /* states */
+    const tdmf_table *tables; /* one for each table of the page; NULL: the page's own rows */
     double time;
     int mode;
     double tolerance;

@@ -78,7 +78,7 @@ void tdmf_page_take(const tdmf_model_kind *model, const tdmf_guard_kind *kind, t
             if (part == 0) {
                 left->vary_leave(r->p, r->x, dp, dx, counted, room);
             } else {
-                kind->vary_react(r->p, r->x, dp, dx, room);
+                kind->vary_react(r->p, r->x, dp, dx, r->tables, seed, room);
             }
             memcpy(dx, room, size);
         }
@@ -86,7 +86,7 @@ void tdmf_page_take(const tdmf_model_kind *model, const tdmf_guard_kind *kind, t
         if (part == 0) {
             left->leave(r->p, r->x, counted, room);
         } else {
-            r->mode = kind->react(r->p, r->x, room, kind->next);
+            r->mode = kind->react(r->p, r->x, r->tables, room, kind->next);
         }
         memcpy(r->x, room, size);
     }
