@@ -164,6 +164,8 @@ def _own_name(node):
         return node.value.replace("->", ".").split(".")[-1]
     if node.operation == "number":
         return "by_" + re.sub(r"\W", "_", f"{float(node.value):.4g}".replace("-", "minus_"))
+    if node.operation in ("looked_up", "variation_looked_up"):
+        return node.name or ("" if node.operation == "looked_up" else "d_") + node.value[1]
     return node.name
 
 
@@ -185,10 +187,15 @@ def own_name(node, taken):
     return name
 
 
-def statements(roots, taken, used_names, indent="    "):
+def uses_of(roots, known=()):
+    """How often each expression is an operand in expressions; those of `known` are left out."""
+    return Counter(o for node in ordered(roots, known) if node not in known for o in node.operands)
+
+
+def statements(roots, taken, used_names, indent="    ", used=None):
     """Variables of C for expressions that have a name or are used twice; `taken` receives them."""
     nodes, lines = ordered(roots, taken), ""
-    used = Counter(operand for node in nodes if node not in taken for operand in node.operands)
+    used = used or uses_of(roots, taken)
     for node in nodes:
         if node.operands and node not in taken and (node.name or used[node] > 1):
             text = c_text(node, taken.get)

@@ -1,8 +1,10 @@
 """Functions of an instant in C: constants of modes, decisions, outputs, maps, and jumps of quantities."""
 
-from .c_text import assigned, c_text, function_in_c, lines_of, statements
+from collections import Counter
+
+from .c_text import assigned, c_text, function_in_c, lines_of, statements, uses_of
 from .errors import page_error
-from .expressions import forget_expressions, lift, symbol
+from .expressions import forget_expressions, lift, ordered, symbol
 from .motions import InstantVariation
 from .page import LIMITS, keys_of
 from .tables import c_boolean, list_in_c, row_in_c, rows_in_c
@@ -61,38 +63,87 @@ class Functions:
         return {name: own, f"vary_{name}": self.add(f"vary_{of}", f"vary_{kind}", body, about)}
 
 
-def tree_in_c(tree, leaf_in_c, taken=(), names=(), indent="    "):
-    """The tree of a page's answers as `if`s; `leaf_in_c` writes an answer."""
-    taken, names = dict(taken), set(names)
+def merged(tree, leaf_of):
+    """A tree of answers with leaves (values, result), in which branches that are equal are one.
+
+    A branch asks for conditions (sign, a, b): for all of one list among several lists.
+    """
     if not (isinstance(tree, tuple) and len(tree) == 3):
-        return leaf_in_c(tree, taken, names, indent)
-    condition, yes, no = tree
-    lines = statements([condition.a, condition.b], taken, names, indent)
-    test = f"{c_text(condition.a, taken.get)} {condition.sign} {c_text(condition.b, taken.get)}"
-    inner = tree_in_c(yes, leaf_in_c, taken, names, indent + "    ")
-    outer = tree_in_c(no, leaf_in_c, taken, names, indent)
+        return leaf_of(tree)
+    condition, yes, no = tree[0], merged(tree[1], leaf_of), merged(tree[2], leaf_of)
+    asked = [[(condition.sign, condition.a, condition.b)]]
+    if yes == no:
+        return yes
+    if len(no) == 3 and yes == no[1]:
+        return asked + no[0], yes, no[2]
+    if len(yes) == 3 and no == yes[2] and len(yes[0]) == 1:
+        return [asked[0] + yes[0][0]], yes[1], no
+    return asked, yes, no
+
+
+def sides_of(asked):
+    """The expressions that conditions compare."""
+    return [side for conditions in asked for _, *sides in conditions for side in sides]
+
+
+def leaves_in(tree):
+    """The leaves of a tree, and the expressions that its conditions compare."""
+    if len(tree) == 2:
+        return [tree], []
+    (yes, of_yes), (no, of_no) = leaves_in(tree[1]), leaves_in(tree[2])
+    return yes + no, sides_of(tree[0]) + of_yes + of_no
+
+
+def roots_in(tree):
+    """The expressions that a tree compares, writes and returns."""
+    leaves, compared = leaves_in(tree)
+    found = [value for values, _ in leaves for value in values.values()]
+    return compared + found + [result for _, result in leaves if not isinstance(result, str)]
+
+
+def tree_in_c(tree, used=None, taken=(), names=(), written=frozenset(), indent="    "):
+    """A merged tree as `if`s. What both branches need or write is computed or written before they part."""
+    taken, names, roots = dict(taken), set(names), roots_in(tree)
+    used = used or Counter(roots) + uses_of(roots)
+    all_values = [values.items() for values, _ in leaves_in(tree)[0]]
+    common = {
+        n: v for n, v in all_values[0] if all((n, v) in items for items in all_values) and n not in written
+    }
+    asked, *branches = tree if len(tree) == 3 else ([],)
+    here = sides_of(asked) if branches else roots
+    if branches:
+        yes, no = ({*ordered(roots_in(branch), taken)} for branch in branches)
+        here += [node for node in ordered(roots, taken) if node in yes and node in no and used[node] > 1]
+    lines = statements([*here, *common.values()], taken, names, indent, used)
+    lines += lines_of([f"y->{name} = {c_text(value, taken.get)};" for name, value in common.items()], indent)
+    if not branches:
+        result = tree[1] if isinstance(tree[1], str) else f"return {c_text(tree[1], taken.get)};"
+        return lines + lines_of([result], indent)
+    tests = [[f"{c_text(a, taken.get)} {sign} {c_text(b, taken.get)}" for sign, a, b in of] for of in asked]
+    test = " || ".join(
+        f"({' && '.join(of)})" if len(of) > 1 < len(tests) else " && ".join(of) for of in tests
+    )
+    given = used, taken, names, written | common.keys()
+    inner, outer = tree_in_c(branches[0], *given, indent + "    "), tree_in_c(branches[1], *given, indent)
     return f"{lines}{indent}if ({test}) {{\n{inner}{indent}}}\n{outer}"
 
 
-def answer_in_c(answer, taken, names, indent):
-    """A number or a truth value that a function of C returns."""
-    value = lift(int(answer) if isinstance(answer, bool) else answer)
-    lines = statements([value], taken, names, indent)
-    return f"{lines}{indent}return {c_text(value, taken.get)};\n"
+def answer_in_c(answer):
+    """A tree of answers as a function of C that returns a number or a truth value."""
+    return tree_in_c(merged(answer, lambda leaf: ({}, lift(int(leaf) if isinstance(leaf, bool) else leaf))))
 
 
 def decision_in_c(tree, c_names, next_keys, vary):
     """The body of a decision: it writes the states that change, or their variations."""
 
-    def leaf_in_c(leaf, taken, names, indent):
+    def leaf_of(leaf):
         key, changes = leaf
-        changes = {name: vary.of(value) for name, value in changes.items()} if vary else changes
-        lines = statements(list(changes.values()), taken, names, indent)
-        lines += lines_of([f"y->{c_names[n]} = {c_text(v, taken.get)};" for n, v in changes.items()], indent)
-        returned = "" if vary else f" next[{next_keys.index(key)}]"
-        return f"{lines}{indent}return{returned};" + ("\n" if vary else f" /* {key[0]} */\n")
+        if vary:
+            return {c_names[n]: vary.of(value) for n, value in changes.items()}, "return;"
+        result = f"return next[{next_keys.index(key)}]; /* {key[0]} */"
+        return {c_names[n]: value for n, value in changes.items()}, result
 
-    return tree_in_c(tree, leaf_in_c)
+    return tree_in_c(merged(tree, leaf_of))
 
 
 class Instants:
@@ -118,7 +169,7 @@ class Instants:
         watches = True if event.only is None else page.answer(key, event.only, event_name)
         if watches is not True:
             about = f"Whether {event_name} is watched."
-            row["is_watched"] = add(f"watches_{of}", "answer", tree_in_c(watches, answer_in_c), about)
+            row["is_watched"] = add(f"watches_{of}", "answer", answer_in_c(watches), about)
         if event.crossing is not None and page.answer(key, event.crossing, event_name) is True:
             row["is_crossing"] = "true"
         forget_expressions()
@@ -163,7 +214,7 @@ class Instants:
         answer = function and self.page.answer(key, function, f"time scale of {key[0]}")
         if answer is None:
             return {}
-        body = tree_in_c(answer, answer_in_c)
+        body = answer_in_c(answer)
         return {"time_scale": self.functions.add(f"time_scale_{c_name(key)}", "answer", body, "Time scale.")}
 
     def world(self, key):

@@ -4,7 +4,7 @@ from ..hybrid import Model, input, parameter, radians, select, setting, state
 
 
 class Hip(Model):
-    """Torque between body and leg. The words `stance` and `swing` select the law in force."""
+    """Torque between body and leg. In flight, the word `swing` selects the law in force."""
 
     prefix = "hip"
     drive_torque = parameter(
@@ -34,6 +34,7 @@ class Hip(Model):
 
     liftoff_angle = state(
         0, "rad", "Leg angle when the foot last left the ground, theta_LO", name="hip.liftoff_angle")
+    driving = state(0, "1", "1 from touchdown to mid-stance, else 0")
     placing = state(0, "s", "In place, the time since it began; else 0", name="hip.place_time")
     touchdown_time = state(0, "s", "Time of the last impact")
     was_placed = state(0, "1", "1 if the leg was being placed at the last impact, else 0")
@@ -43,7 +44,7 @@ class Hip(Model):
 
     def stance_torque(r):
         """Torque -tau0 until mid-stance, then 0  (11)."""
-        return r.external_torque - (r.drive_torque + r.more_torque if r.stance == "drive" else 0)
+        return r.external_torque - r.driving * (r.drive_torque + r.more_torque)
 
     def servo(r, target, target_rate=0):
         """-kp (theta - target) - kd (thetadot - rate of the target)."""

@@ -110,12 +110,12 @@ class Runner(Hip, Friction, Leg, Ground, Stride, Model):
             foot_x=r.foot_vx, foot_vx=foot_acceleration, work=torque * r.leg().angle_rate, **r.leg_rates(),
             external_work=outside.along * (r.foot_vx + r.vx) + outside.off * r.vy)
 
-    @mode("stance", of="ground")
+    @mode(of="ground")
     def stick(r):
         """The foot is at rest."""
         return r.on_ground(r.push(r.stance_torque()), r.stance_torque())
 
-    @mode("stance law", of="ground", time_scale=lambda r: r.time_scale_of_slip())
+    @mode("law", of="ground", time_scale=lambda r: r.time_scale_of_slip())
     def slip(r):
         """m_f vdot = p - s mu f_n, where p is the push of the leg and s the direction of slip."""
         friction_force = r.way * r.slip_friction() * r.standing().normal
@@ -123,7 +123,7 @@ class Runner(Hip, Friction, Leg, Ground, Stride, Model):
         rates = r.on_ground(r.push(r.stance_torque()), r.stance_torque(), acceleration)
         return rates | dict(friction_loss=friction_force * r.foot_vx)
 
-    @mode("stance swing", of="ground")
+    @mode("swing", of="ground")
     def graze(r):
         """The foot touches the ground without force, under the torque tau_eq between both hip laws."""
         axial, turning = r.spring() / r.leg().length, r.equilibrium_turn()
@@ -158,7 +158,7 @@ class Runner(Hip, Friction, Leg, Ground, Stride, Model):
         speeds = before.along * before.along + before.off * before.off - after * after
         lost = r.foot_mass * speeds / 2
         landed = landing.contact(
-            after, stance="drive" if r.leg().angle >= 0 else "coast", impact_loss=r.impact_loss + lost,
+            after, driving=select(r.leg().angle >= 0, 1, 0), impact_loss=r.impact_loss + lost,
             was_placed=was_placed, placed_for=r.placing, placing=0, touchdown_time=r.time,
             touchdowns_so_far=r.touchdowns_so_far + 1, bar_is_due=1)
         landed = landed.replace(slid_from=landed.foot_x)
@@ -240,10 +240,10 @@ class Runner(Hip, Friction, Leg, Ground, Stride, Model):
         """Thrust begins where the leg is shortest, once per stance."""
         return r.with_thrust(1)
 
-    @event("stick slip graze", stance="drive", when=lambda r: r.leg().angle, unit="rad")
+    @event("stick slip graze", when=lambda r: r.leg().angle, unit="rad", only=lambda r: r.driving > 0)
     def mid_stance(r):
         """Drive ends where the leg is upright, once per stance."""
-        return r.replace(stance="coast")
+        return r.replace(driving=0)
 
     @event("stick slip", when=lambda r: r.standing().normal, unit="N")
     def lift_off(r):
@@ -371,7 +371,7 @@ class Runner(Hip, Friction, Leg, Ground, Stride, Model):
     def phase_of_hip(r):
         """Phase of the hip law."""
         if r.mode in ("stick", "slip"):
-            return 1 if r.stance == "drive" else 2
+            return select(r.driving > 0, 1, 2)
         return 3 if r.mode in ("flight", "graze") and r.swing != "place" else 4
 
     has_fallen = output(

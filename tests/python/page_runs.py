@@ -260,7 +260,7 @@ class PageRun:
     def modes_entered(self):
         """Times at which modes began, with contact and hip phase in the core's words."""
         befores = [self.states_before[i] for i in range(1, self.run.log_count)] + [self.x]
-        way = self.of.states.index("way")
+        way, driving = map(self.of.states.index, ("way", "driving"))
         phases = {"rest": "retract"}
         found = []
         for row, x in zip(self.rows[: self.run.log_count], befores, strict=False):
@@ -269,7 +269,8 @@ class PageRun:
                 break
             words = dict(words)
             contact = mode if mode != "slip" else "slip+" if x[way] > 0 else "slip-"
-            phase = words["stance"] if mode in ("stick", "slip") else words.get("swing", "place")
+            in_stance = "drive" if x[driving] > 0 else "coast"
+            phase = in_stance if mode in ("stick", "slip") else words.get("swing", "place")
             found.append((row.time, contact, phases.get(phase, phase)))
         return found
 

@@ -168,7 +168,7 @@ def test_a_ramp_of_the_friction_coefficient_ends_at_0(whole):
 @pytest.mark.parametrize(("more", "longer"), [(-0.05, 0.0), (-0.005, 0.015), (0.01, 0.03)])
 def test_thrust_makes_no_leg_shorter(whole, more, longer):
     given = {"thrusting": 1, "thrust": 0.02, "more_thrust": more}
-    assert Runner.at("stick", stance="coast", **given).rest_length() == pytest.approx(1 + longer, abs=1e-15)
+    assert Runner.at("stick", **given).rest_length() == pytest.approx(1 + longer, abs=1e-15)
 
 
 def test_a_second_apex_closes_a_stride_after_the_lowest_rise(whole):
