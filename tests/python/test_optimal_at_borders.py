@@ -69,7 +69,11 @@ def test_an_optimum_on_a_curved_border_is_found_and_told_by_both_sides(begin):
     optimum = found(Functions(valley, 2.0), GOAL, begin)
     smallest = 1.55 / 2.3
     assert optimum.gait.at == pytest.approx([smallest, 0.4 + 0.3 * (smallest - 0.5) ** 2], abs=1e-4)
-    assert optimum.why == "" and set(optimum.falls) == {"A", "B"} and max(optimum.falls.values()) <= 1e-4
+    assert (
+        optimum.why == ""
+        and set(optimum.remaining_improvement) == {"A", "B"}
+        and max(optimum.remaining_improvement.values()) <= 1e-4
+    )
     assert abs(optimum.border.normal @ bend(optimum.gait.at)[1]) == pytest.approx(
         np.linalg.norm(bend(optimum.gait.at)[1]), rel=1e-6
     )
@@ -102,7 +106,7 @@ def test_an_equation_is_met_on_a_border_too(begin):
     x = optimum.gait.at[0]
     assert optimum.gait.at.sum() == pytest.approx(1.0, abs=1e-8)
     assert x + 0.4 + 0.3 * (x - 0.5) ** 2 == pytest.approx(1.0, abs=1e-6)
-    assert optimum.why == "" and set(optimum.falls) == {"A", "B"}
+    assert optimum.why == "" and set(optimum.remaining_improvement) == {"A", "B"}
 
 
 def test_where_eigenvalues_jump_the_optimum_is_that_of_the_stable_side():
@@ -111,7 +115,7 @@ def test_where_eigenvalues_jump_the_optimum_is_that_of_the_stable_side():
 
     goal = Goal(QUANTITY, upper_limits={SUM: (1.0, 9.0)}, radius=1.0)
     optimum = found(Functions(rising, 0.1, radii=(0.9, 1.2)), goal, (0.2, 0.1))
-    assert optimum.gait.gait.word == "A" and set(optimum.falls) == {"A"} and optimum.why == ""
+    assert optimum.gait.gait.word == "A" and set(optimum.remaining_improvement) == {"A"} and optimum.why == ""
     x = optimum.gait.at[0]
     assert optimum.gait.at[1] == pytest.approx(bend(np.array([x, 0.0]))[0] * -1.0, abs=1e-8)
     assert 2.0 * (x - 0.6) - 0.6 * (x - 0.5) == pytest.approx(0.0, abs=1e-3)
@@ -143,7 +147,11 @@ def test_the_cheapest_runner_on_slippery_ground_is_at_a_border():
     near = {"ground.friction": 0.2924, angle: 0.62, torque: 0.12, thrust: 0.06}
     over = {angle: (0.5, 0.7), torque: (0.08, 0.16), thrust: (0.0, 0.15)}
     best = optimize(near, over, minimize="cost_of_transport", target={"speed": 0.8}, starts=1)
-    assert best.why == "" and set(best.falls) == {"+0-", "+0-0-"} and max(best.falls.values()) <= 1e-4
+    assert (
+        best.why == ""
+        and set(best.remaining_improvement) == {"+0-", "+0-0-"}
+        and max(best.remaining_improvement.values()) <= 1e-4
+    )
     words = set()
     for turn in np.linspace(0.0, 2.0 * np.pi, 8, endpoint=False):
         aside = {**near, angle: best.parameters[angle] + 2e-3 * np.cos(turn)}

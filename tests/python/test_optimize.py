@@ -81,7 +81,7 @@ def test_an_optimum_over_one_parameter_is_that_of_a_fine_grid(sign):
     assert len(values) == 41 and 0 < index < 40
     assert best.parameters[over] == pytest.approx(grid.values[index], abs=(high - low) / 40)
     assert 0.0 <= sign * (values[index] - best.value) < 1e-3 * best.value
-    assert best.why == "" and max(best.falls.values()) <= 1e-4
+    assert best.why == "" and max(best.remaining_improvement.values()) <= 1e-4
 
 
 def test_an_optimum_over_two_parameters_is_that_of_a_fine_grid():
@@ -275,7 +275,7 @@ def test_the_best_point_along_the_edge_of_a_fold_is_found():
     """Of two parameters one is left along the edge; by a grid over it there is no better place."""
     slow, over = {**STICKING, TORQUE: 0.11}, {TORQUE: (0.1, 0.12), "leg.damping": (0.19, 0.21)}
     best = optimize(slow, over, minimize="cost_of_transport", starts=1)
-    assert best.limits == ("fold",) and best.why == "" and max(best.falls.values()) <= 1e-4
+    assert best.limits == ("fold",) and best.why == "" and max(best.remaining_improvement.values()) <= 1e-4
     compared = 0
     for damping in (0.19, 0.195, 0.2, 0.205, 0.21):
         at = optimize(

@@ -160,7 +160,7 @@ def refused(request):
 
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(Target, "evaluate", counted)
-        with pytest.raises(TargetNotMetError, match="the nearest has speed") as error:
+        with pytest.raises(TargetNotMetError, match="the nearest one has speed") as error:
             find_gait(read_parameters(name), target=target, vary=vary)
     return read_parameters(name), target, vary, error.value, len(strides)
 
@@ -187,16 +187,18 @@ def test_the_nearest_gait_is_nearer_than_the_first(refused):
 def test_what_helps_meets_the_target(refused):
     """Each is tried as it is told: varied too, or instead of another; the target is met, or nearer."""
     parameters, target, vary, error, _ = refused
-    printed = re.findall(r"([\w.]+) (too|instead of ([\w.]+)) (meets it|helps)", str(error))
+    printed = re.findall(
+        r"vary ([\w.]+) (too|instead of ([\w.]+)) \((meets the target|comes nearer)\)", str(error)
+    )
     assert 1 <= len(printed) <= 3 and tuple(name for name, *_ in printed) == error.helps[: len(printed)]
-    assert printed[0][-1] == "meets it"
+    assert printed[0][-1] == "meets the target"
     for name, _, instead, result in printed[: 1 if len(target) > 1 else 3]:
         mended = [*(one for one in vary if one != instead), name]
         try:
             gait = find_gait(parameters, target=target, vary=mended)
             assert_met(gait, target)
         except TargetNotMetError as problem:
-            assert result == "helps"
+            assert result == "comes nearer"
             assert gap(problem.nearest, target) < 0.96 * gap(error.nearest, target)
 
 

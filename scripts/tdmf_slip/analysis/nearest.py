@@ -99,9 +99,9 @@ class Help:
     """How far the gait that meets the target is from the first, over the scales."""
 
     def __str__(self) -> str:
-        """In words, after `varying`."""
+        """Advice and its effect, in parentheses."""
         how = f"instead of {self.instead_of}" if self.instead_of else "too"
-        return f"{self.name} {how} {'meets it' if self.left == 0.0 else 'helps'}"
+        return f"vary {self.name} {how} ({'meets the target' if self.left == 0.0 else 'comes nearer'})"
 
 
 def parameters_that_help(

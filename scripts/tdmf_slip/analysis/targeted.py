@@ -265,13 +265,13 @@ def _not_met(target: Target, nearest: Iterate, helps: Sequence[Help], fmu: Fmu) 
         for name in target.vary
     )
     tip = (
-        f"varying {', '.join(map(str, helps[:3]))}"
+        f"try: {'; '.join(map(str, helps[:3]))}"
         if helps
-        else "no single further parameter that was tried helps"
+        else "no further parameter that was tried comes nearer"
     )
     return TargetNotMetError(
-        f"no gait with {wanted} was found by {', '.join(target.vary)}: "
-        f"the nearest has {near}, at {at}; {tip}",
+        f"no gait with {wanted} was found by varying {', '.join(target.vary)}; "
+        f"the nearest one has {near}, at {at}; {tip}",
         gait,
         tuple(help.name for help in helps),
     )

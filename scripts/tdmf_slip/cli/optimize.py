@@ -164,7 +164,7 @@ def _judgement(best: Optimum) -> str:
     maximum = "least" if best.is_minimum else "most"
     if best.why:
         return f"the {maximum} {best.objective} that was found; not shown to be an optimum: {best.why}"
-    words = " and ".join(best.falls)
+    words = " and ".join(best.remaining_improvement)
     where = f", on the border between {words}, by the gradients of both sides" if best.is_at_border else ""
     limits = f"; kept by {' and '.join(best.limits)}" if best.limits else ""
     scope = "a local optimum" if best.is_local else "the optimum, for no gait can have less,"

@@ -40,9 +40,10 @@ def optimize(
     smoothly only while the gait word and the events of the stride stay, so that each run of SLSQP is on one
     region. Where an iterate is on another, the border between the two is located. If the objective gets
     better away from the border on one side, the search goes on there; if on neither, the best point on the
-    border is found by SLSQP along it. That it is an optimum is then told by both sides' gradients, in
-    `falls`. Where an iterate is no gait, because of a fold or a fall, the search backs off; near a fold it
-    stops where the leading eigenvalue is 0.99 or so, and tells so in `limits`.
+    border is found by SLSQP along it. The gradients of both sides then show whether
+    it is an optimum, see `Optimum.remaining_improvement`. Where an iterate has no gait, because of a fold or
+    a fall, the search backs off. Near a fold it stops where the leading eigenvalue is about 0.99, and
+    `limits` reports `fold`.
 
     Each search is local. The first one begins with the runner given, the others where gaits promise most of a
     thousand or so that the ensemble engine settles all over the bounds, and that have no better one near them

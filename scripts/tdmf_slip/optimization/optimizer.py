@@ -186,7 +186,7 @@ class Optimizer:
             before=self.before,
             active_bounds=self.space.active(found.gait.at),
             limits=tuple(limits),
-            falls=found.falls,
+            remaining_improvement=found.remaining_improvement,
             why=found.why,
             starts=best.starts,
             basins=best.basins,

@@ -11,7 +11,7 @@ from ..library.scales import scale_of
 from ..record import origin_of
 
 FOLD, STABILITY = "fold", "stability"
-"""Limits of an optimum beside bounds."""
+"""Limits of an optimum other than bounds."""
 NEVER_NEGATIVE = {
     "slip_distance": "m",
     "greatest_slip_velocity": "m/s",
@@ -21,47 +21,47 @@ NEVER_NEGATIVE = {
     "positive_work": "J",
     "positive_cost_of_transport": "1",
 }
-"""Quantities of which no gait has less than zero, with their units."""
+"""Quantities that are never negative, with their units."""
 NONE = 1e-9
-"""Over the runner's scale: as little counts as zero."""
+"""Values below this, relative to the runner's scale, count as zero."""
 
 
 def reported(gait: Gait) -> dict[str, float]:
-    """What an optimum is told by: quantities of the stride, and the spectral radius."""
+    """Quantities of the stride that are reported for an optimum, with the spectral radius."""
     return quantities_of(gait, known_quantities(gait.runner)) | {"lambda_max": gait.lambda_max}
 
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Optimum(ByContents, Drawable):
-    """The best runner that was found: a gait, and what says that there is no better one near it."""
+    """Best runner found, with the evidence that no better one lies near it."""
 
     objective: str
-    """The quantity that is the least, or the most."""
+    """Quantity that was minimized or maximized."""
     is_minimum: bool
-    """Which of them."""
+    """Whether the objective was minimized."""
     parameters: Mapping[str, float]
-    """What was varied, by name, in the unit's units."""
+    """Values of the varied parameters by name, in the unit's units."""
     gait: Gait
-    """The gait; its runner has these parameters."""
+    """Gait of the optimum; its runner has these parameters."""
     before: Gait
-    """The gait of the runner that was given."""
+    """Gait of the runner with which the search began."""
     active_bounds: Mapping[str, str]
-    """By name of the parameters that are at a bound: `lower` or `upper`."""
+    """Active bounds, `lower` or `upper`, by name of the parameter."""
     limits: tuple[str, ...]
-    """What else keeps it: `stability`, `fold`."""
-    falls: Mapping[str, float]
-    """By word of each region beside the gait, two where it is on a border between words: how much better the
-    objective could be there, to first order, over its scale, for a step by the whole width of the bounds.
-    Zero at an optimum, up to rounding."""
+    """Other active limits: `stability`, `fold`."""
+    remaining_improvement: Mapping[str, float]
+    """Largest improvement of the objective, to first order and relative to its scale, that a step across the
+    whole width of the bounds could still bring. One entry for each gait word beside the optimum: two where
+    it lies on a border between words. Zero at an optimum, up to rounding."""
     why: str
-    """What kept the search from an optimum; empty where this is one."""
+    """Reason why this is not shown to be an optimum; empty for an optimum."""
     starts: int
-    """Of how many searches this is the best."""
+    """Number of searches, of which this is the best result."""
     basins: int
-    """How many different optima these ended at."""
+    """Number of different optima that the searches found."""
 
     def __repr__(self) -> str:
-        """In a line: what is best, by what."""
+        """Objective, parameters, gait word and stability in one line."""
         values = ", ".join(f"{name} {value:.6g}" for name, value in self.parameters.items())
         maximum = "least" if self.is_minimum else "most"
         kind = "stable" if self.gait.stable else "unstable"
@@ -72,10 +72,10 @@ class Optimum(ByContents, Drawable):
 
     @property
     def is_local(self) -> bool:
-        """Whether a better gait may exist that no search has led to.
+        """Whether a better gait may exist that no search has found.
 
-        Searches from many starts prove nothing of the rest. False only where no gait can have less, as of a
-        slip of zero.
+        Searches from many starts do not exclude it. False only where no gait can have less, such as a slip
+        distance of zero.
         """
         if not self.is_minimum or self.objective not in NEVER_NEGATIVE:
             return True
@@ -83,26 +83,26 @@ class Optimum(ByContents, Drawable):
 
     @property
     def value(self) -> float:
-        """Of the objective."""
+        """Value of the objective."""
         return reported(self.gait)[self.objective]
 
     @property
     def word(self) -> str:
-        """Of the gait."""
+        """Gait word."""
         return self.gait.word
 
     @property
     def stable(self) -> bool:
-        """Whether the gait is."""
+        """Whether the gait is stable."""
         return self.gait.stable
 
     @property
     def is_at_border(self) -> bool:
-        """Whether it lies where the word, or the order of events, changes."""
-        return len(self.falls) > 1
+        """Whether the optimum lies on a border where the word or the order of events changes."""
+        return len(self.remaining_improvement) > 1
 
     def as_json(self) -> dict[str, object]:
-        """As a plain object; `before` and `after` are quantities of the two gaits."""
+        """Dictionary for JSON; `before` and `after` hold the quantities of the two gaits."""
         return {
             **origin_of(reduced=self.gait.runner.reduced),
             "objective": self.objective,
@@ -114,7 +114,7 @@ class Optimum(ByContents, Drawable):
             "stable": self.stable,
             "active_bounds": dict(self.active_bounds),
             "limits": list(self.limits),
-            "falls": dict(self.falls),
+            "remaining_improvement": dict(self.remaining_improvement),
             "problem": self.why or None,
             "local": self.is_local,
             "starts": self.starts,

@@ -50,9 +50,8 @@ class Found(ByContents):
 
     gait: Candidate
     """The best one."""
-    falls: dict[str, float]
-    """By the words beside it: how much less the merit could be, over the size of a step; zero at an
-    optimum."""
+    remaining_improvement: dict[str, float]
+    """Largest decrease of the merit per size of a step, by gait word next to it; zero at an optimum."""
     border: Border | None = None
     """On which it lies, if on any."""
     why: str = ""
@@ -114,8 +113,8 @@ class Search:
                 why = why or "words change too often"
             if radius < SMALLEST:
                 break
-        falls = {best.gait.word: self.problem.steepest(best)}
-        return Found(best, falls, why=TOUCHES if touches else why)
+        remaining = {best.gait.word: self.problem.steepest(best)}
+        return Found(best, remaining, why=TOUCHES if touches else why)
 
     def _in_box(self, best: Candidate, radius: float, region: Region) -> Ended:
         low, high = (best.at - radius).clip(0.0, 1.0), (best.at + radius).clip(0.0, 1.0)
@@ -162,6 +161,6 @@ class Search:
 
     def _found(self, border: Border) -> Found:
         sides = self._open_sides(border)
-        falls = {side.gait.gait.word: self.problem.steepest(side.gait, side.away) for side in sides}
-        why = "" if max(falls.values()) <= STATIONARY else "the search along a border does not converge"
-        return Found(min((side.gait for side in sides), key=self.problem.merit), falls, border, why)
+        remaining = {side.gait.gait.word: self.problem.steepest(side.gait, side.away) for side in sides}
+        why = "" if max(remaining.values()) <= STATIONARY else "the search along a border does not converge"
+        return Found(min((side.gait for side in sides), key=self.problem.merit), remaining, border, why)
