@@ -2,11 +2,12 @@
 
     python examples/batch.py [--scheduler tcp://host:8786] [--output FILE.nc]
 
-Each row of the table is one run of the FMI unit by FMPy. Without a scheduler the rows are shared out among
-this machine's processors; with one, among the workers of any Dask cluster that have this package installed.
+Each row of the table is one run of the FMI unit by FMPy. Without a scheduler the rows run in threads of this
+process. With one they run on the workers of that Dask cluster, which need this package installed.
 """
 
 import argparse
+import contextlib
 import itertools
 
 import tdmf_slip
@@ -24,13 +25,23 @@ def table():
     ]
 
 
+def executor_of(scheduler):
+    """Executor of a Dask cluster; without a scheduler, None for threads of this process."""
+    if scheduler is None:
+        return contextlib.nullcontext()
+    from distributed import Client
+
+    return Client(scheduler).get_executor()
+
+
 def main():
     """Run the table and print what came of it."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--scheduler", metavar="ADDRESS", help="of a Dask cluster")
     parser.add_argument("--output", metavar="FILE.nc", help="write all results as NetCDF")
     options = parser.parse_args()
-    runs = tdmf_slip.simulate_many(table(), strides=STRIDES, scheduler=options.scheduler, progress=True)
+    with executor_of(options.scheduler) as executor:
+        runs = tdmf_slip.simulate_many(table(), strides=STRIDES, executor=executor, progress=True)
     print(f"{'damping':>8} {'friction':>9}  {'word':8} {'speed':>7} {'cost of transport':>18}")
     columns = ("leg.damping", "ground.friction", "word", "speed", "cost_of_transport")
     for damping, friction, word, speed, cost in zip(*(runs[name] for name in columns), strict=True):

@@ -1,17 +1,18 @@
 """Work that an interrupt from the keyboard stops through a flag instead of an exception in its middle.
 
-Python runs signal handlers in the main thread only, between two of its instructions. So the work is done in
-a thread beside, and the main thread waits. No handler is replaced.
+Python runs signal handlers in the main thread only, between two of its instructions. So the work runs in
+another thread while the main thread waits. No handler is replaced.
 """
 
 from __future__ import annotations
 
 import _thread
+import contextlib
 import contextvars
 import sys
 import threading
 from array import array
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from typing import Any, TypeAlias, TypeVar
 
 Result = TypeVar("Result")
@@ -25,21 +26,44 @@ LOOKING_UP = 0.1
 _this_thread = threading.local()
 
 
+def new_flag() -> Flag:
+    """A flag that is not raised."""
+    return array("i", [0])
+
+
 def stop_flag() -> Flag:
-    """Flag that stops work in this thread: one that `stops_by` was given here, or else a new one."""
-    flag: Flag = getattr(_this_thread, "flag", None) or array("i", [0])
-    return flag
+    """The flag that stops work in this thread, see `stopped_by`; elsewhere a new one."""
+    flag: Flag | None = getattr(_this_thread, "flag", None)
+    return new_flag() if flag is None else flag
 
 
-def stops_by(flag: Flag) -> None:
-    """Have whatever is done in this thread stop when a flag is raised."""
+def in_block() -> bool:
+    """Whether this thread runs one block of many, which leaves the other processors alone."""
+    return getattr(_this_thread, "flag", None) is not None
+
+
+def check_stop() -> None:
+    """Raise KeyboardInterrupt where the flag of this thread is raised."""
+    flag: Flag | None = getattr(_this_thread, "flag", None)
+    if flag is not None and flag[0]:
+        raise KeyboardInterrupt
+
+
+@contextlib.contextmanager
+def stopped_by(flag: Flag) -> Iterator[None]:
+    """Context in which work of this thread stops when a flag is raised."""
+    before = getattr(_this_thread, "flag", None)
     _this_thread.flag = flag
+    try:
+        yield
+    finally:
+        _this_thread.flag = before
 
 
 def uninterrupted(work: Callable[[], Result], flag: Flag | None = None) -> Result:
     """Do work to its end, or until it stops because `flag[0]` is 1. Raise what came meanwhile only then.
 
-    In other threads than the main one no interrupts come, and the work is done there.
+    In other threads than the main one no interrupts come, and the work runs there.
     """
     if threading.get_ident() != threading.main_thread().ident:
         return work()
@@ -50,9 +74,9 @@ def uninterrupted(work: Callable[[], Result], flag: Flag | None = None) -> Resul
 
     def beside() -> None:
         _ = callers  # keeps alive what C points to, should one more interrupt end the wait itself
-        stops_by(flag)
         try:
-            outcome.append((context.run(work), None))
+            with stopped_by(flag):
+                outcome.append((context.run(work), None))
         except BaseException as problem:  # raised again where the work is waited for
             outcome.append((None, problem))
         finally:
@@ -67,8 +91,9 @@ def uninterrupted(work: Callable[[], Result], flag: Flag | None = None) -> Resul
                     pass
             except BaseException as problem:  # what the host's handler raises; no call before the flag is set
                 interrupt, flag[0] = problem, 1
-    finally:
+    except BaseException:
         flag[0] = 1
+        raise
     result, failure = outcome[0]
     if (raised := interrupt or failure) is not None:
         raise raised

@@ -18,7 +18,7 @@ from tdmf_slip.analysis import (
     volume,
 )
 from tdmf_slip.analysis.search import periodic_gait
-from tdmf_slip.blocks import running
+from tdmf_slip.blocks import run_blocks
 from tdmf_slip.cli import gait_file
 from tdmf_slip.feedback import judgement
 from tdmf_slip.fmu import batch, inputs
@@ -49,14 +49,12 @@ TAKE_A_RUNNER = {
     "find_gait from a guess": lambda given, found: search.periodic_gait(given, guess=found.apex).apex,
     "sweep": lambda given, found: sweep.sweep(given, {"ground.friction": [0.3]}).gaits[0].apex,
     "grid": lambda given, found: (
-        grid.grid(given, {"ground.friction": [0.3], "leg.damping": [0.2]}, "grid.nc", threads=1)[
-            "period"
-        ].values
+        grid.grid(given, {"ground.friction": [0.3], "leg.damping": [0.2]}, "grid.nc")["period"].values
     ),
     "gaits_over": lambda given, found: next(continuation.gaits_over(given, FRICTION, [0.3], found)).apex,
     "borders_between": lambda given, found: borders.borders_between(given, FRICTION, found, found),
     "trace": lambda given, found: tracing.trace(given, FRICTION, found, 0.21, max_points=2).values,
-    "basin": lambda given, found: basin.basin(given, RANGES, 2, threads=1)["strides_until_known"],
+    "basin": lambda given, found: basin.basin(given, RANGES, 2)["strides_until_known"],
     "stable_gait": lambda given, found: basin.stable_gait(given).apex,
     "fates": lambda given, found: fates.fates(given, found.apex, [found.apex])["strides"],
 }
@@ -168,7 +166,7 @@ WRONG = [
     lambda r, o: tdmf_slip.continue_branch(r, {FRICTION: (0.6, -1.0)}),
     lambda r, o: tdmf_slip.continue_branch(r, {FRICTION: (0.6, 0.6)}),
     lambda r, o: tdmf_slip.continue_branch(r, {"foot.y": (0.6, 0.7)}),
-    lambda r, o: running.run_blocks(abs, [1, 2], threads="x").__enter__(),
+    lambda r, o: run_blocks(abs, [1, 2], "x").__enter__(),
     lambda r, o: tdmf_slip.controllability(r, [ANGLE]),
     lambda r, o: tdmf_slip.controllability(o, 3),
     lambda r, o: tdmf_slip.controllability(o, [3]),

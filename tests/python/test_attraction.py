@@ -48,7 +48,7 @@ def test_the_largest_disturbances_are_where_recovery_ends(gait):
 
 def test_starts_that_the_solver_does_not_get_through_are_counted(gait):
     stiff = Runner({**gait.runner.values, "foot.mass": 1e-12, "hip.kp": 1e18, "hip.kd": 1e18})
-    found = volume.volume(dataclasses.replace(gait, runner=stiff), 20, threads=1)
+    found = volume.volume(dataclasses.replace(gait, runner=stiff), 20)
     assert (found.settled, found.unsolved) == (0, found.as_json()["unsolved"])
     assert 0 < found.unsolved <= 20
 
@@ -60,9 +60,8 @@ def test_the_interval_of_a_volume_is_wilsons():
 
 
 def test_a_volume_depends_on_its_seed_alone(gait):
-    one = volume.volume(gait, 5000, threads=1)
-    assert volume.volume(gait, 5000, threads=2) == one
-    other = volume.volume(gait, 5000, seed=1, threads=1)
+    one = volume.volume(gait, 5000)
+    other = volume.volume(gait, 5000, seed=1)
     assert other != one
     assert abs(other.share - one.share) < 3.0 * (one.interval[1] - one.interval[0])
     with pytest.raises(InputError, match="samples = 0"):
@@ -70,7 +69,7 @@ def test_a_volume_depends_on_its_seed_alone(gait):
 
 
 def test_a_volume_is_a_share_of_the_box(gait):
-    found = volume.volume(gait, 2 * fates.STARTS_AT_ONCE, threads=1)
+    found = volume.volume(gait, 2 * fates.STARTS_AT_ONCE)
     low, high = np.array(list(volume.BOX.values())).T
     drawings = [volume.Drawing(gait.runner, tuple(gait.apex), 0, n, 4096).starts() for n in range(2)]
     assert np.min(np.abs(drawings[0] - drawings[1])) > 0.0
@@ -83,7 +82,7 @@ def test_a_volume_is_a_share_of_the_box(gait):
 def test_one_measure_for_each_gait_in_their_order(gait, fmu, monkeypatch):
     monkeypatch.setattr(attraction, "SAMPLES", 200)
     other = basin.stable_gait(Runner.of({"ground.friction": 0.6}, fmu), fmu)
-    found = attraction.measure_all([other, gait], threads=1)
+    found = attraction.measure_all([other, gait])
     assert [measured.friction for measured in found] == [0.6, 1.2]
     assert [measured.word for measured in found] == [other.word, gait.word]
     assert found[1].lambda_max == pytest.approx(np.max(np.abs(np.linalg.eigvals(gait.jacobian))))

@@ -138,8 +138,8 @@ def test_a_ball_is_made_only_where_it_saves_more_than_it_costs(gait):
 
 def test_a_map_says_by_which_ball_it_knows(fmu):
     axes = {"com_height": (1.2, 1.6), "com_speed": (0.9, 1.2)}
-    by_ball = basin({}, axes, threads=1, fmu=fmu)
-    followed = basin({}, axes, ball="none", threads=1, fmu=fmu)
+    by_ball = basin({}, axes, fmu=fmu)
+    followed = basin({}, axes, ball="none", fmu=fmu)
     assert by_ball.attributes["ball"] == "tested" and by_ball.attributes["ball_points"] == 10_000
     assert 0.05 < by_ball.attributes["ball_radius"] < 1.0 and 0.8 < by_ball.attributes["ball_rate"] < 1.0
     assert followed.attributes["ball"] == "none" and "ball_radius" not in followed.attributes
@@ -151,7 +151,7 @@ def test_a_map_says_by_which_ball_it_knows(fmu):
 def test_a_volume_is_equal_with_a_ball_and_without(gait, ball):
     """Of 5,000 starts, or with --release of 20,000."""
     count = 20_000 if RELEASE else 5_000
-    counted = [volume(gait, count, ball=of, threads=1) for of in (ball, "none")]
+    counted = [volume(gait, count, ball=of) for of in (ball, "none")]
     assert counted[0] == counted[1]
 
 
@@ -163,7 +163,7 @@ def test_a_proved_ball_is_inside_the_one_that_is_proved():
     away = np.array(np.linalg.inv(np.array(proof.basis)) @ points_in(ball, 2000, surface=True).T).T
     assert (np.abs(away) / proof.weights).max() < proof.norm_radius
     values = {"com_height": [1.3, 1.5, 0.9], "com_speed": [0.2, 1.05]}
-    slice_, followed = (basin_at(gait, values, ball=of, threads=1) for of in (ball, "none"))
+    slice_, followed = (basin_at(gait, values, ball=of) for of in (ball, "none"))
     np.testing.assert_array_equal(slice_["fate"], followed["fate"])
     settled = followed["fate"] == SETTLED
     assert settled.sum() >= 3

@@ -11,6 +11,7 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.colors import to_rgb
 from tdmf_slip import Basin, InputError, Runner
 from tdmf_slip.analysis import basin
+from tdmf_slip.blocks import InTurn
 from tdmf_slip.labelled import Labelled
 from tdmf_slip.library import ensemble, section
 from tdmf_slip.pictures import basin_map
@@ -27,7 +28,7 @@ def runner(fmu):
 
 @pytest.fixture(scope="module")
 def slice_(runner, fmu):
-    return basin.basin(runner, AXES, N, threads=1, fmu=fmu)
+    return basin.basin(runner, AXES, N, fmu=fmu)
 
 
 def test_fates_are_those_of_runs_through_the_unit(slice_, fmu):
@@ -48,11 +49,11 @@ def test_fates_are_those_of_runs_through_the_unit(slice_, fmu):
 
 def test_fates_do_not_depend_on_who_computes_them(runner, slice_, fmu, monkeypatch):
     monkeypatch.setattr(basin, "STARTS_AT_ONCE", 30)
-    two = basin.basin(runner, AXES, N, threads=2, fmu=fmu)
+    two = basin.basin(runner, AXES, N, fmu=fmu)
     assert two == slice_
     gait = basin.stable_gait(runner, fmu)
     values = {"com_height": VALUES["com_height"][3:5], "com_speed": VALUES["com_speed"][1:]}
-    part = basin.basin_at(gait, values, threads=1, fmu=fmu)
+    part = basin.basin_at(gait, values, fmu=fmu)
     np.testing.assert_array_equal(part["strides_until_known"], slice_["strides_until_known"][3:5, 1:])
 
 
@@ -69,8 +70,8 @@ def test_a_map_is_gone_on_with(runner, slice_, fmu, tmp_path, monkeypatch):
     monkeypatch.setattr(basin, "STARTS_AT_ONCE", 8 * N[1])
     monkeypatch.setattr(basin, "fates_of_slice", interrupted)
     with pytest.raises(KeyboardInterrupt):
-        basin.basin(runner, AXES, N, threads=1, path=path, fmu=fmu)
-    whole = basin.basin(runner, AXES, N, threads=1, path=path, fmu=fmu)
+        basin.basin(runner, AXES, N, path=path, executor=InTurn(), fmu=fmu)
+    whole = basin.basin(runner, AXES, N, path=path, executor=InTurn(), fmu=fmu)
     assert calls == [8, 4, 4]  # the block that was done is not done twice
     assert all(np.array_equal(whole[name], slice_[name]) for name in slice_)
     on_file = xarray.load_dataset(path)
@@ -85,17 +86,17 @@ def test_ranges_that_are_none_are_refused(runner, fmu, ends):
     with pytest.raises(
         InputError, match=r"axes: com_speed = .*allowed: two finite numbers, the lower one first"
     ):
-        basin.basin(runner, {**AXES, "com_speed": ends}, N, threads=1, fmu=fmu)
+        basin.basin(runner, {**AXES, "com_speed": ends}, N, fmu=fmu)
 
 
 @pytest.mark.parametrize("n", [1, 0, 2.5, (3,), (3, 4, 5), "3"])
 def test_numbers_of_starts_that_are_none_are_refused(runner, fmu, n):
     with pytest.raises(InputError, match=r"n = .*allowed"):
-        basin.basin(runner, AXES, n, threads=1, fmu=fmu)
+        basin.basin(runner, AXES, n, fmu=fmu)
 
 
 def test_without_ranges_a_map_is_around_the_gait(runner, fmu):
-    found = basin.basin(runner, n=3, threads=1, fmu=fmu)
+    found = basin.basin(runner, n=3, fmu=fmu)
     gait = basin.stable_gait(runner, fmu)
     for name in AXES:
         assert (found[name][0], found[name][-1]) == basin.range_around(gait, name)
@@ -138,7 +139,7 @@ def test_a_spoiled_map_is_not_gone_on_with(runner, slice_, fmu, tmp_path, spoil)
     path = tmp_path / "map.nc"
     spoil(slice_.to_xarray()).to_netcdf(path)
     with pytest.raises(InputError, match=r"map\.nc: holds"):
-        basin.basin(runner, AXES, N, path=path, threads=1, fmu=fmu)
+        basin.basin(runner, AXES, N, path=path, fmu=fmu)
 
 
 def drawn(data, monkeypatch):
@@ -219,7 +220,7 @@ def test_every_fate_has_a_colour():
 def test_a_map_says_friction_and_units(fmu, monkeypatch, preset, length, rate):
     """The paper's units for a runner in them; SI with the runner's scales for any other."""
     runner = Runner.of(preset, fmu).but("ground.friction", 0.55)
-    data = basin.basin(runner, {"leg_length": (1.2, 1.3), "leg_angle_rate": (0.2, 0.4)}, 2, threads=1)
+    data = basin.basin(runner, {"leg_length": (1.2, 1.3), "leg_angle_rate": (0.2, 0.4)}, 2)
     _, axes, figure = drawn(data, monkeypatch)
     assert "friction 0.55" in axes.get_title(loc="left")
     assert (axes.get_ylabel(), axes.get_xlabel()) == (length, rate)

@@ -1,12 +1,10 @@
-"""Blocks of work on Dask: the same results wherever they are computed, and none lost with a worker."""
+"""Blocks of work on executors: the same results wherever they are computed, and none lost."""
 
 import concurrent.futures
 import contextlib
-import functools
 import json
-import math
+import multiprocessing
 import os
-import pathlib
 import signal
 import socket
 import subprocess
@@ -14,193 +12,317 @@ import sys
 import threading
 import time
 
+import numpy as np
 import pytest
+import tdmf_slip
 import xarray
 from conftest import HANGS
-from tdmf_slip import InputError, RunError, Runner
-from tdmf_slip.analysis import basin, grid
-from tdmf_slip.blocks import cluster as clusters
-from tdmf_slip.blocks import running as blocks
-from tdmf_slip.blocks.running import run_blocks
+from tdmf_slip import InputError, RunError
+from tdmf_slip.analysis import attraction, basin, first_passage, grid, preview, stride_map, volume
+from tdmf_slip.blocks import InTurn, run_blocks
+from tdmf_slip.cli import interrupts
+from tdmf_slip.cli import workers as options
+from tdmf_slip.feedback import judgement
 from tdmf_slip.fmu import batch
-from tdmf_slip.terminal import interrupts
+from tdmf_slip.library.ensemble import run_ensemble
+from tdmf_slip.uninterrupted import check_stop
+from tdmf_slip.viable_sets import transitions
 
-BLOCKS = 12
+FRICTION, DAMPING = "ground.friction", "leg.damping"
+KINDS = ("in turn", "threads", "processes", "dask")
+SLOW = {"attraction": {"processes"}, "judgement": {"processes"}, "proof": {"threads", "processes"}}
+"""Slow analyses, and the executors that run them."""
+AXES = {"com_height": (1.2, 2.9), "com_speed": (0.9, 1.6)}
+PLACES = {
+    "axes": {"com_height": (1.0, 2.0), "com_speed": (0.6, 1.6)},
+    "vary": {"hip.touchdown_angle": (0.3, 1.1, 12)},
+}
 
 
-def note(folder, number):
-    """A block that leaves a trace of who did it."""
-    time.sleep(0.3)
-    (folder / f"{number}-{os.getpid()}").touch()
+@pytest.fixture(scope="module")
+def executors(tmp_path_factory):
+    """Gives an executor of each kind, which is started once: one cluster serves all tests."""
+    with contextlib.ExitStack() as stack:
+
+        def dask():
+            import dask
+            from distributed import Client, LocalCluster
+
+            stack.enter_context(
+                dask.config.set({"temporary-directory": str(tmp_path_factory.mktemp("dask"))})
+            )
+            two = {"n_workers": 1, "threads_per_worker": 2, "dashboard_address": "127.0.0.1:0"}
+            cluster = stack.enter_context(LocalCluster(**two))
+            return stack.enter_context(Client(cluster, set_as_default=False)).get_executor()
+
+        def processes():
+            spawn = multiprocessing.get_context("spawn")
+            return stack.enter_context(concurrent.futures.ProcessPoolExecutor(2, spawn))
+
+        def threads():
+            return stack.enter_context(concurrent.futures.ThreadPoolExecutor(3))
+
+        started = {}
+        kinds = {"in turn": InTurn, "threads": threads, "processes": processes, "dask": dask}
+
+        def executor(kind):
+            if kind not in started:
+                started[kind] = kinds[kind]()
+            return started[kind]
+
+        yield executor
+
+
+@pytest.fixture(scope="module")
+def gait():
+    return tdmf_slip.find_gait({FRICTION: 0.6})
+
+
+def lqr(gait):
+    return tdmf_slip.lqr(gait, ["hip.touchdown_angle"])
+
+
+ANALYSES = {
+    "runs of the unit": lambda _, how: batch.simulate_many(
+        [{FRICTION: mu} for mu in (1.2, 0.6, 0.2)], strides=3, **how
+    ),
+    "basin": lambda _, how: basin.basin({}, AXES, (6, 5), **how),
+    "preview of a basin": lambda _, how: basin.basin({}, AXES, 20, refine="preview", **how),
+    "volume": lambda gait, how: volume.volume(gait, 60, **how),
+    "grid of gaits": lambda _, how: tdmf_slip.sweep({}, {FRICTION: [0.6, 0.5], DAMPING: [0.2, 0.22]}, **how),
+    "strides to a fall": lambda gait, how: first_passage.strides_to_fall(gait, 0.4, 200, 1, 60, **how),
+    "strides": lambda gait, how: tdmf_slip.stride_map(
+        gait,
+        gait.apex + np.linspace(0, 0.1, 9)[:, None] * gait.runner.scales,
+        strides=30,
+        roughness=0.1,
+        **how,
+    ),
+    "viability": lambda _, how: tdmf_slip.viability(None, n=12, **PLACES, **how),
+    "loss of friction": lambda _, how: tdmf_slip.viability(None, n=6, **PLACES).friction_loss([0.3], **how),
+    "attraction": lambda gait, how: attraction.measure_all([gait], **how),
+    "judgement": lambda gait, how: judgement.judge_all([judgement.Trial(gait, lqr(gait), (0.1,))], **how),
+    "proof": lambda _, how: proved(how),
+}
+SIZES = (
+    (basin, "STARTS_AT_ONCE", 5),
+    (preview, "MAX_POINTS_AT_ONCE", 7),
+    (volume, "STARTS_AT_ONCE", 4096),  # a block's number decides what is drawn
+    (first_passage, "MIN_IN_A_BLOCK", 7),
+    (first_passage, "MAX_IN_A_BLOCK", 7),
+    (stride_map, "MAX_IN_A_BLOCK", 2),
+    (stride_map, "MIN_IN_A_BLOCK", 1),
+    (transitions, "STRIDES_IN_A_BLOCK", 1),
+    (transitions, "STRIDES_IN_A_CALL", 50),
+)
+"""Sizes of blocks that tests make smaller."""
+
+
+def proved(how):
+    pytest.importorskip("flint")
+    proof = tdmf_slip.prove({FRICTION: "10"}, vary={FRICTION: ("10", "10.04")}, **how)
+    assert proof.proved and len(proof.subintervals) > 1
+    return proof.as_json()
+
+
+@pytest.fixture(scope="module")
+def expected(gait):
+    """What each analysis gives without an executor, computed once."""
+    found = {}
+
+    def result(name):
+        if name not in found:
+            found[name] = ANALYSES[name](gait, {})
+        return found[name]
+
+    return result
+
+
+@pytest.mark.parametrize(
+    ("name", "kind"),
+    [(name, kind) for name in ANALYSES for kind in KINDS if kind in SLOW.get(name, KINDS)],
+)
+def test_a_result_does_not_depend_on_the_executor(executors, expected, gait, name, kind):
+    assert ANALYSES[name](gait, {"executor": executors(kind)}) == expected(name)
+
+
+@pytest.mark.parametrize("name", [name for name in ANALYSES if name not in SLOW])
+def test_a_result_does_not_depend_on_the_size_of_blocks(expected, gait, monkeypatch, name):
+    whole = expected(name)
+    for module, constant, size in SIZES:
+        assert hasattr(module, constant)
+        monkeypatch.setattr(module, constant, size)
+    assert ANALYSES[name](gait, {}) == whole
+
+
+def work(number):
+    """A block that other processes can import."""
+    if number == 3:
+        raise ValueError("three")
+    time.sleep(0.01)
     return number * number
 
 
-def die(_):
-    os.kill(os.getpid(), signal.SIGKILL)
-
-
-@pytest.fixture
-def cluster(tmp_path):
-    """A scheduler and two workers, processes of their own; yields its address and all three."""
-    file = tmp_path / "scheduler.json"
-    run = functools.partial(
-        subprocess.Popen,
-        stdout=subprocess.DEVNULL,
-        stderr=subprocess.DEVNULL,
-        env={
-            **os.environ,
-            "PYTHONPATH": str(pathlib.Path(__file__).parent),  # for `note`
-            "DASK_TEMPORARY_DIRECTORY": str(tmp_path),
-        },
-    )
-    dask = (sys.executable, "-m", "dask")
-    options = ("--scheduler-file", str(file))
-    scheduler = run([*dask, "scheduler", *options, "--port", "0", "--no-dashboard"])
-    command = [*dask, "worker", *options, "--nthreads", "1", "--no-dashboard", "--no-nanny"]
-    workers = [run(command) for _ in range(2)]
-    try:
-        yield _address(file, scheduler), scheduler, workers
-    finally:
-        for process in (*workers, scheduler):
-            process.kill()
-            process.wait()
-
-
-def _address(file, scheduler):
-    while not (file.exists() and file.read_text()):
-        assert scheduler.poll() is None, "the scheduler did not start"
-        time.sleep(0.1)
-    return json.loads(file.read_text())["address"]
-
-
-@pytest.mark.skipif(sys.platform == "win32", reason="workers are killed by a POSIX signal")
-def test_a_killed_worker_costs_only_its_block(cluster, tmp_path):
-    address, _, workers = cluster
-    folder = tmp_path / "done"
-    folder.mkdir()
+@pytest.mark.parametrize("kind", KINDS)
+def test_a_block_that_fails_is_said_after_what_is_ready(executors, kind):
+    """And nothing that waits is begun after it."""
     results = {}
-    work = functools.partial(note, folder)
-    with run_blocks(work, list(range(BLOCKS)), scheduler=address) as found:
-        for number, result in found:
-            results[number] = result
-            if len(results) == 3:
-                workers[0].kill()
-    assert results == {number: number * number for number in range(BLOCKS)}
-    # What the dead worker had begun, and what it had done but not handed over, is all that is done again.
-    assert BLOCKS <= len(list(folder.iterdir())) <= BLOCKS + 2
+    with pytest.raises(ValueError, match="three"), run_blocks(work, range(500), executors(kind)) as found:
+        results.update(found)
+    assert all(result == number * number for number, result in results.items())
+    assert {0, 1, 2} <= results.keys() if kind == "in turn" else len(results) < 490
 
 
-def test_a_scheduler_that_dies_is_said(cluster, tmp_path):
-    address, scheduler, _ = cluster
-    work = functools.partial(note, tmp_path)
+def test_no_thread_and_no_block_is_left_after_a_failure():
+    """The blocks run for ever; the flag ends them."""
+    before, begun = set(threading.enumerate()), []
+
+    def endless(number):
+        begun.append(number)
+        if number == 0:
+            while len(begun) < 2 and (os.cpu_count() or 1) > 1:
+                time.sleep(0.001)
+            raise ValueError("zero")
+        while True:
+            check_stop()
+            time.sleep(0.001)
+
+    with pytest.raises(ValueError, match="zero"), run_blocks(endless, range(100)) as found:
+        list(found)
+    assert len(begun) < 100 and set(threading.enumerate()) == before
+
+
+@pytest.mark.parametrize("endless", ["engine", "gaits", "unit"])
+def test_what_computes_without_end_stops(gait, endless):
+    """In C, in a search and in a run of the unit, whoever asks for it."""
+
+    def compute(number):
+        if number == 0:
+            raise ValueError("zero")
+        if endless == "engine":
+            run_ensemble([gait.runner], np.tile(gait.apex, (64, 1)), max_strides=2**31 - 1)
+        while endless == "gaits":
+            tdmf_slip.find_gait({FRICTION: 0.5})
+        tdmf_slip.simulate(strides=50_000)
+
     with (
-        pytest.raises(RunError, match="scheduler is gone"),
-        run_blocks(work, list(range(BLOCKS)), scheduler=address) as found,
+        pytest.raises(ValueError, match="zero"),
+        concurrent.futures.ThreadPoolExecutor(2) as pool,
+        run_blocks(compute, [1, 0], pool) as found,
     ):
-        assert next(found)[1] >= 0
-        scheduler.kill()
         list(found)
 
 
-def test_a_block_that_kills_its_workers_is_said(tmp_path):
-    """Here the second one that dies ends it, by a setting of Dask's; a worker takes seconds to begin."""
-    import dask
-    from distributed import LocalCluster
+def test_blocks_within_a_block_use_its_thread():
+    def outer(_):
+        with run_blocks(lambda _: threading.get_ident(), range(3)) as found:
+            return {thread for _, thread in found} == {threading.get_ident()}
 
-    two = {"n_workers": 2, "threads_per_worker": 1, "dashboard_address": "127.0.0.1:0"}
-    with (
-        dask.config.set({"distributed.scheduler.allowed-failures": 1, "temporary-directory": str(tmp_path)}),
-        LocalCluster(**two) as cluster,
-        pytest.raises(RunError, match="killed every worker"),
-        run_blocks(die, [0, 1], scheduler=cluster.scheduler_address) as found,
-    ):
+    with run_blocks(outer, range(4)) as found:
+        assert all(alone for _, alone in found)
+    with run_blocks(lambda _: threading.get_ident(), [0]) as found:
+        assert next(found)[1] != threading.get_ident()
+
+
+def test_what_is_done_is_on_file_when_a_row_fails(tmp_path, monkeypatch):
+    honest = grid.gaits_of_row
+
+    def failing(row):
+        if row.runner.values[DAMPING] == 0.23:
+            raise ValueError("a fault of the code")
+        return honest(row)
+
+    monkeypatch.setattr(grid, "gaits_of_row", failing)
+    path, vary = tmp_path / "grid.nc", {DAMPING: [0.2, 0.21, 0.22, 0.23, 0.24], FRICTION: [0.6, 0.5]}
+    with pytest.raises(ValueError, match="a fault of the code"):
+        tdmf_slip.sweep({}, vary, path=path, executor=InTurn())
+    assert xarray.load_dataset(path)["done"].values.tolist() == [1, 1, 1, 0, 0]
+    monkeypatch.setattr(grid, "gaits_of_row", honest)
+    assert tdmf_slip.sweep({}, vary, path=path) == tdmf_slip.sweep({}, vary)
+
+
+class Cancelling(InTurn):
+    """An executor that is shut down under way."""
+
+    def submit(self, *_):
+        future = concurrent.futures.Future()
+        future.cancel()
+        return future
+
+
+class Broken(InTurn):
+    def submit(self, *_):
+        future = concurrent.futures.Future()
+        future.set_exception(concurrent.futures.BrokenExecutor("a worker died"))
+        return future
+
+
+@pytest.mark.parametrize(("kind", "said"), [(Cancelling, "cancelled a block"), (Broken, "a worker died")])
+def test_an_executor_that_ends_is_said(kind, said):
+    with pytest.raises(RunError, match=said), run_blocks(abs, [1], kind()) as found:
         list(found)
 
 
 def test_a_script_needs_no_guard(tmp_path):
-    """Nor does it start a process or open a port, with as many threads as there are processors."""
+    """Nor does it start a process or open a port."""
     script = tmp_path / "script.py"
     script.write_text(
         "import socket, subprocess, sys\n"
         "import fmpy, tdmf_slip\n"  # FMPy asks ldconfig where libraries are
         "def refused(*given, **named): raise SystemExit('a process or a port')\n"
         "socket.socket.bind = subprocess.Popen.__init__ = refused\n"
-        "found = tdmf_slip.strides_to_fall({'ground.friction': 0.2}, roughness=0.5, runners=20, threads=2)\n"
+        "found = tdmf_slip.strides_to_fall({'ground.friction': 0.2}, roughness=0.5, runners=20)\n"
         "print(found.falls > 0, {'distributed', 'concurrent.futures.process'} & set(sys.modules))\n"
     )
     done = subprocess.run([sys.executable, script], capture_output=True, text=True, timeout=HANGS)
     assert (done.returncode, done.stdout.strip()) == (0, "True set()"), done.stderr
 
 
-def test_what_a_thread_raises_is_raised_here():
-    with run_blocks(math.sqrt, [4.0, 9.0], threads=2) as found:
-        assert sorted(found) == [(0, 2.0), (1, 3.0)]
-    with (
-        pytest.raises(ValueError, match="math domain"),
-        run_blocks(math.sqrt, [4.0, -1.0], threads=2) as found,
-    ):
-        list(found)
-
-
-def test_a_cluster_gives_the_same_map(cluster, fmu):
-    address, *_ = cluster
-    runner = Runner.of({}, fmu)
-    axes = {"com_height": (1.2, 2.9), "com_speed": (0.9, 1.6)}
-    here = basin.basin(runner, axes, (6, 5), threads=1, fmu=fmu)
-    there = basin.basin(runner, axes, (6, 5), scheduler=address, fmu=fmu)
-    assert here == there
-
-
-def test_a_grid_of_gaits_is_the_same_by_two_threads(fmu, tmp_path):
-    runner, frictions, dampings = Runner.of({}, fmu), [0.6, 0.5], [0.2, 0.22, 0.25]
-    grids = [
-        grid.grid(
-            runner,
-            {"ground.friction": frictions, "leg.damping": dampings},
-            tmp_path / f"{threads}.nc",
-            threads=threads,
-            fmu=fmu,
-        )
-        for threads in (1, 2)
-    ]
-    xarray.testing.assert_identical(*grids)
-
-
-def test_a_batch_of_units_is_the_same_by_two_threads(fmu):
-    table = [{"ground.friction": mu} for mu in (1.2, 0.6, 0.2)]
-    one, two = (batch.simulate_many(table, strides=3, threads=threads, fmu=fmu) for threads in (1, 2))
-    assert one == two
-    assert list(one["count"]) == [3, 3, 3]
-    assert list(one["ground.friction"]) == [1.2, 0.6, 0.2]
-    assert one.variables["period"].attributes["units"] == "s"
-    assert (one["problem"] == "").all()
-
-
 def test_a_run_that_fails_leaves_the_others(fmu):
     """A runner that falls is a result; one that closes no stride has its reason written beside it."""
     table = [{"leg.angle": 1.0}, {"hip.touchdown_angle": 0.2}]
-    runs = batch.simulate_many(table, strides=2, threads=1, fmu=fmu)
-    together = batch.simulate_many([{"leg.length": 1.0}, {"leg.length": 0.01}], strides=1, threads=1, fmu=fmu)
+    runs = batch.simulate_many(table, strides=2, fmu=fmu)
+    together = batch.simulate_many([{"leg.length": 1.0}, {"leg.length": 0.01}], strides=1, fmu=fmu)
     assert together["problem"][0] == "" and "leg.length" in together["problem"][1]
     assert runs["problem"][0] == "" and runs["period"][0] > 0.0
     assert runs["fallen"][1] or runs["problem"][1]
 
 
-def test_who_listens_and_is_no_scheduler_is_not_waited_for(monkeypatch):
-    monkeypatch.setattr(clusters, "CONNECTING", 1.0)
+def test_the_command_runs_on_a_cluster(executors, command):
+    address = executors("dask")._client.scheduler.address
+    asked = ("viability", "--n", 8, "--axes", "com_height=1:2", "--axes", "com_speed=0.6:1.6", "--vary")
+    printed = [
+        command(*asked, "hip.touchdown_angle=0.3:1.1:12", "--json", *where)
+        for where in ((), ("--scheduler", address), ("--workers", 2))
+    ]
+    assert printed[0] == printed[1] == printed[2] and json.loads(printed[0][1])
+
+
+@pytest.mark.parametrize(
+    ("given", "said"),
+    [
+        (("--scheduler", "nonsense://here"), "no Dask scheduler answers"),
+        (("--scheduler", "tcp://a:1", "--workers", 2), "--workers and --scheduler are both given"),
+        (("--workers", 0), "0 is not in the range"),
+    ],
+)
+def test_wrong_workers_are_said(command, given, said):
+    status, out, message = command("rough", "--roughness", 0.1, *given)
+    assert (status, out) == (2, "") and said in message
+
+
+def test_who_listens_and_is_no_scheduler_is_not_waited_for(command, monkeypatch):
+    monkeypatch.setattr(options, "CONNECTING", 1.0)
     with socket.create_server(("127.0.0.1", 0)) as silent:
         address = f"tcp://127.0.0.1:{silent.getsockname()[1]}"
-        with (
-            pytest.raises(InputError, match="no answer within 1 s"),
-            run_blocks(abs, [1], scheduler=address),
-        ):
-            pass
+        status, _, message = command("rough", "--roughness", 0.1, "--scheduler", address)
+    assert status == 2 and "no answer within 1 s" in message
 
 
 INTERRUPT_AT = """
 import os, signal, sys
+from tdmf_slip import blocks
 from tdmf_slip.analysis import grid
-from tdmf_slip.blocks import running
 from tdmf_slip.cli import main as command
 
 def interrupting(module, name):
@@ -216,7 +338,7 @@ def interrupting(module, name):
 def main():
     for place in sys.argv[1].split():
         module, name = place.split(".")
-        interrupting({"running": running, "grid": grid, "os": os}[module], name)
+        interrupting({"blocks": blocks, "grid": grid, "os": os}[module], name)
     return command.main(sys.argv[2:])
 
 if __name__ == "__main__":
@@ -256,8 +378,8 @@ def interrupted(program, folder, *arguments):
 @pytest.mark.parametrize(
     ("functions", "left"),
     [
-        ("running.Threads", []),
-        ("running._next_done", []),
+        ("blocks.ThreadPoolExecutor", []),
+        ("blocks._next_done", []),
         ("grid.write_dataset", []),
         ("os.replace", ["grid.nc"]),
     ],
@@ -267,95 +389,37 @@ def test_an_interrupt_ends_a_grid_and_leaves_whole_rows(functions, left, tmp_pat
     folder = tmp_path / "folder"
     folder.mkdir()
     grid = ("sweep", "--friction", "0.5:0.6:2", "--vary", "leg.damping=0.1:0.3:500", "--output", "grid.nc")
-    status, said = interrupted(INTERRUPT_AT, folder, functions, *grid, "--threads", "2")
+    status, said = interrupted(INTERRUPT_AT, folder, functions, *grid)
     assert status == 130
     assert said[-1].endswith(INTERRUPTED) and no_more_than_a_bar(said[:-1], "sweep"), said
-    assert [path.name for path in folder.iterdir()] == left
-    for name in left:
+    written = [path.name for path in folder.iterdir()]
+    assert written == left or (functions == "blocks._next_done" and written == ["grid.nc"])
+    for name in written:
         rows = xarray.load_dataset(folder / name)
         assert 1 <= rows["done"].sum() < 500
         assert (rows["period"].notnull().all("ground.friction") == (rows["done"] == 1)).all()
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="the interrupt is a POSIX signal")
-@pytest.mark.parametrize("functions", ["running.Threads", "running._next_done"])
+@pytest.mark.parametrize("functions", ["blocks.ThreadPoolExecutor", "blocks._next_done"])
 def test_an_interrupt_ends_a_map(functions, tmp_path):
     folder = tmp_path / "folder"
     folder.mkdir()
-    options = ("--n", "128", "--samples", "0", "--output", "map.nc", "--threads", "2")
+    options = ("--n", "128", "--samples", "0", "--output", "map.nc")
     status, said = interrupted(INTERRUPT_AT, folder, functions, "basin", *options)
     assert status == 130
     assert said[-1].endswith(INTERRUPTED) and no_more_than_a_bar(said[:-1], "basin"), said
-    assert list(folder.iterdir()) == []
-
-
-ENDLESS_BLOCKS = """
-import os, pathlib, signal, sys, threading, time
-from tdmf_slip.blocks.running import run_blocks
-
-def endless(number):
-    pathlib.Path(f"begun-{number}").touch()
-    while True:
-        time.sleep(0.01)
-
-def interrupt():
-    while len(list(pathlib.Path().glob("begun-*"))) < 2:
-        time.sleep(0.01)
-    os.killpg(0, signal.SIGINT)
-
-def main():
-    threading.Thread(target=interrupt).start()
-    try:
-        with run_blocks(endless, range(10), threads=2) as found:
-            list(found)
-    except KeyboardInterrupt:
-        sys.exit("ended")
-
-if __name__ == "__main__":
-    main()
-"""
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="the interrupt is a POSIX signal")
-def test_an_interrupt_waits_for_no_block(tmp_path):
-    """Of threads that are at one, Python's end is not kept waiting either."""
+def test_an_interrupt_ends_processes_that_prove(tmp_path):
+    pytest.importorskip("flint")
     folder = tmp_path / "folder"
     folder.mkdir()
-    assert interrupted(ENDLESS_BLOCKS, folder) == (1, ["ended"])
-
-
-def test_threads_are_left_before_their_blocks_are_done():
-    """Without an interrupt, too: what is not wanted any more is not waited for, and what waits not begun."""
-    end, begun = threading.Event(), []
-
-    def work(number):
-        begun.append(number)
-        if number:
-            end.wait()
-        return number
-
-    with run_blocks(work, range(20), threads=2) as found:
-        assert next(found) == (0, 0)
-    assert set(begun) <= {0, 1, 2}
-    end.set()
-
-
-def test_no_more_blocks_are_in_hand_than_are_needed(tmp_path, monkeypatch):
-    handed = []
-
-    def submit(block, **_):
-        future = concurrent.futures.Future()
-        future.release = lambda: None
-        future.set_result(block * block)
-        handed.append(block)
-        return future
-
-    pending = {}
-    results = blocks._as_they_come(submit, list(range(10)), 3, pending)
-    assert next(results) == (0, 0) and handed == [0, 1, 2] and len(pending) == 2
-    assert next(results) == (1, 1) and handed == [0, 1, 2, 3] and len(pending) == 2
-    assert list(results) == [(number, number * number) for number in range(2, 10)]
-    assert handed == list(range(10)) and not pending
+    proof = ("prove", "--vary", "ground.friction=0.47:0.58", "--workers", "2")
+    status, said = interrupted(INTERRUPT_AT, folder, "blocks._next_done", *proof)
+    assert status == 130
+    assert said[-1].endswith(INTERRUPTED) and no_more_than_a_bar(said[:-1], "prove"), said
 
 
 def test_an_interrupt_is_delivered_once_and_where_it_is_asked_for():
@@ -373,18 +437,13 @@ def test_an_interrupt_is_delivered_once_and_where_it_is_asked_for():
 
 def test_wrong_arguments_are_said(fmu):
     with (
-        pytest.raises(InputError, match="no Dask scheduler answers"),
-        run_blocks(abs, [1, 2], scheduler="nonsense://here"),
+        pytest.raises(InputError, match=r"executor.*a concurrent\.futures\.Executor"),
+        run_blocks(abs, [1], 4),
     ):
         pass
-    with (
-        pytest.raises(InputError, match="one of them"),
-        run_blocks(abs, [1], scheduler="tcp://a:1", threads=2),
-    ):
-        pass
-    with pytest.raises(InputError, match="threads = 0 is not allowed"), run_blocks(abs, [1, 2], threads=0):
-        pass
+    with pytest.raises(InputError, match=r"executor.*for a grid"):
+        tdmf_slip.sweep({}, {FRICTION: [0.6]}, executor=InTurn())
     with pytest.raises(InputError, match="runners: none; allowed"):
         batch.simulate_many([], strides=1, fmu=fmu)
     with pytest.raises(InputError, match="runner 1"):
-        batch.simulate_many([{"ground.friction": 0.6}, {"ground.friction": -1.0}], strides=1, fmu=fmu)
+        batch.simulate_many([{FRICTION: 0.6}, {FRICTION: -1.0}], strides=1, fmu=fmu)

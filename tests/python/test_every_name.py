@@ -52,7 +52,7 @@ def test_all_can_be_set_for_a_gait_and_for_what_it_attracts(command, spans, fmu)
         gait = json.loads(out)
         ends = np.array([1.0 - 1e-9, 1.0 + 1e-9])
         axes = {"com_height": ends * gait["apex"][0], "com_speed": ends * gait["apex"][1]}
-        data = basin({name: value}, axes, 2, threads=1, fmu=fmu)
+        data = basin({name: value}, axes, 2, fmu=fmu)
         assert data.settled_share == 1.0 and gait["stable"], name
         unmoved |= {name} if abs(gait["speed"] - home) < 1e-9 else set()
         tried += 1

@@ -95,7 +95,7 @@ ends, _ = run_ensemble([{"ground.friction": 0.43}], [gait.apex], max_strides=2)
 print(ends["strides"][0])
 print(tdmf_slip.basin(gait, n=2)["fate"].shape)
 print(tdmf_slip.stride_map(gait, gait.apex, strides=2).closed)
-print(len(tdmf_slip.simulate_many([{}, {}], strides=1, threads=1)["word"]))
+print(len(tdmf_slip.simulate_many([{}, {}], strides=1)["word"]))
 axes, angles = {"com_height": (1.2, 1.8), "com_speed": (0.5, 1.2)}, {"hip.touchdown_angle": (0.6, 0.7, 2)}
 print(tdmf_slip.viability({}, axes=axes, vary=angles, n=4).outer_states.shape)
 print(tdmf_slip.dead_beat(gait, ["hip.stance_torque", "hip.touchdown_angle"]) is not None)

@@ -37,7 +37,7 @@ def test_a_runner_with_feedback_stays_up_longer_and_without_as_it_is(gait, few):
     held, alone = (judgement.judge(gait, its, roughness=[0.3], seed=2) for its in (noisy, None))
     (held_on_rough,), (alone_on_rough,) = held.first_passages, alone.first_passages
     assert held_on_rough.mean_strides > 3 * alone_on_rough.mean_strides
-    assert alone_on_rough == tdmf_slip.strides_to_fall(gait.runner, 0.3, 48, 2, 200, gait=gait, threads=1)
+    assert alone_on_rough == tdmf_slip.strides_to_fall(gait.runner, 0.3, 48, 2, 200, gait=gait)
     assert held.volume.samples == 60 and held.volume.share >= alone.volume.share
     assert held.robustness.step_up > 0.3 and held.robustness.step_down > alone.robustness.step_down
 
@@ -62,7 +62,7 @@ def test_a_basin_under_a_feedback_keeps_the_law(gait):
     law = feedback.laws(gait)["dead-beat: angle and torque"]
     height, speed = gait.apex[:2]
     axes = {"com_height": (height, height + 0.1), "com_speed": (speed, speed + 0.1)}
-    found = tdmf_slip.basin(gait.runner, axes, 2, law=law, threads=1)
+    found = tdmf_slip.basin(gait.runner, axes, 2, law=law)
     assert (found["fate"] == 0).all()
     kept = json.loads(found.attributes["law"])
     assert kept["inputs"] == [ANGLE, TORQUE] and len(kept["eigenvalues"]) == 6

@@ -160,8 +160,8 @@ def test_a_grid_goes_on_where_it_was_interrupted(runner, fmu, tmp_path, monkeypa
 
     monkeypatch.setattr(grids, "gaits_of_row", interrupted)
     with pytest.raises(KeyboardInterrupt):
-        grid(runner, {"ground.friction": frictions, "leg.damping": rows}, path, threads=1, fmu=fmu)
-    whole = grid(runner, {"ground.friction": frictions, "leg.damping": rows}, path, threads=1, fmu=fmu)
+        grid(runner, {"ground.friction": frictions, "leg.damping": rows}, path, fmu=fmu)
+    whole = grid(runner, {"ground.friction": frictions, "leg.damping": rows}, path, fmu=fmu)
     assert len(calls) == 4  # one row was done, one interrupted, two were missing
     assert int(whole["period"].notnull().sum()) == 9
     on_file = xarray.load_dataset(path)
@@ -170,7 +170,7 @@ def test_a_grid_goes_on_where_it_was_interrupted(runner, fmu, tmp_path, monkeypa
     middle = find_gait(runner.but(FRICTION, 0.6))
     assert float(on_file["period"][1, 1]) == pytest.approx(middle.period, rel=1e-11)
     with pytest.raises(InputError, match="another sweep"):
-        grid(runner, {"ground.friction": frictions, "leg.damping": rows + 0.01}, path, threads=1, fmu=fmu)
+        grid(runner, {"ground.friction": frictions, "leg.damping": rows + 0.01}, path, fmu=fmu)
 
 
 def test_the_search_begins_at_an_apex_whatever_the_masses(runner):
@@ -214,7 +214,6 @@ def test_a_grid_keeps_the_gaits_before_its_branch_was_lost(runner, fmu, tmp_path
         runner,
         {"ground.friction": frictions, "hip.touchdown_angle": [1.0]},
         tmp_path / "l.nc",
-        threads=1,
         fmu=fmu,
     )
     known = np.isfinite(found["period"].values[0]).tolist()
@@ -240,15 +239,12 @@ def test_a_border_that_is_not_located_loses_no_gait(runner, monkeypatch):
 
 def test_a_grid_over_a_mass(runner, fmu, tmp_path):
     """A row whose start values are refused has its reason, and the others are done."""
-    found = grid(
-        runner, {"ground.friction": [0.6], "foot.mass": [0.1, 0.2]}, tmp_path / "mass.nc", threads=1, fmu=fmu
-    )
+    found = grid(runner, {"ground.friction": [0.6], "foot.mass": [0.1, 0.2]}, tmp_path / "mass.nc", fmu=fmu)
     assert not found["period"].isnull().any()
     found = grid(
         runner,
         {"ground.friction": [0.6], "leg.length": [0.04, runner.values["leg.length"]]},
         tmp_path / "y.nc",
-        threads=1,
         fmu=fmu,
     )
     assert "leg.length = 0.04" in str(found["problem"].values[0]) and found["problem"].values[1] == ""
@@ -350,8 +346,6 @@ def test_sweeps_that_cannot_be_are_refused(command, tmp_path, options, words):
         "leg.damping=0.1:0.2:2",
         "--output",
         "grid.nc",
-        "--threads",
-        1,
     )
     assert command("sweep", *grid)[0] == 0
     friction = () if "--friction" in options else ("--friction", "0.3:0.4:2")
@@ -362,7 +356,7 @@ def test_sweeps_that_cannot_be_are_refused(command, tmp_path, options, words):
 
 
 def test_a_grid_without_gaits_says_why(command):
-    over = ("--vary", "hip.touchdown_angle=1.2:1.5:2", "--output", "none.nc", "--threads", 1)
+    over = ("--vary", "hip.touchdown_angle=1.2:1.5:2", "--output", "none.nc")
     status, out, said = command("sweep", "--friction", "0.3:1:3", *over, "--json")
     assert status == 1 and json.loads(out)["gaits"] == 0
     assert "the runner fell" in said and "0 of 6" in said

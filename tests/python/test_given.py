@@ -57,12 +57,12 @@ SAME = {
         pandas.Series(["contact.fx", "foot.x"]),
     ),
     "batch": (
-        lambda given, gait: batch.simulate_many(given, strides=1, threads=1)["period"],
+        lambda given, gait: batch.simulate_many(given, strides=1)["period"],
         [GIVEN, {FRICTION: 0.5, DAMPING: 0.2}],
         pandas.DataFrame({FRICTION: [0.6, 0.5], DAMPING: [0.19, 0.2]}),
     ),
     "batch of Series": (
-        lambda given, gait: batch.simulate_many(given, strides=1, threads=1)["period"],
+        lambda given, gait: batch.simulate_many(given, strides=1)["period"],
         [GIVEN],
         [SERIES],
     ),

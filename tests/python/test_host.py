@@ -38,7 +38,7 @@ def test_whoever_uses_fmpy_gets_the_same_before_and_after_a_run(unpacked, capsys
 
 CALLS = {
     "a run": lambda _: tdmf_slip.simulate(strides=1),
-    "many runs": lambda _: tdmf_slip.simulate_many([{}, {}], strides=1, threads=2),
+    "many runs": lambda _: tdmf_slip.simulate_many([{}, {}], strides=1),
     "the engine": lambda _: tdmf_slip.strides_to_fall({}, 0.0, 1000, max_strides=1),
     "a file": lambda folder: write_dataset(folder / "run.nc", tdmf_slip.simulate(strides=1).to_xarray()),
 }
@@ -53,7 +53,7 @@ def test_signal_handlers_stay_those_of_the_host(call, tmp_path, monkeypatch):
     call(tmp_path)
 
 
-BASIN = "tdmf_slip.basin({}, {'com_height': (1.3, 1.4), 'com_speed': (1, 1.1)}, n=2, threads=1)"
+BASIN = "tdmf_slip.basin({}, {'com_height': (1.3, 1.4), 'com_speed': (1, 1.1)}, n=2)"
 
 
 @pytest.mark.parametrize(

@@ -60,8 +60,8 @@ def test_a_gait_loads_what_it_needs():
     [
         (("sweep", "--friction", "0.6:0.7:2"), set()),
         (("simulate", "--stop-time", "1"), {"fmpy.sundials.cvode"}),
-        (("basin", "--n", "2", "--samples", "0", "--threads", "1"), {"tqdm"}),
-        (("basin", "--n", "2", "--samples", "0", "--threads", "1", "--output", "map.nc"), {"xarray"}),
+        (("basin", "--n", "2", "--samples", "0"), {"tqdm"}),
+        (("basin", "--n", "2", "--samples", "0", "--output", "map.nc"), {"xarray"}),
     ],
 )
 def test_other_commands_load_what_they_need(arguments, loaded, tmp_path, monkeypatch):

@@ -61,11 +61,11 @@ def test_the_jacobian_under_a_law_is_that_of_differences(gait, settling):
 
 def test_a_law_that_changes_nothing_changes_nothing(gait, nothing):
     assert robustness(gait, nothing) == robustness(gait)
-    assert volume(gait, 500, law=nothing, threads=1) == volume(gait, 500, threads=1)
-    free = strides_to_fall(gait.runner, 0.5, 60, 1, 20, gait=gait, threads=1)
-    assert strides_to_fall(gait.runner, 0.5, 60, 1, 20, gait=gait, law=nothing, threads=1) == free
+    assert volume(gait, 500, law=nothing) == volume(gait, 500)
+    free = strides_to_fall(gait.runner, 0.5, 60, 1, 20, gait=gait)
+    assert strides_to_fall(gait.runner, 0.5, 60, 1, 20, gait=gait, law=nothing) == free
     axes = {"com_height": (0.6, 2.6), "leg_angle": (-1.5, 1.5)}
-    one, other = (basin(gait.runner, axes, (7, 8), law=law, threads=1) for law in (None, nothing))
+    one, other = (basin(gait.runner, axes, (7, 8), law=law) for law in (None, nothing))
     assert all(np.array_equal(one[name], other[name]) for name in one)
     assert len(np.unique(one["fate"])) > 1
     assert json.loads(other.attributes["law"])["inputs"] == list(NAMES)
@@ -73,8 +73,7 @@ def test_a_law_that_changes_nothing_changes_nothing(gait, nothing):
 
 def test_a_law_that_settles_a_runner_keeps_it_up_longer(gait, settling):
     free, held = (
-        strides_to_fall(gait.runner, 0.5, 200, 1, 60, gait=gait, law=law, threads=1)
-        for law in (None, settling)
+        strides_to_fall(gait.runner, 0.5, 200, 1, 60, gait=gait, law=law) for law in (None, settling)
     )
     assert held.interval[0] > free.interval[1]
     trials = [Trial(gait.runner, 0.5, 200, 1, 60, law) for law in (None, settling)]
@@ -84,7 +83,7 @@ def test_a_law_that_settles_a_runner_keeps_it_up_longer(gait, settling):
 def test_a_law_that_settles_a_runner_lets_it_recover_from_more(gait, settling):
     free, held = robustness(gait), robustness(gait, settling)
     assert held.step_up > free.step_up + 0.2 and held.step_down > free.step_down
-    in_the_box = [volume(gait, 300, law=law, threads=1).settled for law in (None, settling)]
+    in_the_box = [volume(gait, 300, law=law).settled for law in (None, settling)]
     assert in_the_box[1] > in_the_box[0]
 
 
@@ -101,8 +100,8 @@ def test_noise_is_drawn_by_the_number_in_the_slice(gait, settling, monkeypatch, 
     )
     axes, n = {"com_height": (0.9, 2.4), "com_speed": (0.2, 2.3)}, (6, 5)
     ranges = [np.linspace(*ends, count) for ends, count in zip(axes.values(), n, strict=True)]
-    whole = basin(gait.runner, axes, n, law=noisy, threads=1)
-    assert whole != basin(gait.runner, axes, n, law=settling, threads=1)
+    whole = basin(gait.runner, axes, n, law=noisy)
+    assert whole != basin(gait.runner, axes, n, law=settling)
     starts = np.tile(gait.apex, (30, 1))
     starts[:, 0], starts[:, 1] = (grid.ravel() for grid in np.meshgrid(*ranges, indexing="ij"))
     by_number = fates(gait.runner, gait.apex, starts, law=noisy)
@@ -118,10 +117,10 @@ def test_noise_is_drawn_by_the_number_in_the_slice(gait, settling, monkeypatch, 
     part["fate"][[1, 3]] = basin_module.NOT_YET
     part["strides_until_known"][[1, 3]] = 0
     part.to_netcdf(path)
-    again = basin(gait.runner, axes, n, law=noisy, threads=1, path=path)
+    again = basin(gait.runner, axes, n, law=noisy, path=path)
     xarray.testing.assert_equal(again.to_xarray(), whole.to_xarray())
     with pytest.raises(InputError, match="holds another slice"):
-        basin(gait.runner, axes, n, law=settling, threads=1, path=path)
+        basin(gait.runner, axes, n, law=settling, path=path)
 
 
 def test_laws_that_do_not_keep_the_gait_are_told(gait, nothing, fmu):
@@ -129,7 +128,7 @@ def test_laws_that_do_not_keep_the_gait_are_told(gait, nothing, fmu):
         for judge in (
             lambda: check_attracts(gait, law),
             lambda: robustness(gait, law),
-            lambda: volume(gait, 10, law=law, threads=1),
+            lambda: volume(gait, 10, law=law),
         ):
             with pytest.raises(InputError, match=re.escape(message)):
                 judge()

@@ -10,6 +10,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 PACKAGE = ROOT / "scripts/tdmf_slip"
 PAGES = ROOT / "c_core/equations"
 GROUND = {
+    "blocks",
     "checks",
     "contents",
     "drawable",
@@ -24,15 +25,14 @@ KNOWS = {
     "terminal": GROUND,
     "numerics": GROUND,
     "files": {"terminal"},
-    "blocks": {"terminal"},
-    "fmu": {"terminal", "files", "blocks"},
+    "fmu": {"terminal", "files"},
     "library": {"fmu", "numerics", "terminal"},
-    "analysis": {"library", "fmu", "blocks", "files", "numerics", "terminal"},
-    "feedback": {"analysis", "library", "fmu", "blocks", "files", "terminal"},
+    "analysis": {"library", "fmu", "files", "numerics", "terminal"},
+    "feedback": {"analysis", "library", "fmu", "files", "terminal"},
     "fitting": {"analysis", "library", "fmu", "files", "terminal"},
     "optimization": {"analysis", "library", "fmu", "numerics", "terminal"},
     "proof": {"analysis", "library", "fmu", "terminal"},
-    "viable_sets": {"analysis", "library", "fmu", "blocks", "files", "terminal"},
+    "viable_sets": {"analysis", "library", "fmu", "files", "terminal"},
     "pictures": {
         *("viable_sets", "proof", "optimization", "feedback", "fitting", "analysis"),
         *("library", "fmu", "files", "terminal"),

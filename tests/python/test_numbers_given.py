@@ -188,7 +188,7 @@ def test_what_has_no_number_was_not_measured(tmp_path):
         ("simulate", "--tolerance", "1e-1_0"),
         ("rough", "--roughness", "0_1"),
         ("basin", "--n", "1_0"),
-        ("basin", "--threads", "1_0"),
+        ("basin", "--workers", "1_0"),
         (
             "compare",
             "--friction",

@@ -80,7 +80,7 @@ def test_a_range_may_be_in_degrees(fmu):
 
 
 def test_options_take_ranges_in_degrees(command):
-    over = ("--vary", "hip.touchdown_angle=39 deg:41 deg:2", "--output", "grid.nc", "--threads", 1)
+    over = ("--vary", "hip.touchdown_angle=39 deg:41 deg:2", "--output", "grid.nc")
     assert command("sweep", "--friction", "0.5:0.6:2", *over)[0] == 0
     angles = xarray.load_dataset("grid.nc")["hip.touchdown_angle"]
     assert angles.values == pytest.approx(np.radians([39.0, 41.0]))

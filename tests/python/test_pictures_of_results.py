@@ -58,7 +58,7 @@ def test_every_kind_of_result_has_a_picture():
 def test_a_basin_shows_strides_until_the_fate_and_the_gait(gait):
     height, speed = gait.apex[:2]
     axes = {"com_height": (height, height + 2.0), "com_speed": (speed, speed + 1.0)}
-    found = tdmf_slip.basin(gait, axes, n=9, threads=1)
+    found = tdmf_slip.basin(gait, axes, n=9)
     drawn = found.plot().axes[0]
     assert drawn.get_title(loc="left").endswith(f"{found.settled_share:.1%} of 81 starts settle")
     shown = [mesh.get_array() for mesh in drawn.collections if mesh.get_array() is not None]
@@ -87,7 +87,7 @@ def test_strides_show_their_apices_and_end_where_runners_fall(gait):
 
 
 def test_runs_show_their_last_strides_over_what_is_varied():
-    runs = tdmf_slip.simulate_many([{FRICTION: 0.6}, {FRICTION: 1.2}], strides=2, threads=1)
+    runs = tdmf_slip.simulate_many([{FRICTION: 0.6}, {FRICTION: 1.2}], strides=2)
     speeds, costs = runs.plot().axes
     assert costs.get_xlabel() == FRICTION and speeds.get_ylabel() == "speed (l₀√(k/m))"
     frictions, drawn = line(speeds, "ran")
@@ -95,7 +95,7 @@ def test_runs_show_their_last_strides_over_what_is_varied():
 
 
 def test_a_grid_of_gaits_shows_speeds_and_words():
-    grid = tdmf_slip.sweep({}, {"leg.damping": [0.2, 0.21], FRICTION: [0.7, 0.43]}, threads=1)
+    grid = tdmf_slip.sweep({}, {"leg.damping": [0.2, 0.21], FRICTION: [0.7, 0.43]})
     speeds, words, _ = grid.plot().axes
     assert labels(speeds) == (FRICTION, "leg.damping (√(k m))")
     assert np.array_equal(speeds.collections[0].get_array().reshape(2, 2), grid["speed"])

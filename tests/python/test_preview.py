@@ -55,8 +55,8 @@ def test_an_island_as_wide_as_a_square_is_found_and_a_smaller_one_may_be_missed(
 @pytest.mark.parametrize("friction", [1.2, 10.0])
 def test_a_preview_is_the_exact_map_where_a_border_crosses_it(friction):
     """Where there are both fates, and with about a third of the strides at most."""
-    exact = tdmf_slip.basin({"ground.friction": friction}, AXES, n=160, threads=1)
-    preview = tdmf_slip.basin({"ground.friction": friction}, AXES, n=160, threads=1, refine="preview")
+    exact = tdmf_slip.basin({"ground.friction": friction}, AXES, n=160)
+    preview = tdmf_slip.basin({"ground.friction": friction}, AXES, n=160, refine="preview")
     assert len(np.unique(exact["fate"])) > 1
     assert (preview["fate"] != exact["fate"]).mean() < 2e-3
     is_followed = preview["is_followed"] == 1
@@ -67,8 +67,8 @@ def test_a_preview_is_the_exact_map_where_a_border_crosses_it(friction):
 
 def test_a_preview_is_the_same_whoever_computes_it_and_kept_apart_from_the_exact_map(tmp_path):
     runner, path = {"ground.friction": 10.0}, tmp_path / "map.nc"
-    one = tdmf_slip.basin(runner, AXES, n=20, threads=1, refine="preview")
-    two = tdmf_slip.basin(runner, AXES, n=20, threads=2, refine="preview", path=path)
+    one = tdmf_slip.basin(runner, AXES, n=20, refine="preview")
+    two = tdmf_slip.basin(runner, AXES, n=20, refine="preview", path=path)
     assert one == two
     again = tdmf_slip.basin(runner, AXES, n=20, refine="preview", path=path)
     assert all(np.array_equal(again[name], one[name]) for name in one)

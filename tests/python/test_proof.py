@@ -152,7 +152,7 @@ def test_the_command_prints_the_proof():
 @pytest.mark.parametrize(
     "options",
     [["--border", "0.2:0.3", "--vary", "ground.friction=1:2"], ["--border", "0.2:0.3", "--output", "x.jsonl"],
-     ["--processes", "2"], ["--vary", "ground.friction"], ["--vary", "ground.friction=2:1"]],
+     ["--workers", "2"], ["--vary", "ground.friction"], ["--vary", "ground.friction=2:1"]],
 )  # fmt: skip
 def test_options_that_do_not_go_together_are_refused(options, tmp_path, monkeypatch):
     from click.testing import CliRunner

@@ -133,7 +133,7 @@ def unstable_gait():
 
 def test_a_whole_range_of_unstable_gaits_is_proved_to_be():
     gait = unstable_gait()
-    proof = tdmf_slip.prove(gait, vary={"ground.friction": ("0.6", "0.6000004")}, processes=1)
+    proof = tdmf_slip.prove(gait, vary={"ground.friction": ("0.6", "0.6000004")})
     assert proof.proved, proof.sentence
     assert proof.stable is False
     assert "all are unstable" in proof.sentence

@@ -32,7 +32,7 @@ def span(tmp_path_factory):
     """A short range, and the file that it is on."""
     file = tmp_path_factory.mktemp("range") / "range.jsonl"
     given = {"ground.friction": "10"}
-    return tdmf_slip.prove(given, vary={"ground.friction": ("10", "10.06")}, output=file, processes=1), file
+    return tdmf_slip.prove(given, vary={"ground.friction": ("10", "10.06")}, output=file), file
 
 
 def test_a_whole_range_is_proved_by_subdivision(span):
@@ -54,8 +54,7 @@ def test_a_proof_of_a_range_goes_on_from_its_file(span):
     text = file.read_text(encoding="utf-8")
     vary = {"ground.friction": ("10", "10.06")}
     assert (
-        tdmf_slip.prove({"ground.friction": "10"}, vary=vary, output=file, processes=1).subintervals
-        == proof.subintervals
+        tdmf_slip.prove({"ground.friction": "10"}, vary=vary, output=file).subintervals == proof.subintervals
     )
     assert file.read_text(encoding="utf-8") == text
     with pytest.raises(InputError, match="not of this range"):
@@ -85,7 +84,7 @@ def test_the_published_table_is_of_the_runner_of_today():
     """Given the table, the command has nothing left to do."""
     text = TABLE.read_bytes()
     vary = {"ground.friction": ("0.47", "0.48")}
-    proof = tdmf_slip.prove(vary=vary, output=TABLE, processes=1)
+    proof = tdmf_slip.prove(vary=vary, output=TABLE)
     assert TABLE.read_bytes() == text
     assert proof.proved
     assert proof.is_one_branch
@@ -103,7 +102,7 @@ def test_a_parameter_without_effect_makes_no_other_runner(span, tmp_path):
     del printed["version"], printed["model"]
     other = tmp_path / "earlier.jsonl"
     other.write_text("\n".join([json.dumps(printed), *parts, ""]), encoding="utf-8")
-    assert tdmf_slip.prove(vary=vary, output=other, processes=1).subintervals == proof.subintervals
+    assert tdmf_slip.prove(vary=vary, output=other).subintervals == proof.subintervals
     printed["parameters"]["ground.stribeck_velocity"] = "1/10"
     other.write_text("\n".join([json.dumps(printed), *parts, ""]), encoding="utf-8")
     with pytest.raises(InputError, match="not of this range and runner"):
@@ -179,9 +178,7 @@ def test_a_piece_is_cut_until_its_gaits_are_told_to_be_stable(monkeypatch):
         return replace(subinterval, stable=None) if end - begin > widest else subinterval
 
     monkeypatch.setattr(RangeProver, "_subinterval", open_if_wide)
-    proof = tdmf_slip.prove(
-        {"ground.friction": "10"}, vary={"ground.friction": ("10", "10.000004")}, processes=1
-    )
+    proof = tdmf_slip.prove({"ground.friction": "10"}, vary={"ground.friction": ("10", "10.000004")})
     assert proof.stable is True
     assert proof.is_one_branch
     assert all(subinterval.end - subinterval.begin <= widest for subinterval in proof.subintervals)

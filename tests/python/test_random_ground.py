@@ -86,9 +86,9 @@ def test_who_trips_falls_at_the_step(gait):
 
 
 def test_first_passage_takes_such_ground(gait):
-    plain = strides_to_fall(gait.runner, RoughGround(0.5, 1), 100, gait=gait, threads=1)
-    assert plain == strides_to_fall(gait.runner, 0.5, 100, 1, gait=gait, threads=1)
-    trips = strides_to_fall(gait.runner, RoughGround(0.5, 1, trips=True), 100, gait=gait, threads=1)
+    plain = strides_to_fall(gait.runner, RoughGround(0.5, 1), 100, gait=gait)
+    assert plain == strides_to_fall(gait.runner, 0.5, 100, 1, gait=gait)
+    trips = strides_to_fall(gait.runner, RoughGround(0.5, 1, trips=True), 100, gait=gait)
     assert trips.mean_strides <= plain.mean_strides
 
 

@@ -115,7 +115,6 @@ def test_a_basin_is_the_whole_plane(tmp_path):
         PLANE,
         12,
         path=tmp_path / "plane.nc",
-        threads=1,
     )
     assert data.attributes["model"] == "reduced"
     assert 0.9 < data.settled_share < 1.0
@@ -124,10 +123,9 @@ def test_a_basin_is_the_whole_plane(tmp_path):
         PLANE,
         12,
         path=tmp_path / "plane.nc",
-        threads=1,
     )
     assert np.array_equal(again["fate"], data["fate"])
-    found = volume.volume(find_gait(model="reduced"), 300, threads=1)
+    found = volume.volume(find_gait(model="reduced"), 300)
     assert found.as_json()["box"].keys() == set(REDUCED)
     with pytest.raises(InputError, match="another slice"):
         basin(

@@ -39,22 +39,19 @@ RESULTS = [
 MADE = {
     "gait": lambda gait: gait,
     "run": lambda gait: tdmf_slip.simulate(gait, strides=2),
-    "basin": lambda gait: tdmf_slip.basin(gait, n=3, threads=1),
-    "falls": lambda gait: tdmf_slip.strides_to_fall(gait, 0.5, runners=20, threads=1),
+    "basin": lambda gait: tdmf_slip.basin(gait, n=3),
+    "falls": lambda gait: tdmf_slip.strides_to_fall(gait, 0.5, runners=20),
     "viability": lambda gait: tdmf_slip.viability(
         {},
         axes={"com_height": (1.2, 1.8), "com_speed": (0.5, 1.2)},
         vary={ANGLE: (0.6, 0.7, 2)},
         n=4,
-        threads=1,
     ),
     "runs": lambda gait: tdmf_slip.simulate_many(
-        [{"ground.friction": 0.6}, {"ground.friction": 1.2}], strides=2, threads=1
+        [{"ground.friction": 0.6}, {"ground.friction": 1.2}], strides=2
     ),
-    "strides": lambda gait: tdmf_slip.stride_map(gait, [gait.apex] * 2, strides=3, threads=1),
-    "grid": lambda gait: tdmf_slip.sweep(
-        {}, {"leg.damping": [0.2, 0.21], "ground.friction": [0.6, 0.55]}, threads=1
-    ),
+    "strides": lambda gait: tdmf_slip.stride_map(gait, [gait.apex] * 2, strides=3),
+    "grid": lambda gait: tdmf_slip.sweep({}, {"leg.damping": [0.2, 0.21], "ground.friction": [0.6, 0.55]}),
     "sweep": lambda gait: tdmf_slip.sweep({}, {"ground.friction": [0.6, 0.5]}),
     "controllability": lambda gait: tdmf_slip.controllability(gait, [ANGLE, TORQUE]),
     "feedback": lambda gait: tdmf_slip.dead_beat(gait, [ANGLE, TORQUE]),

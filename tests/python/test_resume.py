@@ -21,7 +21,7 @@ def runner(fmu):
 
 
 def make_grid(runner, unit, path):
-    return grid.grid(runner, {"ground.friction": FRICTIONS, OVER: DAMPINGS}, path, threads=1, fmu=unit)
+    return grid.grid(runner, {"ground.friction": FRICTIONS, OVER: DAMPINGS}, path, fmu=unit)
 
 
 @pytest.fixture(scope="module")
@@ -116,7 +116,7 @@ def scaled(length, unit):
 def test_what_is_rounding_goes_by_the_runners_length(fmu, tmp_path, length):
     """A rise that another machine rounds otherwise, and one that is none of level ground."""
     path = tmp_path / "grid.nc"
-    grid.grid(scaled(length, fmu), {"ground.friction": [0.6], OVER: [0.2]}, path, threads=1, fmu=fmu)
+    grid.grid(scaled(length, fmu), {"ground.friction": [0.6], OVER: [0.2]}, path, fmu=fmu)
     whole = xarray.load_dataset(path)
     assert abs(whole["rise"].item()) < 1e-14 * length
     for off in (3e-13, -3e-13, 1e-12, -1e-12):
@@ -124,12 +124,10 @@ def test_what_is_rounding_goes_by_the_runners_length(fmu, tmp_path, length):
         data["rise"][0, 0] += off * length
         data.to_netcdf(path)
         if abs(off) < 5e-13:
-            grid.grid(scaled(length, fmu), {"ground.friction": [0.6], OVER: [0.2]}, path, threads=1, fmu=fmu)
+            grid.grid(scaled(length, fmu), {"ground.friction": [0.6], OVER: [0.2]}, path, fmu=fmu)
         else:
             with pytest.raises(InputError, match="holds another sweep"):
-                grid.grid(
-                    scaled(length, fmu), {"ground.friction": [0.6], OVER: [0.2]}, path, threads=1, fmu=fmu
-                )
+                grid.grid(scaled(length, fmu), {"ground.friction": [0.6], OVER: [0.2]}, path, fmu=fmu)
 
 
 def test_a_gait_is_missing_only_with_a_reason(runner, fmu, half, tmp_path):
@@ -236,7 +234,7 @@ def test_values_are_the_same_to_a_part_of_the_largest():
 
 def settled_map(runner, unit, path):
     values = {"com_height": [1.4, 1.41], "com_speed": [1.0]}
-    return basin.basin_at(basin.stable_gait(runner, unit), values, threads=1, path=path, fmu=unit)
+    return basin.basin_at(basin.stable_gait(runner, unit), values, path=path, fmu=unit)
 
 
 @pytest.mark.parametrize(

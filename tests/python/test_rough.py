@@ -131,23 +131,22 @@ def test_where_all_fall_at_once_the_mean_is_one():
 
 def test_censoring_does_not_move_the_mean(gait):
     """Runners stopped early tell what runners tell that nearly all fall: the fall is forgetful."""
-    long = strides_to_fall(gait.runner, 0.5, 400, 1, 1000, threads=1)
-    short = strides_to_fall(gait.runner, 0.5, 400, 2, 15, threads=1)
+    long = strides_to_fall(gait.runner, 0.5, 400, 1, 1000)
+    short = strides_to_fall(gait.runner, 0.5, 400, 2, 15)
     assert long.censored < 10 and short.censored > 100
     assert long.interval[0] < short.interval[1] and short.interval[0] < long.interval[1]
 
 
 def test_a_mean_depends_on_the_seed_and_on_nobody_who_works(gait, monkeypatch):
-    whole = strides_to_fall(gait.runner, 0.5, 200, 1, 30, threads=1)
-    assert strides_to_fall(gait.runner, 0.5, 200, 2, 30, threads=1) != whole
+    whole = strides_to_fall(gait.runner, 0.5, 200, 1, 30)
+    assert strides_to_fall(gait.runner, 0.5, 200, 2, 30) != whole
     monkeypatch.setattr("tdmf_slip.analysis.first_passage.MAX_IN_A_BLOCK", 33)
-    assert strides_to_fall(gait.runner, 0.5, 200, 1, 30, threads=1) == whole
+    assert strides_to_fall(gait.runner, 0.5, 200, 1, 30) == whole
 
 
 def test_the_slipping_runner_stays_up_longer():
     rough, slippery = (
-        strides_to_fall({"ground.friction": friction}, 0.4, 128, 1, 100, threads=1)
-        for friction in (10.0, 0.2)
+        strides_to_fall({"ground.friction": friction}, 0.4, 128, 1, 100) for friction in (10.0, 0.2)
     )
     assert rough.interval[1] < slippery.interval[0]
 

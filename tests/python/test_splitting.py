@@ -123,13 +123,12 @@ def test_resampling_keeps_weights():
 
 def test_a_runner_falls_as_often_as_by_waiting():
     runner = {"ground.friction": 0.6}
-    waiting = strides_to_fall(runner, 0.3, 200, seed=5, max_strides=20_000, threads=1)
-    split = rare_falls(runner, 0.3, walkers=16, strides=60, seed=3, threads=1)
+    waiting = strides_to_fall(runner, 0.3, 200, seed=5, max_strides=20_000)
+    split = rare_falls(runner, 0.3, walkers=16, strides=60, seed=3)
     assert waiting.falls == 200 and split.falls >= 200
     low, high = split.interval
     assert low < waiting.interval[1] and waiting.interval[0] < high and high < 3.0 * low
-    again = rare_falls(runner, 0.3, walkers=16, strides=60, seed=3, threads=2)
-    assert again == split
+    assert rare_falls(runner, 0.3, walkers=16, strides=60, seed=3) == split
 
 
 GROUNDS = {
@@ -150,9 +149,9 @@ def test_on_other_ground_a_runner_falls_as_often_as_by_waiting(name):
     """
     ground = GROUNDS[name]
     runner = {"ground.friction": 0.6}
-    waiting = strides_to_fall(runner, ground, 400, max_strides=2_000, threads=1)
-    split = rare_falls(runner, ground, walkers=16, strides=60, seed=3, threads=1)
-    plain = strides_to_fall(runner, ground.roughness, 400, seed=6, max_strides=2_000, threads=1)
+    waiting = strides_to_fall(runner, ground, 400, max_strides=2_000)
+    split = rare_falls(runner, ground, walkers=16, strides=60, seed=3)
+    plain = strides_to_fall(runner, ground.roughness, 400, seed=6, max_strides=2_000)
     assert waiting.falls >= 350 and split.falls >= 100
     low, high = split.interval
     assert low < waiting.interval[1] and waiting.interval[0] < high and high < 3.0 * low

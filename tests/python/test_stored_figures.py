@@ -23,9 +23,7 @@ def test_a_mean_on_rough_ground_is_what_is_kept():
     data = stored.columns("rough")
     of_it = (data["roughness"] == 0.5) & (data["friction"] == 1.2)
     (row,) = np.flatnonzero(of_it & (data["matched"] == 0.0))
-    found = strides_to_fall(
-        {"ground.friction": 1.2}, 0.5, rough.RUNNERS, rough.SEED, rough.MAX_STRIDES, threads=1
-    )
+    found = strides_to_fall({"ground.friction": 1.2}, 0.5, rough.RUNNERS, rough.SEED, rough.MAX_STRIDES)
     assert found.mean_strides == pytest.approx(data["mean_strides"][row], rel=0.05)
 
 
@@ -43,9 +41,7 @@ def test_matched_runners_on_rough_ground_are_what_is_kept():
         [{"ground.friction": mu} for mu in (rough.REFERENCE, 10.0)], hold=rough.HOLD, vary=rough.VARY
     )
     runner = Runner(runners.gaits[1].runner.values)
-    found = strides_to_fall(
-        runner, rough.MATCHED_ROUGHNESS, rough.RUNNERS, rough.SEED, rough.MAX_STRIDES, threads=1
-    )
+    found = strides_to_fall(runner, rough.MATCHED_ROUGHNESS, rough.RUNNERS, rough.SEED, rough.MAX_STRIDES)
     (row,) = np.flatnonzero(matched & (data["friction"] == 10.0))
     assert found.mean_strides == pytest.approx(data["mean_strides"][row], rel=0.1)
 

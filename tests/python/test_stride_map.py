@@ -8,6 +8,7 @@ import tdmf_slip
 import xarray
 from tdmf_slip import AffineLaw, InputError, RunError, Runner, Strides, find_gait, stride_map
 from tdmf_slip.analysis import stride_map as module
+from tdmf_slip.blocks import InTurn
 from tdmf_slip.library.ensemble import instruction_sets
 from tdmf_slip.library.gait import LEDGER
 from tdmf_slip.library.measures import STRIDE_QUANTITIES
@@ -255,7 +256,6 @@ def test_a_run_depends_on_its_number_and_not_on_who_works(gait, starts, monkeypa
     monkeypatch.setattr(module, "MIN_IN_A_BLOCK", 11)
     monkeypatch.setattr(module, "STRIDES_IN_A_BLOCK", 11 * STRIDES)
     assert_same(stride_map(gait.runner, starts, **how), whole)
-    assert_same(stride_map(gait.runner, starts, threads=2, **how), whole)
 
 
 # ---- noise ------------------------------------------------------------------------------------------------
@@ -428,7 +428,7 @@ def test_a_law_that_gives_what_is_no_setting_is_told(gait, starts):
     refused("law: hip.kp is in the inputs, too", lambda _: {"hip.kp": 1}, inputs={"hip.kp": 1})
     refused("law: hip.touchdown_angle is in the inputs, too", law_of(gait), inputs={ANGLE: 0.7})
     refused("law: ground.height on rough ground", lambda _: {"ground.height": 0}, roughness=0.1)
-    refused("law: a function is called here, for all runners at once", lambda _: {}, threads=2)
+    refused("executor is not allowed with a law that is a function", lambda _: {}, executor=InTurn())
 
 
 def test_what_a_law_gives_for_who_has_fallen_does_not_matter(gait, starts):

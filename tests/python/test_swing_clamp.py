@@ -232,16 +232,15 @@ def test_a_gait_on_file_without_it_has_the_clamp(command, tmp_path):
 def made_in(folder, clamp):
     """Three results on file, computed or resumed."""
     runner = Runner.of({CLAMP: clamp})
-    grid = sweep(runner, {"ground.friction": [0.6], "leg.damping": [0.2]}, path=folder / "grid.nc", threads=1)
+    grid = sweep(runner, {"ground.friction": [0.6], "leg.damping": [0.2]}, path=folder / "grid.nc")
     axes = {"com_height": (1.3, 1.5), "com_speed": (1.0, 1.1)}
-    basin = tdmf_slip.basin(runner, axes, n=2, path=folder / "basin.nc", threads=1)
+    basin = tdmf_slip.basin(runner, axes, n=2, path=folder / "basin.nc")
     viable = tdmf_slip.viability(
         runner,
         axes={"com_height": (1.2, 1.8), "com_speed": (0.5, 1.2)},
         vary={"hip.touchdown_angle": (0.6, 0.7, 2)},
         n=2,
         path=folder / "viable.nc",
-        threads=1,
     )
     return grid, basin, viable
 
@@ -269,15 +268,15 @@ def test_datasets_on_file_without_it_have_the_clamp(tmp_path):
 def test_a_proof_on_file_without_it_has_the_clamp(tmp_path):
     pytest.importorskip("flint")
     file, vary = tmp_path / "proof.jsonl", {"ground.friction": ("10", "10.0001")}
-    proof = tdmf_slip.prove({CLAMP: True}, vary=vary, output=file, processes=1)
+    proof = tdmf_slip.prove({CLAMP: True}, vary=vary, output=file)
     head, *parts = [json.loads(line) for line in file.read_text(encoding="utf-8").splitlines()]
     assert head["parameters"].pop(CLAMP) == "true" and head.pop("version") == parts[0]["version"]
     file.write_text("".join(f"{json.dumps(line)}\n" for line in (head, *parts)), encoding="utf-8")
     with pytest.warns(Note, match=NOT_RECORDED):
-        again = tdmf_slip.prove({CLAMP: True}, vary=vary, output=file, processes=1)
+        again = tdmf_slip.prove({CLAMP: True}, vary=vary, output=file)
     assert again.subintervals == proof.subintervals
     with pytest.raises(InputError, match="not of this range and runner"):
-        tdmf_slip.prove({CLAMP: False}, vary=vary, output=file, processes=1)
+        tdmf_slip.prove({CLAMP: False}, vary=vary, output=file)
 
 
 def test_a_pickle_without_it_has_the_clamp():

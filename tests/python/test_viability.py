@@ -303,11 +303,11 @@ def test_of_random_boxes_the_table_of_sums_counts_right():
         assert counted == states[top:bottom, left:right].sum()
 
 
-def test_blocks_and_threads_change_nothing(found, monkeypatch):
+def test_blocks_change_nothing(found, monkeypatch):
     monkeypatch.setattr(transitions_module, "STRIDES_IN_A_CALL", 1000)
     monkeypatch.setattr(transitions_module, "STRIDES_IN_A_BLOCK", 3000)
     monkeypatch.setattr(boxes_module, "PAIRS_AT_ONCE", 700)
-    again = tdmf_slip.viability(STICKING, axes=AXES, vary=VARY, n=24, threads=1)
+    again = tdmf_slip.viability(STICKING, axes=AXES, vary=VARY, n=24)
     assert again == found
     assert pickle.loads(pickle.dumps(found)) == found
     assert tdmf_slip.viability(STICKING, axes=AXES, vary=VARY, n=24, factor=2) != found
@@ -402,7 +402,7 @@ GOOD = {"axes": AXES, "vary": VARY, "n": 4}
         ({"factor": 0.5}, "factor = 0.5 is not allowed"),
         ({"factor": math.nan}, "factor = nan is not allowed"),
         ({"model": "half"}, "model 'half' is not allowed"),
-        ({"threads": 0}, "threads = 0 is not allowed"),
+        ({"executor": 2}, "executor = 2 is not allowed"),
         ({"path": "viable.csv"}, "viable.csv"),
     ],
 )

@@ -3,10 +3,8 @@
 import csv
 import json
 
-import dask
 import pytest
 import tdmf_slip
-from distributed import LocalCluster
 from tdmf_slip.pictures import viability_map
 
 ANGLE = "hip.touchdown_angle"
@@ -26,7 +24,7 @@ def test_the_command_finds_what_the_function_finds(command):
 
 def test_the_command_draws_writes_and_goes_on(command, tmp_path):
     files = "--output", tmp_path / "viable.nc", "--plot", tmp_path / "viable.png"
-    printed = [command("viability", *GRID, "--n", 6, "--threads", 1, *files)[:2] for _ in range(2)]
+    printed = [command("viability", *GRID, "--n", 6, *files)[:2] for _ in range(2)]
     assert printed[0] == printed[1]
     assert printed[0][0] == 0
     assert "of the cells" in printed[0][1]
@@ -102,13 +100,6 @@ def test_what_the_command_does_not_allow(command, options, message):
     assert status == 2
     assert out == ""
     assert message in said
-
-
-def test_a_cluster_makes_the_same_strides(tmp_path):
-    alone = tdmf_slip.viability(None, **SETTINGS)
-    one = {"n_workers": 1, "threads_per_worker": 1, "dashboard_address": "127.0.0.1:0"}
-    with dask.config.set(temporary_directory=str(tmp_path)), LocalCluster(**one) as cluster:
-        assert tdmf_slip.viability(None, **SETTINGS, scheduler=cluster.scheduler_address) == alone
 
 
 def test_the_picture_tells_the_three_kinds_of_cells_apart():

@@ -1,9 +1,10 @@
 """How stable gaits are: by the largest eigenvalue, by what they attract, and by what is recovered from."""
 
 from collections.abc import Sequence
+from concurrent.futures import Executor
 from dataclasses import dataclass
 
-from ..blocks.running import run_blocks
+from ..blocks import run_blocks
 from ..checks import check_kind
 from ..library.gait import Gait, check_is_gait
 from .robustness import Robustness, robustness
@@ -30,23 +31,21 @@ class Attraction:
 
 
 def measure(gait: Gait) -> Attraction:
-    """All of it for one gait, by one thread."""
+    """All of it for one gait."""
     check_is_gait(gait, "gait")
     return Attraction(
         gait.friction,
         gait.word,
         gait.lambda_max,
-        volume(gait, SAMPLES, threads=1),
+        volume(gait, SAMPLES),
         robustness(gait),
     )
 
 
-def measure_all(
-    gaits: Sequence[Gait], *, scheduler: str | None = None, threads: int | None = None
-) -> list[Attraction]:
+def measure_all(gaits: Sequence[Gait], *, executor: Executor | None = None) -> list[Attraction]:
     """`measure` for many gaits, side by side; see `run_blocks`."""
     check_kind(gaits, Sequence, "gaits", "Gaits in a list, as find_gait gives")
     for gait in gaits:
         check_is_gait(gait, "gaits")
-    with run_blocks(measure, gaits, scheduler=scheduler, threads=threads) as results:
+    with run_blocks(measure, gaits, executor) as results:
         return [found for _, found in sorted(results, key=lambda numbered: numbered[0])]

@@ -123,9 +123,7 @@ class _Stride:
     def rate(self, points: NDArray[np.float64]) -> float:
         """The largest ratio of norms, by stride; infinite where one does not close."""
         starts = self.apex + np.linalg.solve(self.matrix, points.T).T
-        ends, _ = ensemble.run_ensemble(
-            [self.case], starts, max_strides=STRIDES, tolerance=TOLERANCE, threads=1
-        )
+        ends, _ = ensemble.run_ensemble([self.case], starts, max_strides=STRIDES, tolerance=TOLERANCE)
         if (ends["strides"] != STRIDES).any():
             return math.inf
         after = (ends["apex"][:, : len(self.apex)] - self.apex) @ self.matrix.T

@@ -7,13 +7,14 @@ import functools
 import json
 import math
 from collections.abc import Callable, Mapping, Sequence
+from concurrent.futures import Executor
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ..blocks.running import run_blocks
+from ..blocks import run_blocks
 from ..checks import check_size, is_one_of, refusal
 from ..errors import InputError
 from ..files.whole import check_destination
@@ -56,8 +57,7 @@ def basin(
     ball: Ball | str = "tested",
     refine: str = "exact",
     path: Path | str | None = None,
-    scheduler: str | None = None,
-    threads: int | None = None,
+    executor: Executor | None = None,
     progress: bool = False,
     fmu: Fmu | None = None,
 ) -> Basin:
@@ -91,10 +91,9 @@ def basin(
         starts a preview takes 7 to 200 times fewer strides; an island smaller than a square can be missed.
     path : Path or str, optional
         Of a NetCDF file; a preview is written there when it is whole.
-    scheduler : str, optional
-        Of a Dask cluster, see `run_blocks`. The result does not depend on who computes it.
-    threads : int, optional
-        Threads on this machine, by default one for each processor.
+    executor : concurrent.futures.Executor, optional
+        Runs blocks of the work, such as a `ProcessPoolExecutor()` or `client.get_executor()` of Dask; by
+        default threads of this process. The result does not depend on the executor.
     progress : bool, default False
         A bar on stderr.
     fmu : Fmu, optional
@@ -122,7 +121,7 @@ def basin(
     --------
     >>> import tdmf_slip
     >>> axes = {"com_height": (1.2, 1.6), "com_speed": (0.9, 1.2)}
-    >>> fates = tdmf_slip.basin({"ground.friction": 0.6}, axes, n=3, threads=1)
+    >>> fates = tdmf_slip.basin({"ground.friction": 0.6}, axes, n=3)
     >>> print(fates["fate"].shape, fates.settled_share)
     (3, 3) 1.0
     """
@@ -143,8 +142,7 @@ def basin(
         ball=ball,
         refine=refine,
         path=path,
-        scheduler=scheduler,
-        threads=threads,
+        executor=executor,
         progress=progress,
         fmu=fmu,
     )
@@ -158,8 +156,7 @@ def basin_at(
     ball: Ball | str = "tested",
     refine: str = "exact",
     path: Path | str | None = None,
-    scheduler: str | None = None,
-    threads: int | None = None,
+    executor: Executor | None = None,
     progress: bool = False,
     fmu: Fmu | None = None,
 ) -> Basin:
@@ -180,7 +177,7 @@ def basin_at(
         file = BasinFile(path)
         data = file.resumed(data)
     plan = Slice(runner, tuple(gait.apex), data.axes, tuple(rows), tuple(columns), law=law, ball=around)
-    blocks = functools.partial(run_blocks, scheduler=scheduler, threads=threads)
+    blocks = functools.partial(run_blocks, executor=executor)
     if refine == PREVIEW:
         _paint(data, plan, blocks, progress)
     else:

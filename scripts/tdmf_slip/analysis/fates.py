@@ -34,7 +34,7 @@ def fates(
     first_number: int = 0,
     ball: Ball | None = None,
 ) -> NDArray[np.void]:
-    """What becomes of runners that start somewhere, an apex to a row, by one thread.
+    """What becomes of runners that start somewhere, an apex to a row.
 
     By their numbers, which begin with the first, a law's noise is drawn. A start that comes into the gait's
     ball has settled; if the ball asks for it, the tolerance is finer.
@@ -49,5 +49,4 @@ def fates(
         first_number=first_number,
         near=ensemble.NEAR if ball is None else ball.near,
         tolerance=tolerance if ball is None else min(tolerance, ball.tolerance),
-        threads=1,
     )[0]

@@ -7,12 +7,13 @@ Robot. Res. 28, 1040 (2009), measure the stability of what falls for certain, so
 from __future__ import annotations
 
 import math
+from concurrent.futures import Executor
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ..blocks.running import run_blocks
+from ..blocks import run_blocks
 from ..checks import checked_whole
 from ..contents import ByContents
 from ..drawable import Drawable
@@ -157,7 +158,7 @@ class Share(ByContents):
 
 
 def count_falls(share: Share) -> NDArray[np.int64]:
-    """What becomes of a block's runners, by one thread."""
+    """What becomes of a block's runners."""
     case = ensemble.Case(share.runner, ground=share.ground, law=share.law)
     ends, _ = ensemble.run_ensemble(
         [case],
@@ -165,7 +166,6 @@ def count_falls(share: Share) -> NDArray[np.int64]:
         max_strides=share.max_strides,
         first_number=share.first,
         tolerance=TOLERANCE,
-        threads=1,
         foot_x=share.foot_x,
     )
     falls = np.count_nonzero(ends["fate"] == FELL)
@@ -185,8 +185,7 @@ def strides_to_fall(
     gait: Gait | None = None,
     law: AffineLaw | None = None,
     foot_x: ArrayLike | None = None,
-    scheduler: str | None = None,
-    threads: int | None = None,
+    executor: Executor | None = None,
     progress: bool = False,
     fmu: Fmu | None = None,
 ) -> FirstPassage:
@@ -223,10 +222,9 @@ def strides_to_fall(
         Where the feet are at the start, m, by default at 0. Those that are "random" are drawn evenly from the
         last stride's length of the gait before the patch, by the ground's seed: so the patch begins at any
         phase of a stride.
-    scheduler : str, optional
-        Of a Dask cluster, see `run_blocks`. The result does not depend on who computes it.
-    threads : int, optional
-        Threads on this machine, by default one for each processor.
+    executor : concurrent.futures.Executor, optional
+        Runs blocks of the work, such as a `ProcessPoolExecutor()` or `client.get_executor()` of Dask; by
+        default threads of this process. The result does not depend on the executor.
     progress : bool, default False
         A bar on stderr.
     fmu : Fmu, optional
@@ -274,7 +272,7 @@ def strides_to_fall(
     counted = np.zeros(4, dtype=np.int64)
     with (
         progress_bar("rough", runners, "runners", progress) as bar,
-        run_blocks(count_falls, shares, scheduler=scheduler, threads=threads) as results,
+        run_blocks(count_falls, shares, executor) as results,
     ):
         for number, found in results:
             counted += found

@@ -1,9 +1,10 @@
 """Strides until the fall of many runners, or on ground of many kinds, side by side."""
 
 from collections.abc import Sequence
+from concurrent.futures import Executor
 from dataclasses import dataclass
 
-from ..blocks.running import run_blocks
+from ..blocks import run_blocks
 from ..contents import ByContents
 from ..library.affine_law import AffineLaw
 from ..library.runner import Runner
@@ -30,7 +31,7 @@ class Trial(ByContents):
 
 
 def first_passage(trial: Trial) -> FirstPassage:
-    """Strides until the fall of one trial, by one thread."""
+    """Strides until the fall of one trial."""
     return strides_to_fall(
         trial.runner,
         trial.roughness,
@@ -38,16 +39,17 @@ def first_passage(trial: Trial) -> FirstPassage:
         trial.seed,
         trial.max_strides,
         law=trial.law,
-        threads=1,
     )
 
 
-def first_passages(trials: Sequence[Trial], *, progress: bool = False) -> list[FirstPassage]:
+def first_passages(
+    trials: Sequence[Trial], *, executor: Executor | None = None, progress: bool = False
+) -> list[FirstPassage]:
     """`first_passage` of many trials, side by side."""
     found: dict[int, FirstPassage] = {}
     with (
         progress_bar("rough", len(trials), "means", progress) as bar,
-        run_blocks(first_passage, trials) as results,
+        run_blocks(first_passage, trials, executor) as results,
     ):
         for number, one in results:
             found[number] = one

@@ -2,6 +2,7 @@
 
 import tempfile
 from collections.abc import Mapping, Sequence
+from concurrent.futures import Executor
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -9,7 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..blocks.running import run_blocks
+from ..blocks import run_blocks
 from ..errors import InputError, TdmfSlipError
 from ..files.datasets import xarray
 from ..files.netcdf import write_dataset
@@ -65,8 +66,7 @@ def grid(
     vary: Mapping[str, Values],
     path: Path | str,
     *,
-    scheduler: str | None = None,
-    threads: int | None = None,
+    executor: Executor | None = None,
     progress: bool = False,
     fmu: Fmu | None = None,
 ) -> xarray.Dataset:
@@ -103,7 +103,7 @@ def grid(
     rows = [Row(runner.but(name, down[number]), along, tuple(across)) for number in missing]
     with (
         progress_bar("sweep", len(down), "rows", progress) as bar,
-        run_blocks(gaits_of_row, rows, scheduler=scheduler, threads=threads) as results,
+        run_blocks(gaits_of_row, rows, executor) as results,
     ):
         bar.update(len(down) - len(missing))
         for number, (gaits, branches, problem) in results:

@@ -96,7 +96,6 @@ def rare_falls(
     seed: int = 0,
     gait: Gait | None = None,
     law: AffineLaw | None = None,
-    threads: int | None = None,
     progress: bool = False,
     fmu: Fmu | None = None,
 ) -> RareFalls:
@@ -122,8 +121,6 @@ def rare_falls(
         What they start from; by default the gait that `find_gait` finds.
     law : AffineLaw, optional
         By which settings are made anew at each apex, as in `strides_to_fall`.
-    threads : int, optional
-        By default one for each processor. Results do not depend on it.
     progress : bool, default False
         A bar on stderr.
     fmu : Fmu, optional
@@ -163,7 +160,7 @@ def rare_falls(
     if gait is not None:
         check_is_gait(gait, "gait")
     start = periodic_gait(runner, fmu=fmu) if gait is None else gait
-    chain = RoughRunner(start, ground, law, threads)
+    chain = RoughRunner(start, ground, law)
     with progress_bar("rare falls", REPLICAS + 1, "runs", progress) as bar:
         scores, highest = chain.learn(seed % 2**32)
         bar.update()

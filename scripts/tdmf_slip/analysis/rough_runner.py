@@ -45,9 +45,9 @@ SHARE_OF_STRIDES = 40
 class RoughRunner:
     """A runner on rough ground, from apex to apex; one that stops begins anew and has not fallen."""
 
-    def __init__(self, gait: Gait, ground: RoughGround, law: AffineLaw | None, threads: int | None) -> None:
+    def __init__(self, gait: Gait, ground: RoughGround, law: AffineLaw | None) -> None:
         """From the gait on level ground."""
-        self.runner, self.threads, self.law = Runner(gait.runner.values), threads, law
+        self.runner, self.law = Runner(gait.runner.values), law
         self.ground, self.roughness = ground, ground.roughness
         self.step_weights = np.array(ground.step_weights)
         self.scales = self.runner.scales
@@ -94,7 +94,7 @@ class RoughRunner:
         checkpoints[:, COUNT : COUNT + 4] = np.frombuffer(np.int32(time).tobytes(), dtype=np.uint8)
         past, settings = self._stepped(rows, seed, time)
         sections = np.repeat(self.apex[None], count, axis=0)
-        request = ensemble_of(self.runner, sections, 0, TOLERANCE, self.threads, None)
+        request = ensemble_of(self.runner, sections, 0, TOLERANCE, None, None)
         ground = replace(
             self.ground, roughness=0.0 if settings else self.roughness, seed=seed, step_weights=()
         )

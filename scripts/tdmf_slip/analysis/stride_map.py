@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from dataclasses import replace
+from concurrent.futures import Executor
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ..blocks.running import run_blocks
+from ..blocks import run_blocks
 from ..checks import check_size, checked_whole, refusal
 from ..errors import InputError
 from ..fmu.fmu import Fmu, load_fmu
@@ -50,8 +50,7 @@ def stride_map(
     first_number: int = 0,
     tolerance: float = TOLERANCE,
     instructions: str | None = None,
-    scheduler: str | None = None,
-    threads: int | None = None,
+    executor: Executor | None = None,
     progress: bool = False,
     fmu: Fmu | None = None,
 ) -> Strides:
@@ -100,10 +99,9 @@ def stride_map(
         Relative tolerance of a step.
     instructions : str, optional
         One of `library.ensemble.instruction_sets()`; by default the fastest. Results differ by rounding.
-    scheduler : str, optional
-        Of a Dask cluster, see `run_blocks`. The result does not depend on who computes it.
-    threads : int, optional
-        Threads on this machine. By default this one does it all, with a thread for each processor.
+    executor : concurrent.futures.Executor, optional
+        Runs blocks of the work, such as a `ProcessPoolExecutor()` or `client.get_executor()` of Dask; by
+        default threads of this process. The result does not depend on the executor.
     progress : bool, default False
         A bar on stderr.
     fmu : Fmu, optional
@@ -164,10 +162,10 @@ def stride_map(
         foot_x=None if feet is None else np.broadcast_to(feet, (len(starts),)),
     )
     if law is None or affine is not None:
-        columns = _in_blocks(request, scheduler, threads, progress)
-    elif scheduler is not None or threads is not None:
+        columns = _in_blocks(request, executor, progress)
+    elif executor is not None:
         raise InputError(
-            "law: a function is called here, for all runners at once; allowed: neither scheduler nor threads"
+            "executor is not allowed with a law that is a function, which is called here for all runners"
         )
     else:
         assert callable(law)
@@ -238,17 +236,15 @@ def _check_all(population: Population, given: Mapping[str, object], law: object,
     check_set(tuple(given), (), ground, "inputs")
 
 
-def _in_blocks(request: Request, scheduler: str | None, threads: int | None, progress: bool) -> Columns:
-    """Block by block, here by a thread for each processor, or elsewhere by one."""
+def _in_blocks(request: Request, executor: Executor | None, progress: bool) -> Columns:
+    """Block by block."""
     runners = len(request.apices)
     size = min(MAX_IN_A_BLOCK, max(MIN_IN_A_BLOCK, STRIDES_IN_A_BLOCK // request.strides))
-    here = scheduler is None and threads is None
-    whole = request if here else replace(request, threads=1)
-    blocks = [whole.part(first, min(size, runners - first)) for first in range(0, runners, size)]
+    blocks = [request.part(first, min(size, runners - first)) for first in range(0, runners, size)]
     parts: dict[int, Columns] = {}
     with (
         progress_bar("strides", runners, "runners", progress) as bar,
-        run_blocks(recorded_strides, blocks, scheduler=scheduler, threads=1 if here else threads) as results,
+        run_blocks(recorded_strides, blocks, executor) as results,
     ):
         for number, columns in results:
             parts[number] = columns

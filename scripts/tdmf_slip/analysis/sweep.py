@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from concurrent.futures import Executor
 from dataclasses import dataclass
 from itertools import pairwise
 from pathlib import Path
@@ -119,8 +120,7 @@ def sweep(
     *,
     model: str | None = None,
     path: Path | str | None = None,
-    scheduler: str | None = None,
-    threads: int | None = None,
+    executor: Executor | None = None,
     progress: bool = False,
     fmu: Fmu | None = None,
 ) -> Any:
@@ -142,10 +142,9 @@ def sweep(
         `full` or `reduced`, as in `find_gait`.
     path : Path or str, optional
         Of a grid: the NetCDF file that it is written to row by row, and gone on with where it has some.
-    scheduler : str, optional
-        Of a grid: address of a Dask cluster, see `run_blocks`.
-    threads : int, optional
-        Of a grid: threads on this machine, by default one for each processor.
+    executor : concurrent.futures.Executor, optional
+        Runs the rows of a grid, such as a `ProcessPoolExecutor()` or `client.get_executor()` of Dask; by
+        default threads of this process. The result does not depend on the executor.
     progress : bool, default False
         A bar on stderr.
     fmu : Fmu, optional
@@ -177,10 +176,10 @@ def sweep(
     if len(vary) == 2:
         from .grid import grid_over  # xarray is slow to load
 
-        where = {"scheduler": scheduler, "threads": threads, "progress": progress, "fmu": fmu}
+        where = {"executor": executor, "progress": progress, "fmu": fmu}
         return GaitGrid.of_dataset(grid_over(runner, vary, path, **where))
-    if path is not None or scheduler is not None or threads is not None:
-        raise InputError("path, scheduler, threads: of a sweep over one name; allowed: of a grid over two")
+    if path is not None or executor is not None:
+        raise InputError("path and executor are for a grid over two names; this sweep varies one")
     name, values = varied_alone(vary, NAMES)
     row = fmu.find(name, "vary").values_of(values, f"vary {name}")
     if len(row) > MAX_GAITS:

@@ -2,12 +2,13 @@
 
 import math
 from collections.abc import Mapping
+from concurrent.futures import Executor
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ..blocks.running import run_blocks
+from ..blocks import run_blocks
 from ..checks import checked_whole
 from ..contents import ByContents
 from ..library import ensemble
@@ -131,8 +132,7 @@ def volume(
     seed: int = 0,
     law: AffineLaw | None = None,
     ball: Ball | str = "tested",
-    scheduler: str | None = None,
-    threads: int | None = None,
+    executor: Executor | None = None,
     progress: bool = False,
 ) -> Volume:
     """Estimate the volume of a gait's region of attraction in all coordinates: an area in the reduced map."""
@@ -148,7 +148,7 @@ def volume(
     counted = np.zeros(len(ensemble.FATES), dtype=int)
     with (
         progress_bar("volume", samples, "starts", progress) as bar,
-        run_blocks(count_fates, drawings, scheduler=scheduler, threads=threads) as results,
+        run_blocks(count_fates, drawings, executor) as results,
     ):
         for number, found in results:
             counted += found

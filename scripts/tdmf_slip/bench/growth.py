@@ -92,9 +92,7 @@ def _timed(asked: _Question) -> Timing:
 def _basins(effort: float, threads: int) -> Iterator[_Question]:
     for cells in (128, 256, 512, 1024):
         n = max(2, round(cells * effort**0.5))
-        yield _Question(
-            "basin", f"{n} x {n} starts", threads, functools.partial(basin, RUNNER, n=n, threads=threads)
-        )
+        yield _Question("basin", f"{n} x {n} starts", threads, functools.partial(basin, RUNNER, n=n))
 
 
 def _run(many: Runners, count: int, threads: int) -> None:

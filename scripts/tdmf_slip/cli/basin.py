@@ -26,15 +26,14 @@ from .options import (
     JSON_OPTION,
     MODEL_OPTION,
     PARAMETERS_OPTION,
-    SCHEDULER_OPTION,
     SET_OPTION,
-    THREADS_OPTION,
     Command,
     values_given,
 )
 from .output import json_text
 from .ranges import ends_of
 from .runner import runner_of
+from .workers import executor_of, workers_options
 
 
 @click.command("basin", cls=Command)
@@ -88,8 +87,7 @@ from .runner import runner_of
     help="exact simulates every start. preview simulates those near a border and fills in the rest: "
     "faster, but it can miss islands of fewer than 16 starts.",
 )
-@SCHEDULER_OPTION
-@THREADS_OPTION
+@workers_options
 @SET_OPTION
 @PARAMETERS_OPTION
 @MODEL_OPTION
@@ -103,8 +101,8 @@ def basin_command(
     samples: int,
     ball: str,
     refine: str,
+    workers: int | None,
     scheduler: str | None,
-    threads: int | None,
     settings: tuple[str, ...],
     parameters: str | None,
     model: str,
@@ -134,18 +132,19 @@ def basin_command(
         from ..proof.proved_ball import proved_ball  # FLINT is slow to load, and an extra
 
         around = proved_ball(gait)
-    data = basin(
-        runner,
-        axes,
-        count,
-        ball=around,
-        refine=refine,
-        path=output,
-        scheduler=scheduler,
-        threads=threads,
-        progress=True,
-        fmu=fmu,
-    )
+    with executor_of(workers, scheduler) as executor:
+        data = basin(
+            runner,
+            axes,
+            count,
+            ball=around,
+            refine=refine,
+            path=output,
+            executor=executor,
+            progress=True,
+            fmu=fmu,
+        )
+        found = volume(gait, samples, ball=around, executor=executor, progress=True) if samples else None
     if plot is not None:
         basin_map.draw(plot, data)
     result: dict[str, Any] = {
@@ -159,8 +158,7 @@ def basin_command(
         **{name: value for name, value in data.attributes.items() if name.startswith("ball")},
         "robustness": robustness(gait).as_json(),
     }
-    if samples:
-        found = volume(gait, samples, ball=around, scheduler=scheduler, threads=threads, progress=True)
+    if found is not None:
         result["volume"] = found.as_json()
     print(
         json_text(result)

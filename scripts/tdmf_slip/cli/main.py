@@ -17,7 +17,8 @@ import click
 
 from ..checks import near_matches, shown
 from ..errors import Note, TdmfSlipError
-from ..terminal import encoding, interrupts
+from ..terminal import encoding
+from . import interrupts
 
 COMMANDS = (
     "animate",

@@ -97,18 +97,6 @@ TARGET_OPTION = click.option(
     metavar="QUANTITY=VALUE",
     help=f"Target value of a quantity, as in speed=1. Repeatable. Quantities: {', '.join(QUANTITIES)}.",
 )
-SCHEDULER_OPTION = click.option(
-    "--scheduler",
-    metavar="ADDRESS",
-    help="Address of the Dask scheduler whose workers compute, as in tcp://host:8786. Without it, threads "
-    "of this machine compute.",
-)
-THREADS_OPTION = click.option(
-    "--threads",
-    type=click.IntRange(min=1),
-    metavar="N",
-    help="Threads on this machine.  [default: one for each processor]",
-)
 
 
 def pairs_given(texts: Sequence[str], option: str, allowed: str) -> dict[str, str]:

@@ -2,6 +2,7 @@
 
 import hashlib
 import sys
+from concurrent.futures import Executor
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -23,6 +24,7 @@ from .options import (
 from .output import json_text
 from .ranges import ends_of
 from .runner import runner_of
+from .workers import executor_of, workers_options
 
 if TYPE_CHECKING:
     from ..proof.proof import Proof
@@ -60,12 +62,7 @@ SHOWN = ("period", "length", "speed", "cost_of_transport", "slip_distance", "lif
     metavar="FILE",
     help="With --vary: write JSON lines, one per subinterval. An existing file is resumed.",
 )
-@click.option(
-    "--processes",
-    type=click.IntRange(min=1),
-    metavar="N",
-    help="With --vary: number of processes.  [default: one for each processor]",
-)
+@workers_options
 @click.option(
     "--compare",
     is_flag=True,
@@ -81,7 +78,8 @@ def prove_command(
     border: str | None,
     vary: str | None,
     output: Path | None,
-    processes: int | None,
+    workers: int | None,
+    scheduler: str | None,
     compare: bool,
     as_json_object: bool,
 ) -> None:
@@ -107,15 +105,16 @@ def prove_command(
     reported |= {name: value for name, (_, value) in given.items()}
     if compare and (border is not None or vary is not None):
         raise InputError("--compare: is of one gait; allowed: without --border and --vary")
-    if vary is None and (output is not None or processes is not None):
-        raise InputError("--output, --processes: are of use for a range only; allowed: with --vary")
+    if vary is None and any(option is not None for option in (output, workers, scheduler)):
+        raise InputError("--output, --workers and --scheduler are for a range only; allowed: with --vary")
     if border is not None:
         _prove_borders(runner, reported, border, digits, as_json_object)
         return
     if vary is not None:
         if box is not None:
             raise InputError(f"--box {box}: with --vary it is chosen by itself; allowed: without --vary")
-        _prove_range(reported, vary, output, processes, as_json_object)
+        with executor_of(workers, scheduler, processes=True) as executor:
+            _prove_range(reported, vary, output, executor, as_json_object)
         return
     from ..proof.prove import prove  # FLINT is slow to load
 
@@ -159,7 +158,11 @@ def _prove_borders(
 
 
 def _prove_range(
-    reported: dict[str, object], vary: str, output: Path | None, processes: int | None, as_json_object: bool
+    reported: dict[str, object],
+    vary: str,
+    output: Path | None,
+    executor: Executor | None,
+    as_json_object: bool,
 ) -> None:
     from ..proof.prove import prove
 
@@ -167,7 +170,7 @@ def _prove_range(
     begin, colon, end = (part.strip() for part in span.partition(":"))
     if not (equals and colon):
         raise InputError(f"--vary {vary}: allowed: NAME=A:B")
-    proof = prove(reported, vary={name: (begin, end)}, output=output, processes=processes, progress=True)
+    proof = prove(reported, vary={name: (begin, end)}, output=output, executor=executor, progress=True)
     digest = None if output is None else hashlib.sha256(output.read_bytes()).hexdigest()
     if as_json_object:
         print(json_text({**proof.as_json(), "sha256": digest}))

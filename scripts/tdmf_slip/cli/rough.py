@@ -23,15 +23,14 @@ from .options import (
     FRICTION_OPTION,
     JSON_OPTION,
     PARAMETERS_OPTION,
-    SCHEDULER_OPTION,
     SET_OPTION,
-    THREADS_OPTION,
     Command,
     Number,
     values_given,
 )
 from .output import json_text
 from .runner import runner_of
+from .workers import executor_of, workers_options
 
 
 @click.command("rough", cls=Command)
@@ -104,8 +103,7 @@ from .runner import runner_of
     is_flag=True,
     help="Use multilevel splitting, for rare falls. Not with --runners or --max-strides.",
 )
-@SCHEDULER_OPTION
-@THREADS_OPTION
+@workers_options
 @SET_OPTION
 @PARAMETERS_OPTION
 @JSON_OPTION
@@ -121,8 +119,8 @@ def rough_command(
     segment_length: float,
     heights: str | None,
     rare: bool,
+    workers: int | None,
     scheduler: str | None,
-    threads: int | None,
     settings: tuple[str, ...],
     parameters: str | None,
     as_json_object: bool,
@@ -147,21 +145,14 @@ def rough_command(
         heights=() if heights is None else read_heights(heights),
     )
     if rare:
-        _check_alone("runners", "max_strides", "scheduler", "threads")
+        _check_alone("runners", "max_strides", "workers", "scheduler")
         split = rare_falls(runner, ground, seed=seed, progress=True, fmu=fmu)
         print(json_text(split.as_json()) if as_json_object else _rare_text(split, runner))
         return
-    found = strides_to_fall(
-        runner,
-        ground,
-        runners,
-        seed,
-        max_strides,
-        scheduler=scheduler,
-        threads=threads,
-        progress=True,
-        fmu=fmu,
-    )
+    with executor_of(workers, scheduler) as executor:
+        found = strides_to_fall(
+            runner, ground, runners, seed, max_strides, executor=executor, progress=True, fmu=fmu
+        )
     print(json_text(found.as_json()) if as_json_object else _text(found, runner))
 
 

@@ -1,6 +1,7 @@
 """The command `sweep`: gaits over a range of a parameter, or over two."""
 
 from collections.abc import Mapping
+from concurrent.futures import Executor
 from pathlib import Path
 
 import click
@@ -20,9 +21,7 @@ from .options import (
     JSON_OPTION,
     MODEL_OPTION,
     PARAMETERS_OPTION,
-    SCHEDULER_OPTION,
     SET_OPTION,
-    THREADS_OPTION,
     Command,
     pairs_given,
     refuse_given,
@@ -31,6 +30,7 @@ from .options import (
 from .output import json_text
 from .ranges import SPACINGS, values_of
 from .runner import runner_of
+from .workers import executor_of, workers_options
 
 NETCDF = ".nc"
 FORMATS = (NETCDF, ".json")
@@ -69,8 +69,7 @@ SPACING_OPTION = click.option(
 @click.option(
     "--plot", type=click.Path(path_type=Path), metavar="FILE", help="Draw the gaits: .png, .svg or .pdf."
 )
-@SCHEDULER_OPTION
-@THREADS_OPTION
+@workers_options
 @SET_OPTION
 @PARAMETERS_OPTION
 @MODEL_OPTION
@@ -81,8 +80,8 @@ def sweep_command(
     spacing: str,
     output: Path | None,
     plot: Path | None,
+    workers: int | None,
     scheduler: str | None,
-    threads: int | None,
     settings: tuple[str, ...],
     parameters: str | None,
     model: str,
@@ -126,11 +125,12 @@ def sweep_command(
     if len(values) == 2:
         if plot is not None:
             raise InputError("--plot: a grid of gaits has no picture; allowed: with one range")
-        _grid(runner, values, output, scheduler, threads, as_json_object)
+        with executor_of(workers, scheduler) as executor:
+            _grid(runner, values, output, executor, as_json_object)
         return
-    if scheduler is not None or threads is not None:
+    if scheduler is not None or workers is not None:
         raise InputError(
-            "--scheduler, --threads: along one range each gait is found from the one before, nor are they "
+            "--workers, --scheduler: along one range each gait is found from the one before, nor are they "
             "of use for a single friction; allowed: with two ranges, of --vary or --friction"
         )
     _row(
@@ -191,15 +191,14 @@ def _grid(
     runner: Runner,
     vary: Mapping[str, NDArray[np.float64]],
     output: Path | None,
-    scheduler: str | None,
-    threads: int | None,
+    executor: Executor | None,
     as_json_object: bool,
 ) -> None:
     from ..analysis.grid import grid  # xarray is slow to load
 
     if output is None or output.suffix.lower() != NETCDF:
         raise InputError("--vary: a grid of gaits goes to a file; allowed: with --output FILE.nc")
-    data = grid(runner, vary, output, scheduler=scheduler, threads=threads, progress=True, fmu=load_fmu())
+    data = grid(runner, vary, output, executor=executor, progress=True, fmu=load_fmu())
     found = GaitGrid.of_dataset(data)
     points = found["period"].size
     result = {

@@ -23,9 +23,7 @@ from .options import (
     FRICTION_OPTION,
     JSON_OPTION,
     PARAMETERS_OPTION,
-    SCHEDULER_OPTION,
     SET_OPTION,
-    THREADS_OPTION,
     Command,
     Number,
     pairs_given,
@@ -34,6 +32,7 @@ from .options import (
 from .output import json_text
 from .ranges import ends_of
 from .runner import runner_of
+from .workers import executor_of, workers_options
 
 
 @click.command("viability", cls=Command)
@@ -101,8 +100,7 @@ from .runner import runner_of
     metavar="FILE",
     help="Write the viable action nearest to the runner's settings for each cell, as CSV.",
 )
-@SCHEDULER_OPTION
-@THREADS_OPTION
+@workers_options
 @SET_OPTION
 @PARAMETERS_OPTION
 @JSON_OPTION
@@ -117,8 +115,8 @@ def viability_command(
     plot: Path | None,
     of_gait: bool,
     controller: Path | None,
+    workers: int | None,
     scheduler: str | None,
-    threads: int | None,
     settings: tuple[str, ...],
     parameters: str | None,
     as_json_object: bool,
@@ -139,19 +137,19 @@ def viability_command(
     fmu = load_fmu()
     runner = runner_of(fmu, parameters, values_given(friction, settings), model)
     gait = find_gait(runner, fmu=fmu) if of_gait else None
-    found = viability(
-        runner,
-        axes=_axes_given(axes, fmu),
-        vary=_vary_given(vary, fmu),
-        n=count,
-        model=model,
-        factor=factor,
-        path=output,
-        threads=threads,
-        scheduler=scheduler,
-        progress=True,
-        fmu=fmu,
-    )
+    with executor_of(workers, scheduler) as executor:
+        found = viability(
+            runner,
+            axes=_axes_given(axes, fmu),
+            vary=_vary_given(vary, fmu),
+            n=count,
+            model=model,
+            factor=factor,
+            path=output,
+            executor=executor,
+            progress=True,
+            fmu=fmu,
+        )
     if plot is not None:
         viability_map.draw(plot, found)
     if controller is not None:

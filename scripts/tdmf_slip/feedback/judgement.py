@@ -4,12 +4,13 @@ The largest eigenvalue says nothing of these: settings have limits, sensors are 
 """
 
 from collections.abc import Sequence
+from concurrent.futures import Executor
 from dataclasses import dataclass, replace
 
 from ..analysis.first_passage import FirstPassage, strides_to_fall
 from ..analysis.robustness import Robustness, robustness
 from ..analysis.volume import Volume, volume
-from ..blocks.running import run_blocks
+from ..blocks import run_blocks
 from ..checks import check_kind
 from ..contents import ByContents
 from ..given import row_of
@@ -60,14 +61,16 @@ class Judgement(ByContents):
 def judge(
     gait: Gait, law: AffineLaw | None = None, *, roughness: Sequence[float] = (), seed: int = 0
 ) -> Judgement:
-    """How well a feedback holds a gait, within its limits; by one thread."""
+    """How well a feedback holds a gait, within its limits."""
     check_is_gait(gait, "gait")
     check_kind(law, (AffineLaw, type(None)), "law", "an AffineLaw, as dead_beat, lqr and place_poles give")
     steps = row_of(roughness, "roughness", "numbers in a list, m")
     return _judged(Trial(gait, law, tuple(steps), seed))
 
 
-def judge_all(trials: Sequence[Trial], *, progress: bool = False) -> list[Judgement]:
+def judge_all(
+    trials: Sequence[Trial], *, executor: Executor | None = None, progress: bool = False
+) -> list[Judgement]:
     """`judge` for many gaits and feedbacks, side by side."""
     check_kind(trials, Sequence, "trials", "Trials in a list")
     for trial in trials:
@@ -75,7 +78,7 @@ def judge_all(trials: Sequence[Trial], *, progress: bool = False) -> list[Judgem
     found: dict[int, Judgement] = {}
     with (
         progress_bar("feedback", len(trials), "laws", progress) as bar,
-        run_blocks(_judged, trials) as results,
+        run_blocks(_judged, trials, executor) as results,
     ):
         for number, one in results:
             found[number] = one
@@ -87,7 +90,7 @@ def _judged(trial: Trial) -> Judgement:
     quiet = None if trial.law is None else replace(trial.law, noise=None)
     return Judgement(
         trial,
-        volume(trial.gait, SAMPLES, seed=trial.seed, law=quiet, threads=1),
+        volume(trial.gait, SAMPLES, seed=trial.seed, law=quiet),
         robustness(trial.gait, law=quiet),
         tuple(
             strides_to_fall(
@@ -98,7 +101,6 @@ def _judged(trial: Trial) -> Judgement:
                 MAX_STRIDES,
                 gait=trial.gait,
                 law=trial.law,
-                threads=1,
             )
             for roughness in trial.roughness
         ),

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from concurrent.futures import Executor
 from dataclasses import dataclass
 
 import numpy as np
 
-from ..blocks.running import run_blocks
+from ..blocks import run_blocks
 from ..checks import checked, checked_whole
 from ..contents import ByContents
 from ..errors import InputError, TdmfSlipError
@@ -73,8 +74,7 @@ def simulate_many(
     strides: int = DEFAULT_STRIDES,
     tolerance: float = DEFAULT_TOLERANCE,
     interface: str = "cs",
-    scheduler: str | None = None,
-    threads: int | None = None,
+    executor: Executor | None = None,
     progress: bool = False,
     fmu: Fmu | None = None,
 ) -> Runs:
@@ -91,10 +91,9 @@ def simulate_many(
         As in `simulate`.
     interface : str, default 'cs'
         `me` or `cs`.
-    scheduler : str, optional
-        Of a Dask cluster, see `run_blocks`. The result does not depend on who computes it.
-    threads : int, optional
-        Threads on this machine, by default one for each processor.
+    executor : concurrent.futures.Executor, optional
+        Runs blocks of the work, such as a `ProcessPoolExecutor()` or `client.get_executor()` of Dask; by
+        default threads of this process. The result does not depend on the executor.
     progress : bool, default False
         A bar on stderr.
     fmu : Fmu, optional
@@ -115,7 +114,7 @@ def simulate_many(
     --------
     >>> import tdmf_slip
     >>> runners = [{"ground.friction": 0.6}, {"ground.friction": 1.2}]
-    >>> runs = tdmf_slip.simulate_many(runners, strides=2, threads=1)
+    >>> runs = tdmf_slip.simulate_many(runners, strides=2)
     >>> print(runs["speed"].round(3), runs["fallen"])
     [1.061 1.05 ] [False False]
     """
@@ -135,7 +134,7 @@ def simulate_many(
     results = [NOT_RUN] * len(jobs)
     with (
         progress_bar("batch", len(jobs), "runs", progress) as bar,
-        run_blocks(run_one, jobs, scheduler=scheduler, threads=threads) as finished,
+        run_blocks(run_one, jobs, executor) as finished,
     ):
         for number, result in finished:
             results[number] = result

@@ -17,6 +17,7 @@ from ..checks import check_size, checked_threads, checked_whole, is_one_of, numb
 from ..errors import InputError
 from ..fmu.variable import Given
 from ..given import numbers_of, row_of, rows_of
+from ..uninterrupted import in_block
 from .binding import c, ffi
 from .cases import Case as Case
 from .cases import c_cases, check_alike, sections_of
@@ -108,7 +109,8 @@ def run_ensemble(
         Steps of a runner's first stride, at the most; each further one has those left over and a fortieth of
         them more. By default the library's `TDMF_STEP_LIMIT`. A runner that needs more is unsolved.
     threads : int, optional
-        By default one for each processor. Results do not depend on it.
+        By default one for each processor, and one alone within a block of `run_blocks`. Results do not depend
+        on it.
     instructions : str, optional
         One of `instruction_sets()`; by default the fastest. Results differ by rounding.
     foot_x : ndarray of float, shape (runners,), optional
@@ -195,7 +197,7 @@ def ensemble_of(
         "count": len(sections),
         "first_number": checked_whole("first_number", first_number, 0, LAST_RUNNER),
         "relative_tolerance": _within("tolerance", tolerance, MIN_TOLERANCE, 1.0),
-        "threads": checked_threads(threads),
+        "threads": 1 if threads is None and in_block() else checked_threads(threads),
         "instructions": _number(instructions),
     }
     for name, value in settings.items():

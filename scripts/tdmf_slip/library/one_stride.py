@@ -20,12 +20,11 @@ def next_apices(
     settings: Mapping[str, NDArray[np.float64]],
     *,
     tolerance: float = TOLERANCE,
-    threads: int | None = None,
 ) -> tuple[NDArray[np.int8], NDArray[np.float64]]:
     """Where one stride leads from each of many apices, each with settings of its own."""
     sections = np.zeros((len(apices), len(COORDINATES)))
     sections[:, : apices.shape[1]] = apices
-    ensemble = ensemble_of(runner, sections, 0, tolerance, threads, None)
+    ensemble = ensemble_of(runner, sections, 0, tolerance, None, None)
     cases, kept = Population(runner).c_cases(RoughGround(), None)
     cases[0].rules.max_strides = 1
     ensemble.cases, ensemble.case_count = cases, 1

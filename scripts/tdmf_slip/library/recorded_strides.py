@@ -55,8 +55,6 @@ class Request(ByContents):
     """Of a step."""
     instructions: str | None = None
     """One of `instruction_sets()`; by default the fastest."""
-    threads: int | None = None
-    """At once; by default one for each processor."""
     foot_x: NDArray[np.float64] | None = None
     """Where the feet are at the first apex, m, shape (runners,); by default all at 0."""
 
@@ -101,7 +99,7 @@ class _Engine:
             self.sections,
             request.first_number,
             request.tolerance,
-            request.threads,
+            None,
             request.instructions,
         )
         self.foot_x = None if request.foot_x is None else np.ascontiguousarray(request.foot_x)

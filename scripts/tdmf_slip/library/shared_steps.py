@@ -10,6 +10,7 @@ from contextvars import ContextVar
 from functools import wraps
 from typing import ParamSpec, TypeVar
 
+from ..uninterrupted import check_stop
 from .binding import c
 from .structs import Solver
 
@@ -27,7 +28,11 @@ class SharedSteps:
         self._last: Solver | None = None
 
     def hand_out(self, solver: Solver) -> None:
-        """Limit a new solver to the steps that the ones before it have left over."""
+        """Limit a new solver to the steps that the ones before it have left over.
+
+        In a thread whose flag is raised, the search stops here.
+        """
+        check_stop()
         self._count()
         solver.step_limit = int(self._left)
         self._last = solver

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 import os
 from collections.abc import Mapping, Sequence
+from concurrent.futures import Executor
 from fractions import Fraction
 from typing import overload
 
@@ -51,7 +52,7 @@ def prove(
     digits: int = ...,
     vary: None = ...,
     output: None = ...,
-    processes: None = ...,
+    executor: None = ...,
     progress: bool = ...,
 ) -> Proof: ...
 
@@ -62,7 +63,7 @@ def prove(
     *,
     vary: Mapping[str, tuple[Radius, Radius]],
     output: str | os.PathLike[str] | None = ...,
-    processes: int | None = ...,
+    executor: Executor | None = ...,
     progress: bool = ...,
 ) -> RangeProof: ...
 
@@ -75,7 +76,7 @@ def prove(
     digits: int = DEFAULT_DIGITS,
     vary: Mapping[str, tuple[Radius, Radius]] | None = None,
     output: str | os.PathLike[str] | None = None,
-    processes: int | None = None,
+    executor: Executor | None = None,
     progress: bool = False,
 ) -> Proof | RangeProof:
     """A periodic gait, proved: that there is one, and no other near it, its word, and enclosures of the rest.
@@ -100,8 +101,10 @@ def prove(
     output : str or path, optional
         With `vary`: a file of JSON lines that each part of the range is added to as it is done, and that a
         proof goes on from.
-    processes : int, optional
-        With `vary`: processes; by default one for each processor.
+    executor : concurrent.futures.Executor, optional
+        With `vary`: proves parts of the range side by side, such as a `ProcessPoolExecutor()` or
+        `client.get_executor()` of Dask; by default one after the other. Threads prove one after the other,
+        too.
     progress : bool, default False
         With `vary`: a bar on stderr.
 
@@ -127,9 +130,9 @@ def prove(
     if vary is not None:
         if box is not None:
             raise InputError("box: with vary it is chosen by itself; allowed: without vary")
-        return _over(gait, vary, output, processes, progress)
-    if output is not None or processes is not None:
-        raise InputError("output, processes: are of use for a range only; allowed: with vary")
+        return _over(gait, vary, output, executor, progress)
+    if output is not None or executor is not None:
+        raise InputError("output and executor are for a range only; allowed: with vary")
     found, values = gait_of(gait)
     return prove_exactly(found, values, digits, box, given=isinstance(gait, Gait))
 
@@ -147,7 +150,7 @@ def _over(
     gait: RunnerLike,
     vary: Mapping[str, tuple[Radius, Radius]],
     output: str | os.PathLike[str] | None,
-    processes: int | None,
+    executor: Executor | None,
     progress: bool,
 ) -> RangeProof:
     name, span = varied_alone(vary, "a parameter with the ends of its range")
@@ -160,13 +163,11 @@ def _over(
     begin, end = (end.rational for end in ends)
     if not begin < end:
         raise InputError(f"vary: {name} from {begin} to {end}; allowed: a range from less to more")
-    if processes is not None:
-        checked_whole("processes", processes, 1, 1024)
     if gait is None or isinstance(gait, Mapping):
         gait = {name: begin, **by_full_name(gait, "gait", RUNNER)}
     found, values = gait_of(gait)
     path = None if output is None else path_of(output, "output", "the path of a file")
-    return prove_range(found, values, name, (begin, end), output=path, processes=processes, progress=progress)
+    return prove_range(found, values, name, (begin, end), output=path, executor=executor, progress=progress)
 
 
 def bits_for(decimals: int) -> int:

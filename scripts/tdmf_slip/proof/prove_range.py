@@ -3,12 +3,16 @@
 import itertools
 import json
 import math
-import os
+import threading
 from collections.abc import Mapping
+from concurrent.futures import Executor
+from dataclasses import dataclass
 from fractions import Fraction
 from pathlib import Path
 from typing import Any
 
+from ..blocks import InTurn, run_blocks
+from ..contents import ByContents
 from ..errors import InputError
 from ..fmu.fmu import load_fmu
 from ..library.gait import Gait
@@ -20,7 +24,6 @@ from .given import KNOWN
 from .proof import texts_of
 from .range_proof import RangeProof, Subinterval
 from .range_prover import RangeProver
-from .workers import side_by_side
 
 PARTS = 256
 """Into which a wide range is cut, to be proved side by side; each is written to a file as it is done."""
@@ -30,11 +33,28 @@ NONE = "0"
 """Text of a value that earlier files left out if the parameter is in `KNOWN`."""
 
 
-def prove_subintervals(
-    runner: Runner, values: Mapping[str, Exact], name: str, ends: tuple[Fraction, Fraction]
-) -> list[Subinterval]:
-    """All subintervals of a range, in this process."""
-    return list(RangeProver(runner, values, name).subintervals(*ends))
+PRECISION_IN_USE = threading.Lock()
+"""Held by the thread that proves: FLINT has one working precision for all threads of a process."""
+
+
+@dataclass(frozen=True, eq=False)
+class Part(ByContents):
+    """A part of a range: a block of work."""
+
+    runner: Runner
+    """The runner with a gait to start from."""
+    values: Mapping[str, Exact]
+    """Exact parameters."""
+    name: str
+    """Parameter that is varied."""
+    ends: tuple[Fraction, Fraction]
+    """Range of the parameter."""
+
+
+def prove_part(part: Part) -> list[Subinterval]:
+    """All subintervals of a part."""
+    with PRECISION_IN_USE:
+        return list(RangeProver(part.runner, part.values, part.name).subintervals(*part.ends))
 
 
 def parts_of(begin: Fraction, end: Fraction) -> int:
@@ -56,7 +76,7 @@ def prove_range(
     ends: tuple[Fraction, Fraction],
     *,
     output: Path | None = None,
-    processes: int | None = None,
+    executor: Executor | None = None,
     progress: bool = False,
 ) -> RangeProof:
     """Gaits over a range of a parameter, by subdivision."""
@@ -69,15 +89,15 @@ def prove_range(
     }
     done = _done(output, head)
     open_ones = [part for part in parts if part not in done]
-    processes = processes or os.cpu_count() or 1
-    with progress_bar("prove", len(parts), "parts", progress) as bar:
-        for _ in range(len(parts) - len(open_ones)):
-            bar.update()
-        tasks = [(gait.runner, values, name, part) for part in open_ones]
-        found = side_by_side(prove_subintervals, tasks, processes)
-        for part, subintervals in zip(open_ones, found, strict=True):
-            done[part] = subintervals
-            _write(output, head, part, subintervals)
+    blocks = [Part(gait.runner, values, name, part) for part in open_ones]
+    with (
+        progress_bar("prove", len(parts), "parts", progress) as bar,
+        run_blocks(prove_part, blocks, InTurn() if executor is None else executor) as found,
+    ):
+        bar.update(len(parts) - len(open_ones))
+        for number, subintervals in found:
+            done[open_ones[number]] = subintervals
+            _write(output, head, open_ones[number], subintervals)
             bar.update()
     return RangeProof(name, *ends, values, [subinterval for part in parts for subinterval in done[part]])
 

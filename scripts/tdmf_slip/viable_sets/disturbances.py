@@ -1,6 +1,7 @@
 """What a viable state stands: the largest drop of the ground, and loss of friction, at the next stride."""
 
 from collections.abc import Sequence
+from concurrent.futures import Executor
 from dataclasses import dataclass
 
 import numpy as np
@@ -45,7 +46,7 @@ def friction_loss(
     states: tuple[NDArray[np.bool_], NDArray[np.bool_]],
     frictions: Sequence[float],
     *,
-    threads: int | None,
+    executor: Executor | None,
     progress: bool,
 ) -> FrictionLoss:
     """The least friction of the next stride that leaves something viable."""
@@ -56,7 +57,7 @@ def friction_loss(
         made = make_transitions(
             runner.but(FRICTION, friction),
             transitions.grid,
-            threads=threads,
+            executor=executor,
             progress=progress,
             what=f"friction {friction:g}",
         )

@@ -1,6 +1,7 @@
 """What was found viable: states, pairs, and how much room each state leaves."""
 
 from collections.abc import Mapping, Sequence
+from concurrent.futures import Executor
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -154,7 +155,7 @@ class Viability(ByContents, Drawable):
         )
 
     def friction_loss(
-        self, frictions: Sequence[float], *, threads: int | None = None, progress: bool = False
+        self, frictions: Sequence[float], *, executor: Executor | None = None, progress: bool = False
     ) -> FrictionLoss:
         """The least friction of the next stride from which some action leads back into the viable set.
 
@@ -164,8 +165,9 @@ class Viability(ByContents, Drawable):
         ----------
         frictions : sequence of float
             Those that are tried, falling, below the runner's own.
-        threads : int, optional
-            By default one for each processor.
+        executor : concurrent.futures.Executor, optional
+            Runs blocks of the work, such as a `ProcessPoolExecutor()` or `client.get_executor()` of Dask;
+            by default threads of this process. The result does not depend on the executor.
         progress : bool, default False
             A bar on stderr.
 
@@ -185,7 +187,7 @@ class Viability(ByContents, Drawable):
             self.factor,
             (self.inner_states, self.outer_states),
             frictions,
-            threads=threads,
+            executor=executor,
             progress=progress,
         )
 

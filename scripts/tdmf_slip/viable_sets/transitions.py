@@ -1,6 +1,7 @@
 """Where each action leads from each corner of the cells: strides made by the ensemble engine, in blocks."""
 
 import math
+from concurrent.futures import Executor
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -8,7 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from ..blocks.running import run_blocks
+from ..blocks import run_blocks
 from ..contents import ByContents
 from ..errors import InputError
 from ..library.ensemble import TOLERANCE
@@ -25,8 +26,8 @@ if TYPE_CHECKING:
 
 NOT_YET = -1
 STRIDES_IN_A_CALL = 65_536
-"""Of the library, which hears of no interrupt until it returns; each takes 400 bytes of memory."""
-STRIDES_IN_A_BLOCK = 1_048_576
+"""Each takes 400 bytes of memory."""
+STRIDES_IN_A_BLOCK = 65_536
 SAVED = 16
 """Times that a file is written, at the most, before the strides are all made."""
 
@@ -58,8 +59,6 @@ class Corners(ByContents):
     """Of all corners."""
     rows: tuple[int, ...]
     """Numbers of the rows."""
-    threads: int | None
-    """At once."""
 
 
 def strides_of(part: Corners) -> tuple[NDArray[np.int8], NDArray[np.float32]]:
@@ -75,9 +74,7 @@ def strides_of(part: Corners) -> tuple[NDArray[np.int8], NDArray[np.float32]]:
         some = slice(first, first + at_once)
         starts = starts_at(part.runner, nodes[some])
         settings = {name: np.tile(values, len(starts)) for name, values in actions.items()}
-        fate, apices = next_apices(
-            part.runner, np.repeat(starts, count, axis=0), settings, threads=part.threads
-        )
+        fate, apices = next_apices(part.runner, np.repeat(starts, count, axis=0), settings)
         fates[some] = fate.reshape(len(starts), count)
         nexts[:, some] = apices[:, : len(REDUCED)].T.reshape(len(REDUCED), len(starts), count)
     shape = (len(part.rows), len(speeds), count)
@@ -89,8 +86,7 @@ def make_transitions(
     grid: Grid,
     *,
     path: Path | None = None,
-    threads: int | None = None,
-    scheduler: str | None = None,
+    executor: Executor | None = None,
     progress: bool = False,
     what: str = "strides",
 ) -> Transitions:
@@ -104,12 +100,11 @@ def make_transitions(
     missing = [row for row in range(shape[0]) if (made.fate[row] == NOT_YET).any()]
     at_once = max(1, STRIDES_IN_A_BLOCK // math.prod(shape[1:]))
     blocks = [missing[first : first + at_once] for first in range(0, len(missing), at_once)]
-    here = scheduler is None
-    parts = [Corners(runner, grid, tuple(rows), threads if here else 1) for rows in blocks]
+    parts = [Corners(runner, grid, tuple(rows)) for rows in blocks]
     saved_each, unsaved = math.ceil(len(blocks) / SAVED), 0
     with (
         progress_bar(what, made.fate.size, "strides", progress) as bar,
-        run_blocks(strides_of, parts, scheduler=scheduler, threads=1 if here else None) as results,
+        run_blocks(strides_of, parts, executor) as results,
     ):
         bar.update((shape[0] - len(missing)) * math.prod(shape[1:]))
         for number, (fates, nexts) in results:

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from concurrent.futures import Executor
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ..checks import checked, checked_whole
+from ..checks import checked
 from ..files.whole import check_destination
 from ..fmu.fmu import Fmu, load_fmu
 from ..fmu.parameters import RunnerLike
@@ -24,7 +25,6 @@ from .transitions import Transitions, make_transitions
 FACTOR = 1.5
 """Of the derivatives at corners, by default."""
 LARGEST_FACTOR = 100.0
-MAX_THREADS = 1024
 
 
 def viability(
@@ -36,8 +36,7 @@ def viability(
     model: str = "reduced",
     factor: float = FACTOR,
     path: Path | str | None = None,
-    threads: int | None = None,
-    scheduler: str | None = None,
+    executor: Executor | None = None,
     progress: bool = False,
     fmu: Fmu | None = None,
 ) -> Viability:
@@ -72,10 +71,9 @@ def viability(
     path : Path or str, optional
         Of a NetCDF file to which strides are written as they are made, and the sets at the end; a file of
         the same grid is gone on with.
-    threads : int, optional
-        On this machine, by default one for each processor.
-    scheduler : str, optional
-        Of a Dask cluster, see `run_blocks`. The result does not depend on who computes it.
+    executor : concurrent.futures.Executor, optional
+        Runs blocks of the work, such as a `ProcessPoolExecutor()` or `client.get_executor()` of Dask; by
+        default threads of this process. The result does not depend on the executor.
     progress : bool, default False
         A bar on stderr.
     fmu : Fmu, optional
@@ -115,10 +113,9 @@ def viability(
     runner = Runner.of(runner, fmu, model=model)
     refuse_patch(runner.values)
     factor = checked("factor", factor, 1.0, LARGEST_FACTOR)
-    threads = None if threads is None else checked_whole("threads", threads, 1, MAX_THREADS)
     path = None if path is None else check_destination(path, (".nc",), "path")
     grid = grid_of(runner, axes, vary, n, fmu)
-    made = make_transitions(runner, grid, path=path, threads=threads, scheduler=scheduler, progress=progress)
+    made = make_transitions(runner, grid, path=path, executor=executor, progress=progress)
     found = viable_sets(runner, made, factor)
     if path is not None:
         from ..files.netcdf import write_dataset  # loads xarray

@@ -53,7 +53,7 @@ def falls(gait: Gait, friction: float, length: float, seed: int = 0) -> int:
     runner = gait.runner.but("ground.patch_begin", BEGIN).but("ground.patch_end", BEGIN + length)
     runner = runner.but("ground.patch_friction", friction)
     strides = int(length / gait.stride["length"]) + STRIDES_AFTER
-    return strides_to_fall(runner, 0.0, RUNNERS, seed, strides, gait=gait, foot_x="random", threads=1).falls
+    return strides_to_fall(runner, 0.0, RUNNERS, seed, strides, gait=gait, foot_x="random").falls
 
 
 def measure(runner: Runner) -> Columns:

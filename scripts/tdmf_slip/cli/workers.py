@@ -1,0 +1,121 @@
+"""Options for the executor of a command: threads or processes of this machine, or a Dask cluster."""
+
+import asyncio
+import contextlib
+import logging
+import multiprocessing
+import os
+import signal
+from collections.abc import Callable, Iterator
+from concurrent.futures import Executor, ProcessPoolExecutor, ThreadPoolExecutor
+from typing import TYPE_CHECKING, Any, TypeVar
+
+import click
+
+from ..checks import shown
+from ..errors import InputError, RunError
+
+if TYPE_CHECKING:
+    from distributed import Client
+
+Function = TypeVar("Function", bound=Callable[..., Any])
+
+CONNECTING = 10.0
+"""Seconds within which a scheduler has to answer."""
+SILENCE = logging.CRITICAL + 1
+"""Level of Dask's log: errors are raised as exceptions, and the rest is about closing the connection."""
+
+
+def workers_options(function: Function) -> Function:
+    """Give a command the options --workers and --scheduler, whose values `executor_of` takes."""
+    workers = click.option(
+        "--workers",
+        type=click.IntRange(min=1),
+        metavar="N",
+        help="Blocks of the work that this machine runs at a time.  [default: one for each processor]",
+    )
+    scheduler = click.option(
+        "--scheduler",
+        metavar="ADDRESS",
+        help="Run the work on the Dask cluster of this scheduler, tcp://host:8786, instead of this machine.",
+    )
+    return workers(scheduler(function))
+
+
+@contextlib.contextmanager
+def executor_of(
+    workers: int | None, scheduler: str | None, *, processes: bool = False
+) -> Iterator[Executor | None]:
+    """Executor for the two options; None for threads of this machine, one for each processor."""
+    if scheduler is not None:
+        if workers is not None:
+            raise InputError("--workers and --scheduler are both given; allowed: one of them")
+        with _cluster(scheduler) as executor:
+            yield executor
+    elif processes:
+        with _processes(workers or os.cpu_count() or 1) as executor:
+            yield executor
+    elif workers is not None:
+        with ThreadPoolExecutor(workers) as executor:
+            yield executor
+    else:
+        yield None
+
+
+@contextlib.contextmanager
+def _processes(count: int) -> Iterator[Executor]:
+    """Processes that leave an interrupt to this one, which ends them."""
+    spawn = multiprocessing.get_context("spawn")
+    with ProcessPoolExecutor(count, spawn, signal.signal, (signal.SIGINT, signal.SIG_IGN)) as executor:
+        try:
+            yield executor
+        except BaseException:
+            for process in multiprocessing.active_children():
+                process.terminate()
+            raise
+
+
+@contextlib.contextmanager
+def _cluster(scheduler: str) -> Iterator[Executor]:
+    """A cluster whose scheduler forgets at the end what it has not done yet."""
+    try:
+        from distributed.utils import silence_logging_cmgr
+    except ImportError:
+        raise InputError(
+            "work on a cluster needs Dask (the extra cluster), which is missing; "
+            "install it by: pip install distributed"
+        ) from None
+    from distributed.scheduler import KilledWorker
+
+    with silence_logging_cmgr(SILENCE), _client_at(scheduler) as client:
+        try:
+            yield client.get_executor()
+        except KilledWorker as problem:
+            raise RunError(f"a block killed every worker that tried it: {problem}") from problem
+
+
+def _client_at(scheduler: str) -> "Client":
+    from distributed import Client
+
+    try:
+        _require_handshake(scheduler)
+        return Client(scheduler, timeout=CONNECTING, set_as_default=False)
+    except (OSError, ValueError, TypeError) as problem:
+        raise InputError(
+            f"--scheduler {shown(scheduler)}: no Dask scheduler answers ({shown(str(problem))}); "
+            "allowed: an address such as tcp://host:8786"
+        ) from problem
+
+
+def _require_handshake(scheduler: str) -> None:
+    """Raise OSError where something else than Dask listens: a client would await its answer for ever."""
+    from distributed.comm.core import connect
+
+    async def shake_hands() -> None:
+        comm = await asyncio.wait_for(connect(scheduler, timeout=CONNECTING), CONNECTING)
+        await comm.close()
+
+    try:
+        asyncio.run(shake_hands())
+    except TimeoutError:
+        raise OSError(f"no answer within {CONNECTING:g} s") from None
