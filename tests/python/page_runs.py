@@ -7,7 +7,19 @@ import shutil
 import subprocess
 import sys
 import tempfile
-from ctypes import CFUNCTYPE, POINTER, Structure, byref, c_bool, c_char_p, c_double, c_int, c_long, c_void_p
+from ctypes import (
+    CFUNCTYPE,
+    POINTER,
+    Structure,
+    byref,
+    c_bool,
+    c_char_p,
+    c_double,
+    c_int,
+    c_long,
+    c_uint64,
+    c_void_p,
+)
 from pathlib import Path
 
 import numpy as np
@@ -21,7 +33,8 @@ from c_core.hybrid.page import Page  # noqa: E402
 
 COMPILER = shutil.which("cc")
 FLAGS = ["-std=c99", "-ffp-contract=off", "-fno-math-errno", "-fPIC", "-Wall", "-Wextra", "-Werror"]
-OUTCOMES = ["arrived", "stopped", "ended", "no-progress", "too-many-steps", "endless-chain", "no-memory"]
+OUTCOMES = ["arrived", "stopped", "ended", "no-progress", "too-many-steps", "endless-chain"]
+OUTCOMES += ["too-many-events", "no-memory"]
 LOG_SIZE = 500
 
 
@@ -33,10 +46,12 @@ class RunStruct(Structure):
     _fields_ = [
         *(("p", c_void_p), ("x", c_void_p), ("tables", c_void_p)),
         *(("time", c_double), ("mode", c_int), ("tolerance", c_double)),
-        *(("order", c_int), ("stop_event", c_int), ("observes", c_bool), ("step_limit", c_long)),
+        *(("order", c_int), ("stop_event", c_int), ("observes", c_bool)),
+        *(("step_limit", c_long), ("event_limit", c_long)),
         *(("seed_count", c_int), ("dp", c_void_p), ("dx", c_void_p), ("shift", c_void_p)),
         *(("log", c_void_p), ("log_states", c_void_p), ("log_size", c_int), ("log_count", c_int)),
-        *(("steps", c_long), ("events", c_long), ("stuck_event", c_int)),
+        *(("steps", c_long), ("events", c_long), ("chain", c_int), ("time_rest", c_double)),
+        *(("is_shifted", c_bool), *((name, c_uint64) for name in ("taken", "above", "late"))),
     ]
 
 
@@ -221,7 +236,7 @@ class PageRun:
         self.outcome = OUTCOMES[outcome]
         if self.outcome == "endless-chain":
             raise StuckError(
-                f"the event `{self.of.events[self.run.stuck_event]}` is due again and again in the mode "
+                f"the event `{', '.join(self.of.events[i] for i in range(64) if self.run.taken >> i & 1)}` is due again and again in the mode "
                 f"`{self.mode}` at t = {self.time:g}: its guard does not rise above 0. Let its decision "
                 "lead to a mode that does not watch it"
             )

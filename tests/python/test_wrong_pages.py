@@ -167,8 +167,8 @@ def test_the_page_that_the_wrong_ones_are_made_of_is_right(tmp_path):
 
 
 @pytest.mark.skipif(page_runs.COMPILER is None, reason="there is no C compiler")
-@pytest.mark.parametrize(("restitution", "rests_at"), [(0.9, "8.57901"), (0.5, "1.35462"), (0.0, "0.451")])
-def test_a_ball_that_comes_to_rest_is_an_endless_chain(restitution, rests_at):
+@pytest.mark.parametrize("restitution", [0.9, 0.5, 0.0])
+def test_a_ball_that_comes_to_rest_is_an_endless_chain(restitution):
     from c_core.hybrid import Model, event, mode, state
 
     class Ball(Model):
@@ -183,6 +183,7 @@ def test_a_ball_that_comes_to_rest_is_an_endless_chain(restitution, rests_at):
         def bounce(b):
             return b.replace(speed=-restitution * b.speed)
 
+    rests_at = f"{(2 / 9.81) ** 0.5 * (1 + restitution) / (1 - restitution):g}"
     words = f"`bounce` is due again and again in the mode `fall` at t = {rests_at}"
     with pytest.raises(page_runs.StuckError, match=re.escape(words)):
         page_runs.CompiledPage(Ball).start().to(20.0)

@@ -46,8 +46,9 @@ static void begin_mode(work *w) {
 
 /* Expands the series and chooses a step that can be trusted. Where coefficients overflow, the series has
  * fewer terms. False where no step has a finite result. */
-static bool begin_step(work *w, double longest) {
+static bool begin_step(work *w, double left) {
     const tdmf_motion_kind *m = w->step.motion;
+    double longest = INFINITY;
     series_remainder remainder;
     for (int i = 0; i < m->moving_count; ++i) {
         w->step.s[i][0] = w->state.r->x[m->moving[i]];
@@ -61,9 +62,9 @@ static bool begin_step(work *w, double longest) {
         }
     }
     if (w->mode->time_scale) {
-        longest = real_min(longest, most_time_scales * w->mode->time_scale(w->state.r->p, w->state.r->x));
+        longest = most_time_scales * w->mode->time_scale(w->state.r->p, w->state.r->x);
     }
-    choose_size(&w->step, &remainder, longest);
+    choose_size(&w->step, &remainder, longest, left);
     return w->step.size >= 0.0;
 }
 
@@ -97,16 +98,13 @@ static void advance(work *w) {
     const tdmf_motion_kind *m = w->step.motion;
     const double elapsed = end_step(&w->step);
     advance_variations(w);
-    if (w->state.r->observes) {
+    if (w->state.r->observes && elapsed > 0.0) {
         observe(w);
     }
     for (int i = 0; i < m->moving_count; ++i) {
         w->state.r->x[m->moving[i]] = value_at_end(&w->step, i);
     }
-    if (elapsed > 0.0) {
-        w->state.chain = 0;
-    }
-    w->state.r->time += elapsed;
+    tdmf_pass_time(w->state.r, elapsed);
     ++w->state.r->steps;
     w->step.begins = false;
 }
@@ -129,7 +127,7 @@ static void shift_back(work *w) {
             seed_dx(w, seed)[m->moving[i]] -= w->step.s[i][1] * w->state.r->shift[seed];
         }
     }
-    w->state.is_shifted = false;
+    w->state.r->is_shifted = false;
 }
 
 /* ---- the run ------------------------------------------------------------------------------------------- */
@@ -141,7 +139,8 @@ static tdmf_run_outcome go_on(work *w, double until) {
         if (w->mode->ends) {
             return TDMF_RUN_ENDED;
         }
-        if (!begin_step(w, until - r->time)) {
+        const double left = until - r->time - r->time_rest;
+        if (!begin_step(w, real_max(left, 0.0))) {
             return TDMF_RUN_NO_PROGRESS;
         }
         search_events(&w->step, true);
@@ -150,25 +149,32 @@ static tdmf_run_outcome go_on(work *w, double until) {
             if (w->state.stops) {
                 return TDMF_RUN_STOPPED;
             }
-            if (w->state.is_shifted) {
+            if (r->is_shifted) {
                 shift_back(w);
             }
-            if (r->time >= until) {
+            if (!(left > 0.0)) {
                 return TDMF_RUN_ARRIVED;
             }
             advance(w);
+            if (w->step.end > 1.0 && w->step.size == left) {
+                r->time = until;
+                r->time_rest = 0.0;
+            }
             if (w->step.end > 1.0 || w->step.first == NO_EVENT) {
                 continue;
             }
         }
         const tdmf_guard_kind *kind = &w->mode->guards[w->step.first];
-        if (!is_due && r->seed_count > 0) {
+        if (r->seed_count > 0 && !r->is_shifted && (!is_due || w->step.is_reached)) {
+            set_powers(w->step.power, is_due ? 0.0 : w->step.power[1], w->step.order);
             shift_to_event(w, kind);
         }
-        if (!tdmf_take_event(&w->state, kind, w->at.room)) {
-            return TDMF_RUN_ENDLESS_CHAIN;
-        }
+        keep_guards(&w->step, 0, &w->at);
+        const bool may_go_on = tdmf_take_event(&w->state, kind, &w->at);
         begin_mode(w);
+        if (!may_go_on) {
+            return tdmf_limit_reached(&w->state);
+        }
     }
     return TDMF_RUN_TOO_MANY_STEPS;
 }
@@ -189,6 +195,8 @@ tdmf_run_outcome tdmf_page_run_to(const tdmf_model_kind *model, tdmf_page_run *r
     w.step.units = at + of_start;
     tdmf_begin_run(&w.state, model, r, w.step.units + model->state_count);
     const tdmf_run_outcome outcome = go_on(&w, until);
+    keep_guards(&w.step, 0, &w.at);
+    tdmf_keep_guards(&w.state, &w.at);
     free(memory);
     return outcome;
 }
@@ -207,9 +215,9 @@ tdmf_page_run tdmf_page_run_default(const tdmf_model_kind *model, double *p, dou
                                .tolerance = tolerance,
                                .order = tdmf_page_order(tolerance),
                                .stop_event = -1,
-                               .stuck_event = -1,
                                .observes = true,
-                               .step_limit = 100000};
+                               .step_limit = 100000,
+                               .event_limit = 100000};
     return run;
 }
 

@@ -108,7 +108,7 @@ typedef struct {
     int stop_event; /* the run stops where this one is taken, and variations are then those on that section;
                        -1: none */
     bool observes;
-    long step_limit;
+    long step_limit, event_limit; /* of a call */
     /* Variations: of each seed those of the parameters and of the states, and of the time of the last event.
      */
     int seed_count;
@@ -118,18 +118,26 @@ typedef struct {
     tdmf_event_row *log;
     double *log_states;
     int log_size, log_count;
-    /* Counters, and the event of a chain that does not end. */
+    /* Counters, and the events so far of a chain in zero time. */
     long steps, events;
-    int stuck_event;
+    int chain;
+    /* What a run has to remember between calls: copy the struct and the states to save a run. Sets of events
+     * have a bit for each. */
+    double time_rest;     /* rounding error of the time */
+    bool is_shifted;      /* variations are on the guard of the last event; for a new seed `shift` is 0 */
+    uint64_t taken;       /* events taken at this instant */
+    uint64_t above, late; /* guards that were above zero since the mode began; that are below zero because
+                             their event was just taken */
 } tdmf_page_run;
 
 typedef enum {
     TDMF_RUN_ARRIVED,
-    TDMF_RUN_STOPPED,        /* at the stop event */
-    TDMF_RUN_ENDED,          /* in a mode that ends runs */
-    TDMF_RUN_NO_PROGRESS,    /* no step has a finite result */
-    TDMF_RUN_TOO_MANY_STEPS, /* the step limit was reached */
-    TDMF_RUN_ENDLESS_CHAIN,  /* `stuck_event` is due again and again in zero time */
+    TDMF_RUN_STOPPED,         /* at the stop event */
+    TDMF_RUN_ENDED,           /* in a mode that ends runs */
+    TDMF_RUN_NO_PROGRESS,     /* no step has a finite result */
+    TDMF_RUN_TOO_MANY_STEPS,  /* the step limit was reached */
+    TDMF_RUN_ENDLESS_CHAIN,   /* the events `taken` are due again and again in zero time */
+    TDMF_RUN_TOO_MANY_EVENTS, /* the event limit was reached */
     TDMF_RUN_NO_MEMORY
 } tdmf_run_outcome;
 

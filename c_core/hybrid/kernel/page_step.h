@@ -6,21 +6,23 @@
 
 #include "driver.h"
 #include "first_root.h"
+#include "page_margins.h"
 #include "run_state.h"
 #include "step_size.h"
 
-static const double margin = 1e-12;         /* of a guard, relative to its scale */
-static const double late_margin = 1e-9;     /* of the guard of an event that was just taken */
 static const double most_time_scales = 3.0; /* of a law in a step */
 static const double divisor_change = 0.75;  /* of a divisor within a step, relative to it */
 static const double guard_tolerance = 10.0; /* of a guard's series, relative to that of a step */
 
-enum { NO_EVENT = -1 };
+static const double short_line = 1e-10; /* share of a step in which a guard is a straight line */
 
-/* A guard of the mode, from where the mode begins. */
+enum { NO_EVENT = -1, NEWTON_LIMIT = 8 };
+
+/* A guard of the mode. */
 typedef struct {
-    mask is_watched, was_taken; /* was_taken: its event led to this mode, in this instant */
-    real scale, late;           /* late: how far the guard may be below zero */
+    mask is_watched, was_taken; /* was_taken: its event was taken at the instant at which the mode begins */
+    mask was_above, is_late;    /* above zero since the mode began; below zero since its event was taken */
+    real scale;
 } guard_watch;
 
 typedef struct {
@@ -29,17 +31,19 @@ typedef struct {
     int guard_count;
     double tolerance;
     /* Written where the mode begins. */
-    mask begins;
     real *c;          /* constants */
     real (*s)[TERMS]; /* series */
     real *units;      /* scales of the moving states */
     guard_watch guards[TDMF_GUARD_LIMIT];
+    mask begins; /* no time has passed in the mode */
     /* Written by each step. */
     int order;         /* of the series */
+    real reach;        /* time for which the series can be trusted */
     real power[TERMS]; /* powers of the step size */
     real size, end;    /* step size, and the share of it at which the step ends */
     integer first;     /* guard whose event ends the step, or is due at once; NO_EVENT */
     mask is_due;       /* at once */
+    mask is_reached;   /* due at once because the guard came down to zero as time passed */
 } page_step;
 
 /* ---- lanes --------------------------------------------------------------------------------------------- */
@@ -83,10 +87,19 @@ static inline void load_mode(page_step *step, int lane, const mode_start *at, co
         set_mask(&watch->is_watched, lane, at->guards[i].is_watched);
         set_mask(&watch->was_taken, lane, at->guards[i].was_taken);
         set_lane(&watch->scale, lane, at->guards[i].scale);
-        set_lane(&watch->late, lane, 0.0);
+        set_mask(&watch->was_above, lane, at->guards[i].was_above);
+        set_mask(&watch->is_late, lane, at->guards[i].is_late);
     }
     for (int i = 0; i < step->motion->moving_count; ++i) {
         set_lane(&step->units[i], lane, scales[step->motion->moving[i]]);
+    }
+}
+
+/* Keeps what a lane has found out about the guards of its mode. */
+static inline void keep_guards(const page_step *step, int lane, mode_start *at) {
+    for (int i = 0; i < step->guard_count; ++i) {
+        at->guards[i].was_above = has_lane(step->guards[i].was_above, lane);
+        at->guards[i].is_late = has_lane(step->guards[i].is_late, lane);
     }
 }
 
@@ -116,11 +129,13 @@ static inline mask judge_series(const page_step *step, series_remainder *remaind
     return is_finite(remainder->last + remainder->last_but_one + left_out);
 }
 
-/* Chooses a step that can be trusted, and in which no divisor comes near zero. */
-static inline void choose_size(page_step *step, const series_remainder *remainder, real longest) {
+/* Chooses a step that can be trusted, and in which no divisor comes near zero. It is at most `longest` and
+ * ends at most `left` ahead. */
+static inline void choose_size(page_step *step, const series_remainder *remainder, real longest, real left) {
     const tdmf_motion_kind *m = step->motion;
     const int order = step->order;
-    step->size = real_min(size_of_remainder(remainder, order - 1, broadcast(step->tolerance)), longest);
+    step->reach = real_min(size_of_remainder(remainder, order - 1, broadcast(step->tolerance)), longest);
+    step->size = real_min(step->reach, left);
     set_powers(step->power, step->size, order);
     for (int i = 0; i < m->divisor_count; ++i) {
         const real *d = step->s[m->divisors[i]], most = divisor_change * real_abs(d[0]);
@@ -161,27 +176,42 @@ static inline void trust_guard(page_step *step, const real *g, real scale, mask 
     }
 }
 
-/* Ends the step where a guard that has to cross zero rises above it: the guard is watched from there on. */
-static inline void end_where_it_rises(page_step *step, const real *g, real floor, mask lanes) {
+/* Ends the step where a guard that is below zero rises above it: the guard is watched from there on. */
+static inline void end_where_it_rises(page_step *step, const real *g, real band, mask lanes) {
+    lanes &= g[0] + largest_change(g, step->power, step->order - 1) > band;
+    if (!any(lanes)) {
+        return;
+    }
     real negative[TERMS];
     scale_to_step(step, -1.0, g, negative);
     const real to = real_min(broadcast(1.0), step->end);
-    const root found = first_root(negative, step->order - 1, 2.0 * floor, broadcast(0.0), to, lanes);
+    const root found = first_root(negative, step->order - 1, -band, broadcast(0.0), to, lanes);
     end_without_event(step, found.time, lanes);
+}
+
+static inline void end_at_event(page_step *step, int guard, real share, mask is_root, mask lanes) {
+    const integer event = select_integer(is_root, integer_of(guard), integer_of(NO_EVENT));
+    lanes &= share < step->end;
+    step->end = select(lanes, share, step->end);
+    step->first = select_integer(lanes, event, step->first);
+}
+
+/* The zero before the time at which a guard has come down to its floor, by Newton's method. A guard that
+ * falls slowly is no straight line in between. */
+static inline real refined_zero(const real *g, int degree, const root *found, mask lanes) {
+    real zero = found->time;
+    for (int i = 0; i < NEWTON_LIMIT; ++i) {
+        const expansion at = expansion_at(g, degree, zero);
+        const real next = zero - at.value / at.slope;
+        const mask within = lanes & (at.slope < 0.0) & (next >= 0.0) & (next <= found->time);
+        zero = select(within, next, zero);
+    }
+    return select(lanes, zero, found->zero);
 }
 
 /* Ends the step at the first root of a guard, whose polynomial is g. */
 static inline void search_guard(page_step *step, int guard, real *g, real floor, mask lanes) {
-    trust_guard(step, g, step->guards[guard].scale, lanes);
-    const real change = largest_change(g, step->power, step->order - 1);
-    if (step->kinds[guard].is_crossing) {
-        const mask below = lanes & (g[0] <= -floor), rises = below & (g[0] + change > -2.0 * floor);
-        if (any(rises)) {
-            end_where_it_rises(step, g, floor, rises);
-        }
-        lanes &= mask_not(below);
-    }
-    lanes &= mask_not(g[0] > change);
+    lanes &= mask_not(g[0] > largest_change(g, step->power, step->order - 1));
     if (any(lanes)) {
         lanes &= mask_not(interval_of_series(g, step->power, step->order).low > 0.0);
     }
@@ -190,22 +220,99 @@ static inline void search_guard(page_step *step, int guard, real *g, real floor,
     }
     scale_to_step(step, 1.0, g, g);
     const real to = real_min(broadcast(1.0), step->end);
-    const root found = first_root(g, step->order - 1, floor, broadcast(0.0), to, lanes);
-    lanes &= (found.zero < step->end) & (found.is_root | (found.time < 1.0));
-    const integer event = select_integer(found.is_root, integer_of(guard), integer_of(NO_EVENT));
-    step->end = select(lanes, found.zero, step->end);
-    step->first = select_integer(lanes, event, step->first);
+    root found = first_root(g, step->order - 1, floor, broadcast(0.0), to, lanes);
+    const mask passes = lanes & (found.time > to);
+    if (any(passes)) { /* it may be below zero at the end, and not at the floor */
+        const mask is_below = passes & mask_not(expansion_at(g, step->order - 1, to).value > 0.0);
+        found.is_root |= is_below;
+        found.time = found.zero = select(is_below, to, found.time);
+    }
+    const real since = found.time - found.zero;
+    const mask is_slow = lanes & found.is_root & mask_not((since > 0.0) & (since < short_line));
+    if (any(is_slow)) {
+        found.zero = refined_zero(g, step->order - 1, &found, is_slow);
+    }
+    end_at_event(step, guard, found.zero, found.is_root, lanes & (found.is_root | (found.time < 1.0)));
 }
 
-/* Lanes whose event is due at once, where the mode begins. The guard of an event that was just taken may be
- * below zero by a rounding error. */
-static inline mask due_at_once(page_step *step, int guard, real value, real floor, mask lanes) {
+/* The time in which a guard can change by its scale, at most the reach of the step. */
+static inline real time_of_change(const page_step *step, const real *g, real scale) {
+    real time = step->reach;
+    for (int k = 1; k < step->order; ++k) {
+        time = real_min(time, rough_root(scale / real_abs(g[k]), k));
+    }
+    return time;
+}
+
+/* The first coefficient of a guard, but coefficient 0, that is not zero decides whether the guard rises. The
+ * guard is divided by that power of time, and `floor` with it. Lanes without such a coefficient are `level`.
+ */
+static inline mask divide_by_time(const page_step *step, real *g, real band, real *floor, real scale,
+                                  mask lanes) {
+    const real time = time_of_change(step, g, scale);
+    mask level = lanes;
+    for (int k = 1; k < step->order && any(level); ++k) {
+        for (int j = 1; j < step->order; ++j) {
+            g[j - 1] = select(level, g[j], g[j - 1]);
+        }
+        g[step->order - 1] = select(level, broadcast(0.0), g[step->order - 1]);
+        band = select(level, band / time, band);
+        *floor = select(level, *floor / time, *floor);
+        level &= mask_not(real_abs(g[0]) > band);
+    }
+    return level;
+}
+
+/* A guard that has come down almost to zero is a straight line from there on. Lanes in which that is so. */
+static inline mask end_on_line(page_step *step, int guard, const real *g, real band, mask lanes) {
+    const real since = g[0] / -g[1];
+    lanes &= (g[0] <= band) & (g[1] < 0.0) & (real_abs(g[2]) * since <= close_enough * real_abs(g[1]));
+    if (any(lanes)) {
+        const mask within = lanes & (since <= step->size);
+        end_at_event(step, guard, since / step->size, within, within);
+    }
+    return lanes;
+}
+
+/* Decides the lanes in which a guard does not begin the step above zero, and returns those in which its event
+ * is due at once. In the lanes that remain in `searched`, the guard is above zero from now on.
+ *
+ *  - Zero: the first derivative that is not zero decides. A guard that falls is due.
+ *  - Below zero: due, unless its event was just taken, to which a rounding error is allowed, or has to cross
+ *    zero. Such a guard is watched from where it rises above zero. */
+static inline mask begin_below(page_step *step, int guard, real *g, real *floor, mask *searched, mask lanes) {
     guard_watch *watch = &step->guards[guard];
-    const mask above = lanes & (value > 0.0), below = lanes & step->begins & mask_not(value > 0.0);
-    const mask is_late = below & watch->was_taken & (value > -late_margin * watch->scale);
-    watch->late = select(above, broadcast(0.0), select(is_late, 2.0 * value, watch->late));
-    return step->kinds[guard].is_crossing ? mask_of(false)
-                                          : below & mask_not(is_late) & (value < 2.0 * floor);
+    const bool is_crossing = step->kinds[guard].is_crossing;
+    const real value = g[0], band = -2.0 * *floor, late_band = late_margin * watch->scale;
+    const mask is_zero = lanes & (value >= -band), was_taken = watch->was_taken & step->begins;
+    const mask may_be_late = lanes & mask_not(is_zero) & (was_taken | watch->is_late) & (value > -late_band);
+    real divided[TERMS];
+    memcpy(divided, g, sizeof divided);
+    const mask undecided = is_zero | may_be_late;
+    const real counts = select(was_taken, late_band, band);
+    const mask level = divide_by_time(step, divided, counts, floor, watch->scale, undecided);
+    const mask falls = undecided & mask_not(level) & (divided[0] < 0.0);
+    const mask is_late = may_be_late & mask_not(falls);
+    mask due = lanes & mask_not(is_zero | may_be_late);
+    mask below = is_late;
+    if (is_crossing) {
+        const mask crosses = is_zero & falls & watch->was_above & mask_not(was_taken);
+        below |= due | (falls & mask_not(crosses));
+        due = crosses;
+    } else {
+        due |= falls;
+    }
+    step->is_reached |= due & is_zero & watch->was_above;
+    end_where_it_rises(step, g, band, below);
+    watch->is_late |= is_late;
+    const mask rises = is_zero & mask_not(level | falls);
+    watch->was_above = (watch->was_above & mask_not(below)) | rises;
+    *searched = (*searched & mask_not(lanes)) | rises;
+    *floor = select(rises, *floor, -0.5 * band);
+    for (int k = 0; k < step->order; ++k) {
+        g[k] = select(rises, divided[k], g[k]);
+    }
+    return due;
 }
 
 /* Searches the step for the first event, or one that is due at once. */
@@ -213,28 +320,43 @@ static inline void search_events(page_step *step, mask searching) {
     real low[TDMF_GUARD_LIMIT];
     step->end = broadcast(INFINITY);
     step->first = integer_of(NO_EVENT);
-    step->is_due = mask_of(false);
+    step->is_due = step->is_reached = mask_of(false);
     if (step->motion->bounds) {
         step->motion->bounds(step->c, step->s[0], step->power, step->order, low);
     }
     for (int i = 0; i < step->guard_count && any(searching); ++i) {
-        mask lanes = searching & step->guards[i].is_watched;
+        guard_watch *watch = &step->guards[i];
+        mask lanes = searching & watch->is_watched;
+        real floor = broadcast(-zero_margin) * watch->scale;
         if (step->motion->bounds) {
-            lanes &= mask_not(low[i] > 0.0);
+            const mask above = lanes & (low[i] > 0.0) & (watch->was_above | (low[i] > -2.0 * floor));
+            watch->was_above |= above;
+            watch->is_late &= mask_not(above);
+            lanes &= mask_not(above);
         }
         if (!any(lanes)) {
             continue;
         }
         real g[TERMS];
         step->motion->polynomials[i](step->c, step->s[0], step->order, g);
-        const real floor = -margin * step->guards[i].scale;
-        const mask due = due_at_once(step, i, g[0], floor, lanes);
-        step->is_due |= due;
-        step->first = select_integer(due, integer_of(i), step->first);
-        searching &= mask_not(due);
-        lanes &= mask_not(due);
+        trust_guard(step, g, watch->scale, lanes);
+        const real zero =
+            select(watch->was_taken & step->begins, -2.0 * floor, rounding_margin * watch->scale);
+        const mask above = lanes & (g[0] > 0.0) & (watch->was_above | (g[0] > zero));
+        watch->was_above |= above;
+        watch->is_late &= mask_not(above);
+        const mask low_lanes = lanes & mask_not(above);
+        if (any(low_lanes)) {
+            const mask due = begin_below(step, i, g, &floor, &lanes, low_lanes);
+            step->is_due |= due;
+            step->first = select_integer(due, integer_of(i), step->first);
+            searching &= mask_not(due);
+        }
+        if (any(lanes & (g[0] <= -2.0 * floor))) {
+            lanes &= mask_not(end_on_line(step, i, g, -2.0 * floor, lanes & above));
+        }
         if (any(lanes)) {
-            search_guard(step, i, g, floor + step->guards[i].late, lanes);
+            search_guard(step, i, g, floor, lanes);
         }
     }
 }

@@ -2,7 +2,7 @@
 #include "run_state.h"
 
 int tdmf_size_of_run_state(const tdmf_model_kind *model) {
-    return model->state_count + 2 * model->event_count;
+    return model->state_count + model->event_count;
 }
 
 int tdmf_size_of_mode_start(const tdmf_model_kind *model, int seed_count) {
@@ -14,12 +14,9 @@ void tdmf_begin_run(run_state *state, const tdmf_model_kind *model, tdmf_page_ru
                              .r = r,
                              .scales = memory,
                              .event_scales = memory + model->state_count,
-                             .taken_at = memory + model->state_count + model->event_count,
-                             .last_step = r->steps + r->step_limit};
+                             .last_step = r->steps + r->step_limit,
+                             .last_event = r->events + r->event_limit};
     *state = begun;
-    for (int i = 0; i < model->event_count; ++i) {
-        state->taken_at[i] = -INFINITY;
-    }
     model->scales(r->p, state->scales, state->event_scales);
 }
 
@@ -31,6 +28,10 @@ void tdmf_place_mode_start(mode_start *at, const tdmf_model_kind *model, int see
     at->none = at->rates + model->state_count;
 }
 
+static bool has_event(uint64_t events, int event) {
+    return (events >> event & 1) != 0;
+}
+
 void tdmf_begin_mode(const run_state *state, mode_start *at) {
     const tdmf_page_run *r = state->r;
     const tdmf_model_kind *model = state->model;
@@ -40,7 +41,9 @@ void tdmf_begin_mode(const run_state *state, mode_start *at) {
         const tdmf_guard_kind *kind = &mode->guards[i];
         const guard_start guard = {
             .is_watched = !kind->is_watched || kind->is_watched(r->p, r->x) != 0.0,
-            .was_taken = state->taken_at[kind->event] == r->time,
+            .was_taken = has_event(r->taken, kind->event),
+            .was_above = has_event(r->above, kind->event),
+            .is_late = has_event(r->late, kind->event),
             .scale = state->event_scales[kind->event],
         };
         at->guards[i] = guard;
@@ -62,7 +65,7 @@ void tdmf_shift_to_event(run_state *state, const tdmf_guard_kind *kind, const mo
             dx[i] += at->rates[i] * r->shift[seed];
         }
     }
-    state->is_shifted = true;
+    r->is_shifted = true;
 }
 
 void tdmf_page_take(const tdmf_model_kind *model, const tdmf_guard_kind *kind, tdmf_page_run *r,
@@ -92,20 +95,61 @@ void tdmf_page_take(const tdmf_model_kind *model, const tdmf_guard_kind *kind, t
     }
 }
 
-bool tdmf_take_event(run_state *state, const tdmf_guard_kind *kind, double *room) {
+void tdmf_pass_time(tdmf_page_run *r, double elapsed) {
+    const double before = r->time, more = elapsed + r->time_rest;
+    r->time = before + more;
+    r->time_rest = more - (r->time - before);
+    if (r->time > before) {
+        r->chain = 0;
+        r->taken = 0;
+    }
+}
+
+void tdmf_keep_guards(run_state *state, const mode_start *at) {
+    const tdmf_mode_kind *mode = &state->model->modes[state->r->mode];
+    uint64_t above = 0, late = 0;
+    for (int i = 0; i < mode->guard_count; ++i) {
+        const uint64_t event = at->guards[i].is_watched ? (uint64_t)1 << mode->guards[i].event : 0;
+        above |= at->guards[i].was_above ? event : 0;
+        late |= at->guards[i].is_late ? event : 0;
+    }
+    state->r->above = above;
+    state->r->late = late;
+}
+
+/* Forgets the guards of the mode before. A guard that has to cross zero is known to have been above it until
+ * its event is taken, if the next mode watches it, too. */
+static void forget_guards(run_state *state, int taken) {
+    const tdmf_mode_kind *mode = &state->model->modes[state->r->mode];
+    uint64_t crossing = 0;
+    for (int i = 0; i < mode->guard_count; ++i) {
+        const tdmf_guard_kind *kind = &mode->guards[i];
+        crossing |= kind->is_crossing && kind->event != taken ? (uint64_t)1 << kind->event : 0;
+    }
+    state->r->above &= crossing;
+    state->r->late = 0;
+}
+
+bool tdmf_take_event(run_state *state, const tdmf_guard_kind *kind, const mode_start *at) {
     tdmf_page_run *r = state->r;
     const int count = state->model->state_count, before = r->mode;
     if (r->log_count < r->log_size && r->log_states) {
         memcpy(r->log_states + r->log_count * count, r->x, (size_t)count * sizeof *r->x);
     }
-    tdmf_page_take(state->model, kind, r, room);
+    tdmf_keep_guards(state, at);
+    tdmf_page_take(state->model, kind, r, at->room);
     if (r->log_count < r->log_size) {
         const tdmf_event_row row = {r->time, kind->event, before, r->mode};
         r->log[r->log_count++] = row;
     }
-    ++r->events;
-    r->stuck_event = kind->event;
-    state->taken_at[kind->event] = r->time;
+    forget_guards(state, kind->event);
+    r->taken |= (uint64_t)1 << kind->event;
     state->stops |= kind->event == r->stop_event;
-    return ++state->chain <= TDMF_CHAIN_LIMIT;
+    ++r->events;
+    ++r->chain;
+    return r->chain <= TDMF_CHAIN_LIMIT && r->events < state->last_event;
+}
+
+tdmf_run_outcome tdmf_limit_reached(const run_state *state) {
+    return state->r->chain > TDMF_CHAIN_LIMIT ? TDMF_RUN_ENDLESS_CHAIN : TDMF_RUN_TOO_MANY_EVENTS;
 }

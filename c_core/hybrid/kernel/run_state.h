@@ -9,15 +9,13 @@ typedef struct {
     const tdmf_model_kind *model;
     tdmf_page_run *r;
     double *scales, *event_scales; /* by state, and by event */
-    double *taken_at;              /* by event: when it was last taken */
-    long last_step;                /* number of steps at which the step limit is reached */
-    int chain;                     /* events in zero time so far */
-    bool is_shifted;               /* variations are on the guard of the last event */
+    long last_step, last_event;    /* numbers of steps and events at which the limits are reached */
     bool stops;                    /* unless an event is due at once */
 } run_state;
 
 typedef struct {
-    bool is_watched, was_taken; /* was_taken: its event led to this mode, in this instant */
+    bool is_watched, was_taken; /* was_taken: its event was taken at the instant at which the mode begins */
+    bool was_above, is_late;    /* above zero since the mode began; below zero since its event was taken */
     double scale;
 } guard_start;
 
@@ -36,13 +34,20 @@ int tdmf_size_of_mode_start(const tdmf_model_kind *model, int seed_count);
 void tdmf_begin_run(run_state *state, const tdmf_model_kind *model, tdmf_page_run *r, double *memory);
 void tdmf_place_mode_start(mode_start *at, const tdmf_model_kind *model, int seed_count, double *zeros);
 
-/* Begins the mode of the run: its constants and their variations, and which guards are watched. */
+/* Adds to the time and keeps the rounding error. Events that follow are at another instant. */
+void tdmf_pass_time(tdmf_page_run *r, double elapsed);
+
+/* Begins or resumes the mode of the run: its constants and their variations, and which guards are watched. */
 void tdmf_begin_mode(const run_state *state, mode_start *at);
 
 /* Moves the variations onto a guard, along the rates of all states before its event. */
 void tdmf_shift_to_event(run_state *state, const tdmf_guard_kind *kind, const mode_start *at);
 
-/* Takes an event and logs it. Returns whether the chain of events in zero time may go on. */
-bool tdmf_take_event(run_state *state, const tdmf_guard_kind *kind, double *room);
+/* Keeps in the run what is known of the guards of its mode. */
+void tdmf_keep_guards(run_state *state, const mode_start *at);
+
+/* Takes an event and logs it. Returns whether the run may go on; if not, why is answered by the second. */
+bool tdmf_take_event(run_state *state, const tdmf_guard_kind *kind, const mode_start *at);
+tdmf_run_outcome tdmf_limit_reached(const run_state *state);
 
 #endif

@@ -1,0 +1,20 @@
+/* Margins and dead bands of runs, relative to the scale of a quantity. They stand for rounding errors, and no
+ * result may depend on them: a test builds pages with other factors. The generator reads this table, too.
+ */
+#ifndef TDMF_KERNEL_PAGE_MARGINS_H
+#define TDMF_KERNEL_PAGE_MARGINS_H
+
+#ifndef TDMF_MARGIN_FACTOR
+#define TDMF_MARGIN_FACTOR 1.0
+#endif
+
+/* Below zero: up to here a guard, or a quantity that a decision compares, counts as zero. */
+static const double zero_margin = TDMF_MARGIN_FACTOR * 1e-12;
+
+/* Above zero: up to here a guard counts as zero where its mode begins. */
+static const double rounding_margin = TDMF_MARGIN_FACTOR * 1e-14;
+
+/* Below zero: up to here the guard of an event that was just taken need not be due again. */
+static const double late_margin = TDMF_MARGIN_FACTOR * 1e-9;
+
+#endif

@@ -1,0 +1,153 @@
+"""The driver of pages: what a run remembers between calls, guards that begin at zero, and observed quantities."""
+
+import ctypes
+
+import numpy as np
+import pytest
+from page_runs import COMPILER, CompiledPage
+from test_page_language import Hopper
+
+from c_core.hybrid import Model, event, mode, parameter, sin, state
+
+pytestmark = pytest.mark.skipif(COMPILER is None, reason="there is no C compiler")
+
+
+# ---- runs that are stopped and go on ------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("depth", [0, 1e-12, 3e-12, 1e-11])
+def test_an_event_that_a_run_stopped_at_is_not_taken_again(depth):
+    run = CompiledPage(Hopper).start(depth=depth)
+    times = [run.to(stop="hop").time for _ in range(3)]
+    assert times == pytest.approx([1, 3, 5], abs=1e-8)
+    assert run.outcome == "stopped"
+
+
+class Turns(Model):
+    """An angle that turns steadily; its sine crosses zero, and its cosine is kept."""
+
+    start = "turns", {}
+    angle, rate, crossings, falls = state(0.5), state(1, "1/s"), state(0), state(0)
+    push = parameter(0, "1/s2")
+
+    @mode()
+    def turns(s):
+        """The rate grows by the push."""
+        return {"angle": s.rate, "rate": s.push}
+
+    @event("turns", when=lambda s: sin(s.angle), crossing=lambda s: True)
+    def crosses(s):
+        """The sine falls through zero, however often a run is stopped."""
+        return s.replace(crossings=s.crossings + 1)
+
+    @event("turns", when=lambda s: 1 + s.falls - s.angle / np.pi)
+    def passes(s):
+        """The angle passes a multiple of pi, and is set a little back."""
+        return s.replace(falls=s.falls + 1)
+
+
+def saved(run):
+    """What a run is, for `restore`."""
+    return bytes(run.run), run.p.copy(), run.x.copy(), run.dx.copy(), run.shift.copy()
+
+
+def restore(run, memory):
+    """Put a run back to what it was."""
+    ctypes.memmove(ctypes.addressof(run.run), memory[0], len(memory[0]))
+    for array, values in zip((run.p, run.x, run.dx, run.shift), memory[1:], strict=True):
+        array[:] = values
+
+
+@pytest.mark.parametrize("push", [0, 0.03])
+def test_a_run_in_many_calls_is_the_run_in_one(push):
+    """Also where calls end at an event, or a rounding error before or after it. Two events coincide."""
+    page, end = CompiledPage(Turns), 40.0
+    whole = page.start(push=push, seeds=["angle", "push"], tolerance=1e-13).to(end)
+    events = [time for time, *_ in whole.log]
+    random = np.random.default_rng(3)
+    near = np.outer(events, 1 + 1e-16 * np.array([-20, -2, 0, 2, 20, 1e3, -1e3, 1e5, -1e5])).ravel()
+    for cuts in (random.uniform(0, end, 300), events, near):
+        run = page.start(push=push, seeds=["angle", "push"], tolerance=1e-13)
+        for time in sorted(cuts):
+            run.to(time)
+            assert run.time == time
+        run.to(end)
+        for name in page.events:  # two events at one instant may come in any order
+            mine, theirs = ([time for time, of, *_ in r.log if of == name] for r in (run, whole))
+            assert mine == pytest.approx(theirs, abs=1e-12), name
+        assert run.x == pytest.approx(whole.x, abs=1e-12)
+        assert run.dx == pytest.approx(whole.dx, abs=1e-9)
+
+
+def test_a_saved_run_goes_on_as_it_would_have():
+    for stop, depth in ((True, 1e-11), (False, 0)):
+        run = CompiledPage(Hopper).start(depth=depth, seeds=["speed", "depth"])
+        run.to(stop="hop") if stop else run.to(1.7)
+        memory = saved(run)
+        first = [run.to(4.5).time, *run.x, *run.dx.ravel(), run.run.events]
+        restore(run, memory)
+        assert [run.to(4.5).time, *run.x, *run.dx.ravel(), run.run.events] == first
+
+
+def test_variations_pass_a_stop_and_a_seed_may_be_added_there():
+    page, seeds = CompiledPage(Hopper), ["height", "speed"]
+    whole = page.start(seeds=seeds).to(4.5)
+    run = page.start(seeds=seeds).to(stop="hop").to(stop="hop").to(4.5)
+    assert run.dx == pytest.approx(whole.dx, abs=1e-12)
+    run = page.start(seeds=seeds)
+    run.run.seed_count = 1
+    run.dx[1] = 0
+    run.to(stop="hop")
+    run.run.seed_count, run.dx[1, page.states.index("speed")] = 2, 1
+    run.to(4.5)
+    ends = []
+    for sign in (1, -1):
+        other = page.start().to(stop="hop")
+        other.x[page.states.index("speed")] += sign * 1e-6
+        ends.append(other.to(4.5).x)
+    assert run.dx[0] == pytest.approx(whole.dx[0], abs=1e-12)
+    assert run.dx[1] == pytest.approx((ends[0] - ends[1]) / 2e-6, abs=1e-8)
+
+
+# ---- guards that are zero where a mode begins ------------------------------------------------------------
+
+
+class Lifts(Model):
+    """A guard that begins at zero, and whose derivatives are zero up to one of them."""
+
+    start = "rests", {}
+    g0, g1, g2, g3, g4 = state(0), state(0), state(0), state(0), state(0)
+    second, taken = parameter(1, "s"), state(0)
+
+    @mode()
+    def rests(s):
+        """A chain of integrators."""
+        return {f"g{k}": getattr(s, f"g{k + 1}") / s.second for k in range(4)} | {"g4": -1 / s.second}
+
+    @mode()
+    def gone(s):
+        """Afterwards."""
+        return {}
+
+    @event("rests", when=lambda s: s.g0)
+    def leaves(s):
+        """The guard falls below zero."""
+        return s.to("gone", taken=1)
+
+
+@pytest.fixture(scope="module")
+def lifts():
+    return CompiledPage(Lifts)
+
+
+@pytest.mark.parametrize("noise", [0, 1e-17, -1e-17, 1e-16, -1e-16])
+@pytest.mark.parametrize("order", range(1, 5))
+def test_the_first_derivative_that_is_not_zero_decides(lifts, order, noise):
+    """g = c t^n/n! - t^5/5!: with c < 0 the event is due at once, with c > 0 at (120 c/n!)^(1/(5 - n))."""
+    falls = lifts.start(**{"g0": noise, f"g{order}": -1e-3}).to(9.0)
+    assert [time for time, *_ in falls.log] == [0.0]
+    factorial = np.prod(np.arange(1, order + 1))
+    for slope in (1e-3, 1e-7, 1e-10):
+        rises = lifts.start(**{"g0": noise, f"g{order}": slope}).to(9.0)
+        due = (120 * slope / factorial) ** (1 / (5 - order))
+        assert [time for time, *_ in rises.log] == pytest.approx([due], rel=1e-9)
