@@ -235,9 +235,11 @@ class PageRun:
         outcome = self.of.library.tdmf_page_run_to(byref(self.of.struct), byref(self.run), c_double(until))
         self.outcome = OUTCOMES[outcome]
         if self.outcome == "endless-chain":
+            taken = [f"`{n}`" for i, n in enumerate(self.of.events) if self.run.taken >> i & 1]
+            be, its = ("is", "its guard does") if len(taken) == 1 else ("are", "their guards do")
             raise StuckError(
-                f"the event `{', '.join(self.of.events[i] for i in range(64) if self.run.taken >> i & 1)}` is due again and again in the mode "
-                f"`{self.mode}` at t = {self.time:g}: its guard does not rise above 0. Let its decision "
+                f"the event{'s' * (len(taken) > 1)} {', '.join(taken)} {be} due again and again in the mode "
+                f"`{self.mode}` at t = {self.time:g}: {its} not rise above 0. Let {its.split()[0]} decision "
                 "lead to a mode that does not watch it"
             )
         return self

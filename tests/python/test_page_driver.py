@@ -1,4 +1,4 @@
-"""The driver of pages: what a run remembers between calls, guards that begin at zero, and observed quantities."""
+"""The driver of pages: runs in many calls, guards that begin at zero, observed quantities."""
 
 import ctypes
 
