@@ -17,8 +17,8 @@ from sphinx.util.docutils import SphinxDirective
 
 PACKAGE = "tdmf_slip"
 WITHOUT_PAGE = ("cli", "__main__", "bench.peers", "equations", "hybrid", "library.structs", "pages")
-"""The command line has a page of its own, structs have that of the C library; peers are for the benchmark.
-The guides on the model, on the equations and on the language of pages document the laws and the language."""
+"""Modules without a generated page. The command line, the C structs and the language of pages have pages of
+their own, the guides document the laws, and peers are for the benchmark."""
 
 
 def modules(folder: Path) -> dict[str, Path]:
