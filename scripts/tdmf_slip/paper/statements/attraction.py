@@ -54,7 +54,7 @@ def share(friction: float, reference: float | None = None, design: Design | None
 
 def _light_gait(regime: Regime, friction: float) -> Gait:
     if regime in (HEAVY, HUMAN):
-        raise RunError("not asked")
+        raise RunError("not computed")
     return gait(regime, friction, gravity=LIGHT)
 
 
@@ -91,10 +91,9 @@ def largest(
 CLAIMS = (
     OwnClaim(
         "attraction",
-        "A slipping runner attracts more starts: share of a box in all six coordinates of the apex that "
-        "settles on the gait on friction 10, and (control) on the gait of the equal runner on friction 0.2. "
-        "All regimes have the same box. The human preset attracts at most about a hundredth of it, sticking "
-        "or slipping.",
+        "A slipping runner settles from more starts. Share of a box of apex states, in all six coordinates,"
+        " that settles on the gait. Value: friction 10. Control: the matched runner on friction 0.2. The "
+        "box is the same for all runners. The human preset settles from about a hundredth of it at most.",
         share(STICKS),
         share(SLIPS, STICKS),
         f"{BASIN} --samples {SAMPLES}",
@@ -106,9 +105,9 @@ CLAIMS = (
     ),
     OwnClaim(
         "attraction-light",
-        "Weight decides how much more: at half the weight of Table 1 the difference is less than a tenth, "
-        "and at twice the weight (column of weight 0.022 in the row above) slipping attracts more than "
-        "twice as much.",
+        "The lighter the runner, the smaller this difference. The number is the share in row 1 for half the"
+        " weight of Table 1: here the difference is below a tenth. At twice the weight (column of weight"
+        " 0.022 in row 1) slipping more than doubles the share.",
         _light_share,
         _light_control,
         f"{BASIN} --samples {SAMPLES} --set gravity={LIGHT}",
@@ -116,8 +115,8 @@ CLAIMS = (
     ),
     OwnClaim(
         "push-forward",
-        "Largest push forward at the apex that is recovered from, over l₀√(k/m), on friction 10 and "
-        "(control) on 0.2 at equal speed, apex height and leg angle. The largest that was tried is 5.",
+        "Largest push forward at the apex that the runner survives, l₀√(k/m). Value: friction 10. Control: "
+        "the matched runner on friction 0.2. The largest push tried is 5.",
         largest("push_forward", STICKS),
         largest("push_forward", SLIPS, STICKS),
         f"{BASIN} --samples 0",
@@ -125,7 +124,7 @@ CLAIMS = (
     ),
     OwnClaim(
         "step-up",
-        "Likewise the largest step up, over l₀.",
+        "Largest step up that the runner survives, l₀. Value and control as in row 3.",
         largest("step_up", STICKS),
         largest("step_up", SLIPS, STICKS),
         f"{BASIN} --samples 0",
@@ -133,7 +132,7 @@ CLAIMS = (
     ),
     OwnClaim(
         "step-down",
-        "Likewise the largest step down, over l₀.",
+        "Largest step down that the runner survives, l₀. Value and control as in row 3.",
         largest("step_down", STICKS),
         largest("step_down", SLIPS, STICKS),
         f"{BASIN} --samples 0",

@@ -87,7 +87,7 @@ def _digits(value: float) -> str:
 
 
 Cell = Estimate | str
-"""A number, or the reason why there is none: "no gait", "no equal runner"."""
+"""A number, or the reason why there is none: "no gait", "no matched runner"."""
 Measure = Callable[[Regime, int], Estimate]
 """Computes a number from regime and seed. If there is none, the message of its RunError becomes the cell."""
 
@@ -232,7 +232,7 @@ def made_equal(reference: Gait, other: Gait, hold: Sequence[str] = HOLD, vary: S
     """The other runner with the quantities `hold` of the reference, stable or not; see `matched.like`."""
     found = like(reference, other, hold, vary)
     if found is None:
-        raise RunError("no equal runner")
+        raise RunError("no matched runner")
     return found
 
 

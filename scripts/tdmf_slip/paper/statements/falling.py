@@ -34,8 +34,9 @@ def _equal(regime: Regime) -> Gait:
 CLAIMS = (
     OwnClaim(
         "falling-speed",
-        "Speed where friction falls from 0.6 at rest to 0.3 over 0.1 l₀√(k/m), and (control) "
-        "where it is 0.6 at any speed. Falling friction makes the human preset slower, the others faster.",
+        "Table 1 is faster on friction that falls. Speed, l₀√(k/m) or m/s. Value: friction falls from 0.6 "
+        "at rest to 0.3, with a Stribeck velocity of 0.1 l₀√(k/m). Control: friction 0.6 at all speeds. The"
+        " human preset is slower.",
         stride_quantity(_falling, "speed"),
         stride_quantity(_static, "speed"),
         FALLING,
@@ -43,8 +44,8 @@ CLAIMS = (
     ),
     OwnClaim(
         "falling-cost",
-        "Falling friction is cheaper: cost of transport, and (control) with a friction of 0.6 at equal "
-        "speed, apex height and leg angle.",
+        "Friction that falls is cheaper. Cost of transport. Value: as in row 1. Control: the matched runner"
+        " on friction 0.6.",
         stride_quantity(_falling, "cost_of_transport"),
         stride_quantity(_equal, "cost_of_transport"),
         FALLING,
@@ -52,7 +53,7 @@ CLAIMS = (
     ),
     OwnClaim(
         "falling-positive-cost",
-        "The same by positive work.",
+        "The positive cost of transport is lower, too. Value and control as in row 2.",
         stride_quantity(_falling, "positive_cost_of_transport"),
         stride_quantity(_equal, "positive_cost_of_transport"),
         FALLING,

@@ -70,9 +70,9 @@ def _strides(friction: float, design: Design | None = None, reference: float | N
 CLAIMS = (
     OwnClaim(
         "feedback-strides",
-        "Strides until the fall on steps of 0.3 l₀ at friction 0.6, with a quadratic regulator of touchdown "
-        "angle and torque, and (control) without. With the clamp the regulator keeps the runner up more "
-        "than 10 times longer. In the default it does not lengthen runs.",
+        "At friction 0.6 a regulator does not lengthen runs on steps of 0.3 l₀, except with the clamp. "
+        "Strides until the fall. Value: with a quadratic regulator of touchdown angle and torque. Control: "
+        "without feedback. With the clamp the regulator lengthens runs more than ten times.",
         _strides(FRICTION, regulator),
         _strides(FRICTION),
         ROUGH,
@@ -82,9 +82,9 @@ CLAIMS = (
     ),
     OwnClaim(
         "feedback-without",
-        "The reason: height up to which the runner without the regulator recovers from every step up, and "
-        "(control) the foot clearance at the apex, l₀. In the default that height is nearly the whole "
-        "clearance already; with the clamp it is not.",
+        "The reason: without feedback the runner already survives steps up to nearly its foot clearance, "
+        "except with the clamp. Value: height up to which it survives every step up, l₀. Control: foot "
+        "clearance at the apex, l₀.",
         largest("step_up", FRICTION),
         foot("foot_clearance", FRICTION),
         ROUGH,
@@ -92,7 +92,8 @@ CLAIMS = (
     ),
     OwnClaim(
         "feedback-with",
-        "The same with the regulator, which goes no further than the clearance by either reading.",
+        "With the regulator this height does not exceed the foot clearance either. Value and control as in "
+        "row 2, with the regulator.",
         largest("step_up", FRICTION, design=regulator),
         foot("foot_clearance", FRICTION),
         ROUGH,
@@ -100,8 +101,9 @@ CLAIMS = (
     ),
     OwnClaim(
         "feedback-matched",
-        "A foot that is carried higher does more: strides without feedback at speed, apex height and leg "
-        "angle of the runner on friction 0.2, and (control) as it comes.",
+        "Carrying the foot higher lengthens runs more than the regulator does. Strides until the fall "
+        "without feedback at friction 0.6. Value: the runner matched to the one on friction 0.2, which "
+        "carries its foot higher. Control: the unmatched runner.",
         _strides(FRICTION, reference=SLIPS),
         _strides(FRICTION),
         MATCH.format(SLIPS, FRICTION),
@@ -109,8 +111,8 @@ CLAIMS = (
     ),
     OwnClaim(
         "feedback-dead-beat",
-        "On friction 0.1 a dead-beat law of touchdown angle and torque helps, but not with the clamp: "
-        "strides with the law, and (control) without.",
+        "On friction 0.1 a dead-beat law of touchdown angle and torque lengthens runs, except with the "
+        "clamp. Strides until the fall. Value: with the law. Control: without feedback.",
         _strides(SLIPPERY, dead_beat_law),
         _strides(SLIPPERY),
         f"tdmf-slip rough --friction {SLIPPERY} --roughness {LOW} --runners {RUNNERS} --seed {{seed}}",
@@ -118,8 +120,9 @@ CLAIMS = (
     ),
     OwnClaim(
         "feedback-step-down",
-        "Largest step down that is recovered from on friction 10 with the regulator, and (control) without, "
-        "l₀; the largest tried is 5. For the heavy runner the regulator harms.",
+        "On friction 10 the regulator helps on steps down, except for the heavy runner. Largest step down "
+        "that the runner survives, l₀. Value: with the regulator. Control: without feedback. The largest "
+        "step tried is 5.",
         largest("step_down", STICKS, design=regulator),
         largest("step_down", STICKS),
         BASIN.format(0),
@@ -127,8 +130,8 @@ CLAIMS = (
     ),
     OwnClaim(
         "feedback-attraction",
-        "Share of the box of apices that settles on the gait on friction 10 with the regulator, and "
-        "(control) without. For the heavy runner it harms here, too.",
+        "On friction 10 the regulator enlarges the region of attraction, except for the heavy runner. Share"
+        " of the box that settles. Value: with the regulator. Control: without feedback.",
         share(STICKS, design=regulator),
         share(STICKS),
         BASIN.format(SAMPLES),

@@ -69,9 +69,9 @@ def _command(friction: float, quantity: str) -> str:
 CLAIMS = (
     OwnClaim(
         "optimal-net",
-        "By net work the cheapest runner slips: least cost of transport at speed 0.8 l₀√(k/m) (human "
-        "preset: 2.5 m/s) over touchdown angle, torque and thrust, on friction 0.3 and (control) on 10, "
-        "where no foot slips. Each search is local.",
+        "The runner with the least net cost slips. Least cost of transport at speed 0.8 l₀√(k/m), for the "
+        "human preset at 2.5 m/s, over touchdown angle, hip torque and leg thrust. Value: friction 0.3. "
+        "Control: friction 10, where no foot slips. Each search is local.",
         _cost(SLIPPERY, NET, NET),
         _cost(STICKS, NET, NET),
         _command(SLIPPERY, NET),
@@ -81,7 +81,7 @@ CLAIMS = (
     ),
     OwnClaim(
         "optimal-slip",
-        "Slip of that runner on friction 0.3, per cent of the way.",
+        "Slip of the cheapest runner on friction 0.3, per cent of the distance.",
         solved(_slip),
         None,
         _command(SLIPPERY, NET),
@@ -89,8 +89,8 @@ CLAIMS = (
     ),
     OwnClaim(
         "optimal-net-positive",
-        "For Table 1 that is refunded braking: positive cost of transport of the same runner, and (control) "
-        "the least on friction 10.",
+        "For Table 1 the saving is negative work. Positive cost of transport. Value: the runner of row 1 on"
+        " friction 0.3. Control: the least positive cost on friction 10.",
         _cost(SLIPPERY, NET, POSITIVE),
         _cost(STICKS, POSITIVE, POSITIVE),
         _command(STICKS, POSITIVE),
@@ -98,8 +98,8 @@ CLAIMS = (
     ),
     OwnClaim(
         "optimal-positive",
-        "Least positive cost of transport on friction 0.85, and (control) on 10: some slip saves 2 to 3 per "
-        "cent, and hardly anything for the human preset.",
+        "Some slip also reduces the positive cost, by 2 to 3 per cent, but hardly for the human preset. "
+        "Least positive cost of transport. Value: friction 0.85. Control: friction 10.",
         _cost(BETWEEN, POSITIVE, POSITIVE),
         _cost(STICKS, POSITIVE, POSITIVE),
         _command(BETWEEN, POSITIVE),
@@ -110,7 +110,8 @@ CLAIMS = (
     ),
     OwnClaim(
         "optimal-positive-slippery",
-        "The same on friction 0.3: cheaper than on 10 in the default, dearer with the clamp.",
+        "Whether more slip reduces the positive cost depends on the reading. Least positive cost of "
+        "transport. Value: friction 0.3. Control: friction 10. With the clamp it is higher on friction 0.3.",
         _cost(SLIPPERY, POSITIVE, POSITIVE),
         _cost(STICKS, POSITIVE, POSITIVE),
         _command(SLIPPERY, POSITIVE),

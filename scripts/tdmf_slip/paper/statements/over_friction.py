@@ -80,7 +80,7 @@ def _at_40_degrees(friction: float) -> Measure:
 
     def radius(regime: Regime) -> float:
         if regime not in (DEFAULT, CLAMPED):
-            raise RunError("not asked")
+            raise RunError("not computed")
         return gait(regime, friction, gravity=HEAVY.values["gravity"]).lambda_max
 
     return solved(radius)
@@ -89,8 +89,8 @@ def _at_40_degrees(friction: float) -> Measure:
 CLAIMS = (
     OwnClaim(
         "fastest-friction",
-        "Friction of the fastest gait: just below 0.5. The human preset is fastest where its foot hardly "
-        "slips.",
+        "Friction at which the gait is fastest: just below 0.5. The human preset is fastest where its foot "
+        "hardly slips.",
         solved(lambda regime: fastest(regime).friction),
         None,
         SWEEP,
@@ -111,9 +111,8 @@ CLAIMS = (
     ),
     OwnClaim(
         "net-cost",
-        "Change of the cost of transport from friction 10 to 0.5, per cent, as runners come and (control) "
-        "at equal speed, apex height and leg angle. The human preset costs more as it comes, and less at "
-        "equal kinematics.",
+        "Change of the net cost of transport from friction 10 to 0.5, per cent. Value: unmatched. Control: "
+        "matched. The human preset costs more if unmatched, and less if matched.",
         _over_sticking("cost_of_transport", _as_it_comes(NEAR_OPTIMUM)),
         _over_sticking("cost_of_transport", _equal(NEAR_OPTIMUM)),
         MATCH.format(STICKS, NEAR_OPTIMUM),
@@ -124,7 +123,7 @@ CLAIMS = (
     ),
     OwnClaim(
         "positive-cost",
-        "The same by positive work, which refunds no braking.",
+        "Change of the positive cost of transport, as in row 3.",
         _over_sticking("positive_cost_of_transport", _as_it_comes(NEAR_OPTIMUM)),
         _over_sticking("positive_cost_of_transport", _equal(NEAR_OPTIMUM)),
         MATCH.format(STICKS, NEAR_OPTIMUM),
@@ -132,8 +131,8 @@ CLAIMS = (
     ),
     OwnClaim(
         "net-cost-slippery",
-        "Change of the cost of transport from friction 10 to 0.25, per cent, likewise. The human preset "
-        "costs more as it comes.",
+        "Change of the net cost of transport from friction 10 to 0.25, per cent. Value: unmatched. Control:"
+        " matched. The human preset costs more if unmatched.",
         _over_sticking("cost_of_transport", _as_it_comes(LOW)),
         _over_sticking("cost_of_transport", _equal(LOW)),
         MATCH.format(STICKS, LOW),
@@ -144,9 +143,9 @@ CLAIMS = (
     ),
     OwnClaim(
         "positive-cost-slippery",
-        "The same by positive work. For Table 1 the sign depends on the reading: cheaper in the default, "
-        "dearer with the clamp. At equal kinematics slipping is dearer in both. The human preset is cheaper "
-        "as it comes and at equal kinematics.",
+        "Change of the positive cost of transport, as in row 5. For unmatched runners of Table 1 it depends"
+        " on the reading: lower by default, higher with the clamp. For matched runners it is higher in both"
+        " readings. For the human preset it is always lower.",
         _over_sticking("positive_cost_of_transport", _as_it_comes(LOW)),
         _over_sticking("positive_cost_of_transport", _equal(LOW)),
         MATCH.format(STICKS, LOW),
@@ -158,8 +157,9 @@ CLAIMS = (
     ),
     OwnClaim(
         "eigenvalues-rise",
-        "Only at weight 0.011 does the largest eigenvalue rise as friction falls. The number is its greatest "
-        "drop below its value at a greater friction; 0 means that it never falls.",
+        "Only at weight 0.011 does the largest eigenvalue always rise as friction falls. The number is the "
+        "greatest decrease on the way from high to low friction; 0 means that the eigenvalue never "
+        "decreases.",
         solved(_drop),
         None,
         SWEEP,
@@ -170,8 +170,8 @@ CLAIMS = (
     ),
     OwnClaim(
         "heavy-sticks",
-        "Size of the largest eigenvalue at weight 0.022 and 40° on friction 10 (gravity of 0.02 for Table "
-        "1).",
+        "Modulus of the largest eigenvalue on friction 10 at weight 0.022 and touchdown at 40°: the gait is"
+        " unstable.",
         _at_40_degrees(STICKS),
         None,
         "tdmf-slip gait --set gravity=0.02 --friction 10",
@@ -179,8 +179,8 @@ CLAIMS = (
     ),
     OwnClaim(
         "heavy-slips",
-        "The same on friction 0.3: less friction makes this gait stable with the clamp, and not in the "
-        "default.",
+        "The same gait on friction 0.3: with the clamp, less friction makes it stable. By default it does "
+        "not.",
         _at_40_degrees(0.3),
         None,
         "tdmf-slip gait --set gravity=0.02 --friction 0.3",

@@ -34,7 +34,7 @@ def as_fast(regime: Regime) -> Gait:
     try:
         return find_gait(one.runner, target=target, vary=(TORQUE, ANGLE), guess=one.apex)
     except RunError as error:
-        raise RunError("no equal runner") from error
+        raise RunError("no matched runner") from error
 
 
 def falls(of: Callable[[Regime], Gait]) -> Measure:
@@ -63,8 +63,9 @@ COMMAND = "tdmf-slip figures --only slippery_patch --measure"
 CLAIMS = (
     OwnClaim(
         "patch-level",
-        "On level ground of friction 10 no runner of Table 1 falls on a patch of friction 0.02 that is 300 "
-        "l₀ long: share that falls (control: 4° downhill). At weight 0.022 and at human size all fall.",
+        "On level ground no runner of Table 1 falls on a patch of friction 0.02 that is 300 l₀ long. Share "
+        "of runners that fall, with friction 10 around the patch. Value: level ground. Control: 4° "
+        "downhill. At weight 0.022 and at human size all runners fall.",
         falls(lambda regime: on_slope(regime, GRIPPY, 0.0)),
         grippy_downhill,
         COMMAND,
@@ -75,8 +76,9 @@ CLAIMS = (
     ),
     OwnClaim(
         "patch-downhill",
-        "4° downhill runners fall where the ground around the patch has friction 10, not where it has 0.6 "
-        "(control).",
+        "4° downhill, runners fall on that patch if the ground around it has friction 10, but not if it has"
+        " friction 0.6. Share that falls. Value: friction 10. Control: friction 0.6. At weight 0.022 all "
+        "fall on both.",
         grippy_downhill,
         slippery_downhill,
         COMMAND,
@@ -84,8 +86,9 @@ CLAIMS = (
     ),
     OwnClaim(
         "patch-matched",
-        "Runners on ground of friction 10 also fall with the speed and apex height of the runner on ground "
-        "of friction 0.6 (control).",
+        "Speed and apex height are not the only reason. Share that falls 4° downhill. Value: friction 10 "
+        "around the patch, matched in speed and apex height. Control: the runner with friction 0.6 around "
+        "the patch.",
         falls(as_fast),
         slippery_downhill,
         COMMAND,

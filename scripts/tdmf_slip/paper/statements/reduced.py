@@ -85,7 +85,8 @@ def _retracted(model: str) -> Measure:
 CLAIMS = (
     OwnClaim(
         "reduced-words",
-        "Share of 200 frictions from 10 to 0.1 at which the reduced map has the word of the full model.",
+        "Share of 200 frictions from 10 to 0.1 at which the reduced map and the full model have the same "
+        "gait word.",
         solved(_same_words),
         None,
         SWEEP,
@@ -93,8 +94,8 @@ CLAIMS = (
     ),
     OwnClaim(
         "reduced-speed",
-        "Largest difference of the two speeds, per cent. At the lowest frictions the reduced map of the "
-        "human preset has another gait.",
+        "Largest difference in speed, per cent. At the lowest frictions the reduced map of the human preset"
+        " has a different gait.",
         _percent_of("speed"),
         None,
         SWEEP,
@@ -102,7 +103,7 @@ CLAIMS = (
     ),
     OwnClaim(
         "reduced-period",
-        "Largest difference of the two periods, per cent.",
+        "Largest difference in period, per cent.",
         _percent_of("period"),
         None,
         SWEEP,
@@ -110,7 +111,7 @@ CLAIMS = (
     ),
     OwnClaim(
         "reduced-largest",
-        "Largest distance between the two largest eigenvalues, which belong to speed.",
+        "Largest difference between the first eigenvalues, which describe deviations in speed.",
         _eigenvalue(0),
         None,
         SWEEP,
@@ -118,8 +119,9 @@ CLAIMS = (
     ),
     OwnClaim(
         "reduced-second",
-        "Largest distance between the second eigenvalues, which belong to height: the leg's swing has not "
-        "settled at touchdown, and is farther from it in the default than with the clamp.",
+        "Largest difference between the second eigenvalues, which describe deviations in height. The "
+        "reason: in the full model the leg has not come to rest at touchdown. It is farther from rest by "
+        "default than with the clamp.",
         _eigenvalue(1),
         None,
         SWEEP,
@@ -127,9 +129,8 @@ CLAIMS = (
     ),
     OwnClaim(
         "reduced-retraction",
-        "Growth of the second eigenvalue's size on friction 10 with a retraction rate of 0.008 √(k/m), "
-        "by the full model and (control) by the reduced map. In the default the growths have opposite "
-        "signs, with the clamp the same sign.",
+        "Change of the second eigenvalue's modulus on friction 10 when the leg retracts at 0.008 √(k/m). "
+        "Value: full model. Control: reduced map. By default the two changes have opposite signs.",
         _retracted("full"),
         _retracted("reduced"),
         f"tdmf-slip gait --friction 10 --set {RATE}={RETRACTS} --model reduced",
@@ -137,9 +138,9 @@ CLAIMS = (
     ),
     OwnClaim(
         "reduced-falls",
-        "Share of starts over height and speed on friction 0.6 that settle by the full model alone, and "
-        "(control) by the reduced map alone. Far from the gait the map is no guide: too careful for Table "
-        "1, too hopeful for the other two runners.",
+        "Far from the gait the models differ. Share of starts on friction 0.6, over height and speed, that "
+        "settle in one model only. Value: in the full model only. Control: in the reduced map only. The "
+        "reduced map is too pessimistic for Table 1 and too optimistic for the other two runners.",
         _only("full", "reduced"),
         _only("reduced", "full"),
         BASIN,

@@ -92,8 +92,8 @@ def strides(which: Which) -> Measure:
 CLAIMS = (
     OwnClaim(
         "retraction-height",
-        "Retraction at 0.008 √(k/m) brings the eigenvalue of height nearer to 0 at friction 10 (real part; "
-        "control: without retraction). With the clamp it drives it towards −1.",
+        "At friction 10, retraction at 0.008 √(k/m) brings the second eigenvalue nearer to 0, except with "
+        "the clamp. Real part of the second eigenvalue. Value: with retraction. Control: without.",
         height(retracting, STICKS),
         height(plain, STICKS),
         GAIT.format(STICKS),
@@ -101,8 +101,8 @@ CLAIMS = (
     ),
     OwnClaim(
         "retraction-height-slips",
-        "This does not hold at every friction: at friction 0.2 retraction drives the eigenvalue towards −1 "
-        "by both readings.",
+        "At friction 0.2 retraction drives the second eigenvalue towards −1 in both readings. Value and "
+        "control as in row 1.",
         height(retracting, SLIPS),
         height(plain, SLIPS),
         GAIT.format(SLIPS),
@@ -110,8 +110,8 @@ CLAIMS = (
     ),
     OwnClaim(
         "retraction-height-flat",
-        "This does not hold at every touchdown angle either: at 45° and friction 10 retraction drives the "
-        "eigenvalue towards −1 by both readings.",
+        "At friction 10 and a touchdown angle of 45° retraction drives it towards −1 in both readings, too."
+        " Value and control as in row 1.",
         height(retracting, STICKS, FLAT),
         height(plain, STICKS, FLAT),
         f"{GAIT.format(STICKS)} --set {ANGLE}=45deg",
@@ -119,8 +119,8 @@ CLAIMS = (
     ),
     OwnClaim(
         "retraction-height-matched",
-        "At equal speed, apex height and leg angle retraction drives the eigenvalue of height towards −1 by "
-        "both readings: friction 10.",
+        "In runners matched to the one without retraction, retraction drives the second eigenvalue towards "
+        "−1 in both readings: friction 10. Value: with retraction, matched. Control: without.",
         height(equal, STICKS),
         height(plain, STICKS),
         GAIT.format(STICKS),
@@ -128,7 +128,7 @@ CLAIMS = (
     ),
     OwnClaim(
         "retraction-height-matched-0.6",
-        "The same at friction 0.6.",
+        "As in row 4, at friction 0.6.",
         height(equal, 0.6),
         height(plain, 0.6),
         GAIT.format(0.6),
@@ -136,7 +136,7 @@ CLAIMS = (
     ),
     OwnClaim(
         "retraction-height-matched-0.2",
-        "The same at friction 0.2.",
+        "As in row 4, at friction 0.2.",
         height(equal, SLIPS),
         height(plain, SLIPS),
         GAIT.format(SLIPS),
@@ -144,8 +144,8 @@ CLAIMS = (
     ),
     OwnClaim(
         "retraction-steps",
-        "On steps of 0.3 l₀ retraction at 0.008 √(k/m) shortens runs on friction 0.2: strides until the "
-        "fall (control: without retraction).",
+        "Retraction shortens runs on steps of 0.3 l₀ on friction 0.2. Strides until the fall. Value: with "
+        "retraction at 0.008 √(k/m). Control: without.",
         strides(retracting),
         strides(plain),
         ROUGH,
@@ -153,8 +153,8 @@ CLAIMS = (
     ),
     OwnClaim(
         "retraction-steps-matched",
-        "Retraction also shortens runs at equal speed, apex height and leg angle, where the foot is carried "
-        "equally high. At weight 0.022 and 45° it does not.",
+        "Retraction also shortens the runs of matched runners, which carry the foot equally high, except at"
+        " weight 0.022 and 45°. Value: with retraction, matched. Control: without.",
         strides(equal),
         strides(plain),
         ROUGH,
@@ -162,8 +162,8 @@ CLAIMS = (
     ),
     OwnClaim(
         "retraction-slip-matched",
-        "At equal speed, apex height and leg angle a stride on friction 0.2 slips less with retraction: "
-        "slip distance, l₀.",
+        "On friction 0.2 matched runners with retraction slip less per stride, l₀. Value: with retraction, "
+        "matched. Control: without.",
         slip(equal),
         slip(plain),
         GAIT.format(SLIPS),

@@ -82,7 +82,7 @@ CLAIMS = (
     OwnClaim(
         "steps-as-they-come",
         "On steps of 0.3 l₀ the runner on friction 0.2 makes more strides until it falls than the one on "
-        "friction 10 (control).",
+        "friction 10. Value: friction 0.2. Control: friction 10, unmatched.",
         strides(SLIPS, LOW),
         strides(STICKS, LOW),
         ROUGH.format(SLIPS, LOW),
@@ -90,8 +90,8 @@ CLAIMS = (
     ),
     OwnClaim(
         "clearance",
-        "The runner on friction 0.2 also carries its foot higher: clearance at the apex, l₀ (control: "
-        "friction 10).",
+        "The runner on friction 0.2 also carries its foot higher. Foot clearance at the apex, l₀. Value: "
+        "friction 0.2. Control: friction 10, unmatched.",
         foot("foot_clearance", SLIPS),
         foot("foot_clearance", STICKS),
         f"tdmf-slip gait --friction {SLIPS} --json",
@@ -99,9 +99,8 @@ CLAIMS = (
     ),
     OwnClaim(
         "steps-matched",
-        "On steps of 0.3 l₀ slipping lengthens runs: the runner on friction 0.2 makes more strides than the "
-        "one on friction 10 with its speed, apex height and leg angle (control). With the clamp it does "
-        "not.",
+        "Matched runners differ, too, except with the clamp. Strides until the fall on steps of 0.3 l₀. "
+        "Value: friction 0.2. Control: the runner on friction 10, matched to it.",
         strides(SLIPS, LOW),
         strides(STICKS, LOW, SLIPS),
         MATCH.format(SLIPS, STICKS),
@@ -114,7 +113,7 @@ CLAIMS = (
     ),
     OwnClaim(
         "steps-matched-0.6",
-        "The runner on friction 0.6 makes more strides than its equal on friction 10 (control), too.",
+        "As in row 3. Value: friction 0.6. Control: the runner on friction 10, matched to it.",
         strides(0.6, LOW),
         strides(STICKS, LOW, 0.6),
         MATCH.format(0.6, STICKS),
@@ -122,8 +121,8 @@ CLAIMS = (
     ),
     OwnClaim(
         "steps-matched-to-sticking",
-        "The runner on friction 0.2 with speed, apex height and leg angle of the one on friction 10 makes "
-        "more strides than that one (control). With the clamp it does not.",
+        "As in row 3, but matched to the runner that sticks. Value: the runner on friction 0.2, matched to "
+        "the one on friction 10. Control: friction 10. With the clamp the difference is small.",
         strides(SLIPS, LOW, STICKS),
         strides(STICKS, LOW),
         MATCH.format(STICKS, SLIPS),
@@ -131,8 +130,8 @@ CLAIMS = (
     ),
     OwnClaim(
         "steps-foot-height",
-        "The greatest height of the foot in a stride does not explain the longer runs: that height is no "
-        "greater on friction 0.2 than for the equal runner on friction 10 (control), l₀.",
+        "The greatest height of the foot in a stride does not explain the longer runs: it is no greater on "
+        "friction 0.2. Height, l₀. Value: friction 0.2. Control: the runner on friction 10, matched to it.",
         foot("greatest_foot_height", SLIPS),
         foot("greatest_foot_height", STICKS, SLIPS),
         MATCH.format(SLIPS, STICKS),
@@ -140,9 +139,9 @@ CLAIMS = (
     ),
     OwnClaim(
         "steps-that-trip",
-        "Most of the difference arises after a step that rises above the foot. Where such a step already "
-        "counts as a fall, the runner on friction 0.2 makes less than twice the strides of its equal on "
-        "friction 10 (control).",
+        "Most of the difference arises where a step rises above the swinging foot. If such a step already "
+        "counts as a fall, the runner on friction 0.2 makes less than twice as many strides. Value and "
+        "control as in row 3.",
         strides(SLIPS, LOW, trips=True),
         strides(STICKS, LOW, SLIPS, trips=True),
         ROUGH.format(SLIPS, LOW) + " --trips",
@@ -150,9 +149,8 @@ CLAIMS = (
     ),
     OwnClaim(
         "steps-rare",
-        "On steps of 0.2 l₀ the runner on friction 0.2 makes more than ten times the strides of its equal "
-        "on friction 10 (control). The value is by multilevel splitting, because falls on friction 0.2 are "
-        "too rare to be counted.",
+        "On steps of 0.2 l₀ the difference exceeds a factor of ten. Value and control as in row 3. The "
+        "value is computed by multilevel splitting, because falls on friction 0.2 are too rare to count.",
         rarely,
         strides(STICKS, LOWER, SLIPS),
         ROUGH_RARE,
@@ -160,8 +158,8 @@ CLAIMS = (
     ),
     OwnClaim(
         "steps-correlated",
-        "Where each step is correlated with the one before by 0.7, slipping lengthens runs, too (control: "
-        "equal runner on friction 10). With the clamp it does not.",
+        "With a correlation of 0.7 between successive steps, slipping lengthens runs, too, except with the "
+        "clamp. Value and control as in row 3.",
         strides(SLIPS, LOW, correlation=CORRELATION),
         strides(STICKS, LOW, SLIPS, correlation=CORRELATION),
         ROUGH.format(SLIPS, LOW) + f" --correlation {CORRELATION}",
@@ -169,9 +167,9 @@ CLAIMS = (
     ),
     OwnClaim(
         "segments",
-        "On level segments of 5 l₀ with heights of 0.3 l₀ slipping lengthens runs, too (control: equal "
-        "runner on friction 10). The place on a segment at which the foot lands is "
-        "not made equal.",
+        "On level segments of length 5 l₀, whose heights have a standard deviation of 0.3 l₀, slipping "
+        "lengthens runs, too. Value and control as in row 3. Where on a segment the foot lands is not "
+        "matched.",
         strides(SLIPS, LOW, segment=SEGMENT),
         strides(STICKS, LOW, SLIPS, segment=SEGMENT),
         ROUGH.format(SLIPS, LOW) + f" --segment-length {SEGMENT:g}",

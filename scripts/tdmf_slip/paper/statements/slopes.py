@@ -110,9 +110,9 @@ def _command(friction: float, angle: float | None = None) -> str:
 CLAIMS = (
     OwnClaim(
         "slope-speed",
-        "Slip slows the runner uphill: speed 1.5° uphill over that on the level, on friction 0.2 (control: "
-        "the runner on friction 10 with its speed, apex height and leg angle on the level). At human size "
-        "both are faster uphill.",
+        "Uphill, slip slows the runner. Speed 1.5° uphill relative to the speed on level ground. Value: "
+        "friction 0.2. Control: the runner on friction 10, matched to it on level ground. The human preset "
+        "is faster uphill in both cases.",
         slowed(SLIPS),
         slowed(STICKS, SLIPS),
         MATCH.format(SLIPS, STICKS),
@@ -120,9 +120,9 @@ CLAIMS = (
     ),
     OwnClaim(
         "slope-steepest",
-        "At the regime's touchdown angle (40° in Table 1) the branch of gaits from level ground climbs "
-        "steeper on friction 0.2 than on friction 10 (control): steepest slope with a gait, degrees. The "
-        "greatest possible on friction 0.2 is arctan 0.2 = 11.3°.",
+        "At the touchdown angle of each column (40° for Table 1) the runner on friction 0.2 climbs steeper "
+        "slopes. Steepest slope that has a gait, degrees. Value: friction 0.2. Control: friction 10. No "
+        "gait on friction 0.2 is possible beyond arctan 0.2 = 11.3°.",
         steepest(SLIPS),
         steepest(STICKS),
         _command(SLIPS),
@@ -130,7 +130,8 @@ CLAIMS = (
     ),
     OwnClaim(
         "slope-top-speed",
-        "The steepest gait on friction 0.2 hardly advances: its speed (control: on the level).",
+        "On that slope the runner on friction 0.2 hardly advances. Speed. Value: on the steepest slope. "
+        "Control: on level ground.",
         at_the_top("speed", SLIPS),
         stride_quantity(lambda regime: gait(regime, SLIPS), "speed"),
         _command(SLIPS),
@@ -138,8 +139,8 @@ CLAIMS = (
     ),
     OwnClaim(
         "slope-stable",
-        "Uphill from level ground the gait loses stability on a steeper slope on friction 0.2 than on "
-        "friction 10 (control), degrees. With the clamp it is the other way round.",
+        "The runner on friction 0.2 stays stable up to a steeper slope, except with the clamp. Slope at "
+        "which the gait loses stability, degrees. Value: friction 0.2. Control: friction 10.",
         stable_to(SLIPS),
         stable_to(STICKS),
         _command(SLIPS),
@@ -147,8 +148,8 @@ CLAIMS = (
     ),
     OwnClaim(
         "slope-stable-matched",
-        "Most of the difference in row 4 is due to speed, apex height and leg angle: here the control is the "
-        "runner on friction 10 with those of the runner on friction 0.2.",
+        "Most of that difference is due to speed, apex height and leg angle. Value: friction 0.2. Control: "
+        "the runner on friction 10, matched to it on level ground.",
         stable_to(SLIPS),
         stable_to(STICKS, None, SLIPS),
         MATCH.format(SLIPS, STICKS),
@@ -156,8 +157,9 @@ CLAIMS = (
     ),
     OwnClaim(
         "slope-flat",
-        "With touchdown at 0.85 rad the gaits on friction 0.2 are stable up to 11.3°, those on friction 10 "
-        "(control) are not.",
+        "With touchdown at 0.85 rad the gaits on friction 0.2 are stable up to 11.3°. Those on friction 10 "
+        "are not. Slope at which the gait loses stability, degrees. Value: friction 0.2. Control: friction "
+        "10.",
         stable_to(SLIPS, FLAT),
         stable_to(STICKS, FLAT),
         _command(SLIPS, FLAT),
@@ -165,8 +167,9 @@ CLAIMS = (
     ),
     OwnClaim(
         "slope-flat-0.6",
-        "With touchdown at 0.85 rad friction 0.6 has gaits up to a lesser slope than friction 0.2 (control), "
-        "degrees. With the clamp it has gaits up to a steeper slope.",
+        "With touchdown at 0.85 rad the runner on friction 0.6 climbs less steep slopes than the one on "
+        "friction 0.2, except with the clamp. Steepest slope that has a gait, degrees. Value: friction 0.6."
+        " Control: friction 0.2.",
         steepest(0.6, FLAT),
         steepest(SLIPS, FLAT),
         _command(0.6, FLAT),

@@ -71,9 +71,9 @@ def _by_way(of: Callable[[Regime], Gait]) -> Measure:
 CLAIMS = (
     OwnClaim(
         "thrust-slip",
-        "At friction 0.2 and 1.3 times the speed of the gait as it comes, a runner driven by added thrust "
-        "slips less per distance than one driven by more torque (control): slip distance over the stride's "
-        "length.",
+        "On friction 0.2 a runner with more thrust slips less per distance than one with more hip torque. "
+        "Slip distance per stride length, at 1.3 times the speed of the unchanged gait. Value: thrust "
+        "added. Control: hip torque raised.",
         _by_way(by_thrust),
         _by_way(by_torque),
         BY_THRUST,
@@ -81,7 +81,7 @@ CLAIMS = (
     ),
     OwnClaim(
         "thrust-slip-stride",
-        "Per stride the runner with thrust slips more: slip distance, l₀.",
+        "Per stride the runner with thrust slips more, l₀. Value and control as in row 1.",
         over_length(by_thrust, "slip_distance"),
         over_length(by_torque, "slip_distance"),
         BY_THRUST,
@@ -89,7 +89,8 @@ CLAIMS = (
     ),
     OwnClaim(
         "thrust-height",
-        "The reason is that the runner with thrust hops higher: height of the apex, l₀.",
+        "The reason: the runner with thrust hops higher. Height of the apex, l₀. Value and control as in "
+        "row 1.",
         over_length(by_thrust, "apex_height"),
         over_length(by_torque, "apex_height"),
         BY_TORQUE,
@@ -97,8 +98,8 @@ CLAIMS = (
     ),
     OwnClaim(
         "thrust-slip-matched",
-        "At equal speed and apex height a runner with a thrust of 0.1 l₀ slips more per distance than one "
-        "driven by torque alone (control).",
+        "At equal speed and apex height the runner with thrust slips more per distance, too. Slip distance "
+        "per stride length. Value: thrust of 0.1 l₀. Control: hip torque alone.",
         _by_way(as_high),
         _by_way(by_torque),
         BY_TORQUE,
@@ -106,8 +107,7 @@ CLAIMS = (
     ),
     OwnClaim(
         "thrust-cost-matched",
-        "The net cost of transport of that runner with thrust is lower than that of the runner driven by "
-        "torque alone (control).",
+        "The net cost of transport of that runner is lower. Value and control as in row 4.",
         stride_quantity(as_high, "cost_of_transport"),
         stride_quantity(by_torque, "cost_of_transport"),
         BY_TORQUE,
@@ -115,7 +115,7 @@ CLAIMS = (
     ),
     OwnClaim(
         "thrust-positive-cost-matched",
-        "Its cost by positive work, which refunds no braking, is lower, too.",
+        "Its positive cost of transport is lower, too. Value and control as in row 4.",
         stride_quantity(as_high, "positive_cost_of_transport"),
         stride_quantity(by_torque, "positive_cost_of_transport"),
         BY_TORQUE,

@@ -66,9 +66,9 @@ _robustness = _enclosed(
 CLAIMS = (
     OwnClaim(
         "viable",
-        "More states can be saved where the foot slips: share of a plane of height and speed that some "
-        "touchdown angle at each apex saves, on friction 0.2 and (control) on 10 at equal speed and apex "
-        "height. Brackets give the range from the inner to the outer set.",
+        "More states are viable on friction 0.2 than on 10. Share of a plane of apex heights and speeds "
+        "that is viable if the touchdown angle may be chosen at each apex. Value: friction 0.2. Control: "
+        "the runner on friction 10, matched in speed and apex height.",
         _share(SLIPS),
         _share(STICKS, SLIPS),
         VIABILITY.format(SLIPS),
@@ -76,8 +76,8 @@ CLAIMS = (
     ),
     OwnClaim(
         "viable-angles",
-        "But the angle must be chosen more finely: mean share of the touchdown angles that are viable, on "
-        "friction 0.2 and (control) on 10.",
+        "But the angle must be chosen more precisely. Share of the touchdown angles that are viable, "
+        "averaged over the plane. Value: friction 0.2. Control: as in row 1.",
         _robustness(SLIPS),
         _robustness(STICKS, SLIPS),
         VIABILITY.format(SLIPS),
@@ -85,7 +85,8 @@ CLAIMS = (
     ),
     OwnClaim(
         "viable-angles-between",
-        "The same share is greater on friction 1.2 than (control) on 0.2, at equal speed and apex height.",
+        "This share is larger on friction 1.2 than on 0.2. Value: friction 1.2, matched in speed and apex "
+        "height. Control: friction 0.2.",
         _robustness(1.2, SLIPS),
         _robustness(SLIPS),
         VIABILITY.format(1.2),
