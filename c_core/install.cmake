@@ -5,6 +5,7 @@ install(PROGRAMS $<TARGET_FILE:tdmf_slip_shared> DESTINATION tdmf_slip/native RE
         COMPONENT unit EXCLUDE_FROM_ALL)
 install(DIRECTORY include/tdmf_slip DESTINATION tdmf_slip/native COMPONENT unit EXCLUDE_FROM_ALL)
 install(FILES ${declarations} DESTINATION tdmf_slip/library COMPONENT unit EXCLUDE_FROM_ALL)
+install(FILES ${variable_data} DESTINATION tdmf_slip/variables COMPONENT unit EXCLUDE_FROM_ALL)
 
 include(CMakePackageConfigHelpers)
 set(package_directory ${CMAKE_INSTALL_LIBDIR}/cmake/tdmf_slip)

@@ -11,6 +11,7 @@
     generate_variables.py build       SOURCE OUTPUT --sources F...  FMI 3.0: how its sources are compiled
     generate_variables.py terminals   SOURCE OUTPUT                 FMI 3.0: icon and terminals
     generate_variables.py page        SOURCE OUTPUT --template PAGE the units' page with its list of variables
+    generate_variables.py python      SOURCE OUTPUT                 the Python package's table
 
 Needs nothing but Python's standard library, because the C build runs it.
 """
@@ -38,6 +39,7 @@ class Variable:
     def __init__(self, element, types, value_reference):
         """Read the element; `types` are the declared types by name."""
         self.element = element
+        self.alias = element.attrib.pop("alias", "")
         self.value_reference = value_reference
         self.name = element.get("name")
         self.causality = element.get("causality")
@@ -89,6 +91,10 @@ class Table:
         self.derivatives = [v for v in self.variables if v.derivative]
         self.states = [self.find(v.derivative, v.name) for v in self.derivatives]
         self.guards = [v for v in self.variables if v.group == GUARDS]
+        annotations = self.root.find("VendorAnnotations")
+        self.root.remove(annotations)
+        self.package = annotations.find("Tool")
+        self.units = [*self.root.find("UnitDefinitions"), *self.package.findall("Unit")]
 
     def find(self, name, wanted_by):
         """The variable of that name, or a clear end."""
@@ -103,6 +109,19 @@ class Table:
     def inputs(self):
         """The variables in `tdmf_inputs`."""
         return [v for v in self.variables if v.causality == "input"]
+
+    def start_states(self):
+        """The states that take a start value."""
+        return [v for v in self.states if v.initial == "exact"]
+
+    def dimensions(self):
+        """By unit: its powers of length, time and mass; an angle has none."""
+        bases = {unit.get("name"): unit.find("BaseUnit") for unit in self.units}
+        return {name: tuple(int(base.get(of, 0)) for of in ("m", "s", "kg")) for name, base in bases.items()}
+
+    def aliases(self):
+        """From the short name to the variable's own."""
+        return {v.alias: v.name for v in self.variables if v.alias}
 
 
 def generated(lines):
@@ -657,6 +676,78 @@ def page(table, template):
     return text.replace(VARIABLES_HERE, "\n".join([*lines, "</table>"]))
 
 
+# ---- the Python package's table ------------------------------------------------------------------------
+
+
+def python_start(variable):
+    """The start value of a number or a Boolean as Python has it, None where there is none."""
+    if "start" not in variable.value.attrib or variable.type == "String":
+        return None
+    return variable.start == "1" if variable.type == "Boolean" else float(variable.start)
+
+
+def python_variable(variable, display_units):
+    """The fields of the package's `Variable`, in their order."""
+    return (
+        variable.name,
+        variable.value_reference,
+        variable.type,
+        variable.unit or "",
+        variable.element.get("description"),
+        variable.causality,
+        variable.variability,
+        variable.causality == "input" or variable.initial == "exact",
+        float(variable.value.get("min", "-inf")),
+        float(variable.value.get("max", "inf")),
+        python_start(variable),
+        {int(item.get("value")): item.get("name") for item in variable.items},
+        display_units.get(variable.unit, {}),
+    )
+
+
+def python(table):
+    """The Python module of data."""
+    display_units = {
+        unit.get("name"): {
+            shown.get("name"): float(shown.get("factor")) for shown in unit.findall("DisplayUnit")
+        }
+        for unit in table.units
+    }
+    rows = [python_variable(v, display_units) for v in table.variables]
+    of_quantity = ("name", "unit", "description", "coordinate")
+    quantities = [tuple(q.get(of, "") for of in of_quantity) for q in table.package.findall("Quantity")]
+    quantities += [
+        (v.name.partition(".")[2], v.unit or "1", v.element.get("description"), "")
+        for v in table.variables
+        if v.group == "stride"
+    ]
+    models = [
+        (m.get("name"), tuple(m.get("coordinates").split()), tuple(m.get("quantities").split()))
+        for m in table.package.findall("Model")
+    ]
+    names = {
+        "PARAMETERS": table.core_parameters(),
+        "INPUTS": table.inputs(),
+        "STATES": table.start_states(),
+    }
+    lines = [
+        '"""Generated from modelDescription.xml by scripts/generate_variables.py."""',
+        "from math import inf",
+        f"DIMENSIONS = {table.dimensions()}",
+        f"ALIASES = {table.aliases()}",
+        *(f"{name} = {tuple(v.name for v in members)}" for name, members in names.items()),
+        *(
+            f"{name} = (\n{rows_of}\n)"
+            for name, rows_of in (
+                ("VARIABLES", ",\n".join(map(repr, rows)) + ","),
+                ("QUANTITIES", ",\n".join(map(repr, quantities)) + ","),
+                ("MODELS", ",\n".join(map(repr, models)) + ","),
+            )
+        ),
+    ]
+    return "\n".join([*lines, ""])
+
+
 # ---- the guid ------------------------------------------------------------------------------------------
 
 
@@ -680,6 +771,7 @@ def main():
         "build": lambda: build(table, arguments.sources),
         "terminals": lambda: terminals(table),
         "page": lambda: page(table, arguments.template),
+        "python": lambda: python(table),
     }
     parser.add_argument("what", choices=list(makers))
     parser.add_argument("source")

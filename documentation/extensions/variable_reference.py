@@ -5,7 +5,7 @@ from sphinx.application import Sphinx
 from sphinx.errors import ExtensionError
 from sphinx.util.docutils import SphinxDirective
 from tdmf_slip.cli.variables import row
-from tdmf_slip.fmu.fmu import load_fmu
+from tdmf_slip.variables.table import VARIABLES
 
 HEADINGS = ("name", "short name", "meaning", "unit", "default", "range")
 
@@ -18,8 +18,7 @@ class Variables(SphinxDirective):
 
     def run(self) -> list[nodes.Node]:
         """The rows of all variables of these causalities."""
-        unit = load_fmu()
-        chosen = [v for v in unit.variables.values() if v.causality in self.arguments]
+        chosen = [v for v in VARIABLES.values() if v.causality in self.arguments]
         undocumented = [v.name for v in chosen if not v.description]
         if undocumented or not chosen:
             raise ExtensionError(f"variables without a meaning: {', '.join(undocumented) or self.arguments}")

@@ -95,17 +95,11 @@ def described(variable):
 def display_units(table):
     """By unit: the one that it is shown in, and how many of it make one."""
     units = {}
-    for unit in table.root.find("UnitDefinitions"):
+    for unit in table.units:
         shown = unit.find("DisplayUnit")
         if shown is not None:
             units[unit.get("name")] = {"name": shown.get("name"), "factor": float(shown.get("factor"))}
     return units
-
-
-def dimensions(table):
-    """By unit: its powers of length, time and mass."""
-    bases = {unit.get("name"): unit.find("BaseUnit") for unit in table.root.find("UnitDefinitions")}
-    return {name: [int(base.get(of, 0)) for of in ("m", "s", "kg")] for name, base in bases.items()}
 
 
 def items(table, name):
@@ -169,23 +163,18 @@ def presets(table):
         for gait in gaits
         if not gait["swing_clamp"]  # as by default
     ]
-    for path in sorted((PACKAGE / "fmu/presets").glob("*.toml")):
+    for path in sorted((PACKAGE / "variables/presets").glob("*.toml")):
         values = known_values(table, dict(flat(tomllib.loads(path.read_text(encoding="utf-8")))))
         if values:
             found.append({"name": f"{path.stem} scale", "values": values})
     return [*found, *own_presets(table)]
 
 
-def aliases():
-    """Short names of variables, from the package's table."""
-    return dict(runpy.run_path(str(PACKAGE / "fmu/aliases.py"))["ALIASES"])
-
-
-def paper_units():
+def paper_units(table):
     """Label of each unit where the runner is in the paper's units."""
-    known = runpy.run_path(str(PACKAGE / "fmu/dimensions.py"))
-    labels = {unit: known["paper_unit"](unit) for unit in known["DIMENSIONS"]}
-    return {unit: label for unit, label in labels.items() if label != unit} | {"deg/s": "deg sqrt(k/m)"}
+    label = runpy.run_path(str(PACKAGE / "variables/units.py"))["paper_label"]
+    labels = {unit: label(*powers) for unit, powers in table.dimensions().items() if any(powers)}
+    return {**labels, "deg/s": "deg sqrt(k/m)"}
 
 
 def terms():
@@ -203,13 +192,13 @@ def page_table(table):
         "starts": [described(v) for v in starts_of(table)],
         "outputs": [described(v) for v, _ in outputs_of(table)],
         "displayUnits": display_units(table),
-        "dimensions": dimensions(table),
+        "dimensions": table.dimensions(),
         "contactModes": items(table, MODE),
         "hipPhases": items(table, PHASE),
         "apex": [described(v) for v in table.variables if v.group == "apex" and v.name != "apex.time"],
         "presets": presets(table),
-        "aliases": aliases(),
-        "paperUnits": paper_units(),
+        "aliases": table.aliases(),
+        "paperUnits": paper_units(table),
         "terms": terms(),
     }
     lines = [

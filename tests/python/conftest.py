@@ -143,7 +143,7 @@ def unit_reference():
 
 def apex_start(apex):
     """State of a Table 1 runner at an apex, from the section's six coordinates."""
-    return tdmf_slip.Runner.of({}).state_at(apex)
+    return tdmf_slip.Runner({}).state_at(apex)
 
 
 class Instance:

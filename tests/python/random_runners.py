@@ -43,7 +43,7 @@ def drawn():
 
 
 def gaits_of(values):
-    runner = Runner.of(values)
+    runner = Runner(values)
     spread.MAX_TRIED, spread.PROMISING = 144, 36
     spread.ITERATIONS, spread.SHORTENINGS, spread.GAIN = 24, 8, 0.97
     found = []

@@ -22,9 +22,9 @@ from tdmf_slip.blocks import run_blocks
 from tdmf_slip.cli import gait_file
 from tdmf_slip.feedback import judgement
 from tdmf_slip.fmu import batch, inputs
-from tdmf_slip.fmu.parameters import read_parameters
 from tdmf_slip.library import ensemble, return_map
 from tdmf_slip.paper import settling
+from tdmf_slip.variables.parameters import read_parameters
 
 FRICTION, ANGLE = "ground.friction", "hip.touchdown_angle"
 START = {FRICTION: 0.2}
@@ -33,7 +33,7 @@ RANGES = {"com_height": (1.3, 1.4), "com_speed": (1.0, 1.1)}
 
 @pytest.fixture(scope="module")
 def runner():
-    return Runner.of(START)
+    return Runner(START)
 
 
 @pytest.fixture(scope="module")
@@ -44,7 +44,7 @@ def found(runner):
 TAKE_A_RUNNER = {
     "find_gait": lambda given, found: find_gait(given).apex,
     "stride_from": lambda given, found: return_map.stride_from(given, found.apex, FRICTION)[0],
-    "Case": lambda given, found: ensemble.Case(given).runner.values,
+    "Case": lambda given, found: ensemble.Case(given).runner,
     "run": lambda given, found: ensemble.run_ensemble([given], [found.apex], max_strides=2)[0]["apex"],
     "find_gait from a guess": lambda given, found: search.periodic_gait(given, guess=found.apex).apex,
     "sweep": lambda given, found: sweep.sweep(given, {"ground.friction": [0.3]}).gaits[0].apex,
@@ -83,13 +83,12 @@ WRONG = [
     lambda r, o: find_gait(r, guess=o),
     lambda r, o: periodic_gait(r, along=3),
     lambda r, o: periodic_gait(r, along=[FRICTION]),
-    lambda r, o: Runner(START),
     lambda r, o: Runner(3),
-    lambda r, o: Runner.of({3: 4}),
-    lambda r, o: r.but(FRICTION, "x"),
-    lambda r, o: r.but(FRICTION, None),
-    lambda r, o: r.but(FRICTION, [1, 2]),
-    lambda r, o: Runner(r.values, "x").solver(),
+    lambda r, o: Runner({3: 4}),
+    lambda r, o: r.replace({FRICTION: "x"}),
+    lambda r, o: r.replace({FRICTION: None}),
+    lambda r, o: r.replace({FRICTION: [1, 2]}),
+    lambda r, o: Runner(r, tolerance="x"),
     lambda r, o: ensemble.run_ensemble(r, [o.apex], max_strides=2),
     lambda r, o: ensemble.run_ensemble(ensemble.Case(r), [o.apex], max_strides=2),
     lambda r, o: ensemble.run_ensemble(None, [o.apex], max_strides=2),
@@ -143,7 +142,6 @@ WRONG = [
     lambda r, o: tdmf_slip.simulate(interface=["me"], stop_time=1),
     lambda r, o: tdmf_slip.simulate(fmu=3, stop_time=1),
     lambda r, o: settling.settle_fmu("human"),
-    lambda r, o: settling.settle_fmu(r),
     lambda r, o: settling.settle_fmu(max_strides="x"),
     lambda r, o: settling.settle_fmu(tolerance="x"),
     lambda r, o: read_parameters(3),
@@ -159,7 +157,7 @@ WRONG = [
     lambda r, o: inputs.read_tables("none.csv", tdmf_slip.load_fmu()),
     lambda r, o: r.state_at([1, 2]),
     lambda r, o: r.start_values("human"),
-    lambda r, o: r.but("hip.touchdown_angle", "42 kg"),
+    lambda r, o: r.replace({"hip.touchdown_angle": "42 kg"}),
     lambda r, o: sweep.sweep(r, {"ground.friction": ["0.3 kg"]}),
     lambda r, o: tracing.trace(r, FRICTION, o, "0.3"),
     lambda r, o: tdmf_slip.continue_branch(r, {FRICTION: (0.6, "low")}),
@@ -201,7 +199,7 @@ def test_what_is_of_another_kind_is_told(runner, found, tmp_path, monkeypatch, n
 
 def test_a_wrong_name_is_told_with_the_nearest(runner, found):
     for call in (
-        lambda: runner.but("leg.dampin", 1.0),
+        lambda: runner.replace({"leg.dampin": 1.0}),
         lambda: periodic_gait(runner, along="leg.dampin"),
         lambda: tracing.trace(runner, "leg.dampin", found, 1.0),
         lambda: tdmf_slip.simulate({"leg.dampin": 1.0}),
@@ -212,7 +210,7 @@ def test_a_wrong_name_is_told_with_the_nearest(runner, found):
 
 def test_start_values_may_be_texts_with_a_unit():
     angle = "hip.touchdown_angle"
-    assert Runner.of({angle: "42 deg"}).values[angle] == pytest.approx(np.radians(42.0))
+    assert Runner({angle: "42 deg"})[angle] == pytest.approx(np.radians(42.0))
     assert tdmf_slip.simulate({angle: "42 deg"}, stop_time=1).final[angle] == pytest.approx(np.radians(42.0))
 
 

@@ -7,19 +7,19 @@ import numpy as np
 import pytest
 from tdmf_slip import InputError, Runner, find_gait
 from tdmf_slip.analysis import attraction, basin, fates, robustness, volume
-from tdmf_slip.fmu.parameters import read_parameters
 from tdmf_slip.library import ensemble
 from tdmf_slip.library.section import COORDINATES
+from tdmf_slip.variables.parameters import read_parameters
 
 
 @pytest.fixture(scope="module")
-def gait(fmu):
-    return basin.stable_gait(Runner.of({"ground.friction": 1.2}, fmu), fmu)
+def gait():
+    return basin.stable_gait(Runner({"ground.friction": 1.2}))
 
 
 def settles(gait, apex):
     """The native solver tells whether an apex settles, one runner at a time."""
-    case = ensemble.Case(Runner(gait.runner.values), (gait.apex,))
+    case = ensemble.Case(Runner(gait.runner), (gait.apex,))
     ends, _ = ensemble.run_ensemble(
         [case], np.array([apex]), max_strides=400, instructions="one by one", threads=1
     )
@@ -47,7 +47,7 @@ def test_the_largest_disturbances_are_where_recovery_ends(gait):
 
 
 def test_starts_that_the_solver_does_not_get_through_are_counted(gait):
-    stiff = Runner({**gait.runner.values, "foot.mass": 1e-12, "hip.kp": 1e18, "hip.kd": 1e18})
+    stiff = Runner({**gait.runner, "foot.mass": 1e-12, "hip.kp": 1e18, "hip.kd": 1e18})
     found = volume.volume(dataclasses.replace(gait, runner=stiff), 20)
     assert (found.settled, found.unsolved) == (0, found.as_json()["unsolved"])
     assert 0 < found.unsolved <= 20
@@ -79,9 +79,9 @@ def test_a_volume_is_a_share_of_the_box(gait):
     assert found.volume[1] < found.volume[0] < found.volume[2]
 
 
-def test_one_measure_for_each_gait_in_their_order(gait, fmu, monkeypatch):
+def test_one_measure_for_each_gait_in_their_order(gait, monkeypatch):
     monkeypatch.setattr(attraction, "SAMPLES", 200)
-    other = basin.stable_gait(Runner.of({"ground.friction": 0.6}, fmu), fmu)
+    other = basin.stable_gait(Runner({"ground.friction": 0.6}))
     found = attraction.measure_all([other, gait])
     assert [measured.friction for measured in found] == [0.6, 1.2]
     assert [measured.word for measured in found] == [other.word, gait.word]
@@ -89,9 +89,9 @@ def test_one_measure_for_each_gait_in_their_order(gait, fmu, monkeypatch):
     assert found[0].volume.samples == 200 and found[1].robustness == robustness.robustness(gait)
 
 
-def test_disturbances_and_starts_are_measured_by_the_runner(gait, fmu, monkeypatch):
+def test_disturbances_and_starts_are_measured_by_the_runner(gait, monkeypatch):
     """A human's leg is no unit of length, nor its speed one of speed."""
-    human = Runner.of(read_parameters("human"), fmu)
+    human = Runner(read_parameters("human"))
     drawn = [volume.Drawing(r, (0.0,) * 6, 0, 0, 50).starts() / r.scales for r in (human, gait.runner)]
     np.testing.assert_allclose(*drawn, rtol=1e-12)
     tried = []
@@ -109,7 +109,7 @@ def test_disturbances_and_starts_are_measured_by_the_runner(gait, fmu, monkeypat
 
 
 def test_starts_fill_the_box(gait):
-    starts = volume.Drawing(Runner(gait.runner.values), tuple(gait.apex), 0, 0, 4000).starts()
+    starts = volume.Drawing(Runner(gait.runner), tuple(gait.apex), 0, 0, 4000).starts()
     low, high = np.array(list(volume.BOX.values())).T
     assert (starts.min(axis=0) >= low).all() and (starts.max(axis=0) <= high).all()
     np.testing.assert_allclose(starts.mean(axis=0), (low + high) / 2, atol=0.03 * (high - low).max())

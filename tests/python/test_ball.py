@@ -82,7 +82,7 @@ def test_a_larger_ball_of_the_norm_is_none(gait, ball):
 
 @pytest.mark.parametrize("reduced", [False, True])
 def test_fates_are_equal_with_a_ball_and_without(gait, reduced):
-    runner = Runner(gait.runner.values, reduced=reduced)
+    runner = Runner(gait.runner, model="reduced" if reduced else "full")
     gait = find_gait(runner)
     ball = ball_module.tested_ball(gait)
     starts = np.tile(gait.apex, (64, 64, 1))
@@ -118,7 +118,7 @@ def test_a_ball_is_of_the_runner_under_its_law(gait, ball):
 def with_gain(gait, gains, gain):
     gains = gains.copy()
     gains[0, 1] = gain
-    angle = gait.runner.values["hip.touchdown_angle"]
+    angle = gait.runner["hip.touchdown_angle"]
     return AffineLaw(("hip.touchdown_angle",), gait.apex, [angle], gains, [angle - 0.2], [angle + 0.2])
 
 
@@ -136,10 +136,10 @@ def test_a_ball_is_made_only_where_it_saves_more_than_it_costs(gait):
         ball_of(gait, "large", 10)
 
 
-def test_a_map_says_by_which_ball_it_knows(fmu):
+def test_a_map_says_by_which_ball_it_knows():
     axes = {"com_height": (1.2, 1.6), "com_speed": (0.9, 1.2)}
-    by_ball = basin({}, axes, fmu=fmu)
-    followed = basin({}, axes, ball="none", fmu=fmu)
+    by_ball = basin({}, axes)
+    followed = basin({}, axes, ball="none")
     assert by_ball.attributes["ball"] == "tested" and by_ball.attributes["ball_points"] == 10_000
     assert 0.05 < by_ball.attributes["ball_radius"] < 1.0 and 0.8 < by_ball.attributes["ball_rate"] < 1.0
     assert followed.attributes["ball"] == "none" and "ball_radius" not in followed.attributes

@@ -22,16 +22,16 @@ VALUES = {name: np.linspace(*ends, n) for (name, ends), n in zip(AXES.items(), N
 
 
 @pytest.fixture(scope="module")
-def runner(fmu):
-    return Runner.of({}, fmu)
+def runner():
+    return Runner({})
 
 
 @pytest.fixture(scope="module")
-def slice_(runner, fmu):
-    return basin.basin(runner, AXES, N, fmu=fmu)
+def slice_(runner):
+    return basin.basin(runner, AXES, N)
 
 
-def test_fates_are_those_of_runs_through_the_unit(slice_, fmu):
+def test_fates_are_those_of_runs_through_the_unit(slice_):
     """CVODE in Model Exchange falls from where the map says so, after as many strides."""
     fallen = np.argwhere(slice_["fate"] == 1)
     settled = np.argwhere(slice_["fate"] == 0)
@@ -39,7 +39,7 @@ def test_fates_are_those_of_runs_through_the_unit(slice_, fmu):
     for row, column in [*fallen[:2], *settled[:2]]:
         apex = [slice_.attributes[f"gait_{name}"] for name in section.COORDINATES]
         apex[0], apex[1] = VALUES["com_height"][row], VALUES["com_speed"][column]
-        run = tdmf_slip.simulate(Runner.of({}, fmu).state_at(apex), strides=60, tolerance=1e-9)
+        run = tdmf_slip.simulate(Runner({}).state_at(apex), strides=60, tolerance=1e-9)
         assert run.fallen == (slice_["fate"][row, column] == 1)
         if run.fallen:
             assert run.stride["count"] == slice_["strides_until_known"][row, column]
@@ -47,17 +47,17 @@ def test_fates_are_those_of_runs_through_the_unit(slice_, fmu):
             assert run.stride["word"] == slice_.attributes["word"]
 
 
-def test_fates_do_not_depend_on_who_computes_them(runner, slice_, fmu, monkeypatch):
+def test_fates_do_not_depend_on_who_computes_them(runner, slice_, monkeypatch):
     monkeypatch.setattr(basin, "STARTS_AT_ONCE", 30)
-    two = basin.basin(runner, AXES, N, fmu=fmu)
+    two = basin.basin(runner, AXES, N)
     assert two == slice_
-    gait = basin.stable_gait(runner, fmu)
+    gait = basin.stable_gait(runner)
     values = {"com_height": VALUES["com_height"][3:5], "com_speed": VALUES["com_speed"][1:]}
-    part = basin.basin_at(gait, values, fmu=fmu)
+    part = basin.basin_at(gait, values)
     np.testing.assert_array_equal(part["strides_until_known"], slice_["strides_until_known"][3:5, 1:])
 
 
-def test_a_map_is_gone_on_with(runner, slice_, fmu, tmp_path, monkeypatch):
+def test_a_map_is_gone_on_with(runner, slice_, tmp_path, monkeypatch):
     path = tmp_path / "map.nc"
     honest, calls = basin.fates_of_slice, []
 
@@ -70,34 +70,34 @@ def test_a_map_is_gone_on_with(runner, slice_, fmu, tmp_path, monkeypatch):
     monkeypatch.setattr(basin, "STARTS_AT_ONCE", 8 * N[1])
     monkeypatch.setattr(basin, "fates_of_slice", interrupted)
     with pytest.raises(KeyboardInterrupt):
-        basin.basin(runner, AXES, N, path=path, executor=InTurn(), fmu=fmu)
-    whole = basin.basin(runner, AXES, N, path=path, executor=InTurn(), fmu=fmu)
+        basin.basin(runner, AXES, N, path=path, executor=InTurn())
+    whole = basin.basin(runner, AXES, N, path=path, executor=InTurn())
     assert calls == [8, 4, 4]  # the block that was done is not done twice
     assert all(np.array_equal(whole[name], slice_[name]) for name in slice_)
     on_file = xarray.load_dataset(path)
     xarray.testing.assert_equal(on_file, slice_.to_xarray())
     assert on_file.attrs["settled_share"] == whole.settled_share == whole.attributes["settled_share"]
     with pytest.raises(InputError, match="another slice"):
-        basin.basin(runner, {**AXES, "com_height": (1.3, 3.0)}, N, path=path, fmu=fmu)
+        basin.basin(runner, {**AXES, "com_height": (1.3, 3.0)}, N, path=path)
 
 
 @pytest.mark.parametrize("ends", [(), (1.0,), (1.5, 1.2), (1.0, 1.0), (1.0, float("nan"))])
-def test_ranges_that_are_none_are_refused(runner, fmu, ends):
+def test_ranges_that_are_none_are_refused(runner, ends):
     with pytest.raises(
         InputError, match=r"axes: com_speed = .*allowed: two finite numbers, the lower one first"
     ):
-        basin.basin(runner, {**AXES, "com_speed": ends}, N, fmu=fmu)
+        basin.basin(runner, {**AXES, "com_speed": ends}, N)
 
 
 @pytest.mark.parametrize("n", [1, 0, 2.5, (3,), (3, 4, 5), "3"])
-def test_numbers_of_starts_that_are_none_are_refused(runner, fmu, n):
+def test_numbers_of_starts_that_are_none_are_refused(runner, n):
     with pytest.raises(InputError, match=r"n = .*allowed"):
-        basin.basin(runner, AXES, n, fmu=fmu)
+        basin.basin(runner, AXES, n)
 
 
-def test_without_ranges_a_map_is_around_the_gait(runner, fmu):
-    found = basin.basin(runner, n=3, fmu=fmu)
-    gait = basin.stable_gait(runner, fmu)
+def test_without_ranges_a_map_is_around_the_gait(runner):
+    found = basin.basin(runner, n=3)
+    gait = basin.stable_gait(runner)
     for name in AXES:
         assert (found[name][0], found[name][-1]) == basin.range_around(gait, name)
 
@@ -135,11 +135,11 @@ def test_the_map_is_around_the_gait_of_any_runner(command):
         lambda data: data.transpose(),
     ],
 )
-def test_a_spoiled_map_is_not_gone_on_with(runner, slice_, fmu, tmp_path, spoil):
+def test_a_spoiled_map_is_not_gone_on_with(runner, slice_, tmp_path, spoil):
     path = tmp_path / "map.nc"
     spoil(slice_.to_xarray()).to_netcdf(path)
     with pytest.raises(InputError, match=r"map\.nc: holds"):
-        basin.basin(runner, AXES, N, path=path, fmu=fmu)
+        basin.basin(runner, AXES, N, path=path)
 
 
 def drawn(data, monkeypatch):
@@ -217,9 +217,9 @@ def test_every_fate_has_a_colour():
         ("human", "leg length (m;  l₀ = 1 m)", "rate of leg angle (rad/s;  √(k/m) = 16.52 rad/s)"),
     ],
 )
-def test_a_map_says_friction_and_units(fmu, monkeypatch, preset, length, rate):
+def test_a_map_says_friction_and_units(monkeypatch, preset, length, rate):
     """The paper's units for a runner in them; SI with the runner's scales for any other."""
-    runner = Runner.of(preset, fmu).but("ground.friction", 0.55)
+    runner = Runner(preset).replace({"ground.friction": 0.55})
     data = basin.basin(runner, {"leg_length": (1.2, 1.3), "leg_angle_rate": (0.2, 0.4)}, 2)
     _, axes, figure = drawn(data, monkeypatch)
     assert "friction 0.55" in axes.get_title(loc="left")

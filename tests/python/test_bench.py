@@ -74,8 +74,8 @@ def test_a_peer_that_is_missing_is_named(without_peers):
     assert "numba is not installed" in without_peers.as_text()
 
 
-def test_solvers_are_judged_by_the_gait_and_what_is_around_it(fmu):
-    many = runners.runners_about_the_gait(fmu)
+def test_solvers_are_judged_by_the_gait_and_what_is_around_it():
+    many = runners.runners_about_the_gait()
     apex, others = many.judged[0], many.judged[1:]
     assert len(others) == 64
     np.testing.assert_array_equal(apex, many.gait.apex)
@@ -111,7 +111,7 @@ def test_nothing_is_timed_unless_all_solvers_agree(fmu, monkeypatch):
 
 def test_a_tolerance_that_is_found_is_good_from_everywhere(fmu):
     """The gait itself asks for less than its neighbours do."""
-    many = runners.runners_about_the_gait(fmu)
+    many = runners.runners_about_the_gait()
     for found in one_runner.measure_fmu(fmu, many, "native", 0.01):
         assert found.error == one_runner.stride_error(fmu, many, "native", found.tolerance) <= found.accuracy
         lanes = many.error(many.ends("one by one", found.tolerance)["apex"])
@@ -120,16 +120,16 @@ def test_a_tolerance_that_is_found_is_good_from_everywhere(fmu):
 
 @pytest.mark.parametrize("solver", ["native", "cvode"])
 def test_a_tighter_tolerance_errs_less(fmu, solver):
-    many = runners.runners_about_the_gait(fmu)
+    many = runners.runners_about_the_gait()
     assert one_runner.stride_error(fmu, many, solver, 1e-10) < one_runner.stride_error(
         fmu, many, solver, 1e-5
     )
 
 
 @pytest.mark.parametrize("swing_clamp", [False, True])
-def test_the_ensemble_makes_the_gaits_word(fmu, swing_clamp):
+def test_the_ensemble_makes_the_gaits_word(swing_clamp):
     """Peers are told the sequence of modes; it has to be that of every start."""
-    many = runners.runners_about_the_gait(fmu, swing_clamp=swing_clamp)
+    many = runners.runners_about_the_gait(swing_clamp=swing_clamp)
     assert many.swing_clamp is swing_clamp
     ends, _ = ensemble.run_ensemble([many.case], many.starts, max_strides=1)
     assert len(np.unique(ends["word_code"])) == 1 and (ends["strides"] == 1).all()

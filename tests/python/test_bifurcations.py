@@ -12,8 +12,8 @@ NAME = "leg.damping"
 
 
 @pytest.fixture(scope="module")
-def gait(fmu):
-    return find_gait(Runner.of({}, fmu))
+def gait():
+    return find_gait(Runner({}))
 
 
 class Made(Family):
@@ -30,7 +30,7 @@ class Made(Family):
         value = float(self.at(s))
         gait = replace(
             self.gait,
-            runner=self.gait.runner.but(NAME, value),
+            runner=self.gait.runner.replace({NAME: value}),
             apex=np.array([s, 0, 0, 0, 0, 0]),
             jacobian=jacobian,
             word=self.word(s),
@@ -85,7 +85,7 @@ def test_located_where_it_is(gait):
     found = special_points(made := Made(gait, lambda s: [real(-(s**9))]), made.made(0.5), made.made(1.5))[1]
     assert [special.kind for special in found] == ["period doubling"]
     assert found[0].value == pytest.approx(1.0, abs=1e-10)
-    assert found[0].between == (0.5, 1.5) and found[0].gait.runner.values[NAME] == found[0].value
+    assert found[0].between == (0.5, 1.5) and found[0].gait.runner[NAME] == found[0].value
 
 
 @pytest.mark.parametrize(

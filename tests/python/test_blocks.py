@@ -228,7 +228,7 @@ def test_what_is_done_is_on_file_when_a_row_fails(tmp_path, monkeypatch):
     honest = grid.gaits_of_row
 
     def failing(row):
-        if row.runner.values[DAMPING] == 0.23:
+        if row.runner[DAMPING] == 0.23:
             raise ValueError("a fault of the code")
         return honest(row)
 

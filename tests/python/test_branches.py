@@ -9,11 +9,11 @@ import pytest
 from conftest import CLAMPED
 from tdmf_slip import InputError, Runner, continue_branch
 from tdmf_slip.analysis.continuation import gaits_over
-from tdmf_slip.fmu.fmu import FRICTION
-from tdmf_slip.fmu.parameters import read_parameters
 from tdmf_slip.library.binding import c, ffi
 from tdmf_slip.library.ensemble import FATES, run_ensemble
 from tdmf_slip.pictures.branch_diagram import figure_of, values_of
+from tdmf_slip.variables.parameters import read_parameters
+from tdmf_slip.variables.table import FRICTION
 
 FAST_HUMAN = Path(__file__).with_name("fast_human.toml")
 ANGLE = "hip.touchdown_angle"
@@ -21,32 +21,32 @@ STRIDES = 10_000
 
 
 @pytest.fixture(scope="module")
-def runner(fmu):
-    return Runner.of({}, fmu)
+def runner():
+    return Runner({})
 
 
 @pytest.fixture(scope="module")
-def over_low_angle(runner, fmu):
+def over_low_angle(runner):
     """A branch over falling angles that passes a period doubling."""
-    return continue_branch(runner, {ANGLE: (0.575, 0.56)}, fmu=fmu)
+    return continue_branch(runner, {ANGLE: (0.575, 0.56)})
 
 
 @pytest.fixture(scope="module")
-def over_angle(runner, fmu):
+def over_angle(runner):
     """The branch goes from 40 degrees upwards, around two folds."""
-    return continue_branch(runner, {ANGLE: (np.radians(40.0), np.radians(53.0))}, max_step=1.0, fmu=fmu)
+    return continue_branch(runner, {ANGLE: (np.radians(40.0), np.radians(53.0))}, max_step=1.0)
 
 
 @pytest.fixture(scope="module")
-def over_rate(fmu):
+def over_rate():
     """A branch over the rate of retraction, on friction 0.2 and with the clamp of the swing."""
-    return continue_branch({FRICTION: 0.2, **CLAMPED}, {"hip.retraction_rate": (0.0, 0.03)}, fmu=fmu)
+    return continue_branch({FRICTION: 0.2, **CLAMPED}, {"hip.retraction_rate": (0.0, 0.03)})
 
 
 def settled(runner, apex, strides=STRIDES):
     """The apex after so many plain strides, and how many of them there were."""
     section = ffi.new("double[6]", list(apex))
-    ran = c.tdmf_settle(runner.solver(), runner.system, strides, section)
+    ran = c.tdmf_settle(runner.solver(), runner.c_system, strides, section)
     return np.array(list(section)), ran
 
 
@@ -128,7 +128,7 @@ def test_gaits_of_four_strides_are_those_of_plain_strides(over_rate):
     (four,) = two.branches
     assert four.strides == 4 and four.began.endswith(f"{again.value:.10g}") and min(four.values) > again.value
     gait = four.gaits[-1]
-    assert gait.stable and gait.runner.values["hip.retraction_rate"] == four.values[-1] == 0.03
+    assert gait.stable and gait.runner["hip.retraction_rate"] == four.values[-1] == 0.03
     apexes = [gait.apex, *gait.following]
     apex, ran = settled(gait.runner, gait.apex + 1e-4 * gait.runner.scales)
     number = int(np.argmin([apart(gait.runner, apex, other) for other in apexes]))
@@ -151,14 +151,14 @@ def test_where_the_foot_just_touches_the_ground_the_branch_turns_back(over_rate)
     assert two.values[first - 10] > turn < two.values[first + 10]
 
 
-def test_a_branch_does_not_jump_to_another_sheet(fmu):
+def test_a_branch_does_not_jump_to_another_sheet():
     """At 0.7335 rad its gaits end; others, which it has been at before, are 0.064 away."""
     runner = {"gravity": 0.015, "foot.mass": 0.03, FRICTION: 0.8, **CLAMPED}
-    branch = continue_branch(runner, {ANGLE: (0.76, 0.72)}, switch=False, fmu=fmu)
+    branch = continue_branch(runner, {ANGLE: (0.76, 0.72)}, switch=False)
     assert branch.ended.startswith(f"no convergence at {ANGLE}") and 0.7332 < branch.values[-1] < 0.734
     met = [(s.kind, s.words) for s in branch.specials if s.kind in ("word border", "fold", "Neimark-Sacker")]
     assert len(met) == len(set(met)) >= 2
-    points = np.array([np.append(o.apex / o.runner.scales, o.runner.values[ANGLE]) for o in branch.gaits])
+    points = np.array([np.append(o.apex / o.runner.scales, o.runner[ANGLE]) for o in branch.gaits])
     ways = np.linalg.norm(np.diff(points, axis=0), axis=1)
     apart = np.linalg.norm(points[:, None] - points, axis=2)
     for number, (before, after) in enumerate(pairwise(ways), 1):
@@ -184,7 +184,7 @@ def test_a_doubled_gait_is_reported_like_any_other(over_low_angle):
 def test_a_period_doubling_is_where_plain_strides_begin_to_alternate(over_low_angle):
     doubling = one(over_low_angle, "period doubling")
     for value, alternates in ((doubling.value * 1.002, False), (doubling.value * 0.998, True)):
-        here = doubling.gait.runner.but(ANGLE, value)
+        here = doubling.gait.runner.replace({ANGLE: value})
         apex, ran = settled(here, doubling.gait.apex)
         following, _ = settled(here, apex, 1)
         assert ran == STRIDES and (apart(here, apex, following) > 1e-3) == alternates
@@ -203,10 +203,10 @@ def code_of(word):
         (FAST_HUMAN, FRICTION, 0.6, 0.39, 2),
     ],
 )
-def test_a_word_border_is_where_plain_strides_change_their_word(fmu, preset, name, begin, end, smallest):
+def test_a_word_border_is_where_plain_strides_change_their_word(preset, name, begin, end, smallest):
     """On both sides, also of words that hold over 3e-6 of the parameter: side by side in the ensemble."""
-    runner = Runner.of(read_parameters(preset) if preset else {}, fmu)
-    branch = continue_branch(runner, {name: (begin, end)}, switch=False, fmu=fmu)
+    runner = Runner(read_parameters(preset) if preset else {})
+    branch = continue_branch(runner, {name: (begin, end)}, switch=False)
     borders = [(special.value, special) for special in branch.specials if special.kind == "word border"]
     values = [branch.values[0], *(value for value, _ in borders), branch.values[-1]]
     gaits, words = [], []
@@ -227,14 +227,14 @@ def test_a_word_border_is_where_plain_strides_change_their_word(fmu, preset, nam
     assert len(gaits) >= 2 * smallest
 
 
-def test_the_fast_humans_fold_is_where_plain_strides_lose_the_gait(fmu):
+def test_the_fast_humans_fold_is_where_plain_strides_lose_the_gait():
     """Beside a word border, on the friction; the runner falls beyond it."""
-    human = Runner.of(read_parameters(FAST_HUMAN), fmu)
-    branch = continue_branch(human, {FRICTION: (0.6, 0.38)}, switch=False, fmu=fmu)
+    human = Runner(read_parameters(FAST_HUMAN))
+    branch = continue_branch(human, {FRICTION: (0.6, 0.38)}, switch=False)
     fold = one(branch, "fold")
     before = next(gait for gait in branch.gaits[fold.index :: -1] if gait.lambda_max < 0.97)
     gait = next(gaits_over(human, FRICTION, [fold.value + 1e-3], before))
-    cases = [gait.runner, human.but(FRICTION, fold.value - 1e-3)]
+    cases = [gait.runner, human.replace({FRICTION: fold.value - 1e-3})]
     starts = [gait.apex + 1e-4 * human.scales, fold.gait.apex]
     ends, _ = run_ensemble(cases, starts, [0, 1], max_strides=STRIDES)
     assert ends["strides"][0] == STRIDES and apart(human, ends["apex"][0], gait.apex) < 1e-6
@@ -247,7 +247,7 @@ def test_a_fold_is_where_plain_strides_lose_the_gait(over_angle):
     gait = next(gaits_over(before.runner, ANGLE, [fold.value - 1e-3], before))
     apex, ran = settled(gait.runner, gait.apex + 1e-4 * gait.runner.scales)
     assert ran == STRIDES and apart(gait.runner, apex, gait.apex) < 1e-9
-    beyond = fold.gait.runner.but(ANGLE, fold.value + 1e-3)
+    beyond = fold.gait.runner.replace({ANGLE: fold.value + 1e-3})
     apex, ran = settled(beyond, fold.gait.apex)
     assert ran < STRIDES or apart(beyond, apex, fold.gait.apex) > 0.1
 
@@ -262,10 +262,10 @@ def test_a_neimark_sacker_point_is_where_plain_strides_spiral_in_or_out(over_ang
         assert (ran == STRIDES and apart(gait.runner, apex, gait.apex) < 1e-6) == settles
 
 
-def test_a_range_without_a_gait_at_its_beginning_is_followed_both_ways(fmu):
+def test_a_range_without_a_gait_at_its_beginning_is_followed_both_ways():
     """The fast human falls at 0.35: the branch begins above its fold."""
-    human = Runner.of(read_parameters(FAST_HUMAN), fmu)
-    branch = continue_branch(human, {FRICTION: (0.35, 0.5)}, fmu=fmu)
+    human = Runner(read_parameters(FAST_HUMAN))
+    branch = continue_branch(human, {FRICTION: (0.35, 0.5)})
     assert branch.began == branch.ended == "end of the range"
     assert branch.values[0] == branch.values[-1] == 0.5
     assert [s.kind for s in branch.specials if s.kind != "word border"] == ["fold"]

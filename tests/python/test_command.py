@@ -166,14 +166,14 @@ def expected():
 
 def test_the_gait_of_the_defaults_settles_on_the_reference(gait, expected):
     assert gait.word == expected.word
-    assert all(drift.passed for drift in reference.drifts(gait, expected, tdmf_slip.load_fmu()))
+    assert all(drift.passed for drift in reference.drifts(gait, expected))
 
 
 @pytest.mark.parametrize("name", ["period", "speed", "cost_of_transport"])
 def test_validation_sees_a_drift(gait, expected, name):
     """A reference that is off by 1e-5, as a mistake in the physics would make it."""
     drifted = replace(expected, **{name: getattr(expected, name) * (1 + 1e-5)})
-    assert not all(drift.passed for drift in reference.drifts(gait, drifted, tdmf_slip.load_fmu()))
+    assert not all(drift.passed for drift in reference.drifts(gait, drifted))
 
 
 def test_a_table_of_inputs_may_come_from_anywhere(command, tmp_path):

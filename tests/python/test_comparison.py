@@ -25,7 +25,7 @@ def test_the_matched_runners_are_met(runners, found):
     reference, other = matched.gaits
     again = gait_near(other.runner, other.apex)
     assert quantities_of(again, HOLD) == pytest.approx(quantities_of(reference, HOLD), rel=1e-9)
-    assert [other.runner.values[name] for name in VARY] == pytest.approx(found, abs=2e-5)
+    assert [other.runner[name] for name in VARY] == pytest.approx(found, abs=2e-5)
     assert reference == find_gait(runners[0])
     assert quantities_of(other, ["foot_clearance"])["foot_clearance"] == pytest.approx(
         quantities_of(reference, ["foot_clearance"])["foot_clearance"], abs=2e-3

@@ -26,7 +26,6 @@ RESULTS = {
     "a fit": lambda: tdmf_slip.fit(
         None, Measurements(({"speed": Measured(1.0, 0.01)},), "one"), ["hip.stance_torque"]
     ),
-    "a runner": lambda: tdmf_slip.Runner.of({FRICTION: 0.6}),
     "a feedback": lambda: tdmf_slip.lqr(tdmf_slip.find_gait({FRICTION: 0.6}), ["hip.stance_torque"]),
     "what can be controlled": lambda: tdmf_slip.controllability(
         tdmf_slip.find_gait({FRICTION: 0.6}), ["hip.stance_torque"]

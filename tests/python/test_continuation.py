@@ -12,8 +12,8 @@ from tdmf_slip.analysis.continuation import gaits_over
 from tdmf_slip.analysis.family import Family, Point
 from tdmf_slip.analysis.search import periodic_gait
 from tdmf_slip.analysis.tracing import trace
-from tdmf_slip.fmu.fmu import FRICTION
-from tdmf_slip.fmu.parameters import read_parameters
+from tdmf_slip.variables.parameters import read_parameters
+from tdmf_slip.variables.table import FRICTION
 
 FAST_HUMAN = Path(__file__).with_name("fast_human.toml")
 ANGLE = "hip.touchdown_angle"
@@ -23,13 +23,13 @@ UNSTABLE_APEX = [14.1, 0.219, 1.004, 10.41, 0.0, 0.214]
 
 
 @pytest.fixture(scope="module")
-def runner(fmu):
-    return Runner.of({}, fmu)
+def runner():
+    return Runner({})
 
 
 @pytest.fixture(scope="module")
-def human(fmu):
-    return Runner.of(read_parameters(FAST_HUMAN), fmu)
+def human():
+    return Runner(read_parameters(FAST_HUMAN))
 
 
 def kinds(branch):
@@ -74,7 +74,7 @@ def test_a_branch_is_followed_past_loss_of_stability(runner):
     (doubling,) = [special for special in branch.specials if special.kind != "word border"]
     assert doubling.kind == "period doubling"
     assert_judged_rightly(doubling)
-    assert doubling.value == pytest.approx(doubling.gait.runner.values[ANGLE], abs=0.0)
+    assert doubling.value == pytest.approx(doubling.gait.runner[ANGLE], abs=0.0)
     before = [
         gait.stable for gait, at in zip(branch.gaits, branch.values, strict=True) if at > doubling.value
     ]
@@ -107,16 +107,16 @@ def test_a_fold_beside_word_borders_is_found(human):
     assert branch.began == "beginning of the range" and branch.values[-1] == 0.6
     assert sum(not gait.stable for gait in branch.gaits) >= 9
     direction = np.linalg.svd(fold.gait.jacobian - np.eye(6))[2][-1]
-    here = human.but(FRICTION, fold.value + 1e-6)
+    here = human.replace({FRICTION: fold.value + 1e-6})
     sides = [find_gait(here, guess=fold.gait.apex + s * direction) for s in (-1e-2, 1e-2)]
     assert sides[0].stable != sides[1].stable
     with pytest.raises(RunError):
-        find_gait(human.but(FRICTION, fold.value - 1e-6), guess=fold.gait.apex)
+        find_gait(human.replace({FRICTION: fold.value - 1e-6}), guess=fold.gait.apex)
 
 
 def test_two_real_eigenvalues_that_meet_are_no_neimark_sacker_point(runner):
     """Outside the unit circle they become a complex pair: the number of unstable ones stays."""
-    first = find_gait(runner.but(ANGLE, 0.725), guess=UNSTABLE_APEX)
+    first = find_gait(runner.replace({ANGLE: 0.725}), guess=UNSTABLE_APEX)
     branch = trace(runner, ANGLE, first, 0.7, max_step=0.1)
     complex_pairs = [abs(gait.eigenvalues[0].imag) > 1e-3 for gait in branch.gaits]
     assert not complex_pairs[0] and complex_pairs[-1] and branch.gaits[-1].unstable == 2
@@ -125,7 +125,7 @@ def test_two_real_eigenvalues_that_meet_are_no_neimark_sacker_point(runner):
 
 def test_a_complex_pair_that_crosses_the_unit_circle_is_one(runner):
     """It lies on the same branch, farther on."""
-    first = find_gait(runner.but(ANGLE, 0.725), guess=UNSTABLE_APEX)
+    first = find_gait(runner.replace({ANGLE: 0.725}), guess=UNSTABLE_APEX)
     branch = trace(runner, ANGLE, first, 0.7, max_step=0.1)
     back = trace(runner, ANGLE, branch.gaits[-1], 0.755, max_step=0.1)
     assert kinds(back) == ["Neimark-Sacker"]
@@ -156,15 +156,15 @@ def test_nothing_is_passed_over_where_gaits_are_wild(human, name, end, most):
         (FAST_HUMAN, FRICTION, 0.2),
     ],
 )
-def test_a_border_is_where_the_word_changes(fmu, preset, name, end):
+def test_a_border_is_where_the_word_changes(preset, name, end):
     """To 3e-10 of the parameter, also where a duration ends as a square root does; seen by words alone."""
-    runner = Runner.of(read_parameters(preset) if preset else preset, fmu)
+    runner = Runner(read_parameters(preset) if preset else preset)
     branch = trace(runner, name, find_gait(runner), end, max_step=0.1)
     met = [special for special in branch.specials if special.kind == "word border"]
     assert len(met) == len(branch.borders) >= 2
     for border, special in zip(branch.borders, met, strict=True):
         words = {
-            find_gait(runner.but(name, border.value * (1.0 + off)), guess=special.gait.apex).word
+            find_gait(runner.replace({name: border.value * (1.0 + off)}), guess=special.gait.apex).word
             for off in (-3e-10, 3e-10)
         }
         assert words == {border.before, border.after}
@@ -263,7 +263,7 @@ def test_steps_that_had_to_be_short_grow_again(runner, monkeypatch):
     monkeypatch.setattr(Family, "gait", hard_at_first)
     (last,) = gaits_over(runner, "leg.damping", [0.36], first)
     assert values == pytest.approx([0.21, 0.23, 0.27, 0.35, 0.36])
-    assert last.runner.values["leg.damping"] == 0.36
+    assert last.runner["leg.damping"] == 0.36
 
 
 def test_gaits_are_followed_up_to_where_they_end(human, looked):
@@ -295,6 +295,6 @@ def test_the_range_of_a_branch_is_checked(runner):
 
 def test_a_branch_that_leads_to_what_is_not_allowed_keeps_its_gaits(runner):
     """A step of this length from a friction of 0.05 would pass 0."""
-    first = find_gait(runner.but(FRICTION, 0.05), guess=find_gait(runner).apex)
+    first = find_gait(runner.replace({FRICTION: 0.05}), guess=find_gait(runner).apex)
     branch = trace(runner, FRICTION, first, -1.0, max_step=0.3, max_points=15)
     assert len(branch.gaits) == 15 and 0.0 < min(branch.values) < 0.01

@@ -95,7 +95,7 @@ def test_the_bialternate_product_has_the_products_of_pairs():
     np.testing.assert_allclose(np.sort_complex(np.linalg.eigvals(bialternate(matrix))), wanted, atol=1e-12)
 
 
-def test_period_doublings_over_two_parameters(command, fmu, tmp_path):
+def test_period_doublings_over_two_parameters(command, tmp_path):
     options = ("--vary", f"{ANGLE}=0.575:0.555", "--vary", f"{DAMPING}=0.199:0.201", "--plot", "curves.png")
     status, out, _ = command("continue", *options, "--json")
     printed = json.loads(out)
@@ -105,30 +105,30 @@ def test_period_doublings_over_two_parameters(command, fmu, tmp_path):
     ends = sorted((curve["points"][0], curve["points"][-1]))
     assert sorted(damping for _, damping in ends) == pytest.approx([0.199, 0.201], abs=1e-9)
     angle, damping = curve["points"][len(curve["points"]) // 4]
-    runner = Runner.of({DAMPING: damping}, fmu)
-    branch = continue_branch(runner, {ANGLE: (angle + 2e-3, angle - 2e-3)}, switch=False, fmu=fmu)
+    runner = Runner({DAMPING: damping})
+    branch = continue_branch(runner, {ANGLE: (angle + 2e-3, angle - 2e-3)}, switch=False)
     (doubling,) = (special for special in branch.specials if special.kind == "period doubling")
     assert doubling.value == pytest.approx(angle, rel=1e-8)
     assert (tmp_path / "curves.png").read_bytes()[:4] == b"\x89PNG"
 
 
-def test_word_borders_over_two_parameters(fmu):
-    (curve,) = continue_curves({}, {FRICTION: (1.2, 1.1), DAMPING: (0.198, 0.202)}, fmu=fmu)
+def test_word_borders_over_two_parameters():
+    (curve,) = continue_curves({}, {FRICTION: (1.2, 1.1), DAMPING: (0.198, 0.202)})
     assert (curve.kind, curve.words) == ("word border", ("+0+", "+0-0+"))
     assert curve.points[[0, -1], 1] == pytest.approx([0.198, 0.202])
     friction, damping = curve.points[len(curve.points) // 4]
-    runner = Runner.of({DAMPING: damping}, fmu)
-    branch = continue_branch(runner, {FRICTION: (friction + 0.01, friction - 0.01)}, switch=False, fmu=fmu)
+    runner = Runner({DAMPING: damping})
+    branch = continue_branch(runner, {FRICTION: (friction + 0.01, friction - 0.01)}, switch=False)
     (border,) = branch.borders
     assert border.value == pytest.approx(friction, rel=1e-8)
 
 
 @pytest.mark.parametrize("turned", [False, True])
-def test_a_border_has_each_word_on_its_side(fmu, turned):
+def test_a_border_has_each_word_on_its_side(turned):
     """Whichever way the first range leads: left of the curve the word of a lower friction is written."""
     span = (1.2, 1.1)[:: -1 if turned else 1]
     over = {FRICTION: span, DAMPING: (0.198, 0.202)}
-    curves = continue_curves({}, over, fmu=fmu)
+    curves = continue_curves({}, over)
     figure = figure_of(curves, over)
     figure.canvas.draw()
     axes = figure.axes[0]
@@ -139,11 +139,11 @@ def test_a_border_has_each_word_on_its_side(fmu, turned):
         assert not any(text.get_window_extent().contains(*point) for point in line)
 
 
-def test_two_parameters_are_two(fmu, command):
+def test_two_parameters_are_two(command):
     with pytest.raises(InputError, match="two parameters"):
-        continue_curves({}, {FRICTION: (0.6, 0.5)}, fmu=fmu)
+        continue_curves({}, {FRICTION: (0.6, 0.5)})
     with pytest.raises(InputError, match="ends differ"):
-        continue_curves({}, {FRICTION: (0.6, 0.5), DAMPING: (0.2, 0.2)}, fmu=fmu)
+        continue_curves({}, {FRICTION: (0.6, 0.5), DAMPING: (0.2, 0.2)})
     over = ("--vary", "leg.damping=0.1:0.2", "--vary", "ground.friction=0.5:0.6")
     for more in (("--vary", "gravity=0.01:0.02"), over[:2], ("--output", "x.nc")):
         status, out, said = command("continue", *over, *more)

@@ -8,8 +8,8 @@ from tdmf_slip.library import binding, ensemble
 
 
 @pytest.fixture(scope="module")
-def gaits(fmu):
-    return [find_gait(Runner.of({"ground.friction": mu}, fmu)) for mu in (0.6, 1.2)]
+def gaits():
+    return [find_gait(Runner({"ground.friction": mu})) for mu in (0.6, 1.2)]
 
 
 @pytest.fixture(scope="module")
@@ -19,7 +19,7 @@ def starts(gaits):
 
 
 def test_every_instruction_set_ends_alike(gaits, starts):
-    cases = [ensemble.Case(Runner(g.runner.values)) for g in gaits]
+    cases = [ensemble.Case(Runner(g.runner)) for g in gaits]
     numbers = np.arange(len(starts)) % 2
     ends = {
         name: ensemble.run_ensemble(
@@ -44,8 +44,8 @@ FRICTIONS = (10.0, 1.2, 0.6, 0.43, 0.2)
 def populations(unit, size):
     """Cases, starts and case numbers: around the published gaits, all over the box, and of other runners."""
     rng = np.random.default_rng(11)
-    gaits = [find_gait(Runner.of({"ground.friction": mu}, unit)) for mu in FRICTIONS]
-    cases = [ensemble.Case(Runner(gait.runner.values)) for gait in gaits]
+    gaits = [find_gait(Runner({"ground.friction": mu})) for mu in FRICTIONS]
+    cases = [ensemble.Case(Runner(gait.runner)) for gait in gaits]
     numbers = np.arange(size) % len(gaits)
     near = np.array([gaits[i].apex for i in numbers]) + rng.uniform(-0.05, 0.05, (size, 6))
     low, high = np.array(list(volume.BOX.values())).T
@@ -53,7 +53,7 @@ def populations(unit, size):
     yield "box", cases, rng.uniform(low, high, (size, 6)), numbers
     others = []
     for factors in np.exp(rng.uniform(-1.0, 1.0, (size // 4, len(CHANGED)))):
-        values = dict(gaits[2].runner.values)
+        values = dict(gaits[2].runner)
         values |= {name: factor * values[name] for name, factor in zip(CHANGED, factors, strict=True)}
         values |= {"ground.friction": rng.uniform(0.1, 2.0), "hip.touchdown_angle": rng.uniform(0.3, 1.0)}
         others.append(ensemble.Case(Runner(values)))
@@ -74,7 +74,7 @@ def errors(cases, starts, numbers, tolerance, instructions):
     np.testing.assert_array_equal(found["word_code"], exact["word_code"])
     scales = np.array([case.runner.scales for case in cases])[numbers]
     length, time = scales[:, 0], 1.0 / scales[:, 5]
-    energy = np.array([case.runner.values["leg.stiffness"] for case in cases])[numbers] * length**2
+    energy = np.array([case.runner["leg.stiffness"] for case in cases])[numbers] * length**2
     worst = np.max(np.abs(found["apex"] - exact["apex"]) / scales, axis=1)
     units = {"time": time, "distance": length, "work": energy, "damper_loss": energy}
     for name, scale in (units | {"friction_loss": energy, "impact_loss": energy}).items():
@@ -115,7 +115,7 @@ def test_a_map_keeps_the_promised_accuracy(fmu):
 def test_runners_settle_on_their_own_gait(gaits, starts):
     """Two gaits are offered to each; a runner ends on that of its friction, whose apex it reaches."""
     apices = [g.apex for g in gaits]
-    cases = [ensemble.Case(Runner(g.runner.values), apices) for g in gaits]
+    cases = [ensemble.Case(Runner(g.runner), apices) for g in gaits]
     numbers = np.arange(len(starts)) % 2
     ends, work = ensemble.run_ensemble(cases, starts, numbers, max_strides=400, near=1e-3)
     np.testing.assert_array_equal(ends["gait"], numbers)
@@ -125,7 +125,7 @@ def test_runners_settle_on_their_own_gait(gaits, starts):
 
 
 def test_a_runner_too_stiff_has_not_fallen(gaits, starts):
-    stiff = ensemble.Case(Runner({**gaits[0].runner.values, "hip.kd": 2.5e13}), [gaits[0].apex])
+    stiff = ensemble.Case(Runner({**gaits[0].runner, "hip.kd": 2.5e13}), [gaits[0].apex])
     ends, work = ensemble.run_ensemble([stiff], starts[:50], max_strides=400)
     assert (ends["fate"] == ensemble.FATES.index("unsolved")).all()
     assert work.steps <= 50

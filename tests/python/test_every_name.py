@@ -22,7 +22,7 @@ def spans(fmu):
     """Two values near each one's own, which is the lower one where it is a bound of its range."""
     found = {}
     for name in NAMES:
-        start, variable = fmu.start_of(name), fmu.variables[name]
+        start, variable = fmu.variables.start_of(name), fmu.variables[name]
         low, high = (0.98 * start, 1.03 * start) if start else (0.0, 0.002)
         found[name] = max(low, float(variable.minimum)), high
     assert len(found) == len(PARAMETERS) + len(INPUTS) - len(FLAGS) - len(BORDERS) == 27
@@ -43,16 +43,16 @@ def test_all_can_be_swept_over(command, spans):
     assert swept == 27
 
 
-def test_all_can_be_set_for_a_gait_and_for_what_it_attracts(command, spans, fmu):
+def test_all_can_be_set_for_a_gait_and_for_what_it_attracts(command, spans):
     tried, unmoved = 0, set()
-    home = find_gait({}, fmu=fmu).stride["speed"]
+    home = find_gait({}).stride["speed"]
     for name, (_, value) in spans.items():
         status, out, err = command("gait", "--set", f"{name}={value!r}", "--json")
         assert status == 0, f"{name}: {err}"
         gait = json.loads(out)
         ends = np.array([1.0 - 1e-9, 1.0 + 1e-9])
         axes = {"com_height": ends * gait["apex"][0], "com_speed": ends * gait["apex"][1]}
-        data = basin({name: value}, axes, 2, fmu=fmu)
+        data = basin({name: value}, axes, 2)
         assert data.settled_share == 1.0 and gait["stable"], name
         unmoved |= {name} if abs(gait["speed"] - home) < 1e-9 else set()
         tried += 1
@@ -65,8 +65,8 @@ def test_none_takes_what_is_beyond_its_range(command, fmu):
         variable = fmu.variables[name]
         beyond = 2.0 * float(variable.maximum)
         for arguments in (
-            ("sweep", "--vary", f"{name}={fmu.start_of(name)!r}:{beyond!r}:3"),
-            ("continue", "--vary", f"{name}={fmu.start_of(name)!r}:{beyond!r}"),
+            ("sweep", "--vary", f"{name}={fmu.variables.start_of(name)!r}:{beyond!r}:3"),
+            ("continue", "--vary", f"{name}={fmu.variables.start_of(name)!r}:{beyond!r}"),
             ("gait", "--set", f"{name}={beyond!r}"),
             ("basin", "--set", f"{name}={beyond!r}"),
         ):

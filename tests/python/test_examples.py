@@ -6,7 +6,7 @@ import pathlib
 import numpy as np
 import pytest
 import tdmf_slip
-from tdmf_slip.fitting.measurements import read_measurements, shipped
+from tdmf_slip.fitting.measurements import read_measurements
 
 EXAMPLES = pathlib.Path(__file__).resolve().parents[2] / "examples"
 
@@ -79,7 +79,7 @@ def test_the_runner_crosses_rough_ground(load, tmp_path):
 def test_forces_of_a_treadmill_become_a_table_that_gives_back_the_runner(load, monkeypatch, capsys, tmp_path):
     """Forces of our own runner, in the layout that is read: step frequency, contact time and peak return."""
     example = load("treadmill_forces")
-    values = shipped("human_running.toml")
+    values = "human_running"
     gait = tdmf_slip.find_gait(values, model="reduced")
     stride = gait.stride
     period, stance = stride["period"], stride["stance_time"]

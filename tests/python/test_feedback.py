@@ -23,9 +23,9 @@ from tdmf_slip.feedback.dead_beat_gain import dead_beat_gain
 from tdmf_slip.feedback.gains import riccati_gain
 from tdmf_slip.feedback.linearization import CHOSEN, linearize
 from tdmf_slip.feedback.modes import Modes, lasting_modes
-from tdmf_slip.fmu.parameters import read_parameters
 from tdmf_slip.library.ensemble import instruction_sets
 from tdmf_slip.library.return_map import stride_from
+from tdmf_slip.variables.parameters import read_parameters
 
 ANGLE, TORQUE, THRUST = "hip.touchdown_angle", "hip.stance_torque", "leg.thrust"
 ALL = (ANGLE, TORQUE, "hip.retraction_rate", "hip.kp", "hip.kd", "hip.liftoff_angle_factor", THRUST)
@@ -50,7 +50,7 @@ def gaits():
 def next_apex(runner, apex, settings):
     """By the return map alone."""
     for name, value in settings.items():
-        runner = runner.but(name, value)
+        runner = runner.replace({name: value})
     return stride_from(runner, apex, ANGLE)[0]
 
 
@@ -87,7 +87,7 @@ def test_both_matrices_are_differences_of_the_return_map(name):
         column = (ends[0] - ends[1]) / (2 * step) / model.scales
         assert column == pytest.approx(model.scaled_state_matrix[:, i], rel=1e-6, abs=1e-7)
     for i, setting in enumerate(ALL):
-        value, size = gait.runner.values[setting], step * model.setting_scales[i]
+        value, size = gait.runner[setting], step * model.setting_scales[i]
         ends = [next_apex(gait.runner, gait.apex, {setting: value + side * size}) for side in (1, -1)]
         column = (ends[0] - ends[1]) / (2 * step) / model.scales
         assert column == pytest.approx(model.scaled_input_matrix[:, i], rel=1e-6, abs=1e-6), setting
@@ -133,7 +133,7 @@ def test_gains_of_a_scaled_runner_are_scaled():
     scales = {ANGLE: 1.0, TORQUE: energy, "leg.extension": l0, "body.external_fx": k * l0}
     scales |= {"hip.retraction_rate": 1.0 / time, "hip.kp": energy, "hip.kd": energy * time}
     gait = find_gait()
-    runner = Runner.of(scaled)
+    runner = Runner(scaled)
     other = find_gait(runner, guess=gait.apex * runner.scales)
     for name, scale in scales.items():
         assert linearize(other, [name]).setting_scales == pytest.approx([scale], rel=1e-12), name
@@ -184,7 +184,7 @@ def test_mobility_is_what_a_setting_does_to_a_mode(gaits):
 
 def test_a_mode_that_no_setting_moves_is_named():
     modes = Modes(np.eye(3), np.diag([1.1, 0.5, -0.3]), np.array([[0.0], [1.0], [2.0]]))
-    found = controllability_of(Runner.of(), modes, (ANGLE,))
+    found = controllability_of(Runner(), modes, (ANGLE,))
     assert found.rank == 2 and found.uncontrollable == pytest.approx([1.1]) and found.strides is None
     assert not found.controllable and not found.stabilizable
     with pytest.raises(ArithmeticError, match="not controllable"):
@@ -344,7 +344,7 @@ def test_placed_eigenvalues_are_those_of_the_closed_loop_by_differences_through_
 
 def drawn_runner(source):
     """Its parameters are within factors of 1.6 of the default ones, its friction is from 0.05 to 7."""
-    usual = Runner.of({}).values
+    usual = Runner()
     names = ("foot.mass", "leg.stiffness", "leg.damping", "gravity", TORQUE, "hip.kp", "hip.kd")
     factors = dict.fromkeys(names, 0.5)
     factors["ground.friction"] = 2.5

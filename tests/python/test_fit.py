@@ -18,11 +18,11 @@ from tdmf_slip.fitting.identifiability import identified
 from tdmf_slip.fitting.measurements import Measured, Measurements, read_measurements, shipped
 from tdmf_slip.fitting.problem import Problem
 from tdmf_slip.fitting.result import QUANTILE
-from tdmf_slip.fmu.parameters import read_parameters
 from tdmf_slip.library.gait import gait_near
 from tdmf_slip.library.quantities import known_quantities, quantities_of, unit_of
 from tdmf_slip.library.varied_gait import varied_gait
 from tdmf_slip.terminal import progress
+from tdmf_slip.variables.parameters import read_parameters
 
 FAST_HUMAN = Path(__file__).with_name("fast_human.toml")
 TABLE = "speed [m/s],speed_error [m/s],frequency [Hz],frequency_error [Hz]\n"
@@ -52,11 +52,11 @@ def test_the_derivatives_of_a_gait_are_those_of_solved_gaits(model, start):
     is_slip = np.array([name == "slip_distance" for name in quantities])
     compared = 0
     for k, name in enumerate(parameters):
-        value = first.runner.values[name]
+        value = first.runner[name]
         step = 1e-6 * value
 
         def solved(by, name=name, value=value):
-            gait = gait_near(first.runner.but(name, value + by), first.apex)
+            gait = gait_near(first.runner.replace({name: value + by}), first.apex)
             return np.array([*quantities_of(gait, quantities).values()]), gait.apex
 
         (more, apex), (less, other) = solved(step), solved(-step)
@@ -78,7 +78,7 @@ def test_the_gait_is_found_from_elsewhere():
     found = fit(None, Measurements((measured(true),), "a gait"), free)
     assert found.chi_square < 1e-12
     for name in free:
-        assert found.parameters[name].value == pytest.approx(true.runner.values[name], rel=1e-7)
+        assert found.parameters[name].value == pytest.approx(true.runner[name], rel=1e-7)
     assert found.words == (true.word,) and found.gaits[0].stride["speed"] == pytest.approx(
         true.stride["speed"]
     )
@@ -396,7 +396,7 @@ def test_the_command_prints_writes_and_draws(tmp_path, command):
     assert (status, said) == (0, "")
     estimate = printed["parameters"]["leg.stiffness"]
     assert estimate["low"] < estimate["value"] < estimate["high"]
-    assert estimate["value"] == pytest.approx(Runner.of({}).values["leg.stiffness"], rel=1e-8)
+    assert estimate["value"] == pytest.approx(Runner()["leg.stiffness"], rel=1e-8)
     assert len(printed["residuals"]) == len(MEASURED) and printed["unidentified"] == []
     text = page.read_text(encoding="utf-8")
     assert "leg.stiffness" in text and "data:image/png;base64," in text and "<script" not in text
@@ -453,7 +453,7 @@ def test_the_numbers_of_fast_runners_are_made_of_those_published():
 def test_one_leg_runs_at_eight_speeds():
     """What is published of a runner, its frequencies and forces, is within its errors with one stiffness."""
     each = ["hip.stance_torque", "hip.touchdown_angle"]
-    runner = read_parameters(shipped("human_running.toml"))
+    runner = read_parameters("human_running")
     found = fit(runner, "human_running", ["leg.stiffness"], vary_each=each, model="reduced")
     assert found.converged and found.degrees_of_freedom == 7 and found.probability > 0.1
     stiffness = found.parameters["leg.stiffness"]

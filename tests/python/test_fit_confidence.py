@@ -82,7 +82,7 @@ def test_intervals_hold_the_truth_as_often_as_they_say(name):
     rows = [measured(gait, names, error) for gait in gaits]
     begin = gaits[0] if len(gaits) == 1 else find_gait(FIRST, model=model)
     seeds, minimum = FEWER.get(name, (SEEDS, MINIMUM))
-    true, held = {of: gaits[0].runner.values[of] for of in free}, dict.fromkeys(free, 0)
+    true, held = {of: gaits[0].runner[of] for of in free}, dict.fromkeys(free, 0)
     fitted = 0
     for seed in range(seeds):
         random = np.random.default_rng(seed)
@@ -242,7 +242,7 @@ def far_off(count=6):
 
 def test_a_datum_that_is_far_off_changes_a_robust_fit_little():
     gait, data = far_off()
-    true = gait.runner.values["hip.stance_torque"]
+    true = gait.runner["hip.stance_torque"]
     plain, robust = (fit(None, data, ["hip.stance_torque"], robust=robust) for robust in (False, True))
     off = [abs(found.parameters["hip.stance_torque"].value / true - 1.0) for found in (plain, robust)]
     assert off[1] < 0.3 * off[0]

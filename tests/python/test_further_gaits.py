@@ -142,7 +142,7 @@ def test_the_clock_of_place_tells_since_when(run, gait):
 
 
 def test_the_library_finds_them(gait):
-    found = gait_near(tdmf_slip.Runner.of(given_of(gait)), gait["apex"])
+    found = gait_near(tdmf_slip.Runner(given_of(gait)), gait["apex"])
     assert found.word == gait["word"]
     for name in ("period", "length", "speed", "cost_of_transport"):
         assert found.stride[name] == pytest.approx(gait[name], rel=1e-8), name

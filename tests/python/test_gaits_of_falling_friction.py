@@ -19,7 +19,7 @@ def data():
 @pytest.fixture(scope="module")
 def downhill():
     """At -3 degrees, where two gaits were found side by side."""
-    return runner_of(tdmf_slip.Runner.of({}), DOWNHILL, 1.5, 0.1)
+    return runner_of(tdmf_slip.Runner({}), DOWNHILL, 1.5, 0.1)
 
 
 def test_gaits_on_level_ground_are_what_is_kept(data):
@@ -29,7 +29,7 @@ def test_gaits_on_level_ground_are_what_is_kept(data):
         of_branch = np.flatnonzero(its["kind"] == "")
         for row in of_branch[[20, 90, 150]]:
             velocity = its["stribeck_velocity"][row]
-            gait = tdmf_slip.find_gait(runner_of(tdmf_slip.Runner.of({}), LEVEL, ratio, velocity))
+            gait = tdmf_slip.find_gait(runner_of(tdmf_slip.Runner({}), LEVEL, ratio, velocity))
             assert gait.word == its["word"][row] and gait.stable == its["stable"][row]
             assert gait.speed == pytest.approx(its["speed"][row], rel=1e-7)
             assert gait.lambda_max == pytest.approx(its["lambda_max"][row], rel=1e-5)
@@ -85,7 +85,7 @@ def test_below_the_fold_no_gait_is_left_and_the_runner_runs_away(data, downhill)
     near = runner_of(downhill, DOWNHILL, 1.5, 1.2 * fold)
     gait = gait_near(near, tdmf_slip.find_gait(downhill).apex)
     ends = tdmf_slip.stride_map(
-        near.values | {"ground.stribeck_velocity": np.array([0.8, 1.2]) * fold},
+        {**near, "ground.stribeck_velocity": np.array([0.8, 1.2]) * fold},
         gait.apex,
         strides=2000,
     )["next_apex"][:, :, 1]

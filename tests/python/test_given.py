@@ -13,9 +13,9 @@ from conftest import HANGS
 from tdmf_slip import InputError, RunError
 from tdmf_slip.analysis import continuation, fates, stability
 from tdmf_slip.fmu import batch
-from tdmf_slip.fmu.parameters import read_parameters
 from tdmf_slip.library import ensemble
 from tdmf_slip.library.section import COORDINATES
+from tdmf_slip.variables.parameters import read_parameters
 
 FRICTION, DAMPING, TORQUE = "ground.friction", "leg.damping", "hip.stance_torque"
 GIVEN = {FRICTION: 0.6, DAMPING: 0.19}
@@ -324,10 +324,10 @@ def test_a_runner_is_given_in_any_of_the_ways(tmp_path):
     file.write_text('"ground.friction" = 0.43\n"leg.damping" = 0.21\n')
     values = read_parameters(file)
     gait = tdmf_slip.find_gait(values)
-    for given in (file, str(file), pandas.Series(values), tdmf_slip.Runner.of(values), gait):
+    for given in (file, str(file), pandas.Series(values), tdmf_slip.Runner(values), gait):
         assert tdmf_slip.find_gait(given).apex == pytest.approx(gait.apex, abs=1e-10)
-        assert tdmf_slip.Runner.of(given) == gait.runner
-    assert tdmf_slip.Runner.of("human") == tdmf_slip.Runner.of(read_parameters("human"))
+        assert tdmf_slip.Runner(given) == gait.runner
+    assert tdmf_slip.Runner("human") == tdmf_slip.Runner(read_parameters("human"))
     assert tdmf_slip.simulate("human", strides=1).final == (
         tdmf_slip.simulate(read_parameters("human"), strides=1).final
     )

@@ -16,7 +16,7 @@ def found():
 
 def stays_up(gait, angle, friction):
     """The native solver runs stride by stride."""
-    patch, apex = landing_at(gait, angle).but("ground.friction", friction), gait.apex
+    patch, apex = landing_at(gait, angle).replace({"ground.friction": friction}), gait.apex
     try:
         for runner in (patch, *[gait.runner] * AFTER):
             apex = apex + plain_stride(runner, apex, []).left_over

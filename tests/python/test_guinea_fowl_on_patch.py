@@ -18,7 +18,7 @@ def test_its_gaits_are_stable_over_the_speeds_that_are_named():
     found = guinea_fowl_on_patch.gaits([its["slowest"], its["fastest"], its["fastest"] + 0.1])
     assert [each.stable for each in found] == [True, True, False]
     assert said["slowest"] < its["slowest"] and its["fastest"] < said["fastest"]
-    birds = found[0].runner.values
+    birds = found[0].runner
     assert birds["body.mass"] + birds["foot.mass"] == pytest.approx(published()["runner"]["mass"])
 
 
@@ -53,7 +53,7 @@ def test_co_simulation_sees_the_same_slip(gait):
     stride = float(gait.stride["length"])
     begin, number = BEFORE * stride, 20
     patch = {"ground.patch_begin": begin, "ground.patch_end": begin + stride, "ground.patch_friction": 0.1}
-    start = {**gait.runner.values, **gait.start_values, **patch, "foot.x": number * stride / PHASES}
+    start = {**gait.runner, **gait.start_values, **patch, "foot.x": number * stride / PHASES}
     end = (BEFORE + 3.5) * gait.stride["period"]
     run = tdmf_slip.simulate(start, stop_time=end, interface="cs")
     slipped = float(np.max(run["stride.slip_distance"]))

@@ -6,9 +6,9 @@ from pathlib import Path
 import pytest
 import tdmf_slip
 from tdmf_slip.fitting.measurements import shipped
-from tdmf_slip.fmu.parameters import read_parameters
 from tdmf_slip.paper import human_running, papers_page
 from tdmf_slip.paper.claims import CLAMP, FREE
+from tdmf_slip.variables.parameters import read_parameters
 
 DOCUMENTATION = Path(__file__).parents[2] / "documentation"
 PAGE = (DOCUMENTATION / "results.md").read_text(encoding="utf-8")
@@ -33,7 +33,7 @@ def test_the_stiffness_is_in_proportion_to_the_assumed_mass(tmp_path):
         writer = csv.DictWriter(file, light[0])
         writer.writeheader()
         writer.writerows(light)
-    values = read_parameters(str(shipped("human_running.toml")))
+    values = read_parameters("human_running")
     found = tdmf_slip.fit(
         {**values, **{name: 0.85 * values[name] for name in OF_MASS}},
         tmp_path / "light.csv",

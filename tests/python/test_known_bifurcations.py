@@ -248,8 +248,8 @@ def test_only_where_the_branch_leads_beyond_what_is_allowed_that_is_its_end():
         assert branch.values[-1] == pytest.approx(0.5, abs=1e-6)
 
 
-def test_a_branch_that_leads_out_of_a_parameters_range_ends_there_with_what_it_has(fmu):
-    runner = Runner.of({"ground.static_friction_ratio": 1.02}, fmu)
+def test_a_branch_that_leads_out_of_a_parameters_range_ends_there_with_what_it_has():
+    runner = Runner({"ground.static_friction_ratio": 1.02})
     branch = trace(runner, "ground.static_friction_ratio", find_gait(runner), 0.9)
     assert branch.ended.startswith("limit of what is allowed at ground.static_friction_ratio = 1: ")
     assert "allowed from 1 to" in branch.ended

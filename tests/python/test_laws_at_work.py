@@ -21,22 +21,22 @@ NAMES = (ANGLE, TORQUE)
 
 
 @pytest.fixture(scope="module")
-def gait(fmu):
+def gait():
     """With the clamp; where the swing is free, a law that settles this runner keeps it up no longer."""
-    return find_gait(Runner.of({"ground.friction": 0.6, **CLAMPED}, fmu))
+    return find_gait(Runner({"ground.friction": 0.6, **CLAMPED}))
 
 
 @pytest.fixture(scope="module")
 def nothing(gait):
     """A law that sets what the runner has."""
-    usual = [gait.runner.values[name] for name in NAMES]
+    usual = [gait.runner[name] for name in NAMES]
     return AffineLaw(NAMES, gait.apex, usual, np.zeros((2, 6)), usual, usual)
 
 
 @pytest.fixture(scope="module")
 def settling(gait):
     """By least squares, what makes the next apex the gait's: as nearly as two settings can."""
-    usual = np.array([gait.runner.values[name] for name in NAMES])
+    usual = np.array([gait.runner[name] for name in NAMES])
     by_settings = np.array([stride_from(gait.runner, gait.apex, name)[2] for name in NAMES]).T
     over = 1.0 / gait.runner.scales[:, None]
     gain = -np.linalg.lstsq(over * by_settings, over * gait.jacobian, rcond=None)[0]
@@ -45,7 +45,7 @@ def settling(gait):
 
 def test_the_jacobian_under_a_law_is_that_of_differences(gait, settling):
     jacobian = jacobian_under(gait, settling)
-    values = gait.runner.values
+    values = gait.runner
 
     def following(apex):
         runner = Runner(dict(values) | settling.inputs_at(apex))
@@ -123,7 +123,7 @@ def test_noise_is_drawn_by_the_number_in_the_slice(gait, settling, monkeypatch, 
         basin(gait.runner, axes, n, law=settling, path=path)
 
 
-def test_laws_that_do_not_keep_the_gait_are_told(gait, nothing, fmu):
+def test_laws_that_do_not_keep_the_gait_are_told(gait, nothing):
     def refused(message, law):
         for judge in (
             lambda: check_attracts(gait, law),
@@ -133,7 +133,7 @@ def test_laws_that_do_not_keep_the_gait_are_told(gait, nothing, fmu):
             with pytest.raises(InputError, match=re.escape(message)):
                 judge()
 
-    usual = gait.runner.values[ANGLE]
+    usual = gait.runner[ANGLE]
     elsewhere = AffineLaw([ANGLE], gait.apex, [usual + 0.01], [[0] * 6], [0], [1])
     refused(
         "law: hip.touchdown_angle = 0.708132 at the gait's apex, where the runner has 0.698132", elsewhere
@@ -141,7 +141,7 @@ def test_laws_that_do_not_keep_the_gait_are_told(gait, nothing, fmu):
     wild = AffineLaw([ANGLE], gait.apex, [usual], [[3, 0, 0, 0, 0, 0]], [0], [1])
     refused("law: under it the gait at friction 0.6 is unstable, with a largest eigenvalue of", wild)
     refused("law = 1 is not allowed; allowed: an AffineLaw", 1)
-    reduced = find_gait({"ground.friction": 0.6}, model="reduced", fmu=fmu)
+    reduced = find_gait({"ground.friction": 0.6}, model="reduced")
     with pytest.raises(
         InputError, match="law: of 6 coordinates; allowed, as the runner has: com_height, com_speed"
     ):

@@ -48,7 +48,7 @@ def test_runners_that_settle_are_next_to_their_gaits(model):
     found = settled_gaits(first.runner, dict(zip(NAMES, values.T.copy(), strict=True)), first.apex)
     assert 80 < len(found.numbers) < 200
     for number, apex in list(zip(found.numbers, found.apexes, strict=True))[::10]:
-        runner = first.runner.but(NAMES[0], values[number, 0]).but(NAMES[1], values[number, 1])
+        runner = first.runner.replace({NAMES[0]: values[number, 0], NAMES[1]: values[number, 1]})
         gait = gait_near(runner, apex)
         assert np.max(np.abs((gait.apex - apex) / runner.scales)) < 0.02
         assert gait.lambda_max < 1.0
@@ -62,7 +62,7 @@ def test_runners_whose_values_do_not_go_together_are_left_out():
 
 
 def test_scales_are_those_of_the_runner():
-    runner = find_gait({}).runner.but("leg.stiffness", 4.0).but("leg.free_length", 2.0).but("body.mass", 9.0)
+    runner = find_gait({}).runner.replace({"leg.stiffness": 4.0, "leg.free_length": 2.0, "body.mass": 9.0})
     assert scale_of(runner, "kg") == pytest.approx(9.0)
     assert scale_of(runner, "N/m") == pytest.approx(4.0)
     assert scale_of(runner, "N.m") == pytest.approx(16.0) == scale_of(runner, "N.m/rad")
@@ -73,11 +73,11 @@ def test_scales_are_those_of_the_runner():
 
 def test_every_unit_of_the_fmu_has_its_dimensions(fmu):
     """Scales of the library's own, made in C, are those that the table of dimensions gives."""
-    runner = Runner.of({"leg.free_length": 2.0, "body.mass": 9.0, "leg.stiffness": 4.0, "leg.length": 2.0})
+    runner = Runner({"leg.free_length": 2.0, "body.mass": 9.0, "leg.stiffness": 4.0, "leg.length": 2.0})
     units = {variable.unit or "1" for variable in fmu.variables.values()}
     assert len(units) > 10
     assert all(scale_of(runner, unit) > 0.0 for unit in units)
-    scales = runner.model.scales
+    scales = runner.c_model.scales
     for unit, scale in (("m/s", scales.speed), ("N", scales.force), ("J", scales.energy)):
         assert scale_of(runner, unit) == pytest.approx(scale, rel=1e-15)
     of_section = [scale_of(runner, fmu.variables[f"apex.{name}"].unit) for name in runner.coordinates]

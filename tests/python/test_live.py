@@ -33,11 +33,11 @@ from selenium.webdriver.common.by import By
 from selenium.webdriver.support.select import Select
 from tdmf_slip.analysis.basin import range_around
 from tdmf_slip.analysis.fates import fates
-from tdmf_slip.fmu.dimensions import paper_unit
-from tdmf_slip.fmu.parameters import preset_names, read_parameters
 from tdmf_slip.library.ensemble import FATES
-from tdmf_slip.library.members import INPUTS, PARAMETERS, STATES
+from tdmf_slip.library.members import INPUTS, PARAMETERS, names_of
 from tdmf_slip.pictures import style
+from tdmf_slip.variables.parameters import preset_names, read_parameters
+from tdmf_slip.variables.table import STATES, paper_unit
 
 built, address, driver = live_pages.built, live_pages.address, live_pages.driver
 page, used_page = live_pages.page, live_pages.used_page
@@ -56,7 +56,7 @@ def test_the_page_and_all_that_it_loads_is_small_and_its_own(page, built, addres
 
 @pytest.mark.both_screens
 def test_there_is_a_control_for_every_parameter_input_and_start_value(used_page, fmu):
-    wanted = [member.name for member in (*PARAMETERS, *INPUTS)] + list(STATES)
+    wanted = [*names_of(PARAMETERS), *names_of(INPUTS), *STATES]
     rows = used_page.execute_script(
         "return [...document.querySelectorAll('.control')].map((row) => ["
         "row.querySelector('label').htmlFor.replace('value-', ''),"
@@ -112,7 +112,7 @@ def test_the_five_published_gaits_are_found(page, clamp):
 def test_the_gait_of_a_runner_at_random_is_the_librarys(driver, address):
     draw = random.Random(15)
     varied = ("leg.stiffness", "leg.damping", "foot.mass", "hip.kp", "hip.touchdown_angle", "ground.friction")
-    values = {name: tdmf_slip.load_fmu().start_of(name) * draw.uniform(0.9, 1.1) for name in varied}
+    values = {name: tdmf_slip.load_fmu().variables.start_of(name) * draw.uniform(0.9, 1.1) for name in varied}
     open_page(driver, address, "#" + "&".join(f"{name}={value!r}" for name, value in values.items()))
     gait = tdmf_slip.find_gait(values)
     find_gait(driver)

@@ -26,7 +26,7 @@ from live_pages import (
 from selenium.webdriver.common.by import By
 from selenium.webdriver.common.keys import Keys
 from selenium.webdriver.support.select import Select
-from tdmf_slip.fmu.parameters import read_parameters
+from tdmf_slip.variables.parameters import read_parameters
 
 built, address, driver = live_pages.built, live_pages.address, live_pages.driver
 page, used_page = live_pages.page, live_pages.used_page

@@ -13,7 +13,7 @@ import fmpy
 import pytest
 import tdmf_slip
 from fmpy.validation import validate_fmu
-from tdmf_slip.fmu.dimensions import DIMENSIONS
+from tdmf_slip.variables.table import DIMENSIONS
 
 
 def number(text):

@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 import tdmf_slip
 from tdmf_slip import InputError, Runner, find_gait
-from tdmf_slip.fmu.aliases import ALIASES
 from tdmf_slip.library.quantities import QUANTITIES
+from tdmf_slip.variables.table import ALIASES
 
 ANGLE = "hip.touchdown_angle"
 
@@ -27,11 +27,11 @@ def test_a_gait_is_the_same_by_either_name_and_by_keyword():
         find_gait(friction=0.43, touchdown_angle="41 deg"),
         find_gait({"friction": 0.43, "touchdown_angle": "41 deg"}),
         find_gait({"friction": 0.2, ANGLE: "41deg"}, friction=0.43),
-        find_gait(Runner.of(friction=0.43), touchdown_angle="41 deg"),
-        find_gait(Runner.of(friction=0.43).but("touchdown_angle", "41 deg")),
+        find_gait(Runner(friction=0.43), touchdown_angle="41 deg"),
+        find_gait(Runner(friction=0.43).replace({"touchdown_angle": "41 deg"})),
     ):
         assert np.array_equal(found.apex, wanted.apex) and found.word == wanted.word
-        assert found.runner.values == wanted.runner.values
+        assert found.runner == wanted.runner
 
 
 @pytest.mark.parametrize(
@@ -39,7 +39,7 @@ def test_a_gait_is_the_same_by_either_name_and_by_keyword():
     [
         lambda name: [gait.period for gait in tdmf_slip.sweep(None, {name: ["40 deg", "41 deg"]}).gaits],
         lambda name: tdmf_slip.continue_branch(None, {name: (0.69, 0.7)}, max_points=4).values,
-        lambda name: find_gait(target={"speed": 1.05}, vary=[name]).runner.values,
+        lambda name: find_gait(target={"speed": 1.05}, vary=[name]).runner,
         lambda name: tdmf_slip.lqr(find_gait(), [name]).inputs,
         lambda name: tdmf_slip.stride_map(None, find_gait().apex, inputs={name: 0.7})["period"].tolist(),
         lambda name: tdmf_slip.simulate({name: 0.7}, strides=1).final["stride.period"],
@@ -82,7 +82,7 @@ def test_the_command_that_lists_variables_has_the_short_names(command):
         (lambda: find_gait(targt={"speed": 1.0}), "target"),
         (lambda: find_gait({"stifness": 2.0}), "stiffness"),
         (lambda: find_gait(target={"speed": 1.0}, vary=["torqe"]), "torque"),
-        (lambda: Runner.of().but("dampin", 0.1), "damping"),
+        (lambda: Runner().replace({"dampin": 0.1}), "damping"),
         (lambda: tdmf_slip.lqr(find_gait(), ["touchdown_angel"]), "touchdown_angle"),
         (lambda: tdmf_slip.stride_map(None, find_gait().apex, inputs={"torqu": 0.2}), "torque"),
     ],
@@ -122,9 +122,7 @@ def test_a_target_may_be_a_quantity_with_its_unit(command):
     """Speeds in km/h, lengths in cm; a unit of something else is refused."""
     wanted = find_gait("human", target={"speed": 2.5}, vary=["torque"])
     found = find_gait("human", target={"speed": "9 km/h"}, vary=["torque"])
-    assert found.runner.values["hip.stance_torque"] == pytest.approx(
-        wanted.runner.values["hip.stance_torque"], rel=1e-9
-    )
+    assert found.runner["hip.stance_torque"] == pytest.approx(wanted.runner["hip.stance_torque"], rel=1e-9)
     with pytest.raises(InputError, match="target length = '9 km/h' is not allowed; allowed: a number in m"):
         find_gait("human", target={"length": "9 km/h"}, vary=["torque"])
     status, _, said = command("gait", "--target", "speed=9 cm", "--vary", "torque")

@@ -11,8 +11,8 @@ from tdmf_slip import InputError, Profile, simulate
 from tdmf_slip.analysis.search import periodic_gait
 from tdmf_slip.fitting.measurements import measurements_of, read_measurements
 from tdmf_slip.fmu.inputs import read_tables
-from tdmf_slip.fmu.parameters import read_parameters
 from tdmf_slip.library.rough_ground import read_heights
+from tdmf_slip.variables.parameters import read_parameters
 
 FRICTION = "ground.friction"
 DATES = pandas.to_datetime(["2026-01-01 00:00:00", "2026-01-01 00:00:05"])

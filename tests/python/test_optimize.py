@@ -6,13 +6,13 @@ import numpy as np
 import pytest
 from conftest import CLAMPED
 from tdmf_slip import InputError, TargetNotMetError, find_gait, optimize, sweep
-from tdmf_slip.fmu.parameters import read_parameters
 from tdmf_slip.library.gait import gait_near
 from tdmf_slip.library.quantities import known_quantities
 from tdmf_slip.library.strides import strides_from
 from tdmf_slip.optimization.gaits import Gaits
 from tdmf_slip.optimization.space import Space
 from tdmf_slip.optimization.spectrum import MINIMUM, spectrum_of
+from tdmf_slip.variables.parameters import read_parameters
 
 STIFF = {"leg.stiffness": 2.0, "ground.friction": 0.6}
 LIGHT = {"foot.mass": 0.03, "ground.friction": 0.6}
@@ -24,7 +24,7 @@ ANGLE, TORQUE = "hip.touchdown_angle", "hip.stance_torque"
 
 def space_around(gait, names=VARIED):
     """Bounds a half below and above a runner's values."""
-    return Space({name: (0.5 * gait.runner.values[name], 1.5 * gait.runner.values[name]) for name in names})
+    return Space({name: (0.5 * gait.runner[name], 1.5 * gait.runner[name]) for name in names})
 
 
 @pytest.mark.parametrize("model", ["full", "reduced"])
@@ -125,7 +125,7 @@ def test_the_cheapest_runner_of_all_is_kept_off_the_fold():
     best = optimize(slow, {TORQUE: (0.1, 0.12)}, minimize="cost_of_transport", starts=1)
     assert best.limits == ("fold",) and best.why == ""
     assert 0.97 < best.gait.lambda_max < 1.0
-    further = gait_near(best.gait.runner.but(TORQUE, 1.001 * best.parameters[TORQUE]), best.gait.apex)
+    further = gait_near(best.gait.runner.replace({TORQUE: 1.001 * best.parameters[TORQUE]}), best.gait.apex)
     assert further.stride["cost_of_transport"] > best.value
 
 

@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 import tdmf_slip
 from tdmf_slip import Runner, find_gait
-from tdmf_slip.fmu.dimensions import DIMENSIONS, paper_unit, scale
-from tdmf_slip.fmu.paper_units import MixedUnitsWarning
+from tdmf_slip.variables.paper_units import MixedUnitsWarning
+from tdmf_slip.variables.table import DIMENSIONS, paper_unit, scale
 
 
 @pytest.mark.parametrize("unit", DIMENSIONS)
@@ -81,11 +81,11 @@ def test_pictures_label_by_the_runner(result):
 )
 def test_a_mixture_is_warned_of_with_what_is_still_the_papers(given):
     with pytest.warns(MixedUnitsWarning, match='preset "human"') as caught:
-        runner = Runner.of(given)
+        runner = Runner(given)
     said = str(caught[0].message)
     assert caught[0].filename == __file__
     left = said.partition("still the paper's, ")[2]
-    assert "hip.kp = 0.1" in left and not any(f"{name} = " in left for name in runner.values if name in given)
+    assert "hip.kp = 0.1" in left and not any(f"{name} = " in left for name in runner if name in given)
 
 
 @pytest.mark.parametrize(
@@ -102,12 +102,12 @@ def test_a_mixture_is_warned_of_with_what_is_still_the_papers(given):
 def test_runners_of_one_system_of_units_are_not_warned_of(given):
     with warnings.catch_warnings():
         warnings.simplefilter("error")
-        Runner.of(given)
+        Runner(given)
         mass, stiffness, length = 60.0, 3e4, 0.8
         scales = length, np.sqrt(mass / stiffness), mass
         variables = tdmf_slip.load_fmu().variables
-        paper = Runner.of().values
-        Runner.of({n: v * scale(variables[n].unit or "1", *scales) for n, v in paper.items() if v != 0.05})
+        paper = Runner()
+        Runner({n: v * scale(variables[n].unit or "1", *scales) for n, v in paper.items() if v != 0.05})
 
 
 def test_the_command_warns_in_one_line_and_goes_on(command):

@@ -138,7 +138,7 @@ def test_an_optimum_shows_what_it_changed(gait):
     assert width == pytest.approx(100.0 * (found.value / gait.speed - 1.0), rel=1e-12) and width > 0.0
     (bar,) = lower.patches
     assert bar.get_width() == pytest.approx(
-        100.0 * (found.parameters[TORQUE] / gait.runner.values[TORQUE] - 1.0), rel=1e-12
+        100.0 * (found.parameters[TORQUE] / gait.runner[TORQUE] - 1.0), rel=1e-12
     )
 
 
@@ -162,7 +162,7 @@ def test_a_front_shows_one_objective_over_the_other():
 
 
 def test_strides_to_fall_show_who_is_still_up():
-    found = FirstPassage(Runner.of(), "+0+", 0.02, runners=100, falls=80, strides=1600)
+    found = FirstPassage(Runner(), "+0+", 0.02, runners=100, falls=80, strides=1600)
     figure = found.plot()
     (axes,) = figure.axes
     assert labels(axes) == ("strides begun", "probability of not having fallen")
@@ -177,7 +177,7 @@ def test_strides_to_fall_show_who_is_still_up():
 
 def test_rare_falls_are_drawn_also_where_the_interval_is_open():
     rates = np.array([0.0, 0.0, 3e-6])
-    found = RareFalls(Runner.of(), "+0+", 0.01, RareEvent(rates, 3, 1000))
+    found = RareFalls(Runner(), "+0+", 0.01, RareEvent(rates, 3, 1000))
     assert math.isinf(found.interval[1])
     (axes,) = found.plot().axes
     strides, still_up = line(axes, "mean 1e+06 strides until the fall")
@@ -186,7 +186,7 @@ def test_rare_falls_are_drawn_also_where_the_interval_is_open():
 
 def test_a_curve_lies_over_its_two_parameters():
     points = np.array([[0.5, 0.1], [0.6, 0.2], [0.7, 0.25]])
-    curve = tdmf_slip.Curve(Runner.of(), "fold", (FRICTION, "leg.damping"), points, "edge", "edge")
+    curve = tdmf_slip.Curve(Runner(), "fold", (FRICTION, "leg.damping"), points, "edge", "edge")
     (axes,) = curve.plot().axes
     assert labels(axes) == (FRICTION, "leg.damping (√(k m))")
     assert np.array_equal(np.transpose(axes.lines[0].get_data()), points)

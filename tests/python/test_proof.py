@@ -225,7 +225,7 @@ def test_what_the_enclosures_do_not_know_of_is_refused():
     from tdmf_slip.proof.given import KNOWN, check_laws
 
     assert set(KNOWN) <= set(MOVING)
-    starts = {name: tdmf_slip.load_fmu().start_of(name) for name in MOVING}
+    starts = {name: tdmf_slip.load_fmu().variables.start_of(name) for name in MOVING}
     check_laws(starts | dict.fromkeys(KNOWN, 0.123))
     for name in set(MOVING) - KNOWN:
         with pytest.raises(InputError, match=name):

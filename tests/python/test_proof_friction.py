@@ -33,7 +33,7 @@ GAITS = {
 @pytest.mark.parametrize("word", GAITS)
 def test_a_gait_under_falling_friction_is_proved_with_the_values_of_another_program(word):
     given, apex, quantities, eigenvalues = GAITS[word]
-    proof = tdmf_slip.prove(gait_near(tdmf_slip.Runner.of(given | CLAMPED), apex), digits=13)
+    proof = tdmf_slip.prove(gait_near(tdmf_slip.Runner(given | CLAMPED), apex), digits=13)
     assert proof.proved, proof.sentence
     assert (proof.word, proof.stable) == (word, True)
     for ball, value in zip(proof.apex, apex, strict=True):
@@ -47,7 +47,7 @@ def test_a_gait_under_falling_friction_is_proved_with_the_values_of_another_prog
 
 def test_a_range_of_the_speed_at_which_friction_falls_is_proved():
     given, apex, _, _ = GAITS["+-"]
-    gait = gait_near(tdmf_slip.Runner.of(given | CLAMPED), apex)
+    gait = gait_near(tdmf_slip.Runner(given | CLAMPED), apex)
     proof = tdmf_slip.prove(gait, vary={"ground.stribeck_velocity": ("0.3", "0.3000004")})
     assert proof.proved, proof.sentence
     assert proof.words == ("+-",)

@@ -35,7 +35,7 @@ def check_further(gait):
     """Against a gait that an independent program has computed to 1e-12."""
     given = {name: np.radians(float(value.removesuffix(" deg"))) if isinstance(value, str) else value
              for name, value in gait["start_values"].items()}  # fmt: skip
-    found = gait_near(tdmf_slip.Runner.of(given | CLAMPED), gait["apex"])
+    found = gait_near(tdmf_slip.Runner(given | CLAMPED), gait["apex"])
     proof = tdmf_slip.prove(found, digits=6)
     assert proof.proved, proof.sentence
     assert proof.word == gait["word"]
@@ -128,7 +128,7 @@ def unstable_gait():
     """An independent program found it: the runner retracts its leg, and the period doubles."""
     gait = next(one for one in FURTHER if one["start_values"].get("hip.touchdown_angle") == "50 deg")
     given = {"hip.touchdown_angle": "50 deg", "hip.retraction_rate": "0.02", "ground.friction": "0.6"}
-    return gait_near(tdmf_slip.Runner.of(given | CLAMPED), gait["apex"])
+    return gait_near(tdmf_slip.Runner(given | CLAMPED), gait["apex"])
 
 
 def test_a_whole_range_of_unstable_gaits_is_proved_to_be():

@@ -19,7 +19,7 @@ def ways(tmp_path):
         "Series": pandas.Series(VALUES),
         "file": path,
         "its name": str(path),
-        "Runner": tdmf_slip.Runner.of(VALUES),
+        "Runner": tdmf_slip.Runner(VALUES),
         "Gait": tdmf_slip.find_gait(VALUES),
     }
 
@@ -32,13 +32,13 @@ def test_every_way_gives_the_same_gait_and_the_same_exact_values(tmp_path):
         assert gait.apex == pytest.approx(wanted.apex, abs=1e-12), name
         assert exact["leg.damping"] == values["leg.damping"], name
     runner, given = runner_of({"leg.damping": Fraction(19, 100), "hip.touchdown_angle": "40 deg"})
-    assert runner.values["leg.damping"] == pytest.approx(0.19, rel=1e-15)
+    assert runner["leg.damping"] == pytest.approx(0.19, rel=1e-15)
     assert given["leg.damping"] == Fraction(19, 100)
 
 
 def test_a_preset_and_a_gait_are_proved_as_any_runner():
     human = gait_of("human")[0]
-    assert human.runner == tdmf_slip.Runner.of("human")
+    assert human.runner == tdmf_slip.Runner("human")
     gait = tdmf_slip.find_gait({"ground.friction": 0.25})
     border = tdmf_slip.sweep({}, {"ground.friction": [0.3, 0.25]}).borders[0]
     assert tdmf_slip.prove_border(border, gait, sides=False).proved

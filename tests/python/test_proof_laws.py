@@ -4,10 +4,9 @@ import math
 
 import numpy as np
 import pytest
-from tdmf_slip.fmu.fmu import load_fmu
 from tdmf_slip.library.binding import c, ffi
-from tdmf_slip.library.members import STATES
 from tdmf_slip.library.runner import Runner
+from tdmf_slip.variables.table import STATES
 
 pytest.importorskip("flint")
 
@@ -84,10 +83,9 @@ class Point:
             "control.thrust": draw(0, 0.1),
             "hip.swing_clamp": bool(rng.random() < 0.5),
         }
-        fmu = load_fmu()
-        self.runner = Runner.of(self.given)
-        values = {name: self.runner.values[name] for name in exact_names(self.runner)}
-        self.balls = Parameters(exact_values(fmu, values, {})).balls()
+        self.runner = Runner(self.given)
+        values = {name: self.runner[name] for name in exact_names(self.runner)}
+        self.balls = Parameters(exact_values(values, {})).balls()
         self.contact = contact or rng.choice(["flight", "stick", "slip", "graze"])
         self.sign = sign or int(rng.choice([-1, 1]))
         off = self.contact in ("flight", "graze")
@@ -160,7 +158,7 @@ class Point:
 def exact_names(runner):
     from tdmf_slip.library.members import MOVING
 
-    return [name for name in MOVING if name in runner.values]
+    return [name for name in MOVING if name in runner]
 
 
 def close(one, other, scale=1.0):
@@ -176,7 +174,7 @@ def test_rates_are_those_of_the_library():
             continue
         derivatives = ffi.new("double[]", c.TDMF_STATE_COUNT)
         c.tdmf_derivatives(
-            point.runner.system,
+            point.runner.c_system,
             ffi.addressof(point.motion.mode),
             point.motion.state,
             derivatives,
@@ -188,7 +186,9 @@ def test_rates_are_those_of_the_library():
         x, y = derivatives[c.TDMF_FOOT_VX], derivatives[c.TDMF_FOOT_VY]
         if point.contact in ("slip", "graze"):
             assert close(found["foot_speed"], x * point.tangent[0] + y * point.tangent[1], size)
-        torque = c.tdmf_hip_torque(point.runner.system, ffi.addressof(point.motion.mode), point.motion.state)
+        torque = c.tdmf_hip_torque(
+            point.runner.c_system, ffi.addressof(point.motion.mode), point.motion.state
+        )
         assert close(laws.torque(point.balls, point.mode, point.at), torque, size)
         seen.add((point.contact, point.mode.places, point.mode.drives, point.mode.clamped))
         falls += point.contact == "slip" and point.given["ground.stribeck_velocity"] > 0
@@ -202,7 +202,7 @@ def test_the_centre_of_mass_falls_as_in_the_library():
         point = Point(rng, "flight")
         derivatives = ffi.new("double[]", c.TDMF_STATE_COUNT)
         c.tdmf_derivatives(
-            point.runner.system,
+            point.runner.c_system,
             ffi.addressof(point.motion.mode),
             point.motion.state,
             derivatives,
@@ -222,7 +222,7 @@ def test_guards_are_those_of_the_library():
         point = Point(rng)
         guards = ffi.new("double[]", c.TDMF_GUARD_COUNT)
         model = point.runner.model
-        c.tdmf_guards(point.runner.system, ffi.addressof(point.motion.mode), point.motion.state, guards)
+        c.tdmf_guards(point.runner.c_system, ffi.addressof(point.motion.mode), point.motion.state, guards)
         for name in watched(point.balls, point.mode):
             if (name, point.contact) == ("clamp", "graze"):
                 continue  # there the library goes by the servo as it is now
@@ -249,7 +249,7 @@ def test_impacts_are_those_of_the_library():
             continue
         before = np.array(list(point.motion.state))
         c.tdmf_impact(
-            point.runner.system,
+            point.runner.c_system,
             ffi.addressof(point.motion.mode.ground),
             point.motion.state,
         )

@@ -19,10 +19,8 @@ STORED = papers_page.read(Path(__file__).parents[2] / "documentation/data/result
 
 
 @pytest.fixture(scope="module")
-def evidence(fmu):
-    return {
-        reading: gather(Runner.of({"hip.swing_clamp": value}, fmu)) for reading, value in READINGS.items()
-    }
+def evidence():
+    return {reading: gather(Runner({"hip.swing_clamp": value})) for reading, value in READINGS.items()}
 
 
 @pytest.fixture(scope="module")
@@ -98,7 +96,7 @@ def test_the_printed_torque_takes_energy_out(reading, evidence):
     """In stance the leg turns backward, so a positive torque does negative work."""
     gait = evidence[reading].five[0]
     made = stride_map(
-        gait.runner.but("hip.stance_torque", -gait.runner.values["hip.stance_torque"]), [gait.apex]
+        gait.runner.replace({"hip.stance_torque": -gait.runner["hip.stance_torque"]}), [gait.apex]
     )
     assert made["hip_work"][0, 0] < 0.0 < gait.stride["hip_work"]
 

@@ -22,7 +22,7 @@ eigenvalues to 1e-9."""
 
 def reduced(**values):
     names = {"friction": "ground.friction"}
-    return Runner.of({names[name]: value for name, value in values.items()}, model="reduced")
+    return Runner({names[name]: value for name, value in values.items()}, model="reduced")
 
 
 @pytest.mark.parametrize("gait", GAITS, ids=lambda gait: str(gait["given"]))
@@ -129,7 +129,7 @@ def test_a_basin_is_the_whole_plane(tmp_path):
     assert found.as_json()["box"].keys() == set(REDUCED)
     with pytest.raises(InputError, match="another slice"):
         basin(
-            Runner.of(),
+            Runner(),
             PLANE,
             12,
             path=tmp_path / "plane.nc",
@@ -142,7 +142,7 @@ def test_what_makes_no_sense_is_refused(command):
     with pytest.raises(InputError, match="com_height, com_speed"):
         find_gait(guess=np.ones(6), model="reduced")
     with pytest.raises(InputError, match="all by one of them"):
-        run_ensemble([Runner.of(), reduced()], [[1.0, 1.0]], max_strides=1)
+        run_ensemble([Runner(), reduced()], [[1.0, 1.0]], max_strides=1)
     with pytest.raises(InputError, match="rows of com_height, com_speed"):
         run_ensemble([reduced()], np.ones((1, 6)), max_strides=1)
     with pytest.raises(RunError, match="there is no apex above the ground"):
@@ -157,7 +157,7 @@ def test_what_makes_no_sense_is_refused(command):
 def test_a_runner_keeps_its_map():
     runner = reduced(friction=0.43)
     assert pickle.loads(pickle.dumps(runner)).reduced
-    assert runner.but("ground.friction", 0.6).reduced
+    assert runner.replace({"ground.friction": 0.6}).reduced
     assert runner.coordinates == COORDINATES[:2] == tuple(REDUCED)
     assert len(runner.scales) == 2
 

@@ -16,7 +16,7 @@ from tdmf_slip.files.netcdf import netcdf_of
 from tdmf_slip.fitting.measurements import Measured, Measurements
 from tdmf_slip.fmu.run import Run
 from tdmf_slip.labelled import LabelledArrays
-from tdmf_slip.library.members import STATES
+from tdmf_slip.variables.table import STATES
 
 ANGLE, TORQUE = "hip.touchdown_angle", "hip.stance_torque"
 RESULTS = [
@@ -124,7 +124,7 @@ def test_a_dataset_records_version_model_and_every_value_of_the_runner(name, gai
     model = "reduced" if name == "viability" else "full"
     assert data.attrs["version"] == tdmf_slip.__version__ and data.attrs["model"] == model
     states = set(STATES) if name in ("strides", "comparison") else set()
-    missing = {*gait.runner.values} - recorded_names(data) - states
+    missing = {*gait.runner} - recorded_names(data) - states
     assert missing <= VARIES.get(name, set()) - {*data.coords}
     assert netcdf_of(data)
 
@@ -144,9 +144,9 @@ def test_json_records_them_too(name, gait, result_of):
     assert plain["version"] == tdmf_slip.__version__ and plain["model"] == model
     for row in plain[ROWS[name]] if name in ROWS else [plain]:
         values = row.get("runner") or row["start_values"]
-        same = {of for of, value in gait.runner.values.items() if values.get(of) == value}
-        assert set(values) >= {*gait.runner.values} - VARIES.get(name, set()), name
-        assert len(same) >= len(gait.runner.values) - len(STATES) - 2
+        same = {of for of, value in gait.runner.items() if values.get(of) == value}
+        assert set(values) >= {*gait.runner} - VARIES.get(name, set()), name
+        assert len(same) >= len(gait.runner) - len(STATES) - 2
 
 
 @pytest.mark.parametrize("name", MADE)

@@ -16,8 +16,8 @@ OVER = "leg.damping"
 
 
 @pytest.fixture(scope="module")
-def runner(fmu):
-    return Runner.of({}, fmu)
+def runner():
+    return Runner({})
 
 
 def make_grid(runner, unit, path):
@@ -47,7 +47,7 @@ def test_a_half_done_grid_is_gone_on_with(runner, fmu, half, whole, tmp_path, mo
     honest, rows = grid.gaits_of_row, []
 
     def noting(row):
-        rows.append(row.runner.values[OVER])
+        rows.append(row.runner[OVER])
         return honest(row)
 
     monkeypatch.setattr(grid, "gaits_of_row", noting)
@@ -106,7 +106,7 @@ def test_neither_are_marks_and_words(runner, fmu, half, tmp_path, name, wrong, r
 def scaled(length, unit):
     """The unit's own runner at so many times its length, with the same mass, stiffness and motion."""
     powers = {"m": 1, "m/s": 1, "m/s2": 1, "N.m": 2, "N.m/rad": 2, "N.m.s/rad": 2}
-    own = Runner.of({}, unit).values
+    own = Runner()
     return Runner(
         {name: value * length ** powers.get(unit.variables[name].unit, 0) for name, value in own.items()}
     )
@@ -116,7 +116,7 @@ def scaled(length, unit):
 def test_what_is_rounding_goes_by_the_runners_length(fmu, tmp_path, length):
     """A rise that another machine rounds otherwise, and one that is none of level ground."""
     path = tmp_path / "grid.nc"
-    grid.grid(scaled(length, fmu), {"ground.friction": [0.6], OVER: [0.2]}, path, fmu=fmu)
+    grid.grid(scaled(length, fmu), {"ground.friction": [0.6], OVER: [0.2]}, path)
     whole = xarray.load_dataset(path)
     assert abs(whole["rise"].item()) < 1e-14 * length
     for off in (3e-13, -3e-13, 1e-12, -1e-12):
@@ -124,10 +124,10 @@ def test_what_is_rounding_goes_by_the_runners_length(fmu, tmp_path, length):
         data["rise"][0, 0] += off * length
         data.to_netcdf(path)
         if abs(off) < 5e-13:
-            grid.grid(scaled(length, fmu), {"ground.friction": [0.6], OVER: [0.2]}, path, fmu=fmu)
+            grid.grid(scaled(length, fmu), {"ground.friction": [0.6], OVER: [0.2]}, path)
         else:
             with pytest.raises(InputError, match="holds another sweep"):
-                grid.grid(scaled(length, fmu), {"ground.friction": [0.6], OVER: [0.2]}, path, fmu=fmu)
+                grid.grid(scaled(length, fmu), {"ground.friction": [0.6], OVER: [0.2]}, path)
 
 
 def test_a_gait_is_missing_only_with_a_reason(runner, fmu, half, tmp_path):
@@ -161,14 +161,6 @@ def test_a_gait_is_missing_only_with_a_reason(runner, fmu, half, tmp_path):
 def test_a_grid_with_other_attributes_is_another(runner, fmu, half, tmp_path, spoil, match):
     spoil(half)
     assert_refused(runner, fmu, half, tmp_path / "grid.nc", match)
-
-
-def test_a_grid_that_an_earlier_version_began_is_gone_on_with(runner, fmu, half, whole, tmp_path):
-    """Then neither version nor model were recorded; both are in the file as soon as it is gone on with."""
-    del half.attrs["version"], half.attrs["model"]
-    half.to_netcdf(tmp_path / "grid.nc")
-    make_grid(runner, fmu, tmp_path / "grid.nc")
-    assert xarray.load_dataset(tmp_path / "grid.nc").attrs == whole.attrs
 
 
 @pytest.mark.parametrize(

@@ -19,8 +19,8 @@ FELL = FATES.index("fell")
 
 
 @pytest.fixture(scope="module")
-def gait(fmu):
-    return find_gait(Runner.of({"ground.friction": 0.6}, fmu))
+def gait():
+    return find_gait(Runner({"ground.friction": 0.6}))
 
 
 # ---- the same steps as in the unit ---------------------------------------------------------------------
@@ -82,7 +82,7 @@ class Slave:
 def test_a_hundred_runners_meet_the_steps_that_the_unit_meets(gait, tmp_path):
     fmu = str(tdmf_slip.fmu_path(fmi=3))
     folder, description = fmpy.extract(fmu, str(tmp_path)), fmpy.read_model_description(fmu)
-    case = Case(Runner(gait.runner.values), ground=GROUND)
+    case = Case(Runner(gait.runner), ground=GROUND)
     starts = np.tile(gait.apex, (RUNNERS, 1))
     ends = [run_ensemble([case], starts, max_strides=n + 1, tolerance=1e-11)[0] for n in range(STRIDES)]
     fallen = compared = 0
@@ -107,7 +107,7 @@ def test_the_interval_covers_the_mean_as_often_as_it_says():
     """Geometric numbers of strides, censored at the mean: so that a third is still up."""
     mean, runners, experiments = 40, 12, 2000
     lengths = np.random.default_rng(3).geometric(1.0 / mean, size=(experiments, runners))
-    runner, covered = Runner.of(), 0
+    runner, covered = Runner(), 0
     for row in lengths:
         falls = int((row <= mean).sum())
         low, high = FirstPassage(runner, "", 0.1, runners, falls, int(np.minimum(row, mean).sum())).interval
@@ -116,7 +116,7 @@ def test_the_interval_covers_the_mean_as_often_as_it_says():
 
 
 def test_where_none_falls_the_mean_is_open_above():
-    found = FirstPassage(Runner.of(), "", 0.1, 10, 0, 1000)
+    found = FirstPassage(Runner(), "", 0.1, 10, 0, 1000)
     low, high = found.interval
     assert found.mean_strides == high == math.inf
     assert 1000 * math.log1p(-1.0 / low) == pytest.approx(-0.5 * 1.959963984540054**2)
@@ -124,7 +124,7 @@ def test_where_none_falls_the_mean_is_open_above():
 
 
 def test_where_all_fall_at_once_the_mean_is_one():
-    found = FirstPassage(Runner.of(), "", 9.0, 10, 10, 10)
+    found = FirstPassage(Runner(), "", 9.0, 10, 10, 10)
     assert found.mean_strides == found.interval[0] == 1.0
     assert found.interval[1] > 1.0
 
@@ -181,4 +181,4 @@ def test_the_command_refuses_what_is_no_ground(command, arguments, message):
 
 def test_rough_ground_is_of_the_full_model():
     with pytest.raises(InputError, match="reduced map"):
-        strides_to_fall(Runner.of(model="reduced"), 0.1)
+        strides_to_fall(Runner(model="reduced"), 0.1)

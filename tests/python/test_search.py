@@ -27,66 +27,66 @@ FROM_ISSUE = {
 }
 
 
-def test_a_stable_gait_that_the_start_does_not_settle_on_is_found(fmu):
-    gait = find_gait(FROM_ISSUE, fmu=fmu)
+def test_a_stable_gait_that_the_start_does_not_settle_on_is_found():
+    gait = find_gait(FROM_ISSUE)
     assert gait.word == "+0-0+" and gait.stable
-    known = find_gait(FROM_ISSUE, guess=[1.03881, 0.78713, 1.00017, 0.06397, 0.0, 0.0767], fmu=fmu)
+    known = find_gait(FROM_ISSUE, guess=[1.03881, 0.78713, 1.00017, 0.06397, 0.0, 0.0767])
     assert gait.apex == pytest.approx(known.apex, abs=1e-9) and gait.lambda_max == pytest.approx(
         0.944, abs=1e-3
     )
-    assert find_gait(FROM_ISSUE, fmu=fmu).apex.tolist() == gait.apex.tolist()
-    along = periodic_gait(FROM_ISSUE, along="hip.kd", fmu=fmu)
+    assert find_gait(FROM_ISSUE).apex.tolist() == gait.apex.tolist()
+    along = periodic_gait(FROM_ISSUE, along="hip.kd")
     assert along.along == "hip.kd" and along.by_parameter.shape == (6,)
 
 
-def test_gaits_of_random_runners_are_found_without_a_guess(fmu):
+def test_gaits_of_random_runners_are_found_without_a_guess():
     """All that have a stable one, and most that have unstable ones only."""
     stable, others, missed = 0, 0, []
     for stored in RUNNERS:
         if not stored["gaits"]:
             continue
-        runner = Runner.of(stored["runner"] | CLAMPED, fmu)
+        runner = Runner(stored["runner"] | CLAMPED)
         for known in stored["gaits"]:
             again = gait_near(runner, known["apex"])
             assert again.word == known["word"] and np.allclose(again.apex, known["apex"], atol=1e-6)
         has_stable = any(known["lambda_max"] < 1.0 for known in stored["gaits"])
         stable, others = stable + has_stable, others + (not has_stable)
         try:
-            find_gait(runner, fmu=fmu)
+            find_gait(runner)
         except RunError:
             missed.append(has_stable)
     assert (stable, others) == (5, 5)
     assert not any(missed) and len(missed) <= 1
 
 
-def test_what_settles_at_once_is_found_as_ever(fmu, monkeypatch):
+def test_what_settles_at_once_is_found_as_ever(monkeypatch):
     """The longer search is not begun, and changes nothing to the last bit."""
     monkeypatch.setattr(search, "search_from_spread", lambda *_, **__: pytest.fail("searched"))
     for friction in (10.0, 1.2, 0.6, 0.43, 0.2):
-        runner = Runner.of({"ground.friction": friction}, fmu)
-        found, plain = find_gait(runner, fmu=fmu), settled_gait(runner)
+        runner = Runner({"ground.friction": friction})
+        found, plain = find_gait(runner), settled_gait(runner)
         assert found.apex.tobytes() == plain.apex.tobytes() and found.stride == plain.stride
 
 
-def test_no_gait_says_what_was_tried(fmu, command):
+def test_no_gait_says_what_was_tried(command):
     hopeless = {"hip.stance_torque": 0.0, "ground.friction": 0.5}
     with pytest.raises(
         RunError, match=r"starts all over the section, [\d,]+ strides: a guess near"
     ) as raised:
-        find_gait(hopeless, fmu=fmu)
+        find_gait(hopeless)
     assert "along the friction from 0.6" in str(raised.value)
     status, out, said = command("gait", "--friction", "0.5", "--set", "hip.stance_torque=0")
     assert (status, out) == (1, "") and "starts all over the section" in said
 
 
-def test_a_search_ends_after_a_bounded_number_of_strides(fmu):
-    runner = Runner.of({"hip.stance_torque": 0.0}, fmu)
+def test_a_search_ends_after_a_bounded_number_of_strides():
+    runner = Runner({"hip.stance_torque": 0.0})
     few = spread.search_from_spread(runner, max_strides=5000)
     assert few.strides <= 5000 + spread.MAX_TRIED * spread.ITERATIONS * spread.SHORTENINGS
-    assert spread.search_from_spread(Runner.of(FROM_ISSUE, fmu)).strides < spread.MAX_STRIDES
+    assert spread.search_from_spread(Runner(FROM_ISSUE)).strides < spread.MAX_STRIDES
 
 
-def test_a_search_whose_strides_take_too_many_steps_ends_and_says_so(fmu, monkeypatch):
+def test_a_search_whose_strides_take_too_many_steps_ends_and_says_so(monkeypatch):
     """A stride of this runner takes 3,000 steps or more, two hundred times as many as is usual."""
     monkeypatch.setattr(spread, "STARTS", 256)
     runner = {
@@ -97,23 +97,23 @@ def test_a_search_whose_strides_take_too_many_steps_ends_and_says_so(fmu, monkey
         "control.touchdown_angle": 0.027782313228634767,
     }
     with pytest.raises(GaitNotFoundError, match=r"strides more could not be followed") as raised:
-        find_gait(runner, fmu=fmu)
+        find_gait(runner)
     _, steps = re.search(r"([\d,]+) strides in ([\d,]+) steps", str(raised.value)).groups()
     assert int(steps.replace(",", "")) <= 256 * spread.STEP_LIMIT * (1 + len(spread.ROUNDS))
 
 
 @pytest.mark.parametrize("model", ["full", "reduced"])
-def test_a_runner_that_is_carried_has_no_gait_and_none_is_searched(fmu, model):
+def test_a_runner_that_is_carried_has_no_gait_and_none_is_searched(model):
     """Its centre of mass rises ever faster in flight: that no apex comes takes no search to know."""
     weight = 0.01 * 1.1
     with pytest.raises(GaitNotFoundError, match=r"body\.external_fy = 0\.012 N carries .* weighs 0\.011 N"):
-        find_gait({"body.external_fy": 0.012}, model=model, fmu=fmu)
-    assert find_gait({"body.external_fy": 0.2 * weight}, model=model, fmu=fmu).error < 1e-11
+        find_gait({"body.external_fy": 0.012}, model=model)
+    assert find_gait({"body.external_fy": 0.2 * weight}, model=model).error < 1e-11
 
 
-def test_the_reduced_map_is_searched_too(fmu):
-    runner = Runner.of({**FROM_ISSUE, "hip.retraction_rate": 0.0}, fmu)
-    gait = find_gait(runner, model="reduced", fmu=fmu)
+def test_the_reduced_map_is_searched_too():
+    runner = Runner({**FROM_ISSUE, "hip.retraction_rate": 0.0})
+    gait = find_gait(runner, model="reduced")
     assert len(gait.apex) == 2 and gait.error < 1e-11
     found = spread.search_from_spread(gait.runner)
     assert any(np.allclose(other.apex, gait.apex, atol=1e-8) for other in found.gaits)

@@ -167,18 +167,18 @@ def test_ground_that_splitting_does_not_know_is_refused_by_name():
 
 
 def test_a_factor_from_few_falls_is_told_by_its_interval_alone():
-    many = FirstPassage(Runner.of(), "0+", 0.3, 100, 100, 18_000)
-    few = FirstPassage(Runner.of(), "+-", 0.3, 100, 4, 120_000)
+    many = FirstPassage(Runner(), "0+", 0.3, 100, 100, 18_000)
+    few = FirstPassage(Runner(), "+-", 0.3, 100, 4, 120_000)
     assert str(factor_of(many, many)).startswith("1 (0.7")
     sentence = str(factor_of(few, many))
     assert "166" not in sentence and "too few" in sentence and not factor_of(few, many).is_reported
-    none = factor_of(FirstPassage(Runner.of(), "+-", 0.3, 100, 0, 120_000), many)
+    none = factor_of(FirstPassage(Runner(), "+-", 0.3, 100, 0, 120_000), many)
     assert none.interval[0] > 30.0 and none.interval[1] == np.inf and "above" in str(none)
 
 
 def test_the_interval_of_a_factor_has_its_coverage():
     random, inside, count = np.random.default_rng(4), 0, 600
-    runner = Runner.of()
+    runner = Runner()
     for _ in range(count):
         falls = random.poisson(12.0), random.poisson(40.0)
         one, other = (FirstPassage(runner, "0", 0.3, 1, int(n), 12_000) for n in falls)

@@ -40,7 +40,7 @@ def test_matched_runners_on_rough_ground_are_what_is_kept():
     runners = compare(
         [{"ground.friction": mu} for mu in (rough.REFERENCE, 10.0)], hold=rough.HOLD, vary=rough.VARY
     )
-    runner = Runner(runners.gaits[1].runner.values)
+    runner = Runner(runners.gaits[1].runner)
     found = strides_to_fall(runner, rough.MATCHED_ROUGHNESS, rough.RUNNERS, rough.SEED, rough.MAX_STRIDES)
     (row,) = np.flatnonzero(matched & (data["friction"] == 10.0))
     assert found.mean_strides == pytest.approx(data["mean_strides"][row], rel=0.1)
@@ -51,7 +51,7 @@ def test_gaits_on_slopes_are_what_is_kept():
     for friction in slope.COLOURS:
         row = np.flatnonzero(data["friction"] == friction)[0]
         angle = np.radians(data["slope_degrees"][row])
-        gait = find_gait(Runner.of({"ground.friction": friction, "ground.slope": angle}))
+        gait = find_gait(Runner({"ground.friction": friction, "ground.slope": angle}))
         for name in ("speed", "cost_of_transport"):
             assert gait.stride[name] == pytest.approx(data[name][row], rel=1e-7)
 
@@ -66,7 +66,7 @@ def test_gaits_of_each_actuation_are_what_is_kept():
                 torque, thrusts = (data[name][row] for name in ("hip_torque", "thrust"))
                 start = {"ground.friction": friction, thrust.TORQUE: torque, thrust.THRUST: thrusts}
                 start[thrust.ANGLE] = data["touchdown_angle"][row]
-                stride = find_gait(Runner.of(start)).stride
+                stride = find_gait(Runner(start)).stride
                 slip = stride["slip_distance"] / stride["length"]
                 assert slip == pytest.approx(data["slip_per_length"][row], rel=1e-7, abs=1e-12)
                 for name in ("speed", "cost_of_transport"):
@@ -84,7 +84,7 @@ def test_patches_cause_falls_downhill_on_grippy_ground():
     }
     assert [round(first[friction][2]) for friction in (10.0, 1.2)] == [251, 1002]
     assert first[0.6][2] == np.inf and np.all(first[10.0] <= first[1.2])
-    its = slippery_patch.gaits(Runner.of({}))
+    its = slippery_patch.gaits(Runner({}))
     for gait, matched in its:
         rows = (data["matched"] == matched) & (data["friction"] == gait.friction)
         for row in np.flatnonzero(rows)[[3, 60, 100]]:
@@ -152,7 +152,7 @@ def test_optimal_runners_are_what_is_kept():
             optimal.TORQUE: data["stance_torque"][row],
             optimal.THRUST: data["thrust"][row],
         }
-        gait = find_gait(Runner.of(values))
+        gait = find_gait(Runner(values))
         objective = optimal.CHEAPEST if data["cheapest"][row] else optimal.MIN_SLIP
         (again,) = optimal.best(gait.runner, objective, [SimpleNamespace(gait=gait)])
         assert again.why == ""

@@ -118,7 +118,7 @@ def test_a_viable_controller_keeps_the_unit_up_where_its_own_settings_do_not(exa
     apices, settings = viable.run(law, viable.pushed(gait, viable.PUSH), strides=6)
     assert len(alone) < 6
     assert len(apices) == 7
-    assert settings[0][viable.ANGLE] > gait.runner.values[viable.ANGLE]
+    assert settings[0][viable.ANGLE] > gait.runner[viable.ANGLE]
     assert all(law.grade_at(apex) == "viable" for apex in apices)
     run = tdmf_slip.stride_map(viable.RUNNER, apices[0], strides=6, law=law, tolerance=1e-13)
     assert np.abs((np.array(apices[1:]) - run["next_apex"][0]) / gait.runner.scales).max() < 1e-8

@@ -24,8 +24,8 @@ CLOSED, FELL = STRIDE_FATES.index("closed"), STRIDE_FATES.index("fell")
 
 
 @pytest.fixture(scope="module")
-def gait(fmu):
-    return find_gait(Runner.of({"ground.friction": 0.6}, fmu))
+def gait():
+    return find_gait(Runner({"ground.friction": 0.6}))
 
 
 @pytest.fixture(scope="module")
@@ -35,7 +35,7 @@ def starts(gait):
 
 def law_of(gait, noise=None, seed=4):
     gain = np.random.default_rng(2).uniform(-0.3, 0.3, (2, 6)) * [[1.0], [0.1]]
-    nominal = np.array([gait.runner.values[name] for name in NAMES])
+    nominal = np.array([gait.runner[name] for name in NAMES])
     return AffineLaw(NAMES, gait.apex, nominal, gain, nominal - 0.01, nominal + 0.01, noise, seed)
 
 
@@ -78,7 +78,7 @@ def one_stride(found, runner, stride):
 @pytest.mark.parametrize("instructions", instruction_sets())
 def test_each_stride_is_that_of_the_return_map(gait, starts, instructions):
     """With a torque of its own in coast, so that its power changes its sign."""
-    runner = gait.runner.but("hip.external_torque", 0.01)
+    runner = gait.runner.replace({"hip.external_torque": 0.01})
     found = stride_map(runner, starts, strides=2, tolerance=1e-13, instructions=instructions)
     compared = 0
     for number, start in enumerate(starts):
@@ -111,7 +111,7 @@ def test_a_runner_below_its_ground_for_a_whole_stride_has_fallen_and_the_rule_is
 def test_after_a_fall_there_is_nothing_but_the_fate(gait):
     low = gait.apex * [0.75, 1.0, 1.0, 1.0, 1.0, 1.0]
     below = gait.apex * [0.1, 1.0, 1.0, 1.0, 1.0, 1.0]
-    angle = gait.runner.values[ANGLE]
+    angle = gait.runner[ANGLE]
     found = stride_map(
         gait.runner,
         [gait.apex, gait.apex, low, below],
@@ -168,7 +168,7 @@ def test_runners_have_their_own_parameters_and_settings(gait, starts):
                 TORQUE: torque[stride],
                 "hip.kd": 0.5,
             }
-            runner, here = Runner.of(values), one_stride(found, number, stride)
+            runner, here = Runner(values), one_stride(found, number, stride)
             if here["fate"] == FELL:
                 with pytest.raises(RunError, match="fell"):
                     strides_from(runner, here["apex"])
@@ -186,7 +186,7 @@ def test_runners_have_their_own_parameters_and_settings(gait, starts):
 
 def test_every_setting_may_change_and_acts(gait):
     """It changes from the second stride on."""
-    usual = gait.runner.values
+    usual = gait.runner
     as_ever = stride_map(gait.runner, gait.apex, strides=2)
     for name in SETTINGS:
         change = 1e-3 if name.startswith(("leg", "hip", "control")) else 1e-4
@@ -225,7 +225,7 @@ def test_a_law_that_is_told_what_the_ground_does_sees_it_before_it_steps(gait, s
 
     def look(apices):
         seen.append(apices.copy())
-        return {ANGLE: gait.runner.values[ANGLE]}
+        return {ANGLE: gait.runner[ANGLE]}
 
     found = stride_map(gait.runner, starts, strides=2, law=look, roughness=0.05, seed=3)
     np.testing.assert_array_equal(seen[0], starts)
@@ -336,10 +336,10 @@ def test_noise_is_that_of_the_published_generators(gait, starts):
 # ---- the reduced map --------------------------------------------------------------------------------------
 
 
-def test_the_reduced_map_has_laws_too(fmu):
-    gait = find_gait({"ground.friction": 0.6}, model="reduced", fmu=fmu)
+def test_the_reduced_map_has_laws_too():
+    gait = find_gait({"ground.friction": 0.6}, model="reduced")
     starts = gait.apex + np.random.default_rng(6).uniform(-0.03, 0.03, (RUNNERS, 2))
-    nominal = gait.runner.values[ANGLE]
+    nominal = gait.runner[ANGLE]
     law = AffineLaw([ANGLE], gait.apex, [nominal], [[0.2, -0.1]], [nominal - 0.004], [nominal + 0.004])
 
     def function(apices):
@@ -353,7 +353,7 @@ def test_the_reduced_map_has_laws_too(fmu):
     compared = 0
     for number in range(RUNNERS):
         here = one_stride(found, number, 1)
-        stride = strides_from(gait.runner.but(ANGLE, float(here[ANGLE])), here["apex"])
+        stride = strides_from(gait.runner.replace({ANGLE: float(here[ANGLE])}), here["apex"])
         np.testing.assert_allclose(here["next_apex"] - here["apex"], stride.left_over, atol=1e-8)
         for name in STRIDE_QUANTITIES:
             assert here[name] == pytest.approx(stride.stride[name], abs=1e-7), name
@@ -388,12 +388,12 @@ def test_settings_that_are_none_are_told(gait):
     refused("inputs: hip.kp = 'much' is not allowed", hip__kp="much")
 
 
-def test_settings_that_do_not_act_are_told(gait, fmu):
-    slack = gait.runner.but("hip.kp", 0.0).but("hip.kd", 0.0)
+def test_settings_that_do_not_act_are_told(gait):
+    slack = gait.runner.replace({"hip.kp": 0.0, "hip.kd": 0.0})
     message = "inputs: hip.touchdown_angle does not act where hip.kp and hip.kd are 0"
     refuses(message, gait.apex, slack, inputs={ANGLE: 0.6})
     assert stride_map(slack, gait.apex, inputs={ANGLE: 0.6, "hip.kp": 1.0}).sizes["runner"] == 1
-    reduced = find_gait({"ground.friction": 0.6}, model="reduced", fmu=fmu)
+    reduced = find_gait({"ground.friction": 0.6}, model="reduced")
     message = "inputs: hip.kp does not act in the reduced map"
     refuses(message, reduced.apex, reduced.runner, inputs={"hip.kp": 1.0})
 

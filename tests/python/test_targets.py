@@ -8,11 +8,11 @@ import numpy as np
 import pytest
 from tdmf_slip import InputError, Runner, TargetNotMetError, find_gait
 from tdmf_slip.analysis.target import Target
-from tdmf_slip.fmu.parameters import read_parameters
 from tdmf_slip.library.gait import gait_near
 from tdmf_slip.library.members import VARIED
 from tdmf_slip.library.quantities import QUANTITIES, REDUCED_QUANTITIES, quantities_of, scales_of
 from tdmf_slip.library.varied_stride import varied_stride
+from tdmf_slip.variables.parameters import read_parameters
 
 FAST_HUMAN = Path(__file__).with_name("fast_human.toml")
 
@@ -44,7 +44,7 @@ def test_derivatives_of_what_is_ordered_are_those_of_differences(model, paramete
             apex[k] += sign * steps * scales[k]
         else:
             name = names[k - len(apex)]
-            runner = runner.but(name, runner.values[name] * (1.0 + sign * steps))
+            runner = runner.replace({name: runner[name] * (1.0 + sign * steps)})
         stride = varied_stride(runner, apex, quantities, [])
         return np.append(stride.left_over, stride.quantities)
 
@@ -86,7 +86,7 @@ def test_more_parameters_may_vary_than_are_prescribed():
 
     def change(gait):
         of_apex = (gait.apex - first.apex) / first.runner.scales
-        of_parameters = [gait.runner.values[name] / first.runner.values[name] - 1.0 for name in vary]
+        of_parameters = [gait.runner[name] / first.runner[name] - 1.0 for name in vary]
         return np.linalg.norm([*of_apex, *of_parameters])
 
     both, *alone = (
@@ -94,14 +94,14 @@ def test_more_parameters_may_vary_than_are_prescribed():
         for names in (vary, *([n] for n in vary))
     )
     assert_met(both, {"speed": 1.08})
-    assert all(both.runner.values[name] != first.runner.values[name] for name in vary)
+    assert all(both.runner[name] != first.runner[name] for name in vary)
     assert change(both) < min(map(change, alone))
 
 
 def test_the_fast_human_runs_at_five_metres_a_second():
     gait = find_gait(read_parameters(FAST_HUMAN), target={"speed": 5.0}, vary=["hip.stance_torque"])
     assert_met(gait, {"speed": 5.0})
-    assert gait.runner.values["leg.stiffness"] == 20000.0
+    assert gait.runner["leg.stiffness"] == 20000.0
 
 
 def test_the_fast_human_jogs_by_another_touchdown_angle():
@@ -116,7 +116,7 @@ def test_the_fast_human_jogs_by_another_touchdown_angle():
 def test_the_preset_is_a_jogger():
     """What was measured on people, as its file cites it; the duty factor is that of one straight leg."""
     gait = find_gait(read_parameters("human"))
-    values, stride = gait.runner.values, gait.stride
+    values, stride = gait.runner, gait.stride
     assert gait.stable and gait.word == "+0+" and stride["touchdowns"] == 1.0
     assert stride["speed"] == pytest.approx(2.7, rel=0.01)
     assert 1.0 / stride["period"] == pytest.approx(2.62, rel=0.01)
@@ -135,9 +135,9 @@ def test_the_jogger_runs_with_a_target(command, target):
     status, out, said = command("gait", *options, "--vary", vary, "--parameters", "human", "--json")
     printed = json.loads(out)
     assert (status, said) == (0, "") and printed["stable"] and set(printed["free"]) == set(vary.split(","))
-    gait = gait_near(Runner.of(printed["start_values"]), printed["apex"])
+    gait = gait_near(Runner(printed["start_values"]), printed["apex"])
     assert_met(gait, target)
-    changed = {n for n, v in read_parameters("human").items() if n in VARIED and gait.runner.values[n] != v}
+    changed = {n for n, v in read_parameters("human").items() if n in VARIED and gait.runner[n] != v}
     assert changed - {"hip.touchdown_angle"} == set(vary.split(","))
 
 
@@ -181,7 +181,7 @@ def test_the_nearest_gait_is_nearer_than_the_first(refused):
     assert 1e-10 < gap(nearest, target) < gap(find_gait(parameters), target)
     again = gait_near(nearest.runner, nearest.apex)
     assert gap(again, target) == pytest.approx(gap(nearest, target), rel=1e-6)
-    assert {n for n in VARIED if nearest.runner.values[n] != again.runner.values[n]} == set()
+    assert {n for n in VARIED if nearest.runner[n] != again.runner[n]} == set()
 
 
 def test_what_helps_meets_the_target(refused):
@@ -306,8 +306,8 @@ def test_gaits_far_from_the_runners_own_are_found(name):
     runner, target, vary = HAD[name]
     gait = find_gait(runner, target=target, vary=vary)
     assert_met(gait, target)
-    values = Runner.of(runner).values
-    assert {n for n in VARIED if gait.runner.values[n] != values[n]} <= set(vary)
+    values = Runner(runner)
+    assert {n for n in VARIED if gait.runner[n] != values[n]} <= set(vary)
 
 
 def test_what_a_random_runner_has_is_met():

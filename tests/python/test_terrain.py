@@ -197,7 +197,7 @@ def test_strides_to_fall_counts_on_it(gait):
 )
 def test_what_does_not_go_together_is_refused(gait, values, ground, words):
     with pytest.raises(InputError, match=words):
-        Case({**gait.runner.values, **values}, ground=RoughGround(**ground))
+        Case({**gait.runner, **values}, ground=RoughGround(**ground))
 
 
 def test_where_no_apex_comes_back_nothing_settles_and_nothing_is_split(gait):

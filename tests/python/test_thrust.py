@@ -10,9 +10,9 @@ WORKS = ("leg.work", "hip.work")
 
 
 @pytest.fixture(scope="module")
-def gait(fmu):
+def gait():
     start = {"ground.friction": 10.0, "hip.stance_torque": 0.0, "leg.thrust": THRUST}
-    return find_gait(Runner.of(start, fmu))
+    return find_gait(Runner(start))
 
 
 def test_without_hip_torque_the_leg_does_all_work(gait, fmu):

@@ -10,8 +10,8 @@ import pytest
 import xarray
 from tdmf_slip import InputError, continue_branch, continue_curves, load_fmu, sweep
 from tdmf_slip.cli.main import COMMANDS
-from tdmf_slip.fmu.display_units import DisplayUnits
 from tdmf_slip.pictures import branch, branch_diagram, curve_diagram
+from tdmf_slip.variables.display_units import DisplayUnits
 
 ANGLE, FRICTION, DAMPING = "hip.touchdown_angle", "ground.friction", "leg.damping"
 OVER = f"{ANGLE}=40 deg:42 deg"
@@ -71,7 +71,7 @@ def check_degrees(axis, label):
 
 def test_pictures_are_marked_in_the_unit_that_was_given():
     display, ends = (
-        DisplayUnits(load_fmu(), {ANGLE: "40 deg:42 deg"}),
+        DisplayUnits({ANGLE: "40 deg:42 deg"}),
         (math.radians(40.0), math.radians(42.0)),
     )
     found = continue_branch({FRICTION: 0.6}, {ANGLE: ends}, switch=False)
@@ -81,7 +81,7 @@ def test_pictures_are_marked_in_the_unit_that_was_given():
     (line, *_) = figure.axes[0].lines
     assert np.min(line.get_xdata()) < 1.0  # what is drawn stays in the variable's unit
     swept = sweep({FRICTION: 0.6}, {ANGLE: np.linspace(*ends, 3)})
-    figure = branch.figure_of(*branch.drawn_of(swept), load_fmu(), display)
+    figure = branch.figure_of(*branch.drawn_of(swept), display)
     check_degrees(figure.axes[-1].xaxis, figure.axes[-1].get_xlabel())
     figure = branch_diagram.figure_of(found)
     assert figure.axes[1].get_xlabel() == f"{ANGLE} (rad)"
@@ -90,7 +90,7 @@ def test_pictures_are_marked_in_the_unit_that_was_given():
 
 def test_curves_are_marked_in_the_units_that_were_given():
     spans = {ANGLE: (math.radians(40.0), math.radians(42.0)), FRICTION: (0.45, 0.5)}
-    display = DisplayUnits(load_fmu(), {ANGLE: "40 deg:42 deg"})
+    display = DisplayUnits({ANGLE: "40 deg:42 deg"})
     figure = curve_diagram.figure_of(continue_curves({}, spans, max_points=3), spans, display)
     axes = figure.axes[0]
     check_degrees(axes.xaxis, axes.get_xlabel())

@@ -29,7 +29,7 @@ def found():
 def image_of(runner, apex, settings):
     """The next apex by the library's reduced map, one stride at a time, or None."""
     for name, value in settings.items():
-        runner = runner.but(name, value)
+        runner = runner.replace({name: value})
     try:
         return stride_from(runner, apex, ANGLE)[0]
     except tdmf_slip.RunError:
@@ -201,12 +201,12 @@ def test_the_controller_keeps_runners_up_for_long(found):
 def test_the_controller_says_what_it_knows(found):
     law = found.controller()
     assert law.grade_at([100.0, 1.0]) == "not viable"
-    assert law.inputs_at([100.0, 1.0]) == {ANGLE: found.runner.values[ANGLE]}
+    assert law.inputs_at([100.0, 1.0]) == {ANGLE: found.runner[ANGLE]}
     row, column = np.argwhere(found.outer_states & ~found.inner_states)[0]
     middle = [found.grid.centers(axis)[k] for axis, k in zip(AXES, (row, column), strict=True)]
     assert law.grade_at(middle) == "open"
     assert law.grade_at([1.4, 1.0, 1.0, 0.7, 0.0, 0.0]) == "viable"
-    assert law(np.array([[np.nan, np.nan]]))[ANGLE][0] == found.runner.values[ANGLE]
+    assert law(np.array([[np.nan, np.nan]]))[ANGLE][0] == found.runner[ANGLE]
 
 
 def test_a_drop_goes_as_far_as_cells_above_are_viable(found):
@@ -245,7 +245,7 @@ def test_loss_of_friction_is_stood_where_an_action_leads_back():
     assert len(stands) > 20
     points, _ = random_points(found.grid, stands, 300, 4)
     angles = found.grid.all_actions()[ANGLE]
-    slippery = found.runner.but("ground.friction", 0.05)
+    slippery = found.runner.replace({"ground.friction": 0.05})
     _, apices = next_apices(slippery, np.repeat(points, 10, axis=0), {ANGLE: np.tile(angles, 300)})
     cells = found.grid.cell_of(apices)
     into = ((cells >= 0) & found.inner_states.ravel()[cells]).reshape(300, 10)
@@ -281,15 +281,15 @@ def test_the_full_model_starts_where_the_last_placement_leaves_the_leg():
     full = tdmf_slip.viability({"ground.friction": 0.6}, model="full", **settings)
     reduced = tdmf_slip.viability({"ground.friction": 0.6}, **settings)
     starts = starts_at(full.runner, np.array([[1.4, 1.0]]))
-    assert starts.tolist() == [[1.4, 1.0, 1.0, full.runner.values[ANGLE], 0.0, 0.0]]
+    assert starts.tolist() == [[1.4, 1.0, 1.0, full.runner[ANGLE], 0.0, 0.0]]
     assert 0.3 < full.inner_share <= full.outer_share
     both = np.isfinite(full.transitions.next_apex) & np.isfinite(reduced.transitions.next_apex)
     difference = np.abs(full.transitions.next_apex - reduced.transitions.next_apex)[both]
     assert 0 < np.median(difference) < 0.02
     node = full.transitions.next_apex[:, 4, 5, 3]
     height, speed = (edges[k] for edges, k in zip(full.grid.edges.values(), (4, 5), strict=True))
-    apex = [height, speed, 1.0, full.runner.values[ANGLE], 0.0, 0.0]
-    alone = stride_from(full.runner.but(ANGLE, full.grid.actions[ANGLE][3]), apex, ANGLE)[0][:2]
+    apex = [height, speed, 1.0, full.runner[ANGLE], 0.0, 0.0]
+    alone = stride_from(full.runner.replace({ANGLE: full.grid.actions[ANGLE][3]}), apex, ANGLE)[0][:2]
     assert np.allclose(node, alone, rtol=0, atol=1e-6)
 
 

@@ -24,7 +24,6 @@ from ..errors import InputError
 from ..library import ensemble
 from ..library.affine_law import AffineLaw
 from ..library.gait import Gait
-from ..library.runner import Runner
 from .controlled_gait import jacobian_under
 
 POINTS = 10_000
@@ -117,7 +116,7 @@ class _Stride:
     """How the norm falls from points around a gait."""
 
     def __init__(self, gait: Gait, law: AffineLaw | None, matrix: NDArray[np.float64]) -> None:
-        self.case = ensemble.Case(Runner(gait.runner.values, reduced=gait.runner.reduced), law=law)
+        self.case = ensemble.Case(gait.runner, law=law)
         self.apex, self.matrix = np.asarray(gait.apex, dtype=float), matrix
 
     def rate(self, points: NDArray[np.float64]) -> float:

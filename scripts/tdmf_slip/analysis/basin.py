@@ -18,8 +18,6 @@ from ..blocks import run_blocks
 from ..checks import check_size, is_one_of, refusal
 from ..errors import InputError
 from ..files.whole import check_destination
-from ..fmu.fmu import Fmu, load_fmu
-from ..fmu.parameters import RunnerLike
 from ..given import counts_given
 from ..labelled import Labelled
 from ..library.affine_law import AffineLaw
@@ -29,6 +27,8 @@ from ..library.section import check_axes
 from ..library.shared_steps import shares_steps
 from ..record import without_record
 from ..terminal.progress import progress_bar
+from ..variables.parameters import RunnerLike
+from ..variables.table import VARIABLES
 from .axes import AXES, Axes, axes_of
 from .axes import range_around as range_around
 from .ball import Ball, attributes_of, ball_of
@@ -59,7 +59,6 @@ def basin(
     path: Path | str | None = None,
     executor: Executor | None = None,
     progress: bool = False,
-    fmu: Fmu | None = None,
 ) -> Basin:
     """The fate of a runner from each point of a slice through the gait's apex.
 
@@ -96,8 +95,6 @@ def basin(
         default threads of this process. The result does not depend on the executor.
     progress : bool, default False
         A bar on stderr.
-    fmu : Fmu, optional
-        For units.
 
     Returns
     -------
@@ -125,12 +122,12 @@ def basin(
     >>> print(fates["fate"].shape, fates.settled_share)
     (3, 3) 1.0
     """
-    fmu, runner = load_fmu(fmu), Runner.of(runner, fmu, model=model)
+    runner = Runner(runner, model=model)
     spans = axes_of(axes, runner.coordinates)
     counts = counts_given(n, MAX_AXIS)
     size = math.prod(counts)
     check_size("n", size, f"starts ({counts[0]:,} by {counts[1]:,})", MAX_STARTS)
-    gait = stable_gait(runner, fmu, law)
+    gait = stable_gait(runner, law)
     ends = {name: range_around(gait, name) if span is None else span for name, span in spans.items()}
     values = {
         name: np.linspace(*span, count) for (name, span), count in zip(ends.items(), counts, strict=True)
@@ -144,7 +141,6 @@ def basin(
         path=path,
         executor=executor,
         progress=progress,
-        fmu=fmu,
     )
 
 
@@ -158,16 +154,15 @@ def basin_at(
     path: Path | str | None = None,
     executor: Executor | None = None,
     progress: bool = False,
-    fmu: Fmu | None = None,
 ) -> Basin:
     """`basin` of a stable gait, at values of two coordinates that may be at any distance from each other."""
-    fmu, runner = load_fmu(fmu), gait.runner
+    runner = gait.runner
     path = None if path is None else check_destination(path, (".nc",), "path")
-    along = _checked_slice(values, runner.coordinates, fmu)
+    along = _checked_slice(values, runner.coordinates)
     rows, columns = along.values()
     _check_refine(refine, law)
     around = ball_of(gait, ball, len(rows) * len(columns), law)
-    data = _blank(gait, along, fmu, refine).with_attributes(attributes_of(around))
+    data = _blank(gait, along, refine).with_attributes(attributes_of(around))
     if law is not None:
         data = data.with_attributes({"law": json.dumps(without_record(law.as_json()))})
     file = None
@@ -188,9 +183,9 @@ def basin_at(
     return data
 
 
-def _blank(gait: Gait, along: Mapping[str, NDArray[np.float64]], fmu: Fmu, refine: str) -> Basin:
+def _blank(gait: Gait, along: Mapping[str, NDArray[np.float64]], refine: str) -> Basin:
     """One without fates; a preview tells which starts it followed."""
-    data = Basin.blank(gait, along, fmu).with_attributes({"refine": refine})
+    data = Basin.blank(gait, along).with_attributes({"refine": refine})
     if refine != PREVIEW:
         return data
     about = {"long_name": "1 for a start that was followed, 0 for a painted one"}
@@ -239,14 +234,13 @@ def _follow_rows(
 
 
 def _checked_slice(
-    values: Mapping[str, ArrayLike], coordinates: Sequence[str], fmu: Fmu
+    values: Mapping[str, ArrayLike], coordinates: Sequence[str]
 ) -> dict[str, NDArray[np.float64]]:
     """Values of the two coordinates by their names."""
     first, second = values
     check_axes((first, second), coordinates)
     checked = {
-        axis: fmu.variables[f"apex.{axis}"].values_of(along, f"range of {axis}")
-        for axis, along in values.items()
+        axis: VARIABLES[f"apex.{axis}"].values_of(along, f"range of {axis}") for axis, along in values.items()
     }
     rows, columns = map(len, checked.values())
     check_size("ranges", rows * columns, f"starts ({rows:,} by {columns:,})", MAX_STARTS)

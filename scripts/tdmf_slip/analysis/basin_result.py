@@ -7,11 +7,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..fmu.fmu import Fmu
 from ..labelled import Labelled, LabelledArrays
 from ..library import ensemble
 from ..library.gait import Gait
 from ..record import attributes_of
+from ..variables.table import VARIABLES
 
 NOT_YET = -1
 STRIDES = "strides_until_known"
@@ -28,7 +28,7 @@ class Basin(LabelledArrays):
     """
 
     @classmethod
-    def blank(cls, gait: Gait, along: Mapping[str, NDArray[np.float64]], fmu: Fmu) -> "Basin":
+    def blank(cls, gait: Gait, along: Mapping[str, NDArray[np.float64]]) -> "Basin":
         """One of which no fate is known yet."""
         axes, shape = tuple(along), tuple(len(values) for values in along.values())
         return cls(
@@ -41,7 +41,7 @@ class Basin(LabelledArrays):
                 ),
             },
             {
-                axis: Labelled((axis,), values, fmu.variables[f"apex.{axis}"].attributes)
+                axis: Labelled((axis,), values, VARIABLES[f"apex.{axis}"].attributes)
                 for axis, values in along.items()
             },
             {

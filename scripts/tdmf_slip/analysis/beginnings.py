@@ -10,11 +10,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..errors import InputError, RunError
-from ..fmu.fmu import Fmu
 from ..library.gait import Gait
 from ..library.runner import Runner
 from ..library.scales import scale_of
 from ..library.varied_stride import plain_stride
+from ..variables.table import VARIABLES
 from .linkage import linked
 from .settled import evenly, settled_gaits
 from .target import Iterate, Target
@@ -29,12 +29,12 @@ NONE = 1e-6
 """Of what is prescribed: less counts as none of it."""
 
 
-def beginnings(target: Target, first: Gait, fmu: Fmu) -> Iterator[Iterate]:
+def beginnings(target: Target, first: Gait) -> Iterator[Iterate]:
     """Gaits from which a target may be reached, the nearest to it first."""
     runner = first.runner
     shares = evenly(RUNNERS, len(target.vary))
     varied = {
-        name: around(runner, fmu, name, np.ascontiguousarray(row))
+        name: around(runner, name, np.ascontiguousarray(row))
         for name, row in zip(target.vary, shares.T, strict=True)
     }
     found = settled_gaits(runner, varied, first.apex)
@@ -56,9 +56,9 @@ def beginnings(target: Target, first: Gait, fmu: Fmu) -> Iterator[Iterate]:
             continue
 
 
-def around(runner: Runner, fmu: Fmu, name: str, shares: NDArray[np.float64]) -> NDArray[np.float64]:
+def around(runner: Runner, name: str, shares: NDArray[np.float64]) -> NDArray[np.float64]:
     """Values of a parameter: by factors of its own or, where that is zero, about it."""
-    variable, value = fmu.variables[name], runner.values[name]
+    variable, value = VARIABLES[name], runner[name]
     if value:
         values = value * FACTOR ** (2.0 * shares - 1.0)
     else:

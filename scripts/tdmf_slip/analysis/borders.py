@@ -10,9 +10,9 @@ import numpy as np
 
 from ..contents import ByContents
 from ..errors import InputError, RunError
-from ..fmu.variable import Given
 from ..library.gait import Gait, check_is_gait
 from ..library.runner import Runner
+from ..variables.variable import Given
 from .family import Family, Point
 
 ROOT_ACCURACY = 1e-11

@@ -9,9 +9,9 @@ import numpy as np
 
 from ..contents import ByContents
 from ..drawable import Drawable
-from ..fmu.fmu import Fmu, load_fmu
 from ..library.gait import Gait
 from ..record import attributes_of
+from ..variables.table import VARIABLES
 from .bifurcations import Special
 from .borders import Border
 
@@ -69,13 +69,8 @@ class Branch(ByContents, Drawable):
             "branches": [branch.as_json() for branch in self.branches],
         }
 
-    def to_xarray(self, fmu: Fmu | None = None) -> xarray.Dataset:
+    def to_xarray(self) -> xarray.Dataset:
         """The branch as a dataset with units, over `point` and, for what happens on it, over `special`.
-
-        Parameters
-        ----------
-        fmu : Fmu, optional
-            For units and descriptions; by default that of `fmu_path`.
 
         Returns
         -------
@@ -86,16 +81,15 @@ class Branch(ByContents, Drawable):
         """
         from .grid import as_dataset  # xarray is slow to load
 
-        fmu = load_fmu(fmu)
-        data = as_dataset(self.gaits, {"point": np.arange(len(self.gaits), dtype=float)}, fmu)
+        data = as_dataset(self.gaits, {"point": np.arange(len(self.gaits), dtype=float)})
         data[self.name] = ("point",), np.array(self.values)
-        data[self.name].attrs = fmu.variables[self.name].attributes
+        data[self.name].attrs = VARIABLES[self.name].attributes
         data["unstable"] = ("point",), np.array([gait.unstable for gait in self.gaits])
         data["unstable"].attrs = {"units": "1", "long_name": "eigenvalues outside the unit circle"}
         data["special_kind"] = ("special",), np.array([s.kind for s in self.specials], dtype=object)
         data["special_value"] = ("special",), np.array([s.value for s in self.specials], dtype=float)
         data["special_why"] = ("special",), np.array([s.why for s in self.specials], dtype=object)
-        data["special_value"].attrs = fmu.variables[self.name].attributes
+        data["special_value"].attrs = VARIABLES[self.name].attributes
         data.attrs = {
             **attributes_of(self.gaits[0].runner.record(self.name)),
             "over": self.name,

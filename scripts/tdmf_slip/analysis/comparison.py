@@ -13,10 +13,6 @@ from ..checks import is_one_of, near_matches, shown
 from ..contents import ByContents
 from ..drawable import Drawable
 from ..errors import InputError
-from ..fmu.fmu import Fmu, load_fmu
-from ..fmu.names import full_names
-from ..fmu.parameters import RunnerLike
-from ..fmu.variable import Given
 from ..given import row_of
 from ..library.gait import Gait
 from ..library.members import MOVING, check_varied
@@ -26,6 +22,9 @@ from ..library.shared_steps import shares_steps
 from ..record import origin_of
 from ..terminal.progress import progress_bar
 from ..terminal.text import headed, table
+from ..variables.parameters import RunnerLike
+from ..variables.table import VARIABLES, full_names
+from ..variables.variable import Given
 from .search import periodic_gait
 from .targeted import TargetNotMetError, find_gait
 
@@ -92,7 +91,7 @@ class Comparison(ByContents, Drawable):
             "runners": [
                 {
                     "parameters": dict(matched.parameters),
-                    "runner": dict(matched.after.runner.values),
+                    "runner": dict(matched.after.runner),
                     "before": _reported(matched.before),
                     "after": _reported(matched.after),
                 }
@@ -104,20 +103,15 @@ class Comparison(ByContents, Drawable):
             ],
         }
 
-    def table(self, fmu: Fmu | None = None) -> str:
+    def table(self) -> str:
         """Every quantity of every runner, before and after, and what could not be held.
-
-        Parameters
-        ----------
-        fmu : Fmu, optional
-            For the units; by default that of `fmu_path`.
 
         Returns
         -------
         str
             Lines; a star marks what is held.
         """
-        variables, label = load_fmu(fmu).variables, self.runners[0].after.runner.label
+        variables, label = VARIABLES, self.runners[0].after.runner.label
         columns = [
             (f"runner {number}{'' if step == 'after' else ' as given'}", getattr(matched, step))
             for number, matched in enumerate(self.runners)
@@ -126,7 +120,7 @@ class Comparison(ByContents, Drawable):
         rows = [
             (
                 headed(name, label(variables[name].unit)),
-                *(f"{gait.runner.values[name]:.6g}" for _, gait in columns),
+                *(f"{gait.runner[name]:.6g}" for _, gait in columns),
             )
             for name in self.runners[0].parameters
         ]
@@ -135,9 +129,7 @@ class Comparison(ByContents, Drawable):
         for name in known_quantities(self.runners[0].after.runner):
             mark = " *" if name in self.hold else ""
             values = (quantities_of(gait, [name])[name] for _, gait in columns)
-            rows.append(
-                (headed(name, label(unit_of(name, fmu))) + mark, *(f"{value:.6g}" for value in values))
-            )
+            rows.append((headed(name, label(unit_of(name))) + mark, *(f"{value:.6g}" for value in values)))
         rows.append(("lambda_max", *(f"{gait.lambda_max:.6g}" for _, gait in columns)))
         lines = [table(("", *(title for title, _ in columns)), rows), "", "* held"]
         lines += [
@@ -165,7 +157,6 @@ def compare(
     vary: Sequence[str],
     model: str | None = None,
     progress: bool = False,
-    fmu: Fmu | None = None,
 ) -> Comparison:
     """Runners made equal in what could confound a comparison.
 
@@ -188,8 +179,6 @@ def compare(
         `full` or `reduced`, as in `find_gait`.
     progress : bool, default False
         A bar on stderr.
-    fmu : Fmu, optional
-        Whose start values hold; by default that of `fmu_path`.
 
     Returns
     -------
@@ -222,14 +211,14 @@ def compare(
     varied = full_names(vary, "vary", "a list of names of parameters and inputs")
     for name in varied:
         check_varied(name, "vary")
-    before = [_gait_of(runner, model, fmu) for runner in given]
+    before = [_gait_of(runner, model) for runner in given]
     for gait in before:
         check_quantities(gait.runner, names)
     goal = quantities_of(before[0], names)
     matched, not_held = [before[0]], []
     with progress_bar("compare", len(before) - 1, "runners", progress) as bar:
         for number, gait in enumerate(before[1:], start=1):
-            after, missing = _matched(gait, goal, varied, number, model, fmu)
+            after, missing = _matched(gait, goal, varied, number, model)
             matched.append(after)
             not_held += missing
             bar.update()
@@ -238,7 +227,7 @@ def compare(
         names,
         varied,
         tuple(
-            MatchedRunner({name: after.runner.values[name] for name in reported}, one, after)
+            MatchedRunner({name: after.runner[name] for name in reported}, one, after)
             for one, after in zip(before, matched, strict=True)
         ),
         tuple(not_held),
@@ -247,7 +236,7 @@ def compare(
 
 def _checked_hold(hold: object) -> tuple[str, ...]:
     names = tuple(row_of(hold, "hold", "a list of names of quantities"))
-    known = known_quantities(Runner.of(None))
+    known = known_quantities(Runner(None))
     if not names:
         raise InputError(f"hold: nothing is held; allowed: {', '.join(known)}")
     for name in names:
@@ -260,10 +249,10 @@ def _checked_hold(hold: object) -> tuple[str, ...]:
     return names
 
 
-def _gait_of(given: Runner | Mapping[str, Given] | Gait | None, model: str | None, fmu: Fmu | None) -> Gait:
-    if isinstance(given, Gait) and Runner.of(given, fmu, model=model) == given.runner:
+def _gait_of(given: Runner | Mapping[str, Given] | Gait | None, model: str | None) -> Gait:
+    if isinstance(given, Gait) and Runner(given, model=model) == given.runner:
         return given
-    return periodic_gait(Runner.of(given, fmu, model=model), fmu=fmu)
+    return periodic_gait(Runner(given, model=model))
 
 
 def _matched(
@@ -272,13 +261,12 @@ def _matched(
     vary: Sequence[str],
     number: int,
     model: str | None,
-    fmu: Fmu | None,
 ) -> tuple[Gait, list[NotHeld]]:
     """The gait with what is held, or the nearest one with what it lacks."""
     if _lacking(gait, goal, number) == []:
         return gait, []
     try:
-        found = find_gait(gait.runner, target=goal, vary=vary, guess=gait.apex, model=model, fmu=fmu)
+        found = find_gait(gait.runner, target=goal, vary=vary, guess=gait.apex, model=model)
     except TargetNotMetError as problem:
         found = problem.nearest
     return found, _lacking(found, goal, number)
@@ -295,6 +283,4 @@ def _lacking(gait: Gait, goal: Mapping[str, float], number: int) -> list[NotHeld
 
 def _telling(gaits: Sequence[Gait], vary: Sequence[str]) -> tuple[str, ...]:
     """Parameters and inputs that are varied, or of which the runners have different values."""
-    return tuple(
-        name for name in MOVING if name in vary or len({gait.runner.values[name] for gait in gaits}) > 1
-    )
+    return tuple(name for name in MOVING if name in vary or len({gait.runner[name] for gait in gaits}) > 1)

@@ -6,11 +6,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..errors import RunError
-from ..fmu.variable import Given, Values
 from ..given import row_of
 from ..library.gait import Gait, check_is_gait
 from ..library.runner import Runner
 from ..numerics.halving import walk as steps_to
+from ..variables.variable import Given, Values
 from .family import Family
 from .walking_back import reaches
 
@@ -36,7 +36,7 @@ def gaits_over(
     at = family.value_of(first)
     gait = first if first.along == name else family.gait(at, first.apex)
     for value in row:
-        for part in walk(family, gait, at, family.runner.but(name, value).values[name]):
+        for part in walk(family, gait, at, family.runner.replace({name: value})[name]):
             gait, at = part, family.value_of(part)
         yield gait
         step_finished()

@@ -7,12 +7,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..errors import InputError
-from ..fmu.fmu import Fmu
-from ..fmu.variable import Given
 from ..library.affine_law import AffineLaw, check_law
 from ..library.gait import Gait, check_is_gait
 from ..library.return_map import stride_from
 from ..library.runner import Runner
+from ..variables.variable import Given
 from .search import periodic_gait
 
 SAME = 1e-6
@@ -40,7 +39,7 @@ def check_attracts(gait: Gait, law: AffineLaw | None) -> None:
     if gait.strides > 1:
         raise InputError(f"law: for a gait of {gait.strides} strides; allowed: of one")
     for name, value in replace(law, noise=None).inputs_at(gait.apex).items():
-        usual = gait.runner.values[name]
+        usual = gait.runner[name]
         if abs(value - usual) > SAME * max(1.0, abs(usual)):
             raise InputError(
                 f"law: {name} = {value:g} at the gait's apex, where the runner has {usual:g}; "
@@ -54,17 +53,15 @@ def check_attracts(gait: Gait, law: AffineLaw | None) -> None:
         )
 
 
-def stable_gait(
-    runner: Runner | Mapping[str, Given], fmu: Fmu | None = None, law: AffineLaw | None = None
-) -> Gait:
+def stable_gait(runner: Runner | Mapping[str, Given], law: AffineLaw | None = None) -> Gait:
     """The gait of a runner, or under a law the one near its apex, if it attracts anything."""
     if law is None:
-        gait = periodic_gait(runner, fmu=fmu)
+        gait = periodic_gait(runner)
         if not gait.stable:
             raise InputError(f"the gait at friction {gait.friction:g} is unstable: it attracts nothing")
         return gait
-    runner = Runner.of(runner, fmu)
+    runner = Runner(runner)
     check_law(law, runner)
-    gait = periodic_gait(runner, guess=law.apex, fmu=fmu)
+    gait = periodic_gait(runner, guess=law.apex)
     check_attracts(gait, law)
     return gait

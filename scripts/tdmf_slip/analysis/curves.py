@@ -10,9 +10,6 @@ from numpy.typing import NDArray
 
 from ..checks import checked_whole, refusal, shown
 from ..errors import InputError, RunError
-from ..fmu.fmu import Fmu, load_fmu
-from ..fmu.names import by_full_name
-from ..fmu.parameters import RunnerLike
 from ..given import row_of
 from ..library.members import check_varied
 from ..library.quantities import scales_of
@@ -20,6 +17,8 @@ from ..library.runner import Runner
 from ..library.shared_steps import shares_steps
 from ..numerics.halving import halved
 from ..terminal.progress import progress_bar
+from ..variables.parameters import RunnerLike
+from ..variables.table import VARIABLES, by_full_name
 from .bifurcations import NEIMARK_SACKER, UNCLASSIFIED, WORD_BORDER, Special
 from .curve import CLOSED, LONGEST, SHORTEST, Box, Curve
 from .lines import border_curve
@@ -45,7 +44,6 @@ def continue_curves(
     model: str | None = None,
     max_points: int = 200,
     progress: bool = False,
-    fmu: Fmu | None = None,
 ) -> tuple[Curve, ...]:
     """Curves of special points over two parameters, each followed both ways to the ranges' edges.
 
@@ -64,8 +62,6 @@ def continue_curves(
         Of a curve in each direction.
     progress : bool, default False
         A count of points on stderr.
-    fmu : Fmu, optional
-        Whose start values hold; by default that of `fmu_path`.
 
     Returns
     -------
@@ -87,17 +83,16 @@ def continue_curves(
     >>> print({curve.kind for curve in curves})
     {'word border'}
     """
-    fmu = load_fmu(fmu)
-    runner = Runner.of(runner, fmu, model=model)
+    runner = Runner(runner, model=model)
     checked_whole("max_points", max_points, 1, MAX_POINTS)
-    names, spans = _checked_ranges(vary, fmu)
+    names, spans = _checked_ranges(vary)
     first, second = names
     if np.any(spans[:, 0] == spans[:, 1]):
         raise InputError(f"vary {first} and {second}: allowed: ranges whose ends differ")
-    home = runner.values[second]
+    home = runner[second]
     if not spans[1].min() <= home <= spans[1].max():
-        runner = runner.but(second, float(spans[1, 0]))
-    branch = continue_branch(runner, {first: (float(spans[0, 0]), float(spans[0, 1]))}, switch=False, fmu=fmu)
+        runner = runner.replace({second: float(spans[1, 0])})
+    branch = continue_branch(runner, {first: (float(spans[0, 0]), float(spans[0, 1]))}, switch=False)
     sizes = scales_of(runner, names)[-2:]
     box = Box(spans.min(axis=1) / sizes, spans.max(axis=1) / sizes)
     found: list[Curve] = []
@@ -107,7 +102,7 @@ def continue_curves(
             bar.update()
 
         for special in branch.specials:
-            at = np.array([special.value, runner.values[second]]) / sizes
+            at = np.array([special.value, runner[second]]) / sizes
             if special.kind == UNCLASSIFIED or _is_on(found, special, at, sizes, box):
                 continue
             if special.kind == WORD_BORDER:
@@ -121,7 +116,7 @@ def continue_curves(
     return tuple(found)
 
 
-def _checked_ranges(vary: object, fmu: Fmu) -> tuple[tuple[str, str], NDArray[np.float64]]:
+def _checked_ranges(vary: object) -> tuple[tuple[str, str], NDArray[np.float64]]:
     """Names of the two parameters, and the ends of their ranges, shape (2, 2)."""
     allowed = "two parameters or inputs, each with the two ends of its range"
     given = by_full_name(vary, "vary", allowed)
@@ -133,7 +128,7 @@ def _checked_ranges(vary: object, fmu: Fmu) -> tuple[tuple[str, str], NDArray[np
         pair = row_of(ends, f"vary {name}", allowed)
         if len(pair) != 2:
             raise refusal(f"vary {name}", ends, allowed)
-        spans.append([float(fmu.find(name, "vary").value_of(value, f"vary {name}")) for value in pair])
+        spans.append([float(VARIABLES.find(name, "vary").value_of(value, f"vary {name}")) for value in pair])
     first, second = given
     return (first, second), np.array(spans)
 

@@ -11,7 +11,6 @@ from numpy.typing import NDArray
 
 from ..contents import ByContents
 from ..errors import RunError
-from ..fmu.variable import Given
 from ..library.gait import Gait
 from ..library.members import check_varied
 from ..library.quantities import scales_of
@@ -19,6 +18,7 @@ from ..library.return_map import Along
 from ..library.runner import Runner
 from ..library.section import Apex
 from ..library.strides import repeated_gait_near, strides_from
+from ..variables.variable import Given
 from .corrector import GOOD_ENOUGH, SHORTENINGS, iterates
 
 
@@ -51,7 +51,7 @@ class Family:
         The parameter's scale is its value in the runner, or 1.
         """
         check_varied(name, "name")
-        self.runner = runner = Runner.of(runner)
+        self.runner = runner = Runner(runner)
         self.name = name
         self.along = name
         self.strides = strides
@@ -59,7 +59,7 @@ class Family:
 
     def runner_at(self, value: float) -> Runner:
         """The runner at a value of the parameter, in its unit."""
-        return self.runner.but(self.name, value)
+        return self.runner.replace({self.name: value})
 
     def gait(self, value: float, guess: Apex) -> Gait:
         """The gait at a value near a guess."""
@@ -71,7 +71,7 @@ class Family:
 
     def value_of(self, gait: Gait) -> float:
         """The parameter's value, in its unit, at a gait of the family."""
-        return gait.runner.values[self.name]
+        return gait.runner[self.name]
 
     def point(self, gait: Gait, along: NDArray[np.float64]) -> Point:
         """A gait as a point of its branch, which leads along a direction."""

@@ -6,11 +6,11 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..checks import check_size
-from ..fmu.variable import Given
 from ..library import ensemble
 from ..library.affine_law import AffineLaw
 from ..library.runner import Runner
 from ..library.section import Apex
+from ..variables.variable import Given
 from .ball import TOLERANCE as TOLERANCE
 from .ball import Ball
 
@@ -41,7 +41,7 @@ def fates(
     """
     starts = np.asarray(starts)
     check_size("starts", len(starts) if starts.ndim else 1, "runners", ensemble.MAX_RUNNERS)
-    case = ensemble.Case(Runner.of(runner), (apex,), law=law, balls=() if ball is None else (ball.matrix,))
+    case = ensemble.Case(Runner(runner), (apex,), law=law, balls=() if ball is None else (ball.matrix,))
     return ensemble.run_ensemble(
         [case],
         starts,

@@ -18,8 +18,6 @@ from ..checks import checked_whole
 from ..contents import ByContents
 from ..drawable import Drawable
 from ..errors import InputError
-from ..fmu.fmu import Fmu
-from ..fmu.parameters import RunnerLike
 from ..library import ensemble
 from ..library.affine_law import AffineLaw, check_law
 from ..library.gait import Gait, check_is_gait
@@ -28,6 +26,7 @@ from ..library.rough_ground import RoughGround
 from ..library.runner import Runner
 from ..library.settings import checked_values
 from ..terminal.progress import progress_bar
+from ..variables.parameters import RunnerLike
 from .fates import TOLERANCE
 from .search import periodic_gait
 from .volume import CONFIDENCE, NORMAL_QUANTILE
@@ -187,7 +186,6 @@ def strides_to_fall(
     foot_x: ArrayLike | None = None,
     executor: Executor | None = None,
     progress: bool = False,
-    fmu: Fmu | None = None,
 ) -> FirstPassage:
     """The mean number of strides until a runner falls on rough ground.
 
@@ -227,8 +225,6 @@ def strides_to_fall(
         default threads of this process. The result does not depend on the executor.
     progress : bool, default False
         A bar on stderr.
-    fmu : Fmu, optional
-        Whose start values hold; by default that of `fmu_path`.
 
     Returns
     -------
@@ -249,7 +245,7 @@ def strides_to_fall(
     >>> rough.falls + rough.censored
     100
     """
-    runner = Runner.of(runner, fmu)
+    runner = Runner(runner)
     if runner.reduced:
         raise InputError(
             "runner by the reduced map is not allowed on rough ground; allowed: by the full model"
@@ -260,9 +256,9 @@ def strides_to_fall(
     max_strides = checked_whole("max_strides", max_strides, 1, MAX_STRIDES)
     if gait is not None:
         check_is_gait(gait, "gait")
-    plain = runner.but("ground.patch_end", runner.values["ground.patch_begin"])
-    start = periodic_gait(plain, fmu=fmu) if gait is None else gait
-    runner, apex = Runner(runner.values), tuple(start.apex)
+    plain = runner.replace({"ground.patch_end": runner["ground.patch_begin"]})
+    start = periodic_gait(plain) if gait is None else gait
+    runner, apex = runner.replace(model="full"), tuple(start.apex)
     feet = _feet(foot_x, start, runner, runners, ground.seed)
     size = min(MAX_IN_A_BLOCK, max(MIN_IN_A_BLOCK, STRIDES_IN_A_BLOCK // max_strides))
     shares = [
@@ -286,7 +282,7 @@ def _feet(
     """Where the feet are at the start, shape (runners,)."""
     if isinstance(foot_x, str) and foot_x == "random":
         before = np.random.default_rng(seed).uniform(1.0, 2.0, runners)
-        return runner.values["ground.patch_begin"] - before * float(start.stride["length"])
+        return runner["ground.patch_begin"] - before * float(start.stride["length"])
     feet = np.atleast_1d(numbers("foot_x", 0.0 if foot_x is None else foot_x, 1))
     feet = checked_values("foot.x", feet, "foot_x", {"runner": 0})
     if feet.size not in (1, runners):

@@ -7,12 +7,11 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..errors import InputError
-from ..fmu.fmu import Fmu
-from ..fmu.names import by_full_name
 from ..library.population import numbers
 from ..library.recorded_strides import GROUND, Request
 from ..library.rough_ground import RoughGround
 from ..library.settings import check_acts, checked_values, setting_number
+from ..variables.table import by_full_name
 
 Law: TypeAlias = Callable[[NDArray[np.float64]], Mapping[str, ArrayLike]]
 """From apices, shape (runners, n), to settings by name, shape (runners,) or one for all."""
@@ -21,8 +20,8 @@ Law: TypeAlias = Callable[[NDArray[np.float64]], Mapping[str, ArrayLike]]
 class FunctionLaw:
     """A user's function, whose settings are checked; `stride_begins` is called before each stride."""
 
-    def __init__(self, law: Law, request: Request, fmu: Fmu, stride_begins: Callable[[], object]) -> None:
-        self.law, self.request, self.fmu, self.stride_begins = law, request, fmu, stride_begins
+    def __init__(self, law: Law, request: Request, stride_begins: Callable[[], object]) -> None:
+        self.law, self.request, self.stride_begins = law, request, stride_begins
         self.names: tuple[str, ...] | None = None
 
     def __call__(
@@ -61,11 +60,9 @@ class FunctionLaw:
                 "or one for all"
             )
         of_all = np.broadcast_to(values, under_way.shape)
-        usual = self.request.population.runner.values[name]
+        usual = self.request.population.runner[name]
         first = {"runner": 0}
-        return checked_values(
-            name, np.where(under_way, of_all, usual), f"law: stride {stride}", first, self.fmu
-        )
+        return checked_values(name, np.where(under_way, of_all, usual), f"law: stride {stride}", first)
 
 
 def check_set(names: Sequence[str], by_others: Sequence[str], ground: RoughGround, what: str) -> None:

@@ -5,10 +5,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..fmu.fmu import Fmu
 from ..library.gait import LEDGER, Gait
-from ..library.measures import MEASURE_UNITS, STRIDE_QUANTITIES
+from ..library.measures import MEASURES, STRIDE_QUANTITIES
 from ..library.section import COORDINATES
+from ..variables.table import MODELS, VARIABLES
 
 
 @dataclass(frozen=True)
@@ -17,29 +17,23 @@ class Column:
 
     value_of: Callable[[Gait], float]
     """Reads it off a gait."""
-    variable: str | None
-    """The unit's variable that has its unit and description, if there is one."""
-    unit: str = ""
-    """Where there is none."""
-
-    def attributes(self, fmu: Fmu) -> dict[str, str]:
-        """Unit and description, by the names that CF gives them."""
-        return {"units": self.unit} if self.variable is None else fmu.variables[self.variable].attributes
+    attributes: Mapping[str, str]
+    """Unit and description, by the names that CF gives them."""
 
 
-def _of_stride(name: str) -> Callable[[Gait], float]:
-    return lambda gait: gait.stride.get(name, np.nan)  # the reduced map measures less
+def _of_stride(name: str) -> Column:
+    """A quantity of the stride; the reduced map measures fewer."""
+    return Column(lambda gait: gait.stride.get(name, np.nan), MODELS["full"].quantities[name].attributes)
 
 
-def _of_apex(index: int) -> Callable[[Gait], float]:
-    return lambda gait: float(gait.section[index])
+def _of_apex(index: int) -> Column:
+    attributes = VARIABLES[f"apex.{COORDINATES[index]}"].attributes
+    return Column(lambda gait: float(gait.section[index]), attributes)
 
 
 COLUMNS: Mapping[str, Column] = {
-    **{name: Column(_of_stride(name), f"stride.{name}") for name in STRIDE_QUANTITIES},
-    **{name: Column(_of_stride(name), None, "J") for name in LEDGER},
-    **{name: Column(_of_stride(name), None, unit) for name, unit in MEASURE_UNITS.items()},
-    **{f"apex_{name}": Column(_of_apex(i), f"apex.{name}") for i, name in enumerate(COORDINATES)},
-    "lambda_max": Column(lambda gait: gait.lambda_max, None, "1"),
+    **{name: _of_stride(name) for name in (*STRIDE_QUANTITIES, *LEDGER, *MEASURES)},
+    **{f"apex_{name}": _of_apex(i) for i, name in enumerate(COORDINATES)},
+    "lambda_max": Column(lambda gait: gait.lambda_max, {"units": "1"}),
 }
 """All numbers of a gait, by the names that they have in a dataset."""

@@ -16,16 +16,15 @@ from ..files.datasets import xarray
 from ..files.netcdf import write_dataset
 from ..files.resume import resumed, same_values
 from ..files.whole import check_destination
-from ..fmu.fmu import FRICTION, Fmu, load_fmu
-from ..fmu.names import by_full_name
-from ..fmu.variable import MAX_VALUES, Given, Values
 from ..library.gait import Gait, gait_near
-from ..library.members import STATES, check_has_gaits, check_varied
+from ..library.members import check_has_gaits, check_varied
 from ..library.runner import Runner
 from ..library.scales import rounding_of
 from ..library.section import COORDINATES
 from ..record import attributes_of
 from ..terminal.progress import progress_bar
+from ..variables.table import FRICTION, STATES, VARIABLES, by_full_name
+from ..variables.variable import MAX_VALUES, Given, Values
 from .gait_columns import COLUMNS
 from .sweep import check_values, sweep_row
 
@@ -34,7 +33,7 @@ GAITS_AGREE = 1e-6
 
 
 def as_dataset(
-    gaits: Sequence[Gait | None], coordinates: Mapping[str, NDArray[np.float64]], fmu: Fmu
+    gaits: Sequence[Gait | None], coordinates: Mapping[str, NDArray[np.float64]]
 ) -> xarray.Dataset:
     """Gaits on a grid, with units; NaN and an empty word where there is none."""
     shape = tuple(len(values) for values in coordinates.values())
@@ -43,12 +42,12 @@ def as_dataset(
     for name, column in COLUMNS.items():
         values = [np.nan if gait is None else column.value_of(gait) for gait in gaits]
         data[name] = names, np.array(values, dtype=float).reshape(shape)
-        data[name].attrs = column.attributes(fmu)
+        data[name].attrs = column.attributes
     words = ["" if gait is None else gait.word for gait in gaits]
     data["word"] = names, np.array(words, dtype=object).reshape(shape)
-    data["word"].attrs = fmu.variables["stride.word"].attributes
-    for name in set(names) & set(fmu.variables):
-        data[name].attrs = fmu.variables[name].attributes
+    data["word"].attrs = VARIABLES["stride.word"].attributes
+    for name in set(names) & set(VARIABLES):
+        data[name].attrs = VARIABLES[name].attributes
     return data
 
 
@@ -68,7 +67,6 @@ def grid(
     *,
     executor: Executor | None = None,
     progress: bool = False,
-    fmu: Fmu | None = None,
 ) -> xarray.Dataset:
     """Gaits over two parameters, row by row, into a NetCDF file.
 
@@ -76,21 +74,20 @@ def grid(
     are missing; a file of another sweep is refused. What kept a row from its end is in
     the file's `problem`.
     """
-    fmu, runner = load_fmu(fmu), Runner.of(runner)
+    runner = Runner(runner)
     vary = by_full_name(vary, "vary", "values by the names of two parameters or inputs")
     name, along = _names(vary)
-    coordinates = {of: fmu.find(of, "vary").values_of(vary[of], f"vary {of}") for of in (name, along)}
+    coordinates = {of: VARIABLES.find(of, "vary").values_of(vary[of], f"vary {of}") for of in (name, along)}
     down, across = coordinates.values()
     if len(across) * len(down) > MAX_VALUES:
         raise InputError(
             f"a grid of {len(across)} by {len(down)} gaits: allowed: {MAX_VALUES:,} gaits at the most"
         )
     for value in down:
-        row = runner.but(name, value)
-        _ = row.system
-        check_has_gaits(row.values[FRICTION] if along != FRICTION else float(min(across)))
-    check_values(runner.but(name, down[0]), along, across)
-    blank = as_dataset([None] * (len(down) * len(across)), coordinates, fmu)
+        row = runner.replace({name: value})
+        check_has_gaits(row[FRICTION] if along != FRICTION else float(min(across)))
+    check_values(runner.replace({name: down[0]}), along, across)
+    blank = as_dataset([None] * (len(down) * len(across)), coordinates)
     blank["branch"] = (name, along), np.full((len(down), len(across)), np.nan)
     blank["branch"].attrs = {"long_name": "number of the branch in its row"}
     blank["done"] = (name,), np.zeros(len(down), dtype="i1")
@@ -98,16 +95,16 @@ def grid(
     blank.attrs = {"title": "Periodic gaits", **attributes_of(runner.record(*coordinates))}
     path = check_destination(path, (".nc",), "path")
     data = resumed(path, blank, "sweep")
-    _check_rows(path, data, blank, runner, fmu, progress)
+    _check_rows(path, data, blank, runner, progress)
     missing = np.flatnonzero(data["done"].values == 0)
-    rows = [Row(runner.but(name, down[number]), along, tuple(across)) for number in missing]
+    rows = [Row(runner.replace({name: down[number]}), along, tuple(across)) for number in missing]
     with (
         progress_bar("sweep", len(down), "rows", progress) as bar,
         run_blocks(gaits_of_row, rows, executor) as results,
     ):
         bar.update(len(down) - len(missing))
         for number, (gaits, branches, problem) in results:
-            found = as_dataset(gaits, {along: coordinates[along]}, fmu)
+            found = as_dataset(gaits, {along: coordinates[along]})
             for variable in found.data_vars:
                 data[variable][missing[number]] = found[variable]
             data["branch"][missing[number]] = branches
@@ -135,7 +132,6 @@ def _check_rows(
     data: xarray.Dataset,
     blank: xarray.Dataset,
     runner: Runner,
-    fmu: Fmu,
     progress: bool,
 ) -> None:
     """Refuse rows that no sweep can have left: each gait has to close its stride as the file tells."""
@@ -146,7 +142,7 @@ def _check_rows(
             row, nothing = data.isel({name: number}), blank.isel({name: number})
             if same_values(row, nothing):
                 continue
-            if not _may_be_row(row, runner.but(str(name), value), str(along), fmu):
+            if not _may_be_row(row, runner.replace({str(name): value}), str(along)):
                 raise InputError(
                     f"{path}: holds another sweep, with gaits at {name} = {value:g} that are none; "
                     "allowed: another file name"
@@ -154,7 +150,7 @@ def _check_rows(
             bar.update()
 
 
-def _may_be_row(row: xarray.Dataset, runner: Runner, along: str, fmu: Fmu) -> bool:
+def _may_be_row(row: xarray.Dataset, runner: Runner, along: str) -> bool:
     """Whether a row is done, what is in it are gaits, and it says why where some are missing."""
     found = row["period"].notnull().values
     if row["done"] != 1 or not (found.all() or row["problem"].item()):
@@ -163,14 +159,14 @@ def _may_be_row(row: xarray.Dataset, runner: Runner, along: str, fmu: Fmu) -> bo
     values = row[along].values
     try:
         gaits = [
-            gait_near(runner.but(along, value), apex[: len(runner.coordinates)]) if there else None
+            gait_near(runner.replace({along: value}), apex[: len(runner.coordinates)]) if there else None
             for value, apex, there in zip(values, apices, found, strict=True)
         ]
     except TdmfSlipError:
         return False
     if not np.array_equal(row["branch"].notnull().values, found):
         return False
-    wanted = as_dataset(gaits, {along: values}, fmu)
+    wanted = as_dataset(gaits, {along: values})
     rounding = {name: rounding_of(runner, wanted[name].attrs["units"]) for name in COLUMNS}
     return same_values(row, wanted, GAITS_AGREE, rounding)
 

@@ -48,7 +48,7 @@ class Line(Family):
         """The runner at a distance along the line."""
         runner = self.runner
         for name, at in zip(self.names, (self.origin + value * self.way) * self.sizes, strict=True):
-            runner = runner.but(name, float(at))
+            runner = runner.replace({name: float(at)})
         return runner
 
     def value_of(self, gait: Gait) -> float:
@@ -57,7 +57,7 @@ class Line(Family):
 
     def pair(self, gait: Gait) -> Pair:
         """The parameters of a gait over their scales."""
-        return np.array([gait.runner.values[name] for name in self.names]) / self.sizes
+        return np.array([gait.runner[name] for name in self.names]) / self.sizes
 
 
 def border_near(
@@ -117,7 +117,7 @@ def border_curve(
     family = Family(branch.gaits[0].runner, names[0])
     around = family.points(*branch.gaits[special.index : special.index + 2])
     known = next(c for c in crossings(family, *around) if (c.border.before, c.border.after) == special.words)
-    here = BorderPoint(np.array([special.value, runner.values[names[1]]]) / sizes, known)
+    here = BorderPoint(np.array([special.value, runner[names[1]]]) / sizes, known)
     track = BorderTrack(runner, names, sizes, [here])
     back, began = _border_followed(track, box, here, -1.0, max_points, tell)
     forth: list[BorderPoint] = []

@@ -156,7 +156,7 @@ def _with_one_instead(target: Target, name: str, other: str, first: Gait) -> Hel
 
 def _promising(target: Target, gaits: Sequence[Gait]) -> list[str]:
     """Further parameters, those first of which derivatives promise that they leave least of the gap."""
-    values = gaits[0].runner.values
+    values = gaits[0].runner
     names = [name for name in VARIED if name not in (*target.vary, *NOT_THE_RUNNERS) and values[name] != 0.0]
     widest = target.with_more(*names)
     left = dict.fromkeys(names, np.inf)

@@ -14,11 +14,11 @@ from numpy.typing import NDArray
 
 from ..contents import ByContents
 from ..errors import InputError, RunError
-from ..fmu.fmu import FRICTION
 from ..library.ensemble import FATES, Case, run_ensemble
 from ..library.gait import Gait
 from ..library.runner import Runner
 from ..library.varied_stride import plain_stride
+from ..variables.table import FRICTION
 
 AFTER = 30
 """Strides after the patch: a runner that has made them is up."""
@@ -47,13 +47,15 @@ def contact_angle_of(gait: Gait) -> float:
 
 def landing_at(gait: Gait, contact_angle: float) -> Runner | None:
     """The runner of a gait whose leg is placed so that it comes down at an angle, from the gait's apex."""
-    values, at = gait.runner.values, math.radians(90.0 - contact_angle)
+    values, at = gait.runner, math.radians(90.0 - contact_angle)
     share = values["body.mass"] / (values["body.mass"] + values["foot.mass"])
     drop = float(gait.apex[0]) - share * values["leg.free_length"] * math.cos(at)
     if drop <= 0.0:
         return None
     touchdown_angle = at + values["hip.retraction_rate"] * math.sqrt(2.0 * drop / values["gravity"])
-    return gait.runner.but("hip.touchdown_angle", touchdown_angle) if touchdown_angle < STEEPEST else None
+    return (
+        gait.runner.replace({"hip.touchdown_angle": touchdown_angle}) if touchdown_angle < STEEPEST else None
+    )
 
 
 def meet_patch(
@@ -63,7 +65,7 @@ def meet_patch(
     shape = len(gaits), len(contact_angles)
     fell, slips = np.full(shape, np.nan), np.full(shape, np.nan)
     landings = {
-        (row, column): runner.but(FRICTION, friction)
+        (row, column): runner.replace({FRICTION: friction})
         for row, gait in enumerate(gaits)
         for column, angle in enumerate(contact_angles)
         if (runner := landing_at(gait, angle)) is not None
@@ -75,7 +77,7 @@ def meet_patch(
         fell[cell] = 1.0
     up, apices = _followed(cells, [Case(landings[cell]) for cell in cells], apices, 1)
     if strides > 1:
-        on_patch = [Case(gaits[row].runner.but(FRICTION, friction)) for row, _ in up]
+        on_patch = [Case(gaits[row].runner.replace({FRICTION: friction})) for row, _ in up]
         up, apices = _followed(up, on_patch, apices, strides - 1)
     after = [Case(gaits[row].runner, [gaits[row].apex]) for row, _ in up]
     for cell in _followed(up, after, apices, AFTER)[0]:

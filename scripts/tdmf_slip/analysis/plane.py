@@ -83,7 +83,7 @@ class Plane:
         values = at * self.scales
         runner = self.runner
         for name, value in zip(self.names, values[-2:], strict=True):
-            runner = runner.but(name, float(value))
+            runner = runner.replace({name: float(value)})
         return strides_from(runner, values[:-2], self.strides, along=along)
 
     def zero(self, gait: Gait) -> float:

@@ -13,13 +13,12 @@ from ..checks import checked_whole
 from ..contents import ByContents
 from ..drawable import Drawable
 from ..errors import InputError
-from ..fmu.fmu import Fmu
-from ..fmu.parameters import RunnerLike
 from ..library.affine_law import AffineLaw, check_law
 from ..library.gait import Gait, check_is_gait
 from ..library.rough_ground import LAST_SEED, RoughGround
 from ..library.runner import Runner
 from ..terminal.progress import progress_bar
+from ..variables.parameters import RunnerLike
 from .rough_runner import RoughRunner
 from .search import periodic_gait
 from .splitting import CONFIDENCE, REPLICAS, RareEvent, levels_of, rare_event
@@ -97,7 +96,6 @@ def rare_falls(
     gait: Gait | None = None,
     law: AffineLaw | None = None,
     progress: bool = False,
-    fmu: Fmu | None = None,
 ) -> RareFalls:
     """The mean number of strides until a fall that hardly ever comes, by multilevel splitting.
 
@@ -123,8 +121,6 @@ def rare_falls(
         By which settings are made anew at each apex, as in `strides_to_fall`.
     progress : bool, default False
         A bar on stderr.
-    fmu : Fmu, optional
-        Whose start values hold; by default that of `fmu_path`.
 
     Returns
     -------
@@ -146,7 +142,7 @@ def rare_falls(
     >>> low < rare.mean_strides < high
     True
     """
-    runner = Runner.of(runner, fmu)
+    runner = Runner(runner)
     if runner.reduced:
         raise InputError(
             "runner by the reduced map is not allowed on rough ground; allowed: by the full model"
@@ -159,7 +155,7 @@ def rare_falls(
     seed = checked_whole("seed", seed, 0, LAST_SEED)
     if gait is not None:
         check_is_gait(gait, "gait")
-    start = periodic_gait(runner, fmu=fmu) if gait is None else gait
+    start = periodic_gait(runner) if gait is None else gait
     chain = RoughRunner(start, ground, law)
     with progress_bar("rare falls", REPLICAS + 1, "runs", progress) as bar:
         scores, highest = chain.learn(seed % 2**32)

@@ -10,7 +10,6 @@ import numpy as np
 from ..library import ensemble
 from ..library.affine_law import AffineLaw
 from ..library.gait import Gait
-from ..library.runner import Runner
 from ..library.section import COORDINATES
 from .controlled_gait import check_attracts
 from .fates import fates
@@ -67,7 +66,7 @@ def robustness(gait: Gait, law: AffineLaw | None = None) -> Robustness:
 def _reach(gait: Gait, law: AffineLaw | None, disturbance: str, direction: float) -> float:
     """The first disturbance that is not recovered from, between the tries of a line that is refined."""
     index = COORDINATES.index(DISTURBED[disturbance])
-    runner = Runner(gait.runner.values, reduced=gait.runner.reduced)
+    runner = gait.runner
     recovered, lost = 0.0, FARTHEST * runner.scales[index]
     for _ in range(REFINEMENTS):
         tries = np.linspace(recovered, lost, COARSE + 1)[1:]

@@ -21,7 +21,6 @@ from ..library.ensemble import END, FATES, ensemble_of
 from ..library.gait import Gait
 from ..library.recorded_strides import given_settings
 from ..library.rough_ground import RoughGround
-from ..library.runner import Runner
 from .fates import TOLERANCE
 from .logistic import logistic_weights
 
@@ -47,7 +46,7 @@ class RoughRunner:
 
     def __init__(self, gait: Gait, ground: RoughGround, law: AffineLaw | None) -> None:
         """From the gait on level ground."""
-        self.runner, self.law = Runner(gait.runner.values), law
+        self.runner, self.law = gait.runner.replace(model="full"), law
         self.ground, self.roughness = ground, ground.roughness
         self.step_weights = np.array(ground.step_weights)
         self.scales = self.runner.scales
@@ -129,7 +128,7 @@ class RoughRunner:
         if not self.ground.trips or not len(self.step_weights):
             return np.zeros(len(before), dtype=bool)
         height, _, length, angle = _ends(before)["apex"][:, :4].T
-        body, foot = (self.runner.values[name] for name in ("body.mass", "foot.mass"))
+        body, foot = (self.runner[name] for name in ("body.mass", "foot.mass"))
         clearance = height - body / (body + foot) * length * np.cos(angle)
         tripped: NDArray[np.bool_] = _heights(after) - _heights(before) > clearance
         return tripped

@@ -1,35 +1,35 @@
 """The gait of a runner: near a guess, by settling, along the friction, or from starts everywhere."""
 
 from ..errors import GaitNotFoundError, RunError
-from ..fmu.fmu import FRICTION, Fmu, load_fmu
 from ..library.gait import Gait, gait_near, settled_gait
 from ..library.members import check_comes_down
 from ..library.return_map import Along
 from ..library.runner import Runner
 from ..library.section import Apex
 from ..library.shared_steps import shares_steps
+from ..variables.parameters import RunnerLike
+from ..variables.table import FRICTION, VARIABLES
 from .continuation import gaits_over
 from .spread import search_from_spread
 
 
 @shares_steps
 def periodic_gait(
-    runner: object = None,
+    runner: RunnerLike = None,
     guess: Apex | None = None,
     *,
     along: Along | None = None,
     model: str | None = None,
-    fmu: Fmu | None = None,
 ) -> Gait:
     """The gait of `find_gait` without a target, differentiated along a parameter too where that is wanted."""
-    runner = Runner.of(runner, fmu, model=model)
+    runner = Runner(runner, model=model)
     if guess is not None:
         return gait_near(runner, guess, along=along)
-    check_comes_down(runner.values)
+    check_comes_down(runner)
     try:
         return settled_gait(runner, along=along)
     except RunError as problem:
-        found, tried = _beyond_settling(runner, along, load_fmu(fmu))
+        found, tried = _beyond_settling(runner, along)
         if found is None:
             raise GaitNotFoundError(
                 f"{problem}; {tried}: a guess near its apex helps where there is one"
@@ -37,26 +37,26 @@ def periodic_gait(
         return found if along in (None, found.along) else gait_near(runner, found.apex, along=along)
 
 
-def _beyond_settling(runner: Runner, along: Along | None, fmu: Fmu) -> tuple[Gait | None, str]:
+def _beyond_settling(runner: Runner, along: Along | None) -> tuple[Gait | None, str]:
     """A gait by the longer searches, or what was tried, in words."""
-    found = _along_friction(runner, fmu)
+    found = _along_friction(runner)
     if found is not None:
         return found, ""
     spread = search_from_spread(runner, along=along)
     if spread.gaits:
         return spread.gaits[0], ""
-    home = fmu.start_of(FRICTION)
-    way = f"along the friction from {home:g}, nor " if runner.values[FRICTION] != home else ""
+    home = VARIABLES.start_of(FRICTION)
+    way = f"along the friction from {home:g}, nor " if runner[FRICTION] != home else ""
     return None, f"none was found {way}from {spread}"
 
 
-def _along_friction(runner: Runner, fmu: Fmu) -> Gait | None:
+def _along_friction(runner: Runner) -> Gait | None:
     """The gait that is reached from the one at the unit's own friction; None where there is none."""
-    home = fmu.start_of(FRICTION)
-    if runner.values[FRICTION] == home:
+    home = VARIABLES.start_of(FRICTION)
+    if runner[FRICTION] == home:
         return None
     try:
-        start = settled_gait(runner.but(FRICTION, home), along=FRICTION)
-        return next(gaits_over(runner, FRICTION, [runner.values[FRICTION]], start))
+        start = settled_gait(runner.replace({FRICTION: home}), along=FRICTION)
+        return next(gaits_over(runner, FRICTION, [runner[FRICTION]], start))
     except RunError:
         return None

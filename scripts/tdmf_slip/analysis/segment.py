@@ -7,9 +7,9 @@ from itertools import pairwise
 import numpy as np
 
 from ..errors import InputError, RunError
-from ..fmu.variable import Values
 from ..library.gait import Gait
 from ..library.runner import Runner
+from ..variables.variable import Values
 from .bifurcations import FOLD, special_points
 from .continuation import gaits_over
 from .family import Family, Point

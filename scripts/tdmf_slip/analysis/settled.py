@@ -122,7 +122,7 @@ def _goes_together(runner: Runner, varied: Mapping[str, NDArray[np.float64]], nu
     """Whether the library takes a runner's values."""
     try:
         for name, row in varied.items():
-            runner = runner.but(name, float(row[number]))
-        return runner.model is not None
+            runner = runner.replace({name: float(row[number])})
+        return runner.c_model is not None
     except InputError:
         return False

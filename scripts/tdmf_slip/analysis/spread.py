@@ -90,8 +90,8 @@ class Spread(ByContents):
 def starts_of(runner: Runner, count: int, seed: int = SEED) -> NDArray[np.float64]:
     """Apexes all over the part of the section where gaits may be."""
     source = np.random.default_rng(seed)
-    scales = runner.model.scales
-    weightless = scales.length / (scales.time**2 * runner.values["gravity"])
+    scales = runner.c_model.scales
+    weightless = scales.length / (scales.time**2 * runner["gravity"])
     heights = source.uniform(*HEIGHTS, count) + 0.5 * weightless * source.uniform(0.0, RISE, count) ** 2
     drawn = np.column_stack(
         [

@@ -9,13 +9,12 @@ from numpy.typing import NDArray
 
 from ..contents import ByContents
 from ..errors import InputError, RunError
-from ..fmu.fmu import Fmu, load_fmu
-from ..fmu.names import by_full_name
-from ..fmu.variable import Given, Values
 from ..library.gait import Gait, gait_near
 from ..library.members import check_varied
 from ..library.runner import Runner
 from ..terminal.progress import Bar, progress_bar
+from ..variables.table import VARIABLES, by_full_name
+from ..variables.variable import Given, Values
 from .search import periodic_gait
 from .sweep import MAX_GAITS
 
@@ -50,7 +49,6 @@ def stability(
     runner: Runner | Mapping[str, Given],
     over: Mapping[str, Values],
     *,
-    fmu: Fmu | None = None,
     progress: bool = False,
 ) -> StabilityMap:
     """The gait at each point of a plane, each from a neighbour's, from where the runner's own is nearest.
@@ -58,8 +56,8 @@ def stability(
     A point has no gait where Newton's method finds none from any of its four neighbours. Where there are
     several gaits, it is the one that the neighbours lead to.
     """
-    fmu, runner = load_fmu(fmu), Runner.of(runner)
-    names, values = _checked(over, fmu)
+    runner = Runner(runner)
+    names, values = _checked(over)
     shape = len(values[0]), len(values[1])
     lambda_max = np.full(shape, np.nan)
     word = np.full(shape, "", dtype=object)
@@ -70,7 +68,7 @@ def stability(
 
 
 def _checked(
-    over: Mapping[str, Values], fmu: Fmu
+    over: Mapping[str, Values],
 ) -> tuple[tuple[str, str], tuple[NDArray[np.float64], NDArray[np.float64]]]:
     given = by_full_name(over, "over", "two parameters or inputs with their values")
     if len(given) != 2:
@@ -78,7 +76,9 @@ def _checked(
     for name in given:
         check_varied(name, "over")
     first, second = given
-    rows, columns = (fmu.find(name, "over").values_of(of, f"values of {name}") for name, of in given.items())
+    rows, columns = (
+        VARIABLES.find(name, "over").values_of(of, f"values of {name}") for name, of in given.items()
+    )
     if len(rows) * len(columns) > MAX_GAITS:
         raise InputError(f"{len(rows)} by {len(columns)} gaits: allowed: {MAX_GAITS:,} at the most")
     return (first, second), (rows, columns)
@@ -93,10 +93,10 @@ def _spread(
     """Gaits with their cells, from the first on to neighbours, and from these on to theirs."""
 
     def at(cell: tuple[int, int]) -> Runner:
-        return runner.but(names[0], values[0][cell[0]]).but(names[1], values[1][cell[1]])
+        return runner.replace({names[0]: values[0][cell[0]], names[1]: values[1][cell[1]]})
 
     row, column = (
-        int(np.argmin(np.abs(along - runner.values[name]))) for along, name in zip(values, names, strict=True)
+        int(np.argmin(np.abs(along - runner[name]))) for along, name in zip(values, names, strict=True)
     )
     first = periodic_gait(at((row, column)))
     bar.update()

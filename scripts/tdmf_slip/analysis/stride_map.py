@@ -12,9 +12,6 @@ from numpy.typing import ArrayLike, NDArray
 from ..blocks import run_blocks
 from ..checks import check_size, checked_whole, refusal
 from ..errors import InputError
-from ..fmu.fmu import Fmu, load_fmu
-from ..fmu.names import by_full_name
-from ..fmu.parameters import RunnerLike
 from ..given import numbers_by
 from ..library.affine_law import AffineLaw, check_law
 from ..library.ensemble import TOLERANCE
@@ -24,6 +21,8 @@ from ..library.rough_ground import LAST_RUNNER, RoughGround
 from ..library.runner import Runner
 from ..library.settings import check_acts, checked_values, setting_number
 from ..terminal.progress import progress_bar
+from ..variables.parameters import RunnerLike
+from ..variables.table import by_full_name
 from .function_law import FunctionLaw, Law, check_set
 from .strides_result import Strides
 
@@ -52,7 +51,6 @@ def stride_map(
     instructions: str | None = None,
     executor: Executor | None = None,
     progress: bool = False,
-    fmu: Fmu | None = None,
 ) -> Strides:
     """Strides of many runners in a row, each kept with its apices and quantities.
 
@@ -104,8 +102,6 @@ def stride_map(
         default threads of this process. The result does not depend on the executor.
     progress : bool, default False
         A bar on stderr.
-    fmu : Fmu, optional
-        Whose start values and ranges hold; by default that of `fmu_path`.
 
     Returns
     -------
@@ -141,8 +137,7 @@ def stride_map(
     >>> run["hip.touchdown_angle"].shape
     (1, 3)
     """
-    fmu = load_fmu(fmu)
-    population = Population.of(runner, fmu, model)
+    population = Population.of(runner, model)
     strides = checked_whole("strides", strides, 1, MAX_STRIDES)
     feet = _feet(foot_x, population.runner)
     starts, given = _broadcast(apices, population, inputs, strides, 1 if feet is None else len(feet))
@@ -170,8 +165,8 @@ def stride_map(
     else:
         assert callable(law)
         with progress_bar("strides", strides, "strides", progress) as bar:
-            columns = recorded_strides(request, FunctionLaw(law, request, fmu, bar.update))
-    return Strides.of(request, columns, fmu)
+            columns = recorded_strides(request, FunctionLaw(law, request, bar.update))
+    return Strides.of(request, columns)
 
 
 def _broadcast(

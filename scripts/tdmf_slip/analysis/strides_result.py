@@ -8,12 +8,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..fmu.fmu import Fmu
 from ..labelled import Labelled, LabelledArrays
 from ..library.gait import LEDGER
-from ..library.members import STATES
 from ..library.recorded_strides import CLOSED, STRIDE_FATES, Columns, Request
 from ..record import attributes_of, without_record
+from ..variables.table import STATES, VARIABLES
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -24,15 +23,15 @@ class Strides(LabelledArrays):
     """
 
     @classmethod
-    def of(cls, request: Request, columns: Columns, fmu: Fmu) -> "Strides":
+    def of(cls, request: Request, columns: Columns) -> "Strides":
         """What was asked for, and the columns that were made of it."""
         runner, over = request.population.runner, ("runner", "stride", "coordinate")
         arrays = {
-            name: Labelled(over[: values.ndim], values, _attributes(name, values, fmu))
+            name: Labelled(over[: values.ndim], values, _attributes(name, values))
             for name, values in columns.items()
         }
         arrays |= {
-            name: Labelled(over[:1], values, _attributes(name, values, fmu))
+            name: Labelled(over[:1], values, _attributes(name, values))
             for name, values in request.population.varied.items()
         }
         attributes = {**attributes_of(runner.record(*arrays, *STATES)), "tolerance": request.tolerance}
@@ -60,11 +59,11 @@ class Strides(LabelledArrays):
         return f"<Strides of {runners:,} runners, {strides:,} each: {self.closed:,} closed>"
 
 
-def _attributes(name: str, values: NDArray[Any], fmu: Fmu) -> dict[str, Any]:
+def _attributes(name: str, values: NDArray[Any]) -> dict[str, Any]:
     """What an array is, by the names that CF gives it."""
     if name in ABOUT:
         return dict(ABOUT[name])
-    reported = fmu.variables.get(f"stride.{name}") or fmu.variables.get(name)
+    reported = VARIABLES.get(f"stride.{name}") or VARIABLES.get(name)
     if reported is None or values.dtype.kind != "f":
         return {}
     return reported.attributes

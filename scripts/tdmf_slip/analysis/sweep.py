@@ -14,9 +14,6 @@ import numpy as np
 from ..contents import ByContents
 from ..drawable import Drawable
 from ..errors import InputError, RunError
-from ..fmu.fmu import FRICTION, Fmu, load_fmu
-from ..fmu.parameters import RunnerLike
-from ..fmu.variable import Values
 from ..given import mapping_of
 from ..library.gait import Gait, settled_gait
 from ..library.members import check_has_gaits, varied_alone
@@ -24,6 +21,9 @@ from ..library.runner import Runner
 from ..library.shared_steps import shares_steps
 from ..record import attributes_of
 from ..terminal.progress import Bar, progress_bar
+from ..variables.parameters import RunnerLike
+from ..variables.table import FRICTION, VARIABLES
+from ..variables.variable import Values
 from .borders import Border, crossings
 from .family import Family
 from .grid_result import GaitGrid
@@ -62,13 +62,8 @@ class Sweep(ByContents, Drawable):
         ends = f"{self.values[0]:.6g} to {self.values[-1]:.6g}"
         return f"<Sweep {len(self.gaits)} of {len(self.values)} gaits, {self.name} {ends}: {words}>"
 
-    def to_xarray(self, fmu: Fmu | None = None) -> xarray.Dataset:
+    def to_xarray(self) -> xarray.Dataset:
         """Quantities of the gaits over the parameter, with units.
-
-        Parameters
-        ----------
-        fmu : Fmu, optional
-            For units and descriptions; by default that of `fmu_path`.
 
         Returns
         -------
@@ -77,7 +72,7 @@ class Sweep(ByContents, Drawable):
         """
         from .grid import as_dataset  # xarray is slow to load
 
-        data = as_dataset(self.by_value, {self.name: np.array(self.values)}, load_fmu(fmu))
+        data = as_dataset(self.by_value, {self.name: np.array(self.values)})
         data["branch"] = (self.name,), self.branches
         data.attrs = attributes_of(self.gaits[0].runner.record(self.name))
         return data
@@ -122,7 +117,6 @@ def sweep(
     path: Path | str | None = None,
     executor: Executor | None = None,
     progress: bool = False,
-    fmu: Fmu | None = None,
 ) -> Any:
     """The gait at each value of a parameter, each from the one before, and every change of the gait word.
 
@@ -147,8 +141,6 @@ def sweep(
         default threads of this process. The result does not depend on the executor.
     progress : bool, default False
         A bar on stderr.
-    fmu : Fmu, optional
-        Whose start values and ranges hold; by default that of `fmu_path`.
 
     Returns
     -------
@@ -170,18 +162,17 @@ def sweep(
     >>> print([gait.word for gait in gaits.gaits])
     ['+0-0+', '+0-0+', '+0-', '+0-']
     """
-    fmu = load_fmu(fmu)
-    runner = Runner.of(runner, fmu, model=model)
+    runner = Runner(runner, model=model)
     vary = mapping_of(vary, "vary", NAMES)
     if len(vary) == 2:
         from .grid import grid_over  # xarray is slow to load
 
-        where = {"executor": executor, "progress": progress, "fmu": fmu}
+        where = {"executor": executor, "progress": progress}
         return GaitGrid.of_dataset(grid_over(runner, vary, path, **where))
     if path is not None or executor is not None:
         raise InputError("path and executor are for a grid over two names; this sweep varies one")
     name, values = varied_alone(vary, NAMES)
-    row = fmu.find(name, "vary").values_of(values, f"vary {name}")
+    row = VARIABLES.find(name, "vary").values_of(values, f"vary {name}")
     if len(row) > MAX_GAITS:
         raise InputError(f"vary {name}: {len(row):,} values; allowed: {MAX_GAITS:,}, or a grid, on file")
     check_values(runner, name, row)
@@ -241,7 +232,7 @@ def _begin(
     for number in range(start, len(values)):
         search = periodic_gait if start == 0 and number in (0, len(values) - 1) else settled_gait
         try:
-            return number, search(runner.but(name, values[number])), why
+            return number, search(runner.replace({name: values[number]})), why
         except RunError as problem:
             why = why or [str(problem)]
             bar.update()
@@ -264,6 +255,4 @@ def _borders(runner: Runner, name: str, gaits: Sequence[Gait]) -> tuple[list[Bor
 def check_values(runner: Runner, name: str, values: Values) -> None:
     """Refuse, before any work, values at which there is no gait to follow."""
     for value in values:
-        other = runner.but(name, value)
-        _ = other.system
-        check_has_gaits(other.values[FRICTION])
+        check_has_gaits(runner.replace({name: value})[FRICTION])

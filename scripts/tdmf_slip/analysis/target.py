@@ -71,12 +71,12 @@ class Target:
         """The runner with the varied parameters' values at a point."""
         runner = self.runner
         for name, value in zip(self.vary, (at * self.scales)[-len(self.vary) :], strict=True):
-            runner = runner.but(name, float(value))
+            runner = runner.replace({name: float(value)})
         return runner
 
     def iterate_of(self, gait: Gait) -> Iterate:
         """That of a gait of this runner, whatever its varied parameters."""
-        values = [gait.runner.values[name] for name in self.vary]
+        values = [gait.runner[name] for name in self.vary]
         return self.evaluate(np.append(gait.apex, values) / self.scales)
 
     def evaluate(self, at: NDArray[np.float64]) -> Iterate:

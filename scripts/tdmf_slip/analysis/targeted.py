@@ -10,11 +10,6 @@ import numpy as np
 
 from ..checks import checked, is_one_of, near_matches, shown
 from ..errors import InputError, RunError
-from ..fmu.aliases import ALIASES
-from ..fmu.fmu import Fmu, load_fmu
-from ..fmu.names import full_names
-from ..fmu.parameters import RunnerLike
-from ..fmu.variable import Given
 from ..given import mapping_of, row_of
 from ..library.gait import Gait
 from ..library.members import check_varied
@@ -23,6 +18,9 @@ from ..library.runner import Runner
 from ..library.section import Apex
 from ..library.shared_steps import shares_steps
 from ..terminal.text import quantity
+from ..variables.parameters import RunnerLike
+from ..variables.table import ALIASES, VARIABLES, full_names
+from ..variables.variable import Given
 from .beginnings import beginnings
 from .nearest import Help, nearest_from, parameters_that_help
 from .search import periodic_gait
@@ -68,7 +66,6 @@ def find_gait(
     guess: Apex | None = None,
     model: str | None = None,
     progress: bool = False,
-    fmu: Fmu | None = None,
     **values: Given,
 ) -> Gait:
     """The periodic gait of a runner, stable or not, or the one that has what a target prescribes.
@@ -93,7 +90,7 @@ def find_gait(
         What the gait is to have, by names of `library.quantities.QUANTITIES`: `speed` in m/s, `frequency` of
         strides in Hz, `length` of a stride in m, `stance_time` in s, `duty_factor`, `slip_distance` of the
         foot in m, `peak_force` of the ground across it and `peak_vertical_force` in N, `cost_of_transport`;
-        in the full model also those of `library.measures.MEASURE_UNITS`, as `foot_clearance`.
+        in the full model also those of `library.measures.MEASURES`, as `foot_clearance`.
     vary : sequence of str
         Names of the parameters and inputs that may change for the target, at least as many as it prescribes.
     guess : sequence of float, shape (6,), optional
@@ -104,8 +101,6 @@ def find_gait(
         in flight as if by itself. By default that of the runner.
     progress : bool, default False
         A bar on stderr while parameters are tried that would help.
-    fmu : Fmu, optional
-        Whose start values hold; by default that of `fmu_path`.
     **values : float, bool or str
         Start values over the runner's, as in `friction=0.43`: numbers in the variables' units, or texts with
         a unit, as in `touchdown_angle="40 deg"`.
@@ -114,7 +109,7 @@ def find_gait(
     -------
     Gait
         Apex, word, quantities of the stride, Jacobian and eigenvalues of the map. The varied parameters are
-        in its `runner.values`; what is prescribed is met to 1e-10.
+        in its `runner`; what is prescribed is met to 1e-10.
 
     Raises
     ------
@@ -141,32 +136,31 @@ def find_gait(
     if isinstance(runner, Gait) and guess is None and model is None:
         guess = runner.apex
     if values:
-        fmu = load_fmu(fmu)
-        _check_keywords(values, fmu)
-        runner = Runner.of(runner, fmu, model=None, **values)
+        _check_keywords(values)
+        runner = Runner(runner, model=None, tolerance=None, **values)
     if target is None and not len(row_of(vary, "vary", NAMES)):
-        return periodic_gait(runner, guess, model=model, fmu=fmu)
+        return periodic_gait(runner, guess, model=model)
     wanted = _checked_target(target)
     names = _checked_vary(vary, wanted)
-    starting = Runner.of(runner, fmu, model=model)
+    starting = Runner(runner, model=model)
     check_quantities(starting, list(wanted))
-    first = periodic_gait(starting, guess, fmu=fmu)
+    first = periodic_gait(starting, guess)
     system = Target(first.runner, wanted, names)
     begin = system.iterate_of(first)
     _check_action(system, begin)
     iterate, share = system.solved_from(begin)
     if share < 1.0:
-        others = beginnings(system, first, load_fmu(fmu))
+        others = beginnings(system, first)
         iterate, share, nearest = _met_from_elsewhere(system, (begin, iterate), others)
         if share < 1.0:
             helps = parameters_that_help(system, nearest, first, progress)
-            raise _not_met(system, nearest, helps, load_fmu(fmu))
+            raise _not_met(system, nearest, helps)
     return _met(system, iterate)
 
 
-def _check_keywords(values: Mapping[str, Given], fmu: Fmu) -> None:
+def _check_keywords(values: Mapping[str, Given]) -> None:
     """Refuse a keyword that is neither an argument nor a variable."""
-    known = (*inspect.signature(find_gait).parameters, *ALIASES, *fmu.variables)
+    known = (*inspect.signature(find_gait).parameters, *ALIASES, *VARIABLES)
     for name in values:
         if name not in known:
             raise InputError(
@@ -254,14 +248,14 @@ def _check_action(target: Target, iterate: Iterate) -> None:
         )
 
 
-def _not_met(target: Target, nearest: Iterate, helps: Sequence[Help], fmu: Fmu) -> TargetNotMetError:
+def _not_met(target: Target, nearest: Iterate, helps: Sequence[Help]) -> TargetNotMetError:
     """With the nearest gait, and what would help."""
     gait = target.gait(nearest)
     has = quantities_of(gait, target.names)
     wanted = ", ".join(f"{n} {v:.6g}" for n, v in zip(target.names, target.prescribed, strict=True))
     near = ", ".join(f"{name} {value:.6g}" for name, value in has.items())
     at = ", ".join(
-        f"{name} = {quantity(gait.runner.values[name], gait.runner.label(fmu.variables[name].unit), 6)}"
+        f"{name} = {quantity(gait.runner[name], gait.runner.label(VARIABLES[name].unit), 6)}"
         for name in target.vary
     )
     tip = (

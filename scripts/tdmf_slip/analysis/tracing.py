@@ -8,15 +8,15 @@ import numpy as np
 
 from ..checks import checked, checked_flag, checked_whole, number_of, refusal
 from ..errors import InputError, RunError
-from ..fmu.fmu import Fmu, load_fmu
-from ..fmu.parameters import RunnerLike
-from ..fmu.variable import Given
 from ..given import row_of
 from ..library.gait import Gait, check_is_gait, settled_gait
 from ..library.members import varied_alone
 from ..library.runner import Runner
 from ..library.shared_steps import shares_steps
 from ..terminal.progress import progress_bar
+from ..variables.parameters import RunnerLike
+from ..variables.table import VARIABLES
+from ..variables.variable import Given
 from .branch import Branch
 from .continuation import gaits_over
 from .family import Family, Point
@@ -43,7 +43,6 @@ def continue_branch(
     max_points: int = 1000,
     switch: bool = True,
     progress: bool = False,
-    fmu: Fmu | None = None,
 ) -> Branch:
     """The branch of gaits over a range of a parameter, through folds, with every special point judged.
 
@@ -66,8 +65,6 @@ def continue_branch(
         Follow the gaits of two strides from each period doubling, and those of four from theirs, too.
     progress : bool, default False
         A count of gaits on stderr.
-    fmu : Fmu, optional
-        Whose start values hold; by default that of `fmu_path`.
 
     Returns
     -------
@@ -88,15 +85,14 @@ def continue_branch(
     >>> branch.ended, [special.kind for special in branch.specials]
     ('end of the range', ['word border', 'word border', 'word border'])
     """
-    fmu = load_fmu(fmu)
-    runner = Runner.of(runner, fmu, model=model)
+    runner = Runner(runner, model=model)
     allowed = "both ends of a range, by the name of one parameter or input"
     name, ends = varied_alone(vary, allowed)
     family, where = Family(runner, name), f"vary {name}"
     row = row_of(ends, where, allowed)
     if len(row) != 2:
         raise refusal(where, ends, allowed)
-    begin, end = (float(fmu.find(name, "vary").value_of(value, where)) for value in row)
+    begin, end = (float(VARIABLES.find(name, "vary").value_of(value, where)) for value in row)
     switch = checked_flag("switch", switch)
     max_step = checked("max_step", max_step, SHORTEST_STEP, LARGEST_STEP)
     max_points = checked_whole("max_points", max_points, 1, MAX_POINTS)
@@ -107,7 +103,7 @@ def continue_branch(
         def tell() -> None:
             bar.update()
 
-        first = first_gait(family.runner, name, begin, end, fmu)
+        first = first_gait(family.runner, name, begin, end)
         branch = trace(
             runner,
             name,
@@ -124,15 +120,15 @@ def continue_branch(
         return with_doubled_branches(branch, lambda n: Family(first.runner, name, n), limits, tell)
 
 
-def first_gait(runner: Runner, name: str, begin: float, end: float, fmu: Fmu) -> Gait:
+def first_gait(runner: Runner, name: str, begin: float, end: float) -> Gait:
     """A gait in a range of a parameter: at its first end, or as near to it as one is found."""
     why: RunError | None = None
-    home = runner.values[name]
+    home = runner[name]
     inside = [home] if min(begin, end) <= home <= max(begin, end) else []
     for number, value in enumerate([begin, *inside, *np.linspace(begin, end, STARTS)[1:]]):
-        at = runner.but(name, float(value))
+        at = runner.replace({name: float(value)})
         try:
-            found = periodic_gait(at, fmu=fmu) if number <= len(inside) else settled_gait(at)
+            found = periodic_gait(at) if number <= len(inside) else settled_gait(at)
         except RunError as problem:
             why = why or problem
             continue
@@ -173,7 +169,7 @@ def trace(
     check_is_gait(first, "first")
     max_step = checked("max_step", max_step, SHORTEST_STEP, LARGEST_STEP)
     max_points = checked_whole("max_points", max_points, 1, MAX_POINTS)
-    start = first.runner.values[name]
+    start = first.runner[name]
     begin = start if begin is None else begin
     for what, value in (("begin", begin), ("end", end)):
         if number_of(value) is None:
@@ -183,7 +179,7 @@ def trace(
             f"end {end:g} of {name}: allowed: a number other than {begin:g}, and the first gait's "
             f"{start:g} between the two"
         )
-    family = Family(runner.but(name, start), name, first.strides)
+    family = Family(runner.replace({name: start}), name, first.strides)
     towards_end = np.append(np.zeros(len(first.apex)), end - begin)
     point = family.point(family.gait(start, first.apex), towards_end)
     return whole_branch(family, point, _limits(begin, end, max_step, max_points), step_finished)

@@ -141,7 +141,7 @@ def volume(
     seed = checked_whole("seed", seed, 0, 2**63)
     counts = [min(STARTS_AT_ONCE, samples - done) for done in range(0, samples, STARTS_AT_ONCE)]
     around = ball_of(gait, ball, samples, law)
-    runner = Runner(gait.runner.values, reduced=gait.runner.reduced)
+    runner = gait.runner
     drawings = [
         Drawing(runner, tuple(gait.apex), seed, n, count, law, around) for n, count in enumerate(counts)
     ]

@@ -58,7 +58,7 @@ class Growth(ByContents):
     def as_json(self) -> dict[str, object]:
         """The timings as a plain object."""
         timings = [asdict(timing) for timing in self.timings]
-        return {**Runner.of(RUNNER).record(), "timings": timings, "versions": dict(self.versions)}
+        return {**Runner(RUNNER).record(), "timings": timings, "versions": dict(self.versions)}
 
     def as_text(self) -> str:
         """The timings as a table."""

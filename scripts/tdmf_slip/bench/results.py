@@ -94,7 +94,7 @@ class Bench(ByContents):
         parts.append(f"{self.threads} threads: each makes {self.scaling:.2f} times the strides of one alone")
         parts += [f"{name} is not installed: pip install {name.lower()}" for name in self.missing]
         parts += [f"{name}: {what}" for name, what in self.versions.items()]
-        parts.append(f"hip.swing_clamp: {str(self.runner.values['hip.swing_clamp']).lower()}")
+        parts.append(f"hip.swing_clamp: {str(self.runner['hip.swing_clamp']).lower()}")
         return "\n".join(parts)
 
     def _rows_text(self, rows: list[Measurement]) -> str:

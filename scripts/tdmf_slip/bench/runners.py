@@ -39,7 +39,7 @@ class Runners(ByContents):
     @property
     def swing_clamp(self) -> bool:
         """`hip.swing_clamp` of the runners."""
-        return bool(self.case.runner.values[CLAMP])
+        return bool(self.case.runner[CLAMP])
 
     @cached_property
     def judged(self) -> NDArray[np.float64]:
@@ -93,9 +93,9 @@ class Runners(ByContents):
 def runners_about_the_gait(fmu: Fmu, *, swing_clamp: bool | None = None, reduced: bool = False) -> Runners:
     """Starts drawn about the gait's apex; `swing_clamp` replaces the unit's own value."""
     source = np.random.default_rng(0)
-    runner = Runner.of({"ground.friction": FRICTION}, fmu, model="reduced" if reduced else "full")
+    runner = Runner({"ground.friction": FRICTION}, model="reduced" if reduced else "full")
     if swing_clamp is not None:
-        runner = runner.but(CLAMP, swing_clamp)
+        runner = runner.replace({CLAMP: swing_clamp})
     spread = source.uniform(-SPREAD, SPREAD, (RUNNERS, len(runner.coordinates)))
     gait = settled_gait(runner)
     return Runners(gait, ensemble.Case(runner), gait.apex + spread)

@@ -7,7 +7,6 @@ import click
 
 from ..analysis.search import periodic_gait
 from ..errors import InputError
-from ..fmu.fmu import load_fmu
 from ..library.runner import Runner
 from ..terminal.progress import progress_bar
 from .gait_file import read_gait
@@ -63,14 +62,13 @@ def animate_command(
     from ..pictures.stride import Stride
 
     style.check_picture(output, "--output", animation.FORMATS)
-    fmu = load_fmu()
     given = values_given(friction, settings)
     if from_gait is None:
-        gait = periodic_gait(runner_of(fmu, parameters, given), fmu=fmu)
+        gait = periodic_gait(runner_of(parameters, given))
     else:
         if given or parameters is not None:
             raise InputError("--from-gait: says what the runner is; allowed: it, or other options for that")
-        runner = Runner.of(read_gait(from_gait), fmu)
-        gait = periodic_gait(runner, guess=runner.start_apex(), fmu=fmu)
+        runner = Runner(read_gait(from_gait))
+        gait = periodic_gait(runner, guess=runner.start_apex())
     with progress_bar("animate", frames, "frames", True) as bar:
-        animation.draw(output, Stride(gait, fmu), frames=frames, step_finished=partial(bar.update, 1))
+        animation.draw(output, Stride(gait), frames=frames, step_finished=partial(bar.update, 1))

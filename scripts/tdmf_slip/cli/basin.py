@@ -16,11 +16,11 @@ from ..analysis.robustness import DISTURBED, robustness
 from ..analysis.volume import volume
 from ..errors import InputError
 from ..files.whole import check_destination
-from ..fmu.display_units import DisplayUnits
-from ..fmu.fmu import load_fmu
-from ..library.section import COORDINATES, MODELS, check_axes
+from ..library.section import COORDINATES, check_axes
 from ..record import without_record
 from ..terminal.text import columns, quantity
+from ..variables.display_units import DisplayUnits
+from ..variables.table import MODELS, VARIABLES
 from .options import (
     FRICTION_OPTION,
     JSON_OPTION,
@@ -113,20 +113,19 @@ def basin_command(
     Robustness is the largest push (a change of speed) and the largest step in the ground, both at an apex,
     from which the runner recovers.
     """
-    named = _axes(spans, MODELS[model])
+    named = _axes(spans, MODELS[model].coordinates)
     if output is not None:
         check_destination(output, (".nc",), "--output")
     if plot is not None:
         from ..pictures import basin_map, style  # matplotlib is slow to load
 
         style.check_picture(plot, "--plot")
-    fmu = load_fmu()
-    runner = runner_of(fmu, parameters, values_given(friction, settings), model)
+    runner = runner_of(parameters, values_given(friction, settings), model)
     axes = {
-        axis: ends_of(span, fmu.variables[f"apex.{axis}"], f"--axes {axis} =") if span else None
+        axis: ends_of(span, VARIABLES[f"apex.{axis}"], f"--axes {axis} =") if span else None
         for axis, span in named.items()
     }
-    gait = stable_gait(runner, fmu)
+    gait = stable_gait(runner)
     around: Ball | str = ball
     if ball == "proved":
         from ..proof.proved_ball import proved_ball  # FLINT is slow to load, and an extra
@@ -142,7 +141,6 @@ def basin_command(
             path=output,
             executor=executor,
             progress=True,
-            fmu=fmu,
         )
         found = volume(gait, samples, ball=around, executor=executor, progress=True) if samples else None
     if plot is not None:
@@ -161,9 +159,7 @@ def basin_command(
     if found is not None:
         result["volume"] = found.as_json()
     print(
-        json_text(result)
-        if as_json_object
-        else _basin_text(result, tuple(axes), DisplayUnits(fmu, values=runner.values))
+        json_text(result) if as_json_object else _basin_text(result, tuple(axes), DisplayUnits(values=runner))
     )
 
 

@@ -4,9 +4,9 @@ import click
 
 from ..analysis.comparison import compare
 from ..errors import InputError
-from ..fmu.fmu import FRICTION, Fmu, load_fmu
 from ..library.quantities import QUANTITIES
 from ..library.runner import Runner
+from ..variables.table import FRICTION
 from .options import JSON_OPTION, MODEL_OPTION, SET_OPTION, Command, values_given
 from .output import json_text
 from .runner import runner_of
@@ -56,16 +56,14 @@ def compare_command(
 
     The first runner is the reference. A quantity that could not be matched is reported; it is not an error.
     """
-    fmu = load_fmu()
     found = compare(
-        _runners(fmu, frictions, files, settings, model),
+        _runners(frictions, files, settings, model),
         hold=_names(hold),
         vary=_names(vary),
         model=model,
         progress=True,
-        fmu=fmu,
     )
-    print(json_text(found.as_json()) if as_json_object else found.table(fmu))
+    print(json_text(found.as_json()) if as_json_object else found.table())
 
 
 def _names(text: str) -> list[str]:
@@ -73,7 +71,7 @@ def _names(text: str) -> list[str]:
 
 
 def _runners(
-    fmu: Fmu, frictions: tuple[float, ...], files: tuple[str, ...], settings: tuple[str, ...], model: str
+    frictions: tuple[float, ...], files: tuple[str, ...], settings: tuple[str, ...], model: str
 ) -> list[Runner]:
     """Those of the options, in the order in which they were given."""
     count = max(len(frictions), len(files))
@@ -89,4 +87,4 @@ def _runners(
         )
         for number in range(count)
     ]
-    return [runner_of(fmu, file, values_given(friction, settings), model) for friction, file in of_each]
+    return [runner_of(file, values_given(friction, settings), model) for friction, file in of_each]

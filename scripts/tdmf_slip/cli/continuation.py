@@ -12,12 +12,12 @@ from ..analysis.next_point import SHORTEST_STEP
 from ..analysis.tracing import LARGEST_STEP, MAX_POINTS, continue_branch
 from ..errors import InputError
 from ..files.whole import check_destination
-from ..fmu.display_units import DisplayUnits
-from ..fmu.fmu import Fmu, load_fmu
 from ..library.members import check_varied
 from ..library.runner import Runner
 from ..record import without_record
 from ..terminal.text import headed, table
+from ..variables.display_units import DisplayUnits
+from ..variables.table import VARIABLES
 from .options import (
     FRICTION_OPTION,
     JSON_OPTION,
@@ -102,10 +102,9 @@ def continue_command(
     and is followed both ways. With two parameters, the special points of the branch over the first one are
     followed as curves.
     """
-    fmu = load_fmu()
     given = values_given(friction, settings)
     texts = pairs_given(ranges, "--vary", "NAME=A:B")
-    spans = {name: span_of(fmu, name, text) for name, text in texts.items()}
+    spans = {name: span_of(name, text) for name, text in texts.items()}
     for name in spans:
         refuse_given(given, name, "--vary")
     if len(spans) > 2:
@@ -118,12 +117,12 @@ def continue_command(
         from ..pictures import style  # matplotlib is slow to load
 
         style.check_picture(plot, "--plot")
-    runner = runner_of(fmu, parameters, given, model)
-    display = DisplayUnits(fmu, texts, runner.values)
+    runner = runner_of(parameters, given, model)
+    display = DisplayUnits(texts, runner)
     if len(spans) == 2:
         if output is not None:
             raise InputError("--output: curves over two parameters have no file; allowed: with one --vary")
-        _curves(runner, spans, points, plot, as_json_object, fmu, display)
+        _curves(runner, spans, points, plot, as_json_object, display)
         return
     ((name, (begin, end)),) = spans.items()
     branch = continue_branch(
@@ -133,10 +132,9 @@ def continue_command(
         max_points=points,
         switch=not no_switch,
         progress=True,
-        fmu=fmu,
     )
     if output is not None:
-        write_dataset(output, branch.to_xarray(fmu))
+        write_dataset(output, branch.to_xarray())
     if plot is not None:
         from ..pictures import branch_diagram
 
@@ -150,10 +148,9 @@ def _curves(
     points: int,
     plot: Path | None,
     as_json_object: bool,
-    fmu: Fmu,
     display: DisplayUnits,
 ) -> None:
-    found = continue_curves(runner, spans, max_points=points, progress=True, fmu=fmu)
+    found = continue_curves(runner, spans, max_points=points, progress=True)
     if plot is not None:
         from ..pictures import curve_diagram
 
@@ -177,10 +174,10 @@ def _curves(
         print(table(header, [tuple(f"{v:.10g}" for v in pair) for pair in curve.points * scales]))
 
 
-def span_of(fmu: Fmu, name: str, span: str) -> tuple[float, float]:
+def span_of(name: str, span: str) -> tuple[float, float]:
     """The range of a parameter or input that A:B stands for."""
     check_varied(name, "--vary")
-    return ends_of(span, fmu.variables[name], f"--vary {name} =")
+    return ends_of(span, VARIABLES[name], f"--vary {name} =")
 
 
 def _branch_text(branch: Branch, display: DisplayUnits) -> str:

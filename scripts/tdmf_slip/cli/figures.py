@@ -6,7 +6,6 @@ import click
 
 from ..errors import InputError
 from ..files.whole import check_folder
-from ..fmu.fmu import load_fmu
 from .options import Command, Number
 
 CENTIMETRES_PER_INCH = 2.54
@@ -91,7 +90,6 @@ def figures_command(
     )
     written = catalogue.draw(
         folder,
-        load_fmu(),
         only=begins or [""],
         measure=measure,
         formats=names,

@@ -8,10 +8,8 @@ import click
 from ..checks import number_in
 from ..errors import InputError
 from ..fitting.fitted import MAX_STARTS, STARTS, fit
-from ..fitting.measurements import shipped, shipped_names
 from ..fitting.result import Fit
 from ..fitting.without import LeftOut
-from ..fmu.fmu import load_fmu
 from ..terminal.text import table
 from .options import (
     FRICTION_OPTION,
@@ -111,7 +109,6 @@ def fit_command(
     in a second column, as "speed_error [m/s]". Lines that begin with # are skipped. A stride runs from one
     stance of the leg to the next. The exit status is 1 if the search does not converge.
     """
-    fmu = load_fmu()
     names, each = names_given(vary), names_given(vary_each)
     if not names and not each:
         raise InputError("--vary is missing; allowed: --vary or --vary-each, or both")
@@ -123,9 +120,7 @@ def fit_command(
         from ..pictures import fit_page, style
 
         style.check_picture(report, "--report", fit_page.FORMATS)
-    if parameters is not None and not Path(parameters).exists() and parameters in shipped_names():
-        parameters = str(shipped(parameters))
-    runner = runner_of(fmu, parameters, values_given(friction, settings), model)
+    runner = runner_of(parameters, values_given(friction, settings), model)
     found = fit(
         runner,
         file,
@@ -137,7 +132,6 @@ def fit_command(
         profile=not linear,
         starts=starts,
         progress=True,
-        fmu=fmu,
     )
     left_out = found.without_each() if without_each else ()
     if plot is not None:

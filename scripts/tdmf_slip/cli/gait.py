@@ -9,13 +9,12 @@ import click
 
 from ..analysis.targeted import TargetNotMetError, find_gait
 from ..errors import InputError
-from ..fmu.display_units import DisplayUnits
-from ..fmu.fmu import Fmu, load_fmu
-from ..fmu.variable import Given
 from ..library.gait import REPORTED, Gait
 from ..library.measures import MEASURES
 from ..library.quantities import quantities_of, quantity_of, unit_of
 from ..terminal.text import columns, quantity
+from ..variables.display_units import DisplayUnits
+from ..variables.variable import Given
 from .options import (
     FRICTION_OPTION,
     JSON_OPTION,
@@ -78,18 +77,17 @@ def gait_command(
         from ..pictures import style  # matplotlib is slow to load
 
         style.check_picture(plot, "--plot")
-    fmu = load_fmu()
     target = targets_given(targets)
     names = _names(vary, target)
     given = values_given(friction, settings)
-    runner = runner_of(fmu, parameters, given, model)
+    runner = runner_of(parameters, given, model)
     if not target:
-        gait = find_gait(runner, fmu=fmu)
-        print(json_text(gait.as_json()) if as_json_object else _gait_text(gait, fmu, texts_of(given)))
-        _draw(gait, fmu, plot)
+        gait = find_gait(runner)
+        print(json_text(gait.as_json()) if as_json_object else _gait_text(gait, texts_of(given)))
+        _draw(gait, plot)
         return
     try:
-        gait = find_gait(runner, target=target, vary=names, progress=True, fmu=fmu)
+        gait = find_gait(runner, target=target, vary=names, progress=True)
     except TargetNotMetError as problem:
         if as_json_object:
             nearest = _target_json(problem.nearest, target, names)
@@ -98,18 +96,18 @@ def gait_command(
     if as_json_object:
         print(json_text(_target_json(gait, target, names)))
     else:
-        print(_gait_text(gait, fmu, texts_of(given), list(target), names))
-    _draw(gait, fmu, plot)
+        print(_gait_text(gait, texts_of(given), list(target), names))
+    _draw(gait, plot)
 
 
-def _draw(gait: Gait, fmu: Fmu, path: Path | None) -> None:
+def _draw(gait: Gait, path: Path | None) -> None:
     """Draw the stance into a file, say where it is, and open it where there is a display."""
     if path is None:
         return
     from ..pictures import velocity_and_ratio
     from ..pictures.stride import Stride
 
-    velocity_and_ratio.draw(path, Stride(gait, fmu))
+    velocity_and_ratio.draw(path, Stride(gait))
     print(f"picture: {path.resolve()}", file=sys.stderr)
     has_display = os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY")
     if sys.stderr.isatty() and (has_display or sys.platform in ("darwin", "win32")):
@@ -129,19 +127,18 @@ def _target_json(gait: Gait, target: Mapping[str, float], vary: list[str]) -> di
     """As any gait, with the varied parameters' values and what it has of what is prescribed."""
     return {
         **gait.as_json(),
-        "free": {name: gait.runner.values[name] for name in vary},
+        "free": {name: gait.runner[name] for name in vary},
         "ordered": quantities_of(gait, list(target)),
     }
 
 
 def _gait_text(
     gait: Gait,
-    fmu: Fmu,
     given: Mapping[str, Given],
     target: Sequence[str] = (),
     vary: Sequence[str] = (),
 ) -> str:
-    units = DisplayUnits(fmu, given, gait.runner.values)
+    units = DisplayUnits(given, gait.runner)
 
     def of(name: str, value: float) -> str:
         return quantity(units.value(name, value), units.unit(name), 12)
@@ -149,7 +146,7 @@ def _gait_text(
     basic = [name for name in target if name in gait.stride and name not in MEASURES]
     reported = dict.fromkeys([*REPORTED, *basic])
     measured = {
-        name: quantity(quantity_of(name, gait.stride), units.label(unit_of(name, fmu)), 12)
+        name: quantity(quantity_of(name, gait.stride), units.label(unit_of(name)), 12)
         for name in (*MEASURES, "frequency")
         if name in target
     }
@@ -159,7 +156,7 @@ def _gait_text(
         "friction": of("ground.friction", gait.friction),
         **{name: of(f"stride.{name}", gait.stride[name]) for name in reported},
         **measured,
-        **{name: of(name, gait.runner.values[name]) for name in vary},
+        **{name: of(name, gait.runner[name]) for name in vary},
         "liftoff_angle": of("hip.liftoff_angle", gait.liftoff_angle),
         **{f"apex.{n}": of(f"apex.{n}", v) for n, v in apex.items()},
         "eigenvalues": ", ".join(_complex(value) for value in gait.eigenvalues),

@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import Any
 
 from ..errors import InputError, reason
-from ..fmu.parameters import loads_json, parsed
+from ..variables.parameters import loads_json, parsed
 
 BYTE_ORDER_MARK = "\ufeff"
 """Byte-order mark with which Windows editors and shells begin a text."""

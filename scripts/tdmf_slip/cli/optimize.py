@@ -6,13 +6,12 @@ import click
 
 from ..analysis.targeted import TargetNotMetError
 from ..errors import InputError
-from ..fmu.display_units import DisplayUnits
-from ..fmu.fmu import Fmu, load_fmu
 from ..library.quantities import QUANTITIES, unit_of
 from ..optimization.optimize import MAX_STARTS, STARTS, optimize
 from ..optimization.optimum import Optimum, reported
 from ..optimization.pareto import MAX_POINTS, POINTS, Front, pareto_front
 from ..terminal.text import headed, table
+from ..variables.display_units import DisplayUnits
 from .continuation import span_of
 from .options import (
     FRICTION_OPTION,
@@ -93,16 +92,15 @@ def optimize_command(
     JSON holds the nearest one, and the exit status is 1. Two objectives give a Pareto front: runners of which
     none can be improved in one objective without losing in the other.
     """
-    fmu = load_fmu()
     given = values_given(friction, settings)
     texts = pairs_given(ranges, "--vary", "NAME=A:B")
-    vary = {name: span_of(fmu, name, text) for name, text in texts.items()}
+    vary = {name: span_of(name, text) for name, text in texts.items()}
     for name in vary:
         refuse_given(given, name, "--vary")
-    runner = runner_of(fmu, parameters, given, model)
-    display = DisplayUnits(fmu, texts, runner.values)
+    runner = runner_of(parameters, given, model)
+    display = DisplayUnits(texts, runner)
     common: dict[str, Any] = {"target": targets_given(targets), "stable": stable, "starts": starts}
-    common |= {"progress": True, "fmu": fmu}
+    common |= {"progress": True}
     if len(minimize) + len(maximize) > 2:
         raise InputError("--minimize, --maximize: more than two quantities; allowed: one or two")
     try:
@@ -117,17 +115,17 @@ def optimize_command(
             nearest = {"nearest": reported(problem.nearest), "word": problem.nearest.word}
             print(json_text(problem.nearest.runner.record() | nearest))
         raise
-    print(json_text(best.as_json()) if as_json_object else _text(best, fmu, display))
+    print(json_text(best.as_json()) if as_json_object else _text(best, display))
 
 
-def _text(best: Optimum, fmu: Fmu, display: DisplayUnits) -> str:
+def _text(best: Optimum, display: DisplayUnits) -> str:
     """A table before and after, and what the optimum is."""
     header = ("", "unit", "before", "after", "bound")
     rows = [
         (
             name,
             display.unit(name),
-            f"{display.value(name, best.before.runner.values[name]):.9g}",
+            f"{display.value(name, best.before.runner[name]):.9g}",
             f"{display.value(name, value):.9g}",
             best.active_bounds.get(name, ""),
         )
@@ -135,7 +133,7 @@ def _text(best: Optimum, fmu: Fmu, display: DisplayUnits) -> str:
     ]
     before, after = reported(best.before), reported(best.gait)
     for name, value in after.items():
-        rows.append((name, display.label(unit_of(name, fmu)), f"{before[name]:.9g}", f"{value:.9g}", ""))
+        rows.append((name, display.label(unit_of(name)), f"{before[name]:.9g}", f"{value:.9g}", ""))
     rows.append(("word", "", best.before.word, best.word, ""))
     stable = ["yes" if gait.stable else "no" for gait in (best.before, best.gait)]
     rows.append(("stable", "", stable[0], stable[1], ""))

@@ -7,12 +7,10 @@ import click
 
 from ..checks import checked, checked_whole, shown
 from ..errors import InputError
-from ..fmu.fmu import FRICTION, Fmu
-from ..fmu.names import full_name
-from ..fmu.parameters import preset_names, read_parameters
-from ..fmu.variable import Given, Value
 from ..library.quantities import QUANTITIES, quantity_given
-from ..library.section import MODELS
+from ..variables.parameters import preset_names, read_parameters
+from ..variables.table import FRICTION, MODELS, VARIABLES, Variables, full_name
+from ..variables.variable import Given, Value
 
 
 def takes_one_value(option: click.Option) -> bool:
@@ -147,20 +145,20 @@ def texts_of(given: Mapping[str, tuple[str, Given]]) -> dict[str, Given]:
 
 
 def start_values(
-    fmu: Fmu, base: Mapping[str, Value], given: Mapping[str, tuple[str, Given]]
+    base: Mapping[str, Value], given: Mapping[str, tuple[str, Given]], variables: Variables = VARIABLES
 ) -> dict[str, Value]:
     """Start values: those of a file, and over them what single options give."""
     values = dict(base)
     for name, (option, value) in given.items():
-        values |= fmu.start_values({name: value}, option)
+        values |= variables.start_values({name: value}, option)
     return values
 
 
-def file_values(fmu: Fmu, parameters: str | None) -> dict[str, Value]:
+def file_values(parameters: str | None, variables: Variables = VARIABLES) -> dict[str, Value]:
     """Start values of --parameters."""
     if parameters is None:
         return {}
-    return fmu.start_values(read_parameters(parameters), f"--parameters {parameters}")
+    return variables.start_values(read_parameters(parameters), f"--parameters {parameters}")
 
 
 def refuse_given(given: Mapping[str, tuple[str, Given]], name: str, by: str) -> None:

@@ -9,10 +9,10 @@ from typing import TYPE_CHECKING
 import click
 
 from ..errors import InputError, RunError
-from ..fmu.fmu import FRICTION, load_fmu
-from ..fmu.parameters import read_parameters
 from ..library.runner import Runner
 from ..terminal.text import columns, table
+from ..variables.parameters import read_parameters
+from ..variables.table import FRICTION, VARIABLES
 from .options import (
     JSON_OPTION,
     PARAMETERS_OPTION,
@@ -98,7 +98,7 @@ def prove_command(
             raise InputError(f"--box {box}: a border's is chosen by itself; allowed: without --border")
         if vary is not None:
             raise InputError("--border, --vary: are two ways of asking; allowed: one of them")
-    runner = runner_of(load_fmu(), parameters, given)
+    runner = runner_of(parameters, given)
     reported = (
         {} if parameters is None else {n: _as_written(v) for n, v in read_parameters(parameters).items()}
     )
@@ -145,7 +145,7 @@ def _prove_borders(
     from ..analysis.sweep import sweep
     from ..proof.prove_border import prove_border
 
-    ends = ends_of(border, load_fmu().variables[FRICTION], "--border")
+    ends = ends_of(border, VARIABLES[FRICTION], "--border")
     borders = sweep(runner, {"ground.friction": list(ends)}).borders
     if not borders:
         raise RunError(f"--border {border}: the gaits at both ends have the same word")

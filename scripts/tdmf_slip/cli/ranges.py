@@ -7,8 +7,8 @@ from numpy.typing import NDArray
 
 from ..checks import number_in
 from ..errors import InputError
-from ..fmu import unit_text
-from ..fmu.variable import MAX_VALUES, Variable
+from ..variables import units
+from ..variables.variable import MAX_VALUES, Variable
 
 SPACINGS: Mapping[str, Callable[[float, float, int], NDArray[np.float64]]] = {
     "linear": np.linspace,
@@ -53,7 +53,7 @@ def values_of(text: str, spacing: str, variable: Variable, where: str) -> NDArra
 
 
 def _ends(parts: list[str], variable: Variable, where: str) -> list[float]:
-    with_unit = [bool(unit_text.split(part)[1]) for part in parts]
+    with_unit = [bool(units.split(part)[1]) for part in parts]
     if with_unit[0] != with_unit[1]:
         raise InputError(f"{where}: a unit at one end only; allowed: at both or at none")
     return [variable.value_of(part, where) for part in parts]

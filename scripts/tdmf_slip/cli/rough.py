@@ -8,7 +8,6 @@ from ..analysis.first_passage import MAX_RUNNERS, MAX_STRIDES, FirstPassage, str
 from ..analysis.rare_falls import RareFalls, rare_falls
 from ..analysis.volume import CONFIDENCE
 from ..errors import InputError
-from ..fmu.fmu import load_fmu
 from ..library.rough_ground import (
     LARGEST,
     LARGEST_SPREAD,
@@ -130,8 +129,7 @@ def rough_command(
     Runners start from the gait on level ground. Runners that are still up at the end are censored: their
     strides count, but they add no fall.
     """
-    fmu = load_fmu()
-    runner = runner_of(fmu, parameters, values_given(friction, settings))
+    runner = runner_of(parameters, values_given(friction, settings))
     if (roughness is None) == (heights is None):
         given = "neither is given" if heights is None else "both are given"
         raise InputError(f"--roughness, --heights: {given}; allowed: one of them")
@@ -146,13 +144,11 @@ def rough_command(
     )
     if rare:
         _check_alone("runners", "max_strides", "workers", "scheduler")
-        split = rare_falls(runner, ground, seed=seed, progress=True, fmu=fmu)
+        split = rare_falls(runner, ground, seed=seed, progress=True)
         print(json_text(split.as_json()) if as_json_object else _rare_text(split, runner))
         return
     with executor_of(workers, scheduler) as executor:
-        found = strides_to_fall(
-            runner, ground, runners, seed, max_strides, executor=executor, progress=True, fmu=fmu
-        )
+        found = strides_to_fall(runner, ground, runners, seed, max_strides, executor=executor, progress=True)
     print(json_text(found.as_json()) if as_json_object else _text(found, runner))
 
 

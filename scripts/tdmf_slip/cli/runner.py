@@ -4,26 +4,25 @@ import warnings
 from collections.abc import Mapping
 
 from ..errors import InputError, Note
-from ..fmu.fmu import Fmu
-from ..fmu.variable import Given
-from ..library.members import MOVING, STATES
 from ..library.runner import Runner
 from ..library.settings import OF_FLIGHT
+from ..variables.values import NAMES
+from ..variables.variable import Given
 from .options import file_values, start_values
 
 
 def runner_of(
-    fmu: Fmu, parameters: str | None, given: Mapping[str, tuple[str, Given]], model: str | None = None
+    parameters: str | None, given: Mapping[str, tuple[str, Given]], model: str | None = None
 ) -> Runner:
     """The runner of the options."""
-    starts = start_values(fmu, file_values(fmu, parameters), given)
+    starts = start_values(file_values(parameters), given)
     for name, (option, _) in given.items():
-        if name not in (*MOVING, *STATES):
+        if name not in NAMES:
             raise InputError(
                 f"{option} {name}: has no meaning for gaits, which the library finds without the unit; "
                 f"allowed: parameters and inputs of the model, and its state"
             )
-    runner = Runner.of(starts, fmu, model=model)
+    runner = Runner(starts, model=model)
     for name, (option, _) in given.items():
         if runner.reduced and name in OF_FLIGHT:
             warnings.warn(f"{option} {name}: does not act in the reduced map", Note, stacklevel=2)

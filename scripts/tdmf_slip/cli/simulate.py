@@ -22,9 +22,8 @@ from ..fmu.simulation import (
     simulate,
 )
 from ..fmu.tables import WRITERS, write_table
-from ..fmu.variable import Value
-from ..record import completed, note_missing
 from ..terminal.text import columns, quantity
+from ..variables.variable import Value
 from .gait_file import read_gait
 from .options import (
     FRICTION_OPTION,
@@ -128,13 +127,10 @@ def simulate_command(
     if parameters is not None and from_gait is not None:
         raise InputError("--parameters: --from-gait says what the parameters are; allowed: one of the two")
     given = values_given(friction, settings)
-    base = file_values(fmu, parameters)
+    base = file_values(parameters, fmu.variables)
     if from_gait is not None:
-        where = f"--from-gait {from_gait}"
-        recorded = fmu.start_values(read_gait(from_gait), where)
-        note_missing(recorded, where)
-        base = completed(recorded)
-    starts = start_values(fmu, base, given)
+        base = fmu.variables.start_values(read_gait(from_gait), f"--from-gait {from_gait}")
+    starts = start_values(base, given, fmu.variables)
     _refuse_other_interface(interface, given)
     if interface == "cs" and tolerance is not None:
         _refuse_loose(fmu, starts, tolerance)
@@ -153,9 +149,9 @@ def simulate_command(
         fmu=fmu,
     )
     if output is not None:
-        write_table(output, run, fmu)
+        write_table(output, run)
     if plot is not None:
-        overview.draw(plot, run, fmu)
+        overview.draw(plot, run)
     print(json_text(_run_object(run)) if as_json_object else _run_text(run))
 
 
@@ -169,7 +165,7 @@ def _refuse_other_interface(interface: str, given: Mapping[str, object]) -> None
 
 
 def _refuse_loose(fmu: Fmu, starts: Mapping[str, Value], tolerance: float) -> None:
-    tightest = starts.get(SOLVER_TOLERANCE, fmu.start_of(SOLVER_TOLERANCE))
+    tightest = starts.get(SOLVER_TOLERANCE, fmu.variables.start_of(SOLVER_TOLERANCE))
     if tolerance > tightest:
         raise InputError(
             f"--tolerance = {tolerance:g}: in Co-Simulation the tighter of it and {SOLVER_TOLERANCE} = "

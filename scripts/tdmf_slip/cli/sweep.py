@@ -12,11 +12,11 @@ from ..analysis.grid_result import GaitGrid
 from ..analysis.sweep import Sweep, short, sweep
 from ..errors import InputError, RunError
 from ..files.whole import check_destination, whole
-from ..fmu.display_units import DisplayUnits
-from ..fmu.fmu import FRICTION, Fmu, load_fmu
 from ..library.members import check_varied
 from ..library.runner import Runner
 from ..terminal.text import table
+from ..variables.display_units import DisplayUnits
+from ..variables.table import FRICTION, VARIABLES
 from .options import (
     JSON_OPTION,
     MODEL_OPTION,
@@ -102,7 +102,6 @@ def sweep_command(
         from ..pictures import style  # matplotlib is slow to load
 
         style.check_picture(plot, "--plot")
-    fmu = load_fmu()
     given = values_given(None, settings)
     texts = pairs_given(vary, "--vary", "NAME=A:B:N")
     if not texts and friction is None:
@@ -120,8 +119,8 @@ def sweep_command(
             texts, options = {FRICTION: friction, **texts}, {FRICTION: "--friction", **options}
     if len(texts) > 2:
         raise InputError(f"--vary: {', '.join(texts)} are varied; allowed: one of them, or two for a grid")
-    runner = runner_of(fmu, parameters, given, model)
-    values = {name: _values(fmu, name, text, spacing, options[name]) for name, text in texts.items()}
+    runner = runner_of(parameters, given, model)
+    values = {name: _values(name, text, spacing, options[name]) for name, text in texts.items()}
     if len(values) == 2:
         if plot is not None:
             raise InputError("--plot: a grid of gaits has no picture; allowed: with one range")
@@ -139,15 +138,15 @@ def sweep_command(
         output,
         plot,
         as_json_object,
-        DisplayUnits(fmu, texts, runner.values),
+        DisplayUnits(texts, runner),
     )
 
 
-def _values(fmu: Fmu, name: str, span: str, spacing: str, option: str) -> NDArray[np.float64]:
+def _values(name: str, span: str, spacing: str, option: str) -> NDArray[np.float64]:
     """The values of a parameter that A:B:N stands for."""
     check_varied(name, "--vary")
     where = option if option == "--friction" else f"--vary {name} ="
-    return values_of(span, spacing, fmu.variables[name], where)
+    return values_of(span, spacing, VARIABLES[name], where)
 
 
 def _row(
@@ -159,29 +158,28 @@ def _row(
     as_json_object: bool,
     display: DisplayUnits,
 ) -> None:
-    fmu = load_fmu()
     if output is not None and output.suffix.lower() == NETCDF:
         from ..files.resume import refuse_resumable  # xarray is slow to load
 
         refuse_resumable(output)
     found = sweep(runner, {name: values}, progress=True)
     if output is not None:
-        _write(output, found, fmu)
+        _write(output, found)
     if plot is not None:
         from ..pictures import branch
 
-        branch.draw(plot, found, fmu, display)
-    print(json_text(found.as_json()) if as_json_object else _sweep_text(found, fmu, display))
+        branch.draw(plot, found, display)
+    print(json_text(found.as_json()) if as_json_object else _sweep_text(found, display))
     if found.problem is not None:
         raise RunError(f"{found.problem}; {len(found.gaits)} of {len(values)} gaits were found")
 
 
-def _write(path: Path, found: Sweep, fmu: Fmu) -> None:
+def _write(path: Path, found: Sweep) -> None:
     """Into a file whose suffix is one of `FORMATS`."""
     if path.suffix.lower() == NETCDF:
         from ..files.netcdf import write_dataset  # xarray is slow to load
 
-        write_dataset(path, found.to_xarray(fmu))
+        write_dataset(path, found.to_xarray())
         return
     with whole(path) as beside:
         beside.write_text(json_text(found.as_json()) + "\n", encoding="utf-8")
@@ -198,7 +196,7 @@ def _grid(
 
     if output is None or output.suffix.lower() != NETCDF:
         raise InputError("--vary: a grid of gaits goes to a file; allowed: with --output FILE.nc")
-    data = grid(runner, vary, output, executor=executor, progress=True, fmu=load_fmu())
+    data = grid(runner, vary, output, executor=executor, progress=True)
     found = GaitGrid.of_dataset(data)
     points = found["period"].size
     result = {
@@ -219,7 +217,7 @@ def _headed(name: str, measure: str) -> str:
     return short(name) if measure in ("", "1") else f"{name} ({measure})"
 
 
-def _sweep_text(found: Sweep, fmu: Fmu, display: DisplayUnits) -> str:
+def _sweep_text(found: Sweep, display: DisplayUnits) -> str:
     rows = [
         (
             f"{display.value(found.name, value):.6g}",
@@ -234,7 +232,7 @@ def _sweep_text(found: Sweep, fmu: Fmu, display: DisplayUnits) -> str:
         if gait is not None
     ]
     with_units = [
-        f"{name} ({display.label(fmu.variables[f'stride.{name}'].unit)})" for name in ("period", "speed")
+        f"{name} ({display.label(VARIABLES[f'stride.{name}'].unit)})" for name in ("period", "speed")
     ]
     header = (
         _headed(found.name, display.unit(found.name)),

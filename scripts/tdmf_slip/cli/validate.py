@@ -7,7 +7,6 @@ import click
 
 from ..errors import InputError
 from ..files.whole import check_folder
-from ..fmu.fmu import load_fmu
 from ..fmu.simulation import TOLERANCES
 from ..paper.own_claims import LAST_SEED
 from ..paper.settling import DEFAULT_TOLERANCE
@@ -67,7 +66,7 @@ def validate_command(
     validation = validate(tolerance=tolerance, only_gaits=only_gaits, own=own, seed=seed, progress=True)
     print(json_text(validation.as_json()) if as_json_object else validation.as_text(program()))
     if pictures is not None:
-        written = gallery.draw(pictures, load_fmu(), progress=True)
+        written = gallery.draw(pictures, progress=True)
         if not as_json_object:
             names = fill(", ".join(path.name for path in written), 96)
             print(f"\nPictures in {pictures.resolve()}:\n{indent(names, '  ')}")

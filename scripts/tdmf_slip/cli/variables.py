@@ -4,10 +4,9 @@ import math
 
 import click
 
-from ..fmu.fmu import load_fmu
-from ..fmu.names import SHORT_NAMES
-from ..fmu.variable import Variable
 from ..terminal.text import table
+from ..variables.table import SHORT_NAMES, VARIABLES
+from ..variables.variable import Variable
 from .options import JSON_OPTION, Command
 from .output import json_text
 
@@ -16,7 +15,7 @@ from .output import json_text
 @JSON_OPTION
 def variables_command(as_json_object: bool) -> None:
     """List every variable of the unit with its short name, unit, range, default and meaning."""
-    variables = load_fmu().variables.values()
+    variables = VARIABLES.values()
     if as_json_object:
         print(json_text({"variables": [_object(variable) for variable in variables]}))
     else:

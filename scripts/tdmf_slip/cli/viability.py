@@ -11,11 +11,11 @@ import click
 from ..analysis.targeted import find_gait
 from ..errors import InputError
 from ..files.whole import check_destination, whole
-from ..fmu.fmu import Fmu, load_fmu
 from ..library.gait import Gait
-from ..library.section import MODELS, REDUCED
+from ..library.section import REDUCED
 from ..library.settings import setting_number
 from ..terminal.text import columns
+from ..variables.table import MODELS, VARIABLES
 from ..viable_sets.grid import MAX_CELLS, VALUES
 from ..viable_sets.result import Viability
 from ..viable_sets.viability import FACTOR, LARGEST_FACTOR, viability
@@ -134,21 +134,19 @@ def viability_command(
         style.check_picture(plot, "--plot")
     if controller is not None:
         check_destination(controller, (".csv",), "--controller")
-    fmu = load_fmu()
-    runner = runner_of(fmu, parameters, values_given(friction, settings), model)
-    gait = find_gait(runner, fmu=fmu) if of_gait else None
+    runner = runner_of(parameters, values_given(friction, settings), model)
+    gait = find_gait(runner) if of_gait else None
     with executor_of(workers, scheduler) as executor:
         found = viability(
             runner,
-            axes=_axes_given(axes, fmu),
-            vary=_vary_given(vary, fmu),
+            axes=_axes_given(axes),
+            vary=_vary_given(vary),
             n=count,
             model=model,
             factor=factor,
             path=output,
             executor=executor,
             progress=True,
-            fmu=fmu,
         )
     if plot is not None:
         viability_map.draw(plot, found)
@@ -172,22 +170,20 @@ def _around(found: Viability, gait: Gait) -> dict[str, object]:
     }
 
 
-def _axes_given(texts: Sequence[str], fmu: Fmu) -> dict[str, tuple[float, float]]:
+def _axes_given(texts: Sequence[str]) -> dict[str, tuple[float, float]]:
     given = pairs_given(texts, "--axes", "NAME=A:B")
     for name in given:
         if name not in REDUCED:
             raise InputError(f"--axes {name}={given[name]}: allowed: {' and '.join(REDUCED)}")
-    return {
-        name: ends_of(span, fmu.variables[f"apex.{name}"], f"--axes {name}") for name, span in given.items()
-    }
+    return {name: ends_of(span, VARIABLES[f"apex.{name}"], f"--axes {name}") for name, span in given.items()}
 
 
-def _vary_given(texts: Sequence[str], fmu: Fmu) -> dict[str, tuple[float, ...]]:
+def _vary_given(texts: Sequence[str]) -> dict[str, tuple[float, ...]]:
     ranges: dict[str, tuple[float, ...]] = {}
     for name, span in pairs_given(texts, "--vary", "NAME=A:B or NAME=A:B:N").items():
         setting_number(name, "--vary")
         parts = span.split(":")
-        ends = ends_of(":".join(parts[:2]), fmu.variables[name], f"--vary {name}")
+        ends = ends_of(":".join(parts[:2]), VARIABLES[name], f"--vary {name}")
         counts = parts[2:]
         if len(counts) > 1 or not all(part.strip().isdecimal() for part in counts):
             raise InputError(f"--vary {name}={span}: allowed: A:B or A:B:N, N being how many values")

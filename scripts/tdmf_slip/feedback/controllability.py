@@ -13,7 +13,6 @@ from numpy.typing import NDArray
 
 from ..contents import ByContents
 from ..drawable import Drawable
-from ..fmu.fmu import Fmu
 from ..library.gait import Gait
 from ..library.runner import Runner
 from .linearization import linearize
@@ -84,9 +83,7 @@ class Controllability(ByContents, Drawable):
         }
 
 
-def controllability(
-    gait: Gait, inputs: Sequence[str], *, negligible: float = NEGLIGIBLE, fmu: Fmu | None = None
-) -> Controllability:
+def controllability(gait: Gait, inputs: Sequence[str], *, negligible: float = NEGLIGIBLE) -> Controllability:
     """What settings that are chosen at each apex can do about a gait's modes.
 
     Parameters
@@ -97,8 +94,6 @@ def controllability(
         Which settings, of `linearization.CHOSEN`.
     negligible : float, default 1e-5
         Modes whose eigenvalue is smaller are left alone.
-    fmu : Fmu, optional
-        Whose ranges hold; by default that of `fmu_path`.
 
     Returns
     -------
@@ -120,7 +115,7 @@ def controllability(
     >>> found.rank, found.negligible, found.strides
     (3, 3, 2)
     """
-    model = linearize(gait, inputs, fmu=fmu)
+    model = linearize(gait, inputs)
     return controllability_of(model.gait.runner, lasting_modes(model, negligible), model.inputs)
 
 

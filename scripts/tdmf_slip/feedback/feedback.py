@@ -12,10 +12,9 @@ from numpy.typing import NDArray
 from ..checks import is_one_of, near_matches, refusal, shown
 from ..drawable import Drawable
 from ..errors import InputError
-from ..fmu.fmu import FRICTION, Fmu, load_fmu
-from ..fmu.names import by_full_name
 from ..given import numbers_of, row_of
 from ..library.affine_law import AffineLaw
+from ..variables.table import FRICTION, VARIABLES, by_full_name
 from .linearization import Linearization
 
 Limits: TypeAlias = Mapping[str, tuple[float, float]]
@@ -68,10 +67,9 @@ def feedback_of(
     limits: Limits | None = None,
     *,
     strides: int | None = None,
-    fmu: Fmu | None = None,
 ) -> Feedback:
     """The feedback that a gain makes."""
-    low, high = _checked_limits(model, limits, load_fmu(fmu))
+    low, high = _checked_limits(model, limits)
     found: NDArray[Any] = np.linalg.eigvals(model.closed_loop(gain))
     return Feedback(
         inputs=model.inputs,
@@ -87,7 +85,7 @@ def feedback_of(
 
 
 def _checked_limits(
-    model: Linearization, limits: Limits | None, fmu: Fmu
+    model: Linearization, limits: Limits | None
 ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     given = by_full_name(limits, "limits", "pairs of numbers by setting")
     unknown = next((name for name in given if not is_one_of(name, model.inputs)), None)
@@ -98,7 +96,7 @@ def _checked_limits(
         )
     found = []
     for name, nominal in zip(model.inputs, model.nominal, strict=True):
-        variable = fmu.variables[name]
+        variable = VARIABLES[name]
         asked = given.get(name, (variable.minimum, variable.maximum))
         allowed = f"two numbers within {variable.allowed} with {nominal:g}, the gait's own, between them"
         pair = numbers_of(f"limits: {name}", row_of(asked, f"limits: {name}", allowed), allowed)

@@ -13,7 +13,6 @@ from numpy.typing import ArrayLike, NDArray
 
 from ..checks import number_of, refusal
 from ..errors import InputError
-from ..fmu.fmu import Fmu
 from ..given import numbers_of, row_of
 from ..library.gait import Gait
 from .controllability import Controllability, controllability_of
@@ -32,7 +31,6 @@ def dead_beat(
     *,
     limits: Limits | None = None,
     negligible: float = NEGLIGIBLE,
-    fmu: Fmu | None = None,
 ) -> Feedback:
     """The feedback that brings a runner back to its gait in the fewest strides, to first order.
 
@@ -51,8 +49,6 @@ def dead_beat(
     negligible : float, default 1e-5
         Modes whose eigenvalue is smaller are left alone: 0.05 leaves a mode that a stride shrinks to a
         twentieth, and spares the settings what it would take to move it.
-    fmu : Fmu, optional
-        Whose ranges hold; by default that of `fmu_path`.
 
     Returns
     -------
@@ -74,14 +70,14 @@ def dead_beat(
     >>> held.strides, bool(abs(held.eigenvalues[0]) < 1e-6)
     (2, True)
     """
-    model = linearize(gait, inputs, fmu=fmu)
+    model = linearize(gait, inputs)
     modes = lasting_modes(model, negligible)
     reported = _movable(modes, model)
     try:
         gain = dead_beat_gain(modes.state_matrix, modes.input_matrix)
     except ArithmeticError:
         raise _not_movable(model, reported.eigenvalues) from None
-    return feedback_of(model, modes.gain_of(model, gain), limits, strides=reported.strides, fmu=fmu)
+    return feedback_of(model, modes.gain_of(model, gain), limits, strides=reported.strides)
 
 
 def place_poles(
@@ -91,7 +87,6 @@ def place_poles(
     *,
     limits: Limits | None = None,
     negligible: float = NEGLIGIBLE,
-    fmu: Fmu | None = None,
 ) -> Feedback:
     """The feedback whose closed loop has eigenvalues that are chosen, by `scipy.signal.place_poles`.
 
@@ -108,8 +103,6 @@ def place_poles(
         By setting: the least and the largest value, in its unit; by default its range.
     negligible : float, default 1e-5
         Modes whose eigenvalue is smaller are left alone.
-    fmu : Fmu, optional
-        Whose ranges hold; by default that of `fmu_path`.
 
     Returns
     -------
@@ -133,7 +126,7 @@ def place_poles(
     """
     from scipy.signal import place_poles as place  # slow to load
 
-    model = linearize(gait, inputs, fmu=fmu)
+    model = linearize(gait, inputs)
     modes = lasting_modes(model, negligible)
     reported = _movable(modes, model)
     wanted = _checked_eigenvalues(eigenvalues, reported)
@@ -141,7 +134,7 @@ def place_poles(
         placed = place(modes.state_matrix, modes.input_matrix, wanted)
     except ValueError as problem:
         raise InputError(f"eigenvalues = {_listed(wanted)} are not allowed: {problem}") from None
-    return feedback_of(model, modes.gain_of(model, -placed.gain_matrix), limits, fmu=fmu)
+    return feedback_of(model, modes.gain_of(model, -placed.gain_matrix), limits)
 
 
 def lqr(
@@ -151,7 +144,6 @@ def lqr(
     input_weight: ArrayLike = 1.0,
     *,
     limits: Limits | None = None,
-    fmu: Fmu | None = None,
 ) -> Feedback:
     """The linear quadratic regulator: the feedback of least cost, by `scipy.linalg.solve_discrete_are`.
 
@@ -171,8 +163,6 @@ def lqr(
         R: likewise for the k settings; with positive eigenvalues only.
     limits : mapping of str to (float, float), optional
         By setting: the least and the largest value, in its unit; by default its range.
-    fmu : Fmu, optional
-        Whose ranges hold; by default that of `fmu_path`.
 
     Returns
     -------
@@ -195,11 +185,11 @@ def lqr(
     >>> print(abs(gait.eigenvalues[:2]).round(3), abs(law.eigenvalues[:2]).round(3))
     [0.856 0.519] [0.541 0.022]
     """
-    model = linearize(gait, inputs, fmu=fmu)
+    model = linearize(gait, inputs)
     state = _weight("state_weight", state_weight, len(model.scales), 0.0)
     setting = _weight("input_weight", input_weight, len(model.inputs), np.finfo(float).tiny)
     gain = riccati_gain(model.scaled_state_matrix, model.scaled_input_matrix, state, setting)
-    return feedback_of(model, gain * model.setting_scales[:, None] / model.scales, limits, fmu=fmu)
+    return feedback_of(model, gain * model.setting_scales[:, None] / model.scales, limits)
 
 
 def riccati_gain(

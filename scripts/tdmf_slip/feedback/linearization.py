@@ -18,14 +18,12 @@ from numpy.typing import NDArray
 from ..checks import is_one_of, near_matches, shown
 from ..contents import ByContents
 from ..errors import InputError
-from ..fmu.aliases import ALIASES
-from ..fmu.fmu import Fmu, load_fmu
-from ..fmu.names import full_names
 from ..library.gait import Gait, check_is_gait
 from ..library.return_map import stride_from
 from ..library.runner import Runner
 from ..library.scales import scale_of
 from ..library.settings import SETTINGS
+from ..variables.table import ALIASES, VARIABLES, full_names
 
 CHOSEN = tuple(name for name in SETTINGS if not name.startswith("ground."))
 """What a controller may choose anew at each apex: settings that are not the ground's."""
@@ -79,13 +77,13 @@ class Linearization(ByContents):
         return scaled
 
 
-def linearize(gait: Gait, inputs: Sequence[str], *, fmu: Fmu | None = None) -> Linearization:
+def linearize(gait: Gait, inputs: Sequence[str]) -> Linearization:
     """The return map of a gait to first order, by the apex and by settings."""
     _check_gait(gait)
-    runner, fmu = gait.runner, load_fmu(fmu)
+    runner = gait.runner
     names = _checked_names(inputs)
     for name in names:
-        _check_inside(runner, name, fmu)
+        _check_inside(runner, name)
     by_setting = []
     jacobian = gait.jacobian
     for name in names:
@@ -94,10 +92,10 @@ def linearize(gait: Gait, inputs: Sequence[str], *, fmu: Fmu | None = None) -> L
     model = Linearization(
         gait=gait,
         inputs=names,
-        nominal=np.array([runner.values[name] for name in names]),
+        nominal=np.array([runner[name] for name in names]),
         state_matrix=jacobian,
         input_matrix=np.array(by_setting).T,
-        setting_scales=np.array([scale_of(runner, fmu.variables[name].unit) for name in names]),
+        setting_scales=np.array([scale_of(runner, VARIABLES[name].unit) for name in names]),
     )
     moved = np.max(np.abs(model.scaled_input_matrix), axis=0)
     for name, maximum in zip(names, moved, strict=True):
@@ -136,11 +134,11 @@ def _checked_names(given: object) -> tuple[str, ...]:
     return names
 
 
-def _check_inside(runner: Runner, name: str, fmu: Fmu) -> None:
+def _check_inside(runner: Runner, name: str) -> None:
     """Refuse a setting that has a derivative to one side only."""
-    value, variable = runner.values[name], fmu.variables[name]
+    value, variable = runner[name], VARIABLES[name]
     if name in THRUSTS:
-        total = sum(runner.values[thrust] for thrust in THRUSTS)
+        total = sum(runner[thrust] for thrust in THRUSTS)
         if total <= 0.0:
             raise InputError(
                 f"inputs: {name} belongs to a thrust of {total:g} m at this gait, which is held at 0 and "

@@ -10,7 +10,6 @@ from numpy.typing import NDArray
 
 from ..errors import InputError
 from ..files.datasets import xarray
-from ..record import completed_attributes, note_missing
 from .netcdf import read_dataset
 
 
@@ -23,11 +22,9 @@ def resumed(path: Path, blank: xarray.Dataset, what: str) -> xarray.Dataset:
     except (OSError, ValueError) as problem:
         reason = getattr(problem, "strerror", None) or "no NetCDF file"
         raise InputError(f"{path}: no {what} to go on with ({reason}); allowed: another file name") from None
-    recorded, data.attrs = data.attrs, completed_attributes(data.attrs)
     difference = _difference(data, blank)
     if difference is not None:
         raise InputError(f"{path}: holds another {what}, {difference}; allowed: another file name")
-    note_missing(recorded, str(path))
     return data
 
 

@@ -13,13 +13,13 @@ from numpy.typing import NDArray
 from ..analysis.search import periodic_gait
 from ..checks import checked_flag, checked_whole
 from ..errors import InputError, RunError
-from ..fmu.fmu import Fmu, load_fmu
-from ..fmu.parameters import RunnerLike
 from ..library.gait import Gait, gait_near
 from ..library.runner import Runner
 from ..library.section import Apex
 from ..library.shared_steps import shares_steps
 from ..terminal.progress import progress_bar
+from ..variables.parameters import RunnerLike
+from ..variables.table import VARIABLES
 from .across import cross
 from .concluded import Conclusion, is_met
 from .kinks import past_kinks
@@ -53,7 +53,6 @@ def fit(
     profile: bool | Sequence[str] = True,
     starts: int = STARTS,
     progress: bool = False,
-    fmu: Fmu | None = None,
 ) -> Fit:
     """The runner whose gaits are nearest to measured ones, with the confidence of its parameters.
 
@@ -98,8 +97,6 @@ def fit(
         How many fits are made at the most, from gaits all over what varies, of which the best counts.
     progress : bool, default False
         A count of strides on stderr.
-    fmu : Fmu, optional
-        Whose start values and ranges hold; by default that of `fmu_path`.
 
     Returns
     -------
@@ -125,12 +122,11 @@ def fit(
     """
     measurements = measurements_of(data)
     shared, each = checked_names(vary, "vary"), checked_names(vary_each, "vary_each")
-    loaded = load_fmu(fmu)
-    known = checked_priors(priors, each, loaded)
-    begun = Runner.of(runner, fmu, model=model)
+    known = checked_priors(priors, each)
+    begun = Runner(runner, model=model)
     for prior in known:
         if prior.name not in shared:
-            begun, shared = begun.but(prior.name, prior.value), (*shared, prior.name)
+            begun, shared = begun.replace({prior.name: prior.value}), (*shared, prior.name)
     check_names(shared, each, measurements, len(known))
     profiled = profiled_names(profile, (*shared, *each))
     request = Request(
@@ -142,26 +138,23 @@ def fit(
         scale_errors=checked_flag("scale_errors", scale_errors),
         profiled=profiled,
         starts=checked_whole("starts", starts, 1, MAX_STARTS),
-        ranges={
-            name: (loaded.variables[name].minimum, loaded.variables[name].maximum)
-            for name in (*shared, *each)
-        },
+        ranges={name: (VARIABLES[name].minimum, VARIABLES[name].maximum) for name in (*shared, *each)},
     )
     if request.scale_errors and request.degrees_of_freedom < 1:
         raise InputError(
             "scale_errors: as many numbers are fitted as were measured, and no residual tells the errors' "
             "factor; allowed: more data, or errors that are known"
         )
-    first = _first(begun, guess, fmu)
+    first = _first(begun, guess)
     with progress_bar("fit", None, "strides", progress) as bar:
-        others = starts_of(first, measurements, (*shared, *each), loaded) if request.starts > 1 else iter(())
+        others = starts_of(first, measurements, (*shared, *each)) if request.starts > 1 else iter(())
         return fitted_from(request, first, islice(others, request.starts - 1), bar.update)
 
 
-def _first(runner: Runner, guess: Apex | None, fmu: Fmu | None) -> Gait:
+def _first(runner: Runner, guess: Apex | None) -> Gait:
     """The gait that all rows begin with; where nothing settles on it, the one near the start values."""
     try:
-        return periodic_gait(runner, guess=guess, fmu=fmu)
+        return periodic_gait(runner, guess=guess)
     except RunError as problem:
         if guess is not None:
             raise

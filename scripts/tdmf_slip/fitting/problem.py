@@ -74,14 +74,14 @@ class Problem:
         names = [parameter.name for parameter in self.parameters]
         self.scales = scales_of(self.runner, names)[len(first.apex) :]
         self.steps = FIRST_STEP * self.scales
-        self.begin = np.array([self.runner.values[name] for name in names])
+        self.begin = np.array([self.runner[name] for name in names])
         self.priors = tuple(priors)
         self._of_priors = [shared.index(prior.name) for prior in priors]
         self.count = measurements.count + len(self.priors)
         self._granted = 0
         self.log = SearchLog(words=[[first.word] for _ in self.rows])
         start = varied_gait(self.runner, first.apex, (), self.vary)
-        own = np.array([self.runner.values[name] for name in self.vary])
+        own = np.array([self.runner[name] for name in self.vary])
         self._bases = [_Iterate(first.apex, start, own)] * count
         self._words = [first.word] * count
         self._tried: tuple[NDArray[np.float64], list[tuple[NDArray[np.float64], PlainStride]]] | None = None
@@ -111,7 +111,7 @@ class Problem:
         """The runner of a row."""
         runner = self.runner
         for name, value in zip(self.vary, values[self.columns[row]], strict=True):
-            runner = runner.but(name, float(value))
+            runner = runner.replace({name: float(value)})
         return runner
 
     def residuals(self, unknowns: NDArray[np.float64]) -> NDArray[np.float64]:

@@ -11,13 +11,13 @@ from numpy.typing import NDArray
 
 from ..contents import ByContents
 from ..drawable import Drawable
-from ..fmu.fmu import load_fmu
 from ..library.gait import Gait
 from ..library.quantities import unit_of
 from ..library.runner import Runner
 from ..library.strides import strides_from
 from ..record import origin_of
 from ..terminal.text import quantity, table
+from ..variables.table import VARIABLES
 from .identifiability import Combination
 from .measurements import Measurements
 from .request import Request
@@ -201,7 +201,7 @@ class Fit(ByContents, Drawable):
             "steps": self.steps,
             "starts": self.starts,
             "notes": list(self.notes),
-            "runners": [dict(runner.values) for runner in self.runners],
+            "runners": [dict(runner) for runner in self.runners],
         }
 
     def as_text(self) -> str:
@@ -215,7 +215,7 @@ class Fit(ByContents, Drawable):
 
     def parameter_rows(self) -> list[tuple[str, ...]]:
         """Cells of a table under `PARAMETER_HEADER`."""
-        variables, label = load_fmu().variables, self.runners[0].label
+        variables, label = VARIABLES, self.runners[0].label
         return [
             (e.label, quantity(e.value, label(variables[e.name].unit), 6), f"{e.low:.6g}", f"{e.high:.6g}")
             for e in self.estimates

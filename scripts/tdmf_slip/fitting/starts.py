@@ -9,7 +9,6 @@ from ..analysis.beginnings import around
 from ..analysis.linkage import linked
 from ..analysis.settled import evenly, settled_gaits
 from ..errors import InputError, RunError
-from ..fmu.fmu import Fmu
 from ..library.gait import Gait, gait_near
 from ..library.runner import Runner
 from ..library.varied_stride import plain_stride
@@ -20,11 +19,11 @@ RUNNERS = 1024
 """Spread over what varies."""
 
 
-def starts(first: Gait, measurements: Measurements, vary: Sequence[str], fmu: Fmu) -> Iterator[Gait]:
+def starts(first: Gait, measurements: Measurements, vary: Sequence[str]) -> Iterator[Gait]:
     """Gaits to begin with, the nearest to the data first; none is near a nearer one."""
     runner, shares = first.runner, evenly(RUNNERS, len(vary))
     varied = {
-        name: around(runner, fmu, name, np.ascontiguousarray(row))
+        name: around(runner, name, np.ascontiguousarray(row))
         for name, row in zip(vary, shares.T, strict=True)
     }
     found = settled_gaits(runner, varied, first.apex)
@@ -32,7 +31,7 @@ def starts(first: Gait, measurements: Measurements, vary: Sequence[str], fmu: Fm
     for number, apex in zip(found.numbers, found.apexes, strict=True):
         other = runner
         for name, row in varied.items():
-            other = other.but(name, float(row[number]))
+            other = other.replace({name: float(row[number])})
         loss = _loss(other, apex, measurements)
         if loss is None:
             continue

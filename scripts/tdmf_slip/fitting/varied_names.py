@@ -6,8 +6,8 @@ import numpy as np
 
 from ..checks import is_one_of, shown
 from ..errors import InputError
-from ..fmu.names import full_names
 from ..library.members import check_varied
+from ..variables.table import full_names
 from .measurements import Measurements
 
 

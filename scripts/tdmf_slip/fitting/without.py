@@ -76,9 +76,7 @@ def _begun(request: Request, found: Fit, kept: list[int]) -> tuple[Problem, NDAr
         request.each,
         priors=request.priors,
     )
-    values = [
-        found.runners[kept[parameter.row or 0]].values[parameter.name] for parameter in problem.parameters
-    ]
+    values = [found.runners[kept[parameter.row or 0]][parameter.name] for parameter in problem.parameters]
     at = (np.array(values) - problem.begin) / problem.steps
     problem.restart(at, [found.apexes[k] for k in kept])
     return problem, at

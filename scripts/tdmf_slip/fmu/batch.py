@@ -16,11 +16,11 @@ from ..given import row_of, rows_of
 from ..labelled import Labelled
 from ..record import attributes_of, origin_of
 from ..terminal.progress import progress_bar
+from ..variables.parameters import RunnerLike, start_values_of
+from ..variables.variable import Value
 from .fmu import Fmu, load_fmu
-from .parameters import RunnerLike, start_values_of
 from .runs_result import Runs
 from .simulation import DEFAULT_STRIDES, DEFAULT_TOLERANCE, MAX_STRIDES, TOLERANCES, simulate
-from .variable import Value
 
 
 @dataclass(frozen=True, eq=False)
@@ -126,10 +126,11 @@ def simulate_many(
     given = row_of(rows_of(runners, "runners"), "runners", allowed)
     if not len(given):
         raise InputError(f"runners: none; allowed: {allowed}")
-    jobs = [
-        Job(fmu.start_values(start_values_of(row), f"runner {number}"), strides, tolerance, interface)
+    starts = [
+        fmu.variables.start_values(start_values_of(row), f"runner {number}")
         for number, row in enumerate(given)
     ]
+    jobs = [Job(its, strides, tolerance, interface) for its in starts]
     names = list(dict.fromkeys(name for job in jobs for name in job.values))
     results = [NOT_RUN] * len(jobs)
     with (
@@ -143,12 +144,12 @@ def simulate_many(
 
 
 def _runs(jobs: Sequence[Job], results: Sequence[Result], names: Sequence[str], fmu: Fmu) -> Runs:
-    alike = {name: value for name, value in fmu.all_start_values({}).items() if name not in names}
+    alike = {name: value for name, value in fmu.variables.all_start_values({}).items() if name not in names}
     arrays = {
         "fallen": Labelled(OVER, np.array([result.fallen for result in results])),
         "problem": Labelled(OVER, np.array([result.problem for result in results], dtype=object)),
     }
-    for variable in fmu.group("stride"):
+    for variable in fmu.variables.group("stride"):
         name, is_text = variable.member, variable.type == "String"
         values = [result.stride.get(name, "" if is_text else np.nan) for result in results]
         array = np.array(values, dtype=object if is_text else float)
@@ -156,7 +157,7 @@ def _runs(jobs: Sequence[Job], results: Sequence[Result], names: Sequence[str], 
     return Runs(
         arrays,
         {
-            name: Labelled(OVER, np.array([job.values.get(name, fmu.start_of(name)) for job in jobs]))
+            name: Labelled(OVER, np.array([fmu.variables.start_of(name, job.values) for job in jobs]))
             for name in names
         },
         attributes_of({**origin_of(version=fmu.version), "start_values": alike}),

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from .fmu import Fmu
+from ..variables.table import Variables
 
 MODE, PHASE = "contact.mode", "hip.phase"
 OFF_GROUND = {"flight", "graze"}
@@ -23,13 +23,13 @@ class Event:
     """touchdown, slip_onset, slip_velocity_zero, liftoff, liftoff_into_graze, graze_end, midstance, apex."""
 
 
-def events_of(table: NDArray[np.void], fmu: Fmu) -> list[Event]:
+def events_of(table: NDArray[np.void], variables: Variables) -> list[Event]:
     """Events in order, from rows recorded before and after each.
 
     What begins and ends in zero time inside one event, such as an impact that leaves at once, is not seen:
     the unit's `event.count` counts that too.
     """
-    modes, phases = fmu.variables[MODE].items, fmu.variables[PHASE].items
+    modes, phases = variables[MODE].items, variables[PHASE].items
     changed = np.flatnonzero((np.diff(table[MODE]) != 0) | (np.diff(table[PHASE]) != 0))
     events = []
     for row in changed:

@@ -1,10 +1,10 @@
 """The unit TDMF_SLIP.fmu: where it is, and the variables it offers.
 
-Names, units, ranges, starts and enumerations are read from the unit's own model description, so that nothing
-here repeats them.
+Variables are read from the unit's own model description: another unit than the package's may have others.
 """
 
 import functools
+import math
 import os
 import shutil
 import tempfile
@@ -13,19 +13,16 @@ from multiprocessing.util import Finalize
 from pathlib import Path
 
 import fmpy
-from fmpy.model_description import ModelDescription
+from fmpy.model_description import ModelDescription, ModelVariable
 
-from ..checks import check_kind, is_one_of, near_matches, number_of, path_of, refusal, shown
+from ..checks import is_one_of, number_of, path_of, refusal, shown
 from ..errors import InputError, RunError, reason
-from .aliases import ALIASES
-from .names import by_full_name, full_name
-from .variable import Given, Value, Variable, variable_of
+from ..variables.table import Variables
+from ..variables.variable import Value, Variable
 
 PATH_VARIABLE = "TDMF_SLIP_FMU"
 FILES = {2: "TDMF_SLIP.fmu", 3: "TDMF_SLIP_FMI3.fmu"}
 """The units by FMI version. Inside, both are called TDMF_SLIP; the files lie side by side."""
-FRICTION = "ground.friction"
-"""Name of the friction of the ground."""
 INTERFACES = {"me": "ModelExchange", "cs": "CoSimulation"}
 
 
@@ -88,9 +85,7 @@ class Fmu:
             unit.name: {other.name: float(other.factor) for other in unit.displayUnits}
             for unit in self.description.unitDefinitions
         }
-        self.variables: dict[str, Variable] = {
-            v.name: variable_of(v, factors) for v in self.description.modelVariables
-        }
+        self.variables = Variables(_variable_of(v, factors) for v in self.description.modelVariables)
         self._folder: Path | None = None
 
     def __getstate__(self) -> dict[str, object]:
@@ -130,80 +125,6 @@ class Fmu:
             ) from problem
         except Exception as problem:  # FMPy raises bare Exceptions, and zipfile's, for a bad file
             raise RunError(f"{self.path}: not a usable FMU: {problem}") from problem
-
-    def find(self, name: str, where: str) -> Variable:
-        """The variable called `name`.
-
-        Parameters
-        ----------
-        name : str
-            As in the unit's description, or a short one of `aliases.ALIASES`.
-        where : str
-            Where it was given, for the message.
-
-        Returns
-        -------
-        Variable
-            With its unit, range and start.
-
-        Raises
-        ------
-        InputError
-            There is none; the message has the nearest names.
-        """
-        check_kind(name, str, where, "a variable's name")
-        full = full_name(name)
-        if full in self.variables:
-            return self.variables[full]
-        near = near_matches(name, (*self.variables, *ALIASES))
-        raise InputError(f"{where}: the unit has no variable {shown(name)}{near}")
-
-    def start_values(self, given: Mapping[str, Given] | None, where: str) -> dict[str, Value]:
-        """Start values, checked.
-
-        Parameters
-        ----------
-        given : mapping of str to float, bool or str
-            By the variables' names or their short ones; a text may have a unit, as in `40 deg`.
-        where : str
-            Where they were given, for the message.
-
-        Returns
-        -------
-        dict of str to float or bool
-            By the variables' own names, each in the variable's unit.
-
-        Raises
-        ------
-        InputError
-            An unknown name, a variable that takes no start value, or a value out of range.
-        """
-        checked = {}
-        for name, value in by_full_name(given, where, "values by the names of variables").items():
-            variable = self.find(name, where)
-            if not variable.settable:
-                raise InputError(f"{where}: {name} takes no start value, the unit computes it")
-            checked[name] = variable.value_of(value, where)
-        return checked
-
-    def all_start_values(self, given: Mapping[str, Value]) -> dict[str, Value]:
-        """Start value of every variable that takes one: the given value, or else the unit's own."""
-        own = {v.name: v.start for v in self.variables.values() if v.settable and v.start is not None}
-        return {**own, **given}
-
-    def start_of(self, name: str) -> float:
-        """The start value that the unit itself gives to a number or a Boolean."""
-        start = self.variables[name].start
-        assert start is not None, name
-        return start
-
-    def names(self, causality: str) -> list[str]:
-        """Names of all numeric variables of a causality, in the unit's order."""
-        return [v.name for v in self.variables.values() if v.causality == causality and v.type != "String"]
-
-    def group(self, group: str) -> list[Variable]:
-        """All variables of a group, such as `stride`."""
-        return [variable for variable in self.variables.values() if variable.group == group]
 
     def require_interface(self, interface: str) -> str:
         """FMPy's name of an interface, `me` or `cs`; refuses one that this unit does not offer."""
@@ -265,3 +186,31 @@ def load_fmu(path: Path | str | Fmu | None = None) -> Fmu:
 @functools.lru_cache
 def _load(path: Path, modified: int) -> Fmu:
     return Fmu(path)
+
+
+def _variable_of(variable: ModelVariable, factors: Mapping[str, Mapping[str, float]]) -> Variable:
+    """A variable as the unit's description has it."""
+    declared = variable.declaredType
+    unit = variable.unit or (declared.unit if declared is not None else None) or ""
+    items = getattr(declared, "items", None) or []
+    return Variable(
+        name=variable.name,
+        reference=variable.valueReference,
+        type=variable.type,
+        unit=unit,
+        description=variable.description or "",
+        causality=variable.causality,
+        variability=variable.variability,
+        settable=variable.causality == "input" or variable.initial == "exact",
+        minimum=float(variable.min) if variable.min is not None else -math.inf,
+        maximum=float(variable.max) if variable.max is not None else math.inf,
+        start=_start(variable),
+        items={int(item.value): item.name for item in items},
+        display_units=factors.get(unit, {}),
+    )
+
+
+def _start(variable: ModelVariable) -> Value | None:
+    if variable.start is None or variable.type == "String":
+        return None
+    return bool(variable.start == "true") if variable.type == "Boolean" else float(variable.start)

@@ -11,9 +11,9 @@ from ..checks import number_in, refusal
 from ..errors import InputError, reason
 from ..files.cells import cells_of
 from ..given import is_series, is_table, numbers_of, row_of
+from ..variables.table import by_full_name
+from ..variables.variable import Value, Variable
 from .fmu import Fmu
-from .names import by_full_name
-from .variable import Value, Variable
 
 PAIR = "a pair of times and values"
 TIME = "time"
@@ -33,14 +33,14 @@ def signals(
     if not checked:
         return None
     grid = _grid([times for times, _ in checked.values()])
-    inputs = list(dict.fromkeys([*fmu.names("input"), *checked]))
+    inputs = list(dict.fromkeys([*fmu.variables.names("input"), *checked]))
     array = np.zeros(len(grid), dtype=[("time", float), *((name, float) for name in inputs)])
     array["time"] = grid
     for name in inputs:
         if name in checked:
             array[name] = _on_grid(grid, *checked[name])
         else:  # FMPy warns on stdout of an input without a column
-            array[name] = start_values.get(name, fmu.start_of(name))
+            array[name] = start_values.get(name, fmu.variables.start_of(name))
     return array
 
 
@@ -88,7 +88,7 @@ def read_tables(path: Path | str, fmu: Fmu) -> InputTables:
             f"{path}: the header has to be time,<input>,..., each once, with rows below; "
             f"found {','.join(header) or 'nothing'}"
         )
-    inputs = [fmu.find(name, str(path)) for name in header[1:]]
+    inputs = [fmu.variables.find(name, str(path)) for name in header[1:]]
     columns = np.array([_numbers(path, line, row, inputs) for line, row in lines[1:]]).T
     tables = {of.name: (columns[0], column) for of, column in zip(inputs, columns[1:], strict=True)}
     return {name: _checked(fmu, name, table, str(path)) for name, table in tables.items()}
@@ -115,11 +115,10 @@ def _number(cell: str, variable: Variable, where: str) -> float:
 def _checked(
     fmu: Fmu, name: str, table: tuple[ArrayLike, ArrayLike], where: str
 ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    variable = fmu.find(name, where)
+    variable = fmu.variables.find(name, where)
     if variable.causality != "input" and variable.variability != "tunable":
-        raise InputError(
-            f"{where}: {name} is neither an input nor tunable; inputs: {', '.join(fmu.names('input'))}"
-        )
+        inputs = ", ".join(fmu.variables.names("input"))
+        raise InputError(f"{where}: {name} is neither an input nor tunable; inputs: {inputs}")
     pair = row_of(table, f"{where}: {name}", PAIR)
     if len(pair) != 2:
         raise refusal(f"{where}: {name}", table, PAIR)

@@ -16,9 +16,9 @@ from numpy.typing import NDArray
 from ..contents import ByContents
 from ..errors import InputError, RunError, TdmfSlipError, reason
 from ..uninterrupted import stop_flag, uninterrupted
+from ..variables.variable import Value
 from . import following
 from .fmu import Fmu
-from .variable import Value
 
 LOADING = threading.Lock()
 """FMPy changes the working directory, which all threads share, while it loads a library."""

@@ -43,7 +43,7 @@ def run_over(
     """A row at the start and after each output interval, up to a fall, the strides or the stop time."""
     fmu, step = instance.fmu, experiment.output_interval
     names = experiment.variables
-    position = float(experiment.start_values.get("foot.x", fmu.start_of("foot.x")))
+    position = float(experiment.start_values.get("foot.x", fmu.variables.start_of("foot.x")))
     instance.start({**experiment.start_values, **_line_below(profile, position)}, experiment.tolerance)
     rows = [(0.0, *instance.read(names).values())]
     total, unit = (experiment.stop_time, "s") if strides is None else (strides, "strides")

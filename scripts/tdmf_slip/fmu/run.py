@@ -12,10 +12,10 @@ from ..contents import ByContents
 from ..drawable import Drawable
 from ..errors import InputError
 from ..record import origin_of
-from . import paper_units
+from ..variables import paper_units
+from ..variables.table import Variables
+from ..variables.variable import Value
 from .events import Event
-from .fmu import Fmu, load_fmu
-from .variable import Value
 
 if TYPE_CHECKING:
     import xarray
@@ -27,8 +27,8 @@ class Run(ByContents, Drawable):
 
     table: NDArray[np.void]
     """Recorded rows: structured array, fields `time` and variables' names; two rows at each event."""
-    units: Mapping[str, str]
-    """Unit of each field."""
+    variables: Variables
+    """Variables of the unit that was run, with units and meanings."""
     fallen: bool
     """The run ended in a fall."""
     fall_time: float | None
@@ -56,7 +56,12 @@ class Run(ByContents, Drawable):
     @property
     def names(self) -> tuple[str, ...]:
         """Names of the table's fields, `time` first."""
-        return tuple(self.units)
+        return self.table.dtype.names or ()
+
+    @property
+    def units(self) -> Mapping[str, str]:
+        """Unit of each field."""
+        return {name: self.variables[name].unit for name in self.names}
 
     @property
     def record(self) -> dict[str, Any]:
@@ -91,13 +96,8 @@ class Run(ByContents, Drawable):
         )
         return f"<Run {end}, {self.strides} strides{last}>"
 
-    def to_xarray(self, fmu: Fmu | None = None) -> "xarray.Dataset":
+    def to_xarray(self) -> "xarray.Dataset":
         """The recorded rows with units, over the time; at an event there are two rows of the same time.
-
-        Parameters
-        ----------
-        fmu : Fmu, optional
-            That was run, for descriptions; by default that of `fmu_path`.
 
         Returns
         -------
@@ -107,4 +107,4 @@ class Run(ByContents, Drawable):
         """
         from .tables import dataset_of  # xarray is slow to load
 
-        return dataset_of(self, load_fmu(fmu))
+        return dataset_of(self)

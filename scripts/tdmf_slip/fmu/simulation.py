@@ -12,16 +12,16 @@ from numpy.typing import NDArray
 from ..checks import check_kind, checked, checked_flag, checked_whole, reading
 from ..errors import InputError, RunError
 from ..terminal.progress import progress_bar
-from . import paper_units
+from ..variables import paper_units
+from ..variables.parameters import RunnerLike, start_values_of
+from ..variables.variable import Value
 from .events import MODE, PHASE, events_of
 from .fmu import Fmu, load_fmu
 from .inputs import InputTables, signals
 from .instance import Experiment, Instance, Recorder, opened
-from .parameters import RunnerLike, start_values_of
 from .profile import Profile
 from .profile_run import STEPS_PER_TIME_UNIT, interface_over, run_over
 from .run import Run
-from .variable import Value
 
 DEFAULT_STRIDES = 10
 DEFAULT_TOLERANCE = 1e-9
@@ -122,9 +122,9 @@ def simulate(
     """
     fmu = load_fmu(fmu)
     interface = interface_over(profile, interface, inputs, fmu)
-    starts = fmu.start_values(start_values_of(runner), "start values")
-    if isinstance(runner, Mapping):
-        paper_units.warn_of_mixture({**{n: fmu.start_of(n) for n in paper_units.COMPARED}, **starts}, fmu)
+    starts = fmu.variables.start_values(start_values_of(runner), "start values")
+    if isinstance(runner, Mapping) and not hasattr(runner, "start_values"):
+        paper_units.warn_of_mixture({n: fmu.variables.start_of(n, starts) for n in paper_units.COMPARED})
     if stop_time is not None:
         stop_time = checked("stop_time", stop_time, *TIMES, "s")
     elif strides is None:
@@ -158,23 +158,25 @@ def simulate(
 
 def time_unit(fmu: Fmu, starts: Mapping[str, Value]) -> float:
     """The paper's unit of time, sqrt(m/k), in s."""
-    mass, stiffness = (starts.get(name, fmu.start_of(name)) for name in ("body.mass", "leg.stiffness"))
+    mass, stiffness = (fmu.variables.start_of(name, starts) for name in ("body.mass", "leg.stiffness"))
     return math.sqrt(mass / stiffness)
 
 
 def longest_time(fmu: Fmu, starts: Mapping[str, Value], strides: int) -> float:
     """A time, in s, in which so many strides have closed if they close at all."""
-    length, gravity = (starts.get(name, fmu.start_of(name)) for name in ("leg.free_length", "gravity"))
+    length, gravity = (fmu.variables.start_of(name, starts) for name in ("leg.free_length", "gravity"))
     return strides * LONGEST_STRIDE * (math.sqrt(length / gravity) + time_unit(fmu, starts))
 
 
 def _recorded(fmu: Fmu, variables: Iterable[str] | None) -> list[str]:
     if variables is None:
-        return fmu.names("input") + fmu.names("output")
+        return fmu.variables.names("input") + fmu.variables.names("output")
     check_kind(variables, Iterable, "variables", NAMES)
     with reading("variables", variables, NAMES):
         names = [variables] if isinstance(variables, str) else list(islice(variables, MAX_NAMES))
-    found = {variable.name: variable for variable in (fmu.find(name, "variables") for name in names)}
+    found = {
+        variable.name: variable for variable in (fmu.variables.find(name, "variables") for name in names)
+    }
     for variable in found.values():
         if variable.type == "String":
             raise InputError(
@@ -250,22 +252,22 @@ def _result(
         last = (table["time"][-1], *instance.read(names).values())
         table = np.append(table, np.array([last], dtype=table.dtype))
     fall_time = float(table["time"][np.argmax(table[FALLEN])]) if fallen else None
-    events = events_of(table, fmu)
+    events = events_of(table, fmu.variables)
     if regular:
         table = _regular_rows(table, experiment.output_interval)
     names = ["time", *recorded]
     return Run(
         table=np.array(table[names], dtype=[(name, table.dtype[name]) for name in names]),
-        units={name: fmu.variables[name].unit for name in names},
+        variables=fmu.variables,
         fallen=fallen,
         fall_time=fall_time,
         version=fmu.version,
-        start_values=fmu.all_start_values(experiment.start_values),
+        start_values=fmu.variables.all_start_values(experiment.start_values),
         final=instance.read(fmu.variables),
         events=events,
         messages=list(instance.messages),
-        stride={variable.member: instance.value(variable.name) for variable in fmu.group("stride")},
-        apex={variable.member: instance.real(variable.name) for variable in fmu.group("apex")},
+        stride={variable.member: instance.value(variable.name) for variable in fmu.variables.group("stride")},
+        apex={variable.member: instance.real(variable.name) for variable in fmu.variables.group("apex")},
     )
 
 

@@ -9,33 +9,33 @@ import numpy as np
 
 from ..files.whole import check_destination, write_whole
 from ..record import attributes_of
-from .fmu import Fmu
+from ..variables.variable import Variable
 from .run import Run
 
 if TYPE_CHECKING:
     import xarray
 
 
-def write_table(path: Path | str, run: Run, fmu: Fmu) -> None:
+def write_table(path: Path | str, run: Run) -> None:
     """A run's recorded rows as CSV (a header of names) or NetCDF (with units, flags and the run's end)."""
     path = check_destination(path, WRITERS, "output")
-    write_whole(path, lambda beside: WRITERS[path.suffix.lower()](beside, run, fmu))
+    write_whole(path, lambda beside: WRITERS[path.suffix.lower()](beside, run))
 
 
-def _write_csv(path: Path, run: Run, _unit: Fmu) -> None:
+def _write_csv(path: Path, run: Run) -> None:
     with path.open("w", newline="", encoding="utf-8") as file:
         writer = csv.writer(file)
         writer.writerow(run.names)
         writer.writerows(run.table.tolist())
 
 
-def _write_netcdf(path: Path, run: Run, fmu: Fmu) -> None:
+def _write_netcdf(path: Path, run: Run) -> None:
     from ..files.netcdf import netcdf_of  # slow to load, and seldom asked for
 
-    path.write_bytes(netcdf_of(dataset_of(run, fmu)))
+    path.write_bytes(netcdf_of(dataset_of(run)))
 
 
-def dataset_of(run: Run, fmu: Fmu) -> "xarray.Dataset":
+def dataset_of(run: Run) -> "xarray.Dataset":
     """A run's recorded rows over the time, with units, flags and the run's end."""
     from ..files.datasets import xarray  # slow to load, and seldom asked for
 
@@ -43,16 +43,15 @@ def dataset_of(run: Run, fmu: Fmu) -> "xarray.Dataset":
     for name in run.names:
         column = run.table[name]
         values = column.astype("i4") if column.dtype == bool else column  # NetCDF has no booleans
-        data[name] = ("time", values, _attributes(fmu, name))
+        data[name] = ("time", values, _attributes(run.variables[name]))
         data[name].encoding = {"zlib": True}
     data.attrs = {"title": "TDMF-SLIP run", **attributes_of(run.record), "fallen": int(run.fallen)}
-    data.attrs |= {variable.name: run.final[variable.name] for variable in fmu.group("stride")}
+    data.attrs |= {variable.name: run.final[variable.name] for variable in run.variables.group("stride")}
     return data
 
 
-def _attributes(fmu: Fmu, name: str) -> dict[str, object]:
+def _attributes(variable: Variable) -> dict[str, object]:
     """CF attributes of a variable."""
-    variable = fmu.variables[name]
     attributes: dict[str, object] = {"long_name": variable.description}
     if variable.unit:
         attributes["units"] = variable.unit
@@ -62,4 +61,4 @@ def _attributes(fmu: Fmu, name: str) -> dict[str, object]:
     return attributes
 
 
-WRITERS: Mapping[str, Callable[[Path, Run, Fmu], None]] = {".csv": _write_csv, ".nc": _write_netcdf}
+WRITERS: Mapping[str, Callable[[Path, Run], None]] = {".csv": _write_csv, ".nc": _write_netcdf}

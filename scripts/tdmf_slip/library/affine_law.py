@@ -11,8 +11,8 @@ from numpy.typing import ArrayLike, NDArray
 from ..checks import check_kind, checked_whole, shown
 from ..contents import ByContents
 from ..errors import InputError
-from ..fmu.names import full_names
 from ..given import numbers_of, row_of
+from ..variables.table import full_names
 from .binding import c, ffi
 from .rough_ground import LAST_RUNNER, LAST_SEED, MAX_STEPS
 from .runner import Runner
@@ -39,7 +39,7 @@ class AffineLaw(ByContents):
     >>> import tdmf_slip
     >>> gait = tdmf_slip.find_gait({"ground.friction": 0.6})
     >>> by_height = tdmf_slip.AffineLaw(
-    ...     ["hip.touchdown_angle"], gait.apex, [gait.runner.values["hip.touchdown_angle"]],
+    ...     ["hip.touchdown_angle"], gait.apex, [gait.runner["hip.touchdown_angle"]],
     ...     [[0.1, 0, 0, 0, 0, 0]], low=[0.3], high=[1.0],
     ... )
     >>> by_height.inputs_at(gait.apex) == {"hip.touchdown_angle": by_height.nominal[0]}

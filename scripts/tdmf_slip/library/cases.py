@@ -48,14 +48,14 @@ class Case(ByContents):
 
     def __post_init__(self) -> None:
         """Make the runner; refuse gaits that are none, and a law that does not fit the runner."""
-        object.__setattr__(self, "runner", Runner.of(self.runner))
+        object.__setattr__(self, "runner", Runner(self.runner))
         check_kind(self.ground, RoughGround, "ground", "a RoughGround")
-        self.ground.check_runner(self.runner.values, self.runner.scales)
+        self.ground.check_runner(self.runner, self.runner.scales)
         gaits = numbers_by("gaits", self.gaits, self.runner.coordinates)
         object.__setattr__(self, "gaits", np.atleast_1d(gaits))
         check_law(self.law, self.runner)
         if len(self.gaits) or self.runner.reduced:
-            refuse_patch(self.runner.values)
+            refuse_patch(self.runner)
         if len(self.gaits) and self.ground.segment_length:
             raise InputError(
                 f"gaits on a terrain (segment_length = {self.ground.segment_length:g} m), where no apex "
@@ -93,7 +93,7 @@ def c_cases(cases: Sequence[Case], max_strides: int, near: float) -> tuple[Struc
         if not np.isfinite(apices).all():
             raise InputError(f"gaits: {apices.tolist()}: allowed: finite numbers")
         c_gaits = ffi.new("double[][6]", apices.tolist())
-        its.model, its.inputs = case.runner.model, case.runner.inputs[0]
+        its.model, its.inputs = case.runner.c_model, case.runner.c_inputs[0]
         its.rules.gaits, its.rules.gait_count = c_gaits, len(case.gaits)
         its.rules.distance, its.rules.max_strides = near, max_strides
         kept += [c_gaits, case.runner, *case.ground.write(its.rules)]

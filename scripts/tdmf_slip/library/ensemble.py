@@ -15,9 +15,9 @@ from numpy.typing import ArrayLike, NDArray
 
 from ..checks import check_size, checked_threads, checked_whole, is_one_of, number_of, refusal, shown
 from ..errors import InputError
-from ..fmu.variable import Given
 from ..given import numbers_of, row_of, rows_of
 from ..uninterrupted import in_block
+from ..variables.variable import Given
 from .binding import c, ffi
 from .cases import Case as Case
 from .cases import c_cases, check_alike, sections_of
@@ -148,7 +148,7 @@ def run_ensemble(
     given = row_of(rows_of(cases, "cases"), "cases", "one or more cases in a list")
     if not len(given):
         raise InputError("cases: none; allowed: one or more")
-    all_cases = [case if isinstance(case, Case) else Case(Runner.of(case)) for case in given]
+    all_cases = [case if isinstance(case, Case) else Case(Runner(case)) for case in given]
     check_alike(all_cases)
     runner = all_cases[0].runner
     check_size("apices", len(apices) if isinstance(apices, Sized) else 1, "runners", MAX_RUNNERS)

@@ -17,8 +17,8 @@ from ..checks import check_kind
 from ..contents import ByContents
 from ..drawable import Drawable
 from ..errors import GaitNotFoundError
-from ..fmu.fmu import FRICTION
 from ..record import origin_of
+from ..variables.table import FRICTION
 from .binding import c, ffi
 from .maps import map_of, why_no_gait
 from .measures import STRIDE_QUANTITIES, all_measures
@@ -93,7 +93,7 @@ class Gait(ByContents, Drawable):
     @property
     def friction(self) -> float:
         """Of the ground."""
-        return self.runner.values[FRICTION]
+        return self.runner[FRICTION]
 
     @property
     def period(self) -> float:
@@ -202,24 +202,24 @@ def gait_near(runner: Runner, guess: Apex, *, along: Along | None = None) -> Gai
 
 def settled_gait(runner: Runner, *, along: Along | None = None) -> Gait:
     """The periodic gait that a runner settles on from its start, at the end by Newton's method."""
-    check_has_gaits(runner.values[FRICTION])
+    check_has_gaits(runner[FRICTION])
     return _search(runner, runner.start_apex(), SETTLING_STRIDES, along)
 
 
 def _search(runner: Runner, apex: NDArray[np.float64], settling: int, along: Along | None) -> Gait:
     """By Newton's method, after so many strides."""
-    check_has_gaits(runner.values[FRICTION])
-    check_comes_down(runner.values)
+    check_has_gaits(runner[FRICTION])
+    check_comes_down(runner)
     seed, map = seed_of(along), map_of(runner)
     log: EventLog = ffi.new("tdmf_event_log *")
     solver, section = runner.solver(log), ffi.new("double[]", list(apex))
-    ran = settling and map.settle(solver, runner.system, settling, section)
-    found = map.find(solver, runner.system, section, seed, seed != ffi.NULL)
+    ran = settling and map.settle(solver, runner.c_system, settling, section)
+    found = map.find(solver, runner.c_system, section, seed, seed != ffi.NULL)
     if found.outcome != c.TDMF_ORBIT_FOUND:
         raise GaitNotFoundError(why_no_gait(runner, found, ran < settling, ran, solver))
     log.count = 0
     fixed_point = list(found.apex)[: len(apex)]
-    stride = map.measured_stride(solver, runner.system, fixed_point, np.inf, False, ffi.NULL, 0)
+    stride = map.measured_stride(solver, runner.c_system, fixed_point, np.inf, False, ffi.NULL, 0)
     if not runner.reduced:
         found.stride.measures = stride.measures
     gait = gait_of_stride(runner, np.array(fixed_point), found.stride, log, along)

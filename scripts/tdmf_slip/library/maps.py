@@ -8,7 +8,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
 from ..errors import InputError
-from ..fmu.fmu import FRICTION
+from ..variables.table import FRICTION
 from .binding import c
 from .refusals import text_of
 from .runner import Runner
@@ -34,7 +34,7 @@ class Map:
 
 def map_of(runner: Runner) -> Map:
     """The map that a runner goes by."""
-    refuse_patch(runner.values)
+    refuse_patch(runner)
     return _MAPS[runner.reduced]
 
 
@@ -51,7 +51,7 @@ def refuse_patch(values: Mapping[str, float]) -> None:
 
 def why_no_gait(runner: Runner, found: FoundGait, settling: bool, ran: int, solver: Solver) -> str:
     """Why a search found no gait, in words; where the solver gave up, nothing is known of one."""
-    at = f"at friction {runner.values[FRICTION]:g}"
+    at = f"at friction {runner[FRICTION]:g}"
     if found.outcome == c.TDMF_ORBIT_UNSOLVED:
         return (
             f"the search for a gait {at} was given up: {why_no_return(found.stride)}, after "

@@ -1,7 +1,6 @@
 """What is measured along a stride: what its record holds, and more in the full model, by the C library."""
 
-from collections.abc import Mapping
-
+from ..variables.table import MODELS
 from .runner import Runner
 from .section import Apex
 from .structs import Measured, Return
@@ -24,27 +23,22 @@ STRIDE_QUANTITIES = (
     "peak_vertical_force",
 )
 """What the record of any stride holds."""
-MEASURE_UNITS: Mapping[str, str] = {
-    "apex_height": "m",
-    "apex_speed": "m/s",
-    "apex_leg_angle": "rad",
-    "foot_clearance": "m",
-    "greatest_foot_height": "m",
-    "positive_hip_work": "J",
-    "positive_leg_work": "J",
-    "positive_work": "J",
-    "positive_cost_of_transport": "1",
-    "squared_torque": "N2.m2.s",
-    "greatest_slip_velocity": "m/s",
-    "friction_loss": "J",
-}
-"""What else is measured along a stride of the full model, with its units: of its first apex height, speed,
-leg angle, and clearance, the foot's height above the ground; the foot's greatest height in flight; work done
-at positive power by the hip, by the leg's changes of rest length, and by both, also per weight and distance;
-the integral of the squared hip torque; the foot's greatest speed along the ground in slip; what friction
-takes."""
-MEASURES = tuple(MEASURE_UNITS)
-APEX_QUANTITIES = {"apex_height": "com_height", "apex_speed": "com_speed", "apex_leg_angle": "leg_angle"}
+MEASURES = (
+    "apex_height",
+    "apex_speed",
+    "apex_leg_angle",
+    "foot_clearance",
+    "greatest_foot_height",
+    "positive_hip_work",
+    "positive_leg_work",
+    "positive_work",
+    "positive_cost_of_transport",
+    "squared_torque",
+    "greatest_slip_velocity",
+    "friction_loss",
+)
+"""What else is measured along a stride of the full model."""
+APEX_QUANTITIES = {q.name: q.coordinate for q in MODELS["full"].quantities.values() if q.coordinate}
 """Those of `MEASURES` that are coordinates of the apex at which a stride begins."""
 _ALONG = ("positive_hip_work", "positive_leg_work", "squared_torque", "friction_loss")
 _GREATEST = ("greatest_slip_velocity", "greatest_foot_height")
@@ -66,7 +60,7 @@ def measures_of(measured: Measured) -> dict[str, float]:
 
 def weight_of(runner: Runner) -> float:
     """Of body and foot, N."""
-    return (runner.values["body.mass"] + runner.values["foot.mass"]) * runner.values["gravity"]
+    return (runner["body.mass"] + runner["foot.mass"]) * runner["gravity"]
 
 
 def all_measures(runner: Runner, apex: Apex, stride: Return) -> dict[str, float]:

@@ -1,64 +1,45 @@
-"""Values in the C library's structs, by the unit's names: parameters, inputs and states."""
+"""Values in the C library's structs, by the unit's names: parameters and inputs."""
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
 from typing import Any
+
+import numpy as np
 
 from ..checks import is_one_of, near_matches, shown
 from ..errors import GaitNotFoundError, InputError
-from ..fmu.aliases import ALIASES
-from ..fmu.names import by_full_name
+from ..variables.table import ALIASES, by_full_name
 from .binding import ffi
 
-STATES = (
-    "foot.x",
-    "foot.y",
-    "leg.length",
-    "leg.angle",
-    "foot.vx",
-    "foot.vy",
-    "leg.length_rate",
-    "leg.angle_rate",
-)
-"""The mechanical states in the library's order."""
 
-
-@dataclass(frozen=True)
-class Member:
-    """A number or a Boolean in a C struct."""
-
-    name: str
-    """The unit's name of it, as in `leg.stiffness`."""
-    path: tuple[str, ...]
-    """Members to go through, the last one the value itself."""
-    is_flag: bool
-    """It is a Boolean."""
-
-    def write(self, struct: Any, value: float) -> None:
-        """Write a value into a struct; a Boolean is 0 or 1."""
-        for step in self.path[:-1]:
-            struct = getattr(struct, step)
-        setattr(struct, self.path[-1], bool(value) if self.is_flag else value)
-
-
-def _members(struct: Any, path: tuple[str, ...] = ()) -> Iterator[Member]:
-    """All numbers and Booleans of a C struct type."""
+def _members(struct: Any, prefix: str = "", begin: int = 0) -> Iterator[tuple[str, str, int]]:
+    """Name, format and place of all numbers and Booleans of a C struct type."""
     for name, member in struct.fields:
+        path, offset = f"{prefix}{name}", begin + member.offset
         if member.type.kind == "struct":
-            yield from _members(member.type, (*path, name))
+            yield from _members(member.type, f"{path}.", offset)
         else:
-            is_flag = member.type is ffi.typeof("bool")
-            yield Member(".".join((*path, name)), (*path, name), is_flag)
+            yield path, "?" if member.type is ffi.typeof("bool") else "f8", offset
 
 
-PARAMETERS = tuple(_members(ffi.typeof("tdmf_parameters")))
-"""Where the library's parameters are in their struct."""
-INPUTS = tuple(_members(ffi.typeof("tdmf_inputs")))
-"""Where its inputs are."""
-VARIED = tuple(member.name for member in (*PARAMETERS, *INPUTS) if not member.is_flag)
-"""Numeric parameters and inputs: those that a continuation or a derivative can vary."""
-FLAGS = tuple(member.name for member in PARAMETERS if member.is_flag)
+def _layout(struct: Any) -> np.dtype[np.void]:
+    names, formats, offsets = zip(*_members(struct), strict=True)
+    return np.dtype({"names": names, "formats": formats, "offsets": offsets, "itemsize": ffi.sizeof(struct)})
+
+
+def names_of(layout: "np.dtype[np.void]") -> tuple[str, ...]:
+    """Names of a layout's fields."""
+    assert layout.names is not None
+    return layout.names
+
+
+PARAMETERS = _layout(ffi.typeof("tdmf_parameters"))
+"""The library's parameters: arrays of this type are arrays of the C struct, fields have the unit's names."""
+INPUTS = _layout(ffi.typeof("tdmf_inputs"))
+"""The library's inputs."""
+FLAGS = tuple(name for name in names_of(PARAMETERS) if PARAMETERS[name].kind == "b")
 """Boolean parameters."""
+VARIED = tuple(name for name in (*names_of(PARAMETERS), *names_of(INPUTS)) if name not in FLAGS)
+"""Numeric parameters and inputs: those that a continuation or a derivative can vary."""
 MOVING = (*VARIED, *FLAGS)
 """All parameters and inputs. A runner's motion depends on these and on its start."""
 

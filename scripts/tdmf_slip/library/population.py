@@ -10,13 +10,12 @@ from numpy.typing import NDArray
 
 from ..contents import ByContents
 from ..errors import InputError
-from ..fmu.fmu import Fmu, load_fmu
-from ..fmu.names import by_full_name
 from ..given import is_series, numbers_of, row_of
+from ..variables.table import VARIABLES, by_full_name
 from .affine_law import AffineLaw
 from .binding import c, ffi
 from .maps import PATCH, refuse_patch
-from .members import FLAGS, INPUTS, MOVING, PARAMETERS
+from .members import FLAGS, MOVING, PARAMETERS, names_of
 from .refusals import check_accepted
 from .rough_ground import RoughGround
 from .runner import Runner
@@ -33,18 +32,16 @@ class Population(ByContents):
     """Values of each member by name, shape (runners,)."""
 
     @classmethod
-    def of(cls, given: object, fmu: Fmu | None = None, model: str | None = None) -> "Population":
+    def of(cls, given: Any, model: str | None = None) -> "Population":
         """A runner, or start values by name of which some are one for each runner."""
         if given is None or isinstance(given, str | os.PathLike | Runner) or hasattr(given, "runner"):
-            return cls(Runner.of(given, fmu, model=model))
+            return cls(Runner(given, model=model))
         by_name = by_full_name(given, "runner", "a Runner, or numbers or arrays by name")
         rows = {name: value for name, value in by_name.items() if _is_row(value)}
-        runner = Runner.of(
-            {name: value for name, value in by_name.items() if name not in rows}, fmu, model=model
-        )
+        runner = Runner({name: value for name, value in by_name.items() if name not in rows}, model=model)
         varied: dict[str, NDArray[np.float64]] = {}
         for name, row in rows.items():
-            variable = load_fmu(fmu).find(name, "runner")
+            variable = VARIABLES.find(name, "runner")
             if name not in MOVING:
                 raise InputError(
                     f"runner: {name} of shape {np.shape(row)}; allowed in an array: a parameter or input "
@@ -83,31 +80,25 @@ class Population(ByContents):
             self._refuse_patch(count)
         cases = ffi.new("tdmf_ensemble_case[]", count)
         models = ffi.new("tdmf_model[]", count)
-        parameters = ffi.new("tdmf_parameters[]", count)
+        parameters = np.repeat(self.runner.parameters, count)
+        inputs = np.repeat(self.runner.inputs, count)
+        for name, values in self.varied.items():
+            (parameters if name in names_of(PARAMETERS) else inputs)[name] = values
+        c_parameters = ffi.from_buffer("tdmf_parameters[]", parameters)
+        c_inputs = ffi.from_buffer("tdmf_inputs[]", inputs)
         kept: list[object] = [models, self.runner]
         c_law = ffi.NULL
         if law is not None:
             c_law, arrays = law.c_law()
             kept += [c_law, arrays]
-        model: Any = self.runner.model
         for k in range(count):
-            parameters[k], cases[k].inputs = model.parameters, self.runner.inputs[0]
-            cases[k].model, cases[k].rules.law = models + k, c_law
+            check_accepted(c.tdmf_model_create(models + k, c_parameters + k), f"runner: runner {k}: ")
+            cases[k].model, cases[k].inputs, cases[k].rules.law = models + k, c_inputs[k], c_law
             kept += ground.write(cases[k].rules)
-        for member in PARAMETERS:
-            for k, value in enumerate(self.varied.get(member.name, ())):
-                member.write(parameters[k], value)
-        for member in INPUTS:
-            for k, value in enumerate(self.varied.get(member.name, ())):
-                member.write(cases[k].inputs, value)
-        for k in range(count):
-            check_accepted(c.tdmf_model_create(models + k, parameters + k), f"runner: runner {k}: ")
         return cases, kept
 
     def _refuse_patch(self, count: int) -> None:
-        begin, end = (
-            np.broadcast_to(self.varied.get(name, self.runner.values[name]), count) for name in PATCH
-        )
+        begin, end = (np.broadcast_to(self.varied.get(name, self.runner[name]), count) for name in PATCH)
         longest = np.argmax(end - begin)
         refuse_patch(dict(zip(PATCH, (begin[longest], end[longest]), strict=True)))
 

@@ -10,10 +10,10 @@ from numpy.typing import NDArray
 
 from ..checks import shown
 from ..errors import InputError
-from ..fmu import unit_text
-from ..fmu.fmu import Fmu, load_fmu
+from ..variables import units
+from ..variables.table import MODELS
 from .gait import Gait
-from .measures import APEX_QUANTITIES, MEASURE_UNITS, MEASURES, apex_quantities
+from .measures import APEX_QUANTITIES, MEASURES, apex_quantities
 from .runner import Runner
 from .section import REDUCED
 
@@ -33,15 +33,14 @@ QUANTITIES = (*OF_STRIDE, *MEASURES)
 """What a gait can be ordered by; the frequency is that of strides, one over the period."""
 REDUCED_QUANTITIES = (*OF_STRIDE, *(name for name, of in APEX_QUANTITIES.items() if of in REDUCED))
 """Those that the reduced map has: its leg is placed in flight as if by itself."""
-_OWN_UNITS: Mapping[str, str] = {"frequency": "Hz", **MEASURE_UNITS}
 SIGNED = ("apex_leg_angle",)
 """Those that may be 0 or less."""
 
 
-def unit_of(quantity: str, fmu: Fmu | None = None) -> str:
-    """The unit of a quantity, which the FMU's table of variables has where it is an output of a stride."""
-    variable = load_fmu(fmu).variables.get(f"stride.{quantity}")
-    return _OWN_UNITS.get(quantity, "1" if variable is None else variable.unit)
+def unit_of(quantity: str) -> str:
+    """The unit of a quantity; `1` for one that is not in the table."""
+    known = MODELS["full"].quantities.get(quantity)
+    return "1" if known is None else known.unit
 
 
 def quantity_given(name: str, given: object, where: str) -> object:
@@ -49,8 +48,8 @@ def quantity_given(name: str, given: object, where: str) -> object:
     if not isinstance(given, str):
         return given
     own = unit_of(name)
-    number, unit = unit_text.split(given)
-    factor = unit_text.factor(unit, own, {})
+    number, unit = units.split(given)
+    factor = units.factor(unit, own, {})
     try:
         value = float(number)
     except ValueError:
@@ -90,4 +89,4 @@ def quantity_of(name: str, reported: Mapping[str, float]) -> float:
 
 def scales_of(runner: Runner, parameters: Sequence[str]) -> NDArray[np.float64]:
     """Scales of the coordinates and of parameters: of these the value that each has, or 1 where it is 0."""
-    return np.array([*runner.scales, *(abs(runner.values[name]) or 1.0 for name in parameters)])
+    return np.array([*runner.scales, *(abs(runner[name]) or 1.0 for name in parameters)])

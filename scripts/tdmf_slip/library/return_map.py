@@ -7,11 +7,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..errors import RunError
-from ..fmu.fmu import FRICTION
-from ..fmu.variable import Given
+from ..variables.table import FRICTION
+from ..variables.variable import Given
 from .binding import ffi
 from .maps import map_of, why_no_return
-from .members import INPUTS, PARAMETERS, check_varied
+from .members import INPUTS, PARAMETERS, check_varied, names_of
 from .runner import Runner
 from .section import Apex, checked_apex
 from .structs import Return, Struct
@@ -24,12 +24,12 @@ def stride_from(
     runner: Runner | Mapping[str, Given], apex: Apex, along: Along
 ) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
     """One stride from an apex: the next apex, and how it changes."""
-    runner = Runner.of(runner)
+    runner = Runner(runner)
     map, section = map_of(runner), list(checked_apex(apex, runner.coordinates))
-    stride = map.stride(runner.solver(), runner.system, section, np.inf, True, seed_of(along), 1)
+    stride = map.stride(runner.solver(), runner.c_system, section, np.inf, True, seed_of(along), 1)
     why_not = why_no_return(stride)
     if why_not is not None:
-        raise RunError(f"no stride closes at friction {runner.values[FRICTION]:g}: {why_not}")
+        raise RunError(f"no stride closes at friction {runner[FRICTION]:g}: {why_not}")
     return np.array(list(stride.apex)[: len(section)]), *derivatives(runner, stride)
 
 
@@ -40,7 +40,7 @@ def derivatives(runner: Runner, stride: Return) -> tuple[NDArray[np.float64], ND
     jacobian, by_parameter = np.array(columns[:count]).T, np.array(columns[count])
     if not (np.isfinite(jacobian).all() and np.isfinite(by_parameter).all()):
         raise RunError(
-            f"at friction {runner.values[FRICTION]:g} a stride is on the edge of an event or of a law, where "
+            f"at friction {runner[FRICTION]:g} a stride is on the edge of an event or of a law, where "
             "it has no derivatives"
         )
     return jacobian, by_parameter
@@ -55,8 +55,6 @@ def seed_of(along: Along | None) -> Struct:
     shares = along.items() if isinstance(along, Mapping) else [(along, 1.0)]
     for name, share in shares:
         check_varied(name, "along")
-        for members, part in ((PARAMETERS, "parameters"), (INPUTS, "inputs")):
-            for member in members:
-                if member.name == name:
-                    member.write(getattr(seed, part), share)
+        layout, part = (PARAMETERS, "parameters") if name in names_of(PARAMETERS) else (INPUTS, "inputs")
+        np.frombuffer(ffi.buffer(ffi.addressof(seed[0], part)), layout)[name] = share
     return seed

@@ -1,198 +1,108 @@
-"""A runner: parameters, inputs and a start, as the C library takes them."""
+"""A runner: its values and its model, and what the C library takes for them."""
 
-import math
-from collections.abc import Callable, Mapping
-from dataclasses import dataclass, replace
 from functools import cached_property
+from operator import itemgetter
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ..checks import is_one_of, near_matches, number_of, refusal, shown
-from ..contents import ByContents
 from ..errors import InputError
-from ..fmu import paper_units
-from ..fmu.aliases import ALIASES
-from ..fmu.fmu import Fmu, load_fmu
-from ..fmu.names import by_full_name, full_name
-from ..fmu.parameters import RUNNER, start_values_of
-from ..fmu.variable import Given
-from ..given import mapping_of
-from ..record import completed, note_missing, record_of
+from ..record import record_of
+from ..variables.table import STATES
+from ..variables.values import POSITIONS, RunnerValues
+from . import members
 from .binding import c, ffi
-from .members import FLAGS, INPUTS, MOVING, PARAMETERS, STATES
 from .refusals import check_accepted
-from .section import COORDINATES, REDUCED, Apex, checked_apex, is_reduced
+from .section import Apex, checked_apex
 from .shared_steps import search_under_way
-from .structs import Center, EventLog, Model, Solver, Struct
+from .structs import EventLog, Model, Solver, Struct
 
-TOLERANCE = 1e-13
-"""Relative tolerance of the native solver: the next apex is then that of a gait to 1e-11 of the scales, and
-so is the gait itself, unless it is very sensitive, as near a fold."""
+_PARAMETERS_OF, _INPUTS_OF, _STATES_OF = (
+    itemgetter(*map(POSITIONS.__getitem__, names))
+    for names in (members.names_of(members.PARAMETERS), members.names_of(members.INPUTS), STATES)
+)
 
 
-@dataclass(frozen=True, eq=False, repr=False)
-class Runner(ByContents):
-    """Parameters, inputs and a start, as the C library takes them.
+class Runner(RunnerValues):
+    """A runner: every parameter, input and start value of the model by name, checked once.
 
-    `Runner.of` makes one of the values that are given and the unit's own.
+    It cannot change, and compares, hashes and pickles by its values. `runner["leg.damping"]` is one of them,
+    `runner.replace(damping=0.2)` another runner.
+
+    Parameters
+    ----------
+    given : Runner, Gait, mapping of str to float, Series, str or Path, optional
+        Values by the variables' names or short names, over the table's own; the name of a preset, or the path
+        of a parameter file. Settings of the unit's solver are left out. By default the paper's runner.
+    model : str, optional
+        `full`, or `reduced` for the map of an apex's height and speed. By default that of the runner that is
+        given, else `full`.
+    tolerance : float, optional
+        Relative tolerance of the native solver in each step, above 0 and below 1; by default 1e-13.
+    **values : float, bool or str
+        Values over those of `given`, as in `friction=0.43`; a text may have a unit, as in `"40 deg"`.
+
+    Raises
+    ------
+    InputError
+        An unknown name, or a value that is not allowed, by itself or beside the others.
+
+    Examples
+    --------
+    >>> import tdmf_slip
+    >>> runner = tdmf_slip.Runner(friction=0.43)
+    >>> print(runner["ground.friction"], runner.replace(damping=0.25)["leg.damping"])
+    0.43 0.25
     """
 
-    values: Mapping[str, float]
-    """In the unit's units, by the unit's names: `leg.stiffness`, `ground.friction`, `foot.y`."""
-    tolerance: float = TOLERANCE
-    """Of the native solver, for each step; above 0 and below 1."""
-    reduced: bool = False
-    """Goes from apex to apex by the reduced map, whose apices are height and speed alone."""
-
-    def __post_init__(self) -> None:
-        """Check that no value is missing, and make Booleans of the flags."""
-        values = mapping_of(self.values, "values", "numbers by the unit's names")
-        own = completed(values)
-        missing = next((name for name in (*MOVING, *STATES) if name not in own), None)
-        if missing is not None:
-            raise InputError(f"values: {missing} is missing; allowed: all of them, as Runner.of gives them")
-        variables = load_fmu().variables
-        own |= {name: variables[name].value_of(own[name], "runner") for name in FLAGS}
-        object.__setattr__(self, "values", own)
-        note_missing(values, "values of a runner")
-
-    def __repr__(self) -> str:
-        """In a line: what tells one from another at first sight."""
-        some = ("ground.friction", "body.mass", "leg.stiffness", "hip.stance_torque", "hip.touchdown_angle")
-        model = "reduced" if self.reduced else "full"
-        return (
-            f"<Runner, {model} model: {', '.join(f'{name} {self.values[name]:.6g}' for name in some)}, ...>"
-        )
-
-    @classmethod
-    def of(
-        cls, given: object = None, fmu: Fmu | None = None, *, model: str | None = None, **values: Given
-    ) -> "Runner":
-        """The unit's own start values, and over them those given, without those that concern runs only.
-
-        Parameters
-        ----------
-        given : Runner, Gait, mapping of str to float, str or Path, optional
-            Start values by the unit's names, a preset's name, a parameter file; of a gait its runner.
-        fmu : Fmu, optional
-            Whose start values and ranges hold; by default that of `fmu_path`.
-        model : str, optional
-            `full` or `reduced`, see `reduced`; by default that of the runner that is given.
-        **values : float, bool or str
-            Start values over those of `given`, as in `friction=0.43`.
-
-        Returns
-        -------
-        Runner
-            With every value that the library asks for.
-
-        Raises
-        ------
-        InputError
-            None of these, or a name or value that the unit refuses.
-        """
-        runner = given if isinstance(given, cls) else getattr(given, "runner", None)  # of a gait
-        if isinstance(runner, cls):
-            if values:
-                changed = load_fmu(fmu).start_values(values, "start values")
-                known = {name: float(value) for name, value in changed.items() if name in runner.values}
-                runner = replace(runner, values={**runner.values, **known})
-        else:
-            by_name = {**start_values_of(given), **by_full_name(values, "start values", RUNNER)}
-            fmu = load_fmu(fmu)
-            checked = fmu.start_values(by_name, "start values")
-            names = [n for n, v in fmu.variables.items() if v.settable and (v.type == "Real" or n in FLAGS)]
-            runner = cls({name: checked.get(name, fmu.start_of(name)) for name in names})
-            paper_units.warn_of_mixture(runner.values, fmu)
-        return runner if model is None else replace(runner, reduced=is_reduced(model))
-
-    def but(self, name: str, value: float | str) -> "Runner":
-        """The same runner with another value.
-
-        Parameters
-        ----------
-        name : str
-            Of a parameter, an input or a state.
-        value : float or str
-            In the variable's unit, or a text with a unit.
-
-        Returns
-        -------
-        Runner
-            This one stays as it is.
-
-        Raises
-        ------
-        InputError
-            The runner has no such value, or it is no number.
-        """
-        name = full_name(name)
-        if not is_one_of(name, self.values):
-            near = near_matches(name, (*self.values, *ALIASES))
-            raise InputError(f"{shown(name)} is not a name in the runner's values{near}")
-        if name in FLAGS or isinstance(value, str):
-            value = load_fmu().variables[name].value_of(value, "runner")
-        number = value if name in FLAGS else number_of(value)
-        if number is None:
-            raise refusal(name, value, "a number")
-        return replace(self, values={**self.values, name: number})
+    def check(self) -> None:
+        """Refuse values that do not go together."""
+        _ = self.c_model, self.c_inputs
 
     record = record_of
 
-    def __reduce__(self) -> tuple[Callable[..., "Runner"], tuple[dict[str, Any], float]]:
-        """Without what the C library has made of it, which is of use in this process only."""
-        return _recorded, (self.record(), self.tolerance)
+    @cached_property
+    def parameters(self) -> NDArray[np.void]:
+        """The parameters as the library's struct, shape (1,), with a field for each."""
+        return _fixed(np.array([_PARAMETERS_OF(self._values)], dtype=members.PARAMETERS))
 
     @cached_property
-    def model(self) -> Model:
-        """The parameters as the library's `tdmf_model *`, unless one is refused."""
-        parameters = ffi.new("tdmf_parameters *")
-        for member in PARAMETERS:
-            member.write(parameters, self.values[member.name])
+    def inputs(self) -> NDArray[np.void]:
+        """The inputs as the library's struct, shape (1,), with a field for each."""
+        return _fixed(np.array([_INPUTS_OF(self._values)], dtype=members.INPUTS))
+
+    @cached_property
+    def c_model(self) -> Model:
+        """The parameters as the library's `tdmf_model *`."""
         model: Model = ffi.new("tdmf_model *")
-        check_accepted(c.tdmf_model_create(model, parameters))
+        check_accepted(c.tdmf_model_create(model, ffi.from_buffer("tdmf_parameters *", self.parameters)))
         return model
 
     @cached_property
-    def inputs(self) -> Struct:
-        """The inputs as the library's `tdmf_inputs *`, unless one is refused."""
-        inputs: Struct = ffi.new("tdmf_inputs *")
-        for member in INPUTS:
-            member.write(inputs, self.values[member.name])
+    def c_inputs(self) -> Struct:
+        """The inputs as the library's `tdmf_inputs *`."""
+        inputs: Struct = ffi.from_buffer("tdmf_inputs *", self.inputs)
         check_accepted(c.tdmf_check_inputs(inputs))
         return inputs
 
     @cached_property
-    def system(self) -> Struct:
-        """Parameters and inputs as the library's `tdmf_system`, unless one is refused."""
-        system: Struct = ffi.new("tdmf_system *", {"model": self.model, "inputs": self.inputs})[0]
+    def c_system(self) -> Struct:
+        """Parameters and inputs as the library's `tdmf_system`."""
+        system: Struct = ffi.new("tdmf_system *", {"model": self.c_model, "inputs": self.c_inputs})[0]
         return system
-
-    def label(self, unit: str) -> str:
-        """The label of a unit in texts and pictures of this runner: `l0` for `m` in the paper's units."""
-        return paper_units.label(unit, self.values)
-
-    @property
-    def coordinates(self) -> tuple[str, ...]:
-        """Of an apex: `COORDINATES`, or `REDUCED`."""
-        return REDUCED if self.reduced else COORDINATES
 
     @cached_property
     def scales(self) -> NDArray[np.float64]:
         """Scales of the coordinates: l0, l0 sqrt(k/m), l0, 1 rad, l0 sqrt(k/m), sqrt(k/m)."""
-        scales = ffi.new("double[6]")
-        c.tdmf_section_scales(self.model, scales)
-        return np.array(list(scales)[: len(self.coordinates)])
+        scales = ffi.new("double[]", c.TDMF_SECTION_COUNT)
+        c.tdmf_section_scales(self.c_model, scales)
+        return _fixed(np.array(list(scales)[: len(self.coordinates)]))
 
     def solver(self, log: EventLog | None = None) -> Solver:
         """A native solver, the library's `tdmf_solver *`, which writes its events to a log."""
         solver: Solver = ffi.new("tdmf_solver *", c.tdmf_solver_default())
-        tolerance = number_of(self.tolerance)
-        if tolerance is None or not 0.0 < tolerance < 1.0:
-            raise refusal("tolerance", self.tolerance, "above 0, below 1")
-        solver.relative_tolerance = tolerance
+        solver.relative_tolerance = self.tolerance
         solver.log = ffi.NULL if log is None else log
         search_under_way().hand_out(solver)
         return solver
@@ -204,18 +114,12 @@ class Runner(ByContents):
         -------
         ndarray of float, shape (n,)
             In the order of `coordinates`; the vertical velocity is left out.
-
-        Raises
-        ------
-        InputError
-            A parameter is refused.
         """
-        motion = ffi.new("tdmf_motion *")
-        motion.state[0 : len(STATES)] = [self.values[name] for name in STATES]
-        center: Center = c.tdmf_center_of_mass(self.model, motion.state)
-        leg = (self.values[name] for name in ("leg.length", "leg.angle", "leg.length_rate", "leg.angle_rate"))
-        ground = self.values["ground.height"] + center.x * math.tan(self.values["ground.slope"])
-        return np.array([center.y - ground, center.vx, *leg])[: len(self.coordinates)]
+        state, section = ffi.new("double[]", c.TDMF_STATE_COUNT), ffi.new("double[]", c.TDMF_SECTION_COUNT)
+        state[0 : len(STATES)] = _STATES_OF(self._values)
+        ground = c.tdmf_ground_line_of(self["ground.height"], self["ground.slope"])
+        c.tdmf_section_of_state(self.c_model, ffi.new("tdmf_ground_line *", ground), state, section)
+        return np.array(list(section)[: len(self.coordinates)])
 
     def start_apex(self) -> NDArray[np.float64]:
         """The section at the start values; a vertical velocity, which other masses make, is left out.
@@ -233,7 +137,7 @@ class Runner(ByContents):
         apex = self.apex()
         motion = ffi.new("tdmf_motion *")
         self._write_state(apex, motion.state)
-        check_accepted(c.tdmf_start(self.system, motion))
+        check_accepted(c.tdmf_start(self.c_system, motion))
         if not motion.record.progress.open.began_at_apex:
             height = motion.state[STATES.index("foot.y")]
             raise InputError(
@@ -267,9 +171,9 @@ class Runner(ByContents):
         """The state at an apex; the reduced map has the leg where it is to be placed."""
         coordinates = ffi.new("double[]", list(apex))
         if self.reduced:
-            c.tdmf_reduced_state(self.system, coordinates, state)
+            c.tdmf_reduced_state(self.c_system, coordinates, state)
         else:
-            c.tdmf_section_state(self.system, coordinates, state)
+            c.tdmf_section_state(self.c_system, coordinates, state)
 
     def start_values(self, apex: Apex) -> dict[str, float]:
         """Everything that a run of the unit needs to begin at an apex: the runner's values, and `state_at`.
@@ -289,9 +193,10 @@ class Runner(ByContents):
         InputError
             Other coordinates, or a parameter is refused.
         """
-        return {**self.values, **self.state_at(apex)}
+        return {**self, **self.state_at(apex)}
 
 
-def _recorded(record: Mapping[str, Any], tolerance: float) -> Runner:
-    """Rebuild a runner from its pickled record."""
-    return Runner(record["runner"], tolerance, record["model"] == "reduced")
+def _fixed(array: NDArray[Any]) -> NDArray[Any]:
+    """An array that nobody can write to."""
+    array.flags.writeable = False
+    return array

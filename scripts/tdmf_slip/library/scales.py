@@ -1,6 +1,6 @@
 """A runner's own units: what numbers are measured by that have units."""
 
-from ..fmu.dimensions import scale
+from ..variables.table import scale
 from .runner import Runner
 
 ROUNDING = 5.0
@@ -9,7 +9,7 @@ ROUNDING = 5.0
 
 def scale_of(runner: Runner, unit: str) -> float:
     """The scale of a runner's quantities in a unit."""
-    scales = runner.model.scales
+    scales = runner.c_model.scales
     return scale(unit, scales.length, scales.time, scales.energy / scales.speed**2)
 
 

@@ -7,8 +7,7 @@ from numpy.typing import NDArray
 
 from ..checks import is_one_of, near_matches, shown
 from ..errors import InputError
-from ..fmu.aliases import ALIASES
-from ..fmu.fmu import Fmu, load_fmu
+from ..variables.table import ALIASES, VARIABLES
 from .binding import c
 from .members import VARIED
 from .runner import Runner
@@ -46,15 +45,15 @@ def check_acts(name: str, runner: Runner, set_too: Sequence[str], what: str) -> 
             )
         return
     gains = ("hip.kp", "hip.kd")
-    if name in BY_GAINS and not any(runner.values[gain] or gain in set_too for gain in gains):
+    if name in BY_GAINS and not any(runner[gain] or gain in set_too for gain in gains):
         raise InputError(f"{what}: {name} does not act where hip.kp and hip.kd are 0; allowed: one above 0")
 
 
 def checked_values(
-    name: str, values: NDArray[np.float64], what: str, first: Mapping[str, int], fmu: Fmu | None = None
+    name: str, values: NDArray[np.float64], what: str, first: Mapping[str, int]
 ) -> NDArray[np.float64]:
     """Values of a setting, all within its range."""
-    variable = load_fmu(fmu).variables[name]
+    variable = VARIABLES[name]
     within = (values >= variable.minimum) & (values <= variable.maximum)
     if not within.all():
         index = tuple(int(index) for index in np.argwhere(~within)[0])

@@ -11,8 +11,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..errors import RunError
-from ..fmu.fmu import FRICTION
 from ..numerics.newton import last_iterate
+from ..variables.table import FRICTION
 from .binding import ffi
 from .gait import Gait, gait_near, gait_of_stride
 from .maps import map_of, why_no_return
@@ -35,8 +35,8 @@ BETWEEN_WORDS = " "
 
 def strides_from(runner: Runner, apex: Apex, strides: int = 1, *, along: Along | None = None) -> Gait:
     """Strides in a row from an apex, whether they lead back to it or not."""
-    check_has_gaits(runner.values[FRICTION])
-    check_comes_down(runner.values)
+    check_has_gaits(runner[FRICTION])
+    check_comes_down(runner)
     made = [_stride(runner, checked_apex(apex, runner.coordinates), along)]
     while len(made) < strides:
         made.append(_stride(runner, made[-1][0], along))
@@ -90,7 +90,7 @@ def newton_step(gait: Gait) -> NDArray[Any]:
 
 def longest_stride(runner: Runner) -> float:
     """The time, s, after which a stride counts as none."""
-    return float(LONGEST_STRIDE * (runner.values["body.mass"] / runner.values["leg.stiffness"]) ** 0.5)
+    return float(LONGEST_STRIDE * (runner["body.mass"] / runner["leg.stiffness"]) ** 0.5)
 
 
 def _stride(
@@ -101,7 +101,7 @@ def _stride(
     seed, map = seed_of(along), map_of(runner)
     stride = map.measured_stride(
         runner.solver(log),
-        runner.system,
+        runner.c_system,
         list(apex),
         longest_stride(runner),
         True,
@@ -143,7 +143,7 @@ def _together(runner: Runner, strides: Sequence[Mapping[str, float]]) -> dict[st
     if len(strides) == 1:
         return dict(strides[0])
     found = {name: sum(stride[name] for stride in strides) for name in strides[0]}
-    weight = (runner.values["body.mass"] + runner.values["foot.mass"]) * runner.values["gravity"]
+    weight = (runner["body.mass"] + runner["foot.mass"]) * runner["gravity"]
     distance = weight * found["length"]
     greatest = ("peak_force", "peak_vertical_force", "greatest_foot_height", "greatest_slip_velocity")
     ratios = {"cost_of_transport": "work", "positive_cost_of_transport": "positive_work"}

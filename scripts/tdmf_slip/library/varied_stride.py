@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from ..contents import ByContents
 from ..errors import RunError
-from ..fmu.fmu import FRICTION
+from ..variables.table import FRICTION
 from .binding import c, ffi
 from .maps import map_of, why_no_return
 from .measures import APEX_QUANTITIES, MEASURES, all_measures, apex_quantities, measures_of, weight_of
@@ -132,14 +132,14 @@ def _apex_variations(runner: Runner, count: int) -> dict[str, NDArray[np.float64
 def _stride(
     runner: Runner, apex: NDArray[np.float64], parameters: Sequence[str], derivatives: bool
 ) -> Return:
-    check_has_gaits(runner.values[FRICTION])
-    check_comes_down(runner.values)
+    check_has_gaits(runner[FRICTION])
+    check_comes_down(runner)
     map, seeds = map_of(runner), ffi.new("tdmf_seed[]", len(parameters) or 1)
     for k, name in enumerate(parameters):
         seeds[k] = seed_of(name)[0]
     stride = map.measured_stride(
         runner.solver(),
-        runner.system,
+        runner.c_system,
         list(apex),
         longest_stride(runner),
         derivatives,
@@ -160,8 +160,8 @@ def _read(runner: Runner, apex: NDArray[np.float64], stride: Return) -> dict[str
 
 def _weight_variation(runner: Runner, name: str) -> float:
     if name in ("body.mass", "foot.mass"):
-        return runner.values["gravity"]
-    return runner.values["body.mass"] + runner.values["foot.mass"] if name == "gravity" else 0.0
+        return runner["gravity"]
+    return runner["body.mass"] + runner["foot.mass"] if name == "gravity" else 0.0
 
 
 def _variation(

@@ -6,12 +6,11 @@ from collections.abc import Mapping
 
 from ..analysis.search import periodic_gait
 from ..checks import checked_whole
-from ..fmu.fmu import Fmu, load_fmu
-from ..fmu.parameters import RunnerLike
-from ..fmu.variable import Given
 from ..library.runner import Runner
 from ..library.shared_steps import shares_steps
 from ..terminal.progress import progress_bar
+from ..variables.parameters import RunnerLike
+from ..variables.variable import Given
 from .optimizer import Optimizer
 from .optimum import Optimum
 from .problem import Goal
@@ -32,7 +31,6 @@ def optimize(
     starts: int = STARTS,
     model: str | None = None,
     progress: bool = False,
-    fmu: Fmu | None = None,
 ) -> Optimum:
     """The best runner: parameters within bounds whose gait has the least or the most of a quantity.
 
@@ -73,8 +71,6 @@ def optimize(
         `full` or `reduced`, as in `find_gait`.
     progress : bool, default False
         A bar on stderr.
-    fmu : Fmu, optional
-        Whose start values and ranges hold; by default that of `fmu_path`.
 
     Returns
     -------
@@ -99,13 +95,12 @@ def optimize(
     >>> best.active_bounds
     {'hip.touchdown_angle': 'upper'}
     """
-    fmu = load_fmu(fmu)
     objective, sign = checked_objective(minimize, maximize)
-    space = checked_space(vary, fmu)
+    space = checked_space(vary)
     prescribed = checked_values(target, (objective,), space)
     goal = Goal(objective, sign, prescribed, radius=checked_radius(stable))
     count = checked_whole("starts", starts, 1, MAX_STARTS)
-    before = periodic_gait(Runner.of(runner, fmu, model=model), fmu=fmu)
+    before = periodic_gait(Runner(runner, model=model))
     optimizer = Optimizer(before, space, count)
     check_action(optimizer.candidate(goal), space)
     with progress_bar("optimize", count, "starts", progress) as bar:

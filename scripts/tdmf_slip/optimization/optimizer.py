@@ -181,7 +181,7 @@ class Optimizer:
         return Optimum(
             objective=goal.objective,
             is_minimum=goal.sign > 0.0,
-            parameters={name: found.gait.gait.runner.values[name] for name in self.space.bounds},
+            parameters={name: found.gait.gait.runner[name] for name in self.space.bounds},
             gait=found.gait.gait,
             before=self.before,
             active_bounds=self.space.active(found.gait.at),
@@ -209,7 +209,7 @@ def _basins(found: Sequence[Found]) -> int:
 
 def _natural(gait: Gait) -> NDArray[np.float64]:
     """Scales of the six coordinates, whatever the runner's model."""
-    return Runner.of(gait, model="full").scales
+    return Runner(gait, model="full").scales
 
 
 def _reached(gaits: Gaits, begin: Start, point: NDArray[np.float64], tries: int) -> Start | None:

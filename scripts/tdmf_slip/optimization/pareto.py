@@ -13,14 +13,13 @@ from ..checks import checked_whole
 from ..contents import ByContents
 from ..drawable import Drawable
 from ..errors import InputError
-from ..fmu.fmu import Fmu, load_fmu
-from ..fmu.parameters import RunnerLike
-from ..fmu.variable import Given
 from ..given import row_of
 from ..library.runner import Runner
 from ..library.shared_steps import shares_steps
 from ..record import origin_of
 from ..terminal.progress import Bar, progress_bar
+from ..variables.parameters import RunnerLike
+from ..variables.variable import Given
 from .optimize import MAX_STARTS, STARTS
 from .optimizer import Optimizer
 from .optimum import Optimum, reported
@@ -66,7 +65,6 @@ def pareto_front(
     starts: int = STARTS,
     model: str | None = None,
     progress: bool = False,
-    fmu: Fmu | None = None,
 ) -> Front:
     """The best compromises between two quantities, from the best in one to the best in the other.
 
@@ -93,8 +91,6 @@ def pareto_front(
         As in `optimize`.
     progress : bool, default False
         A bar on stderr.
-    fmu : Fmu, optional
-        As in `optimize`.
 
     Returns
     -------
@@ -120,14 +116,13 @@ def pareto_front(
     >>> [best.parameters["hip.stance_torque"] for best in front.optima]
     [0.15, 0.25]
     """
-    fmu = load_fmu(fmu)
     signs = _checked_objectives(minimize, maximize)
-    (first, second), space = tuple(signs), checked_space(vary, fmu)
+    (first, second), space = tuple(signs), checked_space(vary)
     prescribed = checked_values(target, (first, second), space)
     radius = checked_radius(stable)
     goals = [Goal(name, signs[name], prescribed, radius=radius) for name in (first, second)]
     count = checked_whole("points", points, 2, MAX_POINTS)
-    before = periodic_gait(Runner.of(runner, fmu, model=model), fmu=fmu)
+    before = periodic_gait(Runner(runner, model=model))
     optimizer = Optimizer(before, space, checked_whole("starts", starts, 1, MAX_STARTS))
     check_action(optimizer.candidate(goals[0]), space)
     total = 2 * optimizer.count + 2 * (count - 2)

@@ -5,11 +5,10 @@ import numpy as np
 from ..analysis.targeted import MAXIMUM, MINIMUM, NO_ACTION, TRAVEL
 from ..checks import checked, is_one_of, near_matches, shown
 from ..errors import InputError
-from ..fmu.fmu import Fmu
-from ..fmu.names import by_full_name
 from ..given import mapping_of, row_of
 from ..library.members import check_varied
 from ..library.quantities import QUANTITIES, quantity_given
+from ..variables.table import VARIABLES, by_full_name
 from .gaits import Candidate
 from .space import Space
 
@@ -40,7 +39,7 @@ def checked_objective(minimize: str | None, maximize: str | None) -> tuple[str, 
     return checked_quantity(maximize, "maximize"), -1.0
 
 
-def checked_space(vary: object, fmu: Fmu) -> Space:
+def checked_space(vary: object) -> Space:
     """The parameters that are varied, between bounds that the unit allows."""
     given = by_full_name(vary, "vary", "bounds (A, B) by the names of parameters and inputs")
     if not 1 <= len(given) <= MAX_PARAMETERS:
@@ -54,7 +53,7 @@ def checked_space(vary: object, fmu: Fmu) -> Space:
         bounds_given = row_of(pair, where, "two bounds, A below B")
         if len(bounds_given) != 2:
             raise InputError(f"{where} = {shown(pair)} is not allowed; allowed: two bounds, A below B")
-        low, high = (float(fmu.variables[name].value_of(value, where)) for value in bounds_given)
+        low, high = (float(VARIABLES[name].value_of(value, where)) for value in bounds_given)
         if not low < high:
             raise InputError(f"{where} = {low:g}:{high:g} is not allowed; allowed: A:B with A below B")
         bounds[name] = low, high

@@ -43,12 +43,12 @@ class Space(ByContents):
     def runner_at(self, runner: Runner, at: NDArray[np.float64]) -> Runner:
         """A runner with the values of a point in the space."""
         for name, value in self.values(at).items():
-            runner = runner.but(name, value)
+            runner = runner.replace({name: value})
         return runner
 
     def coordinates_of(self, runner: Runner) -> NDArray[np.float64]:
         """Where a runner's values are, inside the bounds from 0 to 1, shape (d,)."""
-        values = np.array([runner.values[name] for name in self.bounds])
+        values = np.array([runner[name] for name in self.bounds])
         coordinates: NDArray[np.float64] = (values - self.low) / self.width
         return coordinates
 

@@ -13,13 +13,12 @@ from ..analysis.spread import Spread, search_from_spread
 from ..analysis.stride_map import stride_map
 from ..analysis.sweep import Sweep, sweep
 from ..contents import ByContents
-from ..fmu.fmu import FRICTION
 from ..library import classic_slip
 from ..library.binding import c
 from ..library.gait import Gait
-from ..library.members import STATES
 from ..library.runner import Runner
 from ..library.section import COORDINATES
+from ..variables.table import FRICTION, STATES
 from .claims import WORDS
 
 SWEPT = np.geomspace(10.0, 0.05, 200)
@@ -73,7 +72,7 @@ class ClassicEvidence(ByContents):
 def gather(runner: Runner, progress: bool = False) -> Evidence:
     """Compute the evidence on the statements about the paper's runner."""
     found = sweep(runner, {FRICTION: SWEPT}, progress=progress)
-    five = [periodic_gait(runner.but(FRICTION, friction)) for friction in WORDS]
+    five = [periodic_gait(runner.replace({FRICTION: friction})) for friction in WORDS]
     perturbed, further = _perturb(runner)
     return Evidence(
         found, five, _touchdown_angle(five[0]), _settling(runner), perturbed, further, _printed_torque(runner)
@@ -87,7 +86,7 @@ def _touchdown_angle(gait: Gait) -> float:
 
 def _settling(runner: Runner) -> int | None:
     """Run from the unit's own start, as a simulation would."""
-    slippery = runner.but(FRICTION, LEAST_FRICTION)
+    slippery = runner.replace({FRICTION: LEAST_FRICTION})
     run = stride_map(slippery, [runner.start_apex()], strides=SIMULATED)
     distance = np.max(np.abs(run["apex"][0] - periodic_gait(slippery).apex) / slippery.scales, axis=1)
     settled = np.flatnonzero(distance < SETTLED)
@@ -100,7 +99,7 @@ def _perturb(runner: Runner) -> tuple[int, int]:
     offsets = np.concatenate([size * directions for size in PERTURBATIONS])
     further = 0
     for friction in PERTURBED:
-        gait = periodic_gait(runner.but(FRICTION, friction))
+        gait = periodic_gait(runner.replace({FRICTION: friction}))
         run = stride_map(gait.runner, gait.apex + offsets)
         further += int(np.sum(run["touchdowns"] != 1.0))
     return len(PERTURBED) * len(offsets), further
@@ -108,7 +107,7 @@ def _perturb(runner: Runner) -> tuple[int, int]:
 
 def _printed_torque(runner: Runner) -> Spread:
     """Search gaits of the runner whose torque has the sign of (11) as it is printed."""
-    return search_from_spread(runner.but("hip.stance_torque", -runner.values["hip.stance_torque"]))
+    return search_from_spread(runner.replace({"hip.stance_torque": -runner["hip.stance_torque"]}))
 
 
 @cache

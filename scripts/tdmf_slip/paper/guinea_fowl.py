@@ -17,9 +17,9 @@ from ..analysis.patch import Meetings, contact_angle_of, meet_patch
 from ..analysis.targeted import find_gait
 from ..contents import ByContents
 from ..errors import RunError
-from ..fmu.fmu import FRICTION
 from ..library.gait import Gait, gait_near
 from ..library.runner import Runner
+from ..variables.table import FRICTION
 from .claims import Claim, alike
 
 FRICTIONS = (0.05, 0.1, 0.2)
@@ -90,14 +90,14 @@ def runner_of(leg_length: float | None = None) -> Runner:
         "hip.retraction_rate": its["start_speed"] / length,
         FRICTION: its["high_friction"],
     }
-    return Runner.of(values, model="reduced")
+    return Runner(values, model="reduced")
 
 
 def gaits(leg_length: float | None = None) -> tuple[Gait, ...]:
     """Gaits over the published speeds, as far as there are any, each from its neighbour."""
     its = published()["runner"]
     runner = runner_of(leg_length)
-    length, begin = runner.values["leg.free_length"], its["start_speed"]
+    length, begin = runner["leg.free_length"], its["start_speed"]
     first = gait_near(runner, [its["start_height"] * length, begin])
     low, high = published()["published"]["slowest"], published()["published"]["fastest"]
     count = round((high - low) / STEP)
@@ -111,7 +111,7 @@ def _continued(gait: Gait, speeds: Sequence[float]) -> list[Gait]:
     """Gaits at speeds in turn, to the last that there is."""
     found: list[Gait] = []
     for speed in speeds:
-        runner = gait.runner.but("hip.retraction_rate", speed / gait.runner.values["leg.free_length"])
+        runner = gait.runner.replace({"hip.retraction_rate": speed / gait.runner["leg.free_length"]})
         try:
             gait = find_gait(runner, target={"speed": speed}, vary=["hip.stance_torque"], guess=gait.apex)
         except RunError:

@@ -14,9 +14,9 @@ from numpy.typing import NDArray
 from ..analysis.stride_map import stride_map
 from ..analysis.targeted import find_gait
 from ..contents import ByContents
-from ..fmu.fmu import FRICTION
 from ..library.gait import Gait, gait_near
 from ..library.runner import Runner
+from ..variables.table import FRICTION
 from .guinea_fowl import GRAVITY, published
 
 PHASES = 64
@@ -38,7 +38,7 @@ class Crossing(ByContents):
 
 def runner_of() -> Runner:
     """The bird by all laws: Table 1 in its units, with what `guinea_fowl.toml` has of its own."""
-    birds, its, ours = published()["runner"], published()["full_runner"], Runner.of({}).values
+    birds, its, ours = published()["runner"], published()["full_runner"], Runner()
     length = birds["leg_length"]
     mass = birds["mass"] / (1.0 + ours["foot.mass"])
     stiffness = its["stiffness"] * mass * GRAVITY / length
@@ -57,14 +57,14 @@ def runner_of() -> Runner:
         "hip.kd": ours["hip.kd"] * moment * time,
         FRICTION: birds["high_friction"],
     }
-    return Runner.of(values)
+    return Runner(values)
 
 
 def gaits(speeds: Sequence[float]) -> list[Gait]:
     """Gaits at speeds, m/s, on ground of high friction; the hip's torque is that which makes each."""
     runner, its = runner_of(), published()["full_runner"]
-    length = runner.values["leg.free_length"]
-    rate = math.sqrt(runner.values["leg.stiffness"] / runner.values["body.mass"])
+    length = runner["leg.free_length"]
+    rate = math.sqrt(runner["leg.stiffness"] / runner["body.mass"])
     first = gait_near(
         runner, np.array(its["apex"]) * [length, length * rate, length, 1.0, length * rate, rate]
     )
@@ -75,9 +75,9 @@ def cross(gait: Gait, friction: float, length: float) -> Crossing:
     """Let runners on a gait, their feet at places spread over one stride, cross a patch."""
     stride = float(gait.stride["length"])
     begin = BEFORE * stride
-    runner = gait.runner.but("ground.patch_begin", begin).but("ground.patch_end", begin + length)
+    runner = gait.runner.replace({"ground.patch_begin": begin, "ground.patch_end": begin + length})
     made = stride_map(
-        runner.but("ground.patch_friction", friction),
+        runner.replace({"ground.patch_friction": friction}),
         np.tile(gait.apex, (PHASES, 1)),
         strides=BEFORE + math.ceil(length / stride) + AFTER,
         foot_x=stride * np.arange(PHASES) / PHASES,

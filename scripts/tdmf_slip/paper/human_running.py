@@ -1,10 +1,10 @@
 """Human running, published beside computed: the preset of human size, and a fit at eight speeds.
 
-The sources stand in `fmu/presets/human.toml` and `fitting/data/human_running.csv`.
+The sources stand in `variables/presets/human.toml` and `fitting/data/human_running.csv`.
 """
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cache
 
 import numpy as np
@@ -12,11 +12,10 @@ import numpy as np
 from ..analysis.search import periodic_gait
 from ..errors import GaitNotFoundError
 from ..fitting.fitted import fit
-from ..fitting.measurements import shipped
 from ..fitting.result import Fit
-from ..fmu.parameters import read_parameters
-from ..fmu.variable import Given
 from ..library.gait import Gait
+from ..variables.parameters import read_parameters
+from ..variables.variable import Given
 from .claims import CLAMP, FREE, Claim, Finding, alike
 
 STIFFNESS, EACH = "leg.stiffness", ("hip.stance_torque", "hip.touchdown_angle")
@@ -54,7 +53,7 @@ GROUPS = ((15.0, 1.7), (16.6, 3.1))
 """Mean leg stiffness of two groups at 20 km/h with its standard deviation, kN/m, by another method."""
 
 
-RUNNER = str(shipped("human_running.toml"))
+RUNNER = "human_running"
 """Parameters of the person's runner."""
 
 
@@ -72,7 +71,7 @@ def fitted() -> Fit:
 
 def weight(gait: Gait) -> float:
     """Weight of body and foot, N."""
-    values = gait.runner.values
+    values = gait.runner
     return (values["body.mass"] + values["foot.mass"]) * values["gravity"]
 
 
@@ -120,7 +119,7 @@ def _of_fit(found: Fit) -> list[Claim]:
     """Claims about the runner of Matijevich and others; the reduced map has no swing."""
     source = "Matijevich 2019"
     stiffness, gait = found.parameters[STIFFNESS].value, found.gaits[0]
-    relative = stiffness * gait.runner.values["leg.free_length"] / weight(gait)
+    relative = stiffness * gait.runner["leg.free_length"] / weight(gait)
     values = [one.lambda_max for one in found.gaits]
     expected = found.degrees_of_freedom + SCATTER * np.sqrt(2.0 * found.degrees_of_freedom)
     return [
@@ -184,7 +183,7 @@ def fit_rows() -> list[FitRow]:
     """Claims about the fit of one stiffness at eight speeds."""
     found = fitted()
     stiffness, gait = found.parameters[STIFFNESS], found.gaits[0]
-    length, mass = gait.runner.values["leg.free_length"], weight(gait) / gait.runner.values["gravity"]
+    length, mass = gait.runner["leg.free_length"], weight(gait) / gait.runner["gravity"]
     relative = length / weight(gait)
     low, high = (relative * end for end in (stiffness.low, stiffness.high))
     by_mass = [f"{stiffness.value * one / mass / 1000.0:.1f} at {one:g} kg" for one in MASSES]
@@ -238,7 +237,7 @@ def _full_gaits(found: Fit, clamp: bool = False) -> int:
     count = 0
     for gait in found.gaits:
         try:
-            periodic_gait(replace(gait.runner, reduced=False).but("hip.swing_clamp", clamp))
+            periodic_gait(gait.runner.replace({"hip.swing_clamp": clamp}, model="full"))
         except GaitNotFoundError:
             continue
         count += 1

@@ -21,11 +21,11 @@ def like(reference: Gait, gait: Gait, hold: Sequence[str] = HOLD, vary: Sequence
 
 def changed(gait: Gait, values: Mapping[str, float], steps: int = 1) -> Gait | None:
     """The gait near another, of other values."""
-    begin = {name: gait.runner.values[name] for name in values}
+    begin = {name: gait.runner[name] for name in values}
     for step in range(1, steps + 1):
         runner = gait.runner
         for name, value in values.items():
-            runner = runner.but(name, begin[name] + (value - begin[name]) * step / steps)
+            runner = runner.replace({name: begin[name] + (value - begin[name]) * step / steps})
         try:
             gait = gait_near(runner, gait.apex)
         except RunError:

@@ -96,7 +96,7 @@ def _printed_torque(evidence: Evidence) -> Finding:
 def _leg_after_liftoff(evidence: Evidence) -> Finding:
     gait = evidence.five[0]
     angle = math.degrees(gait.apex[LEG_ANGLE])
-    wanted = math.degrees(gait.runner.values["hip.liftoff_angle_factor"] * gait.liftoff_angle)
+    wanted = math.degrees(gait.runner["hip.liftoff_angle_factor"] * gait.liftoff_angle)
     return Finding(
         f"{angle:.2f}° at the apex, eta theta_LO = {wanted:.2f}°", abs(angle - wanted) < NEAR_ANGLE
     )
@@ -104,7 +104,7 @@ def _leg_after_liftoff(evidence: Evidence) -> Finding:
 
 def _leg_at_touchdown(evidence: Evidence) -> Finding:
     angle = math.degrees(evidence.touchdown_angle)
-    wanted = math.degrees(evidence.five[0].runner.values["hip.touchdown_angle"])
+    wanted = math.degrees(evidence.five[0].runner["hip.touchdown_angle"])
     return Finding(f"{angle:.2f}°", abs(angle - wanted) < NEAR_ANGLE)
 
 

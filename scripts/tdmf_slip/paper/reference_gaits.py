@@ -6,7 +6,6 @@ from dataclasses import dataclass, fields
 from functools import cache
 from pathlib import Path
 
-from ..fmu.fmu import Fmu
 from ..library.gait import REPORTED
 from ..library.runner import Runner
 from ..library.section import COORDINATES
@@ -86,9 +85,9 @@ def gaits() -> tuple[ReferenceGait, ...]:
     )
 
 
-def drifts(run: SettledRun, reference: ReferenceGait, fmu: Fmu) -> list[Drift]:
+def drifts(run: SettledRun, reference: ReferenceGait) -> list[Drift]:
     """All recorded values of a gait beside their references."""
-    mu, scales = run.friction, Runner.of(run.start_values, fmu).scales
+    mu, scales = run.friction, Runner(run.start_values).scales
     reading = CLAMP if reference.swing_clamp else FREE
     found = [Drift(mu, "word", run.word, reference.word, float(run.word != reference.word), 0.0, reading)]
     for name in REPORTED:

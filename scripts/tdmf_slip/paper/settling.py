@@ -9,16 +9,17 @@ from numpy.typing import NDArray
 from ..checks import checked, checked_whole
 from ..contents import ByContents
 from ..errors import RunError
-from ..fmu.fmu import FRICTION, Fmu, load_fmu
+from ..fmu.fmu import Fmu, load_fmu
 from ..fmu.instance import Experiment, Instance, Recorder, opened
 from ..fmu.simulation import MAX_STRIDES as MAX_OF_ALL
 from ..fmu.simulation import TOLERANCES, longest_time, time_unit
-from ..fmu.variable import Given, Value
 from ..given import mapping_of
 from ..library.gait import REPORTED
 from ..library.runner import Runner
 from ..library.section import COORDINATES
 from ..record import origin_of
+from ..variables.table import FRICTION
+from ..variables.variable import Given, Value
 
 DEFAULT_TOLERANCE = 1e-10
 WINDOW = 20
@@ -84,8 +85,8 @@ def settle_fmu(
     how the unit is held against them.
     """
     fmu = load_fmu(fmu)
-    starts = fmu.start_values(mapping_of(given, "given", "start values by name"), "start values")
-    runner = Runner.of(starts, fmu)
+    starts = fmu.variables.start_values(mapping_of(given, "given", "start values by name"), "start values")
+    runner = Runner(starts)
     max_strides = checked_whole("max_strides", max_strides, 2 * WINDOW, MAX_OF_ALL)
     tolerance = checked("tolerance", tolerance, *TOLERANCES)
     strides = _Strides(runner.scales, 1000.0 * tolerance)
@@ -151,7 +152,7 @@ class _Strides:
 def _settled_run(
     starts: Mapping[str, Value], runner: Runner, strides: _Strides, instance: Instance
 ) -> SettledRun:
-    count, friction = len(strides.apexes), runner.values[FRICTION]
+    count, friction = len(strides.apexes), runner[FRICTION]
     if instance.boolean("status.fallen"):
         raise RunError(f"no gait at friction {friction:g}: the runner fell after {count} strides")
     if not strides.settled:

@@ -8,12 +8,13 @@ from typing import TYPE_CHECKING
 from ..checks import checked_flag, checked_whole
 from ..contents import ByContents
 from ..drawable import Drawable
-from ..fmu.fmu import FRICTION, Fmu, load_fmu
-from ..fmu.parameters import read_parameters
+from ..fmu.fmu import Fmu, load_fmu
 from ..library.runner import Runner
 from ..record import origin_of
 from ..terminal.progress import progress_bar
 from ..terminal.text import table
+from ..variables.parameters import read_parameters
+from ..variables.table import FRICTION
 from . import guinea_fowl, human_running, published, recorded
 from . import reference_gaits as reference
 from .claims import PAPER, READINGS, WORDS, Claim, Group, of_group
@@ -245,11 +246,11 @@ def validate(
         drift
         for reading, runs in gaits.items()
         for run in runs
-        for drift in reference.drifts(run, references[READINGS[reading], run.friction], fmu)
+        for drift in reference.drifts(run, references[READINGS[reading], run.friction])
     ]
     if only_gaits:
         return Validation(gaits=gaits, claims=(), drifts=drifts)
-    evidence = {reading: gather(Runner.of(given, fmu), progress) for reading, given in runners.items()}
+    evidence = {reading: gather(Runner(given), progress) for reading, given in runners.items()}
     classic = gather_classic()
     for reading, of_reading in evidence.items():
         drifts += recorded.drifts(reading, of_reading)

@@ -19,7 +19,6 @@ from ..checks import checked_whole
 from ..errors import InputError
 from ..files.whole import check_destination, whole
 from ..fmu.events import SLIPS
-from ..fmu.fmu import load_fmu
 from ..library.gait import Gait
 from . import style
 from .drawn_runner import DrawnRunner, bare, pose
@@ -81,7 +80,7 @@ def draw(
 def animate(gait: Gait, path: Path | str, frames: int = FRAMES) -> Path:
     """Write one stride of a gait, as `Gait.animate` says."""
     path = style.check_picture(path, "path", FORMATS)
-    draw(path, Stride(gait, load_fmu()), frames=checked_whole("frames", frames, *FRAMES_ALLOWED))
+    draw(path, Stride(gait), frames=checked_whole("frames", frames, *FRAMES_ALLOWED))
     return path
 
 
@@ -153,7 +152,7 @@ class _Scene:
 
     def line(self, x: NDArray[np.float64]) -> NDArray[np.float64]:
         """Height of the ground at a position."""
-        values = self.stride.gait.runner.values
+        values = self.stride.gait.runner
         height = values.get("ground.height", 0.0) / values["leg.free_length"]
         return height + np.asarray(x) * math.tan(values.get("ground.slope", 0.0))
 

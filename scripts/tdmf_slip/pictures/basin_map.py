@@ -16,9 +16,9 @@ from matplotlib.ticker import MaxNLocator
 from numpy.typing import NDArray
 
 from ..analysis.basin_result import FOLLOWED, STRIDES, Basin
-from ..fmu import paper_units
-from ..fmu.dimensions import paper_unit, scale
 from ..library.ensemble import FATES, SETTLED
+from ..variables import paper_units
+from ..variables.table import paper_unit, scale
 from . import style
 
 NAMES = {

@@ -11,9 +11,9 @@ from matplotlib.ticker import LogLocator, StrMethodFormatter
 
 from ..analysis.borders import Border
 from ..analysis.sweep import Sweep
-from ..fmu.display_units import DisplayUnits
-from ..fmu.fmu import Fmu
 from ..library.gait import Gait
+from ..variables.display_units import DisplayUnits
+from ..variables.table import VARIABLES
 from . import style
 
 PANELS: Mapping[str, str] = {"speed": "average speed", "cost_of_transport": "cost of transport"}
@@ -29,17 +29,16 @@ def figure_of(
     values: Sequence[float],
     gaits: Sequence[Gait],
     borders: Sequence[Border],
-    fmu: Fmu,
     display: DisplayUnits | None = None,
 ) -> Figure:
     """Three panels over a parameter; unstable gaits are dashed."""
-    display = display or DisplayUnits(fmu, values=gaits[0].runner.values)
+    display = display or DisplayUnits(values=gaits[0].runner)
     with style.styled():
         figure, panels = style.subplots(len(PANELS) + 1, 1, figsize=(7.6, 7.2), sharex=True)
         _eigenvalues(panels[0], values, gaits)
         for axes, (quantity, label) in zip(panels[1:], PANELS.items(), strict=True):
             _draw(axes, values, [gait.stride[quantity] for gait in gaits], gaits)
-            unit = fmu.variables[f"stride.{quantity}"].unit
+            unit = VARIABLES[f"stride.{quantity}"].unit
             axes.set_ylabel(style.with_unit(label, display.label(unit)))
         for axes in panels:
             for border in borders:
@@ -56,14 +55,14 @@ def figure_of(
     return figure
 
 
-def draw(path: Path, found: Sweep, fmu: Fmu, display: DisplayUnits | None = None) -> None:
+def draw(path: Path, found: Sweep, display: DisplayUnits | None = None) -> None:
     """Draw a sweep into a file."""
-    style.save(figure_of(*drawn_of(found), fmu, display), path)
+    style.save(figure_of(*drawn_of(found), display), path)
 
 
 def drawn_of(found: Sweep) -> tuple[str, list[float], tuple[Gait, ...], tuple[Border, ...]]:
     """What `figure_of` draws of a sweep: name, values, gaits, borders."""
-    return found.name, [gait.runner.values[found.name] for gait in found.gaits], found.gaits, found.borders
+    return found.name, [gait.runner[found.name] for gait in found.gaits], found.gaits, found.borders
 
 
 def _eigenvalues(axes: Axes, values: Sequence[float], gaits: Sequence[Gait]) -> None:

@@ -17,10 +17,10 @@ from ..analysis.bifurcations import FOLD, NEIMARK_SACKER, PERIOD_DOUBLING, UNCLA
 from ..analysis.branch import Branch
 from ..checks import is_one_of, near_matches, shown
 from ..errors import InputError
-from ..fmu.display_units import DisplayUnits
-from ..fmu.fmu import load_fmu
 from ..library.gait import Gait
 from ..library.section import COORDINATES
+from ..variables.display_units import DisplayUnits
+from ..variables.table import VARIABLES
 from . import style
 from .curve_label import CurveLabel
 
@@ -62,12 +62,11 @@ def values_of(gait: Gait, quantity: str) -> list[float]:
 def figure_of(branch: Branch, quantity: str = DRAWN, display: DisplayUnits | None = None) -> Figure:
     """A quantity of the gaits, and the size of their largest eigenvalue, over the parameter."""
     values_of(branch.gaits[0], quantity)
-    fmu = load_fmu()
-    display = display or DisplayUnits(fmu, values=branch.gaits[0].runner.values)
+    display = display or DisplayUnits(values=branch.gaits[0].runner)
     with style.styled():
         figure, panels = style.subplots(2, 1, figsize=(8.2, 7.0), sharex=True, height_ratios=(2, 1))
         kind = "apex" if quantity in COORDINATES else "stride"
-        variable = fmu.variables.get(f"{kind}.{quantity}")
+        variable = VARIABLES.get(f"{kind}.{quantity}")
         label = f"{kind}.{quantity}" if variable else quantity
         panels[0].set_ylabel(style.with_unit(label, display.label(variable.unit) if variable else ""))
         panels[1].set_ylabel("modulus of the largest eigenvalue")

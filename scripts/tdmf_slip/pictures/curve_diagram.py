@@ -10,8 +10,7 @@ from matplotlib.figure import Figure
 
 from ..analysis.bifurcations import WORD_BORDER
 from ..analysis.curve import Curve
-from ..fmu.display_units import DisplayUnits
-from ..fmu.fmu import load_fmu
+from ..variables.display_units import DisplayUnits
 from . import style
 from .branch_diagram import MARKS
 
@@ -23,7 +22,7 @@ def figure_of(
     curves: Sequence[Curve], over: Mapping[str, tuple[float, float]], display: DisplayUnits | None = None
 ) -> Figure:
     """The curves in the plane of the parameters: borders thin, with each word on its side."""
-    display = display or DisplayUnits(load_fmu())
+    display = display or DisplayUnits()
     with style.styled():
         figure, axes = style.subplots(figsize=(7.6, 5.4))
         labels = [
@@ -55,7 +54,7 @@ def figure_of_one(curve: Curve) -> Figure:
         name: (float(row.min()), float(row.max()))
         for name, row in zip(curve.names, curve.points.T, strict=True)
     }
-    display = DisplayUnits(load_fmu(), values=curve.runner.values)
+    display = DisplayUnits(values=curve.runner)
     figure = figure_of([replace(curve, words=None)], bounds, display)
     (axes,) = figure.axes
     words = "" if curve.words is None else f": {style.word(curve.words[0])} | {style.word(curve.words[1])}"

@@ -10,9 +10,9 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
-from ..fmu import paper_units
-from ..fmu.fmu import load_fmu
 from ..library.section import COORDINATES
+from ..variables import paper_units
+from ..variables.table import VARIABLES
 from . import style
 
 if TYPE_CHECKING:
@@ -114,7 +114,7 @@ def _bars(axes: Axes, rows: NDArray[np.float64], names: Sequence[str], columns: 
 
 def _radii(axes: Axes, names: Sequence[str], radii: Sequence[float], values: Mapping[str, Exact]) -> None:
     """How far enclosures go to both sides of their middles."""
-    variables = load_fmu().variables
+    variables = VARIABLES
     floats = {name: float(values[name].rational) for name in paper_units.SCALES if name in values}
     units = {
         name: paper_units.label(variables[f"apex.{name}" if name in COORDINATES else name].unit, floats)

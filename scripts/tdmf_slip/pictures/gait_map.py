@@ -8,9 +8,8 @@ from matplotlib.patches import Patch
 
 from ..analysis.grid_result import GaitGrid
 from ..errors import InputError
-from ..fmu import paper_units
-from ..fmu.display_units import DisplayUnits
-from ..fmu.fmu import load_fmu
+from ..variables import paper_units
+from ..variables.display_units import DisplayUnits
 from . import style
 from .basin_map import edges_of
 
@@ -28,7 +27,7 @@ def figure_of(grid: GaitGrid) -> Figure:
         raise InputError("plot: a grid without gaits; allowed: one that has some")
     vertical, horizontal = grid.axes
     edges = edges_of(grid[horizontal]), edges_of(grid[vertical])
-    display = DisplayUnits(load_fmu(), values=_runner_of(grid))
+    display = DisplayUnits(values=_runner_of(grid))
     with style.styled():
         figure, panels = style.subplots(1, 2, figsize=(10.4, 4.6), sharey=True)
         speeds = np.ma.masked_invalid(grid["speed"])

@@ -10,8 +10,8 @@ from matplotlib.patches import Patch
 
 from ..errors import InputError
 from ..fmu.events import MODE
-from ..fmu.fmu import Fmu
 from ..fmu.run import Run
+from ..variables.table import VARIABLES
 from . import style
 
 PANELS: Sequence[tuple[str, Sequence[tuple[str, str]]]] = (
@@ -23,12 +23,12 @@ PANELS: Sequence[tuple[str, Sequence[tuple[str, str]]]] = (
 """Label of each panel, and variables with their names."""
 
 
-def draw(path: Path, run: Run, fmu: Fmu) -> None:
+def draw(path: Path, run: Run) -> None:
     """Draw a run as .png, .svg or .pdf, in the units of its table."""
-    style.save(figure_of(run, fmu), path)
+    style.save(figure_of(run), path)
 
 
-def figure_of(run: Run, fmu: Fmu) -> Figure:
+def figure_of(run: Run) -> Figure:
     """A run's panels, in the units of its table."""
     missing = {MODE, *(name for _, curves in PANELS for name, _ in curves)} - set(run.names)
     if missing:
@@ -37,9 +37,9 @@ def figure_of(run: Run, fmu: Fmu) -> Figure:
         figure, all_axes = style.subplots(len(PANELS), 1, sharex=True, figsize=(8.4, 7.6))
         for axes, (label, curves) in zip(all_axes, PANELS, strict=True):
             _panel(axes, run, label, curves)
-            _shade(axes, run, fmu)
+            _shade(axes, run)
         all_axes[-1].set_xlabel(style.with_unit("time", run.label(run.units["time"])))
-        figure.legend(handles=_key(run, fmu), loc="outside lower center", ncols=len(style.LOADED) + 1)
+        figure.legend(handles=_key(run), loc="outside lower center", ncols=len(style.LOADED) + 1)
     return figure
 
 
@@ -52,18 +52,18 @@ def _panel(axes: Axes, run: Run, label: str, curves: Sequence[tuple[str, str]]) 
         axes.legend(loc="lower right", bbox_to_anchor=(1.0, 0.97), ncols=len(curves))
 
 
-def _shade(axes: Axes, run: Run, fmu: Fmu) -> None:
+def _shade(axes: Axes, run: Run) -> None:
     """The background in the colours of the contact modes, flight left white."""
     time, modes = run.table["time"], run.table[MODE]
     starts = np.flatnonzero(np.concatenate([[True], np.diff(modes) != 0]))
     for start, end in zip(starts, [*starts[1:], len(time) - 1], strict=True):
-        mode = fmu.variables[MODE].items[int(modes[start])]
+        mode = VARIABLES[MODE].items[int(modes[start])]
         if mode != "flight":
             axes.axvspan(time[start], time[end], color=style.MODE_COLOURS[mode], alpha=0.3, linewidth=0)
 
 
-def _key(run: Run, fmu: Fmu) -> list[Patch]:
-    seen = [fmu.variables[MODE].items[int(mode)] for mode in np.unique(run.table[MODE])]
+def _key(run: Run) -> list[Patch]:
+    seen = [VARIABLES[MODE].items[int(mode)] for mode in np.unique(run.table[MODE])]
     return [
         Patch(color=style.MODE_COLOURS[mode], alpha=0.3, label=style.MODE_NAMES[mode])
         for mode in seen

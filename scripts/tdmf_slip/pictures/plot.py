@@ -11,7 +11,6 @@ from ..analysis.branch import Branch
 from ..analysis.sweep import Sweep
 from ..errors import InputError
 from ..fitting.result import Fit
-from ..fmu.fmu import load_fmu
 from ..fmu.run import Run
 from ..library.gait import Gait
 from ..viable_sets.result import Viability
@@ -70,17 +69,17 @@ PICTURES = _figure_of
 
 @_figure_of.register
 def _run(result: Run) -> Figure:
-    return overview.figure_of(result, load_fmu())
+    return overview.figure_of(result)
 
 
 @_figure_of.register
 def _gait(result: Gait) -> Figure:
-    return velocity_and_ratio.figure_of(Stride(result, load_fmu()))
+    return velocity_and_ratio.figure_of(Stride(result))
 
 
 @_figure_of.register
 def _sweep(result: Sweep) -> Figure:
-    return branch.figure_of(*branch.drawn_of(result), load_fmu())
+    return branch.figure_of(*branch.drawn_of(result))
 
 
 @_figure_of.register

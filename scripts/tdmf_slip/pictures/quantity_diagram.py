@@ -30,7 +30,7 @@ def of_optimum(found: Optimum) -> Figure:
     names = known_quantities(found.gait.runner)
     before = quantities_of(found.before, names) | {LAMBDA_MAX: found.before.lambda_max}
     after = quantities_of(found.gait, names) | {LAMBDA_MAX: found.gait.lambda_max}
-    given = {name: found.before.runner.values[name] for name in found.parameters}
+    given = {name: found.before.runner[name] for name in found.parameters}
     rows = len(before) + len(given)
     with style.styled():
         figure, (upper, lower) = style.subplots(

@@ -7,9 +7,9 @@ from matplotlib.ticker import MaxNLocator
 from numpy.typing import NDArray
 
 from ..analysis.strides_result import Strides
-from ..fmu import paper_units
-from ..fmu.fmu import load_fmu
 from ..fmu.runs_result import Runs
+from ..variables import paper_units
+from ..variables.table import VARIABLES
 from . import style
 from .basin_map import NAMES
 
@@ -28,7 +28,7 @@ def of_strides(made: Strides) -> Figure:
         figure, panels = style.subplots(2, 1, figsize=(6.8, 5.4), sharex=True)
         for axes, name in zip(panels, DRAWN, strict=True):
             _draw_runners(axes, apices[..., list(made["coordinate"]).index(name)])
-            unit = paper_units.label(load_fmu().variables[f"apex.{name}"].unit, made.attributes)
+            unit = paper_units.label(VARIABLES[f"apex.{name}"].unit, made.attributes)
             style.label(axes, "", style.with_unit(NAMES[name], unit))
         panels[-1].set_xlabel("strides")
         panels[-1].xaxis.set_major_locator(MaxNLocator(integer=True))
@@ -58,7 +58,7 @@ def of_runs(runs: Runs) -> Figure:
     name = next((name for name in runs.coordinates if len(np.unique(runs[name])) > 1), None)
     numeric = name is not None and runs[name].dtype.kind in "iuf"
     along = runs[name] if name is not None and numeric else np.arange(len(runs["fallen"]))
-    variables = load_fmu().variables
+    variables = VARIABLES
     values = {
         of: 1.0 if of not in runs.coordinates or np.all(runs[of] == 1.0) else np.nan
         for of in paper_units.SCALES

@@ -7,11 +7,10 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from ..fmu.dimensions import scale
 from ..fmu.events import MODE
-from ..fmu.fmu import Fmu
 from ..fmu.simulation import simulate
 from ..library.gait import Gait
+from ..variables.table import VARIABLES, scale
 
 POINTS = 6000
 """Recorded points in the stride; each event adds two."""
@@ -30,14 +29,13 @@ class Interval:
 class Stride:
     """One stride from apex to apex, in units of l0, sqrt(m/k) and m. Angles in rad."""
 
-    def __init__(self, gait: Gait, fmu: Fmu) -> None:
+    def __init__(self, gait: Gait) -> None:
         """Run the unit for one stride from the gait's apex."""
         self.gait = gait
-        self.fmu = fmu
-        run = simulate(gait, strides=1, output_interval=gait.period / POINTS, fmu=fmu)
+        run = simulate(gait, strides=1, output_interval=gait.period / POINTS)
         self.events = run.events
         self._table = run.table
-        values = gait.runner.values
+        values = gait.runner
         self._length = values["leg.free_length"]
         self._mass = values["body.mass"]
         self._time = math.sqrt(self._mass / values["leg.stiffness"])
@@ -45,7 +43,7 @@ class Stride:
     def __getitem__(self, name: str) -> NDArray[np.float64]:
         """A recorded variable, one value per row."""
         rows: NDArray[np.float64] = self._table[name]
-        return rows / scale(self.fmu.variables[name].unit or "1", self._length, self._time, self._mass)
+        return rows / scale(VARIABLES[name].unit or "1", self._length, self._time, self._mass)
 
     @cached_property
     def time(self) -> NDArray[np.float64]:
@@ -55,7 +53,7 @@ class Stride:
     @cached_property
     def modes(self) -> list[str]:
         """Contact mode of each row."""
-        items = self.fmu.variables[MODE].items
+        items = VARIABLES[MODE].items
         return [items[int(mode)] for mode in self._table[MODE]]
 
     @cached_property

@@ -16,8 +16,8 @@ from matplotlib.ticker import AutoLocator, FuncFormatter
 
 from ..errors import InputError
 from ..files.whole import check_destination, whole
-from ..fmu.display_units import DisplayUnits
 from ..fmu.events import SLIPS
+from ..variables.display_units import DisplayUnits
 
 LineStyle: TypeAlias = Literal["-"] | tuple[float, tuple[float, ...]]
 

@@ -10,8 +10,8 @@ from matplotlib.colors import ListedColormap
 from matplotlib.figure import Figure
 from matplotlib.patches import Patch
 
-from ..fmu.fmu import FRICTION, load_fmu
 from ..library.section import REDUCED
+from ..variables.table import FRICTION, VARIABLES
 from ..viable_sets.result import Viability
 from . import style
 from .basin_map import NAMES
@@ -47,7 +47,7 @@ def _figure(found: Viability) -> Figure:
         ),
     ]
     figure.legend(handles=handles, loc="outside lower center", ncols=2)
-    friction = found.runner.values[FRICTION]
+    friction = found.runner[FRICTION]
     axes.set_title(
         f"friction {friction:g}: {found.inner_share:.1%} to {found.outer_share:.1%} of the plane viable, "
         f"{found.grid.action_count} actions"
@@ -65,7 +65,7 @@ def paint(axes: Axes, found: Viability, maximum: float | None = None) -> ScalarM
     shares = np.ma.masked_where(states != 2, found.inner_robustness)
     largest = maximum or float(np.max(found.inner_robustness)) or 1.0
     mesh = axes.pcolormesh(speeds, heights, shares, cmap=COLOURS, vmin=0.0, vmax=largest, rasterized=True)
-    units = [found.runner.label(load_fmu().variables[f"apex.{axis}"].unit) for axis in REDUCED]
+    units = [found.runner.label(VARIABLES[f"apex.{axis}"].unit) for axis in REDUCED]
     style.label(
         axes, style.with_unit(NAMES[REDUCED[1]], units[1]), style.with_unit(NAMES[REDUCED[0]], units[0])
     )

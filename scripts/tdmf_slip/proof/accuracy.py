@@ -29,7 +29,7 @@ def solver_errors(proof: Proof) -> dict[str, Numbers]:
     """How far each solver's stride, from the proved apex, may be from the gait at the most."""
     if not proof.proved:
         raise InputError("proof: undecided; allowed: a gait that is proved")
-    runner = Runner.of({name: float(value.ball()) for name, value in proof.values.items()})
+    runner = Runner({name: float(value.ball()) for name, value in proof.values.items()})
     apex = np.array([float(x.mid()) for x in proof.apex])
     solvers = {**_of_library(), **_of_fmu()}
     return {name: _errors(proof, runner, solve(runner, apex)) for name, solve in solvers.items()}

@@ -9,9 +9,9 @@ from numbers import Rational
 from flint import arb, fmpq
 
 from ..checks import refusal, shown
-from ..fmu import unit_text
-from ..fmu.fmu import Fmu
-from ..fmu.variable import Variable
+from ..variables import units
+from ..variables.table import VARIABLES
+from ..variables.variable import Variable
 
 LONGEST_TEXT = 1000
 LONGEST_EXPONENT = 4
@@ -86,7 +86,7 @@ def exact_value(variable: Variable, given: object, where: str) -> Exact:
 def _split(text: str) -> tuple[str, str]:
     """The number and the unit of a text; the number may be a fraction such as `3/5`."""
     number, _, unit = text.strip().partition(" ")
-    return (number, unit_text.spelled(unit)) if "/" in number else unit_text.split(text)
+    return (number, units.spelled(unit)) if "/" in number else units.split(text)
 
 
 def default_value(variable: Variable) -> Exact:
@@ -101,11 +101,11 @@ def default_value(variable: Variable) -> Exact:
     return Exact(Fraction(repr(start)))
 
 
-def exact_values(fmu: Fmu, values: Mapping[str, float], given: Mapping[str, object]) -> dict[str, Exact]:
+def exact_values(values: Mapping[str, float], given: Mapping[str, object]) -> dict[str, Exact]:
     """All values of a runner as they are meant."""
     found = {}
     for name, value in values.items():
-        variable = fmu.variables[name]
+        variable = VARIABLES[name]
         if name in given or variable.type == "Boolean":
             found[name] = exact_value(variable, given.get(name, value), "start values")
         elif variable.start is not None and value == float(variable.start):

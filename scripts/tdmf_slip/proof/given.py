@@ -8,11 +8,11 @@ from typing import TypeAlias
 from ..analysis.search import periodic_gait
 from ..checks import number_of, refusal
 from ..errors import InputError
-from ..fmu import parameters
-from ..fmu.fmu import load_fmu
 from ..library.gait import Gait
 from ..library.members import MOVING
 from ..library.runner import Runner
+from ..variables import parameters
+from ..variables.table import VARIABLES
 from .exact import Exact, exact_values, fraction_in
 
 MAX_DIGITS = 200
@@ -48,16 +48,15 @@ def gait_of(gait: RunnerLike) -> tuple[Gait, dict[str, Exact]]:
         raise InputError(
             f"a gait of {found.strides} strides is not proved; allowed: one that repeats each stride"
         )
-    own = {name: found.runner.values[name] for name in MOVING}
+    own = {name: found.runner[name] for name in MOVING}
     check_laws(own)
-    return found, exact_values(load_fmu(), own, {name: value for name, value in given.items() if name in own})
+    return found, exact_values(own, {name: value for name, value in given.items() if name in own})
 
 
 def check_laws(values: Mapping[str, float]) -> None:
     """Refuse a runner of laws that are not enclosed here, such as a patch of ground."""
-    fmu = load_fmu()
     for name, value in values.items():
-        start = fmu.start_of(name)
+        start = VARIABLES.start_of(name)
         if name not in KNOWN and value != start:
             raise InputError(
                 f"{name} = {value:g}: gaits with it are not proved; allowed for proofs: {start:g}"
@@ -67,11 +66,11 @@ def check_laws(values: Mapping[str, float]) -> None:
 def runner_of(given: RunnerLike) -> tuple[Runner, dict[str, object]]:
     """A runner in doubles, and the start values that were given for it, as they are meant."""
     if isinstance(given, Gait | Runner):
-        return Runner.of(given), {}
-    fmu, values = load_fmu(), dict(parameters.start_values_of(given))
-    exact = exact_values(fmu, {name: 0.0 for name in values if name in fmu.variables}, values)
+        return Runner(given), {}
+    values = dict(parameters.start_values_of(given))
+    exact = exact_values({name: 0.0 for name in values if name in VARIABLES}, values)
     floats = {name: float(exact[name].ball()) if name in exact else value for name, value in values.items()}
-    return Runner.of(floats, fmu), values
+    return Runner(floats), values
 
 
 def radius_of(box: Radius) -> Fraction:

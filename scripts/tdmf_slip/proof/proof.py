@@ -10,8 +10,8 @@ import flint
 from flint import acb, arb
 
 from ..drawable import Drawable
-from ..fmu.fmu import FRICTION, load_fmu
 from ..record import origin_of
+from ..variables.table import FRICTION, VARIABLES
 from ..version import __version__
 from .exact import Exact, ball_of, default_value
 from .section import COORDINATES
@@ -234,7 +234,7 @@ def short(value: Fraction) -> str:
 
 def reported(values: Mapping[str, Exact], varied: str | None = None) -> str:
     """The runner as a sentence has it: what differs from Table 1, the reading of (12), and what is varied."""
-    table = {name: default_value(load_fmu().variables[name]) for name in values}
+    table = {name: default_value(VARIABLES[name]) for name in values}
     named = [name for name, v in values.items() if name != varied and (v != table[name] or name == CLAMP)]
     others = [f"{name} = {values[name]}" for name in named]
     if varied is not None:

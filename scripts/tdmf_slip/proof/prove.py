@@ -14,13 +14,12 @@ from flint import acb, arb, ctx
 
 from ..checks import checked_whole, path_of, refusal
 from ..errors import InputError
-from ..fmu.fmu import load_fmu
-from ..fmu.names import by_full_name
-from ..fmu.parameters import RUNNER
 from ..given import row_of
 from ..library.gait import Gait
 from ..library.members import varied_alone
 from ..library.shared_steps import shares_steps
+from ..variables.parameters import RUNNER
+from ..variables.table import VARIABLES, by_full_name
 from .eigenvalues import eigenvalues
 from .exact import Exact, exact_value
 from .given import MAX_DIGITS, Radius, RunnerLike, gait_of, radius_of
@@ -157,7 +156,7 @@ def _over(
     row = row_of(span, f"vary: {name}", "the two ends of a range")
     if len(row) != 2:
         raise refusal(f"vary: {name}", span, "the two ends of a range")
-    ends = [exact_value(load_fmu().variables[name], end, "vary") for end in row]
+    ends = [exact_value(VARIABLES[name], end, "vary") for end in row]
     if any(end.turns for end in ends):
         raise InputError(f"vary: {name} from {ends[0]} to {ends[1]}; allowed: rational ends")
     begin, end = (end.rational for end in ends)

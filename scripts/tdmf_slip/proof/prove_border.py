@@ -13,12 +13,11 @@ from ..analysis.borders import Border
 from ..analysis.search import periodic_gait
 from ..checks import checked_flag, checked_whole, number_of, refusal
 from ..drawable import Drawable
-from ..fmu.fmu import FRICTION, load_fmu
-from ..fmu.names import full_name
 from ..library.gait import Gait
 from ..library.members import MOVING, check_varied
 from ..library.runner import Runner
 from ..library.shared_steps import shares_steps
+from ..variables.table import FRICTION, full_name
 from ..version import __version__
 from .exact import Exact, exact_values
 from .forced import Forced
@@ -177,10 +176,10 @@ class _BorderProver:
         self.runner, self.given = runner_of(runner)
         self.name, self.value, self.digits = name, value, digits
         self.with_sides = sides
-        own = {of: self.runner.values[of] for of in MOVING}
+        own = {of: self.runner[of] for of in MOVING}
         check_laws(own)
         reported_exactly = {of: value for of, value in self.given.items() if of in own and of != name}
-        self.values = exact_values(load_fmu(), own, reported_exactly)
+        self.values = exact_values(own, reported_exactly)
         self.parameters = Parameters(self.values, name)
         self.narrow = digits + BEYOND
         self.fine = Fineness(bits_for(self.narrow))
@@ -194,7 +193,7 @@ class _BorderProver:
 
     def _proof(self) -> BorderProof:
         step = BESIDE * max(abs(self.value), BESIDE)
-        sides = [periodic_gait(self.runner.but(self.name, self.value + by)) for by in (-step, step)]
+        sides = [periodic_gait(self.runner.replace({self.name: self.value + by})) for by in (-step, step)]
         forced, gait = _distinguished(*(self._seen(side) for side in sides))
         scales = [*(float(scale) for scale in gait.runner.scales), max(abs(self.value), 1.0)]
         start = [*(arb(float(x)) for x in gait.apex), arb(self.value)]
@@ -229,7 +228,7 @@ class _BorderProver:
             return Starts(centre, [(radius * scale).upper().mid() for scale in scales])
 
     def _seen(self, gait: Gait) -> tuple[Gait, Stride]:
-        value = arb(gait.runner.values[self.name])
+        value = arb(gait.runner[self.name])
         apex = [*(arb(float(x)) for x in gait.apex), value]
         return gait, Traveller(self.parameters, apex, Fineness(COARSE_BITS)).stride()
 
@@ -243,7 +242,7 @@ class _BorderProver:
 
 def prove_at(values: Mapping[str, Exact], name: str, value: Fraction, runner: Runner) -> Proof:
     """The gait of a runner with exact values, at a value of one of them."""
-    gait = periodic_gait(runner.but(name, float(value)))
+    gait = periodic_gait(runner.replace({name: float(value)}))
     return prove_exactly(gait, {**values, name: Exact(value)}, 6, None, given=False)
 
 

@@ -14,13 +14,11 @@ from typing import Any
 from ..blocks import InTurn, run_blocks
 from ..contents import ByContents
 from ..errors import InputError
-from ..fmu.fmu import load_fmu
 from ..library.gait import Gait
 from ..library.runner import Runner
-from ..record import completed, note_missing, origin_of
+from ..record import origin_of
 from ..terminal.progress import progress_bar
-from .exact import Exact, default_value
-from .given import KNOWN
+from .exact import Exact
 from .proof import texts_of
 from .range_proof import RangeProof, Subinterval
 from .range_prover import RangeProver
@@ -29,8 +27,6 @@ PARTS = 256
 """Into which a wide range is cut, to be proved side by side; each is written to a file as it is done."""
 NARROWEST_PART = Fraction(1, 500)
 """Smallest width of a part, over the greater end of the range."""
-NONE = "0"
-"""Text of a value that earlier files left out if the parameter is in `KNOWN`."""
 
 
 PRECISION_IN_USE = threading.Lock()
@@ -112,7 +108,6 @@ def _done(output: Path | None, head: Mapping[str, Any]) -> dict[tuple[Fraction, 
         raise InputError(
             f"{output}: is not of this range and runner; allowed: a new file, or one of the same"
         )
-    note_missing(rows[0]["parameters"], str(output))
     return {
         (Fraction(row["part"][0]), Fraction(row["part"][1])): [
             Subinterval.of_row(subinterval) for subinterval in row["pieces"]
@@ -122,21 +117,8 @@ def _done(output: Path | None, head: Mapping[str, Any]) -> dict[tuple[Fraction, 
 
 
 def _is_of(head: Mapping[str, Any], read: Any) -> bool:
-    """Whether a file holds this range and this runner, proved by any version.
-
-    Earlier files left out parameters. One that is in `KNOWN` was 0, any other had the unit's start value.
-    """
-    if not isinstance(read, dict) or not isinstance(read.get("parameters"), dict):
-        return False
-    variables = load_fmu().variables
-    absent = {of: NONE if of in KNOWN else str(default_value(variables[of])) for of in head["parameters"]}
-    parameters = absent | {of: _text(value) for of, value in completed(read["parameters"]).items()}
-    found = {"model": "full", **read, "version": head["version"], "parameters": parameters}
-    return found == head
-
-
-def _text(value: object) -> str:
-    return value if isinstance(value, str) else json.dumps(value)
+    """Whether a file holds this range and this runner, proved by any version."""
+    return isinstance(read, dict) and {**read, "version": head["version"]} == head
 
 
 def _row(line: str) -> Any:

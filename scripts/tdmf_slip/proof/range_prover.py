@@ -95,7 +95,7 @@ class RangeProver:
         return self._subinterval(begin, end, own), own
 
     def _gait(self, value: Fraction, last: Gait | None) -> Gait:
-        runner = self.runner.but(self.name, float(value))
+        runner = self.runner.replace({self.name: float(value)})
         if last is None:
             return periodic_gait(runner, along=self.name)
         return gait_near(runner, last.apex, along=self.name)

@@ -11,10 +11,10 @@ from numpy.typing import ArrayLike, NDArray
 from ..checks import number_of, refusal, shown
 from ..contents import ByContents
 from ..errors import InputError
-from ..fmu.names import by_full_name
 from ..library.runner import Runner
 from ..library.section import REDUCED
 from ..library.settings import checked_values
+from ..variables.table import by_full_name
 from .grid import Grid
 
 GRADES = ("not viable", "open", "viable")
@@ -92,7 +92,7 @@ class ViableController(ByContents):
             raise InputError(f"wish: {shown(unknown)} is not allowed; allowed: {', '.join(grid.actions)}")
         values = {}
         for name in grid.actions:
-            number = number_of(given.get(name, runner.values[name]))
+            number = number_of(given.get(name, runner[name]))
             if number is None:
                 raise refusal(f"wish: {name}", given[name], "a number")
             values[name] = number

@@ -10,9 +10,9 @@ from numpy.typing import NDArray
 from ..checks import checked, shown
 from ..contents import ByContents
 from ..errors import InputError
-from ..fmu.fmu import FRICTION
 from ..given import row_of
 from ..library.runner import Runner
+from ..variables.table import FRICTION
 from .boxes import boxes_of
 from .fixed_point import lands
 from .grid import Grid
@@ -52,10 +52,10 @@ def friction_loss(
     """The least friction of the next stride that leaves something viable."""
     tried = _checked_frictions(runner, transitions.grid, frictions)
     stands = list(states)
-    minimum = [np.where(of, runner.values[FRICTION], np.nan) for of in states]
+    minimum = [np.where(of, runner[FRICTION], np.nan) for of in states]
     for friction in tried:
         made = make_transitions(
-            runner.but(FRICTION, friction),
+            runner.replace({FRICTION: friction}),
             transitions.grid,
             executor=executor,
             progress=progress,
@@ -76,7 +76,7 @@ def _checked_frictions(runner: Runner, grid: Grid, frictions: Sequence[float]) -
     if FRICTION in grid.actions:
         raise InputError(f"frictions: {FRICTION} is varied; allowed: where it is not")
     row = row_of(frictions, "frictions", allowed)
-    own = runner.values[FRICTION]
+    own = runner[FRICTION]
     tried = tuple(checked("frictions", value, 0.0, own) for value in row)
     if not tried or any(b >= a for a, b in zip((own, *tried[:-1]), tried, strict=True)):
         raise InputError(f"frictions = {shown(frictions)} is not allowed; allowed: {allowed} ({own:g})")

@@ -11,12 +11,11 @@ from numpy.typing import NDArray
 from ..checks import check_kind, check_size, checked_whole
 from ..contents import ByContents
 from ..errors import InputError
-from ..fmu.fmu import Fmu
-from ..fmu.names import by_full_name
 from ..given import counts_given, ends_given, mapping_of, row_of
 from ..library.runner import Runner
 from ..library.section import REDUCED, check_axes
 from ..library.settings import check_acts, checked_values, setting_number
+from ..variables.table import VARIABLES, by_full_name
 
 MAX_CELLS = 2048
 """Along an axis."""
@@ -87,7 +86,7 @@ class Grid(ByContents):
         return np.where(inside, rows * self.cells[1] + columns, -1)
 
 
-def grid_of(runner: Runner, axes: Any, vary: Any, n: Any, fmu: Fmu) -> Grid:
+def grid_of(runner: Runner, axes: Any, vary: Any, n: Any) -> Grid:
     """The grid that is asked for."""
     ranges = mapping_of(axes, "axes", "a mapping of both coordinates to ranges (low, high)")
     check_axes(tuple(ranges), REDUCED)
@@ -100,13 +99,13 @@ def grid_of(runner: Runner, axes: Any, vary: Any, n: Any, fmu: Fmu) -> Grid:
         for axis, count in zip(REDUCED, counts, strict=True)
     }
     for axis, along in edges.items():
-        fmu.variables[f"apex.{axis}"].values_of(along, f"axes: {axis}")
-    grid = Grid(edges, _actions(runner, vary, fmu))
+        VARIABLES[f"apex.{axis}"].values_of(along, f"axes: {axis}")
+    grid = Grid(edges, _actions(runner, vary))
     check_size("grid", math.prod(grid.nodes) * grid.action_count, "strides", MAX_STRIDES)
     return grid
 
 
-def _actions(runner: Runner, vary: Any, fmu: Fmu) -> dict[str, NDArray[np.float64]]:
+def _actions(runner: Runner, vary: Any) -> dict[str, NDArray[np.float64]]:
     ranges = by_full_name(vary, "vary", "a mapping of settings to ranges (low, high) or (low, high, values)")
     if not ranges:
         raise InputError("vary: nothing; allowed: one or more settings with their ranges")
@@ -118,7 +117,7 @@ def _actions(runner: Runner, vary: Any, fmu: Fmu) -> dict[str, NDArray[np.float6
         row = row_of(span, what, "(low, high) or (low, high, values)")
         count = checked_whole(f"{what}: values", row[2], 1, MAX_ACTIONS) if len(row) == 3 else VALUES
         low, high = ends_given(what, row[:2] if len(row) == 3 else row, may_be_one=count == 1)
-        actions[name] = checked_values(name, np.linspace(low, high, count), "vary", {"value": 0}, fmu)
+        actions[name] = checked_values(name, np.linspace(low, high, count), "vary", {"value": 0})
     return actions
 
 
@@ -131,6 +130,6 @@ def starts_at(runner: Runner, apices: NDArray[np.float64]) -> NDArray[np.float64
     check_kind(runner, Runner, "runner", "a Runner")
     if runner.reduced:
         return apices
-    state = Runner.of(runner, model="reduced").state_at([1.0, 0.0])
+    state = Runner(runner, model="reduced").state_at([1.0, 0.0])
     leg = [state[f"leg.{name}"] for name in ("length", "angle", "length_rate", "angle_rate")]
     return np.column_stack([apices, np.tile(leg, (len(apices), 1))])

@@ -12,10 +12,9 @@ from numpy.typing import NDArray
 
 from ..checks import checked
 from ..files.whole import check_destination
-from ..fmu.fmu import Fmu, load_fmu
-from ..fmu.parameters import RunnerLike
 from ..library.maps import refuse_patch
 from ..library.runner import Runner
+from ..variables.parameters import RunnerLike
 from .boxes import Boxes, boxes_of
 from .fixed_point import largest_kept
 from .grid import Grid, grid_of
@@ -38,7 +37,6 @@ def viability(
     path: Path | str | None = None,
     executor: Executor | None = None,
     progress: bool = False,
-    fmu: Fmu | None = None,
 ) -> Viability:
     """From which apices some choice of actions avoids a fall for ever, and how much room the choice has.
 
@@ -76,8 +74,6 @@ def viability(
         default threads of this process. The result does not depend on the executor.
     progress : bool, default False
         A bar on stderr.
-    fmu : Fmu, optional
-        Whose start values and ranges hold.
 
     Returns
     -------
@@ -109,12 +105,11 @@ def viability(
     S. Heim and A. Badri-Sproewitz, Beyond Basins of Attraction: Quantifying Robustness of Natural Dynamics,
     IEEE Transactions on Robotics 2019, doi 10.1109/TRO.2019.2910739.
     """
-    fmu = load_fmu(fmu)
-    runner = Runner.of(runner, fmu, model=model)
-    refuse_patch(runner.values)
+    runner = Runner(runner, model=model)
+    refuse_patch(runner)
     factor = checked("factor", factor, 1.0, LARGEST_FACTOR)
     path = None if path is None else check_destination(path, (".nc",), "path")
-    grid = grid_of(runner, axes, vary, n, fmu)
+    grid = grid_of(runner, axes, vary, n)
     made = make_transitions(runner, grid, path=path, executor=executor, progress=progress)
     found = viable_sets(runner, made, factor)
     if path is not None:

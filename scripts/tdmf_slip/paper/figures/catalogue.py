@@ -13,13 +13,13 @@ from ...analysis.search import periodic_gait
 from ...analysis.stability import StabilityMap
 from ...analysis.sweep import Sweep, sweep
 from ...errors import InputError
-from ...fmu.fmu import FRICTION, Fmu
-from ...fmu.parameters import read_parameters
 from ...library.gait import Gait
 from ...library.runner import Runner
 from ...pictures import style
 from ...pictures.stride import Stride
 from ...terminal.progress import progress_bar
+from ...variables.parameters import read_parameters
+from ...variables.table import FRICTION
 from .. import guinea_fowl as slippery
 from .. import matched
 from ..claims import READINGS
@@ -84,7 +84,6 @@ class Figure:
 
 def draw(
     folder: Path,
-    fmu: Fmu,
     *,
     only: Sequence[str] = ("",),
     measure: bool = False,
@@ -93,7 +92,7 @@ def draw(
     progress: bool = False,
 ) -> list[Path]:
     """Draw the figures whose name begins like one of `only` into a folder."""
-    known = _figures(fmu, measure)
+    known = _figures(measure)
     for begin in only:
         if not any(name.startswith(begin) for name in known):
             raise InputError(f"only {begin}: no such figure; allowed: {', '.join(known)}")
@@ -114,13 +113,13 @@ def draw(
     return written
 
 
-def _figures(fmu: Fmu, measure: bool = False) -> dict[str, Figure]:
-    runner = Runner.of(read_parameters("paper"), fmu)
+def _figures(measure: bool = False) -> dict[str, Figure]:
+    runner = Runner(read_parameters("paper"))
 
     @cache
     def stride(friction: float, clamp: bool = False) -> Stride:
-        given = runner.but(FRICTION, friction).but(CLAMP, clamp)
-        return Stride(periodic_gait(given), fmu)
+        given = runner.replace({FRICTION: friction, CLAMP: clamp})
+        return Stride(periodic_gait(given))
 
     both = [partial(stride, figure_5.FRICTION, clamp) for clamp in READINGS.values()]
 
@@ -191,7 +190,7 @@ def _figures(fmu: Fmu, measure: bool = False) -> dict[str, Figure]:
     @cache
     def saved() -> Columns:
         if measure:
-            return viability.table(viability.measure(Runner.of(runner, model="reduced"), progress=True))
+            return viability.table(viability.measure(Runner(runner, model="reduced"), progress=True))
         return stored.columns("viability")
 
     falls = cache(slippery.fall_map)
@@ -262,6 +261,6 @@ def _stride_table(strides: Sequence[Stride]) -> Columns:
     lengths = [len(stride.time) for stride in strides]
     rows = {
         "friction": np.repeat([stride.gait.friction for stride in strides], lengths),
-        "swing_clamp": np.repeat([int(stride.gait.runner.values[CLAMP]) for stride in strides], lengths),
+        "swing_clamp": np.repeat([int(stride.gait.runner[CLAMP]) for stride in strides], lengths),
     }
     return rows | {name: np.concatenate([s[name] for s in strides]) for name in STRIDE_COLUMNS}

@@ -30,7 +30,7 @@ def table(gaits: Sequence[Gait], matched: Sequence[Gait] = ()) -> Columns:
         **{n: [] for n in SHARES},
     }
     for gait in [*gaits, *matched]:
-        values = gait.runner.values
+        values = gait.runner
         weight = (values["body.mass"] + values["foot.mass"]) * values["gravity"]
         columns["friction"].append(gait.friction)
         columns["word"].append(gait.word)

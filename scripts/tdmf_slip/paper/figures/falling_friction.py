@@ -13,11 +13,11 @@ from ...analysis.branch import Branch
 from ...analysis.continuation import gaits_over
 from ...analysis.search import periodic_gait
 from ...analysis.tracing import trace
-from ...fmu.fmu import FRICTION
 from ...library.gait import Gait
 from ...library.runner import Runner
 from ...pictures import style
 from ...pictures.curve_label import CurveLabel
+from ...variables.table import FRICTION
 from .columns import Columns
 
 SLOPE, RATIO, VELOCITY = "ground.slope", "ground.static_friction_ratio", "ground.stribeck_velocity"
@@ -49,8 +49,8 @@ Row = tuple[float, str, Gait]
 
 def runner_of(runner: Runner, slope: float, ratio: float, velocity: float) -> Runner:
     """A runner at one place of the figure."""
-    its = runner.but(SLOPE, float(np.radians(slope))).but(FRICTION, FRICTIONS[slope])
-    return its.but(RATIO, ratio).but(VELOCITY, velocity)
+    its = runner.replace({SLOPE: float(np.radians(slope)), FRICTION: FRICTIONS[slope]})
+    return its.replace({RATIO: ratio, VELOCITY: velocity})
 
 
 def level(runner: Runner, ratio: float) -> list[Row]:

@@ -13,11 +13,11 @@ from ...analysis.search import periodic_gait
 from ...feedback.feedback import Feedback
 from ...feedback.gains import dead_beat, lqr
 from ...feedback.judgement import RUNNERS, Judgement, Trial, judge_all
-from ...fmu.fmu import FRICTION
 from ...library.gait import Gait
 from ...library.runner import Runner
 from ...pictures import style
 from ...pictures.curve_label import CurveLabel
+from ...variables.table import FRICTION
 from ..matched import like
 from . import figure_9
 from .columns import Columns
@@ -57,10 +57,7 @@ COUNTED = ("falls", "strides", "stopped", "unsolved")
 
 def laws(gait: Gait) -> dict[str, Feedback | None]:
     """The feedbacks that are judged at a gait, by name; the matched runner has none."""
-    reach = {
-        name: (gait.runner.values[name] - REACH[name], gait.runner.values[name] + REACH[name])
-        for name in REACH
-    }
+    reach = {name: (gait.runner[name] - REACH[name], gait.runner[name] + REACH[name]) for name in REACH}
     alone, both = (ANGLE,), (ANGLE, TORQUE)
     made = (
         None,
@@ -74,7 +71,7 @@ def laws(gait: Gait) -> dict[str, Feedback | None]:
 
 def measure(runner: Runner, *, progress: bool = False) -> dict[str, list[Judgement]]:
     """How well each feedback holds the gaits."""
-    gaits = [periodic_gait(runner.but(FRICTION, friction)) for friction in FRICTIONS]
+    gaits = [periodic_gait(runner.replace({FRICTION: friction})) for friction in FRICTIONS]
     noise = (NOISE * runner.scales).tolist()
     alike = matched(runner, gaits)
     trials: dict[str, list[Trial]] = {name: [] for name in COLOURS}
@@ -90,7 +87,7 @@ def measure(runner: Runner, *, progress: bool = False) -> dict[str, list[Judgeme
 
 def matched(runner: Runner, gaits: Sequence[Gait]) -> dict[float, Gait]:
     """By friction: the control, which carries its foot as high as the runner on `REFERENCE`."""
-    reference = periodic_gait(runner.but(FRICTION, REFERENCE))
+    reference = periodic_gait(runner.replace({FRICTION: REFERENCE}))
     found = {gait.friction: like(reference, gait) for gait in gaits}
     return {friction: gait for friction, gait in found.items() if gait is not None}
 

@@ -56,7 +56,7 @@ def _leg(axes: Axes, stride: Stride, clamped: Stride) -> None:
     angle.spines["right"].set_visible(True)
     angle.plot(stride.time, np.degrees(stride["leg.angle"]), color=style.SECOND_CURVE)
     angle.plot(clamped.time, np.degrees(clamped["leg.angle"]), color=style.SECOND_CURVE, **CLAMPED)
-    waits = np.degrees(stride.gait.runner.values["hip.liftoff_angle_factor"] * stride.gait.liftoff_angle)
+    waits = np.degrees(stride.gait.runner["hip.liftoff_angle_factor"] * stride.gait.liftoff_angle)
     angle.axhline(waits, **style.LIMIT_LINE)
     angle.annotate(r"$\eta\,\theta_{LO}$", (0.02, waits - 3.0), xycoords=("axes fraction", "data"), va="top")
     angle.set_ylabel("leg angle θ (°)", color=style.SECOND_CURVE)

@@ -13,10 +13,10 @@ from matplotlib.axes import Axes
 from matplotlib.patches import Patch
 
 from ...analysis.sweep import Sweep
-from ...fmu.variable import Values
 from ...library.gait import Gait
 from ...pictures import style
 from ...pictures.curve_label import CurveLabel
+from ...variables.variable import Values
 from ..published import BEST_FRICTION, COST_GAIN, SPEED_GAIN
 from .columns import Columns
 

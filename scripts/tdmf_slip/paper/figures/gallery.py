@@ -5,12 +5,12 @@ from pathlib import Path
 
 from ...analysis.search import periodic_gait
 from ...analysis.sweep import Sweep, sweep
-from ...fmu.fmu import FRICTION, Fmu
-from ...fmu.parameters import read_parameters
 from ...library.runner import Runner
 from ...pictures import animation, model, snapshots
 from ...pictures.stride import Stride
 from ...terminal.progress import progress_bar
+from ...variables.parameters import read_parameters
+from ...variables.table import FRICTION
 from .. import matched
 from ..claims import WORDS
 from ..evidence import SWEPT
@@ -18,16 +18,16 @@ from . import figure_5, figure_6, figure_7, figure_8, figure_9
 from .catalogue import CLAMP, EQUAL
 
 
-def draw(folder: Path, fmu: Fmu, progress: bool = False) -> list[Path]:
+def draw(folder: Path, progress: bool = False) -> list[Path]:
     """Draw figures 5 to 9 of the paper, one stride as snapshots and as an animation, and the model."""
     folder.mkdir(exist_ok=True)
-    runner = Runner.of(read_parameters("paper"), fmu)
+    runner = Runner(read_parameters("paper"))
     with progress_bar("pictures", len(WORDS) + 9, "", progress) as bar:
         strides = {}
         for friction in WORDS:
-            strides[friction] = Stride(periodic_gait(runner.but(FRICTION, friction)), fmu)
+            strides[friction] = Stride(periodic_gait(runner.replace({FRICTION: friction})))
             bar.update()
-        clamped = Stride(periodic_gait(runner.but(FRICTION, figure_5.FRICTION).but(CLAMP, True)), fmu)
+        clamped = Stride(periodic_gait(runner.replace({FRICTION: figure_5.FRICTION, CLAMP: True})))
         bar.update()
         written = []
         gaits = sweep(runner, {FRICTION: SWEPT})

@@ -14,7 +14,6 @@ from numpy.typing import NDArray
 
 from ...analysis.search import periodic_gait
 from ...errors import RunError
-from ...fmu.fmu import FRICTION
 from ...library.gait import gait_near
 from ...library.runner import Runner
 from ...optimization.optimizer import Optimizer
@@ -24,6 +23,7 @@ from ...optimization.space import Space
 from ...optimization.starts import Start
 from ...pictures import style
 from ...terminal.progress import progress_bar
+from ...variables.table import FRICTION
 from . import figure_9
 from .columns import Columns
 
@@ -57,7 +57,7 @@ def measure(
     min_slipping: list[Optimum] = []
     with progress_bar("optimal runners", len(frictions), "frictions", progress) as bar:
         for friction in frictions:
-            its = runner.but(FRICTION, float(friction))
+            its = runner.replace({FRICTION: float(friction)})
             cheapest = best(its, CHEAPEST, cheapest, begin=True)
             min_slipping = best(its, MIN_SLIP, [*min_slipping, *cheapest])
             found += [*cheapest, *min_slipping]
@@ -93,9 +93,9 @@ def table(found: Sequence[Optimum]) -> Columns:
     return {
         "friction": [gait.friction for gait in gaits],
         "cheapest": [optimum.objective == CHEAPEST for optimum in found],
-        "touchdown_angle": [gait.runner.values[ANGLE] for gait in gaits],
-        "stance_torque": [gait.runner.values[TORQUE] for gait in gaits],
-        "thrust": [gait.runner.values[THRUST] for gait in gaits],
+        "touchdown_angle": [gait.runner[ANGLE] for gait in gaits],
+        "stance_torque": [gait.runner[TORQUE] for gait in gaits],
+        "thrust": [gait.runner[THRUST] for gait in gaits],
         "word": [gait.word for gait in gaits],
         "speed": [gait.stride["speed"] for gait in gaits],
         "cost_of_transport": [gait.stride["cost_of_transport"] for gait in gaits],

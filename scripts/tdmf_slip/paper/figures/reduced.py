@@ -16,10 +16,10 @@ from ...analysis.basin import basin
 from ...analysis.basin_result import Basin
 from ...analysis.stability import StabilityMap, stability
 from ...analysis.sweep import Sweep
-from ...fmu.fmu import FRICTION
 from ...library.runner import Runner
 from ...library.section import REDUCED
 from ...pictures import basin_map, style
+from ...variables.table import FRICTION
 from . import figure_9
 from .columns import Columns
 
@@ -118,11 +118,11 @@ def draw_eigenvalues(path: Path, sweeps: dict[str, Sweep]) -> None:
 
 def planes(runner: Runner) -> tuple[StabilityMap, StabilityMap]:
     """Stability of the reduced map over touchdown angle and damping, and over retraction and friction."""
-    small = Runner.of(runner, model="reduced")
+    small = Runner(runner, model="reduced")
     return (
         stability(small, {"leg.damping": DAMPINGS, "hip.touchdown_angle": ANGLES}),
         stability(
-            small.but("hip.touchdown_angle", RETRACTED_ANGLE),
+            small.replace({"hip.touchdown_angle": RETRACTED_ANGLE}),
             {FRICTION: FRICTIONS, "hip.retraction_rate": RETRACTIONS},
         ),
     )

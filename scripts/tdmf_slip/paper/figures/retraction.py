@@ -8,10 +8,10 @@ import numpy as np
 from ...analysis.branch import Branch
 from ...analysis.search import periodic_gait
 from ...analysis.tracing import trace
-from ...fmu.fmu import FRICTION
 from ...library.gait import Gait
 from ...library.runner import Runner
 from ...pictures import style
+from ...variables.table import FRICTION
 from ..matched import changed, like
 from . import leading
 from .columns import Columns
@@ -32,7 +32,7 @@ def branches(runner: Runner) -> Mapping[float, tuple[Branch, Branch]]:
     """By friction: gaits from no retraction on, towards negative rates and towards positive ones."""
     found = {}
     for friction in FRICTIONS:
-        its = runner.but(FRICTION, friction)
+        its = runner.replace({FRICTION: friction})
         first = periodic_gait(its)
         back, forth = (
             trace(its, RATE, first, end, max_step=LARGEST_STEP, max_points=POINTS)
@@ -46,12 +46,12 @@ def matched(runner: Runner) -> Mapping[float, tuple[Gait, ...]]:
     """By friction: gaits that retract with speed, apex height and leg angle of the one that does not."""
     found = {}
     for friction in FRICTIONS:
-        reference = one = periodic_gait(runner.but(FRICTION, friction))
+        reference = one = periodic_gait(runner.replace({FRICTION: friction}))
         alike = []
         for rate in RATES:
             near = changed(one, {RATE: rate}, 2)
             one = (near and like(reference, near)) or one
-            if one.runner.values[RATE] == rate:
+            if one.runner[RATE] == rate:
                 alike.append(one)
         found[friction] = tuple(alike)
     return found
@@ -68,7 +68,7 @@ def table(found: Mapping[float, tuple[Branch, Branch]], alike: Mapping[float, tu
         ]
     ]
     along = len(rows)
-    rows += [(friction, one.runner.values[RATE], one) for friction, its in alike.items() for one in its]
+    rows += [(friction, one.runner[RATE], one) for friction, its in alike.items() for one in its]
     pairs = leading.leading([gait for _, _, gait in rows])
     return {
         "friction": [friction for friction, _, _ in rows],
@@ -94,7 +94,7 @@ def draw(
                 named = axes is panels[0] and number == 1
                 leading.draw(axes, branch.values, branch.gaits, named=named)
                 leading.mark(axes, branch, named=named)
-            rates = [one.runner.values[RATE] for one in alike[friction]]
+            rates = [one.runner[RATE] for one in alike[friction]]
             for heights, colour in zip(leading.leading(alike[friction]).T, leading.COLOURS, strict=True):
                 axes.plot(rates, heights, "x", color=colour, markersize=4.5)
             if axes is panels[0]:

@@ -12,9 +12,9 @@ from matplotlib.axes import Axes
 from ...analysis.comparison import compare
 from ...analysis.first_passage import FirstPassage
 from ...analysis.first_passages import Trial, first_passages
-from ...fmu.fmu import FRICTION
 from ...library.runner import Runner
 from ...pictures import style
+from ...variables.table import FRICTION
 from . import figure_9
 from .columns import Columns
 
@@ -37,7 +37,7 @@ Measured = Sequence[tuple[float, bool, FirstPassage]]
 def measure(runner: Runner, *, progress: bool = False) -> Measured:
     """How long runners stay up, at each friction and roughness."""
     trials = [
-        Trial(runner.but(FRICTION, friction), roughness, RUNNERS, SEED, MAX_STRIDES)
+        Trial(runner.replace({FRICTION: friction}), roughness, RUNNERS, SEED, MAX_STRIDES)
         for roughness in ROUGHNESS
         for friction in FRICTIONS
     ]
@@ -46,14 +46,14 @@ def measure(runner: Runner, *, progress: bool = False) -> Measured:
         trials.append(Trial(one, MATCHED_ROUGHNESS, RUNNERS, SEED, MAX_STRIDES))
     found = first_passages(trials, progress=progress)
     return [
-        (trial.runner.values[FRICTION], number >= as_they_come, one)
+        (trial.runner[FRICTION], number >= as_they_come, one)
         for number, (trial, one) in enumerate(zip(trials, found, strict=True))
     ]
 
 
 def _matched(runner: Runner) -> list[Runner]:
     """Of all frictions at which the kinematics of the reference are to be had by a stable gait."""
-    found = compare([runner.but(FRICTION, mu) for mu in (REFERENCE, *FRICTIONS)], hold=HOLD, vary=VARY)
+    found = compare([runner.replace({FRICTION: mu}) for mu in (REFERENCE, *FRICTIONS)], hold=HOLD, vary=VARY)
     missed = {of.runner for of in found.not_held}
     return [
         matched.after.runner

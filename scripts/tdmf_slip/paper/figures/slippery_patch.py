@@ -9,11 +9,11 @@ from ...analysis.first_passage import strides_to_fall
 from ...analysis.search import periodic_gait
 from ...analysis.targeted import find_gait
 from ...errors import RunError
-from ...fmu.fmu import FRICTION
 from ...library.gait import Gait
 from ...library.runner import Runner
 from ...pictures import style
 from ...pictures.curve_label import CurveLabel
+from ...variables.table import FRICTION
 from .columns import Columns
 
 SLOPE = -4.0
@@ -36,8 +36,8 @@ NEVER = 1.25 * LENGTHS[-1]
 
 def gaits(runner: Runner) -> list[tuple[Gait, bool]]:
     """On each ground, and those at the speed and apex height of the least friction's, with True."""
-    its = runner.but("ground.slope", float(np.radians(SLOPE)))
-    own = [periodic_gait(its.but(FRICTION, friction)) for friction in OUTSIDE]
+    its = runner.replace({"ground.slope": float(np.radians(SLOPE))})
+    own = [periodic_gait(its.replace({FRICTION: friction})) for friction in OUTSIDE]
     target = {"speed": float(own[-1].stride["speed"]), "apex_height": float(own[-1].apex[0])}
     found = [(gait, False) for gait in own]
     for gait in own[:-1]:
@@ -50,8 +50,8 @@ def gaits(runner: Runner) -> list[tuple[Gait, bool]]:
 
 def falls(gait: Gait, friction: float, length: float, seed: int = 0) -> int:
     """Of `RUNNERS` that come to a patch on a gait, each at a phase of its own."""
-    runner = gait.runner.but("ground.patch_begin", BEGIN).but("ground.patch_end", BEGIN + length)
-    runner = runner.but("ground.patch_friction", friction)
+    runner = gait.runner.replace({"ground.patch_begin": BEGIN, "ground.patch_end": BEGIN + length})
+    runner = runner.replace({"ground.patch_friction": friction})
     strides = int(length / gait.stride["length"]) + STRIDES_AFTER
     return strides_to_fall(runner, 0.0, RUNNERS, seed, strides, gait=gait, foot_x="random").falls
 

@@ -10,10 +10,10 @@ from ...analysis.bifurcations import FOLD
 from ...analysis.branch import Branch
 from ...analysis.search import periodic_gait
 from ...analysis.tracing import trace
-from ...fmu.fmu import FRICTION
 from ...library.gait import Gait
 from ...library.runner import Runner
 from ...pictures import style
+from ...variables.table import FRICTION
 from ..matched import changed, like
 from . import leading
 from .columns import Columns
@@ -42,7 +42,7 @@ def gaits(runner: Runner) -> Gaits:
     """By friction: gaits from five degrees downhill to the steepest climb of their branch."""
     found = {}
     for friction in COLOURS:
-        its = runner.but(FRICTION, friction)
+        its = runner.replace({FRICTION: friction})
         first = periodic_gait(its)
         down, up = (
             trace(its, SLOPE, first, end, max_step=LARGEST_STEP, max_points=POINTS)
@@ -55,7 +55,7 @@ def gaits(runner: Runner) -> Gaits:
 
 def matched(runner: Runner) -> Gaits:
     """By friction: gaits that have, on level ground, the kinematics of that on the first friction."""
-    reference, *others = (periodic_gait(runner.but(FRICTION, friction)) for friction in COLOURS)
+    reference, *others = (periodic_gait(runner.replace({FRICTION: friction})) for friction in COLOURS)
     found = {}
     for gait in others:
         alike = like(reference, gait)

@@ -10,10 +10,10 @@ from numpy.typing import NDArray
 from ...analysis.branch import Branch
 from ...analysis.search import periodic_gait
 from ...analysis.tracing import trace
-from ...fmu.fmu import FRICTION
 from ...library.gait import Gait
 from ...library.runner import Runner
 from ...pictures import style
+from ...variables.table import FRICTION
 from ..matched import changed, like
 from . import leading
 from .columns import Columns
@@ -48,7 +48,7 @@ def gaits(runner: Runner) -> Mapping[float, tuple[Gait, ...]]:
     """
     found = {}
     for friction in FRICTIONS:
-        its = runner.but(FRICTION, friction)
+        its = runner.replace({FRICTION: friction})
         first = periodic_gait(its)
         hip = _both_ways(first, TORQUE, HIGHEST_TORQUE)
         added = _branch(first, THRUST, HIGHEST_THRUST)
@@ -88,9 +88,9 @@ def table(found: Mapping[float, tuple[Gait, ...]]) -> Columns:
     pairs = leading.leading(gaits)
     return {
         "friction": [gait.friction for gait in gaits],
-        "touchdown_angle": [gait.runner.values[ANGLE] for gait in gaits],
-        "hip_torque": [gait.runner.values[TORQUE] for gait in gaits],
-        "thrust": [gait.runner.values[THRUST] for gait in gaits],
+        "touchdown_angle": [gait.runner[ANGLE] for gait in gaits],
+        "hip_torque": [gait.runner[TORQUE] for gait in gaits],
+        "thrust": [gait.runner[THRUST] for gait in gaits],
         "word": [gait.word for gait in gaits],
         "stable": [gait.stable for gait in gaits],
         "speed": [gait.stride["speed"] for gait in gaits],

@@ -7,9 +7,9 @@ import numpy as np
 from matplotlib.axes import Axes
 
 from ...analysis.comparison import compare
-from ...fmu.fmu import FRICTION
 from ...library.runner import Runner
 from ...pictures import style
+from ...variables.table import FRICTION
 from ...viable_sets.result import Viability
 from ...viable_sets.viability import viability
 from . import figure_9
@@ -31,11 +31,11 @@ Measured = Sequence[tuple[float, Viability]]
 
 def measure(runner: Runner, *, progress: bool = False) -> Measured:
     """The viable sets of matched runners, at each friction."""
-    found = compare([runner.but(FRICTION, mu) for mu in (REFERENCE, *FRICTIONS)], hold=HOLD, vary=VARY)
+    found = compare([runner.replace({FRICTION: mu}) for mu in (REFERENCE, *FRICTIONS)], hold=HOLD, vary=VARY)
     missed = {of.runner for of in found.not_held}
     return [
         (
-            matched.after.runner.values[FRICTION],
+            matched.after.runner[FRICTION],
             viability(matched.after.runner, axes=AXES, vary=CHOSEN, n=CELLS, progress=progress),
         )
         for number, matched in enumerate(found.runners)
@@ -48,7 +48,7 @@ def table(measured: Measured) -> Columns:
     return {
         "friction": [friction for friction, _ in measured],
         **{
-            name: [found.runner.values[name] for _, found in measured]
+            name: [found.runner[name] for _, found in measured]
             for name in ("hip.stance_torque", "hip.touchdown_angle")
         },
         "inner_share": [found.inner_share for _, found in measured],

@@ -10,10 +10,10 @@ from ...analysis.first_passage import FirstPassage
 from ...analysis.rare_falls import RareFalls
 from ...analysis.search import periodic_gait
 from ...errors import GaitNotFoundError, RunError
-from ...fmu.fmu import FRICTION
-from ...fmu.parameters import read_parameters
-from ...fmu.variable import Given
 from ...library.gait import Gait
+from ...variables.parameters import read_parameters
+from ...variables.table import FRICTION
+from ...variables.variable import Given
 from ..matched import HOLD, VARY, changed, like
 
 Arguments = ParamSpec("Arguments")
@@ -198,7 +198,7 @@ def stride_quantity(of: Callable[[Regime], Gait], quantity: str) -> Measure:
 
 def over_length(of: Callable[[Regime], Gait], quantity: str) -> Measure:
     """A length of a gait's stride, over the free length of the leg."""
-    return solved(lambda regime: of(regime).stride[quantity] / of(regime).runner.values["leg.free_length"])
+    return solved(lambda regime: of(regime).stride[quantity] / of(regime).runner["leg.free_length"])
 
 
 @remembered

@@ -43,7 +43,7 @@ def dead_beat_law(regime: Regime, friction: float) -> Feedback:
 
 
 def _limits(one: Gait) -> dict[str, tuple[float, float]]:
-    angle, torque = (one.runner.values[name] for name in SETTINGS)
+    angle, torque = (one.runner[name] for name in SETTINGS)
     reach = TORQUE_REACH * torque
     return {ANGLE: (angle - ANGLE_REACH, angle + ANGLE_REACH), TORQUE: (torque - reach, torque + reach)}
 

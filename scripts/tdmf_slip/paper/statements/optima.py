@@ -2,9 +2,9 @@
 
 from collections.abc import Mapping
 
-from ...fmu.fmu import FRICTION
 from ...optimization.optimize import optimize
 from ...optimization.optimum import Optimum
+from ...variables.table import FRICTION
 from .claim import (
     ALL_BUT_HUMAN,
     ANGLE,

@@ -7,8 +7,8 @@ import numpy as np
 
 from ...analysis.sweep import Sweep, sweep
 from ...errors import RunError
-from ...fmu.fmu import FRICTION
 from ...library.gait import Gait
+from ...variables.table import FRICTION
 from .claim import (
     ALL_BUT_HUMAN,
     CLAMPED,

@@ -43,10 +43,10 @@ def falls(of: Callable[[Regime], Gait]) -> Measure:
     @cache
     def measure(regime: Regime, seed: int) -> Estimate:
         one = of(regime)
-        length = one.runner.values["leg.free_length"]
-        runner = one.runner.but("ground.patch_begin", BEGIN * length)
-        runner = runner.but("ground.patch_end", (BEGIN + LENGTH) * length)
-        runner = runner.but("ground.patch_friction", ON_PATCH)
+        length = one.runner["leg.free_length"]
+        runner = one.runner.replace({"ground.patch_begin": BEGIN * length})
+        runner = runner.replace({"ground.patch_end": (BEGIN + LENGTH) * length})
+        runner = runner.replace({"ground.patch_friction": ON_PATCH})
         strides = int(LENGTH * length / one.stride["length"]) + STRIDES_AFTER
         found = strides_to_fall(runner, 0.0, RUNNERS, seed, strides, gait=one, foot_x="random")
         interval = binomtest(found.falls, RUNNERS).proportion_ci()

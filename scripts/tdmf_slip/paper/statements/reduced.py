@@ -9,10 +9,10 @@ from numpy.typing import NDArray
 from ...analysis.basin import basin
 from ...analysis.search import periodic_gait
 from ...errors import RunError
-from ...fmu.fmu import FRICTION
 from ...library.ensemble import SETTLED
 from ...library.gait import Gait
 from ...library.runner import Runner
+from ...variables.table import FRICTION
 from .claim import STICKS, TABLE_1, Measure, OwnClaim, Regime, solved
 from .over_friction import swept
 from .retraction import RATE, RETRACTS, faster
@@ -74,8 +74,8 @@ def _retracted(model: str) -> Measure:
     """Growth of the size of the second eigenvalue, which belongs to height, with the rate of retraction."""
 
     def growth(regime: Regime) -> float:
-        runner = Runner.of({**regime.values, FRICTION: STICKS}, model=model)
-        retracting = runner.but(RATE, faster(runner))
+        runner = Runner({**regime.values, FRICTION: STICKS}, model=model)
+        retracting = runner.replace({RATE: faster(runner)})
         sizes = [abs(periodic_gait(one).eigenvalues[1]) for one in (runner, retracting)]
         return float(sizes[1] - sizes[0])
 

@@ -46,7 +46,7 @@ def plain(regime: Regime, friction: float, angle: str | None) -> Gait:
 
 def faster(runner: Runner) -> float:
     """The runner's own rate of retraction with `RETRACTS` added."""
-    values = runner.values
+    values = runner
     return values[RATE] + RETRACTS * math.sqrt(values["leg.stiffness"] / values["body.mass"])
 
 

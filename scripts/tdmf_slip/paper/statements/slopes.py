@@ -52,7 +52,7 @@ def climb(regime: Regime, friction: float, reference: float | None, angle: float
         if len(found) > 1:
             guess = guess + (last.apex - found[-2].apex) * step / (_slope(last) - _slope(found[-2]))
         try:
-            next_one = gait_near(last.runner.but(SLOPE, _slope(last) + step), guess)
+            next_one = gait_near(last.runner.replace({SLOPE: _slope(last) + step}), guess)
         except RunError:
             step *= 0.5
             continue
@@ -64,7 +64,7 @@ def climb(regime: Regime, friction: float, reference: float | None, angle: float
 
 
 def _slope(one: Gait) -> float:
-    return one.runner.values[SLOPE]
+    return one.runner[SLOPE]
 
 
 def steepest(friction: float, angle: float | None = None) -> Measure:

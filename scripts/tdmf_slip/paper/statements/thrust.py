@@ -4,8 +4,8 @@ from collections.abc import Callable
 
 from ...analysis.targeted import find_gait
 from ...errors import GaitNotFoundError, RunError
-from ...fmu.fmu import FRICTION
 from ...library.gait import Gait
+from ...variables.table import FRICTION
 from .claim import (
     ANGLE,
     SLIPS,
@@ -48,7 +48,7 @@ def by_thrust(regime: Regime) -> Gait:
 
 def _at_speed(regime: Regime, name: str, added: float) -> Gait:
     one = gait(regime, SLIPS)
-    begin = one.runner.values[name] + added * one.runner.values["leg.free_length"]
+    begin = one.runner[name] + added * one.runner["leg.free_length"]
     values = {**regime.values, FRICTION: SLIPS, name: begin}
     try:
         return find_gait(values, target={"speed": FASTER * one.stride["speed"]}, vary=[name])
@@ -60,7 +60,7 @@ def _at_speed(regime: Regime, name: str, added: float) -> Gait:
 def as_high(regime: Regime) -> Gait:
     """The runner with thrust that has the speed and apex height of the runner driven by torque."""
     reference = by_torque(regime)
-    helped = changed_to(reference, THRUST, HELPED * reference.runner.values["leg.free_length"], 2)
+    helped = changed_to(reference, THRUST, HELPED * reference.runner["leg.free_length"], 2)
     return made_equal(reference, helped, ("speed", "apex_height"), (TORQUE, ANGLE))
 
 

@@ -3,8 +3,8 @@
 from collections.abc import Callable, Mapping
 
 from ...analysis.search import periodic_gait
-from ...fmu.fmu import FRICTION
 from ...library.runner import Runner
+from ...variables.table import FRICTION
 from ...viable_sets.result import Viability
 from ...viable_sets.viability import viability
 from .claim import (
@@ -37,9 +37,9 @@ VIABILITY = (
 @remembered
 def _viable(regime: Regime, friction: float, reference: float | None = None) -> Viability:
     """Viable set of the reduced map, which has no swing and is the same in both readings."""
-    runner = Runner.of({**regime.values, FRICTION: friction}, model="reduced")
+    runner = Runner({**regime.values, FRICTION: friction}, model="reduced")
     if reference is not None:
-        gaits = periodic_gait(runner.but(FRICTION, reference)), periodic_gait(runner)
+        gaits = periodic_gait(runner.replace({FRICTION: reference})), periodic_gait(runner)
         runner = made_equal(*gaits, ("speed", "apex_height"), (TORQUE, ANGLE)).runner
     return viability(runner, axes=PLANES.get(regime.name, PLANE), vary=CHOSEN, n=CELLS)
 

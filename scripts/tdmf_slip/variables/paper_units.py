@@ -10,8 +10,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from ..errors import Note
-from .dimensions import DIMENSIONS, paper_unit, scale
-from .fmu import Fmu
+from .table import DIMENSIONS, VARIABLES, paper_unit, scale
 
 SCALES = ("body.mass", "leg.stiffness", "leg.free_length")
 """Mass, stiffness and length that all other quantities of a runner are measured by."""
@@ -38,13 +37,13 @@ FACTOR = 50.0
 """Ratio of a scaled parameter to the paper's beyond which it is suspicious; a person's are at most 13."""
 
 
-def mixture(values: Mapping[str, Any], fmu: Fmu) -> str:
+def mixture(values: Mapping[str, Any]) -> str:
     """A sentence about values in different systems of units; empty if none are suspected."""
     own = {name: float(values[name]) for name in COMPARED}
-    paper = {name: fmu.start_of(name) for name in own}
+    paper = {name: VARIABLES.start_of(name) for name in own}
     scales = _scales(own)
     ratios = {
-        name: own[name] / scale(fmu.variables[name].unit, *scales) / paper[name]
+        name: own[name] / scale(VARIABLES[name].unit, *scales) / paper[name]
         for name in MEASURED
         if own[name] > 0.0
     }
@@ -71,9 +70,9 @@ def _scales(values: Mapping[str, float]) -> tuple[float, float, float]:
     return length, math.sqrt(mass / stiffness), mass
 
 
-def warn_of_mixture(values: Mapping[str, Any], fmu: Fmu) -> None:
+def warn_of_mixture(values: Mapping[str, Any]) -> None:
     """Warn of values in different systems of units."""
-    sentence = mixture(values, fmu)
+    sentence = mixture(values)
     if sentence:
         warnings.warn(sentence, MixedUnitsWarning, stacklevel=_depth())
 

@@ -7,14 +7,13 @@ from numbers import Real
 from typing import TypeAlias
 
 import numpy as np
-from fmpy.model_description import ModelVariable
 from numpy.typing import NDArray
 
 from ..checks import check_kind, number_in, number_of, shown
 from ..contents import ByContents
 from ..errors import InputError
 from ..given import row_of
-from . import unit_text
+from . import units
 
 Value: TypeAlias = float | bool
 """A start value that is checked, in the variable's unit; of an enumeration, its number."""
@@ -29,6 +28,11 @@ LONGEST_TEXT = 100
 
 Values: TypeAlias = Sequence[float] | NDArray[np.float64]
 """Numbers in a row, in the variable's unit."""
+
+
+def attributes_of(unit: str, description: str) -> dict[str, str]:
+    """A unit and a description, by the names that CF gives them."""
+    return {"units": unit or "1", "long_name": description}
 
 
 @dataclass(frozen=True, eq=False)
@@ -65,7 +69,7 @@ class Variable(ByContents):
     @property
     def attributes(self) -> dict[str, str]:
         """Its unit and description, by the names that CF gives them."""
-        return {"units": self.unit or "1", "long_name": self.description}
+        return attributes_of(self.unit, self.description)
 
     @property
     def group(self) -> str:
@@ -99,13 +103,13 @@ class Variable(ByContents):
         """Units that a value of it may be given in, its own first."""
         others = (
             *self.display_units,
-            *(name for name, (unit, _) in unit_text.OTHER_UNITS.items() if unit == self.unit),
+            *(name for name, (unit, _) in units.OTHER_UNITS.items() if unit == self.unit),
         )
         return tuple(dict.fromkeys(name for name in (self.unit, *others) if name))
 
     def factor_of(self, unit: str) -> float | None:
         """How many of a unit make one of the variable's own; None where it is of something else."""
-        return unit_text.factor(unit, self.unit, self.display_units)
+        return units.factor(unit, self.unit, self.display_units)
 
     def value_of(self, given: Given, where: str) -> Value:
         """A start value for this variable, checked against its range."""
@@ -146,7 +150,7 @@ class Variable(ByContents):
         """The number that a text stands for, in the variable's unit."""
         if text in self.items.values():
             return next(float(value) for value, name in self.items.items() if name == text)
-        number, unit = unit_text.split(text)
+        number, unit = units.split(text)
         factor = self.factor_of(unit)
         if factor is None:
             raise InputError(
@@ -166,31 +170,3 @@ class Variable(ByContents):
         if not math.isfinite(number):
             raise self._refusal(given, where)
         return number
-
-
-def variable_of(variable: ModelVariable, factors: Mapping[str, Mapping[str, float]]) -> Variable:
-    """A variable as the unit's description has it."""
-    declared = variable.declaredType
-    unit = variable.unit or (declared.unit if declared is not None else None) or ""
-    items = getattr(declared, "items", None) or []
-    return Variable(
-        name=variable.name,
-        reference=variable.valueReference,
-        type=variable.type,
-        unit=unit,
-        description=variable.description or "",
-        causality=variable.causality,
-        variability=variable.variability,
-        settable=variable.causality == "input" or variable.initial == "exact",
-        minimum=float(variable.min) if variable.min is not None else -math.inf,
-        maximum=float(variable.max) if variable.max is not None else math.inf,
-        start=_start(variable),
-        items={int(item.value): item.name for item in items},
-        display_units=factors.get(unit, {}),
-    )
-
-
-def _start(variable: ModelVariable) -> Value | None:
-    if variable.start is None or variable.type == "String":
-        return None
-    return bool(variable.start == "true") if variable.type == "Boolean" else float(variable.start)

@@ -12,16 +12,8 @@ from typing import Any, Protocol, TypeAlias
 from ..checks import near_matches, path_of, shown
 from ..errors import InputError, reason
 from ..given import LabelledRow
-from .names import by_full_name
+from .table import by_full_name
 from .variable import Given
-
-
-class HasValues(Protocol):
-    """What has all start values, as a Runner."""
-
-    @property
-    def values(self) -> Mapping[str, float]:
-        """By the unit's names."""
 
 
 class HasStartValues(Protocol):
@@ -32,9 +24,7 @@ class HasStartValues(Protocol):
         """By the unit's names."""
 
 
-RunnerLike: TypeAlias = (
-    HasStartValues | HasValues | Mapping[str, Given] | LabelledRow | str | os.PathLike[str] | None
-)
+RunnerLike: TypeAlias = HasStartValues | Mapping[str, Given] | LabelledRow | str | os.PathLike[str] | None
 """What may be given for a runner: a Runner; a Gait, of which it is the runner; start values by the unit's
 names and in its units, over the unit's own, also as a Series; the name of a preset; the path of a parameter
 file; or None, for the runner of the paper."""
@@ -54,7 +44,7 @@ def preset_names() -> list[str]:
 
 
 def read_parameters(name: str | os.PathLike[str]) -> dict[str, Any]:
-    """Start values from a file, or from one of the package's presets.
+    """Start values from a file, or from one of the package's presets, as `human` or `human.toml`.
 
     The keys are names of the unit's variables, either whole (`"leg.stiffness"`), nested by their groups
     (TOML's `leg.stiffness`, or a table `[leg]`) or short (`stiffness`); a value is a number in the variable's
@@ -68,7 +58,7 @@ def read_parameters(name: str | os.PathLike[str]) -> dict[str, Any]:
     75.1 20500.0
     """
     given = path_of(name, "parameters", "the path of a file, or a preset's name")
-    path = PRESETS / f"{given}.toml" if str(given) in preset_names() else given
+    path = _path_of(given)
     readers: Mapping[str, Callable[[str], object]] = {".toml": _loads_toml, ".json": loads_json}
     if path.suffix not in readers:
         raise InputError(
@@ -85,14 +75,20 @@ def read_parameters(name: str | os.PathLike[str]) -> dict[str, Any]:
         raise InputError(f"parameters {path}: {reason(problem)}") from None
 
 
+def _path_of(given: Path) -> Path:
+    """The preset's path where a preset is named; a file of the user's own goes before `human.toml`."""
+    preset = PRESETS / f"{given.name.removesuffix('.toml')}.toml"
+    names_one = str(given) == given.name and preset.is_file()
+    return preset if names_one and not (given.suffix and given.is_file()) else given
+
+
 def start_values_of(runner: object) -> Mapping[str, Any]:
     """What a runner, given in whatever way, says of start values."""
     if isinstance(runner, str | os.PathLike):
         return read_parameters(runner)
-    for name in ("start_values", "values"):  # of a Gait, and of a Runner
-        own = getattr(runner, name, None)
-        if isinstance(own, Mapping):
-            return own
+    own = getattr(runner, "start_values", None)  # of a Gait
+    if isinstance(own, Mapping):
+        return own
     return by_full_name(runner, "runner", RUNNER)
 
 

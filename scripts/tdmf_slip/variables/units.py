@@ -1,4 +1,7 @@
-"""Quantities as texts, such as `20 kN/m`: their number, their unit, and its conversion factor."""
+"""Units: quantities as texts such as `20 kN/m`, and labels in the paper's units.
+
+It needs nothing but Python's standard library, because the live page's generator reads it too.
+"""
 
 import math
 import re
@@ -44,3 +47,26 @@ def factor(unit: str, own: str, display_units: Mapping[str, float]) -> float | N
         return 1.0
     other, number = OTHER_UNITS.get(unit, ("", 1.0))
     return number if other == own and own else display_units.get(unit)
+
+
+def paper_label(length: int, time: int, mass: int) -> str:
+    """Label in the paper's units of a product of powers: `l0 sqrt(k/m)` for a speed, empty for a number."""
+    stiffness_power, mass_power = -0.5 * time, mass + 0.5 * time
+    roots = {"k": 0.0, "m": 0.0}
+    if time % 2:  # both powers are halves
+        roots = {"k": math.copysign(0.5, stiffness_power), "m": math.copysign(0.5, mass_power)}
+    powers = {"k": stiffness_power - roots["k"], "m": mass_power - roots["m"], "l0": float(length)}
+    root = _fraction({name: 2.0 * power for name, power in roots.items()}, "")
+    return _fraction(powers, f"sqrt({root})" if root else "")
+
+
+def _fraction(powers: Mapping[str, float], last: str) -> str:
+    """A product of powers with a fraction bar before the negative ones."""
+    above = [_power(name, power) for name, power in powers.items() if power > 0.0]
+    below = [_power(name, -power) for name, power in powers.items() if power < 0.0]
+    product = " ".join([*above, *([last] if last else [])])
+    return f"{product or 1}/{' '.join(below)}" if below else product
+
+
+def _power(name: str, power: float) -> str:
+    return name if power == 1.0 else f"{name}^{power:g}"
