@@ -9,6 +9,7 @@ from tdmf_slip.files.resume import refuse_resumable, resumed, same_values
 from tdmf_slip.library.gait import LEDGER
 from tdmf_slip.library.measures import STRIDE_QUANTITIES
 from tdmf_slip.library.section import COORDINATES
+from tdmf_slip.variables.table import VARIABLES
 
 FRICTIONS = [0.6, 0.5]
 DAMPINGS = [0.2, 0.25]
@@ -20,14 +21,14 @@ def runner():
     return Runner({})
 
 
-def make_grid(runner, unit, path):
-    return grid.grid(runner, {"ground.friction": FRICTIONS, OVER: DAMPINGS}, path, fmu=unit)
+def make_grid(runner, path):
+    return grid.grid(runner, {"ground.friction": FRICTIONS, OVER: DAMPINGS}, path)
 
 
 @pytest.fixture(scope="module")
-def whole(runner, fmu, tmp_path_factory):
+def whole(runner, tmp_path_factory):
     path = tmp_path_factory.mktemp("grid") / "grid.nc"
-    make_grid(runner, fmu, path)
+    make_grid(runner, path)
     return xarray.load_dataset(path)
 
 
@@ -41,7 +42,7 @@ def half(whole):
     return half
 
 
-def test_a_half_done_grid_is_gone_on_with(runner, fmu, half, whole, tmp_path, monkeypatch):
+def test_a_half_done_grid_is_gone_on_with(runner, half, whole, tmp_path, monkeypatch):
     path = tmp_path / "grid.nc"
     half.to_netcdf(path)
     honest, rows = grid.gaits_of_row, []
@@ -51,9 +52,9 @@ def test_a_half_done_grid_is_gone_on_with(runner, fmu, half, whole, tmp_path, mo
         return honest(row)
 
     monkeypatch.setattr(grid, "gaits_of_row", noting)
-    xarray.testing.assert_identical(make_grid(runner, fmu, path).drop_attrs(), whole.drop_attrs())
+    xarray.testing.assert_identical(make_grid(runner, path).drop_attrs(), whole.drop_attrs())
     assert rows == [DAMPINGS[1]]
-    make_grid(runner, fmu, path)
+    make_grid(runner, path)
     assert rows == [DAMPINGS[1]]
 
 
@@ -64,23 +65,23 @@ def spoiled(data, name, value, row=0):
     data[name][{dim: (row, 0)[axis] for axis, dim in enumerate(data[name].dims)}] = value
 
 
-def assert_refused(runner, unit, data, path, match=r"grid\.nc: holds another sweep"):
+def assert_refused(runner, data, path, match=r"grid\.nc: holds another sweep"):
     data.to_netcdf(path)
     before = path.read_bytes()
     with pytest.raises(InputError, match=match):
-        make_grid(runner, unit, path)
+        make_grid(runner, path)
     assert path.read_bytes() == before
 
 
 @pytest.mark.parametrize("name", NUMBERS)
-def test_no_number_of_a_gait_is_believed(runner, fmu, half, tmp_path, name):
+def test_no_number_of_a_gait_is_believed(runner, half, tmp_path, name):
     """A period of 123, and one that is off by a hundred thousandth."""
     right = float(half[name][0, 0])
     largest = float(np.abs(half[name][0]).max())
     for wrong in (123.0, right + 1e-5 * largest + 1e-12, np.nan, np.inf):
         data = half.copy(deep=True)
         spoiled(data, name, wrong)
-        assert_refused(runner, fmu, data, tmp_path / "grid.nc")
+        assert_refused(runner, data, tmp_path / "grid.nc")
 
 
 @pytest.mark.parametrize(
@@ -98,25 +99,25 @@ def test_no_number_of_a_gait_is_believed(runner, fmu, half, tmp_path, name):
         ("problem", "tired", 1),
     ],
 )
-def test_neither_are_marks_and_words(runner, fmu, half, tmp_path, name, wrong, row):
+def test_neither_are_marks_and_words(runner, half, tmp_path, name, wrong, row):
     spoiled(half, name, wrong, row)
-    assert_refused(runner, fmu, half, tmp_path / "grid.nc")
+    assert_refused(runner, half, tmp_path / "grid.nc")
 
 
-def scaled(length, unit):
+def scaled(length):
     """The unit's own runner at so many times its length, with the same mass, stiffness and motion."""
     powers = {"m": 1, "m/s": 1, "m/s2": 1, "N.m": 2, "N.m/rad": 2, "N.m.s/rad": 2}
     own = Runner()
     return Runner(
-        {name: value * length ** powers.get(unit.variables[name].unit, 0) for name, value in own.items()}
+        {name: value * length ** powers.get(VARIABLES[name].unit, 0) for name, value in own.items()}
     )
 
 
 @pytest.mark.parametrize("length", [1.0, 1e3, 1e-3])
-def test_what_is_rounding_goes_by_the_runners_length(fmu, tmp_path, length):
+def test_what_is_rounding_goes_by_the_runners_length(tmp_path, length):
     """A rise that another machine rounds otherwise, and one that is none of level ground."""
     path = tmp_path / "grid.nc"
-    grid.grid(scaled(length, fmu), {"ground.friction": [0.6], OVER: [0.2]}, path)
+    grid.grid(scaled(length), {"ground.friction": [0.6], OVER: [0.2]}, path)
     whole = xarray.load_dataset(path)
     assert abs(whole["rise"].item()) < 1e-14 * length
     for off in (3e-13, -3e-13, 1e-12, -1e-12):
@@ -124,20 +125,20 @@ def test_what_is_rounding_goes_by_the_runners_length(fmu, tmp_path, length):
         data["rise"][0, 0] += off * length
         data.to_netcdf(path)
         if abs(off) < 5e-13:
-            grid.grid(scaled(length, fmu), {"ground.friction": [0.6], OVER: [0.2]}, path)
+            grid.grid(scaled(length), {"ground.friction": [0.6], OVER: [0.2]}, path)
         else:
             with pytest.raises(InputError, match="holds another sweep"):
-                grid.grid(scaled(length, fmu), {"ground.friction": [0.6], OVER: [0.2]}, path)
+                grid.grid(scaled(length), {"ground.friction": [0.6], OVER: [0.2]}, path)
 
 
-def test_a_gait_is_missing_only_with_a_reason(runner, fmu, half, tmp_path):
+def test_a_gait_is_missing_only_with_a_reason(runner, half, tmp_path):
     for name in half.data_vars:
         if half[name].ndim == 2:
             half[name][0, 1] = "" if name == "word" else np.nan
-    assert_refused(runner, fmu, half, tmp_path / "grid.nc")
+    assert_refused(runner, half, tmp_path / "grid.nc")
     half["problem"][0] = "the runner was tired"
     half.to_netcdf(tmp_path / "grid.nc")
-    assert make_grid(runner, fmu, tmp_path / "grid.nc")["period"].isnull().sum() == 1
+    assert make_grid(runner, tmp_path / "grid.nc")["period"].isnull().sum() == 1
 
 
 @pytest.mark.parametrize(
@@ -158,9 +159,9 @@ def test_a_gait_is_missing_only_with_a_reason(runner, fmu, half, tmp_path):
         (lambda data: data[OVER].attrs.pop("units"), f"another units of {OVER}"),
     ],
 )
-def test_a_grid_with_other_attributes_is_another(runner, fmu, half, tmp_path, spoil, match):
+def test_a_grid_with_other_attributes_is_another(runner, half, tmp_path, spoil, match):
     spoil(half)
-    assert_refused(runner, fmu, half, tmp_path / "grid.nc", match)
+    assert_refused(runner, half, tmp_path / "grid.nc", match)
 
 
 @pytest.mark.parametrize(
@@ -174,15 +175,15 @@ def test_a_grid_with_other_attributes_is_another(runner, fmu, half, tmp_path, sp
         (lambda data: data.drop_vars(OVER), f"other values of {OVER}"),
     ],
 )
-def test_a_grid_with_other_variables_is_another(runner, fmu, half, tmp_path, spoil, match):
-    assert_refused(runner, fmu, spoil(half), tmp_path / "grid.nc", match)
+def test_a_grid_with_other_variables_is_another(runner, half, tmp_path, spoil, match):
+    assert_refused(runner, spoil(half), tmp_path / "grid.nc", match)
 
 
-def test_attributes_may_be_off_by_rounding(runner, fmu, half, tmp_path):
+def test_attributes_may_be_off_by_rounding(runner, half, tmp_path):
     half.attrs["body.mass"] *= 1 + 1e-12
     half["period"][0, 0] *= 1 + 1e-11
     half.to_netcdf(tmp_path / "grid.nc")
-    assert make_grid(runner, fmu, tmp_path / "grid.nc")["done"].all()
+    assert make_grid(runner, tmp_path / "grid.nc")["done"].all()
 
 
 @pytest.mark.parametrize("content", [b"", b"rubbish", b"\x89HDF\r\n\x1a\n" + b"rubbish" * 100])
@@ -224,31 +225,31 @@ def test_values_are_the_same_to_a_part_of_the_largest():
     assert not same_values(one, other, 1.0)
 
 
-def settled_map(runner, unit, path):
+def settled_map(runner, path):
     values = {"com_height": [1.4, 1.41], "com_speed": [1.0]}
-    return basin.basin_at(basin.stable_gait(runner, unit), values, path=path, fmu=unit)
+    return basin.basin_at(basin.stable_gait(runner), values, path=path)
 
 
 @pytest.mark.parametrize(
     ("fate", "strides"),
     [(-1, 401), (0, -1), (0, 401), (1, -1), (1, 401), (2, 401), (3, 1), (9, 5), (-2, 0), (77, 1)],
 )
-def test_a_map_with_fates_or_strides_that_cannot_be_is_refused(runner, fmu, tmp_path, fate, strides):
+def test_a_map_with_fates_or_strides_that_cannot_be_is_refused(runner, tmp_path, fate, strides):
     path = tmp_path / "map.nc"
-    data = settled_map(runner, fmu, path).to_xarray()
+    data = settled_map(runner, path).to_xarray()
     data["fate"][1, 0], data["strides_until_known"][1, 0] = fate, strides
     data.to_netcdf(path)
     with pytest.raises(InputError, match=rf"row 1, column 0 with fate {fate} after {strides} strides"):
-        settled_map(runner, fmu, path)
+        settled_map(runner, path)
 
 
 @pytest.mark.parametrize(
     "attributes", [{"flag_meanings": "fell settled undecided no_start"}, {"flag_values": [3, 2, 1, 0]}]
 )
-def test_a_map_that_calls_fates_otherwise_is_refused(runner, fmu, tmp_path, attributes):
+def test_a_map_that_calls_fates_otherwise_is_refused(runner, tmp_path, attributes):
     path = tmp_path / "map.nc"
-    data = settled_map(runner, fmu, path).to_xarray()
+    data = settled_map(runner, path).to_xarray()
     data["fate"].attrs |= attributes
     data.to_netcdf(path)
     with pytest.raises(InputError, match=f"another {next(iter(attributes))} of fate"):
-        settled_map(runner, fmu, path)
+        settled_map(runner, path)
