@@ -166,7 +166,7 @@ class Instants:
         )
         about = f"First variation of {event_name}."
         row["vary_react"] = add(f"vary_react_{of}", "vary_react", varied, about)
-        watches = True if event.only is None else page.answer(key, event.only, event_name)
+        watches = page.watches(key, event_name)
         if watches is not True:
             about = f"Whether {event_name} is watched."
             row["is_watched"] = add(f"watches_{of}", "answer", answer_in_c(watches), about)

@@ -214,25 +214,34 @@ class Motion:
 
     def c_of_bounds(self):
         """Lower bounds of the guards in a step, by interval arithmetic; a guard that divides has none."""
-        self.has_bounds = False
         lines, variables = [], {}
-        for i, guard in enumerate(self.guards[: len(self.watched)]):
-            bound = self.bound(guard, variables, lines)
-            self.has_bounds |= bound is not None
-            lines.append(f"low[{i}] = {f'{bound}.low' if bound else 'broadcast(-INFINITY)'};")
+        sometimes = [n for n in self.watched if self.page.watches(self.key, n) is not True]
+        for name in [*(n for n in self.watched if n not in sometimes), *sometimes]:
+            i = self.watched.index(name)
+            bound, new, found = self.bound(self.guards[i], variables)
+            new.append(f"low[{i}] = {f'{bound}.low' if bound else 'broadcast(-INFINITY)'};")
+            if name in sometimes and bound:
+                lines += [f"if (watched & 1u << {i}) {{", *(f"    {line}" for line in new), "}"]
+            else:
+                lines, variables = lines + new, found
+        self.has_bounds = "span_" in "".join(lines)
         if self.has_bounds:
-            given = "const real *constants, const real *series, const real *power, int order, real *low"
-            about = "Lower bounds of the guards in a step."
+            given = "const real *constants, const real *series, const real *power, int order"
+            given += ", unsigned watched, real *low"
+            about = "Lower bounds of the guards in a step; `watched` has a bit for each of them."
             yield self.function_of(f"bounds_{self.name}", given, lines_of(lines), about)
 
-    def bound(self, guard, variables, lines):
-        """Add statements for the interval of a guard; the variable's name, or None where it has no bound."""
+    def bound(self, guard, variables):
+        """The variable of a guard's interval, statements that compute it, and all variables by expression.
+
+        The variable is None where the guard has no bound.
+        """
         turns = [n for n in ordered([guard], self.known) if n.operation in TURNS and not n.is_constant]
-        nodes, new = ordered([guard], {*self.known, *turns}), []
+        nodes, new, found = ordered([guard], {*self.known, *turns}), [], dict(variables)
         for node in nodes:
-            if node in variables:
+            if node in found:
                 continue
-            of = [variables.get(o) for o in node.operands]
+            of = [found.get(o) for o in node.operands]
             if node in self.known:
                 text = f"interval_of_series({self.known[node]}, power, order)"
             elif node.is_constant:
@@ -250,11 +259,10 @@ class Motion:
             elif node.operation in INTERVALS:
                 text = f"{INTERVALS[node.operation]}({', '.join(of)})"
             else:
-                return None
-            variables[node] = f"span_{len(variables)}"
-            new.append(f"const interval {variables[node]} = {text};")
-        lines += new
-        return variables[guard]
+                return None, [], variables
+            found[node] = f"span_{len(found)}"
+            new.append(f"const interval {found[node]} = {text};")
+        return found[guard], new, found
 
 
 class InstantVariation(Variation):

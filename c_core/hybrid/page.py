@@ -35,7 +35,7 @@ class Page:
         self.inputs = [name for name, q in self.states.items() if q.is_input]
         self.clocks = [name for name, q in self.states.items() if q.is_clock]
         self.c_names = safe_names(list(self.parameters)) | safe_names(list(self.states))
-        self._watched = {}
+        self._watched, self._watches = {}, {}
         self.check_declarations()
         self.check_start()
         self.keys = self.reachable()
@@ -120,10 +120,17 @@ class Page:
                 for name, e in self.events.items()
                 if key[0] in e.modes
                 and all(words.get(word) in values for word, values in e.case.items())
-                and (e.only is None or self.answer(key, e.only, name) is not False)
+                and self.watches(key, name) is not False
                 and not self.is_never_due(key, name)
             }
         return self._watched[key]
+
+    def watches(self, key, name):
+        """Whether a mode watches an event: a truth value, or a tree if that depends on numbers."""
+        if (key, name) not in self._watches:
+            only = self.events[name].only
+            self._watches[key, name] = True if only is None else self.answer(key, only, name)
+        return self._watches[key, name]
 
     def guard(self, key, name, state_of=None):
         """The guard of an event as an expression."""

@@ -9,7 +9,8 @@
 typedef void tdmf_expand(const real *constants, int order, real *series);
 typedef void tdmf_vary(const real *constants, const real *series, const real *d_constants, int order,
                        real *varied);
-typedef void tdmf_bounds(const real *constants, const real *series, const real *power, int order, real *low);
+typedef void tdmf_bounds(const real *constants, const real *series, const real *power, int order,
+                         unsigned watched, real *low);
 
 /* A guard or an observed quantity as a polynomial in time, of less than `order` in degree. */
 typedef void (*tdmf_polynomial)(const real *constants, const real *series, int order, real *g);

@@ -322,7 +322,11 @@ static inline void search_events(page_step *step, mask searching) {
     step->first = integer_of(NO_EVENT);
     step->is_due = step->is_reached = mask_of(false);
     if (step->motion->bounds) {
-        step->motion->bounds(step->c, step->s[0], step->power, step->order, low);
+        unsigned watched = 0;
+        for (int i = 0; i < step->guard_count; ++i) {
+            watched |= any(step->guards[i].is_watched) ? 1u << i : 0u;
+        }
+        step->motion->bounds(step->c, step->s[0], step->power, step->order, watched, low);
     }
     for (int i = 0; i < step->guard_count && any(searching); ++i) {
         guard_watch *watch = &step->guards[i];
