@@ -90,11 +90,14 @@ class StuckError(RuntimeError):
     """A chain of events in zero time does not end."""
 
 
-def library_of(files, name, level):
+KERNEL = ROOT / "c_core" / "hybrid" / "kernel", ROOT / "c_core" / "kernel"
+"""Folders of the driver and of what it includes."""
+
+
+def library_of(files, name, level, folders):
     """Compile derived C, once for equal texts."""
-    folders = [ROOT / "c_core" / "hybrid" / "kernel", ROOT / "c_core" / "kernel"]
     sources = {**files, **{f.name: f.read_text() for folder in folders for f in sorted(folder.iterdir())}}
-    key = hashlib.sha256(repr((level, sorted(sources.items()))).encode()).hexdigest()[:16]
+    key = hashlib.sha256(repr((level, folders, sorted(sources.items()))).encode()).hexdigest()[:16]
     pages = ROOT / "build" / "pages"  # all workers of pytest, and the next run, find it there
     pages.mkdir(parents=True, exist_ok=True)
     folder = pages / f"{name}-{key}"
@@ -140,12 +143,12 @@ def library_of(files, name, level):
 class CompiledPage:
     """A page in C."""
 
-    def __init__(self, model, level="-O2"):
+    def __init__(self, model, level="-O2", folders=KERNEL):
         self.model = model
         page = Page(model)
         self.keys, self.files = page.keys, generate(page)
         self.name = next(iter(self.files)).removesuffix(".h")
-        self.library = library_of(self.files, self.name, level)
+        self.library = library_of(self.files, self.name, level, folders)
         self.struct = ModelStruct.in_dll(self.library, f"{self.name}_model")
         self.modes, self.events, self.states, self.parameters, self.outputs, self.tables = (
             [
@@ -157,6 +160,11 @@ class CompiledPage:
         self.library.tdmf_page_run_default.restype = RunStruct
         self.library.tdmf_page_run_default.argtypes = [c_void_p, c_void_p, c_void_p]
         self.library.tdmf_page_order.argtypes = [c_double]
+
+    def names(self, values):
+        """Values by the names of the page, from values by the names of a unit."""
+        of = {self.model.public(n): n for n in [*self.states, *self.parameters]}
+        return {of[name]: value for name, value in values.items()}
 
     def start(self, seeds=(), tolerance=1e-11, step_limit=100000, tables=(), **values):
         """A run from the page's start, with these values of parameters and states, and these tables."""

@@ -4,6 +4,7 @@ import importlib
 import importlib.util
 import re
 import sys
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -43,6 +44,12 @@ def test_the_installed_package_has_the_language_and_the_runner():
     assert installed.__all__ == hybrid.__all__
     assert issubclass(runner, installed.Model)
     assert list(installed.derive(runner)) == ["plain_runner.h", "plain_runner_motions.c", "plain_runner.c"]
+
+
+def test_a_page_is_compiled_from_the_installed_package_alone(guide):
+    installed = Path(importlib.import_module("tdmf_slip").__file__).parent
+    page = CompiledPage(guide.Ball, "-O0", (installed / "hybrid" / "kernel", installed / "kernel"))
+    assert page.start().to(3.0).bounces == 6
 
 
 def ball_at(time, restitution, height, gravity=9.81):

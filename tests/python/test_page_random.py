@@ -129,8 +129,7 @@ def compare(page, number, tolerance=1e-13):
     """How a random run compares: see test_page_runner.compare."""
     parameters, inputs, world, segments, (length, rate, force) = drawn(number)
     clamps = bool(number % 2)
-    names = {page.model.public(n): n for n in [*page.states, *page.parameters]}
-    given = {names[n]: v for n, v in (parameters | inputs).items()} | world
+    given = page.names(parameters | inputs) | world
     given |= {"swing_clamp": clamps, "tolerance": tolerance, "step_limit": STEP_LIMIT}
     state = [world[n] for n in STATES[:8]]
     setup = parameters | {"hip.swing_clamp": clamps}, inputs, state, tolerance, STEP_LIMIT
@@ -139,8 +138,8 @@ def compare(page, number, tolerance=1e-13):
         return "refused", 0.0, old.refused
     mine_segments, old_segments = [], []
     for duration, sets, rates in segments:
-        changes = {names[n]: v for n, v in sets.items()} | {f"{names[n]}_rate": v for n, v in rates.items()}
-        mine_segments.append((duration, changes))
+        ramps = {f"{n}_rate": v for n, v in page.names(rates).items()}
+        mine_segments.append((duration, page.names(sets) | ramps))
 
         def change(old, sets=sets, rates=rates):
             old.set(

@@ -144,8 +144,7 @@ def test_outputs_of_c_are_those_of_the_page_on_plain_numbers(runner):
 
 @pytest.mark.parametrize("stride", FREE["strides"], ids=range(len(FREE["strides"])))
 def test_strides_of_random_runners_are_those_of_the_references(runner, stride):
-    names = {runner.model.public(n): n for n in [*runner.parameters, "friction"]}
-    given = {names[name]: value for name, value in stride["given"].items()}
+    given = runner.names(stride["given"])
     share = given.get("body_mass", 1) / (given.get("body_mass", 1) + given.get("foot_mass", 0.1))
     run = runner.start(tolerance=1e-13, **given, **world_of(stride["apex"], share)).to(stop="apex")
     assert word(run) == stride["word"]
@@ -314,8 +313,7 @@ def compare(page, number, tolerance=1e-13):
     """
     parameters, inputs, world, rate = drawn(number)
     clamps = bool(number % 2)
-    names = {page.model.public(n): n for n in [*page.states, *page.parameters]}
-    given = {names[n]: v for n, v in (parameters | inputs).items()} | world
+    given = page.names(parameters | inputs) | world
     given |= {"swing_clamp": clamps, "tolerance": tolerance}
     old = OldRun(parameters | {"hip.swing_clamp": clamps}, inputs, [world[n] for n in STATES[:8]], tolerance)
     if old.refused:
