@@ -17,7 +17,7 @@ const OUTDATED = 0.25; // opacity of what was painted for another runner
 const LEG_LENGTH = 2; // it and the coordinates before are positive
 const MIN_SHARE = 0.1; // of the gait's, for what is positive
 const FATES = [
-  { name: "settled", text: "settles on the gait (stronger: sooner)", colour: "accent" },
+  { name: "settled", text: "settles on the gait (stronger colour: sooner)", colour: "accent" },
   { name: "fell", text: "falls", colour: "bad" },
   { name: "undecided", text: "neither in 400 strides", colour: "slip_positive" },
   { name: "no_start", text: "no start: the foot is not above the ground", colour: "faint" },
