@@ -45,7 +45,7 @@ class LabelledArrays(ByContents, Drawable):
         """An array by its name."""
         found = self.variables.get(name) or self.coordinates.get(name)
         if found is None:
-            raise InputError(f"{name!r} is no array of this result; allowed: {', '.join(self.keys())}")
+            raise InputError(f"{name!r} is not an array of this result; allowed: {', '.join(self.keys())}")
         return found.values
 
     def __iter__(self) -> Iterator[str]:

@@ -463,7 +463,7 @@ def test_a_setting_at_the_end_of_its_range_and_one_that_does_not_act_are_refused
     ):
         lqr(no_derivative_gain, ["hip.liftoff_angle_factor"])
     gait = find_gait(model="reduced")
-    with pytest.raises(InputError, match=r"hip.kp does not act at this gait"):
+    with pytest.raises(InputError, match=r"hip.kp has no effect on the next apex"):
         lqr(gait, [ANGLE, "hip.kp"])
     assert lqr(gait, [ANGLE, TORQUE]).lambda_max < gait.lambda_max
 

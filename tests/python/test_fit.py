@@ -1,4 +1,4 @@
-"""Runners fitted to measured gaits: derivatives, confidence, what the data do not tell, and tables."""
+"""Runners fitted to measured gaits: derivatives, confidence, what cannot be identified, and tables."""
 
 import json
 import math
@@ -244,7 +244,7 @@ def test_what_acts_as_a_sum_is_one_combination():
     assert changes["hip.stance_torque"] == pytest.approx(-changes["control.stance_torque"], rel=1e-6)
     assert np.isinf(found.parameters["hip.stance_torque"].high)
     assert np.isfinite(found.parameters["leg.stiffness"].high)
-    assert "do not tell these apart" in found.as_text()
+    assert "cannot be identified: " in found.as_text()
 
 
 def test_what_acts_as_a_product_is_one_combination():
@@ -269,15 +269,15 @@ def test_what_acts_as_a_product_is_one_combination():
         assert estimate.value == pytest.approx(gait.friction, rel=1e-6) and np.isfinite(estimate.high)
 
 
-def test_what_does_not_act_is_told():
+def test_a_parameter_without_effect_is_unidentified():
     gait = find_gait({"ground.friction": 0.6})
     found = fit(None, Measurements((measured(gait),), "a gait"), ["leg.stiffness", "leg.min_length"])
     (combination,) = found.unidentified
     assert dict(combination.members) == {"leg.min_length": 1.0}
-    assert "leg.min_length: it does not act" in found.as_text()
+    assert "leg.min_length cannot be identified" in found.as_text()
 
 
-def test_what_the_data_hardly_tell_is_told():
+def test_a_combination_that_is_poorly_identified_is_reported():
     gait = find_gait({"ground.friction": 0.6})
     row = {"speed": Measured(gait.stride["speed"], 3.0 * gait.stride["speed"])}
     (combination,) = fit(None, Measurements((row,), "a poor measurement"), ["hip.stance_torque"]).unidentified

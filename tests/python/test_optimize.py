@@ -144,7 +144,7 @@ def test_a_speed_that_no_gait_has_is_told_with_the_nearest():
         (["--maximize", "speed", "--vary", f"{ANGLE}=0.9:0.5"], "A below B"),
         (["--maximize", "speed", "--vary", f"{ANGLE}=0.5"], "A:B"),
         (["--maximize", "speed", "--vary", "leg.stifness=1:2"], "leg.stiffness"),
-        (["--maximize", "speed", "--vary", "leg.min_length=0.01:0.02"], "does not act"),
+        (["--maximize", "speed", "--vary", "leg.min_length=0.01:0.02"], "has no effect"),
         (["--maximize", "speed", "--vary", f"{ANGLE}=0.5:9"], "not allowed"),
         (["--maximize", "speed", "--minimize", "speed", "--vary", f"{ANGLE}=0.5:0.9"], "that differ"),
         (["--vary", f"{ANGLE}=0.5:0.9"], "neither given"),

@@ -390,11 +390,11 @@ def test_settings_that_are_none_are_told(gait):
 
 def test_settings_that_do_not_act_are_told(gait):
     slack = gait.runner.replace({"hip.kp": 0.0, "hip.kd": 0.0})
-    message = "inputs: hip.touchdown_angle does not act where hip.kp and hip.kd are 0"
+    message = "inputs: hip.touchdown_angle has no effect if hip.kp and hip.kd are 0"
     refuses(message, gait.apex, slack, inputs={ANGLE: 0.6})
     assert stride_map(slack, gait.apex, inputs={ANGLE: 0.6, "hip.kp": 1.0}).sizes["runner"] == 1
     reduced = find_gait({"ground.friction": 0.6}, model="reduced")
-    message = "inputs: hip.kp does not act in the reduced map"
+    message = "inputs: hip.kp has no effect in the reduced map"
     refuses(message, reduced.apex, reduced.runner, inputs={"hip.kp": 1.0})
 
 

@@ -201,7 +201,7 @@ def test_the_reduced_map_does_not_depend_on_it_and_says_so(command):
     assert np.array_equal(gaits[0].apex, gaits[1].apex)
     status, out, err = command("gait", "--model", "reduced", "--set", f"{CLAMP}=false", "--json")
     assert status == 0 and json.loads(out)["model"] == "reduced"
-    assert err == f"tdmf-slip: warning: --set {CLAMP}: does not act in the reduced map\n"
+    assert err == f"tdmf-slip: warning: --set {CLAMP}: has no effect in the reduced map\n"
 
 
 def test_a_comparison_tells_runners_apart_by_it():

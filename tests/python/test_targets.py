@@ -243,7 +243,7 @@ def test_the_command_tells_what_is_nearest_and_what_helps(command):
             "given twice",
         ),
         (["--target", "speed=1", "--vary", "leg.stifness"], "leg.stiffness"),
-        (["--target", "speed=1", "--vary", "leg.min_length"], "does not act"),
+        (["--target", "speed=1", "--vary", "leg.min_length"], "has no effect"),
         (
             [
                 "--target",

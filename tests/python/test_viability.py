@@ -389,7 +389,7 @@ GOOD = {"axes": AXES, "vary": VARY, "n": 4}
         ({"vary": {}}, "vary: nothing"),
         ({"vary": {"hip.torque": (0, 1)}}, "'hip.torque' is not a setting"),
         ({"vary": {"body.mass": (1, 2)}}, "body.mass cannot change in a run"),
-        ({"vary": {"hip.kp": (0, 1)}}, "hip.kp does not act in the reduced map"),
+        ({"vary": {"hip.kp": (0, 1)}}, "hip.kp has no effect in the reduced map"),
         ({"vary": {ANGLE: (0, 1, 0)}}, "vary: hip.touchdown_angle: values = 0"),
         ({"vary": {ANGLE: (0, 9)}}, "hip.touchdown_angle = "),
         ({"vary": {ANGLE: (0, math.nan)}}, "vary: hip.touchdown_angle"),

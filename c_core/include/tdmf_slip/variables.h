@@ -19,27 +19,29 @@ typedef struct {
         double damping;     /* Damping of the leg, c, N.s/m */
         double free_length; /* Length of the unloaded leg, l0, m */
         double min_length;  /* A leg shorter than this ends the run as a fall, m */
-        double thrust; /* Length that the leg gains from its greatest compression to the end of the stance,
-                          epsilon, m */
+        double thrust; /* Thrust: length added to the rest length of the leg from its greatest compression to
+                          the end of the stance, epsilon, m */
     } leg;
     double gravity; /* Acceleration of gravity, g, m/s2 */
     struct {
-        double static_friction_ratio; /* Friction of a foot at rest over that of one that slips, rho */
-        double stribeck_velocity; /* Speed over which friction falls from that of a foot at rest to that of
-                                     one that slips, v_s: at least 1e-11 l0 sqrt(k/m); 0: at once, m/s */
-        double patch_begin;    /* Where a patch of ground with a friction of its own begins, horizontally; no
-                                  patch where it is the end, m */
-        double patch_end;      /* Where the patch ends, no less than where it begins, m */
+        double static_friction_ratio; /* Ratio of static to sliding friction, rho */
+        double stribeck_velocity; /* Stribeck velocity: slip speed over which friction falls from its static
+                                     to its sliding value, v_s; 0, or at least 1e-11 l0 sqrt(k/m), m/s */
+        double patch_begin;       /* Horizontal position at which the patch begins; no patch if it equals
+                                     ground.patch_end, m */
+        double patch_end; /* Horizontal position at which the patch ends, at least ground.patch_begin, m */
         double patch_friction; /* Coefficient of friction of foot and patch, mu_p */
     } ground;
     struct {
-        double stance_torque;        /* Torque that drives the first half of a stance, tau0, N.m */
-        double touchdown_angle;      /* Leg angle that the leg is placed at before touchdown, theta0, rad */
+        double stance_torque;        /* Hip torque in the first half of a stance, tau0, N.m */
+        double touchdown_angle;      /* Touchdown angle: leg angle at which the hip places the leg before
+                                        touchdown, theta0, rad */
         double kp;                   /* Proportional gain of the hip in flight, N.m/rad */
         double kd;                   /* Derivative gain of the hip in flight, N.m.s/rad */
-        double liftoff_angle_factor; /* Leg angle aimed at after lift-off, over the angle at lift-off, eta */
-        double retraction_rate;      /* Rate at which the leg is retracted before it lands: in place the angle
-                                        aimed at falls so fast from theta0 on, rad/s */
+        double liftoff_angle_factor; /* Reference leg angle after lift-off, relative to the leg angle at
+                                        lift-off, eta */
+        double retraction_rate; /* Swing-leg retraction: rate at which the reference leg angle decreases from
+                                   theta0 in the phase place, omega, rad/s */
         bool swing_clamp; /* After lift-off, until the apex, the hip torque is never negative: it only stops
                              the leg's backward rotation */
     } hip;
@@ -58,11 +60,11 @@ typedef struct {
         double external_torque; /* Torque added to the hip law, N.m */
     } hip;
     struct {
-        double extension; /* Length added to the leg at rest, m */
+        double extension; /* Length added to the rest length of the leg, m */
     } leg;
     struct {
-        double external_fx; /* Horizontal force from outside on the body, N */
-        double external_fy; /* Vertical force from outside on the body, N */
+        double external_fx; /* External horizontal force on the body, N */
+        double external_fy; /* External vertical force on the body, N */
     } body;
     struct {
         double touchdown_angle; /* Added to hip.touchdown_angle, rad */
@@ -89,12 +91,12 @@ enum {
     TDMF_LEG_LENGTH_RATE, /* Rate of the leg length, m/s */
     TDMF_LEG_ANGLE_RATE,  /* Rate of the leg angle, rad/s */
     TDMF_HIP_WORK,        /* Work of the total hip torque since the start, W, J */
-    TDMF_HIP_PLACE_TIME,  /* In place, the time since it began; else 0, s */
+    TDMF_HIP_PLACE_TIME,  /* Time since the phase place began; 0 in other phases, s */
     TDMF_LEG_WORK,        /* Work of the leg by thrust and extension since the start, J */
     TDMF_ENERGY_DAMPER_LOSS,   /* Energy lost in the damper since the start, J */
     TDMF_ENERGY_FRICTION_LOSS, /* Energy lost to sliding friction since the start, J */
     TDMF_HIP_POSITIVE_WORK,    /* Work of the hip at positive power since the start, J */
-    TDMF_ENERGY_EXTERNAL_WORK, /* Work of the forces from outside on the body since the start, J */
+    TDMF_ENERGY_EXTERNAL_WORK, /* Work of the external forces on the body since the start, J */
     TDMF_STATE_COUNT
 };
 
@@ -106,21 +108,23 @@ typedef enum {
     TDMF_GUARD_TOUCHDOWN,            /* the foot's height in flight */
     TDMF_GUARD_APEX,                 /* vertical velocity of the rising centre of mass, off the ground */
     TDMF_GUARD_CLAMP,                /* the clamp of the hip torque opens or closes */
-    TDMF_GUARD_LIFT_OFF,             /* ground force across the ground in contact */
-    TDMF_GUARD_SLIP_ONSET_POSITIVE,  /* distance to the friction cone's edge, foot to slip forward */
-    TDMF_GUARD_SLIP_ONSET_NEGATIVE,  /* distance to the friction cone's edge, foot to slip backward */
+    TDMF_GUARD_LIFT_OFF,             /* normal force of the ground in contact */
+    TDMF_GUARD_SLIP_ONSET_POSITIVE,  /* distance of the ground force from the edge of the friction cone at
+                                        which the foot slips forward */
+    TDMF_GUARD_SLIP_ONSET_NEGATIVE,  /* distance of the ground force from the edge of the friction cone at
+                                        which the foot slips backward */
     TDMF_GUARD_SLIP_VELOCITY_ZERO,   /* speed in the direction of slip */
     TDMF_GUARD_MID_STANCE,           /* the leg angle until mid-stance */
-    TDMF_GUARD_FORCE_PEAK,           /* rate of the ground force across the ground, up or down */
+    TDMF_GUARD_FORCE_PEAK,           /* rate of the normal force, with either sign */
     TDMF_GUARD_GRAZE_TO_CONTACT,     /* the stance law lifts the grazing foot no more */
     TDMF_GUARD_GRAZE_TO_FLIGHT,      /* the flight law presses the grazing foot down no more */
     TDMF_GUARD_BODY_DOWN,            /* the body's height */
     TDMF_GUARD_LEG_TOO_SHORT,        /* leg length above its minimum */
     TDMF_GUARD_GREATEST_COMPRESSION, /* the leg is compressed further, and is to be extended by its thrust
                                         after that */
-    TDMF_GUARD_NEW_GROUND,           /* how far the foot is below a ground that waits to be in force */
-    TDMF_GUARD_VERTICAL_FORCE_PEAK,  /* on a slope, rate of the vertical ground force, up or down */
-    TDMF_GUARD_PATCH_BORDER, /* how far the slipping foot is from the border of the patch ahead of it */
+    TDMF_GUARD_NEW_GROUND,           /* depth of the foot below a line of ground that waits to take effect */
+    TDMF_GUARD_VERTICAL_FORCE_PEAK,  /* on a slope, rate of the vertical ground force, with either sign */
+    TDMF_GUARD_PATCH_BORDER, /* distance of the slipping foot from the border of the patch ahead of it */
     TDMF_GUARD_COUNT
 } tdmf_guard;
 

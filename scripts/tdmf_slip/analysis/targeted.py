@@ -239,7 +239,7 @@ def _check_action(target: Target, iterate: Iterate) -> None:
     rows = target.rows(iterate)
     for name, column in zip(target.vary, rows[:, count:].T, strict=True):
         if np.max(np.abs(column)) <= NO_ACTION:
-            raise InputError(f"vary {name}: does not act on this gait; allowed: a parameter that changes it")
+            raise InputError(f"vary {name}: has no effect on this gait; allowed: a parameter that has one")
     sizes = np.linalg.svd(rows, compute_uv=False)
     if sizes[-1] <= NO_ACTION * sizes[0]:
         raise InputError(

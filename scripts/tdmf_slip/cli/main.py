@@ -70,7 +70,7 @@ class LazyGroup(click.Group):
         """The command that is asked for."""
         if args and not args[0].startswith("-") and args[0] not in COMMANDS:
             near = near_matches(args[0], COMMANDS)
-            ctx.fail(f"{shown(args[0])} is no command{near}; allowed: {', '.join(COMMANDS)}")
+            ctx.fail(f"{shown(args[0])} is not a command{near}; allowed: {', '.join(COMMANDS)}")
         return super().resolve_command(ctx, args)
 
     def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:

@@ -25,5 +25,5 @@ def runner_of(
     runner = Runner(starts, model=model)
     for name, (option, _) in given.items():
         if runner.reduced and name in OF_FLIGHT:
-            warnings.warn(f"{option} {name}: does not act in the reduced map", Note, stacklevel=2)
+            warnings.warn(f"{option} {name}: has no effect in the reduced map", Note, stacklevel=2)
     return runner

@@ -32,7 +32,7 @@ THRUSTS = ("leg.thrust", "control.thrust")
 CLOSED = 1e-9
 """Largest difference of an apex and the next over the scales, of what counts as a gait."""
 IDLE = 1e-12
-"""A setting that moves no coordinate by more, over the scales, does not act."""
+"""A setting has no effect if it changes no scaled coordinate of the apex by more than this."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -101,8 +101,7 @@ def linearize(gait: Gait, inputs: Sequence[str]) -> Linearization:
     for name, maximum in zip(names, moved, strict=True):
         if maximum <= IDLE:
             raise InputError(
-                f"inputs: {name} does not act at this gait: it does not change the next apex; "
-                "allowed: inputs that do"
+                f"inputs: {name} has no effect on the next apex of this gait; allowed: inputs that have one"
             )
     return model
 

@@ -1,1 +1,1 @@
-"""Runners fitted to measured gaits: parameters with their confidence, and what the data do not tell."""
+"""Runners fitted to measured gaits, with confidence intervals and combinations that cannot be identified."""

@@ -101,7 +101,7 @@ def fit(
     Returns
     -------
     Fit
-        Parameters with their intervals, combinations that the data do not tell, residuals, and notes: of
+        Parameters with their intervals, combinations that cannot be identified, residuals, and notes: of
         words that changed and gaits that were lost on the way, and of residuals too large for their errors.
 
     Raises

@@ -1,4 +1,4 @@
-"""What data do not tell of parameters: by the singular values of the weighted Jacobian.
+"""Combinations of parameters that data do not identify, by the singular values of the weighted Jacobian.
 
 Its rows are changes of the measured quantities over their errors, its columns are by the parameters over
 their scales. A direction of the parameters is not told at all where its singular value is zero up to
@@ -24,7 +24,7 @@ MINOR = 0.1
 
 @dataclass(frozen=True, eq=False)
 class Combination(ByContents):
-    """Changes of parameters, taken together, that the data do not tell."""
+    """Combined change of parameters that the data do not determine."""
 
     members: Mapping[str, float]
     """Change of each over its scale, which is its value, or 1 in its unit where it is 0; the largest is 1."""

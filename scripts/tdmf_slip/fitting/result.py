@@ -1,4 +1,4 @@
-"""A fit: parameters with their confidence, what the data do not tell of them, and what is left over."""
+"""A fit: parameters with confidence intervals, combinations that cannot be identified, and residuals."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
@@ -43,7 +43,7 @@ class Estimate:
     value: float
     """In the unit's unit, as all that follows."""
     standard_error: float
-    """Of the linear fit; infinite where the data do not tell it."""
+    """Standard error by the linearized fit; infinite if the data do not determine it."""
     low: float
     """Lower end of the interval of confidence."""
     high: float
@@ -92,7 +92,7 @@ class Fit(ByContents, Drawable):
     covariance: NDArray[np.float64]
     """Of the estimates, in their units; of what the data tell of them."""
     unidentified: tuple[Combination, ...]
-    """What the data do not tell, or badly."""
+    """Combinations of parameters that the data determine badly or not at all."""
     residuals: tuple[Residual, ...]
     """Row by row."""
     priors: tuple[Residual, ...]
@@ -252,18 +252,15 @@ RESIDUAL_HEADER = ("row", "quantity", "measured", "error", "fitted", "residual /
 
 
 def reported_of(combination: Combination) -> str:
-    """A combination that the data do not tell, in a sentence."""
+    """Sentence about a combination of parameters that the data do not identify."""
     alone = len(combination.members) == 1
     if np.isinf(combination.standard_error):
         if alone:
-            return (
-                f"the data do not tell {next(iter(combination.members))}: it does not act on what is measured"
-            )
-        return (
-            f"the data do not tell these apart: {combination.name} together change nothing that is measured"
-        )
-    what = "a change" if alone else "changes together"
+            name = next(iter(combination.members))
+            return f"{name} cannot be identified: the measured quantities do not depend on it"
+        return f"cannot be identified: {combination.name}, together, change none of the measured quantities"
+    what = "a change" if alone else "a joint change"
     return (
-        f"the data hardly tell {what} of {combination.name}: the standard error is "
-        f"{combination.standard_error:.2g} times as much"
+        f"poorly identified: {what} of {combination.name} has a standard error of "
+        f"{combination.standard_error:.2g} times that change"
     )

@@ -40,13 +40,15 @@ def check_acts(name: str, runner: Runner, set_too: Sequence[str], what: str) -> 
     if runner.reduced:
         if name in OF_FLIGHT:
             raise InputError(
-                f"{what}: {name} does not act in the reduced map, where the leg is placed as if by itself; "
+                f"{what}: {name} has no effect in the reduced map, which places the leg without torque; "
                 "allowed: by the full model"
             )
         return
     gains = ("hip.kp", "hip.kd")
     if name in BY_GAINS and not any(runner[gain] or gain in set_too for gain in gains):
-        raise InputError(f"{what}: {name} does not act where hip.kp and hip.kd are 0; allowed: one above 0")
+        raise InputError(
+            f"{what}: {name} has no effect if hip.kp and hip.kd are 0; allowed: one of them above 0"
+        )
 
 
 def checked_values(

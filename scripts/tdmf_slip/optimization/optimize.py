@@ -80,7 +80,7 @@ def optimize(
     Raises
     ------
     InputError
-        An unknown quantity, bounds that are none, a parameter that does not act, or a value that is refused.
+        An unknown quantity, bounds that are none, a parameter without effect, or a value that is refused.
     TargetNotMetError
         No gait within the bounds has what is prescribed, or is stable: `nearest` is the nearest that was
         found.

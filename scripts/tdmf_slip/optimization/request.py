@@ -97,4 +97,4 @@ def check_action(gait: Candidate, space: Space) -> None:
     """Refuse parameters that do not act on a gait."""
     for k, name in enumerate(space.bounds):
         if max(np.max(np.abs(gait.apex_slopes[:, k])), np.max(np.abs(gait.slopes[:, k]))) <= NO_ACTION:
-            raise InputError(f"vary {name}: does not act on this gait; allowed: a parameter that changes it")
+            raise InputError(f"vary {name}: has no effect on this gait; allowed: a parameter that has one")
