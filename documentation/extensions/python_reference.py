@@ -90,6 +90,9 @@ def write_pages(app: Sphinx) -> None:
         for name in names:
             lines += _module(name, part)
         _write_if_changed(target / f"{part or 'ground'}.rst", "\n".join(lines))
+    for page in target.glob("*.rst"):
+        if page.stem not in parts and page.stem != "ground":
+            page.unlink()  # its sub-package is gone
 
 
 def _module(name: str, part: str) -> list[str]:
