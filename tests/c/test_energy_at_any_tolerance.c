@@ -186,7 +186,7 @@ static void of_legs_that_do_not_turn(void **state) {
 /* A servo of any strength begins to place a leg, which has turned by 1e-9 at the end: as a difference of two
  * angles, each rounded, that is known to seven digits, and so would be the work. */
 static void of_servos_that_turn_a_leg_by_next_to_nothing(void **state) {
-    enum { RUNS = 200 };
+    enum { RUNS = sample_of(200) };
     static const tdmf_inputs no_rates = {.ground = {.friction = 0.0}};
     random_source source = {24};
     (void)state;

@@ -2,6 +2,7 @@
  * where the edge of the cone is known to mu times the rounding of a force. */
 #include "compare.h"
 #include "integrate.h"
+#include "sample.h"
 #include "scene.h"
 
 #include "tdmf_slip/cvode.h"
@@ -12,7 +13,7 @@
 #include <string.h>
 
 static const double frictions[] = {1e3, 3e3, 1e4, 1e5, 3e5, 1e6};
-enum { FRICTIONS = sizeof frictions / sizeof *frictions, STRIDES = 300, STEPS_OF_A_STRIDE = 500 };
+enum { FRICTIONS = sizeof frictions / sizeof *frictions, STRIDES = sample_of(300), STEPS_OF_A_STRIDE = 500 };
 
 static const tdmf_inputs no_rates = {.ground = {.friction = 0.0}};
 
