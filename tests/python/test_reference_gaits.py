@@ -1,10 +1,13 @@
-"""The published gaits by both readings, run through FMPy's CVODE from the default start until settled."""
+"""The published gaits by both readings, run through FMPy's CVODE from the default start until settled.
+
+Four of them, the slowest among them; with --release all. The guide on the paper settles all, too.
+"""
 
 import dataclasses
 
 import numpy as np
 import pytest
-from conftest import apex_start, name_of_gait, reference_gaits, runner_of_gait
+from conftest import apex_start, name_of_gait, reference_gaits, runner_of_gait, some_of
 from scipy_strides import Stride
 from tdmf_slip import find_gait
 
@@ -41,7 +44,7 @@ def settle(reference, run):
     return Settled(apex, rows, stride, instance.text("stride.word"), instance.real("hip.liftoff_angle")[0])
 
 
-@pytest.fixture(scope="module", params=reference_gaits(), ids=name_of_gait)
+@pytest.fixture(scope="module", params=some_of(reference_gaits(), 4), ids=name_of_gait)
 def reference(request):
     return request.param
 
@@ -59,6 +62,7 @@ def settled(reference, run, settled_runs):
     return settled_runs[name]
 
 
+@pytest.mark.parametrize("reference", reference_gaits(), ids=name_of_gait)
 def test_a_reference_is_a_gait_of_two_point_masses_by_scipy(reference):
     stride = Stride(reference["friction"], reference["swing_clamp"]).run(reference["apex"])
     assert stride["word"] == reference["word"]
