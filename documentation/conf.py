@@ -33,6 +33,7 @@ extensions = [
     "content_security_policy",
     "gallery",
     "glossary_page",
+    "kernels",
     "laws",
     "mathml",
     "navigation",

@@ -7,6 +7,7 @@ cells bring their own.
 """
 
 import base64
+import functools
 import hashlib
 import html.parser
 import pathlib
@@ -58,6 +59,7 @@ class Scripts(html.parser.HTMLParser):
             self._script = None
 
 
+@functools.cache
 def theme_scripts():
     """The inline scripts that the theme's templates may put into a page."""
     templates = [path.read_text(encoding="utf-8") for path in sorted(TEMPLATES.rglob("*.html"))]
@@ -70,6 +72,7 @@ def hash_of(script):
     return f"'sha256-{base64.b64encode(digest).decode()}'"
 
 
+@functools.cache
 def policy():
     """The policy of a page."""
     return POLICY.format(hashes=" ".join(map(hash_of, theme_scripts())))

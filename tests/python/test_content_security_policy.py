@@ -173,6 +173,9 @@ def test_every_page_has_the_policy_before_anything_that_it_rules():
         ("<script>alert(1)</script>", "alert(1)"),
         ('<p onclick="alert(2)">', 'onclick="alert(2)"'),
         ('<a href="javascript:alert(3)">', "javascript:alert(3)"),
+        ("<SCRIPT >alert(4)</SCRIPT\n>", "alert(4)"),
+        ('<svg/onload = "alert(5)">', 'onload="alert(5)"'),
+        ("<a href=' &#106;ava&#115;cript:alert(6)'>", "javascript:alert(6)"),
     ],
 )
 def test_a_page_whose_script_would_not_run_fails_the_build(tmp_path, content, named):
