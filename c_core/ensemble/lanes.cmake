@@ -4,8 +4,8 @@ include(CheckCCompilerFlag)
 find_package(Threads REQUIRED)
 
 set(ensemble_sources ensemble/affine_law.c ensemble/drawn_ground.c ensemble/ensemble.c ensemble/law_change.c
-    ensemble/normal_deviates.c ensemble/philox.c ensemble/processor.c ensemble/request_checks.c ensemble/runner.c ensemble/runner_apex.c ensemble/settings.c
-    ensemble/settled.c ensemble/terrain.c ensemble/threads.c)
+    ensemble/normal_deviates.c ensemble/philox.c ensemble/request_checks.c ensemble/runner.c ensemble/runner_apex.c ensemble/settings.c
+    ensemble/settled.c ensemble/terrain.c kernel/processor.c kernel/threads.c)
 list(TRANSFORM ensemble_sources PREPEND ${PROJECT_SOURCE_DIR}/c_core/)
 
 # tdmf_slip_add_lanes(<name> <function> <number of lanes> <flag>...): a build of batches.c, if the compiler takes the

@@ -33,6 +33,7 @@ def motion_row(page, motion):
     tables = list_in_c("tdmf_polynomial", f"polynomials_{name}", polynomials)
     moving = [states.index(n) for n in motion.moving]
     row = {"moving_count": len(moving), "extra_count": len(motion.rates) - len(moving)}
+    row |= {"constant_count": len(motion.constants)}
     row |= {"judged_count": len(motion.judged), "divisor_count": len(motion.divisors)}
     for what in ("moving", "degrees", "judged", "divisors"):
         tables += list_in_c("int", f"{what}_{name}", moving if what == "moving" else getattr(motion, what))
@@ -71,12 +72,21 @@ def generate(page):
         motion_tables, motion_rows = motion_tables + for_motion, motion_rows + row
         series_count = max(series_count, len(motion.series))
         constant_count = max(constant_count, len(motion.constants))
-    table = f"const tdmf_motion_kind TDMF_OF_WIDTH({page.c}_motions)[]"
-    motions.append(f"{motion_tables}\n{table} = {{\n{motion_rows}}};\n")
-    header.append(f"extern {table};\nextern const tdmf_model_kind {page.c}_model;\n\n#endif\n")
+    table, of_width = f"TDMF_OF_WIDTH({page.c}_motions)", f"{page.c}_motions_of"
+    motions.append(
+        f"{motion_tables}\nconst tdmf_motion_kind {table}[] = {{\n{motion_rows}}};\n\n#ifdef TDMF_LANES\n"
+        f"const void *TDMF_OF_WIDTH({of_width})(void) {{\n    return {table};\n}}\n#endif\n"
+    )
+    header.append(
+        f"extern const tdmf_motion_kind {table}[];\n"
+        f"tdmf_motions_of_width {of_width}_2, {of_width}_4, {of_width}_8;\n"
+        f"extern const tdmf_model_kind {page.c}_model;\n\n#endif\n"
+    )
     set_tables, set_rows = instants.sets()
     row = {"modes": "modes", "sets": "sets", "set_count": len(set_rows), "scales": instants.scales()}
     row |= {"series_count": series_count, "constant_count": constant_count}
+    lanes = zip(("TWO", "FOUR", "EIGHT"), (2, 4, 8), strict=True)
+    row["lanes"] = f"{{{', '.join(f'TDMF_{name}_LANES({of_width}_{width})' for name, width in lanes)}}}"
     lists = ""
     named = {"state": page.states, "parameter": page.parameters, "event": page.events}
     named |= {"output": page.outputs, "table": page.tables}

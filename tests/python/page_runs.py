@@ -3,6 +3,7 @@
 import ctypes
 import hashlib
 import os
+import platform
 import shutil
 import subprocess
 import sys
@@ -16,6 +17,7 @@ from ctypes import (
     c_char_p,
     c_double,
     c_int,
+    c_int64,
     c_long,
     c_uint64,
     c_void_p,
@@ -34,7 +36,7 @@ from c_core.hybrid.page import Page  # noqa: E402
 COMPILER = shutil.which("cc")
 FLAGS = ["-std=c99", "-ffp-contract=off", "-fno-math-errno", "-fPIC", "-Wall", "-Wextra", "-Werror"]
 OUTCOMES = ["arrived", "stopped", "ended", "no-progress", "too-many-steps", "endless-chain"]
-OUTCOMES += ["too-many-events", "no-memory"]
+OUTCOMES += ["too-many-events", "no-memory", "cancelled"]
 LOG_SIZE = 500
 
 
@@ -91,13 +93,21 @@ class StuckError(RuntimeError):
 
 
 KERNEL = ROOT / "c_core" / "hybrid" / "kernel", ROOT / "c_core" / "kernel"
-"""Folders of the driver and of what it includes."""
+"""Folders of the driver, of batches, and of what they include."""
 
 
-def library_of(files, name, level, folders):
+LANES = {2: ("TDMF_HAS_TWO_LANES", "")}
+if platform.machine().lower() in ("x86_64", "amd64"):
+    LANES[4] = "TDMF_HAS_AVX2", "-mavx2"
+    LANES[8] = "TDMF_HAS_AVX512", "-mavx512f -mavx512dq -mavx512vl -mprefer-vector-width=512"
+"""For each number of lanes, the macro that says that a build has them, and the compiler's flags."""
+
+
+def library_of(files, name, level, folders, in_lanes):
     """Compile derived C, once for equal texts."""
     sources = {**files, **{f.name: f.read_text() for folder in folders for f in sorted(folder.iterdir())}}
-    key = hashlib.sha256(repr((level, folders, sorted(sources.items()))).encode()).hexdigest()[:16]
+    key = repr((level, folders, in_lanes, sorted(sources.items())))
+    key = hashlib.sha256(key.encode()).hexdigest()[:16]
     pages = ROOT / "build" / "pages"  # all workers of pytest, and the next run, find it there
     pages.mkdir(parents=True, exist_ok=True)
     folder = pages / f"{name}-{key}"
@@ -106,18 +116,21 @@ def library_of(files, name, level, folders):
         own = Path(tempfile.mkdtemp(dir=pages))
         for file, text in files.items():
             (own / file).write_text(text)
-        jobs = [
-            *((source, level) for source in sorted(folders[0].glob("*.c"))),
-            (own / f"{name}_motions.c", level),
-            (own / f"{name}.c", "-O1"),
-        ]
+        motions, lanes = own / f"{name}_motions.c", folders[0] / "batch_lanes.c"
+        has = " ".join(f"-D{macro}" for macro, _ in LANES.values()) if in_lanes else ""
+        kernel = [file for folder in folders for file in sorted(folder.glob("*.c")) if file != lanes]
+        jobs = [(source, f"{level} {has}") for source in kernel]
+        jobs += [(motions, level), (own / f"{name}.c", f"-O1 {has}")]
+        for width, (_, flags) in LANES.items() if in_lanes else ():
+            wide = f"{level} -DTDMF_LANES={width} -Wno-psabi {flags}"
+            jobs += [(motions, wide), (lanes, wide)]
         ccache = [shutil.which("ccache")] if shutil.which("ccache") and "CCACHE_DIR" in os.environ else []
         running = [
             subprocess.Popen(
                 [
                     *ccache,
                     COMPILER,
-                    *level.split(),
+                    *flags.split(),
                     *FLAGS,
                     f"-I{own}",
                     *(f"-I{folder}" for folder in folders),
@@ -127,12 +140,12 @@ def library_of(files, name, level, folders):
                     own / f"{i}.o",
                 ]
             )
-            for i, (source, level) in enumerate(jobs)
+            for i, (source, flags) in enumerate(jobs)
         ]
         failed = [job.wait() for job in running]
         assert not any(failed), "the derived C does not compile"
         objects = [own / f"{i}.o" for i in range(len(jobs))]
-        subprocess.run([COMPILER, "-shared", *objects, "-o", own / "page.so", "-lm"], check=True)
+        subprocess.run([COMPILER, "-shared", *objects, "-pthread", "-o", own / "page.so", "-lm"], check=True)
         try:
             own.rename(folder)
         except OSError:  # another worker was faster
@@ -143,12 +156,12 @@ def library_of(files, name, level, folders):
 class CompiledPage:
     """A page in C."""
 
-    def __init__(self, model, level="-O2", folders=KERNEL):
+    def __init__(self, model, level="-O2", folders=KERNEL, in_lanes=False):
         self.model = model
         page = Page(model)
         self.keys, self.files = page.keys, generate(page)
         self.name = next(iter(self.files)).removesuffix(".h")
-        self.library = library_of(self.files, self.name, level, folders)
+        self.library = library_of(self.files, self.name, level, folders, in_lanes)
         self.struct = ModelStruct.in_dll(self.library, f"{self.name}_model")
         self.modes, self.events, self.states, self.parameters, self.outputs, self.tables = (
             [
@@ -312,3 +325,44 @@ class PageRun:
         return [
             (r.time, self.of.events[r.event], self.of.modes[r.before], self.of.modes[r.after]) for r in rows
         ]
+
+
+AT_STOP = CFUNCTYPE(c_bool, c_void_p, c_int64, POINTER(RunStruct))
+
+
+class BatchStruct(Structure):
+    _fields_ = [
+        *(("runs", POINTER(RunStruct)), ("count", c_int64), ("until", c_void_p), ("outcomes", c_void_p)),
+        *(("at_stop", AT_STOP), ("context", c_void_p), ("cancel", POINTER(c_int)), ("width", c_int)),
+        ("threads", c_int),
+    ]
+
+
+class WorkStruct(Structure):
+    _fields_ = [(name, c_int64) for name in ("steps", "lane_steps", "single_steps")]
+
+
+def run_batch(runs, until=1e6, stop=None, width=0, threads=1, at_stop=None, cancel=None):
+    """Run many runs of a page side by side. Returns the work done."""
+    of, work = runs[0].of, WorkStruct()
+    structs, outcomes = (RunStruct * len(runs))(), np.full(len(runs), -1, np.int32)
+    untils = np.full(len(runs), until, float) if np.isscalar(until) else np.asarray(until, float)
+    for i, run in enumerate(runs):
+        run.run.stop_event = of.events.index(stop) if stop else -1
+        structs[i] = run.run
+    batch = BatchStruct(
+        structs, len(runs), untils.ctypes.data, outcomes.ctypes.data, AT_STOP(at_stop or 0), None, cancel,
+        width, threads,
+    )  # fmt: skip
+    is_sound = of.library.tdmf_run_batch(byref(of.struct), byref(batch), byref(work))
+    assert is_sound & 255, "the batch is refused"
+    for i, run in enumerate(runs):
+        run.run = RunStruct.from_buffer_copy(structs[i])
+        run.outcome = OUTCOMES[outcomes[i]]
+    return work
+
+
+def widths_of(page):
+    """The numbers of lanes that this machine has."""
+    has = page.library.tdmf_batch_has_width
+    return [width for width in (1, *LANES) if has(byref(page.struct), width) & 255]

@@ -19,28 +19,31 @@
 
 enum { LEAST_ORDER = 4 };
 
-/* What the driver works on; its arrays lie in one piece of memory. */
-typedef struct {
-    run_state state;
-    mode_start at;
+/* What the driver works on; `state` and `at` are of the run at hand. */
+struct tdmf_driver {
+    run_state *state;
+    mode_start *at;
     page_step step;
     double (*t)[TERMS]; /* variation of the series for one seed */
     const tdmf_mode_kind *mode;
-} work;
+};
+
+typedef tdmf_driver work;
 
 static double *seed_dx(const work *w, int seed) {
-    return w->state.r->dx + seed * w->state.model->state_count;
+    return w->state->r->dx + seed * w->state->model->state_count;
 }
 
 /* ---- the step ------------------------------------------------------------------------------------------ */
 
-static void begin_mode(work *w) {
-    w->mode = &w->state.model->modes[w->state.r->mode];
-    tdmf_begin_mode(&w->state, &w->at);
+static void load(work *w) {
+    w->mode = &w->state->model->modes[w->state->r->mode];
     w->step.motion = w->mode->motion;
     w->step.kinds = w->mode->guards;
     w->step.guard_count = w->mode->guard_count;
-    load_mode(&w->step, 0, &w->at, w->state.scales);
+    w->step.tolerance = w->state->r->tolerance;
+    w->step.c = w->at->c;
+    load_mode(&w->step, 0, w->at, w->state->scales);
     clear_polynomials(&w->step);
 }
 
@@ -51,9 +54,9 @@ static bool begin_step(work *w, double left) {
     double longest = INFINITY;
     series_remainder remainder;
     for (int i = 0; i < m->moving_count; ++i) {
-        w->step.s[i][0] = w->state.r->x[m->moving[i]];
+        w->step.s[i][0] = w->state->r->x[m->moving[i]];
     }
-    w->step.order = w->state.r->order;
+    w->step.order = w->state->r->order;
     m->expand(w->step.c, w->step.order, w->step.s[0]);
     while (!judge_series(&w->step, &remainder)) {
         w->step.order -= 2;
@@ -62,7 +65,7 @@ static bool begin_step(work *w, double left) {
         }
     }
     if (w->mode->time_scale) {
-        longest = most_time_scales * w->mode->time_scale(w->state.r->p, w->state.r->x);
+        longest = most_time_scales * w->mode->time_scale(w->state->r->p, w->state->r->x);
     }
     choose_size(&w->step, &remainder, longest, left);
     return w->step.size >= 0.0;
@@ -73,19 +76,19 @@ static bool begin_step(work *w, double left) {
 static void observe(work *w) {
     for (int i = 0; i < w->mode->watch_count; ++i) {
         const tdmf_watch_kind *kind = &w->mode->watches[i];
-        double *value = &w->state.r->x[kind->into];
-        *value = observed_value(&w->step, i, kind->part, *value, w->state.scales[kind->into], true);
+        double *value = &w->state->r->x[kind->into];
+        *value = observed_value(&w->step, i, kind->part, *value, w->state->scales[kind->into], true);
     }
 }
 
 static void advance_variations(work *w) {
     const tdmf_motion_kind *m = w->step.motion;
-    for (int seed = 0; seed < w->state.r->seed_count; ++seed) {
+    for (int seed = 0; seed < w->state->r->seed_count; ++seed) {
         double *dx = seed_dx(w, seed);
         for (int i = 0; i < m->moving_count; ++i) {
             w->t[i][0] = dx[m->moving[i]];
         }
-        m->vary(w->step.c, w->step.s[0], w->at.d + seed * w->state.model->constant_count, w->step.order,
+        m->vary(w->step.c, w->step.s[0], w->at->d + seed * w->state->model->constant_count, w->step.order,
                 w->t[0]);
         for (int i = 0; i < m->moving_count; ++i) {
             dx[m->moving[i]] = sum_of(w->t[i], w->step.power, w->step.order);
@@ -98,44 +101,44 @@ static void advance(work *w) {
     const tdmf_motion_kind *m = w->step.motion;
     const double elapsed = end_step(&w->step);
     advance_variations(w);
-    if (w->state.r->observes && elapsed > 0.0) {
+    if (w->state->r->observes && elapsed > 0.0) {
         observe(w);
     }
     for (int i = 0; i < m->moving_count; ++i) {
-        w->state.r->x[m->moving[i]] = value_at_end(&w->step, i);
+        w->state->r->x[m->moving[i]] = value_at_end(&w->step, i);
     }
-    tdmf_pass_time(w->state.r, elapsed);
-    ++w->state.r->steps;
+    tdmf_pass_time(w->state->r, elapsed);
+    ++w->state->r->steps;
     w->step.begins = false;
 }
 
 /* Moves the variations onto the guard of an event at the end of the step. */
 static void shift_to_event(work *w, const tdmf_guard_kind *kind) {
     const tdmf_motion_kind *m = w->step.motion;
-    memset(w->at.rates, 0, (size_t)w->state.model->state_count * sizeof *w->at.rates);
+    memset(w->at->rates, 0, (size_t)w->state->model->state_count * sizeof *w->at->rates);
     for (int i = 0; i < m->moving_count; ++i) {
-        w->at.rates[m->moving[i]] = rate_at_end(&w->step, i);
+        w->at->rates[m->moving[i]] = rate_at_end(&w->step, i);
     }
-    tdmf_shift_to_event(&w->state, kind, &w->at);
+    tdmf_shift_to_event(w->state, kind, w->at);
 }
 
 /* Moves the variations back to a fixed time, along the rates after the event. */
 static void shift_back(work *w) {
     const tdmf_motion_kind *m = w->step.motion;
-    for (int seed = 0; seed < w->state.r->seed_count; ++seed) {
+    for (int seed = 0; seed < w->state->r->seed_count; ++seed) {
         for (int i = 0; i < m->moving_count; ++i) {
-            seed_dx(w, seed)[m->moving[i]] -= w->step.s[i][1] * w->state.r->shift[seed];
+            seed_dx(w, seed)[m->moving[i]] -= w->step.s[i][1] * w->state->r->shift[seed];
         }
     }
-    w->state.r->is_shifted = false;
+    w->state->r->is_shifted = false;
 }
 
 /* ---- the run ------------------------------------------------------------------------------------------- */
 
-static tdmf_run_outcome go_on(work *w, double until) {
-    tdmf_page_run *r = w->state.r;
-    begin_mode(w);
-    while (r->steps < w->state.last_step) {
+/* Goes on in a mode up to the next event, and takes it. */
+static tdmf_run_outcome to_event(work *w, double until) {
+    tdmf_page_run *r = w->state->r;
+    while (r->steps < w->state->last_step) {
         if (w->mode->ends) {
             return TDMF_RUN_ENDED;
         }
@@ -146,7 +149,7 @@ static tdmf_run_outcome go_on(work *w, double until) {
         search_events(&w->step, true);
         const bool is_due = w->step.is_due;
         if (!is_due) {
-            if (w->state.stops) {
+            if (w->state->stops) {
                 return TDMF_RUN_STOPPED;
             }
             if (r->is_shifted) {
@@ -169,34 +172,57 @@ static tdmf_run_outcome go_on(work *w, double until) {
             set_powers(w->step.power, is_due ? 0.0 : w->step.power[1], w->step.order);
             shift_to_event(w, kind);
         }
-        keep_guards(&w->step, 0, &w->at);
-        const bool may_go_on = tdmf_take_event(&w->state, kind, &w->at);
-        begin_mode(w);
-        if (!may_go_on) {
-            return tdmf_limit_reached(&w->state);
-        }
+        keep_guards(&w->step, 0, w->at);
+        const bool may_go_on = tdmf_take_event(w->state, kind, w->at);
+        tdmf_begin_mode(w->state, w->at);
+        return may_go_on ? TDMF_RUN_GOES_ON : tdmf_limit_reached(w->state);
     }
     return TDMF_RUN_TOO_MANY_STEPS;
 }
 
-tdmf_run_outcome tdmf_page_run_to(const tdmf_model_kind *model, tdmf_page_run *r, double until) {
-    const int of_series = model->series_count * TERMS,
-              of_start = tdmf_size_of_mode_start(model, r->seed_count);
-    const int size = 2 * of_series + of_start + model->state_count + tdmf_size_of_run_state(model);
-    double *memory = calloc((size_t)size, sizeof *memory), *at = memory + 2 * of_series;
-    if (!memory) {
-        return TDMF_RUN_NO_MEMORY;
+tdmf_driver *tdmf_driver_create(const tdmf_model_kind *model) {
+    const size_t series = (size_t)model->series_count * sizeof(double[TERMS]);
+    tdmf_driver *driver =
+        calloc(1, sizeof *driver + 2 * series + (size_t)model->state_count * sizeof(double));
+    if (driver) {
+        driver->step.s = (double(*)[TERMS])(void *)(driver + 1);
+        driver->t = driver->step.s + model->series_count;
+        driver->step.units = (double *)(driver->t + model->series_count);
     }
-    work w = {.step = {.tolerance = r->tolerance}};
-    w.step.s = (double(*)[TERMS])(void *)memory;
-    w.t = w.step.s + model->series_count;
-    tdmf_place_mode_start(&w.at, model, r->seed_count, at);
-    w.step.c = w.at.c;
-    w.step.units = at + of_start;
-    tdmf_begin_run(&w.state, model, r, w.step.units + model->state_count);
-    const tdmf_run_outcome outcome = go_on(&w, until);
-    keep_guards(&w.step, 0, &w.at);
-    tdmf_keep_guards(&w.state, &w.at);
+    return driver;
+}
+
+tdmf_run_outcome tdmf_drive_to_event(tdmf_driver *w, run_state *state, mode_start *at, double until) {
+    const long events = state->r->events;
+    w->state = state;
+    w->at = at;
+    load(w);
+    const tdmf_run_outcome outcome = to_event(w, until);
+    if (state->r->events == events) {
+        keep_guards(&w->step, 0, at);
+    }
+    if (outcome != TDMF_RUN_GOES_ON) {
+        tdmf_keep_guards(state, at);
+    }
+    return outcome;
+}
+
+tdmf_run_outcome tdmf_page_run_to(const tdmf_model_kind *model, tdmf_page_run *r, double until) {
+    const int of_start = tdmf_size_of_mode_start(model, r->seed_count);
+    double *memory = calloc((size_t)(of_start + tdmf_size_of_run_state(model)), sizeof *memory);
+    tdmf_driver *driver = tdmf_driver_create(model);
+    tdmf_run_outcome outcome = TDMF_RUN_NO_MEMORY;
+    if (memory && driver) {
+        run_state state;
+        mode_start at;
+        tdmf_place_mode_start(&at, model, r->seed_count, memory);
+        tdmf_begin_run(&state, model, r, memory + of_start);
+        tdmf_begin_mode(&state, &at);
+        do {
+            outcome = tdmf_drive_to_event(driver, &state, &at, until);
+        } while (outcome == TDMF_RUN_GOES_ON);
+    }
+    free(driver);
     free(memory);
     return outcome;
 }

@@ -78,6 +78,25 @@ typedef struct {
     const tdmf_set *set;
 } tdmf_set_kind;
 
+/* A table of motions of some width. */
+typedef const void *tdmf_motions_of_width(void);
+
+#ifdef TDMF_HAS_TWO_LANES
+#define TDMF_TWO_LANES(motions) motions
+#else
+#define TDMF_TWO_LANES(motions) NULL
+#endif
+#ifdef TDMF_HAS_AVX2
+#define TDMF_FOUR_LANES(motions) motions
+#else
+#define TDMF_FOUR_LANES(motions) NULL
+#endif
+#ifdef TDMF_HAS_AVX512
+#define TDMF_EIGHT_LANES(motions) motions
+#else
+#define TDMF_EIGHT_LANES(motions) NULL
+#endif
+
 typedef struct {
     int state_count, parameter_count, event_count, mode_count, output_count, table_count, set_count;
     const tdmf_mode_kind *modes; /* runs start in the first */
@@ -88,6 +107,8 @@ typedef struct {
                                                                                  *const *output_names,
                                                                                      *const *table_names;
     const double *parameter_defaults, *state_defaults;
+    tdmf_motions_of_width
+        *lanes[3]; /* motions of all modes for 2, 4 and 8 lanes; NULL: this build has none */
 } tdmf_model_kind;
 
 /* ---- a run --------------------------------------------------------------------------------------------- */
@@ -138,7 +159,9 @@ typedef enum {
     TDMF_RUN_TOO_MANY_STEPS,  /* the step limit was reached */
     TDMF_RUN_ENDLESS_CHAIN,   /* the events `taken` are due again and again in zero time */
     TDMF_RUN_TOO_MANY_EVENTS, /* the event limit was reached */
-    TDMF_RUN_NO_MEMORY
+    TDMF_RUN_NO_MEMORY,
+    TDMF_RUN_CANCELLED, /* in a batch */
+    TDMF_RUN_GOES_ON    /* never returned */
 } tdmf_run_outcome;
 
 /* A run from the start of the page. `p` and `x` receive the defaults; the caller adds memory for variations

@@ -17,7 +17,7 @@ typedef void (*tdmf_polynomial)(const real *constants, const real *series, int o
 
 /* The first series are those of the states that move, then come states that only the motion has. */
 typedef struct {
-    int moving_count, extra_count;
+    int moving_count, extra_count, constant_count;
     const int *moving;  /* indices of the moving states among the states of the model */
     const int *degrees; /* degrees of states that are polynomials in time; a large number for others */
     int judged_count;

@@ -48,7 +48,7 @@ static inline real positive_integral(const page_step *step, const real *g, real 
         double own[TERMS], own_integral[TERMS];
         scale_to_step(step, 1.0, g, scaled);
         for (int lane = 0; lane < LANES; ++lane) {
-            if (has_lane(lanes, lane)) {
+            if (has_lane(&lanes, lane)) {
                 copy_lane(scaled, order, lane, own);
                 copy_lane(integral, order + 1, lane, own_integral);
                 set_lane(&sum, lane, tdmf_integral_of_pieces(own, own_integral, order, lane_of(&size, lane)));
@@ -75,7 +75,7 @@ static inline real largest_value(const page_step *step, const real *g, real larg
     found = select(lanes, found, largest);
     lanes &= mask_not(rates <= 2.0 * real_abs(scaled[1])); /* else the rate keeps its sign */
     for (int lane = 0; lane < LANES; ++lane) {
-        if (has_lane(lanes, lane)) {
+        if (has_lane(&lanes, lane)) {
             double own[TERMS];
             copy_lane(scaled, order, lane, own);
             set_lane(&found, lane, tdmf_largest_of_pieces(own, order, lane_of(&found, lane)));

@@ -10,6 +10,8 @@
 #include "run_state.h"
 #include "step_size.h"
 
+#include <string.h>
+
 static const double most_time_scales = 3.0; /* of a law in a step */
 static const double divisor_change = 0.75;  /* of a divisor within a step, relative to it */
 static const double guard_tolerance = 10.0; /* of a guard's series, relative to that of a step */
@@ -52,14 +54,7 @@ typedef struct {
 enum { LANES = 1 };
 #endif
 
-static inline bool has_lane(mask lanes, int lane) {
-#ifdef TDMF_LANES
-    return lanes[lane] != 0;
-#else
-    return lanes && lane == 0;
-#endif
-}
-
+/* Lanes are read and written in memory: compilers would move whole registers for one of them. */
 static inline double lane_of(const real *x, int lane) {
     double number;
     memcpy(&number, (const char *)x + (size_t)lane * sizeof number, sizeof number);
@@ -70,18 +65,26 @@ static inline void set_lane(real *x, int lane, double number) {
     memcpy((char *)x + (size_t)lane * sizeof number, &number, sizeof number);
 }
 
-static inline void set_mask(mask *lanes, int lane, bool selected) {
 #ifdef TDMF_LANES
-    (*lanes)[lane] = selected ? -1 : 0;
+typedef int64_t lane_mask;
 #else
-    (void)lane;
-    *lanes = selected;
+typedef mask lane_mask;
 #endif
+
+static inline bool has_lane(const mask *lanes, int lane) {
+    lane_mask selected;
+    memcpy(&selected, (const char *)lanes + (size_t)lane * sizeof selected, sizeof selected);
+    return selected != 0;
 }
 
-/* Loads what does not change within the mode, but for the constants, into a lane. */
+static inline void set_mask(mask *lanes, int lane, bool selects) {
+    const lane_mask selected = selects ? -1 : 0;
+    memcpy((char *)lanes + (size_t)lane * sizeof selected, &selected, sizeof selected);
+}
+
+/* Loads a mode, but for its constants, into a lane. */
 static inline void load_mode(page_step *step, int lane, const mode_start *at, const double *scales) {
-    set_mask(&step->begins, lane, true);
+    set_mask(&step->begins, lane, at->begins);
     for (int i = 0; i < step->guard_count; ++i) {
         guard_watch *watch = &step->guards[i];
         set_mask(&watch->is_watched, lane, at->guards[i].is_watched);
@@ -95,12 +98,23 @@ static inline void load_mode(page_step *step, int lane, const mode_start *at, co
     }
 }
 
-/* Keeps what a lane has found out about the guards of its mode. */
+/* Reads what a lane has found out about the guards of its mode. */
 static inline void keep_guards(const page_step *step, int lane, mode_start *at) {
     for (int i = 0; i < step->guard_count; ++i) {
-        at->guards[i].was_above = has_lane(step->guards[i].was_above, lane);
-        at->guards[i].is_late = has_lane(step->guards[i].is_late, lane);
+        at->guards[i].is_watched = has_lane(&step->guards[i].is_watched, lane);
+        at->guards[i].was_above = has_lane(&step->guards[i].was_above, lane);
+        at->guards[i].is_late = has_lane(&step->guards[i].is_late, lane);
     }
+}
+
+/* Reads all that load_mode has loaded, and what has changed since. */
+static inline void unload_mode(const page_step *step, int lane, mode_start *at) {
+    at->begins = has_lane(&step->begins, lane);
+    for (int i = 0; i < step->guard_count; ++i) {
+        at->guards[i].was_taken = has_lane(&step->guards[i].was_taken, lane);
+        at->guards[i].scale = lane_of(&step->guards[i].scale, lane);
+    }
+    keep_guards(step, lane, at);
 }
 
 /* Clears the series of states that are polynomials in time: a ramp has no other coefficients. */
@@ -225,7 +239,8 @@ static inline void search_guard(page_step *step, int guard, real *g, real floor,
     if (any(passes)) { /* it may be below zero at the end, and not at the floor */
         const mask is_below = passes & mask_not(expansion_at(g, step->order - 1, to).value > 0.0);
         found.is_root |= is_below;
-        found.time = found.zero = select(is_below, to, found.time);
+        found.time = select(is_below, to, found.time);
+        found.zero = select(is_below, to, found.zero);
     }
     const real since = found.time - found.zero;
     const mask is_slow = lanes & found.is_root & mask_not((since > 0.0) & (since < short_line));

@@ -36,6 +36,7 @@ void tdmf_begin_mode(const run_state *state, mode_start *at) {
     const tdmf_page_run *r = state->r;
     const tdmf_model_kind *model = state->model;
     const tdmf_mode_kind *mode = &model->modes[r->mode];
+    at->begins = true;
     mode->open(r->p, r->x, at->c);
     for (int i = 0; i < mode->guard_count; ++i) {
         const tdmf_guard_kind *kind = &mode->guards[i];

@@ -19,8 +19,9 @@ typedef struct {
     double scale;
 } guard_start;
 
-/* A mode where it begins, and working memory for events. */
+/* A mode where it begins, or on its way, and working memory for events. */
 typedef struct {
+    bool begins;   /* no time has passed in the mode */
     double *c, *d; /* constants of the mode, and their variations for each seed */
     guard_start guards[TDMF_GUARD_LIMIT];
     double *room, *rates, *none; /* arrays of states; `none` holds zeros for parameters that do not vary */
@@ -49,5 +50,13 @@ void tdmf_keep_guards(run_state *state, const mode_start *at);
 /* Takes an event and logs it. Returns whether the run may go on; if not, why is answered by the second. */
 bool tdmf_take_event(run_state *state, const tdmf_guard_kind *kind, const mode_start *at);
 tdmf_run_outcome tdmf_limit_reached(const run_state *state);
+
+/* The driver's working memory. It fits any number of runs of the model, one after the other, and is freed by
+ * `free`. NULL: there is no memory. */
+typedef struct tdmf_driver tdmf_driver;
+tdmf_driver *tdmf_driver_create(const tdmf_model_kind *model);
+
+/* Goes on in a mode up to the next event, and takes it: TDMF_RUN_GOES_ON, or what the run has come to. */
+tdmf_run_outcome tdmf_drive_to_event(tdmf_driver *driver, run_state *state, mode_start *at, double until);
 
 #endif

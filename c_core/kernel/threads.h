@@ -1,6 +1,6 @@
 /* The same work in several threads at once. */
-#ifndef TDMF_ENSEMBLE_THREADS_H
-#define TDMF_ENSEMBLE_THREADS_H
+#ifndef TDMF_KERNEL_THREADS_H
+#define TDMF_KERNEL_THREADS_H
 
 #include <stdbool.h>
 #include <stdint.h>

@@ -1,6 +1,6 @@
 /* Which instructions the processor has, and the operating system saves registers for. */
-#ifndef TDMF_ENSEMBLE_PROCESSOR_H
-#define TDMF_ENSEMBLE_PROCESSOR_H
+#ifndef TDMF_KERNEL_PROCESSOR_H
+#define TDMF_KERNEL_PROCESSOR_H
 
 #include <stdbool.h>
 

@@ -1,0 +1,134 @@
+/* Chooses the width of a batch, shares its runs out among threads, and makes runs one by one where there are
+ * no lanes. */
+#include "batch.h"
+
+#include "processor.h"
+#include "threads.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+enum { WIDTHS = 4 };
+
+static tdmf_run_lanes run_one_by_one;
+
+static const struct {
+    int width;
+    tdmf_run_lanes *run;
+} widths[WIDTHS] = {
+    {1, run_one_by_one},
+    {2, TDMF_TWO_LANES(tdmf_run_lanes_2)},
+    {4, TDMF_FOUR_LANES(tdmf_run_lanes_4)},
+    {8, TDMF_EIGHT_LANES(tdmf_run_lanes_8)},
+};
+
+static bool has_width(const tdmf_model_kind *model, int i) {
+    return i == 0 ||
+           (widths[i].run && model->lanes[i - 1] && (widths[i].width != 4 || tdmf_processor_has_avx2()) &&
+            (widths[i].width != 8 || tdmf_processor_has_avx512()));
+}
+
+/* The row of a width, or that of the largest; -1: there is none. */
+static int row_of_width(const tdmf_model_kind *model, int width) {
+    for (int i = WIDTHS - 1; i >= 0; --i) {
+        if ((width == 0 || width == widths[i].width) && has_width(model, i)) {
+            return i;
+        }
+    }
+    return -1;
+}
+
+bool tdmf_batch_has_width(const tdmf_model_kind *model, int width) {
+    return row_of_width(model, width) >= 0;
+}
+
+int64_t tdmf_next_run(tdmf_batch_share *share) {
+    if (tdmf_is_raised(share->batch->cancel)) {
+        return -1;
+    }
+    const int64_t number = tdmf_take_number(&share->next);
+    return number < share->batch->count ? number : -1;
+}
+
+bool tdmf_goes_on(const tdmf_batch *batch, int64_t number, tdmf_run_outcome outcome) {
+    batch->outcomes[number] = outcome;
+    return outcome == TDMF_RUN_STOPPED && batch->at_stop &&
+           batch->at_stop(batch->context, number, &batch->runs[number]);
+}
+
+static bool run_one_by_one(tdmf_batch_share *share, tdmf_batch_work *work) {
+    const tdmf_batch *batch = share->batch;
+    for (int64_t i = tdmf_next_run(share); i >= 0; i = tdmf_next_run(share)) {
+        tdmf_page_run *r = &batch->runs[i];
+        const long before = r->steps;
+        bool goes_on = true;
+        while (goes_on) {
+            goes_on = tdmf_goes_on(batch, i, tdmf_page_run_to(share->model, r, batch->until[i]));
+            if (goes_on && tdmf_is_raised(batch->cancel)) {
+                batch->outcomes[i] = TDMF_RUN_CANCELLED;
+                goes_on = false;
+            }
+        }
+        work->single_steps += r->steps - before;
+    }
+    return true;
+}
+
+typedef struct {
+    tdmf_batch_share share;
+    tdmf_run_lanes *run;
+    tdmf_batch_work *works; /* of each thread */
+} job;
+
+static void run_share(void *shared, int number) {
+    job *all = shared;
+    if (!all->run(&all->share, &all->works[number])) {
+        run_one_by_one(&all->share, &all->works[number]);
+    }
+}
+
+static bool is_sound(const tdmf_batch *batch) {
+    for (int64_t i = 1; i < batch->count; ++i) {
+        const tdmf_page_run *a = &batch->runs[0], *b = &batch->runs[i];
+        if (a->order != b->order || a->tolerance != b->tolerance || a->seed_count != b->seed_count ||
+            a->observes != b->observes) {
+            return false;
+        }
+    }
+    return batch->count >= 0 && batch->threads >= 1;
+}
+
+tdmf_batch tdmf_batch_default(void) {
+    const tdmf_batch batch = {.threads = 1};
+    return batch;
+}
+
+bool tdmf_run_batch(const tdmf_model_kind *model, const tdmf_batch *batch, tdmf_batch_work *work) {
+    const int row = row_of_width(model, batch->width);
+    if (row < 0 || !is_sound(batch)) {
+        return false;
+    }
+    const int threads = batch->threads <= batch->count ? batch->threads
+                        : batch->count > 0             ? (int)batch->count
+                                                       : 1;
+    job all = {.share = {model, batch, 0, threads},
+               .run = widths[row].run,
+               .works = calloc((size_t)threads, sizeof *all.works)};
+    if (!all.works) {
+        return false;
+    }
+    for (int64_t i = 0; i < batch->count; ++i) {
+        batch->outcomes[i] = TDMF_RUN_CANCELLED; /* until it is run */
+    }
+    tdmf_run_in_threads(run_share, &all, threads);
+    if (work) {
+        memset(work, 0, sizeof *work);
+        for (int i = 0; i < threads; ++i) {
+            work->steps += all.works[i].steps;
+            work->lane_steps += all.works[i].lane_steps;
+            work->single_steps += all.works[i].single_steps;
+        }
+    }
+    free(all.works);
+    return true;
+}

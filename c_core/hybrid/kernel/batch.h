@@ -1,0 +1,63 @@
+/* Many runs of a page, side by side in the lanes of SIMD registers and in several threads.
+ *
+ * Each run ends as tdmf_page_run_to would end it, bit for bit. So neither the number of runs, nor that of
+ * lanes or threads, nor the order of the runs decides a result.
+ */
+#ifndef TDMF_KERNEL_BATCH_H
+#define TDMF_KERNEL_BATCH_H
+
+#include "driver.h"
+
+#include <stdint.h>
+
+/* Called where a run has stopped at its stop event, in the thread that runs it. It may change the states and
+ * the parameters of the run, and returns whether the run goes on. */
+typedef bool tdmf_at_stop(void *context, int64_t number, tdmf_page_run *run);
+
+/* The runs have equal orders, tolerances and numbers of seeds, and either all or none observe. */
+typedef struct {
+    tdmf_page_run *runs;
+    int64_t count;
+    const double *until;        /* of each run */
+    tdmf_run_outcome *outcomes; /* of each run, written */
+    tdmf_at_stop *at_stop;      /* NULL: a run that has stopped has ended */
+    void *context;
+    const int *cancel; /* once this is not 0, all runs end where they are; NULL */
+    int width;         /* lanes: 1, 2, 4 or 8; 0: as many as the build and the processor have */
+    int threads;
+} tdmf_batch;
+
+/* Steps of runs, lanes of the steps made side by side, and steps made one by one. */
+typedef struct {
+    int64_t steps, lane_steps, single_steps;
+} tdmf_batch_work;
+
+tdmf_batch tdmf_batch_default(void);
+
+/* Whether there are batches of this width. */
+bool tdmf_batch_has_width(const tdmf_model_kind *model, int width);
+
+/* False for runs that do not match, or a width that there is not. `work` may be NULL. */
+bool tdmf_run_batch(const tdmf_model_kind *model, const tdmf_batch *batch, tdmf_batch_work *work);
+
+/* ---- between batch.c and batch_lanes.c ----------------------------------------------------------------- */
+
+/* What threads share. */
+typedef struct {
+    const tdmf_model_kind *model;
+    const tdmf_batch *batch;
+    int64_t next;
+    int threads;
+} tdmf_batch_share;
+
+/* The number of the next run; -1: there is none, or the batch is cancelled. */
+int64_t tdmf_next_run(tdmf_batch_share *share);
+
+/* Whether a run that has come to this outcome goes on. Writes the outcome if not. */
+bool tdmf_goes_on(const tdmf_batch *batch, int64_t number, tdmf_run_outcome outcome);
+
+/* Makes runs until there are no more. False without memory: nothing has been done. */
+typedef bool tdmf_run_lanes(tdmf_batch_share *share, tdmf_batch_work *work);
+tdmf_run_lanes tdmf_run_lanes_2, tdmf_run_lanes_4, tdmf_run_lanes_8;
+
+#endif

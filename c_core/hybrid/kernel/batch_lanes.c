@@ -1,0 +1,520 @@
+/* Runs side by side. This file is compiled once for each instruction set; TDMF_LANES is the number of lanes.
+ *
+ * A runner stays in a lane of its mode's batch until an event takes it elsewhere. So all lanes of a step
+ * follow one formula, each with a step size of its own, and whoever waits takes the place of whoever leaves.
+ * Events are taken one runner at a time, by the functions that the driver calls. The driver itself makes the
+ * steps where too few runners are in the same mode, and where coefficients overflow.
+ */
+#include "batch.h"
+#include "observed.h"
+#include "run_state.h"
+#include "threads.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+enum {
+    UNDER_WAY = 40 * LANES, /* runners at once: enough that a full batch waits, few enough for the cache */
+    FEWEST = LANES > 4 ? 3 : 2, /* runners for which a step in lanes pays */
+    NOBODY = -1
+};
+
+typedef struct {
+    run_state state;
+    int64_t number; /* of its run */
+    int next;       /* in a list of runners that wait */
+} runner;
+
+/* The runners of a mode. */
+typedef struct {
+    page_step step;
+    mask live, moved, stops, is_shifted; /* moved: time has passed since the mode began */
+    real time, time_rest, until, steps, last_step;
+    real *x, *observed, *observed_scales; /* by moving state, and by observed quantity */
+    real *dx, *d, *shift;                 /* by seed: variations of the moving states and of the constants */
+    int runner_in[LANES];                 /* or NOBODY */
+    int count, waiting, waiting_count;
+    bool was_filled; /* since then, no lane computes with nothing */
+} lane_batch;
+
+typedef struct {
+    const tdmf_model_kind *model;
+    const tdmf_motion_kind *motions;
+    tdmf_batch_share *share;
+    tdmf_batch_work *work;
+    lane_batch *batches;
+    real (*s)[TERMS], (*t)[TERMS]; /* series, and their variations for one seed */
+    int mode_of_series;
+    runner *runners;
+    mode_start at; /* of one runner */
+    tdmf_driver *driver;
+    int order, seed_count;
+    bool observes;
+} lane_pool;
+
+static tdmf_page_run *run_of(const lane_pool *w, int index) {
+    return w->runners[index].state.r;
+}
+
+/* ---- in and out of lanes ------------------------------------------------------------------------------- */
+
+static void wait_for_lane(lane_pool *w, int index) {
+    lane_batch *b = &w->batches[run_of(w, index)->mode];
+    w->runners[index].next = b->waiting;
+    b->waiting = index;
+    ++b->waiting_count;
+}
+
+static int take_waiting(lane_pool *w, lane_batch *b) {
+    const int index = b->waiting;
+    b->waiting = w->runners[index].next;
+    --b->waiting_count;
+    return index;
+}
+
+/* Gives a runner the next run. False where there is none. */
+static bool take_next_run(lane_pool *w, int index) {
+    w->runners[index].number = tdmf_next_run(w->share);
+    return w->runners[index].number >= 0;
+}
+
+static void begin_run(lane_pool *w, int index) {
+    runner *of = &w->runners[index];
+    tdmf_begin_run(&of->state, w->model, &w->share->batch->runs[of->number], of->state.scales);
+}
+
+/* Keeps in a run what is known of the guards where its mode begins. */
+static tdmf_run_outcome conclude(lane_pool *w, int index, tdmf_run_outcome outcome) {
+    tdmf_begin_mode(&w->runners[index].state, &w->at);
+    tdmf_keep_guards(&w->runners[index].state, &w->at);
+    return outcome;
+}
+
+/* Goes on with a runner whose mode begins, or concludes its run and takes the next. */
+static void go_on(lane_pool *w, int index, tdmf_run_outcome outcome) {
+    for (;;) {
+        const run_state *state = &w->runners[index].state;
+        const bool is_late = state->r->steps >= state->last_step;
+        if (outcome == TDMF_RUN_GOES_ON && (is_late || w->model->modes[state->r->mode].ends)) {
+            outcome = conclude(w, index, is_late ? TDMF_RUN_TOO_MANY_STEPS : TDMF_RUN_ENDED);
+        }
+        if (outcome == TDMF_RUN_GOES_ON) {
+            wait_for_lane(w, index);
+            return;
+        }
+        if (!tdmf_goes_on(w->share->batch, w->runners[index].number, outcome) && !take_next_run(w, index)) {
+            return;
+        }
+        begin_run(w, index);
+        outcome = TDMF_RUN_GOES_ON;
+    }
+}
+
+static void load_runner(lane_pool *w, lane_batch *b, int lane, const run_state *state, double until) {
+    const tdmf_page_run *r = state->r;
+    const tdmf_motion_kind *m = b->step.motion;
+    const tdmf_mode_kind *mode = &w->model->modes[r->mode];
+    load_mode(&b->step, lane, &w->at, state->scales);
+    for (int i = 0; i < m->constant_count; ++i) {
+        set_lane(&b->step.c[i], lane, w->at.c[i]);
+    }
+    for (int i = 0; i < m->moving_count; ++i) {
+        set_lane(&b->x[i], lane, r->x[m->moving[i]]);
+    }
+    for (int i = 0; i < mode->watch_count; ++i) {
+        set_lane(&b->observed[i], lane, r->x[mode->watches[i].into]);
+        set_lane(&b->observed_scales[i], lane, state->scales[mode->watches[i].into]);
+    }
+    for (int seed = 0; seed < w->seed_count; ++seed) {
+        const double *dx = r->dx + seed * w->model->state_count,
+                     *d = w->at.d + seed * w->model->constant_count;
+        set_lane(&b->shift[seed], lane, r->shift[seed]);
+        for (int i = 0; i < m->moving_count; ++i) {
+            set_lane(&b->dx[seed * m->moving_count + i], lane, dx[m->moving[i]]);
+        }
+        for (int i = 0; i < m->constant_count; ++i) {
+            set_lane(&b->d[seed * m->constant_count + i], lane, d[i]);
+        }
+    }
+    set_mask(&b->moved, lane, false);
+    set_mask(&b->stops, lane, state->stops);
+    set_mask(&b->is_shifted, lane, r->is_shifted);
+    set_lane(&b->time, lane, r->time);
+    set_lane(&b->time_rest, lane, r->time_rest);
+    set_lane(&b->until, lane, until);
+    set_lane(&b->steps, lane, (double)r->steps);
+    set_lane(&b->last_step, lane, (double)state->last_step);
+}
+
+static void fill_lanes(lane_pool *w, lane_batch *b) {
+    for (int lane = 0; lane < LANES && b->waiting_count > 0; ++lane) {
+        if (b->runner_in[lane] != NOBODY) {
+            continue;
+        }
+        const int index = take_waiting(w, b);
+        const runner *of = &w->runners[index];
+        const double until = w->share->batch->until[of->number];
+        tdmf_begin_mode(&of->state, &w->at);
+        for (int other = b->was_filled ? lane : LANES - 1; other >= lane; --other) {
+            load_runner(w, b, other, &of->state, until);
+        }
+        b->was_filled = true;
+        b->runner_in[lane] = index;
+        set_mask(&b->live, lane, true);
+        ++b->count;
+    }
+}
+
+/* Gives a runner what its lane has come to, and empties the lane. What is known of the guards goes to `at`.
+ */
+static int leave_lane(lane_pool *w, lane_batch *b, int lane) {
+    const tdmf_motion_kind *m = b->step.motion;
+    const int index = b->runner_in[lane];
+    tdmf_page_run *r = run_of(w, index);
+    const tdmf_mode_kind *mode = &w->model->modes[r->mode];
+    for (int i = 0; i < m->moving_count; ++i) {
+        r->x[m->moving[i]] = lane_of(&b->x[i], lane);
+    }
+    for (int i = 0; i < mode->watch_count; ++i) {
+        r->x[mode->watches[i].into] = lane_of(&b->observed[i], lane);
+    }
+    for (int seed = 0; seed < w->seed_count; ++seed) {
+        for (int i = 0; i < m->moving_count; ++i) {
+            r->dx[seed * w->model->state_count + m->moving[i]] =
+                lane_of(&b->dx[seed * m->moving_count + i], lane);
+        }
+    }
+    w->work->steps += (int64_t)(lane_of(&b->steps, lane) - (double)r->steps);
+    r->time = lane_of(&b->time, lane);
+    r->time_rest = lane_of(&b->time_rest, lane);
+    r->steps = (long)lane_of(&b->steps, lane);
+    r->is_shifted = has_lane(&b->is_shifted, lane);
+    if (has_lane(&b->moved, lane)) {
+        r->chain = 0;
+        r->taken = 0;
+    }
+    keep_guards(&b->step, lane, &w->at);
+    b->runner_in[lane] = NOBODY;
+    set_mask(&b->live, lane, false);
+    --b->count;
+    return index;
+}
+
+/* ---- one by one ---------------------------------------------------------------------------------------- */
+
+/* Has the driver make the steps of a runner up to its next event. Its mode has been written to `at`. */
+static void drive(lane_pool *w, int index) {
+    runner *of = &w->runners[index];
+    const long before = of->state.r->steps;
+    const double until = w->share->batch->until[of->number];
+    const tdmf_run_outcome outcome = tdmf_drive_to_event(w->driver, &of->state, &w->at, until);
+    w->work->single_steps += of->state.r->steps - before;
+    go_on(w, index, outcome);
+}
+
+/* Takes a runner out of its lane, in the middle of its mode. */
+static void drive_out_of_lane(lane_pool *w, lane_batch *b, int lane) {
+    const tdmf_motion_kind *m = b->step.motion;
+    unload_mode(&b->step, lane, &w->at);
+    for (int i = 0; i < m->constant_count; ++i) {
+        w->at.c[i] = lane_of(&b->step.c[i], lane);
+    }
+    for (int seed = 0; seed < w->seed_count; ++seed) {
+        for (int i = 0; i < m->constant_count; ++i) {
+            w->at.d[seed * w->model->constant_count + i] = lane_of(&b->d[seed * m->constant_count + i], lane);
+        }
+    }
+    drive(w, leave_lane(w, b, lane));
+}
+
+static void drive_one(lane_pool *w, lane_batch *b) {
+    if (b->waiting_count > 0) {
+        const int index = take_waiting(w, b);
+        tdmf_begin_mode(&w->runners[index].state, &w->at);
+        drive(w, index);
+        return;
+    }
+    int lane = 0;
+    while (b->runner_in[lane] == NOBODY) {
+        ++lane;
+    }
+    drive_out_of_lane(w, b, lane);
+}
+
+/* ---- steps in lanes ------------------------------------------------------------------------------------ */
+
+/* The longest step that a law allows whose series does not show it. */
+static real longest_step(const lane_pool *w, const lane_batch *b, const tdmf_mode_kind *mode) {
+    const tdmf_motion_kind *m = b->step.motion;
+    real longest = broadcast(INFINITY);
+    for (int lane = 0; lane < LANES && mode->time_scale; ++lane) {
+        if (has_lane(&b->live, lane)) {
+            const tdmf_page_run *r = run_of(w, b->runner_in[lane]);
+            for (int i = 0; i < m->moving_count; ++i) {
+                r->x[m->moving[i]] = lane_of(&b->x[i], lane);
+            }
+            set_lane(&longest, lane, most_time_scales * mode->time_scale(r->p, r->x));
+        }
+    }
+    return longest;
+}
+
+/* Moves variations from the guard of the last event back to a fixed time. */
+static void shift_back(const lane_pool *w, lane_batch *b, mask lanes) {
+    const int count = b->step.motion->moving_count;
+    for (int seed = 0; seed < w->seed_count && any(lanes); ++seed) {
+        for (int i = 0; i < count; ++i) {
+            real *dx = &b->dx[seed * count + i];
+            *dx = select(lanes, *dx - w->s[i][1] * b->shift[seed], *dx);
+        }
+    }
+    b->is_shifted &= mask_not(lanes);
+}
+
+/* Adds to the time and keeps the rounding error, as tdmf_pass_time does. */
+static void pass_time(lane_batch *b, real elapsed, real left, mask goes) {
+    const page_step *step = &b->step;
+    const real more = elapsed + b->time_rest, time = b->time + more, rest = more - (time - b->time);
+    const mask arrives = goes & (step->end > 1.0) & (step->size == left);
+    b->moved |= goes & (time > b->time);
+    b->time = select(arrives, b->until, select(goes, time, b->time));
+    b->time_rest = select(arrives, broadcast(0.0), select(goes, rest, b->time_rest));
+    b->steps += select(goes, broadcast(1.0), broadcast(0.0));
+}
+
+static void advance(const lane_pool *w, lane_batch *b, const tdmf_mode_kind *mode, real left, mask goes) {
+    page_step *step = &b->step;
+    const tdmf_motion_kind *m = step->motion;
+    const real elapsed = end_step(step);
+    for (int seed = 0; seed < w->seed_count; ++seed) {
+        real *dx = &b->dx[seed * m->moving_count];
+        for (int i = 0; i < m->moving_count; ++i) {
+            w->t[i][0] = dx[i];
+        }
+        m->vary(step->c, w->s[0], &b->d[seed * m->constant_count], step->order, w->t[0]);
+        for (int i = 0; i < m->moving_count; ++i) {
+            dx[i] = select(goes, sum_of(w->t[i], step->power, step->order), dx[i]);
+        }
+    }
+    for (int i = 0; i < mode->watch_count && w->observes; ++i) {
+        b->observed[i] = observed_value(step, i, mode->watches[i].part, b->observed[i], b->observed_scales[i],
+                                        goes & (elapsed > 0.0));
+    }
+    for (int i = 0; i < m->moving_count; ++i) {
+        b->x[i] = select(goes, value_at_end(step, i), b->x[i]);
+    }
+    pass_time(b, elapsed, left, goes);
+    step->begins &= mask_not(goes);
+}
+
+/* Writes the rates of lanes at their event to the variations' series. */
+static void find_rates(const lane_pool *w, lane_batch *b) {
+    page_step *step = &b->step;
+    set_powers(step->power, select(step->is_due, broadcast(0.0), step->power[1]), step->order);
+    for (int i = 0; i < step->motion->moving_count; ++i) {
+        w->t[i][0] = rate_at_end(step, i);
+    }
+}
+
+/* Takes the event of a runner. `shifts`: its variations are moved onto the guard. */
+static void take_event(lane_pool *w, lane_batch *b, int lane, bool shifts) {
+    const tdmf_mode_kind *mode = &w->model->modes[run_of(w, b->runner_in[lane])->mode];
+    const tdmf_guard_kind *kind = &mode->guards[(int)b->step.first[lane]];
+    const int index = leave_lane(w, b, lane);
+    run_state *state = &w->runners[index].state;
+    if (shifts) {
+        memset(w->at.rates, 0, (size_t)w->model->state_count * sizeof *w->at.rates);
+        for (int i = 0; i < b->step.motion->moving_count; ++i) {
+            w->at.rates[b->step.motion->moving[i]] = lane_of(&w->t[i][0], lane);
+        }
+        tdmf_shift_to_event(state, kind, &w->at);
+    }
+    const bool may_go_on = tdmf_take_event(state, kind, &w->at);
+    go_on(w, index, may_go_on ? TDMF_RUN_GOES_ON : conclude(w, index, tdmf_limit_reached(state)));
+}
+
+static void step_lanes(lane_pool *w, int number) {
+    lane_batch *b = &w->batches[number];
+    const tdmf_mode_kind *mode = &w->model->modes[number];
+    page_step *step = &b->step;
+    const tdmf_motion_kind *m = step->motion;
+    series_remainder remainder;
+    fill_lanes(w, b);
+    w->work->lane_steps += LANES;
+    step->order = w->order;
+    if (w->mode_of_series != number) {
+        w->mode_of_series = number;
+        clear_polynomials(step);
+    }
+    for (int i = 0; i < m->moving_count; ++i) {
+        w->s[i][0] = b->x[i];
+    }
+    m->expand(step->c, w->order, w->s[0]);
+    const mask overflows = b->live & mask_not(judge_series(step, &remainder));
+    const real left = b->until - b->time - b->time_rest;
+    choose_size(step, &remainder, longest_step(w, b, mode), real_max(left, broadcast(0.0)));
+    const mask fails = b->live & mask_not(overflows | (step->size >= 0.0));
+    mask goes = b->live & mask_not(overflows | fails);
+    search_events(step, goes);
+    goes &= mask_not(step->is_due | b->stops);
+    const mask stops = b->live & b->stops & mask_not(overflows | fails | step->is_due);
+    shift_back(w, b, goes & b->is_shifted);
+    const mask arrives = goes & mask_not(left > 0.0);
+    goes &= mask_not(arrives);
+    advance(w, b, mode, left, goes);
+    const mask reaches = goes & (step->end <= 1.0) & (step->first != NO_EVENT);
+    const mask is_late = goes & mask_not(reaches) & (b->steps >= b->last_step);
+    const mask shifts = mask_not(b->is_shifted) & (reaches | (step->is_due & step->is_reached));
+    if (w->seed_count > 0 && any(shifts)) {
+        find_rates(w, b);
+    }
+    const mask takes = step->is_due | reaches;
+    const unsigned leaving = movemask(overflows | fails | takes | stops | arrives | is_late);
+    for (int lane = 0; leaving >> lane != 0; ++lane) {
+        if (!(leaving >> lane & 1)) {
+            continue;
+        }
+        if (has_lane(&takes, lane)) {
+            take_event(w, b, lane, w->seed_count > 0 && has_lane(&shifts, lane));
+        } else if (has_lane(&overflows, lane)) {
+            drive_out_of_lane(w, b, lane);
+        } else {
+            const int index = leave_lane(w, b, lane);
+            tdmf_keep_guards(&w->runners[index].state, &w->at);
+            go_on(w, index,
+                  has_lane(&fails, lane)     ? TDMF_RUN_NO_PROGRESS
+                  : has_lane(&stops, lane)   ? TDMF_RUN_STOPPED
+                  : has_lane(&arrives, lane) ? TDMF_RUN_ARRIVED
+                                             : TDMF_RUN_TOO_MANY_STEPS);
+        }
+    }
+}
+
+/* ---- all ----------------------------------------------------------------------------------------------- */
+
+/* The mode that most runners are in; NOBODY: all runs have ended. */
+static int fullest(const lane_pool *w) {
+    int best = NOBODY, most = 0;
+    for (int number = 0; number < w->model->mode_count; ++number) {
+        const int runners = w->batches[number].count + w->batches[number].waiting_count;
+        if (runners > most) {
+            best = number;
+            most = runners;
+        }
+    }
+    return best;
+}
+
+/* Leaves all runners where they are. */
+static void cancel(lane_pool *w) {
+    for (int number = 0; number < w->model->mode_count; ++number) {
+        lane_batch *b = &w->batches[number];
+        for (int lane = 0; lane < LANES; ++lane) {
+            if (b->runner_in[lane] != NOBODY) {
+                w->share->batch->outcomes[w->runners[b->runner_in[lane]].number] = TDMF_RUN_CANCELLED;
+                tdmf_keep_guards(&w->runners[leave_lane(w, b, lane)].state, &w->at);
+            }
+        }
+        while (b->waiting_count > 0) {
+            w->share->batch->outcomes[w->runners[take_waiting(w, b)].number] = TDMF_RUN_CANCELLED;
+        }
+    }
+}
+
+static size_t reals_of_mode(const lane_pool *w, int number) {
+    const tdmf_motion_kind *m = &w->motions[number];
+    return (size_t)(2 * m->moving_count + m->constant_count + 2 * w->model->modes[number].watch_count +
+                    w->seed_count * (m->moving_count + m->constant_count + 1));
+}
+
+static real *place_batch(lane_pool *w, int number, real *next) {
+    lane_batch *b = &w->batches[number];
+    const tdmf_mode_kind *mode = &w->model->modes[number];
+    const tdmf_motion_kind *m = b->step.motion = &w->motions[number];
+    b->step.kinds = mode->guards;
+    b->step.guard_count = mode->guard_count;
+    b->step.tolerance = w->share->batch->runs[0].tolerance;
+    b->step.s = w->s;
+    b->step.c = next;
+    b->step.units = b->step.c + m->constant_count;
+    b->x = b->step.units + m->moving_count;
+    b->observed = b->x + m->moving_count;
+    b->observed_scales = b->observed + mode->watch_count;
+    b->dx = b->observed_scales + mode->watch_count;
+    b->d = b->dx + w->seed_count * m->moving_count;
+    b->shift = b->d + w->seed_count * m->constant_count;
+    b->waiting = NOBODY;
+    for (int lane = 0; lane < LANES; ++lane) {
+        b->runner_in[lane] = NOBODY;
+    }
+    return next + reals_of_mode(w, number);
+}
+
+static void run_pool(lane_pool *w, int under_way) {
+    for (int index = 0; index < under_way && take_next_run(w, index); ++index) {
+        begin_run(w, index);
+        go_on(w, index, TDMF_RUN_GOES_ON);
+    }
+    for (int number = fullest(w); number != NOBODY; number = fullest(w)) {
+        lane_batch *b = &w->batches[number];
+        if (tdmf_is_raised(w->share->batch->cancel)) {
+            cancel(w);
+        } else if (b->count + b->waiting_count < FEWEST) {
+            drive_one(w, b);
+        } else {
+            step_lanes(w, number);
+        }
+    }
+}
+
+bool TDMF_OF_WIDTH(tdmf_run_lanes)(tdmf_batch_share *share, tdmf_batch_work *work) {
+    const tdmf_model_kind *model = share->model;
+    const tdmf_page_run *first = share->batch->runs;
+    const int64_t each = (share->batch->count + share->threads - 1) / share->threads;
+    const int under_way = each < UNDER_WAY ? (int)each : UNDER_WAY;
+    if (share->batch->count == 0) {
+        return true;
+    }
+    lane_pool w = {.model = model,
+                   .motions = model->lanes[LANES == 2   ? 0
+                                           : LANES == 4 ? 1
+                                                        : 2](),
+                   .share = share,
+                   .work = work,
+                   .mode_of_series = NOBODY,
+                   .order = first->order,
+                   .seed_count = first->seed_count,
+                   .observes = first->observes};
+    size_t reals = 2 * (size_t)model->series_count * TERMS;
+    for (int number = 0; number < model->mode_count; ++number) {
+        reals += reals_of_mode(&w, number);
+    }
+    const int of_start = tdmf_size_of_mode_start(model, w.seed_count),
+              of_state = tdmf_size_of_run_state(model);
+    const size_t batches = (size_t)model->mode_count * sizeof(lane_batch);
+    const size_t doubles = (size_t)(of_start + under_way * of_state) * sizeof(double);
+    char *memory = calloc(1, sizeof(real) + batches + reals * sizeof(real) + doubles +
+                                 (size_t)under_way * sizeof(runner));
+    w.driver = tdmf_driver_create(model);
+    const bool has_memory = memory && w.driver;
+    if (has_memory) {
+        w.batches =
+            (void *)(((uintptr_t)memory + sizeof(real) - 1) / sizeof(real) * sizeof(real)); /* aligned */
+        w.s = (void *)(w.batches + model->mode_count);
+        w.t = w.s + model->series_count;
+        real *next = (real *)(w.t + model->series_count);
+        for (int number = 0; number < model->mode_count; ++number) {
+            next = place_batch(&w, number, next);
+        }
+        double *numbers = (double *)next;
+        tdmf_place_mode_start(&w.at, model, w.seed_count, numbers);
+        w.runners = (void *)(numbers + of_start + under_way * of_state);
+        for (int index = 0; index < under_way; ++index) {
+            w.runners[index].state.scales = numbers + of_start + index * of_state;
+        }
+        run_pool(&w, under_way);
+    }
+    free(w.driver);
+    free(memory);
+    return has_memory;
+}

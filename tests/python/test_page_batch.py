@@ -1,0 +1,253 @@
+"""Many runs of a page side by side, in lanes and threads: each ends as the driver ends it, bit for bit."""
+
+import ctypes
+
+import numpy as np
+import pytest
+from page_runs import COMPILER, LANES, CompiledPage, StuckError, run_batch, widths_of
+from test_page_random import drawn
+from test_page_runner import world_of
+
+from c_core.hybrid import Model, event, exp, mode, parameter, sin, state
+from c_core.pages.runner import PlainRunner, Runner
+
+pytestmark = pytest.mark.skipif(COMPILER is None, reason="there is no C compiler")
+LEVEL = "-O1"
+APEX = 1.406106854441984, 1.062891224817656, 1.004282245348082, 1.242779537928858, 0, 0.2165916273954818
+
+
+class Hopper(Model):
+    """A ball on a floor that swings, in air that is thicker below; it rests where its speed is small."""
+
+    start = "flight", {}
+    gravity, drag, restitution = parameter(1, "m/s2"), parameter(0.1, "1/s"), parameter(0.8)
+    sticks, swing = parameter(0.05, "m/s"), parameter(0.1, "m")
+    height, speed, angle = state(1, "m"), state(0, "m/s"), state(0)
+    hops = state(0)
+
+    @mode()
+    def flight(b):
+        """The drag falls with the height."""
+        wind = b.drag * exp(-b.height / b.unit_height) * b.speed
+        return {"height": b.speed, "speed": -b.gravity - wind, "angle": b.rate}
+
+    @mode(ends=True)
+    def rest(b):
+        """On the floor."""
+        return {}
+
+    unit_height, rate = parameter(1, "m"), parameter(1, "1/s")
+
+    @event("flight", when=lambda b: b.height - b.swing * sin(b.angle), unit="m")
+    def hits(b):
+        """It bounces, or comes to rest."""
+        if b.speed**2 < b.sticks**2:
+            return b.to("rest", speed=0)
+        return b.replace(speed=-b.restitution * b.speed, hops=b.hops + 1)
+
+
+@pytest.fixture(scope="module")
+def hopper():
+    return CompiledPage(Hopper, LEVEL, in_lanes=True)
+
+
+@pytest.fixture(scope="module")
+def plain():
+    return CompiledPage(PlainRunner, LEVEL, in_lanes=True)
+
+
+@pytest.fixture(scope="module")
+def whole():
+    return CompiledPage(Runner, LEVEL, in_lanes=True)
+
+
+def bits(run):
+    """What a run has come to."""
+    r, rows = run.run, min(len(run.rows), run.run.log_count)
+    numbers = run.outcome, r.mode, r.time, r.time_rest, r.steps, r.events, r.chain, r.log_count, r.is_shifted
+    memory = r.taken, r.above, r.late, bytes(run.rows)[: ctypes.sizeof(run.rows[0]) * rows]
+    return numbers, memory, run.x.tobytes(), run.dx.tobytes(), run.shift.tobytes()
+
+
+def driven(runs, until=1e6, stop=None):
+    """Run each by the driver."""
+    until = np.broadcast_to(until, len(runs))
+    for run, end in zip(runs, until, strict=True):
+        try:
+            run.to(end, stop)
+        except StuckError:
+            assert run.outcome == "endless-chain"
+    return runs
+
+
+def random_hopper(page, number):
+    """A hopper with any parameters, light and heavy ones side by side."""
+    u = np.random.default_rng([7, number]).uniform
+    values = {"height": u(0.2, 3), "speed": u(-1, 3), "restitution": u(0.3, 0.95), "swing": u(0, 0.3)}
+    values |= {"drag": 10 ** u(-3, 1), "rate": u(0.1, 3), "sticks": 10 ** u(-3, -1)}
+    return page.start(seeds=["height", "drag"], tolerance=1e-10, step_limit=2000, **values)
+
+
+def test_machines_of_this_kind_have_lanes(hopper):
+    assert widths_of(hopper)[:2] == [1, 2]
+    assert set(widths_of(hopper)) <= {1, *LANES}
+
+
+@pytest.mark.parametrize("count", range(1, 18))
+def test_any_number_of_runs_in_any_order_ends_as_the_driver_ends_them(hopper, count):
+    ends = np.random.default_rng(count).uniform(3, 12, count)
+    wanted = [bits(run) for run in driven([random_hopper(hopper, i) for i in range(count)], ends)]
+    assert len({run[0][0] for run in wanted}) > 1 or count < 6
+    order = np.random.default_rng(count).permutation(count)
+    for width in widths_of(hopper):
+        for numbers in (range(count), order):
+            runs = [random_hopper(hopper, i) for i in numbers]
+            run_batch(runs, ends[list(numbers)], width=width)
+            assert [bits(run) for run in runs] == [wanted[i] for i in numbers]
+
+
+def plain_runner(page, number, **more):
+    """A runner near the gait."""
+    random = np.random.default_rng([5, number])
+    apex = np.array(APEX) + random.uniform(-0.05, 0.05, 6)
+    given = {"friction": random.choice([0.2, 0.6, 10]), "swing_clamp": number % 2} | world_of(apex)
+    return page.start(**given | more)
+
+
+@pytest.mark.parametrize("width", LANES)
+def test_strides_and_jacobians_in_lanes_are_those_of_the_driver(plain, width):
+    if width not in widths_of(plain):
+        pytest.skip(f"this processor has no {width} lanes")
+    seeds = ["seen_y", "seen_vx", "length", "angle", "length_rate", "angle_rate", "friction", "kp"]
+
+    def runs():
+        return [plain_runner(plain, i, seeds=seeds, tolerance=1e-11) for i in range(60)]
+
+    wanted, mine = runs(), runs()
+    for _ in range(3):
+        driven(wanted, stop="apex")
+        work = run_batch(mine, stop="apex", width=width)
+        assert [bits(run) for run in mine] == [bits(run) for run in wanted]
+    assert work.steps > 3 * work.single_steps
+    assert sum(run.outcome == "stopped" for run in mine) > 30
+
+
+@pytest.mark.parametrize("width", LANES)
+def test_random_runs_with_everything_on_end_as_the_driver_ends_them(whole, width):
+    """Ramps and jumps in mid-stance, every parameter over its range, stiff and extreme runners."""
+    if width not in widths_of(whole):
+        pytest.skip(f"this processor has no {width} lanes")
+    names = {whole.model.public(n): n for n in [*whole.states, *whole.parameters]}
+
+    def start(number):
+        parameters, inputs, world, segments, _ = drawn(number)
+        given = {names[n]: v for n, v in (parameters | inputs).items()} | world
+        given |= {"swing_clamp": number % 2, "tolerance": 1e-11, "step_limit": 2000}
+        return whole.start(seeds=["seen_y", "gravity"], **given), segments
+
+    mine, wanted = ([start(i) for i in range(150)] for _ in range(2))
+    for part in range(len(mine[0][1])):
+        until = []
+        for run, segments in (*mine, *wanted):
+            duration, sets, rates = segments[part]
+            run.set(**{names[n]: v for n, v in sets.items()})
+            run.set(**{f"{names[n]}_rate": v for n, v in rates.items()})
+            until.append(run.time + duration)
+        run_batch([run for run, _ in mine], until[: len(mine)], width=width)
+        driven([run for run, _ in wanted], until[len(mine) :])
+        for (run, _), (other, _) in zip(mine, wanted, strict=True):
+            assert bits(run) == bits(other)
+        kept = [i for i, (run, _) in enumerate(wanted) if run.outcome == "arrived"]
+        mine, wanted = [mine[i] for i in kept], [wanted[i] for i in kept]
+    assert 50 < len(mine) < 150
+
+
+def test_threads_decide_nothing(hopper):
+    wanted = [bits(run) for run in driven([random_hopper(hopper, i) for i in range(300)], 10.0)]
+    for threads in (2, 5):
+        runs = [random_hopper(hopper, i) for i in range(300)]
+        run_batch(runs, 10.0, threads=threads)
+        assert [bits(run) for run in runs] == wanted
+
+
+def test_each_outcome_is_told_apart(hopper):
+    """In one batch: at rest, arrived, at a limit, endless, without a finite step."""
+    given = {
+        "ended": {"sticks": 0.5}, "arrived": {"height": 1e3}, "too-many-steps": {"rate": 1e4},
+        "endless-chain": {"sticks": 0, "restitution": 0}, "no-progress": {"gravity": np.nan},
+        "too-many-events": {"restitution": 0.99, "sticks": 0},
+    }  # fmt: skip
+
+    def runs():
+        made = [hopper.start(step_limit=500, **values) for values in given.values() for _ in range(5)]
+        for run in made[25:]:
+            run.run.event_limit = 3
+        return made
+
+    wanted = [bits(run) for run in driven(runs(), 20.0)]
+    assert [run[0][0] for run in wanted] == [name for name in given for _ in range(5)]
+    for width in widths_of(hopper):
+        mine = runs()
+        run_batch(mine, 20.0, width=width)
+        assert [bits(run) for run in mine] == wanted
+        assert all(np.isfinite(run.x).all() for run in mine if run.outcome in ("ended", "arrived"))
+
+
+@pytest.mark.parametrize("threads", [1, 3])
+def test_a_callback_changes_states_from_stop_to_stop(hopper, threads):
+    """Each hop makes the ball faster, in the batch as by the driver; each run has hops of its own."""
+    speed, count = hopper.states.index("speed"), hopper.states.index("hops")
+
+    def again(run):
+        run.x[speed] *= 1.1
+        return run.x[count] < 5
+
+    def hoppers():
+        return [random_hopper(hopper, i) for i in range(40)]
+
+    wanted = hoppers()
+    for run in wanted:
+        while driven([run], 30.0, "hits") and run.outcome == "stopped" and again(run):
+            pass
+    mine = hoppers()
+
+    def at_stop(_context, number, _run):
+        return bool(again(mine[number]))
+
+    for width in widths_of(hopper):
+        mine = hoppers()
+        run_batch(mine, 30.0, "hits", width, threads, at_stop)
+        assert [bits(run) for run in mine] == [bits(run) for run in wanted]
+
+
+def test_a_cancelled_run_is_where_it_was_and_goes_on_from_there(hopper):
+    for width in widths_of(hopper):
+        cancel = ctypes.c_int(1)
+        runs = [random_hopper(hopper, i) for i in range(20)]
+        run_batch(runs, 10.0, width=width, cancel=ctypes.pointer(cancel))
+        assert {(run.outcome, run.time) for run in runs} == {("cancelled", 0.0)}
+        cancel.value, calls = 0, []
+
+        def at_stop(_context, number, _run, cancel=cancel, calls=calls):
+            calls.append(number)
+            cancel.value = len(calls) > 10
+            return True
+
+        run_batch(runs, 10.0, "hits", width, 2, at_stop, ctypes.pointer(cancel))
+        assert sum(run.outcome == "cancelled" for run in runs) > 3
+        wanted = driven([random_hopper(hopper, i) for i in range(20)], 10.0)
+        for run, other in zip(runs, wanted, strict=True):
+            driven([run], 10.0)
+            assert run.hops == other.hops
+            assert run.x == pytest.approx(other.x, abs=1e-7)
+
+
+def test_runs_that_do_not_match_and_widths_that_are_not_there_are_refused(hopper):
+    runs = [random_hopper(hopper, i) for i in range(4)]
+    runs[2].run.tolerance = 1e-9
+    with pytest.raises(AssertionError, match="refused"):
+        run_batch(runs, 10.0)
+    with pytest.raises(AssertionError, match="refused"):
+        run_batch(runs[:2], 10.0, width=3)
+    run_batch(runs[:2], 10.0)
+    assert run_batch(runs[:1], 0.0).steps == 0
