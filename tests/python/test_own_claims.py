@@ -54,7 +54,7 @@ def test_its_command_is_one(claim):
     command = commands.get_command(click.Context(commands), name)
     assert command is not None
     given = command.make_context(name, arguments).params
-    assert given.get("parameters") in (None, *preset_names(), "human_running.toml")
+    assert given.get("parameters") in (None, *preset_names())
 
 
 @pytest.mark.parametrize("claim", SOLVED, ids=name_of)

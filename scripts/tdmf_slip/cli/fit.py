@@ -103,7 +103,7 @@ def fit_command(
     """Fit parameters of the runner to measured gaits, with 95 % intervals.
 
     FILE is a CSV table with one row per condition, or a table that comes with the package: human_running or
-    human_fast_running. Both begin with the runner of --parameters human_running.toml. A column is a quantity
+    human_fast_running. Both begin with the runner of --parameters human_running. A column is a quantity
     of the stride with its unit: "speed [m/s]", "frequency [Hz]", "stance_time [s]", "duty_factor [1]",
     "slip_distance [m]", "peak_force [N]" or others, such as "foot_clearance [m]". Each has its standard error
     in a second column, as "speed_error [m/s]". Lines that begin with # are skipped. A stride runs from one

@@ -170,7 +170,7 @@ ASSUMED: Mapping[str, tuple[float, float]] = {
 MASSES = (71.4, 84.0, 92.4)
 """Masses of the runner, which is not published, kg; forces are published in body weights."""
 COMMAND = (
-    f"tdmf-slip fit human_running --parameters human_running.toml --vary {STIFFNESS} "
+    f"tdmf-slip fit human_running --parameters human_running --vary {STIFFNESS} "
     f"--vary-each {','.join(EACH)} --model reduced"
 )
 OF_GAITS = (
