@@ -151,7 +151,7 @@ def own_presets(table):
 
 
 def presets(table):
-    """The paper's gaits, the package's parameter files, the page's own."""
+    """The paper's gaits, the runner of human size, the page's own."""
     gaits = json.loads((PACKAGE / "paper/reference_gaits.json").read_text(encoding="utf-8"))["gaits"]
     found = [
         {
@@ -163,10 +163,8 @@ def presets(table):
         for gait in gaits
         if not gait["swing_clamp"]  # as by default
     ]
-    for path in sorted((PACKAGE / "variables/presets").glob("*.toml")):
-        values = known_values(table, dict(flat(tomllib.loads(path.read_text(encoding="utf-8")))))
-        if values:
-            found.append({"name": f"{path.stem} scale", "values": values})
+    human = tomllib.loads((PACKAGE / "variables/presets/human.toml").read_text(encoding="utf-8"))
+    found.append({"name": "human scale", "values": known_values(table, dict(flat(human)))})
     return [*found, *own_presets(table)]
 
 

@@ -13,9 +13,9 @@ with its bifurcations, `basin` what a gait attracts, `viability` what some choic
 and `prove_attraction` prove by interval arithmetic; `validate` compares with what the paper publishes.
 `fmu_path` is the unit itself, for any other importer.
 
-The sub-packages, each of which knows those before it only: `terminal`, `numerics`, `files` and `blocks`,
-which know nothing of runners; `variables`, `fmu`, `library`, `analysis`, `feedback`, `fitting`,
-`optimization`, `proof`, `viable_sets`, `pictures`; `paper` and `bench`; `cli`, the command line.
+The sub-packages, each of which knows those before it only: `terminal`, `numerics` and `files`, which know
+nothing of runners; `variables`, the table; `fmu`, which alone loads FMPy; `library`, `analysis`, `feedback`,
+`fitting`, `optimization`, `proof`, `viable_sets`, `pictures`; `paper` and `bench`; `cli`, the command line.
 
 What is loaded is what is used: the names and their modules are in `__init__.pyi`.
 """

@@ -75,3 +75,34 @@ def test_other_commands_load_what_they_need(arguments, loaded, tmp_path, monkeyp
 def test_help_is_quick():
     modules, _ = modules_after("--help")
     assert modules & HEAVY == set()
+
+
+AXES = "{'com_height': (1.3, 1.4), 'com_speed': (1, 1.1)}"
+ANALYSES = {
+    "names": "[getattr(tdmf_slip, name) for name in set(tdmf_slip.__all__) - RUN_THE_UNIT]",
+    "find_gait": "tdmf_slip.find_gait('human', target={'speed': 2.5}, vary=['torque'])",
+    "sweep": "tdmf_slip.sweep(None, {'friction': [0.5, 0.6]}).to_xarray()",
+    "branch": "tdmf_slip.continue_branch(None, {'friction': (0.6, 0.55)}, switch=False).plot()",
+    "basin": f"tdmf_slip.basin(None, {AXES}, n=2).plot()",
+    "stride_map": "tdmf_slip.stride_map(None, tdmf_slip.find_gait().apex, strides=2).to_xarray()",
+    "strides_to_fall": "tdmf_slip.strides_to_fall({}, 0.05, 20, max_strides=5)",
+    "feedback": "tdmf_slip.lqr(tdmf_slip.find_gait(), ['torque'])",
+    "optimize": "tdmf_slip.optimize(None, vary={'torque': (0.15, 0.25)}, minimize='cost_of_transport')",
+    "compare": "tdmf_slip.compare([{'friction': 0.5}, {}], hold=['speed'], vary=['torque']).table()",
+    "fit": "tdmf_slip.fit(None, FITTED, ['torque'])",
+}
+
+
+@pytest.mark.parametrize("analysis", ANALYSES)
+def test_an_analysis_does_not_load_fmpy(analysis):
+    """FMPy is for running the unit: nothing else waits for it, or is changed by it."""
+    run = "{'Fmu', 'fmu_path', 'load_fmu', 'simulate', 'simulate_many', 'validate', 'Validation'}"
+    table = "Measurements(({'speed': Measured(1.0, 0.01)},), 'one')"
+    program = (
+        "from tdmf_slip.fitting.measurements import Measured, Measurements; "
+        f"import sys, tdmf_slip; FITTED = {table}; RUN_THE_UNIT = {run}; {ANALYSES[analysis]}; "
+        "print(*sorted({name.split('.')[0] for name in sys.modules}))"
+    )
+    done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True)
+    loaded = set(done.stdout.split())
+    assert "numpy" in loaded and "fmpy" not in loaded, done.stderr

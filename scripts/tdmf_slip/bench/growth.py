@@ -15,7 +15,6 @@ from ..checks import checked
 from ..contents import ByContents
 from ..fitting.fitted import fit
 from ..fitting.measurements import Measured, Measurements
-from ..fmu.fmu import load_fmu
 from ..library import ensemble
 from ..library.runner import Runner
 from ..optimization.optimize import optimize
@@ -101,7 +100,7 @@ def _run(many: Runners, count: int, threads: int) -> None:
 
 
 def _ensembles(effort: float, threads: int) -> Iterator[_Question]:
-    many = runners_about_the_gait(load_fmu(None))
+    many = runners_about_the_gait()
     for exponent in (4, 5, 6):
         count = max(1, round(effort * 10**exponent))
         for used in dict.fromkeys((1, threads)):

@@ -7,7 +7,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..contents import ByContents
-from ..fmu.fmu import Fmu
 from ..library import ensemble
 from ..library.gait import Gait, settled_gait
 from ..library.runner import Runner
@@ -90,7 +89,7 @@ class Runners(ByContents):
         return fastest(once), work[0]
 
 
-def runners_about_the_gait(fmu: Fmu, *, swing_clamp: bool | None = None, reduced: bool = False) -> Runners:
+def runners_about_the_gait(*, swing_clamp: bool | None = None, reduced: bool = False) -> Runners:
     """Starts drawn about the gait's apex; `swing_clamp` replaces the unit's own value."""
     source = np.random.default_rng(0)
     runner = Runner({"ground.friction": FRICTION}, model="reduced" if reduced else "full")

@@ -47,7 +47,7 @@ def _errors(fmu: Fmu, many: Runners) -> Iterator[tuple[str, Callable[[float], fl
 def check_agreement(fmu: Fmu, done: Callable[[], object] = lambda: None) -> None:
     """Refuse to time anything unless all solvers make the same strides, in both readings of (12)."""
     for swing_clamp in (False, True):
-        many = runners_about_the_gait(fmu, swing_clamp=swing_clamp)
+        many = runners_about_the_gait(swing_clamp=swing_clamp)
         for name, error_at in _errors(fmu, many):
             what = f"{name}, {CLAMP} = {str(swing_clamp).lower()}"
             with contextlib.suppress(ImportError):  # bench reports which peers are missing
@@ -64,8 +64,8 @@ def bench(
     """
     checked("effort", effort, 1e-3, 1e3)
     fmu = load_fmu(fmu)
-    many = runners_about_the_gait(fmu, swing_clamp=swing_clamp)
-    reduced = runners_about_the_gait(fmu, swing_clamp=swing_clamp, reduced=True)
+    many = runners_about_the_gait(swing_clamp=swing_clamp)
+    reduced = runners_about_the_gait(swing_clamp=swing_clamp, reduced=True)
     sets = ensemble.instruction_sets()
     jobs: list[tuple[str, Callable[[], Iterator[Measurement]]]] = [
         *(

@@ -56,35 +56,25 @@ class Runner(RunnerValues):
     0.43 0.25
     """
 
-    def check(self) -> None:
-        """Refuse values that do not go together."""
-        _ = self.c_model, self.c_inputs
-
     record = record_of
 
-    @cached_property
-    def parameters(self) -> NDArray[np.void]:
-        """The parameters as the library's struct, shape (1,), with a field for each."""
-        return _fixed(np.array([_PARAMETERS_OF(self._values)], dtype=members.PARAMETERS))
+    parameters: NDArray[np.void]
+    """The parameters as the library's struct, shape (1,), with a field for each."""
+    inputs: NDArray[np.void]
+    """The inputs as the library's struct, shape (1,), with a field for each."""
+    c_model: Model
+    """The parameters as the library's `tdmf_model *`."""
+    c_inputs: Struct
+    """The inputs as the library's `tdmf_inputs *`."""
 
-    @cached_property
-    def inputs(self) -> NDArray[np.void]:
-        """The inputs as the library's struct, shape (1,), with a field for each."""
-        return _fixed(np.array([_INPUTS_OF(self._values)], dtype=members.INPUTS))
-
-    @cached_property
-    def c_model(self) -> Model:
-        """The parameters as the library's `tdmf_model *`."""
-        model: Model = ffi.new("tdmf_model *")
-        check_accepted(c.tdmf_model_create(model, ffi.from_buffer("tdmf_parameters *", self.parameters)))
-        return model
-
-    @cached_property
-    def c_inputs(self) -> Struct:
-        """The inputs as the library's `tdmf_inputs *`."""
-        inputs: Struct = ffi.from_buffer("tdmf_inputs *", self.inputs)
-        check_accepted(c.tdmf_check_inputs(inputs))
-        return inputs
+    def _prepared(self) -> dict[str, object]:
+        """What the library takes for the values, unless it refuses them."""
+        parameters = _fixed(np.array([_PARAMETERS_OF(self._values)], dtype=members.PARAMETERS))
+        inputs = _fixed(np.array([_INPUTS_OF(self._values)], dtype=members.INPUTS))
+        model, c_inputs = ffi.new("tdmf_model *"), ffi.from_buffer("tdmf_inputs *", inputs)
+        check_accepted(c.tdmf_model_create(model, ffi.from_buffer("tdmf_parameters *", parameters)))
+        check_accepted(c.tdmf_check_inputs(c_inputs))
+        return {"parameters": parameters, "inputs": inputs, "c_model": model, "c_inputs": c_inputs}
 
     @cached_property
     def c_system(self) -> Struct:

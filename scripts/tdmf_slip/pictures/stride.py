@@ -8,7 +8,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..fmu.events import MODE
-from ..fmu.simulation import simulate
 from ..library.gait import Gait
 from ..variables.table import VARIABLES, scale
 
@@ -31,6 +30,8 @@ class Stride:
 
     def __init__(self, gait: Gait) -> None:
         """Run the unit for one stride from the gait's apex."""
+        from ..fmu.simulation import simulate  # FMPy loads only where the unit is run
+
         self.gait = gait
         run = simulate(gait, strides=1, output_interval=gait.period / POINTS)
         self.events = run.events

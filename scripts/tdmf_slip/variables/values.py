@@ -62,7 +62,6 @@ class RunnerValues(Mapping[str, Value]):
             MODELS["full"] if model is None else model_named(model),
             TOLERANCE if tolerance is None else _checked_tolerance(tolerance),
         )
-        runner.check()
         paper_units.warn_of_mixture(runner)
         return runner
 
@@ -98,25 +97,20 @@ class RunnerValues(Mapping[str, Value]):
             A name that is none of a runner's values, or a value that is not allowed.
         """
         own = list(self._values)
-        given = {**by_full_name(values, "runner", RUNNER), **by_full_name(more, "runner", RUNNER)}
+        given = by_full_name(more, "runner", RUNNER)
+        if values is not None:
+            given = {**by_full_name(values, "runner", RUNNER), **given}
         for name, value in given.items():
             if name not in POSITIONS:
                 near = near_matches(name, (*NAMES, *ALIASES))
                 raise InputError(f"runner: {shown(name)} is not a name in the runner's values{near}")
             own[POSITIONS[name]] = VARIABLES[name].value_of(value, "runner")
-        changed = self._made(
+        changed = (
             tuple(own),
             self.model if model is None else model_named(model),
             self.tolerance if tolerance is None else _checked_tolerance(tolerance),
         )
-        if changed == self:
-            return self
-        if changed._values != self._values:
-            changed.check()
-        return changed
-
-    def check(self) -> None:
-        """Refuse values that do not go together; here any do."""
+        return self if changed == (self._values, self.model, self.tolerance) else self._made(*changed)
 
     def __getitem__(self, name: str) -> Value:
         """A value by its name or short name, in the variable's unit."""
@@ -180,12 +174,19 @@ class RunnerValues(Mapping[str, Value]):
 
     @classmethod
     def _made(cls, values: tuple[Value, ...], model: Model, tolerance: float) -> Self:
-        """A runner with values that were checked."""
+        """A runner with values that are each within their range."""
         runner = object.__new__(cls)
-        parts = {"_values": values, "model": model, "tolerance": tolerance}
-        for name, part in {**parts, "_hash": hash((values, model.name, tolerance))}.items():
-            object.__setattr__(runner, name, part)
+        runner._set(_values=values, model=model, tolerance=tolerance)
+        runner._set(_hash=hash((values, model.name, tolerance)), **runner._prepared())
         return runner
+
+    def _set(self, **parts: object) -> None:
+        for name, part in parts.items():
+            object.__setattr__(self, name, part)
+
+    def _prepared(self) -> dict[str, object]:
+        """Attributes that follow from the values, unless these do not go together; here none."""
+        return {}
 
 
 def _checked_tolerance(given: float) -> float:
