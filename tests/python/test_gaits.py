@@ -19,6 +19,7 @@ from tdmf_slip.analysis.grid import grid
 from tdmf_slip.analysis.search import periodic_gait
 from tdmf_slip.analysis.sweep import sweep
 from tdmf_slip.analysis.tracing import trace
+from tdmf_slip.blocks import InTurn
 from tdmf_slip.cli.ranges import values_of
 from tdmf_slip.library import ensemble
 from tdmf_slip.library.binding import c, ffi
@@ -160,8 +161,8 @@ def test_a_grid_goes_on_where_it_was_interrupted(runner, tmp_path, monkeypatch):
 
     monkeypatch.setattr(grids, "gaits_of_row", interrupted)
     with pytest.raises(KeyboardInterrupt):
-        grid(runner, {"ground.friction": frictions, "leg.damping": rows}, path)
-    whole = grid(runner, {"ground.friction": frictions, "leg.damping": rows}, path)
+        grid(runner, {"ground.friction": frictions, "leg.damping": rows}, path, executor=InTurn())
+    whole = grid(runner, {"ground.friction": frictions, "leg.damping": rows}, path, executor=InTurn())
     assert len(calls) == 4  # one row was done, one interrupted, two were missing
     assert int(whole["period"].notnull().sum()) == 9
     on_file = xarray.load_dataset(path)

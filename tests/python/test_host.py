@@ -36,20 +36,25 @@ def test_whoever_uses_fmpy_gets_the_same_before_and_after_a_run(unpacked, capsys
 
 LOOK = """
 import decimal, locale, os, random, signal, sys, threading, warnings
-import fmpy, fmpy.fmi2, fmpy.simulation, fmpy.sundials, fmpy.sundials.cvode
+import fmpy, fmpy.fmi2, fmpy.simulation, fmpy.sundials, fmpy.sundials.cvode, fmpy.validation
 import dask.array, distributed, matplotlib.figure, netCDF4, numpy, scipy.optimize, tqdm, xarray
 
 FMPY = {name: module for name, module in sys.modules.items() if name.split(".")[0] == "fmpy"}
 
-def attributes(module):
-    classes = {name: dict(vars(one)) for name, one in vars(module).items() if isinstance(one, type)}
-    return dict(vars(module)), classes
+def attributes():
+    found = {}
+    for name, module in FMPY.items():
+        for attribute, value in vars(module).items():
+            found[name, attribute] = value
+            if isinstance(value, type):
+                found |= {(name, attribute, member): of for member, of in vars(value).items()}
+    return found
 
 def look():
     return {
         "signal handlers": {number: signal.getsignal(number) for number in signal.valid_signals()},
         "blocked signals": signal.pthread_sigmask(signal.SIG_BLOCK, ()),
-        "FMPy": {name: attributes(module) for name, module in FMPY.items()},
+        "FMPy": attributes(),
         "rcParams": {name: matplotlib.rcParams._get(name) for name in matplotlib.rcParams},
         "NumPy's error state": (numpy.geterr(), numpy.geterrcall()),
         "NumPy's print options": numpy.get_printoptions(),
@@ -79,7 +84,12 @@ before = look()
 def check(what):
     after = look()
     changed = [name for name in before if before[name] != after[name]]
-    assert not changed, f"{what} changes {changed}: {[(before[c], after[c]) for c in changed]}"[:3000]
+    assert not changed, f"{what} changes {changed}: {[difference(before[c], after[c]) for c in changed]}"
+
+def difference(one, other):
+    if isinstance(one, dict):
+        return {n: (one.get(n), other.get(n)) for n in one | other if one.get(n, 0) != other.get(n, 0)}
+    return one, other
 """
 AXES = "{'com_height': (1.3, 1.4), 'com_speed': (1, 1.1)}"
 USES = {

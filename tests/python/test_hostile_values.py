@@ -198,9 +198,8 @@ def calls(gait):
         Profile.random_steps: {"count": 3, "tread": 1.0, "roughness": 0.1, "seed": 1},
         ground.height: {"x": [0, 1]},
         ground.line: {"x": 0.0},
-        tdmf_slip.Runner: {"values": gait.runner},
-        tdmf_slip.Runner.of: {"given": HOME},
-        gait.runner.but: {"name": FRICTION, "value": 0.3},
+        tdmf_slip.Runner: {"given": HOME},
+        gait.runner.replace: {"values": {FRICTION: 0.3}},
         gait.runner.state_at: {"apex": apex},
         gait.runner.start_values: {"apex": apex},
         tdmf_slip.AffineLaw: {

@@ -221,7 +221,7 @@ def test_guards_are_those_of_the_library():
     for _ in range(2 * POINTS):  # the clamp is watched at one point in sixteen
         point = Point(rng)
         guards = ffi.new("double[]", c.TDMF_GUARD_COUNT)
-        model = point.runner.model
+        model = point.runner.c_model
         c.tdmf_guards(point.runner.c_system, ffi.addressof(point.motion.mode), point.motion.state, guards)
         for name in watched(point.balls, point.mode):
             if (name, point.contact) == ("clamp", "graze"):
