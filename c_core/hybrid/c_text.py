@@ -18,7 +18,7 @@ MACROS = """NULL NAN INFINITY HUGE_VAL EOF I assert errno stdin stdout stderr si
     setjmp DOMAIN OVERFLOW UNDERFLOW"""
 OWN_WORDS = """real mask interval select any broadcast power order series constants p x y dp dx dy c d s t
     g k i j by sum next span outputs low high counted value parameters states d_parameters d_states after
-    given of_states of_events varied tables seed watched TERMS KERNEL"""
+    given of_states of_events varied tables seed watched at d_at TERMS KERNEL"""
 FUNCTIONS = """sin cos exp log expm1 log1p atan2 sqrt fabs memset memcpy product product_of product_so_far
     square_of quotient_of root_of own_root_of drift_times exp_of log_of sine_and_cosine sine_and_cosine_of
     constant_of with_constant rough_root first_root power_of set_powers moving"""

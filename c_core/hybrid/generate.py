@@ -82,14 +82,15 @@ def generate(page):
         f"tdmf_motions_of_width {of_width}_2, {of_width}_4, {of_width}_8;\n"
         f"extern const tdmf_model_kind {page.c}_model;\n\n#endif\n"
     )
-    set_tables, set_rows = instants.sets()
-    row = {"modes": "modes", "sets": "sets", "set_count": len(set_rows), "scales": instants.scales()}
+    (set_tables, set_rows), (section_tables, section_rows) = instants.sets(), instants.section_rows()
+    row = {"modes": "modes", "sets": "sets", "set_count": len(set_rows), "sections": "sections"}
+    row["scales"] = instants.scales()
     row |= {"series_count": series_count, "constant_count": constant_count}
     lanes = zip(("TWO", "FOUR", "EIGHT"), (2, 4, 8), strict=True)
     row["lanes"] = f"{{{', '.join(f'TDMF_{name}_LANES({of_width}_{width})' for name, width in lanes)}}}"
     lists = ""
     named = {"state": page.states, "parameter": page.parameters, "event": page.events}
-    named |= {"output": page.outputs, "table": page.tables}
+    named |= {"output": page.outputs, "table": page.tables, "section": page.sections}
     for what, of in ({"mode": names} | named).items():
         lists += list_in_c("char *const", f"{what}_names", map(json.dumps, of))
         row |= {f"{what}_count": len(of), f"{what}_names": f"{what}_names"}
@@ -100,9 +101,10 @@ def generate(page):
     instant = [
         f'{top}#include "{page.c}.h"\n',
         *functions.texts,
-        tables + set_tables,
+        tables + set_tables + section_tables,
         f"static const tdmf_mode_kind modes[] = {{\n{mode_rows}}};\n",
-        rows_in_c("set", "sets", set_rows, "index") + lists,
+        rows_in_c("set", "sets", set_rows, "index") + rows_in_c("section", "sections", section_rows, "event"),
+        lists,
         f"const tdmf_model_kind {page.c}_model = {{\n{lines_of(f'.{n} = {v},' for n, v in row.items())}}};\n",
     ]
     forget_expressions()

@@ -1,6 +1,8 @@
 """Functions of an instant in C: constants of modes, decisions, outputs, maps, and jumps of quantities."""
 
+import re
 from collections import Counter
+from types import SimpleNamespace
 
 from .c_text import assigned, c_text, function_in_c, lines_of, statements, uses_of
 from .errors import page_error
@@ -27,6 +29,9 @@ SIGNATURES = {
     "scale": ("void", "const real *parameters, real *of_states, real *of_events"),
 }
 """Result and arguments of functions of an instant, by kind."""
+for _vary, _given in (("", ""), ("vary_", f", {VARIED_AT}")):
+    _point = "const real *at, const real *d_at" if _vary else "const real *at"
+    SIGNATURES[f"{_vary}enter"] = "void", f"{AT}{_given}, {_point}, real *after"
 LEAVE = "real counted, real *after"
 WRITTEN = {"open": "real *constants", "leave": LEAVE, "outputs": "real *outputs", "map": "real *after"}
 for _kind, _into in WRITTEN.items():
@@ -54,13 +59,17 @@ class Functions:
             self.texts.append(function_in_c(result, name, given, body, about, self.structs))
         return self.names[kind, body]
 
-    def add_with_variation(self, name, kind, values, about, of, begin="", into="y->"):
-        """Functions that write values and their first variations, by their members in the table of modes."""
+    def add_with_variation(self, name, kind, values, about, of, begin=lambda body: "", into="y->"):
+        """Functions that write values and their first variations, by their members in a table.
+
+        `begin` gives the statements with which a body begins.
+        """
         vary = InstantVariation()
         varied = {n: vary.of(value) for n, value in values.items()}
-        own = self.add(of, kind, begin + assigned(values, into), about)
-        body, about = begin + assigned(varied, into), f"First variation of {of}."
-        return {name: own, f"vary_{name}": self.add(f"vary_{of}", f"vary_{kind}", body, about)}
+        bodies = [assigned(written, into) for written in (values, varied)]
+        value, variation = (begin(body) + body for body in bodies)
+        own, about = self.add(of, kind, value, about), f"First variation of {of}."
+        return {name: own, f"vary_{name}": self.add(f"vary_{of}", f"vary_{kind}", variation, about)}
 
 
 def merged(tree, leaf_of):
@@ -146,6 +155,17 @@ def decision_in_c(tree, c_names, next_keys, vary):
     return tree_in_c(merged(tree, leaf_of))
 
 
+def coordinates_in_c(names):
+    """Gives the statements that read those coordinates of a point, and their variations, that a body uses."""
+
+    def begin(body):
+        read = [(f"{of}_{name}", f"{of}[{i}]") for of in ("at", "d_at") for i, name in enumerate(names)]
+        used = [(variable, value) for variable, value in read if re.search(rf"\b{variable}\b", body)]
+        return lines_of(f"const real {variable} = {value};" for variable, value in used)
+
+    return begin
+
+
 class Instants:
     """Functions of an instant in C, and the tables that list them."""
 
@@ -206,7 +226,9 @@ class Instants:
         """Constants of a mode."""
         begin = f"    {motion.name}_constants *c = (void *)constants;\n" if motion.constants else ""
         about, of = f"Constants of {motion.name}.", f"open_{motion.name}"
-        return self.functions.add_with_variation("open", "open", motion.constants, about, of, begin, "c->")
+        return self.functions.add_with_variation(
+            "open", "open", motion.constants, about, of, lambda body: begin, "c->"
+        )
 
     def time_scale(self, key):
         """The time scale of the law of a mode."""
@@ -279,6 +301,23 @@ class Instants:
                 tables += list_in_c("tdmf_set", f"set_{name}", [self.setting(key, name) for key in page.keys])
                 row = {"is_state": c_boolean(of is page.states), "index": list(of).index(name)}
                 rows.append(row_in_c(row | {"set": f"set_{name}"}))
+        return tables, rows
+
+    def section_rows(self):
+        """Tables of the sections, and their rows."""
+        page, tables, rows = self.page, "", []
+        for name, section in page.sections.items():
+            forget_expressions()
+            names = section.coordinates
+            point = {n: symbol(f"at_{n}", dimension=page.states[n].dimension) for n in names}
+            changes = page.changes(*page.placed(name, SimpleNamespace(**point)))
+            changed = {page.c_names[n]: value for n, value in changes.items()}
+            about, of = f"{name}: {section.__doc__ or ''}", f"enter_{name}"
+            begin = coordinates_in_c(names)
+            row = self.functions.add_with_variation("enter", "enter", changed, about, of, begin)
+            tables += list_in_c("int", f"coordinates_{name}", map(list(page.states).index, names))
+            row |= {"event": f"EVENT_{section.event}", "count": len(names)}
+            rows.append(row_in_c(row | {"coordinates": f"coordinates_{name}"}))
         return tables, rows
 
     def scales(self):

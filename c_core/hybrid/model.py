@@ -27,8 +27,8 @@ from .units import ANY, dimension_of, text_of
 
 __all__ = [
     "Model", "Record", "atan2", "clock", "coordinates", "cos", "event", "exp", "expm1", "input", "letters",
-    "log", "log1p", "mode", "observe", "on_set", "output", "parameter", "radians", "require", "select",
-    "setting", "sin", "sqrt", "state", "table",
+    "log", "log1p", "mode", "observe", "on_set", "output", "parameter", "radians", "require", "section",
+    "select", "setting", "sin", "sqrt", "state", "table",
 ]  # fmt: skip
 
 
@@ -84,6 +84,16 @@ def on_set(names):
     return _marked(is_on_set=True, sets=_words(names, "on_set"))
 
 
+def section(event, coordinates):
+    """Mark the function that starts a run on a section: the model at the start, and a point of the section.
+
+    A return map goes from the section to its next `event`. `coordinates` are states that the event writes.
+    The function gets the model where runs start and a record of coordinates. It returns that model with
+    states from which the run goes on as if the event had just been taken at these coordinates.
+    """
+    return _marked(is_section=True, event=event, coordinates=_words(coordinates, "section"))
+
+
 def table(**columns):
     """Mark the function that gives a row of a table as a mapping; `columns` gives the unit of each entry.
 
@@ -128,7 +138,7 @@ class _Body(dict):
 
 NAME_LIMIT = 60
 MARKS = (
-    "is_mode", "is_event", "is_output", "is_observed", "is_on_set", "is_required", "is_table",
+    "is_mode", "is_event", "is_output", "is_observed", "is_on_set", "is_required", "is_section", "is_table",
     "gives_coordinates",
 )  # fmt: skip
 

@@ -274,6 +274,7 @@ class InstantVariation(Variation):
     def of(self, expression):
         """The variation of an expression."""
         for leaf in leaves_of([expression]):
-            varies = leaf.value.startswith(("p->", "x->"))
-            self.found.setdefault(leaf, symbol(f"d{leaf.value}") if varies else lift(0))
+            kind = leaf.value[:3]
+            varies = symbol(f"{'d' if kind in ('p->', 'x->') else 'd_'}{leaf.value}")
+            self.found.setdefault(leaf, varies if kind in ("p->", "x->", "at_") else lift(0))
         return super().of(expression)

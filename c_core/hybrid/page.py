@@ -14,9 +14,15 @@ from .variations import Variation, value_of
 
 PARTS = ("positive integral", "largest")
 MODE_LIMIT, START_MARGIN = 100, 1e-9
-HEADER = (Path(__file__).parent / "kernel" / "driver.h").read_text(encoding="utf-8")
-LIMITS = {name: int(limit) for name, limit in re.findall(r"TDMF_(\w+)_LIMIT = (\d+)", HEADER)}
-"""The driver's limits: events in zero time (CHAIN), events of a mode (GUARD), modes after one (NEXT)."""
+HERE = Path(__file__).parent
+HEADERS = HERE / "kernel" / "driver.h", HERE.parent / "kernel" / "linear_equations.h"
+LIMITS = {
+    name: int(limit)
+    for header in HEADERS
+    for name, limit in re.findall(r"TDMF_(\w+)_LIMIT = (\d+)", header.read_text(encoding="utf-8"))
+}
+"""The driver's limits: events in zero time (CHAIN), events of a mode (GUARD), modes after one (NEXT),
+coordinates of a section (MAP)."""
 
 
 class Page:
@@ -30,7 +36,7 @@ class Page:
         self.parameters, self.states = model.quantities("parameter"), model.quantities("state")
         self.modes, self.events = model.marked("is_mode"), model.marked("is_event")
         self.outputs, self.observed = model.marked("is_output"), model.marked("is_observed")
-        self.tables = model.marked("is_table")
+        self.tables, self.sections = model.marked("is_table"), model.marked("is_section")
         self.on_set = {name: f for f in model.marked("is_on_set").values() for name in f.sets}
         self.inputs = [name for name, q in self.states.items() if q.is_input]
         self.clocks = [name for name, q in self.states.items() if q.is_clock]
@@ -181,6 +187,15 @@ class Page:
         forget_expressions()
         return explore(run)
 
+    def placed(self, name, point):
+        """The model where runs start, and that model on a section."""
+        function, before = self.sections[name], self.at(self.keys[0])
+        after = trace(function, before, point, name=name)
+        with reading(function, name):
+            if not isinstance(after, Model) or after.mode != before.mode:
+                raise PageError("has to return the model in the mode in which runs start")
+        return before, after
+
     def changes(self, before, after):
         """States that differ between two models, with their new values."""
         values = {n: getattr(after, n) for n in self.states if getattr(after, n) is not getattr(before, n)}
@@ -228,6 +243,18 @@ class Page:
         for name, function in (self.events | self.outputs | self.observed).items():
             with reading(function, name):
                 dimension_of(function.unit)
+        for name, function in self.sections.items():
+            if function.event not in self.events:
+                text = (
+                    f"is taken at `{function.event}`, which is no event{similar(function.event, self.events)}"
+                )
+                raise page_error(function, name, text)
+            for of in function.coordinates:
+                if of not in self.states:
+                    text = f"has the coordinate `{of}`, which is no state{similar(of, self.states)}"
+                    raise page_error(function, name, text)
+            if len(function.coordinates) > LIMITS["MAP"]:
+                raise page_error(function, name, f"has more than {LIMITS['MAP']} coordinates")
         for name, function in self.tables.items():
             with reading(function, name):
                 for unit in function.columns.values():

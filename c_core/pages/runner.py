@@ -1,6 +1,6 @@
 """TDMF-SLIP: a spring-legged runner whose foot has a mass and can slip (Or & Moravia 2016)."""
 
-from ..hybrid import Model, Record, cos, event, mode, output, require, select, sin, sqrt
+from ..hybrid import Model, Record, cos, event, mode, output, require, section, select, sin, sqrt
 from .friction import Friction
 from .ground import Ground
 from .hip import Hip
@@ -73,6 +73,16 @@ class Runner(Hip, Friction, Leg, Ground, Stride, Model):
         if abs(r.rise()) <= slow:
             return flying.open_stride()
         return flying if r.rise() < 0 else flying.replace(swing=r.rising_swing())
+
+    @section("apex", "apex_com_height apex_com_speed apex_length apex_angle apex_length_rate apex_angle_rate")
+    def at_apex(r, at):
+        """A start at an apex, with the centre of mass at x = 0."""
+        leg = r.replace(length=at.apex_length, angle=at.apex_angle, length_rate=at.apex_length_rate,
+                        angle_rate=at.apex_angle_rate)
+        body, share = leg.body_from_foot(), r.share()
+        return leg.replace(
+            seen_x=-share * body.x, seen_y=r.set_height() + at.apex_com_height - share * body.y,
+            seen_vx=at.apex_com_speed - share * body.vx, seen_vy=-share * body.vy)
 
     # ---- modes
 

@@ -454,15 +454,14 @@ static void strides_of_a_search_share_their_steps(void **state) {
 
 static void linear_systems_are_solved(void **state) {
     /* The first pivot is zero, so that rows have to be exchanged. */
-    double a[TDMF_SECTION_COUNT + 1][TDMF_SECTION_COUNT + 1] = {
-        {0.0, 2.0, 1.0}, {1.0, 1.0, 1.0}, {4.0, 0.0, 3.0}};
+    double a[TDMF_MAP_LIMIT + 1][TDMF_MAP_LIMIT + 1] = {{0.0, 2.0, 1.0}, {1.0, 1.0, 1.0}, {4.0, 0.0, 3.0}};
     double b[3] = {7.0, 6.0, 13.0};
     (void)state;
     assert_true(tdmf_solve_linear(3, a, b));
     assert_close(b[0], 1.0, 1e-15);
     assert_close(b[1], 2.0, 1e-15);
     assert_close(b[2], 3.0, 1e-15);
-    double singular[TDMF_SECTION_COUNT + 1][TDMF_SECTION_COUNT + 1] = {{1.0, 2.0}, {2.0, 4.0}};
+    double singular[TDMF_MAP_LIMIT + 1][TDMF_MAP_LIMIT + 1] = {{1.0, 2.0}, {2.0, 4.0}};
     assert_false(tdmf_solve_linear(2, singular, b));
 }
 

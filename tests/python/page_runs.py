@@ -77,14 +77,37 @@ class ModeStruct(Structure):
 
 class ModelStruct(Structure):
     COUNTS = ("state_count", "parameter_count", "event_count", "mode_count", "output_count", "table_count",
-              "set_count")  # fmt: skip
-    NAMES = ("mode_names", "event_names", "state_names", "parameter_names", "output_names", "table_names")
+              "set_count", "section_count")  # fmt: skip
+    NAMES = ("mode_names", "event_names", "state_names", "parameter_names", "output_names", "table_names",
+             "section_names")  # fmt: skip
     _fields_ = [
         *((name, c_int) for name in COUNTS),
-        *(("modes", POINTER(ModeStruct)), ("sets", c_void_p), ("scales", c_void_p)),
+        *(("modes", POINTER(ModeStruct)), ("sets", c_void_p), ("sections", c_void_p)),
+        ("scales", c_void_p),
         *((name, c_int) for name in ("series_count", "constant_count")),
         *((name, POINTER(c_char_p)) for name in NAMES),
         *(("parameter_defaults", POINTER(c_double)), ("state_defaults", POINTER(c_double))),
+    ]
+
+
+MAP_LIMIT = 8
+
+
+class SectionMap(Structure):
+    _fields_ = [("model", c_void_p), ("section", c_int), ("run", c_void_p), ("longest", c_double)]
+
+
+class Crossing(Structure):
+    _fields_ = [
+        *(("outcome", c_int), ("mode", c_int), ("time", c_double), ("next", c_double * MAP_LIMIT)),
+        ("varied", c_double * (2 * MAP_LIMIT) * MAP_LIMIT),
+    ]
+
+
+class FixedPoint(Structure):
+    _fields_ = [
+        *(("outcome", c_int), ("iterations", c_int), ("error", c_double)),
+        *(("point", c_double * MAP_LIMIT), ("slot", c_int)),
     ]
 
 
@@ -163,7 +186,7 @@ class CompiledPage:
         self.name = next(iter(self.files)).removesuffix(".h")
         self.library = library_of(self.files, self.name, level, folders, in_lanes)
         self.struct = ModelStruct.in_dll(self.library, f"{self.name}_model")
-        self.modes, self.events, self.states, self.parameters, self.outputs, self.tables = (
+        self.modes, self.events, self.states, self.parameters, self.outputs, self.tables, self.sections = (
             [
                 getattr(self.struct, names)[i].decode()
                 for i in range(getattr(self.struct, names.replace("names", "count")))
@@ -183,6 +206,10 @@ class CompiledPage:
         """A run from the page's start, with these values of parameters and states, and these tables."""
         return PageRun(self, list(seeds), tolerance, step_limit, dict(tables), values)
 
+    def section(self, name, longest=1e6, **given):
+        """The return map of a section, of a run that is given as in `start`."""
+        return PageSection(self, self.sections.index(name), self.start(**given), longest)
+
     def map(self, name, mode, p, x, dp=None, dx=None):
         """The map "to_world", "from_world" or "world_rates" of a mode; its variation where `dx` is given."""
         given = [p, x] if dx is None else [p, x, dp, dx]
@@ -194,6 +221,51 @@ class CompiledPage:
         """Call a function of a mode, if it has that function."""
         if function := getattr(self.struct.modes[mode], name):
             CFUNCTYPE(None, *[c_void_p] * len(arrays))(function)(*(array.ctypes.data for array in arrays))
+
+
+class PageSection:
+    """A return map of a page."""
+
+    def __init__(self, of, index, run, longest):
+        self.of, self.given, at = of, run, of.model.marked("is_section")[of.sections[index]]
+        self.count, run.run.log_size = len(at.coordinates), 0
+        self.map = SectionMap(ctypes.addressof(of.struct), index, ctypes.addressof(run.run), longest)
+        of.library.tdmf_next_crossing.restype = Crossing
+        of.library.tdmf_find_crossing.restype = FixedPoint
+        self.x = np.zeros(len(of.states))
+
+    def after(self, point, varies=False):
+        """The next crossing: its point, and the derivatives by the point and the seeds where it `varies`."""
+        values = np.array(point, dtype=float)
+        return self.found(
+            self.of.library.tdmf_next_crossing(
+                byref(self.map),
+                c_void_p(values.ctypes.data),
+                c_bool(varies),
+                c_void_p(self.x.ctypes.data),
+                None,
+            )
+        )
+
+    def found(self, crossing):
+        self.crossing, self.outcome = crossing, OUTCOMES[crossing.outcome]
+        self.mode, self.next = self.of.modes[crossing.mode], np.array(crossing.next)[: self.count]
+        varied = np.array(crossing.varied)[: self.count]
+        self.jacobian = varied[:, : self.count]
+        self.by_seeds = varied[:, self.count : self.count + len(self.given.seeds)]
+        return self
+
+    def fixed_point(self, guess):
+        """The fixed point by Newton's method from a guess; `outcome` says whether the last run closed."""
+        values, last = np.array(guess, dtype=float), Crossing()
+        found = self.of.library.tdmf_find_crossing(byref(self.map), c_void_p(values.ctypes.data), byref(last))
+        self.found(last)
+        assert found.outcome == 0, f"no fixed point: {found.outcome}, error {found.error}"
+        return np.array(found.point)[: self.count]
+
+    def state(self, name):
+        """A state at the crossing."""
+        return self.x[self.of.states.index(name)]
 
 
 class PageRun:

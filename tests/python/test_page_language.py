@@ -94,6 +94,15 @@ def test_the_ball_of_the_guide_falls_down_its_own_stair_and_a_given_one(guide):
     assert page.start(vx=3.0, tables={"steps": stair}).to(stop="lands").vx == 2
 
 
+def test_the_return_map_of_the_guide_is_that_of_the_restitution(guide):
+    ball = CompiledPage(guide.MeasuredBall).section("after_bounce", seeds=["restitution", "gravity"])
+    crossing = ball.after([2.0], varies=True)
+    assert (crossing.outcome, crossing.next[0]) == ("stopped", pytest.approx(1.6, abs=1e-13))
+    assert crossing.jacobian == pytest.approx(np.array([[0.8]]), abs=1e-13)
+    assert crossing.by_seeds == pytest.approx(np.array([[2.0, 0.0]]), abs=1e-13)
+    assert crossing.crossing.time == pytest.approx(4 / 9.81, abs=1e-13)
+
+
 def test_the_damped_ball_of_the_guide_falls_as_scipy_integrates(guide):
     page = CompiledPage(guide.DampedBall)
     assert "restitution" not in page.parameters

@@ -44,6 +44,9 @@ WORLD = '@coordinates("world")\n    def seen(b):\n        return dict(height=b.h
 TABLE = (
     '@table(low="m", high="m")\n    def rows(b, row):\n        return dict(low=0, high=row * b.height)\n    '
 )
+SECTION = (
+    '@section("bounce", "speed")\n    def after(b, at):\n        return b.replace(height=0, speed=at.speed)\n'
+)
 WRONG = [
     # tables
     ("an unknown table", {"more": TABLE, "decision": 'return b.replace(height=b.row_of("row", 1).low)'}, "looks up `row`, which is no table of the page; did you mean `rows`"),
@@ -52,6 +55,11 @@ WRONG = [
     ("a unit of a column", {"more": TABLE.replace('"m"', '"metre"')}, "unit `metre`, in which `metre` is no unit"),
     ("a table in a rate", {"more": TABLE, "rates": 'dict(height=b.speed * b.row_of("rows", 1).low / b.height)'}, "looks up `rows`; only a decision may"),
     ("a table in a guard", {"more": TABLE, "event": '@event("fall", when=lambda b: b.row_of("rows", 1).high, unit="m")'}, "looks up `rows`; only a decision may"),
+    # sections
+    ("a section of no event", {"more": SECTION.replace("bounce", "bonce")}, "is taken at `bonce`, which is no event; did you mean `bounce`"),
+    ("a coordinate that is no state", {"more": SECTION.replace('"speed"', '"sped"')}, "has the coordinate `sped`, which is no state; did you mean `speed`"),
+    ("a section without a start", {"more": SECTION.replace("return", "")}, "has to return the model in the mode in which runs start"),
+    ("a coordinate that is not there", {"more": SECTION.replace("at.speed", "at.height")}, "reads `height`, which it does not have here"),
     # declarations
     ("a name twice", {"quantities": 'height = state(2, "m")'}, "`height` is declared twice"),
     ("a function twice", {"more": "@mode()\n    def fall(b):\n        return {}"}, "`fall` is declared twice"),

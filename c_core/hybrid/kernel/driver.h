@@ -27,6 +27,9 @@ typedef void tdmf_leave(const double *p, const double *x, double counted, double
 typedef void tdmf_vary_leave(const double *p, const double *x, const double *dp, const double *dx,
                              double counted, double *after);
 typedef void (*tdmf_set)(const double *p, const double *x, double given, double *after);
+typedef void tdmf_enter(const double *p, const double *x, const double *at, double *after);
+typedef void tdmf_vary_enter(const double *p, const double *x, const double *dp, const double *dx,
+                             const double *at, const double *d_at, double *after);
 typedef void tdmf_scales(const double *p, double *of_states, double *of_events);
 
 /* Limits: modes that an event can lead to, events that a mode watches, events of a chain in zero time. The
@@ -97,15 +100,26 @@ typedef const void *tdmf_motions_of_width(void);
 #define TDMF_EIGHT_LANES(motions) NULL
 #endif
 
+/* A section: it is taken at an event, which writes the coordinates. */
 typedef struct {
-    int state_count, parameter_count, event_count, mode_count, output_count, table_count, set_count;
+    int event, count;
+    const int *coordinates; /* indices of states */
+    tdmf_enter *enter;      /* writes the states of a start at a point of the section */
+    tdmf_vary_enter *vary_enter;
+} tdmf_section_kind;
+
+typedef struct {
+    int state_count, parameter_count, event_count, mode_count, output_count, table_count, set_count,
+        section_count;
     const tdmf_mode_kind *modes; /* runs start in the first */
     const tdmf_set_kind *sets;
+    const tdmf_section_kind *sections;
     tdmf_scales *scales;              /* typical size of each state and guard */
     int series_count, constant_count; /* largest numbers of any mode */
-    const char *const *mode_names, *const *event_names, *const *state_names, *const *parameter_names,
-                                                                                 *const *output_names,
-                                                                                     *const *table_names;
+    const char *const *mode_names,
+        *const *event_names, *const *state_names, *const *parameter_names, *const *output_names,
+                                                                               *const *table_names,
+                                                                                   *const *section_names;
     const double *parameter_defaults, *state_defaults;
     tdmf_motions_of_width
         *lanes[3]; /* motions of all modes for 2, 4 and 8 lanes; NULL: this build has none */

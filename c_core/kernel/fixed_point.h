@@ -1,14 +1,14 @@
 /* Fixed points of a map by Newton's method. */
-#ifndef TDMF_GAIT_FIXED_POINT_H
-#define TDMF_GAIT_FIXED_POINT_H
+#ifndef TDMF_KERNEL_FIXED_POINT_H
+#define TDMF_KERNEL_FIXED_POINT_H
 
-#include "tdmf_slip/return_map.h"
+#include "linear_equations.h"
 
 /* A point and what the map makes of it; of the arrays, as much is used as the map has coordinates. */
 typedef struct {
-    double point[TDMF_SECTION_COUNT];
-    double next[TDMF_SECTION_COUNT];
-    double jacobian[TDMF_SECTION_COUNT][TDMF_SECTION_COUNT]; /* [i][k]: coordinate i of next by k of point */
+    double point[TDMF_MAP_LIMIT];
+    double next[TDMF_MAP_LIMIT];
+    double jacobian[TDMF_MAP_LIMIT][TDMF_MAP_LIMIT]; /* [i][k]: coordinate i of next by k of point */
 } tdmf_image;
 
 /* A map: how many coordinates it has, their scales, and how it is evaluated. `evaluate` is given the image's
@@ -16,7 +16,7 @@ typedef struct {
  * False where the point has no image. */
 typedef struct {
     int count;
-    double scales[TDMF_SECTION_COUNT];
+    double scales[TDMF_MAP_LIMIT];
     bool (*evaluate)(void *context, int slot, tdmf_image *image);
     void *context;
 } tdmf_map;
@@ -30,9 +30,9 @@ typedef enum {
 typedef struct {
     tdmf_fixed_point_outcome outcome;
     int iterations;
-    double error;                     /* largest difference of point and image, over the scales */
-    double point[TDMF_SECTION_COUNT]; /* the best, or the guess */
-    int slot;                         /* of its evaluation */
+    double error;                 /* largest difference of point and image, over the scales */
+    double point[TDMF_MAP_LIMIT]; /* the best, or the guess */
+    int slot;                     /* of its evaluation */
 } tdmf_fixed_point;
 
 /* Searches from a guess, down to rounding. Steps that make the error larger are shortened. */

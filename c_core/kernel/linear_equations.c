@@ -3,7 +3,7 @@
 
 #include <math.h>
 
-bool tdmf_solve_linear(int n, double a[][TDMF_SECTION_COUNT + 1], double *b) {
+bool tdmf_solve_linear(int n, double a[][TDMF_MAP_LIMIT + 1], double *b) {
     for (int column = 0; column < n; ++column) {
         int pivot = column;
         for (int row = column + 1; row < n; ++row) {

@@ -1,8 +1,6 @@
 /* With the map P and its Jacobian J, a step of Newton's method solves (I - J) dz = P(z) - z. */
 #include "fixed_point.h"
 
-#include "linear_equations.h"
-
 #include <math.h>
 #include <string.h>
 
@@ -21,8 +19,8 @@ static double error_of(const tdmf_map *map, const tdmf_image *image) {
     return error;
 }
 
-static bool newton_step(const tdmf_map *map, const tdmf_image *image, double step[TDMF_SECTION_COUNT]) {
-    double a[TDMF_SECTION_COUNT][TDMF_SECTION_COUNT + 1];
+static bool newton_step(const tdmf_map *map, const tdmf_image *image, double step[TDMF_MAP_LIMIT]) {
+    double a[TDMF_MAP_LIMIT][TDMF_MAP_LIMIT + 1];
     for (int i = 0; i < map->count; ++i) {
         for (int k = 0; k < map->count; ++k) {
             a[i][k] = (i == k ? 1.0 : 0.0) - image->jacobian[i][k];
@@ -34,7 +32,7 @@ static bool newton_step(const tdmf_map *map, const tdmf_image *image, double ste
 
 /* Goes a step, or the part of it that makes the error smaller, into the other slot. */
 static bool improve(const tdmf_map *map, tdmf_image images[2], tdmf_fixed_point *best,
-                    const double step[TDMF_SECTION_COUNT]) {
+                    const double step[TDMF_MAP_LIMIT]) {
     const int slot = 1 - best->slot;
     double share = 1.0;
     for (int i = 0; i < SHORTENING_LIMIT; ++i) {
@@ -68,7 +66,7 @@ tdmf_fixed_point tdmf_find_fixed_point(const tdmf_map *map, const double *guess)
     }
     best.error = error_of(map, &images[0]);
     for (; best.iterations < ITERATION_LIMIT && best.error > converged; ++best.iterations) {
-        double step[TDMF_SECTION_COUNT];
+        double step[TDMF_MAP_LIMIT];
         if (!newton_step(map, &images[best.slot], step) || !improve(map, images, &best, step)) {
             break;
         }

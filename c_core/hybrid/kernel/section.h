@@ -1,0 +1,36 @@
+/* Return maps of a model's sections: their Jacobians, and their fixed points. */
+#ifndef TDMF_KERNEL_SECTION_H
+#define TDMF_KERNEL_SECTION_H
+
+#include "driver.h"
+#include "fixed_point.h"
+
+/* A return map. `run` is as tdmf_page_run_default makes it, with the parameters of the model, and with the
+ * inputs among the states. Its seeds, if there are any, vary the parameters, and the inputs among the states.
+ */
+typedef struct {
+    const tdmf_model_kind *model;
+    int section;
+    const tdmf_page_run *run;
+    double longest; /* time to the next crossing, at the most */
+} tdmf_section_map;
+
+/* What the map makes of a point. Columns of `varied` are the coordinates of the point, then the seeds. */
+typedef struct {
+    tdmf_run_outcome outcome; /* TDMF_RUN_STOPPED where there is a next crossing */
+    int mode;                 /* at the end of the run */
+    double time;
+    double next[TDMF_MAP_LIMIT];
+    double varied[TDMF_MAP_LIMIT][2 * TDMF_MAP_LIMIT];
+} tdmf_crossing;
+
+/* The next crossing from a point. `x` receives the states at the end of the run. With `varies`, `dx` receives
+ * their variations by coordinates and seeds, and has room for them; it may be NULL. Parameters vary along at
+ * most TDMF_MAP_LIMIT seeds. */
+tdmf_crossing tdmf_next_crossing(const tdmf_section_map *map, const double *point, bool varies, double *x,
+                                 double *dx);
+
+/* Searches a fixed point from a guess by Newton's method, with scales of the coordinates' units. */
+tdmf_fixed_point tdmf_find_crossing(const tdmf_section_map *map, const double *guess, tdmf_crossing *last);
+
+#endif
