@@ -281,10 +281,11 @@ class Page:
     def check_modes(self, name, function):
         """Refuse modes and words that the page does not have."""
         for mode in function.modes:
-            if mode not in self.modes:
+            is_dropped = getattr(self.model, mode, mode) is None  # by a subclass
+            if mode not in self.modes and not is_dropped:
                 text = f"is about the mode `{mode}`, which the page does not have{similar(mode, self.modes)}"
                 raise page_error(function, name, text)
-        words = {word for mode in function.modes for word in self.modes[mode].words}
+        words = {word for mode in function.modes if mode in self.modes for word in self.modes[mode].words}
         for word in getattr(function, "case", ()):
             if word not in words:
                 text = f"asks for the word `{word}`, which none of its modes has{similar(word, words)}"

@@ -198,9 +198,13 @@ class CompiledPage:
         self.library.tdmf_page_order.argtypes = [c_double]
 
     def names(self, values):
-        """Values by the names of the page, from values by the names of a unit."""
+        """Values by the names of the page, from values by the names of a unit; "-2 deg" is an angle."""
         of = {self.model.public(n): n for n in [*self.states, *self.parameters]}
-        return {of[name]: value for name, value in values.items()}
+
+        def number(value):
+            return np.radians(float(value.split()[0])) if isinstance(value, str) else value
+
+        return {of[name]: number(value) for name, value in values.items()}
 
     def start(self, seeds=(), tolerance=1e-11, step_limit=100000, tables=(), **values):
         """A run from the page's start, with these values of parameters and states, and these tables."""

@@ -25,12 +25,8 @@ def whole():
 
 
 def given(page, values):
-    """Values by the page's names, angles in degrees as numbers; the references have the clamp of (12)."""
-
-    def number(value):
-        return math.radians(float(value.split()[0])) if isinstance(value, str) else value
-
-    return {"swing_clamp": 1.0} | page.names({name: number(value) for name, value in values.items()})
+    """Values by the page's names; the references have the clamp of (12)."""
+    return {"swing_clamp": 1.0} | page.names(values)
 
 
 @pytest.mark.parametrize("gait", GAITS, ids=[str(g["start_values"]) for g in GAITS])

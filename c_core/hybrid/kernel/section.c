@@ -73,6 +73,10 @@ tdmf_crossing tdmf_next_crossing(const tdmf_section_map *map, const double *poin
     tdmf_page_run r = run_with_seeds(map, varies, memory);
     enter(map, point, &r);
     crossing.outcome = tdmf_page_run_to(model, &r, map->longest);
+    if (crossing.outcome == TDMF_RUN_ENDED && (r.taken >> kind->event & 1u)) {
+        crossing.outcome =
+            TDMF_RUN_STOPPED; /* the run ends at the crossing, from which there is no other one */
+    }
     read_crossing(kind, states, &r, &crossing);
     if (x) {
         memcpy(x, r.x, (size_t)states * sizeof *x);

@@ -1,0 +1,113 @@
+"""The reduced map: the leg is placed in flight as if by itself, so that an apex has two coordinates."""
+
+from ..hybrid import event, mode, output, section
+from .runner import Runner
+
+
+class ReducedRunner(Runner):
+    """After the apex the leg has the length l0 + u and the angle theta0 - omega t; after lift-off it is lost.
+
+    Impact and stance are those of `Runner`. A stance ends where the stance law loads the foot no more.
+    """
+
+    friction_rate = extension_rate = external_fx_rate = external_fy_rate = external_torque_rate = 0
+    patch_begin = patch_end = patch_friction = by_stride = segment_height = segment_slope = 0
+    friction_ahead = friction_behind = -1
+    kp = kd = liftoff_factor = swing_clamp = was_placed = placed_for = rises_again = 0
+    ground_segment = passes_end = passes_begin = next_segment_comes = crosses_border = None
+    graze = wind_rises = new_ground = apex_in_graze = clamp = release = ramp_ends = None
+    graze_to_contact = graze_to_flight = None
+
+    def on_segment(r, number):
+        """Nothing: there is one segment."""
+        return {}
+
+    def neighbours(r):
+        """Nothing: there is one segment."""
+        return {}
+
+    def place_leg(r):
+        """The leg at an apex, which begins to turn."""
+        length = r.free_length + r.extension
+        return r.replace(
+            length=length, length_rate=0, angle=r.touchdown_angle + r.more_angle,
+            momentum=-r.retraction_rate * (length * length))
+
+    @section("apex", "apex_com_height apex_com_speed")
+    def at_apex(r, at):
+        """A start at an apex, with the centre of mass at x = 0 and the leg at rest."""
+        leg = r.replace(length=r.free_length + r.extension, length_rate=0, angle_rate=0,
+                        angle=r.touchdown_angle + r.more_angle)
+        body, share = leg.body_from_foot(), r.share()
+        return leg.replace(
+            seen_x=-share * body.x, seen_y=r.set_height() + at.apex_com_height - share * body.y,
+            seen_vx=at.apex_com_speed, seen_vy=0)
+
+    @event("start_of_run", when=lambda r: -1, counted=False)
+    def begins(r):
+        """Every run begins at an apex, with the foot above the ground."""
+        r = r.replace(liftoff_angle=r.angle, height=r.set_height(), slope=r.set_slope())
+        if r.foot_above(r.height, r.slope) <= 0:
+            return r.to("no_start")
+        return r.to("flight", swing="place", placing=0).place_leg().open_stride()
+
+    @mode("swing", of="flight", time_scale=lambda r: 1 / (abs(r.retraction_rate) + r.margin_of("rad/s")))
+    def flight(r):
+        """The centre of mass is ballistic. The leg turns after the apex."""
+        total, fx, fy = r.body_mass + r.foot_mass, r.external_fx, r.external_fy
+        rates = dict(com_x=r.com_vx, com_y=r.com_vy, com_vx=fx / total, com_vy=fy / total - r.gravity,
+                     external_work=fx * r.com_vx + fy * r.com_vy)
+        return rates | dict(angle=r.leg().angle_rate, placing=1) if r.swing == "place" else rates
+
+    @mode(of="world", ends=True)
+    def no_start(r):
+        """The foot is not above the ground at the apex."""
+        return {}
+
+    @mode(of="world", ends=True)
+    def no_stance(r):
+        """The impact leaves no load on the foot."""
+        return {}
+
+    @mode(of="world", ends=True)
+    def no_apex(r):
+        """The centre of mass does not rise at lift-off, or nothing pulls it down."""
+        return {}
+
+    @event("flight stick slip", when=lambda r: r.body_above(), unit="m", only=lambda r: r.may_fall())
+    def falls(r):
+        """The body reaches the ground."""
+        return r.to("fallen")
+
+    def may_fall(r):
+        """Whether the leg, which is lost after lift-off, is there."""
+        return r.mode != "flight" or r.swing == "place"
+
+    @event("stick slip", when=lambda r: r.leg().length - r.least_length, unit="m")
+    def collapses(r):
+        """The leg is shorter than leg.min_length."""
+        return r.to("fallen")
+
+    @event("flight", swing="place", when=lambda r: r.foot_above(r.height, r.slope), unit="m")
+    def touchdown(r):
+        """The foot reaches the ground."""
+        return r.land(was_placed=1)
+
+    @event("stick slip", when=lambda r: r.standing().normal, unit="N")
+    def lift_off(r):
+        """The centre of mass flies to the next apex."""
+        if r.time <= r.touchdown_time:
+            return r.to("no_stance")
+        if r.rise() <= 0 or r.external_fy >= (r.body_mass + r.foot_mass) * r.gravity:
+            return r.to("no_apex")
+        return r.replace(liftoff_angle=r.leg().angle, placing=0).with_thrust(0).to("flight", swing="retract")
+
+    @event("flight", swing="retract", when=lambda r: r.rise(), unit="m/s")
+    def apex(r):
+        """A stride closes, and the leg is placed anew."""
+        return r.close_stride().replace(swing="place", placing=0).place_leg()
+
+    @output("N.m", name="hip.torque")
+    def torque(r):
+        """Total hip torque in stance, external torque included."""
+        return r.stance_torque() if r.mode in ("stick", "slip") else 0
