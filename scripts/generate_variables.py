@@ -722,7 +722,7 @@ def python(table):
         if v.group == "stride"
     ]
     models = [
-        (m.get("name"), tuple(m.get("coordinates").split()), tuple(m.get("quantities").split()))
+        (m.get("name"), *(tuple(m.get(names).split()) for names in ("coordinates", "quantities", "scales")))
         for m in table.package.findall("Model")
     ]
     names = {

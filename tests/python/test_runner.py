@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 import tdmf_slip
 from tdmf_slip import InputError, Runner, find_gait
+from tdmf_slip.contents import same
 from tdmf_slip.library.members import FLAGS, MOVING
 from tdmf_slip.variables.parameters import preset_names, read_parameters
 from tdmf_slip.variables.table import DIMENSIONS, MODELS, STATES, VARIABLES
@@ -66,6 +67,14 @@ def test_replace_makes_another_runner():
     assert other.replace({"damping": 0.2, FRICTION: 0.6}) == runner
 
 
+def test_values_that_go_together_are_replaced_together():
+    """Whatever their order, and though one of them alone is refused."""
+    runner, grown = Runner(), {"leg.min_length": 1.5, "leg.free_length": 2.0}
+    assert runner.replace(grown) == runner.replace(dict(reversed(grown.items())))
+    with pytest.raises(InputError, match="min_length"):
+        runner.replace(min_length=1.5)
+
+
 def test_runners_are_equal_and_hashed_by_value():
     runner, again = Runner(friction=0.43), Runner({FRICTION: 0.43})
     assert runner == again and hash(runner) == hash(again) and len({runner, again}) == 1
@@ -75,6 +84,7 @@ def test_runners_are_equal_and_hashed_by_value():
         Runner(runner, tolerance=1e-9),
     ]
     assert len({runner, *others}) == 4 and all(runner != other for other in others)
+    assert same(runner, again) and not any(same(runner, other) for other in others)
     assert (runner == dict(runner)) is False and (runner == np.zeros(3)) is False and runner != None  # noqa: E711
 
 

@@ -46,10 +46,8 @@ class Line(Family):
 
     def runner_at(self, value: float) -> Runner:
         """The runner at a distance along the line."""
-        runner = self.runner
-        for name, at in zip(self.names, (self.origin + value * self.way) * self.sizes, strict=True):
-            runner = runner.replace({name: float(at)})
-        return runner
+        values = (self.origin + value * self.way) * self.sizes
+        return self.runner.replace(dict(zip(self.names, map(float, values), strict=True)))
 
     def value_of(self, gait: Gait) -> float:
         """How far along the line a gait is."""

@@ -81,9 +81,7 @@ class Plane:
     def strides_at(self, at: NDArray[np.float64], along: str) -> Gait:
         """The strides from a point over the scales, differentiated by one of the parameters, too."""
         values = at * self.scales
-        runner = self.runner
-        for name, value in zip(self.names, values[-2:], strict=True):
-            runner = runner.replace({name: float(value)})
+        runner = self.runner.replace(dict(zip(self.names, map(float, values[-2:]), strict=True)))
         return strides_from(runner, values[:-2], self.strides, along=along)
 
     def zero(self, gait: Gait) -> float:

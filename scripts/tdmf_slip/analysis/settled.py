@@ -121,8 +121,7 @@ class _Runs:
 def _goes_together(runner: Runner, varied: Mapping[str, NDArray[np.float64]], number: int) -> bool:
     """Whether the library takes a runner's values."""
     try:
-        for name, row in varied.items():
-            runner = runner.replace({name: float(row[number])})
-        return runner.c_model is not None
+        runner.replace({name: float(row[number]) for name, row in varied.items()})
     except InputError:
         return False
+    return True

@@ -69,10 +69,8 @@ class Target:
 
     def runner_at(self, at: NDArray[np.float64]) -> Runner:
         """The runner with the varied parameters' values at a point."""
-        runner = self.runner
-        for name, value in zip(self.vary, (at * self.scales)[-len(self.vary) :], strict=True):
-            runner = runner.replace({name: float(value)})
-        return runner
+        values = (at * self.scales)[-len(self.vary) :]
+        return self.runner.replace(dict(zip(self.vary, map(float, values), strict=True)))
 
     def iterate_of(self, gait: Gait) -> Iterate:
         """That of a gait of this runner, whatever its varied parameters."""

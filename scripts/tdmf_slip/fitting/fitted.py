@@ -123,10 +123,9 @@ def fit(
     measurements = measurements_of(data)
     shared, each = checked_names(vary, "vary"), checked_names(vary_each, "vary_each")
     known = checked_priors(priors, each)
-    begun = Runner(runner, model=model)
-    for prior in known:
-        if prior.name not in shared:
-            begun, shared = begun.replace({prior.name: prior.value}), (*shared, prior.name)
+    alone = [prior for prior in known if prior.name not in shared]
+    begun = Runner(runner, model=model).replace({prior.name: prior.value for prior in alone})
+    shared = (*shared, *(prior.name for prior in alone))
     check_names(shared, each, measurements, len(known))
     profiled = profiled_names(profile, (*shared, *each))
     request = Request(

@@ -109,10 +109,8 @@ class Problem:
 
     def runner_of(self, values: NDArray[np.float64], row: int) -> Runner:
         """The runner of a row."""
-        runner = self.runner
-        for name, value in zip(self.vary, values[self.columns[row]], strict=True):
-            runner = runner.replace({name: float(value)})
-        return runner
+        own = map(float, values[self.columns[row]])
+        return self.runner.replace(dict(zip(self.vary, own, strict=True)))
 
     def residuals(self, unknowns: NDArray[np.float64]) -> NDArray[np.float64]:
         """Of all rows in turn; infinite where one has no gait, so that a shorter step is tried.

@@ -29,9 +29,7 @@ def starts(first: Gait, measurements: Measurements, vary: Sequence[str]) -> Iter
     found = settled_gaits(runner, varied, first.apex)
     runners, apexes, points, losses = [], [], [], []
     for number, apex in zip(found.numbers, found.apexes, strict=True):
-        other = runner
-        for name, row in varied.items():
-            other = other.replace({name: float(row[number])})
+        other = runner.replace({name: float(row[number]) for name, row in varied.items()})
         loss = _loss(other, apex, measurements)
         if loss is None:
             continue

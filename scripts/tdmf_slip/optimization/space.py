@@ -42,9 +42,7 @@ class Space(ByContents):
 
     def runner_at(self, runner: Runner, at: NDArray[np.float64]) -> Runner:
         """A runner with the values of a point in the space."""
-        for name, value in self.values(at).items():
-            runner = runner.replace({name: value})
-        return runner
+        return runner.replace(self.values(at))
 
     def coordinates_of(self, runner: Runner) -> NDArray[np.float64]:
         """Where a runner's values are, inside the bounds from 0 to 1, shape (d,)."""

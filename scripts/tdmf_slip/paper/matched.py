@@ -23,9 +23,9 @@ def changed(gait: Gait, values: Mapping[str, float], steps: int = 1) -> Gait | N
     """The gait near another, of other values."""
     begin = {name: gait.runner[name] for name in values}
     for step in range(1, steps + 1):
-        runner = gait.runner
-        for name, value in values.items():
-            runner = runner.replace({name: begin[name] + (value - begin[name]) * step / steps})
+        runner = gait.runner.replace(
+            {name: begin[name] + (value - begin[name]) * step / steps for name, value in values.items()}
+        )
         try:
             gait = gait_near(runner, gait.apex)
         except RunError:

@@ -17,6 +17,7 @@ from ..errors import InputError
 from ..given import row_of
 from ..library.gait import Gait
 from ..library.members import varied_alone
+from ..library.runner import Runner
 from ..library.shared_steps import shares_steps
 from ..variables.parameters import RUNNER
 from ..variables.table import VARIABLES, by_full_name
@@ -162,7 +163,7 @@ def _over(
     begin, end = (end.rational for end in ends)
     if not begin < end:
         raise InputError(f"vary: {name} from {begin} to {end}; allowed: a range from less to more")
-    if gait is None or isinstance(gait, Mapping):
+    if gait is None or (isinstance(gait, Mapping) and not isinstance(gait, Runner)):
         gait = {name: begin, **by_full_name(gait, "gait", RUNNER)}
     found, values = gait_of(gait)
     path = None if output is None else path_of(output, "output", "the path of a file")

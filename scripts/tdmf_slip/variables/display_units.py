@@ -1,4 +1,4 @@
-"""Units that values are shown in: those that their user gave, the paper's, or the variables' own."""
+"""Units that values are shown in: those that the user gave, the paper's, or the variables' own."""
 
 from collections.abc import Mapping
 from typing import Any
@@ -13,24 +13,24 @@ class DisplayUnits:
     def __init__(
         self, given: Mapping[str, object] | None = None, values: Mapping[str, Any] | None = None
     ) -> None:
-        """With what was given, by the variables' names, and the values of the runner that is shown."""
+        """Take what the user gave, by variables' names, and the values of the runner that is shown."""
         self._values = values or {}
         self._units = {name: _unit_in(text) for name, text in (given or {}).items() if isinstance(text, str)}
 
     def factor(self, name: str) -> float:
-        """How many of the unit that it is told in make one of the variable's own."""
+        """Factor from a variable's own unit to the unit that it is shown in."""
         return VARIABLES[name].factor_of(self._units.get(name, "")) or 1.0
 
     def unit(self, name: str) -> str:
-        """The unit that a variable is shown in."""
+        """Unit that a variable is shown in."""
         return self._units.get(name) or self.label(VARIABLES[name].unit)
 
     def label(self, unit: str) -> str:
-        """The label of a unit: the paper's, if the runner is in the paper's units."""
+        """Label of a unit: the paper's, if the runner is in the paper's units."""
         return paper_units.label(unit, self._values)
 
     def value(self, name: str, value: float) -> float:
-        """A value of it, in that unit."""
+        """Value of a variable in the unit that it is shown in."""
         return value * self.factor(name)
 
 

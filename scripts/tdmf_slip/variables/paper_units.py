@@ -10,10 +10,10 @@ from collections.abc import Mapping
 from typing import Any
 
 from ..errors import Note
-from .table import DIMENSIONS, VARIABLES, paper_unit, scale
+from .table import DIMENSIONS, MODELS, VARIABLES, paper_unit, scale
 
-SCALES = ("body.mass", "leg.stiffness", "leg.free_length")
-"""Mass, stiffness and length that all other quantities of a runner are measured by."""
+SCALES = MODELS["full"].scales
+"""Names of the mass, the stiffness and the length that measure all other quantities of a runner."""
 
 
 class MixedUnitsWarning(Note):

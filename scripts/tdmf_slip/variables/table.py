@@ -122,6 +122,8 @@ class Model:
     """Names of an apex's coordinates, in the C library's order."""
     quantities: Mapping[str, Quantity]
     """Quantities of a stride, by name."""
+    scales: tuple[str, ...]
+    """Names of the values that are 1 in the model's own units: a mass, a stiffness and a length."""
 
     def __reduce__(self) -> tuple[Any, tuple[str]]:
         """By name: there is one object for each model."""
@@ -138,8 +140,8 @@ def _models() -> dict[str, Model]:
     for row in data.QUANTITIES:
         quantities.setdefault(row[0], Quantity(*row))
     return {
-        name: Model(name, coordinates, MappingProxyType({of: quantities[of] for of in those}))
-        for name, coordinates, those in data.MODELS
+        name: Model(name, coordinates, MappingProxyType({of: quantities[of] for of in those}), scales)
+        for name, coordinates, those, scales in data.MODELS
     }
 
 

@@ -16,16 +16,13 @@ from ..given import row_of
 from . import units
 
 Value: TypeAlias = float | bool
-"""A start value that is checked, in the variable's unit; of an enumeration, its number."""
+"""A checked start value in the variable's unit; the number of an enumeration's item."""
 Given: TypeAlias = float | bool | str
-"""A start value as it may be given: a number in the variable's unit, or a text like `40 deg`."""
-
-
+"""A start value as users give it: a number in the variable's unit, or a text like `40 deg`."""
 MAX_VALUES = 1_000_000
-"""In a row, as of a range."""
+"""Most values in one row, such as a range."""
 LONGEST_TEXT = 100
-"""Length of a text that a message repeats unchanged, at most."""
-
+"""Longest text that a message repeats unchanged."""
 Values: TypeAlias = Sequence[float] | NDArray[np.float64]
 """Numbers in a row, in the variable's unit."""
 
@@ -40,7 +37,7 @@ class Variable(ByContents):
     """One variable of the unit, with its declared type folded in."""
 
     name: str
-    """As `leg.stiffness`."""
+    """Its name, such as `leg.stiffness`."""
     reference: int
     """Its value reference."""
     type: str
@@ -50,21 +47,21 @@ class Variable(ByContents):
     description: str
     """Its meaning."""
     causality: str
-    """As FMI has it: `parameter`, `input`, `output` and so on."""
+    """FMI's word for its role: `parameter`, `input`, `output` and so on."""
     variability: str
     """`fixed`, `tunable`, `discrete` or `continuous`."""
     settable: bool
-    """A start value is accepted."""
+    """Whether it takes a start value."""
     minimum: float
-    """Least value; minus infinity for none."""
+    """Smallest value allowed; minus infinity for no limit."""
     maximum: float
-    """Largest value; infinity for none."""
+    """Largest value allowed; infinity for no limit."""
     start: Value | None
     """Its default, if it has one."""
     items: Mapping[int, str]
     """Names of an enumeration's values."""
     display_units: Mapping[str, float]
-    """Other units of the same quantity, and how many of each make one `unit`."""
+    """Other units of the quantity, each with how many of it make one `unit`."""
 
     @property
     def attributes(self) -> dict[str, str]:
@@ -73,24 +70,24 @@ class Variable(ByContents):
 
     @property
     def group(self) -> str:
-        """What its name begins with, as `stride` in `stride.period`; empty where it is in no group."""
+        """First part of its name, such as `stride` of `stride.period`; empty without a dot."""
         return self.name.rpartition(".")[0]
 
     @property
     def member(self) -> str:
-        """What it is called in its group, as `period` in `stride.period`."""
+        """Last part of its name, such as `period` of `stride.period`."""
         return self.name.rpartition(".")[2]
 
     @property
     def kind(self) -> str:
-        """How it is used: its causality, and whether it is tunable or discrete."""
+        """Causality, with whether it is tunable or discrete."""
         if self.variability == "tunable":
             return "tunable parameter"
         return f"discrete {self.causality}" if self.variability == "discrete" else self.causality
 
     @property
     def allowed(self) -> str:
-        """What a start value may be, in words."""
+        """Allowed start values, in words."""
         if self.type == "Boolean":
             return "true or false"
         if self.items:
@@ -100,7 +97,7 @@ class Variable(ByContents):
 
     @property
     def known_units(self) -> tuple[str, ...]:
-        """Units that a value of it may be given in, its own first."""
+        """Units that its values may be given in, its own first."""
         others = (
             *self.display_units,
             *(name for name, (unit, _) in units.OTHER_UNITS.items() if unit == self.unit),
@@ -108,7 +105,7 @@ class Variable(ByContents):
         return tuple(dict.fromkeys(name for name in (self.unit, *others) if name))
 
     def factor_of(self, unit: str) -> float | None:
-        """How many of a unit make one of the variable's own; None where it is of something else."""
+        """Factor from the variable's own unit to another; None for a unit of another dimension."""
         return units.factor(unit, self.unit, self.display_units)
 
     def value_of(self, given: Given, where: str) -> Value:

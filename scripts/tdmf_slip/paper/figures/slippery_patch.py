@@ -50,8 +50,7 @@ def gaits(runner: Runner) -> list[tuple[Gait, bool]]:
 
 def falls(gait: Gait, friction: float, length: float, seed: int = 0) -> int:
     """Of `RUNNERS` that come to a patch on a gait, each at a phase of its own."""
-    runner = gait.runner.replace({"ground.patch_begin": BEGIN, "ground.patch_end": BEGIN + length})
-    runner = runner.replace({"ground.patch_friction": friction})
+    runner = gait.runner.replace(patch_begin=BEGIN, patch_end=BEGIN + length, patch_friction=friction)
     strides = int(length / gait.stride["length"]) + STRIDES_AFTER
     return strides_to_fall(runner, 0.0, RUNNERS, seed, strides, gait=gait, foot_x="random").falls
 

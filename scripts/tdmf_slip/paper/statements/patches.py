@@ -44,9 +44,8 @@ def falls(of: Callable[[Regime], Gait]) -> Measure:
     def measure(regime: Regime, seed: int) -> Estimate:
         one = of(regime)
         length = one.runner["leg.free_length"]
-        runner = one.runner.replace({"ground.patch_begin": BEGIN * length})
-        runner = runner.replace({"ground.patch_end": (BEGIN + LENGTH) * length})
-        runner = runner.replace({"ground.patch_friction": ON_PATCH})
+        begin, end = BEGIN * length, (BEGIN + LENGTH) * length
+        runner = one.runner.replace(patch_begin=begin, patch_end=end, patch_friction=ON_PATCH)
         strides = int(LENGTH * length / one.stride["length"]) + STRIDES_AFTER
         found = strides_to_fall(runner, 0.0, RUNNERS, seed, strides, gait=one, foot_x="random")
         interval = binomtest(found.falls, RUNNERS).proportion_ci()
