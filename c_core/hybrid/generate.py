@@ -35,9 +35,10 @@ def motion_row(page, motion):
     row = {"moving_count": len(moving), "extra_count": len(motion.rates) - len(moving)}
     row |= {"constant_count": len(motion.constants)}
     row |= {"judged_count": len(motion.judged), "divisor_count": len(motion.divisors)}
-    for what in ("moving", "degrees", "judged", "divisors"):
+    lists = ("moving", "degrees", "judged", "divisors", "integrals")
+    for what in lists:
         tables += list_in_c("int", f"{what}_{name}", moving if what == "moving" else getattr(motion, what))
-    row |= {what: f"{what}_{name}" for what in ("moving", "degrees", "judged", "divisors", "polynomials")}
+    row |= {what: f"{what}_{name}" for what in (*lists, "polynomials")}
     row |= {"expand": f"expand_{name}", "vary": f"vary_{name}"}
     return tables, row_in_c(row | {"bounds": f"bounds_{name}" if motion.has_bounds else "NULL"})
 

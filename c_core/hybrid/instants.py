@@ -7,8 +7,9 @@ from types import SimpleNamespace
 from .c_text import assigned, c_text, function_in_c, lines_of, statements, uses_of
 from .errors import page_error
 from .expressions import forget_expressions, lift, ordered, symbol
+from .limits import LIMITS
 from .motions import InstantVariation
-from .page import LIMITS, keys_of
+from .page import keys_of
 from .tables import c_boolean, list_in_c, row_in_c, rows_in_c
 from .tracing import trace
 
@@ -280,6 +281,9 @@ class Instants:
         if len(motion.watched) > LIMITS["GUARD"]:
             text = f"watches {len(motion.watched)} events; at most {LIMITS['GUARD']} are allowed"
             raise page_error(self.page.events[motion.watched[LIMITS["GUARD"]]], key[0], text)
+        if len(motion.observed) > LIMITS["WATCH"]:
+            text = f"observes {len(motion.observed)} quantities; at most {LIMITS['WATCH']} are allowed"
+            raise page_error(motion.function, key[0], text)
         row = {"motion": f"&{self.page.c}_motions[MODE_{name}]", "ends": c_boolean(motion.function.ends)}
         row |= self.constants(motion)
         guards = [row_in_c(self.guard_row(key, event)) for event in motion.watched]

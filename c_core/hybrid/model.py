@@ -12,6 +12,7 @@ from typing import ClassVar
 from .errors import PageError, caller, page_error, similar
 from .expressions import Expression, _looks_up, lift, looked_up
 from .functions import atan2, cos, exp, expm1, log, log1p, radians, select, sin, sqrt
+from .limits import MARGINS
 from .quantities import (
     Absent,
     Quantity,
@@ -308,7 +309,7 @@ class Model(metaclass=_Page):
 
     def margin_of(self, unit):
         """Margin of decisions about a quantity in this unit."""
-        return 1e-12 * self.scales.get(unit, lambda model: 1)(self)
+        return MARGINS["zero"] * self.scales.get(unit, lambda model: 1)(self)
 
     def replace(self, **changes):
         """The model in the same mode, with other words and states."""

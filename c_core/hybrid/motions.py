@@ -49,6 +49,8 @@ CASTS = {
     "d_constants": ("d", "constants", "const "),
     "varied": ("t", "series", ""),
 }
+LEAST_ORDER = 4
+"""Orders of series are at least this."""
 TURNS = {"sin": "true", "cos": "false"}
 INTERVALS = {"+": "interval_sum", "-": "interval_difference", "*": "interval_product"}
 
@@ -88,6 +90,8 @@ class Motion:
         self.series = [array.removeprefix("s->") for array in self.known.values()]
         degrees = degrees_of(self.rates)
         self.degrees = [degrees[s] for s in self.rates]
+        observed, places = self.guards[len(self.watched) :], {s: i for i, s in enumerate(self.rates)}
+        self.integrals = [places.get(n.operands[0], -1) if n.operation == "rate" else -1 for n in observed]
         steers = [degrees[s] == NO_DEGREE and rate not in self.rates for s, rate in self.rates.items()]
         self.judged = [i for i, is_judged in enumerate(steers) if is_judged]
 
@@ -213,23 +217,29 @@ class Motion:
             yield self.function_of(f"guard_{self.name}_{name}", given, body, f"{name}: {about.__doc__ or ''}")
 
     def c_of_bounds(self):
-        """Lower bounds of the guards in a step, by interval arithmetic; a guard that divides has none."""
+        """Bounds of guards and observed quantities in a step, by interval arithmetic; a quotient has none."""
         lines, variables = [], {}
-        sometimes = [n for n in self.watched if self.page.watches(self.key, n) is not True]
-        for name in [*(n for n in self.watched if n not in sometimes), *sometimes]:
-            i = self.watched.index(name)
+        always = [n for n in self.watched if self.page.watches(self.key, n) is True]
+        places = {n: i for i, n in enumerate([*self.watched, *self.observed])}
+        for name in [*always, *(n for n in places if n not in always)]:
+            i = places[name]
             bound, new, found = self.bound(self.guards[i], variables)
-            new.append(f"low[{i}] = {f'{bound}.low' if bound else 'broadcast(-INFINITY)'};")
-            if name in sometimes and bound:
-                lines += [f"if (watched & 1u << {i}) {{", *(f"    {line}" for line in new), "}"]
+            new.append(f"bounds[{i}] = {bound or 'unbounded()'};")
+            if name not in always and bound:
+                lines += [f"if (watched >> {i} & 1) {{", *(f"    {line}" for line in new), "}"]
             else:
                 lines, variables = lines + new, found
         self.has_bounds = "span_" in "".join(lines)
         if self.has_bounds:
             given = "const real *constants, const real *series, const real *power, int order"
-            given += ", unsigned watched, real *low"
-            about = "Lower bounds of the guards in a step; `watched` has a bit for each of them."
+            given += ", uint64_t watched, interval *bounds"
+            about = "Bounds of guards and observed quantities; `watched` has a bit for each of them."
             yield self.function_of(f"bounds_{self.name}", given, lines_of(lines), about)
+
+    def terms(self, node, more=0):
+        """How many terms a series has: few if it is a polynomial of a low degree."""
+        degree = dict(zip(self.rates, self.degrees, strict=True)).get(node, NO_DEGREE) + more
+        return degree + 1 if degree < LEAST_ORDER else "order"
 
     def bound(self, guard, variables):
         """The variable of a guard's interval, statements that compute it, and all variables by expression.
@@ -237,21 +247,27 @@ class Motion:
         The variable is None where the guard has no bound.
         """
         turns = [n for n in ordered([guard], self.known) if n.operation in TURNS and not n.is_constant]
-        nodes, new, found = ordered([guard], {*self.known, *turns}), [], dict(variables)
+        rates = [n for n in ordered([guard]) if n.operation == "rate" and n.operands[0] in self.known]
+        angles = [n.operands[0] for n in turns if n not in self.known and n.operands[0] in self.known]
+        nodes = [*angles, *ordered([guard], {*self.known, *turns, *rates})]
+        new, found = [], dict(variables)
         for node in nodes:
             if node in found:
                 continue
             of = [found.get(o) for o in node.operands]
             if node in self.known:
-                text = f"interval_of_series({self.known[node]}, power, order)"
+                text = f"interval_of_series({self.known[node]}, power, {self.terms(node)})"
+            elif node in rates:
+                of_rate = node.operands[0]
+                text = f"interval_of_rate({self.known[of_rate]}, power, {self.terms(of_rate, -1)})"
             elif node.is_constant:
                 if all(user.is_constant for user in nodes if node in user.operands) and node is not guard:
                     continue
                 value = real_text(node)
                 text = f"interval_at({value}, {value})"
             elif node in turns and node.operands[0] in self.known:
-                given = f"{self.known[node.operands[0]]}, power, order, {TURNS[node.operation]}"
-                text = f"interval_of_turn({given})"
+                angle = node.operands[0]
+                text = f"interval_of_turn({self.known[angle]}[0], {found[angle]}, {TURNS[node.operation]})"
             elif node in turns:
                 text = "interval_at(broadcast(-1.0), broadcast(1.0))"
             elif node.operation == "negative":

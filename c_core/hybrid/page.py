@@ -1,28 +1,18 @@
 """A page on symbols: the modes that runs can reach, their rates, guards and decisions, and checks."""
 
 import math
-import re
-from pathlib import Path
 
 from .c_text import safe_names
 from .errors import PageError, page_error, reading, similar
 from .expressions import Condition, _looks_up, explore, forget_expressions, leaves_of, lift, symbol
+from .limits import LIMITS, MARGINS
 from .model import Absent, Model
 from .tracing import trace
 from .units import ANY, SECOND, dimension_of, power, text_of, times
 from .variations import Variation, value_of
 
 PARTS = ("positive integral", "largest")
-MODE_LIMIT, START_MARGIN = 100, 1e-9
-HERE = Path(__file__).parent
-HEADERS = HERE / "kernel" / "driver.h", HERE.parent / "kernel" / "linear_equations.h"
-LIMITS = {
-    name: int(limit)
-    for header in HEADERS
-    for name, limit in re.findall(r"TDMF_(\w+)_LIMIT = (\d+)", header.read_text(encoding="utf-8"))
-}
-"""The driver's limits: events in zero time (CHAIN), events of a mode (GUARD), modes after one (NEXT),
-coordinates of a section (MAP)."""
+MODE_LIMIT = 100
 
 
 class Page:
@@ -228,6 +218,8 @@ class Page:
         model, start = self.model, self.model.start[0]
         if not self.modes:
             self.refuse("has no mode; a page needs one function marked by @mode()")
+        if len(self.events) > LIMITS["EVENT"]:
+            self.refuse(f"has {len(self.events)} events; at most {LIMITS['EVENT']} are allowed")
         if start not in self.modes:
             text = f"starts in `{start}`, which is no mode{similar(start, self.modes)}"
             raise page_error(model.start_at, model.__name__, text)
@@ -325,7 +317,7 @@ class Page:
             guard = event.when(model)
             if guard is None or not math.isfinite(guard):
                 raise PageError(f"has the guard {guard} at the start; it has to be a finite number")
-            return guard < -START_MARGIN
+            return guard < -MARGINS["late"]
 
     def check_smooth(self, model):
         """Refuse rates without a derivative at the start, because a Taylor series needs one."""

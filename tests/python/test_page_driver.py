@@ -7,7 +7,7 @@ import pytest
 from page_runs import COMPILER, CompiledPage
 from test_page_language import Hopper
 
-from c_core.hybrid import Model, event, mode, parameter, sin, state
+from c_core.hybrid import Model, cos, event, mode, observe, parameter, sin, state
 
 pytestmark = pytest.mark.skipif(COMPILER is None, reason="there is no C compiler")
 
@@ -151,3 +151,57 @@ def test_the_first_derivative_that_is_not_zero_decides(lifts, order, noise):
         rises = lifts.start(**{"g0": noise, f"g{order}": slope}).to(9.0)
         due = (120 * slope / factorial) ** (1 / (5 - order))
         assert [time for time, *_ in rises.log] == pytest.approx([due], rel=1e-9)
+
+
+# ---- observed quantities ---------------------------------------------------------------------------------
+
+
+class Wave(Model):
+    """Sines of an angle that turns steadily: states of few terms, with a sine in what is observed."""
+
+    start = "turns", {}
+    angle, phase, count = state(0.3), state(0), state(0)
+    rate = parameter(1, "1/s")
+    most, positive, twice = state(-9), state(0), state(0)
+
+    @mode()
+    def turns(s):
+        """The angle turns steadily."""
+        return {"angle": s.rate, "phase": 0 * s.rate}
+
+    @event("turns", when=lambda s: 1.5 - s.count + 0.2 * cos(s.angle) - s.angle / 7, crossing=lambda s: True)
+    def passes(s):
+        """A guard with a cosine."""
+        return s.replace(count=s.count + 0.25)
+
+    @observe("turns", "largest", into="most")
+    def wave(s):
+        """A sine, and its third harmonic."""
+        return sin(s.angle) + 0.3 * sin(3 * s.angle)
+
+    @observe("turns", "positive integral", into="positive", unit="1/s")
+    def half_wave(s):
+        """A sine."""
+        return s.rate * sin(s.angle)
+
+    @observe("turns", "positive integral", into="twice", unit="1/s")
+    def touching(s):
+        """A sine that touches zero from below."""
+        return s.rate * (sin(s.angle) - 1)
+
+
+@pytest.mark.parametrize("tolerance", [1e-6, 1e-9, 1e-12])
+def test_observed_quantities_of_a_steady_turn_are_those_of_closed_forms(tolerance):
+    """No state of a steady turn limits a step."""
+    page = CompiledPage(Wave)
+    turn = np.arccos(np.sqrt(1.7 / 3.6))  # cos a + 0.9 cos 3a = 0 there and where cos a = 0
+    critical = np.add.outer([turn, -turn, np.pi - turn, np.pi + turn, np.pi / 2, -np.pi / 2],
+                            2 * np.pi * np.arange(15)).ravel()  # fmt: skip
+    for end in (0.7, 2.0, 11.0, 80.0):
+        run = page.start(tolerance=tolerance).to(end)
+        seen = np.array([*critical[(critical > 0.3) & (critical < 0.3 + end)], 0.3, 0.3 + end])
+        assert run.most == pytest.approx(np.max(np.sin(seen) + 0.3 * np.sin(3 * seen)), abs=30 * tolerance)
+        turns, left = divmod(0.3 + end, 2 * np.pi)
+        positive = 2 * turns + (1 - np.cos(min(left, np.pi))) - (1 - np.cos(0.3))
+        assert run.positive == pytest.approx(positive, abs=30 * tolerance * (1 + end))
+        assert run.twice == pytest.approx(0, abs=30 * tolerance * (1 + end))

@@ -285,6 +285,9 @@ static void pass_time(lane_batch *b, real elapsed, real left, mask goes) {
 static void advance(const lane_pool *w, lane_batch *b, const tdmf_mode_kind *mode, real left, mask goes) {
     page_step *step = &b->step;
     const tdmf_motion_kind *m = step->motion;
+    for (int i = 0; i < step->observed_count; ++i) {
+        trust_observed(step, i, mode->watches[i].part, b->observed[i], b->observed_scales[i], goes);
+    }
     const real elapsed = end_step(step);
     for (int seed = 0; seed < w->seed_count; ++seed) {
         real *dx = &b->dx[seed * m->moving_count];
@@ -296,7 +299,7 @@ static void advance(const lane_pool *w, lane_batch *b, const tdmf_mode_kind *mod
             dx[i] = select(goes, sum_of(w->t[i], step->power, step->order), dx[i]);
         }
     }
-    for (int i = 0; i < mode->watch_count && w->observes; ++i) {
+    for (int i = 0; i < step->observed_count; ++i) {
         b->observed[i] = observed_value(step, i, mode->watches[i].part, b->observed[i], b->observed_scales[i],
                                         goes & (elapsed > 0.0));
     }
@@ -433,6 +436,7 @@ static real *place_batch(lane_pool *w, int number, real *next) {
     const tdmf_motion_kind *m = b->step.motion = &w->motions[number];
     b->step.kinds = mode->guards;
     b->step.guard_count = mode->guard_count;
+    b->step.observed_count = w->observes ? mode->watch_count : 0;
     b->step.tolerance = w->share->batch->runs[0].tolerance;
     b->step.s = w->s;
     b->step.c = next;

@@ -41,6 +41,7 @@ static void load(work *w) {
     w->step.motion = w->mode->motion;
     w->step.kinds = w->mode->guards;
     w->step.guard_count = w->mode->guard_count;
+    w->step.observed_count = w->state->r->observes ? w->mode->watch_count : 0;
     w->step.tolerance = w->state->r->tolerance;
     w->step.c = w->at->c;
     load_mode(&w->step, 0, w->at, w->state->scales);
@@ -73,6 +74,14 @@ static bool begin_step(work *w, double left) {
 
 /* ---- going on ------------------------------------------------------------------------------------------ */
 
+static void trust_all_observed(work *w) {
+    for (int i = 0; i < w->mode->watch_count; ++i) {
+        const tdmf_watch_kind *kind = &w->mode->watches[i];
+        trust_observed(&w->step, i, kind->part, w->state->r->x[kind->into], w->state->scales[kind->into],
+                       true);
+    }
+}
+
 static void observe(work *w) {
     for (int i = 0; i < w->mode->watch_count; ++i) {
         const tdmf_watch_kind *kind = &w->mode->watches[i];
@@ -99,6 +108,9 @@ static void advance_variations(work *w) {
 /* Advances the run to the end of the step. */
 static void advance(work *w) {
     const tdmf_motion_kind *m = w->step.motion;
+    if (w->state->r->observes) {
+        trust_all_observed(w);
+    }
     const double elapsed = end_step(&w->step);
     advance_variations(w);
     if (w->state->r->observes && elapsed > 0.0) {

@@ -32,9 +32,15 @@ typedef void tdmf_vary_enter(const double *p, const double *x, const double *dp,
                              const double *at, const double *d_at, double *after);
 typedef void tdmf_scales(const double *p, double *of_states, double *of_events);
 
-/* Limits: modes that an event can lead to, events that a mode watches, events of a chain in zero time. The
- * generator reads these numbers. */
-enum { TDMF_NEXT_LIMIT = 16, TDMF_GUARD_LIMIT = 32, TDMF_CHAIN_LIMIT = 100 };
+/* Limits: modes that an event can lead to, events that a mode watches, quantities that it observes, events of
+ * a page, events of a chain in zero time. The generator reads these numbers. */
+enum {
+    TDMF_NEXT_LIMIT = 16,
+    TDMF_GUARD_LIMIT = 32,
+    TDMF_WATCH_LIMIT = 8,
+    TDMF_EVENT_LIMIT = 64,
+    TDMF_CHAIN_LIMIT = 100
+};
 
 /* An event as a mode watches it. */
 typedef struct {

@@ -10,7 +10,7 @@ typedef void tdmf_expand(const real *constants, int order, real *series);
 typedef void tdmf_vary(const real *constants, const real *series, const real *d_constants, int order,
                        real *varied);
 typedef void tdmf_bounds(const real *constants, const real *series, const real *power, int order,
-                         unsigned watched, real *low);
+                         uint64_t watched, interval *bounds);
 
 /* A guard or an observed quantity as a polynomial in time, of less than `order` in degree. */
 typedef void (*tdmf_polynomial)(const real *constants, const real *series, int order, real *g);
@@ -27,7 +27,8 @@ typedef struct {
     const tdmf_polynomial *polynomials; /* guards, then observed quantities */
     tdmf_expand *expand;
     tdmf_vary *vary;
-    tdmf_bounds *bounds; /* lower bounds of the guards; NULL: none is bounded */
+    const int *integrals; /* series of which an observed quantity is the rate, or -1 */
+    tdmf_bounds *bounds;  /* of guards and observed quantities; NULL: none is bounded */
 } tdmf_motion_kind;
 
 /* The name of a table or function of this width. */

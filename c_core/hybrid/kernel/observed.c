@@ -1,41 +1,152 @@
-/* Pieces of a step in which an observed quantity, or its rate, keeps its sign. */
+/* Changes of sign of a polynomial on [0, 1], by Bernstein's basis.
+ *
+ * In that basis the values of a polynomial lie between its coefficients, and it has at most as many roots as
+ * its coefficients have changes of sign, and one if they have one. Pieces with more are cut in half.
+ */
 #include "observed.h"
 
-enum { PIECE_LIMIT = 32 };
+#include <float.h>
 
-static const double sign_margin = 1e-7; /* of an observed quantity, relative to its largest coefficient */
+enum { ROOT_LIMIT = 32, CUT_LIMIT = 64, ITERATION_LIMIT = 60 };
 
-/* The end of a piece of [from, 1] in which a polynomial, scaled to the step, keeps its sign. */
-static double end_of_sign(const double *g, int degree, double from) {
-    double largest = 0.0;
+static const double last_correction = 1e-4; /* of a root; the method is of third order */
+
+typedef struct {
+    const double *c;
+    int degree;
+    double negligible; /* size of values whose sign does not matter */
+    int cuts_left, count;
+    double roots[ROOT_LIMIT];
+} sign_changes;
+
+static void to_bernstein(const double *c, int degree, double *b) {
+    double factor = 1.0; /* 1/binomial(degree, k) */
     for (int k = 0; k <= degree; ++k) {
-        largest = real_max(largest, real_abs(g[k]));
+        b[k] = c[k] * factor;
+        factor *= (k + 1) * series_reciprocal[degree - k];
     }
-    const root found = first_sign_change(g, degree, sign_margin * largest, from, 1.0, true);
-    return found.is_root && found.time < 1.0 ? found.time : 1.0;
+    for (int done = 1; done <= degree; ++done) {
+        for (int k = degree; k >= done; --k) {
+            b[k] += b[k - 1];
+        }
+    }
 }
 
-double tdmf_integral_of_pieces(const double *g, const double *integral, int order, double size) {
-    double power[TERMS], sum = 0.0, from = 0.0, before = 0.0;
-    for (int pieces = 0; pieces < PIECE_LIMIT && from < 1.0; ++pieces) {
-        from = end_of_sign(g, order - 1, from);
-        set_powers(power, from * size, order);
-        const double after = sum_of(integral, power, order);
+/* The only root in an interval at whose ends the polynomial has opposite signs, by Halley's method. */
+static double root_between(const sign_changes *of, double from, double to, bool rises, double guess) {
+    double root = guess;
+    for (int i = 0; i < ITERATION_LIMIT; ++i) {
+        const expansion at = expansion_at(of->c, of->degree, root);
+        if ((at.value > 0.0) == rises) {
+            to = root;
+        } else {
+            from = root;
+        }
+        const double next =
+            root - 2.0 * at.value * at.slope / (2.0 * at.slope * at.slope - at.value * at.curvature);
+        const bool is_within = next > from && next < to;
+        const double before = root;
+        root = is_within ? next : 0.5 * (from + to);
+        if (fabs(root - before) < (is_within ? last_correction : DBL_EPSILON)) {
+            break;
+        }
+    }
+    return root;
+}
+
+static void add_root(sign_changes *of, double root) {
+    if (of->count < ROOT_LIMIT) {
+        of->roots[of->count++] = root;
+    }
+}
+
+/* Adds the roots in a piece, whose coefficients are b. Where the signs cannot be told apart, its middle. */
+static void add_roots(sign_changes *of, const double *b, double from, double width) {
+    const int n = of->degree;
+    double largest = 0.0, guess = from, before = 0.0;
+    int changes = 0;
+    bool rises = false;
+    for (int k = 0, at = 0; k <= n; ++k) {
+        largest = real_max(largest, fabs(b[k]));
+        if (b[k] == 0.0) {
+            continue;
+        }
+        if (before * b[k] < 0.0) {
+            ++changes;
+            rises = b[k] > 0.0;
+            guess = from + width * (at + (k - at) * before / (before - b[k])) / n;
+        }
+        before = b[k] > 0.0 ? real_max(b[k], DBL_MIN) : b[k];
+        at = k;
+    }
+    if (changes == 0 || largest <= of->negligible) {
+        return;
+    }
+    if (changes == 1) {
+        add_root(of, root_between(of, from, from + width, rises, guess));
+        return;
+    }
+    if (of->cuts_left-- <= 0) {
+        add_root(of, from + 0.5 * width);
+        return;
+    }
+    double left[TERMS], right[TERMS];
+    memcpy(right, b, sizeof right);
+    for (int k = 0; k <= n; ++k) {
+        left[k] = right[0];
+        for (int i = 0; i < n - k; ++i) {
+            right[i] = 0.5 * (right[i] + right[i + 1]);
+        }
+    }
+    add_roots(of, left, from, 0.5 * width);
+    if (right[0] == 0.0) {
+        add_root(of, from + 0.5 * width);
+    }
+    add_roots(of, right, from + 0.5 * width, 0.5 * width);
+}
+
+double tdmf_integral_where_positive(const double *g, int order, double least) {
+    double b[TERMS], integral[TERMS], sum = 0.0, before = 0.0;
+    sign_changes of = {.c = g, .degree = order - 1, .negligible = least, .cuts_left = CUT_LIMIT};
+    to_bernstein(g, of.degree, b);
+    add_roots(&of, b, 0.0, 1.0);
+    add_root(&of, 1.0);
+    integral[0] = 0.0;
+    for (int k = 0; k < order; ++k) {
+        integral[k + 1] = g[k] * series_reciprocal[k + 1];
+    }
+    for (int i = 0; i < of.count; ++i) {
+        const double after = expansion_at(integral, order, of.roots[i]).value;
         sum += real_max(0.0, after - before);
         before = after;
     }
     return sum;
 }
 
-double tdmf_largest_of_pieces(const double *g, int order, double largest) {
-    double rate[TERMS], power[TERMS], from = 0.0;
+double tdmf_largest_in_step(const double *g, int order, double largest) {
+    double b[TERMS], rate[TERMS], end = 0.0, rates = 0.0, highest = g[0];
     for (int k = 1; k < order; ++k) {
         rate[k - 1] = k * g[k];
+        rates += fabs(rate[k - 1]);
+        end += g[k];
     }
-    for (int pieces = 0; pieces < PIECE_LIMIT && from < 1.0; ++pieces) {
-        from = end_of_sign(rate, order - 2, from);
-        set_powers(power, from, order);
-        largest = real_max(largest, sum_of(g, power, order - 1));
+    largest = real_max(largest, real_max(g[0], g[0] + end));
+    if (rates <= 2.0 * fabs(rate[0])) { /* the rate keeps its sign */
+        return largest;
+    }
+    to_bernstein(g, order - 1, b);
+    for (int k = 1; k < order; ++k) {
+        highest = real_max(highest, b[k]);
+        b[k - 1] = (order - 1) * (b[k] - b[k - 1]); /* those of the rate */
+    }
+    if (highest <= largest) {
+        return largest;
+    }
+    sign_changes of = {.c = rate, .degree = order - 2, .cuts_left = CUT_LIMIT};
+    of.negligible = DBL_EPSILON * fabs(largest);
+    add_roots(&of, b, 0.0, 1.0);
+    for (int i = 0; i < of.count; ++i) {
+        largest = real_max(largest, expansion_at(g, order - 1, of.roots[i]).value);
     }
     return largest;
 }

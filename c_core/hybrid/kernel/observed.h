@@ -1,99 +1,130 @@
 /* Observed quantities over a step: the integral of a positive part, the largest value. Written over `real`;
- * the lanes in which a quantity changes its sign, or turns, are treated one by one.
+ * the lanes in which a quantity may change its sign, or turn, are treated one by one.
  */
 #ifndef TDMF_KERNEL_OBSERVED_H
 #define TDMF_KERNEL_OBSERVED_H
 
 #include "page_step.h"
 
-/* The integral over a step where a polynomial is positive, by pieces of one sign. `g` is scaled to the step,
- * `integral` is not. */
-double tdmf_integral_of_pieces(const double *g, const double *integral, int order, double size);
+/* The integral over a step where a polynomial g, scaled to the step, is positive. Where its values are
+ * smaller than `least`, its sign does not matter. */
+double tdmf_integral_where_positive(const double *g, int order, double least);
 
-/* The largest value of a polynomial that is scaled to the step and turns within it; at least `largest`. */
-double tdmf_largest_of_pieces(const double *g, int order, double largest);
+/* The largest value of a polynomial that is scaled to the step; at least `largest`. */
+double tdmf_largest_in_step(const double *g, int order, double largest);
 
 static const double part_tolerance = 0.01; /* of a positive integral, relative to that of a step */
 
-static inline void copy_lane(const real *x, int count, int lane, double *own) {
-    for (int k = 0; k < count; ++k) {
-        own[k] = lane_of(&x[k], lane);
+static inline interval bounds_of_observed(const page_step *step, int watch) {
+    return step->motion->bounds ? step->bounds[step->guard_count + watch] : unbounded();
+}
+
+/* Lanes in which an observed quantity may have an effect that is not known without its polynomial. The rate
+ * of a state has none while its sign is known. */
+static inline mask needs_polynomial(const page_step *step, int watch, tdmf_part part, real value) {
+    const interval bounds = bounds_of_observed(step, watch);
+    if (part == TDMF_LARGEST) {
+        return mask_not(bounds.high <= value);
+    }
+    const mask may_be_positive = mask_not(bounds.high <= 0.0);
+    return step->motion->integrals[watch] < 0 ? may_be_positive
+                                              : may_be_positive & mask_not(bounds.low >= 0.0);
+}
+
+static inline const real *expanded(page_step *step, int watch) {
+    if (!step->is_expanded[watch]) {
+        step->motion->polynomials[step->guard_count + watch](step->c, step->s[0], step->order,
+                                                             step->observed[watch]);
+        step->is_expanded[watch] = true;
+    }
+    return step->observed[watch];
+}
+
+/* Ends the step where the series of an observed quantity can be trusted no further. `value` is that of its
+ * state, `scale` the scale of the state. */
+static inline void trust_observed(page_step *step, int watch, tdmf_part part, real value, real scale,
+                                  mask lanes) {
+    lanes &= needs_polynomial(step, watch, part, value);
+    if (any(lanes)) {
+        const real allowed = guard_tolerance * step->tolerance * scale;
+        trust(step, expanded(step, watch), part == TDMF_LARGEST ? allowed : allowed / step->size, lanes);
     }
 }
 
-/* The integral over the step where g is positive. The polynomial is not searched for changes of sign if its
- * integral is below `least`. */
-static inline real positive_integral(const page_step *step, const real *g, real least, mask lanes) {
-    const int order = step->order;
-    const real tail = largest_change(g, step->power, order - 1), size = step->power[1];
-    const mask none = g[0] + tail <= 0.0;
-    lanes &= mask_not(none);
+static inline void scaled_lane(const page_step *step, const real *g, int lane, double *own) {
+    for (int k = 0; k < step->order; ++k) {
+        own[k] = lane_of(&g[k], lane) * lane_of(&step->power[k], lane);
+    }
+}
+
+/* The integral over the step where the quantity is positive. */
+static inline real positive_integral(page_step *step, int watch, real least, mask lanes) {
+    const int order = step->order, state = step->motion->integrals[watch];
+    const interval bounds = bounds_of_observed(step, watch);
+    lanes &= mask_not(bounds.high <= 0.0);
     if (!any(lanes)) {
         return broadcast(0.0);
     }
-    real integral[TERMS];
-    integral[0] = integral[order + 1] = broadcast(0.0);
-    for (int k = 0; k < order; ++k) {
-        integral[k + 1] = g[k] * series_reciprocal[k + 1];
+    real whole;
+    const real *g = NULL;
+    if (state >= 0) {
+        whole = change_of(step->s[state], step->power, order);
+    } else {
+        real integral[TERMS];
+        g = expanded(step, watch);
+        for (int k = 0; k < order; ++k) {
+            integral[k + 1] = g[k] * series_reciprocal[k + 1];
+        }
+        whole = change_of(integral, step->power, order);
     }
-    real sum = select(none, broadcast(0.0), real_max(broadcast(0.0), sum_of(integral, step->power, order)));
-    lanes &= mask_not((g[0] >= tail) | (size * (g[0] + tail) < least));
-    if (any(lanes)) {
-        const interval range = interval_of_series(g, step->power, order);
-        lanes &=
-            mask_not((range.low >= 0.0) | (range.high <= 0.0) | (size * (range.high - range.low) < least));
+    real sum = select(lanes, real_max(broadcast(0.0), whole), broadcast(0.0));
+    lanes &= mask_not(bounds.low >= 0.0);
+    if (!any(lanes)) {
+        return sum;
     }
-    if (any(lanes)) {
-        real scaled[TERMS];
-        double own[TERMS], own_integral[TERMS];
-        scale_to_step(step, 1.0, g, scaled);
-        for (int lane = 0; lane < LANES; ++lane) {
-            if (has_lane(&lanes, lane)) {
-                copy_lane(scaled, order, lane, own);
-                copy_lane(integral, order + 1, lane, own_integral);
-                set_lane(&sum, lane, tdmf_integral_of_pieces(own, own_integral, order, lane_of(&size, lane)));
-            }
+    g = expanded(step, watch);
+    const real size = step->power[1];
+    const interval range = interval_of_series(g, step->power, order);
+    lanes &= mask_not((range.low >= 0.0) | (range.high <= 0.0) | (size * (range.high - range.low) < least));
+    for (int lane = 0; lane < LANES; ++lane) {
+        if (has_lane(&lanes, lane)) {
+            double own[TERMS];
+            const double length = lane_of(&size, lane);
+            scaled_lane(step, g, lane, own);
+            set_lane(&sum, lane,
+                     length * tdmf_integral_where_positive(own, order, lane_of(&least, lane) / length));
         }
     }
     return sum;
 }
 
 /* The largest value is that at an end, or where the rate changes its sign. */
-static inline real largest_value(const page_step *step, const real *g, real largest, mask lanes) {
+static inline real largest_value(page_step *step, int watch, real largest, mask lanes) {
     const int order = step->order;
-    lanes &= mask_not(g[0] + largest_change(g, step->power, order - 1) <= largest);
+    lanes &= mask_not(bounds_of_observed(step, watch).high <= largest);
     if (!any(lanes)) {
         return largest;
     }
-    real scaled[TERMS], rates = broadcast(0.0), end = broadcast(0.0);
-    scale_to_step(step, 1.0, g, scaled);
-    for (int k = 1; k < order; ++k) {
-        rates += real_abs((double)k * scaled[k]);
-        end += scaled[k];
-    }
-    real found = real_max(largest, real_max(scaled[0], scaled[0] + end));
-    found = select(lanes, found, largest);
-    lanes &= mask_not(rates <= 2.0 * real_abs(scaled[1])); /* else the rate keeps its sign */
+    const real *g = expanded(step, watch);
+    lanes &= mask_not(g[0] + largest_change(g, step->power, order - 1) <= largest);
     for (int lane = 0; lane < LANES; ++lane) {
         if (has_lane(&lanes, lane)) {
             double own[TERMS];
-            copy_lane(scaled, order, lane, own);
-            set_lane(&found, lane, tdmf_largest_of_pieces(own, order, lane_of(&found, lane)));
+            scaled_lane(step, g, lane, own);
+            set_lane(&largest, lane, tdmf_largest_in_step(own, order, lane_of(&largest, lane)));
         }
     }
-    return found;
+    return largest;
 }
 
-/* The value of an observed quantity after a step whose powers are set. */
-static inline real observed_value(const page_step *step, int watch, tdmf_part part, real value, real scale,
+/* The value of the state of an observed quantity after a step whose powers are set. */
+static inline real observed_value(page_step *step, int watch, tdmf_part part, real value, real scale,
                                   mask lanes) {
-    real g[TERMS];
-    step->motion->polynomials[step->guard_count + watch](step->c, step->s[0], step->order, g);
     if (part == TDMF_LARGEST) {
-        return largest_value(step, g, value, lanes);
+        return largest_value(step, watch, value, lanes);
     }
     const real least = part_tolerance * step->tolerance * scale;
-    return select(lanes, value + positive_integral(step, g, least, lanes), value);
+    return value + positive_integral(step, watch, least, lanes);
 }
 
 #endif

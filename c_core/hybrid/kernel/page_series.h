@@ -148,7 +148,8 @@ static inline void sine_and_cosine_of(int k, const real *a, real *sine, real *co
     cosine[k] = -with_sine * series_reciprocal[k];
 }
 
-/* ---- intervals: lower bounds of guards in a step, found before the guards are expanded ----------------- */
+/* ---- intervals: bounds of guards and observed quantities in a step, found before they are expanded ------
+ */
 
 typedef struct {
     real low, high;
@@ -157,6 +158,10 @@ typedef struct {
 static inline interval interval_at(real low, real high) {
     const interval at = {low, high};
     return at;
+}
+
+static inline interval unbounded(void) {
+    return interval_at(broadcast(-INFINITY), broadcast(INFINITY));
 }
 
 /* A polynomial on [0, 1] is a mean of its partial sums. */
@@ -171,13 +176,24 @@ static inline interval interval_of_series(const real *c, const real *power, int 
     return of;
 }
 
+/* The rate of a quantity, by its series. */
+static inline interval interval_of_rate(const real *c, const real *power, int order) {
+    interval of = {c[1], c[1]};
+    real sum = c[1];
+    for (int k = 1; k < order; ++k) {
+        sum += (double)(k + 1) * c[k + 1] * power[k];
+        of.low = real_min(of.low, sum);
+        of.high = real_max(of.high, sum);
+    }
+    return of;
+}
+
 /* The sine or cosine of an angle that turns by at most `turn`: a function f with slope f' at the start
  * changes by at most turn |f'| + turn^2/2. */
-static inline interval interval_of_turn(const real *angle, const real *power, int order, bool is_sine) {
-    const interval of = interval_of_series(angle, power, order);
-    const real turn = real_max(of.high - angle[0], angle[0] - of.low);
+static inline interval interval_of_turn(real angle, interval of, bool is_sine) {
+    const real turn = real_max(of.high - angle, angle - of.low);
     real sine, cosine;
-    portable_sine_and_cosine(angle[0], &sine, &cosine);
+    portable_sine_and_cosine(angle, &sine, &cosine);
     const real value = is_sine ? sine : cosine, slope = is_sine ? cosine : sine;
     const real change = turn * (real_abs(slope) + 0.5 * turn);
     return interval_at(real_max(value - change, broadcast(-1.0)), real_min(value + change, broadcast(1.0)));

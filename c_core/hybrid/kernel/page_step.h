@@ -30,7 +30,7 @@ typedef struct {
 typedef struct {
     const tdmf_motion_kind *motion;
     const tdmf_guard_kind *kinds;
-    int guard_count;
+    int guard_count, observed_count;
     double tolerance;
     /* Written where the mode begins. */
     real *c;          /* constants */
@@ -45,7 +45,10 @@ typedef struct {
     real size, end;    /* step size, and the share of it at which the step ends */
     integer first;     /* guard whose event ends the step, or is due at once; NO_EVENT */
     mask is_due;       /* at once */
-    mask is_reached;   /* due at once because the guard came down to zero as time passed */
+    interval bounds[TDMF_GUARD_LIMIT + TDMF_WATCH_LIMIT]; /* of guards and observed quantities */
+    real observed[TDMF_WATCH_LIMIT][TERMS];               /* polynomials, where they are expanded */
+    bool is_expanded[TDMF_WATCH_LIMIT];
+    mask is_reached; /* due at once because the guard came down to zero as time passed */
 } page_step;
 
 /* ---- lanes --------------------------------------------------------------------------------------------- */
@@ -177,11 +180,11 @@ static inline void end_without_event(page_step *step, real share, mask lanes) {
     step->first = select_integer(lanes, integer_of(NO_EVENT), step->first);
 }
 
-/* Ends the step where a guard's own series can be trusted no further: a leg that spins steadily has states of
- * few terms, and a sine in its guard. */
-static inline void trust_guard(page_step *step, const real *g, real scale, mask lanes) {
+/* Ends the step where the series of a guard or an observed quantity can be trusted no further: a leg that
+ * spins steadily has states of few terms, and a sine in its guard. `allowed` is the largest of the last
+ * terms. */
+static inline void trust(page_step *step, const real *g, real allowed, mask lanes) {
     const int order = step->order;
-    const real allowed = guard_tolerance * step->tolerance * real_max(scale, real_abs(g[0]));
     const series_remainder remainder = {real_abs(g[order - 1]) * step->power[order - 1],
                                         real_abs(g[order - 2]) * step->power[order - 2]};
     lanes &= (remainder.last > allowed) | (remainder.last_but_one > allowed);
@@ -190,16 +193,20 @@ static inline void trust_guard(page_step *step, const real *g, real scale, mask 
     }
 }
 
-/* Ends the step where a guard that is below zero rises above it: the guard is watched from there on. */
-static inline void end_where_it_rises(page_step *step, const real *g, real band, mask lanes) {
-    lanes &= g[0] + largest_change(g, step->power, step->order - 1) > band;
+static inline void trust_guard(page_step *step, const real *g, real scale, mask lanes) {
+    trust(step, g, guard_tolerance * step->tolerance * real_max(scale, real_abs(g[0])), lanes);
+}
+
+/* Ends the step where a guard that is below zero rises to a height above it: it is watched from there on. */
+static inline void end_where_it_rises(page_step *step, const real *g, real height, mask lanes) {
+    lanes &= g[0] + largest_change(g, step->power, step->order - 1) > height;
     if (!any(lanes)) {
         return;
     }
     real negative[TERMS];
     scale_to_step(step, -1.0, g, negative);
     const real to = real_min(broadcast(1.0), step->end);
-    const root found = first_root(negative, step->order - 1, -band, broadcast(0.0), to, lanes);
+    const root found = first_root(negative, step->order - 1, -height, broadcast(0.0), to, lanes);
     end_without_event(step, found.time, lanes);
 }
 
@@ -293,22 +300,25 @@ static inline mask end_on_line(page_step *step, int guard, const real *g, real b
  * is due at once. In the lanes that remain in `searched`, the guard is above zero from now on.
  *
  *  - Zero: the first derivative that is not zero decides. A guard that falls is due.
- *  - Below zero: due, unless its event was just taken, to which a rounding error is allowed, or has to cross
- *    zero. Such a guard is watched from where it rises above zero. */
+ *  - Hardly below zero where a mode begins, as rounding leaves a guard that is zero there: due if it falls.
+ * Is its event just taken, it has to fall clearly.
+ *  - Below zero: due, unless it has to cross zero.
+ *
+ * A guard that is below zero and not due is watched from where it rises above zero. */
 static inline mask begin_below(page_step *step, int guard, real *g, real *floor, mask *searched, mask lanes) {
     guard_watch *watch = &step->guards[guard];
     const bool is_crossing = step->kinds[guard].is_crossing;
     const real value = g[0], band = -2.0 * *floor, late_band = late_margin * watch->scale;
     const mask is_zero = lanes & (value >= -band), was_taken = watch->was_taken & step->begins;
-    const mask may_be_late = lanes & mask_not(is_zero) & (was_taken | watch->is_late) & (value > -late_band);
+    const mask is_near = lanes & mask_not(is_zero) & (step->begins | watch->is_late) & (value > -late_band);
     real divided[TERMS];
     memcpy(divided, g, sizeof divided);
-    const mask undecided = is_zero | may_be_late;
+    const mask undecided = is_zero | is_near;
     const real counts = select(was_taken, late_band, band);
     const mask level = divide_by_time(step, divided, counts, floor, watch->scale, undecided);
     const mask falls = undecided & mask_not(level) & (divided[0] < 0.0);
-    const mask is_late = may_be_late & mask_not(falls);
-    mask due = lanes & mask_not(is_zero | may_be_late);
+    const mask is_late = is_near & mask_not(falls) & mask_not(level & mask_not(was_taken | watch->is_late));
+    mask due = lanes & mask_not(is_zero | is_late);
     mask below = is_late;
     if (is_crossing) {
         const mask crosses = is_zero & falls & watch->was_above & mask_not(was_taken);
@@ -318,7 +328,9 @@ static inline mask begin_below(page_step *step, int guard, real *g, real *floor,
         due |= falls;
     }
     step->is_reached |= due & is_zero & watch->was_above;
-    end_where_it_rises(step, g, band, below);
+    /* Hardly below zero, it has to rise further than rounding: shorter steps might change nothing. */
+    const real height = select(mask_not(is_zero) & (value >= -late_band), late_band, band);
+    end_where_it_rises(step, g, height, below);
     watch->is_late |= is_late;
     const mask rises = is_zero & mask_not(level | falls);
     watch->was_above = (watch->was_above & mask_not(below)) | rises;
@@ -330,25 +342,35 @@ static inline mask begin_below(page_step *step, int guard, real *g, real *floor,
     return due;
 }
 
+/* A bit for each guard that is watched, then for each quantity that is observed. */
+static inline uint64_t watched_bits(const page_step *step) {
+    uint64_t watched = 0;
+    for (int i = 0; i < step->guard_count; ++i) {
+        watched |= any(step->guards[i].is_watched) ? (uint64_t)1 << i : 0;
+    }
+    for (int i = 0; i < step->observed_count; ++i) {
+        watched |= (uint64_t)1 << (step->guard_count + i);
+    }
+    return watched;
+}
+
 /* Searches the step for the first event, or one that is due at once. */
 static inline void search_events(page_step *step, mask searching) {
-    real low[TDMF_GUARD_LIMIT];
+    const interval *bounds = step->motion->bounds ? step->bounds : NULL;
     step->end = broadcast(INFINITY);
     step->first = integer_of(NO_EVENT);
     step->is_due = step->is_reached = mask_of(false);
-    if (step->motion->bounds) {
-        unsigned watched = 0;
-        for (int i = 0; i < step->guard_count; ++i) {
-            watched |= any(step->guards[i].is_watched) ? 1u << i : 0u;
-        }
-        step->motion->bounds(step->c, step->s[0], step->power, step->order, watched, low);
+    memset(step->is_expanded, 0, sizeof step->is_expanded);
+    if (bounds) {
+        step->motion->bounds(step->c, step->s[0], step->power, step->order, watched_bits(step), step->bounds);
     }
     for (int i = 0; i < step->guard_count && any(searching); ++i) {
         guard_watch *watch = &step->guards[i];
         mask lanes = searching & watch->is_watched;
         real floor = broadcast(-zero_margin) * watch->scale;
-        if (step->motion->bounds) {
-            const mask above = lanes & (low[i] > 0.0) & (watch->was_above | (low[i] > -2.0 * floor));
+        if (bounds) {
+            const real low = bounds[i].low;
+            const mask above = lanes & (low > 0.0) & (watch->was_above | (low > -2.0 * floor));
             watch->was_above |= above;
             watch->is_late &= mask_not(above);
             lanes &= mask_not(above);
@@ -391,14 +413,19 @@ static inline real end_step(page_step *step) {
     return elapsed;
 }
 
-static inline real sum_of(const real *c, const real *power, int order) {
+/* How much a series changes in a time whose powers are given. */
+static inline real change_of(const real *c, const real *power, int order) {
     pair sum = pair_of(broadcast(0.0), broadcast(0.0));
     int k = 1;
     for (; k < order; k += 2) {
         add_terms(&sum, c + k, power + k);
     }
     const real rest = k == order ? part_of(sum, 0) + c[k] * power[k] : part_of(sum, 0);
-    return c[0] + (rest + part_of(sum, 1));
+    return rest + part_of(sum, 1);
+}
+
+static inline real sum_of(const real *c, const real *power, int order) {
+    return c[0] + change_of(c, power, order);
 }
 
 /* The value of a moving state. */
