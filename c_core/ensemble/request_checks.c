@@ -151,8 +151,7 @@ static bool are_heights(const tdmf_terrain *terrain) {
     return terrain->heights == NULL || terrain->height_count > 0;
 }
 
-/* Level segments, over which the centre of mass is ballistic, and of which a gait or a checkpoint knows
- * nothing. */
+/* Level segments, over which the centre of mass is ballistic, and of which a gait knows nothing. */
 static bool is_terrain(const tdmf_ensemble_case *its_case, const tdmf_ensemble *ensemble) {
     static const char *const fixed[] = {"ground.height", "ground.slope", "body.external_fx",
                                         "body.external_fy"};
@@ -168,8 +167,7 @@ static bool is_terrain(const tdmf_ensemble_case *its_case, const tdmf_ensemble *
     }
     return rules->terrain.length >= TDMF_MIN_SEGMENT * its_case->model->scales.length &&
            isfinite(rules->terrain.length) && are_heights(&rules->terrain) && rules->gait_count == 0 &&
-           ensemble->checkpoints == NULL && inputs->ground.slope == 0.0 && inputs->body.external_fx == 0.0 &&
-           inputs->body.external_fy == 0.0;
+           inputs->ground.slope == 0.0 && inputs->body.external_fx == 0.0 && inputs->body.external_fy == 0.0;
 }
 
 static bool are_balls(const tdmf_ball *balls, int count) {

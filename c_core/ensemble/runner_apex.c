@@ -267,6 +267,10 @@ static bool go_on(tdmf_runner *runner) {
     runner->motion = checkpoint->motion;
     runner->direction = tdmf_leg_direction_of(runner->motion.state);
     runner->inputs.ground.height = checkpoint->ground_height;
+    if (tdmf_has_terrain(&runner->its_case->rules)) {
+        runner->inputs.ground.friction = checkpoint->friction;
+        tdmf_resume_terrain(runner, checkpoint->seen_x, checkpoint->seen_y);
+    }
     open_stride(runner, step_limit(runner->ensemble));
     return begin_next_stride(runner);
 }
@@ -320,7 +324,12 @@ static void record_stride(const tdmf_runner *runner, const tdmf_ensemble_end *be
 static void stand(const tdmf_runner *runner) {
     tdmf_ensemble_checkpoint *checkpoints = runner->ensemble->checkpoints;
     if (checkpoints) {
-        const tdmf_ensemble_checkpoint checkpoint = {true, runner->motion, runner->inputs.ground.height};
+        const tdmf_ensemble_checkpoint checkpoint = {.stands = true,
+                                                     .motion = runner->motion,
+                                                     .ground_height = runner->inputs.ground.height,
+                                                     .friction = runner->inputs.ground.friction,
+                                                     .seen_x = runner->terrain.x,
+                                                     .seen_y = runner->terrain.y};
         checkpoints[runner->index] = checkpoint;
     }
 }

@@ -62,12 +62,16 @@ static void record_foot(tdmf_runner *runner) {
     runner->terrain.y = runner->motion.state[TDMF_FOOT_Y];
 }
 
-double tdmf_enter_terrain(tdmf_runner *runner, double x) {
+void tdmf_resume_terrain(tdmf_runner *runner, double x, double y) {
     for (int slot = 0; slot < TDMF_KNOWN_SEGMENTS; ++slot) {
         runner->terrain.segments[slot] = slot + 1; /* which belongs into another slot */
     }
     runner->terrain.x = x;
-    runner->terrain.y = INFINITY;
+    runner->terrain.y = y;
+}
+
+double tdmf_enter_terrain(tdmf_runner *runner, double x) {
+    tdmf_resume_terrain(runner, x, INFINITY);
     return height_of(runner, segment_at(runner, x));
 }
 

@@ -24,6 +24,9 @@ double tdmf_height_below(tdmf_runner *runner);
 /* The runner is about to start with its foot over this place. Returns the height of the segment there. */
 double tdmf_enter_terrain(tdmf_runner *runner, double x);
 
+/* The runner goes on from an apex; its foot was at this place when its segment was looked at last. */
+void tdmf_resume_terrain(tdmf_runner *runner, double x, double y);
+
 /* Sets the lines that the foot in flight can come to next. False where the runner has ended: the foot has
  * met a face, or is farther from the centre of mass than is looked at. */
 bool tdmf_look_at_terrain(tdmf_runner *runner);

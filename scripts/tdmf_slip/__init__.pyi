@@ -25,8 +25,10 @@ from .fmu.profile import Profile
 from .fmu.run import Run
 from .fmu.runs_result import Runs
 from .fmu.simulation import simulate
-from .library.affine_law import AffineLaw
+from .library.batch import Batch
 from .library.gait import Gait
+from .library.ground import RoughGround
+from .library.laws import AffineLaw
 from .library.runner import Runner
 from .optimization.optimize import optimize
 from .optimization.optimum import Optimum
@@ -45,6 +47,7 @@ __all__ = [
     "AffineLaw",
     "Attraction",
     "Basin",
+    "Batch",
     "BorderProof",
     "Branch",
     "Comparison",
@@ -63,6 +66,7 @@ __all__ = [
     "Profile",
     "Proof",
     "RareFalls",
+    "RoughGround",
     "Run",
     "RunError",
     "Runner",

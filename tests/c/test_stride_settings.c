@@ -364,17 +364,13 @@ static void strides_depend_on_neither_threads_nor_neighbours(void **unused) {
     free(part);
 }
 
-static void going_on_stride_by_stride_is_the_same_as_in_one_call(void **unused) {
-    (void)unused;
-    population *whole = gather(0.1), *parts = gather(0.1);
+static void assert_going_on_is_the_same(population *whole, population *parts) {
     for (int set = TDMF_ONE_BY_ONE; set < TDMF_INSTRUCTIONS_COUNT; ++set) {
         whole->ensemble.instructions = parts->ensemble.instructions = (tdmf_instructions)set;
         if (!tdmf_has_instructions(whole->ensemble.instructions)) {
             continue;
         }
-        whole->its_case.rules.law = &whole->law;
         assert_true(tdmf_run_ensemble(&whole->ensemble, whole->ends, NULL));
-        parts->its_case.rules.law = &parts->law;
         parts->ensemble.checkpoints = parts->checkpoints;
         for (int stride = 0; stride < STRIDES; ++stride) {
             parts->its_case.rules.max_strides = stride + 1;
@@ -384,8 +380,35 @@ static void going_on_stride_by_stride_is_the_same_as_in_one_call(void **unused) 
         assert_memory_equal(parts->ends, whole->ends, sizeof parts->ends);
         assert_memory_equal(parts->strides, whole->strides, sizeof parts->strides);
     }
+}
+
+static void going_on_stride_by_stride_is_the_same_as_in_one_call(void **unused) {
+    (void)unused;
+    population *whole = gather(0.1), *parts = gather(0.1);
+    whole->its_case.rules.law = &whole->law;
+    parts->its_case.rules.law = &parts->law;
+    assert_going_on_is_the_same(whole, parts);
     free(whole);
     free(parts);
+}
+
+static void on_a_terrain_too(void **unused) {
+    (void)unused;
+    population *both[2] = {gather(0.1), gather(0.1)};
+    for (int is_drawn = 0; is_drawn < 2; ++is_drawn) { /* by turns the friction: else the law sets it */
+        for (int i = 0; i < 2; ++i) {
+            tdmf_ensemble_rules *rules = &both[i]->its_case.rules;
+            rules->terrain.length = 3.0;
+            rules->trips = is_drawn;
+            rules->law = is_drawn ? NULL : &both[i]->law;
+            rules->friction_spread = is_drawn ? 0.2 : 0.0;
+            rules->max_strides = STRIDES;
+        }
+        both[0]->ensemble.goes_on = both[1]->ensemble.goes_on = false;
+        assert_going_on_is_the_same(both[0], both[1]);
+    }
+    free(both[0]);
+    free(both[1]);
 }
 
 /* ---- the reduced map ---------------------------------------------------------------------------------- */
@@ -600,6 +623,7 @@ int main(void) {
         cmocka_unit_test(no_setting_is_beyond_its_limits_and_some_are_at_them),
         cmocka_unit_test(strides_depend_on_neither_threads_nor_neighbours),
         cmocka_unit_test(going_on_stride_by_stride_is_the_same_as_in_one_call),
+        cmocka_unit_test(on_a_terrain_too),
         cmocka_unit_test(strides_of_the_reduced_map_are_those_of_its_settings),
         cmocka_unit_test(noise_is_normal_and_drawn_by_itself),
         cmocka_unit_test(settings_are_what_may_change_at_events),

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 import tdmf_slip
-from tdmf_slip import InputError, Runner, find_gait
+from tdmf_slip import Batch, InputError, Runner, find_gait
 from tdmf_slip.analysis import (
     attraction,
     basin,
@@ -22,7 +22,7 @@ from tdmf_slip.blocks import run_blocks
 from tdmf_slip.cli import gait_file
 from tdmf_slip.feedback import judgement
 from tdmf_slip.fmu import batch, inputs
-from tdmf_slip.library import ensemble, return_map
+from tdmf_slip.library import return_map
 from tdmf_slip.paper import settling
 from tdmf_slip.variables.parameters import read_parameters
 
@@ -44,8 +44,8 @@ def found(runner):
 TAKE_A_RUNNER = {
     "find_gait": lambda given, found: find_gait(given).apex,
     "stride_from": lambda given, found: return_map.stride_from(given, found.apex, FRICTION)[0],
-    "Case": lambda given, found: ensemble.Case(given).runner,
-    "run": lambda given, found: ensemble.run_ensemble([given], [found.apex], max_strides=2)[0]["apex"],
+    "run": lambda given, found: Batch(given, [found.apex]).run(2).apex,
+    "stride": lambda given, found: Batch(given, found.apex).stride().next_apex,
     "find_gait from a guess": lambda given, found: search.periodic_gait(given, guess=found.apex).apex,
     "sweep": lambda given, found: sweep.sweep(given, {"ground.friction": [0.3]}).gaits[0].apex,
     "grid": lambda given, found: (
@@ -73,7 +73,8 @@ def test_start_values_stand_for_a_runner(runner, found, tmp_path, monkeypatch, n
         assert answers[0] == answers[1]
     else:
         np.testing.assert_array_equal(*answers)
-    for wrong in (["human"], 3, found.apex):
+    takes_many = name in ("run", "stride", "fates")
+    for wrong in (3, found.apex) if takes_many else (["human"], 3, found.apex):
         with pytest.raises(InputError, match=r"runner .*allowed"):
             call(wrong, found)
 
@@ -89,10 +90,10 @@ WRONG = [
     lambda r, o: r.replace({FRICTION: None}),
     lambda r, o: r.replace({FRICTION: [1, 2]}),
     lambda r, o: Runner(r, tolerance="x"),
-    lambda r, o: ensemble.run_ensemble(r, [o.apex], max_strides=2),
-    lambda r, o: ensemble.run_ensemble(ensemble.Case(r), [o.apex], max_strides=2),
-    lambda r, o: ensemble.run_ensemble(None, [o.apex], max_strides=2),
-    lambda r, o: ensemble.Case(r, o),
+    lambda r, o: Batch([r, 3], [o.apex, o.apex]),
+    lambda r, o: Batch(r, o),
+    lambda r, o: Batch(r, [o.apex]).run(2, r),
+    lambda r, o: Batch(r, o.apex).stride(along=[3]),
     lambda r, o: sweep.sweep(r, {"ground.friction": 0.3}),
     lambda r, o: sweep.sweep(r, {"ground.friction": "0.3:1:3"}),
     lambda r, o: sweep.sweep(r, {"ground.friction": ["x"]}),

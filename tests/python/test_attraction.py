@@ -5,9 +5,9 @@ import math
 
 import numpy as np
 import pytest
-from tdmf_slip import InputError, Runner, find_gait
+from tdmf_slip import Batch, InputError, Runner, find_gait
 from tdmf_slip.analysis import attraction, basin, fates, robustness, volume
-from tdmf_slip.library import ensemble
+from tdmf_slip.library import engine
 from tdmf_slip.library.section import COORDINATES
 from tdmf_slip.variables.parameters import read_parameters
 
@@ -19,11 +19,7 @@ def gait():
 
 def settles(gait, apex):
     """The native solver tells whether an apex settles, one runner at a time."""
-    case = ensemble.Case(Runner(gait.runner), (gait.apex,))
-    ends, _ = ensemble.run_ensemble(
-        [case], np.array([apex]), max_strides=400, instructions="one by one", threads=1
-    )
-    return ends["fate"][0] == 0
+    return Batch(gait.runner, apex).run(400, gait).fate == engine.SETTLED
 
 
 def test_the_largest_disturbances_are_where_recovery_ends(gait):
@@ -74,7 +70,7 @@ def test_a_volume_is_a_share_of_the_box(gait):
     drawings = [volume.Drawing(gait.runner, tuple(gait.apex), 0, n, 4096).starts() for n in range(2)]
     assert np.min(np.abs(drawings[0] - drawings[1])) > 0.0
     ends = fates.fates(gait.runner, gait.apex, np.concatenate(drawings))
-    assert found.settled == np.count_nonzero(ends["fate"] == ensemble.SETTLED)
+    assert found.settled == np.count_nonzero(ends["fate"] == engine.SETTLED)
     assert found.as_json()["volume"] == pytest.approx(found.settled / 8192 * np.prod(high - low))
     assert found.volume[1] < found.volume[0] < found.volume[2]
 

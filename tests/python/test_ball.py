@@ -6,14 +6,15 @@ import numpy as np
 import pytest
 import tdmf_slip
 from conftest import RELEASE
-from tdmf_slip import InputError, Runner, find_gait
+from tdmf_slip import Batch, InputError, Runner, find_gait
 from tdmf_slip.analysis import ball as ball_module
 from tdmf_slip.analysis.ball import attributes_of, ball_of, pays
 from tdmf_slip.analysis.basin import basin, basin_at
 from tdmf_slip.analysis.fates import MAX_STRIDES, fates
 from tdmf_slip.analysis.volume import volume
-from tdmf_slip.library.affine_law import AffineLaw
-from tdmf_slip.library.ensemble import NEAR, SETTLED, Case, run_ensemble
+from tdmf_slip.library.batch import NEAR
+from tdmf_slip.library.engine import SETTLED
+from tdmf_slip.library.laws import AffineLaw
 from tdmf_slip.proof.proved_ball import proved_ball
 
 FRICTIONS = (0.2, 0.6, 10.0)
@@ -49,15 +50,13 @@ def test_every_point_of_a_tested_ball_settles(gait, ball):
     Of 1,000 points, or with --release of 4,000.
     """
     starts = gait.apex + points_in(ball, 4000 if RELEASE else 1000)
-    ends, _ = run_ensemble(
-        [Case(gait.runner, (gait.apex,))], starts, max_strides=MAX_STRIDES, near=1e-4, tolerance=1e-8
-    )
+    ends = Batch(gait.runner, starts, tolerance=1e-8).run(MAX_STRIDES, gait, near=1e-4)
     assert (ends["fate"] == SETTLED).all()
 
 
 def test_the_norm_falls_from_points_that_were_not_tested(gait, ball):
     away = points_in(ball, 4000, surface=True)
-    ends, _ = run_ensemble([gait.runner], gait.apex + away, max_strides=2, tolerance=1e-9)
+    ends = Batch(gait.runner, gait.apex + away, tolerance=1e-9).run(2)
     assert (ends["strides"] == 2).all()
     fallen = np.sqrt(norms(ball, ends["apex"] - gait.apex) / norms(ball, away))
     assert fallen.max() < 0.5 * (1.0 + ball.rate) < 1.0
@@ -75,7 +74,7 @@ def test_a_larger_ball_of_the_norm_is_none(gait, ball):
     """From some point of one half as wide again the norm does not fall as it has to, or a runner falls."""
     wider = dataclasses.replace(ball, matrix=ball.matrix / 1.5)
     away = points_in(wider, 10_000, surface=True)
-    ends, _ = run_ensemble([gait.runner], gait.apex + away, max_strides=2, tolerance=1e-8)
+    ends = Batch(gait.runner, gait.apex + away, tolerance=1e-8).run(2)
     fallen = np.sqrt(norms(ball, ends["apex"] - gait.apex) / norms(ball, away))
     assert (ends["strides"] < 2).any() or fallen.max() > gait.lambda_max + 0.75 * (1.0 - gait.lambda_max)
 
@@ -109,8 +108,8 @@ def test_a_ball_is_of_the_runner_under_its_law(gait, ball):
     under_law = ball_module.tested_ball(gait, law)
     assert under_law is not None and ball is not None and under_law != ball
     starts = gait.apex + points_in(under_law, 2000 if RELEASE else 500)
-    case = Case(gait.runner, (gait.apex,), law=law)
-    assert (run_ensemble([case], starts, max_strides=100, near=1e-4)[0]["fate"] == SETTLED).all()
+    ends = Batch(gait.runner, starts, law=law).run(100, gait, near=1e-4)
+    assert (ends.fate == SETTLED).all()
     noisy = dataclasses.replace(law, noise=[0.01] * 6)
     assert ball_module.tested_ball(gait, noisy) is None
 

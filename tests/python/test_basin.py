@@ -13,7 +13,7 @@ from tdmf_slip import Basin, InputError, Runner
 from tdmf_slip.analysis import basin
 from tdmf_slip.blocks import InTurn
 from tdmf_slip.labelled import Labelled
-from tdmf_slip.library import ensemble, section
+from tdmf_slip.library import engine, section
 from tdmf_slip.pictures import basin_map
 
 AXES = {"com_height": (1.2, 2.9), "com_speed": (0.9, 1.6)}
@@ -190,14 +190,14 @@ def test_a_single_start_of_another_fate_is_seen(slice_, monkeypatch, size, aroun
     low, high = size // 4, size // 2 + size // 4
     places = {"undecided": (high, high), "no_start": (low, high), "unsolved": (high, low)}
     for name, (row, column) in places.items():
-        data["fate"][row, column] = ensemble.FATES.index(name)
+        data["fate"][row, column] = engine.FATES.index(name)
     pixels, axes, _ = drawn(data, monkeypatch)
     for name, (row, column) in places.items():
         at = data["com_speed"][column], data["com_height"][row]
         assert pixels_near(pixels, axes, at, basin_map.OTHERS[name][0]) >= 30, name
 
 
-@pytest.mark.parametrize("fate", range(len(ensemble.FATES)))
+@pytest.mark.parametrize("fate", range(len(engine.FATES)))
 @pytest.mark.parametrize("strides", [0, 100])
 def test_the_gait_is_seen_on_any_colour(slice_, monkeypatch, fate, strides):
     pixels, axes, _ = drawn(map_of(slice_, 32, fate, strides), monkeypatch)
@@ -207,7 +207,7 @@ def test_the_gait_is_seen_on_any_colour(slice_, monkeypatch, fate, strides):
 
 
 def test_every_fate_has_a_colour():
-    assert set(ensemble.FATES) == {*basin_map.COUNTED, *basin_map.OTHERS}
+    assert set(engine.FATES) == {*basin_map.COUNTED, *basin_map.OTHERS}
 
 
 @pytest.mark.parametrize(

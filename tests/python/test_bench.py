@@ -5,10 +5,10 @@ import json
 import numpy as np
 import pytest
 from conftest import RELEASE
-from tdmf_slip import RunError
+from tdmf_slip import Batch, RunError
 from tdmf_slip.bench import growth, one_runner, results, runners, running
 from tdmf_slip.cli import bench as command_module
-from tdmf_slip.library import ensemble
+from tdmf_slip.library import engine
 
 OURS = ("native", "cvode")
 PEERS = ("heyoka", "numba", "scipy")
@@ -48,10 +48,10 @@ def test_all_solvers_are_measured_at_both_accuracies(measured):
         one = [name.split()[0] for name in alone if results.ALONE not in name and name != results.MOTION]
         many = [m.solver for m in rows if m.group == results.MANY]
         assert tuple(one) == (OURS + PEERS if RELEASE else OURS)
-        sets = ensemble.instruction_sets()
+        sets = engine.instruction_sets()
         assert set(sets) <= set(many) and len(many) == len(sets) + (2 if RELEASE else 0)
         reduced = [m.solver for m in rows if m.group == results.REDUCED]
-        assert reduced == [ensemble.instruction_sets()[-1], "one by one"]
+        assert reduced == [engine.instruction_sets()[-1], "one by one"]
         assert all(0 < m.error <= accuracy and m.microseconds > 0 for m in rows)
     assert all(m.evaluations is None or m.evaluations > 50 for m in measured.measurements)
 
@@ -131,7 +131,7 @@ def test_the_ensemble_makes_the_gaits_word(swing_clamp):
     """Peers are told the sequence of modes; it has to be that of every start."""
     many = runners.runners_about_the_gait(swing_clamp=swing_clamp)
     assert many.swing_clamp is swing_clamp
-    ends, _ = ensemble.run_ensemble([many.case], many.starts, max_strides=1)
+    ends = Batch(many.runner, many.starts).run(1)
     assert len(np.unique(ends["word_code"])) == 1 and (ends["strides"] == 1).all()
 
 

@@ -7,10 +7,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 from conftest import CLAMPED
-from tdmf_slip import InputError, Runner, continue_branch
+from tdmf_slip import Batch, InputError, Runner, continue_branch
 from tdmf_slip.analysis.continuation import gaits_over
 from tdmf_slip.library.binding import c, ffi
-from tdmf_slip.library.ensemble import FATES, run_ensemble
+from tdmf_slip.library.engine import FATES
 from tdmf_slip.pictures.branch_diagram import figure_of, values_of
 from tdmf_slip.variables.parameters import read_parameters
 from tdmf_slip.variables.table import FRICTION
@@ -218,8 +218,7 @@ def test_a_word_border_is_where_plain_strides_change_their_word(preset, name, be
             words.append(word)
     assert all(gait.stable for gait in gaits) and [gait.word for gait in gaits] == words
     starts = [gait.apex + 1e-3 * gait.runner.scales for gait in gaits]
-    cases = [gait.runner for gait in gaits]
-    ends, _ = run_ensemble(cases, starts, range(len(cases)), max_strides=STRIDES)
+    ends = Batch([gait.runner for gait in gaits], starts).run(STRIDES)
     assert ends["strides"].tolist() == [STRIDES] * len(gaits)
     assert ends["word_code"].tolist() == [code_of(word) for word in words]
     for gait, apex in zip(gaits, ends["apex"], strict=True):
@@ -234,9 +233,9 @@ def test_the_fast_humans_fold_is_where_plain_strides_lose_the_gait():
     fold = one(branch, "fold")
     before = next(gait for gait in branch.gaits[fold.index :: -1] if gait.lambda_max < 0.97)
     gait = next(gaits_over(human, FRICTION, [fold.value + 1e-3], before))
-    cases = [gait.runner, human.replace({FRICTION: fold.value - 1e-3})]
+    runners = [gait.runner, human.replace({FRICTION: fold.value - 1e-3})]
     starts = [gait.apex + 1e-4 * human.scales, fold.gait.apex]
-    ends, _ = run_ensemble(cases, starts, [0, 1], max_strides=STRIDES)
+    ends = Batch(runners, starts).run(STRIDES)
     assert ends["strides"][0] == STRIDES and apart(human, ends["apex"][0], gait.apex) < 1e-6
     assert FATES[ends["fate"][1]] == "fell"
 

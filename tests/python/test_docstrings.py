@@ -68,7 +68,7 @@ def test_arguments_that_are_told_are_those_that_there_are():
 
 
 # What users reach by its module, or as an attribute of what is at the top.
-CALLED_BY_MODULE = {"RoughGround", "read_parameters", "read_heights", "run_ensemble"}
+CALLED_BY_MODULE = {"RoughGround", "read_parameters", "read_heights", "Table"}
 
 
 def test_internal_functions_have_a_docstring_without_sections():

@@ -85,14 +85,12 @@ def test_a_function_names_what_is_missing(extra, call):
 def test_gaits_runs_sweeps_branches_ensembles_and_feedback_need_no_extra():
     program = """
 import tdmf_slip
-from tdmf_slip.library.ensemble import run_ensemble
 gait = tdmf_slip.find_gait({"ground.friction": 0.43})
 print(gait.word)
 print(tdmf_slip.simulate({}, strides=1).stride["word"])
 print(len(tdmf_slip.sweep({}, {"ground.friction": [0.6, 0.7]}).gaits))
 print(len(tdmf_slip.continue_branch({}, {"ground.friction": (0.6, 0.61)}).gaits) > 1)
-ends, _ = run_ensemble([{"ground.friction": 0.43}], [gait.apex], max_strides=2)
-print(ends["strides"][0])
+print(tdmf_slip.Batch(gait).run(2).strides)
 print(tdmf_slip.basin(gait, n=2)["fate"].shape)
 print(tdmf_slip.stride_map(gait, gait.apex, strides=2).closed)
 print(len(tdmf_slip.simulate_many([{}, {}], strides=1)["word"]))

@@ -5,7 +5,8 @@ import numpy as np
 import pytest
 import tdmf_slip
 from conftest import CLAMPED
-from tdmf_slip.library import ensemble
+from tdmf_slip import Batch
+from tdmf_slip.library.engine import instruction_sets
 from tdmf_slip.library.section import COORDINATES
 from test_further_gaits import start_of
 
@@ -101,15 +102,15 @@ def test_no_solver_jumps_over_the_layer(friction, ratio, interface, method, tole
     assert interface == "ModelExchange" or rows["solver.layer_steps"][-1] > 0
 
 
-@pytest.mark.parametrize("instructions", ensemble.instruction_sets())
+@pytest.mark.parametrize("instructions", instruction_sets())
 def test_the_engine_counts_the_steps_in_the_layer(instructions):
     runner, apex = runner_and_apex(0.3, 2.0)
     counted = []
     for velocity in (0.0, SMALLEST):
-        case = ensemble.Case(runner | {"ground.stribeck_velocity": velocity})
-        _, work = ensemble.run_ensemble([case], [apex], max_strides=1, instructions=instructions)
-        counted.append(work.layer_steps)
-        assert work.layer_steps < work.steps
+        batch = Batch(runner | {"ground.stribeck_velocity": velocity}, [apex], instructions=instructions)
+        work = batch.run(1).attributes["work_done"]
+        counted.append(work["layer_steps"])
+        assert work["layer_steps"] < work["steps"]
     assert counted[0] == 0 < 10 < counted[1]
 
 

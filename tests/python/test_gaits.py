@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 import xarray
 from conftest import CLAMPED, reference_gaits
-from tdmf_slip import InputError, RunError, Runner, find_gait
+from tdmf_slip import Batch, InputError, RunError, Runner, find_gait
 from tdmf_slip.analysis import grid as grids
 from tdmf_slip.analysis import sweep as sweeps
 from tdmf_slip.analysis.borders import borders_between
@@ -21,8 +21,8 @@ from tdmf_slip.analysis.sweep import sweep
 from tdmf_slip.analysis.tracing import trace
 from tdmf_slip.blocks import InTurn
 from tdmf_slip.cli.ranges import values_of
-from tdmf_slip.library import ensemble
 from tdmf_slip.library.binding import c, ffi
+from tdmf_slip.library.engine import FATES
 from tdmf_slip.library.return_map import stride_from
 from tdmf_slip.library.word import LETTERS
 from tdmf_slip.paper import reference_gaits as reference
@@ -405,8 +405,7 @@ def test_trouble_of_the_solver_is_not_called_a_fall():
         with pytest.raises(RunError, match=r"too stiff|no step") as trouble:
             search()
         assert "fell" not in str(trouble.value)
-    ends, _ = ensemble.run_ensemble([ensemble.Case(stiff)], np.array([apex]), max_strides=3)
-    assert ensemble.FATES[ends["fate"][0]] == "unsolved"
+    assert FATES[Batch(stiff, apex).run(3).fate] == "unsolved"
 
 
 @pytest.mark.parametrize("model", ["full", "reduced"])

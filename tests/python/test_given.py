@@ -13,7 +13,6 @@ from conftest import HANGS
 from tdmf_slip import InputError, RunError
 from tdmf_slip.analysis import continuation, fates, stability
 from tdmf_slip.fmu import batch
-from tdmf_slip.library import ensemble
 from tdmf_slip.library.section import COORDINATES
 from tdmf_slip.variables.parameters import read_parameters
 
@@ -92,12 +91,12 @@ SAME = {
         lambda gait: pandas.DataFrame([gait.apex, gait.apex], columns=COORDINATES)[BACKWARD],
     ),
     "starts by their columns": (
-        lambda given, gait: ensemble.run_ensemble([GIVEN], given(gait), max_strides=1)[0]["apex"],
+        lambda given, gait: tdmf_slip.Batch(GIVEN, given(gait)).run(1).apex,
         lambda gait: [gait.apex, gait.apex],
         lambda gait: pandas.DataFrame([gait.apex, gait.apex], columns=COORDINATES)[BACKWARD],
     ),
-    "cases": (
-        lambda given, gait: ensemble.run_ensemble(given, [gait.apex], max_strides=2)[0]["apex"],
+    "runners": (
+        lambda given, gait: tdmf_slip.Batch(given, gait.apex[None]).run(2).apex,
         [GIVEN],
         pandas.DataFrame([GIVEN]),
     ),
@@ -172,7 +171,7 @@ HALF = np.broadcast_to(0.5, 10**9)
 REFUSED = {
     "stride_map": (
         lambda gait: tdmf_slip.stride_map(GIVEN, MANY),
-        r"apices: 6,000,000,000 .*up to 100,000,000",
+        r"runners: 1,000,000,000 runners; allowed: up to 10,000,000",
     ),
     "strides in all": (
         lambda gait: tdmf_slip.stride_map(GIVEN, [gait.apex] * 100, strides=10**6),
@@ -186,14 +185,14 @@ REFUSED = {
         lambda gait: tdmf_slip.stride_map({}, gait.apex, strides=10**6, inputs={TORQUE: HALF}),
         r"1,000,000,000 numbers; allowed: up to",
     ),
-    "run_ensemble": (
-        lambda gait: ensemble.run_ensemble([GIVEN], MANY, max_strides=1),
-        r"apices: 1,000,000,000 runners; allowed: up to 10,000,000",
+    "a batch": (
+        lambda gait: tdmf_slip.Batch(GIVEN, MANY),
+        r"runners: 1,000,000,000 runners; allowed: up to 10,000,000",
     ),
-    "fates": (lambda gait: fates.fates(GIVEN, gait.apex, MANY), r"starts: 1,000,000,000 .*up to"),
-    "gaits of a case": (
-        lambda gait: ensemble.run_ensemble([ensemble.Case(GIVEN, MANY)], [gait.apex], max_strides=1),
-        r"gaits: 6,000,000,000 .*up to",
+    "fates": (lambda gait: fates.fates(GIVEN, gait.apex, MANY), r"runners: 1,000,000,000 .*up to"),
+    "gaits to settle on": (
+        lambda gait: tdmf_slip.Batch(GIVEN, gait.apex).run(1, MANY),
+        r"until: 6,000,000,000 .*up to",
     ),
     "basin": (
         lambda gait: tdmf_slip.basin(GIVEN, n=100_000),
@@ -216,7 +215,7 @@ REFUSED = {
         "model array.*allowed",
     ),
     "an array for instructions": (
-        lambda gait: ensemble.run_ensemble([{}], [gait.apex], max_strides=1, instructions=np.zeros(2)),
+        lambda gait: tdmf_slip.Batch({}, gait.apex, instructions=np.zeros(2)),
         "instructions array.*allowed",
     ),
     "a number for a name": (lambda gait: tdmf_slip.sweep({}, {3: [0.5]}), "vary 3 is not allowed"),

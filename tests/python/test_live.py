@@ -33,7 +33,7 @@ from selenium.webdriver.common.by import By
 from selenium.webdriver.support.select import Select
 from tdmf_slip.analysis.basin import range_around
 from tdmf_slip.analysis.fates import fates
-from tdmf_slip.library.ensemble import FATES
+from tdmf_slip.library.engine import FATES
 from tdmf_slip.library.members import INPUTS, PARAMETERS, names_of
 from tdmf_slip.pictures import style
 from tdmf_slip.variables.parameters import preset_names, read_parameters

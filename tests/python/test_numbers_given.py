@@ -11,7 +11,7 @@ from tdmf_slip import InputError, Profile, simulate
 from tdmf_slip.analysis.search import periodic_gait
 from tdmf_slip.fitting.measurements import measurements_of, read_measurements
 from tdmf_slip.fmu.inputs import read_tables
-from tdmf_slip.library.rough_ground import read_heights
+from tdmf_slip.library.ground import read_heights
 from tdmf_slip.variables.parameters import read_parameters
 
 FRICTION = "ground.friction"

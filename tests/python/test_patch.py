@@ -122,11 +122,19 @@ def test_where_a_foot_lands_decides():
         lambda: tdmf_slip.stride_map(
             PATCH | {"ground.patch_end": [12.45, 12.52]}, [[1.4, 1.05]] * 2, model="reduced"
         ),
-        lambda: tdmf_slip.library.ensemble.run_ensemble(
-            [tdmf_slip.library.ensemble.Case(PATCH, [RUNS[0]["apex"]])], [RUNS[0]["apex"]], max_strides=1
-        ),
+        lambda: tdmf_slip.Batch(PATCH, RUNS[0]["apex"]).run(1, RUNS[0]["apex"]),
+        lambda: tdmf_slip.Batch(PATCH, RUNS[0]["apex"]).stride(),
     ],
-    ids=["gait", "reduced gait", "sweep", "basin", "reduced strides", "one of many", "ensemble with a gait"],
+    ids=[
+        "gait",
+        "reduced gait",
+        "sweep",
+        "basin",
+        "reduced strides",
+        "one of many",
+        "run to a gait",
+        "stride",
+    ],
 )
 def test_what_has_no_foot_x_refuses_a_patch(refused):
     with pytest.raises(tdmf_slip.InputError, match=r"ground\.patch_end = 12\.52"):

@@ -8,8 +8,7 @@ import pytest
 from conftest import CLAMPED
 from tdmf_slip import InputError, Runner, find_gait, simulate, sweep
 from tdmf_slip.library.gait import gait_near
-from tdmf_slip.library.measures import MEASURES
-from tdmf_slip.library.quantities import quantities_of, scales_of
+from tdmf_slip.library.quantities import MEASURES, quantities_of, scales_of
 from tdmf_slip.library.varied_stride import varied_stride
 from tdmf_slip.variables.parameters import read_parameters
 from tdmf_slip.variables.table import MODELS

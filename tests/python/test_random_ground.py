@@ -2,9 +2,9 @@
 
 import numpy as np
 import pytest
-from tdmf_slip import InputError, find_gait, stride_map, strides_to_fall
-from tdmf_slip.library.ensemble import FATES, Case, run_ensemble
-from tdmf_slip.library.rough_ground import RoughGround, correlated_weights, spectrum_weights
+from tdmf_slip import Batch, InputError, find_gait, stride_map, strides_to_fall
+from tdmf_slip.library.engine import FATES
+from tdmf_slip.library.ground import RoughGround, correlated_weights, spectrum_weights
 
 RUNNERS, STRIDES = 24, 5
 FELL = FATES.index("fell")
@@ -17,7 +17,7 @@ def gait():
 
 def runs(gait, ground, runners=RUNNERS, strides=STRIDES, **how):
     starts = np.tile(gait.apex, (runners, 1))
-    return run_ensemble([Case(gait.runner, ground=ground)], starts, max_strides=strides, **how)[0]
+    return Batch(gait.runner, starts, ground, **how).run(strides)
 
 
 def given(gait, name, values, first_steps=0.0):
@@ -110,11 +110,7 @@ def test_what_makes_no_sense_is_refused(arguments):
 def test_friction_is_drawn_in_the_full_model_only():
     reduced = find_gait({"ground.friction": 0.6}, model="reduced")
     with pytest.raises(InputError):
-        run_ensemble(
-            [Case(reduced.runner, ground=RoughGround(friction_spread=0.1))],
-            np.tile(reduced.apex, (2, 1)),
-            max_strides=2,
-        )
+        Batch(reduced, reduced.apex, RoughGround(friction_spread=0.1))
 
 
 def test_the_command_knows_of_it(command):

@@ -6,12 +6,11 @@ import pickle
 
 import numpy as np
 import pytest
-from tdmf_slip import InputError, RunError, Runner, basin, find_gait, sweep
+from tdmf_slip import Batch, InputError, RunError, Runner, basin, find_gait, sweep
 from tdmf_slip.analysis import borders, volume
 from tdmf_slip.analysis.stability import stability
 from tdmf_slip.analysis.tracing import trace
-from tdmf_slip.library import ensemble
-from tdmf_slip.library.ensemble import run_ensemble
+from tdmf_slip.library.engine import FATES
 from tdmf_slip.library.return_map import stride_from
 from tdmf_slip.library.section import COORDINATES, REDUCED
 
@@ -98,12 +97,12 @@ def test_a_branch_is_followed_in_the_plane():
 def test_runners_by_the_map_end_where_strides_in_turn_lead():
     runner = reduced()
     start = np.add(GAITS[2]["apex"], [0.1, -0.1])
-    ends, _ = run_ensemble([runner], [start, [0.3, 1.0]], max_strides=5, tolerance=1e-12)
+    ends = Batch(runner, [start, [0.3, 1.0]], tolerance=1e-12).run(5)
     apex = start
     for _ in range(5):
         apex, _, _ = stride_from(runner, apex, "ground.friction")
     assert ends["apex"][0, :2] == pytest.approx(apex, abs=1e-9)
-    assert [ensemble.FATES[fate] for fate in ends["fate"]] == ["undecided", "no_start"]
+    assert [FATES[fate] for fate in ends["fate"]] == ["undecided", "no_start"]
 
 
 PLANE = {"com_height": (0.8, 3.0), "com_speed": (0.2, 2.0)}
@@ -142,9 +141,9 @@ def test_what_makes_no_sense_is_refused(command):
     with pytest.raises(InputError, match="com_height, com_speed"):
         find_gait(guess=np.ones(6), model="reduced")
     with pytest.raises(InputError, match="all by one of them"):
-        run_ensemble([Runner(), reduced()], [[1.0, 1.0]], max_strides=1)
+        Batch([Runner(), reduced()], [[1.0, 1.0]])
     with pytest.raises(InputError, match="rows of com_height, com_speed"):
-        run_ensemble([reduced()], np.ones((1, 6)), max_strides=1)
+        Batch(reduced(), np.ones((1, 6)))
     with pytest.raises(RunError, match="there is no apex above the ground"):
         find_gait(guess=[0.3, 1.0], model="reduced")
     status, said, problem = command(

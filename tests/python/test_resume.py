@@ -7,7 +7,7 @@ from tdmf_slip import InputError, Runner
 from tdmf_slip.analysis import basin, grid
 from tdmf_slip.files.resume import refuse_resumable, resumed, same_values
 from tdmf_slip.library.gait import LEDGER
-from tdmf_slip.library.measures import STRIDE_QUANTITIES
+from tdmf_slip.library.quantities import STRIDE_QUANTITIES
 from tdmf_slip.library.section import COORDINATES
 from tdmf_slip.variables.table import VARIABLES
 

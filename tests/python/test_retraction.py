@@ -3,10 +3,9 @@
 import numpy as np
 import pytest
 from conftest import CLAMPED
-from tdmf_slip import Runner, find_gait
+from tdmf_slip import Batch, Runner, find_gait
 from tdmf_slip.analysis.bifurcations import PERIOD_DOUBLING
 from tdmf_slip.analysis.tracing import trace
-from tdmf_slip.library.ensemble import run_ensemble
 from tdmf_slip.paper.figures import leading
 
 RATE = "hip.retraction_rate"
@@ -21,10 +20,10 @@ def branch():
 
 def heights(runner, apex):
     """They are those of the apices of four strides, after many others."""
-    ends, _ = run_ensemble([runner], apex[None], max_strides=1000)
+    ends = Batch(runner, apex[None]).run(1000)
     found = []
     for _ in range(4):
-        ends, _ = run_ensemble([runner], ends["apex"], max_strides=1)
+        ends = Batch(runner, ends.apex).run(1)
         found.append(ends["apex"][0, 0])
     return np.array(found)
 

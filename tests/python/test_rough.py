@@ -8,10 +8,10 @@ import numpy as np
 import pytest
 import tdmf_slip
 from fmpy.fmi3 import FMU3Slave
-from tdmf_slip import InputError, Runner, find_gait, strides_to_fall
+from tdmf_slip import Batch, InputError, Runner, find_gait, strides_to_fall
 from tdmf_slip.analysis.first_passage import FirstPassage
-from tdmf_slip.library.ensemble import FATES, Case, run_ensemble
-from tdmf_slip.library.rough_ground import RoughGround
+from tdmf_slip.library.engine import FATES
+from tdmf_slip.library.ground import RoughGround
 
 RUNNERS, STRIDES = 100, 8
 GROUND = RoughGround(0.5, 5)
@@ -82,19 +82,16 @@ class Slave:
 def test_a_hundred_runners_meet_the_steps_that_the_unit_meets(gait, tmp_path):
     fmu = str(tdmf_slip.fmu_path(fmi=3))
     folder, description = fmpy.extract(fmu, str(tmp_path)), fmpy.read_model_description(fmu)
-    case = Case(Runner(gait.runner), ground=GROUND)
-    starts = np.tile(gait.apex, (RUNNERS, 1))
-    ends = [run_ensemble([case], starts, max_strides=n + 1, tolerance=1e-11)[0] for n in range(STRIDES)]
+    batch = Batch(gait.runner, np.tile(gait.apex, (RUNNERS, 1)), GROUND, tolerance=1e-11)
+    ends = [batch.run(n + 1) for n in range(STRIDES)]
     fallen = compared = 0
     for number in range(RUNNERS):
         apices = Slave(description, folder).apices(gait.start_values, GROUND.steps(number, STRIDES))
         assert len(apices) == ends[-1]["strides"][number]
         fallen += ends[-1]["fate"][number] == FELL
         for end, (time, height, speed) in zip(ends, apices, strict=False):
-            found = end[number]
-            np.testing.assert_allclose(
-                [found["time"], *found["apex"][:2]], [time, height, speed], rtol=1e-7, atol=1e-7
-            )
+            found = [end.time[number], *end.apex[number, :2]]
+            np.testing.assert_allclose(found, [time, height, speed], rtol=1e-7, atol=1e-7)
             compared += 1
     assert 0 < fallen < RUNNERS
     assert compared == ends[-1]["strides"].sum()

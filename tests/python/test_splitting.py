@@ -8,7 +8,7 @@ from tdmf_slip import InputError, Runner, rare_falls, strides_to_fall
 from tdmf_slip.analysis.factors import factor_of
 from tdmf_slip.analysis.first_passage import FirstPassage
 from tdmf_slip.analysis.splitting import levels_of, rare_event, resampled
-from tdmf_slip.library.rough_ground import RoughGround, correlated_weights, spectrum_weights
+from tdmf_slip.library.ground import RoughGround, correlated_weights, spectrum_weights
 
 
 class RimlessWheel:

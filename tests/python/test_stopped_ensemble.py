@@ -7,9 +7,9 @@ import sys
 import numpy as np
 import pytest
 from conftest import HANGS
-from tdmf_slip import find_gait
+from tdmf_slip import Batch, find_gait
 from tdmf_slip.errors import StoppedError
-from tdmf_slip.library import ensemble
+from tdmf_slip.library.engine import FELL, STOPPED
 
 BETWEEN = 0.02
 """Seconds between looks whether the engine runs."""
@@ -20,9 +20,8 @@ INTERRUPTED = """
 import signal
 
 import numpy as np
-from tdmf_slip import find_gait
+from tdmf_slip import Batch, find_gait
 from tdmf_slip import uninterrupted
-from tdmf_slip.library import ensemble
 
 gait = find_gait({"ground.friction": 0.6})
 starts = np.tile(gait.apex, (10_000, 1))
@@ -46,7 +45,7 @@ for _ in range(20):
     left = 20
     signal.setitimer(signal.ITIMER_REAL, 1e-4, 1e-4)
     try:
-        ensemble.run_ensemble([gait.runner], starts, max_strides=2**31 - 1, threads=2)
+        Batch(gait, starts, threads=2).run(2**31 - 1)
     except KeyboardInterrupt:
         stopped += 1
 signal.setitimer(signal.ITIMER_REAL, 0.0)
@@ -91,17 +90,13 @@ def test_an_interrupt_ends_runs_that_have_no_end(instructions):
     starts[::2, 3] = -1.2
     starts[::2, 0] = 0.6
     with pytest.raises(StoppedError) as stopped:
-        ensemble.run_ensemble(
-            [gait.runner], starts, max_strides=2**31 - 1, threads=2, instructions=instructions
-        )
+        Batch(gait, starts, threads=2, instructions=instructions).run(2**31 - 1)
     assert isinstance(stopped.value, KeyboardInterrupt)
     ends = stopped.value.ends
-    fell, not_complete = ends["fate"] == ensemble.FATES.index("fell"), ends["fate"] == ensemble.STOPPED
+    fell, not_complete = ends["fate"] == FELL, ends["fate"] == STOPPED
     assert (fell | not_complete).all()
     assert fell[::2].any() and not fell[1::2].any() and len(ends) < len(starts)
-    whole, _ = ensemble.run_ensemble(
-        [gait.runner], starts[: len(ends)][fell], max_strides=10, threads=1, instructions=instructions
-    )
+    whole = Batch(gait, starts[: len(ends)][fell], threads=1, instructions=instructions).run(10)
     for name in ("fate", "strides", "word_code"):
         np.testing.assert_array_equal(ends[fell][name], whole[name])
     assert not_complete.any()

@@ -9,7 +9,7 @@ import sys
 import numpy as np
 import pytest
 import tdmf_slip
-from tdmf_slip.library.recorded_strides import STRIDE_FATES
+from tdmf_slip.library.batch_tables import STRIDE_FATES
 
 EXAMPLES = pathlib.Path(__file__).resolve().parents[2] / "examples"
 

@@ -9,11 +9,11 @@ import xarray
 from tdmf_slip import AffineLaw, InputError, RunError, Runner, Strides, find_gait, stride_map
 from tdmf_slip.analysis import stride_map as module
 from tdmf_slip.blocks import InTurn
-from tdmf_slip.library.ensemble import instruction_sets
+from tdmf_slip.library.batch_tables import STRIDE_FATES
+from tdmf_slip.library.engine import instruction_sets
 from tdmf_slip.library.gait import LEDGER
-from tdmf_slip.library.measures import STRIDE_QUANTITIES
-from tdmf_slip.library.recorded_strides import STRIDE_FATES
-from tdmf_slip.library.rough_ground import RoughGround
+from tdmf_slip.library.ground import RoughGround
+from tdmf_slip.library.quantities import STRIDE_QUANTITIES
 from tdmf_slip.library.settings import SETTINGS
 from tdmf_slip.library.strides import strides_from
 
@@ -43,7 +43,7 @@ def function_of(law, noise=lambda stride: 0.0):
     """The same with NumPy, in the order of the engine's sum."""
     calls = []
 
-    def function(apices):
+    def function(apices, stride_number):
         deviation = apices + noise(len(calls)) - np.array(law.apex)
         calls.append(len(apices))
         values = {}
@@ -223,7 +223,7 @@ def test_a_law_that_is_told_what_the_ground_does_sees_it_before_it_steps(gait, s
     steps = np.array([RoughGround(0.05, 3).steps(number, 2) for number in range(RUNNERS)])
     seen = []
 
-    def look(apices):
+    def look(apices, stride_number):
         seen.append(apices.copy())
         return {ANGLE: gait.runner[ANGLE]}
 
@@ -342,7 +342,7 @@ def test_the_reduced_map_has_laws_too():
     nominal = gait.runner[ANGLE]
     law = AffineLaw([ANGLE], gait.apex, [nominal], [[0.2, -0.1]], [nominal - 0.004], [nominal + 0.004])
 
-    def function(apices):
+    def function(apices, stride_number):
         deviation = apices - np.array(law.apex)
         value = (nominal + law.gain[0][0] * deviation[:, 0]) + law.gain[0][1] * deviation[:, 1]
         return {ANGLE: np.clip(value, law.low[0], law.high[0])}
@@ -405,7 +405,7 @@ def test_a_law_that_gives_what_is_no_setting_is_told(gait, starts):
     def gives(value, at=1, of=4):
         calls = []
 
-        def law(apices):
+        def law(apices, stride_number):
             calls.append(None)
             angles = np.full(len(apices), 0.7)
             if len(calls) > at:
@@ -418,17 +418,20 @@ def test_a_law_that_gives_what_is_no_setting_is_told(gait, starts):
     refused(f"law: stride 1: runner 4: hip.touchdown_angle = nan {allowed}", gives(np.nan))
     refused(f"law: stride 2: runner 0: hip.touchdown_angle = 2 {allowed}", gives(2.0, 2, 0))
     refused(
-        "law: stride 0: hip.kp of shape (2,); allowed: (30,), or one for all", lambda _: {"hip.kp": [1, 2]}
+        "law: stride 0: hip.kp of shape (2,); allowed: (30,), or one for all", lambda *_: {"hip.kp": [1, 2]}
     )
-    refused("law: gravity cannot change in a run", lambda _: {"gravity": 1})
+    refused("law: gravity cannot change in a run", lambda *_: {"gravity": 1})
     refused(
-        "law: stride 0: what it gives = 3 is not allowed; allowed: numbers or arrays by name", lambda _: 3
+        "law: stride 0: what it gives = 3 is not allowed; allowed: numbers or arrays by name", lambda *_: 3
     )
-    refused("law = 3 is not allowed; allowed: a function of apices, or an AffineLaw", 3)
-    refused("law: hip.kp is in the inputs, too", lambda _: {"hip.kp": 1}, inputs={"hip.kp": 1})
+    refused(
+        "law = 3 is not allowed; allowed: a function of apices and the number of the stride, or an AffineLaw",
+        3,
+    )
+    refused("law: hip.kp is in the inputs, too", lambda *_: {"hip.kp": 1}, inputs={"hip.kp": 1})
     refused("law: hip.touchdown_angle is in the inputs, too", law_of(gait), inputs={ANGLE: 0.7})
-    refused("law: ground.height on rough ground", lambda _: {"ground.height": 0}, roughness=0.1)
-    refused("executor is not allowed with a law that is a function", lambda _: {}, executor=InTurn())
+    refused("law: ground.height on rough ground", lambda *_: {"ground.height": 0}, roughness=0.1)
+    refused("executor is not allowed with a law that is a function", lambda *_: {}, executor=InTurn())
 
 
 def test_what_a_law_gives_for_who_has_fallen_does_not_matter(gait, starts):
@@ -436,7 +439,7 @@ def test_what_a_law_gives_for_who_has_fallen_does_not_matter(gait, starts):
         gait.runner,
         starts,
         strides=STRIDES,
-        law=lambda apices: {ANGLE: np.where(np.isnan(apices[:, 0]), np.nan, 0.698)},
+        law=lambda apices, stride_number: {ANGLE: np.where(np.isnan(apices[:, 0]), np.nan, 0.698)},
         roughness=0.6,
     )
     fell = (found["fate"] == FELL)[:, -1]

@@ -9,8 +9,7 @@ import tdmf_slip
 import xarray
 from conftest import reference_gaits, release, some_of
 from scipy_strides import Stride
-from tdmf_slip import InputError, Runner, find_gait, stride_map, sweep
-from tdmf_slip.library.ensemble import Case, run_ensemble
+from tdmf_slip import Batch, InputError, Runner, find_gait, stride_map, sweep
 
 CLAMP = "hip.swing_clamp"
 REFERENCE = json.loads(pathlib.Path(__file__).with_name("free_swing.json").read_text(encoding="utf-8"))
@@ -166,7 +165,7 @@ def test_runners_of_both_readings_run_in_one_ensemble():
         np.testing.assert_allclose(found["next_apex"][number], alone["next_apex"][0], atol=1e-12)
         assert (found["word"][number] == alone["word"][0]).all()
     assert found[CLAMP].tolist() == clamps and CLAMP not in found.attributes
-    ends, _ = run_ensemble([Case(runner) for runner in runners], apices, np.arange(4), max_strides=3)
+    ends = Batch(runners, apices).run(3)
     np.testing.assert_allclose(ends["apex"], found["next_apex"][:, -1], atol=1e-7)
 
 

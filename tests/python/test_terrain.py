@@ -4,10 +4,10 @@ import json
 
 import numpy as np
 import pytest
-from tdmf_slip import InputError, find_gait, stride_map, strides_to_fall
+from tdmf_slip import Batch, InputError, find_gait, stride_map, strides_to_fall
 from tdmf_slip.analysis.rare_falls import rare_falls
-from tdmf_slip.library.ensemble import FATES, Case, instruction_sets, run_ensemble
-from tdmf_slip.library.rough_ground import RoughGround, correlated_weights, read_heights, spectrum_weights
+from tdmf_slip.library.engine import FATES, instruction_sets
+from tdmf_slip.library.ground import RoughGround, correlated_weights, read_heights, spectrum_weights
 
 FELL, UNDECIDED = FATES.index("fell"), FATES.index("undecided")
 TOUCHDOWN, LIFTOFF = 13.8292, 14.0363
@@ -22,7 +22,11 @@ def gait():
 def runs(gait, ground, runners=1, strides=3, **how):
     starts = np.tile(gait.apex, (runners, 1))
     how = {"tolerance": 1e-11, **how}
-    return run_ensemble([Case(gait.runner, ground=ground)], starts, max_strides=strides, **how)[0]
+    return Batch(gait.runner, starts, ground, **how).run(strides)
+
+
+def one_run(gait, ground, strides=3):
+    return Batch(gait.runner, gait.apex, ground, tolerance=1e-11).run(strides)
 
 
 def by_stride(gait, heights):
@@ -37,14 +41,15 @@ def by_stride(gait, heights):
 def test_segments_without_heights_change_no_bit(gait, length):
     level = runs(gait, RoughGround(), strides=10)
     segments = runs(gait, RoughGround(segment_length=length), strides=10)
-    assert level.tobytes() == segments.tobytes()
+    for name in level:
+        np.testing.assert_array_equal(level[name], segments[name], err_msg=name)
 
 
 @pytest.mark.parametrize("step", [-0.2, 0.1, 0.3])
 def test_a_step_at_a_place_is_that_of_the_stride_that_meets_it(gait, step):
     """The edge at 20 m is passed high above it, on the way to the second landing."""
     ground = RoughGround(segment_length=20.0, heights=(0.0, step, step))
-    on_terrain = runs(gait, ground, strides=2)[0]
+    on_terrain = one_run(gait, ground, strides=2)
     # Both last apices are told above the upper ground.
     assert on_terrain["apex"] == pytest.approx(by_stride(gait, [0.0, step]), abs=1e-9)
 
@@ -56,7 +61,7 @@ def test_segments_as_long_as_strides_are_steps_by_stride(gait):
         heights = np.cumsum(steps.steps(runner, 5))
         # Runner 0 of the terrain begins on its first segment, which is its own level.
         ground = RoughGround(segment_length=length, heights=tuple(heights))
-        on_terrain = runs(gait, ground, strides=4)[0]
+        on_terrain = one_run(gait, ground, strides=4)
         # Apices are above an edge, and on which side of it tells only their height.
         assert on_terrain["apex"][1:] == pytest.approx(
             by_stride(gait, heights[:4] - heights[0])[1:], abs=1e-8
@@ -64,26 +69,26 @@ def test_segments_as_long_as_strides_are_steps_by_stride(gait):
 
 
 def test_the_segment_below_the_foot_counts_and_not_its_neighbour(gait):
-    level = runs(gait, RoughGround(), strides=1)[0]["apex"]
+    level = one_run(gait, RoughGround(), strides=1)["apex"]
     lower = (0.0, -0.1, -0.1, -0.1)
-    beyond = runs(gait, RoughGround(segment_length=TOUCHDOWN + 1e-3, heights=lower), strides=1)[0]["apex"]
-    before = runs(gait, RoughGround(segment_length=TOUCHDOWN - 1e-3, heights=lower), strides=1)[0]["apex"]
+    beyond = one_run(gait, RoughGround(segment_length=TOUCHDOWN + 1e-3, heights=lower), strides=1)["apex"]
+    before = one_run(gait, RoughGround(segment_length=TOUCHDOWN - 1e-3, heights=lower), strides=1)["apex"]
     assert beyond[1:] == pytest.approx(level[1:], abs=1e-9)
     assert abs(before[1] - level[1]) > 1e-4
 
 
 def test_an_edge_belongs_to_the_segment_ahead(gait):
     """The foot starts on the edge of segments 0 and -1, whose height is the last one given."""
-    start = runs(gait, RoughGround(segment_length=50.0, heights=(0.0, 0.4)), strides=1)[0]
-    assert start["apex"] == pytest.approx(runs(gait, RoughGround(), strides=1)[0]["apex"], abs=1e-12)
+    start = one_run(gait, RoughGround(segment_length=50.0, heights=(0.0, 0.4)), strides=1)
+    assert start["apex"] == pytest.approx(one_run(gait, RoughGround(), strides=1)["apex"], abs=1e-12)
 
 
 def test_a_foot_that_slips_over_an_edge_keeps_its_height(gait):
-    level = runs(gait, RoughGround(), strides=1)[0]["apex"]
+    level = one_run(gait, RoughGround(), strides=1)["apex"]
     length = 0.5 * (TOUCHDOWN + LIFTOFF)
     for height in (-0.1, 0.05):
         heights = (0.0, height, height, height)
-        slipped = runs(gait, RoughGround(segment_length=length, heights=heights), strides=1)[0]
+        slipped = one_run(gait, RoughGround(segment_length=length, heights=heights), strides=1)
         # The apex is above the segment below the foot, the second or third.
         assert slipped["apex"][0] == pytest.approx(level[0] - height, abs=1e-9)
         assert slipped["apex"][1:] == pytest.approx(level[1:], abs=1e-9)
@@ -97,10 +102,10 @@ def test_a_foot_that_slips_over_an_edge_keeps_its_height(gait):
 def test_a_foot_that_swings_into_a_face_trips_or_is_borne_by_the_segment_it_came_from(gait, length, falls):
     """Within 0.3 m of its touchdown the foot is below 0.1 m, 3 m before it is above."""
     heights = (0.0, 0.1, 0.1, 0.1)
-    trips = runs(gait, RoughGround(segment_length=length, heights=heights, trips=True), strides=1)[0]
+    trips = one_run(gait, RoughGround(segment_length=length, heights=heights, trips=True), strides=1)
     assert (trips["fate"] == FELL) == falls
-    passes = runs(gait, RoughGround(segment_length=length, heights=heights), strides=1)[0]
-    level = runs(gait, RoughGround(), strides=1)[0]["apex"]
+    passes = one_run(gait, RoughGround(segment_length=length, heights=heights), strides=1)
+    level = one_run(gait, RoughGround(), strides=1)["apex"]
     motion = passes["apex"][1:]
     assert (np.abs(motion - level[1:]).max() < 1e-9) == falls
 
@@ -141,12 +146,8 @@ def test_a_step_that_the_foot_reaches_and_the_centre_of_mass_does_not_is_met(gai
     """The runner falls upright while its leg swings forward over the edge at 1 m, from 0.9 m on."""
     apex = np.array([height, 0.0, 1.0, 0.4, 0.0, 0.0])
     ground = RoughGround(segment_length=1.0, heights=(0.0, 0.1, 0.1))
-    stepped, _ = run_ensemble(
-        [Case(gait.runner, ground=ground)], [apex], max_strides=1, foot_x=np.array([0.9]), tolerance=1e-11
-    )
-    level, _ = run_ensemble(
-        [Case(gait.runner)], [apex - [0.1, 0, 0, 0, 0, 0]], max_strides=1, tolerance=1e-11
-    )
+    stepped = Batch(gait.runner, apex, ground, foot_x=0.9, tolerance=1e-11).run(1)
+    level = Batch(gait.runner, apex - [0.1, 0, 0, 0, 0, 0], tolerance=1e-11).run(1)
     assert stepped["strides"] == level["strides"] == 1
     assert stepped["apex"] == pytest.approx(level["apex"], abs=1e-9)
 
@@ -197,12 +198,12 @@ def test_strides_to_fall_counts_on_it(gait):
 )
 def test_what_does_not_go_together_is_refused(gait, values, ground, words):
     with pytest.raises(InputError, match=words):
-        Case({**gait.runner, **values}, ground=RoughGround(**ground))
+        Batch({**gait.runner, **values}, gait.apex, RoughGround(**ground))
 
 
 def test_where_no_apex_comes_back_nothing_settles_and_nothing_is_split(gait):
     with pytest.raises(InputError, match="gaits on a terrain"):
-        Case(gait.runner, gaits=[gait.apex], ground=RoughGround(segment_length=1.0))
+        Batch(gait.runner, gait.apex, RoughGround(segment_length=1.0)).run(1, gait)
     with pytest.raises(InputError, match="segment_length"):
         rare_falls(gait.runner, RoughGround(0.1, segment_length=1.0), gait=gait)
 

@@ -7,8 +7,7 @@ import numpy as np
 import pytest
 import tdmf_slip
 from tdmf_slip import InputError
-from tdmf_slip.library.ensemble import ACCURACY
-from tdmf_slip.library.one_stride import next_apices
+from tdmf_slip.library.batch import ACCURACY
 from tdmf_slip.library.return_map import stride_from
 from tdmf_slip.viable_sets import boxes as boxes_module
 from tdmf_slip.viable_sets import transitions as transitions_module
@@ -121,6 +120,15 @@ def test_brute_force_finds_the_same_pairs(friction, vary):
         expected = brute.pairs(inner=name == "inner")
         assert set(zip(*map(np.ndarray.tolist, np.nonzero(pairs)), strict=True)) == expected, name
     assert 0 < found.inner.sum() < found.outer.sum() < found.outer.size
+
+
+def next_apices(runner, points, settings):
+    """Fates of single strides from points with settings of their own, 0 where one closed, and next apices."""
+    run = tdmf_slip.Batch(runner, points, inputs={name: row[:, None] for name, row in settings.items()}).run(
+        1
+    )
+    closed = run.strides == 1
+    return np.where(closed, 0, run.fate), np.where(closed[:, None], run.apex, np.nan)
 
 
 def random_points(grid, cells, count, seed):

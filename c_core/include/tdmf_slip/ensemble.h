@@ -142,9 +142,11 @@ typedef struct {
 
 /* Where a runner stands that has made the most strides, to go on from. */
 typedef struct {
-    bool stands;          /* else its run is over */
-    tdmf_motion motion;   /* at the apex */
-    double ground_height; /* m, that the ground has come to */
+    bool stands;           /* else its run is over */
+    tdmf_motion motion;    /* at the apex */
+    double ground_height;  /* m, that the ground has come to */
+    double friction;       /* in force: on a terrain that of the segment where the foot came down last */
+    double seen_x, seen_y; /* m, where the foot was when the terrain below it was looked at last */
 } tdmf_ensemble_checkpoint;
 
 /* What is to be run, and how. */
@@ -224,8 +226,8 @@ typedef struct {
  *   - heights of rough ground, or a friction that is drawn, are also settings;
  *   - a segment of terrain has a length that is not finite or below TDMF_MIN_SEGMENT l0, or a height that is
  *     not finite or beyond 1e9 m;
- *   - terrain comes with a slope, a push, gaits to settle on, checkpoints, the reduced map, or settings of
- *     height, slope or push;
+ *   - terrain comes with a slope, a push, gaits to settle on, the reduced map, or settings of height, slope
+ * or push;
  *   - a number of a law or a ball is beyond 1e100, or a law's limits are not a range;
  *   - a checkpoint to resume from has a contact or phase that is not an enumerator. */
 TDMF_API bool tdmf_run_ensemble(const tdmf_ensemble *ensemble, tdmf_ensemble_end *ends,

@@ -21,9 +21,9 @@ from numpy.typing import NDArray
 from ..checks import is_one_of, refusal
 from ..contents import ByContents
 from ..errors import InputError
-from ..library import ensemble
-from ..library.affine_law import AffineLaw
+from ..library.batch import NEAR, Batch
 from ..library.gait import Gait
+from ..library.laws import Law, is_noisy
 from .controlled_gait import jacobian_under
 
 POINTS = 10_000
@@ -66,7 +66,7 @@ class Ball(ByContents):
     """Shape (n, n): an apex is inside where ``|matrix (apex - gait)| <= 1``."""
     tolerance: float = TOLERANCE
     """Relative tolerance of a step by which runs come into the ball."""
-    near: float = ensemble.NEAR
+    near: float = NEAR
     """Distance from the gait, over the scales, at which a run counts as settled without the ball."""
 
     def attributes(self) -> dict[str, str | float | int]:
@@ -82,13 +82,13 @@ class Ball(ByContents):
 def pays(gait: Gait, starts: int) -> bool:
     """Whether a tested ball is likely to save more strides than its test takes."""
     slowest = min(max(gait.lambda_max, 1e-3), 1.0 - 1e-9)
-    saved = math.log(0.1 / ensemble.NEAR) / -math.log(slowest)
+    saved = math.log(0.1 / NEAR) / -math.log(slowest)
     return 0.5 * starts * saved > STRIDES * (POINTS + FIRST_POINTS * len(WIDTHS) * 10)
 
 
-def tested_ball(gait: Gait, law: AffineLaw | None = None) -> Ball | None:
+def tested_ball(gait: Gait, law: Law | None = None) -> Ball | None:
     """The largest of some balls in which the norm falls from every point that is tried."""
-    if gait.strides > 1 or (law is not None and law.is_noisy):
+    if gait.strides > 1 or is_noisy(law):
         return None
     scales = np.asarray(gait.runner.scales)[: len(gait.apex)]
     jacobian = gait.jacobian if law is None else jacobian_under(gait, law)
@@ -115,17 +115,17 @@ def tested_ball(gait: Gait, law: AffineLaw | None = None) -> Ball | None:
 class _Stride:
     """How the norm falls from points around a gait."""
 
-    def __init__(self, gait: Gait, law: AffineLaw | None, matrix: NDArray[np.float64]) -> None:
-        self.case = ensemble.Case(gait.runner, law=law)
+    def __init__(self, gait: Gait, law: Law | None, matrix: NDArray[np.float64]) -> None:
+        self.runner, self.law = gait.runner, law
         self.apex, self.matrix = np.asarray(gait.apex, dtype=float), matrix
 
     def rate(self, points: NDArray[np.float64]) -> float:
         """The largest ratio of norms, by stride; infinite where one does not close."""
         starts = self.apex + np.linalg.solve(self.matrix, points.T).T
-        ends, _ = ensemble.run_ensemble([self.case], starts, max_strides=STRIDES, tolerance=TOLERANCE)
-        if (ends["strides"] != STRIDES).any():
+        run = Batch(self.runner, starts, law=self.law, tolerance=TOLERANCE).run(STRIDES)
+        if (run.strides != STRIDES).any():
             return math.inf
-        after = (ends["apex"][:, : len(self.apex)] - self.apex) @ self.matrix.T
+        after = (run.apex - self.apex) @ self.matrix.T
         ratio = np.max(np.linalg.norm(after, axis=1) / np.linalg.norm(points, axis=1))
         return float(ratio ** (1.0 / STRIDES))
 
@@ -174,7 +174,7 @@ def cube_in(matrix: NDArray[np.float64]) -> float:
     return 1.0 / float(np.max(np.linalg.norm(corners @ matrix.T, axis=1)))
 
 
-def ball_of(gait: Gait, choice: Ball | str, starts: int, law: AffineLaw | None = None) -> Ball | None:
+def ball_of(gait: Gait, choice: Ball | str, starts: int, law: Law | None = None) -> Ball | None:
     """The ball that is asked for; a tested one only where it saves more than it costs."""
     if isinstance(choice, Ball):
         if choice.matrix.shape != (len(gait.apex),) * 2:

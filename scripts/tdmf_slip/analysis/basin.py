@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import dataclasses
 import functools
-import json
 import math
 from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import Executor
@@ -20,12 +19,11 @@ from ..errors import InputError
 from ..files.whole import check_destination
 from ..given import counts_given
 from ..labelled import Labelled
-from ..library.affine_law import AffineLaw
 from ..library.gait import Gait
+from ..library.laws import Law, is_noisy, text_of_law
 from ..library.runner import Runner
 from ..library.section import check_axes
 from ..library.shared_steps import shares_steps
-from ..record import without_record
 from ..terminal.progress import progress_bar
 from ..variables.parameters import RunnerLike
 from ..variables.table import VARIABLES
@@ -53,7 +51,7 @@ def basin(
     n: int | tuple[int, int] = 128,
     *,
     model: str | None = None,
-    law: AffineLaw | None = None,
+    law: Law | None = None,
     ball: Ball | str = "tested",
     refine: str = "exact",
     path: Path | str | None = None,
@@ -76,9 +74,9 @@ def basin(
         Starts along each of the axes, both ends included.
     model : str, optional
         `full` or `reduced`, as in `find_gait`.
-    law : AffineLaw, optional
-        By which settings are made anew at each apex; the gait is then the one near the law's apex, which the
-        law keeps as it is and has to make stable.
+    law : callable or AffineLaw, optional
+        What is set at each apex, see `Batch`. The gait is then the one that the law keeps as it is, of an
+        `AffineLaw` near its apex; the law has to make it stable.
     ball : {"tested", "none"} or Ball, default "tested"
         A start has settled as soon as it comes into a ball of attraction. By default the norm is tested to
         fall from 10,000 points of it, and it is made only where it saves more than it costs; with `none` a
@@ -99,7 +97,7 @@ def basin(
     Returns
     -------
     Basin
-        `fate`, a number of `library.ensemble.FATES`, and `strides_until_known`, that were closed until then,
+        `fate`, a number of `library.engine.FATES`, and `strides_until_known`, that were closed until then,
         over the two coordinates. How much of the slice settles: `settled_share` and, in the coordinates'
         units, `settled_area`. By which ball, its attributes say: `ball` ("tested", "proved" or "none"),
         `ball_radius` (every apex so near in each coordinate, over the scales, is inside), `ball_rate` (what
@@ -148,7 +146,7 @@ def basin_at(
     gait: Gait,
     values: Mapping[str, ArrayLike],
     *,
-    law: AffineLaw | None = None,
+    law: Law | None = None,
     ball: Ball | str = "tested",
     refine: str = "exact",
     path: Path | str | None = None,
@@ -163,15 +161,15 @@ def basin_at(
     _check_refine(refine, law)
     around = ball_of(gait, ball, len(rows) * len(columns), law)
     data = _blank(gait, along, refine).with_attributes(attributes_of(around))
+    plan = Slice(runner, tuple(gait.apex), data.axes, tuple(rows), tuple(columns), law=law, ball=around)
     if law is not None:
-        data = data.with_attributes({"law": json.dumps(without_record(law.as_json()))})
+        data = data.with_attributes({"law": text_of_law(law, plan.starts())})
     file = None
     if path is not None:
         from .basin_file import BasinFile  # xarray is slow to load, and an extra
 
         file = BasinFile(path)
         data = file.resumed(data)
-    plan = Slice(runner, tuple(gait.apex), data.axes, tuple(rows), tuple(columns), law=law, ball=around)
     blocks = functools.partial(run_blocks, executor=executor)
     if refine == PREVIEW:
         _paint(data, plan, blocks, progress)
@@ -193,10 +191,10 @@ def _blank(gait: Gait, along: Mapping[str, NDArray[np.float64]], refine: str) ->
     return data.with_arrays(**{FOLLOWED: Labelled(data.axes, nowhere, about)})
 
 
-def _check_refine(refine: str, law: AffineLaw | None) -> None:
+def _check_refine(refine: str, law: Law | None) -> None:
     if not is_one_of(refine, REFINEMENTS):
         raise refusal("refine", refine, ", ".join(REFINEMENTS))
-    if refine == PREVIEW and law is not None and law.is_noisy:
+    if refine == PREVIEW and is_noisy(law):
         raise InputError("refine = 'preview' with a law that has noise: allowed: 'exact'")
 
 
@@ -225,9 +223,8 @@ def _follow_rows(
         blocks(fates_of_slice, parts) as results,
     ):
         bar.update(len(plan.rows) - len(missing))
-        for number, ends in results:
-            data["fate"][rows[number]] = ends["fate"]
-            data[STRIDES][rows[number]] = ends["strides"]
+        for number, found in results:
+            data["fate"][rows[number]], data[STRIDES][rows[number]] = found
             bar.update(len(rows[number]))
             if file is not None:
                 file.write_rows(data, rows[number])

@@ -9,13 +9,13 @@ from ..errors import InputError
 from ..files.netcdf import CLASSIC, write_dataset
 from ..files.resume import resumed
 from ..files.rows import RowFile
-from ..library import ensemble
+from ..library.engine import FATES
 from .basin_result import NOT_YET, STRIDES, Basin
 from .fates import MAX_STRIDES
 
 STRIDES_OF_FATES: Mapping[int, tuple[int, int]] = {
-    **dict.fromkeys(range(len(ensemble.FATES)), (0, MAX_STRIDES)),
-    ensemble.FATES.index("no_start"): (0, 0),
+    **dict.fromkeys(range(len(FATES)), (0, MAX_STRIDES)),
+    FATES.index("no_start"): (0, 0),
     NOT_YET: (0, MAX_STRIDES),
 }
 """The least and the most that a fate may come after."""

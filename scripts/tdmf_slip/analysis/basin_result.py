@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..labelled import Labelled, LabelledArrays
-from ..library import ensemble
+from ..library.engine import FATES, SETTLED
 from ..library.gait import Gait
 from ..record import attributes_of
 from ..variables.table import VARIABLES
@@ -63,7 +63,7 @@ class Basin(LabelledArrays):
     @property
     def settled_share(self) -> float:
         """Which part of the starts settles on the gait."""
-        return float(np.mean(self["fate"] == ensemble.SETTLED))
+        return float(np.mean(self["fate"] == SETTLED))
 
     @property
     def settled_area(self) -> float:
@@ -72,8 +72,8 @@ class Basin(LabelledArrays):
 
     @property
     def counts(self) -> dict[str, int]:
-        """How many starts have each fate, by the names of `library.ensemble.FATES`."""
-        return {name: int((self["fate"] == number).sum()) for number, name in enumerate(ensemble.FATES)}
+        """How many starts have each fate, by the names of `library.engine.FATES`."""
+        return {name: int((self["fate"] == number).sum()) for number, name in enumerate(FATES)}
 
     def __repr__(self) -> str:
         """In a line: whose, over what, and how much settles."""
@@ -86,7 +86,7 @@ class Basin(LabelledArrays):
 
 
 FATES_TOLD: Mapping[str, Any] = {
-    "flag_values": np.arange(len(ensemble.FATES)),
-    "flag_meanings": " ".join(ensemble.FATES),
+    "flag_values": np.arange(len(FATES)),
+    "flag_meanings": " ".join(FATES),
 }
 """What the numbers of `fate` mean, as CF has it."""

@@ -1,16 +1,12 @@
 """What becomes of runners that start somewhere about a gait: they settle on it, fall, or neither."""
 
-from collections.abc import Mapping
+from numpy.typing import ArrayLike
 
-import numpy as np
-from numpy.typing import ArrayLike, NDArray
-
-from ..checks import check_size
-from ..library import ensemble
-from ..library.affine_law import AffineLaw
+from ..library.batch import Batch
+from ..library.laws import Law
 from ..library.runner import Runner
 from ..library.section import Apex
-from ..variables.variable import Given
+from ..library.tables import Table
 from .ball import TOLERANCE as TOLERANCE
 from .ball import Ball
 
@@ -25,28 +21,23 @@ STARTS_AT_ONCE = 4096
 
 
 def fates(
-    runner: Runner | Mapping[str, Given],
+    runner: Runner,
     apex: Apex,
     starts: ArrayLike,
     *,
     tolerance: float = TOLERANCE,
-    law: AffineLaw | None = None,
+    law: Law | None = None,
     first_number: int = 0,
     ball: Ball | None = None,
-) -> NDArray[np.void]:
-    """What becomes of runners that start somewhere, an apex to a row.
+) -> Table:
+    """What becomes of runners that start somewhere, an apex to a row: see `Batch.run`.
 
-    By their numbers, which begin with the first, a law's noise is drawn. A start that comes into the gait's
+    A law's noise is drawn by their numbers, which begin with the first. A start that comes into the gait's
     ball has settled; if the ball asks for it, the tolerance is finer.
     """
-    starts = np.asarray(starts)
-    check_size("starts", len(starts) if starts.ndim else 1, "runners", ensemble.MAX_RUNNERS)
-    case = ensemble.Case(Runner(runner), (apex,), law=law, balls=() if ball is None else (ball.matrix,))
-    return ensemble.run_ensemble(
-        [case],
-        starts,
-        max_strides=MAX_STRIDES,
-        first_number=first_number,
-        near=ensemble.NEAR if ball is None else ball.near,
-        tolerance=tolerance if ball is None else min(tolerance, ball.tolerance),
-    )[0]
+    if ball is not None:
+        tolerance = min(tolerance, ball.tolerance)
+    batch = Batch(runner, starts, law=law, first_number=first_number, tolerance=tolerance)
+    if ball is None:
+        return batch.run(MAX_STRIDES, apex)
+    return batch.run(MAX_STRIDES, apex, near=ball.near, balls=ball.matrix[None])

@@ -15,14 +15,13 @@ from numpy.typing import ArrayLike, NDArray
 
 from ..blocks import run_blocks
 from ..checks import checked_whole
-from ..contents import ByContents
 from ..drawable import Drawable
 from ..errors import InputError
-from ..library import ensemble
-from ..library.affine_law import AffineLaw, check_law
+from ..library.batch import Batch
+from ..library.engine import FELL, UNDECIDED, UNSOLVED
 from ..library.gait import Gait, check_is_gait
-from ..library.population import numbers
-from ..library.rough_ground import RoughGround
+from ..library.ground import RoughGround
+from ..library.laws import Law, numbers_up_to
 from ..library.runner import Runner
 from ..library.settings import checked_values
 from ..terminal.progress import progress_bar
@@ -38,7 +37,6 @@ STRIDES_IN_A_BLOCK = 200_000
 MIN_IN_A_BLOCK, MAX_IN_A_BLOCK = 64, 4096
 """Runners; fewer would leave lanes empty."""
 BISECTIONS = 60
-FELL, UNDECIDED, UNSOLVED = (ensemble.FATES.index(name) for name in ("fell", "undecided", "unsolved"))
 
 
 @dataclass(frozen=True, repr=False)
@@ -134,44 +132,14 @@ class FirstPassage(Drawable):
         }
 
 
-@dataclass(frozen=True, eq=False)
-class Share(ByContents):
-    """Some of the runners: a block of work."""
-
-    runner: Runner
-    """Parameters and inputs."""
-    apex: tuple[float, ...]
-    """That all start from, shape (6,)."""
-    ground: RoughGround
-    """What they run on."""
-    first: int
-    """Number of the first runner."""
-    count: int
-    """Runners."""
-    max_strides: int
-    """Of each."""
-    law: AffineLaw | None = None
-    """By which they are set."""
-    foot_x: NDArray[np.float64] | None = None
-    """Where their feet are at the start, m, shape (count,); by default at 0."""
-
-
-def count_falls(share: Share) -> NDArray[np.int64]:
-    """What becomes of a block's runners."""
-    case = ensemble.Case(share.runner, ground=share.ground, law=share.law)
-    ends, _ = ensemble.run_ensemble(
-        [case],
-        np.tile(share.apex, (share.count, 1)),
-        max_strides=share.max_strides,
-        first_number=share.first,
-        tolerance=TOLERANCE,
-        foot_x=share.foot_x,
-    )
-    falls = np.count_nonzero(ends["fate"] == FELL)
-    strides = ends["strides"].sum(dtype=np.int64) + falls
-    stopped = np.count_nonzero((ends["fate"] == UNDECIDED) & (ends["strides"] < share.max_strides))
-    unsolved = np.count_nonzero(ends["fate"] == UNSOLVED)
-    return np.array([falls, strides, stopped, unsolved])
+def count_falls(share: tuple[Batch, int]) -> NDArray[np.int64]:
+    """Falls, strides, and runners that stopped or are unsolved, of a batch within the most strides."""
+    batch, max_strides = share
+    run = batch.run(max_strides)
+    falls = np.count_nonzero(run.fate == FELL)
+    strides = run.strides.sum(dtype=np.int64) + falls
+    stopped = np.count_nonzero((run.fate == UNDECIDED) & (run.strides < max_strides))
+    return np.array([falls, strides, stopped, np.count_nonzero(run.fate == UNSOLVED)])
 
 
 def strides_to_fall(
@@ -182,7 +150,7 @@ def strides_to_fall(
     max_strides: int = 10_000,
     *,
     gait: Gait | None = None,
-    law: AffineLaw | None = None,
+    law: Law | None = None,
     foot_x: ArrayLike | None = None,
     executor: Executor | None = None,
     progress: bool = False,
@@ -213,9 +181,9 @@ def strides_to_fall(
         A runner that has made as many is still up: it is counted as censored, not dropped.
     gait : Gait, optional
         What they start from; by default the gait that `find_gait` finds.
-    law : AffineLaw, optional
-        By which settings are made anew at each apex, the start's too, from its height above the ground before
-        it steps.
+    law : callable or AffineLaw, optional
+        What is set at each apex, the start's too, from its height above the ground before it steps: see
+        `Batch`. A function is called for each block of runners.
     foot_x : array_like of float, shape () or (runners,), or "random", optional
         Where the feet are at the start, m, by default at 0. Those that are "random" are drawn evenly from the
         last stride's length of the gait before the patch, by the ground's seed: so the patch begins at any
@@ -250,7 +218,6 @@ def strides_to_fall(
         raise InputError(
             "runner by the reduced map is not allowed on rough ground; allowed: by the full model"
         )
-    check_law(law, runner)
     ground = roughness if isinstance(roughness, RoughGround) else RoughGround(roughness, seed)
     runners = checked_whole("runners", runners, 1, MAX_RUNNERS)
     max_strides = checked_whole("max_strides", max_strides, 1, MAX_STRIDES)
@@ -258,13 +225,21 @@ def strides_to_fall(
         check_is_gait(gait, "gait")
     plain = runner.replace({"ground.patch_end": runner["ground.patch_begin"]})
     start = periodic_gait(plain) if gait is None else gait
-    runner, apex = runner.replace(model="full"), tuple(start.apex)
     feet = _feet(foot_x, start, runner, runners, ground.seed)
     size = min(MAX_IN_A_BLOCK, max(MIN_IN_A_BLOCK, STRIDES_IN_A_BLOCK // max_strides))
-    shares = [
-        Share(runner, apex, ground, first, min(size, runners - first), max_strides, law, feet[first:][:size])
-        for first in range(0, runners, size)
-    ]
+    shares = []
+    for first in range(0, runners, size):
+        count = min(size, runners - first)
+        batch = Batch(
+            runner,
+            np.tile(start.apex, (count, 1)),
+            ground,
+            law,
+            foot_x=feet[first : first + count],
+            first_number=first,
+            tolerance=TOLERANCE,
+        )
+        shares.append((batch, max_strides))
     counted = np.zeros(4, dtype=np.int64)
     with (
         progress_bar("rough", runners, "runners", progress) as bar,
@@ -272,7 +247,7 @@ def strides_to_fall(
     ):
         for number, found in results:
             counted += found
-            bar.update(shares[number].count)
+            bar.update(len(shares[number][0]))
     return FirstPassage(runner, start.word, ground.roughness, runners, *map(int, counted))
 
 
@@ -283,7 +258,7 @@ def _feet(
     if isinstance(foot_x, str) and foot_x == "random":
         before = np.random.default_rng(seed).uniform(1.0, 2.0, runners)
         return runner["ground.patch_begin"] - before * float(start.stride["length"])
-    feet = np.atleast_1d(numbers("foot_x", 0.0 if foot_x is None else foot_x, 1))
+    feet = np.atleast_1d(numbers_up_to("foot_x", 0.0 if foot_x is None else foot_x, 1))
     feet = checked_values("foot.x", feet, "foot_x", {"runner": 0})
     if feet.size not in (1, runners):
         raise InputError(

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 from ..blocks import run_blocks
 from ..contents import ByContents
-from ..library.affine_law import AffineLaw
+from ..library.laws import Law
 from ..library.runner import Runner
 from ..terminal.progress import progress_bar
 from .first_passage import FirstPassage, strides_to_fall
@@ -26,7 +26,7 @@ class Trial(ByContents):
     """Of the ground."""
     max_strides: int
     """A runner that has made as many is still up."""
-    law: AffineLaw | None = None
+    law: Law | None = None
     """By which the runners are set."""
 
 

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..library.gait import LEDGER, Gait
-from ..library.measures import MEASURES, STRIDE_QUANTITIES
+from ..library.quantities import MEASURES, STRIDE_QUANTITIES
 from ..library.section import COORDINATES
 from ..variables.table import MODELS, VARIABLES
 

@@ -14,7 +14,8 @@ from numpy.typing import NDArray
 
 from ..contents import ByContents
 from ..errors import InputError, RunError
-from ..library.ensemble import FATES, Case, run_ensemble
+from ..library.batch import Batch
+from ..library.engine import SETTLED, UNDECIDED
 from ..library.gait import Gait
 from ..library.runner import Runner
 from ..library.varied_stride import plain_stride
@@ -22,9 +23,8 @@ from ..variables.table import FRICTION
 
 AFTER = 30
 """Strides after the patch: a runner that has made them is up."""
-CLOSED = FATES.index("undecided")
-"""What has made its strides without gaits to settle on."""
-UP = (FATES.index("settled"), CLOSED)
+UP = (SETTLED, UNDECIDED)
+"""Fates of runners that are up: one that has made its strides without a gait to settle on is undecided."""
 STEEPEST = math.pi / 2.0
 """Of the angle at which a leg may be placed, rad from the vertical."""
 
@@ -75,28 +75,29 @@ def meet_patch(
         slips[cell] = _slip(landings[cell], apex)
     for cell in cells:
         fell[cell] = 1.0
-    up, apices = _followed(cells, [Case(landings[cell]) for cell in cells], apices, 1)
+    up, apices = _followed(cells, [landings[cell] for cell in cells], apices, 1)
     if strides > 1:
-        on_patch = [Case(gaits[row].runner.replace({FRICTION: friction})) for row, _ in up]
+        on_patch = [gaits[row].runner.replace({FRICTION: friction}) for row, _ in up]
         up, apices = _followed(up, on_patch, apices, strides - 1)
-    after = [Case(gaits[row].runner, [gaits[row].apex]) for row, _ in up]
-    for cell in _followed(up, after, apices, AFTER)[0]:
+    after = [gaits[row].runner for row, _ in up]
+    for cell in _followed(up, after, apices, AFTER, [[gaits[row].apex] for row, _ in up])[0]:
         fell[cell] = 0.0
     return Meetings(fell, slips)
 
 
 def _followed(
     cells: Sequence[tuple[int, int]],
-    cases: Sequence[Case],
+    runners: Sequence[Runner],
     apices: Sequence[NDArray[np.float64]],
     strides: int,
+    until: Sequence[Sequence[NDArray[np.float64]]] | None = None,
 ) -> tuple[list[tuple[int, int]], list[NDArray[np.float64]]]:
     """Those that are up after some strides, and their apices then."""
     if not cells:
         return [], []
-    ends, _ = run_ensemble(cases, np.array(apices), range(len(cases)), max_strides=strides)
-    kept = [k for k, fate in enumerate(ends["fate"]) if fate in UP]
-    return [cells[k] for k in kept], [ends["apex"][k][: len(apices[k])] for k in kept]
+    run = Batch(runners, np.array(apices)).run(strides, until)
+    kept = np.flatnonzero(np.isin(run.fate, UP)).tolist()
+    return [cells[k] for k in kept], list(run.apex[kept])
 
 
 def _slip(runner: Runner, apex: NDArray[np.float64]) -> float:

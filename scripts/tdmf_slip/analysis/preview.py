@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..contents import ByContents
-from ..library.affine_law import AffineLaw
+from ..library.laws import Law
 from ..library.runner import Runner
 from ..library.section import COORDINATES
 from .ball import Ball
@@ -27,8 +27,8 @@ LARGEST_SQUARE = 16
 MAX_POINTS_AT_ONCE = 1024
 """In a block."""
 
-Follow = Callable[[NDArray[np.intp], NDArray[np.intp]], NDArray[np.void]]
-"""Rows and columns to what became of the starts there, as `run_ensemble` gives it."""
+Follow = Callable[[NDArray[np.intp], NDArray[np.intp]], NDArray[np.int32]]
+"""Rows and columns to fates of the starts there and strides until these were known, shape (2, starts)."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -43,17 +43,18 @@ class Points(ByContents):
     """Names of the two coordinates."""
     values: NDArray[np.float64]
     """Of the two coordinates, shape (starts, 2)."""
-    law: AffineLaw | None = None
+    law: Law | None = None
     """By which runners are set."""
     ball: Ball | None = None
     """In which a start has settled."""
 
 
-def fates_of_points(points: Points) -> NDArray[np.void]:
-    """What becomes of each start of a block, as `run_ensemble` gives it."""
+def fates_of_points(points: Points) -> NDArray[np.int32]:
+    """Fate, and strides until it was known, of each start of a block: shape (2, starts)."""
     starts = np.tile(points.apex, (len(points.values), 1))
     starts[:, [COORDINATES.index(axis) for axis in points.axes]] = points.values
-    return fates(points.runner, points.apex, starts, law=points.law, ball=points.ball)
+    run = fates(points.runner, points.apex, starts, law=points.law, ball=points.ball)
+    return np.stack([run.fate, run.strides])
 
 
 def follow_points(
@@ -62,19 +63,19 @@ def follow_points(
     report: Callable[[int], object],
     rows: NDArray[np.intp],
     columns: NDArray[np.intp],
-) -> NDArray[np.void]:
-    """What becomes of starts of a slice, by rows and columns, in blocks; how many are done is reported."""
+) -> NDArray[np.int32]:
+    """Fates of starts of a slice, by rows and columns, in blocks; how many are done is reported."""
     values = np.column_stack([np.asarray(plan.rows)[rows], np.asarray(plan.columns)[columns]])
     parts = [
         Points(plan.runner, plan.apex, plan.axes, part, plan.law, plan.ball)
         for part in np.array_split(values, -(-len(values) // MAX_POINTS_AT_ONCE))
     ]
-    ends: dict[int, NDArray[np.void]] = {}
+    ends: dict[int, NDArray[np.int32]] = {}
     with blocks(fates_of_points, parts) as results:
         for number, found in results:
             ends[number] = found
-            report(len(found))
-    return np.concatenate([ends[number] for number in range(len(parts))])
+            report(found.shape[1])
+    return np.concatenate([ends[number] for number in range(len(parts))], axis=1)
 
 
 @dataclass(frozen=True, eq=False)
@@ -126,8 +127,7 @@ def _follow_corners(
     rows, columns = np.nonzero(wanted & ~found.is_followed)
     if not len(rows):
         return
-    ends = follow(rows, columns)
-    found.fate[rows, columns], found.strides[rows, columns] = ends["fate"], ends["strides"]
+    found.fate[rows, columns], found.strides[rows, columns] = follow(rows, columns)
     found.is_followed[rows, columns] = True
 
 

@@ -13,15 +13,15 @@ from ..checks import checked_whole
 from ..contents import ByContents
 from ..drawable import Drawable
 from ..errors import InputError
-from ..library.affine_law import AffineLaw, check_law
 from ..library.gait import Gait, check_is_gait
-from ..library.rough_ground import LAST_SEED, RoughGround
+from ..library.ground import LAST_SEED, RoughGround
+from ..library.laws import Law, check_law
 from ..library.runner import Runner
 from ..terminal.progress import progress_bar
 from ..variables.parameters import RunnerLike
-from .rough_runner import RoughRunner
 from .search import periodic_gait
 from .splitting import CONFIDENCE, REPLICAS, RareEvent, levels_of, rare_event
+from .walkers import Walkers
 
 LEVELS = 16
 MAX_WALKERS, MAX_STEPS = 10_000, 100_000
@@ -94,7 +94,7 @@ def rare_falls(
     strides: int = 160,
     seed: int = 0,
     gait: Gait | None = None,
-    law: AffineLaw | None = None,
+    law: Law | None = None,
     progress: bool = False,
 ) -> RareFalls:
     """The mean number of strides until a fall that hardly ever comes, by multilevel splitting.
@@ -117,8 +117,8 @@ def rare_falls(
         Of everything that is drawn.
     gait : Gait, optional
         What they start from; by default the gait that `find_gait` finds.
-    law : AffineLaw, optional
-        By which settings are made anew at each apex, as in `strides_to_fall`.
+    law : callable or AffineLaw, optional
+        What is set at each apex, as in `strides_to_fall`.
     progress : bool, default False
         A bar on stderr.
 
@@ -156,7 +156,7 @@ def rare_falls(
     if gait is not None:
         check_is_gait(gait, "gait")
     start = periodic_gait(runner) if gait is None else gait
-    chain = RoughRunner(start, ground, law)
+    chain = Walkers(start, ground, law)
     with progress_bar("rare falls", REPLICAS + 1, "runs", progress) as bar:
         scores, highest = chain.learn(seed % 2**32)
         bar.update()

@@ -7,9 +7,9 @@ from dataclasses import asdict, dataclass
 
 import numpy as np
 
-from ..library import ensemble
-from ..library.affine_law import AffineLaw
+from ..library.engine import SETTLED
 from ..library.gait import Gait
+from ..library.laws import Law
 from ..library.section import COORDINATES
 from .controlled_gait import check_attracts
 from .fates import fates
@@ -51,7 +51,7 @@ class Robustness:
         return {name: value if math.isfinite(value) else None for name, value in values.items()}
 
 
-def robustness(gait: Gait, law: AffineLaw | None = None) -> Robustness:
+def robustness(gait: Gait, law: Law | None = None) -> Robustness:
     """How far the region of attraction reaches from the gait's apex, without gap, in height and speed."""
     check_attracts(gait, law)
     reach = functools.partial(_reach, gait, law)
@@ -63,7 +63,7 @@ def robustness(gait: Gait, law: AffineLaw | None = None) -> Robustness:
     )
 
 
-def _reach(gait: Gait, law: AffineLaw | None, disturbance: str, direction: float) -> float:
+def _reach(gait: Gait, law: Law | None, disturbance: str, direction: float) -> float:
     """The first disturbance that is not recovered from, between the tries of a line that is refined."""
     index = COORDINATES.index(DISTURBED[disturbance])
     runner = gait.runner
@@ -72,9 +72,8 @@ def _reach(gait: Gait, law: AffineLaw | None, disturbance: str, direction: float
         tries = np.linspace(recovered, lost, COARSE + 1)[1:]
         starts = np.tile(gait.apex, (COARSE, 1))
         starts[:, index] += direction * tries
-        fails = np.flatnonzero(
-            fates(runner, gait.apex, starts, tolerance=EDGE_TOLERANCE, law=law)["fate"] != ensemble.SETTLED
-        )
+        found = fates(runner, gait.apex, starts, tolerance=EDGE_TOLERANCE, law=law)
+        fails = np.flatnonzero(found.fate != SETTLED)
         if not fails.size:
             return math.inf
         first = fails[0]

@@ -13,8 +13,8 @@ from numpy.typing import NDArray
 
 from ..contents import ByContents
 from ..errors import InputError
-from ..library.population import Population
-from ..library.recorded_strides import CLOSED, Request, recorded_strides
+from ..library.batch import Batch
+from ..library.batch_tables import CLOSED
 from ..library.runner import Runner
 
 TOLERANCE = 1e-6
@@ -100,10 +100,10 @@ class _Runs:
         """Strides of some of the runners; those that fall run no longer."""
         if not which.any():
             return
-        population = Population(
-            self.runner, {name: np.ascontiguousarray(row[which]) for name, row in self.varied.items()}
-        )
-        made = recorded_strides(Request(population, self.apexes[which], AT_ONCE, {}, tolerance=TOLERANCE))
+        values = {name: row[which] for name, row in self.varied.items()}
+        batch = Batch(self.runner, self.apexes[which], vary=values, tolerance=TOLERANCE)
+        made = batch.run(AT_ONCE, record=True).recorded
+        assert made is not None
         closed = (made["fate"] == CLOSED).all(axis=1) & (made["length"][:, -1] > 0.0)
         self.strides += int(np.count_nonzero(made["fate"] == CLOSED))
         ends, begins = made["next_apex"][:, -1], made["apex"][:, -1]

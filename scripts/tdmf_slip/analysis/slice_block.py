@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..contents import ByContents
-from ..library.affine_law import AffineLaw
+from ..library.laws import Law, is_noisy
 from ..library.runner import Runner
 from ..library.section import COORDINATES
 from .ball import Ball
@@ -29,7 +29,7 @@ class Slice(ByContents):
     """Values of the second."""
     numbers: tuple[int, ...] = ()
     """Of the rows in the whole slice."""
-    law: AffineLaw | None = None
+    law: Law | None = None
     """By which runners are set."""
     ball: Ball | None = None
     """In which a start has settled."""
@@ -42,14 +42,15 @@ class Slice(ByContents):
         return sections.reshape(-1, len(self.apex))
 
 
-def fates_of_slice(part: Slice) -> NDArray[np.void]:
-    """What becomes of each start of a block, in its shape: the fields `fate` and `strides`."""
+def fates_of_slice(part: Slice) -> NDArray[np.int32]:
+    """Fate, and strides until it was known, of each start of a block: shape (2, rows, columns)."""
     starts, columns = part.starts(), len(part.columns)
-    if part.law is None or not part.law.is_noisy:
-        return fates(part.runner, part.apex, starts, law=part.law, ball=part.ball).reshape(-1, columns)
-    return np.array(
-        [
-            fates(part.runner, part.apex, row, law=part.law, first_number=number * columns)
-            for number, row in zip(part.numbers, np.split(starts, len(part.rows)), strict=True)
-        ]
+    rows = (
+        list(zip(part.numbers, np.split(starts, len(part.rows)), strict=True)) if is_noisy(part.law) else []
     )
+    runs = [
+        fates(part.runner, part.apex, row, law=part.law, first_number=number * columns)
+        for number, row in rows
+    ] or [fates(part.runner, part.apex, starts, law=part.law, ball=part.ball)]
+    both = np.concatenate([(run.fate, run.strides) for run in runs], axis=1)
+    return both.reshape(2, -1, columns)

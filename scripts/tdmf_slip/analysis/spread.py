@@ -13,7 +13,8 @@ from numpy.typing import NDArray
 
 from ..contents import ByContents
 from ..errors import InputError, RunError
-from ..library.ensemble import FATES, Case, run_ensemble
+from ..library.batch import Batch
+from ..library.engine import UNSOLVED
 from ..library.gait import Gait, gait_near
 from ..library.return_map import Along
 from ..library.runner import Runner
@@ -56,7 +57,6 @@ RISE = 0.6
 """Largest vertical speed at lift-off, in l0 sqrt(k/m): apexes are as high as gravity lets it take them."""
 LENGTHS, RATES = (0.98, 1.02), (-0.3, 0.3)
 """Of the leg, in l0, and of its turning, in sqrt(k/m)."""
-UNSOLVED = FATES.index("unsolved")
 
 
 @dataclass(frozen=True, eq=False)
@@ -158,14 +158,14 @@ class _Runs:
             if steps >= MAX_STEPS:
                 break
             block = apexes[first : first + BLOCK]
-            found, work = run_ensemble(
-                [Case(self.runner)], block, max_strides=strides, tolerance=TOLERANCE, step_limit=STEP_LIMIT
-            )
-            self.done = made + work.strides, steps + work.steps, events + work.events
-            self.given_up += int(np.count_nonzero(found["fate"] == UNSOLVED))
-            closed = found["strides"] == strides
+            batch = Batch(self.runner, block, tolerance=TOLERANCE, step_limit=STEP_LIMIT)
+            found = batch.run(strides)
+            work = found.attributes["work_done"]
+            self.done = made + work["strides"], steps + work["steps"], events + work["events"]
+            self.given_up += int(np.count_nonzero(found.fate == UNSOLVED))
+            closed = found.strides == strides
             begins.append(block[closed])
-            ends.append(found["apex"][closed, : apexes.shape[1]])
+            ends.append(found.apex[closed])
         return np.concatenate(begins), np.concatenate(ends)
 
 

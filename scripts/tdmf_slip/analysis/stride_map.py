@@ -2,28 +2,27 @@
 
 from __future__ import annotations
 
-import math
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import Executor
+from functools import partial
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..blocks import run_blocks
-from ..checks import check_size, checked_whole, refusal
+from ..checks import check_size, checked_whole
 from ..errors import InputError
-from ..given import numbers_by
-from ..library.affine_law import AffineLaw, check_law
-from ..library.ensemble import TOLERANCE
-from ..library.population import Population, numbers
-from ..library.recorded_strides import Columns, Request, recorded_strides
-from ..library.rough_ground import LAST_RUNNER, RoughGround
-from ..library.runner import Runner
-from ..library.settings import check_acts, checked_values, setting_number
+from ..library.batch import TOLERANCE, Batch
+from ..library.batch_tables import CLOSED
+from ..library.ground import RoughGround
+from ..library.laws import AffineLaw, Law
+from ..library.members import check_varied
+from ..library.quantities import differentiable
+from ..library.settings import SETTINGS
 from ..terminal.progress import progress_bar
 from ..variables.parameters import RunnerLike
-from ..variables.table import by_full_name
-from .function_law import FunctionLaw, Law, check_set
+from ..variables.table import full_names
 from .strides_result import Strides
 
 MAX_STRIDES = 1_000_000
@@ -42,10 +41,11 @@ def stride_map(
     strides: int = 1,
     model: str | None = None,
     inputs: Mapping[str, ArrayLike] | None = None,
-    law: Law | AffineLaw | None = None,
+    law: Law | None = None,
     roughness: float = 0.0,
     seed: int = 0,
     foot_x: ArrayLike | None = None,
+    derivatives: Sequence[str] = (),
     first_number: int = 0,
     tolerance: float = TOLERANCE,
     instructions: str | None = None,
@@ -80,10 +80,10 @@ def stride_map(
         `hip.touchdown_angle`, and inputs, as `ground.friction`. A number, or of each stride, shape
         (strides,), or of each runner and stride, shape (runners, strides).
     law : callable or AffineLaw, optional
-        What is set at each apex. A function is called with the apices, shape (runners, n), once for each
-        stride and for all runners at once, and gives arrays by name, the same names each time; rows of
-        runners whose run is over are NaN, and what it gives for them does not matter. An `AffineLaw` is
-        followed by the engine itself.
+        What is set at each apex. A function is called with the apices, shape (runners, n), and the number of
+        the stride, once for each stride and for all runners at once. It gives arrays by name, the same names
+        each time; rows of runners whose run is over are NaN, and what it gives for them does not matter. An
+        `AffineLaw` is followed by the engine itself.
     roughness : float, default 0
         Standard deviation of a step of the ground, m.
     seed : int, default 0
@@ -91,12 +91,15 @@ def stride_map(
     foot_x : float or array_like of float, shape (runners,), optional
         Where the feet are at the first apices, m, by default at 0. What a stride does depends on it where the
         ground has a patch, `ground.patch_begin` and `ground.patch_end`.
+    derivatives : sequence of str, optional
+        Names of parameters and inputs by which each stride is differentiated, too, exactly and by the native
+        solver. A stride with derivatives takes as long as 17 without.
     first_number : int, default 0
         Of the first runner; by their numbers ground and noise are drawn.
     tolerance : float, default 2e-10
         Relative tolerance of a step.
     instructions : str, optional
-        One of `library.ensemble.instruction_sets()`; by default the fastest. Results differ by rounding.
+        One of `library.engine.instruction_sets()`; by default the fastest. Results differ by rounding.
     executor : concurrent.futures.Executor, optional
         Runs blocks of the work, such as a `ProcessPoolExecutor()` or `client.get_executor()` of Dask; by
         default threads of this process. The result does not depend on the executor.
@@ -106,12 +109,14 @@ def stride_map(
     Returns
     -------
     Strides
-        Over `runner` and `stride`: `fate`, a number of `library.recorded_strides.STRIDE_FATES`; `apex` and
+        Over `runner` and `stride`: `fate`, a number of `library.batch_tables.STRIDE_FATES`; `apex` and
         `next_apex`, over `coordinate` too; quantities of the stride by the names of
-        `library.measures.STRIDE_QUANTITIES` and `LEDGER`, `liftoff_angle` and `word`; by the full model
+        `library.quantities.STRIDE_QUANTITIES` and `LEDGER`, `liftoff_angle` and `word`; by the full model
         `foot.x`, where the foot is at the next apex, in m; what was set, by the names of the settings;
         `ground.height` on rough ground. Over `runner` the
-        parameters that vary. A runner's other values are attributes.
+        parameters that vary. A runner's other values are attributes. With `derivatives`, also `next_apex_by`
+        over `coordinate` and `by`, and `speed_by` and the like over `by`, which are the coordinates of the
+        stride's own apex and then the names: a stride's derivatives, with its apex and settings as they are.
 
     Raises
     ------
@@ -131,117 +136,111 @@ def stride_map(
 
     A law that places the leg by the height of the apex:
 
-    >>> def by_height(apices):
+    >>> def by_height(apices, stride_number):
     ...     return {"hip.touchdown_angle": 0.64 + 0.1 * (apices[:, 0] - gait.apex[0])}
     >>> run = tdmf_slip.stride_map(gait.runner, low, strides=3, law=by_height)
     >>> run["hip.touchdown_angle"].shape
     (1, 3)
     """
-    population = Population.of(runner, model)
     strides = checked_whole("strides", strides, 1, MAX_STRIDES)
-    feet = _feet(foot_x, population.runner)
-    starts, given = _broadcast(apices, population, inputs, strides, 1 if feet is None else len(feet))
-    ground = RoughGround(roughness, seed)
-    _check_all(population, given, law, ground)
-    affine = law if isinstance(law, AffineLaw) else None
-    request = Request(
-        population,
-        starts,
-        strides,
-        given,
-        affine,
-        ground,
-        checked_whole("first_number", first_number, 0, LAST_RUNNER),
-        tolerance,
-        instructions,
-        foot_x=None if feet is None else np.broadcast_to(feet, (len(starts),)),
+    batch = Batch(
+        runner,
+        apices,
+        RoughGround(roughness, seed),
+        law,
+        inputs=inputs,
+        model=model,
+        foot_x=foot_x,
+        first_number=first_number,
+        tolerance=tolerance,
+        instructions=instructions,
     )
-    if law is None or affine is not None:
-        columns = _in_blocks(request, executor, progress)
+    batch.is_single = False
+    check_size("runners", len(batch) * strides, "strides in all", MAX_IN_ALL)
+    for name, values in batch.inputs.items():
+        if values.shape[1] not in (1, strides):
+            raise InputError(
+                f"inputs: {name} of shape {values.shape[len(values) == 1 :]}; "
+                f"allowed: a number, ({strides},) or (runners, {strides}), for each stride one"
+            )
+    names = full_names(derivatives, "derivatives", "names of parameters and inputs in a list")
+    _check_derivatives(names, batch)
+    if law is None or isinstance(law, AffineLaw):
+        arrays = _in_blocks(batch, strides, executor, progress)
     elif executor is not None:
         raise InputError(
             "executor is not allowed with a law that is a function, which is called here for all runners"
         )
     else:
-        assert callable(law)
         with progress_bar("strides", strides, "strides", progress) as bar:
-            columns = recorded_strides(request, FunctionLaw(law, request, bar.update))
-    return Strides.of(request, columns)
+            batch.law = _reporting(law, bar.update)
+            arrays = _strides_of(strides, batch)
+            batch.law = law
+    if names:
+        arrays |= _derivatives_of(batch, arrays, names)
+    return Strides.of(batch, arrays, [*batch.runner.coordinates, *names] if names else [])
 
 
-def _broadcast(
-    apices: ArrayLike, population: Population, inputs: Mapping[str, ArrayLike] | None, strides: int, feet: int
-) -> tuple[NDArray[np.float64], dict[str, NDArray[np.float64]]]:
-    """Apices, shape (runners, n), and settings, shape (runners, strides), of as many runners."""
-    coordinates = population.runner.coordinates
-    given_apices = numbers_by("apices", apices, coordinates)
-    check_size("apices", math.prod(given_apices.shape[:-1]) * strides, "strides in all", MAX_IN_ALL)
-    starts = np.atleast_2d(numbers("apices", given_apices, 2))
-    if starts.shape[1] != len(coordinates):
-        raise InputError(f"apices of shape {starts.shape}; allowed: rows of {', '.join(coordinates)}")
-    given: dict[str, NDArray[np.float64]] = {}
-    for name, asked in by_full_name(inputs, "inputs", "numbers or arrays by name").items():
-        setting_number(name, "inputs")
-        values = numbers(f"inputs: {name}", asked, 2)
-        given[name] = np.atleast_2d(values)
-        if given[name].shape[1] not in (1, strides):
-            raise InputError(
-                f"inputs: {name} of shape {values.shape}; allowed: a number, ({strides},) or "
-                f"(runners, {strides}), for each stride one"
-            )
-    counts = {"apices": len(starts), "runner's values": population.size or 1, "foot_x": feet}
-    counts |= {f"inputs: {name}": len(values) for name, values in given.items()}
-    runners = max(counts.values())
-    check_size("runners", runners * strides, "strides in all", MAX_IN_ALL)
-    for what, count in counts.items():
-        if count not in (1, runners):
-            maximum = max(counts, key=lambda name: counts[name])
-            raise InputError(
-                f"{what} of {count} runners, {maximum} of {runners}; allowed: as many, or one for all"
-            )
-    for name, values in given.items():
-        first = {"runner": 0, "stride": 0}
-        given[name] = np.broadcast_to(checked_values(name, values, "inputs", first), (runners, strides))
-    return np.broadcast_to(starts, (runners, len(coordinates))), given
+def _reporting(law: Law, report: Callable[[], object]) -> Law:
+    """The law, with a report of each stride."""
+
+    def reporting(apices: NDArray[np.float64], stride_number: int) -> Mapping[str, ArrayLike]:
+        report()
+        return law(apices, stride_number)
+
+    return reporting
 
 
-def _feet(foot_x: ArrayLike | None, runner: Runner) -> NDArray[np.float64] | None:
-    """Where the feet are, shape (1,) or (runners,)."""
-    if foot_x is None:
-        return None
-    if runner.reduced:
-        raise InputError("foot_x: by the reduced map, which has no foot; allowed: by the full model")
-    return checked_values("foot.x", np.atleast_1d(numbers("foot_x", foot_x, 1)), "foot_x", {"runner": 0})
+def _strides_of(strides: int, batch: Batch) -> dict[str, NDArray[Any]]:
+    """All strides of a batch, by name."""
+    recorded = batch.run(strides, record=True).recorded
+    assert recorded is not None
+    return dict(recorded)
 
 
-def _check_all(population: Population, given: Mapping[str, object], law: object, ground: RoughGround) -> None:
-    """Refuse what does not go together."""
-    runner = population.runner
-    if runner.reduced and ground.roughness:
-        raise InputError("roughness: by the reduced map; allowed: by the full model")
-    set_by_law: tuple[str, ...] = ()
-    if isinstance(law, AffineLaw):
-        check_law(law, runner)
-        set_by_law = tuple(law.inputs)
-    elif law is not None and not callable(law):
-        raise refusal("law", law, "a function of apices, or an AffineLaw")
-    for name in given:
-        check_acts(name, runner, (*given, *population.varied), "inputs")
-    check_set(set_by_law, tuple(given), ground, "law")
-    check_set(tuple(given), (), ground, "inputs")
-
-
-def _in_blocks(request: Request, executor: Executor | None, progress: bool) -> Columns:
+def _in_blocks(
+    batch: Batch, strides: int, executor: Executor | None, progress: bool
+) -> dict[str, NDArray[Any]]:
     """Block by block."""
-    runners = len(request.apices)
-    size = min(MAX_IN_A_BLOCK, max(MIN_IN_A_BLOCK, STRIDES_IN_A_BLOCK // request.strides))
-    blocks = [request.part(first, min(size, runners - first)) for first in range(0, runners, size)]
-    parts: dict[int, Columns] = {}
+    runners = len(batch)
+    size = min(MAX_IN_A_BLOCK, max(MIN_IN_A_BLOCK, STRIDES_IN_A_BLOCK // strides))
+    blocks = [batch.part(first, min(size, runners - first)) for first in range(0, runners, size)]
+    work, parts = partial(_strides_of, strides), dict[int, dict[str, NDArray[Any]]]()
     with (
         progress_bar("strides", runners, "runners", progress) as bar,
-        run_blocks(recorded_strides, blocks, executor) as results,
+        run_blocks(work, blocks, executor) as results,
     ):
-        for number, columns in results:
-            parts[number] = columns
-            bar.update(len(blocks[number].apices))
+        for number, arrays in results:
+            parts[number] = arrays
+            bar.update(len(blocks[number]))
     return {name: np.concatenate([parts[n][name] for n in range(len(blocks))]) for name in parts[0]}
+
+
+def _check_derivatives(names: Sequence[str], batch: Batch) -> None:
+    """Refuse what is no parameter, and strides that are more than a map from apex to apex."""
+    for name in names:
+        check_varied(name, "derivatives")
+    law = batch.law
+    if names and (batch.ground.roughness or "ground.height" in (*batch.inputs, *getattr(law, "inputs", ()))):
+        raise InputError("derivatives: on ground that steps at the apices; allowed: on ground of one height")
+
+
+def _derivatives_of(
+    batch: Batch, arrays: Mapping[str, NDArray[Any]], names: Sequence[str]
+) -> dict[str, NDArray[np.float64]]:
+    """Derivatives of all strides that closed, each from its own apex and with its own settings."""
+    runners, strides = np.nonzero(arrays["fate"] == CLOSED)
+    shape, by = arrays["fate"].shape, len(batch.runner.coordinates) + len(names)
+    varied = {name: values[runners] for name, values in batch.varied.items()}
+    varied |= {name: arrays[name][runners, strides] for name in SETTINGS if name in arrays}
+    one = batch.runner if len(batch.runners) == 1 else [batch.runners[k] for k in runners]
+    if not len(runners):
+        one, varied, runners, strides = batch.runner, {}, runners[:0], strides[:0]
+    made = Batch(one, arrays["apex"][runners, strides], vary=varied).stride(along=names)
+    found: dict[str, NDArray[np.float64]] = {}
+    for name in ("next_apex", *differentiable(batch.runner.reduced)):
+        values = made[f"{name}_by"]
+        found[f"{name}_by"] = np.full((*shape, *values.shape[1:]), np.nan)
+        found[f"{name}_by"][runners, strides] = values
+    assert by == found["next_apex_by"].shape[-1]
+    return found

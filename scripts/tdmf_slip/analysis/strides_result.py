@@ -1,7 +1,6 @@
 """Strides of many runners: each with its apices and quantities."""
 
-import json
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -9,9 +8,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..labelled import Labelled, LabelledArrays
-from ..library.gait import LEDGER
-from ..library.recorded_strides import CLOSED, STRIDE_FATES, Columns, Request
-from ..record import attributes_of, without_record
+from ..library.batch import Batch
+from ..library.batch_tables import CLOSED, STRIDE_FATES
+from ..library.laws import text_of_law
+from ..library.quantities import LEDGER
+from ..record import attributes_of
 from ..variables.table import STATES, VARIABLES
 
 
@@ -23,29 +24,27 @@ class Strides(LabelledArrays):
     """
 
     @classmethod
-    def of(cls, request: Request, columns: Columns) -> "Strides":
-        """What was asked for, and the columns that were made of it."""
-        runner, over = request.population.runner, ("runner", "stride", "coordinate")
-        arrays = {
-            name: Labelled(over[: values.ndim], values, _attributes(name, values))
-            for name, values in columns.items()
-        }
-        arrays |= {
-            name: Labelled(over[:1], values, _attributes(name, values))
-            for name, values in request.population.varied.items()
-        }
-        attributes = {**attributes_of(runner.record(*arrays, *STATES)), "tolerance": request.tolerance}
-        if request.law is not None:
-            attributes["law"] = json.dumps(without_record(request.law.as_json()))
-        if request.ground.roughness:
-            attributes |= {"roughness": request.ground.roughness, "seed": str(request.ground.seed)}
+    def of(cls, batch: Batch, arrays: Mapping[str, NDArray[Any]], by: Sequence[str]) -> "Strides":
+        """Arrays of strides by name, over runners and strides; `by` labels the last axis of derivatives."""
+        runner, over = batch.runner, ("runner", "stride", "coordinate")
+        found = {}
+        for name, values in {**arrays, **batch.varied}.items():
+            is_derivative = by and name.endswith("_by")
+            axes = (*over[: values.ndim - 1], "by") if is_derivative else over[: values.ndim]
+            found[name] = Labelled(axes, values, _attributes(name, values))
+        attributes = {**attributes_of(runner.record(*found, *STATES)), "tolerance": batch.tolerance}
+        if batch.law is not None:
+            attributes["law"] = text_of_law(batch.law)
+        if batch.ground.roughness:
+            attributes |= {"roughness": batch.ground.roughness, "seed": str(batch.ground.seed)}
         coordinates = {
-            "runner": request.first_number + np.arange(len(request.apices)),
-            "stride": np.arange(request.strides),
+            "runner": batch.first_number + np.arange(len(batch)),
+            "stride": np.arange(arrays["fate"].shape[1]),
             "coordinate": np.array(runner.coordinates),
+            **({"by": np.array(by)} if by else {}),
         }
         return cls(
-            arrays, {name: Labelled((name,), values) for name, values in coordinates.items()}, attributes
+            found, {name: Labelled((name,), values) for name, values in coordinates.items()}, attributes
         )
 
     @property
@@ -74,6 +73,7 @@ ABOUT: Mapping[str, Mapping[str, Any]] = {
     "liftoff_angle": {"units": "rad", "long_name": "leg angle at lift-off"},
     "apex": {"long_name": "apex at which the stride begins"},
     "next_apex": {"long_name": "apex at which it closes"},
+    "next_apex_by": {"long_name": "derivatives of the next apex by this apex and by parameters"},
     "fate": {
         "flag_values": np.arange(len(STRIDE_FATES), dtype=np.int8),
         "flag_meanings": " ".join(STRIDE_FATES),

@@ -11,9 +11,9 @@ from numpy.typing import NDArray
 from ..blocks import run_blocks
 from ..checks import checked_whole
 from ..contents import ByContents
-from ..library import ensemble
-from ..library.affine_law import AffineLaw
+from ..library.engine import FATES, SETTLED, UNSOLVED
 from ..library.gait import Gait
+from ..library.laws import Law
 from ..library.runner import Runner
 from ..library.section import COORDINATES
 from ..terminal.progress import progress_bar
@@ -99,7 +99,7 @@ class Drawing(ByContents):
     """Of the block."""
     count: int
     """Starts in it."""
-    law: AffineLaw | None = None
+    law: Law | None = None
     """By which runners are set."""
     ball: Ball | None = None
     """In which a start has settled."""
@@ -112,8 +112,8 @@ class Drawing(ByContents):
 
 
 def count_fates(drawing: Drawing) -> NDArray[np.int64]:
-    """How many of a block's starts have each of `ensemble.FATES`."""
-    ends = fates(
+    """How many of a block's starts have each of `library.engine.FATES`."""
+    found = fates(
         drawing.runner,
         drawing.apex,
         drawing.starts(),
@@ -121,7 +121,7 @@ def count_fates(drawing: Drawing) -> NDArray[np.int64]:
         ball=drawing.ball,
         first_number=drawing.number * STARTS_AT_ONCE,
     )
-    counted: NDArray[np.int64] = np.bincount(ends["fate"], minlength=len(ensemble.FATES))
+    counted: NDArray[np.int64] = np.bincount(found.fate, minlength=len(FATES))
     return counted
 
 
@@ -130,7 +130,7 @@ def volume(
     samples: int,
     *,
     seed: int = 0,
-    law: AffineLaw | None = None,
+    law: Law | None = None,
     ball: Ball | str = "tested",
     executor: Executor | None = None,
     progress: bool = False,
@@ -145,7 +145,7 @@ def volume(
     drawings = [
         Drawing(runner, tuple(gait.apex), seed, n, count, law, around) for n, count in enumerate(counts)
     ]
-    counted = np.zeros(len(ensemble.FATES), dtype=int)
+    counted = np.zeros(len(FATES), dtype=int)
     with (
         progress_bar("volume", samples, "starts", progress) as bar,
         run_blocks(count_fates, drawings, executor) as results,
@@ -154,5 +154,5 @@ def volume(
             counted += found
             bar.update(counts[number])
     low, high = np.array([BOX[name] for name in runner.coordinates]).T
-    fate = dict(zip(ensemble.FATES, counted.tolist(), strict=True))
-    return Volume(samples, fate["settled"], float(np.prod(high - low)), fate["unsolved"], runner.coordinates)
+    settled, unsolved = int(counted[SETTLED]), int(counted[UNSOLVED])
+    return Volume(samples, settled, float(np.prod(high - low)), unsolved, runner.coordinates)

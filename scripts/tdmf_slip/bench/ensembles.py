@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from ..library import ensemble
+from ..library.batch import TOLERANCE
 from ..library.section import COORDINATES
 from .accuracy import REPEATS, fastest, loosest
 from .one_runner import STRIDES
@@ -32,14 +32,14 @@ def measure_lanes(
             accuracy,
             tolerance,
             error,
-            work.evaluations / work.strides,
-            1e6 * seconds / work.strides,
+            work["evaluations"] / work["strides"],
+            1e6 * seconds / work["strides"],
         )
 
 
 def lane_error(many: Runners, instructions: str, tolerance: float) -> float:
     """Error of the apex after one stride by one instruction set, from the worst start."""
-    return many.error(many.ends(instructions, tolerance)["apex"])
+    return many.error(many.ends(instructions, tolerance).apex)
 
 
 def batch_error(many: Runners, tolerance: float) -> float:
@@ -79,6 +79,6 @@ def _strides(peer: "BatchPeer", rounds: Sequence[NDArray[np.float64]]) -> None:
 
 def measure_scaling(many: Runners, threads: int, effort: float) -> float:
     """Strides a second of each of many threads, over those of one alone."""
-    alone, _ = many.run(None, ensemble.TOLERANCE, 1, effort)
-    together, _ = many.run(None, ensemble.TOLERANCE, threads, effort)
+    alone, _ = many.run(None, TOLERANCE, 1, effort)
+    together, _ = many.run(None, TOLERANCE, threads, effort)
     return alone / together

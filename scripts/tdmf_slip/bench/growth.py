@@ -15,7 +15,7 @@ from ..checks import checked
 from ..contents import ByContents
 from ..fitting.fitted import fit
 from ..fitting.measurements import Measured, Measurements
-from ..library import ensemble
+from ..library.batch import Batch
 from ..library.runner import Runner
 from ..optimization.optimize import optimize
 from ..terminal.progress import progress_bar
@@ -96,7 +96,7 @@ def _basins(effort: float, threads: int) -> Iterator[_Question]:
 
 def _run(many: Runners, count: int, threads: int) -> None:
     starts = np.resize(many.starts, (count, many.starts.shape[1]))
-    ensemble.run_ensemble([many.case], starts, max_strides=STRIDES_EACH, threads=threads)
+    Batch(many.runner, starts, threads=threads).run(STRIDES_EACH)
 
 
 def _ensembles(effort: float, threads: int) -> Iterator[_Question]:

@@ -24,7 +24,7 @@ def starts(fmu: Fmu, many: Runners, solver: str, tolerance: float, apex: Apex) -
     """Start values of a run from an apex by a solver of the unit."""
     methods = fmu.variables["solver.method"].items
     return {
-        **many.case.runner.start_values(apex),
+        **many.runner.start_values(apex),
         "solver.method": {name: number for number, name in methods.items()}[solver],
         "solver.relative_tolerance": tolerance,
     }
@@ -34,10 +34,10 @@ def stride_error(fmu: Fmu, many: Runners, solver: str, tolerance: float) -> floa
     """Error of the apex after one stride by a solver of the unit, from the worst start."""
     names = [f"apex.{name}" for name in COORDINATES]
     apices = []
-    for apex, exact in zip(many.judged, many.exact, strict=True):
+    for apex, duration in zip(many.judged, many.exact.time, strict=True):
         with opened(fmu, "cs") as runner:
             runner.start(starts(fmu, many, solver, tolerance, apex))
-            runner.advance(0.0, 1.001 * exact["time"])
+            runner.advance(0.0, 1.001 * duration)
             apices.append([runner.real(name) for name in names])
     return many.error(np.array(apices))
 

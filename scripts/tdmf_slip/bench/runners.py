@@ -7,9 +7,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..contents import ByContents
-from ..library import ensemble
+from ..library.batch import Batch
 from ..library.gait import Gait, settled_gait
 from ..library.runner import Runner
+from ..library.tables import Table
 from .accuracy import fastest
 
 FRICTION = 0.6
@@ -30,15 +31,15 @@ class Runners(ByContents):
 
     gait: Gait
     """Gait that the runners start about."""
-    case: ensemble.Case
-    """Case with the parameters of all runners."""
+    runner: Runner
+    """Parameters of all runners."""
     starts: NDArray[np.float64]
     """Apices, shape (runners, n)."""
 
     @property
     def swing_clamp(self) -> bool:
         """`hip.swing_clamp` of the runners."""
-        return bool(self.case.runner[CLAMP])
+        return bool(self.runner[CLAMP])
 
     @cached_property
     def judged(self) -> NDArray[np.float64]:
@@ -46,45 +47,32 @@ class Runners(ByContents):
         return np.vstack([self.gait.apex, self.starts[:JUDGED]])
 
     @cached_property
-    def exact(self) -> NDArray[np.void]:
+    def exact(self) -> Table:
         """Ends of one stride from each of `judged`, by the native solver at `TIGHT`."""
         return self.ends("one by one", TIGHT)
 
-    def ends(self, instructions: str, tolerance: float) -> NDArray[np.void]:
-        """Ends of one stride from each of `judged`, by the ensemble engine: see `run_ensemble`."""
-        return ensemble.run_ensemble(
-            [self.case],
-            self.judged,
-            max_strides=1,
-            tolerance=tolerance,
-            threads=1,
-            instructions=instructions,
-        )[0]
+    def ends(self, instructions: str, tolerance: float) -> Table:
+        """Ends of one stride from each of `judged`, by the ensemble engine: see `Batch.run`."""
+        batch = Batch(self.runner, self.judged, tolerance=tolerance, threads=1, instructions=instructions)
+        return batch.run(1)
 
     def error(self, apices: NDArray[np.float64]) -> float:
         """The largest difference from the exact apices, over the scales; infinite where one is no number."""
-        known = len(self.case.runner.coordinates)
-        differences = np.abs(apices - self.exact["apex"])[:, :known] / self.case.runner.scales
+        known = len(self.runner.coordinates)
+        differences = np.abs(apices[:, :known] - self.exact.apex) / self.runner.scales
         return float(np.max(np.where(np.isnan(differences), np.inf, differences)))
 
     def run(
         self, instructions: str | None, tolerance: float, threads: int, effort: float
-    ) -> tuple[float, ensemble.Work]:
+    ) -> tuple[float, dict[str, int]]:
         """Seconds for all, making some strides, and the work that was done."""
         count = max(JUDGED, round(effort * len(self.starts))) * threads
         runners = np.resize(self.starts, (count, self.starts.shape[1]))
-        work: list[ensemble.Work] = []
+        work: list[dict[str, int]] = []
+        batch = Batch(self.runner, runners, tolerance=tolerance, threads=threads, instructions=instructions)
 
         def once() -> None:
-            _, done = ensemble.run_ensemble(
-                [self.case],
-                runners,
-                max_strides=STRIDES_EACH,
-                tolerance=tolerance,
-                threads=threads,
-                instructions=instructions,
-            )
-            work.append(done)
+            work.append(batch.run(STRIDES_EACH).attributes["work_done"])
 
         return fastest(once), work[0]
 
@@ -97,4 +85,4 @@ def runners_about_the_gait(*, swing_clamp: bool | None = None, reduced: bool = F
         runner = runner.replace({CLAMP: swing_clamp})
     spread = source.uniform(-SPREAD, SPREAD, (RUNNERS, len(runner.coordinates)))
     gait = settled_gait(runner)
-    return Runners(gait, ensemble.Case(runner), gait.apex + spread)
+    return Runners(gait, runner, gait.apex + spread)

@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterator
 
 from ..checks import checked
 from ..fmu.fmu import Fmu, load_fmu
-from ..library import ensemble
+from ..library.engine import instruction_sets
 from ..terminal.progress import progress_bar
 from .accuracy import check_agrees
 from .ensembles import batch_error, lane_error, measure_batches, measure_lanes, measure_scaling
@@ -40,7 +40,7 @@ def _errors(fmu: Fmu, many: Runners) -> Iterator[tuple[str, Callable[[float], fl
     for name in PEERS:
         yield name, functools.partial(_peer_error, name, many)
     yield "heyoka in batches", functools.partial(batch_error, many)
-    for instructions in ensemble.instruction_sets():
+    for instructions in instruction_sets():
         yield instructions, functools.partial(lane_error, many, instructions)
 
 
@@ -66,7 +66,7 @@ def bench(
     fmu = load_fmu(fmu)
     many = runners_about_the_gait(swing_clamp=swing_clamp)
     reduced = runners_about_the_gait(swing_clamp=swing_clamp, reduced=True)
-    sets = ensemble.instruction_sets()
+    sets = instruction_sets()
     jobs: list[tuple[str, Callable[[], Iterator[Measurement]]]] = [
         *(
             (solver, functools.partial(measure_fmu, fmu, many, solver, effort))
@@ -96,6 +96,4 @@ def bench(
         scaling = measure_scaling(many, threads, effort)
         bar.update(1)
     ours = {ONE: "native", MANY: sets[-1], REDUCED: sets[-1]}
-    return Bench(
-        many.case.runner, tuple(measurements), ours, threads, scaling, versions_here(), tuple(missing)
-    )
+    return Bench(many.runner, tuple(measurements), ours, threads, scaling, versions_here(), tuple(missing))

@@ -10,8 +10,7 @@ import click
 from ..analysis.targeted import TargetNotMetError, find_gait
 from ..errors import InputError
 from ..library.gait import REPORTED, Gait
-from ..library.measures import MEASURES
-from ..library.quantities import quantities_of, quantity_of, unit_of
+from ..library.quantities import MEASURES, quantities_of, quantity_of, unit_of
 from ..terminal.text import columns, quantity
 from ..variables.display_units import DisplayUnits
 from ..variables.variable import Given

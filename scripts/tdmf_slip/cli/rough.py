@@ -8,7 +8,7 @@ from ..analysis.first_passage import MAX_RUNNERS, MAX_STRIDES, FirstPassage, str
 from ..analysis.rare_falls import RareFalls, rare_falls
 from ..analysis.volume import CONFIDENCE
 from ..errors import InputError
-from ..library.rough_ground import (
+from ..library.ground import (
     LARGEST,
     LARGEST_SPREAD,
     LAST_SEED,

@@ -13,7 +13,7 @@ from ..checks import is_one_of, near_matches, refusal, shown
 from ..drawable import Drawable
 from ..errors import InputError
 from ..given import numbers_of, row_of
-from ..library.affine_law import AffineLaw
+from ..library.laws import AffineLaw
 from ..variables.table import FRICTION, VARIABLES, by_full_name
 from .linearization import Linearization
 

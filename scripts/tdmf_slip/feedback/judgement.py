@@ -14,9 +14,9 @@ from ..blocks import run_blocks
 from ..checks import check_kind
 from ..contents import ByContents
 from ..given import row_of
-from ..library.affine_law import AffineLaw
 from ..library.gait import Gait, check_is_gait
-from ..library.rough_ground import RoughGround
+from ..library.ground import RoughGround
+from ..library.laws import AffineLaw, Law, check_law
 from ..terminal.progress import progress_bar
 
 SAMPLES = 4000
@@ -31,7 +31,7 @@ class Trial(ByContents):
 
     gait: Gait
     """The gait."""
-    law: AffineLaw | None
+    law: Law | None
     """What holds it; None for the runner as it is."""
     roughness: tuple[float, ...]
     """Standard deviations of a step of the ground, m."""
@@ -58,12 +58,10 @@ class Judgement(ByContents):
     """Strides until the fall on ground of each roughness, with the noise of the law's sensors."""
 
 
-def judge(
-    gait: Gait, law: AffineLaw | None = None, *, roughness: Sequence[float] = (), seed: int = 0
-) -> Judgement:
+def judge(gait: Gait, law: Law | None = None, *, roughness: Sequence[float] = (), seed: int = 0) -> Judgement:
     """How well a feedback holds a gait, within its limits."""
     check_is_gait(gait, "gait")
-    check_kind(law, (AffineLaw, type(None)), "law", "an AffineLaw, as dead_beat, lqr and place_poles give")
+    check_law(law, gait.runner)
     steps = row_of(roughness, "roughness", "numbers in a list, m")
     return _judged(Trial(gait, law, tuple(steps), seed))
 
@@ -87,7 +85,7 @@ def judge_all(
 
 
 def _judged(trial: Trial) -> Judgement:
-    quiet = None if trial.law is None else replace(trial.law, noise=None)
+    quiet = replace(trial.law, noise=None) if isinstance(trial.law, AffineLaw) else trial.law
     return Judgement(
         trial,
         volume(trial.gait, SAMPLES, seed=trial.seed, law=quiet),

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from ..checks import check_kind, checked
 from ..errors import InputError
-from ..library.rough_ground import LARGEST
+from ..library.ground import LARGEST
 from ..library.section import COORDINATES
 from .feedback import Feedback
 

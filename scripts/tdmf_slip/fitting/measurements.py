@@ -11,8 +11,7 @@ from ..contents import ByContents
 from ..errors import InputError, reason
 from ..files.cells import cells_of
 from ..given import is_table, mapping_of
-from ..library.measures import MEASURES
-from ..library.quantities import SIGNED, unit_of
+from ..library.quantities import MEASURES, SIGNED, unit_of
 
 USUAL = ("speed", "frequency", "stance_time", "duty_factor", "slip_distance", "peak_force")
 """Quantities that are usually measured, by names of `library.quantities.QUANTITIES`. The frequency is 1

@@ -1,39 +1,234 @@
-"""The ensemble engine at work. A flag ends it: raised by an interrupt, or by whoever started this thread."""
+"""A request to the C ensemble engine, with the memory that it points to."""
 
+from collections.abc import Mapping, Sequence
 from typing import Any
 
-from numpy import void
+import numpy as np
 from numpy.typing import NDArray
 
 from ..errors import StoppedError
 from ..uninterrupted import stop_flag, uninterrupted
 from .binding import c, ffi
-from .structs import Ensemble
+from .c_structs import END, MODEL, STATE, STRIDE, WIDTH, address, dtype_of
+from .refusals import text_of
 
 FEW = 64
-"""Strides that are made without a thread beside: they take milliseconds."""
+"""Strides that run without a thread of their own: they take milliseconds."""
+LAST_STRIDE = 2**31 - 1
+FATES = ("settled", "fell", "undecided", "no_start", "unsolved", "no_stride", "stopped")
+"""Fates of runners, by the library's numbers. The solver could not follow an unsolved runner, which may fall
+or not. Only the reduced map has apices without a stride. An interrupt ended the runs that are stopped."""
+SETTLED, FELL, UNDECIDED, UNSOLVED, STOPPED = (
+    FATES.index(name) for name in ("settled", "fell", "undecided", "unsolved", "stopped")
+)
+INSTRUCTIONS: Mapping[str, int] = {
+    text_of(c.tdmf_instructions_name(number)): number for number in range(1, c.TDMF_INSTRUCTIONS_COUNT)
+}
+"""Instruction sets that the library knows, by name."""
+BEST: int = c.TDMF_BEST_INSTRUCTIONS
+ONE_BY_ONE: int = c.TDMF_ONE_BY_ONE
 
 
-def run(ensemble: Ensemble, ends: NDArray[void], strides: int) -> Any:
-    """Run a request whose values are checked. No runner makes more than so many strides."""
-    work = ffi.new("tdmf_ensemble_work *")
-    flag = stop_flag()
+def instruction_sets() -> tuple[str, ...]:
+    """What this processor and this build have, the slowest first: `one by one` is the native solver."""
+    return tuple(name for name, number in INSTRUCTIONS.items() if c.tdmf_has_instructions(number))
 
-    def engine() -> bool:
-        ensemble.stop = ffi.from_buffer("int[]", flag)
+
+class AffineSettings:
+    """An affine law as the library takes it."""
+
+    def __init__(
+        self,
+        numbers: Sequence[int],
+        apex: Sequence[float],
+        rows: Mapping[str, Any],
+        gain: Any,
+        noise: Sequence[float],
+        seed: int,
+    ) -> None:
+        size, wide = len(apex), np.zeros((len(numbers), WIDTH))
+        wide[:, :size] = gain
+        self._arrays: dict[str, NDArray[Any]] = {
+            "settings": np.array(numbers, np.intc),
+            "gain": wide,
+            **{name: np.array(row, float) for name, row in rows.items()},
+        }
+        self.struct = np.zeros(1, dtype_of("tdmf_affine_law"))
+        for name, array in self._arrays.items():
+            self.struct[name] = address(array)
+        self.struct["count"], self.struct["seed"] = len(numbers), seed
+        self.struct["apex"][0, :size], self.struct["noise"][0, :size] = apex, noise
+
+    def at(self, apices: NDArray[np.float64], first_number: int, stride: int) -> NDArray[np.float64]:
+        """What the law sets at apices of runners, shape (runners, settings)."""
+        sections = np.zeros((len(apices), WIDTH))
+        sections[:, : apices.shape[1]] = apices
+        values = np.empty((len(apices), len(self._arrays["settings"])))
+        law = ffi.from_buffer("tdmf_affine_law *", self.struct)
+        for k, (section, row) in enumerate(zip(sections, values, strict=True)):
+            begin, out = ffi.from_buffer("double[]", section), ffi.from_buffer("double[]", row)
+            c.tdmf_affine_settings(law, begin, first_number + k, stride, out)
+        return values
+
+
+class Engine:
+    """A request to the ensemble engine, which goes on from call to call.
+
+    `ends` and, where strides are recorded, `recorded` are what the engine writes, over runners.
+    """
+
+    def __init__(
+        self,
+        models: NDArray[Any],
+        inputs: NDArray[Any],
+        starts: NDArray[np.float64],
+        *,
+        reduced: bool,
+        tolerance: float,
+        threads: int,
+        instructions: int,
+        first_number: int = 0,
+        step_limit: int = 0,
+        foot_x: NDArray[np.float64] | None = None,
+    ) -> None:
+        count = len(starts)
+        self.made = 0
+        self.ends = np.zeros(count, END)
+        self.recorded: NDArray[Any] | None = None
+        self.checkpoints: NDArray[Any] | None = None
+        self._kept: list[Any] = [models, starts, foot_x]
+        self._cases = cases = np.zeros(max(len(models), len(inputs)), dtype_of("tdmf_ensemble_case"))
+        step = MODEL.itemsize * np.arange(len(cases), dtype=np.uintp) if len(models) > 1 else 0
+        cases["model"] = address(models) + step
+        cases["inputs"] = inputs
+        self.rules = cases["rules"]
+        self._most = self.rules["max_strides"]
+        self._work = ffi.new("tdmf_ensemble_work *")
+        self._request = request = ffi.new("tdmf_ensemble *")
+        request.cases, request.case_count = self._pointer("tdmf_ensemble_case[]", cases), len(cases)
+        if len(cases) > 1:
+            request.case_of = self._pointer("int[]", np.arange(count, dtype=np.intc))
+        request.starts, request.count = ffi.cast("double (*)[6]", self._pointer("double[]", starts)), count
+        if foot_x is not None:
+            request.foot_x = self._pointer("double[]", foot_x)
+        request.first_number, request.relative_tolerance = first_number, tolerance
+        request.step_limit, request.threads, request.instructions = step_limit, threads, instructions
+        request.map = c.TDMF_REDUCED_MAP if reduced else c.TDMF_RETURN_MAP
+        self._ends = ffi.from_buffer("tdmf_ensemble_end[]", self.ends)
+
+    def _pointer(self, kind: str, array: NDArray[Any]) -> Any:
+        """A pointer to an array that lives as long as the request."""
+        pointer = ffi.from_buffer(kind, array)
+        self._kept.append(pointer)
+        return pointer
+
+    def _address(self, array: NDArray[Any]) -> int:
+        """The address of an array that lives as long as the request."""
+        self._kept.append(array)
+        return address(array)
+
+    def settle_on(
+        self, gaits: NDArray[np.float64], distance: float, balls: NDArray[np.float64] | None = None
+    ) -> None:
+        """Have runs end at gaits, shape (cases or 1, gaits, `WIDTH`), or in balls, (gaits, size, size)."""
+        begin = self._address(gaits)
+        step = gaits[0].nbytes * np.arange(len(gaits), dtype=np.uintp) if len(gaits) > 1 else 0
+        self.rules["gaits"], self.rules["gait_count"] = begin + step, gaits.shape[1]
+        self.rules["distance"] = distance
+        if balls is not None:
+            wide = np.zeros((len(balls), WIDTH, WIDTH))
+            wide[:, : balls.shape[1], : balls.shape[2]] = balls
+            self.rules["balls"] = self._address(wide)
+
+    def run_on(self, ground: Mapping[str, Any], terrain: Mapping[str, Any]) -> None:
+        """Write uneven ground into the rules: numbers, and rows of weights and heights."""
+        for fields, rules in ((ground, self.rules), (terrain, self.rules["terrain"])):
+            for name, value in fields.items():
+                if isinstance(value, tuple):
+                    rules[_COUNTS[name]] = len(value)
+                    rules[name] = self._address(np.array(value, float)) if value else 0
+                else:
+                    rules[name] = value
+
+    def obey(self, law: AffineSettings) -> None:
+        """Have the engine follow an affine law."""
+        self._kept.append(law)
+        self.rules["law"] = address(law.struct)
+
+    def set_by(self, numbers: Sequence[int], values: NDArray[np.float64]) -> None:
+        """Have settings read from `values`, shape (runners, strides, settings), where they may change."""
+        given = ffi.new("tdmf_given_settings *")
+        given.count, given.strides = len(numbers), values.shape[1]
+        given.settings = self._pointer("int[]", np.array(numbers, np.intc))
+        given.values = self._pointer("double[]", values)
+        self._request.given = self._given = given
+
+    def set_from(self, stride: int) -> None:
+        """Tell for which stride the first of the settings are."""
+        self._given.first = stride
+
+    def record(self, strides: int) -> NDArray[Any]:
+        """Have strides recorded, shape (runners, strides), from the next one on."""
+        self.recorded = recorded = np.zeros((len(self.ends), strides), STRIDE)
+        self._request.strides = self._pointer("tdmf_ensemble_stride[]", recorded)
+        self._request.first_stride, self._request.stride_count = self.made, strides
+        return recorded
+
+    def record_next(self) -> None:
+        """Have the next stride recorded over the last one."""
+        self._request.first_stride = self.made
+
+    def keep_checkpoints(self) -> NDArray[Any]:
+        """Have the engine keep where runners stand, so that they can go on."""
+        if self.checkpoints is None:
+            self.checkpoints = np.zeros(len(self.ends), STATE["checkpoint"])
+            pointer = self._pointer("tdmf_ensemble_checkpoint[]", self.checkpoints)
+            self._request.checkpoints = pointer
+        return self.checkpoints
+
+    def resume(self, states: NDArray[Any], stride: int) -> None:
+        """Put every runner where a state was saved, at the apex where a stride of this number begins."""
+        self.ends[:], self.keep_checkpoints()[:] = states["end"], states["checkpoint"]
+        self.ends["strides"] = self.checkpoints["motion"]["record"]["stride"]["count"] = stride  # type: ignore[index]
+        self.made = stride
+        self._request.goes_on = True
+
+    def save(self) -> NDArray[Any]:
+        """States of all runners, shape (runners,)."""
+        states = np.empty(len(self.ends), STATE)
+        states["end"], states["checkpoint"] = self.ends, self.keep_checkpoints()
+        return states
+
+    def advance(self, strides: int) -> Any:
+        """Make more strides of all runners that still run; the work done, as the library counts it."""
+        self._most[...] = self.made + strides
+        flag, request = stop_flag(), self._request
+
+        def engine() -> bool:
+            request.stop = ffi.from_buffer("int[]", flag)
+            try:
+                complete = bool(c.tdmf_run_ensemble(request, self._ends, self._work))
+            finally:
+                request.stop = ffi.NULL
+            if flag[0]:
+                raise KeyboardInterrupt
+            return complete
+
         try:
-            complete = bool(c.tdmf_run_ensemble(ensemble, c_ends, work))
-        finally:
-            ensemble.stop = ffi.NULL
-        if flag[0]:
-            raise KeyboardInterrupt
-        return complete
+            few = len(self.ends) * strides <= FEW
+            complete = engine() if few else uninterrupted(engine, flag)
+        except KeyboardInterrupt:
+            raise StoppedError(self.ends[: self._work.begun]) from None
+        if not complete:
+            raise MemoryError("the ensemble engine found no memory, or its request was not sound")
+        self.made += strides
+        request.goes_on = True
+        return self._work
 
-    c_ends = ffi.cast("tdmf_ensemble_end *", ffi.from_buffer(ends))
-    try:
-        complete = engine() if len(ends) * strides <= FEW else uninterrupted(engine, flag)
-    except KeyboardInterrupt:
-        raise StoppedError(ends[: work.begun]) from None
-    if not complete:
-        raise MemoryError("the ensemble engine found no memory, or its request was not sound")
-    return work
+
+_COUNTS = {
+    "step_weights": "step_weight_count",
+    "friction_weights": "friction_weight_count",
+    "heights": "height_count",
+}
+"""Numbers of elements of rows in the rules."""

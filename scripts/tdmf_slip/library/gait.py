@@ -20,9 +20,11 @@ from ..errors import GaitNotFoundError
 from ..record import origin_of
 from ..variables.table import FRICTION
 from .binding import c, ffi
+from .c_structs import RETURN, viewed
 from .maps import map_of, why_no_gait
-from .measures import STRIDE_QUANTITIES, all_measures
 from .members import check_comes_down, check_has_gaits
+from .quantities import LEDGER as LEDGER
+from .quantities import MEASURES, STRIDE_QUANTITIES, Quantities, weight_of
 from .refusals import text_of
 from .return_map import Along, derivatives, seed_of
 from .runner import Runner
@@ -31,8 +33,6 @@ from .structs import EventLog, Return
 from .word import Event, Letter, letters_of, recorded
 
 SETTLING_STRIDES = 400
-LEDGER = ("external_work", "damper_loss", "friction_loss", "impact_loss")
-"""What closes the balance of energy of a stride with the work of hip and leg, J."""
 REPORTED = ("period", "length", "speed", "work", "cost_of_transport")
 """Those that a gait is told by."""
 PARTS = ("rise", "hip_work", "leg_work", *LEDGER)
@@ -52,7 +52,7 @@ class Gait(ByContents, Drawable):
     liftoff_angle: float
     """Of the leg at lift-off, rad."""
     stride: Mapping[str, float]
-    """By the names in `STRIDE_QUANTITIES`, `LEDGER` and, in the full model, `measures.MEASURES`: there
+    """By the names in `STRIDE_QUANTITIES`, `LEDGER` and, in the full model, `quantities.MEASURES`: there
     `positive_work` is that of hip and leg, in the reduced map that of the hip."""
     jacobian: NDArray[np.float64]
     """Of the map, shape (n, n); [i, k] is the change of coordinate i by coordinate k."""
@@ -231,9 +231,10 @@ def gait_of_stride(
 ) -> Gait:
     """A stride as the library gives it, whether it leads back to its apex or not."""
     jacobian, by_parameter = derivatives(runner, stride)
-    reported = {name: float(getattr(stride.stride, name)) for name in STRIDE_QUANTITIES}
-    reported |= {name: float(getattr(stride, name)) for name in LEDGER}
-    reported |= {} if runner.reduced else all_measures(runner, apex, stride)
+    struct = viewed(ffi.addressof(stride), RETURN)[0]
+    quantities = Quantities(struct, apex, weight_of(runner), is_measured=not runner.reduced)
+    names = (*STRIDE_QUANTITIES, *LEDGER, *(() if runner.reduced else MEASURES))
+    reported = {name: float(quantities[name]) for name in names}
     return Gait(
         runner=runner,
         apex=apex,

@@ -1,9 +1,9 @@
-"""What a gait can be ordered by and fitted to: quantities of a stride.
+"""Quantities of a stride: names and units, values in the library's strides, and exact derivatives."""
 
-Their exact derivatives are in `varied_stride`.
-"""
+from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,29 +12,182 @@ from ..checks import shown
 from ..errors import InputError
 from ..variables import units
 from ..variables.table import MODELS
-from .gait import Gait
-from .measures import APEX_QUANTITIES, MEASURES, apex_quantities
 from .runner import Runner
-from .section import REDUCED
+from .section import COORDINATES, REDUCED, Apex
 
-OF_STRIDE: Mapping[str, Callable[[Mapping[str, float]], float]] = {
-    "speed": lambda stride: stride["speed"],
-    "frequency": lambda stride: 1.0 / stride["period"],
-    "length": lambda stride: stride["length"],
-    "stance_time": lambda stride: stride["stance_time"],
-    "duty_factor": lambda stride: stride["duty_factor"],
-    "slip_distance": lambda stride: stride["slip_distance"],
-    "peak_force": lambda stride: stride["peak_force"],
-    "peak_vertical_force": lambda stride: stride["peak_vertical_force"],
-    "cost_of_transport": lambda stride: stride["cost_of_transport"],
-}
-"""Those of both maps, of a stride as it is told."""
-QUANTITIES = (*OF_STRIDE, *MEASURES)
-"""What a gait can be ordered by; the frequency is that of strides, one over the period."""
-REDUCED_QUANTITIES = (*OF_STRIDE, *(name for name, of in APEX_QUANTITIES.items() if of in REDUCED))
-"""Those that the reduced map has: its leg is placed in flight as if by itself."""
+if TYPE_CHECKING:
+    from .gait import Gait
+
+STRIDE_QUANTITIES = (
+    "period",
+    "length",
+    "rise",
+    "speed",
+    "work",
+    "hip_work",
+    "leg_work",
+    "positive_work",
+    "cost_of_transport",
+    "touchdowns",
+    "stance_time",
+    "duty_factor",
+    "slip_distance",
+    "peak_force",
+    "peak_vertical_force",
+)
+"""Quantities in the record of any stride."""
+LEDGER = ("external_work", "damper_loss", "friction_loss", "impact_loss")
+"""Terms that, with the work of hip and leg, close the balance of energy of a stride, J."""
+MEASURES = (
+    "apex_height",
+    "apex_speed",
+    "apex_leg_angle",
+    "foot_clearance",
+    "greatest_foot_height",
+    "positive_hip_work",
+    "positive_leg_work",
+    "positive_work",
+    "positive_cost_of_transport",
+    "squared_torque",
+    "greatest_slip_velocity",
+    "friction_loss",
+)
+"""Quantities that are measured along a stride of the full model besides."""
+APEX_QUANTITIES = {q.name: q.coordinate for q in MODELS["full"].quantities.values() if q.coordinate}
+"""Quantities that are coordinates of the apex at which a stride begins."""
+ORDERED_OF_BOTH = (
+    "speed",
+    "frequency",
+    "length",
+    "stance_time",
+    "duty_factor",
+    "slip_distance",
+    "peak_force",
+    "peak_vertical_force",
+    "cost_of_transport",
+)
+"""Quantities of both maps that a gait can be ordered by; the frequency is that of strides."""
+QUANTITIES = (*ORDERED_OF_BOTH, *MEASURES)
+"""All that a gait can be ordered by."""
+REDUCED_QUANTITIES = (*ORDERED_OF_BOTH, *(name for name, of in APEX_QUANTITIES.items() if of in REDUCED))
+"""Those of the reduced map, whose leg is placed in flight as if by itself."""
 SIGNED = ("apex_leg_angle",)
 """Those that may be 0 or less."""
+_PER_DISTANCE = {"cost_of_transport": "work", "positive_cost_of_transport": "positive_work"}
+_MEASURED = ("positive_hip_work", "positive_leg_work", "squared_torque", "friction_loss")
+_GREATEST = ("greatest_slip_velocity", "greatest_foot_height")
+MEASURED = (*_MEASURED, *_GREATEST, "positive_work", "positive_cost_of_transport")
+"""Quantities that the full model has to measure along the stride."""
+_VARIED = ("period", "length", "work", "stance_time", "slip_distance", "peak_force", "peak_vertical_force")
+"""Recorded quantities whose derivatives the library has."""
+
+
+class Quantities:
+    """Quantities of strides by name, from the library's structs of strides.
+
+    Parameters
+    ----------
+    strides : structured ndarray
+        `tdmf_return` or `tdmf_ensemble_stride` structs of any shape.
+    apices : ndarray of float, shape (..., n)
+        Where the strides begin.
+    weight : float or ndarray
+        Weight of each runner, N.
+    is_measured : bool
+        The structs hold what is measured along a stride of the full model.
+    """
+
+    def __init__(
+        self,
+        strides: NDArray[Any],
+        apices: NDArray[np.float64],
+        weight: float | NDArray[np.float64],
+        is_measured: bool,
+    ) -> None:
+        self.strides, self.apices, self.weight, self.is_measured = strides, apices, weight, is_measured
+
+    def __getitem__(self, name: str) -> NDArray[np.float64]:
+        """The values, in the shape of the strides."""
+        if name in APEX_QUANTITIES:
+            values: NDArray[np.float64] = self.apices[..., COORDINATES.index(APEX_QUANTITIES[name])]
+            return values
+        if name == "frequency":
+            return _ratio(1.0, self["period"])
+        if self.is_measured:
+            if name == "positive_work":
+                return self["positive_hip_work"] + self["positive_leg_work"]
+            if name in (*_MEASURED, *_GREATEST):
+                return np.asarray(self.strides["measures"][name])
+            if name == "positive_cost_of_transport":
+                return _ratio(self["positive_work"], self.weight * self["length"])
+        struct = self.strides["stride"] if name in STRIDE_QUANTITIES else self.strides
+        return np.asarray(struct[name])
+
+    def derivative(
+        self, name: str, variations: NDArray[Any], weight_by: NDArray[np.float64]
+    ) -> NDArray[np.float64]:
+        """Derivatives by the rules of differentiation, along the last axis of the library's `variations`."""
+
+        def by(other: str) -> NDArray[np.float64]:
+            return self.derivative(other, variations, weight_by)
+
+        def at(other: str) -> NDArray[np.float64]:
+            return self[other][..., None]
+
+        if name in APEX_QUANTITIES:
+            row = np.eye(len(weight_by))[COORDINATES.index(APEX_QUANTITIES[name])]
+            return np.broadcast_to(row, variations.shape)
+        if name == "frequency":
+            return -by("period") / at("period") ** 2
+        if name == "speed":
+            return (by("length") - at("speed") * by("period")) / at("period")
+        if name == "duty_factor":
+            return (by("stance_time") - at("duty_factor") * by("period")) / at("period")
+        if name in _PER_DISTANCE:
+            weight = np.asarray(self.weight)[..., None]
+            product_by = weight_by * at("length") + weight * by("length")
+            return (by(_PER_DISTANCE[name]) - at(name) * product_by) / (weight * at("length"))
+        if name == "positive_work":
+            return by("positive_hip_work") + by("positive_leg_work")
+        of_measures = name in (*_MEASURED, *_GREATEST)
+        return np.asarray(variations["measures"][name] if of_measures else variations[name])
+
+
+def _ratio(numerator: Any, denominator: NDArray[np.float64]) -> NDArray[np.float64]:
+    """The ratio, 0 where the denominator is."""
+    with np.errstate(divide="ignore", invalid="ignore"):
+        return np.where(denominator != 0.0, numerator / denominator, 0.0)
+
+
+def differentiable(reduced: bool) -> tuple[str, ...]:
+    """Quantities with exact derivatives."""
+    known = REDUCED_QUANTITIES if reduced else QUANTITIES
+    return (*_VARIED, *(name for name in known if name not in _VARIED))
+
+
+def reported_quantities(reduced: bool) -> tuple[str, ...]:
+    """Quantities of a stride by the return map or the reduced one, with its lift-off angle."""
+    more = tuple(APEX_QUANTITIES)[:2] if reduced else MEASURES
+    names = (*STRIDE_QUANTITIES, "frequency", *LEDGER, "liftoff_angle")
+    return (*names, *(name for name in more if name not in names))
+
+
+def apex_quantities(runner: Runner, apex: Apex) -> dict[str, float]:
+    """Where a stride begins, by the names of quantities."""
+    at = dict(zip(runner.coordinates, map(float, apex), strict=True))
+    return {name: at[of] for name, of in APEX_QUANTITIES.items() if of in at}
+
+
+def weight_of(values: Mapping[str, Any]) -> Any:
+    """Weight of body and foot, N, for parameters by name."""
+    return (values["body.mass"] + values["foot.mass"]) * values["gravity"]
+
+
+def weight_by(values: Mapping[str, Any], name: str) -> Any:
+    """Derivative of the weight by a parameter."""
+    if name in ("body.mass", "foot.mass"):
+        return values["gravity"]
+    return values["body.mass"] + values["foot.mass"] if name == "gravity" else 0.0
 
 
 def unit_of(quantity: str) -> str:
@@ -84,7 +237,7 @@ def check_quantities(runner: Runner, names: Sequence[str]) -> None:
 
 def quantity_of(name: str, reported: Mapping[str, float]) -> float:
     """A quantity of a stride."""
-    return float(OF_STRIDE[name](reported) if name in OF_STRIDE else reported[name])
+    return float(1.0 / reported["period"] if name == "frequency" else reported[name])
 
 
 def scales_of(runner: Runner, parameters: Sequence[str]) -> NDArray[np.float64]:

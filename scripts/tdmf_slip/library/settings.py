@@ -9,6 +9,7 @@ from ..checks import is_one_of, near_matches, shown
 from ..errors import InputError
 from ..variables.table import ALIASES, VARIABLES
 from .binding import c
+from .ground import RoughGround
 from .members import VARIED
 from .runner import Runner
 
@@ -23,6 +24,8 @@ BY_GAINS = (
     "control.touchdown_angle",
 )
 """What the hip does about them is proportional to `hip.kp` and `hip.kd`."""
+CONSTANT_ON_TERRAIN = ("ground.height", "ground.slope", "body.external_fx", "body.external_fy")
+"""What no law sets on a terrain."""
 
 
 def setting_number(name: object, what: str) -> int:
@@ -67,3 +70,31 @@ def checked_values(
             f"{what}: {where + ': ' if where else ''}{value} is not allowed; allowed: {variable.allowed}"
         )
     return values
+
+
+def check_settings(
+    names: Sequence[str],
+    runner: Runner,
+    ground: RoughGround,
+    what: str,
+    *,
+    set_too: Sequence[str] = (),
+    inputs: Sequence[str] = (),
+) -> None:
+    """Refuse settings that there are not, that do not act, or that something else sets.
+
+    `set_too` are names of what is set or varies besides; of these, `inputs` are set from stride to stride.
+    """
+    for name in names:
+        setting_number(name, what)
+        check_acts(name, runner, (*names, *set_too), what)
+        if name in inputs:
+            raise InputError(f"{what}: {name} is in the inputs, too; allowed: in one of them")
+        if name == "ground.height" and ground.roughness:
+            raise InputError(f"{what}: {name} on rough ground, whose steps set it; allowed: on level ground")
+        if name == "ground.friction" and ground.friction_spread:
+            raise InputError(
+                f"{what}: {name} on ground whose friction is drawn (friction_spread); allowed: one of the two"
+            )
+        if name in CONSTANT_ON_TERRAIN and ground.segment_length:
+            raise InputError(f"{what} sets {name} on a terrain (segment_length); allowed: it sets others")

@@ -14,10 +14,11 @@ from ..errors import RunError
 from ..numerics.newton import last_iterate
 from ..variables.table import FRICTION
 from .binding import ffi
+from .c_structs import LONGEST_STRIDE
 from .gait import Gait, gait_near, gait_of_stride
 from .maps import map_of, why_no_return
-from .measures import APEX_QUANTITIES
 from .members import check_comes_down, check_has_gaits
+from .quantities import APEX_QUANTITIES, weight_of
 from .return_map import Along, seed_of
 from .runner import Runner
 from .section import Apex, checked_apex
@@ -28,8 +29,6 @@ NEWTON_ITERATIONS = 40
 SHORTENINGS = 12
 CONVERGED, GOOD_ENOUGH = 1e-13, 1e-11
 """Largest difference of the apex and the last one, over the coordinates' scales."""
-LONGEST_STRIDE = 1e4
-"""In sqrt(m/k): a stride that takes longer counts as none."""
 BETWEEN_WORDS = " "
 
 
@@ -143,8 +142,7 @@ def _together(runner: Runner, strides: Sequence[Mapping[str, float]]) -> dict[st
     if len(strides) == 1:
         return dict(strides[0])
     found = {name: sum(stride[name] for stride in strides) for name in strides[0]}
-    weight = (runner["body.mass"] + runner["foot.mass"]) * runner["gravity"]
-    distance = weight * found["length"]
+    distance = weight_of(runner) * found["length"]
     greatest = ("peak_force", "peak_vertical_force", "greatest_foot_height", "greatest_slip_velocity")
     ratios = {"cost_of_transport": "work", "positive_cost_of_transport": "positive_work"}
     return found | {

@@ -16,7 +16,7 @@ from matplotlib.ticker import MaxNLocator
 from numpy.typing import NDArray
 
 from ..analysis.basin_result import FOLLOWED, STRIDES, Basin
-from ..library.ensemble import FATES, SETTLED
+from ..library.engine import FATES, SETTLED
 from ..variables import paper_units
 from ..variables.table import paper_unit, scale
 from . import style

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from ..analysis.stride_map import stride_map
 from ..errors import InputError
 from ..fmu.simulation import simulate
-from ..library.ensemble import instruction_sets
+from ..library.engine import instruction_sets
 from ..library.runner import Runner
 from ..library.strides import strides_from
 from .proof import Proof

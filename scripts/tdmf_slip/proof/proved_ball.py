@@ -4,12 +4,12 @@ import numpy as np
 
 from ..analysis.ball import Ball, cube_in
 from ..errors import InputError, RunError
-from ..library import ensemble
+from ..library.batch_given import MIN_TOLERANCE
 from ..library.gait import Gait
 from .prove_attraction import prove_attraction
 
 ENGINE_ERROR = 50.0
-"""A stride errs by so many tolerances at the most, over the scales; see `ensemble.ACCURACY`."""
+"""A stride errs by so many tolerances at the most, over the scales; see `library.batch.ACCURACY`."""
 
 
 def proved_ball(gait: Gait) -> Ball:
@@ -28,4 +28,4 @@ def proved_ball(gait: Gait) -> Ball:
     matrix = np.linalg.cholesky(both.T @ both).T * (1.0 + 1e-9)  # rounding is far below
     radius = cube_in(matrix * scales)
     tolerance = 0.1 * radius * (1.0 - gait.lambda_max) / ENGINE_ERROR
-    return Ball("proved", radius, found.rate, 0, matrix, max(tolerance, ensemble.MIN_TOLERANCE), 1e-300)
+    return Ball("proved", radius, found.rate, 0, matrix, max(tolerance, MIN_TOLERANCE), 1e-300)

@@ -19,7 +19,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..contents import ByContents
-from ..library.ensemble import ACCURACY
+from ..library.batch import ACCURACY
 from .grid import Grid
 from .transitions import Transitions
 

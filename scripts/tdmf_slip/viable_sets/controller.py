@@ -133,8 +133,8 @@ class ViableController(ByContents):
         row, column = divmod(int(cell), self.grid.cells[1])
         return GRADES[int(self.inner[row, column].any()) + int(self.outer[row, column].any())]
 
-    def __call__(self, apices: NDArray[np.float64]) -> dict[str, NDArray[np.float64]]:
-        """What is set at the apices of many runners, as `stride_map` calls a law."""
+    def __call__(self, apices: NDArray[np.float64], stride_number: int = 0) -> dict[str, NDArray[np.float64]]:
+        """What is set at the apices of many runners in any stride, as a `Batch` asks a law."""
         cells = self.grid.cell_of(apices[:, : len(REDUCED)])
         best = np.full(len(apices), -1)
         for number in np.unique(cells[cells >= 0]):

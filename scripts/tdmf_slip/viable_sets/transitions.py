@@ -12,9 +12,8 @@ from numpy.typing import NDArray
 from ..blocks import run_blocks
 from ..contents import ByContents
 from ..errors import InputError
-from ..library.ensemble import TOLERANCE
-from ..library.one_stride import next_apices
-from ..library.recorded_strides import CLOSED, STRIDE_FATES
+from ..library.batch import TOLERANCE, Batch
+from ..library.batch_tables import CLOSED, STRIDE_FATES
 from ..library.runner import Runner
 from ..library.section import REDUCED
 from ..record import attributes_of
@@ -39,7 +38,7 @@ class Transitions(ByContents):
     grid: Grid
     """Of corners and actions."""
     fate: NDArray[np.int8]
-    """Numbers into `library.recorded_strides.STRIDE_FATES`, shape (nodes, nodes, actions)."""
+    """Numbers into `library.batch_tables.STRIDE_FATES`, shape (nodes, nodes, actions)."""
     next_apex: NDArray[np.float32]
     """Height and speed, NaN where the stride did not close, shape (2, nodes, nodes, actions)."""
 
@@ -73,10 +72,13 @@ def strides_of(part: Corners) -> tuple[NDArray[np.int8], NDArray[np.float32]]:
     for first in range(0, len(nodes), at_once):
         some = slice(first, first + at_once)
         starts = starts_at(part.runner, nodes[some])
-        settings = {name: np.tile(values, len(starts)) for name, values in actions.items()}
-        fate, apices = next_apices(part.runner, np.repeat(starts, count, axis=0), settings)
-        fates[some] = fate.reshape(len(starts), count)
-        nexts[:, some] = apices[:, : len(REDUCED)].T.reshape(len(REDUCED), len(starts), count)
+        settings = {name: np.tile(values, len(starts))[:, None] for name, values in actions.items()}
+        batch = Batch(part.runner, np.repeat(starts, count, axis=0), inputs=settings)
+        run = batch.run(1)
+        closed = run.strides == 1
+        apices = np.where(closed[:, None], run.apex[:, : len(REDUCED)], np.nan)
+        fates[some] = np.where(closed, CLOSED, run.fate).reshape(len(starts), count)
+        nexts[:, some] = apices.T.reshape(len(REDUCED), len(starts), count)
     shape = (len(part.rows), len(speeds), count)
     return fates.reshape(shape), nexts.reshape(len(REDUCED), *shape)
 

@@ -5,8 +5,8 @@ from collections.abc import Callable
 from ...analysis.robustness import DISTURBED, FARTHEST, Robustness, robustness
 from ...analysis.volume import volume
 from ...errors import RunError
-from ...library.affine_law import AffineLaw
 from ...library.gait import Gait
+from ...library.laws import AffineLaw
 from ...library.section import COORDINATES
 from .claim import (
     HEAVY,

@@ -7,7 +7,7 @@ from ...analysis.first_passage import strides_to_fall
 from ...feedback.feedback import Feedback
 from ...feedback.gains import dead_beat, lqr
 from ...library.gait import Gait
-from ...library.rough_ground import RoughGround
+from ...library.ground import RoughGround
 from .attraction import SAMPLES, Design, largest, share
 from .claim import ANGLE, SLIPS, STICKS, TABLE_1, TORQUE, Estimate, Measure, OwnClaim, Regime, stable_gait
 from .rough import LOW, MATCH, foot, runner_on

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from ...analysis.basin import basin
 from ...analysis.search import periodic_gait
 from ...errors import RunError
-from ...library.ensemble import SETTLED
+from ...library.engine import SETTLED
 from ...library.gait import Gait
 from ...library.runner import Runner
 from ...variables.table import FRICTION

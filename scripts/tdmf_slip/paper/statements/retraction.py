@@ -6,7 +6,7 @@ from functools import cache
 
 from ...analysis.first_passage import strides_to_fall
 from ...library.gait import Gait
-from ...library.rough_ground import RoughGround
+from ...library.ground import RoughGround
 from ...library.runner import Runner
 from .claim import (
     ALL_BUT_HUMAN,

@@ -5,7 +5,7 @@ from functools import cache
 from ...analysis.first_passage import FirstPassage, strides_to_fall
 from ...analysis.rare_falls import rare_falls
 from ...library.gait import Gait
-from ...library.rough_ground import RoughGround, correlated_weights
+from ...library.ground import RoughGround, correlated_weights
 from .claim import SLIPS, STICKS, Estimate, Measure, OwnClaim, Regime, matched, over_length, stable_gait
 
 RUNNERS, MAX_STRIDES = 256, 300

@@ -1,27 +1,35 @@
-"""A law from apex to settings that the ensemble engine follows by itself, with limits and noise."""
+"""Laws: from apices to what is set there. Any function is one; the engine follows an affine one by itself."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import inspect
+import json
+import zlib
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import asdict, dataclass
+from functools import cached_property
+from typing import TypeAlias
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ..checks import check_kind, checked_whole, shown
+from ..checks import checked_whole, refusal, shown
 from ..contents import ByContents
 from ..errors import InputError
 from ..given import numbers_of, row_of
-from ..variables.table import full_names
-from .binding import c, ffi
-from .rough_ground import LAST_RUNNER, LAST_SEED, MAX_STEPS
+from ..record import without_record
+from ..variables.table import by_full_name, full_names
+from .engine import AffineSettings
+from .ground import LAST_RUNNER, LAST_SEED, MAX_STEPS, RoughGround
 from .runner import Runner
 from .section import COORDINATES, REDUCED, Apex, checked_apex
-from .settings import check_acts, checked_values, setting_number
-from .structs import Struct
+from .settings import check_acts, check_settings, checked_values, setting_number
 
 LARGEST = 1e100
-"""Of the numbers of a law, so that sums of their products are finite."""
+"""Largest number in a law: sums of products stay finite."""
+Law: TypeAlias = Callable[[NDArray[np.float64], int], Mapping[str, ArrayLike]]
+"""From apices, shape (runners, n), and the number of the stride that begins there, to settings by name: each
+a number, or one for each runner. Each row is set by itself. Rows of runners whose run is over are NaN."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -102,6 +110,44 @@ class AffineLaw(ByContents):
         """Whether the sensor adds anything."""
         return any(self.noise or ())
 
+    @cached_property
+    def settings(self) -> AffineSettings:
+        """The law as the library takes it."""
+        return AffineSettings(
+            [setting_number(name, "inputs") for name in self.inputs],
+            [*self.apex],
+            {"nominal": self.nominal, "low": self.low, "high": self.high},
+            self.gain,
+            [*(self.noise or ())],
+            self.seed,
+        )
+
+    def __getstate__(self) -> dict[str, object]:
+        """Without what the library takes, which holds addresses of this process."""
+        return {name: value for name, value in self.__dict__.items() if name != "settings"}
+
+    def __call__(
+        self, apices: NDArray[np.float64], stride_number: int = 0, first_number: int = 0
+    ) -> dict[str, NDArray[np.float64]]:
+        """What is set at the apices of many runners, as the engine sets it.
+
+        Parameters
+        ----------
+        apices : ndarray of float, shape (runners, n)
+            In the order of the law's own.
+        stride_number : int, default 0
+            Number of the stride that begins; the noise depends on it.
+        first_number : int, default 0
+            Number of the first runner, from which the others are counted; the noise depends on it, too.
+
+        Returns
+        -------
+        dict of str to ndarray
+            By the names of the settings, shape (runners,).
+        """
+        values = self.settings.at(np.asarray(apices, float), first_number, stride_number)
+        return dict(zip(self.inputs, values.T, strict=True))
+
     def inputs_at(self, apex: Apex, runner: int = 0, stride: int = 0) -> dict[str, float]:
         """What is set at an apex.
 
@@ -125,16 +171,10 @@ class AffineLaw(ByContents):
             Other coordinates, or a number is out of range.
         """
         coordinates = COORDINATES[: len(self.apex)]
-        section = ffi.new(
-            "double[6]", list(_numbers("apex", checked_apex(apex, coordinates), (len(coordinates),)))
-        )
-        values = ffi.new("double[]", len(self.inputs))
+        section = _numbers("apex", checked_apex(apex, coordinates), (len(coordinates),))
         runner = checked_whole("runner", runner, 0, LAST_RUNNER)
         stride = checked_whole("stride", stride, 0, MAX_STEPS)
-        law, kept = self.c_law()
-        c.tdmf_affine_settings(law, section, runner, stride, values)
-        del kept
-        return dict(zip(self.inputs, map(float, values), strict=True))
+        return {name: float(row[0]) for name, row in self(section[None], stride, runner).items()}
 
     def as_json(self) -> dict[str, object]:
         """The law as a plain object, by the names of its arguments."""
@@ -150,32 +190,87 @@ class AffineLaw(ByContents):
         for name in self.inputs:
             check_acts(name, runner, self.inputs, "law")
 
-    def c_law(self) -> tuple[Struct, object]:
-        """The law as the library takes it, a `tdmf_affine_law *`, and what has to live as long."""
-        law = ffi.new("tdmf_affine_law *")
-        gain = np.zeros((len(self.inputs), len(COORDINATES)))
-        gain[:, : len(self.apex)] = self.gain
-        kept = {
-            "settings": ffi.new("int[]", [setting_number(name, "inputs") for name in self.inputs]),
-            "nominal": ffi.new("double[]", list(self.nominal)),
-            "gain": ffi.new("double[][6]", gain.tolist()),
-            "low": ffi.new("double[]", list(self.low)),
-            "high": ffi.new("double[]", list(self.high)),
-        }
-        for name, values in kept.items():
-            setattr(law, name, values)
-        law.count, law.seed = len(self.inputs), self.seed
-        law.apex[0 : len(self.apex)] = list(self.apex)
-        law.noise[0 : len(self.apex)] = list(self.noise or ())
-        return law, (law, kept)
+
+def text_of_law(law: Law, apices: NDArray[np.float64] | None = None) -> str:
+    """A law as results record it: an affine one as JSON, a function by name and what it sets at apices."""
+    if isinstance(law, AffineLaw):
+        return json.dumps(without_record(law.as_json()))
+    name = getattr(law, "__qualname__", type(law).__qualname__)
+    if apices is None:
+        return str(name)
+    made = law(apices.copy(), 0)
+    numbers = np.concatenate([np.ravel(np.asarray(made[setting], float)) for setting in sorted(made)])
+    return f"{name}, check sum of settings {zlib.crc32(numbers.tobytes()):08x}"
+
+
+def is_noisy(law: Law | None) -> bool:
+    """Whether the sensors of a law add noise that is drawn by the numbers of runners."""
+    return isinstance(law, AffineLaw) and law.is_noisy
 
 
 def check_law(law: object, runner: Runner) -> None:
-    """Refuse what is no affine law for a runner."""
-    if law is not None:
-        check_kind(law, AffineLaw, "law", "an AffineLaw")
-        assert isinstance(law, AffineLaw)
+    """Refuse what is no law, and an affine law that does not fit a runner."""
+    if isinstance(law, AffineLaw):
         law.check_fits(runner)
+    elif law is not None:
+        allowed = "a function of apices and the number of the stride, or an AffineLaw"
+        if not callable(law):
+            raise refusal("law", law, allowed)
+        try:
+            inspect.signature(law).bind(None, 0)
+        except ValueError:  # a function of C that does not say
+            return
+        except TypeError:
+            raise refusal("law", law, allowed) from None
+
+
+class CheckedLaw:
+    """A function as a law; what it sets is checked at each stride."""
+
+    def __init__(
+        self, law: Law, runner: Runner, ground: RoughGround, set_too: Sequence[str], inputs: Sequence[str]
+    ):
+        self.law, self.runner, self.ground = law, runner, ground
+        self.set_too, self.inputs = set_too, inputs
+        self.names: tuple[str, ...] | None = None
+
+    def __call__(
+        self, apices: NDArray[np.float64], stride_number: int, under_way: NDArray[np.bool_]
+    ) -> dict[str, NDArray[np.float64]]:
+        """What is set at apices, shape (runners,); the runner's own values where a run is over."""
+        what = f"law: stride {stride_number}"
+        given = by_full_name(
+            self.law(apices, stride_number), f"{what}: what it gives", "numbers or arrays by name"
+        )
+        if self.names is None:
+            names = tuple(given)
+            check_settings(names, self.runner, self.ground, "law", set_too=self.set_too, inputs=self.inputs)
+            self.names = names
+        if set(given) != set(self.names):
+            raise InputError(f"{what}: {', '.join(given)}; allowed: {', '.join(self.names)}, as at first")
+        return {name: self._values(name, given[name], what, under_way) for name in self.names}
+
+    def _values(
+        self, name: str, given: ArrayLike, what: str, under_way: NDArray[np.bool_]
+    ) -> NDArray[np.float64]:
+        values = numbers_up_to(f"{what}: {name}", given, 1)
+        if values.shape not in ((), (1,), under_way.shape):
+            raise InputError(
+                f"{what}: {name} of shape {values.shape}; allowed: {under_way.shape}, or one for all"
+            )
+        of_all = np.broadcast_to(values, under_way.shape)
+        usual = self.runner[name]
+        return checked_values(name, np.where(under_way, of_all, usual), what, {"runner": 0})
+
+
+def numbers_up_to(what: str, given: object, dimensions: int) -> NDArray[np.float64]:
+    """An array of numbers, of up to so many dimensions."""
+    values = numbers_of(what, given)
+    if values.ndim > dimensions or not values.size:
+        raise InputError(
+            f"{what} of shape {values.shape}; allowed: one or more numbers, {dimensions} dimensions"
+        )
+    return values
 
 
 def _numbers(what: str, given: object, shape: tuple[int, ...]) -> NDArray[np.float64]:

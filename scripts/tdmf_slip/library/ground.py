@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 from ..checks import checked, checked_flag, checked_whole, number_in, path_of, shown
 from ..errors import InputError, reason
 from ..given import numbers_of, row_of
-from .binding import c, ffi
+from .binding import c
 
 LARGEST = 1e9
 """Roughness, m."""
@@ -121,20 +121,16 @@ class RoughGround:
         """It is not the ground of the runner's inputs alone."""
         return bool(self.roughness or self.friction_spread or self.segment_length)
 
-    def write(self, rules: Any) -> list[object]:
-        """Write it into the rules of a case."""
-        rules.roughness, rules.seed, rules.trips = self.roughness, self.seed, self.trips
-        rules.friction_spread = self.friction_spread
-        steps, friction = (
-            ffi.new("double[]", list(weights)) if weights else ffi.NULL
-            for weights in (self.step_weights, self.friction_weights)
-        )
-        rules.step_weights, rules.step_weight_count = steps, len(self.step_weights)
-        rules.friction_weights, rules.friction_weight_count = friction, len(self.friction_weights)
-        heights = ffi.new("double[]", list(self.heights)) if self.heights else ffi.NULL
-        rules.terrain.length, rules.terrain.heights = self.segment_length, heights
-        rules.terrain.height_count = len(self.heights)
-        return [steps, friction, heights]
+    @property
+    def rules(self) -> dict[str, Any]:
+        """What the engine is told of it, by the names of its rules."""
+        names = ("roughness", "seed", "trips", "friction_spread", "step_weights", "friction_weights")
+        return {name: getattr(self, name) for name in names}
+
+    @property
+    def terrain(self) -> dict[str, Any]:
+        """What the engine is told of its segments."""
+        return {"length": self.segment_length, "heights": self.heights}
 
     def check_runner(self, values: Mapping[str, float | bool], scales: NDArray[np.float64]) -> None:
         """Refuse short segments (`scales[0]` is l0), and on a terrain a push or ground not level."""

@@ -1,0 +1,256 @@
+"""Runners side by side: strides with exact derivatives, runs over many strides, and stepping in place.
+
+::
+
+    batch = Batch({"ground.friction": [0.4, 0.6]}, apex)
+    batch.stride(jacobian=True).jacobian, batch.run(100).fate
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ..checks import checked_whole
+from . import c_structs
+from .batch_given import TOLERANCE as TOLERANCE
+from .batch_given import Given
+from .batch_tables import ends_table, exact_table, recorded_table
+from .engine import LAST_STRIDE
+from .members import check_varied
+from .return_map import Along
+from .session import Session
+from .tables import Table
+
+ACCURACY = 1e-8
+"""Largest error of a stride at `TOLERANCE`, of its apex over the scales of the section, and of its time,
+distance and energies over sqrt(m/k), l0 and k l0^2. It holds for starts anywhere in `analysis.volume.BOX`,
+and for runners whose parameters differ from the default ones by factors of up to e."""
+NEAR = 1e-2
+"""Distance from a gait's apex, over the scales, at which a runner counts as settled."""
+
+
+class Batch(Given):
+    """Runners side by side in the C engine, which one object asks for strides of any kind.
+
+    Parameters
+    ----------
+    runners : Runner, Gait, mapping, Series, str, Path, or sequence of these, optional
+        One runner for all, one for each, or start values by name of which some are arrays with a value for
+        each runner.
+    apices : array_like of float, shape (n,) or (runners, n), optional
+        Where they begin, in the order of `library.section.COORDINATES`: m, m/s, m, rad, m/s, rad/s; by the
+        reduced map the first two. By default a gait's apex, or where the runner starts.
+    ground : RoughGround, optional
+        Uneven ground, for `run` and `step`.
+    law : callable or AffineLaw, optional
+        What is set at each apex, for `run` and `step`: `law(apices, stride_number)` gives arrays by name. An
+        `AffineLaw` is followed by the engine itself.
+    vary : mapping of str to array_like, shape (runners,), optional
+        Parameters and inputs by name in which the runners differ from the one given.
+    inputs : mapping of str to array_like, optional
+        Settings by name, for `run`: a number, of each stride, shape (strides,), or of each runner and stride,
+        shape (runners, strides); strides that follow have the last ones.
+    model : {"full", "reduced"}, optional
+        The return map or the reduced one, as in `find_gait`.
+    foot_x : array_like of float, optional
+        Where the feet are at the start, m, by default at 0; the ground may have a patch.
+    first_number : int, default 0
+        Number of the first runner; ground and noise are drawn by the numbers of runners and strides.
+    tolerance : float, default 2e-10
+        Relative tolerance of a step in `run` and `step`; `stride` has the runner's own.
+    step_limit : int, optional
+        Steps of a runner's first stride, at the most; each further one has those left over and a fortieth of
+        them more. By default the library's `TDMF_STEP_LIMIT`. A runner that needs more is unsolved.
+    threads : int, optional
+        Threads of the engine, by default one for each processor, and one within a block of work. Results do
+        not depend on it.
+    instructions : str, optional
+        One of `instruction_sets()`, by which results differ by rounding. By default the fastest, and for
+        apices of shape (n,), a single runner, the native solver.
+
+    Raises
+    ------
+    InputError
+        A value is not allowed, or shapes do not go together.
+
+    Examples
+    --------
+    >>> import tdmf_slip
+    >>> gait = tdmf_slip.find_gait(friction=0.6)
+    >>> batch = tdmf_slip.Batch(gait.runner, [gait.apex, gait.apex * [1, 1.1, 1, 1, 1, 1]])
+    >>> run = batch.run(20)
+    >>> print(run.strides, run.apex[:, 1].round(3))
+    [20 20] [1.063 1.068]
+    """
+
+    _stepping: Session | None = None
+
+    def __getstate__(self) -> dict[str, Any]:
+        """Without what is under way, whose memory belongs to this object."""
+        return {**super().__getstate__(), "_stepping": None}
+
+    # ---- one stride -----------------------------------------------------------------------------------
+
+    def stride(self, jacobian: bool = False, along: Sequence[Along] = ()) -> Table:
+        """One stride of each runner on the level, by the native solver, with exact derivatives.
+
+        Parameters
+        ----------
+        jacobian : bool, default False
+            Differentiate by the coordinates of the apex.
+        along : sequence of str or mapping of str to float, optional
+            Differentiate by these parameters and inputs, or along directions of several, too.
+
+        Returns
+        -------
+        Table
+            Over `runner`, unless there is one with a single apex: `outcome`, 0 where the stride closed,
+            `word`, `apex`, `next_apex`, `liftoff_angle`, and quantities by their names. With derivatives also
+            `jacobian`, shape (..., n, n), `next_apex_by`, shape (..., n, by), and for quantities such as
+            `speed` the derivatives as `speed_by`, shape (..., by): by the n coordinates, then along the
+            directions. All are NaN where a stride has not closed.
+
+        Raises
+        ------
+        InputError
+            A name is no parameter or input.
+        """
+        self.refuse_patches()
+        for direction in along:
+            for name in direction if isinstance(direction, Mapping) else (direction,):
+                check_varied(name, "along")
+        differentiated, size = jacobian or len(along) > 0, self.size
+        returns = self._exact_strides(differentiated, along[: c_structs.SEEDS], measured=differentiated)
+        variations = returns["variations"][:, : size + len(along[: c_structs.SEEDS])]
+        for first in range(c_structs.SEEDS, len(along), c_structs.SEEDS):
+            some = along[first : first + c_structs.SEEDS]
+            further = self._exact_strides(True, some, measured=True)["variations"]
+            variations = np.concatenate([variations, further[:, size : size + len(some)]], axis=1)
+
+        def measured() -> NDArray[Any]:
+            return returns if differentiated else self._exact_strides(False, (), measured=True)
+
+        return exact_table(self, returns, variations if differentiated else None, along, measured)
+
+    def _exact_strides(self, differentiated: bool, along: Sequence[Along], *, measured: bool) -> NDArray[Any]:
+        return c_structs.exact_strides(
+            self.runner.solver(),
+            self.models,
+            self.held,
+            self.starts,
+            reduced=self.runner.reduced,
+            derivatives=differentiated,
+            along=along,
+            measured=measured,
+        )
+
+    # ---- many strides ---------------------------------------------------------------------------------
+
+    def run(
+        self,
+        strides: int,
+        until: Any = None,
+        *,
+        near: float = NEAR,
+        balls: ArrayLike | None = None,
+        record: bool = False,
+    ) -> Table:
+        """Strides of each runner until it settles, falls, or has made all of them.
+
+        Parameters
+        ----------
+        strides : int
+            A runner that has closed as many is undecided, as is one whose stride takes longer than
+            1e4 sqrt(m/k).
+        until : Gait or array_like of float, optional
+            Apices of gaits that runners may settle on: shape (n,), (gaits, n), or (runners, gaits, n).
+        near : float, default 1e-2
+            Distance from a gait's apex, over the scales, at which a runner counts as settled.
+        balls : array_like of float, shape (gaits, n, n), optional
+            A runner has also settled where `|ball (apex - gait)| <= 1`.
+        record : bool, default False
+            Keep every stride: the table's `recorded` then has their apices, quantities and settings over
+            `runner` and `stride`.
+
+        Returns
+        -------
+        Table
+            Over `runner`: `fate`, a number of `FATES`, `gait` (-1 for none), `strides`, `word_code`, and of
+            the strides that closed the last `apex`, `foot_x` (m), `time` (s), `distance` (m), `work` (of hip
+            and leg), `hip_work`, `leg_work`, `external_work`, `damper_loss`, `friction_loss` and
+            `impact_loss` (J). The attribute `work_done` counts strides, events and steps of the solver.
+
+        Raises
+        ------
+        InputError
+            A value is not allowed.
+        StoppedError
+            An interrupt from the keyboard came: a `KeyboardInterrupt` with the ends of the first runners, all
+            that had begun; those that are not complete have the fate `stopped`.
+        """
+        strides = checked_whole("strides", strides, 1, LAST_STRIDE)
+        session = Session(self)
+        if until is not None:
+            session.settle(until, near, balls)
+        if record:
+            session.engine.record(strides)
+        work = session.make(strides)
+        recorded = recorded_table(self, session.engine, session.settings_made(strides)) if record else None
+        return ends_table(self, session.engine.ends, work, recorded)
+
+    def step(self, settings: Mapping[str, ArrayLike] | None = None) -> NDArray[np.int32]:
+        """One more stride of each runner that still runs, in place and without checks.
+
+        Parameters
+        ----------
+        settings : mapping of str to array_like, optional
+            What is set for this stride, by the names that the first call had: a number each, or one for each
+            runner. The engine refuses numbers out of range with a `MemoryError`.
+
+        Returns
+        -------
+        ndarray of int, shape (runners,)
+            Fates by `FATES`; a runner that has made its strides is `undecided`. The array is the batch's own,
+            as are `apices` and `last`.
+        """
+        session = self._stepping
+        if session is None:
+            session = self._stepping = Session(self)
+            session.engine.keep_checkpoints()
+            session.engine.record(1)
+        session.step(settings)
+        fates: NDArray[np.int32] = session.engine.ends["fate"]
+        return fates
+
+    @property
+    def apices(self) -> NDArray[np.float64]:
+        """Apices that `step` has come to, shape (runners, n); before its first call the starts."""
+        apices = self.starts if self._stepping is None else self._stepping.engine.ends["apex"]
+        return apices[:, : self.size]
+
+    @property
+    def last(self) -> NDArray[Any]:
+        """Last strides of `step`, shape (runners,), in the fields of the library's `tdmf_ensemble_stride`."""
+        assert self._stepping is not None and self._stepping.engine.recorded is not None
+        strides: NDArray[Any] = self._stepping.engine.recorded[:, 0]
+        return strides
+
+    def save(self) -> NDArray[Any]:
+        """States of all runners after `step`, shape (runners,): a structured array that can be indexed."""
+        assert self._stepping is not None
+        return self._stepping.engine.save()
+
+    def resume(self, states: NDArray[Any], stride: int) -> None:
+        """Replace the runners by saved ones, which begin the stride of this number; of any number of states.
+
+        All have the parameters of the first runner.
+        """
+        self.starts = np.repeat(self.starts[:1], len(states), axis=0)
+        self.models, self.held = self.models[:1], self.held[:1]
+        session = self._stepping = Session(self)
+        session.engine.resume(states, stride)
+        session.engine.record(1)

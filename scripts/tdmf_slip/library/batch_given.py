@@ -1,0 +1,261 @@
+"""What a batch is given: runners, apices, ground, a law and settings, all checked once."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping, Sequence
+from typing import Any, Self
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ..checks import (
+    check_kind,
+    check_size,
+    checked_threads,
+    checked_whole,
+    is_one_of,
+    number_of,
+    refusal,
+    shown,
+)
+from ..errors import InputError
+from ..given import is_series, numbers_by, row_of
+from ..variables.parameters import RunnerLike
+from ..variables.table import VARIABLES, by_full_name
+from . import c_structs
+from .c_structs import WIDTH
+from .engine import LAST_STRIDE, instruction_sets
+from .ground import LAST_RUNNER, RoughGround
+from .laws import AffineLaw, Law, check_law, numbers_up_to
+from .maps import PATCH, refuse_patch
+from .members import FLAGS, INPUTS, MOVING
+from .runner import Runner
+from .settings import check_settings, checked_values, setting_number
+
+TOLERANCE = 2e-10
+"""Relative tolerance of a step of the engine by default."""
+MIN_TOLERANCE = 1e-30
+"""Smaller tolerances need so many steps that no stride closes, and rounding has long decided."""
+MAX_RUNNERS = 10_000_000
+"""Runners in a batch: start and end of one take 300 bytes. More go in several batches, with first numbers."""
+
+
+class Given:
+    """Runners side by side with their starts, as C takes them, and what they run on and by: see `Batch`."""
+
+    def __init__(
+        self,
+        runners: RunnerLike | Sequence[RunnerLike] = None,
+        apices: ArrayLike | None = None,
+        ground: RoughGround | None = None,
+        law: Law | None = None,
+        *,
+        vary: Mapping[str, ArrayLike] | None = None,
+        inputs: Mapping[str, ArrayLike] | None = None,
+        model: str | None = None,
+        foot_x: ArrayLike | None = None,
+        first_number: int = 0,
+        tolerance: float = TOLERANCE,
+        step_limit: int | None = None,
+        threads: int | None = None,
+        instructions: str | None = None,
+    ) -> None:
+        self.varied: dict[str, NDArray[np.float64]] = {}
+        self._read_runners(
+            runners, model, {} if vary is None else by_full_name(vary, "vary", "arrays by name")
+        )
+        self.size = len(self.runner.coordinates)
+        self._read_apices(runners, apices, foot_x, inputs)
+        self.ground, self.law = RoughGround() if ground is None else ground, law
+        self.first_number, self.tolerance = first_number, tolerance
+        self.threads, self.instructions, self.step_limit = threads, instructions, step_limit
+        if type(first_number) is not int or first_number != 0:
+            self.first_number = checked_whole("first_number", first_number, 0, LAST_RUNNER)
+        if step_limit is not None:
+            self.step_limit = checked_whole("step_limit", step_limit, 1, LAST_STRIDE)
+        if threads is not None:
+            checked_threads(threads)
+        if instructions is not None and not is_one_of(instructions, instruction_sets()):
+            allowed = ", ".join(instruction_sets())
+            raise InputError(f"instructions {shown(instructions)}: allowed here: {allowed}")
+        self.tolerance = within("tolerance", tolerance, MIN_TOLERANCE, 1.0)
+        if ground is not None or law is not None or self.inputs:
+            self._check_law_and_ground()
+
+    def _read_runners(self, given: Any, model: str | None, vary: dict[str, Any]) -> None:
+        """Models and inputs of all runners, or of one for all."""
+        if given is None or isinstance(given, Runner | str | os.PathLike) or hasattr(given, "runner"):
+            runners = [Runner(given, model=model)]
+        elif isinstance(given, Sequence) and not is_series(given):
+            several = row_of(given, "runners", "one or more runners in a list", MAX_RUNNERS)
+            if not several:
+                raise InputError("runners: none; allowed: one or more")
+            runners = [Runner(one, model=model) for one in several]
+            if any(runner.reduced != runners[0].reduced for runner in runners):
+                raise InputError(
+                    "runners: by the full model and by the reduced map; allowed: all by one of them"
+                )
+        else:
+            by_name = by_full_name(given, "runner", "a Runner, or numbers or arrays by name")
+            rows = {name: value for name, value in by_name.items() if _is_row(value)}
+            vary = {**rows, **vary}
+            single = {name: value for name, value in by_name.items() if name not in rows}
+            runners = [Runner(single, model=model)]
+        self.runner, self.runners = runners[0], runners
+        if vary:
+            self._read_varied(vary)
+        if len(runners) == 1:
+            self.models = c_structs.viewed(self.runner.c_model, c_structs.MODEL)
+            self.held = self.runner.inputs
+        else:
+            self.models = c_structs.copied([runner.c_model for runner in runners])
+            self.held = np.array([runner.inputs[0] for runner in runners], INPUTS)
+        if self.varied:
+            self.models = c_structs.models_of(c_structs.written(self.runner.parameters, self.varied))
+            self.held = c_structs.written(self.held, self.varied)
+        if self.runner.reduced:
+            self.refuse_patches()
+
+    def _read_varied(self, vary: Mapping[str, Any]) -> None:
+        """Values of each runner by name."""
+        if len(self.runners) > 1:
+            raise InputError("vary with runners in a list; allowed: one runner")
+        for name, row in vary.items():
+            variable = VARIABLES.find(name, "runner")
+            if name not in MOVING:
+                raise InputError(
+                    f"runner: {name} of shape {np.shape(row)}; allowed in an array: a parameter or input "
+                    "of the model"
+                )
+            if name in FLAGS:
+                flags = row_of(row, f"runner: {name}", "true or false for each runner")
+                values = [variable.value_of(flag, f"runner: runner {k}") for k, flag in enumerate(flags)]
+                self.varied[name] = np.array(values, float)
+            else:
+                self.varied[name] = numbers_up_to(f"runner: {name}", row, 1)
+                checked_values(name, self.varied[name], "runner", {"runner": 0})
+            first = next(iter(self.varied))
+            if len(self.varied[name]) != len(self.varied[first]):
+                raise InputError(
+                    f"runner: {name} of {len(self.varied[name])} runners, {first} of "
+                    f"{len(self.varied[first])}; allowed: as many of each"
+                )
+
+    def _read_apices(self, runners: Any, apices: Any, foot_x: Any, inputs: Any) -> None:
+        """Starts, shape (runners, `WIDTH`), settings and feet of as many runners."""
+        names = self.runner.coordinates
+        if apices is None:
+            at = getattr(runners, "apex", None)
+            rows = self.runner.start_apex() if at is None or callable(at) else np.asarray(at, float)
+        elif type(apices) is np.ndarray and apices.dtype == float:
+            rows = apices
+        else:
+            rows = numbers_by("apices", apices, names)
+        if rows.ndim not in (1, 2) or rows.shape[-1] != self.size:
+            raise InputError(f"apices of shape {rows.shape}; allowed: rows of {', '.join(names)}")
+        self.inputs: dict[str, NDArray[np.float64]] = {}
+        counts = {
+            "apices": len(rows) if rows.ndim == 2 else 1,
+            "runner's values": max(len(self.models), len(self.held)),
+        }
+        feet = None if foot_x is None else self._read_feet(foot_x)
+        if feet is not None:
+            counts["foot_x"] = len(feet)
+        if inputs is not None:
+            self._read_inputs(inputs, counts)
+        count = 0 if counts["apices"] == 0 else max(counts.values())
+        check_size("runners", count, "runners", MAX_RUNNERS)
+        for what, number in counts.items():
+            if number not in (1, count):
+                most = max(counts, key=lambda name: counts[name])
+                raise InputError(
+                    f"{what} of {number} runners, {most} of {count}; allowed: as many, or one for all"
+                )
+        self.is_single = rows.ndim == 1 and count == 1
+        self.starts = np.zeros((count, WIDTH))
+        self.starts[:, : self.size] = rows
+        self.foot_x = None if feet is None else np.broadcast_to(feet, count).copy()
+
+    def _read_inputs(self, inputs: Any, counts: dict[str, int]) -> None:
+        for name, asked in by_full_name(inputs, "inputs", "numbers or arrays by name").items():
+            setting_number(name, "inputs")
+            values = np.atleast_2d(numbers_up_to(f"inputs: {name}", asked, 2))
+            self.inputs[name] = checked_values(name, values, "inputs", {"runner": 0, "stride": 0})
+            counts[f"inputs: {name}"] = len(values)
+
+    def _read_feet(self, foot_x: Any) -> NDArray[np.float64]:
+        if self.runner.reduced:
+            raise InputError("foot_x: by the reduced map, which has no foot; allowed: by the full model")
+        feet = np.atleast_1d(numbers_up_to("foot_x", foot_x, 1))
+        return checked_values("foot.x", feet, "foot_x", {"runner": 0})
+
+    def _check_law_and_ground(self) -> None:
+        """Refuse what does not go together."""
+        check_kind(self.ground, RoughGround, "ground", "a RoughGround")
+        if self.runner.reduced and self.ground.is_drawn:
+            raise InputError("ground: rough, by the reduced map; allowed: by the full model")
+        for runner in self.runners:
+            self.ground.check_runner(runner, runner.scales)
+        check_law(self.law, self.runner)
+        names, too = tuple(self.inputs), tuple(self.varied)
+        check_settings(names, self.runner, self.ground, "inputs", set_too=too)
+        if isinstance(self.law, AffineLaw):
+            check_settings(
+                tuple(self.law.inputs), self.runner, self.ground, "law", set_too=(*names, *too), inputs=names
+            )
+
+    def refuse_patches(self) -> None:
+        """Refuse a patch of ground, of which apices know nothing."""
+        for runner in self.runners:
+            refuse_patch(runner)
+        if any(name in self.varied for name in PATCH):
+            count = len(self.models)
+            begin, end = (np.broadcast_to(self.varied.get(name, self.runner[name]), count) for name in PATCH)
+            longest = np.argmax(end - begin)
+            refuse_patch(dict(zip(PATCH, (float(begin[longest]), float(end[longest])), strict=True)))
+
+    def value_of(self, name: str) -> float | NDArray[np.float64]:
+        """A parameter's or input's value, or one for each runner, shape (runners,)."""
+        if name in self.varied:
+            return self.varied[name]
+        if len(self.runners) > 1:
+            return np.array([runner[name] for runner in self.runners])
+        return self.runner[name]
+
+    def __len__(self) -> int:
+        """The number of runners."""
+        return len(self.starts)
+
+    def part(self, first: int, count: int) -> Self:
+        """Some of the runners as a batch of their own, with the same numbers."""
+        some = slice(first, first + count)
+        part = type(self).__new__(type(self))
+        part.__dict__.update(self.__getstate__())
+        part.starts, part.first_number = self.starts[some], self.first_number + first
+        part.varied = {name: row[some] for name, row in self.varied.items()}
+        part.runners = self.runners[some] if len(self.runners) > 1 else self.runners
+        part.models, part.held = (
+            structs[some] if len(structs) > 1 else structs for structs in (self.models, self.held)
+        )
+        part.inputs = {name: row[some] if len(row) > 1 else row for name, row in self.inputs.items()}
+        part.foot_x = None if self.foot_x is None else self.foot_x[some].copy()
+        part.is_single = False
+        return part
+
+    def __getstate__(self) -> dict[str, Any]:
+        """Everything that was given, for another process too."""
+        return self.__dict__.copy()
+
+
+def _is_row(value: object) -> bool:
+    """Whether a value is one for each runner."""
+    return is_series(value) or isinstance(value, list | tuple) or getattr(value, "ndim", 0) > 0
+
+
+def within(name: str, value: object, low: float, high: float) -> float:
+    """A number between two others."""
+    number = number_of(value)
+    if number is None or not low < number < high:
+        raise refusal(name, value, f"a number above {low:g} and below {high:g}")
+    return number

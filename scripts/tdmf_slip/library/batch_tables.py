@@ -1,0 +1,194 @@
+"""Tables of what a batch has done: exact strides, ends of runs, and recorded strides."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from functools import cache
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .batch_given import Given
+from .engine import FATES, SETTLED, STOPPED, Engine
+from .laws import AffineLaw
+from .quantities import (
+    LEDGER,
+    MEASURED,
+    STRIDE_QUANTITIES,
+    Quantities,
+    differentiable,
+    reported_quantities,
+    unit_of,
+    weight_by,
+    weight_of,
+)
+from .return_map import Along
+from .tables import Table
+
+STRIDE_FATES = ("closed", "fell", "too_long", *FATES[3:6])
+"""Fates of strides: those of runners, but for a stride that closed. A run that is undecided before its last
+stride is in one that takes too long. Number `NOT_MADE` is a stride after its runner had settled."""
+CLOSED = STRIDE_FATES.index("closed")
+NOT_MADE = STOPPED
+GROUND = "ground.height"
+FOOT_X = "foot.x"
+
+
+OF_WEIGHT = ("body.mass", "foot.mass", "gravity")
+_ENERGIES = ("work", "hip_work", "leg_work", "external_work", "damper_loss", "friction_loss", "impact_loss")
+_END_UNITS = {"time": "s", "distance": "m", "foot_x": "m", **dict.fromkeys(_ENERGIES, "J")}
+
+
+def exact_table(
+    batch: Given,
+    returns: NDArray[Any],
+    variations: NDArray[Any] | None,
+    along: Sequence[Along],
+    measured: Callable[[], NDArray[Any]],
+) -> Table:
+    """Strides with derivatives, or without; `measured` makes them with what is measured along a stride."""
+    size, single, reduced = batch.size, batch.is_single, batch.runner.reduced
+    starts, weights = batch.starts[:, :size].copy(), {name: batch.value_of(name) for name in OF_WEIGHT}
+    closed = returns["outcome"] == 0
+    quantities: dict[bool, Quantities] = {}
+
+    def quantities_of(is_measured: bool) -> Quantities:
+        if is_measured not in quantities:
+            structs = measured() if is_measured else returns
+            quantities[is_measured] = Quantities(structs, starts, weight_of(weights), is_measured)
+        return quantities[is_measured]
+
+    def make(name: str) -> NDArray[Any]:
+        values = made(name)
+        if values.dtype.kind == "f" and name != "apex" and not closed.all():
+            values = np.where(closed.reshape(-1, *[1] * (values.ndim - 1)), values, np.nan)
+        one: NDArray[Any] = values[0] if single else values
+        return one
+
+    def made(name: str) -> NDArray[Any]:
+        if name in ("outcome", "solver"):
+            return np.asarray(returns[name])
+        if name == "word":
+            return returns["stride"]["word"].astype(str)
+        if name == "apex":
+            return starts
+        if name == "next_apex":
+            return np.asarray(returns["apex"][:, :size])
+        if variations is not None and name in ("next_apex_by", "jacobian"):
+            some = variations if name == "next_apex_by" else variations[:, :size]
+            return np.asarray(some["apex"][..., :size].swapaxes(1, 2))
+        if variations is not None and name.endswith("_by"):
+            by = weights_by(weights, size, along)
+            with np.errstate(divide="ignore", invalid="ignore"):  # where a stride has not closed
+                return quantities_of(not reduced).derivative(name.removesuffix("_by"), variations, by)
+        return quantities_of(name in MEASURED and not reduced)[name]
+
+    def labels() -> dict[str, NDArray[Any]]:
+        by = [*batch.runner.coordinates, *map(title, along)]
+        return {**_labels(batch), "by": np.array(by), "by_coordinate": np.array(batch.runner.coordinates)}
+
+    return Table(_exact(single, reduced, variations is not None), make, labels, unit_in(batch))
+
+
+@cache
+def _exact(single: bool, reduced: bool, differentiated: bool) -> Mapping[str, tuple[str, ...]]:
+    over: tuple[str, ...] = () if single else ("runner",)
+    found = {"outcome": over, "solver": over, "word": over}
+    found |= {"apex": (*over, "coordinate"), "next_apex": (*over, "coordinate")}
+    found |= dict.fromkeys(reported_quantities(reduced), over)
+    if differentiated:
+        found["jacobian"] = (*over, "coordinate", "by_coordinate")
+        found["next_apex_by"] = (*over, "coordinate", "by")
+        found |= {f"{name}_by": (*over, "by") for name in differentiable(reduced)}
+    return found
+
+
+def weights_by(values: Mapping[str, Any], size: int, along: Sequence[Along]) -> NDArray[np.float64]:
+    """Derivatives of the weight by the coordinates and along directions, shape (..., by)."""
+    rows = [np.zeros(np.shape(weight_of(values)))] * size
+    for direction in along:
+        shares = direction if isinstance(direction, Mapping) else {direction: 1.0}
+        rows.append(rows[0] + sum(share * weight_by(values, name) for name, share in shares.items()))
+    return np.stack(rows, axis=-1)
+
+
+def title(direction: Along) -> str:
+    """A direction in the labels of a table."""
+    if isinstance(direction, str):
+        return direction
+    return " + ".join(f"{share:g} {name}" for name, share in direction.items())
+
+
+def unit_in(batch: Given) -> Callable[[str], str]:
+    """The unit of an array by its name, empty for none."""
+    known = (*reported_quantities(batch.runner.reduced),)
+
+    def unit(name: str) -> str:
+        return _END_UNITS.get(name) or (unit_of(name) if name in known else "")
+
+    return unit
+
+
+def _labels(batch: Given) -> dict[str, NDArray[Any]]:
+    return {
+        "runner": batch.first_number + np.arange(len(batch)),
+        "coordinate": np.array(batch.runner.coordinates),
+    }
+
+
+def ends_table(batch: Given, ends: NDArray[Any], work: Mapping[str, int], recorded: Table | None) -> Table:
+    """What became of the runners."""
+    over: tuple[str, ...] = () if batch.is_single else ("runner",)
+
+    def make(name: str) -> NDArray[Any]:
+        values: NDArray[Any] = ends["apex"][:, : batch.size] if name == "apex" else ends[name]
+        return values[0] if batch.is_single else values
+
+    dimensions = dict.fromkeys(ends.dtype.names or (), over) | {"apex": (*over, "coordinate")}
+    attributes = {"work_done": work}
+    return Table(dimensions, make, lambda: _labels(batch), unit_in(batch), attributes, recorded)
+
+
+def recorded_table(batch: Given, engine: Engine, given: Mapping[str, NDArray[np.float64]]) -> Table:
+    """Strides that were recorded from the first one on, over runners and strides; `given` is what was set."""
+    recorded = engine.recorded
+    assert recorded is not None
+    size, starts = batch.size, batch.starts[:, : batch.size].copy()
+    strides = np.arange(recorded.shape[1])
+    closed = strides < engine.ends["strides"][:, None]
+    begun = recorded["began"] == 1
+    ended = np.where(engine.ends["fate"] == SETTLED, NOT_MADE, engine.ends["fate"])
+
+    def of(values: NDArray[Any], there: NDArray[np.bool_] = closed) -> NDArray[np.float64]:
+        return np.where(there, values, np.nan)
+
+    next_apex = np.where(closed[..., None], recorded["apex"][..., :size], np.nan)
+    arrays: dict[str, NDArray[Any]] = {
+        "fate": np.where(closed, CLOSED, ended[:, None]).astype(np.int8),
+        "apex": np.concatenate([starts[:, None], next_apex[:, :-1]], axis=1),
+        "next_apex": next_apex,
+        **{name: of(recorded["stride"][name]) for name in STRIDE_QUANTITIES},
+        **{name: of(recorded[name]) for name in (*LEDGER, "liftoff_angle")},
+        "word": _words(recorded["stride"]["word"]),
+    }
+    if not batch.runner.reduced:
+        arrays[FOOT_X] = of(recorded["foot_x"])
+    if batch.ground.roughness:
+        arrays[GROUND] = of(recorded["ground_height"], begun)
+    law = batch.law
+    for number, name in enumerate(law.inputs if isinstance(law, AffineLaw) else ()):
+        arrays[name] = of(recorded["set"][..., number], begun)
+    arrays |= {name: of(values, begun) for name, values in given.items()}
+    over = ("runner", "stride", "coordinate")
+    dimensions = {name: over[: values.ndim] for name, values in arrays.items()}
+    return Table(
+        dimensions, arrays.__getitem__, lambda: {**_labels(batch), "stride": strides}, unit_in(batch)
+    )
+
+
+def _words(words: NDArray[np.bytes_]) -> NDArray[np.str_]:
+    """Texts as short as the longest of them."""
+    different, numbers = np.unique(words, return_inverse=True)
+    texts = np.array([word.decode() for word in different])
+    return texts[numbers.reshape(words.shape)]

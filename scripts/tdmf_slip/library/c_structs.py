@@ -1,0 +1,131 @@
+"""C structs of runners and strides as NumPy types, and strides by the native solver on arrays of them.
+
+Only this module and `engine` know the structs. Whoever holds an array keeps its memory alive.
+"""
+
+from collections.abc import Mapping, Sequence
+from functools import cache
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .binding import c, ffi
+from .members import names_of
+from .refusals import check_accepted
+from .return_map import Along, seed_of
+
+_NUMBERS = {"double": "f8", "_Bool": "?"}
+
+
+@cache
+def dtype_of(name: str) -> np.dtype[Any]:
+    """The NumPy type with the layout of a C type; pointers become addresses, texts bytes."""
+    return _dtype_of(ffi.typeof(name))
+
+
+def _dtype_of(kind: Any) -> np.dtype[Any]:
+    if kind.kind == "struct":
+        return np.dtype(
+            {
+                "names": [name for name, _ in kind.fields],
+                "formats": [_dtype_of(member.type) for _, member in kind.fields],
+                "offsets": [member.offset for _, member in kind.fields],
+                "itemsize": ffi.sizeof(kind),
+            }
+        )
+    if kind.kind == "array":
+        is_text = kind.item.cname == "char"
+        return np.dtype(f"S{kind.length}" if is_text else (_dtype_of(kind.item), (kind.length,)))
+    if kind.kind in ("pointer", "function"):
+        return np.dtype(np.uintp)
+    is_unsigned = kind.kind == "enum" or kind.cname.startswith(("u", "size_t"))
+    return np.dtype(_NUMBERS.get(kind.cname) or f"{'u' if is_unsigned else 'i'}{ffi.sizeof(kind)}")
+
+
+END = dtype_of("tdmf_ensemble_end")
+"""How a runner ends."""
+STRIDE = dtype_of("tdmf_ensemble_stride")
+"""A recorded stride."""
+RETURN = dtype_of("tdmf_return")
+"""A stride with its derivatives."""
+MODEL = dtype_of("tdmf_model")
+"""Accepted parameters."""
+LONGEST_STRIDE = 1e4
+"""Longest stride, in sqrt(m/k)."""
+STATE = np.dtype([("end", END), ("checkpoint", dtype_of("tdmf_ensemble_checkpoint"))])
+"""A runner at an apex, to go on from."""
+WIDTH: int = RETURN["apex"].shape[0]
+"""Coordinates in the library's arrays, whatever the map."""
+
+
+def viewed(struct: Any, kind: np.dtype[Any]) -> NDArray[Any]:
+    """A struct that a runner owns, as an array of length 1 over the same memory."""
+    return np.frombuffer(ffi.buffer(struct), kind)
+
+
+def copied(models: Sequence[Any]) -> NDArray[Any]:
+    """Models in a row. NumPy's `concatenate` would leave out the padding that C has."""
+    return np.frombuffer(b"".join(ffi.buffer(model)[:] for model in models), MODEL)
+
+
+def address(array: NDArray[Any]) -> int:
+    """Where an array begins; whoever writes the address into a struct keeps the array alive."""
+    begin: int = array.ctypes.data
+    return begin
+
+
+def written(structs: NDArray[Any], values: Mapping[str, NDArray[np.float64]]) -> NDArray[Any]:
+    """Copies of parameters or inputs, one for each runner, with those of the values that are among them."""
+    copies = np.repeat(structs, len(next(iter(values.values()))))
+    for name in names_of(structs.dtype):
+        if name in values:
+            copies[name] = values[name]
+    return copies
+
+
+def models_of(parameters: NDArray[Any]) -> NDArray[Any]:
+    """The model of each of many runners."""
+    models = np.empty(len(parameters), MODEL)
+    out, given = ffi.from_buffer("tdmf_model[]", models), ffi.from_buffer("tdmf_parameters[]", parameters)
+    for number in range(len(models)):
+        accepted = c.tdmf_model_create(out + number, given + number)
+        check_accepted(accepted, f"runner: runner {number}: ")
+    return models
+
+
+def exact_strides(
+    solver: Any,
+    models: NDArray[Any],
+    inputs: NDArray[Any],
+    apices: NDArray[np.float64],
+    *,
+    reduced: bool,
+    derivatives: bool,
+    along: Sequence[Along],
+    measured: bool,
+) -> NDArray[Any]:
+    """One stride of each runner by the native solver, shape (runners,), with up to `SEEDS` derivatives."""
+    maps = c.tdmf_reduced_map, c.tdmf_measured_return_map if measured else c.tdmf_return_map
+    function = maps[0] if reduced else maps[1]
+    returns = np.empty(len(apices), RETURN)
+    out, sections = ffi.from_buffer("tdmf_return[]", returns), ffi.from_buffer("double[]", apices)
+    model, given = ffi.from_buffer("tdmf_model[]", models), ffi.from_buffer("tdmf_inputs[]", inputs)
+    seeds = ffi.NULL
+    if along:
+        seeds = ffi.new("tdmf_seed[]", len(along))
+        for k, direction in enumerate(along):
+            seeds[k] = seed_of(direction)[0]
+    system = ffi.new("tdmf_system *")
+    one_model, one_input = len(models) == 1, len(inputs) == 1
+    longest = np.broadcast_to(LONGEST_STRIDE * models["scales"]["time"], len(apices)).tolist()
+    for number in range(len(apices)):
+        system.model = model if one_model else model + number
+        system.inputs = given if one_input else given + number
+        section = sections + number * WIDTH
+        out[number] = function(solver, system[0], section, longest[number], derivatives, seeds, len(along))
+    return returns
+
+
+SEEDS: int = c.TDMF_RETURN_MAP_SEEDS
+"""Parameters by which one call differentiates."""

@@ -1,0 +1,141 @@
+"""Every analysis takes every law: a function that sets what an affine law sets gives the same result."""
+
+import dataclasses
+
+import numpy as np
+import pytest
+import tdmf_slip
+from tdmf_slip import (
+    AffineLaw,
+    Batch,
+    InputError,
+    RoughGround,
+    basin,
+    find_gait,
+    lqr,
+    rare_falls,
+    strides_to_fall,
+)
+from tdmf_slip.analysis.robustness import robustness
+from tdmf_slip.analysis.volume import volume
+from tdmf_slip.feedback.judgement import judge
+from tdmf_slip.library.engine import FELL
+
+ANGLE, TORQUE = "hip.touchdown_angle", "hip.stance_torque"
+AXES = {"com_height": (0.9, 2.4), "com_speed": (0.3, 1.8)}
+
+
+@pytest.fixture(scope="module")
+def gait():
+    return find_gait(friction=0.6)
+
+
+@pytest.fixture(scope="module")
+def affine(gait):
+    return lqr(gait, [ANGLE, TORQUE], limits={ANGLE: (0.4, 1.0), TORQUE: (0.1, 0.3)})
+
+
+class Function:
+    """An affine law as a function: the engine does not see that it is one."""
+
+    def __init__(self, law):
+        self.law = law
+
+    def __call__(self, apices, stride_number):
+        return self.law(apices, stride_number)
+
+
+def test_strides_of_a_batch_are_the_same_to_the_bit(gait, affine):
+    starts = gait.apex + np.random.default_rng(1).uniform(-0.2, 0.2, (40, 6))
+    ground = RoughGround(0.7, 3, friction_spread=0.1)
+    noisy = AffineLaw(
+        affine.inputs, affine.apex, affine.nominal, affine.gain, affine.low, affine.high, [0.02] * 6, 5
+    )
+    for law in (affine, noisy):
+        by_engine, by_calls = (
+            Batch(gait, starts, ground, one).run(12, record=True) for one in (law, Function(law))
+        )
+        assert 0 < np.count_nonzero(by_engine.fate == FELL) < 40
+        for name in by_engine:
+            np.testing.assert_array_equal(by_engine[name], by_calls[name], err_msg=name)
+        for name in by_engine.recorded:
+            np.testing.assert_array_equal(by_engine.recorded[name], by_calls.recorded[name], err_msg=name)
+
+
+@pytest.mark.parametrize(
+    "analysis",
+    [
+        lambda gait, law: strides_to_fall(gait, 0.6, 80, 1, 40, gait=gait, law=law),
+        lambda gait, law: strides_to_fall(
+            gait, RoughGround(0.3, 2, trips=True, step_weights=(0.8, 0.6)), 60, max_strides=40, law=law
+        ),
+        lambda gait, law: rare_falls(gait, 0.5, walkers=8, strides=16, gait=gait, law=law).found,
+        lambda gait, law: volume(gait, 200, law=law, ball="none"),
+    ],
+    ids=["strides to fall", "on ground that trips", "rare falls", "volume"],
+)
+def test_an_analysis_gives_the_same_by_a_function(gait, affine, analysis):
+    assert analysis(gait, Function(affine)) == analysis(gait, affine)
+
+
+def test_maps_and_judgements_are_the_same_by_a_function(gait, affine):
+    one, other = (basin(gait, AXES, (7, 8), law=law, ball="none") for law in (affine, Function(affine)))
+    np.testing.assert_array_equal(one["fate"], other["fate"])
+    np.testing.assert_array_equal(one["strides_until_known"], other["strides_until_known"])
+    assert other.attributes["law"].startswith("Function, check sum of settings ")
+    previews = [basin(gait, AXES, 20, law=law, refine="preview") for law in (affine, Function(affine))]
+    np.testing.assert_array_equal(previews[0]["fate"], previews[1]["fate"])
+    assert robustness(gait, Function(affine)) == robustness(gait, affine)
+    found = judge(gait, Function(affine), roughness=[0.4])
+    assert found.first_passages == judge(gait, affine, roughness=[0.4]).first_passages
+
+
+def test_a_file_of_a_map_is_not_gone_on_with_under_another_function(gait, affine, tmp_path):
+    path = tmp_path / "map.nc"
+    basin(gait, AXES, 3, law=Function(affine), path=path)
+    weaker = dataclasses.replace(affine, gain=0.9 * np.array(affine.gain))
+    with pytest.raises(InputError, match="with another law"):
+        basin(gait, AXES, 3, law=Function(weaker), path=path)
+
+
+def test_under_a_function_the_gait_is_the_one_that_it_keeps():
+    """A constant torque of its own: the map is that of the gait with this torque."""
+    own = find_gait(friction=0.6, torque=0.22)
+    by_law = basin({"ground.friction": 0.6}, AXES, 4, law=lambda apices, _: {TORQUE: 0.22}, ball="none")
+    alone = basin(own, AXES, 4, ball="none")
+    np.testing.assert_array_equal(by_law["fate"], alone["fate"])
+    assert by_law.attributes[TORQUE] == 0.22
+    with pytest.raises(InputError, match="at the gait's apex, where the runner has"):
+        basin(
+            {"ground.friction": 0.6},
+            AXES,
+            2,
+            law=lambda apices, _: {TORQUE: np.where(apices[:, 1] > 1.06, 0.15, 0.25)},
+        )
+
+
+def test_a_function_that_destabilizes_the_gait_is_refused(gait):
+    law = lambda apices, _: {ANGLE: 0.698131700797732 + 3.0 * (apices[:, 0] - gait.apex[0])}  # noqa: E731
+    with pytest.raises(InputError, match=r"under it the gait at friction 0\.6 is unstable"):
+        basin(gait, AXES, 2, law=law)
+
+
+def test_the_viable_controller_is_tested_for_falls():
+    """Its falls are those of steps in place with what it sets, one after the other."""
+    runner, gait = {"ground.friction": 0.6}, find_gait(friction=0.6)
+    found = tdmf_slip.viability(
+        runner,
+        axes={"com_height": (0.9, 2.4), "com_speed": (0.3, 1.8)},
+        vary={ANGLE: (0.3, 1.1, 12), TORQUE: (0.05, 0.4, 6)},
+        n=16,
+    )
+    law = found.controller()
+    passage = strides_to_fall(runner, 0.6, 50, 1, 12, law=law)
+    batch = Batch(gait, np.tile(gait.apex, (50, 1)), RoughGround(0.6, 1), tolerance=1e-5)
+    runs, strides = np.full(50, True), 0
+    for _ in range(12):
+        strides += np.count_nonzero(runs)
+        runs = batch.step(law(batch.apices)) != FELL
+    assert 0 < passage.falls == np.count_nonzero(~runs) < 50
+    assert passage.strides == strides
+    assert rare_falls(runner, 0.5, walkers=8, strides=16, law=law).falls > 0

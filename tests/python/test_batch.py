@@ -1,0 +1,304 @@
+"""A batch: runs by the engine, one stride with derivatives, stepping, laws, and what is refused."""
+
+import pickle
+
+import numpy as np
+import pytest
+from tdmf_slip import AffineLaw, Batch, InputError, RoughGround, Runner, find_gait
+from tdmf_slip.analysis import fates, volume
+from tdmf_slip.library import batch, binding, engine
+
+
+@pytest.fixture(scope="module")
+def gaits():
+    return [find_gait(Runner({"ground.friction": mu})) for mu in (0.6, 1.2)]
+
+
+@pytest.fixture(scope="module")
+def starts(gaits):
+    rng = np.random.default_rng(5)
+    return np.array([gaits[i % 2].apex + rng.uniform(-0.1, 0.1, 6) for i in range(200)])
+
+
+def test_every_instruction_set_ends_alike(gaits, starts):
+    runners = [gaits[k % 2].runner for k in range(len(starts))]
+    ends = {
+        name: Batch(runners, starts, tolerance=1e-11, instructions=name, threads=2).run(3)
+        for name in engine.instruction_sets()
+    }
+    native = ends.pop("one by one")
+    assert ends
+    assert (native["strides"] == 3).all()
+    for found in ends.values():
+        for name in ("fate", "strides", "word_code"):
+            np.testing.assert_array_equal(found[name], native[name])
+        for name in ("apex", "time", "distance", "work", "damper_loss", "friction_loss", "impact_loss"):
+            np.testing.assert_allclose(found[name], native[name], rtol=1e-8, atol=1e-8)
+
+
+CHANGED = ("leg.stiffness", "leg.damping", "hip.kp", "hip.kd", "gravity", "foot.mass", "hip.stance_torque")
+FRICTIONS = (10.0, 1.2, 0.6, 0.43, 0.2)
+
+
+def populations(size):
+    """Runners and starts: around the published gaits, all over the box, and of other runners."""
+    rng = np.random.default_rng(11)
+    gaits = [find_gait(Runner({"ground.friction": mu})) for mu in FRICTIONS]
+    numbers = np.arange(size) % len(gaits)
+    runners = [gaits[k].runner for k in numbers]
+    near = np.array([gaits[i].apex for i in numbers]) + rng.uniform(-0.05, 0.05, (size, 6))
+    low, high = np.array(list(volume.BOX.values())).T
+    yield "near", runners, near
+    yield "box", runners, rng.uniform(low, high, (size, 6))
+    others = []
+    for factors in np.exp(rng.uniform(-1.0, 1.0, (size // 4, len(CHANGED)))):
+        values = dict(gaits[2].runner)
+        values |= {name: factor * values[name] for name, factor in zip(CHANGED, factors, strict=True)}
+        values |= {"ground.friction": rng.uniform(0.1, 2.0), "hip.touchdown_angle": rng.uniform(0.3, 1.0)}
+        others.append(Runner(values))
+    wild = gaits[2].apex + rng.uniform(-0.2, 0.2, (len(others), 6))
+    yield "other runners", others, wild
+
+
+def errors(runners, starts, tolerance, instructions):
+    """The largest of each stride that closes: of apex, time, distance and energies, over their scales."""
+
+    def run(tolerance, instructions):
+        return Batch(runners, starts, tolerance=tolerance, instructions=instructions, threads=2).run(1)
+
+    exact, found = run(1e-13, "one by one"), run(tolerance, instructions)
+    np.testing.assert_array_equal(found["strides"], exact["strides"])
+    np.testing.assert_array_equal(found["word_code"], exact["word_code"])
+    scales = np.array([runner.scales for runner in runners])
+    length, time = scales[:, 0], 1.0 / scales[:, 5]
+    energy = np.array([runner["leg.stiffness"] for runner in runners]) * length**2
+    worst = np.max(np.abs(found["apex"] - exact["apex"]) / scales, axis=1)
+    units = {"time": time, "distance": length, "work": energy, "damper_loss": energy}
+    for name, scale in (units | {"friction_loss": energy, "impact_loss": energy}).items():
+        worst = np.maximum(worst, np.abs(found[name] - exact[name]) / scale)
+    return worst[exact["strides"] == 1]
+
+
+@pytest.mark.parametrize("instructions", engine.instruction_sets())
+def test_every_stride_keeps_the_promised_accuracy(instructions):
+    """All of them, not most."""
+    compared = 0
+    for name, *population in populations(2000):
+        worst = errors(*population, batch.TOLERANCE, instructions)
+        assert np.mean(worst <= batch.ACCURACY) == 1.0, f"{name}: {worst.max():.1e}"
+        compared += len(worst)
+    assert compared > 3500
+
+
+def test_a_map_keeps_the_promised_accuracy():
+    fastest = engine.instruction_sets()[-1]
+    allowed = {"near": fates.ACCURACY / 20.0, "box": fates.ACCURACY}
+    compared = 0
+    for name, runners, starts in populations(2000):
+        if name not in allowed:
+            continue
+        scales = np.array([runner.scales for runner in runners])
+        apices = [
+            Batch(runners, starts, tolerance=tolerance, instructions=kind, threads=2).run(1).apex
+            for tolerance, kind in ((fates.TOLERANCE, fastest), (1e-13, "one by one"))
+        ]
+        assert np.max(np.abs(apices[0] - apices[1]) / scales) <= allowed[name], name
+        compared += 1
+    assert compared == len(allowed)
+
+
+def test_runners_settle_on_their_own_gait(gaits, starts):
+    """Two gaits are offered to each; a runner ends on that of its friction, whose apex it reaches."""
+    apices = [g.apex for g in gaits]
+    numbers = np.arange(len(starts)) % 2
+    ends = Batch([gaits[k].runner for k in numbers], starts).run(400, apices, near=1e-3)
+    np.testing.assert_array_equal(ends["gait"], numbers)
+    assert (ends["fate"] == engine.SETTLED).all()
+    np.testing.assert_allclose(ends["apex"], np.array(apices)[numbers], atol=1e-3)
+    assert ends.attributes["work_done"]["strides"] == ends["strides"].sum()
+
+
+def test_a_runner_too_stiff_has_not_fallen(gaits, starts):
+    ends = Batch(gaits[0].runner.replace({"hip.kd": 2.5e13}), starts[:50]).run(400, gaits[0])
+    assert (ends.fate == engine.UNSOLVED).all()
+    assert ends.attributes["work_done"]["steps"] <= 50
+
+
+@pytest.mark.parametrize(
+    "wrong",
+    [
+        {"tolerance": 0.0},
+        {"tolerance": float("nan")},
+        {"threads": -1},
+        {"instructions": "mmx"},
+        {"tolerance": 1e300},
+        {"threads": 0.5},
+        {"tolerance": 1e-300},
+        {"step_limit": 0},
+        {"first_number": -1},
+        {"apices": np.zeros((2, 6), dtype=complex)},
+        {"apices": np.zeros((2, 5))},
+        {"apices": np.zeros((3, 2, 6))},
+        {"runners": []},
+        {"runners": [{}, {}, {}]},
+        {"runners": [None, {}], "vary": {"gravity": [1e-3, 2e-3]}},
+        {"runners": {"gravity": [1e-3, 2e-3, 3e-3]}},
+        {"runners": {"gravity": [1e-3, -2e-3]}},
+        {"foot_x": [0.0, 1.0, 2.0]},
+        {"ground": 0.1},
+        {"law": "stiff"},
+        {"law": lambda apices: {}},
+        {"inputs": {"hip.touchdown_angle": np.zeros((2, 2, 2))}},
+        {"inputs": {"leg.stiffness": 1.0}},
+    ],
+)
+def test_a_batch_refuses_what_is_not_allowed(starts, wrong):
+    with pytest.raises(InputError, match=r"allowed|it must be"):
+        Batch(**{"runners": None, "apices": starts[:2]} | wrong)
+
+
+@pytest.mark.parametrize(
+    "wrong",
+    [
+        {"strides": 0},
+        {"strides": 2.9},
+        {"strides": 10**12},
+        {"strides": float("nan")},
+        {"until": [[1.0] * 5]},
+        {"until": [[1.0] * 7]},
+        {"until": [[float("nan")] * 6]},
+        {"until": [3.0]},
+        {"until": np.ones((3, 1, 6))},
+        {"until": [1.0] * 6, "near": -1.0},
+        {"until": [1.0] * 6, "balls": np.zeros((2, 6, 6))},
+        {"until": [1.0] * 6, "balls": np.full((1, 6, 6), np.nan)},
+    ],
+)
+def test_a_run_refuses_what_is_not_allowed(starts, wrong):
+    with pytest.raises(InputError, match="allowed"):
+        Batch(None, starts[:2]).run(**{"strides": 1} | wrong)
+
+
+def test_instructions_that_a_processor_has_not_are_refused(gaits, starts, monkeypatch):
+    class Poor:
+        """A processor without vector registers of its own."""
+
+        def __getattr__(self, name):
+            return getattr(binding.c, name)
+
+        def tdmf_has_instructions(self, number):
+            return number <= binding.c.TDMF_TWO_LANES
+
+    monkeypatch.setattr(engine, "c", Poor())
+    assert engine.instruction_sets() == ("one by one", "two lanes")
+    with pytest.raises(InputError, match="'avx2': allowed here: one by one, two lanes"):
+        Batch(gaits[0], starts[:2], instructions="avx2", threads=1)
+
+
+# ---- one stride, stepping, states -------------------------------------------------------------------------
+
+
+def test_a_stride_has_the_derivatives_of_differences(gaits):
+    """By the apex, parameters and inputs, more than one call of the library takes, also along a direction."""
+    gait, names = gaits[0], ["leg.stiffness", "leg.damping", "foot.mass", "gravity", "hip.kp", "hip.kd"]
+    names += ["hip.stance_torque", "hip.touchdown_angle", "ground.friction", "leg.free_length"]
+    along = {"leg.stiffness": 2.0, "ground.friction": 0.5}
+    made = Batch(gait, gait.apex).stride(along=[*names, along])
+    assert made.next_apex == pytest.approx(gait.apex, abs=1e-10)
+    np.testing.assert_array_equal(made.jacobian, made.next_apex_by[:, :6])
+    assert made.jacobian == pytest.approx(gait.jacobian, abs=1e-8)
+    quantities = (
+        "period",
+        "speed",
+        "duty_factor",
+        "cost_of_transport",
+        "positive_cost_of_transport",
+        "frequency",
+    )
+    for number, name in enumerate(names):
+        h = 1e-6 * max(abs(gait.runner[name]), 1e-3)
+        up, down = (
+            Batch(gait.runner.replace({name: gait.runner[name] + step}), gait.apex).stride()
+            for step in (h, -h)
+        )
+        difference = (up.next_apex - down.next_apex) / (2.0 * h)
+        assert made.next_apex_by[:, 6 + number] == pytest.approx(difference, rel=1e-5, abs=1e-6), name
+        for of in quantities:
+            difference = (up[of] - down[of]) / (2.0 * h)
+            assert made[f"{of}_by"][6 + number] == pytest.approx(difference, rel=1e-5, abs=1e-6), (name, of)
+    sums = 2.0 * made.next_apex_by[:, 6] + 0.5 * made.next_apex_by[:, 6 + names.index("ground.friction")]
+    assert made.next_apex_by[:, -1] == pytest.approx(sums, rel=1e-9, abs=1e-12)
+
+
+def test_strides_that_do_not_close_are_not_numbers_and_say_why(gaits):
+    apices = np.array([gaits[0].apex, gaits[0].apex * [0.1, 1, 1, 1, 1, 1]])
+    made = Batch(gaits[0], apices).stride(jacobian=True)
+    assert made.outcome[0] == 0 < made.outcome[1]
+    for name in ("next_apex", "speed", "greatest_foot_height", "jacobian", "speed_by"):
+        assert np.isfinite(made[name][0]).all() and np.isnan(made[name][1]).all(), name
+    data = made.to_dataset()
+    assert data["speed"].attrs["units"] == "m/s" and data["next_apex_by"].dims == (
+        "runner",
+        "coordinate",
+        "by",
+    )
+
+
+def test_runners_of_a_batch_make_the_strides_of_each_alone(gaits):
+    """With values of their own, given as arrays, as a list of runners, and by `vary`."""
+    friction, damping = [0.5, 0.6, 0.8], [0.19, 0.2, 0.21]
+    values = {"ground.friction": friction, "leg.damping": damping}
+    runners = [
+        Runner({"ground.friction": f, "leg.damping": d}) for f, d in zip(friction, damping, strict=True)
+    ]
+    apex = gaits[0].apex
+    made = Batch(values, apex).stride(along=["gravity"])
+    for many in (Batch(runners, apex), Batch(None, apex, vary=values)):
+        again = many.stride(along=["gravity"])
+        for name in made:
+            np.testing.assert_array_equal(again[name], made[name], err_msg=name)
+    for number, runner in enumerate(runners):
+        alone = Batch(runner, apex).stride(along=["gravity"])
+        for name in made:
+            np.testing.assert_array_equal(made[name][number], alone[name], err_msg=name)
+
+
+def test_steps_in_place_are_strides_of_a_run(gaits, starts):
+    """Of one runner and of many, with settings; after the last one nothing moves."""
+    angles = np.random.default_rng(3).uniform(0.6, 0.8, (50, 5))
+    for apices, inputs in ((starts[:50], angles), (starts[0], angles[:1])):
+        run = Batch(gaits[0], apices, inputs={"hip.touchdown_angle": inputs}).run(5, record=True)
+        batch = Batch(gaits[0], apices)
+        for stride in range(5):
+            fates = batch.step({"hip.touchdown_angle": inputs[:, stride]})
+            up = run.recorded.fate[:, stride] == 0
+            np.testing.assert_array_equal(batch.apices[up], run.recorded.next_apex[up, stride])
+            np.testing.assert_array_equal(batch.last["stride"]["speed"][up], run.recorded.speed[up, stride])
+        np.testing.assert_array_equal(fates, np.atleast_1d(run.fate))
+
+
+def test_saved_states_go_on_where_they_were(gaits, starts):
+    """Copied, in any order and more of them than before, also through a pickle."""
+    law = AffineLaw(["hip.stance_torque"], gaits[0].apex, [0.2], [[0.01] * 6], [0.1], [0.3])
+    batch = Batch(gaits[0], starts[:20], RoughGround(0.1, 3), law)
+    for _ in range(3):
+        batch.step()
+    saved = pickle.loads(pickle.dumps(batch.save()))
+    again = Batch(gaits[0], starts[:1], RoughGround(0.1, 3), law)
+    again.resume(saved, 3)
+    np.testing.assert_array_equal(again.step(), batch.step())
+    np.testing.assert_array_equal(again.apices, batch.apices)
+    again.resume(np.concatenate([saved, saved])[::-1], 3)
+    assert len(again.step()) == len(again) == 40
+
+
+def test_parts_of_a_batch_are_its_runners_also_in_another_process(gaits, starts):
+    ground, friction = RoughGround(0.2, 7), np.linspace(0.4, 0.8, len(starts))
+    law = AffineLaw(["hip.stance_torque"], gaits[0].apex, [0.2], [[0.01] * 6], [0.1], [0.3], [0.02] * 6)
+    batch = Batch(gaits[0].runner, starts, ground, law, vary={"ground.friction": friction})
+    whole = batch.run(6)
+    batch.step()  # what is under way stays here
+    parts = [batch.part(first, 60) for first in range(0, len(starts), 60)]
+    runs = [pickle.loads(pickle.dumps(part)).run(6) for part in parts]
+    for name in whole:
+        np.testing.assert_array_equal(np.concatenate([run[name] for run in runs]), whole[name], err_msg=name)
