@@ -24,7 +24,7 @@ from tdmf_slip.cli import interrupts
 from tdmf_slip.cli import workers as options
 from tdmf_slip.feedback import judgement
 from tdmf_slip.fmu import batch
-from tdmf_slip.library.ensemble import run_ensemble
+from tdmf_slip.library.batch import Batch
 from tdmf_slip.uninterrupted import check_stop
 from tdmf_slip.viable_sets import transitions
 
@@ -200,7 +200,7 @@ def test_what_computes_without_end_stops(gait, endless):
         if number == 0:
             raise ValueError("zero")
         if endless == "engine":
-            run_ensemble([gait.runner], np.tile(gait.apex, (64, 1)), max_strides=2**31 - 1)
+            Batch(gait, np.tile(gait.apex, (64, 1))).run(2**31 - 1)
         while endless == "gaits":
             tdmf_slip.find_gait({FRICTION: 0.5})
         tdmf_slip.simulate(strides=50_000)

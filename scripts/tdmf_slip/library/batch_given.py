@@ -41,6 +41,10 @@ MAX_RUNNERS = 10_000_000
 """Runners in a batch: start and end of one take 300 bytes. More go in several batches, with first numbers."""
 
 
+LEVEL = RoughGround()
+"""Ground as the runner's inputs say."""
+
+
 class Given:
     """Runners side by side with their starts, as C takes them, and what they run on and by: see `Batch`."""
 
@@ -67,7 +71,7 @@ class Given:
         )
         self.size = len(self.runner.coordinates)
         self._read_apices(runners, apices, foot_x, inputs)
-        self.ground, self.law = RoughGround() if ground is None else ground, law
+        self.ground, self.law = LEVEL if ground is None else ground, law
         self.first_number, self.tolerance = first_number, tolerance
         self.threads, self.instructions, self.step_limit = threads, instructions, step_limit
         if type(first_number) is not int or first_number != 0:
@@ -86,12 +90,12 @@ class Given:
     def _read_runners(self, given: Any, model: str | None, vary: dict[str, Any]) -> None:
         """Models and inputs of all runners, or of one for all."""
         if given is None or isinstance(given, Runner | str | os.PathLike) or hasattr(given, "runner"):
-            runners = [Runner(given, model=model)]
+            runners = [_runner_of(given, model)]
         elif isinstance(given, Sequence) and not is_series(given):
             several = row_of(given, "runners", "one or more runners in a list", MAX_RUNNERS)
             if not several:
                 raise InputError("runners: none; allowed: one or more")
-            runners = [Runner(one, model=model) for one in several]
+            runners = [_runner_of(one, model) for one in several]
             if any(runner.reduced != runners[0].reduced for runner in runners):
                 raise InputError(
                     "runners: by the full model and by the reduced map; allowed: all by one of them"
@@ -246,6 +250,12 @@ class Given:
     def __getstate__(self) -> dict[str, Any]:
         """Everything that was given, for another process too."""
         return self.__dict__.copy()
+
+
+def _runner_of(given: Any, model: str | None) -> Runner:
+    """The runner that is given, with what it has made of itself, unless it has to be made."""
+    runner = given if isinstance(given, Runner) else getattr(given, "runner", None)
+    return runner if model is None and isinstance(runner, Runner) else Runner(given, model=model)
 
 
 def _is_row(value: object) -> bool:

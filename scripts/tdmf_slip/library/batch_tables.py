@@ -88,7 +88,7 @@ def exact_table(
         by = [*batch.runner.coordinates, *map(title, along)]
         return {**_labels(batch), "by": np.array(by), "by_coordinate": np.array(batch.runner.coordinates)}
 
-    return Table(_exact(single, reduced, variations is not None), make, labels, unit_in(batch))
+    return Table(_exact(single, reduced, variations is not None), make, labels, _unit)
 
 
 @cache
@@ -120,14 +120,9 @@ def title(direction: Along) -> str:
     return " + ".join(f"{share:g} {name}" for name, share in direction.items())
 
 
-def unit_in(batch: Given) -> Callable[[str], str]:
+def _unit(name: str) -> str:
     """The unit of an array by its name, empty for none."""
-    known = (*reported_quantities(batch.runner.reduced),)
-
-    def unit(name: str) -> str:
-        return _END_UNITS.get(name) or (unit_of(name) if name in known else "")
-
-    return unit
+    return _END_UNITS.get(name) or (unit_of(name) if name in reported_quantities(False) else "")
 
 
 def _labels(batch: Given) -> dict[str, NDArray[Any]]:
@@ -147,7 +142,7 @@ def ends_table(batch: Given, ends: NDArray[Any], work: Mapping[str, int], record
 
     dimensions = dict.fromkeys(ends.dtype.names or (), over) | {"apex": (*over, "coordinate")}
     attributes = {"work_done": work}
-    return Table(dimensions, make, lambda: _labels(batch), unit_in(batch), attributes, recorded)
+    return Table(dimensions, make, lambda: _labels(batch), _unit, attributes, recorded)
 
 
 def recorded_table(batch: Given, engine: Engine, given: Mapping[str, NDArray[np.float64]]) -> Table:
@@ -182,9 +177,7 @@ def recorded_table(batch: Given, engine: Engine, given: Mapping[str, NDArray[np.
     arrays |= {name: of(values, begun) for name, values in given.items()}
     over = ("runner", "stride", "coordinate")
     dimensions = {name: over[: values.ndim] for name, values in arrays.items()}
-    return Table(
-        dimensions, arrays.__getitem__, lambda: {**_labels(batch), "stride": strides}, unit_in(batch)
-    )
+    return Table(dimensions, arrays.__getitem__, lambda: {**_labels(batch), "stride": strides}, _unit)
 
 
 def _words(words: NDArray[np.bytes_]) -> NDArray[np.str_]:

@@ -118,12 +118,14 @@ def exact_strides(
             seeds[k] = seed_of(direction)[0]
     system = ffi.new("tdmf_system *")
     one_model, one_input = len(models) == 1, len(inputs) == 1
-    longest = np.broadcast_to(LONGEST_STRIDE * models["scales"]["time"], len(apices)).tolist()
+    longest = (LONGEST_STRIDE * models["scales"]["time"]).tolist()
     for number in range(len(apices)):
         system.model = model if one_model else model + number
         system.inputs = given if one_input else given + number
         section = sections + number * WIDTH
-        out[number] = function(solver, system[0], section, longest[number], derivatives, seeds, len(along))
+        out[number] = function(
+            solver, system[0], section, longest[0 if one_model else number], derivatives, seeds, len(along)
+        )
     return returns
 
 

@@ -100,7 +100,7 @@ class Engine:
         self._cases = cases = np.zeros(max(len(models), len(inputs)), dtype_of("tdmf_ensemble_case"))
         step = MODEL.itemsize * np.arange(len(cases), dtype=np.uintp) if len(models) > 1 else 0
         cases["model"] = address(models) + step
-        cases["inputs"] = inputs
+        cases["inputs"] = inputs.view(cases.dtype["inputs"])
         self.rules = cases["rules"]
         self._most = self.rules["max_strides"]
         self._work = ffi.new("tdmf_ensemble_work *")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from functools import cache
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -135,7 +136,7 @@ class Quantities:
             return self[other][..., None]
 
         if name in APEX_QUANTITIES:
-            row = np.eye(len(weight_by))[COORDINATES.index(APEX_QUANTITIES[name])]
+            row = np.eye(weight_by.shape[-1])[COORDINATES.index(APEX_QUANTITIES[name])]
             return np.broadcast_to(row, variations.shape)
         if name == "frequency":
             return -by("period") / at("period") ** 2
@@ -165,6 +166,7 @@ def differentiable(reduced: bool) -> tuple[str, ...]:
     return (*_VARIED, *(name for name in known if name not in _VARIED))
 
 
+@cache
 def reported_quantities(reduced: bool) -> tuple[str, ...]:
     """Quantities of a stride by the return map or the reduced one, with its lift-off angle."""
     more = tuple(APEX_QUANTITIES)[:2] if reduced else MEASURES
