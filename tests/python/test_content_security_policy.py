@@ -5,6 +5,7 @@ import shutil
 import sys
 
 import pytest
+from conftest import some_of
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 SITE = ROOT / "dist" / "site"
@@ -23,10 +24,17 @@ KINDS = {
     "the command's help": "reference/command_line.html",
     "sources": "_modules/index.html",
     "the index": "genindex.html",
-    "the index of modules": "py-modindex.html",
     "a search": "search.html?q=friction",
+    "the index of modules": "py-modindex.html",
 }
 """A page of each kind."""
+
+
+def where(pages):
+    """Each page by a server, and some, or with --release all, as a file."""
+    return [("by a server", page) for page in pages] + [("by file://", page) for page in some_of(pages, 4)]
+
+
 WATCH = """
 globalThis.violations = [];
 document.addEventListener("securitypolicyviolation", (event) =>
@@ -66,7 +74,7 @@ def driver(request):
         yield driver
 
 
-@pytest.fixture(scope="module", params=["by a server", "by file://"])
+@pytest.fixture(scope="module")
 def address(request):
     from browser import served
 
@@ -100,7 +108,7 @@ def test_there_are_pages_of_each_kind(driver):
     assert [page for page in KINDS.values() if not (SITE / page.split("?")[0]).is_file()] == []
 
 
-@pytest.mark.parametrize("kind", KINDS)
+@pytest.mark.parametrize(("address", "kind"), where(KINDS), indirect=["address"])
 def test_a_page_within_its_policy_has_its_styles_its_pictures_and_the_theme_s_script(driver, address, kind):
     from browser import wait
 
@@ -120,7 +128,7 @@ def test_a_page_within_its_policy_has_its_styles_its_pictures_and_the_theme_s_sc
         wait(driver, "document.querySelectorAll('#search-results li').length > 3", "what is found")
 
 
-@pytest.mark.parametrize("page", [*KINDS.values(), "live.html"])
+@pytest.mark.parametrize(("address", "page"), where(["live.html", *KINDS.values()]), indirect=["address"])
 def test_an_injected_script_does_not_run(driver, address, page):
     opened(driver, address, page)
     if page == "live.html" and address.startswith("file"):

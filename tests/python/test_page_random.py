@@ -197,7 +197,7 @@ def compare(page, number, tolerance=1e-13):
 
 def test_random_runs_with_everything_on_are_those_of_the_core(whole):  # noqa: F811
     found, faults = Counter(), []
-    for number in some_of(range(20000), 300):
+    for number in some_of(range(20000), 100):
         kind, _, text = compare(whole, number)
         found[kind] += 1
         if kind in ("differs", "stride"):

@@ -131,9 +131,9 @@ def test_laws_as_they_are_agree_with_the_known_gait(proof):
     assert agrees_with_known(proof)
 
 
-@pytest.mark.parametrize("law", some_of(LAWS, 3))
+@pytest.mark.parametrize("law", some_of(LAWS, 2))
 def test_a_law_that_is_wrong_by_a_part_in_1e12_is_noticed(monkeypatch, law):
-    """Three of the laws, or with --release all five."""
+    """Two of the laws, or with --release all five."""
     right = getattr(laws, law)
     with ctx.workprec(400):
         factor = 1 + arb(10) ** -12

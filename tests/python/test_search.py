@@ -6,7 +6,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from conftest import CLAMPED
+from conftest import CLAMPED, RELEASE
 from tdmf_slip import GaitNotFoundError, RunError, Runner, find_gait
 from tdmf_slip.analysis import search, spread
 from tdmf_slip.analysis.search import periodic_gait
@@ -40,7 +40,7 @@ def test_a_stable_gait_that_the_start_does_not_settle_on_is_found():
 
 
 def test_gaits_of_random_runners_are_found_without_a_guess():
-    """All that have a stable one, and most that have unstable ones only."""
+    """All that have a stable one, and most that have unstable ones only: one of these, with --release all."""
     stable, others, missed = 0, 0, []
     for stored in RUNNERS:
         if not stored["gaits"]:
@@ -51,6 +51,8 @@ def test_gaits_of_random_runners_are_found_without_a_guess():
             assert again.word == known["word"] and np.allclose(again.apex, known["apex"], atol=1e-6)
         has_stable = any(known["lambda_max"] < 1.0 for known in stored["gaits"])
         stable, others = stable + has_stable, others + (not has_stable)
+        if others > 1 and not has_stable and not RELEASE:
+            continue
         try:
             find_gait(runner)
         except RunError:
@@ -88,7 +90,7 @@ def test_a_search_ends_after_a_bounded_number_of_strides():
 
 def test_a_search_whose_strides_take_too_many_steps_ends_and_says_so(monkeypatch):
     """A stride of this runner takes 3,000 steps or more, two hundred times as many as is usual."""
-    monkeypatch.setattr(spread, "STARTS", 256)
+    monkeypatch.setattr(spread, "STARTS", 64)
     runner = {
         "hip.touchdown_angle": -1.4977579896173873e-08,
         "body.external_fx": -40020851.84273862,
@@ -99,7 +101,7 @@ def test_a_search_whose_strides_take_too_many_steps_ends_and_says_so(monkeypatch
     with pytest.raises(GaitNotFoundError, match=r"strides more could not be followed") as raised:
         find_gait(runner)
     _, steps = re.search(r"([\d,]+) strides in ([\d,]+) steps", str(raised.value)).groups()
-    assert int(steps.replace(",", "")) <= 256 * spread.STEP_LIMIT * (1 + len(spread.ROUNDS))
+    assert int(steps.replace(",", "")) <= 64 * spread.STEP_LIMIT * (1 + len(spread.ROUNDS))
 
 
 @pytest.mark.parametrize("model", ["full", "reduced"])
