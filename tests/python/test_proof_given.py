@@ -41,7 +41,7 @@ def test_a_preset_and_a_gait_are_proved_as_any_runner():
     assert human.runner == tdmf_slip.Runner("human")
     gait = tdmf_slip.find_gait({"ground.friction": 0.25})
     border = tdmf_slip.sweep({}, {"ground.friction": [0.3, 0.25]}).borders[0]
-    assert tdmf_slip.prove_border(border, gait, sides=False).proved
+    assert tdmf_slip.prove_border(border, gait, digits=5, sides=False).proved
     assert tdmf_slip.prove_attraction(gait).proved
 
 
