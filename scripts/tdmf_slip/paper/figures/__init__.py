@@ -1,3 +1,3 @@
-"""The paper's figures, remade, and what it could not show. One module per figure; `catalogue` has all."""
+"""The paper's figures and our own, one module per figure; `catalogue` lists all of them."""
 
 from ... import pictures  # noqa: F401 # it says what is missing where Matplotlib is

@@ -18,11 +18,11 @@ DISTURBANCES = {
     "step_down": ("step down (l₀)", "#1f5fa8"),
     "push_forward": ("push forward (l₀√(k/m))", "#e07b00"),
 }
-"""Names and colours of the disturbances that are shown."""
+"""Labels and colours of the disturbances that are drawn."""
 
 
 def table(measured: Sequence[Attraction], matched: Sequence[Attraction] = ()) -> Columns:
-    """The figure's data, by column; a disturbance beyond the largest tried is inf. Equal runners have a 1."""
+    """Data of the figure by column. `matched` is 1 or 0; inf is a disturbance beyond the largest tried."""
     rows = [*measured, *matched]
     return {
         "matched": [0] * len(measured) + [1] * len(matched),
@@ -41,7 +41,7 @@ def table(measured: Sequence[Attraction], matched: Sequence[Attraction] = ()) ->
 
 
 def draw(path: Path, sweep: Sweep, measured: Sequence[Attraction], matched: Sequence[Attraction]) -> None:
-    """Draw the share of the section that is attracted, the largest eigenvalue, and the disturbances."""
+    """Draw the share of starts that settle, the largest eigenvalue, and the largest disturbances."""
     data, equal = table(measured), table(matched)
     with style.styled():
         figure, axes = style.subplots(3, 1, figsize=(7.6, 7.6), sharex=True)

@@ -1,4 +1,4 @@
-"""All figures of the paper, remade, and what it could not show: PNG and SVG, with the data beside as CSV."""
+"""All figures of the paper and our own, each with its data as CSV."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
@@ -52,11 +52,11 @@ from . import (
 from .columns import Columns, write_columns
 
 FORMATS = ("png", "svg", "pdf")
-"""That figures can be written in."""
+"""Formats of the files."""
 MEASURED = 26
-"""So many of these have their region of attraction measured."""
+"""Number of gaits whose region of attraction is measured."""
 EQUAL, MEASURED_EQUAL = 48, 12
-"""So many are made equal in speed and apex, and of these have theirs measured."""
+"""Number of matched gaits, and of those whose region of attraction is measured."""
 CLAMP = "hip.swing_clamp"
 STRIDE_COLUMNS = (
     "time",
@@ -74,12 +74,12 @@ STRIDE_COLUMNS = (
 
 @dataclass(frozen=True)
 class Figure:
-    """How a figure is drawn into a file, and its data by column."""
+    """Functions that draw a figure and give its data."""
 
     draw: Callable[[Path], None]
-    """Into a file."""
+    """Draws the figure into a file."""
     table: Callable[[], Columns]
-    """Its data, by column."""
+    """Returns the data of the figure by column."""
 
 
 def draw(
@@ -91,7 +91,7 @@ def draw(
     appearance: style.Appearance = style.DESIGNED,
     progress: bool = False,
 ) -> list[Path]:
-    """Draw the figures whose name begins like one of `only` into a folder."""
+    """Draw the figures whose names begin with one of `only` into a folder."""
     known = _figures(measure)
     for begin in only:
         if not any(name.startswith(begin) for name in known):
@@ -257,7 +257,7 @@ def _of_stride(
 
 
 def _stride_table(strides: Sequence[Stride]) -> Columns:
-    """Recorded rows of one or more strides, normalised, with the gait's friction and reading first."""
+    """Recorded rows of strides in the paper's units, preceded by friction and reading of the gait."""
     lengths = [len(stride.time) for stride in strides]
     rows = {
         "friction": np.repeat([stride.gait.friction for stride in strides], lengths),

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from ...files.whole import whole
 
 Columns: TypeAlias = Mapping[str, Sequence[Any] | NDArray[Any]]
-"""Values by name, all columns as long."""
+"""Values by name, in columns of equal length."""
 
 
 def write_columns(path: Path, columns: Columns) -> None:

@@ -17,11 +17,11 @@ SHARES = {
     "damper_loss": ("lost in the damper", "#9bb8d3"),
     "friction_loss": ("lost to friction", "#e07b00"),
 }
-"""Names and colours of what takes energy, from below."""
+"""Labels and colours of the losses, from bottom to top."""
 
 
 def table(gaits: Sequence[Gait], matched: Sequence[Gait] = ()) -> Columns:
-    """The figure's data, by column: energies over weight and length; 1 where runners are equal."""
+    """Data of the figure by column: energies per weight and stride length. `matched` is 1 or 0."""
     columns: dict[str, list[Any]] = {
         "matched": [0] * len(gaits) + [1] * len(matched),
         "friction": [],
@@ -41,7 +41,7 @@ def table(gaits: Sequence[Gait], matched: Sequence[Gait] = ()) -> Columns:
 
 
 def draw(path: Path, sweep: Sweep, matched: Sequence[Gait]) -> None:
-    """Draw the losses one on the other, under the hip's work: as runners come, and where they are equal."""
+    """Draw the stacked losses and the hip's work, for the paper's runner and for matched runners."""
     with style.styled():
         figure, panels = style.subplots(2, 1, figsize=(7.6, 7.6), sharex=True, sharey=True)
         for axes, gaits, title in zip(

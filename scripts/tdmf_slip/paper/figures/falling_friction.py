@@ -1,4 +1,4 @@
-"""Gaits under a friction that falls with speed: speed, cost and eigenvalues over where it falls."""
+"""Gaits with friction that falls with speed: speed, cost and eigenvalues against the Stribeck velocity."""
 
 from collections.abc import Iterator, Mapping
 from itertools import pairwise
@@ -22,16 +22,16 @@ from .columns import Columns
 
 SLOPE, RATIO, VELOCITY = "ground.slope", "ground.static_friction_ratio", "ground.stribeck_velocity"
 LEVEL, DOWNHILL = 0.0, -3.0
-"""Degrees."""
+"""Slopes, degrees."""
 FRICTIONS: Mapping[float, float] = {LEVEL: 0.3, DOWNHILL: 0.0515}
-"""Sliding ones, by slope; downhill a little less than the slope's tangent."""
+"""Sliding friction by slope; downhill it is a little less than the slope's tangent."""
 RATIOS: Mapping[float, tuple[float, ...]] = {LEVEL: (1.2, 1.5, 2.0, 3.0), DOWNHILL: (1.5, 2.0, 3.0)}
 COLOURS: Mapping[float, str] = {1.2: "#5b2a86", 1.5: "#0b7a75", 2.0: "#e07b00", 3.0: "#22303c"}
-"""By ratio."""
+"""Colour by ratio of static to sliding friction."""
 DECADES = (1e-3, 1e-2, 1e-1, 1.0, 10.0)
-"""On the level each is followed by itself, for the steps of a branch are measured over its first velocity."""
+"""Ends of branches on level ground: steps are relative to the first velocity, so each decade is a branch."""
 BEGIN, RANGE, POINTS = 0.1, (0.005, 1.0), 110
-"""Downhill: of the gait that is followed both ways, how far, and by how many gaits at most."""
+"""Branch downhill: velocity at which it begins, range in both directions, and maximum number of gaits."""
 MARKS: Mapping[str, str] = {WORD_BORDER: "|", FOLD: "o"}
 DRAWN = {
     "speed": "average speed (l₀√(k/m))",
@@ -39,22 +39,22 @@ DRAWN = {
     "lambda_max": "modulus of the largest eigenvalue",
 }
 SHOWN = 2.0
-"""Speed up to which gaits are drawn; those that never rest go on beyond."""
+"""Largest speed that is drawn; gaits whose foot never sticks go on beyond it."""
 SHORT_RUN = 0.4
-"""Decades: a word that holds over less is not written."""
+"""Decades of velocity below which a word is not written."""
 
 Row = tuple[float, str, Gait]
-"""A velocity, what happens there, nothing for a gait of the branch, and the gait."""
+"""Velocity, kind of special point (empty for other gaits), and gait."""
 
 
 def runner_of(runner: Runner, slope: float, ratio: float, velocity: float) -> Runner:
-    """A runner at one place of the figure."""
+    """Runner for one slope, ratio and Stribeck velocity."""
     its = runner.replace({SLOPE: float(np.radians(slope)), FRICTION: FRICTIONS[slope]})
     return its.replace({RATIO: ratio, VELOCITY: velocity})
 
 
 def level(runner: Runner, ratio: float) -> list[Row]:
-    """Along the branch on level ground, decade by decade."""
+    """Rows along the branch on level ground, decade by decade."""
     rows: list[Row] = []
     for begin, end in pairwise(DECADES):
         its = runner_of(runner, LEVEL, ratio, begin)
@@ -63,7 +63,7 @@ def level(runner: Runner, ratio: float) -> list[Row]:
 
 
 def downhill(runner: Runner, ratio: float) -> list[Row]:
-    """Along the branch downhill: through its fold, and on with gaits that never rest."""
+    """Rows along the branch downhill, through its fold to gaits whose foot never sticks."""
     its = runner_of(runner, DOWNHILL, RATIOS[DOWNHILL][0], BEGIN)
     first = periodic_gait(its)
     if ratio != RATIOS[DOWNHILL][0]:
@@ -73,7 +73,7 @@ def downhill(runner: Runner, ratio: float) -> list[Row]:
 
 
 def _rows(branch: Branch) -> list[Row]:
-    """Gaits and what happens between them, in the order of the branch."""
+    """Gaits and special points in the order of the branch."""
     rows: list[Row] = []
     for index, (velocity, gait) in enumerate(zip(branch.values, branch.gaits, strict=True)):
         rows.append((float(velocity), "", gait))
@@ -86,7 +86,7 @@ def _rows(branch: Branch) -> list[Row]:
 
 
 def measure(runner: Runner) -> Columns:
-    """All branches, by column, in some minutes."""
+    """Data of all branches by column; takes some minutes."""
     found = {(LEVEL, ratio): level(runner, ratio) for ratio in RATIOS[LEVEL]}
     found |= {(DOWNHILL, ratio): downhill(runner, ratio) for ratio in RATIOS[DOWNHILL]}
     rows = [(slope, ratio, *row) for (slope, ratio), branch in found.items() for row in branch]
@@ -105,7 +105,7 @@ def measure(runner: Runner) -> Columns:
 
 
 def branch_of(data: Columns, slope: float, ratio: float) -> dict[str, NDArray[np.generic]]:
-    """One branch of the data, in its order."""
+    """Data of one branch, in its order."""
     its = (np.asarray(data["slope_degrees"]) == slope) & (np.asarray(data["static_friction_ratio"]) == ratio)
     return {name: np.asarray(values)[its] for name, values in data.items()}
 
@@ -156,14 +156,14 @@ def _key(axes: Axes) -> None:
 
 
 def _runs(its: Mapping[str, NDArray[np.generic]]) -> Iterator[tuple[str, NDArray[np.intp]]]:
-    """Words in the order of a branch, and the rows that have each."""
+    """Yields each word along a branch with its rows."""
     borders = np.flatnonzero(its["word"][1:] != its["word"][:-1]) + 1
     for rows in np.split(np.arange(len(its["word"])), borders):
         yield str(its["word"][rows[0]]), rows
 
 
 def _write_words(axes: Axes, data: Columns, slope: float) -> None:
-    """Each where it holds for long enough, on its curve."""
+    """Write each word beside its curve if it holds for long enough."""
     for ratio in RATIOS[slope]:
         its = _shown(branch_of(data, slope, ratio))
         for word, rows in _runs(its):

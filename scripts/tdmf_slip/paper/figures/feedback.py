@@ -1,4 +1,4 @@
-"""What feedback from stride to stride is worth to a runner that slips, and to one that sticks."""
+"""Effect of feedback from stride to stride at several frictions."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
@@ -25,18 +25,18 @@ from .columns import Columns
 FRICTIONS = (0.1, 0.2, 0.6, 1.0, 10.0)
 ANGLE, TORQUE = "hip.touchdown_angle", "hip.stance_torque"
 REACH = {ANGLE: 0.1, TORQUE: 0.1}
-"""How far a setting may go from the gait's, to either side: rad, and over k l0^2."""
+"""Largest change of each setting to either side, rad and k l0^2."""
 NOISE = 0.01
-"""Of the sensors, over the scales of the section."""
+"""Standard deviation of the sensor noise, relative to the scales of the section."""
 ROUGHNESS = (0.3, 0.5)
-"""Over l0."""
+"""Standard deviations of the steps, l0."""
 SEED = 20261122
 LEFT_ALONE = 0.05
-"""Of dead-beat laws: the mode that a stride shrinks to a hundredth."""
+"""Modulus of eigenvalues that dead-beat laws leave alone."""
 
 NONE, MATCHED = "no feedback", "no feedback, gait matched to friction 0.2"
 REFERENCE = 0.2
-"""The friction whose speed, apex height and leg angle the matched runners have."""
+"""Friction of the gait to which runners are matched."""
 COLOURS: Mapping[str, str] = {
     NONE: "#22303c",
     MATCHED: "#b3216f",
@@ -45,18 +45,18 @@ COLOURS: Mapping[str, str] = {
     "dead-beat: angle and torque": "#e07b00",
 }
 SHOWN = {name: colour for name, colour in COLOURS.items() if name != "quadratic regulator: touchdown angle"}
-"""Laws that are drawn: the touchdown angle alone does about what the angle and the torque do."""
+"""Laws that are drawn; the touchdown angle alone has about the effect of angle and torque."""
 DISTURBANCES = ("push_forward", "push_backward", "step_down", "step_up")
 BESIDE, MARGIN = 1.06, 1.2
-"""Ratios of frictions: of the positions of two laws at the same one, and beyond the first and the last."""
+"""Ratios of frictions: between the positions of two laws, and between the ends of the axis and the data."""
 MAX_SHOWN = 5e4
-"""Mean strides; intervals go on above where few fell."""
+"""Largest mean number of strides on the axis; some intervals extend beyond it."""
 COUNTED = ("falls", "strides", "stopped", "unsolved")
-"""Of the runners on rough ground."""
+"""Counts of runners on rough ground."""
 
 
 def laws(gait: Gait) -> dict[str, Feedback | None]:
-    """The feedbacks that are judged at a gait, by name; the matched runner has none."""
+    """Feedback laws for a gait by name; None is no feedback."""
     reach = {name: (gait.runner[name] - REACH[name], gait.runner[name] + REACH[name]) for name in REACH}
     alone, both = (ANGLE,), (ANGLE, TORQUE)
     made = (
@@ -70,7 +70,7 @@ def laws(gait: Gait) -> dict[str, Feedback | None]:
 
 
 def measure(runner: Runner, *, progress: bool = False) -> dict[str, list[Judgement]]:
-    """How well each feedback holds the gaits."""
+    """Judgements of each law at each friction."""
     gaits = [periodic_gait(runner.replace({FRICTION: friction})) for friction in FRICTIONS]
     noise = (NOISE * runner.scales).tolist()
     alike = matched(runner, gaits)
@@ -86,14 +86,14 @@ def measure(runner: Runner, *, progress: bool = False) -> dict[str, list[Judgeme
 
 
 def matched(runner: Runner, gaits: Sequence[Gait]) -> dict[float, Gait]:
-    """By friction: the control, which carries its foot as high as the runner on `REFERENCE`."""
+    """Gaits matched to the one on `REFERENCE`, by friction."""
     reference = periodic_gait(runner.replace({FRICTION: REFERENCE}))
     found = {gait.friction: like(reference, gait) for gait in gaits}
     return {friction: gait for friction, gait in found.items() if gait is not None}
 
 
 def table(judged: Mapping[str, Sequence[Judgement]]) -> Columns:
-    """The figure's data, by column; inf is a disturbance beyond all tried, or a mean without falls."""
+    """Data of the figure by column; inf is a disturbance beyond all tried, or a mean without falls."""
     named = [(name, one) for name, its in judged.items() for one in its]
     found = [one for _, one in named]
     data: dict[str, list[Any]] = {
@@ -123,7 +123,7 @@ def _lambda_max(trial: Trial) -> float:
 
 
 def draw(path: Path, data: Columns) -> None:
-    """Draw strides until the fall, what is recovered from and what is attracted; a colour for each law."""
+    """Draw strides until the fall, share of starts that settle, and largest disturbances, by law."""
     with style.styled():
         figure, panels = style.subplots(2, 2, figsize=(8.4, 6.6), sharex=True)
         (strides, share), (step, push) = panels
@@ -156,7 +156,7 @@ def draw(path: Path, data: Columns) -> None:
 
 
 def _with_confidence(axes: Axes, its: Columns, name: str, colour: str, label: str) -> None:
-    """With its confidence; where none fell a triangle at the lower end of the interval."""
+    """Draw means with their intervals, and a triangle at the lower end if no runner fell."""
     friction, mean, low, high = (
         np.asarray(its[key], float) for key in ("friction", name, f"{name}_low", f"{name}_high")
     )

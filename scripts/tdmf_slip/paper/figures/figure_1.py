@@ -12,11 +12,11 @@ from .columns import Columns
 
 ANGLE = math.radians(40.0)
 SHOWN = (0, 1, 2, 3, 4)
-"""Snapshots in stance, of five."""
+"""Indices of the snapshots in stance."""
 
 
 def table() -> Columns:
-    """The path of the mass, by column; the foot stands at x = 0."""
+    """Path of the mass by column, with the foot at x = 0."""
     path = _path()
     return {"time": path.time, "x": path.x, "y": path.y, "phase": path.phase}
 
@@ -26,7 +26,7 @@ def _path() -> slip_path.Path:
 
 
 def draw(path: Path) -> None:
-    """Draw the path, and the leg at five instants of the stance and at both apexes."""
+    """Draw the path, and the leg at five instants of the stance and at both apices."""
     step = _path()
     with style.styled():
         figure, axes = style.subplots(figsize=(8.0, 3.6))

@@ -1,4 +1,4 @@
-"""Figure 2: return maps of the classic SLIP at four touchdown angles, and its gaits over the angle."""
+"""Figure 2: return maps of the classic SLIP at four touchdown angles, and its gaits against the angle."""
 
 import math
 from functools import cache
@@ -15,15 +15,15 @@ from ..evidence import gather_classic
 from .columns import Columns
 
 ANGLES = (38.0, 40.0, 42.0, 44.0)
-"""Of the maps, degrees."""
+"""Touchdown angles of the maps, degrees."""
 COLOURS = ("#9bb8d3", "#1f5fa8", "#e07b00", "#b3216f")
 POINTS = 400
 SWEPT = 44.588 - 13.288 * np.linspace(1.0, 0.0, 100) ** 2
-"""Angles of the gaits, degrees: from the lowest stable one, closer towards the fold, which follows."""
+"""Touchdown angles of the gaits, degrees, closer together towards the fold."""
 
 
 def map_table() -> Columns:
-    """The return maps, by column: from apex height to apex height, m."""
+    """Return maps by column: apex height and next apex height, m."""
     columns: dict[str, list[Any]] = {"angle_degrees": [], "height": [], "next_height": [], "forwards": []}
     for angle in ANGLES:
         parameters = classic_slip.slip(math.radians(angle))
@@ -38,7 +38,7 @@ def map_table() -> Columns:
 
 @cache
 def gait_table() -> Columns:
-    """Gaits over the angle, by column."""
+    """Gaits by column."""
     gaits = [g for angle in SWEPT for g in classic_slip.fixed_points(math.radians(angle))]
     gaits.append(classic_slip.fold())
     return {
@@ -51,7 +51,7 @@ def gait_table() -> Columns:
 
 
 def draw_maps(path: Path) -> None:
-    """Figure 2(a)."""
+    """Draw figure 2(a)."""
     data = {name: np.array(values) for name, values in map_table().items()}
     with style.styled():
         figure, axes = style.subplots(figsize=(5.6, 5.2))
@@ -76,7 +76,7 @@ def draw_maps(path: Path) -> None:
 
 
 def _cut(values: NDArray[np.float64], at: NDArray[np.float64]) -> NDArray[np.float64]:
-    """A gap where the curve is not one piece."""
+    """Insert a gap where the curve is not connected."""
     cut = values.copy()
     if len(at) > 1:
         cut[np.flatnonzero(np.diff(at) > 2.0 * np.median(np.diff(at))) + 1] = np.nan
@@ -91,7 +91,7 @@ def _diagonal(axes: Axes) -> None:
 
 
 def branches(data: Columns) -> list[tuple[str, NDArray[np.float64]]]:
-    """Rows of the stable and of the unstable gaits, each from the fold on."""
+    """Rows of the stable and of the unstable gaits, each with the fold."""
     slope = np.array(data["slope"])
     fold = len(slope) - 1
     stable = np.flatnonzero(np.abs(slope[:-1]) < 1.0)
@@ -100,7 +100,7 @@ def branches(data: Columns) -> list[tuple[str, NDArray[np.float64]]]:
 
 
 def draw_gaits(path: Path) -> None:
-    """Figure 2(b)."""
+    """Draw figure 2(b)."""
     data = gait_table()
     with style.styled():
         figure, axes = style.subplots(figsize=(5.6, 4.2))

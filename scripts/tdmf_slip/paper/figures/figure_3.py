@@ -16,11 +16,11 @@ from .columns import Columns
 TOUCHDOWN_ANGLE = math.radians(40.0)
 STANCE_ANGLE = math.radians(30.0)
 HEIGHT = 1.2
-"""Of the apex before, m."""
+"""Height of the previous apex, m."""
 MARGIN = 0.8
-"""Friction over what would be needed."""
+"""Friction relative to the friction needed."""
 COMPRESSED = 0.85
-"""Length of the leg in (a), a little after touchdown, so that what the foot does can be seen."""
+"""Length of the leg in (a), a little after touchdown, where the slip is visible."""
 
 
 def _early() -> tuple[float, ClassicStep]:
@@ -31,7 +31,7 @@ def _early() -> tuple[float, ClassicStep]:
 
 
 def table() -> Columns:
-    """What the three panels show, by column."""
+    """Data of the three panels by column."""
     friction, early = _early()
     touchdown = classic_slip.step(classic_slip.slip(TOUCHDOWN_ANGLE), HEIGHT)
     return {
@@ -60,7 +60,7 @@ def draw(path: Path) -> None:
 
 
 def _cone(axes: Axes, friction: float, up: float = 1.0, reach: float = 0.55) -> None:
-    """The friction cone at the foot."""
+    """Draw the friction cone at the foot."""
     half_width = friction * reach
     axes.add_patch(
         Polygon(
@@ -83,7 +83,7 @@ def _velocity(axes: Axes, x: float, y: float, vx: float, vy: float) -> None:
 
 
 def _extended(axes: Axes, x: float, y: float, towards: float) -> None:
-    """The leg after the foot has slid out until the spring is as long as it can be."""
+    """Draw the leg after the foot has slid until the spring is at its free length."""
     foot = x + towards * math.sqrt(max(0.0, 1.0 - y * y))
     slip_path.leg(axes, (foot, 0.0), (x, y), style.FAINT, linestyle=":")
     axes.annotate("", (foot, -0.12), (0.0, -0.12), arrowprops={"arrowstyle": "-|>", "color": "#e07b00"})

@@ -11,7 +11,7 @@ from . import figure_2
 
 
 def draw(path: Path) -> None:
-    """Draw friction needed over touchdown angle."""
+    """Draw the friction needed against the touchdown angle."""
     data = figure_2.gait_table()
     with style.styled():
         figure, axes = style.subplots(figsize=(5.6, 4.2))

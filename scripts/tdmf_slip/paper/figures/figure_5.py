@@ -1,6 +1,6 @@
 """Figure 5: the gait at high friction, where the foot sticks: heights, leg, foot velocity, force ratio.
 
-The gait of the default is drawn in full, and that with the clamp of the swing law (12) dotted.
+Solid lines are the default reading, dotted lines the reading with the clamp of equation (12).
 """
 
 from collections.abc import Mapping
@@ -18,7 +18,7 @@ CLAMPED: Mapping[str, Any] = {"linestyle": (0.0, (1.0, 1.2)), "linewidth": 1.3, 
 
 
 def draw(path: Path, stride: Stride, clamped: Stride) -> None:
-    """Draw the four panels of one gait, with heights and leg of the other."""
+    """Draw the four panels of both gaits."""
     with style.styled():
         figure, axes = style.subplots(2, 2, figsize=(8.4, 6.2))
         _heights(axes[0, 0], stride, clamped)

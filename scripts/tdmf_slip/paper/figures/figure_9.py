@@ -1,7 +1,7 @@
 """Figure 9: largest eigenvalue, speed and cost of transport of the gaits against friction, with their words.
 
-Below 0.3 the paper has no eigenvalues and below 0.1 no gait; its axis leaves out 2 to 7. Here nothing is left
-out, and what the paper does not show is drawn on a tinted ground.
+The paper has no eigenvalues below friction 0.3 and no gaits below 0.1, and its axis leaves out 2 to 7. These
+ranges are tinted here.
 """
 
 from collections.abc import Sequence
@@ -26,11 +26,11 @@ CONTROL = {
     "zorder": 3,
     "label": "speed, apex height and leg angle of the gait at friction 10",
 }
-"""Of runners that are made equal in speed, apex height and leg angle."""
+"""Look of matched runners."""
 HEIGHTS, LEADER = np.linspace(0.05, 0.95, 19), 14.0
 """Where the word of a narrow range may stand: share of the axes' height, and points beside its border."""
 NARROW = 1.02
-"""Ratio of two borders of friction between which no word can be written."""
+"""Largest ratio of two borders of friction between which a word does not fit above the axes."""
 PAPER_SHOWS = {"eigenvalue": ((0.3, 2.0), (7.0, 10.0)), "gait": ((0.1, 2.0), (7.0, 10.0))}
 """Ranges of friction in the paper's own figure."""
 TINT = "#eef3e6"
@@ -38,7 +38,7 @@ TICKS = (0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0)
 
 
 def table(sweep: Sweep, matched: Sequence[Gait]) -> Columns:
-    """The figure's data, by column; 1 where a runner is made equal to the first in speed and apex."""
+    """Data of the figure by column. `matched` is 1 for runners matched to the first gait."""
     gaits = [*sweep.gaits, *matched]
     return {
         "matched": [0] * len(sweep.gaits) + [1] * len(matched),
@@ -51,7 +51,7 @@ def table(sweep: Sweep, matched: Sequence[Gait]) -> Columns:
 
 
 def draw(path: Path, sweep: Sweep, matched: Sequence[Gait]) -> None:
-    """Draw the three panels, dashed the runners that are made equal in speed, apex height and leg angle."""
+    """Draw the three panels, with matched runners dashed."""
     data, equal = table(sweep, ()), table(sweep, matched)
     panels = (
         ("lambda_max", r"(a) largest eigenvalue $\lambda_{max}$", "eigenvalue"),
@@ -77,13 +77,13 @@ def draw(path: Path, sweep: Sweep, matched: Sequence[Gait]) -> None:
 
 
 def _matched(data: Columns, name: str) -> tuple[list[float], list[float]]:
-    """Frictions, and what is drawn over them."""
+    """Frictions and values of the matched runners."""
     rows = [k for k, matched in enumerate(data["matched"]) if matched]
     return [data["friction"][k] for k in rows], [data[name][k] for k in rows]
 
 
 def tint(axes: Axes, shown: Sequence[tuple[float, float]], frictions: Values) -> None:
-    """Tint what the paper's figure does not show."""
+    """Tint the ranges that the paper's figure does not show."""
     edge = min(frictions)
     for low, high in shown:
         if low > edge:
@@ -92,7 +92,7 @@ def tint(axes: Axes, shown: Sequence[tuple[float, float]], frictions: Values) ->
 
 
 def mark_borders(axes: Axes, sweep: Sweep) -> None:
-    """A dashed line where the word changes."""
+    """Draw a dashed line at each border between words."""
     for border in sweep.borders:
         axes.axvline(border.value, **style.STANCE_LINE)
 
@@ -113,7 +113,7 @@ def name_words(axes: Axes, sweep: Sweep) -> None:
 
 
 def friction_axis(axes: Axes, frictions: Values) -> None:
-    """A logarithmic axis of friction with plain numbers."""
+    """Make a logarithmic axis of friction with plain numbers."""
     axes.set_xscale("log")
     axes.set_xlim(min(frictions), max(frictions))
     axes.set_xticks(TICKS, [f"{tick:g}" for tick in TICKS])

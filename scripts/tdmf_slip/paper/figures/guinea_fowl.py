@@ -1,4 +1,4 @@
-"""Do slipping runners fall as guinea fowl do? Falls on a patch over speed and contact angle."""
+"""Falls of runners of a guinea fowl's size on a slippery patch, by speed and contact angle."""
 
 from pathlib import Path
 
@@ -17,13 +17,13 @@ FALLS, UP = "#b3216f", "#cfe8e6"
 NOT_CONTROLLED = (
     "At each speed only the contact angle varies. Apex height, hip torque and retraction change with speed."
 )
-"""What is said above the panels."""
+"""Text above the panels."""
 SHOWN = (50.5, 75.5)
-"""Contact angles, degrees."""
+"""Range of contact angles on the axis, degrees."""
 
 
 def table(found: guinea_fowl.Map) -> Columns:
-    """The figure's data, by column: where the leg can be placed."""
+    """Data of the figure by column, for all angles at which the leg can be placed."""
     rows = [
         (friction, speed, angle, meetings.fell[i, k], meetings.slip_distance[i, k])
         for friction, meetings in found.meetings.items()
@@ -36,7 +36,7 @@ def table(found: guinea_fowl.Map) -> Columns:
 
 
 def draw(path: Path, found: guinea_fowl.Map) -> None:
-    """Draw a panel for each friction of the patch, the last one for a patch that is not slippery."""
+    """Draw a panel for each friction on the patch; in the last one it is that of the ground."""
     with style.styled():
         figure, panels = style.subplots(2, 2, figsize=(7.6, 6.6), sharex=True, sharey=True)
         for axes, friction in zip(panels.flat, found.meetings, strict=True):

@@ -1,4 +1,4 @@
-"""Both leading eigenvalues of gaits along a branch, with their signs: the slow one, and the one of height."""
+"""The two largest eigenvalues of gaits along a branch, with their signs."""
 
 from collections.abc import Mapping, Sequence
 
@@ -16,12 +16,12 @@ MARKS: Mapping[str, str] = {FOLD: "o", PERIOD_DOUBLING: "s"}
 
 
 def leading(gaits: Sequence[Gait]) -> NDArray[np.float64]:
-    """Real parts of the two eigenvalues of largest size, the greater first: shape (gaits, 2)."""
+    """Real parts of the two eigenvalues of largest modulus, the greater one first, shape (gaits, 2)."""
     return np.array([np.sort(gait.eigenvalues[:2].real)[::-1] for gait in gaits])
 
 
 def draw(axes: Axes, values: Sequence[float], gaits: Sequence[Gait], *, named: bool = False) -> None:
-    """Draw both over a parameter, solid where the gait is stable, and the borders of stability."""
+    """Draw both against a parameter, solid for stable gaits, with the borders of stability."""
     stable = np.array([gait.stable for gait in gaits])
     for heights, colour, name in zip(
         leading(gaits).T,
@@ -36,7 +36,7 @@ def draw(axes: Axes, values: Sequence[float], gaits: Sequence[Gait], *, named: b
 
 
 def mark(axes: Axes, branch: Branch, *, named: bool = False) -> None:
-    """Mark folds and period doublings on the border of stability that they are at."""
+    """Mark folds at +1 and period doublings at -1."""
     for kind, marker in MARKS.items():
         found = [special.value for special in branch.specials if special.kind == kind]
         height = 1.0 if kind == FOLD else -1.0

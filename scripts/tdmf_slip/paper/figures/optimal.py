@@ -1,7 +1,7 @@
-"""The best runner for each friction: at one speed, the cheapest and the one that slips least.
+"""Optimal runners at each friction and one speed: the cheapest one, and the one that slips least.
 
-Both by the touchdown angle, the hip's torque and the thrust of the leg, the body as it is. The cheapest slips
-on purpose where the other one, at the same speed, slips less.
+Touchdown angle, hip torque and leg thrust are varied. Where the second runner slips
+less, the slip of the cheapest one could be avoided.
 """
 
 from collections.abc import Iterator, Sequence
@@ -28,20 +28,20 @@ from . import figure_9
 from .columns import Columns
 
 FRICTIONS = np.geomspace(10.0, 0.05, 16)[:12]
-"""On less friction the search, which also starts at the previous optimum, ends in worse optima."""
+"""Frictions from high to low; below the last one the search ends in worse optima."""
 SPEED = 0.8
-"""Over l0 sqrt(k/m)."""
+"""Speed, l0 sqrt(k/m)."""
 RADIUS = 0.95
-"""Largest spectral radius: of a disturbance, half is left after 14 strides at the most."""
+"""Largest spectral radius: a disturbance is halved within 14 strides."""
 ANGLE, TORQUE, THRUST = "hip.touchdown_angle", "hip.stance_torque", "leg.thrust"
 BOUNDS = {ANGLE: (0.3, 1.1), TORQUE: (0.0, 0.6), THRUST: (0.0, 0.4)}
-"""In rad, k l0^2, l0."""
+"""Bounds, rad, k l0^2 and l0."""
 CHEAPEST, MIN_SLIP = "cost_of_transport", "slip_distance"
 COLOURS = {CHEAPEST: "#e07b00", MIN_SLIP: "#1f5fa8"}
 MARGIN = 1.1
-"""Ratio of frictions beyond the first and the last."""
+"""Ratio of frictions between the ends of the axis and the data."""
 COSTS = (0.2, 0.8)
-"""Shown."""
+"""Range of costs on the axis."""
 NAMES = {CHEAPEST: "cheapest runner", MIN_SLIP: "runner with least slip"}
 
 
@@ -51,7 +51,7 @@ def measure(
     *,
     progress: bool = False,
 ) -> list[Optimum]:
-    """The best runners, from friction to friction, each also from the one before."""
+    """Optimal runners at all frictions; each search also starts from the previous optimum."""
     found: list[Optimum] = []
     cheapest: list[Optimum] = []
     min_slipping: list[Optimum] = []
@@ -66,7 +66,7 @@ def measure(
 
 
 def best(runner: Runner, objective: str, near: Sequence[Optimum], *, begin: bool = False) -> list[Optimum]:
-    """The best runner at its friction, from others that are near."""
+    """Optimal runner at one friction, searched from optima at neighbouring frictions."""
     goal = Goal(objective, at={"speed": SPEED}, radius=RADIUS)
     try:
         optimizer = Optimizer(periodic_gait(runner), Space(BOUNDS), 1)
@@ -88,7 +88,7 @@ def _starts(space: Space, runner: Runner, near: Sequence[Optimum]) -> Iterator[S
 
 
 def table(found: Sequence[Optimum]) -> Columns:
-    """The figure's data, by column."""
+    """Data of the figure by column."""
     gaits = [optimum.gait for optimum in found]
     return {
         "friction": [gait.friction for gait in gaits],
@@ -110,7 +110,7 @@ def table(found: Sequence[Optimum]) -> Columns:
 def draw(path: Path, data: Columns) -> None:
     """Draw cost and slip of both runners against friction, and what the cheapest one does.
 
-    Left out is what was not shown to be an optimum.
+    Runners that are not shown to be optima are left out.
     """
     columns = {name: np.asarray(values) for name, values in data.items()}
     with style.styled():

@@ -1,4 +1,4 @@
-"""The paper's conjecture, looked at: its model cut down to a map of the plane, beside the full model."""
+"""The reduced map beside the full model: regions of attraction, eigenvalues and stability."""
 
 from pathlib import Path
 from typing import Any
@@ -24,26 +24,26 @@ from . import figure_9
 from .columns import Columns
 
 PLANE = {"com_height": (0.6, 4.0), "com_speed": (-1.0, 2.5)}
-"""Heights and speeds, over l0 and l0 sqrt(k/m): where regions of attraction are compared."""
+"""Ranges of height and speed for regions of attraction, l0 and l0 sqrt(k/m)."""
 STARTS = 137, 141
-"""Along each."""
+"""Number of starts along each axis."""
 ANGLES = np.radians(np.linspace(20.0, 70.0, 81))
 DAMPINGS = np.linspace(0.0, 0.6, 61)
-"""Over sqrt(m k)."""
+"""Damping, sqrt(m k)."""
 RETRACTED_ANGLE = np.radians(45.0)
 RETRACTIONS = np.linspace(-0.02, 0.02, 81)
-"""Over sqrt(k/m)."""
+"""Retraction rates, sqrt(k/m)."""
 FRICTIONS = np.geomspace(0.05, 5.0, 61)
 COLOURS = {"full": style.CURVE, "reduced": "#e07b00"}
 
 
 def regions(runner: Runner) -> dict[str, Basin]:
-    """What the gaits of both models attract: of the full one over a slice, of the reduced one all of it."""
+    """Regions of attraction of both models; that of the full model is a slice."""
     return {name: basin(runner, PLANE, STARTS, model=name) for name in ("full", "reduced")}
 
 
 def region_table(maps: dict[str, Basin]) -> Columns:
-    """Fates and strides of all starts."""
+    """Fate and number of strides of all starts."""
     along = (np.linspace(*PLANE[axis], count) for axis, count in zip(REDUCED, STARTS, strict=True))
     height, speed = (grid.ravel() for grid in np.meshgrid(*along, indexing="ij"))
     columns: dict[str, Any] = {"com_height": height, "com_speed": speed}
@@ -117,7 +117,7 @@ def draw_eigenvalues(path: Path, sweeps: dict[str, Sweep]) -> None:
 
 
 def planes(runner: Runner) -> tuple[StabilityMap, StabilityMap]:
-    """Stability of the reduced map over touchdown angle and damping, and over retraction and friction."""
+    """Stability of the reduced map by touchdown angle and damping, and by retraction rate and friction."""
     small = Runner(runner, model="reduced")
     return (
         stability(small, {"leg.damping": DAMPINGS, "hip.touchdown_angle": ANGLES}),
@@ -129,7 +129,7 @@ def planes(runner: Runner) -> tuple[StabilityMap, StabilityMap]:
 
 
 def plane_table(maps: tuple[StabilityMap, StabilityMap]) -> Columns:
-    """Both planes, one after the other: parameters by name and value, eigenvalue and word."""
+    """Data of both planes by column: parameters, largest eigenvalue and word."""
     columns: dict[str, list[Any]] = {}
     for one in maps:
         grid = np.meshgrid(one.rows, one.columns, indexing="ij")
@@ -166,7 +166,7 @@ def draw_planes(path: Path, maps: tuple[StabilityMap, StabilityMap]) -> None:
 def _draw_plane(
     axes: Axes, one: StabilityMap, across: NDArray[np.float64], up: NDArray[np.float64]
 ) -> QuadMesh:
-    """Blue is stable, red unstable, and where there is no gait the ground is grey."""
+    """Paint stable gaits blue and unstable ones red; grey marks where no gait was found."""
     axes.set_facecolor(style.GROUND)
     shown = np.ma.masked_invalid(one.lambda_max)
     scale = TwoSlopeNorm(1.0, 0.5, 1.5)

@@ -1,4 +1,4 @@
-"""Does swing-leg retraction stabilize? Both leading eigenvalues over its rate, at three frictions."""
+"""The two largest eigenvalues against the rate of swing-leg retraction, at three frictions."""
 
 from collections.abc import Mapping
 from pathlib import Path
@@ -19,17 +19,17 @@ from .columns import Columns
 RATE = "hip.retraction_rate"
 FRICTIONS = (0.2, 0.6, 10.0)
 SHOWN = (-0.0085, 0.035)
-"""Rates, over √(k/m)."""
+"""Range of rates on the axis, √(k/m)."""
 EIGENVALUES = (-1.7, 1.7)
 LARGEST_STEP = 0.025
 RATES = np.linspace(0.0, 0.034, 18)[1:]
-"""Of matched runners."""
+"""Retraction rates of matched runners."""
 POINTS = 320
-"""Of a branch: beyond its fold it goes on for long."""
+"""Maximum number of gaits of a branch, which continues far beyond its fold."""
 
 
 def branches(runner: Runner) -> Mapping[float, tuple[Branch, Branch]]:
-    """By friction: gaits from no retraction on, towards negative rates and towards positive ones."""
+    """Branches from zero retraction to negative and to positive rates, by friction."""
     found = {}
     for friction in FRICTIONS:
         its = runner.replace({FRICTION: friction})
@@ -43,7 +43,7 @@ def branches(runner: Runner) -> Mapping[float, tuple[Branch, Branch]]:
 
 
 def matched(runner: Runner) -> Mapping[float, tuple[Gait, ...]]:
-    """By friction: gaits that retract with speed, apex height and leg angle of the one that does not."""
+    """Gaits with retraction that are matched to the one without, by friction."""
     found = {}
     for friction in FRICTIONS:
         reference = one = periodic_gait(runner.replace({FRICTION: friction}))
@@ -58,7 +58,7 @@ def matched(runner: Runner) -> Mapping[float, tuple[Gait, ...]]:
 
 
 def table(found: Mapping[float, tuple[Branch, Branch]], alike: Mapping[float, tuple[Gait, ...]]) -> Columns:
-    """The figure's data, by column: along each branch from its fold to its largest rate; last the matched."""
+    """Data of the figure by column: each branch from its fold to its largest rate, then matched runners."""
     rows = [
         (friction, value, gait)
         for friction, (back, forth) in found.items()
@@ -86,7 +86,7 @@ def table(found: Mapping[float, tuple[Branch, Branch]], alike: Mapping[float, tu
 def draw(
     path: Path, found: Mapping[float, tuple[Branch, Branch]], alike: Mapping[float, tuple[Gait, ...]]
 ) -> None:
-    """Draw a panel for each friction, the matched runners by crosses."""
+    """Draw a panel for each friction, with crosses for matched runners."""
     with style.styled():
         figure, panels = style.subplots(len(found), 1, figsize=(7.6, 7.6), sharex=True, sharey=True)
         for axes, letter, (friction, pair) in zip(panels, "abc", found.items(), strict=True):

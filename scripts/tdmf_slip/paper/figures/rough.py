@@ -1,6 +1,6 @@
-"""Does the slipping runner stay up longer? Strides until the fall on rough ground, against friction.
+"""Strides until the fall on rough ground, against friction.
 
-As runners come, and, as the control, with the speed, apex height and leg angle of one friction at all others.
+The control are runners matched to the gait on one friction.
 """
 
 from collections.abc import Sequence
@@ -20,22 +20,22 @@ from .columns import Columns
 
 FRICTIONS = (0.05, 0.1, 0.15, 0.2, 0.25, 0.3, 0.36, 0.43, 0.5, 0.6, 0.8, 1.2, 2.5, 5.0, 10.0)
 ROUGHNESS = (0.2, 0.3, 0.4, 0.5)
-"""Over l0."""
+"""Standard deviations of the steps, l0."""
 RUNNERS, MAX_STRIDES, SEED = 256, 400, 20261122
 COLOURS = ("#0b7a75", "#1f5fa8", "#b3216f", "#e07b00")
 DRAWN = ("friction", "mean_strides", "mean_strides_low", "mean_strides_high")
 
 REFERENCE, MATCHED_ROUGHNESS = 0.2, 0.3
-"""The friction whose kinematics the matched runners have, and the ground that they run on."""
+"""Friction of the gait to which runners are matched, and roughness of their ground."""
 HOLD = ("speed", "apex_height", "apex_leg_angle")
 VARY = ("hip.stance_torque", "hip.touchdown_angle", "hip.liftoff_angle_factor")
 
 Measured = Sequence[tuple[float, bool, FirstPassage]]
-"""Frictions, whether the runner was matched, and what was found at each."""
+"""Friction, whether the runner is matched, and its first passage."""
 
 
 def measure(runner: Runner, *, progress: bool = False) -> Measured:
-    """How long runners stay up, at each friction and roughness."""
+    """First passages at each friction and roughness."""
     trials = [
         Trial(runner.replace({FRICTION: friction}), roughness, RUNNERS, SEED, MAX_STRIDES)
         for roughness in ROUGHNESS
@@ -52,7 +52,7 @@ def measure(runner: Runner, *, progress: bool = False) -> Measured:
 
 
 def _matched(runner: Runner) -> list[Runner]:
-    """Of all frictions at which the kinematics of the reference are to be had by a stable gait."""
+    """Matched runners at all frictions at which they have a stable gait."""
     found = compare([runner.replace({FRICTION: mu}) for mu in (REFERENCE, *FRICTIONS)], hold=HOLD, vary=VARY)
     missed = {of.runner for of in found.not_held}
     return [
@@ -63,7 +63,7 @@ def _matched(runner: Runner) -> list[Runner]:
 
 
 def table(measured: Measured) -> Columns:
-    """The figure's data, by column; where none fell, the mean and the upper end of its interval are inf."""
+    """Data of the figure by column; if no runner fell, the mean and its upper bound are inf."""
     found = [passage for _, _, passage in measured]
     return {
         "matched": [float(is_matched) for _, is_matched, _ in measured],
@@ -106,7 +106,7 @@ def draw(path: Path, data: Columns) -> None:
 
 
 def _curve(axes: Axes, data: Columns, colour: str, label: str, matched: bool) -> None:
-    """With its confidence; where none fell a triangle at the lower end of the interval."""
+    """Draw means with their intervals, and a triangle at the lower end if no runner fell."""
     friction, mean, low, high = (np.asarray(data[name]) for name in DRAWN)
     fell = np.isfinite(mean)
     axes.plot(

@@ -1,4 +1,4 @@
-"""The path of the classic SLIP over a step, and how its leg is drawn: what figures 1 and 3 share."""
+"""Path and leg of the classic SLIP over a step, for figures 1 and 3."""
 
 import math
 from dataclasses import dataclass
@@ -19,20 +19,20 @@ POINTS = 60
 
 @dataclass(frozen=True, eq=False)
 class Path(ByContents):
-    """One step from apex to apex; the foot stands at x = 0."""
+    """One step from apex to apex, with the foot at x = 0."""
 
     time: NDArray[np.float64]
-    """Since the apex."""
+    """Time since the apex."""
     x: NDArray[np.float64]
-    """Of the mass."""
+    """Horizontal position of the mass."""
     y: NDArray[np.float64]
-    """Of the mass."""
+    """Height of the mass."""
     phase: list[str]
-    """fall, stance or rise."""
+    """Phases: fall, stance or rise."""
 
 
 def of_step(parameters: Classic, height: float) -> Path:
-    """The path of the mass from an apex, over the stance, to the next apex."""
+    """Path of the mass from one apex to the next."""
     step = classic_slip.step(parameters, height)
     gravity = parameters.gravity
     fall = np.linspace(0.0, -step.touchdown.vy / gravity, POINTS)
@@ -57,7 +57,7 @@ def of_step(parameters: Classic, height: float) -> Path:
 def leg(
     axes: Axes, foot: tuple[float, float], mass: tuple[float, float], colour: str = style.INK, **line: Any
 ) -> None:
-    """A spring from foot to mass, and the mass."""
+    """Draw a spring from foot to mass, and the mass."""
     (x0, y0), (x1, y1) = foot, mass
     length = math.hypot(x1 - x0, y1 - y0)
     along = np.array([0.0, 0.15, *np.linspace(0.2, 0.8, 2 * COILS), 0.85, 1.0]) * length
@@ -70,7 +70,7 @@ def leg(
 
 
 def ground(axes: Axes) -> None:
-    """The ground line, and axes of equal scale."""
+    """Draw the ground line, and set axes of equal scale."""
     axes.axhline(0.0, color=style.GROUND, linewidth=3.0, zorder=0)
     axes.set_aspect("equal")
     style.label(axes, "x (m)", "y (m)")

@@ -1,4 +1,4 @@
-"""How long a slippery patch is survived, downhill, by its friction and by that of the ground beyond it."""
+"""Shortest patch on which a runner falls downhill, by friction on the patch and around it."""
 
 from pathlib import Path
 
@@ -17,25 +17,25 @@ from ...variables.table import FRICTION
 from .columns import Columns
 
 SLOPE = -4.0
-"""Degrees."""
+"""Slope, degrees."""
 OUTSIDE = (10.0, 1.2, 0.6)
 """Frictions of the ground around the patch."""
 ON_PATCH = np.linspace(0.0, 0.1, 11)
 LENGTHS = np.geomspace(100.0, 2000.0, 14)
-"""m."""
+"""Lengths of the patch, m."""
 RUNNERS, STRIDES_AFTER = 32, 60
-"""At so many phases; and strides beyond the patch."""
+"""Runners, each at its own phase, and strides beyond the patch."""
 MATCHED = ("hip.stance_torque", "hip.touchdown_angle")
 BEGIN = 100.0
 COLOURS = ("#22303c", "#0b7a75", "#e07b00")
 LEADER = 14.0
 """Points between the line of the slope's tangent and its label."""
 NEVER = 1.25 * LENGTHS[-1]
-"""Where a patch is drawn that fells nobody at any length."""
+"""Length at which a point is drawn if no runner falls at any length."""
 
 
 def gaits(runner: Runner) -> list[tuple[Gait, bool]]:
-    """On each ground, and those at the speed and apex height of the least friction's, with True."""
+    """Gaits on each ground, and gaits matched in speed and apex height to the last ground's, with True."""
     its = runner.replace({"ground.slope": float(np.radians(SLOPE))})
     own = [periodic_gait(its.replace({FRICTION: friction})) for friction in OUTSIDE]
     target = {"speed": float(own[-1].stride["speed"]), "apex_height": float(own[-1].apex[0])}
@@ -49,14 +49,14 @@ def gaits(runner: Runner) -> list[tuple[Gait, bool]]:
 
 
 def falls(gait: Gait, friction: float, length: float, seed: int = 0) -> int:
-    """Of `RUNNERS` that come to a patch on a gait, each at a phase of its own."""
+    """Number of runners that fall on a patch, each arriving at its own phase of the gait."""
     runner = gait.runner.replace(patch_begin=BEGIN, patch_end=BEGIN + length, patch_friction=friction)
     strides = int(length / gait.stride["length"]) + STRIDES_AFTER
     return strides_to_fall(runner, 0.0, RUNNERS, seed, strides, gait=gait, foot_x="random").falls
 
 
 def measure(runner: Runner) -> Columns:
-    """Falls over ground, friction and length of the patch, in minutes."""
+    """Falls by ground, friction and length of the patch; takes minutes."""
     rows = [
         (gait.friction, matched, gait.stride["speed"], friction, length, falls(gait, friction, length))
         for gait, matched in gaits(runner)
@@ -68,7 +68,7 @@ def measure(runner: Runner) -> Columns:
 
 
 def shortest(data: Columns, friction: float, matched: bool) -> NDArray[np.float64]:
-    """Downhill, by the friction of the patch: the shortest one that fells any, infinite where none does."""
+    """Length of the shortest patch with a fall by friction on the patch, infinite if there is none."""
     columns = {name: np.asarray(values, float) for name, values in data.items()}
     its = (columns["friction"] == friction) & (columns["matched"] == matched) & (columns["falls"] > 0.0)
     return np.array(
@@ -80,7 +80,7 @@ def shortest(data: Columns, friction: float, matched: bool) -> NDArray[np.float6
 
 
 def draw(path: Path, data: Columns) -> None:
-    """Draw a curve for each ground; crosses for runners as fast and as high as that of the least friction."""
+    """Draw a curve for each ground, and crosses for runners matched to the last ground's."""
     with style.styled():
         figure, axes = style.subplots(figsize=(6.4, 4.6))
         for friction, colour in zip(OUTSIDE, COLOURS, strict=True):

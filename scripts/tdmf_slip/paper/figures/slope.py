@@ -1,4 +1,4 @@
-"""Does slipping help uphill or downhill? Speed, cost of transport and eigenvalues over the slope."""
+"""Speed, cost of transport and eigenvalues against the slope of the ground."""
 
 from collections.abc import Iterator, Mapping
 from pathlib import Path
@@ -20,26 +20,26 @@ from .columns import Columns
 
 SLOPE = "ground.slope"
 COLOURS: Mapping[float, str] = {0.2: "#e07b00", 0.6: "#0b7a75", 10.0: "#22303c"}
-"""By friction."""
+"""Colour by friction."""
 LOWEST, HIGHEST = np.radians(-5.0), np.radians(15.0)
 LARGEST_STEP = 0.03
 STEP = np.radians(0.25)
-"""Of the matched runners' slopes."""
+"""Step between slopes of matched runners."""
 POINTS = 260
-"""Of a branch uphill, of which what is beyond its steepest climb is not shown."""
+"""Maximum number of gaits of a branch uphill; gaits beyond the steepest slope are not drawn."""
 
 HIGHEST_COST = 3.0
-"""Shown: towards its steepest climb the runner on friction 0.2 hardly advances."""
+"""Largest cost on the axis; near its steepest slope the runner on friction 0.2 hardly advances."""
 
 DRAWN = {"speed": 0, "cost_of_transport": 1, "greater_eigenvalue": 2, "other_eigenvalue": 2}
-"""Columns, and the panels that they are in."""
+"""Panel of each column."""
 
 Gaits = Mapping[float, tuple[tuple[float, Gait], ...]]
-"""By friction: slopes, and the gaits there."""
+"""Slopes with their gaits, by friction."""
 
 
 def gaits(runner: Runner) -> Gaits:
-    """By friction: gaits from five degrees downhill to the steepest climb of their branch."""
+    """Gaits from five degrees downhill to the steepest slope of their branch, by friction."""
     found = {}
     for friction in COLOURS:
         its = runner.replace({FRICTION: friction})
@@ -54,7 +54,7 @@ def gaits(runner: Runner) -> Gaits:
 
 
 def matched(runner: Runner) -> Gaits:
-    """By friction: gaits that have, on level ground, the kinematics of that on the first friction."""
+    """Gaits matched on level ground to the one on the first friction, by friction."""
     reference, *others = (periodic_gait(runner.replace({FRICTION: friction})) for friction in COLOURS)
     found = {}
     for gait in others:
@@ -66,7 +66,7 @@ def matched(runner: Runner) -> Gaits:
 
 
 def _stepped(gait: Gait, step: float) -> Iterator[tuple[float, Gait]]:
-    """Slopes and gaits, one near the other."""
+    """Yields slopes with gaits, each found from the one before."""
     slope, one = step, changed(gait, {SLOPE: step})
     while one is not None and LOWEST <= slope <= HIGHEST:
         yield slope, one
@@ -75,7 +75,7 @@ def _stepped(gait: Gait, step: float) -> Iterator[tuple[float, Gait]]:
 
 
 def _to_the_top(branch: Branch) -> tuple[tuple[float, Gait], ...]:
-    """To the first fold, with the gait there."""
+    """Part of a branch up to its first fold."""
     top = next((special for special in branch.specials if special.kind == FOLD), None)
     last = int(np.argmax(np.diff(branch.values) < 0.0))
     climb = tuple(zip(branch.values, branch.gaits, strict=True))
@@ -85,7 +85,7 @@ def _to_the_top(branch: Branch) -> tuple[tuple[float, Gait], ...]:
 
 
 def table(found: Gaits, alike: Gaits) -> Columns:
-    """The figure's data, by column; last what is matched."""
+    """Data of the figure by column, with matched runners last."""
     rows = [(friction, slope, gait) for friction, branch in found.items() for slope, gait in branch]
     along = len(rows)
     rows += [(friction, slope, gait) for friction, branch in alike.items() for slope, gait in branch]

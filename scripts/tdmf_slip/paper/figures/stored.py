@@ -1,6 +1,6 @@
-"""Data of figures that take minutes to compute, kept beside these modules as they were last measured.
+"""Stored data of figures that take minutes to compute.
 
-`tdmf-slip figures --measure` computes them anew, and writes them beside the figures.
+`tdmf-slip figures --measure` recomputes them and writes them beside the figures.
 """
 
 import csv
@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 TEXTS = ("kind", "law", "word")
-"""Columns that hold no numbers."""
+"""Columns of text."""
 
 
 def columns(name: str) -> dict[str, NDArray[Any]]:

@@ -1,4 +1,4 @@
-"""Thrust of the leg against torque of the hip: cost of transport and slip of both, at equal speed."""
+"""Cost of transport and slip with leg thrust and with hip torque, at equal speed."""
 
 from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
@@ -22,12 +22,12 @@ TORQUE, THRUST, ANGLE = "hip.stance_torque", "leg.thrust", "hip.touchdown_angle"
 FRICTIONS = (0.2, 0.6, 10.0)
 HIGHEST_TORQUE, HIGHEST_THRUST = 1.0, 0.6
 WITHOUT_TORQUE = 0.45
-"""Thrust with which the torque is taken away."""
+"""Thrust at which the torque is reduced to zero."""
 LARGEST_STEP = 0.2
 POINTS = 70
-"""Of a branch: beyond its fold it goes on for long."""
+"""Maximum number of gaits of a branch, which continues far beyond its fold."""
 COSTS = (0.2, 1.2)
-"""Shown."""
+"""Range of costs on the axis."""
 
 HIP_ALONE, BOTH, LEG_ALONE = "hip torque alone", "thrust added to a hip torque of 0.2 k l₀²", "thrust alone"
 MATCHED = "thrust of 0.1 l₀ at equal apex height"
@@ -38,13 +38,13 @@ COLOURS: Mapping[str, str] = {
     MATCHED: "#b3216f",
 }
 HELPED, SPEEDS = 0.1, np.linspace(0.8, 1.5, 8)
-"""Thrust of the matched runners, and where they are looked for."""
+"""Thrust and speeds of the matched runners."""
 
 
 def gaits(runner: Runner) -> Mapping[float, tuple[Gait, ...]]:
-    """By friction: gaits of each actuation, along branches over its strength.
+    """Gaits of each actuation along branches over its strength, by friction.
 
-    Where the torque cannot be taken away without the gait, thrust alone has none.
+    If the branch ends before the torque is zero, thrust alone has no gait.
     """
     found = {}
     for friction in FRICTIONS:
@@ -57,7 +57,7 @@ def gaits(runner: Runner) -> Mapping[float, tuple[Gait, ...]]:
 
 
 def matched(by_hip: Sequence[Gait]) -> Iterator[Gait]:
-    """With thrust, at the speed and apex height of stable gaits by the hip alone."""
+    """Gaits with thrust that match stable gaits without thrust in speed and apex height."""
     stable = [gait for gait in by_hip if gait.stable]
     for speed in SPEEDS:
         reference = min(stable, key=lambda gait: abs(gait.stride["speed"] - speed))
@@ -83,7 +83,7 @@ def _both_ways(first: Gait, name: str, end: float) -> Branch:
 
 
 def table(found: Mapping[float, tuple[Gait, ...]]) -> Columns:
-    """The figure's data, by column."""
+    """Data of the figure by column."""
     gaits = [gait for its in found.values() for gait in its]
     pairs = leading.leading(gaits)
     return {
@@ -102,7 +102,7 @@ def table(found: Mapping[float, tuple[Gait, ...]]) -> Columns:
 
 
 def actuated(data: Columns) -> dict[str, NDArray[np.bool_]]:
-    """Which rows of the data are of which actuation."""
+    """Masks of the rows of each actuation."""
     torque, thrust = np.asarray(data["hip_torque"], float), np.asarray(data["thrust"], float)
     beside = torque[np.flatnonzero((torque > 0.0) & (thrust > 0.0))[0]]
     angle = np.asarray(data["touchdown_angle"], float)

@@ -1,4 +1,4 @@
-"""How large the viable sets are against friction, for runners of equal speed and apex height."""
+"""Size of the viable sets against friction, for runners of equal speed and apex height."""
 
 from collections.abc import Sequence
 from pathlib import Path
@@ -17,20 +17,20 @@ from .columns import Columns
 
 FRICTIONS = (0.05, 0.07, 0.1, 0.15, 0.2, 0.3, 0.43, 0.6, 0.85, 1.2, 2.5, 5.0, 10.0)
 REFERENCE = 0.6
-"""The friction whose gait the matched runners have."""
+"""Friction of the gait to which runners are matched."""
 HOLD, VARY = ("speed", "apex_height"), ("hip.stance_torque", "hip.touchdown_angle")
 AXES = {"com_height": (0.3, 4.0), "com_speed": (0.0, 4.0)}
 CHOSEN = {"hip.touchdown_angle": (0.1, 1.3, 24)}
-"""At each apex. At five frictions four times as many angles changed no share by more than 0.016."""
+"""Angles that may be chosen at each apex. Four times as many changed no share by more than 0.016."""
 CELLS = 64
 BAND, COLOUR = "between the inner and the outer set", "#1f5fa8"
 
 Measured = Sequence[tuple[float, Viability]]
-"""Frictions, and what was found."""
+"""Frictions with their viable sets."""
 
 
 def measure(runner: Runner, *, progress: bool = False) -> Measured:
-    """The viable sets of matched runners, at each friction."""
+    """Viable sets of matched runners at each friction."""
     found = compare([runner.replace({FRICTION: mu}) for mu in (REFERENCE, *FRICTIONS)], hold=HOLD, vary=VARY)
     missed = {of.runner for of in found.not_held}
     return [
@@ -44,7 +44,7 @@ def measure(runner: Runner, *, progress: bool = False) -> Measured:
 
 
 def table(measured: Measured) -> Columns:
-    """The figure's data, by column."""
+    """Data of the figure by column."""
     return {
         "friction": [friction for friction, _ in measured],
         **{
@@ -59,7 +59,7 @@ def table(measured: Measured) -> Columns:
 
 
 def draw(path: Path, data: Columns) -> None:
-    """Draw both shares against friction, each as a band from the inner to the outer set."""
+    """Draw both shares against friction, as bands between the inner and the outer set."""
     with style.styled():
         figure, axes = style.subplots(2, 1, figsize=(7.6, 6.6), sharex=True)
         _band(axes[0], data, "share")
