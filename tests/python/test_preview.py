@@ -14,13 +14,12 @@ AXES = {"com_height": None, "com_speed": None}
 
 def followed(fates):
     """A preview of fates that are known, and how many starts it asked for."""
-    ends = np.zeros(fates.shape, dtype=[("fate", "i4"), ("strides", "i4")])
-    ends["fate"], ends["strides"] = fates, 1 + np.arange(fates.size).reshape(fates.shape)
+    strides = 1 + np.arange(fates.size, dtype="i4").reshape(fates.shape)
     asked = np.zeros(fates.shape, dtype=int)
 
     def follow(rows, columns):
         np.add.at(asked, (rows, columns), 1)
-        return ends[rows, columns]
+        return np.stack([fates[rows, columns], strides[rows, columns]])
 
     return preview_of(fates.shape, follow), asked
 
