@@ -19,6 +19,7 @@ from ctypes import (
     c_int,
     c_int64,
     c_long,
+    c_size_t,
     c_uint64,
     c_void_p,
 )
@@ -52,6 +53,8 @@ class RunStruct(Structure):
         *(("step_limit", c_long), ("event_limit", c_long)),
         *(("seed_count", c_int), ("dp", c_void_p), ("dx", c_void_p), ("shift", c_void_p)),
         *(("log", c_void_p), ("log_states", c_void_p), ("log_size", c_int), ("log_count", c_int)),
+        *(("sample_times", c_void_p), ("samples", c_void_p), ("d_samples", c_void_p)),
+        *(("sample_count", c_int), ("sampled", c_int)),
         *(("steps", c_long), ("events", c_long), ("chain", c_int), ("time_rest", c_double)),
         *(("is_shifted", c_bool), *((name, c_uint64) for name in ("taken", "above", "late"))),
     ]
@@ -193,8 +196,8 @@ class CompiledPage:
             ]
             for names in ModelStruct.NAMES
         )
-        self.library.tdmf_page_run_default.restype = RunStruct
-        self.library.tdmf_page_run_default.argtypes = [c_void_p, c_void_p, c_void_p]
+        self.library.tdmf_run_default.restype = RunStruct
+        self.library.tdmf_run_default.argtypes = [c_void_p, c_void_p, c_void_p]
         self.library.tdmf_page_order.argtypes = [c_double]
 
     def names(self, values):
@@ -278,7 +281,7 @@ class PageRun:
     def __init__(self, of, seeds, tolerance, step_limit, tables, values):
         self.of, self.seeds = of, seeds
         self.p, self.x = np.zeros(max(1, len(of.parameters))), np.zeros(max(1, len(of.states)))
-        self.run = of.library.tdmf_page_run_default(byref(of.struct), self.p.ctypes.data, self.x.ctypes.data)
+        self.run = of.library.tdmf_run_default(byref(of.struct), self.p.ctypes.data, self.x.ctypes.data)
         self.run.tolerance, self.run.order = tolerance, of.library.tdmf_page_order(tolerance)
         self.run.step_limit = step_limit
         self.tables = [np.array(tables.get(name, []), dtype=float, ndmin=2) for name in of.tables]
@@ -312,18 +315,9 @@ class PageRun:
 
     def set(self, **values):
         """Set quantities as an importer does, with what else changes there."""
-        room = np.zeros(len(self.x))
         for name, value in values.items():
-            is_state = name in self.of.states
-            self.of.library.tdmf_page_set(
-                byref(self.of.struct),
-                byref(self.run),
-                c_void_p(self.p.ctypes.data),
-                c_bool(is_state),
-                c_int(self._place(name)[1]),
-                c_double(value),
-                c_void_p(room.ctypes.data),
-            )
+            given = c_bool(name in self.of.states), c_int(self._place(name)[1]), c_double(value)
+            self.of.library.tdmf_page_set(byref(self.of.struct), byref(self.run), *given)
         return self
 
     def to(self, until=1e6, stop=None):
@@ -332,14 +326,23 @@ class PageRun:
         outcome = self.of.library.tdmf_page_run_to(byref(self.of.struct), byref(self.run), c_double(until))
         self.outcome = OUTCOMES[outcome]
         if self.outcome == "endless-chain":
-            taken = [f"`{n}`" for i, n in enumerate(self.of.events) if self.run.taken >> i & 1]
-            be, its = ("is", "its guard does") if len(taken) == 1 else ("are", "their guards do")
-            raise StuckError(
-                f"the event{'s' * (len(taken) > 1)} {', '.join(taken)} {be} due again and again in the mode "
-                f"`{self.mode}` at t = {self.time:g}: {its} not rise above 0. Let {its.split()[0]} decision "
-                "lead to a mode that does not watch it"
+            text = ctypes.create_string_buffer(500)
+            self.of.library.tdmf_run_message(
+                byref(self.of.struct), byref(self.run), outcome, text, c_size_t(len(text))
             )
+            raise StuckError(text.value.decode())
         return self
+
+    def sample(self, times):
+        """Outputs at some times, by time and output, and their variations, by time, seed and output."""
+        times, count = np.array(times, dtype=float), len(self.of.outputs)
+        values, varied = np.zeros((len(times), count)), np.zeros((len(times), len(self.seeds), count))
+        run = self.run
+        run.sample_times, run.samples, run.d_samples = (a.ctypes.data for a in (times, values, varied))
+        run.sample_count, run.sampled = len(times), 0
+        self.to(times[-1])
+        run.sample_count = 0
+        return values[: run.sampled], varied[: run.sampled]
 
     @property
     def time(self):

@@ -4,10 +4,10 @@ import ctypes
 
 import numpy as np
 import pytest
-from page_runs import COMPILER, CompiledPage
+from page_runs import COMPILER, CompiledPage, StuckError
 from test_page_language import Hopper
 
-from c_core.hybrid import Model, cos, event, mode, observe, parameter, sin, state
+from c_core.hybrid import Model, cos, event, mode, observe, output, parameter, sin, state
 
 pytestmark = pytest.mark.skipif(COMPILER is None, reason="there is no C compiler")
 
@@ -107,6 +107,74 @@ def test_variations_pass_a_stop_and_a_seed_may_be_added_there():
         ends.append(other.to(4.5).x)
     assert run.dx[0] == pytest.approx(whole.dx[0], abs=1e-12)
     assert run.dx[1] == pytest.approx((ends[0] - ends[1]) / 2e-6, abs=1e-8)
+
+
+class Bounces(Model):
+    """A ball that bounces, with what a sampled run reports."""
+
+    start = "falls", {}
+    height, speed, bounces, fastest = state(1, "m"), state(0, "m/s"), state(0), state(0, "m/s")
+    gravity, restitution = parameter(10, "m/s2"), parameter(0.8)
+
+    @mode()
+    def falls(b):
+        """The ball falls."""
+        return {"height": b.speed, "speed": -b.gravity}
+
+    @event("falls", when=lambda b: b.height, unit="m")
+    def bounce(b):
+        """The ground reverses the velocity."""
+        return b.replace(speed=-b.restitution * b.speed, bounces=b.bounces + 1)
+
+    @observe("falls", "largest", into="fastest", unit="m/s")
+    def speed_downward(b):
+        """Downward velocity."""
+        return -b.speed
+
+    @output("m2/s2")
+    def energy(b):
+        """Energy per mass."""
+        return b.gravity * b.height + b.speed**2 / 2
+
+    place = output("m", "Height", of=lambda b: b.height)
+    most = output("m/s", "Largest downward velocity so far", of=lambda b: b.fastest)
+    count = output("1", "Bounces", of=lambda b: b.bounces)
+
+
+def test_outputs_are_sampled_along_a_run_with_their_derivatives():
+    page, seeds = CompiledPage(Bounces), ["restitution", "gravity"]
+    lands = np.sqrt(0.2)
+    times = np.array([0, 0, 0.1, 0.2, lands - 1e-9, lands + 1e-9, 0.6, 1.0, 1.0 + 1e-12, 2.5])
+    values, varied = page.start(seeds=seeds).sample(times)
+    stepwise = page.start(seeds=seeds)
+    for i, time in enumerate(times):
+        stepwise.to(time)
+        assert values[i] == pytest.approx(list(stepwise.outputs.values()), abs=1e-12), time
+    assert values[2] == pytest.approx([10, 0.95, 1, 0], abs=1e-13)
+    assert values[:, 3].tolist() == [0, 0, 0, 0, 0, 1, 1, 1, 1, 4]
+    for i, seed in enumerate(seeds):
+        base = getattr(page.start(), seed)
+        ends = [page.start(**{seed: base + sign * 1e-6}).sample(times)[0] for sign in (1, -1)]
+        differences = (ends[0] - ends[1]) / 2e-6
+        smooth = [0, 2, 3, 6, 7, 8, 9]  # without those at the bounce
+        assert varied[smooth, i] == pytest.approx(differences[smooth], abs=1e-7)
+
+
+def test_samples_stop_with_the_run_and_come_after_a_stop():
+    run = CompiledPage(Bounces).start()
+    values, _ = run.sample([0.1, 0.3, 0.5])
+    again = CompiledPage(Bounces).start().to(stop="bounce")
+    assert again.sample([0.5])[0][0] == pytest.approx(values[2], abs=1e-13)
+
+
+def test_the_message_names_the_mode_the_time_and_the_events():
+    run = CompiledPage(Bounces).start(restitution=0.5)
+    with pytest.raises(StuckError, match=r"0 are due again .* in the mode `falls` at t = 1.34164: `bounce`"):
+        run.to(9)
+    run = CompiledPage(Bounces).start()
+    run.run.event_limit = 3
+    assert run.to(9).outcome == "too-many-events"
+    assert run.run.events == 3
 
 
 # ---- guards that are zero where a mode begins ------------------------------------------------------------

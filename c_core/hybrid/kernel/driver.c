@@ -15,6 +15,7 @@
 #include "observed.h"
 #include "run_state.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 
 enum { LEAST_ORDER = 4 };
@@ -90,15 +91,90 @@ static void observe(work *w) {
     }
 }
 
+/* ---- samples ------------------------------------------------------------------------------------------- */
+
+static const double *next_sample(const tdmf_page_run *r) {
+    return r->sampled < r->sample_count ? &r->sample_times[r->sampled] : NULL;
+}
+
+static double *variation_of_sample(const work *w, int sample, int seed) {
+    const tdmf_page_run *r = w->state->r;
+    return r->d_samples + (size_t)(sample * r->seed_count + seed) * (size_t)w->state->model->output_count;
+}
+
+/* Samples the outputs at the beginning of a step. */
+static void sample_here(work *w) {
+    tdmf_page_run *r = w->state->r;
+    for (const double *time = next_sample(r); time && *time <= r->time; time = next_sample(r)) {
+        const int sample = r->sampled++;
+        w->mode->outputs(r->p, r->x, r->samples + sample * w->state->model->output_count);
+        for (int seed = 0; seed < r->seed_count && r->d_samples; ++seed) {
+            const double *dp = r->dp + seed * w->state->model->parameter_count;
+            w->mode->vary_outputs(r->p, r->x, dp, seed_dx(w, seed), variation_of_sample(w, sample, seed));
+        }
+    }
+}
+
+/* Writes the states at a time within the step, whose powers it sets. */
+static void states_within(work *w, double elapsed, double *x) {
+    const tdmf_motion_kind *m = w->step.motion;
+    const tdmf_page_run *r = w->state->r;
+    set_powers(w->step.power, elapsed, w->step.order);
+    memcpy(x, r->x, (size_t)w->state->model->state_count * sizeof *x);
+    for (int i = 0; i < w->step.observed_count; ++i) {
+        const tdmf_watch_kind *kind = &w->mode->watches[i];
+        x[kind->into] =
+            observed_value(&w->step, i, kind->part, x[kind->into], w->state->scales[kind->into], true);
+    }
+    for (int i = 0; i < m->moving_count; ++i) {
+        x[m->moving[i]] = value_at_end(&w->step, i);
+    }
+}
+
+/* Expands the variations of a seed. */
+static void vary(work *w, int seed) {
+    const tdmf_motion_kind *m = w->step.motion;
+    const double *dx = seed_dx(w, seed);
+    for (int i = 0; i < m->moving_count; ++i) {
+        w->t[i][0] = dx[m->moving[i]];
+    }
+    m->vary(w->step.c, w->step.s[0], w->at->d + seed * w->state->model->constant_count, w->step.order,
+            w->t[0]);
+}
+
+/* Samples the outputs within a step that lasts for `elapsed`, before the run is advanced. */
+static void sample_within(work *w, double elapsed) {
+    tdmf_page_run *r = w->state->r;
+    const tdmf_model_kind *model = w->state->model;
+    const tdmf_motion_kind *m = w->step.motion;
+    const int first = r->sampled;
+    for (const double *time = next_sample(r); time && *time - r->time < elapsed; time = next_sample(r)) {
+        states_within(w, *time - r->time, w->at->room);
+        w->mode->outputs(r->p, w->at->room, r->samples + r->sampled++ * model->output_count);
+    }
+    for (int seed = 0; seed < r->seed_count && r->d_samples && r->sampled > first; ++seed) {
+        vary(w, seed);
+        for (int sample = first; sample < r->sampled; ++sample) {
+            double *dx = w->at->rates;
+            states_within(w, r->sample_times[sample] - r->time, w->at->room);
+            memcpy(dx, seed_dx(w, seed), (size_t)model->state_count * sizeof *dx);
+            for (int i = 0; i < m->moving_count; ++i) {
+                dx[m->moving[i]] = sum_of(w->t[i], w->step.power, w->step.order);
+            }
+            const double *dp = r->dp + seed * model->parameter_count;
+            w->mode->vary_outputs(r->p, w->at->room, dp, dx, variation_of_sample(w, sample, seed));
+        }
+    }
+    set_powers(w->step.power, elapsed, w->step.order);
+}
+
+/* ---- going on ------------------------------------------------------------------------------------------ */
+
 static void advance_variations(work *w) {
     const tdmf_motion_kind *m = w->step.motion;
     for (int seed = 0; seed < w->state->r->seed_count; ++seed) {
         double *dx = seed_dx(w, seed);
-        for (int i = 0; i < m->moving_count; ++i) {
-            w->t[i][0] = dx[m->moving[i]];
-        }
-        m->vary(w->step.c, w->step.s[0], w->at->d + seed * w->state->model->constant_count, w->step.order,
-                w->t[0]);
+        vary(w, seed);
         for (int i = 0; i < m->moving_count; ++i) {
             dx[m->moving[i]] = sum_of(w->t[i], w->step.power, w->step.order);
         }
@@ -112,6 +188,9 @@ static void advance(work *w) {
         trust_all_observed(w);
     }
     const double elapsed = end_step(&w->step);
+    if (next_sample(w->state->r)) {
+        sample_within(w, elapsed);
+    }
     advance_variations(w);
     if (w->state->r->observes && elapsed > 0.0) {
         observe(w);
@@ -152,6 +231,7 @@ static tdmf_run_outcome to_event(work *w, double until) {
     tdmf_page_run *r = w->state->r;
     while (r->steps < w->state->last_step) {
         if (w->mode->ends) {
+            sample_here(w);
             return TDMF_RUN_ENDED;
         }
         const double left = until - r->time - r->time_rest;
@@ -166,6 +246,9 @@ static tdmf_run_outcome to_event(work *w, double until) {
             }
             if (r->is_shifted) {
                 shift_back(w);
+            }
+            if (next_sample(r)) {
+                sample_here(w);
             }
             if (!(left > 0.0)) {
                 return TDMF_RUN_ARRIVED;
@@ -244,7 +327,7 @@ int tdmf_page_order(double tolerance) {
     return order < 8 ? 8 : order > SERIES_ORDER_LIMIT ? SERIES_ORDER_LIMIT : order;
 }
 
-tdmf_page_run tdmf_page_run_default(const tdmf_model_kind *model, double *p, double *x) {
+tdmf_page_run tdmf_run_default(const tdmf_model_kind *model, double *p, double *x) {
     const double tolerance = 1e-11;
     memcpy(p, model->parameter_defaults, (size_t)model->parameter_count * sizeof *p);
     memcpy(x, model->state_defaults, (size_t)model->state_count * sizeof *x);
@@ -259,16 +342,47 @@ tdmf_page_run tdmf_page_run_default(const tdmf_model_kind *model, double *p, dou
     return run;
 }
 
-void tdmf_page_set(const tdmf_model_kind *model, tdmf_page_run *r, double *p, bool is_state, int index,
-                   double value, double *room) {
-    const size_t size = (size_t)model->state_count * sizeof *room;
-    for (int i = 0; i < model->set_count; ++i) {
+bool tdmf_page_set(const tdmf_model_kind *model, tdmf_page_run *r, bool is_state, int index, double value) {
+    const size_t size = (size_t)model->state_count * sizeof(double);
+    double *after = malloc(size);
+    for (int i = 0; i < model->set_count && after; ++i) {
         const tdmf_set_kind *kind = &model->sets[i];
         if (kind->is_state == is_state && kind->index == index && kind->set[r->mode]) {
-            memcpy(room, r->x, size);
-            kind->set[r->mode](r->p, r->x, value, room);
-            memcpy(r->x, room, size);
+            memcpy(after, r->x, size);
+            kind->set[r->mode](r->p, r->x, value, after);
+            memcpy(r->x, after, size);
         }
     }
-    *(is_state ? &r->x[index] : &p[index]) = value;
+    if (after) {
+        *(is_state ? &r->x[index] : &r->p[index]) = value;
+    }
+    free(after);
+    return after != NULL;
+}
+
+/* ---- the message --------------------------------------------------------------------------------------- */
+
+static const char *const endings[] = {
+    [TDMF_RUN_ARRIVED] = "The run has arrived",
+    [TDMF_RUN_STOPPED] = "The run has stopped at the event asked for",
+    [TDMF_RUN_ENDED] = "The run has ended",
+    [TDMF_RUN_NO_PROGRESS] = "No step, however short, has a finite result",
+    [TDMF_RUN_TOO_MANY_STEPS] = "The run takes more steps than its limit",
+    [TDMF_RUN_ENDLESS_CHAIN] = "Events whose guards do not rise above 0 are due again and again",
+    [TDMF_RUN_TOO_MANY_EVENTS] = "The run has more events than its limit",
+    [TDMF_RUN_NO_MEMORY] = "There is no memory for the run",
+    [TDMF_RUN_CANCELLED] = "The run was cancelled",
+};
+
+void tdmf_run_message(const tdmf_model_kind *model, const tdmf_page_run *r, tdmf_run_outcome outcome,
+                      char *text, size_t size) {
+    int length = snprintf(text, size, "%s in the mode `%s` at t = %g", endings[outcome],
+                          model->mode_names[r->mode], r->time);
+    const char *before = ": ";
+    for (int i = 0; i < model->event_count && outcome == TDMF_RUN_ENDLESS_CHAIN; ++i) {
+        if ((r->taken >> i & 1) != 0 && length >= 0 && (size_t)length < size) {
+            length += snprintf(text + length, size - (size_t)length, "%s`%s`", before, model->event_names[i]);
+            before = ", ";
+        }
+    }
 }

@@ -139,7 +139,7 @@ typedef struct {
 } tdmf_event_row;
 
 typedef struct {
-    const double *p;          /* parameters */
+    double *p;                /* parameters */
     double *x;                /* states */
     const tdmf_table *tables; /* one for each table of the page; NULL: the page's own rows */
     double time;
@@ -159,6 +159,12 @@ typedef struct {
     tdmf_event_row *log;
     double *log_states;
     int log_size, log_count;
+    /* Outputs at given times, which increase, with their variations by seed: `samples` has a row for each
+     * time, `d_samples`, which may be NULL, one for each time and seed. Where an event is, outputs are those
+     * after it. Batches do not sample. */
+    const double *sample_times;
+    double *samples, *d_samples;
+    int sample_count, sampled;
     /* Counters, and the events so far of a chain in zero time. */
     long steps, events;
     int chain;
@@ -184,19 +190,23 @@ typedef enum {
     TDMF_RUN_GOES_ON    /* never returned */
 } tdmf_run_outcome;
 
-/* A run from the start of the page. `p` and `x` receive the defaults; the caller adds memory for variations
- * and the log. */
-tdmf_page_run tdmf_page_run_default(const tdmf_model_kind *model, double *p, double *x);
+/* A run from the start of the page. `p` and `x` receive the defaults; the caller adds memory for variations,
+ * the log and samples. */
+tdmf_page_run tdmf_run_default(const tdmf_model_kind *model, double *p, double *x);
 
 /* The order of the series that suits a tolerance. */
 int tdmf_page_order(double tolerance);
 
 tdmf_run_outcome tdmf_page_run_to(const tdmf_model_kind *model, tdmf_page_run *run, double until);
 
-/* Sets a quantity as an importer does, and changes the states that depend on it. `p` has the parameters of
- * the run. */
-void tdmf_page_set(const tdmf_model_kind *model, tdmf_page_run *run, double *p, bool is_state, int index,
-                   double value, double *room);
+/* Sets a state or a parameter as an importer does, and changes the states that depend on it. False where
+ * there is no memory. */
+bool tdmf_page_set(const tdmf_model_kind *model, tdmf_page_run *run, bool is_state, int index, double value);
+
+/* Writes what ended a run to a text of at most `size` characters, in a sentence. It names the mode, the time
+ * and, of a chain that does not end, the events. */
+void tdmf_run_message(const tdmf_model_kind *model, const tdmf_page_run *run, tdmf_run_outcome outcome,
+                      char *text, size_t size);
 
 /* Applies the decision of an event, and its variation; `room` is working memory for the states. */
 void tdmf_page_take(const tdmf_model_kind *model, const tdmf_guard_kind *kind, tdmf_page_run *run,

@@ -5,7 +5,7 @@
 #include "driver.h"
 #include "fixed_point.h"
 
-/* A return map. `run` is as tdmf_page_run_default makes it, with the parameters of the model, and with the
+/* A return map. `run` is as tdmf_run_default makes it, with the parameters of the model, and with the
  * inputs among the states. Its seeds, if there are any, vary the parameters, and the inputs among the states.
  */
 typedef struct {
