@@ -89,6 +89,7 @@ class Given:
 
     def _read_runners(self, given: Any, model: str | None, vary: dict[str, Any]) -> None:
         """Models and inputs of all runners, or of one for all."""
+        self._read_varied(vary)
         if given is None or isinstance(given, Runner | str | os.PathLike) or hasattr(given, "runner"):
             runners = [_runner_of(given, model)]
         elif isinstance(given, Sequence) and not is_series(given):
@@ -103,12 +104,12 @@ class Given:
         else:
             by_name = by_full_name(given, "runner", "a Runner, or numbers or arrays by name")
             rows = {name: value for name, value in by_name.items() if _is_row(value)}
-            vary = {**rows, **vary}
-            single = {name: value for name, value in by_name.items() if name not in rows}
-            runners = [Runner(single, model=model)]
+            self._read_varied({name: row for name, row in rows.items() if name not in vary})
+            first = {name: float(row[0]) for name, row in self.varied.items()}
+            runners = [Runner({**by_name, **first}, model=model)]
+        if vary and len(runners) > 1:
+            raise InputError("vary with runners in a list; allowed: one runner")
         self.runner, self.runners = runners[0], runners
-        if vary:
-            self._read_varied(vary)
         if len(runners) == 1:
             self.models = c_structs.viewed(self.runner.c_model, c_structs.MODEL)
             self.held = self.runner.inputs
@@ -123,8 +124,6 @@ class Given:
 
     def _read_varied(self, vary: Mapping[str, Any]) -> None:
         """Values of each runner by name."""
-        if len(self.runners) > 1:
-            raise InputError("vary with runners in a list; allowed: one runner")
         for name, row in vary.items():
             variable = VARIABLES.find(name, "runner")
             if name not in MOVING:
