@@ -484,3 +484,50 @@ def test_what_does_not_go_together_is_told(gait, starts):
 
 def test_the_names_are_at_the_top():
     assert tdmf_slip.stride_map is stride_map and tdmf_slip.AffineLaw is AffineLaw
+
+
+# ---- derivatives -------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("model", ["full", "reduced"])
+def test_derivatives_are_those_of_differences_with_the_settings_of_each_stride(gait, model):
+    """Under a law and with inputs, of runners that differ; none where a stride does not close."""
+    size = 6 if model == "full" else 2
+    apices = [gait.apex[:size], gait.apex[:size] * ([1.05] + [1.0] * (size - 1)), [0.3] + [1.0] * (size - 1)]
+    names = ["leg.stiffness", ANGLE, "gravity"]
+    how = {"strides": 2, "model": model, "tolerance": 1e-13, "instructions": "one by one"}
+    runner = {"leg.damping": [0.19, 0.2, 0.2]}
+
+    def law(apices, stride_number):
+        return {ANGLE: 0.69 + 0.02 * stride_number + 0.0 * apices[:, 0]}
+
+    inputs = {TORQUE: [[0.2, 0.19], [0.21, 0.2], [0.2, 0.2]]}
+    found = stride_map(runner, apices, law=law, inputs=inputs, derivatives=names, **how)
+    assert found.to_xarray()["next_apex_by"].dims == ("runner", "stride", "coordinate", "by")
+    assert found["by"].tolist() == [*found["coordinate"], *names]
+    assert np.isnan(found["next_apex_by"][2]).all() and np.isnan(found["speed_by"][2]).all()
+    for number in (0, 1):
+        for stride in (0, 1):
+            at = {ANGLE: 0.69 + 0.02 * stride, TORQUE: inputs[TORQUE][number][stride]}
+            base = Runner({"leg.damping": runner["leg.damping"][number], **at}, model=model)
+            apex = found["apex"][number, stride]
+
+            def moved(name, h, base=base, apex=apex):
+                if name in base:
+                    return stride_map(base.replace({name: base[name] + h}), apex, **how)
+                step = h * np.eye(size)[list(found["coordinate"]).index(name)]
+                return stride_map(base, apex + step, **how)
+
+            for column, name in enumerate(found["by"]):
+                up, down = moved(name, 1e-6), moved(name, -1e-6)
+                for of in ("next_apex", "speed", "cost_of_transport"):
+                    difference = (up[of][0, 0] - down[of][0, 0]) / 2e-6
+                    exact = found[f"{of}_by"][number, stride][..., column]
+                    assert exact == pytest.approx(difference, rel=2e-5, abs=2e-6), (name, of)
+
+
+def test_derivatives_are_refused_where_a_stride_is_no_map_of_apices(gait):
+    with pytest.raises(InputError, match="derivatives: on ground that steps at the apices"):
+        stride_map(gait.runner, gait.apex, roughness=0.1, derivatives=["gravity"])
+    with pytest.raises(InputError, match="derivatives 'friktion' is not allowed"):
+        stride_map(gait.runner, gait.apex, derivatives=["friktion"])

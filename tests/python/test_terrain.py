@@ -4,7 +4,7 @@ import json
 
 import numpy as np
 import pytest
-from tdmf_slip import Batch, InputError, find_gait, stride_map, strides_to_fall
+from tdmf_slip import AffineLaw, Batch, InputError, find_gait, stride_map, strides_to_fall
 from tdmf_slip.analysis.rare_falls import rare_falls
 from tdmf_slip.library.engine import FATES, instruction_sets
 from tdmf_slip.library.ground import RoughGround, correlated_weights, read_heights, spectrum_weights
@@ -226,3 +226,21 @@ def test_the_command_has_it(tmp_path, command):
     printed = json.loads(command(*given, "--heights", str(path))[1])
     drawn = json.loads(command(*given, "--roughness", "0.02")[1])
     assert printed["strides"] == drawn["strides"] == 16
+
+
+@pytest.mark.parametrize("trips", [False, True])
+def test_a_function_is_a_law_on_a_terrain_too(gait, trips):
+    """Runs stop at each apex and go on, with the same bits as without a stop, also of drawn friction."""
+    ground = RoughGround(0.1, 3, segment_length=3.0, trips=trips, friction_spread=0.1)
+    starts = np.tile(gait.apex, (40, 1))
+    angle = gait.runner["hip.touchdown_angle"]
+    law = AffineLaw(["hip.touchdown_angle"], gait.apex, [angle], [[0.05] * 6], [0.5], [0.9])
+    by_engine, by_calls = (
+        Batch(gait, starts, ground, one).run(12, record=True)
+        for one in (law, lambda apices, stride_number: law(apices, stride_number))
+    )
+    for name in by_engine:
+        np.testing.assert_array_equal(by_engine[name], by_calls[name], err_msg=name)
+    for name in by_engine.recorded:
+        np.testing.assert_array_equal(by_engine.recorded[name], by_calls.recorded[name], err_msg=name)
+    assert (by_engine.strides > 2).any() and (by_engine.fate == FELL).any() == trips

@@ -48,6 +48,6 @@ def _library() -> Any:
 
 
 ffi: Any = declarations.ffi
-"""Makes structs and arrays of the library's types; those that are read here are described in `structs`."""
+"""Makes structs and arrays of the library's types."""
 c: Any = _library()
 """The library's functions and enumerators, by their names in C."""

@@ -13,13 +13,13 @@ descent has gained. `step` goes on without.
 
 import math
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..errors import RunError
 from .binding import c, ffi
-from .structs import Classic, ClassicPoint, ClassicStep
 
 ENERGY = 6000.0
 """E0 of the paper, J."""
@@ -64,9 +64,9 @@ class FixedPoint:
 
 def slip(
     angle: float, friction: float = math.inf, *, ground_slope: float = 0.0, retraction_rate: float = 0.0
-) -> Classic:
+) -> Any:
     """The paper's SLIP."""
-    parameters: Classic = ffi.new("tdmf_classic *", c.tdmf_classic_default())
+    parameters: Any = ffi.new("tdmf_classic *", c.tdmf_classic_default())
     parameters.touchdown_angle = angle
     parameters.friction = friction
     parameters.ground_slope = ground_slope
@@ -74,28 +74,26 @@ def slip(
     return parameters
 
 
-def step(parameters: Classic, height: float, energy: float = ENERGY) -> ClassicStep:
+def step(parameters: Any, height: float, energy: float = ENERGY) -> Any:
     """One step of the return map."""
-    made: ClassicStep = c.tdmf_classic_return_map(parameters, energy, height)
+    made: Any = c.tdmf_classic_return_map(parameters, energy, height)
     return made
 
 
-def stance(
-    parameters: Classic, height: float, times: ArrayLike, energy: float = ENERGY
-) -> NDArray[np.float64]:
+def stance(parameters: Any, height: float, times: ArrayLike, energy: float = ENERGY) -> NDArray[np.float64]:
     """The mass as seen from the foot, in a stance after an apex."""
-    points: list[ClassicPoint] = [
+    points: list[Any] = [
         c.tdmf_classic_stance(parameters, energy, height, time) for time in np.atleast_1d(times)
     ]
     return np.array([(p.x, p.y, p.vx, p.vy) for p in points]).T
 
 
-def highest(parameters: Classic, energy: float = ENERGY) -> float:
+def highest(parameters: Any, energy: float = ENERGY) -> float:
     """Apex height, m, at which all energy, J, is potential."""
-    return energy / (parameters.mass * parameters.gravity)
+    return energy / float(parameters.mass * parameters.gravity)
 
 
-def heights(parameters: Classic, count: int, energy: float = ENERGY) -> NDArray[np.float64]:
+def heights(parameters: Any, count: int, energy: float = ENERGY) -> NDArray[np.float64]:
     """So many apex heights, m, from that at which the foot is on the ground to the highest, both left out."""
     angle = parameters.touchdown_angle
     low = parameters.free_length * (math.cos(angle) + math.sin(angle) * math.tan(parameters.ground_slope))
@@ -141,7 +139,7 @@ def fold(energy: float = ENERGY, *, ground_slope: float = 0.0, retraction_rate: 
     return _fixed_point(slip(angle[0], **its), angle[0], height[0], energy)
 
 
-def _fixed_point(parameters: Classic, angle: float, height: float, energy: float) -> FixedPoint:
+def _fixed_point(parameters: Any, angle: float, height: float, energy: float) -> FixedPoint:
     there = step(parameters, height, energy)
     return FixedPoint(
         angle,

@@ -29,7 +29,6 @@ from .refusals import text_of
 from .return_map import Along, derivatives, seed_of
 from .runner import Runner
 from .section import COORDINATES, REDUCED, Apex, checked_apex
-from .structs import EventLog, Return
 from .word import Event, Letter, letters_of, recorded
 
 SETTLING_STRIDES = 400
@@ -211,7 +210,7 @@ def _search(runner: Runner, apex: NDArray[np.float64], settling: int, along: Alo
     check_has_gaits(runner[FRICTION])
     check_comes_down(runner)
     seed, map = seed_of(along), map_of(runner)
-    log: EventLog = ffi.new("tdmf_event_log *")
+    log: Any = ffi.new("tdmf_event_log *")
     solver, section = runner.solver(log), ffi.new("double[]", list(apex))
     ran = settling and map.settle(solver, runner.c_system, settling, section)
     found = map.find(solver, runner.c_system, section, seed, seed != ffi.NULL)
@@ -227,7 +226,7 @@ def _search(runner: Runner, apex: NDArray[np.float64], settling: int, along: Alo
 
 
 def gait_of_stride(
-    runner: Runner, apex: NDArray[np.float64], stride: Return, log: EventLog, along: Along | None
+    runner: Runner, apex: NDArray[np.float64], stride: Any, log: Any, along: Along | None
 ) -> Gait:
     """A stride as the library gives it, whether it leads back to its apex or not."""
     jacobian, by_parameter = derivatives(runner, stride)

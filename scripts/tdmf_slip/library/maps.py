@@ -6,13 +6,13 @@ the height and the speed of the centre of mass are all that an apex has.
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from typing import Any
 
 from ..errors import InputError
 from ..variables.table import FRICTION
 from .binding import c
 from .refusals import text_of
 from .runner import Runner
-from .structs import FoundGait, Return, Solver
 
 PATCH = ("ground.patch_begin", "ground.patch_end")
 """Where a part of the ground with its own friction begins and ends, along the ground."""
@@ -22,13 +22,13 @@ PATCH = ("ground.patch_begin", "ground.patch_end")
 class Map:
     """What the library has for a map."""
 
-    stride: Callable[..., Return]
+    stride: Callable[..., Any]
     """Of solver, system, apex, longest time, whether derivatives, seeds and how many."""
-    measured_stride: Callable[..., Return]
+    measured_stride: Callable[..., Any]
     """The same, with what is measured along the stride."""
     settle: Callable[..., int]
     """Of solver, system, strides and the apex, which becomes the last one: how many closed."""
-    find: Callable[..., FoundGait]
+    find: Callable[..., Any]
     """Of solver, system, a guess, seeds and how many: the fixed point near the guess."""
 
 
@@ -49,7 +49,7 @@ def refuse_patch(values: Mapping[str, float]) -> None:
         )
 
 
-def why_no_gait(runner: Runner, found: FoundGait, settling: bool, ran: int, solver: Solver) -> str:
+def why_no_gait(runner: Runner, found: Any, settling: bool, ran: int, solver: Any) -> str:
     """Why a search found no gait, in words; where the solver gave up, nothing is known of one."""
     at = f"at friction {runner[FRICTION]:g}"
     if found.outcome == c.TDMF_ORBIT_UNSOLVED:
@@ -69,7 +69,7 @@ def why_no_gait(runner: Runner, found: FoundGait, settling: bool, ran: int, solv
     )
 
 
-def why_no_return(stride: Return) -> str | None:
+def why_no_return(stride: Any) -> str | None:
     """What ended a stride, in words to follow in a message; None where it closed."""
     if stride.outcome == c.TDMF_RETURN_CLOSED:
         return None

@@ -1,8 +1,9 @@
 """Refusals of the C library as Python errors, and its texts as Python strings."""
 
+from typing import Any
+
 from ..errors import InputError
 from .binding import c, ffi
-from .structs import Refusal
 
 
 def text_of(characters: object) -> str:
@@ -11,7 +12,7 @@ def text_of(characters: object) -> str:
     return text.decode()
 
 
-def check_accepted(refusal: Refusal, where: str = "") -> None:
+def check_accepted(refusal: Any, where: str = "") -> None:
     """Raise an `InputError` if the library refused a value; `where` begins its message."""
     if refusal.variable != ffi.NULL:
         text = ffi.new("char[256]")

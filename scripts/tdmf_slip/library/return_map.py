@@ -1,7 +1,7 @@
 """One stride from apex to apex, by the return map or the reduced one, with its exact derivatives."""
 
 from collections.abc import Mapping
-from typing import TypeAlias
+from typing import Any, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,7 +14,6 @@ from .maps import map_of, why_no_return
 from .members import INPUTS, PARAMETERS, check_varied, names_of
 from .runner import Runner
 from .section import Apex, checked_apex
-from .structs import Return, Struct
 
 Along: TypeAlias = str | Mapping[str, float]
 """A direction of parameters and inputs: the name of one, or how much of each, in its unit."""
@@ -33,7 +32,7 @@ def stride_from(
     return np.array(list(stride.apex)[: len(section)]), *derivatives(runner, stride)
 
 
-def derivatives(runner: Runner, stride: Return) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+def derivatives(runner: Runner, stride: Any) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """The Jacobian of a stride, and the next apex's change along the parameter asked for, else zero."""
     count = len(runner.coordinates)
     columns = [list(stride.variations[k].apex)[:count] for k in range(count + 1)]
@@ -46,12 +45,12 @@ def derivatives(runner: Runner, stride: Return) -> tuple[NDArray[np.float64], ND
     return jacobian, by_parameter
 
 
-def seed_of(along: Along | None) -> Struct:
+def seed_of(along: Along | None) -> Any:
     """The direction of a parameter or input, or of several, as the library's `tdmf_seed *`; NULL for none."""
     if along is None:
-        nothing: Struct = ffi.NULL
+        nothing: Any = ffi.NULL
         return nothing
-    seed: Struct = ffi.new("tdmf_seed *")
+    seed: Any = ffi.new("tdmf_seed *")
     shares = along.items() if isinstance(along, Mapping) else [(along, 1.0)]
     for name, share in shares:
         check_varied(name, "along")

@@ -16,7 +16,6 @@ from .binding import c, ffi
 from .refusals import check_accepted
 from .section import Apex, checked_apex
 from .shared_steps import search_under_way
-from .structs import EventLog, Model, Solver, Struct
 
 _PARAMETERS_OF, _INPUTS_OF, _STATES_OF = (
     itemgetter(*map(POSITIONS.__getitem__, names))
@@ -62,9 +61,9 @@ class Runner(RunnerValues):
     """The parameters as the library's struct, shape (1,), with a field for each."""
     inputs: NDArray[np.void]
     """The inputs as the library's struct, shape (1,), with a field for each."""
-    c_model: Model
+    c_model: Any
     """The parameters as the library's `tdmf_model *`."""
-    c_inputs: Struct
+    c_inputs: Any
     """The inputs as the library's `tdmf_inputs *`."""
 
     def _prepared(self) -> dict[str, object]:
@@ -77,9 +76,9 @@ class Runner(RunnerValues):
         return {"parameters": parameters, "inputs": inputs, "c_model": model, "c_inputs": c_inputs}
 
     @cached_property
-    def c_system(self) -> Struct:
+    def c_system(self) -> Any:
         """Parameters and inputs as the library's `tdmf_system`."""
-        system: Struct = ffi.new("tdmf_system *", {"model": self.c_model, "inputs": self.c_inputs})[0]
+        system: Any = ffi.new("tdmf_system *", {"model": self.c_model, "inputs": self.c_inputs})[0]
         return system
 
     @cached_property
@@ -89,9 +88,9 @@ class Runner(RunnerValues):
         c.tdmf_section_scales(self.c_model, scales)
         return _fixed(np.array(list(scales)[: len(self.coordinates)]))
 
-    def solver(self, log: EventLog | None = None) -> Solver:
+    def solver(self, log: Any | None = None) -> Any:
         """A native solver, the library's `tdmf_solver *`, which writes its events to a log."""
-        solver: Solver = ffi.new("tdmf_solver *", c.tdmf_solver_default())
+        solver: Any = ffi.new("tdmf_solver *", c.tdmf_solver_default())
         solver.relative_tolerance = self.tolerance
         solver.log = ffi.NULL if log is None else log
         search_under_way().hand_out(solver)

@@ -8,11 +8,10 @@ Each further one may take those that are left over and a share more, by the rule
 from collections.abc import Callable
 from contextvars import ContextVar
 from functools import wraps
-from typing import ParamSpec, TypeVar
+from typing import Any, ParamSpec, TypeVar
 
 from ..uninterrupted import check_stop
 from .binding import c
-from .structs import Solver
 
 Given = ParamSpec("Given")
 Result = TypeVar("Result")
@@ -25,9 +24,9 @@ class SharedSteps:
         """A search that has done nothing yet."""
         self._left = float(c.TDMF_STEP_LIMIT)
         self._done = [0, 0, 0]
-        self._last: Solver | None = None
+        self._last: Any | None = None
 
-    def hand_out(self, solver: Solver) -> None:
+    def hand_out(self, solver: Any) -> None:
         """Limit a new solver to the steps that the ones before it have left over.
 
         In a thread whose flag is raised, the search stops here.

@@ -22,7 +22,6 @@ from .quantities import APEX_QUANTITIES, weight_of
 from .return_map import Along, seed_of
 from .runner import Runner
 from .section import Apex, checked_apex
-from .structs import EventLog
 from .word import Event
 
 NEWTON_ITERATIONS = 40
@@ -96,7 +95,7 @@ def _stride(
     runner: Runner, apex: NDArray[np.float64], along: Along | None
 ) -> tuple[NDArray[np.float64], Gait]:
     """The next apex, and the stride as a gait that need not close."""
-    log: EventLog = ffi.new("tdmf_event_log *")
+    log: Any = ffi.new("tdmf_event_log *")
     seed, map = seed_of(along), map_of(runner)
     stride = map.measured_stride(
         runner.solver(log),

@@ -3,9 +3,9 @@
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
+from typing import Any
 
 from .binding import c
-from .structs import EventLog
 
 LETTERS: Mapping[int, str] = {
     c.TDMF_CONTACT_STICK: "0",
@@ -31,7 +31,7 @@ class Event:
     """Before the event, in the library's order."""
 
 
-def recorded(log: EventLog) -> tuple[Event, ...]:
+def recorded(log: Any) -> tuple[Event, ...]:
     """What a solver has noted of a stride."""
     return tuple(
         Event(e.time, e.guard, e.before.contact, e.after.contact, tuple(e.state))

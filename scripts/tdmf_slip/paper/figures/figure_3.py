@@ -2,13 +2,13 @@
 
 import math
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.patches import Polygon
 
 from ...library import classic_slip
-from ...library.structs import ClassicStep
 from ...pictures import style
 from . import slip_path
 from .columns import Columns
@@ -23,7 +23,7 @@ COMPRESSED = 0.85
 """Length of the leg in (a), a little after touchdown, where the slip is visible."""
 
 
-def _early() -> tuple[float, ClassicStep]:
+def _early() -> tuple[float, Any]:
     """A friction that ends the stance early, and the step."""
     needed = classic_slip.step(classic_slip.slip(STANCE_ANGLE), HEIGHT).stance_friction
     friction = MARGIN * needed

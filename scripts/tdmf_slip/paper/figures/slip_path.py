@@ -10,7 +10,6 @@ from numpy.typing import NDArray
 
 from ...contents import ByContents
 from ...library import classic_slip
-from ...library.structs import Classic
 from ...pictures import style
 
 COILS = 7
@@ -31,7 +30,7 @@ class Path(ByContents):
     """Phases: fall, stance or rise."""
 
 
-def of_step(parameters: Classic, height: float) -> Path:
+def of_step(parameters: Any, height: float) -> Path:
     """Path of the mass from one apex to the next."""
     step = classic_slip.step(parameters, height)
     gravity = parameters.gravity
