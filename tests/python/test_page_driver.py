@@ -58,6 +58,13 @@ def restore(run, memory):
         array[:] = values
 
 
+def test_a_guard_that_would_have_risen_has_not_crossed_zero():
+    """An importer reverses the rate at the instant at which the sine is zero and rises."""
+    run = CompiledPage(Turns).start(angle=0.0).to(0.0)
+    assert run.set(rate=-1.0).to(3.0).crossings == 0
+    assert run.set(rate=1.0).to(9.4).crossings == 1
+
+
 @pytest.mark.parametrize("push", [0, 0.03])
 def test_a_run_in_many_calls_is_the_run_in_one(push):
     """Also where calls end at an event, or a rounding error before or after it. Two events coincide."""

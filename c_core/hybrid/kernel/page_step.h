@@ -24,6 +24,7 @@ enum { NO_EVENT = -1, NEWTON_LIMIT = 8 };
 typedef struct {
     mask is_watched, was_taken; /* was_taken: its event was taken at the instant at which the mode begins */
     mask was_above, is_late;    /* above zero since the mode began; below zero since its event was taken */
+    mask rises;                 /* from zero, as soon as time passes */
     real scale;
 } guard_watch;
 
@@ -95,6 +96,7 @@ static inline void load_mode(page_step *step, int lane, const mode_start *at, co
         set_lane(&watch->scale, lane, at->guards[i].scale);
         set_mask(&watch->was_above, lane, at->guards[i].was_above);
         set_mask(&watch->is_late, lane, at->guards[i].is_late);
+        set_mask(&watch->rises, lane, false);
     }
     for (int i = 0; i < step->motion->moving_count; ++i) {
         set_lane(&step->units[i], lane, scales[step->motion->moving[i]]);
@@ -333,7 +335,8 @@ static inline mask begin_below(page_step *step, int guard, real *g, real *floor,
     end_where_it_rises(step, g, height, below);
     watch->is_late |= is_late;
     const mask rises = is_zero & mask_not(level | falls);
-    watch->was_above = (watch->was_above & mask_not(below)) | rises;
+    watch->was_above &= mask_not(below);
+    watch->rises |= rises;
     *searched = (*searched & mask_not(lanes)) | rises;
     *floor = select(rises, *floor, -0.5 * band);
     for (int k = 0; k < step->order; ++k) {
@@ -367,6 +370,8 @@ static inline void search_events(page_step *step, mask searching) {
     for (int i = 0; i < step->guard_count && any(searching); ++i) {
         guard_watch *watch = &step->guards[i];
         mask lanes = searching & watch->is_watched;
+        watch->was_above |= searching & watch->rises & mask_not(step->begins);
+        watch->rises &= mask_not(searching);
         real floor = broadcast(-zero_margin) * watch->scale;
         if (bounds) {
             const real low = bounds[i].low;
