@@ -12,7 +12,7 @@ from .binding import ffi
 
 
 def _members(struct: Any, prefix: str = "", begin: int = 0) -> Iterator[tuple[str, str, int]]:
-    """Name, format and place of all numbers and Booleans of a C struct type."""
+    """Name, format and offset of all numbers and Booleans of a C struct type."""
     for name, member in struct.fields:
         path, offset = f"{prefix}{name}", begin + member.offset
         if member.type.kind == "struct":

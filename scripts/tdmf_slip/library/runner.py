@@ -1,4 +1,4 @@
-"""A runner: its values and its model, and what the C library takes for them."""
+"""Runners as the C library takes them."""
 
 from functools import cached_property
 from operator import itemgetter
@@ -67,7 +67,7 @@ class Runner(RunnerValues):
     """The inputs as the library's `tdmf_inputs *`."""
 
     def _prepared(self) -> dict[str, object]:
-        """What the library takes for the values, unless it refuses them."""
+        """C structs of the values. Raises InputError where the library refuses them."""
         parameters = _fixed(np.array([_PARAMETERS_OF(self._values)], dtype=members.PARAMETERS))
         inputs = _fixed(np.array([_INPUTS_OF(self._values)], dtype=members.INPUTS))
         model, c_inputs = ffi.new("tdmf_model *"), ffi.from_buffer("tdmf_inputs *", inputs)
@@ -186,6 +186,6 @@ class Runner(RunnerValues):
 
 
 def _fixed(array: NDArray[Any]) -> NDArray[Any]:
-    """An array that nobody can write to."""
+    """Make an array read-only."""
     array.flags.writeable = False
     return array

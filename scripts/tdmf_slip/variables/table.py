@@ -35,7 +35,7 @@ class Variables(Mapping[str, Variable]):
     """Variables of a unit by their names, in the unit's order."""
 
     def __init__(self, variables: Iterable[Variable]) -> None:
-        """With these variables."""
+        """Keep variables in their order."""
         self._by_name = {variable.name: variable for variable in variables}
 
     def __getitem__(self, name: str) -> Variable:
@@ -43,7 +43,7 @@ class Variables(Mapping[str, Variable]):
         return self._by_name[name]
 
     def __iter__(self) -> Iterator[str]:
-        """Over the names."""
+        """Iterate over the names."""
         return iter(self._by_name)
 
     def __len__(self) -> int:
@@ -126,7 +126,7 @@ class Model:
     """Names of the values that are 1 in the model's own units: a mass, a stiffness and a length."""
 
     def __reduce__(self) -> tuple[Any, tuple[str]]:
-        """By name: there is one object for each model."""
+        """Pickle by name: there is one object for each model."""
         return model_named, (self.name,)
 
     @property
@@ -167,7 +167,7 @@ def full_names(given: object, what: str, allowed: str) -> tuple[Any, ...]:
 
 
 def by_full_name(given: object, what: str, allowed: str) -> dict[Any, Any]:
-    """What is given by name, by the variables' own names; a name may not be given both ways."""
+    """Values given by name, keyed by the variables' own names; a name may not be given both ways."""
     found: dict[Any, Any] = {}
     for name, value in mapping_of(given, what, allowed).items():
         full = full_name(name)
@@ -178,7 +178,7 @@ def by_full_name(given: object, what: str, allowed: str) -> dict[Any, Any]:
 
 
 def scale(unit: str, length: float, time: float, mass: float) -> float:
-    """How large quantities in a unit are where length, time and mass are so large."""
+    """Scale of quantities in a unit, from scales of length, time and mass."""
     of_length, of_time, of_mass = DIMENSIONS[unit]
     return length**of_length * time**of_time * mass**of_mass
 

@@ -51,7 +51,7 @@ class RunnerValues(Mapping[str, Value]):
         tolerance: float | None = None,
         **values: Given,
     ) -> Self:
-        """The runner itself where one is given and nothing changes."""
+        """Return the given runner itself where nothing changes."""
         own = given if isinstance(given, cls) else getattr(given, "runner", None)  # of a gait
         if isinstance(own, cls):
             return own.replace(values, model=model, tolerance=tolerance)
@@ -73,7 +73,7 @@ class RunnerValues(Mapping[str, Value]):
         tolerance: float | None = None,
         **more: Given,
     ) -> Self:
-        """Another runner: this one with other values.
+        """Make another runner: this one with other values.
 
         Parameters
         ----------
@@ -121,7 +121,7 @@ class RunnerValues(Mapping[str, Value]):
         return self._values[position]
 
     def __iter__(self) -> Iterator[str]:
-        """Over the names of all values."""
+        """Iterate over the names of all values."""
         return iter(NAMES)
 
     def __len__(self) -> int:
@@ -133,7 +133,7 @@ class RunnerValues(Mapping[str, Value]):
         return isinstance(name, str) and ALIASES.get(name, name) in POSITIONS
 
     def __hash__(self) -> int:
-        """Of values, model and tolerance."""
+        """Hash of values, model and tolerance."""
         return self._hash
 
     def __eq__(self, other: object) -> bool:
@@ -150,11 +150,11 @@ class RunnerValues(Mapping[str, Value]):
     __setattr__ = __delattr__ = _refuse_change
 
     def __reduce__(self) -> tuple[Any, tuple[tuple[Value, ...], Model, float]]:
-        """By its values, without what the C library has made of them in this process."""
+        """Pickle the values; C structs are made anew."""
         return self._made, (self._values, self.model, self.tolerance)
 
     def __repr__(self) -> str:
-        """In a line: what tells one from another at first sight."""
+        """One line with the values that tell runners apart at first sight."""
         some = ", ".join(f"{name} {self[name]:.6g}" for name in _SOME)
         return f"<Runner, {self.model.name} model: {some}, ...>"
 
@@ -185,7 +185,7 @@ class RunnerValues(Mapping[str, Value]):
             object.__setattr__(self, name, part)
 
     def _prepared(self) -> dict[str, object]:
-        """Attributes that follow from the values, unless these do not go together; here none."""
+        """Attributes made from the values; a subclass refuses values that do not go together."""
         return {}
 
 
