@@ -373,6 +373,7 @@ static void step_lanes(lane_pool *w, int number) {
     }
     const mask takes = step->is_due | reaches;
     const unsigned leaving = movemask(overflows | fails | takes | stops | arrives | is_late);
+    end_lanes();
     for (int lane = 0; leaving >> lane != 0; ++lane) {
         if (!(leaving >> lane & 1)) {
             continue;
