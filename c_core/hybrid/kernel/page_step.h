@@ -268,10 +268,10 @@ static inline real time_of_change(const page_step *step, const real *g, real sca
     return time;
 }
 
-/* The first coefficient of a guard, but coefficient 0, that is not zero decides whether the guard rises. The
- * guard is divided by that power of time, and `floor` with it. Lanes without such a coefficient are `level`.
- */
-static inline mask divide_by_time(const page_step *step, real *g, real band, real *floor, real scale,
+/* The first coefficient of a guard, but coefficient 0, that is above `up` or below `down` in the time of
+ * change decides whether the guard rises. The guard is divided by that power of time, and `floor` with it.
+ * Returns the lanes without such a coefficient. */
+static inline mask divide_by_time(const page_step *step, real *g, real up, real down, real *floor, real scale,
                                   mask lanes) {
     const real time = time_of_change(step, g, scale);
     mask level = lanes;
@@ -280,9 +280,10 @@ static inline mask divide_by_time(const page_step *step, real *g, real band, rea
             g[j - 1] = select(level, g[j], g[j - 1]);
         }
         g[step->order - 1] = select(level, broadcast(0.0), g[step->order - 1]);
-        band = select(level, band / time, band);
+        up = select(level, up / time, up);
+        down = select(level, down / time, down);
         *floor = select(level, *floor / time, *floor);
-        level &= mask_not(real_abs(g[0]) > band);
+        level &= mask_not((g[0] > up) | (g[0] < down));
     }
     return level;
 }
@@ -316,8 +317,8 @@ static inline mask begin_below(page_step *step, int guard, real *g, real *floor,
     real divided[TERMS];
     memcpy(divided, g, sizeof divided);
     const mask undecided = is_zero | is_near;
-    const real counts = select(was_taken, late_band, band);
-    const mask level = divide_by_time(step, divided, counts, floor, watch->scale, undecided);
+    const real down = -select(was_taken, late_band, band);
+    const mask level = divide_by_time(step, divided, band, down, floor, watch->scale, undecided);
     const mask falls = undecided & mask_not(level) & (divided[0] < 0.0);
     const mask is_late = is_near & mask_not(falls) & mask_not(level & mask_not(was_taken | watch->is_late));
     mask due = lanes & mask_not(is_zero | is_late);
