@@ -16,7 +16,16 @@ from sphinx.errors import ExtensionError
 from sphinx.util.docutils import SphinxDirective
 
 PACKAGE = "tdmf_slip"
-WITHOUT_PAGE = ("cli", "__main__", "bench.peers", "equations", "hybrid", "library.c_structs", "pages")
+WITHOUT_PAGE = (
+    "cli",
+    "__main__",
+    "bench.peers",
+    "equations",
+    "hybrid",
+    "library.c_structs",
+    "library.structs",
+    "pages",
+)
 """Modules without a generated page. The command line, the C structs and the language of pages have pages of
 their own, the guides document the laws, and peers are for the benchmark."""
 
