@@ -12,10 +12,10 @@ import sys
 
 import pytest
 import tdmf_slip
-from conftest import apex_start, reference_gaits, release, runner_of_gait, succeed
+from conftest import release, succeed
 from tdmf_slip.cli import validate as command_module
 from tdmf_slip.cli.main import main
-from tdmf_slip.paper import settling, validation
+from tdmf_slip.paper import settling
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 SITE = ROOT / "dist" / "site"
@@ -99,25 +99,15 @@ def test_the_start_page_shows_what_the_command_prints(command):
 
 @pytest.fixture(scope="module")
 def validated():
-    """What the command finds, with its status and the JSON that it prints.
-
-    The unit's runs begin on the gaits, where few strides show that they stay there. On the page, whose table
-    is compared with this one, they settle from the unit's own start.
-    """
+    """What the command finds by runs of few strides, with its status and the JSON that it prints."""
     found, printed = [], io.StringIO()
 
     def validate(**options):
         found.append(tdmf_slip.validate(**options))
         return found[-1]
 
-    def settle(given, **options):
-        keys = ("ground.friction", "hip.swing_clamp")
-        (gait,) = (g for g in reference_gaits() if all(runner_of_gait(g)[key] == given[key] for key in keys))
-        return settling.settle_fmu({**given, **apex_start(gait["apex"])}, **options)
-
     with pytest.MonkeyPatch.context() as patch, contextlib.redirect_stdout(printed):
         patch.setattr(command_module, "validate", validate)
-        patch.setattr(validation, "settle_fmu", settle)
         patch.setattr(settling, "WINDOW", 3)
         status = main(["validate", "--json"])
     return status, printed.getvalue(), *found

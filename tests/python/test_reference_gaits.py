@@ -1,6 +1,6 @@
 """The published gaits by both readings, run through FMPy's CVODE from the default start until settled.
 
-Four of them, the slowest among them; with --release all. The guide on the paper settles all, too.
+Four of them, the slowest among them; with --release all. Validation runs all, from the gaits on.
 """
 
 import dataclasses
