@@ -268,7 +268,6 @@ static bool go_on(tdmf_runner *runner) {
     runner->direction = tdmf_leg_direction_of(runner->motion.state);
     runner->inputs.ground.height = checkpoint->ground_height;
     if (tdmf_has_terrain(&runner->its_case->rules)) {
-        runner->inputs.ground.friction = checkpoint->friction;
         tdmf_resume_terrain(runner, checkpoint->seen_x, checkpoint->seen_y);
     }
     open_stride(runner, step_limit(runner->ensemble));
@@ -327,7 +326,6 @@ static void stand(const tdmf_runner *runner) {
         const tdmf_ensemble_checkpoint checkpoint = {.stands = true,
                                                      .motion = runner->motion,
                                                      .ground_height = runner->inputs.ground.height,
-                                                     .friction = runner->inputs.ground.friction,
                                                      .seen_x = runner->terrain.x,
                                                      .seen_y = runner->terrain.y};
         checkpoints[runner->index] = checkpoint;

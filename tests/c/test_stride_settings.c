@@ -392,16 +392,19 @@ static void going_on_stride_by_stride_is_the_same_as_in_one_call(void **unused) 
     free(parts);
 }
 
+/* Drawn heights that a foot passes, and walls that it trips over. */
 static void on_a_terrain_too(void **unused) {
+    static const double walls[] = {0.0, 1.0, 1.0, 1.0};
     (void)unused;
     population *both[2] = {gather(0.1), gather(0.1)};
-    for (int is_drawn = 0; is_drawn < 2; ++is_drawn) { /* by turns the friction: else the law sets it */
+    for (int trips = 0; trips < 2; ++trips) {
         for (int i = 0; i < 2; ++i) {
             tdmf_ensemble_rules *rules = &both[i]->its_case.rules;
-            rules->terrain.length = 3.0;
-            rules->trips = is_drawn;
-            rules->law = is_drawn ? NULL : &both[i]->law;
-            rules->friction_spread = is_drawn ? 0.2 : 0.0;
+            const tdmf_terrain drawn = {.length = 3.0}, given = {20.0, walls, sizeof walls / sizeof walls[0]};
+            rules->terrain = trips ? given : drawn;
+            rules->roughness = trips ? 0.0 : 0.1;
+            rules->trips = trips;
+            rules->law = &both[i]->law;
             rules->max_strides = STRIDES;
         }
         both[0]->ensemble.goes_on = both[1]->ensemble.goes_on = false;

@@ -145,7 +145,6 @@ typedef struct {
     bool stands;           /* else its run is over */
     tdmf_motion motion;    /* at the apex */
     double ground_height;  /* m, that the ground has come to */
-    double friction;       /* in force: on a terrain that of the segment where the foot came down last */
     double seen_x, seen_y; /* m, where the foot was when the terrain below it was looked at last */
 } tdmf_ensemble_checkpoint;
 
