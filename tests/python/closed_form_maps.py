@@ -44,10 +44,17 @@ class MapFamily(Family):
             left_over=left_over,
         )
 
+    def residual(self, coordinates):
+        return self.evaluate(coordinates).left_over
+
+    def linearize(self, coordinates):
+        gait = self.evaluate(coordinates)
+        return gait.left_over, self.rows(gait)
+
     def value_of(self, gait):
         return gait.stride["p"]
 
-    def gait(self, value, guess):
+    def gait(self, value, guess, *_near):
         found = self.strides_at(value, guess)
         for _ in range(50):
             if found.error < 1e-13:

@@ -14,7 +14,7 @@ from pathlib import Path
 import numpy as np
 from tdmf_slip import RunError, Runner
 from tdmf_slip.analysis import spread
-from tdmf_slip.library.gait import settled_gait
+from tdmf_slip.library.fixed_point import settled_gait
 
 STORED = Path(__file__).with_suffix(".json")
 SEED, RUNNERS, DRAWINGS = 22, 16, 2

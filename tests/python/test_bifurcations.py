@@ -39,7 +39,7 @@ class Made(Family):
         direction = np.array([1.0, 0, 0, 0, 0, 0, slope]) / np.hypot(1.0, slope)
         return Point(gait, value, along * direction)
 
-    def on_plane(self, goal, normal):
+    def on_plane(self, goal, normal, *_near):
         """Halves the way through the plane until the point is found."""
         low, high = goal[0] - 0.3, goal[0] + 0.3
 

@@ -5,7 +5,7 @@ import json
 import pytest
 from conftest import CLAMPED
 from tdmf_slip import InputError, compare, find_gait
-from tdmf_slip.library.gait import gait_near
+from tdmf_slip.library.fixed_point import gait_near
 from tdmf_slip.library.quantities import quantities_of
 
 HOLD = ("speed", "apex_height", "apex_leg_angle")

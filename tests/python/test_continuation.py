@@ -232,8 +232,8 @@ def looked(monkeypatch):
     """What gaits were looked for: value, guess, and the gait."""
     honest, seen = Family.gait, []
 
-    def remembered(self, value, guess):
-        gait = honest(self, value, guess)
+    def remembered(self, value, guess, *near):
+        gait = honest(self, value, guess, *near)
         seen.append((value, np.array(guess), gait))
         return gait
 
@@ -253,11 +253,11 @@ def test_gaits_are_predicted_along_the_branch(runner, looked):
 def test_steps_that_had_to_be_short_grow_again(runner, monkeypatch):
     honest, values = Family.gait, []
 
-    def hard_at_first(self, value, guess):
+    def hard_at_first(self, value, guess, *near):
         if len(values) == 0 and abs(value - 0.2) > 0.0101:
             raise RunError("too far")
         values.append(value)
-        return honest(self, value, guess)
+        return honest(self, value, guess, *near)
 
     first = periodic_gait(runner, along="leg.damping")
     monkeypatch.setattr(Family, "gait", hard_at_first)

@@ -18,7 +18,7 @@ from tdmf_slip.fitting.identifiability import identified
 from tdmf_slip.fitting.measurements import Measured, Measurements, read_measurements, shipped
 from tdmf_slip.fitting.problem import Problem
 from tdmf_slip.fitting.result import QUANTILE
-from tdmf_slip.library.gait import gait_near
+from tdmf_slip.library.fixed_point import gait_near
 from tdmf_slip.library.quantities import known_quantities, quantities_of, unit_of
 from tdmf_slip.library.varied_gait import varied_gait
 from tdmf_slip.terminal import progress

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 import tdmf_slip
 from conftest import CLAMPED
-from tdmf_slip.library.gait import gait_near
+from tdmf_slip.library.fixed_point import gait_near
 
 GAITS = json.loads(pathlib.Path(__file__).with_name("further_gaits.json").read_text(encoding="utf-8"))[
     "gaits"

@@ -3,6 +3,7 @@
 import csv
 import json
 import pickle
+from dataclasses import replace
 from itertools import pairwise
 from pathlib import Path
 
@@ -490,3 +491,16 @@ def test_figures_come_with_their_data(command, tmp_path):
     status, _, said = command("figures", "--only", "figure_77")
     assert status == 2
     assert "no such figure" in said
+
+
+@pytest.mark.parametrize("place", range(6))
+@pytest.mark.parametrize("largest", [4.0, -4.0, 1.0, np.nextafter(1.0, 2.0)])
+def test_no_gait_is_stable_with_an_eigenvalue_outside_the_unit_circle(place, largest):
+    """Wherever it is in the Jacobian; what was computed for another Jacobian does not matter."""
+    gait = find_gait()
+    assert gait.stable and gait.unstable == 0
+    sizes = np.full(6, 0.5)
+    sizes[place] = largest
+    other = replace(gait, jacobian=np.diag(sizes))
+    assert not other.stable and other.as_json()["stable"] is False
+    assert other.lambda_max == abs(largest)

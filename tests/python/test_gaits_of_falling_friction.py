@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 import tdmf_slip
-from tdmf_slip.library.gait import gait_near
+from tdmf_slip.library.fixed_point import gait_near
 from tdmf_slip.paper.figures import falling_friction, stored
 from tdmf_slip.paper.figures.falling_friction import DOWNHILL, LEVEL, RATIOS, branch_of, runner_of
 

@@ -252,7 +252,7 @@ def test_a_branch_that_leads_out_of_a_parameters_range_ends_there_with_what_it_h
     runner = Runner({"ground.static_friction_ratio": 1.02})
     branch = trace(runner, "ground.static_friction_ratio", find_gait(runner), 0.9)
     assert branch.ended.startswith("limit of what is allowed at ground.static_friction_ratio = 1: ")
-    assert "allowed from 1 to" in branch.ended
+    assert "allowed: 1 to" in branch.ended
     assert branch.values[-1] == pytest.approx(1.0, abs=1e-6) and min(branch.values) >= 1.0
     assert len(branch.gaits) > 5
 

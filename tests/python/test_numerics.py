@@ -7,64 +7,97 @@ import numpy as np
 import pytest
 from tdmf_slip.errors import InputError, RunError
 from tdmf_slip.numerics.halving import halved, walk
-from tdmf_slip.numerics.newton import last_iterate, newton_iterates
+from tdmf_slip.numerics.newton import NotSolvedError, solve
 
 
 class Root:
-    """A function of one number whose root Newton's method is to find."""
+    """Equations whose solution Newton's method is to find; counts what it evaluates."""
 
     def __init__(self, function, slope, domain=math.inf):
         self.function, self.slope, self.domain = function, slope, domain
+        self.residuals = self.linearized = 0
 
-    def error(self, x):
-        return abs(self.function(x))
-
-    def is_solved(self, x):
-        return self.error(x) < 1e-14
-
-    def step(self, x):
-        if self.slope(x) == 0.0:
-            raise np.linalg.LinAlgError("no step")
-        return -self.function(x) / self.slope(x)
-
-    def moved(self, x, step):
-        if abs(x + step) > self.domain:
+    def residual(self, x):
+        self.residuals += 1
+        if np.max(np.abs(x)) > self.domain:
             raise RunError("outside")
-        return x + step
+        return np.atleast_1d(self.function(*x))
+
+    def linearize(self, x):
+        self.linearized += 1
+        return np.atleast_1d(self.function(*x)), np.atleast_2d(self.slope(*x))
 
 
-ARC = (math.atan, lambda x: 1.0 / (1.0 + x * x))
+ARC = (np.arctan, lambda x: 1.0 / (1.0 + x * x))
 """Newton's method for atan(x) = 0 converges from |x| < 1.3917 only; damped, from everywhere."""
+SQUARE = (lambda x: x * x - 2.0, lambda x: 2.0 * x)
 
 
 def test_damping_finds_a_root_from_where_whole_steps_diverge():
-    found, steps = last_iterate(Root(*ARC), 3.0, iterations=40, shortenings=12)
-    assert abs(found) < 1e-14 and 3 < steps < 20
-    whole = [x for x, _ in newton_iterates(Root(*ARC), 3.0, iterations=40, shortenings=1)]
-    assert whole == [3.0]  # the first whole step makes the error larger
+    found = solve(Root(*ARC), [3.0])
+    assert abs(found.x[0]) < 1e-13 and 3 < found.iterations < 20
+    with pytest.raises(NotSolvedError) as stopped:
+        solve(Root(*ARC), [3.0], shortenings=1)  # the first whole step makes the residual larger
+    assert (stopped.value.last.x, stopped.value.last.iterations) == ([3.0], 0)
 
 
-def test_newton_converges_quadratically_at_the_root_of_two():
-    root = Root(lambda x: x * x - 2.0, lambda x: 2.0 * x)
-    errors = [abs(x - math.sqrt(2.0)) for x, _ in newton_iterates(root, 1.5, iterations=3, shortenings=1)]
-    assert len(errors) == 4
-    for before, after in pairwise(errors[:3]):
-        assert after == pytest.approx(before**2 / (2.0 * math.sqrt(2.0)), rel=0.1)
+def test_the_jacobian_is_kept_while_steps_converge():
+    """From nearby, one Jacobian leads to the root of two; with one that is given, none is computed."""
+    root = Root(*SQUARE)
+    found = solve(root, [1.414])
+    assert found.x[0] == pytest.approx(math.sqrt(2.0), abs=1e-14)
+    assert root.linearized == 1 and root.residuals == found.iterations + 1 > 3
+    again = Root(*SQUARE)
+    assert solve(again, [1.414], jacobian=np.array([[2.8]])).error <= 1e-13
+    assert again.linearized == 0
 
 
-def test_a_step_to_where_nothing_is_evaluated_is_shortened_or_told():
-    found, _ = last_iterate(Root(*ARC, domain=4.0), 3.9, iterations=40, shortenings=12)
-    assert abs(found) < 1e-14
+def test_a_step_by_a_poor_jacobian_is_undone():
+    """The search is then that of Newton's method, whatever the Jacobian that was given."""
+    plain, misled = Root(*ARC), Root(*ARC)
+    found = solve(plain, [1.2])
+    for jacobian in (-1.0, 0.01, 1e6):
+        other = solve(misled, [1.2], jacobian=np.array([[jacobian]]))
+        assert (other.x, other.iterations) == (found.x, found.iterations)
+    assert misled.linearized == 3 * plain.linearized
+
+
+def test_fewer_equations_than_unknowns_are_solved_by_the_shortest_step():
+    line = Root(lambda x, y: 3.0 * x + 4.0 * y - 25.0, lambda x, y: [3.0, 4.0])
+    assert solve(line, [0.0, 0.0]).x == pytest.approx([3.0, 4.0], abs=1e-12)
+    assert solve(line, [0.0, 0.0], longest=0.5).iterations == 8
+
+
+def test_a_step_to_where_there_is_no_residual_is_shortened():
+    assert abs(solve(Root(*ARC, domain=4.0), [3.9]).x[0]) < 1e-13
+    with pytest.raises(NotSolvedError):
+        solve(Root(*ARC, domain=4.0), [3.9], shortenings=2)
     with pytest.raises(RunError, match="outside"):
-        list(newton_iterates(Root(*ARC, domain=4.0), 3.9, iterations=40, shortenings=2))
-    assert last_iterate(Root(*ARC, domain=4.0), 3.9, iterations=40, shortenings=2) == (3.9, 0)
+        solve(Root(*ARC, domain=4.0), [3.9], shortenings=0)
+    with pytest.raises(RunError, match="outside"):
+        solve(Root(*ARC, domain=4.0), [5.0])
 
 
-def test_newton_ends_without_a_step_and_below_the_bound():
-    assert last_iterate(Root(math.cos, lambda x: -math.sin(x)), 0.0, iterations=5, shortenings=5) == (0.0, 0)
-    double = Root(lambda x: x * x, lambda x: 2.0 * x)  # each step leaves a quarter of the error
-    assert last_iterate(double, 1.0, iterations=5, shortenings=1, bound=lambda error: 0.3 * error)[1] == 5
-    assert last_iterate(double, 1.0, iterations=5, shortenings=1, bound=lambda error: 0.2 * error)[1] == 0
+def test_whole_steps_lead_across_a_square_root():
+    """Beyond the touch at 0 the residual is larger; the root is there all the same."""
+    touch = Root(
+        lambda x: x + 1.0 if x < 0.0 else 0.5 + 10.0 * math.sqrt(x),
+        lambda x: 1.0 if x < 0.0 else 5.0 / x**0.5,
+    )
+    with pytest.raises(NotSolvedError):
+        solve(touch, [0.0004], shortenings=1)
+    assert solve(touch, [0.0004], shortenings=0).x == pytest.approx([-1.0], abs=1e-13)
+
+
+def test_a_search_ends_without_a_step_and_without_gain():
+    with pytest.raises(RunError, match="singular"):
+        solve(Root(np.cos, lambda x: -math.sin(x)), [0.0])
+    double = (lambda x: x * x, lambda x: 2.0 * x)  # each step leaves a quarter of the residual
+    assert solve(Root(*double), [1.0], shortenings=1, gain=0.3).error <= 1e-11
+    with pytest.raises(NotSolvedError, match="after 0 iterations with a residual of 1"):
+        solve(Root(*double), [1.0], shortenings=1, gain=0.2)
+    with pytest.raises(RunError):
+        solve(Root(lambda x: math.nan, lambda x: 1.0), [1.0])
 
 
 @pytest.mark.parametrize(("begin", "end"), [(0.0, 1.0), (2.0, -1.0), (-1e3, 1e3)])

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from conftest import CLAMPED
 from tdmf_slip import InputError, TargetNotMetError, find_gait, optimize, sweep
-from tdmf_slip.library.gait import gait_near
+from tdmf_slip.library.fixed_point import gait_near
 from tdmf_slip.library.quantities import known_quantities
 from tdmf_slip.library.strides import strides_from
 from tdmf_slip.optimization.gaits import Gaits

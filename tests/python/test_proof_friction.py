@@ -5,7 +5,7 @@ import pytest
 import tdmf_slip
 from conftest import CLAMPED
 from tdmf_slip.errors import TdmfSlipError
-from tdmf_slip.library.gait import gait_near
+from tdmf_slip.library.fixed_point import gait_near
 
 pytest.importorskip("flint")
 

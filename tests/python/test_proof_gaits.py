@@ -9,7 +9,7 @@ import pytest
 import tdmf_slip
 from conftest import CLAMPED, release, some_of
 from tdmf_slip.errors import TdmfSlipError
-from tdmf_slip.library.gait import gait_near
+from tdmf_slip.library.fixed_point import gait_near
 from tdmf_slip.library.strides import strides_from
 
 pytest.importorskip("flint")

@@ -10,7 +10,7 @@ from conftest import CLAMPED, RELEASE
 from tdmf_slip import GaitNotFoundError, RunError, Runner, find_gait
 from tdmf_slip.analysis import search, spread
 from tdmf_slip.analysis.search import periodic_gait
-from tdmf_slip.library.gait import gait_near, settled_gait
+from tdmf_slip.library.fixed_point import gait_near, settled_gait
 
 RUNNERS = json.loads(Path(__file__).with_name("random_runners.json").read_text())
 FROM_ISSUE = {

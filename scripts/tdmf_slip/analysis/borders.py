@@ -109,7 +109,7 @@ class _Chord:
             return inside if distance == low else outside
         begin, end = self.family.coordinates(inside), self.family.coordinates(outside)
         goal = begin + (distance - low) / (high - low) * (end - begin)
-        return self.family.on_plane(goal, self.normal)
+        return self.family.on_plane(goal, self.normal, inside.gait)
 
 
 def _border(chord: _Chord, inside: Point, last: Point) -> tuple[Point, Point]:
@@ -154,7 +154,7 @@ def _approached(family: Family, point: Point, reach: float, way: int) -> Point:
     while high - low > ROOT_ACCURACY:
         middle = 0.5 * (low + high)
         try:
-            tried = family.on_plane(begin + middle * direction, direction)
+            tried = family.on_plane(begin + middle * direction, direction, last.gait)
             there = tried.gait.word == point.gait.word and family.distance(point, tried) <= 2.0 * middle
         except (InputError, RunError):
             there = False

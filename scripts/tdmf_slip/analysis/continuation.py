@@ -50,7 +50,7 @@ def walk(family: Family, gait: Gait, at: float, to: float, shortest: float = SHO
 
     def advance(gait: Gait, at: float, value: float) -> Gait:
         nearby = _predicted(family, gait, value - at)
-        following = family.gait(value, nearby)
+        following = family.gait(value, nearby, gait)
         _check_near(family, gait, nearby, following)
         _check_leads_back(family, gait, following)
         return following
@@ -90,5 +90,5 @@ def _check_leads_back(family: Family, before: Gait, after: Gait) -> None:
         )
     )
     across = np.eye(len(known))[-1]
-    if not reaches(family, goal, across, known, float(np.linalg.norm(begin - known))):
+    if not reaches(family, goal, across, known, begin, family.rows(after)):
         raise RunError(f"the branch ends near {family.name} = {at:g}: none leads back to it from {to:g}")

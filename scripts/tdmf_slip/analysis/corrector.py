@@ -1,84 +1,56 @@
 """Newton's method to a branch of gaits, on a plane across a direction."""
 
-from collections.abc import Iterator
-from dataclasses import dataclass
-from typing import Any, Protocol, TypeAlias
+from typing import Protocol
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ..contents import ByContents
-from ..errors import InputError, RunError
-from ..library.gait import Gait
-from ..numerics.newton import newton_iterates, same_error
+from ..numerics.newton import solve
 
-NEWTON_ITERATIONS = 24
-SHORTENINGS = 12
-CONVERGED, GOOD_ENOUGH = 1e-13, 1e-11
-"""Largest difference of the apex and the next, over the scales."""
-
-Iterate: TypeAlias = tuple[NDArray[np.float64], Gait]
-"""A point over the scales, and the strides from there."""
+ITERATIONS, SHORTENINGS = 24, 12
+"""Steps of Newton's method, and lengths at which each is tried, at most."""
 
 
-class Strides(Protocol):
-    """Strides of one runner by apex and parameter."""
+class Branch(Protocol):
+    """Strides of one runner by apex and parameter, which are over their scales."""
 
-    scales: NDArray[np.float64]
-    """Of the coordinates and the parameter."""
+    def residual(self, coordinates: NDArray[np.float64]) -> NDArray[np.float64]:
+        """How far the strides are from closing, over the scales."""
 
-    def evaluate(self, coordinates: NDArray[np.float64]) -> Gait:
-        """The strides from a point over the scales."""
-
-    def rows(self, gait: Gait) -> NDArray[np.float64]:
-        """How what is left over of the strides changes, all over the scales."""
+    def linearize(self, coordinates: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+        """The residual and its derivatives by apex and parameter."""
 
 
-def iterates(
-    family: Strides, goal: NDArray[np.float64], normal: NDArray[np.float64], shortenings: int
-) -> Iterator[tuple[Gait, NDArray[np.float64]]]:
-    """The strides at each point of Newton's method, and where its whole step leads from there.
+class _OnPlane:
+    """Equations of the point of a branch on the plane through a goal."""
 
-    Steps that make the error larger are shortened so many times, or taken all the same: where an event is
-    just touched the map has a square root, and only whole steps lead across.
+    def __init__(self, branch: Branch, goal: NDArray[np.float64], normal: NDArray[np.float64]) -> None:
+        self.branch, self.goal, self.normal = branch, goal, normal
+
+    def residual(self, x: NDArray[np.float64]) -> NDArray[np.float64]:
+        return np.append(self.branch.residual(x), (x - self.goal) @ self.normal)
+
+    def linearize(self, x: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+        residual, rows = self.branch.linearize(x)
+        return np.append(residual, (x - self.goal) @ self.normal), np.vstack([rows, self.normal])
+
+
+def corrected(
+    branch: Branch,
+    goal: NDArray[np.float64],
+    normal: NDArray[np.float64],
+    *,
+    rows: NDArray[np.float64] | None = None,
+    whole: bool = False,
+) -> NDArray[np.float64]:
+    """The point of a branch near a goal, on the plane across a direction, by damped or by whole steps.
+
+    `rows` are derivatives from nearby.
     """
-    plane, begin = _OnPlane(family, goal, normal), (goal, family.evaluate(goal))
-    bound, tries = (same_error, shortenings) if shortenings else (_unless_good_enough, 1)
-    for (coordinates, gait), step in newton_iterates(
-        plane, begin, iterations=NEWTON_ITERATIONS, shortenings=tries, bound=bound
-    ):
-        yield gait, coordinates if step is None else coordinates + step
-
-
-def _unless_good_enough(error: float) -> float:
-    """Any whole step is taken, until one leads away from what is good enough."""
-    return np.inf if error > GOOD_ENOUGH else GOOD_ENOUGH
-
-
-@dataclass(frozen=True, eq=False)
-class _OnPlane(ByContents):
-    """That strides lead back to their apex, of a point on a plane."""
-
-    family: Strides
-    goal: NDArray[np.float64]
-    normal: NDArray[np.float64]
-
-    def error(self, iterate: Iterate) -> float:
-        return iterate[1].error
-
-    def is_solved(self, iterate: Iterate) -> bool:
-        return iterate[1].error <= CONVERGED
-
-    def step(self, iterate: Iterate) -> NDArray[Any]:
-        coordinates, gait = iterate
-        off = np.append(gait.left_over / self.family.scales[:-1], (coordinates - self.goal) @ self.normal)
-        step: NDArray[Any] = np.linalg.solve(np.vstack([self.family.rows(gait), self.normal]), -off)
-        return step
-
-    def moved(self, iterate: Iterate, step: NDArray[Any]) -> Iterate:
-        """A point that is not allowed is one without strides."""
-        coordinates = iterate[0] + step
-        try:
-            return coordinates, self.family.evaluate(coordinates)
-        except InputError as problem:
-            raise RunError(f"Newton's method leads to what is not allowed, {problem}") from None
+    return solve(
+        _OnPlane(branch, goal, normal),
+        goal,
+        jacobian=None if rows is None or whole else np.vstack([rows, normal]),
+        iterations=ITERATIONS,
+        shortenings=0 if whole else SHORTENINGS,
+    ).x

@@ -211,7 +211,7 @@ def _followed(
 def _stepped(plane: Plane, last: CurvePoint, way: NDArray[np.float64], share: float) -> CurvePoint:
     """The point of the curve a share of a way further, from which it leads back."""
     goal = last.at + share * way
-    following = plane.corrected(goal, way / np.linalg.norm(way))
+    following = plane.corrected(goal, way / np.linalg.norm(way), last)
     if np.linalg.norm(following.at - goal) > FARTHEST * share * np.linalg.norm(way):
         raise RunError("the curve turns sharply")
     if not plane.leads_back(following, last):
@@ -229,7 +229,7 @@ def _met(
     way = (following.at - last.at) / np.linalg.norm(following.at - last.at)
     for number, beside in track.beside(last.at, following.at):
         try:
-            found = plane.corrected(beside, way)
+            found = plane.corrected(beside, way, following)
         except (InputError, RunError):
             continue
         if np.linalg.norm(found.at - points[number].at) < SAME:
@@ -244,7 +244,7 @@ def _at_edge(plane: Plane, box: Box, last: CurvePoint, following: CurvePoint, sh
     beyond = np.maximum(box.low - following.at[-2:], following.at[-2:] - box.high) / box.size
     across[-2 + int(np.argmax(beyond))] = 1.0
     try:
-        return plane.corrected(goal, across)
+        return plane.corrected(goal, across, last)
     except (InputError, RunError):
         return last
 

@@ -11,15 +11,16 @@ from numpy.typing import NDArray
 
 from ..contents import ByContents
 from ..errors import RunError
+from ..library.fixed_point import Closing, gait_near
 from ..library.gait import Gait
 from ..library.members import check_varied
 from ..library.quantities import scales_of
 from ..library.return_map import Along
 from ..library.runner import Runner
 from ..library.section import Apex
-from ..library.strides import repeated_gait_near, strides_from
+from ..library.strides import strides_from
 from ..variables.variable import Given
-from .corrector import GOOD_ENOUGH, SHORTENINGS, iterates
+from .corrector import corrected
 
 
 @dataclass(frozen=True, eq=False)
@@ -44,6 +45,7 @@ class Family:
 
     along: Along
     """By what the next apex is differentiated."""
+    _last: tuple[float, Closing] | None = None
 
     def __init__(self, runner: Runner | Mapping[str, Given], name: str, strides: int = 1) -> None:
         """Whose gaits, over which parameter or input, and after how many strides they repeat themselves.
@@ -61,9 +63,9 @@ class Family:
         """The runner at a value of the parameter, in its unit."""
         return self.runner.replace({self.name: value})
 
-    def gait(self, value: float, guess: Apex) -> Gait:
-        """The gait at a value near a guess."""
-        return repeated_gait_near(self.runner_at(value), guess, self.strides, along=self.along)
+    def gait(self, value: float, guess: Apex, near: Gait | None = None) -> Gait:
+        """The gait at a value near a guess; the Jacobian of a gait that is near may save strides."""
+        return gait_near(self.runner_at(value), guess, self.strides, along=self.along, near=near)
 
     def strides_at(self, value: float, apex: Apex) -> Gait:
         """The strides from an apex at a value, whether they lead back to it or not."""
@@ -105,33 +107,48 @@ class Family:
         """The strides from an apex at a value of the parameter."""
         return self.strides_at(coordinates[-1] * self.scales[-1], coordinates[:-1] * self.scales[:-1])
 
-    def on_plane(self, goal: NDArray[np.float64], normal: NDArray[np.float64]) -> Point:
-        """The point of the branch near a goal, on the plane across a direction there: by Newton's method."""
-        try:
-            return self._by_newton(goal, normal, SHORTENINGS)
-        except RunError:
-            return self._by_newton(goal, normal, 0)
+    def residual(self, coordinates: NDArray[np.float64]) -> NDArray[np.float64]:
+        """How far strides are from closing, from a point over the scales."""
+        return self._closing(coordinates).residual(coordinates[:-1])
 
-    def _by_newton(self, goal: NDArray[np.float64], normal: NDArray[np.float64], shortenings: int) -> Point:
-        """The point that Newton's method comes to, see `corrector.iterates`.
+    def linearize(self, coordinates: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+        """The residual and its derivatives by apex and parameter."""
+        residual, by_apex, along = self._closing(coordinates).varied(coordinates[:-1])
+        return residual, np.hstack([by_apex, self.scales[-1] * along[:, None]])
 
-        A step to what is not allowed tells of Newton's method; only of the goal it tells that the branch
-        leads there.
+    def _closing(self, coordinates: NDArray[np.float64]) -> Closing:
+        """Equations at a value of the parameter.
+
+        Those of the last value are kept, because points on a plane across the parameter have one value.
         """
-        where = f"no gait near {self.name} = {goal[-1] * self.scales[-1]:g}"
+        value = float(coordinates[-1] * self.scales[-1])
+        if self._last is None or self._last[0] != value:
+            self._last = value, Closing(self.runner_at(value), self.strides, self.along, self.scales[:-1])
+        return self._last[1]
+
+    def on_plane(
+        self, goal: NDArray[np.float64], normal: NDArray[np.float64], near: Gait | None = None
+    ) -> Point:
+        """The point of the branch near a goal, on the plane across a direction there: by Newton's method.
+
+        InputError where the goal itself is not allowed. Derivatives of a gait that is near may save strides.
+        """
+        rows = None if near is None else self.rows(near)
         try:
-            for gait, _ in iterates(self, goal, normal, shortenings):
-                last = gait
-        except (RunError, np.linalg.LinAlgError) as problem:
-            raise RunError(f"{where}: {problem}") from None
-        if last.error > GOOD_ENOUGH:
-            raise RunError(f"{where}: Newton's method does not converge")
-        return self.point(last, normal)
+            try:
+                found = corrected(self, goal, normal, rows=rows)
+            except RunError:
+                found = corrected(self, goal, normal, whole=True)
+            return self.point(self.evaluate(found), normal)
+        except RunError as problem:
+            raise RunError(f"no gait near {self.name} = {goal[-1] * self.scales[-1]:g}: {problem}") from None
 
     def between(self, before: Point, after: Point, share: float) -> Point:
         """The point of the branch beside a share of the straight way from one point to the next."""
         begin, end = self.coordinates(before), self.coordinates(after)
-        return self.on_plane(begin + share * (end - begin), (end - begin) / np.linalg.norm(end - begin))
+        return self.on_plane(
+            begin + share * (end - begin), (end - begin) / np.linalg.norm(end - begin), before.gait
+        )
 
     def distance(self, before: Point, after: Point) -> float:
         """Between two points of a branch, over the scales."""

@@ -16,7 +16,8 @@ from ..files.datasets import xarray
 from ..files.netcdf import write_dataset
 from ..files.resume import resumed, same_values
 from ..files.whole import check_destination
-from ..library.gait import Gait, gait_near
+from ..library.fixed_point import gait_near
+from ..library.gait import Gait
 from ..library.members import check_has_gaits, check_varied
 from ..library.runner import Runner
 from ..library.scales import rounding_of

@@ -91,7 +91,7 @@ class Track:
         """
         way = self.family.coordinates(following) - self.family.coordinates(last)
         try:
-            found = self.family.on_plane(beside, way / np.linalg.norm(way))
+            found = self.family.on_plane(beside, way / np.linalg.norm(way), last.gait)
         except (InputError, RunError):
             return False
         if np.linalg.norm(self.family.coordinates(found) - coordinates) >= SAME:

@@ -9,13 +9,13 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ..errors import RunError
 from ..library.gait import Gait
 from ..library.members import VARIED
+from ..numerics.newton import GOOD_ENOUGH
 from ..terminal.progress import progress_bar
-from .target import GOOD_ENOUGH, Iterate, Target
+from .target import Iterate, Target, null_space
 
 ITERATIONS, LOOK_AHEAD = 30, 8
 """Of the search for the nearest gait, and to see whether a further parameter helps."""
@@ -68,7 +68,7 @@ def _stepped(target: Target, iterate: Iterate, damping: float, longest: float) -
     """A step towards the target along the gaits; None where there is no gait."""
     count = len(target.closing(iterate))
     rows = target.rows(iterate)
-    tangents = _null_space(rows[:count])
+    tangents = null_space(rows[:count])
     slopes = rows[count:] @ tangents
     square = slopes.T @ slopes + damping * np.eye(tangents.shape[1])
     step = tangents @ np.linalg.solve(square, -slopes.T @ target.deviations(iterate))
@@ -77,12 +77,6 @@ def _stepped(target: Target, iterate: Iterate, damping: float, longest: float) -
         return target.closed_near(iterate.at + step)
     except RunError:
         return None
-
-
-def _null_space(rows: NDArray[np.float64]) -> NDArray[np.float64]:
-    """An orthonormal basis of it, in columns, for rows that are independent."""
-    basis: NDArray[np.float64] = np.linalg.svd(rows)[2][len(rows) :].T
-    return basis
 
 
 @dataclass(frozen=True)
@@ -173,7 +167,7 @@ def _promised(target: Target, iterate: Iterate, columns: list[int]) -> float:
     """The share of the gap that is left after the longest step, along gaits, by some of what is varied."""
     off, count = target.deviations(iterate), len(target.closing(iterate))
     rows = target.rows(iterate)[:, columns]
-    tangents = _null_space(rows[:count])
+    tangents = null_space(rows[:count])
     slopes = rows[count:] @ tangents
     step = -np.linalg.lstsq(slopes, off)[0]
     step *= min(1.0, LONGEST_STEPS[0] / (float(np.linalg.norm(step)) or 1.0))

@@ -35,7 +35,7 @@ def next_point(family: Family, last: Point, step: float, largest: float) -> tupl
 
     def attempt(step: float) -> tuple[Point, float]:
         goal = family.coordinates(last) + step * last.tangent
-        following = family.on_plane(goal, last.tangent)
+        following = family.on_plane(goal, last.tangent, last.gait)
         off = float(np.linalg.norm(family.coordinates(following) - goal))
         turns = following.tangent @ last.tangent < STRAIGHT
         if off > NEAR * step or (step > SHARP and (turns or off > FARTHEST * step)):

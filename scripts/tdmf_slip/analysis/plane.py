@@ -13,22 +13,18 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..contents import ByContents
-from ..errors import InputError, RunError
+from ..errors import RunError
 from ..library.gait import Gait
 from ..library.members import check_varied
 from ..library.quantities import scales_of
 from ..library.runner import Runner
 from ..library.strides import strides_from
 from .bifurcations import FOLD, NEIMARK_SACKER, PERIOD_DOUBLING
-from .walking_back import RETURNED
+from .corrector import corrected
+from .walking_back import reaches
 
 DIFFERENCE = 1e-6
 """Over the scales: by how much points differ by which g is differentiated."""
-ITERATIONS = 12
-REFRESHED = 4
-"""After so many the derivatives are made anew."""
-CONVERGED, GOOD_ENOUGH = 1e-10, 1e-11
-"""Of the last change of the point, and of the apex and the next."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -106,48 +102,42 @@ class Plane:
             raise RunError("a gait has no derivatives")
         return CurvePoint(at, both[0], matrix)
 
-    def corrected(self, goal: NDArray[np.float64], normal: NDArray[np.float64]) -> CurvePoint:
-        """The point of the curve near a goal on the plane across a direction."""
-        at, point = goal, None
-        for number in range(ITERATIONS):
-            if point is None or number % REFRESHED == 0:
-                point = self.evaluate(at)
-            try:
-                correction = self._correction(at, point, goal, normal)
-            except np.linalg.LinAlgError:
-                break
-            at = at + correction
-            if np.max(np.abs(correction)) < CONVERGED:
-                found = self.evaluate(at)
-                if found.gait.error <= GOOD_ENOUGH:
-                    return found
-        raise RunError("no convergence")
+    def corrected(
+        self, goal: NDArray[np.float64], normal: NDArray[np.float64], near: CurvePoint
+    ) -> CurvePoint:
+        """The point of the curve near a goal on the plane across a direction, from a point that is near."""
+        curve = self._equations(near)
+        return self.evaluate(corrected(curve, goal, normal, rows=curve.scaled(near.matrix)))
 
-    def _correction(
-        self,
-        at: NDArray[np.float64],
-        near: CurvePoint,
-        goal: NDArray[np.float64],
-        normal: NDArray[np.float64],
-    ) -> NDArray[np.float64]:
-        """A step of Newton's method from a point, with the derivatives of one near it."""
-        gait = self.strides_at(at, self.names[0])
-        off = [*(gait.left_over / self.scales[:-2]), self.zero(gait), (at - goal) @ normal]
-        correction: NDArray[np.float64] = np.linalg.solve(np.vstack([near.matrix, normal]), -np.array(off))
-        return correction
+    def _equations(self, near: CurvePoint) -> "_Curve":
+        return _Curve(self, float(np.linalg.norm(near.matrix[-1])))
 
     def leads_back(self, found: CurvePoint, known: CurvePoint) -> bool:
         """The corrector that starts from one point's tangent finds another, from which the first was found.
 
         Where it does not, they are of two curves, or the way from one to the other is too long.
         """
-        tangent, way = found.tangent, found.at - known.at
-        goal = at = found.at - (way @ tangent) * tangent
-        try:
-            for _ in range(ITERATIONS):
-                at = at + self._correction(at, found, goal, tangent)
-                if np.linalg.norm(at - known.at) <= RETURNED * np.linalg.norm(way):
-                    return True
-        except (InputError, RunError, np.linalg.LinAlgError):
-            pass
-        return False
+        curve, tangent = self._equations(found), found.tangent
+        goal = found.at - ((found.at - known.at) @ tangent) * tangent
+        return reaches(curve, goal, tangent, known.at, found.at, curve.scaled(found.matrix))
+
+
+@dataclass(frozen=True)
+class _Curve:
+    """Equations of a curve; the last one is over the size of its gradient nearby."""
+
+    plane: Plane
+    size: float
+
+    def residual(self, coordinates: NDArray[np.float64]) -> NDArray[np.float64]:
+        return self._off(self.plane.strides_at(coordinates, self.plane.names[0]))
+
+    def linearize(self, coordinates: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+        point = self.plane.evaluate(coordinates)
+        return self._off(point.gait), self.scaled(point.matrix)
+
+    def scaled(self, matrix: NDArray[np.float64]) -> NDArray[np.float64]:
+        return np.vstack([matrix[:-1], matrix[-1:] / self.size])
+
+    def _off(self, gait: Gait) -> NDArray[np.float64]:
+        return np.append(gait.left_over / self.plane.scales[:-2], self.plane.zero(gait) / self.size)

@@ -1,7 +1,8 @@
 """The gait of a runner: near a guess, by settling, along the friction, or from starts everywhere."""
 
 from ..errors import GaitNotFoundError, RunError
-from ..library.gait import Gait, gait_near, settled_gait
+from ..library.fixed_point import gait_near, settled_gait
+from ..library.gait import Gait
 from ..library.members import check_comes_down
 from ..library.return_map import Along
 from ..library.runner import Runner

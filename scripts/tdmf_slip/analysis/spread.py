@@ -6,7 +6,6 @@ Runners settle on stable gaits. Newton's method from where strides come back nea
 import contextlib
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,12 +14,12 @@ from ..contents import ByContents
 from ..errors import InputError, RunError
 from ..library.batch import Batch
 from ..library.engine import UNSOLVED
-from ..library.gait import Gait, gait_near
+from ..library.fixed_point import Closing
+from ..library.gait import Gait
 from ..library.return_map import Along
 from ..library.runner import Runner
 from ..library.shared_steps import SharedSteps, search_under_way, shares_steps
-from ..library.strides import newton_step, strides_from
-from ..numerics.newton import last_iterate
+from ..numerics.newton import solve
 
 MAX_STRIDES = 150_000
 """Of all runners of a search, about a second of two processors."""
@@ -43,8 +42,8 @@ KEPT = 2_048
 """Runners that go on after each look: those whose strides come back nearest."""
 PROMISING, MAX_TRIED = 12, 48
 """Points from which Newton's method begins: after each look, and in the end of all looks together."""
-ITERATIONS, SHORTENINGS, GAIN, CLOSE = 16, 6, 0.9, 1e-6
-"""Of each, to within so much of the scales, as long as a step makes what is left smaller by this factor."""
+ITERATIONS, SHORTENINGS, GAIN = 20, 6, 0.9
+"""Steps of each, lengths at which a step is tried, and the share of the residual that it may leave."""
 APART = 1e-2
 """Over the scales: a point as near to one that was tried is not tried."""
 SAME = 1e-6
@@ -173,7 +172,7 @@ class _Found:
     """Gaits by Newton's method from one point after the other."""
 
     def __init__(self, runner: Runner, along: Along | None, work: SharedSteps) -> None:
-        self.runner, self.along, self.work = runner, along, work
+        self.runner, self.closing, self.work = runner, Closing(runner, along=along), work
         self.gaits: list[Gait] = []
         self._tried: list[NDArray[np.float64]] = []
 
@@ -192,11 +191,15 @@ class _Found:
         ):
             return
         self._tried.append(apex)
-        with contextlib.suppress(InputError, RunError, np.linalg.LinAlgError):
-            near = self._approached(apex)
-            if near is None or self._is_near(near, [gait.apex for gait in self.gaits], SAME):
-                return
-            gait = gait_near(self.runner, near, along=self.along)
+        with contextlib.suppress(InputError, RunError):
+            near = solve(
+                self.closing,
+                apex / self.runner.scales,
+                iterations=ITERATIONS,
+                shortenings=SHORTENINGS,
+                gain=GAIN,
+            )
+            gait = self.closing.gait(near.x * self.runner.scales)
             known = [other.apex for other in self.gaits]
             if gait.stride["length"] > 0.0 and not self._is_near(gait.apex, known, SAME):
                 self.gaits.append(gait)
@@ -205,33 +208,3 @@ class _Found:
         self, apex: NDArray[np.float64], others: Sequence[NDArray[np.float64]], distance: float
     ) -> bool:
         return any(np.linalg.norm((apex - other) / self.runner.scales) < distance for other in others)
-
-    def _approached(self, apex: NDArray[np.float64]) -> NDArray[np.float64] | None:
-        """A point next to a gait; None as soon as Newton's method does not lead to one at a good pace."""
-        strides, _ = last_iterate(
-            self,
-            self._strides_from(apex),
-            iterations=ITERATIONS,
-            shortenings=SHORTENINGS,
-            bound=lambda error: GAIN * error,
-        )
-        return strides.apex if self.is_solved(strides) else None
-
-    def error(self, strides: Gait) -> float:
-        """See `numerics.newton.Equations`."""
-        return strides.error
-
-    def is_solved(self, strides: Gait) -> bool:
-        """Whether the C library's own method takes over."""
-        return strides.error < CLOSE
-
-    def step(self, strides: Gait) -> NDArray[Any]:
-        """The whole step of Newton's method."""
-        return newton_step(strides)
-
-    def moved(self, strides: Gait, step: NDArray[Any]) -> Gait:
-        """The strides from a step further."""
-        return self._strides_from(strides.apex + step)
-
-    def _strides_from(self, apex: NDArray[np.float64]) -> Gait:
-        return strides_from(self.runner, apex)

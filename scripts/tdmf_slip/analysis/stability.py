@@ -9,7 +9,8 @@ from numpy.typing import NDArray
 
 from ..contents import ByContents
 from ..errors import InputError, RunError
-from ..library.gait import Gait, gait_near
+from ..library.fixed_point import gait_near
+from ..library.gait import Gait
 from ..library.members import check_varied
 from ..library.runner import Runner
 from ..terminal.progress import Bar, progress_bar

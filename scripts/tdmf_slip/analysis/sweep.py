@@ -15,7 +15,8 @@ from ..contents import ByContents
 from ..drawable import Drawable
 from ..errors import InputError, RunError
 from ..given import mapping_of
-from ..library.gait import Gait, settled_gait
+from ..library.fixed_point import settled_gait
+from ..library.gait import Gait
 from ..library.members import check_has_gaits, varied_alone
 from ..library.runner import Runner
 from ..library.shared_steps import shares_steps

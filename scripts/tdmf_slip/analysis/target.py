@@ -7,19 +7,20 @@ method solves P(z, p) - z = 0 and q(z, p) = the target, all over their scales.
 import contextlib
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
+from functools import partial
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ..contents import ByContents
 from ..errors import InputError, RunError
-from ..library.gait import Gait, gait_near
+from ..library.fixed_point import gait_near
+from ..library.gait import Gait
 from ..library.quantities import scales_of
 from ..library.runner import Runner
-from ..library.varied_stride import VariedStride, varied_stride
-from ..numerics.halving import walk
-from ..numerics.newton import last_iterate
+from ..library.varied_stride import VariedStride, plain_stride, varied_stride
+from ..numerics.halving import halved, walk
+from ..numerics.newton import solve
 
 NEWTON_ITERATIONS, SHORTENINGS = 40, 6
 """To what is prescribed at once."""
@@ -29,8 +30,8 @@ CLOSE_ITERATIONS, CLOSE_SHORTENINGS = 10, 3
 """Where a point is near a gait that is sought, or else is of no use."""
 STEPS = 40
 """Of the way from the first gait's quantities to those prescribed, with those that are refused."""
-CONVERGED, GOOD_ENOUGH = 1e-13, 1e-11
-"""Largest difference of apex and next apex over the scales, and of quantities over those prescribed."""
+LEAST_ITERATIONS, LEAST_STEP = 30, 1e-7
+"""To the least change of parameters, and the last step there, over the parameters' values."""
 SHORTEST_SHARE = 5e-3
 """Of the way from the first gait's quantities to those prescribed."""
 
@@ -87,6 +88,15 @@ class Target:
             raise RunError(str(problem)) from None
         return Iterate(at, varied)
 
+    def plain(self, at: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+        """What is left over of the stride from a point, over the scales, and its quantities."""
+        apex = (at * self.scales)[: len(self._apex_scales)]
+        try:
+            stride = plain_stride(self.runner_at(at), apex, self.names)
+        except InputError as problem:
+            raise RunError(str(problem)) from None
+        return stride.left_over / self._apex_scales, stride.quantities
+
     def gait(self, iterate: Iterate) -> Gait:
         """The gait at a point where the stride leads back to its apex."""
         return gait_near(self.runner_at(iterate.at), (iterate.at * self.scales)[: len(self._apex_scales)])
@@ -113,7 +123,7 @@ class Target:
         has and what is prescribed, a share at a time.
         """
         with contextlib.suppress(RunError):
-            return self._by_newton(iterate, self.prescribed), 1.0
+            return self._solved(iterate.at, self.prescribed), 1.0
         begin, way = iterate.varied.quantities, self.prescribed - iterate.varied.quantities
         attempts = iter(range(steps))
 
@@ -121,7 +131,7 @@ class Target:
             if next(attempts, None) is None:
                 raise RunError("too many steps on the way to the target")
             goal = self.prescribed if to == 1.0 else begin + to * way
-            return self._by_newton(iterate, goal, CLOSE_ITERATIONS, CLOSE_SHORTENINGS)
+            return self._solved(iterate.at, goal, CLOSE_ITERATIONS, CLOSE_SHORTENINGS)
 
         done = 0.0
         with contextlib.suppress(RunError):
@@ -131,21 +141,52 @@ class Target:
 
     def closed_near(self, at: NDArray[np.float64]) -> Iterate:
         """The gait near a point, by the shortest steps that lead to one."""
-        return self._by_newton(self.evaluate(at), None, CLOSE_ITERATIONS, CLOSE_SHORTENINGS)
+        return self._solved(at, None, CLOSE_ITERATIONS, CLOSE_SHORTENINGS)
 
-    def _by_newton(
+    def least_changed(self, iterate: Iterate, begin: Iterate) -> Iterate:
+        """The gait that meets the target with the least change of the varied parameters, over their values.
+
+        By the method of Gauss and Newton along the gaits that meet the target. Where the change no longer
+        gets smaller by much, or no nearer gait meets the target, the search ends.
+        """
+        count = len(self._apex_scales)
+        change = float(np.linalg.norm(iterate.at[count:] - begin.at[count:]))
+        for _ in range(LEAST_ITERATIONS):
+            tangents = null_space(self.rows(iterate))
+            step = -tangents @ np.linalg.lstsq(tangents[count:], iterate.at[count:] - begin.at[count:])[0]
+            if not np.max(np.abs(step[count:]), initial=0.0) > LEAST_STEP:
+                break
+            step *= min(1.0, LONGEST_STEP / float(np.max(np.abs(step))))
+            try:
+                attempt = partial(self._nearer, iterate, begin, step, change)
+                (iterate, change), _ = halved(attempt, 1.0, SHORTEST_SHARE)
+            except RunError:
+                break
+        return iterate
+
+    def _nearer(
+        self, iterate: Iterate, begin: Iterate, step: NDArray[np.float64], change: float, share: float
+    ) -> tuple[Iterate, float]:
+        """A gait a share of a step away that meets the target, and its change, which has to be smaller."""
+        found = self._solved(iterate.at + share * step, self.prescribed, CLOSE_ITERATIONS, CLOSE_SHORTENINGS)
+        count = len(self._apex_scales)
+        changed = float(np.linalg.norm(found.at[count:] - begin.at[count:]))
+        if not changed < change:
+            raise RunError("the change does not get smaller")
+        return found, changed
+
+    def _solved(
         self,
-        iterate: Iterate,
+        at: NDArray[np.float64],
         goal: NDArray[np.float64] | None,
         iterations: int = NEWTON_ITERATIONS,
         shortenings: int = SHORTENINGS,
     ) -> Iterate:
-        """With quantities as the goal says, or with whatever they are."""
-        closing = _Closing(self, goal)
-        iterate, _ = last_iterate(closing, iterate, iterations=iterations, shortenings=shortenings)
-        if closing.largest(iterate) > GOOD_ENOUGH:
-            raise RunError("Newton's method does not converge")
-        return iterate
+        """The gait near a point with quantities as the goal says, or with whatever they are."""
+        found = solve(
+            _Closing(self, goal), at, iterations=iterations, shortenings=shortenings, longest=LONGEST_STEP
+        )
+        return self.evaluate(found.x)
 
     def gap(self, iterate: Iterate) -> float:
         """How far a gait is from the target: the root of the sum of squared deviations."""
@@ -154,31 +195,28 @@ class Target:
 
 @dataclass(frozen=True, eq=False)
 class _Closing(ByContents):
-    """That a stride closes and, with a goal, that its quantities are these."""
+    """Equations of a stride that closes and, with a goal, whose quantities are these."""
 
     target: Target
     goal: NDArray[np.float64] | None
 
-    def error(self, iterate: Iterate) -> float:
-        return float(np.linalg.norm(self._off(iterate)))
+    def residual(self, x: NDArray[np.float64]) -> NDArray[np.float64]:
+        """What is left over of the stride, then the quantities' deviations, over the scales."""
+        return self._off(*self.target.plain(x))
 
-    def largest(self, iterate: Iterate) -> float:
-        return float(np.max(np.abs(self._off(iterate))))
+    def linearize(self, x: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+        """The residual and its exact Jacobian."""
+        iterate = self.target.evaluate(x)
+        residual = self._off(self.target.closing(iterate), iterate.varied.quantities)
+        return residual, self.target.rows(iterate)[: len(residual)]
 
-    def is_solved(self, iterate: Iterate) -> bool:
-        return self.largest(iterate) <= CONVERGED
-
-    def step(self, iterate: Iterate) -> NDArray[Any]:
-        """Of least length, and no longer than `LONGEST_STEP`."""
-        off = self._off(iterate)
-        step: NDArray[Any] = np.linalg.lstsq(self.target.rows(iterate)[: len(off)], -off)[0]
-        return step * min(1.0, LONGEST_STEP / (float(np.max(np.abs(step))) or 1.0))
-
-    def moved(self, iterate: Iterate, step: NDArray[Any]) -> Iterate:
-        return self.target.evaluate(iterate.at + step)
-
-    def _off(self, iterate: Iterate) -> NDArray[np.float64]:
-        closing = self.target.closing(iterate)
+    def _off(self, closing: NDArray[np.float64], quantities: NDArray[np.float64]) -> NDArray[np.float64]:
         if self.goal is None:
             return closing
-        return np.append(closing, (iterate.varied.quantities - self.goal) / self.target.quantity_scales)
+        return np.append(closing, (quantities - self.goal) / self.target.quantity_scales)
+
+
+def null_space(rows: NDArray[np.float64]) -> NDArray[np.float64]:
+    """An orthonormal basis of the null space, in columns, for rows that are independent."""
+    basis: NDArray[np.float64] = np.linalg.svd(rows)[2][len(rows) :].T
+    return basis

@@ -77,8 +77,8 @@ def find_gait(
     so that the same gait is found each time; the search takes a second or two.
 
     With a target, Newton's method goes on from there on apex and varied parameters at once; where it fails,
-    through targets in between. Derivatives are exact. Where more parameters are varied than prescribed
-    quantities ask for, each step is the shortest one, over their values.
+    through targets in between. Derivatives are exact. Where more parameters are varied than quantities are
+    prescribed, no gait nearby meets the target with a smaller change of the parameters, over their values.
 
     Parameters
     ----------
@@ -155,6 +155,8 @@ def find_gait(
         if share < 1.0:
             helps = parameters_that_help(system, nearest, first, progress)
             raise _not_met(system, nearest, helps)
+    if len(names) > len(wanted):
+        iterate = system.least_changed(iterate, begin)
     return _met(system, iterate)
 
 

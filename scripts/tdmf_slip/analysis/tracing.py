@@ -9,7 +9,8 @@ import numpy as np
 from ..checks import checked, checked_flag, checked_whole, number_of, refusal
 from ..errors import InputError, RunError
 from ..given import row_of
-from ..library.gait import Gait, check_is_gait, settled_gait
+from ..library.fixed_point import settled_gait
+from ..library.gait import Gait, check_is_gait
 from ..library.members import varied_alone
 from ..library.runner import Runner
 from ..library.shared_steps import shares_steps

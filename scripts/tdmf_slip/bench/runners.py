@@ -8,7 +8,8 @@ from numpy.typing import NDArray
 
 from ..contents import ByContents
 from ..library.batch import Batch
-from ..library.gait import Gait, settled_gait
+from ..library.fixed_point import settled_gait
+from ..library.gait import Gait
 from ..library.runner import Runner
 from ..library.tables import Table
 from .accuracy import fastest

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..errors import InputError, RunError
-from ..library.gait import gait_near
+from ..library.fixed_point import gait_near
 from ..library.varied_stride import plain_stride, varied_stride
 from .problem import FIRST_STEP, Problem
 

@@ -13,7 +13,8 @@ from numpy.typing import NDArray
 from ..analysis.search import periodic_gait
 from ..checks import checked_flag, checked_whole
 from ..errors import InputError, RunError
-from ..library.gait import Gait, gait_near
+from ..library.fixed_point import gait_near
+from ..library.gait import Gait
 from ..library.runner import Runner
 from ..library.section import Apex
 from ..library.shared_steps import shares_steps

@@ -12,7 +12,8 @@ from numpy.typing import NDArray
 
 from ..contents import ByContents
 from ..errors import InputError, RunError
-from ..library.gait import Gait, gait_near
+from ..library.fixed_point import gait_near
+from ..library.gait import Gait
 from ..library.quantities import scales_of
 from ..library.runner import Runner
 from ..library.varied_gait import VariedGait, varied_gait

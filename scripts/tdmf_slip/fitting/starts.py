@@ -9,7 +9,8 @@ from ..analysis.beginnings import around
 from ..analysis.linkage import linked
 from ..analysis.settled import evenly, settled_gaits
 from ..errors import InputError, RunError
-from ..library.gait import Gait, gait_near
+from ..library.fixed_point import gait_near
+from ..library.gait import Gait
 from ..library.runner import Runner
 from ..library.varied_stride import plain_stride
 from .measurements import Measurements

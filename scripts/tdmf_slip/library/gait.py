@@ -1,10 +1,7 @@
-"""Periodic gaits as fixed points of the return map, stable or not, with their eigenvalues.
-
-The C library does the work: one stride with its exact Jacobian, and Newton's method on it.
-"""
+"""Periodic gaits as fixed points of the return map, stable or not, with their eigenvalues."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from functools import cached_property
 from importlib import import_module
 from pathlib import Path
@@ -16,22 +13,18 @@ from numpy.typing import NDArray
 from ..checks import check_kind
 from ..contents import ByContents
 from ..drawable import Drawable
-from ..errors import GaitNotFoundError
 from ..record import origin_of
 from ..variables.table import FRICTION
-from .binding import c, ffi
+from .binding import ffi
 from .c_structs import RETURN, viewed
-from .maps import map_of, why_no_gait
-from .members import check_comes_down, check_has_gaits
 from .quantities import LEDGER as LEDGER
 from .quantities import MEASURES, STRIDE_QUANTITIES, Quantities, weight_of
 from .refusals import text_of
-from .return_map import Along, derivatives, seed_of
+from .return_map import Along, derivatives
 from .runner import Runner
-from .section import COORDINATES, REDUCED, Apex, checked_apex
+from .section import COORDINATES, REDUCED
 from .word import Event, Letter, letters_of, recorded
 
-SETTLING_STRIDES = 400
 REPORTED = ("period", "length", "speed", "work", "cost_of_transport")
 """Those that a gait is told by."""
 PARTS = ("rise", "hip_work", "leg_work", *LEDGER)
@@ -158,7 +151,7 @@ class Gait(ByContents, Drawable):
     @property
     def stable(self) -> bool:
         """All eigenvalues are inside the unit circle."""
-        return self.lambda_max < 1.0
+        return bool(np.all(np.abs(self.eigenvalues) < 1.0))
 
     @cached_property
     def letters(self) -> tuple[Letter, ...]:
@@ -192,37 +185,6 @@ class Gait(ByContents, Drawable):
 def check_is_gait(given: object, what: str) -> None:
     """Refuse what is no gait of the return map."""
     check_kind(given, Gait, what, "a Gait, as find_gait gives")
-
-
-def gait_near(runner: Runner, guess: Apex, *, along: Along | None = None) -> Gait:
-    """The periodic gait near a guess, by Newton's method."""
-    return _search(runner, checked_apex(guess, runner.coordinates), 0, along)
-
-
-def settled_gait(runner: Runner, *, along: Along | None = None) -> Gait:
-    """The periodic gait that a runner settles on from its start, at the end by Newton's method."""
-    check_has_gaits(runner[FRICTION])
-    return _search(runner, runner.start_apex(), SETTLING_STRIDES, along)
-
-
-def _search(runner: Runner, apex: NDArray[np.float64], settling: int, along: Along | None) -> Gait:
-    """By Newton's method, after so many strides."""
-    check_has_gaits(runner[FRICTION])
-    check_comes_down(runner)
-    seed, map = seed_of(along), map_of(runner)
-    log: Any = ffi.new("tdmf_event_log *")
-    solver, section = runner.solver(log), ffi.new("double[]", list(apex))
-    ran = settling and map.settle(solver, runner.c_system, settling, section)
-    found = map.find(solver, runner.c_system, section, seed, seed != ffi.NULL)
-    if found.outcome != c.TDMF_ORBIT_FOUND:
-        raise GaitNotFoundError(why_no_gait(runner, found, ran < settling, ran, solver))
-    log.count = 0
-    fixed_point = list(found.apex)[: len(apex)]
-    stride = map.measured_stride(solver, runner.c_system, fixed_point, np.inf, False, ffi.NULL, 0)
-    if not runner.reduced:
-        found.stride.measures = stride.measures
-    gait = gait_of_stride(runner, np.array(fixed_point), found.stride, log, along)
-    return replace(gait, error=found.error, iterations=found.iterations)
 
 
 def gait_of_stride(

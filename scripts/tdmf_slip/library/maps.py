@@ -9,7 +9,6 @@ from dataclasses import dataclass
 from typing import Any
 
 from ..errors import InputError
-from ..variables.table import FRICTION
 from .binding import c
 from .refusals import text_of
 from .runner import Runner
@@ -28,8 +27,6 @@ class Map:
     """The same, with what is measured along the stride."""
     settle: Callable[..., int]
     """Of solver, system, strides and the apex, which becomes the last one: how many closed."""
-    find: Callable[..., Any]
-    """Of solver, system, a guess, seeds and how many: the fixed point near the guess."""
 
 
 def map_of(runner: Runner) -> Map:
@@ -49,26 +46,6 @@ def refuse_patch(values: Mapping[str, float]) -> None:
         )
 
 
-def why_no_gait(runner: Runner, found: Any, settling: bool, ran: int, solver: Any) -> str:
-    """Why a search found no gait, in words; where the solver gave up, nothing is known of one."""
-    at = f"at friction {runner[FRICTION]:g}"
-    if found.outcome == c.TDMF_ORBIT_UNSOLVED:
-        return (
-            f"the search for a gait {at} was given up: {why_no_return(found.stride)}, after "
-            f"{solver.strides:,} strides, {solver.steps:,} steps and {solver.events:,} events"
-        )
-    where = f"no gait {at}"
-    if found.outcome != c.TDMF_ORBIT_NOT_FOUND:
-        why = why_no_return(found.stride)
-        return f"{where}: " + (
-            f"{why}, after {ran} strides" if settling else f"from the apex that was tried, {why}"
-        )
-    return (
-        f"{where}: Newton's method stopped after {found.iterations} iterations "
-        f"with the next apex {found.error:.2g} of its scales away"
-    )
-
-
 def why_no_return(stride: Any) -> str | None:
     """What ended a stride, in words to follow in a message; None where it closed."""
     if stride.outcome == c.TDMF_RETURN_CLOSED:
@@ -83,12 +60,10 @@ _MAPS: Mapping[bool, Map] = {
         stride=c.tdmf_return_map,
         measured_stride=c.tdmf_measured_return_map,
         settle=c.tdmf_settle,
-        find=c.tdmf_find_orbit,
     ),
     True: Map(
         stride=c.tdmf_reduced_map,
         measured_stride=c.tdmf_reduced_map,
         settle=c.tdmf_settle_reduced,
-        find=c.tdmf_find_reduced_orbit,
     ),
 }

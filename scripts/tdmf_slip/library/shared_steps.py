@@ -61,6 +61,17 @@ def search_under_way() -> SharedSteps:
     return _SEARCH.get() or SharedSteps()
 
 
+def joins_search(search: Callable[Given, Result]) -> Callable[Given, Result]:
+    """Make a function part of the search that calls it, and by itself a search."""
+    alone = shares_steps(search)
+
+    @wraps(search)
+    def joining(*given: Given.args, **named: Given.kwargs) -> Result:
+        return (search if _SEARCH.get() else alone)(*given, **named)
+
+    return joining
+
+
 def shares_steps(search: Callable[Given, Result]) -> Callable[Given, Result]:
     """Make a function a search. A search within it has steps of its own."""
 

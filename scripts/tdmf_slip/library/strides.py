@@ -1,21 +1,17 @@
-"""Strides in a row from an apex with their exact Jacobian, and gaits that repeat themselves after several.
-
-With the map P^n of n strides and its Jacobian J, a step of Newton's method solves (I - J) dz = P^n(z) - z.
-"""
+"""Strides in a row from an apex with their exact Jacobian, whether they lead back to it or not."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ..errors import RunError
-from ..numerics.newton import last_iterate
 from ..variables.table import FRICTION
 from .binding import ffi
 from .c_structs import LONGEST_STRIDE
-from .gait import Gait, gait_near, gait_of_stride
+from .gait import Gait, gait_of_stride
 from .maps import map_of, why_no_return
 from .members import check_comes_down, check_has_gaits
 from .quantities import APEX_QUANTITIES, weight_of
@@ -24,10 +20,6 @@ from .runner import Runner
 from .section import Apex, checked_apex
 from .word import Event
 
-NEWTON_ITERATIONS = 40
-SHORTENINGS = 12
-CONVERGED, GOOD_ENOUGH = 1e-13, 1e-11
-"""Largest difference of the apex and the last one, over the coordinates' scales."""
 BETWEEN_WORDS = " "
 
 
@@ -39,51 +31,6 @@ def strides_from(runner: Runner, apex: Apex, strides: int = 1, *, along: Along |
     while len(made) < strides:
         made.append(_stride(runner, made[-1][0], along))
     return _joined([gait for _, gait in made], made[-1][0])
-
-
-def repeated_gait_near(runner: Runner, guess: Apex, strides: int = 1, *, along: Along | None = None) -> Gait:
-    """The gait near a guess that repeats itself after some strides, by Newton's method."""
-    if strides == 1:
-        return gait_near(runner, guess, along=along)
-    gait, iterations = last_iterate(
-        _Repetition(strides, along),
-        strides_from(runner, guess, strides, along=along),
-        iterations=NEWTON_ITERATIONS,
-        shortenings=SHORTENINGS,
-    )
-    gait = replace(gait, iterations=iterations)
-    if gait.error > GOOD_ENOUGH:
-        raise RunError(
-            f"no gait of {strides} strides at friction {gait.friction:g}: Newton's method stopped after "
-            f"{gait.iterations} iterations with the last apex {gait.error:.2g} of its scales away"
-        )
-    return gait
-
-
-@dataclass(frozen=True)
-class _Repetition:
-    """That an apex comes back after some strides."""
-
-    strides: int
-    along: Along | None
-
-    def error(self, gait: Gait) -> float:
-        return gait.error
-
-    def is_solved(self, gait: Gait) -> bool:
-        return gait.error <= CONVERGED
-
-    def step(self, gait: Gait) -> NDArray[Any]:
-        return newton_step(gait)
-
-    def moved(self, gait: Gait, step: NDArray[Any]) -> Gait:
-        return strides_from(gait.runner, gait.apex + step, self.strides, along=self.along)
-
-
-def newton_step(gait: Gait) -> NDArray[Any]:
-    """From the apex of strides to where, by their Jacobian, they come back to it."""
-    step: NDArray[Any] = np.linalg.solve(np.eye(len(gait.apex)) - gait.jacobian, gait.left_over)
-    return step
 
 
 def longest_stride(runner: Runner) -> float:

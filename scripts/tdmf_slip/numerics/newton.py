@@ -1,98 +1,138 @@
-"""Newton's method with damping: steps that do not make the error smaller are shortened by halves."""
+"""Newton's method that keeps its Jacobian while steps without a new one converge.
 
-from collections.abc import Callable, Iterator
-from typing import Any, Protocol, TypeAlias, TypeVar
+A stride with its exact Jacobian costs as much as seventeen plain ones. So the Jacobian is computed where the
+last step did not make the residual ten times smaller, and kept where it did. A step by a kept Jacobian that
+does less is undone. So a search takes the damped steps of Newton's method, and plain strides near its end.
+"""
+
+from dataclasses import dataclass
+from typing import Any, Protocol, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ..errors import RunError
+from ..errors import InputError, RunError
 
-Iterate = TypeVar("Iterate")
+KEPT = 0.1
+"""A Jacobian is kept as long as each step leaves at most this share of the residual."""
+CONVERGED, GOOD_ENOUGH = 1e-13, 1e-11
+"""Residual at which the search stops, and that of a solution where rounding leaves more."""
 
-Bound: TypeAlias = Callable[[float], float]
-"""Of the error behind a step, by that before it: a step that does not come below is shortened."""
-
-
-def same_error(error: float) -> float:
-    """Any step serves that makes the error smaller."""
-    return error
+Vector: TypeAlias = NDArray[np.float64]
+Matrix: TypeAlias = NDArray[np.float64]
 
 
-class Equations(Protocol[Iterate]):
-    """What is solved: an iterate is a point with all that is evaluated there."""
+class Equations(Protocol):
+    """Equations in scaled unknowns. Both methods raise RunError or InputError where there is no value."""
 
-    def error(self, iterate: Iterate) -> float:
-        """What a step has to make smaller."""
+    def residual(self, x: Vector) -> Vector:
+        """Residual, shape (m,)."""
 
-    def is_solved(self, iterate: Iterate) -> bool:
-        """Whether no more steps are taken."""
-
-    def step(self, iterate: Iterate) -> NDArray[Any]:
-        """The whole step of Newton's method; LinAlgError where there is none."""
-
-    def moved(self, iterate: Iterate, step: NDArray[Any]) -> Iterate:
-        """The iterate a step further; RunError where nothing can be evaluated there."""
+    def linearize(self, x: Vector) -> tuple[Vector, Matrix]:
+        """Residual and exact Jacobian, shape (m, n)."""
 
 
-def newton_iterates(
-    equations: Equations[Iterate],
-    begin: Iterate,
+@dataclass(frozen=True, eq=False)
+class Iterate:
+    """A point of the search."""
+
+    x: Vector
+    """Unknowns."""
+    residual: Vector
+    """Residual of the equations."""
+    iterations: int = 0
+    """Number of steps until here."""
+
+    @property
+    def error(self) -> float:
+        """Largest residual."""
+        return float(np.max(np.abs(self.residual)))
+
+
+class NotSolvedError(RunError):
+    """The residual no longer gets smaller, and is too large for a solution."""
+
+    def __init__(self, last: Iterate) -> None:
+        """With the last iterate."""
+        super().__init__(
+            f"Newton's method stopped after {last.iterations} iterations with a residual of {last.error:.2g}"
+        )
+        self.last = last
+
+
+def solve(
+    equations: Equations,
+    x: Vector,
     *,
-    iterations: int,
-    shortenings: int,
-    bound: Bound = same_error,
-) -> Iterator[tuple[Iterate, NDArray[Any] | None]]:
-    """The iterates with the whole step from each, and the last one without.
+    jacobian: Matrix | None = None,
+    iterations: int = 40,
+    shortenings: int = 12,
+    gain: float = 1.0,
+    longest: float = np.inf,
+) -> Iterate:
+    """Solve equations from an initial guess; with fewer equations than unknowns by the shortest steps.
 
-    There are so many steps at the most. So many lengths of a step are tried, all of it, a half and so on, and
-    the iterates end where none serves. Where nothing can be evaluated even by the shortest, RunError is
-    raised, where there is no step LinAlgError.
+    `jacobian` is one from nearby. A damped step is tried at so many lengths, each half of the one before,
+    until it leaves less than `gain` of the residual; it changes no unknown by more than `longest`. With no
+    shortenings whole steps are taken wherever they lead: where an event is just touched the map has a square
+    root, and only whole steps lead across.
+
+    Raises NotSolvedError, or what the equations raise at the initial guess.
     """
-    iterate = begin
-    for _ in range(iterations):
-        if equations.is_solved(iterate):
-            break
-        step = equations.step(iterate)
-        yield iterate, step
-        improved = _improved(equations, iterate, step, shortenings, bound)
-        if improved is None:
-            return
-        iterate = improved
-    yield iterate, None
+    at = Iterate(np.asarray(x, dtype=float), equations.residual(x))
+    is_exact = False
+    while at.iterations < iterations and not at.error <= CONVERGED:
+        if jacobian is None:
+            residual, jacobian = equations.linearize(at.x)
+            at, is_exact = Iterate(at.x, residual, at.iterations), True
+        step = _step(jacobian, at.residual, longest)
+        if is_exact:
+            following = _damped(equations, at, step, shortenings, gain)
+            if following is None:
+                break
+        else:
+            following = _moved(equations, at, step)
+        is_fast = following is not None and following.error <= KEPT * at.error
+        if following is not None and (is_exact or is_fast):
+            at = following
+        elif at.error <= GOOD_ENOUGH:
+            break  # what rounding leaves
+        jacobian, is_exact = jacobian if is_fast and shortenings else None, False
+    if not at.error <= GOOD_ENOUGH:
+        raise NotSolvedError(at)
+    return at
 
 
-def _improved(
-    equations: Equations[Iterate], iterate: Iterate, step: NDArray[Any], shortenings: int, bound: Bound
-) -> Iterate | None:
-    """The iterate at the longest part of a step that makes the error smaller; None where none does."""
-    largest = bound(equations.error(iterate))
-    for shortening in range(shortenings):
+def _step(jacobian: Matrix, residual: Vector, longest: float) -> Vector:
+    try:
+        if jacobian.shape[0] == jacobian.shape[1]:
+            step: NDArray[Any] = np.linalg.solve(jacobian, -residual)
+        else:
+            step = np.linalg.lstsq(jacobian, -residual)[0]
+    except np.linalg.LinAlgError:
+        raise RunError("Newton's method comes to where the Jacobian is singular") from None
+    length = float(np.max(np.abs(step)))
+    return step * (longest / length) if length > longest else step
+
+
+def _moved(equations: Equations, at: Iterate, step: Vector) -> Iterate | None:
+    """The next iterate; None where it has no residual."""
+    try:
+        return Iterate(at.x + step, equations.residual(at.x + step), at.iterations + 1)
+    except (InputError, RunError):
+        return None
+
+
+def _damped(equations: Equations, at: Iterate, step: Vector, shortenings: int, gain: float) -> Iterate | None:
+    """The iterate at the longest part of a step that serves; None where none does."""
+    if not shortenings:
         try:
-            tried = equations.moved(iterate, 0.5**shortening * step)
-        except RunError:
-            if shortening == shortenings - 1:
-                raise
-            continue
-        if equations.error(tried) < largest:
+            following = Iterate(at.x + step, equations.residual(at.x + step), at.iterations + 1)
+        except InputError as problem:
+            raise RunError(f"Newton's method leads to what is not allowed: {problem}") from None
+        return following if following.error < GOOD_ENOUGH or at.error > GOOD_ENOUGH else None
+    for shortening in range(shortenings):
+        tried = _moved(equations, at, 0.5**shortening * step)
+        if tried is not None and tried.error < gain * at.error:
             return tried
     return None
-
-
-def last_iterate(
-    equations: Equations[Iterate],
-    begin: Iterate,
-    *,
-    iterations: int,
-    shortenings: int,
-    bound: Bound = same_error,
-) -> tuple[Iterate, int]:
-    """Where `newton_iterates` ends for whatever reason, and after how many steps."""
-    iterate, steps = begin, 0
-    found = newton_iterates(equations, begin, iterations=iterations, shortenings=shortenings, bound=bound)
-    try:
-        for number, (further, _) in enumerate(found):
-            iterate, steps = further, number
-    except (RunError, np.linalg.LinAlgError):
-        pass
-    return iterate, steps

@@ -11,6 +11,8 @@ from ..library.runner import Runner
 
 AT_BOUND = 1e-9
 """Of the width of the bounds: what is as near to one is at it."""
+ROUNDING = 1e-14
+"""Distance from a bound, over the width, that rounding may leave."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -36,7 +38,12 @@ class Space(ByContents):
         return self.high - self.low
 
     def values(self, at: NDArray[np.float64]) -> dict[str, float]:
-        """The parameters' values, by name, at shares of the way from bound to bound."""
+        """The parameters' values, by name, at shares of the way from bound to bound.
+
+        A share that rounding keeps from a bound is at the bound.
+        """
+        near = np.round(at)
+        at = np.where(np.abs(at - near) <= ROUNDING, near, at)
         values = (1.0 - at) * self.low + at * self.high
         return dict(zip(self.bounds, map(float, values), strict=True))
 

@@ -10,7 +10,8 @@ from ..analysis.linkage import linked
 from ..analysis.settled import evenly, settled_gaits
 from ..contents import ByContents
 from ..errors import InputError, RunError
-from ..library.gait import Gait, gait_near
+from ..library.fixed_point import gait_near
+from ..library.gait import Gait
 from ..library.varied_stride import plain_stride
 from .problem import Problem
 from .space import Space

@@ -17,7 +17,8 @@ from ..analysis.patch import Meetings, contact_angle_of, meet_patch
 from ..analysis.targeted import find_gait
 from ..contents import ByContents
 from ..errors import RunError
-from ..library.gait import Gait, gait_near
+from ..library.fixed_point import gait_near
+from ..library.gait import Gait
 from ..library.runner import Runner
 from ..variables.table import FRICTION
 from .claims import Claim, alike

@@ -14,7 +14,8 @@ from numpy.typing import NDArray
 from ..analysis.stride_map import stride_map
 from ..analysis.targeted import find_gait
 from ..contents import ByContents
-from ..library.gait import Gait, gait_near
+from ..library.fixed_point import gait_near
+from ..library.gait import Gait
 from ..library.runner import Runner
 from ..variables.table import FRICTION
 from .guinea_fowl import GRAVITY, published

@@ -6,7 +6,8 @@ import numpy as np
 
 from ..analysis.comparison import compare
 from ..errors import RunError
-from ..library.gait import Gait, gait_near
+from ..library.fixed_point import gait_near
+from ..library.gait import Gait
 
 HOLD = ("speed", "apex_height", "apex_leg_angle")
 """With these equal the foot is carried as high at the apex, too."""

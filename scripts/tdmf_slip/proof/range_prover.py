@@ -16,7 +16,8 @@ from numpy.typing import NDArray
 
 from ..analysis.search import periodic_gait
 from ..errors import RunError
-from ..library.gait import Gait, gait_near
+from ..library.fixed_point import gait_near
+from ..library.gait import Gait
 from ..library.runner import Runner
 from .eigenvalues import eigenvalues, is_contracting
 from .exact import Exact, ball_of

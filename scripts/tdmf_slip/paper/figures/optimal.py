@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from ...analysis.search import periodic_gait
 from ...errors import RunError
-from ...library.gait import gait_near
+from ...library.fixed_point import gait_near
 from ...library.runner import Runner
 from ...optimization.optimizer import Optimizer
 from ...optimization.optimum import Optimum

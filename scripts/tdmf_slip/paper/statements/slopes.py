@@ -5,7 +5,8 @@ import math
 import numpy as np
 
 from ...errors import RunError
-from ...library.gait import Gait, gait_near
+from ...library.fixed_point import gait_near
+from ...library.gait import Gait
 from .claim import (
     ALL_BUT_HUMAN,
     ANGLE,

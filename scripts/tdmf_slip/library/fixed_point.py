@@ -1,0 +1,177 @@
+"""Fixed points of the return map: the gait near a guess, and the one that a runner settles on."""
+
+import contextlib
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..errors import GaitNotFoundError, RunError
+from ..numerics.newton import NotSolvedError, solve
+from ..variables.table import FRICTION
+from .binding import c, ffi
+from .gait import Gait
+from .maps import map_of, why_no_return
+from .members import check_comes_down, check_has_gaits
+from .return_map import Along, derivatives, seed_of
+from .runner import Runner
+from .section import Apex, checked_apex
+from .shared_steps import joins_search, search_under_way
+from .strides import longest_stride, strides_from
+
+SETTLING_STRIDES = 400
+"""Strides of a runner that settles, at most."""
+LOOK = 8
+"""Strides between two looks at how near to its start a stride comes back."""
+NEAR = 3e-3
+"""Over the scales: after a stride that comes back as near, Newton's method is tried."""
+
+
+class Closing:
+    """Equations of a gait: after some strides, the apex over the scales is the first one.
+
+    With the map P^n of n strides and its Jacobian J, the residual is P^n(z) - z and its Jacobian J - I.
+    """
+
+    def __init__(
+        self,
+        runner: Runner,
+        strides: int = 1,
+        along: Along | None = None,
+        scales: NDArray[np.float64] | None = None,
+    ) -> None:
+        """So many strides of a runner; `along` names what the gait is differentiated by, too.
+
+        The scales are the runner's own, unless others are given.
+        """
+        check_has_gaits(runner[FRICTION])
+        check_comes_down(runner)
+        self.runner, self.strides, self.along = runner, strides, along
+        self.map, self.system = map_of(runner), runner.c_system
+        self.scales = runner.scales if scales is None else scales
+        self.until = longest_stride(runner)
+        self.unsolved = ""
+        """What stopped the solver in the last stride that it did not get through."""
+
+    def residual(self, x: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Last apex minus first, over the scales."""
+        apex = x * self.scales
+        for _ in range(self.strides):
+            apex = self._next(self.stride(apex, False))
+        residual: NDArray[np.float64] = apex / self.scales - x
+        return residual
+
+    def linearize(self, x: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+        """The residual and its exact Jacobian."""
+        residual, jacobian, _ = self.varied(x)
+        return residual, jacobian
+
+    def varied(
+        self, x: NDArray[np.float64]
+    ) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
+        """The residual, its exact Jacobian, and its derivative along the parameter, which has no scale."""
+        apex, jacobian, along = x * self.scales, np.eye(len(x)), np.zeros(len(x))
+        for _ in range(self.strides):
+            stride = self.stride(apex, True)
+            by_apex, by_parameter = derivatives(self.runner, stride)
+            apex, jacobian, along = self._next(stride), by_apex @ jacobian, by_apex @ along + by_parameter
+        residual = apex / self.scales - x
+        return residual, scaled_less_one(jacobian, self.scales), along / self.scales
+
+    def stride(self, apex: NDArray[np.float64], varied: bool) -> Any:
+        """One stride from an apex; RunError where it does not close."""
+        self.unsolved = ""
+        seed = seed_of(self.along if varied else None)
+        stride = self.map.stride(
+            self.runner.solver(), self.system, apex.tolist(), self.until, varied, seed, seed != ffi.NULL
+        )
+        why_not = why_no_return(stride)
+        if why_not is not None:
+            self.unsolved = why_not if stride.outcome == c.TDMF_RETURN_UNSOLVED else ""
+            raise RunError(why_not)
+        return stride
+
+    def _next(self, stride: Any) -> NDArray[np.float64]:
+        return np.array(list(stride.apex)[: len(self.scales)])
+
+    def gait(self, apex: NDArray[np.float64], near: Gait | None = None) -> Gait:
+        """The gait near an apex; the Jacobian of a gait that is near may save some strides."""
+        jacobian = None if near is None else scaled_less_one(near.jacobian, self.scales)
+        try:
+            found = solve(self, apex / self.scales, jacobian=jacobian)
+        except NotSolvedError as problem:
+            raise self._not_found(
+                f"Newton's method stopped after {problem.last.iterations} iterations with the next apex "
+                f"{problem.last.error:.2g} of its scales away"
+            ) from None
+        except RunError as problem:
+            raise self._not_found(f"from the apex that was tried, {problem}") from None
+        at = found.x * self.scales if found.iterations else apex
+        gait = strides_from(self.runner, at, self.strides, along=self.along)
+        return replace(gait, iterations=found.iterations, left_over=np.zeros(len(at)))
+
+    def settled(self, apex: NDArray[np.float64]) -> Gait:
+        """The gait that a runner settles on from an apex.
+
+        A stable gait that Newton's method finds on the way ends the search. An unstable one counts only where
+        the runner has not settled after all strides.
+        """
+        section, made, look = ffi.new("double[]", apex.tolist()), 0, LOOK
+        while True:
+            look = min(look, SETTLING_STRIDES - made)
+            self._settle(look - 1, section, made)
+            before = np.array(list(section))
+            self._settle(1, section, made + look - 1)
+            after, made = np.array(list(section)), made + look
+            if made == SETTLING_STRIDES:
+                return self.gait(after)
+            if np.max(np.abs(after - before) / self.scales) < NEAR:
+                with contextlib.suppress(RunError):
+                    gait = self.gait(after)
+                    if gait.stable:
+                        return gait
+                look *= 2
+
+    def _settle(self, strides: int, section: Any, made: int) -> None:
+        """Strides from a section, which becomes the last one."""
+        closed: int = self.map.settle(self.runner.solver(), self.system, strides, section)
+        if closed < strides:
+            try:
+                self.stride(np.array(list(section)), False)
+            except RunError as problem:
+                raise self._not_found(f"{problem}, after {made + closed} strides") from None
+
+    def _not_found(self, why: str) -> GaitNotFoundError:
+        """With why none was found; where the solver gave up, nothing is known of a gait."""
+        at = f"at friction {self.runner[FRICTION]:g}"
+        if not self.unsolved:
+            kind = f" of {self.strides} strides" if self.strides > 1 else ""
+            return GaitNotFoundError(f"no gait{kind} {at}: {why}")
+        strides, steps, events = search_under_way().done()
+        return GaitNotFoundError(
+            f"the search for a gait {at} was given up: {self.unsolved}, after {strides:,} strides, "
+            f"{steps:,} steps and {events:,} events"
+        )
+
+
+def scaled_less_one(jacobian: NDArray[np.float64], scales: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Jacobian of the residual, over the scales, from that of the strides."""
+    return jacobian * scales / scales[:, None] - np.eye(len(scales))
+
+
+@joins_search
+def gait_near(
+    runner: Runner, guess: Apex, strides: int = 1, *, along: Along | None = None, near: Gait | None = None
+) -> Gait:
+    """The gait near a guess that repeats itself after some strides, by Newton's method.
+
+    The Jacobian of a gait that is near the one sought may save some strides.
+    """
+    return Closing(runner, strides, along).gait(checked_apex(guess, runner.coordinates), near)
+
+
+@joins_search
+def settled_gait(runner: Runner, *, along: Along | None = None) -> Gait:
+    """The gait that a runner settles on from its start, at the end by Newton's method."""
+    return Closing(runner, along=along).settled(runner.start_apex())
