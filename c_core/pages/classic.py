@@ -13,7 +13,6 @@ class ClassicSlip(Model):
         "m": lambda s: s.free_length,
         "m2": lambda s: s.free_length * s.free_length,
         "m/s": lambda s: s.free_length * sqrt(s.stiffness / s.mass),
-        "rad/s": lambda s: sqrt(s.stiffness / s.mass),
         "s": lambda s: sqrt(s.mass / s.stiffness),
         "J": lambda s: s.stiffness * s.free_length * s.free_length,
     }
@@ -87,7 +86,7 @@ class ClassicSlip(Model):
         """Start of a run."""
         return {}
 
-    @mode("way", time_scale=lambda s: 1 / (abs(s.retraction_rate) + s.margin_of("rad/s")))
+    @mode("way")
     def flight(s):
         """The mass is ballistic. The leg turns after the apex, on the way down."""
         rates = dict(x=s.vx, y=s.vy, vy=-s.gravity)

@@ -51,7 +51,7 @@ class ReducedRunner(Runner):
             return r.to("no_start")
         return r.to("flight", swing="place", placing=0).place_leg().open_stride()
 
-    @mode("swing", of="flight", time_scale=lambda r: 1 / (abs(r.retraction_rate) + r.margin_of("rad/s")))
+    @mode("swing", of="flight")
     def flight(r):
         """The centre of mass is ballistic. The leg turns after the apex."""
         total, fx, fy = r.body_mass + r.foot_mass, r.external_fx, r.external_fy

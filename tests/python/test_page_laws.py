@@ -5,9 +5,10 @@ import pytest
 from conftest import reference_gaits
 from independent_runner import Stride
 from page_runs import COMPILER, CompiledPage
+from scipy.optimize import brentq
 from test_page_runner import SECTION, section, world_of
 
-from c_core.hybrid import parameter, sin
+from c_core.hybrid import Model, cos, event, mode, parameter, sin, state
 from c_core.pages.runner import PlainRunner
 
 pytestmark = pytest.mark.skipif(COMPILER is None, reason="there is no C compiler")
@@ -90,3 +91,47 @@ def test_a_law_of_ten_lines_agrees_with_scipy_and_its_derivatives_with_differenc
             ends[sign] = section(page.start(**given).to(stop="apex"))
         found = (8 * (ends[1] - ends[-1]) - (ends[2] - ends[-2])) / (12 * step)
         assert exact[:, i] == pytest.approx(found, abs=1e-7 * (1 + np.abs(exact[:, i]).max()))
+
+
+class SpinningLeg(Model):
+    """A mass that falls while its leg turns steadily: its states are polynomials, its guards are not."""
+
+    start = "fall", {}
+    turn, gravity = parameter(1, "rad/s"), parameter(0.009, "m/s2")
+    length, height, speed = parameter(1, "m"), state(1, "m"), state(0, "m/s")
+    angle, first = state(1.15, "rad"), state(0)
+
+    @mode()
+    def fall(s):
+        return {"height": s.speed, "speed": -s.gravity, "angle": -s.turn}
+
+    @mode(ends=True)
+    def done(s):
+        return {}
+
+    @event("fall", when=lambda s: s.height + 0.15 * s.length * cos(s.angle), unit="m")
+    def body_lands(s):
+        return s.to("done", first=1)
+
+    @event("fall", when=lambda s: s.height - 0.85 * s.length * cos(s.angle), unit="m")
+    def foot_lands(s):
+        return s.to("done", first=2)
+
+
+@pytest.fixture(scope="module")
+def spinning():
+    return CompiledPage(SpinningLeg)
+
+
+@pytest.mark.parametrize("turn", [0.0004, 0.01, 1.0, 30.0])
+@pytest.mark.parametrize("until", [1e2, 1e4, 1e6, 1e9, 1e12, 1e30])
+def test_a_leg_that_spins_steadily_meets_its_first_event_however_far_a_run_goes(spinning, turn, until):
+    def above(time):
+        return 1 - 0.0045 * time**2 - 0.85 * np.cos(1.15 - turn * time)
+
+    times = np.linspace(0, 15, 200001)
+    at = np.argmax(above(times) < 0)
+    run = spinning.start(turn=turn, tolerance=1e-13).to(until)
+    assert (run.outcome, run.first) == ("ended", 2)
+    assert run.time == pytest.approx(brentq(above, *times[at - 1 : at + 1], xtol=1e-14), abs=1e-11)
+    assert run.run.steps < 200

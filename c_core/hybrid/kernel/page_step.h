@@ -13,6 +13,7 @@
 #include <string.h>
 
 static const double most_time_scales = 3.0; /* of a law in a step */
+static const double largest_size = 1e10;    /* powers of a step do not overflow */
 static const double divisor_change = 0.75;  /* of a divisor within a step, relative to it */
 static const double guard_tolerance = 10.0; /* of a guard's series, relative to that of a step */
 
@@ -154,7 +155,7 @@ static inline void choose_size(page_step *step, const series_remainder *remainde
     const tdmf_motion_kind *m = step->motion;
     const int order = step->order;
     step->reach = real_min(size_of_remainder(remainder, order - 1, broadcast(step->tolerance)), longest);
-    step->size = real_min(step->reach, left);
+    step->size = real_min(real_min(step->reach, left), broadcast(largest_size));
     set_powers(step->power, step->size, order);
     for (int i = 0; i < m->divisor_count; ++i) {
         const real *d = step->s[m->divisors[i]], most = divisor_change * real_abs(d[0]);
@@ -182,16 +183,20 @@ static inline void end_without_event(page_step *step, real share, mask lanes) {
     step->first = select_integer(lanes, integer_of(NO_EVENT), step->first);
 }
 
-/* Ends the step where the series of a guard or an observed quantity can be trusted no further: a leg that
+/* Shortens the step where the series of a guard or an observed quantity can be trusted no further: a leg that
  * spins steadily has states of few terms, and a sine in its guard. `allowed` is the largest of the last
- * terms. */
+ * terms. An event that was found behind the new end is forgotten. */
 static inline void trust(page_step *step, const real *g, real allowed, mask lanes) {
     const int order = step->order;
     const series_remainder remainder = {real_abs(g[order - 1]) * step->power[order - 1],
                                         real_abs(g[order - 2]) * step->power[order - 2]};
     lanes &= (remainder.last > allowed) | (remainder.last_but_one > allowed);
     if (any(lanes)) {
-        end_without_event(step, size_of_remainder(&remainder, order - 1, allowed), lanes);
+        const real share = size_of_remainder(&remainder, order - 1, allowed);
+        step->size = select(lanes, step->size * share, step->size);
+        step->end = select(lanes, step->end / share, step->end);
+        step->first = select_integer(lanes & (step->end > 1.0), integer_of(NO_EVENT), step->first);
+        set_powers(step->power, step->size, order);
     }
 }
 
