@@ -4,6 +4,8 @@ from ..hybrid import Model, clock, letters, observe, select, state
 
 STICK, FORWARD, BACKWARD = 2, 3, 1
 """Digits of the gait word in base 4; 0 is the bar before a new stance."""
+LONGEST_WORD, TOO_LONG = 26, -1
+"""Letters of a word that a double holds exactly; the code of a longer word."""
 
 
 class Stride(Model):
@@ -38,7 +40,8 @@ class Stride(Model):
     # The last completed stride.
     count = state(0, "1", "Number of completed strides", name="stride.count", values=int, least=0)
     word_code = state(
-        0, "1", "Gait word: + slip forward, 0 stick, - slip backward, | new stance", name="stride.word",
+        0, "1", "Gait word: + slip forward, 0 stick, - slip backward, | new stance; -1 for over 26 letters",
+        name="stride.word",
         values=letters("|-0+"))
     period = state(0, "s", "Period of the last stride, T", name="stride.period")
     distance = state(0, "m", "Distance covered in the last stride", name="stride.length")
@@ -91,10 +94,13 @@ class Stride(Model):
         if letter is None:
             return r
         after_bar = select(r.bar_is_due * r.word_so_far > 0, 4 * r.word_so_far, r.word_so_far)
+        longer = 4 * after_bar + letter
+        longer = select(longer < 4.0**LONGEST_WORD, longer, TOO_LONG)
+        longer = select(after_bar < 0, TOO_LONG, longer)
         is_new = select(abs(letter - r.last_letter) > 0, 1, r.bar_is_due)
         adds = select(lasted > 0, is_new, 0)
         return r.replace(
-            word_so_far=select(adds > 0, 4 * after_bar + letter, r.word_so_far),
+            word_so_far=select(adds > 0, longer, r.word_so_far),
             last_letter=select(lasted > 0, letter, r.last_letter),
             bar_is_due=select(lasted > 0, 0, r.bar_is_due))
 

@@ -171,7 +171,7 @@ def test_a_second_apex_closes_a_stride_after_the_lowest_rise(whole):
     weight, push, time = 1.1 * 0.01, 1e-8, 1e-2
     given = {"external_fy": weight + push, "external_fy_rate": -2 * push / time, "retraction_rate": 0.01}
     run = whole.start(**given, tolerance=1e-13, seen_vy=whole.start().seen_vy).to(5.0)
-    assert [at for at, name, *_ in run.log if name == "apex"] == pytest.approx([time], abs=1e-4)
+    assert [at for at, name, *_ in run.log if name == "apex"] == pytest.approx([time], abs=1e-7)
     assert (run.count, run.placing) == (1, pytest.approx(5.0 - time, abs=1e-4))
 
 
@@ -197,6 +197,35 @@ def test_peaks_are_the_largest_forces_of_modes_that_last(whole):
     assert run.more_torque == 0.1
     assert peaks == pytest.approx(np.max(forces, axis=0), rel=2e-3)
     assert (peaks >= np.max(forces, axis=0)).all()
+
+
+def test_a_gait_word_of_more_letters_than_a_double_holds_is_marked():
+    known, r = 0, Runner.at("stick", word_so_far=0.0, last_letter=0.0, bar_is_due=0.0)
+    for letters in range(1, 60):
+        mode, digit = ("slip", 3 if letters % 4 == 1 else 1) if letters % 2 else ("stick", 2)
+        law = {"law": "constant"} if mode == "slip" else {}
+        kept = {n: getattr(r, n) for n in ("word_so_far", "last_letter", "bar_is_due", "stance_so_far")}
+        r = Runner.at(mode, **law, way=digit - 2, time=letters, mode_began=letters - 1, **kept)
+        r, known = r.leaving(1), 4 * known + digit
+        assert r.word_so_far == (known if letters <= 26 else -1), letters
+
+
+@pytest.mark.parametrize("foot_mass", [0.1, 1e-4, 1e-7])
+@pytest.mark.parametrize("rate", [1e-3, -1e-3])
+def test_a_foot_that_bears_nothing_after_its_impact_stays_or_leaves_once(whole, foot_mass, rate):
+    """Without gravity, damping and servo the runner is at rest after the impact, until a torque starts."""
+    angle, speed = -0.3, 0.1
+    start = {"seen_y": 0, "seen_vx": 0, "seen_vy": -speed, "length": 1, "angle": angle,
+             "length_rate": speed * np.cos(angle), "angle_rate": -speed * np.sin(angle)}  # fmt: skip
+    given = {"gravity": 0, "damping": 0, "kp": 0, "kd": 0, "drive_torque": 0, "friction": 10}
+    run = whole.start(**start, **given, foot_mass=foot_mass, external_torque_rate=rate, tolerance=1e-13)
+    run.to(0.1 * np.sqrt(foot_mass))
+    names = [name for _, name, *_ in run.log if name in ("begins", "lift_off", "touchdown")]
+    assert names == (["begins"] if rate > 0 else ["begins", "lift_off"])
+    assert all(time == 0 for time, *_ in run.log)
+    if rate < 0:  # m_f y''' is the rate of the force, because the leg has hardly moved
+        height = rate * np.sin(angle) * run.time**3 / (6 * foot_mass)
+        assert run.world()["seen_y"] == pytest.approx(height, rel=2e-2)
 
 
 # ---- the table of the unit's variables --------------------------------------------------------------
