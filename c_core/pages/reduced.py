@@ -1,30 +1,19 @@
 """The reduced map: the leg is placed in flight as if by itself, so that an apex has two coordinates."""
 
 from ..hybrid import event, mode, output, section
-from .runner import Runner
+from .runner import RunnerOnOneLine
 
 
-class ReducedRunner(Runner):
+class ReducedRunner(RunnerOnOneLine):
     """After the apex the leg has the length l0 + u and the angle theta0 - omega t; after lift-off it is lost.
 
     Impact and stance are those of `Runner`. A stance ends where the stance law loads the foot no more.
     """
 
     friction_rate = extension_rate = external_fx_rate = external_fy_rate = external_torque_rate = 0
-    patch_begin = patch_end = patch_friction = by_stride = segment_height = segment_slope = 0
-    friction_ahead = friction_behind = -1
     kp = kd = liftoff_factor = swing_clamp = was_placed = placed_for = rises_again = 0
-    ground_segment = passes_end = passes_begin = next_segment_comes = crosses_border = None
     graze = wind_rises = new_ground = apex_in_graze = clamp = release = ramp_ends = None
     graze_to_contact = graze_to_flight = None
-
-    def on_segment(r, number):
-        """Nothing: there is one segment."""
-        return {}
-
-    def neighbours(r):
-        """Nothing: there is one segment."""
-        return {}
 
     def place_leg(r):
         """The leg at an apex, which begins to turn."""

@@ -389,23 +389,13 @@ class Runner(Hip, Friction, Leg, Ground, Stride, Model):
         of=lambda r: 1 if r.mode == "fallen" else 0)
 
 
-class PlainRunner(Runner):
-    """The runner on level ground with constant friction, driven by the hip alone. No input ramps."""
+class RunnerOnOneLine(Runner):
+    """The runner on ground that is one line, of one friction."""
 
-    height = slope = ground_height = ground_slope = more_angle = more_torque = more_thrust = 0
-    thrust = thrusting = extension = external_fx = external_fy = retraction_rate = 0
-    leg_work = external_work = leg_work_of_stride = leg_work_then = 0
-    static_ratio, friction_rate, external_torque_rate = 1, 0, 0
-    stribeck_velocity = patch_begin = patch_end = patch_friction = by_stride = 0
+    patch_begin = patch_end = patch_friction = by_stride = 0
     segment = segment_begin = segment_end = segment_height = segment_slope = 0
     friction_ahead = friction_behind = -1
-    vertical_so_far, vertical_force_on_foot, ramp_ends = 0, None, None
-    greatest_compression = new_ground = wind_rises = crosses_border = enters_layer = leaves_layer = None
-    ground_segment = passes_end = passes_begin = next_segment_comes = None
-
-    def peak_of_vertical_force(r):
-        """Largest vertical ground force, which is the normal force."""
-        return r.peak_force_so_far
+    ground_segment = passes_end = passes_begin = next_segment_comes = crosses_border = None
 
     def on_segment(r, number):
         """Nothing: there is one segment."""
@@ -414,3 +404,18 @@ class PlainRunner(Runner):
     def neighbours(r):
         """Nothing: there is one segment."""
         return {}
+
+
+class PlainRunner(RunnerOnOneLine):
+    """The runner on level ground with constant friction, driven by the hip alone. No input ramps."""
+
+    height = slope = ground_height = ground_slope = more_angle = more_torque = more_thrust = 0
+    thrust = thrusting = extension = external_fx = external_fy = retraction_rate = 0
+    leg_work = external_work = leg_work_of_stride = leg_work_then = 0
+    static_ratio, friction_rate, external_torque_rate = 1, 0, 0
+    stribeck_velocity, vertical_so_far, vertical_force_on_foot, ramp_ends = 0, 0, None, None
+    greatest_compression = new_ground = wind_rises = enters_layer = leaves_layer = None
+
+    def peak_of_vertical_force(r):
+        """Largest vertical ground force, which is the normal force."""
+        return r.peak_force_so_far
