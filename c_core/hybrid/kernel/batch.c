@@ -28,10 +28,11 @@ static bool has_width(const tdmf_model_kind *model, int i) {
             (widths[i].width != 8 || tdmf_processor_has_avx512()));
 }
 
-/* The row of a width, or that of the largest; -1: there is none. */
-static int row_of_width(const tdmf_model_kind *model, int width) {
+/* The row of a width; -1: there is none. Width 0 is the largest of which so many runs fill five eighths. */
+static int row_of_width(const tdmf_model_kind *model, int width, int64_t runs) {
     for (int i = WIDTHS - 1; i >= 0; --i) {
-        if ((width == 0 || width == widths[i].width) && has_width(model, i)) {
+        const bool suits = width == 0 ? i == 0 || 8 * runs > 5 * widths[i].width : width == widths[i].width;
+        if (suits && has_width(model, i)) {
             return i;
         }
     }
@@ -39,7 +40,7 @@ static int row_of_width(const tdmf_model_kind *model, int width) {
 }
 
 bool tdmf_batch_has_width(const tdmf_model_kind *model, int width) {
-    return row_of_width(model, width) >= 0;
+    return row_of_width(model, width, 0) >= 0;
 }
 
 int64_t tdmf_next_run(tdmf_batch_share *share) {
@@ -104,13 +105,16 @@ tdmf_batch tdmf_batch_default(void) {
 }
 
 bool tdmf_run_batch(const tdmf_model_kind *model, const tdmf_batch *batch, tdmf_batch_work *work) {
-    const int row = row_of_width(model, batch->width);
-    if (row < 0 || !is_sound(batch)) {
+    if (!is_sound(batch)) {
         return false;
     }
     const int threads = batch->threads <= batch->count ? batch->threads
                         : batch->count > 0             ? (int)batch->count
                                                        : 1;
+    const int row = row_of_width(model, batch->width, batch->count / threads);
+    if (row < 0) {
+        return false;
+    }
     job all = {.share = {model, batch, 0, threads},
                .run = widths[row].run,
                .works = calloc((size_t)threads, sizeof *all.works)};

@@ -23,7 +23,7 @@ typedef struct {
     tdmf_at_stop *at_stop;      /* NULL: a run that has stopped has ended */
     void *context;
     const int *cancel; /* once this is not 0, all runs end where they are; NULL */
-    int width;         /* lanes: 1, 2, 4 or 8; 0: as many as the build and the processor have */
+    int width;         /* lanes: 1, 2, 4 or 8; 0: as many as pay for so many runs, build and processor */
     int threads;
 } tdmf_batch;
 

@@ -15,7 +15,7 @@
 
 enum {
     UNDER_WAY = 40 * LANES, /* runners at once: enough that a full batch waits, few enough for the cache */
-    FEWEST = LANES > 4 ? 3 : 2, /* runners for which a step in lanes pays */
+    FEWEST = LANES > 4 ? 4 : 2, /* runners for which a step in lanes pays */
     NOBODY = -1
 };
 
