@@ -291,3 +291,28 @@ def test_laws_run_on_numbers_arrays_and_symbols_alike():
     many = PlainRunner.at("flight", swing="place", length=lengths, angle=np.full(5, 0.3)).spring()
     one = [PlainRunner.at("flight", swing="place", length=float(x), angle=0.3).spring() for x in lengths]
     assert many == pytest.approx(one, abs=0)
+
+
+def test_a_guard_without_a_bound_shares_terms_with_one_that_has_a_bound():
+    class Pair(Model):
+        start = "go", {}
+        x, y, far, turn = state(1), state(2), state(0), parameter(1, "1/s")
+
+        @mode()
+        def go(s):
+            return {"x": s.turn * s.y, "y": -s.turn * s.x}
+
+        @event("go", when=lambda s: s.x * s.y / (6 + s.x * s.y) + 0.5, crossing=lambda s: True)
+        def divided(s):
+            return s.replace(far=s.far + 1)
+
+        @event("go", when=lambda s: s.x * s.y + 2.4, crossing=lambda s: True)
+        def near(s):
+            return s.replace(far=s.far + 100)
+
+    run = CompiledPage(Pair).start(tolerance=1e-12).to(np.pi)  # x y = 2.5 sin(2 t + a) takes 2.4 twice
+    amplitude, phase = 2.5, np.arcsin(0.8)
+    first = [time for time, name, *_ in run.log if name == "near"]
+    assert first == pytest.approx([(np.pi + np.arcsin(2.4 / amplitude) - phase) / 2], abs=1e-11)
+    divided = [time for time, name, *_ in run.log if name == "divided"]
+    assert divided == pytest.approx([(np.pi + np.arcsin(2 / amplitude) - phase) / 2], abs=1e-11)
