@@ -7,6 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from conftest import CLAMPED, some_of
+from matplotlib.backends.backend_agg import FigureCanvasAgg
 from tdmf_slip import Batch, InputError, Runner, continue_branch
 from tdmf_slip.analysis.continuation import gaits_over
 from tdmf_slip.library.binding import c, ffi
@@ -315,11 +316,12 @@ def test_lines_are_solid_where_gaits_are_stable(over_low_angle):
 
 def test_words_are_beside_their_lines_and_hide_nothing(over_angle):
     figure = over_angle.plot()
-    figure.canvas.draw()
+    canvas = FigureCanvasAgg(figure)
+    canvas.draw()
     axes = figure.axes[0]
     words = [text for text in axes.texts if text.get_text()]
     assert {"+0−0+", "0−"} <= {text.get_text() for text in words} and len(words) >= 4
-    boxes = np.array([text.get_window_extent().extents for text in words])
+    boxes = np.array([text.box_of_word(canvas.get_renderer()).extents for text in words])
     low, high = boxes[:, None, :2], boxes[:, None, 2:]
     shares = np.linspace(0.0, 1.0, 50)[:, None, None]
     for line in axes.get_lines():

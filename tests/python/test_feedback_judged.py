@@ -52,7 +52,9 @@ def test_regions_of_attraction_are_those_without_noise(gait, few):
 
 
 def test_what_is_no_law_is_refused(gait):
-    with pytest.raises(InputError, match="a function of apices and the number of the stride, or an AffineLaw"):
+    with pytest.raises(
+        InputError, match="a function of apices and the number of the stride, or an AffineLaw"
+    ):
         judgement.judge(gait, lambda apices: {})
     with pytest.raises(InputError, match="numbers in a list"):
         judgement.judge(gait, roughness=0.3)
