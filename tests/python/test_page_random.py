@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from conftest import some_of
 from old_core import STATES, VARIABLES, OldRun, clipped, lasting
-from page_runs import COMPILER
+from page_runs import COMPILER, CompiledPage
 from test_page_runner import (
     STRIDE,
     difference,
@@ -17,6 +17,9 @@ from test_page_runner import (
     world_of,
 )
 from test_page_whole import whole  # noqa: F401
+
+from c_core.hybrid.limits import MARGINS
+from c_core.pages.runner import Runner
 
 pytestmark = pytest.mark.skipif(COMPILER is None, reason="there is no C compiler")
 RAMPED = {
@@ -204,3 +207,49 @@ def test_random_runs_with_everything_on_are_those_of_the_core(whole):  # noqa: F
             faults.append(f"{number}: {text}")
     assert not faults, f"{dict(found)}\n" + "\n".join(faults[:20])
     assert found["same"] > 0.9 * found.total()
+
+
+def trace_with_margins(page, number, nudge=0.0):
+    """World states along a random run of a page, the events, and the scales of its units."""
+    parameters, inputs, world, segments, (length, rate, force) = drawn(number)
+    given = page.names(parameters | inputs) | world
+    given |= {"swing_clamp": bool(number % 2), "tolerance": 1e-13, "step_limit": STEP_LIMIT}
+    changes = [
+        (duration, page.names(sets) | {f"{n}_rate": v for n, v in page.names(rates).items()})
+        for duration, sets, rates in segments
+    ]
+    rows, run = trace_page(page, given, changes, nudge)
+    scales = {"m": length, "m/s": length * rate, "rad/s": rate, "J": force * length, "s": 1 / rate, "rad": 1,
+              "N": force, "1": 1}  # fmt: skip
+    return rows, [name for _, name, *_ in run.log], scales
+
+
+def test_no_result_depends_on_a_margin(monkeypatch):
+    """With all margins times 0.1 or 10, runs differ by a hundred times rounding at most."""
+    pages = {}
+    for factor in (1.0, 0.1, 10.0):
+        for name, margin in MARGINS.items():
+            monkeypatch.setitem(MARGINS, name, margin * factor)
+        pages[factor] = CompiledPage(Runner, level=f"-O1 -DTDMF_MARGIN_FACTOR={factor}")
+        monkeypatch.undo()
+    faults, sensitive = [], 0
+    for number in some_of(range(1000), 12):
+        rows, events, scales = trace_with_margins(pages[1.0], number)
+        nudged, _, _ = trace_with_margins(pages[1.0], number, 1e-15)
+        by_rounding = [difference(pages[1.0], *pair, scales)[0] for pair in zip(rows, nudged, strict=False)]
+        if max(by_rounding, default=0) > 1e-10:  # chaotic
+            sensitive += 1
+            continue
+        for factor in (0.1, 10.0):
+            others, taken, _ = trace_with_margins(pages[factor], number)
+            off = [difference(pages[1.0], *pair, scales)[0] for pair in zip(rows, others, strict=False)]
+            allowed = 1e-12 + 100 * max(by_rounding, default=0)
+            if taken != events or len(others) != len(rows) or max(off, default=0) > allowed:
+                faults.append(f"{number} times {factor}: {max(off, default=0)}, allowed {allowed}")
+    assert not faults, "\n".join(faults)
+    assert sensitive <= 20
+
+
+def test_a_step_does_not_jump_over_a_layer_of_falling_friction(whole):  # noqa: F811
+    """In this run the core's steps are too long for the layer; in twenty times as many it agrees."""
+    assert compare(whole, 14328)[0] == "coarse core"
