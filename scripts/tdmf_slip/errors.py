@@ -38,7 +38,7 @@ class StoppedError(KeyboardInterrupt):
         """With what became of each."""
         super().__init__()
         self.ends = ends
-        """As `run_ensemble` gives them, of those that had begun: `stopped` is who was not complete."""
+        """Ends of the runners that had begun, in the columns of `Batch.run`; `stopped` are those not complete."""
 
 
 def reason(problem: Exception) -> str:
