@@ -38,7 +38,7 @@ class StoppedError(KeyboardInterrupt):
         """With what became of each."""
         super().__init__()
         self.ends = ends
-        """Ends of the runners that had begun, in the columns of `Batch.run`; `stopped` are those not complete."""
+        """Ends of the runners that had begun, with the fields of `Batch.run`."""
 
 
 def reason(problem: Exception) -> str:
