@@ -2,6 +2,7 @@
 
 import dataclasses
 import math
+import types
 
 import numpy as np
 import pytest
@@ -94,7 +95,7 @@ def test_disturbances_and_starts_are_measured_by_the_runner(gait, monkeypatch):
 
     def all_recover(_runner, _apex, starts, **_):
         tried.append(starts)
-        return {"fate": np.zeros(len(starts))}
+        return types.SimpleNamespace(fate=np.zeros(len(starts)))
 
     monkeypatch.setattr(robustness, "fates", all_recover)
     found = robustness.robustness(find_gait(human))
