@@ -172,6 +172,8 @@ def test_a_batch_refuses_what_is_not_allowed(starts, wrong):
         {"until": [1.0] * 6, "near": -1.0},
         {"until": [1.0] * 6, "balls": np.zeros((2, 6, 6))},
         {"until": [1.0] * 6, "balls": np.full((1, 6, 6), np.nan)},
+        {"until": [1.0] * 6, "balls": [[1.0], [1.0, 2.0]]},
+        {"balls": np.zeros((1, 6, 6))},
     ],
 )
 def test_a_run_refuses_what_is_not_allowed(starts, wrong):
@@ -302,3 +304,39 @@ def test_parts_of_a_batch_are_its_runners_also_in_another_process(gaits, starts)
     runs = [pickle.loads(pickle.dumps(part)).run(6) for part in parts]
     for name in whole:
         np.testing.assert_array_equal(np.concatenate([run[name] for run in runs]), whole[name], err_msg=name)
+
+
+def test_each_gait_of_a_batch_begins_at_its_own_apex(gaits):
+    np.testing.assert_array_equal(Batch(gaits).apices, [gait.apex for gait in gaits])
+    runners = [Runner(), Runner({"foot.vx": 1.2})]
+    np.testing.assert_array_equal(Batch(runners).apices, [runner.start_apex() for runner in runners])
+
+
+def test_directions_have_short_names_and_what_is_no_direction_is_refused(gaits):
+    batch = Batch(gaits[0])
+    by_name = batch.stride(along=["ground.friction"]).next_apex_by
+    np.testing.assert_array_equal(by_name, batch.stride(along=["friction"]).next_apex_by)
+    np.testing.assert_array_equal(by_name, batch.stride(along=[{"friction": 1.0}]).next_apex_by)
+    for wrong in ("friction", None, [3], [{"friction": np.nan}], [{"friction": "x"}]):
+        with pytest.raises(InputError, match="along"):
+            batch.stride(along=wrong)
+
+
+def test_stepping_refuses_other_settings_than_the_first_and_states_before_a_stride(gaits):
+    batch = Batch(gaits[0])
+    for early in (batch.save, lambda: batch.last):
+        with pytest.raises(InputError, match="no stride"):
+            early()
+    batch.step({"touchdown_angle": 0.7})
+    with pytest.raises(InputError, match="as in the first call"):
+        batch.step({"friction": 0.7})
+
+
+def test_saved_states_are_resumed_by_a_batch_with_fewer_feet(gaits):
+    batch = Batch(gaits[0], [gaits[0].apex] * 2, foot_x=[0.0, 1.0])
+    batch.step()
+    states = np.repeat(batch.save(), 40)
+    expected = np.repeat(batch.save()["end"]["foot_x"], 40)
+    batch.resume(states, 1)
+    batch.step()
+    np.testing.assert_allclose(np.diff(batch.save()["end"]["foot_x"] - expected), 0.0, atol=1e-8)

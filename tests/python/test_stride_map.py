@@ -531,3 +531,14 @@ def test_derivatives_are_refused_where_a_stride_is_no_map_of_apices(gait):
         stride_map(gait.runner, gait.apex, roughness=0.1, derivatives=["gravity"])
     with pytest.raises(InputError, match="derivatives 'friktion' is not allowed"):
         stride_map(gait.runner, gait.apex, derivatives=["friktion"])
+
+
+def test_no_runners_make_no_strides_and_derivatives_are_refused_on_a_patch(gait):
+    run = stride_map(gait, np.zeros((0, 6)), strides=2)
+    assert run["next_apex"].shape == (0, 2, 6)
+    patched = gait.runner.replace({"ground.patch_begin": 1.0, "ground.patch_end": 2.0})
+    assert stride_map(patched, gait.apex)["fate"].shape == (1, 1)
+    with pytest.raises(InputError, match="without derivatives"):
+        stride_map(patched, gait.apex, derivatives=["friction"])
+    with pytest.raises(InputError, match="each name once"):
+        stride_map(gait, gait.apex, derivatives=["friction", "ground.friction"])

@@ -204,7 +204,7 @@ def _in_blocks(
     """Block by block."""
     runners = len(batch)
     size = min(MAX_IN_A_BLOCK, max(MIN_IN_A_BLOCK, STRIDES_IN_A_BLOCK // strides))
-    blocks = [batch.part(first, min(size, runners - first)) for first in range(0, runners, size)]
+    blocks = [batch.part(first, min(size, runners - first)) for first in range(0, max(runners, 1), size)]
     work, parts = partial(_strides_of, strides), dict[int, dict[str, NDArray[Any]]]()
     with (
         progress_bar("strides", runners, "runners", progress) as bar,
@@ -220,6 +220,10 @@ def _check_derivatives(names: Sequence[str], batch: Batch) -> None:
     """Refuse what is no parameter, and strides that are more than a map from apex to apex."""
     for name in names:
         check_varied(name, "derivatives")
+    if len(set(names)) < len(names):
+        raise InputError(f"derivatives: {', '.join(names)}; allowed: each name once")
+    if names:
+        batch.refuse_patches()
     law = batch.law
     if names and (batch.ground.roughness or "ground.height" in (*batch.inputs, *getattr(law, "inputs", ()))):
         raise InputError("derivatives: on ground that steps at the apices; allowed: on ground of one height")

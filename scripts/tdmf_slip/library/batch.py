@@ -15,13 +15,15 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..checks import checked_whole
+from ..errors import InputError
+from ..given import row_of
+from ..variables.table import by_full_name
 from . import c_structs
 from .batch_given import TOLERANCE as TOLERANCE
 from .batch_given import Given
 from .batch_tables import ends_table, exact_table, recorded_table
 from .engine import LAST_STRIDE
-from .members import check_varied
-from .return_map import Along
+from .return_map import Along, checked_direction
 from .session import Session
 from .tables import Table
 
@@ -43,7 +45,7 @@ class Batch(Given):
         each runner.
     apices : array_like of float, shape (n,) or (runners, n), optional
         Where they begin, in the order of `library.section.COORDINATES`: m, m/s, m, rad, m/s, rad/s; by the
-        reduced map the first two. By default a gait's apex, or where the runner starts.
+        reduced map the first two. By default each gait's apex, or where each runner starts.
     ground : RoughGround, optional
         Uneven ground, for `run` and `step`.
     law : callable or AffineLaw, optional
@@ -120,9 +122,7 @@ class Batch(Given):
             A name is no parameter or input.
         """
         self.refuse_patches()
-        for direction in along:
-            for name in direction if isinstance(direction, Mapping) else (direction,):
-                check_varied(name, "along")
+        along = [checked_direction(one) for one in row_of(along, "along", "names or mappings in a list")]
         differentiated, size = jacobian or len(along) > 0, self.size
         returns = self._exact_strides(differentiated, along[: c_structs.SEEDS], measured=differentiated)
         variations = returns["variations"][:, : size + len(along[: c_structs.SEEDS])]
@@ -194,6 +194,8 @@ class Batch(Given):
         """
         strides = checked_whole("strides", strides, 1, LAST_STRIDE)
         session = Session(self)
+        if until is None and balls is not None:
+            raise InputError("balls without gaits; allowed: with until")
         if until is not None:
             session.settle(until, near, balls)
         if record:
@@ -222,7 +224,7 @@ class Batch(Given):
             session = self._stepping = Session(self)
             session.engine.keep_checkpoints()
             session.engine.record(1)
-        session.step(settings)
+        session.step(by_full_name(settings, "settings", "numbers or arrays by name"))
         fates: NDArray[np.int32] = session.engine.ends["fate"]
         return fates
 
@@ -235,14 +237,19 @@ class Batch(Given):
     @property
     def last(self) -> NDArray[Any]:
         """Last strides of `step`, shape (runners,), in the fields of the library's `tdmf_ensemble_stride`."""
-        assert self._stepping is not None and self._stepping.engine.recorded is not None
-        strides: NDArray[Any] = self._stepping.engine.recorded[:, 0]
+        recorded = self._under_way().engine.recorded
+        assert recorded is not None
+        strides: NDArray[Any] = recorded[:, 0]
         return strides
 
     def save(self) -> NDArray[Any]:
         """States of all runners after `step`, shape (runners,): a structured array that can be indexed."""
-        assert self._stepping is not None
-        return self._stepping.engine.save()
+        return self._under_way().engine.save()
+
+    def _under_way(self) -> Session:
+        if self._stepping is None:
+            raise InputError("the batch has made no stride; allowed: after step or resume")
+        return self._stepping
 
     def resume(self, states: NDArray[Any], stride: int) -> None:
         """Replace the runners by saved ones, which begin the stride of this number; of any number of states.
@@ -250,7 +257,8 @@ class Batch(Given):
         All have the parameters of the first runner.
         """
         self.starts = np.repeat(self.starts[:1], len(states), axis=0)
-        self.models, self.held = self.models[:1], self.held[:1]
+        self.models, self.held, self.foot_x = self.models[:1], self.held[:1], None
+        self.inputs = {name: row[:1] for name, row in self.inputs.items()}
         session = self._stepping = Session(self)
         session.engine.resume(states, stride)
         session.engine.record(1)

@@ -136,7 +136,7 @@ class Given:
                 values = [variable.value_of(flag, f"runner: runner {k}") for k, flag in enumerate(flags)]
                 self.varied[name] = np.array(values, float)
             else:
-                self.varied[name] = numbers_up_to(f"runner: {name}", row, 1)
+                self.varied[name] = np.atleast_1d(numbers_up_to(f"runner: {name}", row, 1))
                 checked_values(name, self.varied[name], "runner", {"runner": 0})
             first = next(iter(self.varied))
             if len(self.varied[name]) != len(self.varied[first]):
@@ -149,8 +149,11 @@ class Given:
         """Starts, shape (runners, `WIDTH`), settings and feet of as many runners."""
         names = self.runner.coordinates
         if apices is None:
-            at = getattr(runners, "apex", None)
-            rows = self.runner.start_apex() if at is None or callable(at) else np.asarray(at, float)
+            if len(self.runners) > 1:
+                pairs = zip(runners, self.runners, strict=True)
+                rows = np.array([_start_of(given, runner) for given, runner in pairs])
+            else:
+                rows = _start_of(runners[0] if isinstance(runners, list | tuple) else runners, self.runner)
         elif type(apices) is np.ndarray and apices.dtype == float:
             rows = apices
         else:
@@ -255,6 +258,12 @@ def _runner_of(given: Any, model: str | None) -> Runner:
     """The runner that is given, with what it has made of itself, unless it has to be made."""
     runner = given if isinstance(given, Runner) else getattr(given, "runner", None)
     return runner if model is None and isinstance(runner, Runner) else Runner(given, model=model)
+
+
+def _start_of(given: Any, runner: Runner) -> NDArray[np.float64]:
+    """The apex of a gait; of anything else, where the runner starts."""
+    at = getattr(given, "apex", None)
+    return runner.start_apex() if at is None or callable(at) else np.asarray(at, float)
 
 
 def _is_row(value: object) -> bool:

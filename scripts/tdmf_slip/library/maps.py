@@ -42,7 +42,7 @@ def refuse_patch(values: Mapping[str, float]) -> None:
         raise InputError(
             f"ground.patch_end = {end:g}: gaits and maps of apices have no place for a patch of ground; "
             f"allowed: ground.patch_begin = {begin:g}, which is none; simulate, and "
-            "stride_map by the full model, take a patch"
+            "stride_map by the full model without derivatives, take a patch"
         )
 
 

@@ -6,8 +6,9 @@ from typing import Any, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
+from ..checks import checked
 from ..errors import RunError
-from ..variables.table import FRICTION
+from ..variables.table import FRICTION, by_full_name, full_name
 from ..variables.variable import Given
 from .binding import ffi
 from .maps import map_of, why_no_return
@@ -17,6 +18,8 @@ from .section import Apex, checked_apex
 
 Along: TypeAlias = str | Mapping[str, float]
 """A direction of parameters and inputs: the name of one, or how much of each, in its unit."""
+LARGEST_SHARE = 1e100
+"""Largest share of a parameter in a direction."""
 
 
 def stride_from(
@@ -43,6 +46,19 @@ def derivatives(runner: Runner, stride: Any) -> tuple[NDArray[np.float64], NDArr
             "it has no derivatives"
         )
     return jacobian, by_parameter
+
+
+def checked_direction(given: object) -> Along:
+    """A direction by the variables' own names; refused unless it is a name, or finite numbers by name."""
+    if not isinstance(given, Mapping):
+        name = full_name(given)
+        check_varied(name, "along")
+        return str(name)
+    shares = by_full_name(given, "along", "numbers by name")
+    for name, share in shares.items():
+        check_varied(name, "along")
+        shares[name] = checked(f"along: {name}", share, -LARGEST_SHARE, LARGEST_SHARE)
+    return shares
 
 
 def seed_of(along: Along | None) -> Any:

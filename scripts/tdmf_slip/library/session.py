@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..errors import InputError
-from ..given import numbers_by
+from ..given import numbers_by, numbers_of
 from ..uninterrupted import in_block
 from . import engine
 from .batch_given import Given, within
@@ -86,7 +86,7 @@ class Session:
             raise InputError(f"until: {gaits.tolist()}: allowed: finite numbers")
         wide = np.zeros((*gaits.shape[:2], WIDTH))
         wide[..., :size] = gaits
-        matrices = None if balls is None else np.asarray(balls, float)
+        matrices = None if balls is None else numbers_of("balls", balls)
         if matrices is not None:
             fits = matrices.shape == (gaits.shape[1], size, size)
             if not fits or not np.all(np.abs(matrices) <= LARGEST_BALL):
@@ -126,6 +126,11 @@ class Session:
         """Set the next stride, by names that the first call decides."""
         if not self.names:
             self._set_by(tuple(settings), 1)
+        elif set(settings) != set(self.names):
+            raise InputError(
+                f"settings: {', '.join(map(str, settings))}; allowed: {', '.join(self.names)}, as in the "
+                "first call"
+            )
         values = self.values[:, 0]
         for number, name in enumerate(self.names):
             values[:, number] = settings[name]
