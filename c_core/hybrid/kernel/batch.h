@@ -42,7 +42,7 @@ bool tdmf_run_batch(const tdmf_model_kind *model, const tdmf_batch *batch, tdmf_
 
 /* ---- between batch.c and batch_lanes.c ----------------------------------------------------------------- */
 
-/* What threads share. */
+/* Data that threads share. */
 typedef struct {
     const tdmf_model_kind *model;
     const tdmf_batch *batch;

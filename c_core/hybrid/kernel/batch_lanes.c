@@ -83,7 +83,7 @@ static void begin_run(lane_pool *w, int index) {
     tdmf_begin_run(&of->state, w->model, &w->share->batch->runs[of->number], of->state.scales);
 }
 
-/* Keeps in a run what is known of the guards where its mode begins. */
+/* Stores the guards of a run that ends where a mode begins. */
 static tdmf_run_outcome conclude(lane_pool *w, int index, tdmf_run_outcome outcome) {
     tdmf_begin_mode(&w->runners[index].state, &w->at);
     tdmf_keep_guards(&w->runners[index].state, &w->at);
@@ -165,8 +165,7 @@ static void fill_lanes(lane_pool *w, lane_batch *b) {
     }
 }
 
-/* Gives a runner what its lane has come to, and empties the lane. What is known of the guards goes to `at`.
- */
+/* Copies the numbers of a lane to its runner, and those of its guards to `at`, and empties the lane. */
 static int leave_lane(lane_pool *w, lane_batch *b, int lane) {
     const tdmf_motion_kind *m = b->step.motion;
     const int index = b->runner_in[lane];
@@ -202,7 +201,7 @@ static int leave_lane(lane_pool *w, lane_batch *b, int lane) {
 
 /* ---- one by one ---------------------------------------------------------------------------------------- */
 
-/* Has the driver make the steps of a runner up to its next event. Its mode has been written to `at`. */
+/* Runs a runner by the driver up to its next event. `at` already holds its mode. */
 static void drive(lane_pool *w, int index) {
     runner *of = &w->runners[index];
     const long before = of->state.r->steps;

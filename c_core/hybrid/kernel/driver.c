@@ -20,7 +20,7 @@
 
 enum { LEAST_ORDER = 4 };
 
-/* What the driver works on; `state` and `at` are of the run at hand. */
+/* `state` and `at` are those of the run at hand. */
 struct tdmf_driver {
     run_state *state;
     mode_start *at;
@@ -76,18 +76,42 @@ static bool begin_step(work *w, double left) {
 /* ---- going on ------------------------------------------------------------------------------------------ */
 
 static void trust_all_observed(work *w) {
-    for (int i = 0; i < w->mode->watch_count; ++i) {
+    for (int i = 0; i < w->step.observed_count; ++i) {
         const tdmf_watch_kind *kind = &w->mode->watches[i];
         trust_observed(&w->step, i, kind->part, w->state->r->x[kind->into], w->state->scales[kind->into],
                        true);
     }
 }
 
-static void observe(work *w) {
-    for (int i = 0; i < w->mode->watch_count; ++i) {
+/* Goes on with the states from the beginning of the step to the time whose powers are set. */
+static void advance_states(work *w, double *x) {
+    const tdmf_motion_kind *m = w->step.motion;
+    for (int i = 0; i < w->step.observed_count && w->step.power[1] > 0.0; ++i) {
         const tdmf_watch_kind *kind = &w->mode->watches[i];
-        double *value = &w->state->r->x[kind->into];
-        *value = observed_value(&w->step, i, kind->part, *value, w->state->scales[kind->into], true);
+        x[kind->into] =
+            observed_value(&w->step, i, kind->part, x[kind->into], w->state->scales[kind->into], true);
+    }
+    for (int i = 0; i < m->moving_count; ++i) {
+        x[m->moving[i]] = value_at_end(&w->step, i);
+    }
+}
+
+/* Expands the variations of a seed. */
+static void vary(work *w, int seed) {
+    const tdmf_motion_kind *m = w->step.motion;
+    const double *dx = seed_dx(w, seed);
+    for (int i = 0; i < m->moving_count; ++i) {
+        w->t[i][0] = dx[m->moving[i]];
+    }
+    m->vary(w->step.c, w->step.s[0], w->at->d + seed * w->state->model->constant_count, w->step.order,
+            w->t[0]);
+}
+
+/* Goes on with the variations that were expanded. */
+static void advance_variation(const work *w, double *dx) {
+    const tdmf_motion_kind *m = w->step.motion;
+    for (int i = 0; i < m->moving_count; ++i) {
+        dx[m->moving[i]] = sum_of(w->t[i], w->step.power, w->step.order);
     }
 }
 
@@ -117,36 +141,15 @@ static void sample_here(work *w) {
 
 /* Writes the states at a time within the step, whose powers it sets. */
 static void states_within(work *w, double elapsed, double *x) {
-    const tdmf_motion_kind *m = w->step.motion;
-    const tdmf_page_run *r = w->state->r;
     set_powers(w->step.power, elapsed, w->step.order);
-    memcpy(x, r->x, (size_t)w->state->model->state_count * sizeof *x);
-    for (int i = 0; i < w->step.observed_count; ++i) {
-        const tdmf_watch_kind *kind = &w->mode->watches[i];
-        x[kind->into] =
-            observed_value(&w->step, i, kind->part, x[kind->into], w->state->scales[kind->into], true);
-    }
-    for (int i = 0; i < m->moving_count; ++i) {
-        x[m->moving[i]] = value_at_end(&w->step, i);
-    }
-}
-
-/* Expands the variations of a seed. */
-static void vary(work *w, int seed) {
-    const tdmf_motion_kind *m = w->step.motion;
-    const double *dx = seed_dx(w, seed);
-    for (int i = 0; i < m->moving_count; ++i) {
-        w->t[i][0] = dx[m->moving[i]];
-    }
-    m->vary(w->step.c, w->step.s[0], w->at->d + seed * w->state->model->constant_count, w->step.order,
-            w->t[0]);
+    memcpy(x, w->state->r->x, (size_t)w->state->model->state_count * sizeof *x);
+    advance_states(w, x);
 }
 
 /* Samples the outputs within a step that lasts for `elapsed`, before the run is advanced. */
 static void sample_within(work *w, double elapsed) {
     tdmf_page_run *r = w->state->r;
     const tdmf_model_kind *model = w->state->model;
-    const tdmf_motion_kind *m = w->step.motion;
     const int first = r->sampled;
     for (const double *time = next_sample(r); time && *time - r->time < elapsed; time = next_sample(r)) {
         states_within(w, *time - r->time, w->at->room);
@@ -158,9 +161,7 @@ static void sample_within(work *w, double elapsed) {
             double *dx = w->at->rates;
             states_within(w, r->sample_times[sample] - r->time, w->at->room);
             memcpy(dx, seed_dx(w, seed), (size_t)model->state_count * sizeof *dx);
-            for (int i = 0; i < m->moving_count; ++i) {
-                dx[m->moving[i]] = sum_of(w->t[i], w->step.power, w->step.order);
-            }
+            advance_variation(w, dx);
             const double *dp = r->dp + seed * model->parameter_count;
             w->mode->vary_outputs(r->p, w->at->room, dp, dx, variation_of_sample(w, sample, seed));
         }
@@ -168,36 +169,20 @@ static void sample_within(work *w, double elapsed) {
     set_powers(w->step.power, elapsed, w->step.order);
 }
 
-/* ---- going on ------------------------------------------------------------------------------------------ */
-
-static void advance_variations(work *w) {
-    const tdmf_motion_kind *m = w->step.motion;
-    for (int seed = 0; seed < w->state->r->seed_count; ++seed) {
-        double *dx = seed_dx(w, seed);
-        vary(w, seed);
-        for (int i = 0; i < m->moving_count; ++i) {
-            dx[m->moving[i]] = sum_of(w->t[i], w->step.power, w->step.order);
-        }
-    }
-}
+/* ---- its end ------------------------------------------------------------------------------------------- */
 
 /* Advances the run to the end of the step. */
 static void advance(work *w) {
-    const tdmf_motion_kind *m = w->step.motion;
-    if (w->state->r->observes) {
-        trust_all_observed(w);
-    }
+    trust_all_observed(w);
     const double elapsed = end_step(&w->step);
     if (next_sample(w->state->r)) {
         sample_within(w, elapsed);
     }
-    advance_variations(w);
-    if (w->state->r->observes && elapsed > 0.0) {
-        observe(w);
+    for (int seed = 0; seed < w->state->r->seed_count; ++seed) {
+        vary(w, seed);
+        advance_variation(w, seed_dx(w, seed));
     }
-    for (int i = 0; i < m->moving_count; ++i) {
-        w->state->r->x[m->moving[i]] = value_at_end(&w->step, i);
-    }
+    advance_states(w, w->state->r->x);
     tdmf_pass_time(w->state->r, elapsed);
     ++w->state->r->steps;
     w->step.begins = false;
@@ -304,7 +289,7 @@ tdmf_run_outcome tdmf_drive_to_event(tdmf_driver *w, run_state *state, mode_star
 
 tdmf_run_outcome tdmf_page_run_to(const tdmf_model_kind *model, tdmf_page_run *r, double until) {
     const int of_start = tdmf_size_of_mode_start(model, r->seed_count);
-    double *memory = calloc((size_t)(of_start + tdmf_size_of_run_state(model)), sizeof *memory);
+    double *memory = calloc((size_t)of_start + (size_t)tdmf_size_of_run_state(model), sizeof *memory);
     tdmf_driver *driver = tdmf_driver_create(model);
     tdmf_run_outcome outcome = TDMF_RUN_NO_MEMORY;
     if (memory && driver) {
@@ -323,8 +308,8 @@ tdmf_run_outcome tdmf_page_run_to(const tdmf_model_kind *model, tdmf_page_run *r
 }
 
 int tdmf_page_order(double tolerance) {
-    const int order = 2 * (int)(2.0 - 0.75 * log10(tolerance));
-    return order < 8 ? 8 : order > SERIES_ORDER_LIMIT ? SERIES_ORDER_LIMIT : order;
+    const double half = 2.0 - 0.75 * log10(tolerance); /* infinite for 0, and NaN below 0 */
+    return half >= 0.5 * SERIES_ORDER_LIMIT ? SERIES_ORDER_LIMIT : half >= 4.0 ? 2 * (int)half : 8;
 }
 
 tdmf_page_run tdmf_run_default(const tdmf_model_kind *model, double *p, double *x) {

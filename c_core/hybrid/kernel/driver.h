@@ -122,10 +122,13 @@ typedef struct {
     const tdmf_section_kind *sections;
     tdmf_scales *scales;              /* typical size of each state and guard */
     int series_count, constant_count; /* largest numbers of any mode */
-    const char *const *mode_names,
-        *const *event_names, *const *state_names, *const *parameter_names, *const *output_names,
-                                                                               *const *table_names,
-                                                                                   *const *section_names;
+    const char *const *mode_names;
+    const char *const *event_names;
+    const char *const *state_names;
+    const char *const *parameter_names;
+    const char *const *output_names;
+    const char *const *table_names;
+    const char *const *section_names;
     const double *parameter_defaults, *state_defaults;
     tdmf_motions_of_width
         *lanes[3]; /* motions of all modes for 2, 4 and 8 lanes; NULL: this build has none */
@@ -168,8 +171,8 @@ typedef struct {
     /* Counters, and the events so far of a chain in zero time. */
     long steps, events;
     int chain;
-    /* What a run has to remember between calls: copy the struct and the states to save a run. Sets of events
-     * have a bit for each. */
+    /* Memory between calls: a saved run is a copy of the struct and of the states. Sets of events have a bit
+     * for each event. */
     double time_rest;     /* rounding error of the time */
     bool is_shifted;      /* variations are on the guard of the last event; for a new seed `shift` is 0 */
     uint64_t taken;       /* events taken at this instant */

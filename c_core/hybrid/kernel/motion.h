@@ -1,4 +1,4 @@
-/* What a step knows of a mode: its states are Taylor series, its guards polynomials in time. Written over
+/* The motion of a mode, as a step uses it: states are Taylor series, guards polynomials in time. Written over
  * `real`, so that the derived file of a page's motions is compiled once for each width.
  */
 #ifndef TDMF_KERNEL_MOTION_H

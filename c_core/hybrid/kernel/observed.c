@@ -15,7 +15,7 @@ typedef struct {
     const double *c;
     int degree;
     double negligible; /* size of values whose sign does not matter */
-    int cuts_left, count;
+    int count;
     double roots[ROOT_LIMIT];
 } sign_changes;
 
@@ -60,8 +60,16 @@ static void add_root(sign_changes *of, double root) {
     }
 }
 
-/* Adds the roots in a piece, whose coefficients are b. Where the signs cannot be told apart, its middle. */
-static void add_roots(sign_changes *of, const double *b, double from, double width) {
+/* A piece of the interval, and the coefficients there. */
+typedef struct {
+    double from, width;
+    bool begins_at_root;
+    double b[TERMS];
+} piece;
+
+/* Adds the root of a piece that has at most one. Returns whether the piece may have more. */
+static bool may_have_more(sign_changes *of, const piece *at_hand) {
+    const double *b = at_hand->b, from = at_hand->from, width = at_hand->width;
     const int n = of->degree;
     double largest = 0.0, guess = from, before = 0.0;
     int changes = 0;
@@ -80,36 +88,60 @@ static void add_roots(sign_changes *of, const double *b, double from, double wid
         at = k;
     }
     if (changes == 0 || largest <= of->negligible) {
-        return;
+        return false;
     }
     if (changes == 1) {
         add_root(of, root_between(of, from, from + width, rises, guess));
-        return;
     }
-    if (of->cuts_left-- <= 0) {
-        add_root(of, from + 0.5 * width);
-        return;
-    }
-    double left[TERMS], right[TERMS];
-    memcpy(right, b, sizeof right);
-    for (int k = 0; k <= n; ++k) {
-        left[k] = right[0];
-        for (int i = 0; i < n - k; ++i) {
-            right[i] = 0.5 * (right[i] + right[i + 1]);
+    return changes > 1;
+}
+
+/* Cuts a piece into its right half, which takes its place, and its left half. */
+static void cut(piece *right, piece *left, int degree) {
+    *left = *right;
+    for (int k = 0; k <= degree; ++k) {
+        left->b[k] = right->b[0];
+        for (int i = 0; i < degree - k; ++i) {
+            right->b[i] = 0.5 * (right->b[i] + right->b[i + 1]);
         }
     }
-    add_roots(of, left, from, 0.5 * width);
-    if (right[0] == 0.0) {
-        add_root(of, from + 0.5 * width);
+    left->width = right->width = 0.5 * right->width;
+    right->from += right->width;
+    right->begins_at_root = right->b[0] == 0.0;
+}
+
+/* Adds the roots on [0, 1] from left to right. When no cuts are left, the middle of a piece stands for its
+ * roots. */
+static void add_roots(sign_changes *of, const double *b) {
+    piece pieces[CUT_LIMIT + 1]; /* the last one is the leftmost */
+    pieces[0].from = 0.0;
+    pieces[0].width = 1.0;
+    pieces[0].begins_at_root = false;
+    memcpy(pieces[0].b, b, sizeof pieces[0].b);
+    for (int cuts = 0, count = 1; count > 0;) {
+        piece *last = &pieces[count - 1];
+        if (last->begins_at_root) {
+            add_root(of, last->from);
+            last->begins_at_root = false;
+        }
+        if (!may_have_more(of, last)) {
+            --count;
+        } else if (cuts == CUT_LIMIT) {
+            add_root(of, last->from + 0.5 * last->width);
+            --count;
+        } else {
+            cut(last, last + 1, of->degree);
+            ++cuts;
+            ++count;
+        }
     }
-    add_roots(of, right, from + 0.5 * width, 0.5 * width);
 }
 
 double tdmf_integral_where_positive(const double *g, int order, double least) {
     double b[TERMS], integral[TERMS], sum = 0.0, before = 0.0;
-    sign_changes of = {.c = g, .degree = order - 1, .negligible = least, .cuts_left = CUT_LIMIT};
+    sign_changes of = {.c = g, .degree = order - 1, .negligible = least};
     to_bernstein(g, of.degree, b);
-    add_roots(&of, b, 0.0, 1.0);
+    add_roots(&of, b);
     add_root(&of, 1.0);
     integral[0] = 0.0;
     for (int k = 0; k < order; ++k) {
@@ -142,9 +174,9 @@ double tdmf_largest_in_step(const double *g, int order, double largest) {
     if (highest <= largest) {
         return largest;
     }
-    sign_changes of = {.c = rate, .degree = order - 2, .cuts_left = CUT_LIMIT};
+    sign_changes of = {.c = rate, .degree = order - 2};
     of.negligible = DBL_EPSILON * fabs(largest);
-    add_roots(&of, b, 0.0, 1.0);
+    add_roots(&of, b);
     for (int i = 0; i < of.count; ++i) {
         largest = real_max(largest, expansion_at(g, order - 1, of.roots[i]).value);
     }

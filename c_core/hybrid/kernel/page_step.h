@@ -104,7 +104,7 @@ static inline void load_mode(page_step *step, int lane, const mode_start *at, co
     }
 }
 
-/* Reads what a lane has found out about the guards of its mode. */
+/* Reads which guards a lane has found above zero, and which are late. */
 static inline void keep_guards(const page_step *step, int lane, mode_start *at) {
     for (int i = 0; i < step->guard_count; ++i) {
         at->guards[i].is_watched = has_lane(&step->guards[i].is_watched, lane);
@@ -293,7 +293,8 @@ static inline mask divide_by_time(const page_step *step, real *g, real up, real 
     return level;
 }
 
-/* A guard that has come down almost to zero is a straight line from there on. Lanes in which that is so. */
+/* Ends the step where a guard that is almost zero falls through it in a straight line. Returns the lanes with
+ * such a guard. */
 static inline mask end_on_line(page_step *step, int guard, const real *g, real band, mask lanes) {
     const real since = g[0] / -g[1];
     lanes &= (g[0] <= band) & (g[1] < 0.0) & (real_abs(g[2]) * since <= close_enough * real_abs(g[1]));
@@ -309,7 +310,7 @@ static inline mask end_on_line(page_step *step, int guard, const real *g, real b
  *
  *  - Zero: the first derivative that is not zero decides. A guard that falls is due.
  *  - Hardly below zero where a mode begins, as rounding leaves a guard that is zero there: due if it falls.
- * Is its event just taken, it has to fall clearly.
+ *    If its event was just taken, it has to fall clearly.
  *  - Below zero: due, unless it has to cross zero.
  *
  * A guard that is below zero and not due is watched from where it rises above zero. */
@@ -424,7 +425,7 @@ static inline real end_step(page_step *step) {
     return elapsed;
 }
 
-/* How much a series changes in a time whose powers are given. */
+/* The change of a series in a time whose powers are given. */
 static inline real change_of(const real *c, const real *power, int order) {
     pair sum = pair_of(broadcast(0.0), broadcast(0.0));
     int k = 1;

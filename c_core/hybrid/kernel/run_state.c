@@ -1,4 +1,4 @@
-/* Where a mode of a run begins, and its events. */
+/* The beginning of a mode in a run, and its events. */
 #include "run_state.h"
 
 int tdmf_size_of_run_state(const tdmf_model_kind *model) {

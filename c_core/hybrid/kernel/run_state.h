@@ -1,4 +1,4 @@
-/* A run between its steps: where a mode begins, and events. The driver and batches share it. */
+/* A run between its steps: the beginning of a mode, and events. The driver and batches share it. */
 #ifndef TDMF_KERNEL_RUN_STATE_H
 #define TDMF_KERNEL_RUN_STATE_H
 
@@ -19,7 +19,7 @@ typedef struct {
     double scale;
 } guard_start;
 
-/* A mode where it begins, or on its way, and working memory for events. */
+/* A mode at its beginning, or under way, and working memory for events. */
 typedef struct {
     bool begins;   /* no time has passed in the mode */
     double *c, *d; /* constants of the mode, and their variations for each seed */
@@ -27,7 +27,7 @@ typedef struct {
     double *room, *rates, *none; /* arrays of states; `none` holds zeros for parameters that do not vary */
 } mode_start;
 
-/* How many doubles the arrays need. */
+/* Numbers of doubles that the arrays need. */
 int tdmf_size_of_run_state(const tdmf_model_kind *model);
 int tdmf_size_of_mode_start(const tdmf_model_kind *model, int seed_count);
 
@@ -44,10 +44,11 @@ void tdmf_begin_mode(const run_state *state, mode_start *at);
 /* Moves the variations onto a guard, along the rates of all states before its event. */
 void tdmf_shift_to_event(run_state *state, const tdmf_guard_kind *kind, const mode_start *at);
 
-/* Keeps in the run what is known of the guards of its mode. */
+/* Stores in the run which guards of its mode were above zero, and which are late. */
 void tdmf_keep_guards(run_state *state, const mode_start *at);
 
-/* Takes an event and logs it. Returns whether the run may go on; if not, why is answered by the second. */
+/* Takes an event and logs it. Returns whether the run may go on; if not, tdmf_limit_reached gives the reason.
+ */
 bool tdmf_take_event(run_state *state, const tdmf_guard_kind *kind, const mode_start *at);
 tdmf_run_outcome tdmf_limit_reached(const run_state *state);
 
@@ -56,7 +57,8 @@ tdmf_run_outcome tdmf_limit_reached(const run_state *state);
 typedef struct tdmf_driver tdmf_driver;
 tdmf_driver *tdmf_driver_create(const tdmf_model_kind *model);
 
-/* Goes on in a mode up to the next event, and takes it: TDMF_RUN_GOES_ON, or what the run has come to. */
-tdmf_run_outcome tdmf_drive_to_event(tdmf_driver *driver, run_state *state, mode_start *at, double until);
+/* Goes on in a mode up to the next event, and takes it. Returns TDMF_RUN_GOES_ON, or the outcome of the run.
+ */
+tdmf_run_outcome tdmf_drive_to_event(tdmf_driver *w, run_state *state, mode_start *at, double until);
 
 #endif

@@ -32,13 +32,14 @@ static tdmf_page_run run_with_seeds(const tdmf_section_map *map, bool varies, do
     const int states = model->state_count, parameters = model->parameter_count;
     const int coordinates = map->model->sections[map->section].count;
     tdmf_page_run r = *map->run;
+    r.log_size = r.sample_count = 0;
     r.seed_count = varies ? coordinates + map->run->seed_count : 0;
     r.x = memory;
     r.dx = memory + states;
     r.shift = r.dx + r.seed_count * states; /* behind it are zeros for states that do not vary */
     double *dp = r.shift + r.seed_count + states;
     if (map->run->dp && varies) {
-        const size_t size = (size_t)(map->run->seed_count * parameters) * sizeof *dp;
+        const size_t size = (size_t)map->run->seed_count * (size_t)parameters * sizeof *dp;
         memcpy(dp + coordinates * parameters, map->run->dp, size);
     }
     r.dp = dp;
@@ -65,7 +66,8 @@ tdmf_crossing tdmf_next_crossing(const tdmf_section_map *map, const double *poin
     const int seeds = varies ? kind->count + map->run->seed_count : 0, states = model->state_count;
     tdmf_crossing crossing = {.outcome = TDMF_RUN_NO_MEMORY};
     double *memory =
-        calloc((size_t)((2 + seeds) * states + seeds * (model->parameter_count + 1)), sizeof *memory);
+        calloc((size_t)(2 + seeds) * (size_t)states + (size_t)seeds * (size_t)(model->parameter_count + 1),
+               sizeof *memory);
     if (!memory || seeds > 2 * TDMF_MAP_LIMIT) {
         free(memory);
         return crossing;
@@ -74,8 +76,7 @@ tdmf_crossing tdmf_next_crossing(const tdmf_section_map *map, const double *poin
     enter(map, point, &r);
     crossing.outcome = tdmf_page_run_to(model, &r, map->longest);
     if (crossing.outcome == TDMF_RUN_ENDED && (r.taken >> kind->event & 1u)) {
-        crossing.outcome =
-            TDMF_RUN_STOPPED; /* the run ends at the crossing, from which there is no other one */
+        crossing.outcome = TDMF_RUN_STOPPED; /* at a crossing that ends the run, too */
     }
     read_crossing(kind, states, &r, &crossing);
     if (x) {

@@ -7,7 +7,7 @@
 
 /* A return map. `run` is as tdmf_run_default makes it, with the parameters of the model, and with the
  * inputs among the states. Its seeds, if there are any, vary the parameters, and the inputs among the states.
- */
+ * Its log and samples are not used. */
 typedef struct {
     const tdmf_model_kind *model;
     int section;
@@ -15,7 +15,7 @@ typedef struct {
     double longest; /* time to the next crossing, at the most */
 } tdmf_section_map;
 
-/* What the map makes of a point. Columns of `varied` are the coordinates of the point, then the seeds. */
+/* The image of a point. Columns of `varied` are the coordinates of the point, then the seeds. */
 typedef struct {
     tdmf_run_outcome outcome; /* TDMF_RUN_STOPPED where there is a next crossing */
     int mode;                 /* at the end of the run */

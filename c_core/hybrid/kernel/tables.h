@@ -4,17 +4,17 @@
 
 #include <stdbool.h>
 
-/* Rows beyond either end are equal to the last row there. `entry` gives numbers that are computed, for
- * example drawn. Without rows and `entry`, the page's own rows count. */
+/* The first row also stands for all rows before it, the last row for all rows after it. `entry` computes
+ * numbers, for example drawn ones. Without rows and `entry`, the page's own rows are used. */
 typedef struct {
     int row_count, column_count;
-    const double *rows, *d_rows; /* and variations of the rows for each seed; NULL: they do not vary */
+    const double *rows, *d_rows; /* d_rows: variations of the rows for each seed; NULL: they do not vary */
     double (*entry)(const void *context, double row, int column);
     const void *context;
 } tdmf_table;
 
-static inline bool is_brought(const tdmf_table *tables, int table) {
-    return tables && (tables[table].rows || tables[table].entry);
+static inline bool is_given(const tdmf_table *tables, int table) {
+    return tables && ((tables[table].rows && tables[table].row_count > 0) || tables[table].entry);
 }
 
 static inline int place_in_table(const tdmf_table *t, int column, double row) {
@@ -23,7 +23,7 @@ static inline int place_in_table(const tdmf_table *t, int column, double row) {
 }
 
 static inline double looked_up(const tdmf_table *tables, int table, int column, double row, double own) {
-    if (!is_brought(tables, table)) {
+    if (!is_given(tables, table)) {
         return own;
     }
     const tdmf_table *t = &tables[table];
@@ -35,7 +35,7 @@ static inline double looked_up(const tdmf_table *tables, int table, int column, 
 
 static inline double variation_looked_up(const tdmf_table *tables, int table, int column, int seed,
                                          double row, double of_own) {
-    if (!is_brought(tables, table)) {
+    if (!is_given(tables, table)) {
         return of_own;
     }
     const tdmf_table *t = &tables[table];
