@@ -98,7 +98,7 @@ def section(event, coordinates):
 def table(**columns):
     """Mark the function that gives a row of a table as a mapping; `columns` gives the unit of each entry.
 
-    Decisions look rows up by `row_of`. A run may bring a table of its own in place of the page's rows.
+    Decisions look rows up by `row_of`. A run may supply a table of its own in place of the page's rows.
     """
     return _marked(is_table=True, columns=columns)
 
@@ -299,7 +299,7 @@ class Model(metaclass=_Page):
         return Record(**{column: self.entry_of(name, row, column, given[column]) for column in columns})
 
     def entry_of(self, name, row, column, own):
-        """An entry of a table on symbols: the page's own where a run does not bring the table."""
+        """An entry of a table on symbols: the page's own where a run does not supply the table."""
         unit, own = self.marked("is_table")[name].columns[column], lift(own)
         if own.dimension not in (ANY, dimension_of(unit)):
             raise PageError(f"gives `{column}` in {text_of(own.dimension)}; its unit is {unit}")

@@ -151,14 +151,17 @@ class ClassicSlip(Model):
            when=lambda s: s.free_length**2 - (s.x - s.foot_x) ** 2 - (s.y - s.foot_y) ** 2)
     def take_off(s):
         """The spring is relaxed."""
+        return s.rises()
+
+    def rises(s):
+        """Flight after a stance, or a fall if the mass does not rise."""
         s = s.replace(stance_time=s.time - s.touchdown_time)
         return s.to("fallen") if s.vy <= 0 else s.to("flight", way="up")
 
     @event("stance", when=lambda s: s.friction * s.off() - s.along(), unit="m")
     def leaves_cone(s):
         """The leg reaches theta = -arctan mu: the energy left in the spring is lost."""
-        s = s.replace(stance_time=s.time - s.touchdown_time, left_early=1)
-        return s.to("fallen") if s.vy <= 0 else s.to("flight", way="up")
+        return s.replace(left_early=1).rises()
 
     @event("stance", when=lambda s: s.friction * s.off() + s.along(), unit="m")
     def slides_out(s):

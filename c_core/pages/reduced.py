@@ -1,6 +1,6 @@
 """The reduced map: the leg is placed in flight as if by itself, so that an apex has two coordinates."""
 
-from ..hybrid import event, mode, output, section
+from ..hybrid import Record, event, mode, output, section
 from .runner import RunnerOnOneLine
 
 
@@ -25,12 +25,9 @@ class ReducedRunner(RunnerOnOneLine):
     @section("apex", "apex_com_height apex_com_speed")
     def at_apex(r, at):
         """A start at an apex, with the centre of mass at x = 0 and the leg at rest."""
-        leg = r.replace(length=r.free_length + r.extension, length_rate=0, angle_rate=0,
-                        angle=r.touchdown_angle + r.more_angle)
-        body, share = leg.body_from_foot(), r.share()
-        return leg.replace(
-            seen_x=-share * body.x, seen_y=r.set_height() + at.apex_com_height - share * body.y,
-            seen_vx=at.apex_com_speed, seen_vy=0)
+        return super().at_apex(Record(
+            **vars(at), apex_length=r.free_length + r.extension, apex_length_rate=0,
+            apex_angle=r.touchdown_angle + r.more_angle, apex_angle_rate=0))
 
     @event("start_of_run", when=lambda r: -1, counted=False)
     def begins(r):
