@@ -51,7 +51,7 @@ class _ReachedError(Exception):
     """An iterate is near the known point."""
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class _Watched:
     """A branch whose points are compared with one that is known."""
 
