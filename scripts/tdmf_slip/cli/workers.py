@@ -6,8 +6,9 @@ import logging
 import multiprocessing
 import os
 import signal
+import threading
 from collections.abc import Callable, Iterator
-from concurrent.futures import Executor, ProcessPoolExecutor, ThreadPoolExecutor
+from concurrent.futures import Executor, Future, ProcessPoolExecutor, ThreadPoolExecutor
 from typing import TYPE_CHECKING, Any, TypeVar
 
 import click
@@ -22,6 +23,8 @@ Function = TypeVar("Function", bound=Callable[..., Any])
 
 CONNECTING = 10.0
 """Seconds within which a scheduler has to answer."""
+CANCELLING = 0.2
+"""Seconds for a pool's thread to drop the waiting blocks. It fails on them if its processes end before."""
 SILENCE = logging.CRITICAL + 1
 """Level of Dask's log: errors are raised as exceptions, and the rest is about closing the connection."""
 
@@ -62,17 +65,37 @@ def executor_of(
         yield None
 
 
+class _DeafProcesses(ProcessPoolExecutor):
+    """Processes that hear no interrupt, not even while they start: they inherit what this thread blocks."""
+
+    def submit(self, fn: Callable[..., Any], /, *args: Any, **kwargs: Any) -> "Future[Any]":
+        """Future of a call, for which a process may start."""
+        if not hasattr(signal, "pthread_sigmask"):  # Windows, where the initializer has to do
+            return super().submit(fn, *args, **kwargs)
+        before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
+        try:
+            return super().submit(fn, *args, **kwargs)
+        finally:
+            signal.pthread_sigmask(signal.SIG_SETMASK, before)
+
+
 @contextlib.contextmanager
 def _processes(count: int) -> Iterator[Executor]:
     """Processes that leave an interrupt to this one, which ends them."""
     spawn = multiprocessing.get_context("spawn")
-    with ProcessPoolExecutor(count, spawn, signal.signal, (signal.SIGINT, signal.SIG_IGN)) as executor:
-        try:
-            yield executor
-        except BaseException:
-            for process in multiprocessing.active_children():
-                process.terminate()
-            raise
+    executor = _DeafProcesses(count, spawn, signal.signal, (signal.SIGINT, signal.SIG_IGN))
+    try:
+        yield executor
+    except BaseException:
+        threading.Timer(CANCELLING, _terminate_children).start()
+        executor.shutdown(cancel_futures=True)
+        raise
+    executor.shutdown()
+
+
+def _terminate_children() -> None:
+    for process in multiprocessing.active_children():
+        process.terminate()
 
 
 @contextlib.contextmanager
