@@ -5,6 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from ..contents import ByContents
 from ..errors import InputError, RunError
 from .corrector import Branch, corrected
 from .family import Family, Point
@@ -52,7 +53,7 @@ class _ReachedError(Exception):
 
 
 @dataclass(frozen=True, eq=False)
-class _Watched:
+class _Watched(ByContents):
     """A branch whose points are compared with one that is known."""
 
     branch: Branch

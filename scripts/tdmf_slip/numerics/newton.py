@@ -11,6 +11,7 @@ from typing import Any, Protocol, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
+from ..contents import ByContents
 from ..errors import InputError, RunError
 
 KEPT = 0.1
@@ -33,7 +34,7 @@ class Equations(Protocol):
 
 
 @dataclass(frozen=True, eq=False)
-class Iterate:
+class Iterate(ByContents):
     """A point of the search."""
 
     x: Vector
@@ -53,7 +54,7 @@ class NotSolvedError(RunError):
     """The residual no longer gets smaller, and is too large for a solution."""
 
     def __init__(self, last: Iterate) -> None:
-        """With the last iterate."""
+        """Error with the last iterate."""
         super().__init__(
             f"Newton's method stopped after {last.iterations} iterations with a residual of {last.error:.2g}"
         )
