@@ -43,7 +43,7 @@ class Walkers:
         self.step_weights = np.array(ground.step_weights)
         self.scales = self.runner.scales
         self.apex = np.asarray(gait.apex, dtype=float)
-        self.weights = np.zeros(1 + len(_features(np.zeros((1, 6)))[0]))
+        self.weights = np.zeros(1 + len(_features(np.zeros((1, len(self.apex))))[0]))
         # The first stride is on level ground without a law: every walker begins where it leads.
         batch = Batch(self.runner, self.apex[None], tolerance=TOLERANCE)
         batch.step()
@@ -94,7 +94,7 @@ class Walkers:
         return after, {GROUND: after["height"]}
 
     def _tripped(self, before: NDArray[Any], after: NDArray[Any]) -> NDArray[np.bool_]:
-        """Where a step that was drawn here came above the foot; the library reports its own steps."""
+        """Mask of walkers whose foot was below the step drawn here; the library reports its own steps."""
         if not self.ground.trips or not len(self.step_weights):
             return np.zeros(len(before), dtype=bool)
         height, _, length, angle = before["state"]["end"]["apex"][:, :4].T

@@ -22,8 +22,8 @@ from .settings import setting_number
 LARGEST_BALL = 1e100
 """Largest number in a ball's matrix."""
 WORK = ("strides", "events", "steps", "lane_steps", "evaluations", "layer_steps")
-"""What the engine counts: strides closed, events taken and steps of all runners; lanes stepped, with a runner
-in them or without; coefficients of series; steps that a friction that falls with speed made shorter."""
+"""Counters of the engine: strides closed, events taken and steps of all runners; lanes stepped, occupied or
+not; coefficients of series; steps shortened by a friction that falls with speed."""
 
 
 class Session:
@@ -70,11 +70,11 @@ class Session:
     def settle(self, until: Any, near: float, balls: ArrayLike | None) -> None:
         """Have runs end on gaits."""
         batch, size = self.batch, self.batch.size
-        refuse = (
-            "gaits on a terrain (segment_length = {:g} m), where no apex comes back; allowed: one of the two"
-        )
         if batch.ground.segment_length:
-            raise InputError(refuse.format(batch.ground.segment_length))
+            raise InputError(
+                f"gaits on a terrain (segment_length = {batch.ground.segment_length:g} m), where no apex "
+                "comes back; allowed: one of the two"
+            )
         batch.refuse_patches()
         gaits = numbers_by("until", getattr(until, "apex", until), batch.runner.coordinates)
         gaits = gaits.reshape(*[1] * (3 - gaits.ndim), *gaits.shape)
@@ -112,7 +112,7 @@ class Session:
         return done
 
     def _asked(self, function: CheckedLaw) -> dict[str, NDArray[np.float64]]:
-        """What a function, and the inputs, give for the next stride."""
+        """Settings of the next stride, from the inputs and from the function."""
         engine, batch, stride = self.engine, self.batch, self.engine.made
         if stride == 0:
             apices, runs = batch.starts[:, : batch.size].copy(), np.full(len(batch), True)
@@ -146,7 +146,7 @@ class Session:
         self.engine.advance(1)
 
     def settings_made(self, strides: int) -> dict[str, NDArray[np.float64]]:
-        """What was set in each stride, by name, shape (runners, strides)."""
+        """Settings of each stride, by name, shape (runners, strides)."""
         if not self.names:
             return {}
         values = np.stack(self.made, axis=1) if self.made else self.values
