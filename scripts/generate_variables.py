@@ -115,7 +115,7 @@ class Table:
         return [v for v in self.states if v.initial == "exact"]
 
     def dimensions(self):
-        """By unit: its powers of length, time and mass; an angle has none."""
+        """Powers of length, time and mass of each unit; an angle has none."""
         bases = {unit.get("name"): unit.find("BaseUnit") for unit in self.units}
         return {name: tuple(int(base.get(of, 0)) for of in ("m", "s", "kg")) for name, base in bases.items()}
 

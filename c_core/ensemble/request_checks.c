@@ -151,7 +151,7 @@ static bool are_heights(const tdmf_terrain *terrain) {
     return terrain->heights == NULL || terrain->height_count > 0;
 }
 
-/* Level segments, over which the centre of mass is ballistic, and of which a gait knows nothing. */
+/* A terrain needs level segments and a ballistic centre of mass, and excludes gaits to settle on. */
 static bool is_terrain(const tdmf_ensemble_case *its_case, const tdmf_ensemble *ensemble) {
     static const char *const fixed[] = {"ground.height", "ground.slope", "body.external_fx",
                                         "body.external_fy"};

@@ -28,8 +28,8 @@ static inline real cosine_near_zero(real x) {
 /* Angles beyond this are left to the library. */
 static const double farthest_angle = 1e5;
 
-/* What is left of an angle without the nearest multiple of pi/2. The first two of its three parts have
- * trailing zeros, so that their multiples are exact. */
+/* Angle minus the nearest multiple of pi/2. pi/2 is the sum of three parts; the first two have trailing
+ * zeros, so that their multiples are exact. */
 static inline real without_quarters(real x, real quarters) {
     return ((x - quarters * 1.57079632673412561417e+00) - quarters * 6.07710050630396597660e-11) -
            quarters * 2.02226624879595063154e-21;

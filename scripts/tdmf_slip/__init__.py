@@ -13,11 +13,11 @@ with its bifurcations, `basin` what a gait attracts, `viability` what some choic
 and `prove_attraction` prove by interval arithmetic; `validate` compares with what the paper publishes.
 `fmu_path` is the unit itself, for any other importer.
 
-The sub-packages, each of which knows those before it only: `terminal`, `numerics` and `files`, which know
-nothing of runners; `variables`, the table; `fmu`, which alone loads FMPy; `library`, `analysis`, `feedback`,
-`fitting`, `optimization`, `proof`, `viable_sets`, `pictures`; `paper` and `bench`; `cli`, the command line.
+Each sub-package imports only those before it: `terminal`, `numerics` and `files`, which know no runner;
+`variables`, the table; `fmu`, which alone loads FMPy; `library`, `analysis`, `feedback`, `fitting`,
+`optimization`, `proof`, `viable_sets`, `pictures`; `paper` and `bench`; `cli`, the command line.
 
-What is loaded is what is used: the names and their modules are in `__init__.pyi`.
+A module is loaded when a name of it is first used; `__init__.pyi` lists the names and their modules.
 """
 
 import lazy_loader

@@ -28,7 +28,7 @@ static bool has_width(const tdmf_model_kind *model, int i) {
             (widths[i].width != 8 || tdmf_processor_has_avx512()));
 }
 
-/* The row of a width; -1: there is none. Width 0 is the largest of which so many runs fill five eighths. */
+/* The row of a width, or -1. Width 0 asks for the largest width whose lanes the runs fill to five eighths. */
 static int row_of_width(const tdmf_model_kind *model, int width, int64_t runs) {
     for (int i = WIDTHS - 1; i >= 0; --i) {
         const bool suits = width == 0 ? i == 0 || 8 * runs > 5 * widths[i].width : width == widths[i].width;

@@ -27,7 +27,7 @@ typedef struct {
     const tdmf_polynomial *polynomials; /* guards, then observed quantities */
     tdmf_expand *expand;
     tdmf_vary *vary;
-    const int *integrals; /* series of which an observed quantity is the rate, or -1 */
+    const int *integrals; /* series whose rate is the observed quantity, or -1 */
     tdmf_bounds *bounds;  /* of guards and observed quantities; NULL: none is bounded */
 } tdmf_motion_kind;
 

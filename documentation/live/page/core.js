@@ -199,8 +199,8 @@ export class Core {
   }
 
   /**
-   * What becomes of runners that may settle on a gait.
-   * @param {number[]} apex Of the gait.
+   * Fates of runners that may settle on a gait.
+   * @param {number[]} apex Apex of the gait.
    * @param {number[][]} from Apices to start from.
    * @param {{tolerance: number, distance: number, strides: number}} rules When a runner has settled.
    * @returns {Int32Array} Two to a start: its fate, and the strides until then.

@@ -72,7 +72,7 @@ class Basin(LabelledArrays):
 
     @property
     def counts(self) -> dict[str, int]:
-        """How many starts have each fate, by the names of `library.engine.FATES`."""
+        """Number of starts with each fate, by the names of `library.engine.FATES`."""
         return {name: int((self["fate"] == number).sum()) for number, name in enumerate(FATES)}
 
     def __repr__(self) -> str:

@@ -15,7 +15,7 @@ class Branch(Protocol):
     """Strides of one runner by apex and parameter, which are over their scales."""
 
     def residual(self, coordinates: NDArray[np.float64]) -> NDArray[np.float64]:
-        """How far the strides are from closing, over the scales."""
+        """Residual of the strides, over the scales."""
 
     def linearize(self, coordinates: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
         """The residual and its derivatives by apex and parameter."""

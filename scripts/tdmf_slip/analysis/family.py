@@ -88,7 +88,7 @@ class Family:
         return [self.point(gait, ends[-1] - ends[0]) for gait in gaits]
 
     def rows(self, gait: Gait) -> NDArray[np.float64]:
-        """How what is left over of the strides changes by the apex and by the parameter."""
+        """Derivatives of the residual by the apex and by the parameter, over the scales."""
         assert gait.by_parameter is not None
         dimension = len(gait.apex)
         rows: NDArray[np.float64]
@@ -108,7 +108,7 @@ class Family:
         return self.strides_at(coordinates[-1] * self.scales[-1], coordinates[:-1] * self.scales[:-1])
 
     def residual(self, coordinates: NDArray[np.float64]) -> NDArray[np.float64]:
-        """How far strides are from closing, from a point over the scales."""
+        """Residual of the strides from a point, over the scales."""
         return self._closing(coordinates).residual(coordinates[:-1])
 
     def linearize(self, coordinates: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:

@@ -1,4 +1,4 @@
-"""What becomes of runners that start somewhere about a gait: they settle on it, fall, or neither."""
+"""Fates of runners that start near a gait: they settle on it, fall, or do neither."""
 
 from numpy.typing import ArrayLike
 
@@ -30,10 +30,10 @@ def fates(
     first_number: int = 0,
     ball: Ball | None = None,
 ) -> Table:
-    """What becomes of runners that start somewhere, an apex to a row: see `Batch.run`.
+    """Fates of runners, one for each row of starts, by the names of `Batch.run`.
 
-    A law's noise is drawn by their numbers, which begin with the first. A start that comes into the gait's
-    ball has settled; if the ball asks for it, the tolerance is finer.
+    A law's noise is drawn by the numbers of the runners, which count from `first_number`. A runner that
+    enters the gait's ball has settled. A ball may require a finer tolerance.
     """
     if ball is not None:
         tolerance = min(tolerance, ball.tolerance)

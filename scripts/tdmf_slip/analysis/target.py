@@ -89,7 +89,7 @@ class Target:
         return Iterate(at, varied)
 
     def plain(self, at: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-        """What is left over of the stride from a point, over the scales, and its quantities."""
+        """Residual of the stride from a point, over the scales, and the quantities of the stride."""
         apex = (at * self.scales)[: len(self._apex_scales)]
         try:
             stride = plain_stride(self.runner_at(at), apex, self.names)
@@ -107,13 +107,13 @@ class Target:
         return off
 
     def rows(self, iterate: Iterate) -> NDArray[np.float64]:
-        """Changes of what is left over and of the quantities by the point, all over the scales."""
+        """Derivatives of the residual and of the quantities by the point, all over the scales."""
         scales = np.append(self._apex_scales, self.quantity_scales)
         rows: NDArray[np.float64] = iterate.varied.by_all * self.scales / scales[:, None]
         return rows
 
     def closing(self, iterate: Iterate) -> NDArray[np.float64]:
-        """What is left over of the stride, over the scales."""
+        """Residual of the stride, over the scales."""
         return iterate.varied.left_over / self._apex_scales
 
     def solved_from(self, iterate: Iterate, steps: int = STEPS) -> tuple[Iterate, float]:
@@ -201,7 +201,7 @@ class _Closing(ByContents):
     goal: NDArray[np.float64] | None
 
     def residual(self, x: NDArray[np.float64]) -> NDArray[np.float64]:
-        """What is left over of the stride, then the quantities' deviations, over the scales."""
+        """Residual of the stride, then deviations of the quantities, over the scales."""
         return self._off(*self.target.plain(x))
 
     def linearize(self, x: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:

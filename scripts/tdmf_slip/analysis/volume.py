@@ -112,7 +112,7 @@ class Drawing(ByContents):
 
 
 def count_fates(drawing: Drawing) -> NDArray[np.int64]:
-    """How many of a block's starts have each of `library.engine.FATES`."""
+    """Number of starts in a block with each of `library.engine.FATES`."""
     found = fates(
         drawing.runner,
         drawing.apex,

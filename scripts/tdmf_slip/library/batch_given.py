@@ -1,4 +1,4 @@
-"""What a batch is given: runners, apices, ground, a law and settings, all checked once."""
+"""Arguments of a batch: runners, apices, ground, a law and settings, all checked once."""
 
 from __future__ import annotations
 
@@ -212,7 +212,7 @@ class Given:
             )
 
     def refuse_patches(self) -> None:
-        """Refuse a patch of ground, of which apices know nothing."""
+        """Refuse a patch of ground: an apex does not tell where the foot stands."""
         for runner in self.runners:
             refuse_patch(runner)
         if any(name in self.varied for name in PATCH):

@@ -133,7 +133,7 @@ def _labels(batch: Given) -> dict[str, NDArray[Any]]:
 
 
 def ends_table(batch: Given, ends: NDArray[Any], work: Mapping[str, int], recorded: Table | None) -> Table:
-    """What became of the runners."""
+    """Ends of the runs, over runners."""
     over: tuple[str, ...] = () if batch.is_single else ("runner",)
 
     def make(name: str) -> NDArray[Any]:

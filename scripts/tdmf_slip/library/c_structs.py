@@ -44,7 +44,7 @@ def _dtype_of(kind: Any) -> np.dtype[Any]:
 
 
 END = dtype_of("tdmf_ensemble_end")
-"""How a runner ends."""
+"""End of a run."""
 STRIDE = dtype_of("tdmf_ensemble_stride")
 """A recorded stride."""
 RETURN = dtype_of("tdmf_return")
@@ -70,7 +70,7 @@ def copied(models: Sequence[Any]) -> NDArray[Any]:
 
 
 def address(array: NDArray[Any]) -> int:
-    """Where an array begins; whoever writes the address into a struct keeps the array alive."""
+    """Address of an array; whoever writes the address into a struct keeps the array alive."""
     begin: int = array.ctypes.data
     return begin
 

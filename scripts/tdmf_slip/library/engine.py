@@ -30,7 +30,7 @@ ONE_BY_ONE: int = c.TDMF_ONE_BY_ONE
 
 
 def instruction_sets() -> tuple[str, ...]:
-    """What this processor and this build have, the slowest first: `one by one` is the native solver."""
+    """Instruction sets that can be used here, the slowest first; `one by one` is the native solver."""
     return tuple(name for name, number in INSTRUCTIONS.items() if c.tdmf_has_instructions(number))
 
 
@@ -60,7 +60,7 @@ class AffineSettings:
         self.struct["apex"][0, :size], self.struct["noise"][0, :size] = apex, noise
 
     def at(self, apices: NDArray[np.float64], first_number: int, stride: int) -> NDArray[np.float64]:
-        """What the law sets at apices of runners, shape (runners, settings)."""
+        """Settings of the law at apices of runners, shape (runners, settings)."""
         sections = np.zeros((len(apices), WIDTH))
         sections[:, : apices.shape[1]] = apices
         values = np.empty((len(apices), len(self._arrays["settings"])))

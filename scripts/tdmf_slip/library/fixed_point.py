@@ -52,7 +52,7 @@ class Closing:
         self.scales = runner.scales if scales is None else scales
         self.until = longest_stride(runner)
         self.unsolved = ""
-        """What stopped the solver in the last stride that it did not get through."""
+        """Why the solver gave up in the last stride; empty where it did not."""
 
     def residual(self, x: NDArray[np.float64]) -> NDArray[np.float64]:
         """Last apex minus first, over the scales."""
@@ -143,7 +143,7 @@ class Closing:
                 raise self._not_found(f"{problem}, after {made + closed} strides") from None
 
     def _not_found(self, why: str) -> GaitNotFoundError:
-        """With why none was found; where the solver gave up, nothing is known of a gait."""
+        """Error that says why no gait was found, or that the solver gave up."""
         at = f"at friction {self.runner[FRICTION]:g}"
         if not self.unsolved:
             kind = f" of {self.strides} strides" if self.strides > 1 else ""

@@ -42,10 +42,10 @@ class Gait(ByContents, Drawable):
     word: str
     """The gait word: `+`, `0` or `-` for each contact mode in the order of the stance."""
     liftoff_angle: float
-    """Of the leg at lift-off, rad."""
+    """Leg angle at lift-off, rad."""
     stride: Mapping[str, float]
-    """By the names in `STRIDE_QUANTITIES`, `LEDGER` and, in the full model, `quantities.MEASURES`: there
-    `positive_work` is that of hip and leg, in the reduced map that of the hip."""
+    """Quantities by the names in `STRIDE_QUANTITIES`, `LEDGER` and, in the full model, `quantities.MEASURES`.
+    `positive_work` is the work of hip and leg, in the reduced map the work of the hip."""
     jacobian: NDArray[np.float64]
     """Of the map, shape (n, n); [i, k] is the change of coordinate i by coordinate k."""
     along: Along | None

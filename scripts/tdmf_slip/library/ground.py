@@ -123,13 +123,13 @@ class RoughGround:
 
     @property
     def rules(self) -> dict[str, Any]:
-        """What the engine is told of it, by the names of its rules."""
+        """Rules of the ground for the engine, by name."""
         names = ("roughness", "seed", "trips", "friction_spread", "step_weights", "friction_weights")
         return {name: getattr(self, name) for name in names}
 
     @property
     def terrain(self) -> dict[str, Any]:
-        """What the engine is told of its segments."""
+        """Segments of the ground for the engine."""
         return {"length": self.segment_length, "heights": self.heights}
 
     def check_runner(self, values: Mapping[str, float | bool], scales: NDArray[np.float64]) -> None:

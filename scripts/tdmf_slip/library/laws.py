@@ -129,7 +129,7 @@ class AffineLaw(ByContents):
     def __call__(
         self, apices: NDArray[np.float64], stride_number: int = 0, first_number: int = 0
     ) -> dict[str, NDArray[np.float64]]:
-        """What is set at the apices of many runners, as the engine sets it.
+        """Settings at the apices of many runners, as the engine computes them.
 
         Parameters
         ----------
@@ -237,7 +237,7 @@ class CheckedLaw:
     def __call__(
         self, apices: NDArray[np.float64], stride_number: int, under_way: NDArray[np.bool_]
     ) -> dict[str, NDArray[np.float64]]:
-        """What is set at apices, shape (runners,); the runner's own values where a run is over."""
+        """Settings at apices, shape (runners,); the runner's own values where a run is over."""
         what = f"law: stride {stride_number}"
         given = by_full_name(
             self.law(apices, stride_number), f"{what}: what it gives", "numbers or arrays by name"

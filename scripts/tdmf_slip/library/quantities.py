@@ -175,7 +175,7 @@ def reported_quantities(reduced: bool) -> tuple[str, ...]:
 
 
 def apex_quantities(runner: Runner, apex: Apex) -> dict[str, float]:
-    """Where a stride begins, by the names of quantities."""
+    """Height and speed at the apex where a stride begins, by the names of quantities."""
     at = dict(zip(runner.coordinates, map(float, apex), strict=True))
     return {name: at[of] for name, of in APEX_QUANTITIES.items() if of in at}
 

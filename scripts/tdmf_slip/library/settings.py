@@ -25,7 +25,7 @@ BY_GAINS = (
 )
 """What the hip does about them is proportional to `hip.kp` and `hip.kd`."""
 CONSTANT_ON_TERRAIN = ("ground.height", "ground.slope", "body.external_fx", "body.external_fy")
-"""What no law sets on a terrain."""
+"""Settings that no law may change on a terrain."""
 
 
 def setting_number(name: object, what: str) -> int:

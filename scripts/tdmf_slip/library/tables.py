@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 
 class Table(Mapping[str, Any]):
-    """Arrays by name, each made when it is asked for first; also attributes: `table.fate` is `table["fate"]`.
+    """Arrays by name, each made when it is first read; `table.fate` is `table["fate"]`.
 
     Parameters
     ----------
@@ -28,7 +28,7 @@ class Table(Mapping[str, Any]):
     units : function of str
         Unit of a column by its name, empty for none.
     attributes : mapping
-        What holds for the whole table.
+        Properties of the whole table.
     recorded : Table, optional
         The single strides of these runs.
     """
@@ -55,7 +55,7 @@ class Table(Mapping[str, Any]):
         return self._made[name]
 
     def __getattr__(self, name: str) -> Any:
-        """The same as an attribute."""
+        """An array by its name, as an attribute."""
         if name.startswith("_") or name not in self._dimensions:
             raise AttributeError(f"no array {name!r}; arrays: {', '.join(self)}")
         return self[name]

@@ -15,7 +15,7 @@ from . import style
 from .branch_diagram import MARKS
 
 BESIDE, ASLANT = 6.0, 0.35
-"""How far from its curve a word is, in points; and from which slope on it is at the side of it."""
+"""Distance of a word from its curve, in points, and the slope from which the word stands beside it."""
 
 
 def figure_of(

@@ -120,7 +120,7 @@ class CurveLabel(Annotation):
         return [path.cleaned(remove_nans=True) for path in lines], boxes
 
     def _touched(self, box: Bbox, lines: list[Path], boxes: list[Bbox]) -> int:
-        """How much a word would touch; outside of the axes counts for more than anything."""
+        """Number of things that a word would touch; a place outside the axes counts as a hundred."""
         box = box.padded(CLEARANCE)
         frame = self.axes.bbox  # type: ignore[union-attr]
         inside = frame.x0 <= box.x0 and box.x1 <= frame.x1 and frame.y0 <= box.y0 and box.y1 <= frame.y1

@@ -114,7 +114,7 @@ class Quantity:
 
 @dataclass(frozen=True, eq=False)
 class Model:
-    """What goes from apex to apex: the return map of the full model, or the reduced map."""
+    """A map from apex to apex: the return map of the full model, or the reduced map."""
 
     name: str
     """`full` or `reduced`."""

@@ -51,7 +51,7 @@ class Variable(ByContents):
     variability: str
     """`fixed`, `tunable`, `discrete` or `continuous`."""
     settable: bool
-    """Whether it takes a start value."""
+    """True if the variable takes a start value."""
     minimum: float
     """Smallest value allowed; minus infinity for no limit."""
     maximum: float

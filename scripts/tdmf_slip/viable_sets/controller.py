@@ -134,7 +134,7 @@ class ViableController(ByContents):
         return GRADES[int(self.inner[row, column].any()) + int(self.outer[row, column].any())]
 
     def __call__(self, apices: NDArray[np.float64], stride_number: int = 0) -> dict[str, NDArray[np.float64]]:
-        """What is set at the apices of many runners in any stride, as a `Batch` asks a law."""
+        """Actions at the apices of many runners, by name: the controller is a law for a `Batch`."""
         cells = self.grid.cell_of(apices[:, : len(REDUCED)])
         best = np.full(len(apices), -1)
         for number in np.unique(cells[cells >= 0]):
