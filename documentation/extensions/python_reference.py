@@ -19,7 +19,6 @@ PACKAGE = "tdmf_slip"
 WITHOUT_PAGE = (
     "cli",
     "__main__",
-    "bench.peers",
     "equations",
     "hybrid",
     "library.c_structs",
@@ -27,7 +26,7 @@ WITHOUT_PAGE = (
     "pages",
 )
 """Modules without a generated page. The command line, the C structs and the language of pages have pages of
-their own, the guides document the laws, and peers are for the benchmark."""
+their own, and the guides document the laws."""
 
 
 def modules(folder: Path) -> dict[str, Path]:

@@ -15,7 +15,7 @@ and `prove_attraction` prove by interval arithmetic; `validate` compares with wh
 
 Each sub-package imports only those before it: `terminal`, `numerics` and `files`, which know no runner;
 `variables`, the table; `fmu`, which alone loads FMPy; `library`, `analysis`, `feedback`, `fitting`,
-`optimization`, `proof`, `viable_sets`, `pictures`; `paper` and `bench`; `cli`, the command line.
+`optimization`, `proof`, `viable_sets`, `pictures`; `paper`; `cli`, the command line.
 
 A module is loaded when a name of it is first used; `__init__.pyi` lists the names and their modules.
 """

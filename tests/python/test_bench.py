@@ -4,11 +4,11 @@ import json
 
 import numpy as np
 import pytest
-from conftest import RELEASE
+from conftest import RELEASE, ROOT
 from tdmf_slip import Batch, RunError
-from tdmf_slip.bench import growth, one_runner, results, runners, running
-from tdmf_slip.cli import bench as command_module
 from tdmf_slip.library import engine
+
+from benchmarks import growth, one_runner, results, runners, running
 
 OURS = ("native", "cvode")
 PEERS = ("heyoka", "numba", "scipy")
@@ -89,7 +89,7 @@ def test_solvers_are_judged_by_the_gait_and_what_is_around_it():
 
 def test_nothing_is_timed_unless_all_solvers_agree(fmu, monkeypatch):
     """By both readings: SciPy is told one without the clamp for the other, and differs."""
-    from tdmf_slip.bench.peers import scipy_peer
+    from benchmarks.peers import scipy_peer
 
     honest, timed = scipy_peer.Peer.__init__, []
     monkeypatch.setattr(runners, "JUDGED", 2)
@@ -142,8 +142,11 @@ def test_bench_command(command, measured, monkeypatch):
         asked.append((effort, swing_clamp, progress))
         return measured
 
+    status, out, err = command("bench")  # in an empty folder
+    assert status == 2 and not out and "not in a checkout" in err
+    monkeypatch.chdir(ROOT / "tests")
     assert command("bench", "--effort", 0)[0] == 2
-    monkeypatch.setattr(command_module, "bench", remembered)
+    monkeypatch.setattr(running, "bench", remembered)
     status, out, _ = command("bench", "--effort", 0.01, "--json")
     assert status == 0 and json.loads(out)["threads"] >= 1
     assert command("bench", "--effort", 0.02, "--no-swing-clamp")[1].startswith(
@@ -155,6 +158,7 @@ def test_bench_command(command, measured, monkeypatch):
 def test_growth_times_each_question_by_its_size(command, monkeypatch):
     """All but the searches for an optimum, which take long at any effort, are really asked."""
     asked = []
+    monkeypatch.chdir(ROOT)
     monkeypatch.setattr(growth, "optimize", lambda *_, **given: asked.append(given["minimize"]))
     status, out, _ = command("bench", "--growth", "--effort", 1e-4, "--json")
     found = json.loads(out)

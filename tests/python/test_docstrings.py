@@ -9,7 +9,6 @@ import pytest
 import tdmf_slip
 
 PACKAGE = pathlib.Path(__file__).resolve().parents[2] / "scripts/tdmf_slip"
-NEEDS_A_PEER = "bench.peers"
 SECTION = re.compile(r"^(\w+)\n-+\n(.*?)(?=^\w+\n-+\n|\Z)", re.MULTILINE | re.DOTALL)
 ENTRY = re.compile(r"^(\*{0,2}\w+(?:, \w+)*) : \S", re.MULTILINE)
 TOP = [name for name in tdmf_slip.__all__ if inspect.isfunction(getattr(tdmf_slip, name))]
@@ -18,7 +17,7 @@ TOP = [name for name in tdmf_slip.__all__ if inspect.isfunction(getattr(tdmf_sli
 def modules():
     for path in PACKAGE.rglob("*.py"):
         name = ".".join(path.relative_to(PACKAGE).with_suffix("").parts)
-        if not name.endswith("__init__") and not name.startswith(NEEDS_A_PEER) and name != "__main__":
+        if not name.endswith("__init__") and name != "__main__":
             yield importlib.import_module(f"tdmf_slip.{name}")
 
 

@@ -55,14 +55,13 @@ KNOWS = {
             "terminal",
         )
     },
-    "bench": {"optimization", "fitting", "analysis", "library", "fmu", "variables", "terminal"},
     "cli": {
-        *("bench", "paper", "pictures", "viable_sets", "proof", "optimization", "fitting", "analysis"),
+        *("paper", "pictures", "viable_sets", "proof", "optimization", "fitting", "analysis"),
         *("library", "fmu", "variables", "files", "terminal"),
     },
 }
 """By part: the parts that it may import, beside those of `GROUND`."""
-EVALUATES_LAWS = {"bench", "proof"}
+EVALUATES_LAWS = {"proof"}
 """Who may import the pages of laws, `c_core/equations`, which are installed as its lowest part. Others
 get their numbers from the core, which is derived from these pages."""
 
@@ -115,7 +114,6 @@ def test_a_part_imports_what_is_below_it_only(part):
         ("library", "from ..analysis import sweep"),
         ("analysis", "from ..fmu.fmu import load_fmu"),
         ("analysis", "def late():\n    from .. import cli"),
-        ("paper", "from ..bench.running import bench"),
         ("files", "from ..unit import section as where"),
         ("numerics", "from ..library.gait import Gait"),
         ("analysis", "from ..equations import leg"),

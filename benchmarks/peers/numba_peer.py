@@ -12,10 +12,10 @@ import numba
 import numpy as np
 from numpy.typing import NDArray
 from scipy.integrate import DOP853
+from tdmf_slip.equations.derive.c import c_text
+from tdmf_slip.equations.derive.expressions import begin_anew, lift, symbol, trace
+from tdmf_slip.library.section import Apex
 
-from ...equations.derive.c import c_text
-from ...equations.derive.expressions import begin_anew, lift, symbol, trace
-from ...library.section import Apex
 from . import equations as eq
 from . import sequence
 

@@ -5,13 +5,13 @@ from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
+from tdmf_slip.contents import ByContents
+from tdmf_slip.library.batch import Batch
+from tdmf_slip.library.fixed_point import settled_gait
+from tdmf_slip.library.gait import Gait
+from tdmf_slip.library.runner import Runner
+from tdmf_slip.library.tables import Table
 
-from ..contents import ByContents
-from ..library.batch import Batch
-from ..library.fixed_point import settled_gait
-from ..library.gait import Gait
-from ..library.runner import Runner
-from ..library.tables import Table
 from .accuracy import fastest
 
 FRICTION = 0.6

@@ -3,7 +3,8 @@
 import time
 from collections.abc import Callable, Iterator
 
-from ..errors import RunError
+from tdmf_slip.errors import RunError
+
 from .results import ACCURACIES
 
 TOLERANCES = tuple(digit * 10.0**-power for power in range(3, 13) for digit in (10, 5, 2))

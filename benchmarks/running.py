@@ -6,10 +6,11 @@ import importlib
 import os
 from collections.abc import Callable, Iterator
 
-from ..checks import checked
-from ..fmu.fmu import Fmu, load_fmu
-from ..library.engine import instruction_sets
-from ..terminal.progress import progress_bar
+from tdmf_slip.checks import checked
+from tdmf_slip.fmu.fmu import Fmu, load_fmu
+from tdmf_slip.library.engine import instruction_sets
+from tdmf_slip.terminal.progress import progress_bar
+
 from .accuracy import check_agrees
 from .ensembles import batch_error, lane_error, measure_batches, measure_lanes, measure_scaling
 from .one_runner import STRIDES, Peer, measure_fmu, measure_peer, peer_error, stride_error

@@ -7,8 +7,8 @@ import numpy as np
 import scipy
 from numpy.typing import NDArray
 from scipy.integrate import solve_ivp
+from tdmf_slip.library.section import Apex
 
-from ...library.section import Apex
 from . import equations as eq
 from . import sequence
 

@@ -8,18 +8,18 @@ from dataclasses import asdict, dataclass
 from typing import NamedTuple
 
 import numpy as np
+from tdmf_slip.analysis.basin import basin
+from tdmf_slip.analysis.tracing import continue_branch
+from tdmf_slip.checks import checked
+from tdmf_slip.contents import ByContents
+from tdmf_slip.fitting.fitted import fit
+from tdmf_slip.fitting.measurements import Measured, Measurements
+from tdmf_slip.library.batch import Batch
+from tdmf_slip.library.runner import Runner
+from tdmf_slip.optimization.optimize import optimize
+from tdmf_slip.terminal.progress import progress_bar
+from tdmf_slip.terminal.text import table
 
-from ..analysis.basin import basin
-from ..analysis.tracing import continue_branch
-from ..checks import checked
-from ..contents import ByContents
-from ..fitting.fitted import fit
-from ..fitting.measurements import Measured, Measurements
-from ..library.batch import Batch
-from ..library.runner import Runner
-from ..optimization.optimize import optimize
-from ..terminal.progress import progress_bar
-from ..terminal.text import table
 from .results import versions_here
 from .runners import FRICTION, Runners, runners_about_the_gait
 

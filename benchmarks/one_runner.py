@@ -7,11 +7,11 @@ from typing import Protocol
 
 import numpy as np
 from numpy.typing import NDArray
+from tdmf_slip.fmu.fmu import Fmu
+from tdmf_slip.fmu.instance import opened
+from tdmf_slip.library.section import COORDINATES, Apex
+from tdmf_slip.uninterrupted import uninterrupted
 
-from ..fmu.fmu import Fmu
-from ..fmu.instance import opened
-from ..library.section import COORDINATES, Apex
-from ..uninterrupted import uninterrupted
 from .accuracy import REPEATS, fastest, loosest
 from .results import ALONE, ONE, Measurement
 from .runners import Runners

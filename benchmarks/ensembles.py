@@ -6,9 +6,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
+from tdmf_slip.library.batch import TOLERANCE
+from tdmf_slip.library.section import COORDINATES
 
-from ..library.batch import TOLERANCE
-from ..library.section import COORDINATES
 from .accuracy import REPEATS, fastest, loosest
 from .one_runner import STRIDES
 from .results import ALONE, MANY, Measurement

@@ -7,9 +7,9 @@ from typing import Any
 import heyoka as hy
 import numpy as np
 from numpy.typing import NDArray
+from tdmf_slip.equations import functions
+from tdmf_slip.library.section import Apex
 
-from ...equations import functions
-from ...library.section import Apex
 from . import equations as eq
 from . import sequence
 

@@ -10,9 +10,8 @@ from types import SimpleNamespace as Record
 from typing import Any, TypeAlias
 
 import numpy as np
-
-from ...equations import coordinates, dynamics, free_fall, functions, ground_force, hip, leg, runner
-from ...equations import impact as impact_law
+from tdmf_slip.equations import coordinates, dynamics, free_fall, functions, ground_force, hip, leg, runner
+from tdmf_slip.equations import impact as impact_law
 
 STANCE_TORQUE, KP, KD, LIFTOFF_FACTOR = 0.2, 0.1, 0.1, 1.2
 TOUCHDOWN_ANGLE = math.radians(40.0)

@@ -6,10 +6,10 @@ from collections.abc import Mapping
 from dataclasses import asdict, dataclass
 from importlib.metadata import version
 
-from ..contents import ByContents
-from ..library.binding import c, ffi
-from ..library.runner import Runner
-from ..terminal.text import table
+from tdmf_slip.contents import ByContents
+from tdmf_slip.library.binding import c, ffi
+from tdmf_slip.library.runner import Runner
+from tdmf_slip.terminal.text import table
 
 ACCURACIES = (1e-8, 1e-5)
 """Wanted of the apex after one stride, over its scales, from the gait's apex and all around it."""
