@@ -12,6 +12,7 @@ from .expressions import forget_expressions, lift
 from .instants import Functions, Instants, c_name
 from .motions import Motion
 from .page import Page
+from .quantities import range_of
 from .tables import enumeration, list_in_c, row_in_c, rows_in_c
 
 TOP = "/* Derived from the page {name}: edit the page, not this. */\n"
@@ -73,7 +74,7 @@ def generate(page):
         motion_tables, motion_rows = motion_tables + for_motion, motion_rows + row
         series_count = max(series_count, len(motion.series))
         constant_count = max(constant_count, len(motion.constants))
-    table, of_width = f"TDMF_OF_WIDTH({page.c}_motions)", f"{page.c}_motions_of"
+    table, of_width = f"TDMF_OF_WIDTH(tdmf_{page.c}_motions)", f"tdmf_{page.c}_motions_of"
     motions.append(
         f"{motion_tables}\nconst tdmf_motion_kind {table}[] = {{\n{motion_rows}}};\n\n#ifdef TDMF_LANES\n"
         f"const void *TDMF_OF_WIDTH({of_width})(void) {{\n    return {table};\n}}\n#endif\n"
@@ -81,7 +82,7 @@ def generate(page):
     header.append(
         f"extern const tdmf_motion_kind {table}[];\n"
         f"tdmf_motions_of_width {of_width}_2, {of_width}_4, {of_width}_8;\n"
-        f"extern const tdmf_model_kind {page.c}_model;\n\n#endif\n"
+        f"extern const tdmf_model_kind tdmf_{page.c}_model;\n\n#endif\n"
     )
     (set_tables, set_rows), (section_tables, section_rows) = instants.sets(), instants.section_rows()
     row = {"modes": "modes", "sets": "sets", "set_count": len(set_rows), "sections": "sections"}
@@ -99,6 +100,10 @@ def generate(page):
         defaults = [number_text(lift(q.value).value) for q in named[what].values()]
         lists += list_in_c("double", f"{what}_defaults", defaults)
         row[f"{what}_defaults"] = f"{what}_defaults"
+    for i, end in enumerate(("least", "most")):
+        bounds = [number_text(range_of(q)[i]) for q in page.parameters.values()]
+        lists += list_in_c("double", f"parameter_{end}", bounds)
+        row[f"parameter_{end}"] = f"parameter_{end}"
     instant = [
         f'{top}#include "{page.c}.h"\n',
         *functions.texts,
@@ -106,7 +111,7 @@ def generate(page):
         f"static const tdmf_mode_kind modes[] = {{\n{mode_rows}}};\n",
         rows_in_c("set", "sets", set_rows, "index") + rows_in_c("section", "sections", section_rows, "event"),
         lists,
-        f"const tdmf_model_kind {page.c}_model = {{\n{lines_of(f'.{n} = {v},' for n, v in row.items())}}};\n",
+        f"const tdmf_model_kind tdmf_{page.c}_model = {{\n{lines_of(f'.{n} = {v},' for n, v in row.items())}}};\n",
     ]
     forget_expressions()
     texts = {f"{page.c}.h": header, f"{page.c}_motions.c": motions, f"{page.c}.c": instant}

@@ -284,7 +284,7 @@ class Instants:
         if len(motion.observed) > LIMITS["WATCH"]:
             text = f"observes {len(motion.observed)} quantities; at most {LIMITS['WATCH']} are allowed"
             raise page_error(motion.function, key[0], text)
-        row = {"motion": f"&{self.page.c}_motions[MODE_{name}]", "ends": c_boolean(motion.function.ends)}
+        row = {"motion": f"&tdmf_{self.page.c}_motions[MODE_{name}]", "ends": c_boolean(motion.function.ends)}
         row |= self.constants(motion)
         guards = [row_in_c(self.guard_row(key, event)) for event in motion.watched]
         observed = [(o.part.upper().replace(" ", "_"), o.into) for o in motion.observed.values()]

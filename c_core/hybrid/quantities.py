@@ -2,6 +2,7 @@
 
 import math
 import operator
+import sys
 from types import SimpleNamespace as Record
 
 from .errors import PageError, caller, page_error, similar
@@ -50,6 +51,13 @@ def check_quantity(name, quantity):
         allowed = " and ".join(f"{BOUNDS[word][0]} {bound:g}" for word, bound in within.items())
         raise page_error(quantity, name, f"starts at {value:g}; it must be {allowed}")
     quantity.value = float(value)
+
+
+def range_of(quantity):
+    """The least and the most number that a quantity may be."""
+    within, largest = quantity.within, sys.float_info.max
+    least = max(within.get("least", -largest), math.nextafter(within.get("above", -math.inf), math.inf))
+    return least, min(within.get("most", largest), math.nextafter(within.get("below", math.inf), -math.inf))
 
 
 def parameter(value, unit="1", meaning="", name=None, tunable=False, **within):

@@ -18,7 +18,7 @@ def rows_in_c(kind, name, rows, last):
 
 def list_in_c(kind, name, values):
     """A table of numbers or names."""
-    return f"static const {kind} {name}[] = {{{', '.join(map(str, values or [0]))}}};\n"
+    return f"static const {kind} {name}[] = {{{', '.join(map(str, [*values] or [0]))}}};\n"
 
 
 def enumeration(prefix, names):

@@ -188,7 +188,7 @@ class CompiledPage:
         self.keys, self.files = page.keys, generate(page)
         self.name = next(iter(self.files)).removesuffix(".h")
         self.library = library_of(self.files, self.name, level, folders, in_lanes)
-        self.struct = ModelStruct.in_dll(self.library, f"{self.name}_model")
+        self.struct = ModelStruct.in_dll(self.library, f"tdmf_{self.name}_model")
         self.modes, self.events, self.states, self.parameters, self.outputs, self.tables, self.sections = (
             [
                 getattr(self.struct, names)[i].decode()

@@ -130,6 +130,7 @@ typedef struct {
     const char *const *table_names;
     const char *const *section_names;
     const double *parameter_defaults, *state_defaults;
+    const double *parameter_least, *parameter_most; /* bounds that are allowed themselves */
     tdmf_motions_of_width
         *lanes[3]; /* motions of all modes for 2, 4 and 8 lanes; NULL: this build has none */
 } tdmf_model_kind;

@@ -1,0 +1,981 @@
+/* Derived from the page ClassicSlip: edit the page, not this. */
+#include "classic_slip.h"
+
+/* ---- start_of_run */
+
+/* Start of a run. */
+typedef struct {
+    real time[TERMS];
+} start_of_run_series;
+
+typedef struct {
+    pair none;
+} start_of_run_sums;
+
+typedef struct {
+    real none;
+} start_of_run_factors;
+
+/* Adds the terms of coefficients i - 1 and i of one factor and j of the other to the sums of products. */
+KERNEL void add_start_of_run_sums(const start_of_run_series *s, int i, int j, start_of_run_sums *sum) {
+    (void)s;
+    (void)i;
+    (void)j;
+    (void)sum;
+}
+
+/* The terms in the middle of the sums of coefficients 2 i and 2 i + 1. */
+KERNEL void begin_start_of_run_sums(const start_of_run_series *s, int i, start_of_run_sums *sum) {
+    (void)s;
+    (void)i;
+    (void)sum;
+}
+
+/* From coefficient k of the states to k + 1; `odd` says which of the two sums is that of k. */
+KERNEL void step_start_of_run(const start_of_run_constants *c, const start_of_run_factors *by, int k,
+                              const start_of_run_sums *sum, int odd, start_of_run_series *s) {
+    (void)c;
+    (void)by;
+    (void)sum;
+    (void)s;
+    (void)k;
+    (void)odd;
+}
+
+/* All coefficients up to `order`, which is even: the sums of two coefficients are added up in one loop. */
+static void expand_start_of_run(const real *constants, int order, real *series) {
+    const start_of_run_constants copy = *(const start_of_run_constants *)(const void *)constants, *c = &copy;
+    start_of_run_series *s = (void *)series;
+    static const start_of_run_sums none;
+    start_of_run_sums sum = none;
+    s->time[1] = broadcast(1.0);
+    const start_of_run_factors factors = {broadcast(0.0)}, *by = &factors;
+    step_start_of_run(c, by, 0, &sum, 0, s);
+    begin_start_of_run_sums(s, 0, &sum);
+    step_start_of_run(c, by, 1, &sum, 1, s);
+    for (int k = 2; k < order; k += 2) {
+        begin_start_of_run_sums(s, k / 2, &sum);
+        for (int i = k / 2, j = i + 1; i > 1; --i, ++j) {
+            add_start_of_run_sums(s, i, j, &sum);
+        }
+        step_start_of_run(c, by, k, &sum, 0, s);
+        add_start_of_run_sums(s, 1, k, &sum);
+        step_start_of_run(c, by, k + 1, &sum, 1, s);
+    }
+}
+
+/* First variation of the series. */
+static void vary_start_of_run(const real *constants, const real *series, const real *d_constants, int order,
+                              real *varied) {
+    (void)constants;
+    (void)series;
+    (void)d_constants;
+    start_of_run_series *t = (void *)varied;
+    for (int k = 0; k < order; ++k) {
+        t->time[k + 1] = series_reciprocal[k + 1] * (broadcast(0.0));
+    }
+}
+
+/* begins: Every run begins at an apex, with the foot above the ground. */
+static void guard_start_of_run_begins(const real *constants, const real *series, int order, real *g) {
+    (void)constants;
+    (void)series;
+    for (int k = 0; k < order; ++k) {
+        g[k] = constant_of(k, broadcast(-1.0));
+    }
+}
+
+/* Bounds of guards and observed quantities; `watched` has a bit for each of them. */
+static void bounds_start_of_run(const real *constants, const real *series, const real *power, int order,
+                                uint64_t watched, interval *bounds) {
+    (void)constants;
+    (void)series;
+    (void)power;
+    (void)order;
+    (void)watched;
+    const interval span_0 = interval_at(broadcast(-1.0), broadcast(-1.0));
+    bounds[0] = span_0;
+}
+
+/* ---- no_start */
+
+/* The foot is not above the ground at the apex, or the runner does not move forward. */
+typedef struct {
+    real none[TERMS];
+} no_start_series;
+
+typedef struct {
+    pair none;
+} no_start_sums;
+
+typedef struct {
+    real none;
+} no_start_factors;
+
+/* Adds the terms of coefficients i - 1 and i of one factor and j of the other to the sums of products. */
+KERNEL void add_no_start_sums(const no_start_series *s, int i, int j, no_start_sums *sum) {
+    (void)s;
+    (void)i;
+    (void)j;
+    (void)sum;
+}
+
+/* The terms in the middle of the sums of coefficients 2 i and 2 i + 1. */
+KERNEL void begin_no_start_sums(const no_start_series *s, int i, no_start_sums *sum) {
+    (void)s;
+    (void)i;
+    (void)sum;
+}
+
+/* From coefficient k of the states to k + 1; `odd` says which of the two sums is that of k. */
+KERNEL void step_no_start(const no_start_constants *c, const no_start_factors *by, int k,
+                          const no_start_sums *sum, int odd, no_start_series *s) {
+    (void)c;
+    (void)by;
+    (void)sum;
+    (void)s;
+    (void)k;
+    (void)odd;
+}
+
+/* All coefficients up to `order`, which is even: the sums of two coefficients are added up in one loop. */
+static void expand_no_start(const real *constants, int order, real *series) {
+    const no_start_constants copy = *(const no_start_constants *)(const void *)constants, *c = &copy;
+    no_start_series *s = (void *)series;
+    static const no_start_sums none;
+    no_start_sums sum = none;
+    const no_start_factors factors = {broadcast(0.0)}, *by = &factors;
+    step_no_start(c, by, 0, &sum, 0, s);
+    begin_no_start_sums(s, 0, &sum);
+    step_no_start(c, by, 1, &sum, 1, s);
+    for (int k = 2; k < order; k += 2) {
+        begin_no_start_sums(s, k / 2, &sum);
+        for (int i = k / 2, j = i + 1; i > 1; --i, ++j) {
+            add_no_start_sums(s, i, j, &sum);
+        }
+        step_no_start(c, by, k, &sum, 0, s);
+        add_no_start_sums(s, 1, k, &sum);
+        step_no_start(c, by, k + 1, &sum, 1, s);
+    }
+}
+
+/* First variation of the series. */
+static void vary_no_start(const real *constants, const real *series, const real *d_constants, int order,
+                          real *varied) {
+    (void)constants;
+    (void)series;
+    (void)d_constants;
+    (void)varied;
+    for (int k = 0; k < order; ++k) {
+    }
+}
+
+/* ---- flight_down */
+
+/* The mass is ballistic. The leg turns after the apex, on the way down. */
+typedef struct {
+    real y_[TERMS];
+    real time[TERMS];
+    real x_[TERMS];
+    real vy[TERMS];
+    real angle[TERMS];
+} flight_down_series;
+
+typedef struct {
+    pair none;
+} flight_down_sums;
+
+typedef struct {
+    real none;
+} flight_down_factors;
+
+/* Adds the terms of coefficients i - 1 and i of one factor and j of the other to the sums of products. */
+KERNEL void add_flight_down_sums(const flight_down_series *s, int i, int j, flight_down_sums *sum) {
+    (void)s;
+    (void)i;
+    (void)j;
+    (void)sum;
+}
+
+/* The terms in the middle of the sums of coefficients 2 i and 2 i + 1. */
+KERNEL void begin_flight_down_sums(const flight_down_series *s, int i, flight_down_sums *sum) {
+    (void)s;
+    (void)i;
+    (void)sum;
+}
+
+/* From coefficient k of the states to k + 1; `odd` says which of the two sums is that of k. */
+KERNEL void step_flight_down(const flight_down_constants *c, const flight_down_factors *by, int k,
+                             const flight_down_sums *sum, int odd, flight_down_series *s) {
+    (void)c;
+    (void)by;
+    (void)sum;
+    (void)odd;
+    s->y_[k + 1] = s->vy[k] * series_reciprocal[k + 1];
+}
+
+/* All coefficients up to `order`, which is even: the sums of two coefficients are added up in one loop. */
+static void expand_flight_down(const real *constants, int order, real *series) {
+    const flight_down_constants copy = *(const flight_down_constants *)(const void *)constants, *c = &copy;
+    flight_down_series *s = (void *)series;
+    static const flight_down_sums none;
+    flight_down_sums sum = none;
+    s->time[1] = broadcast(1.0);
+    s->x_[1] = c->vx;
+    s->vy[1] = c->minus_gravity;
+    s->angle[1] = c->minus_retraction_rate;
+    const flight_down_factors factors = {broadcast(0.0)}, *by = &factors;
+    step_flight_down(c, by, 0, &sum, 0, s);
+    begin_flight_down_sums(s, 0, &sum);
+    step_flight_down(c, by, 1, &sum, 1, s);
+    for (int k = 2; k < order; k += 2) {
+        begin_flight_down_sums(s, k / 2, &sum);
+        for (int i = k / 2, j = i + 1; i > 1; --i, ++j) {
+            add_flight_down_sums(s, i, j, &sum);
+        }
+        step_flight_down(c, by, k, &sum, 0, s);
+        add_flight_down_sums(s, 1, k, &sum);
+        step_flight_down(c, by, k + 1, &sum, 1, s);
+    }
+}
+
+/* First variation of the series. */
+static void vary_flight_down(const real *constants, const real *series, const real *d_constants, int order,
+                             real *varied) {
+    (void)constants;
+    (void)series;
+    const flight_down_constants *d = (const void *)d_constants;
+    flight_down_series *t = (void *)varied;
+    for (int k = 0; k < order; ++k) {
+        t->y_[k + 1] = t->vy[k] * series_reciprocal[k + 1];
+        t->time[k + 1] = series_reciprocal[k + 1] * (broadcast(0.0));
+        t->x_[k + 1] = series_reciprocal[k + 1] * (constant_of(k, d->vx));
+        t->vy[k + 1] = series_reciprocal[k + 1] * (constant_of(k, d->minus_gravity));
+        t->angle[k + 1] = series_reciprocal[k + 1] * (constant_of(k, d->minus_retraction_rate));
+    }
+}
+
+/* touchdown: The foot reaches the ground. It slides at once outside the friction cone. */
+static void guard_flight_down_touchdown(const real *constants, const real *series, int order, real *g) {
+    const flight_down_constants *c = (const void *)constants;
+    const flight_down_series *s = (const void *)series;
+    real own_cos_of_angle[TERMS];
+    real own_sin_of_angle[TERMS];
+    for (int k = 0; k < order; ++k) {
+        sine_and_cosine_of(k, s->angle, own_sin_of_angle, own_cos_of_angle);
+        g[k] = s->y_[k] - c->free_length * own_cos_of_angle[k] -
+               c->sin_of_slope_over_cos_of_slope * s->x_[k] -
+               c->sin_of_slope_over_cos_of_slope * c->free_length * own_sin_of_angle[k];
+    }
+}
+
+/* falls: The mass reaches the ground. */
+static void guard_flight_down_falls(const real *constants, const real *series, int order, real *g) {
+    const flight_down_constants *c = (const void *)constants;
+    const flight_down_series *s = (const void *)series;
+    for (int k = 0; k < order; ++k) {
+        g[k] = s->y_[k] - c->sin_of_slope_over_cos_of_slope * s->x_[k];
+    }
+}
+
+/* Bounds of guards and observed quantities; `watched` has a bit for each of them. */
+static void bounds_flight_down(const real *constants, const real *series, const real *power, int order,
+                               uint64_t watched, interval *bounds) {
+    const flight_down_constants *c = (const void *)constants;
+    const flight_down_series *s = (const void *)series;
+    (void)order;
+    (void)watched;
+    const interval span_0 = interval_of_series(s->angle, power, 2);
+    const interval span_1 = interval_of_series(s->y_, power, 3);
+    const interval span_2 = interval_at(c->free_length, c->free_length);
+    const interval span_3 = interval_of_turn(s->angle[0], span_0, false);
+    const interval span_4 = interval_product(span_2, span_3);
+    const interval span_5 = interval_difference(span_1, span_4);
+    const interval span_6 = interval_at(c->sin_of_slope_over_cos_of_slope, c->sin_of_slope_over_cos_of_slope);
+    const interval span_7 = interval_of_series(s->x_, power, 2);
+    const interval span_8 = interval_of_turn(s->angle[0], span_0, true);
+    const interval span_9 = interval_product(span_2, span_8);
+    const interval span_10 = interval_sum(span_7, span_9);
+    const interval span_11 = interval_product(span_6, span_10);
+    const interval span_12 = interval_difference(span_5, span_11);
+    bounds[0] = span_12;
+    const interval span_13 = interval_product(span_6, span_7);
+    const interval span_14 = interval_difference(span_1, span_13);
+    bounds[1] = span_14;
+}
+
+/* ---- fallen */
+
+/* The mass has reached the ground, or leaves it downward. */
+typedef struct {
+    real none[TERMS];
+} fallen_series;
+
+typedef struct {
+    pair none;
+} fallen_sums;
+
+typedef struct {
+    real none;
+} fallen_factors;
+
+/* Adds the terms of coefficients i - 1 and i of one factor and j of the other to the sums of products. */
+KERNEL void add_fallen_sums(const fallen_series *s, int i, int j, fallen_sums *sum) {
+    (void)s;
+    (void)i;
+    (void)j;
+    (void)sum;
+}
+
+/* The terms in the middle of the sums of coefficients 2 i and 2 i + 1. */
+KERNEL void begin_fallen_sums(const fallen_series *s, int i, fallen_sums *sum) {
+    (void)s;
+    (void)i;
+    (void)sum;
+}
+
+/* From coefficient k of the states to k + 1; `odd` says which of the two sums is that of k. */
+KERNEL void step_fallen(const fallen_constants *c, const fallen_factors *by, int k, const fallen_sums *sum,
+                        int odd, fallen_series *s) {
+    (void)c;
+    (void)by;
+    (void)sum;
+    (void)s;
+    (void)k;
+    (void)odd;
+}
+
+/* All coefficients up to `order`, which is even: the sums of two coefficients are added up in one loop. */
+static void expand_fallen(const real *constants, int order, real *series) {
+    const fallen_constants copy = *(const fallen_constants *)(const void *)constants, *c = &copy;
+    fallen_series *s = (void *)series;
+    static const fallen_sums none;
+    fallen_sums sum = none;
+    const fallen_factors factors = {broadcast(0.0)}, *by = &factors;
+    step_fallen(c, by, 0, &sum, 0, s);
+    begin_fallen_sums(s, 0, &sum);
+    step_fallen(c, by, 1, &sum, 1, s);
+    for (int k = 2; k < order; k += 2) {
+        begin_fallen_sums(s, k / 2, &sum);
+        for (int i = k / 2, j = i + 1; i > 1; --i, ++j) {
+            add_fallen_sums(s, i, j, &sum);
+        }
+        step_fallen(c, by, k, &sum, 0, s);
+        add_fallen_sums(s, 1, k, &sum);
+        step_fallen(c, by, k + 1, &sum, 1, s);
+    }
+}
+
+/* First variation of the series. */
+static void vary_fallen(const real *constants, const real *series, const real *d_constants, int order,
+                        real *varied) {
+    (void)constants;
+    (void)series;
+    (void)d_constants;
+    (void)varied;
+    for (int k = 0; k < order; ++k) {
+    }
+}
+
+/* ---- slides */
+
+/* The leg is outside the friction cone: the foot slides out forward, and the mass falls. */
+typedef struct {
+    real none[TERMS];
+} slides_series;
+
+typedef struct {
+    pair none;
+} slides_sums;
+
+typedef struct {
+    real none;
+} slides_factors;
+
+/* Adds the terms of coefficients i - 1 and i of one factor and j of the other to the sums of products. */
+KERNEL void add_slides_sums(const slides_series *s, int i, int j, slides_sums *sum) {
+    (void)s;
+    (void)i;
+    (void)j;
+    (void)sum;
+}
+
+/* The terms in the middle of the sums of coefficients 2 i and 2 i + 1. */
+KERNEL void begin_slides_sums(const slides_series *s, int i, slides_sums *sum) {
+    (void)s;
+    (void)i;
+    (void)sum;
+}
+
+/* From coefficient k of the states to k + 1; `odd` says which of the two sums is that of k. */
+KERNEL void step_slides(const slides_constants *c, const slides_factors *by, int k, const slides_sums *sum,
+                        int odd, slides_series *s) {
+    (void)c;
+    (void)by;
+    (void)sum;
+    (void)s;
+    (void)k;
+    (void)odd;
+}
+
+/* All coefficients up to `order`, which is even: the sums of two coefficients are added up in one loop. */
+static void expand_slides(const real *constants, int order, real *series) {
+    const slides_constants copy = *(const slides_constants *)(const void *)constants, *c = &copy;
+    slides_series *s = (void *)series;
+    static const slides_sums none;
+    slides_sums sum = none;
+    const slides_factors factors = {broadcast(0.0)}, *by = &factors;
+    step_slides(c, by, 0, &sum, 0, s);
+    begin_slides_sums(s, 0, &sum);
+    step_slides(c, by, 1, &sum, 1, s);
+    for (int k = 2; k < order; k += 2) {
+        begin_slides_sums(s, k / 2, &sum);
+        for (int i = k / 2, j = i + 1; i > 1; --i, ++j) {
+            add_slides_sums(s, i, j, &sum);
+        }
+        step_slides(c, by, k, &sum, 0, s);
+        add_slides_sums(s, 1, k, &sum);
+        step_slides(c, by, k + 1, &sum, 1, s);
+    }
+}
+
+/* First variation of the series. */
+static void vary_slides(const real *constants, const real *series, const real *d_constants, int order,
+                        real *varied) {
+    (void)constants;
+    (void)series;
+    (void)d_constants;
+    (void)varied;
+    for (int k = 0; k < order; ++k) {
+    }
+}
+
+/* ---- stance */
+
+/* The foot stands, and the leg pushes with k (l0 - r) (1). */
+typedef struct {
+    real x_[TERMS];
+    real y_[TERMS];
+    real vx[TERMS];
+    real vy[TERMS];
+    real time[TERMS];
+    real x_2[TERMS];
+    real x_times_x[TERMS];
+    real y_2[TERMS];
+    real y_times_y[TERMS];
+    real length[TERMS];
+    real push[TERMS];
+    real push_times_x[TERMS];
+    real push_times_y[TERMS];
+} stance_series;
+
+typedef struct {
+    pair x_times_x;
+    pair y_times_y;
+    pair length;
+    pair push;
+    pair push_times_x;
+    pair push_times_y;
+} stance_sums;
+
+typedef struct {
+    real inverse_length;
+} stance_factors;
+
+/* Adds the terms of coefficients i - 1 and i of one factor and j of the other to the sums of products. */
+KERNEL void add_stance_sums(const stance_series *s, int i, int j, stance_sums *sum) {
+    add_products(&sum->x_times_x, s->x_2 + i - 1, s->x_2[j]);
+    add_products(&sum->y_times_y, s->y_2 + i - 1, s->y_2[j]);
+    add_products(&sum->length, s->length + i - 1, s->length[j]);
+    add_products(&sum->push, s->push + i - 1, s->length[j]);
+    add_products(&sum->push, s->length + i - 1, s->push[j]);
+    add_products(&sum->push_times_x, s->push + i - 1, s->x_2[j]);
+    add_products(&sum->push_times_x, s->x_2 + i - 1, s->push[j]);
+    add_products(&sum->push_times_y, s->push + i - 1, s->y_2[j]);
+    add_products(&sum->push_times_y, s->y_2 + i - 1, s->push[j]);
+}
+
+/* The terms in the middle of the sums of coefficients 2 i and 2 i + 1. */
+KERNEL void begin_stance_sums(const stance_series *s, int i, stance_sums *sum) {
+    sum->x_times_x = pair_of(0.5 * (s->x_2[i] * s->x_2[i]), broadcast(0.0));
+    sum->y_times_y = pair_of(0.5 * (s->y_2[i] * s->y_2[i]), broadcast(0.0));
+    sum->length = pair_of(0.5 * (s->length[i] * s->length[i]), broadcast(0.0));
+    sum->push = pair_of((s->push[i] * s->length[i]), broadcast(0.0));
+    sum->push_times_x = pair_of((s->push[i] * s->x_2[i]), broadcast(0.0));
+    sum->push_times_y = pair_of((s->push[i] * s->y_2[i]), broadcast(0.0));
+}
+
+/* From coefficient k of the states to k + 1; `odd` says which of the two sums is that of k. */
+KERNEL void step_stance(const stance_constants *c, const stance_factors *by, int k, const stance_sums *sum,
+                        int odd, stance_series *s) {
+    s->x_[k + 1] = s->vx[k] * series_reciprocal[k + 1];
+    s->y_[k + 1] = s->vy[k] * series_reciprocal[k + 1];
+    /* x_2 = x_ - c->foot_x */
+    s->x_2[k] = with_constant(k, s->x_[k], -c->foot_x);
+    /* x_times_x = x_2 * x_2 */
+    s->x_times_x[k] = square_of(k, part_of(sum->x_times_x, odd), s->x_2);
+    /* y_2 = y_ - c->foot_y */
+    s->y_2[k] = with_constant(k, s->y_[k], -c->foot_y);
+    /* y_times_y = y_2 * y_2 */
+    s->y_times_y[k] = square_of(k, part_of(sum->y_times_y, odd), s->y_2);
+    /* length = real_sqrt(x_times_x + y_times_y) */
+    s->length[k] = root_of(k, part_of(sum->length, odd), s->x_times_x[k] + s->y_times_y[k], s->length,
+                           by->inverse_length);
+    /* push = c->stiffness_over_mass * (c->free_length - length) / length */
+    s->push[k] = quotient_of(
+        k, part_of(sum->push, odd),
+        with_constant(k, -(c->stiffness_over_mass * s->length[k]), c->stiffness_over_mass * c->free_length),
+        s->push, s->length, by->inverse_length);
+    /* push_times_x = push * x_2 */
+    s->push_times_x[k] = product_of(k, part_of(sum->push_times_x, odd), s->push, s->x_2);
+    /* push_times_y = push * y_2 */
+    s->push_times_y[k] = product_of(k, part_of(sum->push_times_y, odd), s->push, s->y_2);
+    s->vx[k + 1] = series_reciprocal[k + 1] * (s->push_times_x[k]);
+    s->vy[k + 1] = series_reciprocal[k + 1] * (with_constant(k, s->push_times_y[k], -c->gravity));
+}
+
+/* All coefficients up to `order`, which is even: the sums of two coefficients are added up in one loop. */
+static void expand_stance(const real *constants, int order, real *series) {
+    const stance_constants copy = *(const stance_constants *)(const void *)constants, *c = &copy;
+    stance_series *s = (void *)series;
+    static const stance_sums none;
+    stance_sums sum = none;
+    s->time[1] = broadcast(1.0);
+    s->x_2[0] = s->x_[0] - c->foot_x;
+    s->x_times_x[0] = s->x_2[0] * s->x_2[0];
+    s->y_2[0] = s->y_[0] - c->foot_y;
+    s->y_times_y[0] = s->y_2[0] * s->y_2[0];
+    s->length[0] = real_sqrt(s->x_times_x[0] + s->y_times_y[0]);
+    const stance_factors factors = {1.0 / s->length[0]}, *by = &factors;
+    step_stance(c, by, 0, &sum, 0, s);
+    begin_stance_sums(s, 0, &sum);
+    step_stance(c, by, 1, &sum, 1, s);
+    for (int k = 2; k < order; k += 2) {
+        begin_stance_sums(s, k / 2, &sum);
+        for (int i = k / 2, j = i + 1; i > 1; --i, ++j) {
+            add_stance_sums(s, i, j, &sum);
+        }
+        step_stance(c, by, k, &sum, 0, s);
+        add_stance_sums(s, 1, k, &sum);
+        step_stance(c, by, k + 1, &sum, 1, s);
+    }
+}
+
+/* First variation of the series. */
+static void vary_stance(const real *constants, const real *series, const real *d_constants, int order,
+                        real *varied) {
+    const stance_constants *c = (const void *)constants;
+    const stance_series *s = (const void *)series;
+    const stance_constants *d = (const void *)d_constants;
+    stance_series *t = (void *)varied;
+    real x_2_times_d_x_2[TERMS];
+    real y_2_times_d_y_2[TERMS];
+    real d_length[TERMS];
+    real push_times_d_length[TERMS];
+    real d_push[TERMS];
+    real d_push_times_x_2[TERMS];
+    real push_times_d_x_2[TERMS];
+    real d_push_times_y_2[TERMS];
+    real push_times_d_y_2[TERMS];
+    real d_x_2[TERMS];
+    real d_y_2[TERMS];
+    for (int k = 0; k < order; ++k) {
+        t->x_[k + 1] = t->vx[k] * series_reciprocal[k + 1];
+        t->y_[k + 1] = t->vy[k] * series_reciprocal[k + 1];
+        d_x_2[k] = with_constant(k, t->x_[k], -d->foot_x);
+        x_2_times_d_x_2[k] = product(s->x_2, d_x_2, k);
+        d_y_2[k] = with_constant(k, t->y_[k], -d->foot_y);
+        y_2_times_d_y_2[k] = product(s->y_2, d_y_2, k);
+        d_length[k] =
+            (x_2_times_d_x_2[k] + y_2_times_d_y_2[k] - product_so_far(d_length, s->length, k)) / s->length[0];
+        push_times_d_length[k] = product(s->push, d_length, k);
+        d_push[k] = (with_constant(k,
+                                   -(d->stiffness_over_mass * s->length[k]) -
+                                       c->stiffness_over_mass * d_length[k] - push_times_d_length[k],
+                                   d->stiffness_over_mass * c->free_length +
+                                       c->stiffness_over_mass * d->free_length) -
+                     product_so_far(d_push, s->length, k)) /
+                    s->length[0];
+        d_push_times_x_2[k] = product(d_push, s->x_2, k);
+        push_times_d_x_2[k] = product(s->push, d_x_2, k);
+        d_push_times_y_2[k] = product(d_push, s->y_2, k);
+        push_times_d_y_2[k] = product(s->push, d_y_2, k);
+        t->vx[k + 1] = series_reciprocal[k + 1] * (d_push_times_x_2[k] + push_times_d_x_2[k]);
+        t->vy[k + 1] = series_reciprocal[k + 1] *
+                       (with_constant(k, d_push_times_y_2[k] + push_times_d_y_2[k], -d->gravity));
+        t->time[k + 1] = series_reciprocal[k + 1] * (broadcast(0.0));
+    }
+}
+
+/* take_off: The spring is relaxed. */
+static void guard_stance_take_off(const real *constants, const real *series, int order, real *g) {
+    const stance_constants *c = (const void *)constants;
+    const stance_series *s = (const void *)series;
+    for (int k = 0; k < order; ++k) {
+        g[k] = with_constant(k, -s->x_times_x[k] - s->y_times_y[k], c->free_length_times_free_length);
+    }
+}
+
+/* leaves_cone: The leg reaches theta = -arctan mu: the energy left in the spring is lost. */
+static void guard_stance_leaves_cone(const real *constants, const real *series, int order, real *g) {
+    const stance_constants *c = (const void *)constants;
+    const stance_series *s = (const void *)series;
+    for (int k = 0; k < order; ++k) {
+        g[k] = (c->friction * c->cos_of_slope - c->sin_of_slope) * s->y_2[k] +
+               (-(c->friction * c->sin_of_slope) - c->cos_of_slope) * s->x_2[k];
+    }
+}
+
+/* slides_out: The leg turns back and leaves the friction cone. */
+static void guard_stance_slides_out(const real *constants, const real *series, int order, real *g) {
+    const stance_constants *c = (const void *)constants;
+    const stance_series *s = (const void *)series;
+    for (int k = 0; k < order; ++k) {
+        g[k] = (c->friction * c->cos_of_slope + c->sin_of_slope) * s->y_2[k] +
+               (c->cos_of_slope - c->friction * c->sin_of_slope) * s->x_2[k];
+    }
+}
+
+/* collapses: The mass reaches the ground in stance. */
+static void guard_stance_collapses(const real *constants, const real *series, int order, real *g) {
+    const stance_constants *c = (const void *)constants;
+    const stance_series *s = (const void *)series;
+    for (int k = 0; k < order; ++k) {
+        g[k] = c->cos_of_slope * s->y_2[k] - c->sin_of_slope * s->x_2[k];
+    }
+}
+
+/* friction_ahead: Friction that the leg needs while the mass is ahead of the foot. */
+static void guard_stance_friction_ahead(const real *constants, const real *series, int order, real *g) {
+    const stance_constants *c = (const void *)constants;
+    const stance_series *s = (const void *)series;
+    real own_friction_ahead[TERMS];
+    real own_off[TERMS];
+    for (int k = 0; k < order; ++k) {
+        own_off[k] = c->cos_of_slope * s->y_2[k] - c->sin_of_slope * s->x_2[k];
+        own_friction_ahead[k] = (c->cos_of_slope * s->x_2[k] + c->sin_of_slope * s->y_2[k] -
+                                 product_so_far(own_friction_ahead, own_off, k)) /
+                                own_off[0];
+        g[k] = own_friction_ahead[k];
+    }
+}
+
+/* friction_behind: Friction that the leg needs while the mass is behind the foot. */
+static void guard_stance_friction_behind(const real *constants, const real *series, int order, real *g) {
+    const stance_constants *c = (const void *)constants;
+    const stance_series *s = (const void *)series;
+    real own_friction_ahead[TERMS];
+    real own_off[TERMS];
+    for (int k = 0; k < order; ++k) {
+        own_off[k] = c->cos_of_slope * s->y_2[k] - c->sin_of_slope * s->x_2[k];
+        own_friction_ahead[k] = (c->cos_of_slope * s->x_2[k] + c->sin_of_slope * s->y_2[k] -
+                                 product_so_far(own_friction_ahead, own_off, k)) /
+                                own_off[0];
+        g[k] = -own_friction_ahead[k];
+    }
+}
+
+/* Bounds of guards and observed quantities; `watched` has a bit for each of them. */
+static void bounds_stance(const real *constants, const real *series, const real *power, int order,
+                          uint64_t watched, interval *bounds) {
+    const stance_constants *c = (const void *)constants;
+    const stance_series *s = (const void *)series;
+    (void)watched;
+    const interval span_0 = interval_at(c->free_length_times_free_length, c->free_length_times_free_length);
+    const interval span_1 = interval_of_series(s->x_times_x, power, order);
+    const interval span_2 = interval_difference(span_0, span_1);
+    const interval span_3 = interval_of_series(s->y_times_y, power, order);
+    const interval span_4 = interval_difference(span_2, span_3);
+    bounds[0] = span_4;
+    const interval span_5 = interval_at(c->friction, c->friction);
+    const interval span_6 = interval_at(c->cos_of_slope, c->cos_of_slope);
+    const interval span_7 = interval_of_series(s->y_2, power, order);
+    const interval span_8 = interval_product(span_6, span_7);
+    const interval span_9 = interval_at(c->sin_of_slope, c->sin_of_slope);
+    const interval span_10 = interval_of_series(s->x_2, power, order);
+    const interval span_11 = interval_product(span_9, span_10);
+    const interval span_12 = interval_difference(span_8, span_11);
+    const interval span_13 = interval_product(span_5, span_12);
+    const interval span_14 = interval_product(span_6, span_10);
+    const interval span_15 = interval_product(span_9, span_7);
+    const interval span_16 = interval_sum(span_14, span_15);
+    const interval span_17 = interval_difference(span_13, span_16);
+    bounds[1] = span_17;
+    const interval span_18 = interval_sum(span_13, span_16);
+    bounds[2] = span_18;
+    bounds[3] = span_12;
+    bounds[4] = unbounded();
+    bounds[5] = unbounded();
+}
+
+/* ---- flight_up */
+
+/* The mass is ballistic. The leg turns after the apex, on the way down. */
+typedef struct {
+    real y_[TERMS];
+    real time[TERMS];
+    real x_[TERMS];
+    real vy[TERMS];
+} flight_up_series;
+
+typedef struct {
+    pair none;
+} flight_up_sums;
+
+typedef struct {
+    real none;
+} flight_up_factors;
+
+/* Adds the terms of coefficients i - 1 and i of one factor and j of the other to the sums of products. */
+KERNEL void add_flight_up_sums(const flight_up_series *s, int i, int j, flight_up_sums *sum) {
+    (void)s;
+    (void)i;
+    (void)j;
+    (void)sum;
+}
+
+/* The terms in the middle of the sums of coefficients 2 i and 2 i + 1. */
+KERNEL void begin_flight_up_sums(const flight_up_series *s, int i, flight_up_sums *sum) {
+    (void)s;
+    (void)i;
+    (void)sum;
+}
+
+/* From coefficient k of the states to k + 1; `odd` says which of the two sums is that of k. */
+KERNEL void step_flight_up(const flight_up_constants *c, const flight_up_factors *by, int k,
+                           const flight_up_sums *sum, int odd, flight_up_series *s) {
+    (void)c;
+    (void)by;
+    (void)sum;
+    (void)odd;
+    s->y_[k + 1] = s->vy[k] * series_reciprocal[k + 1];
+}
+
+/* All coefficients up to `order`, which is even: the sums of two coefficients are added up in one loop. */
+static void expand_flight_up(const real *constants, int order, real *series) {
+    const flight_up_constants copy = *(const flight_up_constants *)(const void *)constants, *c = &copy;
+    flight_up_series *s = (void *)series;
+    static const flight_up_sums none;
+    flight_up_sums sum = none;
+    s->time[1] = broadcast(1.0);
+    s->x_[1] = c->vx;
+    s->vy[1] = c->minus_gravity;
+    const flight_up_factors factors = {broadcast(0.0)}, *by = &factors;
+    step_flight_up(c, by, 0, &sum, 0, s);
+    begin_flight_up_sums(s, 0, &sum);
+    step_flight_up(c, by, 1, &sum, 1, s);
+    for (int k = 2; k < order; k += 2) {
+        begin_flight_up_sums(s, k / 2, &sum);
+        for (int i = k / 2, j = i + 1; i > 1; --i, ++j) {
+            add_flight_up_sums(s, i, j, &sum);
+        }
+        step_flight_up(c, by, k, &sum, 0, s);
+        add_flight_up_sums(s, 1, k, &sum);
+        step_flight_up(c, by, k + 1, &sum, 1, s);
+    }
+}
+
+/* First variation of the series. */
+static void vary_flight_up(const real *constants, const real *series, const real *d_constants, int order,
+                           real *varied) {
+    (void)constants;
+    (void)series;
+    const flight_up_constants *d = (const void *)d_constants;
+    flight_up_series *t = (void *)varied;
+    for (int k = 0; k < order; ++k) {
+        t->y_[k + 1] = t->vy[k] * series_reciprocal[k + 1];
+        t->time[k + 1] = series_reciprocal[k + 1] * (broadcast(0.0));
+        t->x_[k + 1] = series_reciprocal[k + 1] * (constant_of(k, d->vx));
+        t->vy[k + 1] = series_reciprocal[k + 1] * (constant_of(k, d->minus_gravity));
+    }
+}
+
+/* falls: The mass reaches the ground. */
+static void guard_flight_up_falls(const real *constants, const real *series, int order, real *g) {
+    const flight_up_constants *c = (const void *)constants;
+    const flight_up_series *s = (const void *)series;
+    for (int k = 0; k < order; ++k) {
+        g[k] = s->y_[k] - c->sin_of_slope_over_cos_of_slope * s->x_[k];
+    }
+}
+
+/* apex: The mass rises no more, and the leg is put to its angle. */
+static void guard_flight_up_apex(const real *constants, const real *series, int order, real *g) {
+    (void)constants;
+    const flight_up_series *s = (const void *)series;
+    real own_rate_of_y_[TERMS];
+    for (int k = 0; k < order; ++k) {
+        own_rate_of_y_[k] = (double)(k + 1) * s->y_[k + 1];
+        g[k] = own_rate_of_y_[k];
+    }
+}
+
+/* Bounds of guards and observed quantities; `watched` has a bit for each of them. */
+static void bounds_flight_up(const real *constants, const real *series, const real *power, int order,
+                             uint64_t watched, interval *bounds) {
+    const flight_up_constants *c = (const void *)constants;
+    const flight_up_series *s = (const void *)series;
+    (void)order;
+    (void)watched;
+    const interval span_0 = interval_of_series(s->y_, power, 3);
+    const interval span_1 = interval_at(c->sin_of_slope_over_cos_of_slope, c->sin_of_slope_over_cos_of_slope);
+    const interval span_2 = interval_of_series(s->x_, power, 2);
+    const interval span_3 = interval_product(span_1, span_2);
+    const interval span_4 = interval_difference(span_0, span_3);
+    bounds[0] = span_4;
+    const interval span_5 = interval_of_rate(s->y_, power, 2);
+    bounds[1] = span_5;
+}
+
+static const tdmf_polynomial polynomials_start_of_run[] = {guard_start_of_run_begins};
+static const int moving_start_of_run[] = {0};
+static const int degrees_start_of_run[] = {1};
+static const int judged_start_of_run[] = {0};
+static const int divisors_start_of_run[] = {0};
+static const int integrals_start_of_run[] = {0};
+static const tdmf_polynomial polynomials_no_start[] = {NULL};
+static const int moving_no_start[] = {0};
+static const int degrees_no_start[] = {0};
+static const int judged_no_start[] = {0};
+static const int divisors_no_start[] = {0};
+static const int integrals_no_start[] = {0};
+static const tdmf_polynomial polynomials_flight_down[] = {guard_flight_down_touchdown,
+                                                          guard_flight_down_falls};
+static const int moving_flight_down[] = {2, 0, 1, 4, 5};
+static const int degrees_flight_down[] = {2, 1, 1, 1, 1};
+static const int judged_flight_down[] = {0};
+static const int divisors_flight_down[] = {0};
+static const int integrals_flight_down[] = {0};
+static const tdmf_polynomial polynomials_fallen[] = {NULL};
+static const int moving_fallen[] = {0};
+static const int degrees_fallen[] = {0};
+static const int judged_fallen[] = {0};
+static const int divisors_fallen[] = {0};
+static const int integrals_fallen[] = {0};
+static const tdmf_polynomial polynomials_slides[] = {NULL};
+static const int moving_slides[] = {0};
+static const int degrees_slides[] = {0};
+static const int judged_slides[] = {0};
+static const int divisors_slides[] = {0};
+static const int integrals_slides[] = {0};
+static const tdmf_polynomial polynomials_stance[] = {
+    guard_stance_take_off,  guard_stance_leaves_cone,    guard_stance_slides_out,
+    guard_stance_collapses, guard_stance_friction_ahead, guard_stance_friction_behind};
+static const int moving_stance[] = {1, 2, 3, 4, 0};
+static const int degrees_stance[] = {99, 99, 99, 99, 1};
+static const int judged_stance[] = {2, 3};
+static const int divisors_stance[] = {9};
+static const int integrals_stance[] = {-1, -1};
+static const tdmf_polynomial polynomials_flight_up[] = {guard_flight_up_falls, guard_flight_up_apex};
+static const int moving_flight_up[] = {2, 0, 1, 4};
+static const int degrees_flight_up[] = {2, 1, 1, 1};
+static const int judged_flight_up[] = {0};
+static const int divisors_flight_up[] = {0};
+static const int integrals_flight_up[] = {0};
+
+const tdmf_motion_kind TDMF_OF_WIDTH(tdmf_classic_slip_motions)[] = {
+    {.moving_count = 1,
+     .extra_count = 0,
+     .constant_count = 0,
+     .judged_count = 0,
+     .divisor_count = 0,
+     .moving = moving_start_of_run,
+     .degrees = degrees_start_of_run,
+     .judged = judged_start_of_run,
+     .divisors = divisors_start_of_run,
+     .integrals = integrals_start_of_run,
+     .polynomials = polynomials_start_of_run,
+     .expand = expand_start_of_run,
+     .vary = vary_start_of_run,
+     .bounds = bounds_start_of_run},
+    {.moving_count = 0,
+     .extra_count = 0,
+     .constant_count = 0,
+     .judged_count = 0,
+     .divisor_count = 0,
+     .moving = moving_no_start,
+     .degrees = degrees_no_start,
+     .judged = judged_no_start,
+     .divisors = divisors_no_start,
+     .integrals = integrals_no_start,
+     .polynomials = polynomials_no_start,
+     .expand = expand_no_start,
+     .vary = vary_no_start,
+     .bounds = NULL},
+    {.moving_count = 5,
+     .extra_count = 0,
+     .constant_count = 5,
+     .judged_count = 0,
+     .divisor_count = 0,
+     .moving = moving_flight_down,
+     .degrees = degrees_flight_down,
+     .judged = judged_flight_down,
+     .divisors = divisors_flight_down,
+     .integrals = integrals_flight_down,
+     .polynomials = polynomials_flight_down,
+     .expand = expand_flight_down,
+     .vary = vary_flight_down,
+     .bounds = bounds_flight_down},
+    {.moving_count = 0,
+     .extra_count = 0,
+     .constant_count = 0,
+     .judged_count = 0,
+     .divisor_count = 0,
+     .moving = moving_fallen,
+     .degrees = degrees_fallen,
+     .judged = judged_fallen,
+     .divisors = divisors_fallen,
+     .integrals = integrals_fallen,
+     .polynomials = polynomials_fallen,
+     .expand = expand_fallen,
+     .vary = vary_fallen,
+     .bounds = NULL},
+    {.moving_count = 0,
+     .extra_count = 0,
+     .constant_count = 0,
+     .judged_count = 0,
+     .divisor_count = 0,
+     .moving = moving_slides,
+     .degrees = degrees_slides,
+     .judged = judged_slides,
+     .divisors = divisors_slides,
+     .integrals = integrals_slides,
+     .polynomials = polynomials_slides,
+     .expand = expand_slides,
+     .vary = vary_slides,
+     .bounds = NULL},
+    {.moving_count = 5,
+     .extra_count = 0,
+     .constant_count = 9,
+     .judged_count = 2,
+     .divisor_count = 1,
+     .moving = moving_stance,
+     .degrees = degrees_stance,
+     .judged = judged_stance,
+     .divisors = divisors_stance,
+     .integrals = integrals_stance,
+     .polynomials = polynomials_stance,
+     .expand = expand_stance,
+     .vary = vary_stance,
+     .bounds = bounds_stance},
+    {.moving_count = 4,
+     .extra_count = 0,
+     .constant_count = 3,
+     .judged_count = 0,
+     .divisor_count = 0,
+     .moving = moving_flight_up,
+     .degrees = degrees_flight_up,
+     .judged = judged_flight_up,
+     .divisors = divisors_flight_up,
+     .integrals = integrals_flight_up,
+     .polynomials = polynomials_flight_up,
+     .expand = expand_flight_up,
+     .vary = vary_flight_up,
+     .bounds = bounds_flight_up},
+};
+
+#ifdef TDMF_LANES
+const void *TDMF_OF_WIDTH(tdmf_classic_slip_motions_of)(void) {
+    return TDMF_OF_WIDTH(tdmf_classic_slip_motions);
+}
+#endif
