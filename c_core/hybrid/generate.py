@@ -79,10 +79,11 @@ def generate(page):
         f"{motion_tables}\nconst tdmf_motion_kind {table}[] = {{\n{motion_rows}}};\n\n#ifdef TDMF_LANES\n"
         f"const void *TDMF_OF_WIDTH({of_width})(void) {{\n    return {table};\n}}\n#endif\n"
     )
+    model = f"const tdmf_model_kind tdmf_{page.c}_model"
     header.append(
         f"extern const tdmf_motion_kind {table}[];\n"
         f"tdmf_motions_of_width {of_width}_2, {of_width}_4, {of_width}_8;\n"
-        f"extern const tdmf_model_kind tdmf_{page.c}_model;\n\n#endif\n"
+        f"extern {model};\n\n#endif\n"
     )
     (set_tables, set_rows), (section_tables, section_rows) = instants.sets(), instants.section_rows()
     row = {"modes": "modes", "sets": "sets", "set_count": len(set_rows), "sections": "sections"}
@@ -111,7 +112,7 @@ def generate(page):
         f"static const tdmf_mode_kind modes[] = {{\n{mode_rows}}};\n",
         rows_in_c("set", "sets", set_rows, "index") + rows_in_c("section", "sections", section_rows, "event"),
         lists,
-        f"const tdmf_model_kind tdmf_{page.c}_model = {{\n{lines_of(f'.{n} = {v},' for n, v in row.items())}}};\n",
+        f"{model} = {{\n{lines_of(f'.{n} = {v},' for n, v in row.items())}}};\n",
     ]
     forget_expressions()
     texts = {f"{page.c}.h": header, f"{page.c}_motions.c": motions, f"{page.c}.c": instant}
