@@ -218,7 +218,7 @@ class Page:
         model, start = self.model, self.model.start[0]
         if not self.modes:
             self.refuse("has no mode; a page needs one function marked by @mode()")
-        if len(self.events) > LIMITS["EVENT"]:
+        if len(self.events) > LIMITS["PAGE_EVENT"]:
             self.refuse(f"has {len(self.events)} events; at most {LIMITS['EVENT']} are allowed")
         if start not in self.modes:
             text = f"starts in `{start}`, which is no mode{similar(start, self.modes)}"
@@ -288,7 +288,7 @@ class Page:
         mode, words = self.model.start
         self.key(mode, words)
         model = self.model.at(mode, **words)
-        for _ in range(LIMITS["CHAIN"]):
+        for _ in range(LIMITS["PAGE_CHAIN"]):
             due = next((n for n, e in self.events.items() if self.is_due(model, n, e)), None)
             if due is None:
                 break

@@ -9,8 +9,9 @@ from pathlib import Path
 from ..hybrid import derive
 from .classic import ClassicSlip
 from .reduced import ReducedRunner
+from .runner import PlainRunner, Runner
 
-PAGES = ClassicSlip, ReducedRunner
+PAGES = ClassicSlip, PlainRunner, ReducedRunner, Runner
 
 folder = Path(sys.argv[1]) if len(sys.argv) > 1 else Path(__file__).parents[1] / "derived/pages"
 folder.mkdir(exist_ok=True)

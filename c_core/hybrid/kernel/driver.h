@@ -38,8 +38,8 @@ enum {
     TDMF_NEXT_LIMIT = 16,
     TDMF_GUARD_LIMIT = 32,
     TDMF_WATCH_LIMIT = 8,
-    TDMF_EVENT_LIMIT = 64,
-    TDMF_CHAIN_LIMIT = 100
+    TDMF_PAGE_EVENT_LIMIT = 64,
+    TDMF_PAGE_CHAIN_LIMIT = 100
 };
 
 /* An event as a mode watches it. */

@@ -148,9 +148,9 @@ bool tdmf_take_event(run_state *state, const tdmf_guard_kind *kind, const mode_s
     state->stops |= kind->event == r->stop_event;
     ++r->events;
     ++r->chain;
-    return r->chain <= TDMF_CHAIN_LIMIT && r->events < state->last_event;
+    return r->chain <= TDMF_PAGE_CHAIN_LIMIT && r->events < state->last_event;
 }
 
 tdmf_run_outcome tdmf_limit_reached(const run_state *state) {
-    return state->r->chain > TDMF_CHAIN_LIMIT ? TDMF_RUN_ENDLESS_CHAIN : TDMF_RUN_TOO_MANY_EVENTS;
+    return state->r->chain > TDMF_PAGE_CHAIN_LIMIT ? TDMF_RUN_ENDLESS_CHAIN : TDMF_RUN_TOO_MANY_EVENTS;
 }
