@@ -219,7 +219,7 @@ class Page:
         if not self.modes:
             self.refuse("has no mode; a page needs one function marked by @mode()")
         if len(self.events) > LIMITS["PAGE_EVENT"]:
-            self.refuse(f"has {len(self.events)} events; at most {LIMITS['EVENT']} are allowed")
+            self.refuse(f"has {len(self.events)} events; at most {LIMITS['PAGE_EVENT']} are allowed")
         if start not in self.modes:
             text = f"starts in `{start}`, which is no mode{similar(start, self.modes)}"
             raise page_error(model.start_at, model.__name__, text)
@@ -294,7 +294,7 @@ class Page:
                 break
             model = self.after(due, model)
         else:
-            after = f"in the mode `{model.mode}`, after {LIMITS['CHAIN']} events in zero time"
+            after = f"in the mode `{model.mode}`, after {LIMITS['PAGE_CHAIN']} events in zero time"
             text = "its guard stays below 0. Let its decision go to a mode that does not watch it"
             raise page_error(self.events[due], due, f"is due again at the start, {after}: {text}")
         function = self.modes[model.mode]
