@@ -11,7 +11,6 @@ import numpy as np
 from tdmf_slip.analysis.basin import basin
 from tdmf_slip.analysis.tracing import continue_branch
 from tdmf_slip.checks import checked
-from tdmf_slip.contents import ByContents
 from tdmf_slip.fitting.fitted import fit
 from tdmf_slip.fitting.measurements import Measured, Measurements
 from tdmf_slip.library.batch import Batch
@@ -46,7 +45,7 @@ class Timing:
 
 
 @dataclass(frozen=True, eq=False)
-class Growth(ByContents):
+class Growth:
     """What was timed, and on what."""
 
     timings: tuple[Timing, ...]

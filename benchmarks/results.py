@@ -6,7 +6,6 @@ from collections.abc import Mapping
 from dataclasses import asdict, dataclass
 from importlib.metadata import version
 
-from tdmf_slip.contents import ByContents
 from tdmf_slip.library.binding import c, ffi
 from tdmf_slip.library.runner import Runner
 from tdmf_slip.terminal.text import table
@@ -44,7 +43,7 @@ class Measurement:
 
 
 @dataclass(frozen=True, eq=False)
-class Bench(ByContents):
+class Bench:
     """What was measured, and on what."""
 
     runner: Runner

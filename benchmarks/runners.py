@@ -5,7 +5,6 @@ from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
-from tdmf_slip.contents import ByContents
 from tdmf_slip.library.batch import Batch
 from tdmf_slip.library.fixed_point import settled_gait
 from tdmf_slip.library.gait import Gait
@@ -27,7 +26,7 @@ TIGHT = 1e-13
 
 
 @dataclass(frozen=True, eq=False)
-class Runners(ByContents):
+class Runners:
     """Runners that start about a gait's apex."""
 
     gait: Gait

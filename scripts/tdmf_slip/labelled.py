@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING, Any, TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
-from .contents import ByContents
 from .drawable import Drawable
 from .errors import InputError
 
@@ -19,7 +18,7 @@ Own = TypeVar("Own", bound="LabelledArrays")
 
 
 @dataclass(frozen=True, eq=False)
-class Labelled(ByContents):
+class Labelled:
     """An array, and what its axes and its values are."""
 
     dimensions: tuple[str, ...]
@@ -31,7 +30,7 @@ class Labelled(ByContents):
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class LabelledArrays(ByContents, Drawable):
+class LabelledArrays(Drawable):
     """Arrays by name over named dimensions; `result["speed"]` is one of them."""
 
     variables: Mapping[str, Labelled]

@@ -2,6 +2,7 @@
 
 import contextlib
 import ctypes
+import dataclasses
 import fcntl
 import functools
 import importlib.resources
@@ -242,6 +243,18 @@ def command(capsys, tmp_path, monkeypatch):
         return status, said.out, said.err
 
     return run
+
+
+def assert_same(one, other):
+    """Compares results made anew number by number; NaN equals NaN."""
+    assert type(one) is type(other)
+    np.testing.assert_equal(_plain(one), _plain(other))
+
+
+def _plain(result):
+    if isinstance(result, list):
+        return list(map(_plain, result))
+    return dataclasses.asdict(result) if dataclasses.is_dataclass(result) else result
 
 
 # ---- what is installed elsewhere ----

@@ -39,7 +39,6 @@ def test_a_gait_loads_what_it_needs():
         "analysis",
         "checks",
         "cli",
-        "contents",
         "drawable",
         "errors",
         "given",

@@ -12,7 +12,6 @@ PAGES = ROOT / "c_core/equations"
 GROUND = {
     "blocks",
     "checks",
-    "contents",
     "drawable",
     "errors",
     "given",

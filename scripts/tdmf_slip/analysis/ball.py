@@ -19,7 +19,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..checks import is_one_of, refusal
-from ..contents import ByContents
 from ..errors import InputError
 from ..library.batch import NEAR, Batch
 from ..library.gait import Gait
@@ -51,7 +50,7 @@ CHOICES = ("tested", "none")
 
 
 @dataclass(frozen=True, eq=False)
-class Ball(ByContents):
+class Ball:
     """Apices around a gait's from which every run settles on it."""
 
     known: str

@@ -15,7 +15,6 @@ from itertools import combinations
 import numpy as np
 from numpy.typing import NDArray
 
-from ..contents import ByContents
 from ..errors import InputError, RunError
 from ..library.gait import Gait
 from .borders import Border, Crossing, crossings
@@ -34,7 +33,7 @@ MAX_LOOKS = 100
 
 
 @dataclass(frozen=True, eq=False)
-class Special(ByContents):
+class Special:
     """A point of a branch where its stability, its direction or its word changes."""
 
     kind: str

@@ -8,7 +8,6 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from ..contents import ByContents
 from ..errors import InputError, RunError
 from ..library.gait import Gait, check_is_gait
 from ..library.runner import Runner
@@ -54,7 +53,7 @@ def borders_between(runner: Runner | Mapping[str, Given], name: str, first: Gait
 
 
 @dataclass(frozen=True, eq=False)
-class Crossing(ByContents):
+class Crossing:
     """A border, and the points of the branch on both sides of it."""
 
     border: Border

@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ..contents import ByContents
 from ..drawable import Drawable
 from ..library.gait import Gait
 from ..record import attributes_of
@@ -20,7 +19,7 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class Branch(ByContents, Drawable):
+class Branch(Drawable):
     """Gaits in the order in which they were met along a parameter."""
 
     name: str

@@ -10,7 +10,6 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from ..checks import is_one_of, near_matches, shown
-from ..contents import ByContents
 from ..drawable import Drawable
 from ..errors import InputError
 from ..given import row_of
@@ -47,7 +46,7 @@ class NotHeld:
 
 
 @dataclass(frozen=True, eq=False)
-class MatchedRunner(ByContents):
+class MatchedRunner:
     """A runner as it was given, and as it was matched to the reference."""
 
     parameters: Mapping[str, float]
@@ -59,7 +58,7 @@ class MatchedRunner(ByContents):
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class Comparison(ByContents, Drawable):
+class Comparison(Drawable):
     """Runners with the same speed, clearance or the like, whose differences have fewer causes."""
 
     hold: tuple[str, ...]

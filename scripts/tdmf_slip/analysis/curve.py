@@ -5,7 +5,6 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from ..contents import ByContents
 from ..drawable import Drawable
 from ..library.runner import Runner
 
@@ -18,7 +17,7 @@ CLOSED = "closed: back where it has been"
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class Curve(ByContents, Drawable):
+class Curve(Drawable):
     """Special points of one kind over two parameters."""
 
     runner: Runner
@@ -50,7 +49,7 @@ class Curve(ByContents, Drawable):
 
 
 @dataclass(frozen=True, eq=False)
-class Box(ByContents):
+class Box:
     """The ranges of two parameters, over their scales."""
 
     low: NDArray[np.float64]

@@ -9,7 +9,6 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from ..contents import ByContents
 from ..errors import RunError
 from ..library.fixed_point import Closing, gait_near
 from ..library.gait import Gait
@@ -24,7 +23,7 @@ from .corrector import corrected
 
 
 @dataclass(frozen=True, eq=False)
-class Point(ByContents):
+class Point:
     """A gait on a branch."""
 
     gait: Gait

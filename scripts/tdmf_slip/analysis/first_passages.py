@@ -5,7 +5,6 @@ from concurrent.futures import Executor
 from dataclasses import dataclass
 
 from ..blocks import run_blocks
-from ..contents import ByContents
 from ..library.laws import Law
 from ..library.runner import Runner
 from ..terminal.progress import progress_bar
@@ -13,7 +12,7 @@ from .first_passage import FirstPassage, strides_to_fall
 
 
 @dataclass(frozen=True, eq=False)
-class Trial(ByContents):
+class Trial:
     """Who runs on what: a block of work."""
 
     runner: Runner

@@ -7,7 +7,6 @@ from functools import partial
 import numpy as np
 from numpy.typing import NDArray
 
-from ..contents import ByContents
 from ..errors import InputError, RunError
 from ..library.gait import Gait
 from ..library.runner import Runner
@@ -127,7 +126,7 @@ def border_curve(
 
 
 @dataclass(frozen=True, eq=False)
-class BorderPoint(ByContents):
+class BorderPoint:
     """A point of a curve of borders."""
 
     pair: Pair

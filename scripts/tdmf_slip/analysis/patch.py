@@ -12,7 +12,6 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from ..contents import ByContents
 from ..errors import InputError, RunError
 from ..library.batch import Batch
 from ..library.engine import SETTLED, UNDECIDED
@@ -30,7 +29,7 @@ STEEPEST = math.pi / 2.0
 
 
 @dataclass(frozen=True, eq=False)
-class Meetings(ByContents):
+class Meetings:
     """What came of gaits on a patch, by contact angle."""
 
     fell: NDArray[np.float64]

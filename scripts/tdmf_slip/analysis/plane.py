@@ -12,7 +12,6 @@ from itertools import combinations
 import numpy as np
 from numpy.typing import NDArray
 
-from ..contents import ByContents
 from ..errors import RunError
 from ..library.gait import Gait
 from ..library.members import check_varied
@@ -28,7 +27,7 @@ DIFFERENCE = 1e-6
 
 
 @dataclass(frozen=True, eq=False)
-class CurvePoint(ByContents):
+class CurvePoint:
     """A gait over two parameters, with the derivatives of its equations."""
 
     at: NDArray[np.float64]

@@ -11,7 +11,6 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..contents import ByContents
 from ..library.laws import Law
 from ..library.runner import Runner
 from ..library.section import COORDINATES
@@ -32,7 +31,7 @@ Follow = Callable[[NDArray[np.intp], NDArray[np.intp]], NDArray[np.int32]]
 
 
 @dataclass(frozen=True, eq=False)
-class Points(ByContents):
+class Points:
     """Starts that differ from a gait's apex in two coordinates, anywhere: a block of work."""
 
     runner: Runner
@@ -79,7 +78,7 @@ def follow_points(
 
 
 @dataclass(frozen=True, eq=False)
-class Preview(ByContents):
+class Preview:
     """A map of which only some starts were followed."""
 
     fate: NDArray[np.int32]

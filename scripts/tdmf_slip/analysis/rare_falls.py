@@ -10,7 +10,6 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from ..checks import checked_whole
-from ..contents import ByContents
 from ..drawable import Drawable
 from ..errors import InputError
 from ..library.gait import Gait, check_is_gait
@@ -30,7 +29,7 @@ SMOOTHEST = 1e-9
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class RareFalls(ByContents, Drawable):
+class RareFalls(Drawable):
     """Strides until a rare fall, estimated by splitting."""
 
     runner: Runner

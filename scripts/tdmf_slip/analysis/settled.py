@@ -11,7 +11,6 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from ..contents import ByContents
 from ..errors import InputError
 from ..library.batch import Batch
 from ..library.batch_tables import CLOSED
@@ -30,7 +29,7 @@ TAKEN_IN = 0.5
 
 
 @dataclass(frozen=True, eq=False)
-class Settled(ByContents):
+class Settled:
     """Runners that have settled."""
 
     numbers: NDArray[np.intp]

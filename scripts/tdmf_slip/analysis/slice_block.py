@@ -5,7 +5,6 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from ..contents import ByContents
 from ..library.laws import Law, is_noisy
 from ..library.runner import Runner
 from ..library.section import COORDINATES
@@ -14,7 +13,7 @@ from .fates import fates
 
 
 @dataclass(frozen=True, eq=False)
-class Slice(ByContents):
+class Slice:
     """Starts that differ from a gait's apex in two coordinates: a block of work."""
 
     runner: Runner

@@ -15,8 +15,6 @@ from typing import Any, Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from ..contents import ByContents
-
 CONFIDENCE = 0.95
 REPLICAS = 12
 """Independent runs, by whose spread the interval is made."""
@@ -41,7 +39,7 @@ class Chain(Protocol):
 
 
 @dataclass(frozen=True, eq=False)
-class RareEvent(ByContents):
+class RareEvent:
     """A mean time to an event, from walkers that were split."""
 
     rates: NDArray[np.float64]

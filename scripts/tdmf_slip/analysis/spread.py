@@ -10,7 +10,6 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from ..contents import ByContents
 from ..errors import InputError, RunError
 from ..library.batch import Batch
 from ..library.engine import UNSOLVED
@@ -59,7 +58,7 @@ LENGTHS, RATES = (0.98, 1.02), (-0.3, 0.3)
 
 
 @dataclass(frozen=True, eq=False)
-class Spread(ByContents):
+class Spread:
     """What came of a search from starts all over the section."""
 
     gaits: tuple[Gait, ...]

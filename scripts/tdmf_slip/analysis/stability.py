@@ -7,7 +7,6 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from ..contents import ByContents
 from ..errors import InputError, RunError
 from ..library.fixed_point import gait_near
 from ..library.gait import Gait
@@ -21,7 +20,7 @@ from .sweep import MAX_GAITS
 
 
 @dataclass(frozen=True, eq=False)
-class StabilityMap(ByContents):
+class StabilityMap:
     """The largest eigenvalue of gaits over a plane of two parameters."""
 
     names: tuple[str, str]

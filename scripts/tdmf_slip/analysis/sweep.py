@@ -11,7 +11,6 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ..contents import ByContents
 from ..drawable import Drawable
 from ..errors import InputError, RunError
 from ..given import mapping_of
@@ -41,7 +40,7 @@ NAMES = "values by the name of one parameter or input, or of two"
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class Sweep(ByContents, Drawable):
+class Sweep(Drawable):
     """Gaits at the values of a range, where they were found."""
 
     name: str

@@ -12,7 +12,6 @@ from functools import partial
 import numpy as np
 from numpy.typing import NDArray
 
-from ..contents import ByContents
 from ..errors import InputError, RunError
 from ..library.fixed_point import gait_near
 from ..library.gait import Gait
@@ -37,7 +36,7 @@ SHORTEST_SHARE = 5e-3
 
 
 @dataclass(frozen=True, eq=False)
-class Iterate(ByContents):
+class Iterate:
     """An apex and parameters, with the stride from there."""
 
     at: NDArray[np.float64]
@@ -194,7 +193,7 @@ class Target:
 
 
 @dataclass(frozen=True, eq=False)
-class _Closing(ByContents):
+class _Closing:
     """Equations of a stride that closes and, with a goal, whose quantities are these."""
 
     target: Target

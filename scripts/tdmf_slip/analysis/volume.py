@@ -10,7 +10,6 @@ from numpy.typing import NDArray
 
 from ..blocks import run_blocks
 from ..checks import checked_whole
-from ..contents import ByContents
 from ..library.engine import FATES, SETTLED, UNSOLVED
 from ..library.gait import Gait
 from ..library.laws import Law
@@ -86,7 +85,7 @@ class Volume:
 
 
 @dataclass(frozen=True, eq=False)
-class Drawing(ByContents):
+class Drawing:
     """Random starts: a block of work. Its number, not its worker, decides what is drawn."""
 
     runner: Runner

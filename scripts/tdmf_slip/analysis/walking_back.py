@@ -5,7 +5,6 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from ..contents import ByContents
 from ..errors import InputError, RunError
 from .corrector import Branch, corrected
 from .family import Family, Point
@@ -53,7 +52,7 @@ class _ReachedError(Exception):
 
 
 @dataclass(frozen=True, eq=False)
-class _Watched(ByContents):
+class _Watched:
     """A branch whose points are compared with one that is known."""
 
     branch: Branch

@@ -12,7 +12,6 @@ from ..analysis.robustness import Robustness, robustness
 from ..analysis.volume import Volume, volume
 from ..blocks import run_blocks
 from ..checks import check_kind
-from ..contents import ByContents
 from ..given import row_of
 from ..library.gait import Gait, check_is_gait
 from ..library.ground import RoughGround
@@ -26,7 +25,7 @@ RUNNERS, MAX_STRIDES = 256, 400
 
 
 @dataclass(frozen=True, eq=False)
-class Trial(ByContents):
+class Trial:
     """A gait, with a feedback or without: a block of work."""
 
     gait: Gait
@@ -45,7 +44,7 @@ class Trial(ByContents):
 
 
 @dataclass(frozen=True, eq=False)
-class Judgement(ByContents):
+class Judgement:
     """How well a gait is held, by many runs."""
 
     trial: Trial

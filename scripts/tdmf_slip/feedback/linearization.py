@@ -16,7 +16,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..checks import is_one_of, near_matches, shown
-from ..contents import ByContents
 from ..errors import InputError
 from ..library.gait import Gait, check_is_gait
 from ..library.return_map import stride_from
@@ -36,7 +35,7 @@ IDLE = 1e-12
 
 
 @dataclass(frozen=True, eq=False)
-class Linearization(ByContents):
+class Linearization:
     """The return map of a gait and its settings, to first order."""
 
     gait: Gait

@@ -12,7 +12,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..checks import number_of, refusal
-from ..contents import ByContents
 from ..errors import InputError
 from .linearization import Linearization
 
@@ -21,7 +20,7 @@ NEGLIGIBLE = 1e-5
 
 
 @dataclass(frozen=True, eq=False)
-class Modes(ByContents):
+class Modes:
     """The modes that last, as a map of their own; everything over the scales."""
 
     directions: NDArray[np.float64]

@@ -12,8 +12,6 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from ..contents import ByContents
-
 ROUNDING = 1e-9
 """Of the largest singular value: less is none."""
 SMALL = 1e-5
@@ -23,7 +21,7 @@ MINOR = 0.1
 
 
 @dataclass(frozen=True, eq=False)
-class Combination(ByContents):
+class Combination:
     """Combined change of parameters that the data do not determine."""
 
     members: Mapping[str, float]
@@ -49,7 +47,7 @@ class Combination(ByContents):
 
 
 @dataclass(frozen=True, eq=False)
-class Identified(ByContents):
+class Identified:
     """What a weighted Jacobian tells."""
 
     covariance: NDArray[np.float64]

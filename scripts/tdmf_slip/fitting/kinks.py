@@ -11,7 +11,6 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from ..contents import ByContents
 from ..errors import RunError
 from .problem import Problem
 from .search import Bounds, Ended, is_stationary, loss_of, searched, weights_of
@@ -53,7 +52,7 @@ def past_kinks(problem: Problem, ended: Ended, bounds: Bounds, robust: bool) -> 
 
 
 @dataclass(frozen=True, eq=False)
-class _Step(ByContents):
+class _Step:
     """Where to go on."""
 
     to: NDArray[np.float64] | None

@@ -7,7 +7,6 @@ from pathlib import Path
 
 from ..analysis.targeted import MAXIMUM, MINIMUM
 from ..checks import near_matches, number_in, number_of, path_of, shown
-from ..contents import ByContents
 from ..errors import InputError, reason
 from ..files.cells import cells_of
 from ..given import is_table, mapping_of
@@ -47,7 +46,7 @@ Row = Mapping[str, Measured]
 
 
 @dataclass(frozen=True, eq=False)
-class Measurements(ByContents):
+class Measurements:
     """Conditions in which a gait was measured."""
 
     rows: tuple[Row, ...]

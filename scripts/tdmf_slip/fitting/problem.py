@@ -10,7 +10,6 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from ..contents import ByContents
 from ..errors import InputError, RunError
 from ..library.fixed_point import gait_near
 from ..library.gait import Gait
@@ -38,7 +37,7 @@ CHORDS = 16
 
 
 @dataclass(frozen=True, eq=False)
-class _Iterate(ByContents):
+class _Iterate:
     """A gait of a row and how it changes."""
 
     apex: NDArray[np.float64]

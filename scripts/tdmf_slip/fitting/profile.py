@@ -10,7 +10,6 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from ..contents import ByContents
 from ..errors import RunError
 from .problem import Problem
 from .search import Bounds, Ended, searched
@@ -28,7 +27,7 @@ BETTER = 1e-3
 
 
 @dataclass(frozen=True, eq=False)
-class End(ByContents):
+class End:
     """One end of an interval."""
 
     at: float

@@ -3,13 +3,12 @@
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from ..contents import ByContents
 from .measurements import Measurements
 from .unknowns import Prior
 
 
 @dataclass(frozen=True, eq=False)
-class Request(ByContents):
+class Request:
     """What is to be fitted to what, and how."""
 
     measurements: Measurements

@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from ..contents import ByContents
 from ..drawable import Drawable
 from ..library.gait import Gait
 from ..library.quantities import unit_of
@@ -76,7 +75,7 @@ class Residual:
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class Fit(ByContents, Drawable):
+class Fit(Drawable):
     """A runner fitted to measured gaits; `plot` draws the data, the fit and the residuals."""
 
     measurements: Measurements

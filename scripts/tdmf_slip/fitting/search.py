@@ -6,7 +6,6 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..contents import ByContents
 from .problem import Problem
 
 MAX_STEPS = 60
@@ -25,7 +24,7 @@ Bounds = tuple[NDArray[np.float64], NDArray[np.float64]]
 
 
 @dataclass(frozen=True, eq=False)
-class Ended(ByContents):
+class Ended:
     """How a search ended."""
 
     at: NDArray[np.float64]

@@ -6,7 +6,6 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from ..contents import ByContents
 from ..errors import InputError
 from .fitted import concluded
 from .measurements import Measurements
@@ -16,7 +15,7 @@ from .result import Fit
 
 
 @dataclass(frozen=True, eq=False)
-class LeftOut(ByContents):
+class LeftOut:
     """A datum, and the fit without it."""
 
     row: int

@@ -10,7 +10,6 @@ import numpy as np
 
 from ..blocks import run_blocks
 from ..checks import checked, checked_whole
-from ..contents import ByContents
 from ..errors import InputError, TdmfSlipError
 from ..given import row_of, rows_of
 from ..labelled import Labelled
@@ -24,7 +23,7 @@ from .simulation import DEFAULT_STRIDES, DEFAULT_TOLERANCE, MAX_STRIDES, TOLERAN
 
 
 @dataclass(frozen=True, eq=False)
-class Job(ByContents):
+class Job:
     """A run: a block of work."""
 
     values: Mapping[str, Value]
@@ -38,7 +37,7 @@ class Job(ByContents):
 
 
 @dataclass(frozen=True, eq=False)
-class Result(ByContents):
+class Result:
     """How a run ended."""
 
     stride: Mapping[str, float | int | str]

@@ -13,7 +13,6 @@ import numpy as np
 from fmpy.fmi1 import FMICallException
 from numpy.typing import NDArray
 
-from ..contents import ByContents
 from ..errors import InputError, RunError, TdmfSlipError, reason
 from ..uninterrupted import stop_flag, uninterrupted
 from ..variables.variable import Value
@@ -29,7 +28,7 @@ REFUSING_CALLS = ("fmi2Set", "fmi2ExitInitializationMode")
 
 
 @dataclass(frozen=True, eq=False)
-class Experiment(ByContents):
+class Experiment:
     """What FMPy is asked to do with an instance; times in s."""
 
     stop_time: float

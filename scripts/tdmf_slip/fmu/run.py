@@ -8,7 +8,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..checks import is_one_of, near_matches, shown
-from ..contents import ByContents
 from ..drawable import Drawable
 from ..errors import InputError
 from ..record import origin_of
@@ -22,7 +21,7 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class Run(ByContents, Drawable):
+class Run(Drawable):
     """What a run gave. All values are in the units of the model description, see `units`."""
 
     table: NDArray[np.void]

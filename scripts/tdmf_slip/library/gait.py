@@ -11,7 +11,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..checks import check_kind
-from ..contents import ByContents
 from ..drawable import Drawable
 from ..record import origin_of
 from ..variables.table import FRICTION
@@ -32,7 +31,7 @@ PARTS = ("rise", "hip_work", "leg_work", *LEDGER)
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class Gait(ByContents, Drawable):
+class Gait(Drawable):
     """A periodic gait, which is a fixed point of the return map; units as in the model description."""
 
     runner: Runner

@@ -14,7 +14,6 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..checks import checked_whole, refusal, shown
-from ..contents import ByContents
 from ..errors import InputError
 from ..given import numbers_of, row_of
 from ..record import without_record
@@ -32,8 +31,8 @@ Law: TypeAlias = Callable[[NDArray[np.float64], int], Mapping[str, ArrayLike]]
 a number, or one for each runner. Each row is set by itself. Rows of runners whose run is over are NaN."""
 
 
-@dataclass(frozen=True, eq=False)
-class AffineLaw(ByContents):
+@dataclass(frozen=True)
+class AffineLaw:
     """Settings that a runner has from each apex on, as a controller makes them that measures the apex.
 
     Setting i is `nominal[i]` plus the sum of `gain[i][j]` times (measured coordinate j minus `apex[j]`), but

@@ -7,14 +7,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..contents import ByContents
 from ..errors import RunError
 from .runner import Runner
 from .varied_stride import varied_stride
 
 
 @dataclass(frozen=True, eq=False)
-class VariedGait(ByContents):
+class VariedGait:
     """Quantities of a gait, and how they and its apex change with parameters while it stays a gait."""
 
     quantities: NDArray[np.float64]

@@ -6,7 +6,6 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from ..contents import ByContents
 from ..errors import RunError
 from ..variables.table import FRICTION
 from .batch import Batch
@@ -18,7 +17,7 @@ from .tables import Table
 
 
 @dataclass(frozen=True, eq=False)
-class VariedStride(ByContents):
+class VariedStride:
     """A stride, and how it changes with its apex and with parameters."""
 
     left_over: NDArray[np.float64]
@@ -42,7 +41,7 @@ def varied_stride(
 
 
 @dataclass(frozen=True, eq=False)
-class PlainStride(ByContents):
+class PlainStride:
     """A stride without derivatives."""
 
     left_over: NDArray[np.float64]

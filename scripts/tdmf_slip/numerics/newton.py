@@ -11,7 +11,6 @@ from typing import Any, Protocol, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
-from ..contents import ByContents
 from ..errors import InputError, RunError
 
 KEPT = 0.1
@@ -34,7 +33,7 @@ class Equations(Protocol):
 
 
 @dataclass(frozen=True, eq=False)
-class Iterate(ByContents):
+class Iterate:
     """A point of the search."""
 
     x: Vector

@@ -12,7 +12,6 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from ..contents import ByContents
 from ..errors import RunError
 from ..library.gait import Gait
 from .gaits import Candidate, Gaits
@@ -30,7 +29,7 @@ NARROWEST, WIDEST = 1e-6, 0.3
 
 
 @dataclass(frozen=True, eq=False)
-class Border(ByContents):
+class Border:
     """Gaits on both sides of a border between two regions."""
 
     short: Candidate
@@ -49,7 +48,7 @@ class Border(ByContents):
 
 
 @dataclass(frozen=True, eq=False)
-class Side(ByContents):
+class Side:
     """A gait beside a border."""
 
     gait: Candidate

@@ -13,7 +13,6 @@ from typing import TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
-from ..contents import ByContents
 from ..errors import InputError, RunError
 from ..library.fixed_point import gait_near
 from ..library.gait import Gait
@@ -54,7 +53,7 @@ Known: TypeAlias = tuple[Gait, NDArray[np.float64]]
 
 
 @dataclass(frozen=True, eq=False)
-class Candidate(ByContents):
+class Candidate:
     """A gait, and how what is asked of it changes with the parameters; these are over their bounds' width."""
 
     at: NDArray[np.float64]

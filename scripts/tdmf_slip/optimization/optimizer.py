@@ -10,7 +10,6 @@ from numpy.typing import NDArray
 
 from ..analysis.settled import evenly
 from ..analysis.targeted import TargetNotMetError
-from ..contents import ByContents
 from ..errors import RunError
 from ..library.gait import Gait
 from ..library.runner import Runner
@@ -40,7 +39,7 @@ TRIES = 4
 
 
 @dataclass(frozen=True, eq=False)
-class Best(ByContents):
+class Best:
     """The best of several searches."""
 
     found: Found

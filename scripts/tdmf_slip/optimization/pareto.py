@@ -10,7 +10,6 @@ import numpy as np
 from ..analysis.search import periodic_gait
 from ..analysis.targeted import TargetNotMetError
 from ..checks import checked_whole
-from ..contents import ByContents
 from ..drawable import Drawable
 from ..errors import InputError
 from ..given import row_of
@@ -31,7 +30,7 @@ POINTS, MAX_POINTS = 7, 1000
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class Front(ByContents, Drawable):
+class Front(Drawable):
     """Runners of which none is better in one quantity without being worse in the other."""
 
     objectives: tuple[str, str]

@@ -12,7 +12,6 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
-from ..contents import ByContents
 from .gaits import Candidate
 from .spectrum import Spectrum
 
@@ -33,7 +32,7 @@ Rows = tuple[NDArray[np.float64], NDArray[np.float64]]
 
 
 @dataclass(frozen=True, eq=False)
-class Goal(ByContents):
+class Goal:
     """An objective and constraints by names of quantities, in SI units."""
 
     objective: str

@@ -18,7 +18,6 @@ with a constraint that keeps off the fold.
 
 from dataclasses import dataclass
 
-from ..contents import ByContents
 from ..errors import RunError
 from .along import best_along
 from .border import Border, Side, between
@@ -45,7 +44,7 @@ STATIONARY = 1e-4
 
 
 @dataclass(frozen=True, eq=False)
-class Found(ByContents):
+class Found:
     """Where a search ended."""
 
     gait: Candidate

@@ -12,7 +12,6 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..contents import ByContents
 from ..errors import RunError
 from .gaits import Candidate
 from .problem import Problem, Rows
@@ -23,7 +22,7 @@ ACCURACY = 1e-12
 
 
 @dataclass(frozen=True, eq=False)
-class Ended(ByContents):
+class Ended:
     """How a search within a box ended."""
 
     best: Candidate

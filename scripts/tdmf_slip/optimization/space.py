@@ -6,7 +6,6 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from ..contents import ByContents
 from ..library.runner import Runner
 
 AT_BOUND = 1e-9
@@ -16,7 +15,7 @@ ROUNDING = 1e-14
 
 
 @dataclass(frozen=True, eq=False)
-class Space(ByContents):
+class Space:
     """Parameters and inputs between bounds."""
 
     bounds: Mapping[str, tuple[float, float]]

@@ -14,7 +14,6 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from ..contents import ByContents
 from ..errors import RunError
 
 LEADING = 3
@@ -26,7 +25,7 @@ SIMPLE = 1e-7
 
 
 @dataclass(frozen=True, eq=False)
-class Spectrum(ByContents):
+class Spectrum:
     """Sizes of leading eigenvalues."""
 
     sizes: NDArray[np.float64]

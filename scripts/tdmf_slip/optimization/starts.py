@@ -8,7 +8,6 @@ from numpy.typing import NDArray
 
 from ..analysis.linkage import linked
 from ..analysis.settled import evenly, settled_gaits
-from ..contents import ByContents
 from ..errors import InputError, RunError
 from ..library.fixed_point import gait_near
 from ..library.gait import Gait
@@ -24,7 +23,7 @@ a change of the parameters, which changes the objective by as much or so."""
 
 
 @dataclass(frozen=True, eq=False)
-class Start(ByContents):
+class Start:
     """A gait where a search begins."""
 
     at: NDArray[np.float64]

@@ -12,7 +12,6 @@ from ..analysis.search import periodic_gait
 from ..analysis.spread import Spread, search_from_spread
 from ..analysis.stride_map import stride_map
 from ..analysis.sweep import Sweep, sweep
-from ..contents import ByContents
 from ..library import classic_slip
 from ..library.binding import c
 from ..library.gait import Gait
@@ -38,7 +37,7 @@ BRACKET = (math.radians(30.0), math.radians(33.0))
 
 
 @dataclass(frozen=True, eq=False)
-class Evidence(ByContents):
+class Evidence:
     """Computed results about the paper's runner for one reading."""
 
     sweep: Sweep
@@ -58,7 +57,7 @@ class Evidence(ByContents):
 
 
 @dataclass(frozen=True, eq=False)
-class ClassicEvidence(ByContents):
+class ClassicEvidence:
     """Computed results about the classic SLIP, which has no swing."""
 
     stable: classic_slip.FixedPoint

@@ -15,7 +15,6 @@ from numpy.typing import NDArray
 
 from ..analysis.patch import Meetings, contact_angle_of, meet_patch
 from ..analysis.targeted import find_gait
-from ..contents import ByContents
 from ..errors import RunError
 from ..library.fixed_point import gait_near
 from ..library.gait import Gait
@@ -47,7 +46,7 @@ def published() -> Mapping[str, Mapping[str, float]]:
 
 
 @dataclass(frozen=True, eq=False)
-class Map(ByContents):
+class Map:
     """Falls over speed and contact angle."""
 
     gaits: tuple[Gait, ...]

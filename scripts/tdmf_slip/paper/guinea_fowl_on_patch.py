@@ -13,7 +13,6 @@ from numpy.typing import NDArray
 
 from ..analysis.stride_map import stride_map
 from ..analysis.targeted import find_gait
-from ..contents import ByContents
 from ..library.fixed_point import gait_near
 from ..library.gait import Gait
 from ..library.runner import Runner
@@ -28,7 +27,7 @@ TORQUE = "hip.stance_torque"
 
 
 @dataclass(frozen=True, eq=False)
-class Crossing(ByContents):
+class Crossing:
     """What came of one gait on one patch, from `PHASES` places."""
 
     falls: int

@@ -5,7 +5,6 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from ..contents import ByContents
 from ..errors import RunError
 from ..terminal.progress import progress_bar
 from ..terminal.text import table
@@ -17,7 +16,7 @@ LAST_SEED = 2**62 - 1
 
 
 @dataclass(frozen=True, eq=False)
-class Recomputed(ByContents):
+class Recomputed:
     """A claim with its values in every regime."""
 
     claim: OwnClaim
@@ -67,7 +66,7 @@ def _read(cell: Any) -> Any:
 
 
 @dataclass(frozen=True, eq=False)
-class OwnClaims(ByContents):
+class OwnClaims:
     """Claims, recomputed."""
 
     seed: int

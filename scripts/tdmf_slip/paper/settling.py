@@ -7,7 +7,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..checks import checked, checked_whole
-from ..contents import ByContents
 from ..errors import RunError
 from ..fmu.fmu import Fmu, load_fmu
 from ..fmu.instance import Experiment, Instance, Recorder, opened
@@ -30,7 +29,7 @@ MAX_STRIDES = 2000
 
 
 @dataclass(frozen=True, eq=False)
-class SettledRun(ByContents):
+class SettledRun:
     """A run of the unit that settled on a gait, by its last stride. Units as in the model description."""
 
     friction: float

@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING
 
 from ..analysis.search import periodic_gait
 from ..checks import checked_flag, checked_whole
-from ..contents import ByContents
 from ..drawable import Drawable
 from ..fmu.fmu import Fmu, load_fmu
 from ..library.runner import Runner
@@ -29,7 +28,7 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class Validation(ByContents, Drawable):
+class Validation(Drawable):
     """The five gaits in both readings, what is published of them, and how far they are from the reference."""
 
     gaits: Mapping[str, Sequence[SettledRun]]

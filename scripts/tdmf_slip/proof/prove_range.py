@@ -12,7 +12,6 @@ from pathlib import Path
 from typing import Any
 
 from ..blocks import InTurn, run_blocks
-from ..contents import ByContents
 from ..errors import InputError
 from ..library.gait import Gait
 from ..library.runner import Runner
@@ -34,7 +33,7 @@ PRECISION_IN_USE = threading.Lock()
 
 
 @dataclass(frozen=True, eq=False)
-class Part(ByContents):
+class Part:
     """A part of a range: a block of work."""
 
     runner: Runner

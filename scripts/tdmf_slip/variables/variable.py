@@ -10,7 +10,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..checks import check_kind, number_in, number_of, shown
-from ..contents import ByContents
 from ..errors import InputError
 from ..given import row_of
 from . import units
@@ -32,8 +31,8 @@ def attributes_of(unit: str, description: str) -> dict[str, str]:
     return {"units": unit or "1", "long_name": description}
 
 
-@dataclass(frozen=True, eq=False)
-class Variable(ByContents):
+@dataclass(frozen=True)
+class Variable:
     """One variable of the unit, with its declared type folded in."""
 
     name: str

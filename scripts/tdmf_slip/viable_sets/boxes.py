@@ -18,7 +18,6 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..contents import ByContents
 from ..library.batch import ACCURACY
 from .grid import Grid
 from .transitions import Transitions
@@ -29,7 +28,7 @@ ROUNDING = 2.0**-22
 
 
 @dataclass(frozen=True, eq=False)
-class Boxes(ByContents):
+class Boxes:
     """Pairs of a cell and an action that may count, each with a box of cells."""
 
     cells: NDArray[np.int32]

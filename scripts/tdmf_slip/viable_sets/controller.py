@@ -9,7 +9,6 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..checks import number_of, refusal, shown
-from ..contents import ByContents
 from ..errors import InputError
 from ..library.runner import Runner
 from ..library.section import REDUCED
@@ -22,7 +21,7 @@ GRADES = ("not viable", "open", "viable")
 
 
 @dataclass(frozen=True, eq=False)
-class ViableController(ByContents):
+class ViableController:
     """At each apex the viable action nearest to a wish, over the ranges of the settings.
 
     Of the inner set where the apex's cell has some, else of the outer one. Where neither has any, or outside

@@ -8,7 +8,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..checks import checked, shown
-from ..contents import ByContents
 from ..errors import InputError
 from ..given import row_of
 from ..library.runner import Runner
@@ -20,7 +19,7 @@ from .transitions import Transitions, make_transitions
 
 
 @dataclass(frozen=True, eq=False)
-class FrictionLoss(ByContents):
+class FrictionLoss:
     """The least friction of one stride that each cell stands, of those that were tried in turn."""
 
     frictions: tuple[float, ...]

@@ -10,12 +10,11 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from ..contents import ByContents
 from .boxes import Boxes
 
 
 @dataclass(frozen=True, eq=False)
-class Kept(ByContents):
+class Kept:
     """A set of states, and the pairs that keep runners in it."""
 
     states: NDArray[np.bool_]

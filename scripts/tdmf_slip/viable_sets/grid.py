@@ -9,7 +9,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..checks import check_kind, check_size, checked_whole
-from ..contents import ByContents
 from ..errors import InputError
 from ..given import counts_given, ends_given, mapping_of, row_of
 from ..library.runner import Runner
@@ -28,7 +27,7 @@ VALUES = 16
 
 
 @dataclass(frozen=True, eq=False)
-class Grid(ByContents):
+class Grid:
     """Cells over the two coordinates of the reduced map, and what may be set at each apex."""
 
     edges: Mapping[str, NDArray[np.float64]]

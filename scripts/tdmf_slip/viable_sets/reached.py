@@ -6,7 +6,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..checks import checked
-from ..contents import ByContents
 from ..errors import InputError
 from ..library.gait import Gait
 from ..library.section import REDUCED, Apex, checked_apex
@@ -17,7 +16,7 @@ FARTHEST = 1000.0
 
 
 @dataclass(frozen=True, eq=False)
-class Reached(ByContents):
+class Reached:
     """How many strides at the least lead from each cell to the cells about a gait."""
 
     target: NDArray[np.bool_]

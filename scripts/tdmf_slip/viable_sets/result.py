@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from ..contents import ByContents
 from ..drawable import Drawable
 from ..library.gait import Gait
 from ..library.runner import Runner
@@ -29,7 +28,7 @@ STATES = ("not_viable", "open", "viable")
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class Viability(ByContents, Drawable):
+class Viability(Drawable):
     """Viable states and pairs of state and action, from inside and from outside.
 
     States are cells of the plane of apices, row by row of rising height; actions are combinations of

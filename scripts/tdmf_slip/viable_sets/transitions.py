@@ -10,7 +10,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..blocks import run_blocks
-from ..contents import ByContents
 from ..errors import InputError
 from ..library.batch import TOLERANCE, Batch
 from ..library.batch_tables import CLOSED, STRIDE_FATES
@@ -32,7 +31,7 @@ SAVED = 16
 
 
 @dataclass(frozen=True, eq=False)
-class Transitions(ByContents):
+class Transitions:
     """The fate of each pair of a corner and an action, and where it leads."""
 
     grid: Grid
@@ -49,7 +48,7 @@ class Transitions(ByContents):
 
 
 @dataclass(frozen=True, eq=False)
-class Corners(ByContents):
+class Corners:
     """Some rows of corners: a block of work."""
 
     runner: Runner

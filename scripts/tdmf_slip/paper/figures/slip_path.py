@@ -8,7 +8,6 @@ import numpy as np
 from matplotlib.axes import Axes
 from numpy.typing import NDArray
 
-from ...contents import ByContents
 from ...library import classic_slip
 from ...pictures import style
 
@@ -17,7 +16,7 @@ POINTS = 60
 
 
 @dataclass(frozen=True, eq=False)
-class Path(ByContents):
+class Path:
     """One step from apex to apex, with the foot at x = 0."""
 
     time: NDArray[np.float64]
