@@ -34,10 +34,14 @@ HANGS = 1200.0
 
 
 def pytest_collection_modifyitems(items):
-    """Leaves to a release the tests of the live page on a phone, except those of what differs there."""
+    """Leave most tests of the live page on a phone to a release, and run tests of the site last.
+
+    scripts/test still builds the site while the first tests run.
+    """
     for item in items:
         if "phone in the dark" in item.name and "both_screens" not in item.keywords:
             item.add_marker(release)
+    items.sort(key=lambda item: "site_build_ended" in item.fixturenames)
 
 
 def some_of(cases, count):
@@ -77,6 +81,22 @@ def browsers():
     with contextlib.ExitStack() as stack:
         browser = functools.cache(lambda *screen: stack.enter_context(chromium(*screen)))
         yield lambda width, height, dark=False: browser(width, height, dark)
+
+
+@pytest.fixture(scope="session")
+def site_build_ended():
+    """Wait until no site is being built: the build holds this lock."""
+    with locked("site"):
+        pass
+
+
+@pytest.fixture(scope="session")
+def site(site_build_ended):
+    """The folder of the built site."""
+    folder = ROOT / "dist" / "site"
+    if not (folder / "live.html").is_file():
+        pytest.skip("NOT TESTED: the site; ./scripts/site builds it")
+    return folder
 
 
 @pytest.fixture(scope="session")
@@ -302,14 +322,15 @@ def made_once(tmp_path_factory):
 def installed_library(made_once):
     """Folder into which `cmake --install` has put the library.
 
-    The CMake that built the package builds it, in a folder that lies as deep as the package's. Then the
-    commands are the same, and ccache has their results where scripts/test has set it up.
+    CMake and its flags are those of the package, and the folder is as deep. Then the compiler's commands are
+    the same, and ccache has their results where scripts/test has set it up.
     """
     build, programs = ROOT / "build" / "library", pathlib.Path(sys.executable).parent
     cmake = shutil.which("cmake", path=f"{programs}{os.pathsep}{os.environ['PATH']}")
 
     def install(prefix):
-        succeed(cmake, "-S", ROOT, "-B", build, "-DTDMF_SLIP_BUILD_FMU=OFF")
+        options = ("-DTDMF_SLIP_BUILD_FMU=OFF", "-DTDMF_SLIP_WARNINGS_ARE_ERRORS=ON")
+        succeed(cmake, "-S", ROOT, "-B", build, *options)
         succeed(cmake, "--build", build, "--parallel", "2")
         succeed(cmake, "--install", build, "--component", "library", "--prefix", prefix)
 

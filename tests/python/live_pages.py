@@ -25,11 +25,13 @@ from selenium.webdriver.common.keys import Keys  # noqa: E402
 
 EQUAL = 1e-8
 """Relative for a stride's quantities, absolute for eigenvalues."""
+FALLING = "#ground.friction=0&leg.angle_rate=-1"
+"""State of a page whose runner falls while its foot slips, at 6.6 sqrt(m/k): within a second on the page."""
 SCREENS = {"desk": (1280, 900, False), "phone in the dark": (360, 740, True)}
 
 
 @pytest.fixture(scope="session")
-def built(made_once):
+def built(made_once, site_build_ended):
     """The folder of the page."""
 
     def build(folder):

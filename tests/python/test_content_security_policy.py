@@ -8,7 +8,6 @@ import pytest
 from conftest import some_of
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-SITE = ROOT / "dist" / "site"
 sys.path.insert(0, str(ROOT / "documentation" / "live"))
 sys.path.insert(0, str(ROOT / "documentation" / "extensions"))
 pytest.importorskip("sphinx", reason="NOT TESTED: the site, Sphinx is not installed")
@@ -62,12 +61,10 @@ setTimeout(() => {  // what the driver itself evaluates is exempt
 
 
 @pytest.fixture(scope="module")
-def driver(request):
+def driver(request, site):
     pytest.importorskip("selenium")
     if not (shutil.which("chromium") and shutil.which("chromedriver")):
         pytest.skip("needs Debian's chromium and chromium-driver")
-    if not (SITE / "index.html").is_file():
-        pytest.skip("NOT TESTED: the site; ./scripts/site builds it")
     from browser import script_first
 
     with script_first(request.getfixturevalue("browsers")(1280, 900), WATCH) as driver:
@@ -75,13 +72,13 @@ def driver(request):
 
 
 @pytest.fixture(scope="module")
-def address(request):
+def address(request, site):
     from browser import served
 
     if request.param == "by file://":
-        yield SITE.as_uri()
+        yield site.as_uri()
         return
-    with served(SITE) as address:
+    with served(site) as address:
         yield address
 
 
@@ -104,8 +101,8 @@ def opened(driver, address, page):
     return driver
 
 
-def test_there_are_pages_of_each_kind(driver):
-    assert [page for page in KINDS.values() if not (SITE / page.split("?")[0]).is_file()] == []
+def test_there_are_pages_of_each_kind(site):
+    assert [page for page in KINDS.values() if not (site / page.split("?")[0]).is_file()] == []
 
 
 @pytest.mark.parametrize(("address", "kind"), where(KINDS), indirect=["address"])
@@ -146,10 +143,10 @@ def test_an_injected_script_does_not_run(driver, address, page):
     ]
 
 
-def test_the_live_page_runs_within_its_policy(driver):
+def test_the_live_page_runs_within_its_policy(driver, site):
     from browser import open_page, served
 
-    with served(SITE) as address:
+    with served(site) as address:
         driver.get_log("browser")
         open_page(driver, address)
         assert problems(driver) == []
@@ -158,12 +155,10 @@ def test_the_live_page_runs_within_its_policy(driver):
 # ---- the build ----
 
 
-def test_every_page_has_the_policy_before_anything_that_it_rules():
+def test_every_page_has_the_policy_before_anything_that_it_rules(site):
     from content_security_policy import Scripts, policy
 
-    pages = sorted(SITE.rglob("*.html"))
-    if not pages:
-        pytest.skip("NOT TESTED: the site; ./scripts/site builds it")
+    pages = sorted(site.rglob("*.html"))
     for path in pages:
         text = path.read_text(encoding="utf-8")
         head, rest = text.split("Content-Security-Policy", 1)

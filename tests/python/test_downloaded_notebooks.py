@@ -17,27 +17,31 @@ from tdmf_slip.cli import validate as command_module
 from tdmf_slip.cli.main import main
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-SITE = ROOT / "dist" / "site"
-NOTEBOOKS = {path.stem: path for path in sorted(SITE.glob("_downloads/*/*.ipynb"))}
+GUIDES = sorted(path.stem for path in (ROOT / "documentation" / "guides").glob("*.md"))
 EXECUTE = (
     "import sys, nbformat, nbclient; book = nbformat.read(sys.argv[1], 4);"
     "nbclient.NotebookClient(book, timeout=600, resources={'metadata': {'path': sys.argv[2]}}).execute();"
     "import tdmf_slip; print(tdmf_slip.__file__)"
 )
-built = pytest.mark.skipif(not NOTEBOOKS, reason="NOT TESTED: notebooks; ./scripts/site builds them")
 sys.path.insert(0, str(ROOT / "documentation" / "extensions"))
 
 
-def cells(name, kind):
-    content = json.loads(NOTEBOOKS[name].read_text(encoding="utf-8"))
+@pytest.fixture(scope="module")
+def notebooks(site):
+    """Path of the notebook that each guide downloads as."""
+    return {path.stem: path for path in site.glob("_downloads/*/*.ipynb")}
+
+
+def cells(notebook, kind):
+    content = json.loads(notebook.read_text(encoding="utf-8"))
     return [cell for cell in content["cells"] if cell["cell_type"] == kind]
 
 
-@built
-def test_every_notebook_reads_without_sphinx():
+def test_every_notebook_reads_without_sphinx(notebooks):
+    assert sorted(notebooks) == GUIDES
     pictures, texts = 0, 0
-    for name in NOTEBOOKS:
-        for cell in cells(name, "markdown"):
+    for name, path in notebooks.items():
+        for cell in cells(path, "markdown"):
             text, attached = "".join(cell["source"]), cell.get("attachments", {})
             texts += 1
             assert not re.search(r"^```\{|\{[\w-]+\}`", text, re.MULTILINE), (name, text)
@@ -46,30 +50,30 @@ def test_every_notebook_reads_without_sphinx():
             named = set(re.findall(r"\(attachment:([^)]+)\)", text))
             assert named == set(attached), name
             pictures += len(named)
-    assert len(NOTEBOOKS) >= 18 and texts > 80 and pictures >= 18
+    assert texts > 80 and pictures >= 18
 
 
-@built
-def test_solutions_are_folded_in_the_notebook_too():
+def test_solutions_are_folded_in_the_notebook_too(notebooks):
     tagged = [
         cell["metadata"]
-        for cell in cells("exercises", "code")
+        for cell in cells(notebooks["exercises"], "code")
         if "hide-cell" in cell["metadata"].get("tags", [])
     ]
     assert len(tagged) == 3
     assert all(each["jupyter"] == {"source_hidden": True, "outputs_hidden": True} for each in tagged)
 
 
-@built
 @release
-@pytest.mark.parametrize("name", NOTEBOOKS)
-def test_a_notebook_runs_from_an_empty_folder_with_the_wheel_alone(environment, wheel, tmp_path, name):
+@pytest.mark.parametrize("name", GUIDES)
+def test_a_notebook_runs_from_an_empty_folder_with_the_wheel_alone(
+    environment, wheel, tmp_path, name, notebooks
+):
     installed = environment.install(wheel)
     needed = {shutil.which(tool) and str(pathlib.Path(shutil.which(tool)).parent) for tool in ("cc", "bash")}
     variables = installed | {"PATH": os.pathsep.join([installed["PATH"], *filter(None, needed)])}
     folder = tmp_path / "empty"
     folder.mkdir()
-    command = (environment.programs / "python", "-c", EXECUTE, NOTEBOOKS[name], folder)
+    command = (environment.programs / "python", "-c", EXECUTE, notebooks[name], folder)
     said = succeed(*command, env=variables, cwd=tmp_path)
     assert said.splitlines()[-1].startswith(str(environment.folder))
 
@@ -77,18 +81,17 @@ def test_a_notebook_runs_from_an_empty_folder_with_the_wheel_alone(environment, 
 # ---- what a page shows of an output is what was printed ----
 
 
-def outputs(page):
+def outputs(site, page):
     """What the page shows as printed."""
-    text = (SITE / "guides" / f"{page}.html").read_text(encoding="utf-8")
+    text = (site / "guides" / f"{page}.html").read_text(encoding="utf-8")
     found = re.findall(r'<div class="output stream[^"]*">.*?<pre>(.*?)</pre>', text, re.DOTALL)
     return [html.unescape(re.sub(r"<[^>]+>", "", one)).strip() for one in found]
 
 
-@built
-def test_the_start_page_shows_what_the_command_prints(command):
+def test_the_start_page_shows_what_the_command_prints(command, site):
     status, out, _ = command("gait", "--friction", "0.43")
     assert status == 0 and out.count("\n") > 15
-    shown = [one for one in outputs("start") if one.startswith("word ")]
+    shown = [one for one in outputs(site, "start") if one.startswith("word ")]
     assert len(shown) == 1
     numbers = re.compile(r"-?\d\.?\d*(?:e-\d+)?")
     assert numbers.sub("#", shown[0]) == numbers.sub("#", out.strip())
@@ -119,10 +122,9 @@ def test_validate_as_json(validated):
     assert sum(found["counts"].values()) == len(found["claims"]) == len(wanted.claims)
 
 
-@built
-def test_the_paper_page_shows_the_table_as_validate_prints_it(validated):
+def test_the_paper_page_shows_the_table_as_validate_prints_it(validated, site):
     *_, wanted = validated
-    (table,) = [one for one in outputs("paper") if one.startswith("friction ")]
+    (table,) = [one for one in outputs(site, "paper") if one.startswith("friction ")]
     assert table == wanted.as_text().strip()
 
 

@@ -16,12 +16,8 @@ from conftest import succeed
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 SOURCES = ROOT / "documentation"
-SITE = ROOT / "dist" / "site"
 README = (ROOT / "README.md").read_text(encoding="utf-8")
 GLOSSARY = tomllib.loads((SOURCES / "glossary.toml").read_text(encoding="utf-8"))
-built = pytest.mark.skipif(
-    not (SITE / "gallery.html").is_file(), reason="NOT TESTED: the site; ./scripts/site builds it"
-)
 in_browser = pytest.mark.skipif(
     not (shutil.which("chromium") and shutil.which("chromedriver")), reason="NOT TESTED: Chromium is missing"
 )
@@ -126,14 +122,13 @@ def test_the_runner_that_a_figure_opens_is_one_of_those_it_shows(figure, fmu):
     assert [row for row in rows if all(float(row[column]) == value for column, value in opened.items())]
 
 
-@built
-def test_each_figure_of_the_gallery_has_its_picture_and_its_data():
-    page = (SITE / "gallery.html").read_text(encoding="utf-8")
+def test_each_figure_of_the_gallery_has_its_picture_and_its_data(site):
+    page = (site / "gallery.html").read_text(encoding="utf-8")
     pictures, data = (set(re.findall(rf'"figures/(\w+)\.{suffix}"', page)) for suffix in ("png", "csv"))
     assert pictures == data and len(pictures) >= 22
     for name in pictures:
-        assert (SITE / "figures" / f"{name}.png").stat().st_size > 5000, name
-        rows = (SITE / "figures" / f"{name}.csv").read_text(encoding="utf-8").splitlines()
+        assert (site / "figures" / f"{name}.png").stat().st_size > 5000, name
+        rows = (site / "figures" / f"{name}.csv").read_text(encoding="utf-8").splitlines()
         assert len(rows) > 2 and len({len(row) for row in csv.reader(rows)}) == 1, name
 
 
@@ -184,9 +179,8 @@ def test_completion_is_as_the_install_page_says(shell):
 # ---- the built pages ----
 
 
-@built
-def test_every_page_describes_itself():
-    pages = [path for path in SITE.rglob("*.html") if path.name != "live.html"]
+def test_every_page_describes_itself(site):
+    pages = [path for path in site.rglob("*.html") if path.name != "live.html"]
     assert len(pages) > 40
     documented = {}
     for path in pages:
@@ -198,16 +192,14 @@ def test_every_page_describes_itself():
     assert len(documented) > 20
 
 
-@built
-def test_the_home_page_leads_to_install_cite_and_a_result():
-    page = (SITE / "index.html").read_text(encoding="utf-8")
+def test_the_home_page_leads_to_install_cite_and_a_result(site):
+    page = (site / "index.html").read_text(encoding="utf-8")
     for target in ("install.html", "cite.html", "results.html", "gallery.html", "live.html"):
         assert f'href="{target}' in page, target
     text = " ".join(re.sub(r"<[^>]+>", "", page).split())
     assert "find_gait" in text and "pip install" in text and "repository" in text
 
 
-@built
 @in_browser
 @pytest.mark.parametrize(
     ("query", "page", "rank"),
@@ -219,11 +211,11 @@ def test_the_home_page_leads_to_install_cite_and_a_result():
         ("feedback", "guides/feedback.html", 1),
     ],
 )
-def test_the_search_finds_guides_before_the_reference(query, page, rank, browsers):
+def test_the_search_finds_guides_before_the_reference(query, page, rank, browsers, site):
     from browser import served, wait
 
     driver = browsers(1280, 900)
-    with served(SITE) as address:
+    with served(site) as address:
         driver.get(f"{address}/search.html?q={query}")
         links = "[...document.querySelectorAll('#search-results li a')].map((link) => link.pathname)"
         found = wait(driver, f"{links}.length && {links}", "what was found")
@@ -231,12 +223,11 @@ def test_the_search_finds_guides_before_the_reference(query, page, rank, browser
         assert not any("/reference/" in path for path in found[: found.index(f"/{page}")]), found
 
 
-@built
 @in_browser
-def test_pictures_are_dark_where_the_page_is(browsers):
+def test_pictures_are_dark_where_the_page_is(browsers, site):
     from browser import served
 
-    with served(SITE) as address:
+    with served(site) as address:
         for screen, dark in (((1280, 900, False), False), ((360, 740, True), True)):
             driver = browsers(*screen)
             driver.get(f"{address}/gallery.html")
@@ -246,14 +237,13 @@ def test_pictures_are_dark_where_the_page_is(browsers):
             assert ("invert" in shown) == dark, shown
 
 
-@built
 @in_browser
 @pytest.mark.parametrize("page", ["model", "extensions", "proof_method"])
-def test_an_equation_has_no_vertical_scroll_bar_and_is_not_cut_off(page, browsers):
+def test_an_equation_has_no_vertical_scroll_bar_and_is_not_cut_off(page, browsers, site):
     from browser import served
 
     driver = browsers(1280, 900)
-    with served(SITE) as address:
+    with served(site) as address:
         driver.get(f"{address}/guides/{page}.html")
         count, cut = driver.execute_script(
             """const boxes = [...document.querySelectorAll(".math-wrapper, .math-wrapper *")];
@@ -263,13 +253,12 @@ def test_an_equation_has_no_vertical_scroll_bar_and_is_not_cut_off(page, browser
         assert count > 0 and cut == 0
 
 
-@built
 @in_browser
-def test_the_gallery_is_a_grid(browsers):
+def test_the_gallery_is_a_grid(browsers, site):
     from browser import served
 
     driver = browsers(1280, 900)
-    with served(SITE) as address:
+    with served(site) as address:
         driver.get(f"{address}/gallery.html")
         boxes = driver.execute_script(
             "return [...document.querySelectorAll('.gallery-figure')].map((box) => box.offsetTop)"
@@ -287,8 +276,7 @@ def test_a_live_page_that_was_opened_as_a_file_says_only_what_it_needs(tmp_path,
     assert not driver.find_element("tag name", "main").is_displayed()
 
 
-@built
-def test_the_data_of_the_live_page_has_the_glossary():
-    data = (SITE / "live" / "data.js").read_text(encoding="utf-8")
+def test_the_data_of_the_live_page_has_the_glossary(site):
+    data = (site / "live" / "data.js").read_text(encoding="utf-8")
     (terms,) = re.findall(r"^export const terms = (.*);$", data, re.MULTILINE)
     assert set(json.loads(terms)) == set(GLOSSARY["live"])

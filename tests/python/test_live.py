@@ -329,7 +329,7 @@ def test_a_bad_address_gets_a_sentence(driver, address):
 
 
 def test_a_fall_and_a_runner_too_stiff_are_told(driver, address):
-    open_page(driver, address, "#ground.friction=0&leg.angle_rate=4")
+    open_page(driver, address, live_pages.FALLING)
     wait(driver, "tdmfSlip.run.over", "the fall")
     assert find(driver, "announcement").get_attribute("textContent") == "The runner fell."
     assert find(driver, "play").text == "Run again"

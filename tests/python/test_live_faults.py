@@ -44,7 +44,6 @@ for (let i = 0; i < all.length; i += 4) { count += all[i] === r && all[i + 1] ==
 return count;
 """
 """Counts pixels that have a patch's colour, in the lowest fifth of the picture of the runner."""
-FALLING = "#ground.friction=0&leg.angle_rate=4"
 
 
 def slide_to(driver, name, key):
@@ -223,7 +222,7 @@ def test_a_patch_is_drawn_and_has_no_gait(driver, address, end):
 
 
 def test_a_fallen_runner_does_not_slip(driver, address):
-    open_page(driver, address, FALLING)
+    open_page(driver, address, live_pages.FALLING)
     wait(driver, "tdmfSlip.run.over", "the fall")
     driver.execute_script("tdmfSlip.view.draw(); tdmfSlip.view.tell()")
     cell = driver.find_element(By.CSS_SELECTOR, "#numbers [data-name='contact.mode']")

@@ -13,12 +13,9 @@ import tdmf_slip
 from tdmf_slip.cli.main import COMMANDS
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-SITE = ROOT / "dist" / "site"
 SOURCES = ROOT / "documentation"
-PAGES = sorted(SITE.rglob("*.html"))
 sys.path.insert(0, str(SOURCES / "extensions"))
 pytest.importorskip("sphinx", reason="NOT TESTED: the site, Sphinx is not installed")
-built = pytest.mark.skipif(not PAGES, reason="NOT TESTED: the site; ./scripts/site builds it")
 LOADS = {"script": "src", "link": "href", "img": "src", "iframe": "src", "object": "data", "source": "src"}
 """What a browser fetches by itself, and the attribute that says from where."""
 
@@ -42,25 +39,23 @@ class Page(html.parser.HTMLParser):
 
 
 @pytest.fixture(scope="module")
-def pages():
-    return {path: Page(path) for path in PAGES}
+def pages(site):
+    return {path: Page(path) for path in sorted(site.rglob("*.html"))}
 
 
 def is_elsewhere(address):
     return bool(urllib.parse.urlsplit(address).netloc)
 
 
-@built
 def test_no_page_loads_anything_from_elsewhere(pages):
     loaded = [(path.name, address) for path, page in pages.items() for address in page.loaded]
     assert len(loaded) > 100
     assert [found for found in loaded if is_elsewhere(found[1])] == []
 
 
-@built
-def test_no_style_and_no_script_loads_anything_from_elsewhere():
+def test_no_style_and_no_script_loads_anything_from_elsewhere(site):
     """A script may name an address, but it imports and fetches none."""
-    styles, scripts = list(SITE.rglob("*.css")), list(SITE.rglob("*.js"))
+    styles, scripts = list(site.rglob("*.css")), list(site.rglob("*.js"))
     assert len(styles) >= 4 and len(scripts) >= 4
     loads = re.compile(
         r"""(?:@import|url\(|\bimport\(|\bfetch\(|\bimportScripts\(|\.src\s*=)\s*["']?(?:https?:)?//[^"')\s]+"""
@@ -69,8 +64,7 @@ def test_no_style_and_no_script_loads_anything_from_elsewhere():
     assert {name: addresses for name, addresses in found.items() if addresses} == {}
 
 
-@built
-def test_links_and_anchors_inside_the_site_lead_somewhere(pages):
+def test_links_and_anchors_inside_the_site_lead_somewhere(pages, site):
     followed, broken = 0, []
     for path, page in pages.items():
         for link in [*page.links, *page.loaded]:
@@ -82,18 +76,17 @@ def test_links_and_anchors_inside_the_site_lead_somewhere(pages):
             fragment = urllib.parse.unquote(parts.fragment)
             is_state = target.name == "live.html"  # which has its state there
             if not target.is_file() or (fragment and fragment not in known and not is_state):
-                broken.append(f"{path.relative_to(SITE)}: {link}")
+                broken.append(f"{path.relative_to(site)}: {link}")
             followed += 1
     assert followed > 1000
     assert broken == []
 
 
-@built
-def test_each_guide_downloads_as_a_notebook_with_its_code(pages):
+def test_each_guide_downloads_as_a_notebook_with_its_code(pages, site):
     guides = sorted((SOURCES / "guides").glob("*.md"))
     assert len(guides) >= 16
     for guide in guides:
-        page = SITE / "guides" / f"{guide.stem}.html"
+        page = site / "guides" / f"{guide.stem}.html"
         (link,) = {link for link in pages[page].links if link.endswith(f"/{guide.stem}.ipynb")}
         notebook = json.loads((page.parent / urllib.parse.unquote(link)).read_text(encoding="utf-8"))
         cells = [cell for cell in notebook["cells"] if cell["cell_type"] == "code"]
@@ -102,7 +95,6 @@ def test_each_guide_downloads_as_a_notebook_with_its_code(pages):
         assert len(cells) == source.count("```{code-cell}") + needed > 0, guide.name
 
 
-@built
 def test_every_public_name_has_its_place(pages):
     anchors = set().union(*(page.anchors for page in pages.values()))
     top = [getattr(tdmf_slip, name) for name in tdmf_slip.__all__ if not name.startswith("_")]
