@@ -41,6 +41,7 @@ def test_a_gait_loads_what_it_needs():
         "cli",
         "drawable",
         "errors",
+        "files",
         "given",
         "library",
         "numerics",

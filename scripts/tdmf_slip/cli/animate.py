@@ -10,15 +10,8 @@ from ..errors import InputError
 from ..library.runner import Runner
 from ..terminal.progress import progress_bar
 from .gait_file import read_gait
-from .options import (
-    FRICTION_OPTION,
-    PARAMETERS_OPTION,
-    SET_OPTION,
-    Command,
-    Number,
-    values_given,
-)
-from .runner import runner_of
+from .options import Command, NewPicture, Number
+from .runner import Asked, runner_options
 
 FRAMES = 12, 2000
 """The least and the most in a stride."""
@@ -27,15 +20,12 @@ FRAMES = 12, 2000
 @click.command("animate", cls=Command)
 @click.option(
     "--output",
-    type=click.Path(path_type=Path),
+    type=NewPicture("animation"),
     default=Path("stride.gif"),
     show_default=True,
     metavar="FILE",
     help="File to write: .gif, .html, or .mp4 if ffmpeg is installed.",
 )
-@FRICTION_OPTION
-@SET_OPTION
-@PARAMETERS_OPTION
 @click.option(
     "--from-gait",
     metavar="FILE",
@@ -49,24 +39,21 @@ FRAMES = 12, 2000
     metavar="N",
     help="Frames per stride, shown at 20 per second; the stance is in slow motion.",
 )
+@runner_options(model=False)
 def animate_command(
+    asked: Asked,
     output: Path,
-    friction: float | None,
-    settings: tuple[str, ...],
-    parameters: str | None,
     from_gait: str | None,
     frames: int,
 ) -> None:
     """Animate one stride of a runner's gait, in a loop."""
-    from ..pictures import animation, style  # matplotlib is slow to load
+    from ..pictures import animation  # matplotlib is slow to load
     from ..pictures.stride import Stride
 
-    style.check_picture(output, "--output", animation.FORMATS)
-    given = values_given(friction, settings)
     if from_gait is None:
-        gait = periodic_gait(runner_of(parameters, given))
+        gait = periodic_gait(asked.runner())
     else:
-        if given or parameters is not None:
+        if asked.given or asked.parameters is not None:
             raise InputError("--from-gait: says what the runner is; allowed: it, or other options for that")
         runner = Runner(read_gait(from_gait))
         gait = periodic_gait(runner, guess=runner.start_apex())

@@ -15,29 +15,19 @@ from ..analysis.preview import REFINEMENTS
 from ..analysis.robustness import DISTURBED, robustness
 from ..analysis.volume import volume
 from ..errors import InputError
-from ..files.whole import check_destination
 from ..library.section import COORDINATES, check_axes
 from ..record import without_record
 from ..terminal.text import columns, quantity
 from ..variables.display_units import DisplayUnits
 from ..variables.table import MODELS, VARIABLES
-from .options import (
-    FRICTION_OPTION,
-    JSON_OPTION,
-    MODEL_OPTION,
-    PARAMETERS_OPTION,
-    SET_OPTION,
-    Command,
-    values_given,
-)
+from .options import JSON_OPTION, Command, NewFile, plot_option
 from .output import json_text
 from .ranges import ends_of
-from .runner import runner_of
+from .runner import Asked, runner_options
 from .workers import executor_of, workers_options
 
 
 @click.command("basin", cls=Command)
-@FRICTION_OPTION
 @click.option(
     "--axes",
     "spans",
@@ -56,13 +46,11 @@ from .workers import executor_of, workers_options
 )
 @click.option(
     "--output",
-    type=click.Path(path_type=Path),
+    type=NewFile([".nc"]),
     metavar="FILE",
     help="Write the map as NetCDF (.nc), block by block. An existing file is resumed.",
 )
-@click.option(
-    "--plot", type=click.Path(path_type=Path), metavar="FILE", help="Draw the map: .png, .svg or .pdf."
-)
+@plot_option("the map")
 @click.option(
     "--samples",
     type=click.IntRange(0, 100_000_000),
@@ -88,12 +76,10 @@ from .workers import executor_of, workers_options
     "faster, but it can miss islands of fewer than 16 starts.",
 )
 @workers_options
-@SET_OPTION
-@PARAMETERS_OPTION
-@MODEL_OPTION
 @JSON_OPTION
+@runner_options()
 def basin_command(
-    friction: float | None,
+    asked: Asked,
     spans: tuple[str, ...],
     count: int,
     output: Path | None,
@@ -103,9 +89,6 @@ def basin_command(
     refine: str,
     workers: int | None,
     scheduler: str | None,
-    settings: tuple[str, ...],
-    parameters: str | None,
-    model: str,
     as_json_object: bool,
 ) -> None:
     """Compute the region of attraction of a gait: a map of a slice, its volume and its robustness.
@@ -113,14 +96,8 @@ def basin_command(
     Robustness is the largest push (a change of speed) and the largest step in the ground, both at an apex,
     from which the runner recovers.
     """
-    named = _axes(spans, MODELS[model].coordinates)
-    if output is not None:
-        check_destination(output, (".nc",), "--output")
-    if plot is not None:
-        from ..pictures import basin_map, style  # matplotlib is slow to load
-
-        style.check_picture(plot, "--plot")
-    runner = runner_of(parameters, values_given(friction, settings), model)
+    named = _axes(spans, MODELS[asked.model or "full"].coordinates)
+    runner = asked.runner()
     axes = {
         axis: ends_of(span, VARIABLES[f"apex.{axis}"], f"--axes {axis} =") if span else None
         for axis, span in named.items()
@@ -144,6 +121,8 @@ def basin_command(
         )
         found = volume(gait, samples, ball=around, executor=executor, progress=True) if samples else None
     if plot is not None:
+        from ..pictures import basin_map  # matplotlib is slow to load
+
         basin_map.draw(plot, data)
     result: dict[str, Any] = {
         **gait.runner.record(),

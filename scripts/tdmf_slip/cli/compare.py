@@ -7,9 +7,9 @@ from ..errors import InputError
 from ..library.quantities import QUANTITIES
 from ..library.runner import Runner
 from ..variables.table import FRICTION
-from .options import JSON_OPTION, MODEL_OPTION, SET_OPTION, Command, values_given
+from .options import JSON_OPTION, Command
 from .output import json_text
-from .runner import runner_of
+from .runner import MODEL_OPTION, SET_OPTION, Asked, values_given
 
 
 @click.command("compare", cls=Command)
@@ -87,4 +87,4 @@ def _runners(
         )
         for number in range(count)
     ]
-    return [runner_of(file, values_given(friction, settings), model) for friction, file in of_each]
+    return [Asked(file, values_given(friction, settings), model).runner() for friction, file in of_each]

@@ -11,28 +11,16 @@ from ..analysis.curves import continue_curves
 from ..analysis.next_point import SHORTEST_STEP
 from ..analysis.tracing import LARGEST_STEP, MAX_POINTS, continue_branch
 from ..errors import InputError
-from ..files.whole import check_destination
 from ..library.members import check_varied
 from ..library.runner import Runner
 from ..record import without_record
 from ..terminal.text import headed, table
 from ..variables.display_units import DisplayUnits
 from ..variables.table import VARIABLES
-from .options import (
-    FRICTION_OPTION,
-    JSON_OPTION,
-    MODEL_OPTION,
-    PARAMETERS_OPTION,
-    SET_OPTION,
-    Command,
-    Number,
-    pairs_given,
-    refuse_given,
-    values_given,
-)
+from .options import JSON_OPTION, Command, NewFile, Number, pairs_given, plot_option
 from .output import json_text
 from .ranges import ends_of
-from .runner import runner_of
+from .runner import Asked, runner_options
 
 
 @click.command("continue", cls=Command)
@@ -45,7 +33,6 @@ from .runner import runner_of
     help="Parameter or input to vary, as in ground.friction=0.6:0.2 or hip.touchdown_angle='40 deg:60 "
     "deg'. Given twice: curves of special points over two parameters.",
 )
-@FRICTION_OPTION
 @click.option(
     "--step",
     type=Number(SHORTEST_STEP, LARGEST_STEP),
@@ -63,9 +50,7 @@ from .runner import runner_of
 @click.option(
     "--no-switch", is_flag=True, help="Do not follow gaits of two and four strides from period doublings."
 )
-@click.option(
-    "--plot", type=click.Path(path_type=Path), metavar="FILE", help="Draw the branch: .png, .svg or .pdf."
-)
+@plot_option("the branch")
 @click.option(
     "--quantity",
     default="com_speed",
@@ -73,25 +58,18 @@ from .runner import runner_of
     metavar="NAME",
     help="Quantity to draw: a coordinate of the apex, a quantity of the stride, or lambda_max.",
 )
-@click.option(
-    "--output", type=click.Path(path_type=Path), metavar="FILE", help="Write the gaits as NetCDF (.nc)."
-)
-@SET_OPTION
-@PARAMETERS_OPTION
-@MODEL_OPTION
+@click.option("--output", type=NewFile([".nc"]), metavar="FILE", help="Write the gaits as NetCDF (.nc).")
 @JSON_OPTION
+@runner_options()
 def continue_command(
+    asked: Asked,
     ranges: tuple[str, ...],
-    friction: float | None,
     step: float,
     points: int,
     no_switch: bool,
     plot: Path | None,
     quantity: str,
     output: Path | None,
-    settings: tuple[str, ...],
-    parameters: str | None,
-    model: str,
     as_json_object: bool,
 ) -> None:
     """Follow a branch of gaits along a parameter, past folds, and locate its bifurcations.
@@ -102,22 +80,11 @@ def continue_command(
     and is followed both ways. With two parameters, the special points of the branch over the first one are
     followed as curves.
     """
-    given = values_given(friction, settings)
     texts = pairs_given(ranges, "--vary", "NAME=A:B")
     spans = {name: span_of(name, text) for name, text in texts.items()}
-    for name in spans:
-        refuse_given(given, name, "--vary")
     if len(spans) > 2:
         raise InputError(f"--vary is given {len(ranges)} times; allowed: once, or twice for two parameters")
-    if output is not None:
-        from ..files.netcdf import write_dataset  # xarray is slow to load
-
-        check_destination(output, (".nc",), "--output")
-    if plot is not None:
-        from ..pictures import style  # matplotlib is slow to load
-
-        style.check_picture(plot, "--plot")
-    runner = runner_of(parameters, given, model)
+    runner = asked.runner(spans)
     display = DisplayUnits(texts, runner)
     if len(spans) == 2:
         if output is not None:
@@ -134,6 +101,8 @@ def continue_command(
         progress=True,
     )
     if output is not None:
+        from ..files.netcdf import write_dataset  # xarray is slow to load
+
         write_dataset(output, branch.to_xarray())
     if plot is not None:
         from ..pictures import branch_diagram

@@ -11,19 +11,9 @@ from ..fitting.fitted import MAX_STARTS, STARTS, fit
 from ..fitting.result import Fit
 from ..fitting.without import LeftOut
 from ..terminal.text import table
-from .options import (
-    FRICTION_OPTION,
-    JSON_OPTION,
-    MODEL_OPTION,
-    PARAMETERS_OPTION,
-    SET_OPTION,
-    Command,
-    Number,
-    names_given,
-    values_given,
-)
+from .options import JSON_OPTION, Command, NewPicture, Number, names_given, plot_option
 from .output import json_text
-from .runner import runner_of
+from .runner import Asked, runner_options
 
 
 @click.command("fit", cls=Command)
@@ -68,21 +58,17 @@ from .runner import runner_of
 @click.option(
     "--without-each", is_flag=True, help="Also fit the shared parameters without each datum in turn."
 )
-@FRICTION_OPTION
-@SET_OPTION
-@PARAMETERS_OPTION
-@MODEL_OPTION
-@click.option(
-    "--plot", type=click.Path(path_type=Path), metavar="FILE", help="Draw data and fit: .png, .svg or .pdf."
-)
+@plot_option("data and fit")
 @click.option(
     "--report",
-    type=click.Path(path_type=Path),
+    type=NewPicture("fit_page"),
     metavar="FILE",
     help="Write a report with tables and picture (.html).",
 )
 @JSON_OPTION
+@runner_options()
 def fit_command(
+    asked: Asked,
     file: Path,
     vary: str | None,
     vary_each: str | None,
@@ -92,10 +78,6 @@ def fit_command(
     linear: bool,
     starts: int,
     without_each: bool,
-    friction: float | None,
-    settings: tuple[str, ...],
-    parameters: str | None,
-    model: str,
     plot: Path | None,
     report: Path | None,
     as_json_object: bool,
@@ -112,15 +94,7 @@ def fit_command(
     names, each = names_given(vary), names_given(vary_each)
     if not names and not each:
         raise InputError("--vary is missing; allowed: --vary or --vary-each, or both")
-    if plot is not None:
-        from ..pictures import style  # matplotlib is slow to load
-
-        style.check_picture(plot, "--plot")
-    if report is not None:
-        from ..pictures import fit_page, style
-
-        style.check_picture(report, "--report", fit_page.FORMATS)
-    runner = runner_of(parameters, values_given(friction, settings), model)
+    runner = asked.runner()
     found = fit(
         runner,
         file,
@@ -139,6 +113,8 @@ def fit_command(
 
         fit_diagram.draw(plot, found)
     if report is not None:
+        from ..pictures import fit_page
+
         fit_page.write(report, found)
     if as_json_object:
         print(

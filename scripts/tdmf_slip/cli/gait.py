@@ -14,21 +14,9 @@ from ..library.quantities import MEASURES, quantities_of, quantity_of, unit_of
 from ..terminal.text import columns, quantity
 from ..variables.display_units import DisplayUnits
 from ..variables.variable import Given
-from .options import (
-    FRICTION_OPTION,
-    JSON_OPTION,
-    MODEL_OPTION,
-    PARAMETERS_OPTION,
-    SET_OPTION,
-    TARGET_OPTION,
-    Command,
-    names_given,
-    targets_given,
-    texts_of,
-    values_given,
-)
+from .options import JSON_OPTION, TARGET_OPTION, Command, NewPicture, names_given, targets_given
 from .output import json_text
-from .runner import runner_of
+from .runner import Asked, runner_options
 
 PICTURE = "gait.png"
 """Where --plot without a file draws."""
@@ -43,13 +31,9 @@ VARY_OPTION = click.option(
 @click.command("gait", cls=Command)
 @TARGET_OPTION
 @VARY_OPTION
-@FRICTION_OPTION
-@SET_OPTION
-@PARAMETERS_OPTION
-@MODEL_OPTION
 @click.option(
     "--plot",
-    type=click.Path(path_type=Path),
+    type=NewPicture(),
     is_flag=False,
     flag_value=PICTURE,
     metavar="[FILE]",
@@ -57,13 +41,11 @@ VARY_OPTION = click.option(
     f"[without FILE: {PICTURE}]",
 )
 @JSON_OPTION
+@runner_options()
 def gait_command(
+    asked: Asked,
     targets: tuple[str, ...],
     vary: str | None,
-    friction: float | None,
-    settings: tuple[str, ...],
-    parameters: str | None,
-    model: str,
     plot: Path | None,
     as_json_object: bool,
 ) -> None:
@@ -72,17 +54,13 @@ def gait_command(
     With --target, find the gait that meets the targets by changing the parameters in --vary. If none is
     found, the JSON holds the nearest gait and the parameters that would help, and the exit status is 1.
     """
-    if plot is not None:
-        from ..pictures import style  # matplotlib is slow to load
-
-        style.check_picture(plot, "--plot")
     target = targets_given(targets)
     names = _names(vary, target)
-    given = values_given(friction, settings)
-    runner = runner_of(parameters, given, model)
+    runner = asked.runner()
+    given = {name: value for name, (_, value) in asked.given.items()}
     if not target:
         gait = find_gait(runner)
-        print(json_text(gait.as_json()) if as_json_object else _gait_text(gait, texts_of(given)))
+        print(json_text(gait.as_json()) if as_json_object else _gait_text(gait, given))
         _draw(gait, plot)
         return
     try:
@@ -95,7 +73,7 @@ def gait_command(
     if as_json_object:
         print(json_text(_target_json(gait, target, names)))
     else:
-        print(_gait_text(gait, texts_of(given), list(target), names))
+        print(_gait_text(gait, given, list(target), names))
     _draw(gait, plot)
 
 

@@ -14,23 +14,15 @@ from ..terminal.text import headed, table
 from ..variables.display_units import DisplayUnits
 from .continuation import span_of
 from .options import (
-    FRICTION_OPTION,
     JSON_OPTION,
-    MODEL_OPTION,
-    PARAMETERS_OPTION,
-    SET_OPTION,
     TARGET_OPTION,
     Command,
     Number,
     pairs_given,
-    refuse_given,
     targets_given,
-    values_given,
 )
 from .output import json_text
-from .runner import runner_of
-
-"""Of what the unit has no variable for."""
+from .runner import Asked, runner_options
 
 
 @click.command("optimize", cls=Command)
@@ -67,12 +59,10 @@ from .runner import runner_of
     show_default=True,
     help="Number of runners on a Pareto front.",
 )
-@FRICTION_OPTION
-@SET_OPTION
-@PARAMETERS_OPTION
-@MODEL_OPTION
 @JSON_OPTION
+@runner_options()
 def optimize_command(
+    asked: Asked,
     minimize: tuple[str, ...],
     maximize: tuple[str, ...],
     ranges: tuple[str, ...],
@@ -80,10 +70,6 @@ def optimize_command(
     stable: bool,
     starts: int,
     points: int,
-    friction: float | None,
-    settings: tuple[str, ...],
-    parameters: str | None,
-    model: str,
     as_json_object: bool,
 ) -> None:
     """Find the parameters within bounds whose gait minimizes or maximizes a quantity.
@@ -92,12 +78,9 @@ def optimize_command(
     JSON holds the nearest one, and the exit status is 1. Two objectives give a Pareto front: runners of which
     none can be improved in one objective without losing in the other.
     """
-    given = values_given(friction, settings)
     texts = pairs_given(ranges, "--vary", "NAME=A:B")
     vary = {name: span_of(name, text) for name, text in texts.items()}
-    for name in vary:
-        refuse_given(given, name, "--vary")
-    runner = runner_of(parameters, given, model)
+    runner = asked.runner(vary)
     display = DisplayUnits(texts, runner)
     common: dict[str, Any] = {"target": targets_given(targets), "stable": stable, "starts": starts}
     common |= {"progress": True}

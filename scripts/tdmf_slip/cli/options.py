@@ -1,16 +1,19 @@
-"""What several commands share: options, and how start values are read from them."""
+"""Options that several commands have, and how their texts are read."""
 
-from collections.abc import Mapping, Sequence
-from typing import Any
+import importlib
+from collections.abc import Callable, Iterable, Sequence
+from pathlib import Path
+from typing import Any, TypeVar
 
 import click
 
 from ..checks import checked, checked_whole, shown
 from ..errors import InputError
+from ..files.whole import check_destination
 from ..library.quantities import QUANTITIES, quantity_given
-from ..variables.parameters import preset_names, read_parameters
-from ..variables.table import FRICTION, MODELS, VARIABLES, Variables, full_name
-from ..variables.variable import Given, Value
+from ..variables.table import full_name
+
+Function = TypeVar("Function", bound=Callable[..., Any])
 
 
 def takes_one_value(option: click.Option) -> bool:
@@ -59,35 +62,50 @@ class Number(click.ParamType[float]):
         return checked(name, click.FLOAT.convert(value, param, ctx), self.low, self.high)
 
 
+class NewFile(click.ParamType[Path]):
+    """A file that can be written, of one of some formats."""
+
+    name = "file"
+
+    def __init__(self, formats: Iterable[str]) -> None:
+        """Take the suffixes of the formats, as `.nc`."""
+        self.formats = tuple(formats)
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Path:
+        """The path of the file."""
+        return check_destination(Path(value), self.formats, param.opts[0] if param is not None else self.name)
+
+
+class NewPicture(click.ParamType[Path]):
+    """A picture that can be drawn and written."""
+
+    name = "file"
+
+    def __init__(self, module: str = "style") -> None:
+        """Allow the formats of a module of `pictures`."""
+        self.module = module
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Path:
+        """The path of the picture."""
+        from ..pictures import style  # matplotlib is slow to load
+
+        formats = importlib.import_module(f"..pictures.{self.module}", __package__).FORMATS
+        return style.check_picture(Path(value), param.opts[0] if param is not None else self.name, formats)
+
+
 NUMERIC = (click.types.FloatParamType, click.types.IntParamType, Number)
 """Types of options that are numbers."""
-FRICTION_OPTION = click.option(
-    "--friction", type=float, metavar="MU", help=f"Friction coefficient of the ground; short for {FRICTION}."
-)
 JSON_OPTION = click.option(
     "--json", "as_json_object", is_flag=True, help="Print one JSON object and nothing else."
 )
-SET_OPTION = click.option(
-    "--set",
-    "settings",
-    multiple=True,
-    metavar="NAME=VALUE",
-    help="Start value of a variable, as in stiffness=20000 or "
-    "touchdown_angle='40 deg'; `tdmf-slip variables` lists the names. Repeatable.",
-)
-PARAMETERS_OPTION = click.option(
-    "--parameters",
-    metavar="FILE",
-    help=f"Start values from a TOML or JSON file, or from a preset: {', '.join(preset_names())}.",
-)
-MODEL_OPTION = click.option(
-    "--model",
-    type=click.Choice(list(MODELS)),
-    default="full",
-    show_default=True,
-    help="full: all six coordinates of an apex. reduced: the leg follows its reference without delay in "
-    "flight, so height and speed describe an apex.",
-)
+
+
+def plot_option(drawn: str) -> Callable[[Function], Function]:
+    """The option --plot; `drawn` completes its help."""
+    text = f"Draw {drawn}: .png, .svg or .pdf."
+    return click.option("--plot", type=NewPicture(), metavar="FILE", help=text)
+
+
 TARGET_OPTION = click.option(
     "--target",
     "targets",
@@ -98,7 +116,7 @@ TARGET_OPTION = click.option(
 
 
 def pairs_given(texts: Sequence[str], option: str, allowed: str) -> dict[str, str]:
-    """What NAME=TEXT gives, by name."""
+    """Texts of an option NAME=TEXT, by name."""
     given: dict[str, str] = {}
     for text in texts:
         name, _, value = (part.strip() for part in text.partition("="))
@@ -112,58 +130,11 @@ def pairs_given(texts: Sequence[str], option: str, allowed: str) -> dict[str, st
 
 
 def targets_given(targets: tuple[str, ...]) -> dict[str, Any]:
-    """Of --target, by quantity."""
+    """Values of --target, by quantity."""
     given = pairs_given(targets, "--target", "QUANTITY=VALUE, as in speed=1 or speed='3.6 km/h'")
     return {name: quantity_given(name, value, "--target") for name, value in given.items()}
 
 
 def names_given(names: str | None) -> list[str]:
-    """Of an option that takes names with commas between them."""
+    """Names of an option that takes them with commas between them."""
     return [] if names is None else [full_name(name.strip()) for name in names.split(",")]
-
-
-def values_given(friction: float | None, settings: tuple[str, ...]) -> dict[str, tuple[str, Given]]:
-    """By name of a variable: the option, --friction or --set, and the value that it gives."""
-    given: dict[str, tuple[str, Given]] = {} if friction is None else {FRICTION: ("--friction", friction)}
-    for setting in settings:
-        name, _, value = (part.strip() for part in setting.partition("="))
-        if not name or not value:
-            raise InputError(f"--set {setting}: allowed: NAME=VALUE")
-        name = full_name(name)
-        if name in given:
-            option = given[name][0]
-            twice = f"{name} is given twice; allowed: once"
-            both = f"{option} gives {name}, too; allowed: one of the two"
-            raise InputError(f"--set {setting}: {twice if option == '--set' else both}")
-        given[name] = "--set", value
-    return given
-
-
-def texts_of(given: Mapping[str, tuple[str, Given]]) -> dict[str, Given]:
-    """What single options give, by name alone, see `values_given`."""
-    return {name: value for name, (_, value) in given.items()}
-
-
-def start_values(
-    base: Mapping[str, Value], given: Mapping[str, tuple[str, Given]], variables: Variables = VARIABLES
-) -> dict[str, Value]:
-    """Start values: those of a file, and over them what single options give."""
-    values = dict(base)
-    for name, (option, value) in given.items():
-        values |= variables.start_values({name: value}, option)
-    return values
-
-
-def file_values(parameters: str | None, variables: Variables = VARIABLES) -> dict[str, Value]:
-    """Start values of --parameters."""
-    if parameters is None:
-        return {}
-    return variables.start_values(read_parameters(parameters), f"--parameters {parameters}")
-
-
-def refuse_given(given: Mapping[str, tuple[str, Given]], name: str, by: str) -> None:
-    """Refuse a start value for what another option says already."""
-    if name.strip() in given:
-        option = given[name.strip()][0]
-        shown = option if option == "--friction" else f"{option} {name.strip()}"
-        raise InputError(f"{shown}: {by} says what {name.strip()} is; allowed: one of the two")

@@ -13,17 +13,10 @@ from ..library.runner import Runner
 from ..terminal.text import columns, table
 from ..variables.parameters import read_parameters
 from ..variables.table import FRICTION, VARIABLES
-from .options import (
-    JSON_OPTION,
-    PARAMETERS_OPTION,
-    SET_OPTION,
-    Command,
-    refuse_given,
-    values_given,
-)
+from .options import JSON_OPTION, Command
 from .output import json_text
 from .ranges import ends_of
-from .runner import runner_of
+from .runner import PARAMETERS_OPTION, SET_OPTION, Asked, refuse_given, values_given
 from .workers import executor_of, workers_options
 
 if TYPE_CHECKING:
@@ -98,7 +91,7 @@ def prove_command(
             raise InputError(f"--box {box}: a border's is chosen by itself; allowed: without --border")
         if vary is not None:
             raise InputError("--border, --vary: are two ways of asking; allowed: one of them")
-    runner = runner_of(parameters, given)
+    runner = Asked(parameters, given).runner()
     reported = (
         {} if parameters is None else {n: _as_written(v) for n, v in read_parameters(parameters).items()}
     )

@@ -19,21 +19,16 @@ from ..library.ground import (
 from ..library.runner import Runner
 from ..terminal.text import columns, quantity
 from .options import (
-    FRICTION_OPTION,
     JSON_OPTION,
-    PARAMETERS_OPTION,
-    SET_OPTION,
     Command,
     Number,
-    values_given,
 )
 from .output import json_text
-from .runner import runner_of
+from .runner import Asked, runner_options
 from .workers import executor_of, workers_options
 
 
 @click.command("rough", cls=Command)
-@FRICTION_OPTION
 @click.option(
     "--roughness",
     type=Number(0.0, LARGEST),
@@ -103,11 +98,10 @@ from .workers import executor_of, workers_options
     help="Use multilevel splitting, for rare falls. Not with --runners or --max-strides.",
 )
 @workers_options
-@SET_OPTION
-@PARAMETERS_OPTION
 @JSON_OPTION
+@runner_options(model=False)
 def rough_command(
-    friction: float | None,
+    asked: Asked,
     roughness: float | None,
     runners: int,
     seed: int,
@@ -120,8 +114,6 @@ def rough_command(
     rare: bool,
     workers: int | None,
     scheduler: str | None,
-    settings: tuple[str, ...],
-    parameters: str | None,
     as_json_object: bool,
 ) -> None:
     """Estimate the mean number of strides until a runner falls on rough ground, with its confidence interval.
@@ -129,7 +121,7 @@ def rough_command(
     Runners start from the gait on level ground. Runners that are still up at the end are censored: their
     strides count, but they add no fall.
     """
-    runner = runner_of(parameters, values_given(friction, settings))
+    runner = asked.runner()
     if (roughness is None) == (heights is None):
         given = "neither is given" if heights is None else "both are given"
         raise InputError(f"--roughness, --heights: {given}; allowed: one of them")

@@ -1,29 +1,125 @@
-"""The runner whose gait a command is asked for."""
+"""Options that describe a runner, and the runner that they describe."""
 
+import functools
 import warnings
-from collections.abc import Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import click
 
 from ..errors import InputError, Note
 from ..library.runner import Runner
 from ..library.settings import OF_FLIGHT
+from ..variables.parameters import preset_names, read_parameters
+from ..variables.table import FRICTION, MODELS, VARIABLES, Variables
 from ..variables.values import NAMES
-from ..variables.variable import Given
-from .options import file_values, start_values
+from ..variables.variable import Given, Value
+from .options import Function, pairs_given
+
+FRICTION_OPTION = click.option(
+    "--friction", type=float, metavar="MU", help=f"Friction coefficient of the ground; short for {FRICTION}."
+)
+SET_OPTION = click.option(
+    "--set",
+    "settings",
+    multiple=True,
+    metavar="NAME=VALUE",
+    help="Start value of a variable, as in stiffness=20000 or "
+    "touchdown_angle='40 deg'; `tdmf-slip variables` lists the names. Repeatable.",
+)
+PARAMETERS_OPTION = click.option(
+    "--parameters",
+    metavar="FILE",
+    help=f"Start values from a TOML or JSON file, or from a preset: {', '.join(preset_names())}.",
+)
+MODEL_OPTION = click.option(
+    "--model",
+    type=click.Choice(list(MODELS)),
+    default="full",
+    show_default=True,
+    help="full: all six coordinates of an apex. reduced: the leg follows its reference without delay in "
+    "flight, so height and speed describe an apex.",
+)
 
 
-def runner_of(
-    parameters: str | None, given: Mapping[str, tuple[str, Given]], model: str | None = None
-) -> Runner:
-    """The runner of the options."""
-    starts = start_values(file_values(parameters), given)
-    for name, (option, _) in given.items():
-        if name not in NAMES:
-            raise InputError(
-                f"{option} {name}: has no meaning for gaits, which the library finds without the unit; "
-                f"allowed: parameters and inputs of the model, and its state"
-            )
-    runner = Runner(starts, model=model)
-    for name, (option, _) in given.items():
-        if runner.reduced and name in OF_FLIGHT:
-            warnings.warn(f"{option} {name}: has no effect in the reduced map", Note, stacklevel=2)
-    return runner
+@dataclass(frozen=True)
+class Asked:
+    """A runner as the options of a command describe it."""
+
+    parameters: str | None
+    """File or preset of --parameters."""
+    given: Mapping[str, tuple[str, Given]]
+    """By name of a variable: the option, --friction or --set, and the value that it gives."""
+    model: str | None = None
+    """Model of gaits; None: the full one."""
+
+    def runner(self, varied: Iterable[str] = ()) -> Runner:
+        """The runner. A start value of what --vary varies is refused."""
+        for name in varied:
+            refuse_given(self.given, name, "--vary")
+        for name, (option, _) in self.given.items():
+            if name not in NAMES:
+                raise InputError(
+                    f"{option} {name}: has no meaning for gaits, which the library finds without the unit; "
+                    f"allowed: parameters and inputs of the model, and its state"
+                )
+        runner = Runner(start_values(file_values(self.parameters), self.given), model=self.model)
+        for name, (option, _) in self.given.items():
+            if runner.reduced and name in OF_FLIGHT:
+                warnings.warn(f"{option} {name}: has no effect in the reduced map", Note, stacklevel=2)
+        return runner
+
+
+def runner_options(*, model: bool = True) -> Callable[[Function], Callable[..., None]]:
+    """Give a command --friction, --set, --parameters and, on request, --model; it is passed an `Asked`."""
+
+    def decorate(function: Function) -> Callable[..., None]:
+        @functools.wraps(function)
+        def command(
+            friction: float | None, settings: Sequence[str], parameters: str | None, **others: Any
+        ) -> None:
+            of_model = (others.pop("model"),) if model else ()
+            function(Asked(parameters, values_given(friction, settings), *of_model), **others)
+
+        options = [FRICTION_OPTION, SET_OPTION, PARAMETERS_OPTION, *([MODEL_OPTION] if model else [])]
+        for option in reversed(options):
+            option(command)
+        return command
+
+    return decorate
+
+
+def values_given(friction: float | None, settings: Sequence[str]) -> dict[str, tuple[str, Given]]:
+    """By name of a variable: the option, --friction or --set, and the value that it gives."""
+    given: dict[str, tuple[str, Given]] = {} if friction is None else {FRICTION: ("--friction", friction)}
+    for name, value in pairs_given(settings, "--set", "NAME=VALUE").items():
+        if name in given:
+            raise InputError(f"--set {name}={value}: --friction gives {name}, too; allowed: one of the two")
+        given[name] = "--set", value
+    return given
+
+
+def start_values(
+    base: Mapping[str, Value], given: Mapping[str, tuple[str, Given]], variables: Variables = VARIABLES
+) -> dict[str, Value]:
+    """Start values: those of a file, and over them what single options give."""
+    values = dict(base)
+    for name, (option, value) in given.items():
+        values |= variables.start_values({name: value}, option)
+    return values
+
+
+def file_values(parameters: str | None, variables: Variables = VARIABLES) -> dict[str, Value]:
+    """Start values of --parameters."""
+    if parameters is None:
+        return {}
+    return variables.start_values(read_parameters(parameters), f"--parameters {parameters}")
+
+
+def refuse_given(given: Mapping[str, tuple[str, Given]], name: str, by: str) -> None:
+    """Refuse a start value for what another option says already."""
+    if name in given:
+        option = given[name][0]
+        shown = option if option == "--friction" else f"{option} {name}"
+        raise InputError(f"{shown}: {by} says what {name} is; allowed: one of the two")

@@ -6,7 +6,6 @@ from pathlib import Path
 import click
 
 from ..errors import InputError
-from ..files.whole import check_destination
 from ..fmu.events import as_json
 from ..fmu.fmu import INTERFACES, Fmu, load_fmu
 from ..fmu.inputs import read_tables
@@ -25,19 +24,9 @@ from ..fmu.tables import WRITERS, write_table
 from ..terminal.text import columns, quantity
 from ..variables.variable import Value
 from .gait_file import read_gait
-from .options import (
-    FRICTION_OPTION,
-    JSON_OPTION,
-    PARAMETERS_OPTION,
-    SET_OPTION,
-    Command,
-    Number,
-    file_values,
-    refuse_given,
-    start_values,
-    values_given,
-)
+from .options import JSON_OPTION, Command, NewFile, Number, plot_option
 from .output import json_text
+from .runner import Asked, file_values, refuse_given, runner_options, start_values
 
 SOLVER_TOLERANCE = "solver.relative_tolerance"
 
@@ -57,9 +46,6 @@ SOLVER_TOLERANCE = "solver.relative_tolerance"
     metavar="N",
     help=f"Stop after N strides.  [default: {DEFAULT_STRIDES}, without --stop-time]",
 )
-@FRICTION_OPTION
-@SET_OPTION
-@PARAMETERS_OPTION
 @click.option(
     "--from-gait",
     metavar="FILE",
@@ -84,20 +70,15 @@ SOLVER_TOLERANCE = "solver.relative_tolerance"
     metavar="SECONDS",
     help="Time between recorded rows.  [default: a tenth of sqrt(m/k)]",
 )
-@click.option(
-    "--output", type=click.Path(path_type=Path), metavar="FILE", help="Write the rows: .csv or .nc."
-)
-@click.option(
-    "--plot", type=click.Path(path_type=Path), metavar="FILE", help="Draw the run: .png, .svg or .pdf."
-)
+@click.option("--output", type=NewFile(WRITERS), metavar="FILE", help="Write the rows: .csv or .nc.")
+@plot_option("the run")
 @JSON_OPTION
+@runner_options(model=False)
 def simulate_command(
+    asked: Asked,
     interface: str,
     stop_time: float | None,
     strides: int | None,
-    friction: float | None,
-    settings: tuple[str, ...],
-    parameters: str | None,
     from_gait: str | None,
     inputs: Path | None,
     tolerance: float | None,
@@ -111,7 +92,6 @@ def simulate_command(
     A fall ends the run. It is a result, not an error.
     """
     if output is not None:
-        check_destination(output, WRITERS, "--output")
         for what, file in (("inputs", inputs), ("gait", from_gait and Path(from_gait))):
             if file and output.resolve() == file.resolve():
                 raise InputError(f"--output {output}: holds the {what}; allowed: another file name")
@@ -119,24 +99,19 @@ def simulate_command(
             from ..files.resume import refuse_resumable  # xarray is slow to load
 
             refuse_resumable(output)
-    if plot is not None:
-        from ..pictures import overview, style  # matplotlib is slow to load
-
-        style.check_picture(plot, "--plot")
     fmu = load_fmu()
-    if parameters is not None and from_gait is not None:
+    if asked.parameters is not None and from_gait is not None:
         raise InputError("--parameters: --from-gait says what the parameters are; allowed: one of the two")
-    given = values_given(friction, settings)
-    base = file_values(parameters, fmu.variables)
+    base = file_values(asked.parameters, fmu.variables)
     if from_gait is not None:
         base = fmu.variables.start_values(read_gait(from_gait), f"--from-gait {from_gait}")
-    starts = start_values(base, given, fmu.variables)
-    _refuse_other_interface(interface, given)
+    starts = start_values(base, asked.given, fmu.variables)
+    _refuse_other_interface(interface, asked.given)
     if interface == "cs" and tolerance is not None:
         _refuse_loose(fmu, starts, tolerance)
     tables = read_tables(inputs, fmu) if inputs is not None else {}
     for name in tables:
-        refuse_given(given, name, "--inputs")
+        refuse_given(asked.given, name, "--inputs")
     run = simulate(
         starts,
         stop_time=stop_time,
@@ -151,6 +126,8 @@ def simulate_command(
     if output is not None:
         write_table(output, run)
     if plot is not None:
+        from ..pictures import overview  # matplotlib is slow to load
+
         overview.draw(plot, run)
     print(json_text(_run_object(run)) if as_json_object else _run_text(run))
 

@@ -17,19 +17,10 @@ from ..library.runner import Runner
 from ..terminal.text import table
 from ..variables.display_units import DisplayUnits
 from ..variables.table import FRICTION, VARIABLES
-from .options import (
-    JSON_OPTION,
-    MODEL_OPTION,
-    PARAMETERS_OPTION,
-    SET_OPTION,
-    Command,
-    pairs_given,
-    refuse_given,
-    values_given,
-)
+from .options import JSON_OPTION, Command, pairs_given, plot_option
 from .output import json_text
 from .ranges import SPACINGS, values_of
-from .runner import runner_of
+from .runner import MODEL_OPTION, PARAMETERS_OPTION, SET_OPTION, Asked, refuse_given, values_given
 from .workers import executor_of, workers_options
 
 NETCDF = ".nc"
@@ -66,9 +57,7 @@ SPACING_OPTION = click.option(
     metavar="FILE",
     help="Write the gaits as NetCDF (.nc) or JSON (.json); - writes JSON to stdout, as --json does.",
 )
-@click.option(
-    "--plot", type=click.Path(path_type=Path), metavar="FILE", help="Draw the gaits: .png, .svg or .pdf."
-)
+@plot_option("the gaits")
 @workers_options
 @SET_OPTION
 @PARAMETERS_OPTION
@@ -98,10 +87,6 @@ def sweep_command(
         output, as_json_object = None, True
     if output is not None:
         check_destination(output, FORMATS, "--output")
-    if plot is not None:
-        from ..pictures import style  # matplotlib is slow to load
-
-        style.check_picture(plot, "--plot")
     given = values_given(None, settings)
     texts = pairs_given(vary, "--vary", "NAME=A:B:N")
     if not texts and friction is None:
@@ -119,7 +104,7 @@ def sweep_command(
             texts, options = {FRICTION: friction, **texts}, {FRICTION: "--friction", **options}
     if len(texts) > 2:
         raise InputError(f"--vary: {', '.join(texts)} are varied; allowed: one of them, or two for a grid")
-    runner = runner_of(parameters, given, model)
+    runner = Asked(parameters, given, model).runner()
     values = {name: _values(name, text, spacing, options[name]) for name, text in texts.items()}
     if len(values) == 2:
         if plot is not None:

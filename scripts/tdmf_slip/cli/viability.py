@@ -2,6 +2,7 @@
 
 import csv
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from math import isnan
 from pathlib import Path
 from typing import Any
@@ -10,7 +11,7 @@ import click
 
 from ..analysis.targeted import find_gait
 from ..errors import InputError
-from ..files.whole import check_destination, whole
+from ..files.whole import whole
 from ..library.gait import Gait
 from ..library.section import REDUCED
 from ..library.settings import setting_number
@@ -19,24 +20,14 @@ from ..variables.table import MODELS, VARIABLES
 from ..viable_sets.grid import MAX_CELLS, VALUES
 from ..viable_sets.result import Viability
 from ..viable_sets.viability import FACTOR, LARGEST_FACTOR, viability
-from .options import (
-    FRICTION_OPTION,
-    JSON_OPTION,
-    PARAMETERS_OPTION,
-    SET_OPTION,
-    Command,
-    Number,
-    pairs_given,
-    values_given,
-)
+from .options import JSON_OPTION, Command, NewFile, Number, pairs_given, plot_option
 from .output import json_text
 from .ranges import ends_of
-from .runner import runner_of
+from .runner import Asked, runner_options
 from .workers import executor_of, workers_options
 
 
 @click.command("viability", cls=Command)
-@FRICTION_OPTION
 @click.option(
     "--axes",
     multiple=True,
@@ -80,13 +71,11 @@ from .workers import executor_of, workers_options
 )
 @click.option(
     "--output",
-    type=click.Path(path_type=Path),
+    type=NewFile([".nc"]),
     metavar="FILE",
     help="Write strides and sets as NetCDF (.nc), block by block. An existing file is resumed.",
 )
-@click.option(
-    "--plot", type=click.Path(path_type=Path), metavar="FILE", help="Draw the sets: .png, .svg or .pdf."
-)
+@plot_option("the sets")
 @click.option(
     "--gait",
     "of_gait",
@@ -96,16 +85,15 @@ from .workers import executor_of, workers_options
 )
 @click.option(
     "--controller",
-    type=click.Path(path_type=Path),
+    type=NewFile([".csv"]),
     metavar="FILE",
     help="Write the viable action nearest to the runner's settings for each cell, as CSV.",
 )
 @workers_options
-@SET_OPTION
-@PARAMETERS_OPTION
 @JSON_OPTION
+@runner_options(model=False)
 def viability_command(
-    friction: float | None,
+    asked: Asked,
     axes: tuple[str, ...],
     vary: tuple[str, ...],
     count: int,
@@ -117,8 +105,6 @@ def viability_command(
     controller: Path | None,
     workers: int | None,
     scheduler: str | None,
-    settings: tuple[str, ...],
-    parameters: str | None,
     as_json_object: bool,
 ) -> None:
     """Compute the viable set: the apices from which some choice of actions avoids a fall for ever.
@@ -126,15 +112,7 @@ def viability_command(
     Two sets bracket it on a grid of heights and speeds, one from inside and one from outside. Both are
     estimates. A cell that is only in the outer set is undecided.
     """
-    if output is not None:
-        check_destination(output, (".nc",), "--output")
-    if plot is not None:
-        from ..pictures import style, viability_map  # matplotlib is slow to load
-
-        style.check_picture(plot, "--plot")
-    if controller is not None:
-        check_destination(controller, (".csv",), "--controller")
-    runner = runner_of(parameters, values_given(friction, settings), model)
+    runner = replace(asked, model=model).runner()
     gait = find_gait(runner) if of_gait else None
     with executor_of(workers, scheduler) as executor:
         found = viability(
@@ -149,6 +127,8 @@ def viability_command(
             progress=True,
         )
     if plot is not None:
+        from ..pictures import viability_map  # matplotlib is slow to load
+
         viability_map.draw(plot, found)
     if controller is not None:
         with whole(controller) as path, path.open("w", encoding="utf-8", newline="") as file:
