@@ -32,6 +32,8 @@ def motion_row(page, motion):
     name, states = motion.name, list(page.states)
     polynomials = [f"guard_{name}_{n}" for n in [*motion.watched, *motion.observed]] or ["NULL"]
     tables = list_in_c("tdmf_polynomial", f"polynomials_{name}", polynomials)
+    varied = [f"d_observed_{name}_{n}" for n in motion.observed] or ["NULL"]
+    tables += list_in_c("tdmf_vary_polynomial", f"vary_observed_{name}", varied)
     moving = [states.index(n) for n in motion.moving]
     row = {"moving_count": len(moving), "extra_count": len(motion.rates) - len(moving)}
     row |= {"constant_count": len(motion.constants)}
@@ -39,7 +41,7 @@ def motion_row(page, motion):
     lists = ("moving", "degrees", "judged", "divisors", "integrals")
     for what in lists:
         tables += list_in_c("int", f"{what}_{name}", moving if what == "moving" else getattr(motion, what))
-    row |= {what: f"{what}_{name}" for what in (*lists, "polynomials")}
+    row |= {what: f"{what}_{name}" for what in (*lists, "polynomials", "vary_observed")}
     row |= {"expand": f"expand_{name}", "vary": f"vary_{name}"}
     return tables, row_in_c(row | {"bounds": f"bounds_{name}" if motion.has_bounds else "NULL"})
 

@@ -48,6 +48,7 @@ CASTS = {
     "series": ("s", "series", "const "),
     "d_constants": ("d", "constants", "const "),
     "varied": ("t", "series", ""),
+    "d_series": ("t", "series", "const "),
 }
 LEAST_ORDER = 4
 """Orders of series are at least this."""
@@ -55,9 +56,13 @@ TURNS = {"sin": "true", "cos": "false"}
 INTERVALS = {"+": "interval_sum", "-": "interval_difference", "*": "interval_product"}
 
 
-def loop_of(lines):
-    """A loop over the coefficients."""
-    return f"    for (int k = 0; k < order; ++k) {{\n{lines_of(lines, '        ')}    }}\n"
+def expansion_in_c(found, first=()):
+    """The series that an expansion adds, and a loop over their coefficients."""
+    own = [f"real {array}[TERMS];" for array in found.arrays.values() if "->" not in array]
+    new = [n for n in found.ahead if n in found.arrays and n not in found.known]
+    lines = own + list(first) + [found.define(n, "0")[-1] for n in new]
+    loop = lines_of(found.step(), "        ")
+    return f"{lines_of(lines)}    for (int k = 0; k < order; ++k) {{\n{loop}    }}\n"
 
 
 class Motion:
@@ -190,8 +195,9 @@ class Motion:
         )
 
     def c_of_variation(self):
-        """The first variation of the series, an expansion that reuses the series."""
-        leaves = leaves_of([*self.rates, *self.rates.values(), *self.starts.values()])
+        """First variations of the series and of observed quantities, expansions that reuse the series."""
+        observed = dict(zip(self.observed, self.guards[len(self.watched) :], strict=True))
+        leaves = leaves_of([*self.rates, *self.rates.values(), *self.starts.values(), *observed.values()])
         of = {n: symbol(f"{'d' if n.is_constant else 't'}->{n.value[3:]}", n.is_constant) for n in leaves}
         varies = Variation(of, "d_")
         varied = Expansion({of[s]: varies.of(rate) for s, rate in self.rates.items()}, {}, "{}", self.known)
@@ -199,21 +205,23 @@ class Motion:
         zero |= {v: f"{v.value}[0]" for v in of.values() if v.value.startswith("t->")}
         starts = {zero[of[s]]: varies.of(start) for s, start in self.starts.items()}
         first = [f"{own} = {real_text(start, zero.get)};" for own, start in starts.items()]
-        ahead = [n for n in varied.ahead if n in varied.arrays and n not in self.known]
-        first += [varied.define(n, "0")[-1] for n in ahead]
-        own = [f"real {array}[TERMS];" for array in varied.arrays.values() if "->" not in array]
-        body = lines_of(own + first) + loop_of(varied.step())
-        given = "const real *constants, const real *series, const real *d_constants, int order, real *varied"
-        yield self.function_of(f"vary_{self.name}", given, body, "First variation of the series.")
+        given = "const real *constants, const real *series, const real *d_constants, "
+        about, body = "First variation of the series.", expansion_in_c(varied, first)
+        yield self.function_of(f"vary_{self.name}", f"{given}int order, real *varied", body, about)
+        for name, quantity in observed.items():
+            found = Expansion({}, {"dg": varies.of(quantity)}, "own_{}", self.known)
+            arguments, about = (
+                f"{given}const real *d_series, int order, real *dg",
+                f"First variation of {name}.",
+            )
+            yield self.function_of(f"d_observed_{self.name}_{name}", arguments, expansion_in_c(found), about)
 
     def c_of_guards(self):
         """Guards and observed quantities as polynomials in time."""
         given = "const real *constants, const real *series, int order, real *g"
         for name, guard in zip([*self.watched, *self.observed], self.guards, strict=True):
-            found = Expansion({}, {"g": guard}, "own_{}", self.known)
-            own = [f"real {array}[TERMS];" for node, array in found.arrays.items() if node not in self.known]
+            body = expansion_in_c(Expansion({}, {"g": guard}, "own_{}", self.known))
             about = self.page.events.get(name) or self.page.observed[name]
-            body = lines_of(own) + loop_of(found.step())
             yield self.function_of(f"guard_{self.name}_{name}", given, body, f"{name}: {about.__doc__ or ''}")
 
     def c_of_bounds(self):

@@ -240,6 +240,7 @@ class PageSection:
         of.library.tdmf_next_crossing.restype = Crossing
         of.library.tdmf_find_crossing.restype = FixedPoint
         self.x = np.zeros(len(of.states))
+        self.dx = np.zeros((self.count + len(run.seeds), len(of.states)))
 
     def after(self, point, varies=False):
         """The next crossing: its point, and the derivatives by the point and the seeds where it `varies`."""
@@ -250,7 +251,7 @@ class PageSection:
                 c_void_p(values.ctypes.data),
                 c_bool(varies),
                 c_void_p(self.x.ctypes.data),
-                None,
+                c_void_p(self.dx.ctypes.data),
             )
         )
 

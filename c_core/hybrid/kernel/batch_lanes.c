@@ -30,9 +30,9 @@ typedef struct {
     page_step step;
     mask live, moved, stops, is_shifted; /* moved: time has passed since the mode began */
     real time, time_rest, until, steps, last_step;
-    real *x, *observed, *observed_scales; /* by moving state, and by observed quantity */
-    real *dx, *d, *shift;                 /* by seed: variations of the moving states and of the constants */
-    int runner_in[LANES];                 /* or NOBODY */
+    real *x, *rates;      /* of the states that change */
+    real *dx, *d, *shift; /* by seed: variations of these states and of the constants */
+    int runner_in[LANES]; /* or NOBODY */
     int count, waiting, waiting_count;
     bool was_filled; /* since then, no lane computes with nothing */
 } lane_batch;
@@ -44,6 +44,7 @@ typedef struct {
     tdmf_batch_work *work;
     lane_batch *batches;
     real (*s)[TERMS], (*t)[TERMS]; /* series, and their variations for one seed */
+    observed_part *observed;
     int mode_of_series;
     runner *runners;
     mode_start at; /* of one runner */
@@ -113,24 +114,20 @@ static void go_on(lane_pool *w, int index, tdmf_run_outcome outcome) {
 static void load_runner(lane_pool *w, lane_batch *b, int lane, const run_state *state, double until) {
     const tdmf_page_run *r = state->r;
     const tdmf_motion_kind *m = b->step.motion;
-    const tdmf_mode_kind *mode = &w->model->modes[r->mode];
+    const int count = changing_count(&b->step);
     load_mode(&b->step, lane, &w->at, state->scales);
     for (int i = 0; i < m->constant_count; ++i) {
         set_lane(&b->step.c[i], lane, w->at.c[i]);
     }
-    for (int i = 0; i < m->moving_count; ++i) {
-        set_lane(&b->x[i], lane, r->x[m->moving[i]]);
-    }
-    for (int i = 0; i < mode->watch_count; ++i) {
-        set_lane(&b->observed[i], lane, r->x[mode->watches[i].into]);
-        set_lane(&b->observed_scales[i], lane, state->scales[mode->watches[i].into]);
+    for (int i = 0; i < count; ++i) {
+        set_lane(&b->x[i], lane, r->x[changing_state(&b->step, i)]);
     }
     for (int seed = 0; seed < w->seed_count; ++seed) {
         const double *dx = r->dx + seed * w->model->state_count,
                      *d = w->at.d + seed * w->model->constant_count;
         set_lane(&b->shift[seed], lane, r->shift[seed]);
-        for (int i = 0; i < m->moving_count; ++i) {
-            set_lane(&b->dx[seed * m->moving_count + i], lane, dx[m->moving[i]]);
+        for (int i = 0; i < count; ++i) {
+            set_lane(&b->dx[seed * count + i], lane, dx[changing_state(&b->step, i)]);
         }
         for (int i = 0; i < m->constant_count; ++i) {
             set_lane(&b->d[seed * m->constant_count + i], lane, d[i]);
@@ -167,20 +164,13 @@ static void fill_lanes(lane_pool *w, lane_batch *b) {
 
 /* Copies the numbers of a lane to its runner, and those of its guards to `at`, and empties the lane. */
 static int leave_lane(lane_pool *w, lane_batch *b, int lane) {
-    const tdmf_motion_kind *m = b->step.motion;
-    const int index = b->runner_in[lane];
+    const int index = b->runner_in[lane], count = changing_count(&b->step);
     tdmf_page_run *r = run_of(w, index);
-    const tdmf_mode_kind *mode = &w->model->modes[r->mode];
-    for (int i = 0; i < m->moving_count; ++i) {
-        r->x[m->moving[i]] = lane_of(&b->x[i], lane);
-    }
-    for (int i = 0; i < mode->watch_count; ++i) {
-        r->x[mode->watches[i].into] = lane_of(&b->observed[i], lane);
-    }
-    for (int seed = 0; seed < w->seed_count; ++seed) {
-        for (int i = 0; i < m->moving_count; ++i) {
-            r->dx[seed * w->model->state_count + m->moving[i]] =
-                lane_of(&b->dx[seed * m->moving_count + i], lane);
+    for (int i = 0; i < count; ++i) {
+        const int of = changing_state(&b->step, i), place = changing_place(&b->step, i);
+        r->x[of] = lane_of(&b->x[place], lane);
+        for (int seed = 0; seed < w->seed_count; ++seed) {
+            r->dx[seed * w->model->state_count + of] = lane_of(&b->dx[seed * count + place], lane);
         }
     }
     w->work->steps += (int64_t)(lane_of(&b->steps, lane) - (double)r->steps);
@@ -260,11 +250,12 @@ static real longest_step(const lane_pool *w, const lane_batch *b, const tdmf_mod
 
 /* Moves variations from the guard of the last event back to a fixed time. */
 static void shift_back(const lane_pool *w, lane_batch *b, mask lanes) {
-    const int count = b->step.motion->moving_count;
-    for (int seed = 0; seed < w->seed_count && any(lanes); ++seed) {
-        for (int i = 0; i < count; ++i) {
-            real *dx = &b->dx[seed * count + i];
-            *dx = select(lanes, *dx - w->s[i][1] * b->shift[seed], *dx);
+    const int count = changing_count(&b->step);
+    for (int i = 0; i < count && w->seed_count > 0 && any(lanes); ++i) {
+        const real rate = rate_after_event(&b->step, i, lanes);
+        for (int seed = 0; seed < w->seed_count; ++seed) {
+            real *dx = &b->dx[seed * count + changing_place(&b->step, i)];
+            *dx = select(lanes, *dx - rate * b->shift[seed], *dx);
         }
     }
     b->is_shifted &= mask_not(lanes);
@@ -281,40 +272,52 @@ static void pass_time(lane_batch *b, real elapsed, real left, mask goes) {
     b->steps += select(goes, broadcast(1.0), broadcast(0.0));
 }
 
-static void advance(const lane_pool *w, lane_batch *b, const tdmf_mode_kind *mode, real left, mask goes) {
+/* `after_event`: lanes whose step begins at an event, whose time varies. */
+static void advance_variations(const lane_pool *w, lane_batch *b, mask goes, mask after_event) {
     page_step *step = &b->step;
     const tdmf_motion_kind *m = step->motion;
-    for (int i = 0; i < step->observed_count; ++i) {
-        trust_observed(step, i, mode->watches[i].part, b->observed[i], b->observed_scales[i], goes);
-    }
-    const real elapsed = end_step(step);
     for (int seed = 0; seed < w->seed_count; ++seed) {
-        real *dx = &b->dx[seed * m->moving_count];
+        real *dx = &b->dx[seed * changing_count(step)], *d = &b->d[seed * m->constant_count];
+        const real shift = select(after_event, b->shift[seed], broadcast(0.0));
         for (int i = 0; i < m->moving_count; ++i) {
             w->t[i][0] = dx[i];
         }
-        m->vary(step->c, w->s[0], &b->d[seed * m->constant_count], step->order, w->t[0]);
+        m->vary(step->c, w->s[0], d, step->order, w->t[0]);
+        for (int i = 0; i < step->observed_count; ++i) {
+            real *varied = &dx[changing_place(step, m->moving_count + i)];
+            *varied = observed_variation(step, i, d, w->t, shift, *varied);
+        }
         for (int i = 0; i < m->moving_count; ++i) {
             dx[i] = select(goes, sum_of(w->t[i], step->power, step->order), dx[i]);
         }
     }
+}
+
+static void advance(const lane_pool *w, lane_batch *b, real left, mask goes, mask after_event) {
+    page_step *step = &b->step;
+    const int moving_count = step->motion->moving_count;
     for (int i = 0; i < step->observed_count; ++i) {
-        b->observed[i] = observed_value(step, i, mode->watches[i].part, b->observed[i], b->observed_scales[i],
-                                        goes & (elapsed > 0.0));
+        trust_observed(step, i, b->x[changing_place(step, moving_count + i)], goes);
     }
-    for (int i = 0; i < m->moving_count; ++i) {
+    const real elapsed = end_step(step);
+    for (int i = 0; i < step->observed_count; ++i) {
+        real *value = &b->x[changing_place(step, moving_count + i)];
+        *value = observe(step, i, *value, goes & (elapsed > 0.0));
+    }
+    advance_variations(w, b, goes, after_event);
+    for (int i = 0; i < moving_count; ++i) {
         b->x[i] = select(goes, value_at_end(step, i), b->x[i]);
     }
     pass_time(b, elapsed, left, goes);
     step->begins &= mask_not(goes);
 }
 
-/* Writes the rates of lanes at their event to the variations' series. */
-static void find_rates(const lane_pool *w, lane_batch *b) {
+/* Finds the rates of lanes at their event. */
+static void find_rates(lane_batch *b, mask lanes) {
     page_step *step = &b->step;
     set_powers(step->power, select(step->is_due, broadcast(0.0), step->power[1]), step->order);
-    for (int i = 0; i < step->motion->moving_count; ++i) {
-        w->t[i][0] = rate_at_end(step, i);
+    for (int i = 0; i < changing_count(step); ++i) {
+        b->rates[i] = rate_before_event(step, i, b->x[changing_place(step, i)], lanes);
     }
 }
 
@@ -326,8 +329,8 @@ static void take_event(lane_pool *w, lane_batch *b, int lane, bool shifts) {
     run_state *state = &w->runners[index].state;
     if (shifts) {
         memset(w->at.rates, 0, (size_t)w->model->state_count * sizeof *w->at.rates);
-        for (int i = 0; i < b->step.motion->moving_count; ++i) {
-            w->at.rates[b->step.motion->moving[i]] = lane_of(&w->t[i][0], lane);
+        for (int i = 0; i < changing_count(&b->step); ++i) {
+            w->at.rates[changing_state(&b->step, i)] += lane_of(&b->rates[i], lane);
         }
         tdmf_shift_to_event(state, kind, &w->at);
     }
@@ -360,15 +363,16 @@ static void step_lanes(lane_pool *w, int number) {
     search_events(step, goes);
     goes &= mask_not(step->is_due | b->stops);
     const mask stops = b->live & b->stops & mask_not(overflows | fails | step->is_due);
-    shift_back(w, b, goes & b->is_shifted);
+    const mask after_event = goes & b->is_shifted;
+    shift_back(w, b, after_event);
     const mask arrives = goes & mask_not(left > 0.0);
     goes &= mask_not(arrives);
-    advance(w, b, mode, left, goes);
+    advance(w, b, left, goes, after_event);
     const mask reaches = goes & (step->end <= 1.0) & (step->first != NO_EVENT);
     const mask is_late = goes & mask_not(reaches) & (b->steps >= b->last_step);
     const mask shifts = mask_not(b->is_shifted) & (reaches | (step->is_due & step->is_reached));
     if (w->seed_count > 0 && any(shifts)) {
-        find_rates(w, b);
+        find_rates(b, shifts);
     }
     const mask takes = step->is_due | reaches;
     const unsigned leaving = movemask(overflows | fails | takes | stops | arrives | is_late);
@@ -426,8 +430,8 @@ static void cancel(lane_pool *w) {
 
 static size_t reals_of_mode(const lane_pool *w, int number) {
     const tdmf_motion_kind *m = &w->motions[number];
-    return (size_t)(2 * m->moving_count + m->constant_count + 2 * w->model->modes[number].watch_count +
-                    w->seed_count * (m->moving_count + m->constant_count + 1));
+    const int changing = m->moving_count + (w->observes ? w->model->modes[number].watch_count : 0);
+    return (size_t)(3 * changing + m->constant_count + w->seed_count * (changing + m->constant_count + 1));
 }
 
 static real *place_batch(lane_pool *w, int number, real *next) {
@@ -435,17 +439,18 @@ static real *place_batch(lane_pool *w, int number, real *next) {
     const tdmf_mode_kind *mode = &w->model->modes[number];
     const tdmf_motion_kind *m = b->step.motion = &w->motions[number];
     b->step.kinds = mode->guards;
+    b->step.watches = mode->watches;
     b->step.guard_count = mode->guard_count;
     b->step.observed_count = w->observes ? mode->watch_count : 0;
     b->step.tolerance = w->share->batch->runs[0].tolerance;
     b->step.s = w->s;
+    b->step.observed = w->observed;
     b->step.c = next;
     b->step.units = b->step.c + m->constant_count;
-    b->x = b->step.units + m->moving_count;
-    b->observed = b->x + m->moving_count;
-    b->observed_scales = b->observed + mode->watch_count;
-    b->dx = b->observed_scales + mode->watch_count;
-    b->d = b->dx + w->seed_count * m->moving_count;
+    b->x = b->step.units + changing_count(&b->step);
+    b->rates = b->x + changing_count(&b->step);
+    b->dx = b->rates + changing_count(&b->step);
+    b->d = b->dx + w->seed_count * changing_count(&b->step);
     b->shift = b->d + w->seed_count * m->constant_count;
     b->waiting = NOBODY;
     for (int lane = 0; lane < LANES; ++lane) {
@@ -495,7 +500,8 @@ bool TDMF_OF_WIDTH(tdmf_run_lanes)(tdmf_batch_share *share, tdmf_batch_work *wor
     }
     const int of_start = tdmf_size_of_mode_start(model, w.seed_count),
               of_state = tdmf_size_of_run_state(model);
-    const size_t batches = (size_t)model->mode_count * sizeof(lane_batch);
+    const size_t batches =
+        (size_t)model->mode_count * sizeof(lane_batch) + TDMF_WATCH_LIMIT * sizeof(observed_part);
     const size_t doubles = (size_t)(of_start + under_way * of_state) * sizeof(double);
     char *memory = calloc(1, sizeof(real) + batches + reals * sizeof(real) + doubles +
                                  (size_t)under_way * sizeof(runner));
@@ -504,7 +510,8 @@ bool TDMF_OF_WIDTH(tdmf_run_lanes)(tdmf_batch_share *share, tdmf_batch_work *wor
     if (has_memory) {
         w.batches =
             (void *)(((uintptr_t)memory + sizeof(real) - 1) / sizeof(real) * sizeof(real)); /* aligned */
-        w.s = (void *)(w.batches + model->mode_count);
+        w.observed = (void *)(w.batches + model->mode_count);
+        w.s = (void *)(w.observed + TDMF_WATCH_LIMIT);
         w.t = w.s + model->series_count;
         real *next = (real *)(w.t + model->series_count);
         for (int number = 0; number < model->mode_count; ++number) {

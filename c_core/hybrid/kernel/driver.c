@@ -25,8 +25,10 @@ struct tdmf_driver {
     run_state *state;
     mode_start *at;
     page_step step;
+    observed_part observed[TDMF_WATCH_LIMIT];
     double (*t)[TERMS]; /* variation of the series for one seed */
     const tdmf_mode_kind *mode;
+    bool is_after_event; /* the step begins at an event, whose time varies by `shift` */
 };
 
 typedef tdmf_driver work;
@@ -41,6 +43,7 @@ static void load(work *w) {
     w->mode = &w->state->model->modes[w->state->r->mode];
     w->step.motion = w->mode->motion;
     w->step.kinds = w->mode->guards;
+    w->step.watches = w->mode->watches;
     w->step.guard_count = w->mode->guard_count;
     w->step.observed_count = w->state->r->observes ? w->mode->watch_count : 0;
     w->step.tolerance = w->state->r->tolerance;
@@ -77,20 +80,21 @@ static bool begin_step(work *w, double left) {
 
 static void trust_all_observed(work *w) {
     for (int i = 0; i < w->step.observed_count; ++i) {
-        const tdmf_watch_kind *kind = &w->mode->watches[i];
-        trust_observed(&w->step, i, kind->part, w->state->r->x[kind->into], w->state->scales[kind->into],
-                       true);
+        trust_observed(&w->step, i, w->state->r->x[w->mode->watches[i].into], true);
     }
 }
 
-/* Goes on with the states from the beginning of the step to the time whose powers are set. */
-static void advance_states(work *w, double *x) {
-    const tdmf_motion_kind *m = w->step.motion;
-    for (int i = 0; i < w->step.observed_count && w->step.power[1] > 0.0; ++i) {
-        const tdmf_watch_kind *kind = &w->mode->watches[i];
-        x[kind->into] =
-            observed_value(&w->step, i, kind->part, x[kind->into], w->state->scales[kind->into], true);
+/* Goes on with the states of observed quantities. */
+static void observe_all(work *w, double *x) {
+    for (int i = 0; i < w->step.observed_count; ++i) {
+        double *value = &x[w->mode->watches[i].into];
+        *value = observe(&w->step, i, *value, w->step.power[1] > 0.0);
     }
+}
+
+/* Goes on with the moving states from the beginning of the step to the time whose powers are set. */
+static void advance_states(const work *w, double *x) {
+    const tdmf_motion_kind *m = w->step.motion;
     for (int i = 0; i < m->moving_count; ++i) {
         x[m->moving[i]] = value_at_end(&w->step, i);
     }
@@ -108,8 +112,14 @@ static void vary(work *w, int seed) {
 }
 
 /* Goes on with the variations that were expanded. */
-static void advance_variation(const work *w, double *dx) {
+static void advance_variation(const work *w, int seed, double *dx) {
     const tdmf_motion_kind *m = w->step.motion;
+    const double *d = w->at->d + seed * w->state->model->constant_count;
+    const double shift = w->is_after_event ? w->state->r->shift[seed] : 0.0;
+    for (int i = 0; i < w->step.observed_count; ++i) {
+        double *varied = &dx[w->mode->watches[i].into];
+        *varied = observed_variation(&w->step, i, d, w->t, shift, *varied);
+    }
     for (int i = 0; i < m->moving_count; ++i) {
         dx[m->moving[i]] = sum_of(w->t[i], w->step.power, w->step.order);
     }
@@ -143,6 +153,7 @@ static void sample_here(work *w) {
 static void states_within(work *w, double elapsed, double *x) {
     set_powers(w->step.power, elapsed, w->step.order);
     memcpy(x, w->state->r->x, (size_t)w->state->model->state_count * sizeof *x);
+    observe_all(w, x);
     advance_states(w, x);
 }
 
@@ -161,7 +172,7 @@ static void sample_within(work *w, double elapsed) {
             double *dx = w->at->rates;
             states_within(w, r->sample_times[sample] - r->time, w->at->room);
             memcpy(dx, seed_dx(w, seed), (size_t)model->state_count * sizeof *dx);
-            advance_variation(w, dx);
+            advance_variation(w, seed, dx);
             const double *dp = r->dp + seed * model->parameter_count;
             w->mode->vary_outputs(r->p, w->at->room, dp, dx, variation_of_sample(w, sample, seed));
         }
@@ -178,9 +189,10 @@ static void advance(work *w) {
     if (next_sample(w->state->r)) {
         sample_within(w, elapsed);
     }
+    observe_all(w, w->state->r->x);
     for (int seed = 0; seed < w->state->r->seed_count; ++seed) {
         vary(w, seed);
-        advance_variation(w, seed_dx(w, seed));
+        advance_variation(w, seed, seed_dx(w, seed));
     }
     advance_states(w, w->state->r->x);
     tdmf_pass_time(w->state->r, elapsed);
@@ -190,20 +202,21 @@ static void advance(work *w) {
 
 /* Moves the variations onto the guard of an event at the end of the step. */
 static void shift_to_event(work *w, const tdmf_guard_kind *kind) {
-    const tdmf_motion_kind *m = w->step.motion;
     memset(w->at->rates, 0, (size_t)w->state->model->state_count * sizeof *w->at->rates);
-    for (int i = 0; i < m->moving_count; ++i) {
-        w->at->rates[m->moving[i]] = rate_at_end(&w->step, i);
+    for (int i = 0; i < changing_count(&w->step); ++i) {
+        const int of = changing_state(&w->step, i);
+        w->at->rates[of] += rate_before_event(&w->step, i, w->state->r->x[of], true);
     }
     tdmf_shift_to_event(w->state, kind, w->at);
 }
 
 /* Moves the variations back to a fixed time, along the rates after the event. */
 static void shift_back(work *w) {
-    const tdmf_motion_kind *m = w->step.motion;
-    for (int seed = 0; seed < w->state->r->seed_count; ++seed) {
-        for (int i = 0; i < m->moving_count; ++i) {
-            seed_dx(w, seed)[m->moving[i]] -= w->step.s[i][1] * w->state->r->shift[seed];
+    for (int i = 0; i < changing_count(&w->step); ++i) {
+        const int of = changing_state(&w->step, i);
+        const double rate = rate_after_event(&w->step, i, true);
+        for (int seed = 0; seed < w->state->r->seed_count; ++seed) {
+            seed_dx(w, seed)[of] -= rate * w->state->r->shift[seed];
         }
     }
     w->state->r->is_shifted = false;
@@ -229,6 +242,7 @@ static tdmf_run_outcome to_event(work *w, double until) {
             if (w->state->stops) {
                 return TDMF_RUN_STOPPED;
             }
+            w->is_after_event = r->is_shifted;
             if (r->is_shifted) {
                 shift_back(w);
             }
@@ -262,12 +276,13 @@ static tdmf_run_outcome to_event(work *w, double until) {
 
 tdmf_driver *tdmf_driver_create(const tdmf_model_kind *model) {
     const size_t series = (size_t)model->series_count * sizeof(double[TERMS]);
-    tdmf_driver *driver =
-        calloc(1, sizeof *driver + 2 * series + (size_t)model->state_count * sizeof(double));
+    tdmf_driver *driver = calloc(1, sizeof *driver + 2 * series +
+                                        (size_t)(model->state_count + TDMF_WATCH_LIMIT) * sizeof(double));
     if (driver) {
         driver->step.s = (double(*)[TERMS])(void *)(driver + 1);
         driver->t = driver->step.s + model->series_count;
         driver->step.units = (double *)(driver->t + model->series_count);
+        driver->step.observed = driver->observed;
     }
     return driver;
 }

@@ -15,6 +15,10 @@ typedef void tdmf_bounds(const real *constants, const real *series, const real *
 /* A guard or an observed quantity as a polynomial in time, of less than `order` in degree. */
 typedef void (*tdmf_polynomial)(const real *constants, const real *series, int order, real *g);
 
+/* The first variation of an observed quantity as a polynomial in time; `d_series` is written by tdmf_vary. */
+typedef void (*tdmf_vary_polynomial)(const real *constants, const real *series, const real *d_constants,
+                                     const real *d_series, int order, real *dg);
+
 /* The first series are those of the states that move, then come states that only the motion has. */
 typedef struct {
     int moving_count, extra_count, constant_count;
@@ -27,6 +31,7 @@ typedef struct {
     const tdmf_polynomial *polynomials; /* guards, then observed quantities */
     tdmf_expand *expand;
     tdmf_vary *vary;
+    const tdmf_vary_polynomial *vary_observed;
     const int *integrals; /* series whose rate is the observed quantity, or -1 */
     tdmf_bounds *bounds;  /* of guards and observed quantities; NULL: none is bounded */
 } tdmf_motion_kind;

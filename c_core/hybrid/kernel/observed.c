@@ -137,32 +137,68 @@ static void add_roots(sign_changes *of, const double *b) {
     }
 }
 
-double tdmf_integral_where_positive(const double *g, int order, double least) {
-    double b[TERMS], integral[TERMS], sum = 0.0, before = 0.0;
-    sign_changes of = {.c = g, .degree = order - 1, .negligible = least};
-    to_bernstein(g, of.degree, b);
-    add_roots(&of, b);
-    add_root(&of, 1.0);
+static void integral_of(const double *g, int order, double *integral) {
     integral[0] = 0.0;
     for (int k = 0; k < order; ++k) {
         integral[k + 1] = g[k] * series_reciprocal[k + 1];
     }
+}
+
+static void add_piece(positive_pieces *pieces, double from, double to) {
+    if (pieces->count > 0 && pieces->to[pieces->count - 1] == from) {
+        pieces->to[pieces->count - 1] = to;
+    } else {
+        pieces->from[pieces->count] = from;
+        pieces->to[pieces->count++] = to;
+    }
+}
+
+double tdmf_integral_where_positive(const double *g, int order, double least, positive_pieces *pieces) {
+    double b[TERMS], integral[TERMS], sum = 0.0, before = 0.0, from = 0.0;
+    sign_changes of = {.c = g, .degree = order - 1, .negligible = least};
+    to_bernstein(g, of.degree, b);
+    add_roots(&of, b);
+    add_root(&of, 1.0);
+    integral_of(g, order, integral);
+    pieces->count = 0;
     for (int i = 0; i < of.count; ++i) {
-        const double after = expansion_at(integral, order, of.roots[i]).value;
-        sum += real_max(0.0, after - before);
+        const double to = of.roots[i], after = expansion_at(integral, order, to).value;
+        if (after > before) {
+            sum += after - before;
+            add_piece(pieces, from, to);
+        }
         before = after;
+        from = to;
     }
     return sum;
 }
 
-double tdmf_largest_in_step(const double *g, int order, double largest) {
+double tdmf_integral_over(const double *g, int order, const positive_pieces *pieces) {
+    double integral[TERMS], sum = 0.0;
+    integral_of(g, order, integral);
+    for (int i = 0; i < pieces->count; ++i) {
+        sum += expansion_at(integral, order, pieces->to[i]).value -
+               expansion_at(integral, order, pieces->from[i]).value;
+    }
+    return sum;
+}
+
+static void raise_largest(double *largest, double value, double *share, double at) {
+    if (value > *largest) {
+        *largest = value;
+        *share = at;
+    }
+}
+
+double tdmf_largest_in_step(const double *g, int order, double largest, double *share) {
     double b[TERMS], rate[TERMS], end = 0.0, rates = 0.0, highest = g[0];
     for (int k = 1; k < order; ++k) {
         rate[k - 1] = k * g[k];
         rates += fabs(rate[k - 1]);
         end += g[k];
     }
-    largest = real_max(largest, real_max(g[0], g[0] + end));
+    raise_largest(&largest, g[0], share, 0.0);
+    raise_largest(&largest, g[0] + end, share, 1.0);
     if (rates <= 2.0 * fabs(rate[0])) { /* the rate keeps its sign */
         return largest;
     }
@@ -178,7 +214,7 @@ double tdmf_largest_in_step(const double *g, int order, double largest) {
     of.negligible = DBL_EPSILON * fabs(largest);
     add_roots(&of, b);
     for (int i = 0; i < of.count; ++i) {
-        largest = real_max(largest, expansion_at(g, order - 1, of.roots[i]).value);
+        raise_largest(&largest, expansion_at(g, order - 1, of.roots[i]).value, share, of.roots[i]);
     }
     return largest;
 }

@@ -1,19 +1,34 @@
-/* Observed quantities over a step: the integral of a positive part, the largest value. Written over `real`;
- * the lanes in which a quantity may change its sign, or turn, are treated one by one.
+/* Observed quantities over a step: the integral of a positive part, the largest value, and their variations.
+ * Written over `real`; the lanes in which a quantity may change its sign, or turn, are treated one by one.
+ *
+ * The integral varies by the variation where the quantity is positive, and the largest value by that at its
+ * time. Both also change with the time of an event that ends the step: by their rates there.
  */
 #ifndef TDMF_KERNEL_OBSERVED_H
 #define TDMF_KERNEL_OBSERVED_H
 
 #include "page_step.h"
 
-/* The integral over a step where a polynomial g, scaled to the step, is positive. Where its values are
- * smaller than `least`, its sign does not matter. */
-double tdmf_integral_where_positive(const double *g, int order, double least);
+/* The integral over a step where a polynomial g, scaled to the step, is positive, and the pieces where it is.
+ * Where its values are smaller than `least`, its sign does not matter. */
+double tdmf_integral_where_positive(const double *g, int order, double least, positive_pieces *pieces);
 
-/* The largest value of a polynomial that is scaled to the step; at least `largest`. */
-double tdmf_largest_in_step(const double *g, int order, double largest);
+/* The integral of a polynomial over pieces of a step. */
+double tdmf_integral_over(const double *g, int order, const positive_pieces *pieces);
+
+/* The largest value of a polynomial that is scaled to the step; at least `largest`. If it is larger, `share`
+ * receives its time. */
+double tdmf_largest_in_step(const double *g, int order, double largest, double *share);
 
 static const double part_tolerance = 0.01; /* of a positive integral, relative to that of a step */
+
+static inline bool is_largest(const page_step *step, int watch) {
+    return step->watches[watch].part == TDMF_LARGEST;
+}
+
+static inline real scale_of_observed(const page_step *step, int watch) {
+    return step->units[step->motion->moving_count + watch];
+}
 
 static inline interval bounds_of_observed(const page_step *step, int watch) {
     return step->motion->bounds ? step->bounds[step->guard_count + watch] : unbounded();
@@ -21,9 +36,9 @@ static inline interval bounds_of_observed(const page_step *step, int watch) {
 
 /* Lanes in which an observed quantity may have an effect that is not known without its polynomial. The rate
  * of a state has none while its sign is known. */
-static inline mask needs_polynomial(const page_step *step, int watch, tdmf_part part, real value) {
+static inline mask needs_polynomial(const page_step *step, int watch, real value) {
     const interval bounds = bounds_of_observed(step, watch);
-    if (part == TDMF_LARGEST) {
+    if (is_largest(step, watch)) {
         return mask_not(bounds.high <= value);
     }
     const mask may_be_positive = mask_not(bounds.high <= 0.0);
@@ -32,22 +47,21 @@ static inline mask needs_polynomial(const page_step *step, int watch, tdmf_part 
 }
 
 static inline const real *expanded(page_step *step, int watch) {
-    if (!step->is_expanded[watch]) {
-        step->motion->polynomials[step->guard_count + watch](step->c, step->s[0], step->order,
-                                                             step->observed[watch]);
-        step->is_expanded[watch] = true;
+    observed_part *of = &step->observed[watch];
+    if (!of->is_expanded) {
+        step->motion->polynomials[step->guard_count + watch](step->c, step->s[0], step->order, of->g);
+        of->is_expanded = true;
     }
-    return step->observed[watch];
+    return of->g;
 }
 
 /* Ends the step where the series of an observed quantity can be trusted no further. `value` is that of its
- * state, `scale` the scale of the state. */
-static inline void trust_observed(page_step *step, int watch, tdmf_part part, real value, real scale,
-                                  mask lanes) {
-    lanes &= needs_polynomial(step, watch, part, value);
+ * state. */
+static inline void trust_observed(page_step *step, int watch, real value, mask lanes) {
+    lanes &= needs_polynomial(step, watch, value);
     if (any(lanes)) {
-        const real allowed = guard_tolerance * step->tolerance * scale;
-        trust(step, expanded(step, watch), part == TDMF_LARGEST ? allowed : allowed / step->size, lanes);
+        const real allowed = guard_tolerance * step->tolerance * scale_of_observed(step, watch);
+        trust(step, expanded(step, watch), is_largest(step, watch) ? allowed : allowed / step->size, lanes);
     }
 }
 
@@ -57,42 +71,45 @@ static inline void scaled_lane(const page_step *step, const real *g, int lane, d
     }
 }
 
+/* The change of the integral of a polynomial over the step. */
+static inline real change_of_integral(const page_step *step, const real *g) {
+    real integral[TERMS];
+    for (int k = 0; k < step->order; ++k) {
+        integral[k + 1] = g[k] * series_reciprocal[k + 1];
+    }
+    return change_of(integral, step->power, step->order);
+}
+
 /* The integral over the step where the quantity is positive. */
-static inline real positive_integral(page_step *step, int watch, real least, mask lanes) {
+static inline real positive_integral(page_step *step, int watch, mask lanes) {
+    observed_part *of = &step->observed[watch];
+    const real least = part_tolerance * step->tolerance * scale_of_observed(step, watch);
     const int order = step->order, state = step->motion->integrals[watch];
     const interval bounds = bounds_of_observed(step, watch);
     lanes &= mask_not(bounds.high <= 0.0);
     if (!any(lanes)) {
         return broadcast(0.0);
     }
-    real whole;
-    const real *g = NULL;
-    if (state >= 0) {
-        whole = change_of(step->s[state], step->power, order);
-    } else {
-        real integral[TERMS];
-        g = expanded(step, watch);
-        for (int k = 0; k < order; ++k) {
-            integral[k + 1] = g[k] * series_reciprocal[k + 1];
-        }
-        whole = change_of(integral, step->power, order);
-    }
+    const real whole = state >= 0 ? change_of(step->s[state], step->power, order)
+                                  : change_of_integral(step, expanded(step, watch));
     real sum = select(lanes, real_max(broadcast(0.0), whole), broadcast(0.0));
+    of->is_positive = lanes & (whole > 0.0);
     lanes &= mask_not(bounds.low >= 0.0);
     if (!any(lanes)) {
         return sum;
     }
-    g = expanded(step, watch);
+    const real *g = expanded(step, watch);
     const real size = step->power[1];
     const interval range = interval_of_series(g, step->power, order);
     lanes &= mask_not((range.low >= 0.0) | (range.high <= 0.0) | (size * (range.high - range.low) < least));
+    of->is_positive &= mask_not(lanes);
+    of->has_pieces = lanes;
     for (int lane = 0; lane < LANES; ++lane) {
         if (has_lane(&lanes, lane)) {
             double own[TERMS];
-            const double length = lane_of(&size, lane);
+            const double length = lane_of(&size, lane), most = lane_of(&least, lane) / length;
             scaled_lane(step, g, lane, own);
-            set_lane(&sum, lane,
-                     length * tdmf_integral_where_positive(own, order, lane_of(&least, lane) / length));
+            set_lane(&sum, lane, length * tdmf_integral_where_positive(own, order, most, &of->pieces[lane]));
         }
     }
     return sum;
@@ -100,6 +117,7 @@ static inline real positive_integral(page_step *step, int watch, real least, mas
 
 /* The largest value is that at an end, or where the rate changes its sign. */
 static inline real largest_value(page_step *step, int watch, real largest, mask lanes) {
+    observed_part *of = &step->observed[watch];
     const int order = step->order;
     lanes &= mask_not(bounds_of_observed(step, watch).high <= largest);
     if (!any(lanes)) {
@@ -109,22 +127,109 @@ static inline real largest_value(page_step *step, int watch, real largest, mask 
     lanes &= mask_not(g[0] + largest_change(g, step->power, order - 1) <= largest);
     for (int lane = 0; lane < LANES; ++lane) {
         if (has_lane(&lanes, lane)) {
-            double own[TERMS];
+            double own[TERMS], share = lane_of(&of->share, lane);
             scaled_lane(step, g, lane, own);
-            set_lane(&largest, lane, tdmf_largest_in_step(own, order, lane_of(&largest, lane)));
+            set_lane(&largest, lane, tdmf_largest_in_step(own, order, lane_of(&largest, lane), &share));
+            set_lane(&of->share, lane, share);
         }
     }
     return largest;
 }
 
-/* The value of the state of an observed quantity after a step whose powers are set. */
-static inline real observed_value(page_step *step, int watch, tdmf_part part, real value, real scale,
-                                  mask lanes) {
-    if (part == TDMF_LARGEST) {
-        return largest_value(step, watch, value, lanes);
+/* The value of the state of an observed quantity after a step whose powers are set. `value` is that before
+ * the step. */
+static inline real observe(page_step *step, int watch, real value, mask lanes) {
+    observed_part *of = &step->observed[watch];
+    of->is_positive = of->has_pieces = mask_of(false);
+    of->share = broadcast(-1.0);
+    return is_largest(step, watch) ? largest_value(step, watch, value, lanes)
+                                   : value + positive_integral(step, watch, lanes);
+}
+
+/* ---- variations ---------------------------------------------------------------------------------------- */
+
+/* Where the largest value is that at the beginning of the step, it varies with the time of the event there,
+ * too. */
+static inline real variation_of_largest(const page_step *step, int watch, const real *dg, real shift,
+                                        real varied) {
+    const observed_part *of = &step->observed[watch];
+    const real here = expansion_at(dg, step->order - 1, of->share * step->power[1]).value;
+    const real moved = select(of->share > 0.0, broadcast(0.0), of->g[1] * shift);
+    return select(of->share >= 0.0, here + moved, varied);
+}
+
+/* The change of a variation where the quantity is positive in pieces of the step. */
+static inline void change_in_pieces(const page_step *step, int watch, const real *dg, real *change) {
+    const observed_part *of = &step->observed[watch];
+    const real size = step->power[1];
+    for (int lane = 0; lane < LANES; ++lane) {
+        if (has_lane(&of->has_pieces, lane)) {
+            double own[TERMS];
+            scaled_lane(step, dg, lane, own);
+            set_lane(change, lane,
+                     lane_of(&size, lane) * tdmf_integral_over(own, step->order, &of->pieces[lane]));
+        }
     }
-    const real least = part_tolerance * step->tolerance * scale;
-    return value + positive_integral(step, watch, least, lanes);
+}
+
+/* The variation of the state of a quantity that `observe` has observed, by variations t of the series. `d`
+ * holds those of the constants, `shift` the variation of the time of an event at which the step begins, and
+ * `varied` the variation before the step. */
+static inline real observed_variation(const page_step *step, int watch, const real *d, real (*t)[TERMS],
+                                      real shift, real varied) {
+    const tdmf_motion_kind *m = step->motion;
+    const observed_part *of = &step->observed[watch];
+    const int state = m->integrals[watch];
+    const mask lanes = is_largest(step, watch) ? of->share >= 0.0 : of->is_positive | of->has_pieces;
+    real dg[TERMS];
+    if (!any(lanes)) {
+        return varied;
+    }
+    const bool is_state = !is_largest(step, watch) && state >= 0;
+    if (!is_state || any(of->has_pieces)) {
+        m->vary_observed[watch](step->c, step->s[0], d, t[0], step->order, dg);
+    }
+    if (is_largest(step, watch)) {
+        return variation_of_largest(step, watch, dg, shift, varied);
+    }
+    const real whole =
+        is_state ? change_of(t[state], step->power, step->order) : change_of_integral(step, dg);
+    real change = select(of->is_positive, whole, broadcast(0.0));
+    change_in_pieces(step, watch, dg, &change);
+    return varied + change;
+}
+
+/* The rate of a state that changes, at the beginning of the step. A largest value has none: either it is an
+ * earlier one, or its variation is that at the time of the event. */
+static inline real rate_after_event(page_step *step, int i, mask lanes) {
+    const int watch = i - step->motion->moving_count;
+    if (watch < 0) {
+        return step->s[i][1];
+    }
+    lanes &= mask_not(bounds_of_observed(step, watch).high <= 0.0);
+    if (is_largest(step, watch) || !any(lanes)) {
+        return broadcast(0.0);
+    }
+    return select(lanes, real_max(expanded(step, watch)[0], broadcast(0.0)), broadcast(0.0));
+}
+
+/* The rate of a state that changes, at the time whose powers are set. A largest value grows if it is the
+ * value at that time. */
+static inline real rate_before_event(page_step *step, int i, real value, mask lanes) {
+    const int watch = i - step->motion->moving_count;
+    if (watch < 0) {
+        return rate_of(step->s[i], step->power, step->order);
+    }
+    const bool may_grow = is_largest(step, watch);
+    const real least = may_grow ? value - zero_margin * scale_of_observed(step, watch) : broadcast(0.0);
+    lanes &= mask_not(bounds_of_observed(step, watch).high <= least);
+    if (!any(lanes)) {
+        return broadcast(0.0);
+    }
+    const real *g = expanded(step, watch);
+    const real now = sum_of(g, step->power, step->order - 1);
+    const real rate = may_grow ? rate_of(g, step->power, step->order - 1) : now;
+    return select(lanes & (now > least), real_max(rate, broadcast(0.0)), broadcast(0.0));
 }
 
 #endif

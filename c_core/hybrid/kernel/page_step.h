@@ -21,6 +21,10 @@ static const double short_line = 1e-10; /* share of a step in which a guard is a
 
 enum { NO_EVENT = -1, NEWTON_LIMIT = 8 };
 
+#ifndef TDMF_LANES
+enum { LANES = 1 };
+#endif
+
 /* A guard of the mode. */
 typedef struct {
     mask is_watched, was_taken; /* was_taken: its event was taken at the instant at which the mode begins */
@@ -29,15 +33,34 @@ typedef struct {
     real scale;
 } guard_watch;
 
+/* Pieces of a step, as shares of it, in which a polynomial is positive. */
+enum { PIECE_LIMIT = 17 };
+
+typedef struct {
+    int count;
+    double from[PIECE_LIMIT], to[PIECE_LIMIT];
+} positive_pieces;
+
+/* An observed quantity in a step. */
+typedef struct {
+    bool is_expanded;
+    real g[TERMS];                /* its polynomial, where it is expanded */
+    mask is_positive, has_pieces; /* in the whole step; in pieces of it */
+    positive_pieces pieces[LANES];
+    real share; /* of the step, after which the largest value is reached; negative: it is an earlier one */
+} observed_part;
+
 typedef struct {
     const tdmf_motion_kind *motion;
     const tdmf_guard_kind *kinds;
+    const tdmf_watch_kind *watches;
     int guard_count, observed_count;
     double tolerance;
     /* Written where the mode begins. */
     real *c;          /* constants */
     real (*s)[TERMS]; /* series */
-    real *units;      /* scales of the moving states */
+    real *units;      /* scales of the states that change */
+    observed_part *observed;
     guard_watch guards[TDMF_GUARD_LIMIT];
     mask begins; /* no time has passed in the mode */
     /* Written by each step. */
@@ -48,16 +71,10 @@ typedef struct {
     integer first;     /* guard whose event ends the step, or is due at once; NO_EVENT */
     mask is_due;       /* at once */
     interval bounds[TDMF_GUARD_LIMIT + TDMF_WATCH_LIMIT]; /* of guards and observed quantities */
-    real observed[TDMF_WATCH_LIMIT][TERMS];               /* polynomials, where they are expanded */
-    bool is_expanded[TDMF_WATCH_LIMIT];
     mask is_reached; /* due at once because the guard came down to zero as time passed */
 } page_step;
 
 /* ---- lanes --------------------------------------------------------------------------------------------- */
-
-#ifndef TDMF_LANES
-enum { LANES = 1 };
-#endif
 
 /* Lanes are read and written in memory: compilers would move whole registers for one of them. */
 static inline double lane_of(const real *x, int lane) {
@@ -87,6 +104,25 @@ static inline void set_mask(mask *lanes, int lane, bool selects) {
     memcpy((char *)lanes + (size_t)lane * sizeof selected, &selected, sizeof selected);
 }
 
+/* States that change in a step: those that move, then those of observed quantities. */
+static inline int changing_count(const page_step *step) {
+    return step->motion->moving_count + step->observed_count;
+}
+
+static inline int changing_state(const page_step *step, int i) {
+    const int moving_count = step->motion->moving_count;
+    return i < moving_count ? step->motion->moving[i] : step->watches[i - moving_count].into;
+}
+
+/* The first place at which a state changes: several observed quantities may go into one state. */
+static inline int changing_place(const page_step *step, int i) {
+    int first = i < step->motion->moving_count ? i : step->motion->moving_count;
+    while (changing_state(step, first) != changing_state(step, i)) {
+        ++first;
+    }
+    return first;
+}
+
 /* Loads a mode, but for its constants, into a lane. */
 static inline void load_mode(page_step *step, int lane, const mode_start *at, const double *scales) {
     set_mask(&step->begins, lane, at->begins);
@@ -99,8 +135,8 @@ static inline void load_mode(page_step *step, int lane, const mode_start *at, co
         set_mask(&watch->is_late, lane, at->guards[i].is_late);
         set_mask(&watch->rises, lane, false);
     }
-    for (int i = 0; i < step->motion->moving_count; ++i) {
-        set_lane(&step->units[i], lane, scales[step->motion->moving[i]]);
+    for (int i = 0; i < changing_count(step); ++i) {
+        set_lane(&step->units[i], lane, scales[changing_state(step, i)]);
     }
 }
 
@@ -370,7 +406,9 @@ static inline void search_events(page_step *step, mask searching) {
     step->end = broadcast(INFINITY);
     step->first = integer_of(NO_EVENT);
     step->is_due = step->is_reached = mask_of(false);
-    memset(step->is_expanded, 0, sizeof step->is_expanded);
+    for (int i = 0; i < step->observed_count; ++i) {
+        step->observed[i].is_expanded = false;
+    }
     if (bounds) {
         step->motion->bounds(step->c, step->s[0], step->power, step->order, watched_bits(step), step->bounds);
     }
@@ -446,11 +484,11 @@ static inline real value_at_end(const page_step *step, int i) {
     return sum_of(step->s[i], step->power, degree < step->order ? degree : step->order);
 }
 
-/* The rate of a moving state. */
-static inline real rate_at_end(const page_step *step, int i) {
+/* The rate of a series at a time whose powers are given. */
+static inline real rate_of(const real *c, const real *power, int order) {
     real rate = broadcast(0.0);
-    for (int k = 1; k <= step->order; ++k) {
-        rate += (double)k * step->s[i][k] * step->power[k - 1];
+    for (int k = 1; k <= order; ++k) {
+        rate += (double)k * c[k] * power[k - 1];
     }
     return rate;
 }

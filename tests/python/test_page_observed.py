@@ -1,0 +1,227 @@
+"""First variations of observed quantities: the integral of a positive part, and the largest value."""
+
+import numpy as np
+import pytest
+from conftest import some_of
+from page_runs import COMPILER, CompiledPage, run_batch, widths_of
+from tdmf_slip.library.binding import c, ffi
+from test_page_random import drawn
+from test_page_runner import GAITS
+
+from c_core.hybrid import Model, cos, event, mode, observe, parameter, sin, state
+from c_core.pages.runner import Runner
+
+pytestmark = pytest.mark.skipif(COMPILER is None, reason="there is no C compiler")
+
+
+class Pulse(Model):
+    """Two quantities that are observed while an angle turns; an event is in between."""
+
+    start = "turns", {}
+    angle, rate, jump, passed = state(0.1), parameter(1, "1/s"), parameter(0, "1"), state(0)
+    due, height, slope, end = parameter(1), parameter(1), parameter(0.2), parameter(5)
+    most, positive, read_most, read_positive = state(0), state(0), state(0), state(0)
+
+    @mode()
+    def turns(s):
+        """The angle turns."""
+        return {"angle": s.rate + s.slope * s.rate * sin(s.angle)}
+
+    @mode(ends=True)
+    def over(s):
+        """Afterwards."""
+        return {}
+
+    @event("turns", when=lambda s: s.due + s.passed * 99 - s.angle)
+    def passes(s):
+        """What is observed jumps, and is read and reset."""
+        return s.replace(passed=s.passed + 1, read_most=s.most, read_positive=s.positive, most=0, positive=0)
+
+    @event("turns", when=lambda s: s.end - s.angle)
+    def stops(s):
+        """The run ends."""
+        return s.to("over")
+
+    @observe("turns", "largest", into="most")
+    def wave(s):
+        """It jumps where the event is."""
+        return s.height * sin(s.angle) + s.jump * s.passed
+
+    @observe("turns", "largest", into="most")
+    def lower_wave(s):
+        """Another quantity whose largest value goes into the same state."""
+        return -s.height * sin(s.angle) / 2
+
+    @observe("turns", "positive integral", into="positive", unit="1/s")
+    def half_wave(s):
+        """It jumps, too."""
+        return s.rate * (s.height * sin(s.angle) + s.jump * s.passed)
+
+
+PULSE = ("angle", "rate", "jump", "due", "height", "slope", "end")
+
+
+@pytest.fixture(scope="module")
+def pulse():
+    return CompiledPage(Pulse, "-O1", in_lanes=True)
+
+
+@pytest.mark.parametrize("due", [0.7, 1.4, 2.0, 3.0, 4.0, 4.6])
+@pytest.mark.parametrize("jump", [-1.2, -0.4, 0.0, 0.3, 1.5])
+def test_variations_of_what_is_observed_are_those_of_differences(pulse, due, jump):
+    """The largest value is met within a step, at either side of the event, at the end of the run."""
+    for until in (0.9, 2.5, 100.0):
+        given = {"due": due, "jump": jump, "tolerance": 1e-13}
+        run = pulse.start(seeds=PULSE, **given).to(until)
+        for i, seed in enumerate(PULSE):
+            value = getattr(pulse.start(**given), seed)
+            ends = [pulse.start(**given | {seed: value + sign * 1e-5}).to(until).x for sign in (1, -1)]
+            assert run.dx[i] == pytest.approx((ends[0] - ends[1]) / 2e-5, abs=1e-8), seed
+
+
+def test_they_are_the_same_in_lanes_in_many_calls_and_sampled(pulse):
+    def runs():
+        random = np.random.default_rng(8)
+        draw = [{"due": random.uniform(0.3, 5.5), "jump": random.uniform(-1, 1)} for _ in range(40)]
+        return [pulse.start(seeds=PULSE, tolerance=1e-12, **given) for given in draw]
+
+    ends = np.linspace(0, 7, 40)
+    wanted = [run.to(end) for run, end in zip(runs(), ends, strict=True)]
+    for width in widths_of(pulse):
+        mine = runs()
+        run_batch(mine, ends, width=width)
+        assert [run.dx.tobytes() for run in mine] == [run.dx.tobytes() for run in wanted]
+    for run, whole, end in zip(runs(), wanted, ends, strict=True):
+        for time in (*np.linspace(0, end, 23), *(time for time, *_ in whole.log)):
+            run.to(time) if time >= run.time else None
+        run.to(end)
+        assert run.dx == pytest.approx(whole.dx, abs=1e-9)
+
+
+# ---- the runner ------------------------------------------------------------------------------------------
+
+
+class Measured(Runner):
+    """The runner, with quantities that are the best known by their largest value."""
+
+    greatest_slip_velocity, greatest_foot_height = state(0, "m/s"), state(0, "m")
+    squared_torque = state(0, "N2.m2.s")
+
+    @observe("slip", "largest", into="greatest_slip_velocity", unit="m/s")
+    def slip_velocity(r):
+        """Speed at which the foot slips."""
+        return r.way * r.foot_vx
+
+    @observe("flight", "largest", into="greatest_foot_height", unit="m")
+    def height_of_foot(r):
+        """Height of the foot above the ground vertically below."""
+        return r.foot_above(r.height, r.slope) / cos(r.slope)
+
+    @observe("flight stick slip graze", "positive integral", into="squared_torque", unit="N2.m2")
+    def square_of_torque(r):
+        """The torque, squared."""
+        return r.torque() ** 2
+
+
+OBSERVED = {
+    "positive_work": "positive_hip_work", "squared_torque": "squared_torque",
+    "greatest_slip_velocity": "greatest_slip_velocity", "greatest_foot_height": "greatest_foot_height",
+}  # fmt: skip
+
+
+@pytest.fixture(scope="module")
+def measured():
+    return CompiledPage(Measured)
+
+
+def core_stride(values, apex, slope=0.0):
+    """A stride of the hand-written core, with its variations by the coordinates of the apex."""
+    parameters, inputs = ffi.new("tdmf_parameters *", c.tdmf_default_parameters()), ffi.new("tdmf_inputs *")
+    inputs[0] = c.tdmf_default_inputs()
+    inputs.ground.friction, inputs.ground.slope = values["friction"], slope
+    parameters.hip.swing_clamp = bool(values["swing_clamp"])
+    model, solver = ffi.new("tdmf_model *"), ffi.new("tdmf_solver *", c.tdmf_solver_default())
+    solver.relative_tolerance = 1e-13
+    assert not c.tdmf_model_create(model, parameters).variable
+    system = ffi.new("tdmf_system *", {"model": model, "inputs": inputs})
+    stride = c.tdmf_measured_return_map(solver, system[0], list(apex), 1e4, True, ffi.NULL, 0)
+    assert stride.outcome == c.TDMF_RETURN_CLOSED
+    return stride
+
+
+def differences_of_strides(at_apex, apex, name, step=1e-5):
+    """Central differences of a state at the next apex, by the coordinates of an apex."""
+    moves = [np.array(apex) + sign * step * row for row in np.eye(6) for sign in (1, -1)]
+    ends = [at_apex.after(point).state(name) for point in moves]
+    return (np.array(ends[::2]) - ends[1::2]) / (2 * step)
+
+
+@pytest.mark.parametrize(("reading", "gait"), GAITS[::3], ids=[f"{r} {g['friction']}" for r, g in GAITS[::3]])
+@pytest.mark.parametrize("slope", [0.0, -0.05])
+def test_peaks_works_and_measures_vary_as_in_the_core(measured, reading, gait, slope):
+    given = {"friction": gait["friction"], "swing_clamp": reading == "clamped"}
+    at_apex = measured.section("at_apex", **given, ground_slope=slope, tolerance=1e-13)
+    core = core_stride(given, gait["apex"], slope)
+    for name in ("peak_force", "peak_vertical_force", *OBSERVED):
+        assert at_apex.after(gait["apex"], varies=True).outcome == "stopped"
+        mine = at_apex.dx[:, measured.states.index(name)].copy()
+        *theirs, value = (
+            getattr(s.measures, OBSERVED[name]) if name in OBSERVED else getattr(s, name)
+            for s in (*core.variations[0:6], core if name in OBSERVED else core.stride)
+        )
+        assert at_apex.state(name) == pytest.approx(value, abs=1e-10), name
+        precision = 1e-8
+        if (
+            name == "greatest_foot_height" and slope
+        ):  # the core forgets the time of the apex that ends a stride
+            theirs, precision = differences_of_strides(at_apex, gait["apex"], name), 1e-6
+        assert mine == pytest.approx(theirs, abs=precision * (1 + np.abs(theirs).max())), name
+
+
+def differences(start, seed, step, until, events):
+    """Central differences of a run's states by a seed, with two steps; None if other events are taken."""
+    value, found = getattr(start(), seed), []
+    for size in (step, step / 2):
+        runs = [start(**{seed: value + sign * size}).to(until) for sign in (1, -1)]
+        found.append((runs[0].x - runs[1].x) / (2 * size))
+        if any(run.outcome != "arrived" or events_of(run) != events for run in runs):
+            return None
+    return found
+
+
+def events_of(run):
+    """The events that a run has taken, in their order."""
+    return [name for _, name, *_ in run.log]
+
+
+def test_random_runners_vary_as_differences_do(measured):
+    names, checked = {measured.model.public(n): n for n in [*measured.states, *measured.parameters]}, 0
+    observed = [measured.states.index(o.into) for o in measured.model.marked("is_observed").values()]
+    for number in some_of(range(3000), 60):
+        if number % 3 == 0:
+            continue  # far from Table 1
+        parameters, inputs, world, segments, (length, rate, _) = drawn(number)
+        values = {names[n]: v for n, v in (parameters | inputs).items()} | world
+        values |= {"swing_clamp": number % 2, "tolerance": 1e-14, "step_limit": 5000}
+        values |= {f"{names[n]}_rate": v for n, v in segments[0][2].items()}
+        seeds = {"seen_vx": length * rate, "angle": 1.0, "gravity": values["gravity"] + 1e-9}
+
+        def start(values=values, seeds=(), **changes):
+            return measured.start(seeds=seeds, **values | changes)
+
+        values["seen_vy"] -= 1e-3 * length * rate  # no apex
+        until = (5 + number % 37) / rate
+        run = start(seeds=list(seeds)).to(until)
+        if run.outcome != "arrived":
+            continue
+        for i, (seed, unit) in enumerate(seeds.items()):
+            found = differences(start, seed, 1e-5 * unit, until, events_of(run))
+            if found is None:
+                continue
+            for at in observed:
+                scale = 1e-3 * max(np.abs(found[1][at]), np.abs(run.x[at]) / unit, 1e-9)
+                if (off := abs(found[0][at] - found[1][at])) < scale:
+                    checked += 1
+                    error = abs(run.dx[i, at] - found[1][at])
+                    assert error <= 3 * off + scale / 30, (number, seed, measured.states[at])
+    assert checked > 100
