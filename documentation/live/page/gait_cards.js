@@ -57,7 +57,7 @@ export class GaitCards {
       performance.mark("gait found");
       this.paintSoon();
     } else {
-      $("region-hint").textContent = this.region.map ? `${NO_GAIT} Painted for other values.` : NO_GAIT;
+      $("region-hint").textContent = this.region.map ? `${NO_GAIT} The picture is for other values of the parameters.` : NO_GAIT;
     }
     $("friction-hint").hidden = Boolean(gait);
     $("friction-hint").textContent = NO_GAIT;
@@ -74,7 +74,7 @@ export class GaitCards {
     $("start-gait").disabled = true;
     $("friction-hint").hidden = false;
     $("friction-hint").textContent = FRICTION_HINT;
-    $("gait-hint").textContent = "Newton’s method on the return map finds it, from where the runner settles.";
+    $("gait-hint").textContent = "Newton’s method looks for the gait once the runner has settled.";
   }
 
   /** The present friction, and the gait if there is one, on the curve. */
@@ -111,20 +111,20 @@ export class GaitCards {
   outdate() {
     const { map } = this.region;
     this.region.outdate();
-    $("region-hint").textContent = map ? "Painted for other values; it follows with the gait of these." : REGION_HINT;
+    $("region-hint").textContent = map ? "The picture is for other values of the parameters. It is painted again when the new gait is found." : REGION_HINT;
   }
 
   paint() {
     clearTimeout(this.soon);
     return guarded(async () => {
       if (!this.search.gait) {
-        $("region-hint").textContent = "The gait comes first …";
+        $("region-hint").textContent = "Waiting for the gait …";
         await this.find();
         clearTimeout(this.soon);
       }
       const { gait } = this.search;
       if (!gait || lambdaMax(gait) >= 1) {
-        $("region-hint").textContent = gait ? "The gait is unstable: it attracts nothing." : NO_GAIT;
+        $("region-hint").textContent = gait ? "The gait is unstable, so no start settles on it." : NO_GAIT;
         return;
       }
       $("region-hint").textContent = "Painting …";

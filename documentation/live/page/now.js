@@ -8,8 +8,8 @@ import { isLoaded, modeName } from "./run.js";
 
 const LETTERS = { stick: "0", slip_positive: "+", slip_negative: "-" };
 const ON_THE_GROUND = {
-  stick: "The foot sticks: friction holds what the leg pushes.",
-  slip_negative: "The foot slides backward: the leg pushes harder than friction holds.",
+  stick: "The foot sticks: friction resists the push of the leg.",
+  slip_negative: "The foot slides backward: the leg pushes harder than friction can resist.",
   graze: "The foot grazes: it touches the ground, but nothing presses it down.",
 };
 
@@ -17,7 +17,7 @@ function slipsForward(run) {
   const landed = run.stance.every(({ mode }) => modeName(mode) === "slip_positive");
   return landed
     ? "The foot slides forward: it landed faster than friction can stop at once."
-    : "The foot slides forward: the leg pushes it ahead harder than friction holds.";
+    : "The foot slides forward: the leg pushes it forward harder than friction can resist.";
 }
 
 /** @returns {string} What the runner does now. */

@@ -145,10 +145,10 @@ export class Race {
     const length = this.page.state.values["leg.free_length"];
     const distance = (legs, count) => `${digits(legs * length, count)} ${printed("m")}`;
     if (own === other) {
-      return `On the line, ${distance(DISTANCE)} to run.`;
+      return `Ready: ${distance(DISTANCE)} to run.`;
     }
     const fallen = [this.page.run, this.rival].flatMap(({ fallen: fell }, i) => (fell ? [this.frictions[i]] : []));
-    const falls = fallen.map((friction) => ` Friction ${digits(friction)} has fallen.`).join("");
+    const falls = fallen.map((friction) => ` The runner on friction ${digits(friction)} has fallen.`).join("");
     const first = this.frictions[this.winner ?? (own >= other ? 0 : 1)];
     const verb = this.winner === null ? "is ahead" : `wins over ${distance(DISTANCE)}`;
     const lead = this.winner === null ? Math.abs(own - other) : this.margin;

@@ -94,10 +94,10 @@ def decimal(value: Fraction, digits: int = 60) -> str:
 def assumptions() -> list[str]:
     """Assumptions of every proof."""
     return [
-        f"the ball arithmetic of FLINT {flint.__FLINT_VERSION__}, under python-flint {flint.__version__}, "
-        "encloses as it is documented to",
-        "the model's laws are those of c_core/equations, and of tdmf_slip.proof.laws and transitions",
-        "Python runs the prover as it is written",
+        f"in the ball arithmetic of FLINT {flint.__FLINT_VERSION__} (python-flint {flint.__version__}), each "
+        "ball contains the exact result",
+        "c_core/equations, tdmf_slip.proof.laws and tdmf_slip.proof.transitions state the model's laws",
+        "Python executes the prover correctly",
     ]
 
 
@@ -211,12 +211,12 @@ class Proof(Drawable):
         if not self.proved:
             when = self.undecided.get("time")
             at = "" if when is None else f" at {when:.6g} s after the apex"
-            return f"Undecided for {of}: {self.undecided['guard']}{at}, {box}."
-        kind = {True: "stable", False: "unstable", None: "stable or not, which is left open"}[self.stable]
+            return f"Undecided for the {of}: {self.undecided['guard']}{at}, {box}."
+        kind = {True: "is stable", False: "is unstable", None: "may be stable or not"}[self.stable]
         return (
-            f"Of {of}, exactly one periodic gait of one stride has its apex ({', '.join(COORDINATES)}) {box} "
-            f"in each coordinate; its word is {self.word or 'empty'}, its period lies in "
-            f"{text_of(self.quantities['period'], self.digits)} s, and it is {kind}."
+            f"The {of} has exactly one periodic gait of one stride whose apex ({', '.join(COORDINATES)}) is "
+            f"{box} in each coordinate. Its word is {self.word or 'empty'}, its period lies in "
+            f"{text_of(self.quantities['period'], self.digits)} s, and it {kind}."
         )
 
 
@@ -233,12 +233,10 @@ def short(value: Fraction) -> str:
 
 
 def reported(values: Mapping[str, Exact], varied: str | None = None) -> str:
-    """The runner as a sentence has it: what differs from Table 1, the reading of (12), and what is varied."""
+    """Name a runner: differences from Table 1, the reading of (12), and friction if it is not varied."""
     table = {name: default_value(VARIABLES[name]) for name in values}
     named = [name for name, v in values.items() if name != varied and (v != table[name] or name == CLAMP)]
-    others = [f"{name} = {values[name]}" for name in named]
-    if varied is not None:
-        others.append(f"any {varied}")
-    if not any(FRICTION in text for text in others):
-        others.append(f"{FRICTION} = {values[FRICTION]}")
-    return f"the runner of Or and Moravia's Table 1 with {', '.join(others)}"
+    if FRICTION not in (*named, varied):
+        named.append(FRICTION)
+    given = ", ".join(f"{name} = {values[name]}" for name in named)
+    return f"runner of Or and Moravia's Table 1 with {given}"

@@ -79,8 +79,8 @@ class Attraction(Drawable):
             return f"Undecided: {self.undecided}."
         return (
             f"Every start whose apex is within {self.radius:.3g} of the gait's in each coordinate settles on "
-            f"the gait; in a norm of its Jacobian's, the distance falls to {self.rate:.4g} of itself or less "
-            "each stride."
+            "the gait. In a norm that belongs to the gait's Jacobian, each stride multiplies the distance "
+            f"from the gait by {self.rate:.4g} or less."
         )
 
 

@@ -101,11 +101,12 @@ class BorderProof(Drawable):
         """What is proved, or left open."""
         of = reported(self.values, self.name)
         if not self.proved or self.value is None or self.box is None:
-            return f"Undecided for {of}: {self.undecided.get('guard')}."
+            return f"Undecided for the {of}: {self.undecided.get('guard')}."
         text = (
-            f"Of {of}, exactly one gait whose stride is continued as {self.word_continued} has a {self.kind} "
-            f"within {short(max(self.box.radii))} of ({', '.join(decimal(x) for x in self.box.centre)}), its "
-            f"apex and {self.name}; its {self.name} lies in {text_of(self.value, self.digits)}."
+            f"The {of} has exactly one gait whose apex and {self.name} are within "
+            f"{short(max(self.box.radii))} of ({', '.join(decimal(x) for x in self.box.centre)}), with a "
+            f"{self.kind} after which the stride continues as {self.word_continued}. Its {self.name} lies in "
+            f"{text_of(self.value, self.digits)}."
         )
         sides = ", ".join(self._reported_side(side) for side in self.sides)
         changes = "The word changes: " if len(set(self.words)) > 1 else ""

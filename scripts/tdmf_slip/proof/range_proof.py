@@ -134,13 +134,14 @@ class RangeProof:
         of = reported(self.values, self.name)
         if not self.proved:
             share = float(sum(b - a for a, b in self.left) / (self.end - self.begin))
-            return f"Undecided for {of}: {share:.3g} of {span} is left, in {len(self.left)} subintervals."
+            return f"Undecided for the {of}: {share:.3g} of {span} is left, in {len(self.left)} subintervals."
         words = f"the word {self.words[0]}" if len(self.words) == 1 else f"the words {', '.join(self.words)}"
         kind = {True: "; all are stable", False: "; all are unstable", None: self._judgement()}[self.stable]
-        joined = ", all of one branch" if self.is_one_branch else ""
+        joined = " and form one branch" if self.is_one_branch else ""
         return (
-            f"Of {of}, for each {span}, there is exactly one gait in one of {len(self.subintervals)} boxes, "
-            f"with {words}{joined}{kind}."
+            f"The range is divided into {len(self.subintervals)} subintervals, each with a box of apices. "
+            f"For each {span}, the {of} has exactly one gait in the box. "
+            f"These gaits have {words}{joined}{kind}."
         )
 
     def _judgement(self) -> str:
