@@ -7,7 +7,6 @@ from collections.abc import Callable
 from typing import Any, NamedTuple
 
 from . import (
-    classic_slip,
     constants,
     coordinates,
     dynamics,
@@ -257,14 +256,6 @@ FUNCTIONS = {
         InC("void prescribed_rates", prescribed_flight.rates, varied=False),
         InC("double rise_time", prescribed_flight.time_to_apex),
     ],
-    "classic_slip": [
-        InC("double classic_speed", classic_slip.apex_speed),
-        InC("tdmf_classic_point classic_landing", classic_slip.landing),
-        InC("double classic_foot_from_apex", classic_slip.foot_from_apex),
-        InC("double classic_clearance", classic_slip.clearance),
-        InC("tdmf_vector classic_foot_velocity", classic_slip.foot_velocity, varied=False),
-        InC("tdmf_classic_variation classic_next_apex", classic_slip.next_apex),
-    ],
     "impact": [
         InC("tdmf_after_impact impact_with", impact.after),
     ],
@@ -296,8 +287,6 @@ TYPES = {
     "direction": "tdmf_leg_direction",
     "contact": "tdmf_contact_mode",
     "zone": "tdmf_zone",
-    "slip": "const tdmf_classic *",
-    "point": "tdmf_classic_point",
     "force": "tdmf_ground_force",
     **{name: f"const tdmf_{name} *" for name in ("model", "inputs", "mode", "leg", "standing", "flying")},
     **dict.fromkeys(("before_mode", "after_mode"), "const tdmf_mode *"),

@@ -2,7 +2,6 @@
 #ifndef TDMF_MODEL_QUANTITIES_H
 #define TDMF_MODEL_QUANTITIES_H
 
-#include "tdmf_slip/classic_slip.h"
 #include "tdmf_slip/contact.h"
 #include "tdmf_slip/energy.h"
 #include "tdmf_slip/kinematics.h"

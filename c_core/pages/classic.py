@@ -39,6 +39,7 @@ class ClassicSlip(Model):
     stance_time = state(0, "s", "Duration of the last stance")
     impact_friction = state(0, "1", "Friction that a small foot mass needs to stick at the impact  (5)")
     stance_friction = state(0, "1", "Friction that the stance needs  (3)")
+    tilt = state(0, "1", "Sine of the largest angle between the leg and the normal of the ground in stance")
     left_early = state(0, "1", "1 if the leg left the friction cone with energy in its spring, else 0")
     apex_x = state(0, "m", "Position of the mass at the last apex")
     apex_height = state(0, "m", "Height of the mass above the ground at the last apex")
@@ -60,6 +61,15 @@ class ClassicSlip(Model):
     def off(s):
         """Position of the mass relative to a standing foot, normal to the ground."""
         return (s.y - s.foot_y) * cos(s.slope) - (s.x - s.foot_x) * sin(s.slope)
+
+    def length(s):
+        """Length of the leg in stance."""
+        x, y = s.x - s.foot_x, s.y - s.foot_y
+        return sqrt(x * x + y * y)
+
+    def in_cone(s, side):
+        """Distance of the leg from the edge of the friction cone with the mass ahead, or behind for -1."""
+        return (s.friction * s.off() - side * s.along()) / (1 + s.friction)
 
     # ---- sections
 
@@ -95,9 +105,8 @@ class ClassicSlip(Model):
     @mode()
     def stance(s):
         """The foot stands, and the leg pushes with k (l0 - r)  (1)."""
+        push = s.stiffness / s.mass * (s.free_length - s.length()) / s.length()
         x, y = s.x - s.foot_x, s.y - s.foot_y
-        length = sqrt(x * x + y * y)
-        push = s.stiffness / s.mass * (s.free_length - length) / length
         return dict(x=s.vx, y=s.vy, vx=push * x, vy=push * y - s.gravity)
 
     @mode(ends=True)
@@ -137,7 +146,8 @@ class ClassicSlip(Model):
         foot_vy = s.vy + s.retraction_rate * (s.x - foot_x)
         slip = foot_vx * cos(s.slope) + foot_vy * sin(s.slope)
         fall = foot_vy * cos(s.slope) - foot_vx * sin(s.slope)
-        s = s.replace(impact_friction=abs(slip / fall), stance_friction=abs(s.along() / s.off()))
+        s = s.replace(impact_friction=abs(slip / fall), stance_friction=abs(s.along() / s.off()),
+                      tilt=abs(s.along() / s.free_length))
         if s.off() <= 0:
             return s.to("fallen")
         return s.to("slides") if s.stance_friction > s.friction else s.to("stance")
@@ -153,20 +163,26 @@ class ClassicSlip(Model):
         """The spring is relaxed."""
         return s.rises()
 
+    def end_stance(s):
+        """The stance's duration, and the friction that it needed, up to the largest friction allowed."""
+        squared_cosine = 1 - s.tilt * s.tilt
+        cosine = sqrt(select(squared_cosine > 1e-18, squared_cosine, 1e-18))
+        return s.replace(stance_time=s.time - s.touchdown_time, stance_friction=s.tilt / cosine)
+
     def rises(s):
         """Flight after a stance, or a fall if the mass does not rise."""
-        s = s.replace(stance_time=s.time - s.touchdown_time)
+        s = s.end_stance()
         return s.to("fallen") if s.vy <= 0 else s.to("flight", way="up")
 
-    @event("stance", when=lambda s: s.friction * s.off() - s.along(), unit="m")
+    @event("stance", when=lambda s: s.in_cone(1), unit="m")
     def leaves_cone(s):
         """The leg reaches theta = -arctan mu: the energy left in the spring is lost."""
         return s.replace(left_early=1).rises()
 
-    @event("stance", when=lambda s: s.friction * s.off() + s.along(), unit="m")
+    @event("stance", when=lambda s: s.in_cone(-1), unit="m")
     def slides_out(s):
         """The leg turns back and leaves the friction cone."""
-        return s.to("slides", stance_time=s.time - s.touchdown_time)
+        return s.end_stance().to("slides")
 
     @event("stance", when=lambda s: s.off(), unit="m")
     def collapses(s):
@@ -181,12 +197,12 @@ class ClassicSlip(Model):
         s = s.replace(apex_height=height, apex_energy=energy, apex_x=s.x, step_length=s.x - s.apex_x)
         return s.goes_down()
 
-    @observe("stance", "largest", into="stance_friction")
-    def friction_ahead(s):
-        """Friction that the leg needs while the mass is ahead of the foot."""
-        return s.along() / s.off()
+    @observe("stance", "largest", into="tilt")
+    def tilt_ahead(s):
+        """Sine of the leg's angle while the mass is ahead of the foot."""
+        return s.along() / s.length()
 
-    @observe("stance", "largest", into="stance_friction")
-    def friction_behind(s):
-        """Friction that the leg needs while the mass is behind the foot."""
-        return -s.along() / s.off()
+    @observe("stance", "largest", into="tilt")
+    def tilt_behind(s):
+        """Sine of the leg's angle while the mass is behind the foot."""
+        return -s.along() / s.length()

@@ -260,18 +260,57 @@ static void refusals_name_what_is_null(void **state) {
     assert_int_equal(tdmf_setting_of(NULL), -1);
 }
 
-static void the_classic_runner_refuses_null(void **state) {
+static void pages_refuse_null_and_numbers_out_of_range(void **state) {
     (void)state;
-    const tdmf_classic slip = tdmf_classic_default();
-    double height = 1.03, angle = 0.77;
-    assert_int_equal(tdmf_classic_return_map(NULL, 6000.0, height).outcome, TDMF_CLASSIC_NO_START);
-    assert_true(isnan(tdmf_classic_stance(NULL, 6000.0, height, 0.01).x));
-    assert_false(tdmf_classic_fixed_point(NULL, 6000.0, height, &height));
-    assert_false(tdmf_classic_fixed_point(&slip, 6000.0, height, NULL));
-    assert_false(tdmf_classic_fold(NULL, 6000.0, &angle, &height));
-    assert_false(tdmf_classic_fold(&slip, 6000.0, NULL, &height));
-    assert_false(tdmf_classic_fold(&slip, 6000.0, &angle, NULL));
-    assert_true(height == 1.03 && angle == 0.77);
+    enum { SIZE = 64 };
+    double p[SIZE], x[SIZE], end[SIZE], point[] = {1.03, 6000.0};
+    const tdmf_page *page = tdmf_page_named("classic_slip");
+    assert_non_null(page);
+    assert_null(tdmf_page_named(NULL));
+    assert_null(tdmf_page_named("no such page"));
+    assert_null(tdmf_page_name(NULL, TDMF_PAGE_STATE, 0));
+    assert_null(tdmf_page_name(page, TDMF_PAGE_STATE, -1));
+    assert_null(tdmf_page_name(page, TDMF_PAGE_STATE, SIZE));
+    assert_null(tdmf_page_name(page, (tdmf_page_item)-1, 0));
+    tdmf_page_defaults(NULL, p, x);
+    tdmf_page_defaults(page, NULL, NULL);
+    tdmf_page_range(NULL, 0, p, x);
+    tdmf_page_range(page, -1, p, x);
+    tdmf_page_range(page, 0, NULL, NULL);
+    tdmf_page_defaults(page, p, x);
+    const tdmf_page_map sound = {page, 1, p, x, 1e-14, 1e6, 0, NULL};
+    assert_string_equal(tdmf_page_name(page, TDMF_PAGE_SECTION, sound.section), "at_apex");
+    assert_string_equal(tdmf_page_name(page, TDMF_PAGE_PARAMETER, 0), "mass");
+    assert_int_equal(tdmf_page_stride(&sound, point, end, NULL).outcome, TDMF_PAGE_CROSSED);
+    assert_int_equal(tdmf_page_stride(NULL, point, end, NULL).outcome, TDMF_PAGE_REFUSED);
+    assert_int_equal(tdmf_page_stride(&sound, NULL, end, NULL).outcome, TDMF_PAGE_REFUSED);
+    assert_int_equal(tdmf_page_stride(&sound, point, NULL, NULL).outcome, TDMF_PAGE_REFUSED);
+    assert_false(tdmf_page_fixed_point(NULL, point));
+    assert_false(tdmf_page_fixed_point(&sound, NULL));
+    const tdmf_page_map refused[] = {
+        {NULL, 1, p, x, 1e-14, 1e6, 0, NULL},    {page, 2, p, x, 1e-14, 1e6, 0, NULL},
+        {page, -1, p, x, 1e-14, 1e6, 0, NULL},   {page, 1, NULL, x, 1e-14, 1e6, 0, NULL},
+        {page, 1, p, NULL, 1e-14, 1e6, 0, NULL}, {page, 1, p, x, NAN, 1e6, 0, NULL},
+        {page, 1, p, x, 0.0, 1e6, 0, NULL},      {page, 1, p, x, 1e-14, INFINITY, 0, NULL},
+        {page, 1, p, x, 1e-14, -1.0, 0, NULL},   {page, 1, p, x, 1e-14, 1e6, 1, NULL},
+        {page, 1, p, x, 1e-14, 1e6, -1, NULL},   {page, 1, p, x, 1e-14, 1e6, SIZE, p},
+    };
+    for (size_t i = 0; i < sizeof refused / sizeof *refused; ++i) {
+        assert_int_equal(tdmf_page_stride(&refused[i], point, end, NULL).outcome, TDMF_PAGE_REFUSED);
+        assert_false(tdmf_page_fixed_point(&refused[i], point));
+    }
+    const double numbers[] = {NAN, INFINITY, -1.0};
+    for (size_t i = 0; i < sizeof numbers / sizeof *numbers; ++i) {
+        tdmf_page_defaults(page, p, x);
+        p[0] = numbers[i];
+        assert_int_equal(tdmf_page_stride(&sound, point, end, NULL).outcome, TDMF_PAGE_REFUSED);
+    }
+    tdmf_page_defaults(page, p, x);
+    point[0] = NAN;
+    assert_int_equal(tdmf_page_stride(&sound, point, end, NULL).outcome, TDMF_PAGE_REFUSED);
+    point[0] = 1.03;
+    x[0] = NAN;
+    assert_int_equal(tdmf_page_stride(&sound, point, end, NULL).outcome, TDMF_PAGE_REFUSED);
 }
 
 /* ---- the ensemble ------------------------------------------------------------------------------------- */
@@ -496,7 +535,7 @@ int main(void) {
         cmocka_unit_test(a_log_begins_at_none),
         cmocka_unit_test(maps_refuse_null),
         cmocka_unit_test(refusals_name_what_is_null),
-        cmocka_unit_test(the_classic_runner_refuses_null),
+        cmocka_unit_test(pages_refuse_null_and_numbers_out_of_range),
         cmocka_unit_test(ensembles_refuse_counts_without_arrays),
         cmocka_unit_test(threads_are_no_more_than_runners),
         cmocka_unit_test(in_place_gives_the_same),

@@ -1,20 +1,26 @@
-"""The classic SLIP on slopes and with retraction, against an integration by SciPy of its own.
+"""The classic SLIP beside references, what its physics says, and an integration by SciPy of its own.
 
-The leg is a polar coordinate about the foot, time a root of the foot's height in flight.
+In that integration, the leg is a polar coordinate about the foot, and touchdown a root of the foot's height.
 """
 
+import json
 import math
+from collections import Counter
 from functools import partial
+from pathlib import Path
 
 import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 from scipy.optimize import brentq
-from tdmf_slip import RunError
+from tdmf_slip import InputError, RunError
 from tdmf_slip.library import classic_slip
+from tdmf_slip.library.classic_slip import ENERGY, NO_SLIP, slip, step
+from tdmf_slip.library.page import PageMap
 
 MASS, STIFFNESS, LENGTH, GRAVITY = 80.0, 20000.0, 1.0, 9.81
-ENERGY = 6000.0
+STEPS = json.loads((Path(__file__).parent / "classic_steps.json").read_text(encoding="utf-8"))
+"""Random steps by an earlier solver for this runner alone: flight in closed form, Taylor series in stance."""
 CASES = [
     (math.radians(angle), math.radians(slope), math.radians(rate))
     for angle, slope, rate in [
@@ -105,16 +111,16 @@ def test_steps_down_a_slope_gain_energy_and_up_a_slope_lose_it():
     """Without anything that gives energy back, both end."""
     for slope, sign in ((-3.0, 1.0), (3.0, -1.0)):
         angle = math.radians(42.0)
-        parameters = classic_slip.slip(angle, ground_slope=math.radians(slope))
+        runner = slip(angle, ground_slope=math.radians(slope))
         height, energy, steps = 1.2, ENERGY, 0
         while steps < 100:
-            step = classic_slip.step(parameters, height, energy)
-            if step.outcome != classic_slip.FLIES:
+            made = step(runner, height, energy)
+            if made.outcome != "flies":
                 break
             expected = one_step(angle, math.radians(slope), 0.0, height, energy)
-            assert (step.next_height, step.next_energy) == pytest.approx(expected[:2], rel=1e-10)
-            assert sign * (step.next_energy - energy) > 0.0
-            height, energy, steps = step.next_height, step.next_energy, steps + 1
+            assert (made.next_height, made.next_energy) == pytest.approx(expected[:2], rel=1e-10)
+            assert sign * (made.next_energy - energy) > 0.0
+            height, energy, steps = made.next_height, made.next_energy, steps + 1
         assert 2 <= steps < 100
 
 
@@ -150,3 +156,244 @@ def test_faster_retraction_doubles_the_period():
         for rate in (49.0, 49.2)
     ]
     assert slopes[0] > -1.0 > slopes[1]
+
+
+@pytest.mark.parametrize(
+    ("angle", "heights", "slopes", "friction"),
+    [
+        (40, (1.03696, 3.54806), (-0.0603, 3.7622), 4.939),
+        (42, (1.17889, 3.06865), (0.1626, 2.7634), 3.852),
+        (44, (1.50393, 2.40934), (0.5428, 1.6600), 2.798),
+    ],
+)
+def test_gaits_are_those_of_the_reference(angle, heights, slopes, friction):
+    """All digits of the reference but the last are trusted."""
+    gaits = classic_slip.fixed_points(math.radians(angle))
+    assert [gait.height for gait in gaits] == pytest.approx(heights, abs=1.5e-5)
+    assert [gait.slope for gait in gaits] == pytest.approx(slopes, abs=1.5e-4)
+    assert gaits[0].impact_friction == pytest.approx(friction, abs=1.5e-3)
+    assert gaits[0].stance_friction == pytest.approx(math.tan(math.radians(angle)), abs=1e-11)
+
+
+def drawn(number):
+    """A runner's parameters, its energy and apex height."""
+    random = np.random.default_rng([473, number])
+    u = random.uniform
+    parameters = {
+        "mass": 80 * 2 ** u(-1, 1), "stiffness": 20000 * 2 ** u(-1, 1), "free_length": u(0.8, 1.2),
+        "gravity": u(5, 12),
+        "angle": u(-0.2, 1.1), "friction": NO_SLIP if u() < 0.4 else 10 ** u(-0.7, 0.5),
+        "ground_slope": u(-0.2, 0.2) if u() < 0.6 else 0.0, "retraction_rate": u(-1, 2) if u() < 0.6 else 0.0,
+    }  # fmt: skip
+    height = parameters["free_length"] * u(0.7, 2.5)
+    energy = parameters["mass"] * (parameters["gravity"] * height + u(-1, 8) ** 2 / 2 * np.sign(u(-0.1, 1)))
+    return parameters, max(0.0, energy), height
+
+
+def test_random_steps_are_those_of_another_solver():
+    seeds = ["touchdown_angle", "slope", "retraction_rate"]
+    for number, (outcome, *values) in enumerate(STEPS):
+        given, energy, height = drawn(number)
+        runner = slip(**given)
+        made = step(runner, height, energy)
+        assert made.outcome == outcome, number
+        if not values:
+            continue
+        early, *quantities = values[:8]
+        found = (made.next_height, made.next_energy, made.next_speed, made.stance_time, made.stance_friction,
+                 made.impact_friction, made.length)  # fmt: skip
+        assert (made.early_take_off, *found) == (
+            early,
+            *(pytest.approx(q, rel=1e-9, abs=1e-9) for q in quantities),
+        ), number
+        if not early:
+            run = PageMap("classic_slip", "at_apex", runner.parameters, seeds).run([height, energy])
+            columns = np.array([run.derivatives_of(name) for name in ("apex_height", "apex_energy")])
+            expected = np.array(values[8:]).T
+            off = np.abs(columns - expected) / (1 + np.abs(expected).max(axis=1, keepdims=True))
+            assert off.max() < 1e-8, number
+    found = Counter(outcome for outcome, *_ in STEPS)
+    assert len(found) == 5 and min(found.values()) > 25
+
+
+@pytest.mark.parametrize("early", [False, True])
+def test_derivatives_are_those_of_differences(early):
+    """They are exact where the leg leaves the friction cone, too."""
+    given = {
+        "touchdown_angle": 0.65,
+        "slope": 0.03,
+        "retraction_rate": 0.3,
+        "stiffness": 20000.0,
+        "mass": 80.0,
+    }
+    given["friction"] = 0.7 if early else NO_SLIP
+    point, size = np.array([1.3, 4000.0]), 1e-6
+    seeds = ["slope", "stiffness", "mass", "touchdown_angle", "retraction_rate", *["friction"] * early]
+    names = ("apex_height", "apex_energy", "step_length")
+    run = PageMap("classic_slip", "at_apex", given, seeds).run(point)
+    assert run.crossed and run.states["left_early"] == early
+
+    def ends(change, by):
+        changed = given | ({change: given[change] * (1 + by)} if isinstance(change, str) else {})
+        at = point if isinstance(change, str) else point * (1 + by * np.eye(2)[change])
+        states = PageMap("classic_slip", "at_apex", changed).run(at).states
+        return np.array([states[name] for name in names])
+
+    exact = np.array([run.derivatives_of(name) for name in names])
+    for column, change in zip(exact.T, [0, 1, *seeds], strict=True):
+        by = given[change] if isinstance(change, str) else point[change]
+        found = (ends(change, size) - ends(change, -size)) / (2 * size)
+        assert column * by / [1, 4000, 1] == pytest.approx(found / [1, 4000, 1], abs=1e-6, rel=1e-5), change
+
+
+def take_off(runner, height, energy):
+    made = step(runner, height, energy)
+    return classic_slip.path(runner, height, made.touchdown_time + made.stance_time, energy)[:, 0]
+
+
+def energy_of(at):
+    """Energy of the paper's SLIP in stance, by position and velocity relative to the foot."""
+    x, y, vx, vy = at
+    return MASS * ((vx**2 + vy**2) / 2 + GRAVITY * y) + STIFFNESS * (LENGTH - np.hypot(x, y)) ** 2 / 2
+
+
+@pytest.mark.parametrize("slope", [-10, 0, 5])
+def test_energy_is_kept_and_time_can_be_turned(slope):
+    """The step backward lands where this step took off, on the slope that rises where this one falls."""
+    slope, flights = math.radians(slope), 0
+    for angle in np.radians(np.arange(20, 50, 3)):
+        runner = slip(angle, ground_slope=slope)
+        made = step(runner, 1.4)
+        times = made.touchdown_time + np.linspace(0, made.stance_time, 11)
+        energies = energy_of(classic_slip.path(runner, 1.4, times))
+        assert energies == pytest.approx(energies[0], rel=1e-12)
+        if made.outcome != "flies":
+            continue
+        climbed = MASS * GRAVITY * made.length * math.tan(slope)
+        assert made.length > 0 and made.next_energy == pytest.approx(ENERGY - climbed, rel=1e-12)
+        x, y, *_ = take_off(runner, 1.4, ENERGY)
+        back = step(slip(math.atan2(x, y), ground_slope=-slope), made.next_height, made.next_energy)
+        if back.outcome == "no start":  # the foot would be below the ground at the apex
+            continue
+        flights += 1
+        assert back.next_energy == pytest.approx(ENERGY, rel=1e-12)
+        assert (back.next_height, back.length) == pytest.approx((1.4, made.length), abs=1e-10)
+        assert back.stance_time == pytest.approx(made.stance_time, abs=1e-11)
+    assert flights >= 3
+
+
+def test_a_leg_may_land_upright_or_behind():
+    """A leg that would lengthen from touchdown on takes off at once, downward, and falls."""
+    found = Counter()
+    for angle in np.radians(np.arange(-40, 1, 2)):
+        runner = slip(angle)
+        for speed in np.arange(0.1, 4, 0.1):
+            energy = MASS * (speed**2 / 2 + GRAVITY * 1.2)
+            made = step(runner, 1.2, energy)
+            x, y, vx, vy = classic_slip.path(runner, 1.2, made.touchdown_time, energy)[:, 0]
+            if x * vx + y * vy > 0:
+                assert made.outcome == "falls" and made.stance_time < 1e-6
+                found["lengthens"] += 1
+            elif made.outcome == "flies":
+                assert made.next_energy == pytest.approx(energy, rel=1e-12)
+                found["flies"] += 1
+    assert found["flies"] >= 3 and found["lengthens"] >= 5
+
+
+def test_retraction_is_an_angle_that_depends_on_the_fall():
+    """In one step, a leg that retracts is a leg that is held at the angle in which it lands."""
+    for rate in np.arange(-0.2, 0.7, 0.2):
+        given = {"ground_slope": math.radians(6)}
+        made = step(slip(math.radians(44), retraction_rate=rate, **given), 1.5)
+        held = step(slip(math.radians(44) - rate * made.touchdown_time, **given), 1.5)
+        assert made.outcome == held.outcome == "flies"
+        assert (made.next_height, made.length) == pytest.approx((held.next_height, held.length), abs=1e-11)
+
+
+@pytest.mark.parametrize("slope", [0, 12])
+def test_friction_ends_a_stance_in_two_ways(slope):
+    """Figure 3 of the paper. The leg's angle counts from the normal of the ground."""
+    slope, angle = math.radians(slope), math.radians(30)
+    at_touchdown = math.tan(angle - slope)
+    held = slip(angle, 0.99 * at_touchdown, ground_slope=slope)
+    assert step(held, 1.3).outcome == "slides"
+    needed = step(slip(angle, ground_slope=slope), 1.3).stance_friction
+    assert needed > 1.1 * at_touchdown
+    early = slip(angle, 0.95 * needed, ground_slope=slope)
+    made = step(early, 1.3)
+    x, y, *_ = at = take_off(early, 1.3, ENERGY)
+    assert made.early_take_off
+    assert math.tan(math.atan2(x, y) + slope) == pytest.approx(0.95 * needed, abs=1e-12)
+    assert made.stance_friction == pytest.approx(0.95 * needed, abs=1e-12)
+    left = STIFFNESS * (LENGTH - math.hypot(x, y)) ** 2 / 2
+    whole = energy_of(classic_slip.path(early, 1.3, made.touchdown_time)[:, 0])
+    assert left > 0 and energy_of(at) == pytest.approx(whole, rel=1e-12)
+    climbed = MASS * GRAVITY * made.length * math.tan(slope)
+    assert made.next_energy == pytest.approx(ENERGY - climbed - left, rel=1e-12)
+
+
+def test_friction_is_needed_where_the_leg_turns_back():
+    """The mass of a slow runner does not get over the foot, and falls back behind it."""
+    energy = MASS * (0.2**2 / 2 + GRAVITY * 1.35)
+    made = step(slip(0.2), 1.35, energy)
+    times = made.touchdown_time + np.linspace(0, made.stance_time, 2000)
+    x, y, *_ = classic_slip.path(slip(0.2), 1.35, times, energy)
+    steepest = np.abs(x / y).max()
+    assert made.outcome == "turns back" and x[-1] < 0 and steepest > 1.5 * math.tan(0.2)
+    assert made.stance_friction == pytest.approx(steepest, abs=1e-6)
+    assert made.stance_friction >= steepest
+    assert step(slip(0.2, 0.99 * steepest), 1.35, energy).outcome == "slides"
+    assert step(slip(0.2, 1.01 * steepest), 1.35, energy).outcome == "turns back"
+
+
+def test_a_foot_as_fast_as_the_ground_needs_no_friction_at_its_impact():
+    speed, rate = math.sqrt(2 * (ENERGY / MASS - GRAVITY * 0.9)), 0.0
+    angle = math.radians(80)
+    made = step(slip(angle), 0.9)
+    for _ in range(400):
+        rate += 0.1 * (speed / math.cos(angle - rate * made.touchdown_time) - rate)
+        made = step(slip(angle, retraction_rate=rate), 0.9)
+        assert made.outcome == "flies"
+    assert made.impact_friction == pytest.approx(0, abs=1e-12)
+
+
+def test_steps_that_cannot_begin_or_land():
+    assert step(slip(math.radians(40)), 0.5).outcome == "no start"
+    assert step(slip(math.radians(40)), 100.0).outcome == "no start"
+    assert step(slip(math.radians(40), ground_slope=0.99), 1.3).outcome == "no start"
+    assert step(slip(math.radians(80), retraction_rate=-20), 1.3).outcome == "falls"
+    for name, value, allowed in [
+        ("mass", math.nan, "from 1e-09 to 1e\\+09"),
+        ("friction", -1, "from 0"),
+        ("ground_slope", 1.0, "from -1"),
+        ("retraction_rate", math.inf, "from -1e"),
+    ]:
+        shown = name.removeprefix("ground_")
+        with pytest.raises(InputError, match=f"{shown} = {value:g}; allowed: {allowed}"):
+            slip(0.7, **{name: value})
+    for height, energy in ((1.0, math.nan), (math.inf, ENERGY)):
+        with pytest.raises(InputError, match="allowed: finite numbers"):
+            step(slip(0.7), height, energy)
+
+
+def test_random_steps_account_for_their_energy():
+    random, outcomes = np.random.default_rng(20), Counter()
+    for _ in range(1500):
+        runner = slip(
+            random.uniform(0.02, 1.55),
+            NO_SLIP if random.uniform() < 0.5 else 10 ** random.uniform(-1.3, 0.7),
+            ground_slope=random.uniform(-0.99, 0.99),
+            retraction_rate=random.uniform(-3, 8),
+            stiffness=10 ** random.uniform(3, 6),
+        )
+        height = random.uniform(0.2, 3)
+        energy = MASS * GRAVITY * height * random.uniform(1, 4)
+        made = step(runner, height, energy)
+        outcomes[made.outcome] += 1
+        if made.outcome == "flies":
+            left = made.next_energy / energy
+            climbed = MASS * GRAVITY * made.length * math.tan(runner.parameters["slope"]) / energy
+            assert made.length > 0 and made.next_height > 0
+            assert left + climbed <= 1 + 1e-12
+            assert made.early_take_off or left + climbed == pytest.approx(1, abs=1e-11)
+    assert len(outcomes) == 5 and min(outcomes.values()) > 15

@@ -125,7 +125,7 @@ def classic_slip_step(height, angle):
 
     here, off = made(angle), 1e-6
     by_angle = (made(angle + off).next_height - made(angle - off).next_height) / (2.0 * off)
-    return np.array([here.next_height]), np.array([[here.by_height.height]]), np.array([by_angle]), "0"
+    return np.array([here.next_height]), np.array([[here.slope]]), np.array([by_angle]), "0"
 
 
 def test_the_classic_slip_folds_where_its_own_slope_says():

@@ -45,12 +45,10 @@ class Grid:
 
     def step(self, state, action):
         p = self.parameters
-        slip = classic_slip.slip(self.actions[action])
-        slip.mass, slip.stiffness = p["mass_kg"], p["stiffness_N_per_m"]
-        slip.free_length, slip.gravity = p["free_length_m"], p["gravity_m_per_s2"]
-        energy = p["total_energy_J"]
-        height = self.states[state] * energy / (slip.mass * slip.gravity)
-        return classic_slip.step(slip, height, energy)
+        mass, gravity, energy = p["mass_kg"], p["gravity_m_per_s2"], p["total_energy_J"]
+        given = {"stiffness": p["stiffness_N_per_m"], "free_length": p["free_length_m"]}
+        slip = classic_slip.slip(self.actions[action], mass=mass, gravity=gravity, **given)
+        return classic_slip.step(slip, self.states[state] * energy / (mass * gravity), energy)
 
     def state_of(self, step):
         p = self.parameters

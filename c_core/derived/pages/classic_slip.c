@@ -153,11 +153,13 @@ static int react_flight_down_touchdown(const real *parameters, const real *state
     const real slip = cos_of_slope * foot_vx + sin_of_slope * foot_vy;
     const real fall = cos_of_slope * foot_vy - sin_of_slope * foot_vx;
     const real abs_of_slip_over_fall = real_abs(slip / fall);
+    const real abs_of_along_over_free_length = real_abs(along / p->free_length);
     y->foot_x = foot_x;
     y->foot_y = foot_y;
     y->touchdown_time = x->time;
     y->impact_friction = abs_of_slip_over_fall;
     y->stance_friction = abs_of_along_over_off;
+    y->tilt = abs_of_along_over_free_length;
     y->left_early = 0.0;
     if (off <= 0.0) {
         return next[0]; /* fallen */
@@ -215,6 +217,7 @@ static void vary_react_flight_down_touchdown(const real *parameters, const real 
                          (cos_of_slope_times_slope * y__minus_foot_y + sin_of_slope * y__minus_d_foot_y);
     const real d_off = cos_of_slope * y__minus_d_foot_y - sin_of_slope_times_slope * y__minus_foot_y -
                        (cos_of_slope_times_slope * x__minus_foot_x + sin_of_slope * x__minus_d_foot_x);
+    const real along_over_free_length = along / p->free_length;
     y->foot_x = d_foot_x;
     y->foot_y = d_foot_y;
     y->touchdown_time = dx->time;
@@ -222,6 +225,8 @@ static void vary_react_flight_down_touchdown(const real *parameters, const real 
         slip_over_fall / real_abs(slip_over_fall) * ((d_slip - slip_over_fall * d_fall) / fall);
     y->stance_friction =
         along_over_off / real_abs(along_over_off) * ((d_along - along_over_off * d_off) / off);
+    y->tilt = along_over_free_length / real_abs(along_over_free_length) *
+              ((d_along - along_over_free_length * dp->free_length) / p->free_length);
     y->left_early = 0.0;
 }
 
@@ -295,6 +300,7 @@ static void open_stance(const real *parameters, const real *states, real *consta
     const real free_length_times_free_length = p->free_length * p->free_length;
     const real cos_of_slope = real_cos(p->slope);
     const real sin_of_slope = real_sin(p->slope);
+    const real by_1_plus_friction = 1.0 + p->friction;
     c->stiffness_over_mass = stiffness_over_mass;
     c->free_length = p->free_length;
     c->foot_x = x->foot_x;
@@ -304,6 +310,7 @@ static void open_stance(const real *parameters, const real *states, real *consta
     c->friction = p->friction;
     c->cos_of_slope = cos_of_slope;
     c->sin_of_slope = sin_of_slope;
+    c->by_1_plus_friction = by_1_plus_friction;
 }
 
 /* First variation of open_stance. */
@@ -330,6 +337,7 @@ static void vary_open_stance(const real *parameters, const real *states, const r
     c->friction = dp->friction;
     c->cos_of_slope = d_cos_of_slope;
     c->sin_of_slope = d_sin_of_slope;
+    c->by_1_plus_friction = dp->friction;
 }
 
 /* take_off: The spring is relaxed. */
@@ -340,7 +348,11 @@ static int react_stance_take_off(const real *parameters, const real *states, con
     (void)tables;
     classic_slip_states *y = (void *)after;
     const real time_minus_touchdown_time = x->time - x->touchdown_time;
+    const real squared_cosine = 1.0 - x->tilt * x->tilt;
+    const real cosine = real_sqrt(select(squared_cosine > 1e-18, squared_cosine, 1e-18));
+    const real tilt_over_cosine = x->tilt / cosine;
     y->stance_time = time_minus_touchdown_time;
+    y->stance_friction = tilt_over_cosine;
     if (x->vy <= 0.0) {
         return next[0]; /* fallen */
     }
@@ -352,13 +364,18 @@ static void vary_react_stance_take_off(const real *parameters, const real *state
                                        const real *d_states, const tdmf_table *tables, int seed,
                                        real *after) {
     (void)parameters;
-    (void)states;
+    const classic_slip_states *x = (const void *)states;
     (void)d_parameters;
     const classic_slip_states *dx = (const void *)d_states;
     (void)tables;
     (void)seed;
     classic_slip_states *y = (void *)after;
+    const real squared_cosine = 1.0 - x->tilt * x->tilt;
+    const real cosine = real_sqrt(select(squared_cosine > 1e-18, squared_cosine, 1e-18));
+    const real d_squared_cosine = -(2.0 * (x->tilt * dx->tilt));
+    const real d_cosine = 0.5 * select(squared_cosine > 1e-18, d_squared_cosine, 0.0) / cosine;
     y->stance_time = dx->time - dx->touchdown_time;
+    y->stance_friction = (dx->tilt - x->tilt / cosine * d_cosine) / cosine;
 }
 
 /* First variation of the guard of take_off. */
@@ -380,7 +397,11 @@ static int react_stance_leaves_cone(const real *parameters, const real *states, 
     (void)tables;
     classic_slip_states *y = (void *)after;
     const real time_minus_touchdown_time = x->time - x->touchdown_time;
+    const real squared_cosine = 1.0 - x->tilt * x->tilt;
+    const real cosine = real_sqrt(select(squared_cosine > 1e-18, squared_cosine, 1e-18));
+    const real tilt_over_cosine = x->tilt / cosine;
     y->stance_time = time_minus_touchdown_time;
+    y->stance_friction = tilt_over_cosine;
     y->left_early = 1.0;
     if (x->vy <= 0.0) {
         return next[0]; /* fallen */
@@ -393,13 +414,18 @@ static void vary_react_stance_leaves_cone(const real *parameters, const real *st
                                           const real *d_parameters, const real *d_states,
                                           const tdmf_table *tables, int seed, real *after) {
     (void)parameters;
-    (void)states;
+    const classic_slip_states *x = (const void *)states;
     (void)d_parameters;
     const classic_slip_states *dx = (const void *)d_states;
     (void)tables;
     (void)seed;
     classic_slip_states *y = (void *)after;
+    const real squared_cosine = 1.0 - x->tilt * x->tilt;
+    const real cosine = real_sqrt(select(squared_cosine > 1e-18, squared_cosine, 1e-18));
+    const real d_squared_cosine = -(2.0 * (x->tilt * dx->tilt));
+    const real d_cosine = 0.5 * select(squared_cosine > 1e-18, d_squared_cosine, 0.0) / cosine;
     y->stance_time = dx->time - dx->touchdown_time;
+    y->stance_friction = (dx->tilt - x->tilt / cosine * d_cosine) / cosine;
     y->left_early = 0.0;
 }
 
@@ -423,7 +449,12 @@ static real vary_guard_stance_leaves_cone(const real *parameters, const real *st
                        (cos_of_slope_times_slope * x__minus_foot_x + sin_of_slope * x__minus_foot_x_2);
     const real d_along = cos_of_slope * x__minus_foot_x_2 - sin_of_slope_times_slope * x__minus_foot_x +
                          (cos_of_slope_times_slope * y__minus_foot_y + sin_of_slope * y__minus_foot_y_2);
-    return dp->friction * off + p->friction * d_off - d_along;
+    const real along = cos_of_slope * x__minus_foot_x + sin_of_slope * y__minus_foot_y;
+    const real by_1_plus_friction = 1.0 + p->friction;
+    const real in_cone = (p->friction * off - along) / by_1_plus_friction;
+    const real d_in_cone =
+        (dp->friction * off + p->friction * d_off - d_along - in_cone * dp->friction) / by_1_plus_friction;
+    return d_in_cone;
 }
 
 /* slides_out: The leg turns back and leaves the friction cone. */
@@ -433,7 +464,10 @@ static int react_stance_slides_out(const real *parameters, const real *states, c
     const classic_slip_states *x = (const void *)states;
     (void)tables;
     classic_slip_states *y = (void *)after;
+    const real squared_cosine = 1.0 - x->tilt * x->tilt;
+    const real cosine = real_sqrt(select(squared_cosine > 1e-18, squared_cosine, 1e-18));
     y->stance_time = x->time - x->touchdown_time;
+    y->stance_friction = x->tilt / cosine;
     return next[0]; /* slides */
 }
 
@@ -457,7 +491,12 @@ static real vary_guard_stance_slides_out(const real *parameters, const real *sta
                        (cos_of_slope_times_slope * x__minus_foot_x + sin_of_slope * x__minus_foot_x_2);
     const real d_along = cos_of_slope * x__minus_foot_x_2 - sin_of_slope_times_slope * x__minus_foot_x +
                          (cos_of_slope_times_slope * y__minus_foot_y + sin_of_slope * y__minus_foot_y_2);
-    return dp->friction * off + p->friction * d_off + d_along;
+    const real along = cos_of_slope * x__minus_foot_x + sin_of_slope * y__minus_foot_y;
+    const real by_1_plus_friction = 1.0 + p->friction;
+    const real in_cone = (p->friction * off + along) / by_1_plus_friction;
+    const real d_in_cone =
+        (dp->friction * off + p->friction * d_off + d_along - in_cone * dp->friction) / by_1_plus_friction;
+    return d_in_cone;
 }
 
 /* First variation of the guard of collapses. */
@@ -660,10 +699,11 @@ static void scales(const real *parameters, real *of_states, real *of_events) {
     of_states[10] = 1.0;
     of_states[11] = 1.0;
     of_states[12] = 1.0;
-    of_states[13] = p->free_length;
+    of_states[13] = 1.0;
     of_states[14] = p->free_length;
-    of_states[15] = p->stiffness * p->free_length * p->free_length;
-    of_states[16] = p->free_length;
+    of_states[15] = p->free_length;
+    of_states[16] = p->stiffness * p->free_length * p->free_length;
+    of_states[17] = p->free_length;
     of_events[EVENT_begins] = 1.0;
     of_events[EVENT_touchdown] = p->free_length;
     of_events[EVENT_falls] = p->free_length;
@@ -750,8 +790,8 @@ static const tdmf_guard_kind guards_stance[] = {
     {.event = -1},
 };
 static const tdmf_watch_kind watches_stance[] = {
-    {.part = TDMF_LARGEST, .into = 11},
-    {.part = TDMF_LARGEST, .into = 11},
+    {.part = TDMF_LARGEST, .into = 12},
+    {.part = TDMF_LARGEST, .into = 12},
     {.into = -1},
 };
 static const tdmf_guard_kind guards_flight_up[] = {
@@ -772,8 +812,8 @@ static const tdmf_guard_kind guards_flight_up[] = {
 static const tdmf_watch_kind watches_flight_up[] = {
     {.into = -1},
 };
-static const int coordinates_at_energy[] = {14};
-static const int coordinates_at_apex[] = {14, 15};
+static const int coordinates_at_energy[] = {15};
+static const int coordinates_at_apex[] = {15, 16};
 
 static const tdmf_mode_kind modes[] = {
     {.motion = &tdmf_classic_slip_motions[MODE_start_of_run],
@@ -879,6 +919,7 @@ static const char *const state_names[] = {"time",
                                           "stance_time",
                                           "impact_friction",
                                           "stance_friction",
+                                          "tilt",
                                           "left_early",
                                           "apex_x",
                                           "apex_height",
@@ -893,7 +934,7 @@ static const char *const output_names[] = {0};
 static const char *const table_names[] = {0};
 static const char *const section_names[] = {"at_energy", "at_apex"};
 static const double state_defaults[] = {
-    0.0, 0.0, 1.04, 5.0, 0.0, 0.6981317007977318, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
+    0.0, 0.0, 1.04, 5.0, 0.0, 0.6981317007977318, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
 static const double parameter_defaults[] = {80.0, 20000.0,      1.0, 9.81,  0.6981317007977318,
                                             0.0,  1000000000.0, 0.0, 6000.0};
 static const double parameter_least[] = {
@@ -909,12 +950,12 @@ const tdmf_model_kind tdmf_classic_slip_model = {
     .sections = sections,
     .scales = scales,
     .series_count = 13,
-    .constant_count = 9,
+    .constant_count = 10,
     .lanes = {TDMF_TWO_LANES(tdmf_classic_slip_motions_of_2), TDMF_FOUR_LANES(tdmf_classic_slip_motions_of_4),
               TDMF_EIGHT_LANES(tdmf_classic_slip_motions_of_8)},
     .mode_count = 7,
     .mode_names = mode_names,
-    .state_count = 17,
+    .state_count = 18,
     .state_names = state_names,
     .parameter_count = 9,
     .parameter_names = parameter_names,

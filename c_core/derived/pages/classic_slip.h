@@ -54,11 +54,12 @@ typedef struct {
     real stance_time;     /* s: Duration of the last stance */
     real impact_friction; /* 1: Friction that a small foot mass needs to stick at the impact  (5) */
     real stance_friction; /* 1: Friction that the stance needs  (3) */
-    real left_early;      /* 1: 1 if the leg left the friction cone with energy in its spring, else 0 */
-    real apex_x;          /* m: Position of the mass at the last apex */
-    real apex_height;     /* m: Height of the mass above the ground at the last apex */
-    real apex_energy;     /* J: Energy at the last apex, above the ground vertically below */
-    real step_length;     /* m: Distance between the last two apices */
+    real tilt;       /* 1: Sine of the largest angle between the leg and the normal of the ground in stance */
+    real left_early; /* 1: 1 if the leg left the friction cone with energy in its spring, else 0 */
+    real apex_x;     /* m: Position of the mass at the last apex */
+    real apex_height; /* m: Height of the mass above the ground at the last apex */
+    real apex_energy; /* J: Energy at the last apex, above the ground vertically below */
+    real step_length; /* m: Distance between the last two apices */
 } classic_slip_states;
 
 typedef struct {
@@ -95,6 +96,7 @@ typedef struct {
     real friction;
     real cos_of_slope;
     real sin_of_slope;
+    real by_1_plus_friction;
 } stance_constants;
 
 typedef struct {

@@ -621,8 +621,8 @@ static void guard_stance_leaves_cone(const real *constants, const real *series, 
     const stance_constants *c = (const void *)constants;
     const stance_series *s = (const void *)series;
     for (int k = 0; k < order; ++k) {
-        g[k] = (c->friction * c->cos_of_slope - c->sin_of_slope) * s->y_2[k] +
-               (-(c->friction * c->sin_of_slope) - c->cos_of_slope) * s->x_2[k];
+        g[k] = (c->friction * c->cos_of_slope - c->sin_of_slope) / c->by_1_plus_friction * s->y_2[k] +
+               (-(c->friction * c->sin_of_slope) - c->cos_of_slope) / c->by_1_plus_friction * s->x_2[k];
     }
 }
 
@@ -631,8 +631,8 @@ static void guard_stance_slides_out(const real *constants, const real *series, i
     const stance_constants *c = (const void *)constants;
     const stance_series *s = (const void *)series;
     for (int k = 0; k < order; ++k) {
-        g[k] = (c->friction * c->cos_of_slope + c->sin_of_slope) * s->y_2[k] +
-               (c->cos_of_slope - c->friction * c->sin_of_slope) * s->x_2[k];
+        g[k] = (c->friction * c->cos_of_slope + c->sin_of_slope) / c->by_1_plus_friction * s->y_2[k] +
+               (c->cos_of_slope - c->friction * c->sin_of_slope) / c->by_1_plus_friction * s->x_2[k];
     }
 }
 
@@ -645,33 +645,29 @@ static void guard_stance_collapses(const real *constants, const real *series, in
     }
 }
 
-/* friction_ahead: Friction that the leg needs while the mass is ahead of the foot. */
-static void guard_stance_friction_ahead(const real *constants, const real *series, int order, real *g) {
+/* tilt_ahead: Sine of the leg's angle while the mass is ahead of the foot. */
+static void guard_stance_tilt_ahead(const real *constants, const real *series, int order, real *g) {
     const stance_constants *c = (const void *)constants;
     const stance_series *s = (const void *)series;
-    real own_friction_ahead[TERMS];
-    real own_off[TERMS];
+    real own_tilt_ahead[TERMS];
     for (int k = 0; k < order; ++k) {
-        own_off[k] = c->cos_of_slope * s->y_2[k] - c->sin_of_slope * s->x_2[k];
-        own_friction_ahead[k] = (c->cos_of_slope * s->x_2[k] + c->sin_of_slope * s->y_2[k] -
-                                 product_so_far(own_friction_ahead, own_off, k)) /
-                                own_off[0];
-        g[k] = own_friction_ahead[k];
+        own_tilt_ahead[k] = (c->cos_of_slope * s->x_2[k] + c->sin_of_slope * s->y_2[k] -
+                             product_so_far(own_tilt_ahead, s->length, k)) /
+                            s->length[0];
+        g[k] = own_tilt_ahead[k];
     }
 }
 
-/* friction_behind: Friction that the leg needs while the mass is behind the foot. */
-static void guard_stance_friction_behind(const real *constants, const real *series, int order, real *g) {
+/* tilt_behind: Sine of the leg's angle while the mass is behind the foot. */
+static void guard_stance_tilt_behind(const real *constants, const real *series, int order, real *g) {
     const stance_constants *c = (const void *)constants;
     const stance_series *s = (const void *)series;
-    real own_friction_ahead[TERMS];
-    real own_off[TERMS];
+    real own_tilt_ahead[TERMS];
     for (int k = 0; k < order; ++k) {
-        own_off[k] = c->cos_of_slope * s->y_2[k] - c->sin_of_slope * s->x_2[k];
-        own_friction_ahead[k] = (c->cos_of_slope * s->x_2[k] + c->sin_of_slope * s->y_2[k] -
-                                 product_so_far(own_friction_ahead, own_off, k)) /
-                                own_off[0];
-        g[k] = -own_friction_ahead[k];
+        own_tilt_ahead[k] = (c->cos_of_slope * s->x_2[k] + c->sin_of_slope * s->y_2[k] -
+                             product_so_far(own_tilt_ahead, s->length, k)) /
+                            s->length[0];
+        g[k] = -own_tilt_ahead[k];
     }
 }
 
@@ -687,23 +683,16 @@ static void bounds_stance(const real *constants, const real *series, const real 
     const interval span_3 = interval_of_series(s->y_times_y, power, order);
     const interval span_4 = interval_difference(span_2, span_3);
     bounds[0] = span_4;
-    const interval span_5 = interval_at(c->friction, c->friction);
-    const interval span_6 = interval_at(c->cos_of_slope, c->cos_of_slope);
-    const interval span_7 = interval_of_series(s->y_2, power, order);
-    const interval span_8 = interval_product(span_6, span_7);
-    const interval span_9 = interval_at(c->sin_of_slope, c->sin_of_slope);
-    const interval span_10 = interval_of_series(s->x_2, power, order);
-    const interval span_11 = interval_product(span_9, span_10);
-    const interval span_12 = interval_difference(span_8, span_11);
-    const interval span_13 = interval_product(span_5, span_12);
-    const interval span_14 = interval_product(span_6, span_10);
-    const interval span_15 = interval_product(span_9, span_7);
-    const interval span_16 = interval_sum(span_14, span_15);
-    const interval span_17 = interval_difference(span_13, span_16);
-    bounds[1] = span_17;
-    const interval span_18 = interval_sum(span_13, span_16);
-    bounds[2] = span_18;
-    bounds[3] = span_12;
+    bounds[1] = unbounded();
+    bounds[2] = unbounded();
+    const interval span_5 = interval_at(c->cos_of_slope, c->cos_of_slope);
+    const interval span_6 = interval_of_series(s->y_2, power, order);
+    const interval span_7 = interval_product(span_5, span_6);
+    const interval span_8 = interval_at(c->sin_of_slope, c->sin_of_slope);
+    const interval span_9 = interval_of_series(s->x_2, power, order);
+    const interval span_10 = interval_product(span_8, span_9);
+    const interval span_11 = interval_difference(span_7, span_10);
+    bounds[3] = span_11;
     bounds[4] = unbounded();
     bounds[5] = unbounded();
 }
@@ -858,9 +847,9 @@ static const int degrees_slides[] = {0};
 static const int judged_slides[] = {0};
 static const int divisors_slides[] = {0};
 static const int integrals_slides[] = {0};
-static const tdmf_polynomial polynomials_stance[] = {
-    guard_stance_take_off,  guard_stance_leaves_cone,    guard_stance_slides_out,
-    guard_stance_collapses, guard_stance_friction_ahead, guard_stance_friction_behind};
+static const tdmf_polynomial polynomials_stance[] = {guard_stance_take_off,   guard_stance_leaves_cone,
+                                                     guard_stance_slides_out, guard_stance_collapses,
+                                                     guard_stance_tilt_ahead, guard_stance_tilt_behind};
 static const int moving_stance[] = {1, 2, 3, 4, 0};
 static const int degrees_stance[] = {99, 99, 99, 99, 1};
 static const int judged_stance[] = {2, 3};
@@ -946,7 +935,7 @@ const tdmf_motion_kind TDMF_OF_WIDTH(tdmf_classic_slip_motions)[] = {
      .bounds = NULL},
     {.moving_count = 5,
      .extra_count = 0,
-     .constant_count = 9,
+     .constant_count = 10,
      .judged_count = 2,
      .divisor_count = 1,
      .moving = moving_stance,

@@ -8,7 +8,6 @@
 #define TDMF_SLIP_TDMF_SLIP_H
 
 #include "tdmf_slip/automaton.h"
-#include "tdmf_slip/classic_slip.h"
 #include "tdmf_slip/contact.h"
 #include "tdmf_slip/dynamics.h"
 #include "tdmf_slip/eigenvalues.h"
@@ -21,6 +20,7 @@
 #include "tdmf_slip/orbit.h"
 #include "tdmf_slip/output_variation.h"
 #include "tdmf_slip/outputs.h"
+#include "tdmf_slip/page.h"
 #include "tdmf_slip/parameters.h"
 #include "tdmf_slip/record.h"
 #include "tdmf_slip/reduced_map.h"

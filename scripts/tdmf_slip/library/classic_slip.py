@@ -13,24 +13,60 @@ descent has gained. `step` goes on without.
 
 import math
 from dataclasses import dataclass
-from typing import Any
+from itertools import pairwise
+from typing import Literal
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..errors import RunError
-from .binding import c, ffi
+from .page import PageMap
 
 ENERGY = 6000.0
 """E0 of the paper, J."""
+NO_SLIP = 1e9
+"""Friction at which the foot never slips."""
 SPACING = 0.02
-"""Of the heights from which fixed points are sought, m."""
+"""Distance of the apex heights between which fixed points are searched, m."""
 FOLD_STEPS = 11
-"""In which a fold is followed to a slope and a rate of retraction."""
-FLIES: int = c.TDMF_CLASSIC_FLIES
-"""Outcome of a step that leads to the next apex; as the following."""
-TURNS_BACK: int = c.TDMF_CLASSIC_TURNS_BACK
-"""It does, but backwards."""
+"""Steps in which a fold is followed to a slope and a rate of retraction."""
+Outcome = Literal["flies", "turns back", "slides", "falls", "no start"]
+"""How a step ends: at the next apex, forward or backward; with a foot that slides out; with the mass on the
+ground; or not begun, because the foot is not above the ground at the apex or the energy is too small."""
+FLIES: Outcome = "flies"
+TURNS_BACK: Outcome = "turns back"
+_ENDS: dict[str, Outcome] = {"no_start": "no start", "slides": "slides", "fallen": "falls"}
+
+
+@dataclass(frozen=True)
+class Step:
+    """One step from apex to apex. Without a next apex, what belongs to it is NaN."""
+
+    outcome: Outcome
+    touchdown_time: float
+    """Time from the apex to touchdown, s."""
+    stance_time: float
+    """Duration of the stance, s."""
+    time: float
+    """Duration of the step, s."""
+    early_take_off: bool
+    """The leg left the friction cone: the energy left in the spring is lost."""
+    stance_friction: float
+    """Friction needed in the stance: the largest tan of the leg's angle from the ground's normal  (3)"""
+    impact_friction: float
+    """Friction needed at the impact of an infinitesimal foot mass  (5)"""
+    length: float
+    """Horizontal distance from apex to apex, m."""
+    next_height: float
+    """Height of the next apex above the ground below it, m."""
+    next_speed: float
+    """Speed at the next apex, m/s, negative backward."""
+    next_energy: float
+    """Energy at the next apex, above the ground below it, J."""
+    foot: tuple[float, float]
+    """Place of the foot in stance, m, relative to the ground below the apex."""
+    slope: float
+    """Derivative of the next height by the height, at one energy."""
 
 
 @dataclass(frozen=True)
@@ -63,41 +99,61 @@ class FixedPoint:
 
 
 def slip(
-    angle: float, friction: float = math.inf, *, ground_slope: float = 0.0, retraction_rate: float = 0.0
-) -> Any:
-    """The paper's SLIP."""
-    parameters: Any = ffi.new("tdmf_classic *", c.tdmf_classic_default())
-    parameters.touchdown_angle = angle
-    parameters.friction = friction
-    parameters.ground_slope = ground_slope
-    parameters.retraction_rate = retraction_rate
-    return parameters
+    angle: float,
+    friction: float = NO_SLIP,
+    *,
+    ground_slope: float = 0.0,
+    retraction_rate: float = 0.0,
+    **parameters: float,
+) -> PageMap:
+    """The paper's SLIP; further `parameters` have the names of the page."""
+    given = {"touchdown_angle": angle, "slope": ground_slope, "retraction_rate": retraction_rate}
+    given["friction"] = NO_SLIP if math.isinf(friction) else friction
+    return PageMap("classic_slip", "at_apex", given | parameters)
 
 
-def step(parameters: Any, height: float, energy: float = ENERGY) -> Any:
+def step(slip: PageMap, height: float, energy: float = ENERGY) -> Step:
     """One step of the return map."""
-    made: Any = c.tdmf_classic_return_map(parameters, energy, height)
-    return made
+    run = slip.run([height, energy])
+    at = run.states
+    outcome = (FLIES if at["vx"] > 0.0 else TURNS_BACK) if run.crossed else _ENDS[run.mode]
+    if outcome == "slides" and slip.parameters["friction"] == NO_SLIP:
+        outcome = "falls"
+    ahead = at if run.crossed else dict.fromkeys(at, math.nan)
+    return Step(
+        outcome,
+        touchdown_time=at["touchdown_time"],
+        stance_time=at["stance_time"],
+        time=run.time,
+        early_take_off=bool(at["left_early"]),
+        stance_friction=at["stance_friction"],
+        impact_friction=at["impact_friction"],
+        length=ahead["step_length"],
+        next_height=ahead["apex_height"],
+        next_speed=ahead["vx"],
+        next_energy=ahead["apex_energy"],
+        foot=(at["foot_x"], at["foot_y"]),
+        slope=float(run.derivatives_of("apex_height")[0]),
+    )
 
 
-def stance(parameters: Any, height: float, times: ArrayLike, energy: float = ENERGY) -> NDArray[np.float64]:
-    """The mass as seen from the foot, in a stance after an apex."""
-    points: list[Any] = [
-        c.tdmf_classic_stance(parameters, energy, height, time) for time in np.atleast_1d(times)
-    ]
-    return np.array([(p.x, p.y, p.vx, p.vy) for p in points]).T
+def path(slip: PageMap, height: float, times: ArrayLike, energy: float = ENERGY) -> NDArray[np.float64]:
+    """Position of the mass relative to the foot, and velocity, at times after an apex: a row for each."""
+    x, y = step(slip, height, energy).foot
+    runs = [slip.run([height, energy], time).states for time in np.atleast_1d(times)]
+    return np.array([(at["x"] - x, at["y"] - y, at["vx"], at["vy"]) for at in runs]).T
 
 
-def highest(parameters: Any, energy: float = ENERGY) -> float:
+def highest(slip: PageMap, energy: float = ENERGY) -> float:
     """Apex height, m, at which all energy, J, is potential."""
-    return energy / float(parameters.mass * parameters.gravity)
+    return energy / (slip.parameters["mass"] * slip.parameters["gravity"])
 
 
-def heights(parameters: Any, count: int, energy: float = ENERGY) -> NDArray[np.float64]:
+def heights(slip: PageMap, count: int, energy: float = ENERGY) -> NDArray[np.float64]:
     """So many apex heights, m, from that at which the foot is on the ground to the highest, both left out."""
-    angle = parameters.touchdown_angle
-    low = parameters.free_length * (math.cos(angle) + math.sin(angle) * math.tan(parameters.ground_slope))
-    return np.linspace(low, highest(parameters, energy), count + 2)[1:-1]
+    angle, slope = slip.parameters["touchdown_angle"], slip.parameters["slope"]
+    low = slip.parameters["free_length"] * (math.cos(angle) + math.sin(angle) * math.tan(slope))
+    return np.linspace(low, highest(slip, energy), count + 2)[1:-1]
 
 
 def fixed_points(
@@ -108,18 +164,18 @@ def fixed_points(
     retraction_rate: float = 0.0,
 ) -> list[FixedPoint]:
     """All gaits of a touchdown angle that repeat their height at one energy."""
-    parameters = slip(angle, ground_slope=ground_slope, retraction_rate=retraction_rate)
+    given = {"ground_slope": ground_slope, "retraction_rate": retraction_rate}
+    runner = slip(angle, **given)
     found: list[FixedPoint] = []
-    tried = heights(parameters, int(highest(parameters, energy) / SPACING), energy)
-    steps = [step(parameters, height, energy) for height in tried]
-    for (low, before), (high, after) in zip(
-        zip(tried, steps, strict=True), zip(tried[1:], steps[1:], strict=True), strict=False
-    ):
+    tried = heights(runner, int(highest(runner, energy) / SPACING), energy)
+    steps = [step(runner, height, energy) for height in tried]
+    at_energy = PageMap("classic_slip", "at_energy", {**runner.parameters, "energy": energy})
+    for (low, before), (high, after) in pairwise(zip(tried, steps, strict=True)):
         crosses = (before.next_height - low) * (after.next_height - high) <= 0.0
         if before.outcome == FLIES and after.outcome == FLIES and crosses:
-            height = ffi.new("double *")
-            if c.tdmf_classic_fixed_point(parameters, energy, 0.5 * (low + high), height):
-                found.append(_fixed_point(parameters, angle, height[0], energy))
+            height = at_energy.fixed_point(0.5 * (low + high))
+            if height is not None:
+                found.append(_fixed_point(runner, float(height[0]), energy))
     return found
 
 
@@ -129,24 +185,42 @@ def fold(energy: float = ENERGY, *, ground_slope: float = 0.0, retraction_rate: 
     On a slope, or of a leg that retracts, it is followed there from that on level ground of a leg that is
     held.
     """
-    angle, height = ffi.new("double *", math.radians(44.0)), ffi.new("double *", 2.0)
+    point = np.array([math.radians(44.0), 2.0])
     moves = ground_slope != 0.0 or retraction_rate != 0.0
-    for share in np.linspace(0.0, 1.0, FOLD_STEPS) if moves else (0.0,):
-        its = {"ground_slope": share * ground_slope, "retraction_rate": share * retraction_rate}
-        if not c.tdmf_classic_fold(slip(angle[0], **its), energy, angle, height):
-            where = f"ground_slope = {its['ground_slope']:g}, retraction_rate = {its['retraction_rate']:g}"
-            raise RunError(f"no fold of the classic SLIP was found at energy = {energy:g} J, {where}")
-    return _fixed_point(slip(angle[0], **its), angle[0], height[0], energy)
+    for share in np.linspace(0.0, 1.0, FOLD_STEPS) if moves else (1.0,):
+        given = {"ground_slope": share * ground_slope, "retraction_rate": share * retraction_rate}
+        point = _fold(point, energy, given)
+    return _fixed_point(slip(point[0], **given), point[1], energy)
 
 
-def _fixed_point(parameters: Any, angle: float, height: float, energy: float) -> FixedPoint:
-    there = step(parameters, height, energy)
+def _fold(guess: NDArray[np.float64], energy: float, given: dict[str, float]) -> NDArray[np.float64]:
+    """Touchdown angle and height at which a step repeats its height and the map's slope is 1."""
+    from scipy.optimize import root  # slow to load
+
+    where = f"ground_slope = {given['ground_slope']:g}, retraction_rate = {given['retraction_rate']:g}"
+    missing = RunError(f"no fold of the classic SLIP was found at energy = {energy:g} J, {where}")
+
+    def residual(point: NDArray[np.float64]) -> list[float]:
+        made = step(slip(point[0], **given), point[1], energy)
+        if made.outcome != FLIES:
+            raise missing
+        return [made.next_height - point[1], made.slope - 1.0]
+
+    found = root(residual, guess, tol=1e-11)
+    if not np.max(np.abs(found.fun)) < 1e-8:
+        raise missing
+    point: NDArray[np.float64] = found.x
+    return point
+
+
+def _fixed_point(runner: PageMap, height: float, energy: float) -> FixedPoint:
+    made, given = step(runner, height, energy), runner.parameters
     return FixedPoint(
-        angle,
+        given["touchdown_angle"],
         height,
-        there.by_height.height,
-        there.stance_friction,
-        there.impact_friction,
-        there.length,
-        parameters.mass * parameters.gravity * there.length * math.tan(parameters.ground_slope),
+        made.slope,
+        made.stance_friction,
+        made.impact_friction,
+        made.length,
+        given["mass"] * given["gravity"] * made.length * math.tan(given["slope"]),
     )

@@ -2,13 +2,14 @@
 
 import math
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.patches import Polygon
+from numpy.typing import NDArray
 
 from ...library import classic_slip
+from ...library.page import PageMap
 from ...pictures import style
 from . import slip_path
 from .columns import Columns
@@ -23,24 +24,29 @@ COMPRESSED = 0.85
 """Length of the leg in (a), a little after touchdown, where the slip is visible."""
 
 
-def _early() -> tuple[float, Any]:
-    """A friction that ends the stance early, and the step."""
-    needed = classic_slip.step(classic_slip.slip(STANCE_ANGLE), HEIGHT).stance_friction
-    friction = MARGIN * needed
-    return friction, classic_slip.step(classic_slip.slip(STANCE_ANGLE, friction), HEIGHT)
+def _early() -> tuple[float, NDArray[np.float64]]:
+    """A friction that ends the stance early, and the path of the mass in this stance."""
+    friction = MARGIN * classic_slip.step(classic_slip.slip(STANCE_ANGLE), HEIGHT).stance_friction
+    return friction, _stance(classic_slip.slip(STANCE_ANGLE, friction))
+
+
+def _stance(slip: PageMap) -> NDArray[np.float64]:
+    """Position and velocity of the mass relative to the foot along a stance: a row for each."""
+    step = classic_slip.step(slip, HEIGHT)
+    times = step.touchdown_time + step.stance_time * np.linspace(0.0, 1.0, slip_path.POINTS)
+    return classic_slip.path(slip, HEIGHT, times)
 
 
 def table() -> Columns:
     """Data of the three panels by column."""
     friction, early = _early()
-    touchdown = classic_slip.step(classic_slip.slip(TOUCHDOWN_ANGLE), HEIGHT)
+    slip = classic_slip.slip(TOUCHDOWN_ANGLE)
+    needed = classic_slip.step(slip, HEIGHT).impact_friction
+    at = np.stack([_stance(slip)[:, 0], early[:, -1], _stance(slip)[:, 0]], axis=1).tolist()
     return {
         "panel": ["a", "b", "c"],
-        "friction": [MARGIN * math.tan(TOUCHDOWN_ANGLE), friction, touchdown.impact_friction],
-        "x": [touchdown.touchdown.x, early.take_off.x, touchdown.touchdown.x],
-        "y": [touchdown.touchdown.y, early.take_off.y, touchdown.touchdown.y],
-        "vx": [touchdown.touchdown.vx, early.take_off.vx, touchdown.touchdown.vx],
-        "vy": [touchdown.touchdown.vy, early.take_off.vy, touchdown.touchdown.vy],
+        "friction": [MARGIN * math.tan(TOUCHDOWN_ANGLE), friction, needed],
+        **dict(zip(("x", "y", "vx", "vy"), at, strict=True)),
     }
 
 
@@ -93,35 +99,34 @@ def _touchdown(axes: Axes) -> None:
     slip_path.ground(axes)
     axes.set_title("(a) outside the cone at touchdown:\nthe foot slides out, the mass falls")
     _cone(axes, MARGIN * math.tan(TOUCHDOWN_ANGLE))
-    touchdown = classic_slip.step(classic_slip.slip(TOUCHDOWN_ANGLE), HEIGHT).touchdown
-    x, y = COMPRESSED * touchdown.x, COMPRESSED * touchdown.y
+    x, y, *velocity = _stance(classic_slip.slip(TOUCHDOWN_ANGLE))[:, 0]
+    x, y = COMPRESSED * x, COMPRESSED * y
     slip_path.leg(axes, (0.0, 0.0), (x, y))
     _extended(axes, x, y, 1.0)
-    _velocity(axes, x, y, touchdown.vx, touchdown.vy)
+    _velocity(axes, x, y, *velocity)
 
 
 def _take_off(axes: Axes) -> None:
-    friction, early = _early()
+    friction, path = _early()
     slip_path.ground(axes)
     axes.set_title("(b) reaching its edge in stance:\nan early take-off")
     _cone(axes, friction)
-    path = classic_slip.stance(
-        classic_slip.slip(STANCE_ANGLE), HEIGHT, np.linspace(0.0, early.stance_time, slip_path.POINTS)
-    )
     axes.plot(path[0], path[1], color=style.SECOND_CURVE, linestyle="--", linewidth=1.2)
-    end = early.take_off
-    slip_path.leg(axes, (0.0, 0.0), (end.x, end.y))
-    _extended(axes, end.x, end.y, -1.0)
-    _velocity(axes, end.x, end.y, end.vx, end.vy)
+    x, y, *velocity = path[:, -1]
+    slip_path.leg(axes, (0.0, 0.0), (x, y))
+    _extended(axes, x, y, -1.0)
+    _velocity(axes, x, y, *velocity)
 
 
 def _impact(axes: Axes) -> None:
     slip_path.ground(axes)
     axes.set_title("(c) a foot with mass sticks if its\nvelocity points into the cone")
-    step = classic_slip.step(classic_slip.slip(TOUCHDOWN_ANGLE), HEIGHT)
-    at, foot = step.touchdown, (0.0, 0.3)
+    slip, foot = classic_slip.slip(TOUCHDOWN_ANGLE), (0.0, 0.3)
+    x, y, *velocity = _stance(slip)[:, 0]
     axes.add_patch(Polygon([foot, (-0.3, 0.0), (0.3, 0.0)], color="#dce7c8", linewidth=0, zorder=0))
-    slip_path.leg(axes, foot, (foot[0] + at.x, foot[1] + at.y))
+    slip_path.leg(axes, foot, (foot[0] + x, foot[1] + y))
     axes.plot(*foot, "o", color=style.INK, markersize=5)
-    _velocity(axes, *foot, at.vx, at.vy)
-    axes.annotate(f"needs μ ≥ {step.impact_friction:.2f}", (0.42, 0.16), fontsize=8.5)
+    _velocity(axes, *foot, *velocity)
+    axes.annotate(
+        f"needs μ ≥ {classic_slip.step(slip, HEIGHT).impact_friction:.2f}", (0.42, 0.16), fontsize=8.5
+    )

@@ -9,6 +9,7 @@ from matplotlib.axes import Axes
 from numpy.typing import NDArray
 
 from ...library import classic_slip
+from ...library.page import PageMap
 from ...pictures import style
 
 COILS = 7
@@ -29,27 +30,14 @@ class Path:
     """Phases: fall, stance or rise."""
 
 
-def of_step(parameters: Any, height: float) -> Path:
+def of_step(slip: PageMap, height: float) -> Path:
     """Path of the mass from one apex to the next."""
-    step = classic_slip.step(parameters, height)
-    gravity = parameters.gravity
-    fall = np.linspace(0.0, -step.touchdown.vy / gravity, POINTS)
-    stance = np.linspace(0.0, step.stance_time, POINTS)
-    rise = np.linspace(0.0, max(0.0, step.take_off.vy) / gravity, POINTS)
-    on_ground = classic_slip.stance(parameters, height, stance)
-    x = [
-        step.touchdown.x + step.touchdown.vx * (fall - fall[-1]),
-        on_ground[0],
-        step.take_off.x + step.take_off.vx * rise,
-    ]
-    y = [
-        height - 0.5 * gravity * fall**2,
-        on_ground[1],
-        step.take_off.y + step.take_off.vy * rise - 0.5 * gravity * rise**2,
-    ]
-    time = [fall, fall[-1] + stance, fall[-1] + stance[-1] + rise]
+    step = classic_slip.step(slip, height)
+    ends = np.cumsum([0.0, step.touchdown_time, step.stance_time])
+    times = np.linspace(ends, [*ends[1:], step.time], POINTS).T.ravel()
+    x, y, *_ = classic_slip.path(slip, height, times)
     phases = [phase for phase in ("fall", "stance", "rise") for _ in range(POINTS)]
-    return Path(np.concatenate(time), np.concatenate(x), np.concatenate(y), phases)
+    return Path(times, x, y, phases)
 
 
 def leg(

@@ -1,0 +1,78 @@
+/* Models that are written as pages of equations, and their return maps.
+ *
+ * A model has parameters, states, modes, events and sections, each with a name and a number from 0. A section
+ * is where an event is taken, such as the apex; some states are its coordinates. The return map of a section
+ * leads from one of its points to the next. */
+#ifndef TDMF_SLIP_PAGE_H
+#define TDMF_SLIP_PAGE_H
+
+#include "tdmf_slip/export.h"
+
+#include <stdbool.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef struct tdmf_page tdmf_page;
+
+/* "classic_slip" or "reduced_runner"; NULL for any other name. */
+TDMF_API const tdmf_page *tdmf_page_named(const char *name);
+
+typedef enum {
+    TDMF_PAGE_PARAMETER,
+    TDMF_PAGE_STATE,
+    TDMF_PAGE_MODE,
+    TDMF_PAGE_EVENT,
+    TDMF_PAGE_SECTION
+} tdmf_page_item;
+
+/* The name of the parameter, state, mode, event or section with a number; NULL after the last one. */
+TDMF_API const char *tdmf_page_name(const tdmf_page *page, tdmf_page_item kind, int number);
+
+/* Default values of all parameters and states; either may be NULL. */
+TDMF_API void tdmf_page_defaults(const tdmf_page *page, double *parameters, double *states);
+
+/* Bounds of a parameter, which are allowed themselves. */
+TDMF_API void tdmf_page_range(const tdmf_page *page, int parameter, double *least, double *most);
+
+/* A return map. Angles are in rad, all else in SI units. */
+typedef struct {
+    const tdmf_page *page;
+    int section;
+    double *parameters, *states; /* in the order of their numbers; not changed. The states begin the run,
+                                    where a point of the section does not determine them */
+    double tolerance;            /* relative, between 1e-16 and 1e-2 */
+    double longest;              /* s, time to the next crossing */
+    int seed_count;              /* seeds along which derivatives are computed, at most 8 */
+    double *d_parameters;        /* of each seed, the change of each parameter; NULL where there is none */
+} tdmf_page_map;
+
+typedef enum {
+    TDMF_PAGE_CROSSED,  /* there is a next crossing */
+    TDMF_PAGE_ENDED,    /* the run ends in the mode, which the model does not leave, as in a fall */
+    TDMF_PAGE_TOO_LONG, /* there is no crossing within the time allowed */
+    TDMF_PAGE_REFUSED,  /* a number is out of its range or not finite, or a pointer is NULL */
+    TDMF_PAGE_UNSOLVED  /* the run cannot be followed */
+} tdmf_page_outcome;
+
+typedef struct {
+    tdmf_page_outcome outcome;
+    int mode;    /* at the end of the run */
+    double time; /* s, of the run */
+} tdmf_page_end;
+
+/* Runs from a point of the section, whose coordinates are given in their order, to the next crossing.
+ * `states` receives all states at the end of the run, also without a crossing. `d_states`, which may be NULL,
+ * receives their derivatives by the coordinates of the point, then along the seeds: a row for each. */
+TDMF_API tdmf_page_end tdmf_page_stride(const tdmf_page_map *map, const double *point, double *states,
+                                        double *d_states);
+
+/* Finds a fixed point near `point` by Newton's method. False if it is not found; then `point` is unchanged.
+ */
+TDMF_API bool tdmf_page_fixed_point(const tdmf_page_map *map, double *point);
+
+#ifdef __cplusplus
+}
+#endif
+#endif
