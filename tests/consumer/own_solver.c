@@ -1,4 +1,4 @@
-/* A solver of one's own around the automaton: classical Runge-Kutta steps, each event by bisection. */
+/* Your own solver: classical Runge-Kutta steps, events located by bisection. */
 #include <stdio.h>
 #include <string.h>
 #include <tdmf_slip/tdmf_slip.h>
@@ -19,7 +19,7 @@ static void shift(const double from[], double step, const double rate[], double 
         to[i] = from[i] + step * rate[i];
 }
 
-/* The state a step later in the present mode, whatever its guards say. */
+/* State after a step in the present mode, without looking for events. */
 static void runge_kutta(const run *r, double step, double after[TDMF_STATE_COUNT]) {
     const double *state = r->motion.state, share[4] = {0.0, 0.5, 0.5, 1.0};
     double rate[4][TDMF_STATE_COUNT], point[TDMF_STATE_COUNT];
@@ -35,7 +35,7 @@ static bool is_due(const run *r, const double state[TDMF_STATE_COUNT]) {
     return tdmf_first_due(system_of(r), &r->motion.mode, state) != TDMF_GUARD_COUNT;
 }
 
-/* One step, or less: up to the first event in it, which is taken. */
+/* Advance by a step, or to the first event in it, and take the event. */
 static void advance(run *r, double step) {
     double after[TDMF_STATE_COUNT], before = 0.0;
     runge_kutta(r, step, after);

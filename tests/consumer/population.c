@@ -1,4 +1,4 @@
-/* A population of runners, each with a push of its own, that find back to the default gait. */
+/* Many runners, each with its own disturbance, return to the default gait. */
 #include <tdmf_slip/ensemble.h>
 #include <tdmf_slip/tdmf_slip.h>
 

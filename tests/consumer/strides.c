@@ -14,9 +14,9 @@ int main(void) {
     tdmf_default_state(motion.state);
     if (tdmf_model_create(&model, &parameters).variable != NULL ||
         tdmf_start(system, &motion).variable != NULL)
-        return 1; /* tdmf_refusal_text says what is out of range */
+        return 1; /* tdmf_refusal_text describes what is out of range */
 
-    const tdmf_stride *stride = &motion.record.stride; /* the last one that closed */
+    const tdmf_stride *stride = &motion.record.stride; /* the last completed stride */
     while (stride->count < 300 && tdmf_native_stride(&solver, system, 1e5, &motion).closed)
         continue;
     printf("%s, speed %.6f, cost of transport %.6f\n", stride->word, stride->speed,
