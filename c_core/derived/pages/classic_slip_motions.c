@@ -607,6 +607,78 @@ static void vary_stance(const real *constants, const real *series, const real *d
     }
 }
 
+/* First variation of tilt_ahead. */
+static void d_observed_stance_tilt_ahead(const real *constants, const real *series, const real *d_constants,
+                                         const real *d_series, int order, real *dg) {
+    const stance_constants *c = (const void *)constants;
+    const stance_series *s = (const void *)series;
+    const stance_constants *d = (const void *)d_constants;
+    const stance_series *t = (const void *)d_series;
+    real own_tilt_ahead[TERMS];
+    real own_x_2_times_d_x_2[TERMS];
+    real own_y_2_times_d_y_2[TERMS];
+    real own_d_length[TERMS];
+    real own_tilt_ahead_times_d_length[TERMS];
+    real own_d_tilt_ahead[TERMS];
+    real own_d_x_2[TERMS];
+    real own_d_y_2[TERMS];
+    for (int k = 0; k < order; ++k) {
+        own_d_x_2[k] = with_constant(k, t->x_[k], -d->foot_x);
+        own_d_y_2[k] = with_constant(k, t->y_[k], -d->foot_y);
+        own_tilt_ahead[k] = (c->cos_of_slope * s->x_2[k] + c->sin_of_slope * s->y_2[k] -
+                             product_so_far(own_tilt_ahead, s->length, k)) /
+                            s->length[0];
+        own_x_2_times_d_x_2[k] = product(s->x_2, own_d_x_2, k);
+        own_y_2_times_d_y_2[k] = product(s->y_2, own_d_y_2, k);
+        own_d_length[k] =
+            (own_x_2_times_d_x_2[k] + own_y_2_times_d_y_2[k] - product_so_far(own_d_length, s->length, k)) /
+            s->length[0];
+        own_tilt_ahead_times_d_length[k] = product(own_tilt_ahead, own_d_length, k);
+        own_d_tilt_ahead[k] =
+            (d->cos_of_slope * s->x_2[k] + c->cos_of_slope * own_d_x_2[k] + d->sin_of_slope * s->y_2[k] +
+             c->sin_of_slope * own_d_y_2[k] - own_tilt_ahead_times_d_length[k] -
+             product_so_far(own_d_tilt_ahead, s->length, k)) /
+            s->length[0];
+        dg[k] = own_d_tilt_ahead[k];
+    }
+}
+
+/* First variation of tilt_behind. */
+static void d_observed_stance_tilt_behind(const real *constants, const real *series, const real *d_constants,
+                                          const real *d_series, int order, real *dg) {
+    const stance_constants *c = (const void *)constants;
+    const stance_series *s = (const void *)series;
+    const stance_constants *d = (const void *)d_constants;
+    const stance_series *t = (const void *)d_series;
+    real own_tilt_ahead[TERMS];
+    real own_x_2_times_d_x_2[TERMS];
+    real own_y_2_times_d_y_2[TERMS];
+    real own_d_length[TERMS];
+    real own_tilt_ahead_times_d_length[TERMS];
+    real own_d_tilt_ahead[TERMS];
+    real own_d_x_2[TERMS];
+    real own_d_y_2[TERMS];
+    for (int k = 0; k < order; ++k) {
+        own_d_x_2[k] = with_constant(k, t->x_[k], -d->foot_x);
+        own_d_y_2[k] = with_constant(k, t->y_[k], -d->foot_y);
+        own_tilt_ahead[k] = (c->cos_of_slope * s->x_2[k] + c->sin_of_slope * s->y_2[k] -
+                             product_so_far(own_tilt_ahead, s->length, k)) /
+                            s->length[0];
+        own_x_2_times_d_x_2[k] = product(s->x_2, own_d_x_2, k);
+        own_y_2_times_d_y_2[k] = product(s->y_2, own_d_y_2, k);
+        own_d_length[k] =
+            (own_x_2_times_d_x_2[k] + own_y_2_times_d_y_2[k] - product_so_far(own_d_length, s->length, k)) /
+            s->length[0];
+        own_tilt_ahead_times_d_length[k] = product(own_tilt_ahead, own_d_length, k);
+        own_d_tilt_ahead[k] =
+            (d->cos_of_slope * s->x_2[k] + c->cos_of_slope * own_d_x_2[k] + d->sin_of_slope * s->y_2[k] +
+             c->sin_of_slope * own_d_y_2[k] - own_tilt_ahead_times_d_length[k] -
+             product_so_far(own_d_tilt_ahead, s->length, k)) /
+            s->length[0];
+        dg[k] = -own_d_tilt_ahead[k];
+    }
+}
+
 /* take_off: The spring is relaxed. */
 static void guard_stance_take_off(const real *constants, const real *series, int order, real *g) {
     const stance_constants *c = (const void *)constants;
@@ -817,12 +889,14 @@ static void bounds_flight_up(const real *constants, const real *series, const re
 }
 
 static const tdmf_polynomial polynomials_start_of_run[] = {guard_start_of_run_begins};
+static const tdmf_vary_polynomial vary_observed_start_of_run[] = {NULL};
 static const int moving_start_of_run[] = {0};
 static const int degrees_start_of_run[] = {1};
 static const int judged_start_of_run[] = {0};
 static const int divisors_start_of_run[] = {0};
 static const int integrals_start_of_run[] = {0};
 static const tdmf_polynomial polynomials_no_start[] = {NULL};
+static const tdmf_vary_polynomial vary_observed_no_start[] = {NULL};
 static const int moving_no_start[] = {0};
 static const int degrees_no_start[] = {0};
 static const int judged_no_start[] = {0};
@@ -830,18 +904,21 @@ static const int divisors_no_start[] = {0};
 static const int integrals_no_start[] = {0};
 static const tdmf_polynomial polynomials_flight_down[] = {guard_flight_down_touchdown,
                                                           guard_flight_down_falls};
+static const tdmf_vary_polynomial vary_observed_flight_down[] = {NULL};
 static const int moving_flight_down[] = {2, 0, 1, 4, 5};
 static const int degrees_flight_down[] = {2, 1, 1, 1, 1};
 static const int judged_flight_down[] = {0};
 static const int divisors_flight_down[] = {0};
 static const int integrals_flight_down[] = {0};
 static const tdmf_polynomial polynomials_fallen[] = {NULL};
+static const tdmf_vary_polynomial vary_observed_fallen[] = {NULL};
 static const int moving_fallen[] = {0};
 static const int degrees_fallen[] = {0};
 static const int judged_fallen[] = {0};
 static const int divisors_fallen[] = {0};
 static const int integrals_fallen[] = {0};
 static const tdmf_polynomial polynomials_slides[] = {NULL};
+static const tdmf_vary_polynomial vary_observed_slides[] = {NULL};
 static const int moving_slides[] = {0};
 static const int degrees_slides[] = {0};
 static const int judged_slides[] = {0};
@@ -850,12 +927,15 @@ static const int integrals_slides[] = {0};
 static const tdmf_polynomial polynomials_stance[] = {guard_stance_take_off,   guard_stance_leaves_cone,
                                                      guard_stance_slides_out, guard_stance_collapses,
                                                      guard_stance_tilt_ahead, guard_stance_tilt_behind};
+static const tdmf_vary_polynomial vary_observed_stance[] = {d_observed_stance_tilt_ahead,
+                                                            d_observed_stance_tilt_behind};
 static const int moving_stance[] = {1, 2, 3, 4, 0};
 static const int degrees_stance[] = {99, 99, 99, 99, 1};
 static const int judged_stance[] = {2, 3};
 static const int divisors_stance[] = {9};
 static const int integrals_stance[] = {-1, -1};
 static const tdmf_polynomial polynomials_flight_up[] = {guard_flight_up_falls, guard_flight_up_apex};
+static const tdmf_vary_polynomial vary_observed_flight_up[] = {NULL};
 static const int moving_flight_up[] = {2, 0, 1, 4};
 static const int degrees_flight_up[] = {2, 1, 1, 1};
 static const int judged_flight_up[] = {0};
@@ -874,6 +954,7 @@ const tdmf_motion_kind TDMF_OF_WIDTH(tdmf_classic_slip_motions)[] = {
      .divisors = divisors_start_of_run,
      .integrals = integrals_start_of_run,
      .polynomials = polynomials_start_of_run,
+     .vary_observed = vary_observed_start_of_run,
      .expand = expand_start_of_run,
      .vary = vary_start_of_run,
      .bounds = bounds_start_of_run},
@@ -888,6 +969,7 @@ const tdmf_motion_kind TDMF_OF_WIDTH(tdmf_classic_slip_motions)[] = {
      .divisors = divisors_no_start,
      .integrals = integrals_no_start,
      .polynomials = polynomials_no_start,
+     .vary_observed = vary_observed_no_start,
      .expand = expand_no_start,
      .vary = vary_no_start,
      .bounds = NULL},
@@ -902,6 +984,7 @@ const tdmf_motion_kind TDMF_OF_WIDTH(tdmf_classic_slip_motions)[] = {
      .divisors = divisors_flight_down,
      .integrals = integrals_flight_down,
      .polynomials = polynomials_flight_down,
+     .vary_observed = vary_observed_flight_down,
      .expand = expand_flight_down,
      .vary = vary_flight_down,
      .bounds = bounds_flight_down},
@@ -916,6 +999,7 @@ const tdmf_motion_kind TDMF_OF_WIDTH(tdmf_classic_slip_motions)[] = {
      .divisors = divisors_fallen,
      .integrals = integrals_fallen,
      .polynomials = polynomials_fallen,
+     .vary_observed = vary_observed_fallen,
      .expand = expand_fallen,
      .vary = vary_fallen,
      .bounds = NULL},
@@ -930,6 +1014,7 @@ const tdmf_motion_kind TDMF_OF_WIDTH(tdmf_classic_slip_motions)[] = {
      .divisors = divisors_slides,
      .integrals = integrals_slides,
      .polynomials = polynomials_slides,
+     .vary_observed = vary_observed_slides,
      .expand = expand_slides,
      .vary = vary_slides,
      .bounds = NULL},
@@ -944,6 +1029,7 @@ const tdmf_motion_kind TDMF_OF_WIDTH(tdmf_classic_slip_motions)[] = {
      .divisors = divisors_stance,
      .integrals = integrals_stance,
      .polynomials = polynomials_stance,
+     .vary_observed = vary_observed_stance,
      .expand = expand_stance,
      .vary = vary_stance,
      .bounds = bounds_stance},
@@ -958,6 +1044,7 @@ const tdmf_motion_kind TDMF_OF_WIDTH(tdmf_classic_slip_motions)[] = {
      .divisors = divisors_flight_up,
      .integrals = integrals_flight_up,
      .polynomials = polynomials_flight_up,
+     .vary_observed = vary_observed_flight_up,
      .expand = expand_flight_up,
      .vary = vary_flight_up,
      .bounds = bounds_flight_up},

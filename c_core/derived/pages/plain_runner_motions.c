@@ -425,6 +425,76 @@ static void vary_slip_constant(const real *constants, const real *series, const 
     }
 }
 
+/* First variation of power_of_hip. */
+static void d_observed_slip_constant_power_of_hip(const real *constants, const real *series,
+                                                  const real *d_constants, const real *d_series, int order,
+                                                  real *dg) {
+    (void)constants;
+    (void)series;
+    (void)d_constants;
+    const slip_constant_series *t = (const void *)d_series;
+    real own_rate_of_work[TERMS];
+    for (int k = 0; k < order; ++k) {
+        own_rate_of_work[k] = (double)(k + 1) * t->work[k + 1];
+        dg[k] = own_rate_of_work[k];
+    }
+}
+
+/* First variation of force_on_foot. */
+static void d_observed_slip_constant_force_on_foot(const real *constants, const real *series,
+                                                   const real *d_constants, const real *d_series, int order,
+                                                   real *dg) {
+    const slip_constant_constants *c = (const void *)constants;
+    const slip_constant_series *s = (const void *)series;
+    const slip_constant_constants *d = (const void *)d_constants;
+    const slip_constant_series *t = (const void *)d_series;
+    real own_x__times_x__2[TERMS];
+    real own_y__times_y__2[TERMS];
+    real own_d_length[TERMS];
+    real own_d_length_rate[TERMS];
+    real own_axial_times_d_length[TERMS];
+    real own_d_axial[TERMS];
+    real own_d_axial_times_y_[TERMS];
+    real own_axial_times_y__2[TERMS];
+    real own_turning_times_d_square[TERMS];
+    real own_d_turning[TERMS];
+    real own_d_turning_times_x_[TERMS];
+    real own_turning_times_x__2[TERMS];
+    real own_d_square[TERMS];
+    own_x__times_x__2[0] = product(s->x_, t->x_, 0);
+    own_y__times_y__2[0] = product(s->y_, t->y_, 0);
+    own_d_square[0] = 2.0 * own_x__times_x__2[0] + 2.0 * own_y__times_y__2[0];
+    own_d_length[0] = (0.5 * own_d_square[0] - product_so_far(own_d_length, s->length, 0)) / s->length[0];
+    for (int k = 0; k < order; ++k) {
+        own_x__times_x__2[k + 1] = product(s->x_, t->x_, k + 1);
+        own_y__times_y__2[k + 1] = product(s->y_, t->y_, k + 1);
+        own_d_square[k + 1] = 2.0 * own_x__times_x__2[k + 1] + 2.0 * own_y__times_y__2[k + 1];
+        own_d_length[k + 1] =
+            (0.5 * own_d_square[k + 1] - product_so_far(own_d_length, s->length, k + 1)) / s->length[0];
+        own_d_length_rate[k] = (double)(k + 1) * own_d_length[k + 1];
+        own_axial_times_d_length[k] = product(s->axial, own_d_length, k);
+        own_d_axial[k] = (with_constant(k,
+                                        -(d->stiffness * s->length[k]) - c->stiffness * own_d_length[k] -
+                                            d->damping * s->length_rate[k] -
+                                            c->damping * own_d_length_rate[k] - own_axial_times_d_length[k],
+                                        d->stiffness * c->free_length + c->stiffness * d->free_length) -
+                          product_so_far(own_d_axial, s->length, k)) /
+                         s->length[0];
+        own_d_axial_times_y_[k] = product(own_d_axial, s->y_, k);
+        own_axial_times_y__2[k] = product(s->axial, t->y_, k);
+        own_turning_times_d_square[k] = product(s->turning, own_d_square, k);
+        own_d_turning[k] = (with_constant(k, -own_turning_times_d_square[k], d->stance_torque) -
+                            product_so_far(own_d_turning, s->square, k)) /
+                           s->square[0];
+        own_d_turning_times_x_[k] = product(own_d_turning, s->x_, k);
+        own_turning_times_x__2[k] = product(s->turning, t->x_, k);
+        dg[k] = with_constant(k,
+                              own_d_axial_times_y_[k] + own_axial_times_y__2[k] + own_d_turning_times_x_[k] +
+                                  own_turning_times_x__2[k],
+                              d->foot_mass_times_gravity);
+    }
+}
+
 /* falls: The body reaches the ground. */
 static void guard_slip_constant_falls(const real *constants, const real *series, int order, real *g) {
     (void)constants;
@@ -802,6 +872,74 @@ static void vary_stick(const real *constants, const real *series, const real *d_
     }
 }
 
+/* First variation of power_of_hip. */
+static void d_observed_stick_power_of_hip(const real *constants, const real *series, const real *d_constants,
+                                          const real *d_series, int order, real *dg) {
+    (void)constants;
+    (void)series;
+    (void)d_constants;
+    const stick_series *t = (const void *)d_series;
+    real own_rate_of_work[TERMS];
+    for (int k = 0; k < order; ++k) {
+        own_rate_of_work[k] = (double)(k + 1) * t->work[k + 1];
+        dg[k] = own_rate_of_work[k];
+    }
+}
+
+/* First variation of force_on_foot. */
+static void d_observed_stick_force_on_foot(const real *constants, const real *series, const real *d_constants,
+                                           const real *d_series, int order, real *dg) {
+    const stick_constants *c = (const void *)constants;
+    const stick_series *s = (const void *)series;
+    const stick_constants *d = (const void *)d_constants;
+    const stick_series *t = (const void *)d_series;
+    real own_x__times_x__2[TERMS];
+    real own_y__times_y__2[TERMS];
+    real own_d_length[TERMS];
+    real own_d_length_rate[TERMS];
+    real own_axial_times_d_length[TERMS];
+    real own_d_axial[TERMS];
+    real own_d_axial_times_y_[TERMS];
+    real own_axial_times_y__2[TERMS];
+    real own_turning_times_d_square[TERMS];
+    real own_d_turning[TERMS];
+    real own_d_turning_times_x_[TERMS];
+    real own_turning_times_x__2[TERMS];
+    real own_d_square[TERMS];
+    own_x__times_x__2[0] = product(s->x_, t->x_, 0);
+    own_y__times_y__2[0] = product(s->y_, t->y_, 0);
+    own_d_square[0] = 2.0 * own_x__times_x__2[0] + 2.0 * own_y__times_y__2[0];
+    own_d_length[0] = (0.5 * own_d_square[0] - product_so_far(own_d_length, s->length, 0)) / s->length[0];
+    for (int k = 0; k < order; ++k) {
+        own_x__times_x__2[k + 1] = product(s->x_, t->x_, k + 1);
+        own_y__times_y__2[k + 1] = product(s->y_, t->y_, k + 1);
+        own_d_square[k + 1] = 2.0 * own_x__times_x__2[k + 1] + 2.0 * own_y__times_y__2[k + 1];
+        own_d_length[k + 1] =
+            (0.5 * own_d_square[k + 1] - product_so_far(own_d_length, s->length, k + 1)) / s->length[0];
+        own_d_length_rate[k] = (double)(k + 1) * own_d_length[k + 1];
+        own_axial_times_d_length[k] = product(s->axial, own_d_length, k);
+        own_d_axial[k] = (with_constant(k,
+                                        -(d->stiffness * s->length[k]) - c->stiffness * own_d_length[k] -
+                                            d->damping * s->length_rate[k] -
+                                            c->damping * own_d_length_rate[k] - own_axial_times_d_length[k],
+                                        d->stiffness * c->free_length + c->stiffness * d->free_length) -
+                          product_so_far(own_d_axial, s->length, k)) /
+                         s->length[0];
+        own_d_axial_times_y_[k] = product(own_d_axial, s->y_, k);
+        own_axial_times_y__2[k] = product(s->axial, t->y_, k);
+        own_turning_times_d_square[k] = product(s->turning, own_d_square, k);
+        own_d_turning[k] = (with_constant(k, -own_turning_times_d_square[k], d->stance_torque) -
+                            product_so_far(own_d_turning, s->square, k)) /
+                           s->square[0];
+        own_d_turning_times_x_[k] = product(own_d_turning, s->x_, k);
+        own_turning_times_x__2[k] = product(s->turning, t->x_, k);
+        dg[k] = with_constant(k,
+                              own_d_axial_times_y_[k] + own_axial_times_y__2[k] + own_d_turning_times_x_[k] +
+                                  own_turning_times_x__2[k],
+                              d->foot_mass_times_gravity);
+    }
+}
+
 /* falls: The body reaches the ground. */
 static void guard_stick_falls(const real *constants, const real *series, int order, real *g) {
     (void)constants;
@@ -1111,6 +1249,21 @@ static void vary_flight_place_calm(const real *constants, const real *series, co
     }
 }
 
+/* First variation of power_of_hip. */
+static void d_observed_flight_place_calm_power_of_hip(const real *constants, const real *series,
+                                                      const real *d_constants, const real *d_series,
+                                                      int order, real *dg) {
+    (void)constants;
+    (void)series;
+    (void)d_constants;
+    const flight_place_calm_series *t = (const void *)d_series;
+    real own_rate_of_work[TERMS];
+    for (int k = 0; k < order; ++k) {
+        own_rate_of_work[k] = (double)(k + 1) * t->work[k + 1];
+        dg[k] = own_rate_of_work[k];
+    }
+}
+
 /* falls: The body reaches the ground. */
 static void guard_flight_place_calm_falls(const real *constants, const real *series, int order, real *g) {
     const flight_place_calm_constants *c = (const void *)constants;
@@ -1368,6 +1521,21 @@ static void vary_flight_rest_calm(const real *constants, const real *series, con
         t->com_x[k + 1] = series_reciprocal[k + 1] * (constant_of(k, d->com_vx));
         t->com_vy[k + 1] = series_reciprocal[k + 1] * (constant_of(k, d->minus_gravity));
         t->momentum[k + 1] = series_reciprocal[k + 1] * (constant_of(k, d->mobility_times_external_torque));
+    }
+}
+
+/* First variation of power_of_hip. */
+static void d_observed_flight_rest_calm_power_of_hip(const real *constants, const real *series,
+                                                     const real *d_constants, const real *d_series, int order,
+                                                     real *dg) {
+    (void)constants;
+    (void)series;
+    (void)d_constants;
+    const flight_rest_calm_series *t = (const void *)d_series;
+    real own_rate_of_work[TERMS];
+    for (int k = 0; k < order; ++k) {
+        own_rate_of_work[k] = (double)(k + 1) * t->work[k + 1];
+        dg[k] = own_rate_of_work[k];
     }
 }
 
@@ -1673,6 +1841,21 @@ static void vary_flight_retract_calm(const real *constants, const real *series, 
         t->time[k + 1] = series_reciprocal[k + 1] * (broadcast(0.0));
         t->com_x[k + 1] = series_reciprocal[k + 1] * (constant_of(k, d->com_vx));
         t->com_vy[k + 1] = series_reciprocal[k + 1] * (constant_of(k, d->minus_gravity));
+    }
+}
+
+/* First variation of power_of_hip. */
+static void d_observed_flight_retract_calm_power_of_hip(const real *constants, const real *series,
+                                                        const real *d_constants, const real *d_series,
+                                                        int order, real *dg) {
+    (void)constants;
+    (void)series;
+    (void)d_constants;
+    const flight_retract_calm_series *t = (const void *)d_series;
+    real own_rate_of_work[TERMS];
+    for (int k = 0; k < order; ++k) {
+        own_rate_of_work[k] = (double)(k + 1) * t->work[k + 1];
+        dg[k] = own_rate_of_work[k];
     }
 }
 
@@ -2167,6 +2350,21 @@ static void vary_graze_place(const real *constants, const real *series, const re
     }
 }
 
+/* First variation of power_of_hip. */
+static void d_observed_graze_place_power_of_hip(const real *constants, const real *series,
+                                                const real *d_constants, const real *d_series, int order,
+                                                real *dg) {
+    (void)constants;
+    (void)series;
+    (void)d_constants;
+    const graze_place_series *t = (const void *)d_series;
+    real own_rate_of_work[TERMS];
+    for (int k = 0; k < order; ++k) {
+        own_rate_of_work[k] = (double)(k + 1) * t->work[k + 1];
+        dg[k] = own_rate_of_work[k];
+    }
+}
+
 /* falls: The body reaches the ground. */
 static void guard_graze_place_falls(const real *constants, const real *series, int order, real *g) {
     (void)constants;
@@ -2555,6 +2753,21 @@ static void vary_graze_rest(const real *constants, const real *series, const rea
         t->time[k + 1] = series_reciprocal[k + 1] * (broadcast(0.0));
         t->vy[k + 1] = series_reciprocal[k + 1] * (constant_of(k, d->minus_off_over_body_mass_minus_gravity));
         t->seen_angle[k + 1] = series_reciprocal[k + 1] * (d_angle_rate[k]);
+    }
+}
+
+/* First variation of power_of_hip. */
+static void d_observed_graze_rest_power_of_hip(const real *constants, const real *series,
+                                               const real *d_constants, const real *d_series, int order,
+                                               real *dg) {
+    (void)constants;
+    (void)series;
+    (void)d_constants;
+    const graze_rest_series *t = (const void *)d_series;
+    real own_rate_of_work[TERMS];
+    for (int k = 0; k < order; ++k) {
+        own_rate_of_work[k] = (double)(k + 1) * t->work[k + 1];
+        dg[k] = own_rate_of_work[k];
     }
 }
 
@@ -2982,6 +3195,21 @@ static void vary_graze_retract(const real *constants, const real *series, const 
     }
 }
 
+/* First variation of power_of_hip. */
+static void d_observed_graze_retract_power_of_hip(const real *constants, const real *series,
+                                                  const real *d_constants, const real *d_series, int order,
+                                                  real *dg) {
+    (void)constants;
+    (void)series;
+    (void)d_constants;
+    const graze_retract_series *t = (const void *)d_series;
+    real own_rate_of_work[TERMS];
+    for (int k = 0; k < order; ++k) {
+        own_rate_of_work[k] = (double)(k + 1) * t->work[k + 1];
+        dg[k] = own_rate_of_work[k];
+    }
+}
+
 /* falls: The body reaches the ground. */
 static void guard_graze_retract_falls(const real *constants, const real *series, int order, real *g) {
     (void)constants;
@@ -3119,6 +3347,7 @@ static void bounds_graze_retract(const real *constants, const real *series, cons
 }
 
 static const tdmf_polynomial polynomials_start_of_run[] = {guard_start_of_run_begins};
+static const tdmf_vary_polynomial vary_observed_start_of_run[] = {NULL};
 static const int moving_start_of_run[] = {0};
 static const int degrees_start_of_run[] = {1};
 static const int judged_start_of_run[] = {0};
@@ -3128,6 +3357,8 @@ static const tdmf_polynomial polynomials_slip_constant[] = {
     guard_slip_constant_falls,        guard_slip_constant_collapses,     guard_slip_constant_mid_stance,
     guard_slip_constant_lift_off,     guard_slip_constant_comes_to_rest, guard_slip_constant_power_of_hip,
     guard_slip_constant_force_on_foot};
+static const tdmf_vary_polynomial vary_observed_slip_constant[] = {d_observed_slip_constant_power_of_hip,
+                                                                   d_observed_slip_constant_force_on_foot};
 static const int moving_slip_constant[] = {54, 55, 56, 57, 58, 59, 61, 64, 74, 0};
 static const int degrees_slip_constant[] = {99, 99, 99, 99, 99, 99, 99, 99, 99, 1, 99};
 static const int judged_slip_constant[] = {2, 3, 5, 6, 7, 8, 10};
@@ -3137,6 +3368,8 @@ static const tdmf_polynomial polynomials_stick[] = {guard_stick_falls,         g
                                                     guard_stick_mid_stance,    guard_stick_lift_off,
                                                     guard_stick_slips_forward, guard_stick_slips_backward,
                                                     guard_stick_power_of_hip,  guard_stick_force_on_foot};
+static const tdmf_vary_polynomial vary_observed_stick[] = {d_observed_stick_power_of_hip,
+                                                           d_observed_stick_force_on_foot};
 static const int moving_stick[] = {54, 55, 56, 57, 61, 74, 0, 58};
 static const int degrees_stick[] = {99, 99, 99, 99, 99, 99, 1, 1, 99};
 static const int judged_stick[] = {2, 3, 4, 5, 8};
@@ -3145,6 +3378,8 @@ static const int integrals_stick[] = {5, -1};
 static const tdmf_polynomial polynomials_flight_place_calm[] = {
     guard_flight_place_calm_falls, guard_flight_place_calm_collapses, guard_flight_place_calm_apex,
     guard_flight_place_calm_touchdown, guard_flight_place_calm_power_of_hip};
+static const tdmf_vary_polynomial vary_observed_flight_place_calm[] = {
+    d_observed_flight_place_calm_power_of_hip};
 static const int moving_flight_place_calm[] = {43, 44, 47, 50, 53, 61, 74, 0, 49, 52, 69};
 static const int degrees_flight_place_calm[] = {99, 99, 99, 2, 99, 99, 99, 1, 1, 1, 1};
 static const int judged_flight_place_calm[] = {1, 2, 4, 5, 6};
@@ -3153,6 +3388,8 @@ static const int integrals_flight_place_calm[] = {6};
 static const tdmf_polynomial polynomials_flight_rest_calm[] = {
     guard_flight_rest_calm_falls,     guard_flight_rest_calm_collapses, guard_flight_rest_calm_apex,
     guard_flight_rest_calm_touchdown, guard_flight_rest_calm_release,   guard_flight_rest_calm_power_of_hip};
+static const tdmf_vary_polynomial vary_observed_flight_rest_calm[] = {
+    d_observed_flight_rest_calm_power_of_hip};
 static const int moving_flight_rest_calm[] = {43, 44, 47, 50, 61, 74, 0, 49, 52, 53};
 static const int degrees_flight_rest_calm[] = {99, 99, 99, 2, 99, 99, 1, 1, 1, 1};
 static const int judged_flight_rest_calm[] = {1, 2, 4, 5};
@@ -3162,12 +3399,15 @@ static const tdmf_polynomial polynomials_flight_retract_calm[] = {
     guard_flight_retract_calm_falls, guard_flight_retract_calm_collapses,
     guard_flight_retract_calm_apex,  guard_flight_retract_calm_touchdown,
     guard_flight_retract_calm_clamp, guard_flight_retract_calm_power_of_hip};
+static const tdmf_vary_polynomial vary_observed_flight_retract_calm[] = {
+    d_observed_flight_retract_calm_power_of_hip};
 static const int moving_flight_retract_calm[] = {43, 44, 47, 50, 53, 61, 74, 0, 49, 52};
 static const int degrees_flight_retract_calm[] = {99, 99, 99, 2, 99, 99, 99, 1, 1, 1};
 static const int judged_flight_retract_calm[] = {1, 2, 4, 5, 6};
 static const int divisors_flight_retract_calm[] = {10};
 static const int integrals_flight_retract_calm[] = {6};
 static const tdmf_polynomial polynomials_fallen[] = {NULL};
+static const tdmf_vary_polynomial vary_observed_fallen[] = {NULL};
 static const int moving_fallen[] = {0};
 static const int degrees_fallen[] = {0};
 static const int judged_fallen[] = {0};
@@ -3177,6 +3417,7 @@ static const tdmf_polynomial polynomials_graze_place[] = {
     guard_graze_place_falls,           guard_graze_place_collapses,
     guard_graze_place_mid_stance,      guard_graze_place_graze_to_contact,
     guard_graze_place_graze_to_flight, guard_graze_place_power_of_hip};
+static const tdmf_vary_polynomial vary_observed_graze_place[] = {d_observed_graze_place_power_of_hip};
 static const int moving_graze_place[] = {54, 55, 56, 58, 59, 61, 74, 0, 57, 69};
 static const int degrees_graze_place[] = {99, 2, 99, 99, 99, 99, 99, 1, 1, 1, 99};
 static const int judged_graze_place[] = {2, 4, 5, 6, 10};
@@ -3186,6 +3427,7 @@ static const tdmf_polynomial polynomials_graze_rest[] = {
     guard_graze_rest_falls,           guard_graze_rest_collapses,   guard_graze_rest_apex_in_graze,
     guard_graze_rest_release,         guard_graze_rest_mid_stance,  guard_graze_rest_graze_to_contact,
     guard_graze_rest_graze_to_flight, guard_graze_rest_power_of_hip};
+static const tdmf_vary_polynomial vary_observed_graze_rest[] = {d_observed_graze_rest_power_of_hip};
 static const int moving_graze_rest[] = {54, 55, 56, 58, 59, 61, 74, 0, 57};
 static const int degrees_graze_rest[] = {99, 2, 99, 99, 99, 99, 99, 1, 1, 99};
 static const int judged_graze_rest[] = {2, 4, 5, 6, 9};
@@ -3196,6 +3438,7 @@ static const tdmf_polynomial polynomials_graze_retract[] = {
     guard_graze_retract_apex_in_graze,   guard_graze_retract_clamp,
     guard_graze_retract_mid_stance,      guard_graze_retract_graze_to_contact,
     guard_graze_retract_graze_to_flight, guard_graze_retract_power_of_hip};
+static const tdmf_vary_polynomial vary_observed_graze_retract[] = {d_observed_graze_retract_power_of_hip};
 static const int moving_graze_retract[] = {54, 55, 56, 58, 59, 61, 74, 0, 57};
 static const int degrees_graze_retract[] = {99, 2, 99, 99, 99, 99, 99, 1, 1, 99};
 static const int judged_graze_retract[] = {2, 4, 5, 6, 9};
@@ -3214,6 +3457,7 @@ const tdmf_motion_kind TDMF_OF_WIDTH(tdmf_plain_runner_motions)[] = {
      .divisors = divisors_start_of_run,
      .integrals = integrals_start_of_run,
      .polynomials = polynomials_start_of_run,
+     .vary_observed = vary_observed_start_of_run,
      .expand = expand_start_of_run,
      .vary = vary_start_of_run,
      .bounds = bounds_start_of_run},
@@ -3228,6 +3472,7 @@ const tdmf_motion_kind TDMF_OF_WIDTH(tdmf_plain_runner_motions)[] = {
      .divisors = divisors_slip_constant,
      .integrals = integrals_slip_constant,
      .polynomials = polynomials_slip_constant,
+     .vary_observed = vary_observed_slip_constant,
      .expand = expand_slip_constant,
      .vary = vary_slip_constant,
      .bounds = bounds_slip_constant},
@@ -3242,6 +3487,7 @@ const tdmf_motion_kind TDMF_OF_WIDTH(tdmf_plain_runner_motions)[] = {
      .divisors = divisors_stick,
      .integrals = integrals_stick,
      .polynomials = polynomials_stick,
+     .vary_observed = vary_observed_stick,
      .expand = expand_stick,
      .vary = vary_stick,
      .bounds = bounds_stick},
@@ -3256,6 +3502,7 @@ const tdmf_motion_kind TDMF_OF_WIDTH(tdmf_plain_runner_motions)[] = {
      .divisors = divisors_flight_place_calm,
      .integrals = integrals_flight_place_calm,
      .polynomials = polynomials_flight_place_calm,
+     .vary_observed = vary_observed_flight_place_calm,
      .expand = expand_flight_place_calm,
      .vary = vary_flight_place_calm,
      .bounds = bounds_flight_place_calm},
@@ -3270,6 +3517,7 @@ const tdmf_motion_kind TDMF_OF_WIDTH(tdmf_plain_runner_motions)[] = {
      .divisors = divisors_flight_rest_calm,
      .integrals = integrals_flight_rest_calm,
      .polynomials = polynomials_flight_rest_calm,
+     .vary_observed = vary_observed_flight_rest_calm,
      .expand = expand_flight_rest_calm,
      .vary = vary_flight_rest_calm,
      .bounds = bounds_flight_rest_calm},
@@ -3284,6 +3532,7 @@ const tdmf_motion_kind TDMF_OF_WIDTH(tdmf_plain_runner_motions)[] = {
      .divisors = divisors_flight_retract_calm,
      .integrals = integrals_flight_retract_calm,
      .polynomials = polynomials_flight_retract_calm,
+     .vary_observed = vary_observed_flight_retract_calm,
      .expand = expand_flight_retract_calm,
      .vary = vary_flight_retract_calm,
      .bounds = bounds_flight_retract_calm},
@@ -3298,6 +3547,7 @@ const tdmf_motion_kind TDMF_OF_WIDTH(tdmf_plain_runner_motions)[] = {
      .divisors = divisors_fallen,
      .integrals = integrals_fallen,
      .polynomials = polynomials_fallen,
+     .vary_observed = vary_observed_fallen,
      .expand = expand_fallen,
      .vary = vary_fallen,
      .bounds = NULL},
@@ -3312,6 +3562,7 @@ const tdmf_motion_kind TDMF_OF_WIDTH(tdmf_plain_runner_motions)[] = {
      .divisors = divisors_graze_place,
      .integrals = integrals_graze_place,
      .polynomials = polynomials_graze_place,
+     .vary_observed = vary_observed_graze_place,
      .expand = expand_graze_place,
      .vary = vary_graze_place,
      .bounds = bounds_graze_place},
@@ -3326,6 +3577,7 @@ const tdmf_motion_kind TDMF_OF_WIDTH(tdmf_plain_runner_motions)[] = {
      .divisors = divisors_graze_rest,
      .integrals = integrals_graze_rest,
      .polynomials = polynomials_graze_rest,
+     .vary_observed = vary_observed_graze_rest,
      .expand = expand_graze_rest,
      .vary = vary_graze_rest,
      .bounds = bounds_graze_rest},
@@ -3340,6 +3592,7 @@ const tdmf_motion_kind TDMF_OF_WIDTH(tdmf_plain_runner_motions)[] = {
      .divisors = divisors_graze_retract,
      .integrals = integrals_graze_retract,
      .polynomials = polynomials_graze_retract,
+     .vary_observed = vary_observed_graze_retract,
      .expand = expand_graze_retract,
      .vary = vary_graze_retract,
      .bounds = bounds_graze_retract},

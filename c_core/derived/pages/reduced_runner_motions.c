@@ -267,6 +267,19 @@ static void vary_flight_place(const real *constants, const real *series, const r
     }
 }
 
+/* First variation of power_of_hip. */
+static void d_observed_flight_place_power_of_hip(const real *constants, const real *series,
+                                                 const real *d_constants, const real *d_series, int order,
+                                                 real *dg) {
+    (void)constants;
+    (void)series;
+    (void)d_constants;
+    (void)d_series;
+    for (int k = 0; k < order; ++k) {
+        dg[k] = broadcast(0.0);
+    }
+}
+
 /* falls: The body reaches the ground. */
 static void guard_flight_place_falls(const real *constants, const real *series, int order, real *g) {
     const flight_place_constants *c = (const void *)constants;
@@ -769,6 +782,140 @@ static void vary_slip_constant(const real *constants, const real *series, const 
     }
 }
 
+/* First variation of power_of_hip. */
+static void d_observed_slip_constant_power_of_hip(const real *constants, const real *series,
+                                                  const real *d_constants, const real *d_series, int order,
+                                                  real *dg) {
+    (void)constants;
+    (void)series;
+    (void)d_constants;
+    const slip_constant_series *t = (const void *)d_series;
+    real own_rate_of_work[TERMS];
+    for (int k = 0; k < order; ++k) {
+        own_rate_of_work[k] = (double)(k + 1) * t->work[k + 1];
+        dg[k] = own_rate_of_work[k];
+    }
+}
+
+/* First variation of vertical_force_on_foot. */
+static void d_observed_slip_constant_vertical_force_on_foot(const real *constants, const real *series,
+                                                            const real *d_constants, const real *d_series,
+                                                            int order, real *dg) {
+    const slip_constant_constants *c = (const void *)constants;
+    const slip_constant_series *s = (const void *)series;
+    const slip_constant_constants *d = (const void *)d_constants;
+    const slip_constant_series *t = (const void *)d_series;
+    real own_x__times_x__2[TERMS];
+    real own_y__times_y__2[TERMS];
+    real own_d_length[TERMS];
+    real own_d_length_rate[TERMS];
+    real own_axial_times_d_length[TERMS];
+    real own_d_axial[TERMS];
+    real own_d_axial_times_y_[TERMS];
+    real own_axial_times_y__2[TERMS];
+    real own_turning_times_d_square[TERMS];
+    real own_d_turning[TERMS];
+    real own_d_turning_times_x_[TERMS];
+    real own_turning_times_x__2[TERMS];
+    real own_d_square[TERMS];
+    own_x__times_x__2[0] = product(s->x_, t->x_, 0);
+    own_y__times_y__2[0] = product(s->y_, t->y_, 0);
+    own_d_square[0] = 2.0 * own_x__times_x__2[0] + 2.0 * own_y__times_y__2[0];
+    own_d_length[0] = (0.5 * own_d_square[0] - product_so_far(own_d_length, s->length, 0)) / s->length[0];
+    for (int k = 0; k < order; ++k) {
+        own_x__times_x__2[k + 1] = product(s->x_, t->x_, k + 1);
+        own_y__times_y__2[k + 1] = product(s->y_, t->y_, k + 1);
+        own_d_square[k + 1] = 2.0 * own_x__times_x__2[k + 1] + 2.0 * own_y__times_y__2[k + 1];
+        own_d_length[k + 1] =
+            (0.5 * own_d_square[k + 1] - product_so_far(own_d_length, s->length, k + 1)) / s->length[0];
+        own_d_length_rate[k] = (double)(k + 1) * own_d_length[k + 1];
+        own_axial_times_d_length[k] = product(s->axial, own_d_length, k);
+        own_d_axial[k] = (with_constant(k,
+                                        -(d->stiffness * s->length[k]) - c->stiffness * own_d_length[k] -
+                                            d->damping * s->length_rate[k] -
+                                            c->damping * own_d_length_rate[k] - own_axial_times_d_length[k],
+                                        d->stiffness * c->rest_length + c->stiffness * d->rest_length) -
+                          product_so_far(own_d_axial, s->length, k)) /
+                         s->length[0];
+        own_d_axial_times_y_[k] = product(own_d_axial, s->y_, k);
+        own_axial_times_y__2[k] = product(s->axial, t->y_, k);
+        own_turning_times_d_square[k] = product(s->turning, own_d_square, k);
+        own_d_turning[k] = (with_constant(k, -own_turning_times_d_square[k], d->stance_torque) -
+                            product_so_far(own_d_turning, s->square, k)) /
+                           s->square[0];
+        own_d_turning_times_x_[k] = product(own_d_turning, s->x_, k);
+        own_turning_times_x__2[k] = product(s->turning, t->x_, k);
+        dg[k] =
+            with_constant(k,
+                          (d->cosine - c->sine * d->way_times_friction) * s->axial_times_y_[k] +
+                              (d->cosine - c->sine * d->way_times_friction) * s->turning_times_x_[k] +
+                              (c->cosine - c->sine * c->way_times_friction) * own_d_axial_times_y_[k] +
+                              (c->cosine - c->sine * c->way_times_friction) * own_axial_times_y__2[k] +
+                              (c->cosine - c->sine * c->way_times_friction) * own_d_turning_times_x_[k] +
+                              (c->cosine - c->sine * c->way_times_friction) * own_turning_times_x__2[k] -
+                              d->sine * s->friction_force[k],
+                          d->cosine * c->foot_mass_times_gravity_times_cosine +
+                              c->cosine * d->foot_mass_times_gravity_times_cosine -
+                              c->sine * (d->way_times_friction * c->foot_mass_times_gravity_times_cosine +
+                                         c->way_times_friction * d->foot_mass_times_gravity_times_cosine));
+    }
+}
+
+/* First variation of force_on_foot. */
+static void d_observed_slip_constant_force_on_foot(const real *constants, const real *series,
+                                                   const real *d_constants, const real *d_series, int order,
+                                                   real *dg) {
+    const slip_constant_constants *c = (const void *)constants;
+    const slip_constant_series *s = (const void *)series;
+    const slip_constant_constants *d = (const void *)d_constants;
+    const slip_constant_series *t = (const void *)d_series;
+    real own_x__times_x__2[TERMS];
+    real own_y__times_y__2[TERMS];
+    real own_d_length[TERMS];
+    real own_d_length_rate[TERMS];
+    real own_axial_times_d_length[TERMS];
+    real own_d_axial[TERMS];
+    real own_d_axial_times_y_[TERMS];
+    real own_axial_times_y__2[TERMS];
+    real own_turning_times_d_square[TERMS];
+    real own_d_turning[TERMS];
+    real own_d_turning_times_x_[TERMS];
+    real own_turning_times_x__2[TERMS];
+    real own_d_square[TERMS];
+    own_x__times_x__2[0] = product(s->x_, t->x_, 0);
+    own_y__times_y__2[0] = product(s->y_, t->y_, 0);
+    own_d_square[0] = 2.0 * own_x__times_x__2[0] + 2.0 * own_y__times_y__2[0];
+    own_d_length[0] = (0.5 * own_d_square[0] - product_so_far(own_d_length, s->length, 0)) / s->length[0];
+    for (int k = 0; k < order; ++k) {
+        own_x__times_x__2[k + 1] = product(s->x_, t->x_, k + 1);
+        own_y__times_y__2[k + 1] = product(s->y_, t->y_, k + 1);
+        own_d_square[k + 1] = 2.0 * own_x__times_x__2[k + 1] + 2.0 * own_y__times_y__2[k + 1];
+        own_d_length[k + 1] =
+            (0.5 * own_d_square[k + 1] - product_so_far(own_d_length, s->length, k + 1)) / s->length[0];
+        own_d_length_rate[k] = (double)(k + 1) * own_d_length[k + 1];
+        own_axial_times_d_length[k] = product(s->axial, own_d_length, k);
+        own_d_axial[k] = (with_constant(k,
+                                        -(d->stiffness * s->length[k]) - c->stiffness * own_d_length[k] -
+                                            d->damping * s->length_rate[k] -
+                                            c->damping * own_d_length_rate[k] - own_axial_times_d_length[k],
+                                        d->stiffness * c->rest_length + c->stiffness * d->rest_length) -
+                          product_so_far(own_d_axial, s->length, k)) /
+                         s->length[0];
+        own_d_axial_times_y_[k] = product(own_d_axial, s->y_, k);
+        own_axial_times_y__2[k] = product(s->axial, t->y_, k);
+        own_turning_times_d_square[k] = product(s->turning, own_d_square, k);
+        own_d_turning[k] = (with_constant(k, -own_turning_times_d_square[k], d->stance_torque) -
+                            product_so_far(own_d_turning, s->square, k)) /
+                           s->square[0];
+        own_d_turning_times_x_[k] = product(own_d_turning, s->x_, k);
+        own_turning_times_x__2[k] = product(s->turning, t->x_, k);
+        dg[k] = with_constant(k,
+                              own_d_axial_times_y_[k] + own_axial_times_y__2[k] + own_d_turning_times_x_[k] +
+                                  own_turning_times_x__2[k],
+                              d->foot_mass_times_gravity_times_cosine);
+    }
+}
+
 /* falls: The body reaches the ground. */
 static void guard_slip_constant_falls(const real *constants, const real *series, int order, real *g) {
     (void)constants;
@@ -1219,6 +1366,145 @@ static void vary_stick(const real *constants, const real *series, const real *d_
     }
 }
 
+/* First variation of power_of_hip. */
+static void d_observed_stick_power_of_hip(const real *constants, const real *series, const real *d_constants,
+                                          const real *d_series, int order, real *dg) {
+    (void)constants;
+    (void)series;
+    (void)d_constants;
+    const stick_series *t = (const void *)d_series;
+    real own_rate_of_work[TERMS];
+    for (int k = 0; k < order; ++k) {
+        own_rate_of_work[k] = (double)(k + 1) * t->work[k + 1];
+        dg[k] = own_rate_of_work[k];
+    }
+}
+
+/* First variation of vertical_force_on_foot. */
+static void d_observed_stick_vertical_force_on_foot(const real *constants, const real *series,
+                                                    const real *d_constants, const real *d_series, int order,
+                                                    real *dg) {
+    const stick_constants *c = (const void *)constants;
+    const stick_series *s = (const void *)series;
+    const stick_constants *d = (const void *)d_constants;
+    const stick_series *t = (const void *)d_series;
+    real own_x__times_x__2[TERMS];
+    real own_y__times_y__2[TERMS];
+    real own_d_length[TERMS];
+    real own_d_length_rate[TERMS];
+    real own_axial_times_d_length[TERMS];
+    real own_d_axial[TERMS];
+    real own_d_axial_times_x_[TERMS];
+    real own_axial_times_x__2[TERMS];
+    real own_turning_times_d_square[TERMS];
+    real own_d_turning[TERMS];
+    real own_d_turning_times_y_[TERMS];
+    real own_turning_times_y__2[TERMS];
+    real own_d_axial_times_y_[TERMS];
+    real own_axial_times_y__2[TERMS];
+    real own_d_turning_times_x_[TERMS];
+    real own_turning_times_x__2[TERMS];
+    real own_d_square[TERMS];
+    own_x__times_x__2[0] = product(s->x_, t->x_, 0);
+    own_y__times_y__2[0] = product(s->y_, t->y_, 0);
+    own_d_square[0] = 2.0 * own_x__times_x__2[0] + 2.0 * own_y__times_y__2[0];
+    own_d_length[0] = (0.5 * own_d_square[0] - product_so_far(own_d_length, s->length, 0)) / s->length[0];
+    for (int k = 0; k < order; ++k) {
+        own_x__times_x__2[k + 1] = product(s->x_, t->x_, k + 1);
+        own_y__times_y__2[k + 1] = product(s->y_, t->y_, k + 1);
+        own_d_square[k + 1] = 2.0 * own_x__times_x__2[k + 1] + 2.0 * own_y__times_y__2[k + 1];
+        own_d_length[k + 1] =
+            (0.5 * own_d_square[k + 1] - product_so_far(own_d_length, s->length, k + 1)) / s->length[0];
+        own_d_length_rate[k] = (double)(k + 1) * own_d_length[k + 1];
+        own_axial_times_d_length[k] = product(s->axial, own_d_length, k);
+        own_d_axial[k] = (with_constant(k,
+                                        -(d->stiffness * s->length[k]) - c->stiffness * own_d_length[k] -
+                                            d->damping * s->length_rate[k] -
+                                            c->damping * own_d_length_rate[k] - own_axial_times_d_length[k],
+                                        d->stiffness * c->rest_length + c->stiffness * d->rest_length) -
+                          product_so_far(own_d_axial, s->length, k)) /
+                         s->length[0];
+        own_d_axial_times_x_[k] = product(own_d_axial, s->x_, k);
+        own_axial_times_x__2[k] = product(s->axial, t->x_, k);
+        own_turning_times_d_square[k] = product(s->turning, own_d_square, k);
+        own_d_turning[k] = (with_constant(k, -own_turning_times_d_square[k], d->stance_torque) -
+                            product_so_far(own_d_turning, s->square, k)) /
+                           s->square[0];
+        own_d_turning_times_y_[k] = product(own_d_turning, s->y_, k);
+        own_turning_times_y__2[k] = product(s->turning, t->y_, k);
+        own_d_axial_times_y_[k] = product(own_d_axial, s->y_, k);
+        own_axial_times_y__2[k] = product(s->axial, t->y_, k);
+        own_d_turning_times_x_[k] = product(own_d_turning, s->x_, k);
+        own_turning_times_x__2[k] = product(s->turning, t->x_, k);
+        dg[k] =
+            with_constant(k,
+                          d->sine * s->axial_times_x_[k] - d->sine * s->turning_times_y_[k] +
+                              c->sine * own_d_axial_times_x_[k] + c->sine * own_axial_times_x__2[k] -
+                              c->sine * own_d_turning_times_y_[k] - c->sine * own_turning_times_y__2[k] +
+                              d->cosine * s->axial_times_y_[k] + d->cosine * s->turning_times_x_[k] +
+                              c->cosine * own_d_axial_times_y_[k] + c->cosine * own_axial_times_y__2[k] +
+                              c->cosine * own_d_turning_times_x_[k] + c->cosine * own_turning_times_x__2[k],
+                          d->sine * c->foot_mass_times_gravity_times_sine +
+                              c->sine * d->foot_mass_times_gravity_times_sine +
+                              (d->cosine * c->foot_mass_times_gravity_times_cosine +
+                               c->cosine * d->foot_mass_times_gravity_times_cosine));
+    }
+}
+
+/* First variation of force_on_foot. */
+static void d_observed_stick_force_on_foot(const real *constants, const real *series, const real *d_constants,
+                                           const real *d_series, int order, real *dg) {
+    const stick_constants *c = (const void *)constants;
+    const stick_series *s = (const void *)series;
+    const stick_constants *d = (const void *)d_constants;
+    const stick_series *t = (const void *)d_series;
+    real own_x__times_x__2[TERMS];
+    real own_y__times_y__2[TERMS];
+    real own_d_length[TERMS];
+    real own_d_length_rate[TERMS];
+    real own_axial_times_d_length[TERMS];
+    real own_d_axial[TERMS];
+    real own_d_axial_times_y_[TERMS];
+    real own_axial_times_y__2[TERMS];
+    real own_turning_times_d_square[TERMS];
+    real own_d_turning[TERMS];
+    real own_d_turning_times_x_[TERMS];
+    real own_turning_times_x__2[TERMS];
+    real own_d_square[TERMS];
+    own_x__times_x__2[0] = product(s->x_, t->x_, 0);
+    own_y__times_y__2[0] = product(s->y_, t->y_, 0);
+    own_d_square[0] = 2.0 * own_x__times_x__2[0] + 2.0 * own_y__times_y__2[0];
+    own_d_length[0] = (0.5 * own_d_square[0] - product_so_far(own_d_length, s->length, 0)) / s->length[0];
+    for (int k = 0; k < order; ++k) {
+        own_x__times_x__2[k + 1] = product(s->x_, t->x_, k + 1);
+        own_y__times_y__2[k + 1] = product(s->y_, t->y_, k + 1);
+        own_d_square[k + 1] = 2.0 * own_x__times_x__2[k + 1] + 2.0 * own_y__times_y__2[k + 1];
+        own_d_length[k + 1] =
+            (0.5 * own_d_square[k + 1] - product_so_far(own_d_length, s->length, k + 1)) / s->length[0];
+        own_d_length_rate[k] = (double)(k + 1) * own_d_length[k + 1];
+        own_axial_times_d_length[k] = product(s->axial, own_d_length, k);
+        own_d_axial[k] = (with_constant(k,
+                                        -(d->stiffness * s->length[k]) - c->stiffness * own_d_length[k] -
+                                            d->damping * s->length_rate[k] -
+                                            c->damping * own_d_length_rate[k] - own_axial_times_d_length[k],
+                                        d->stiffness * c->rest_length + c->stiffness * d->rest_length) -
+                          product_so_far(own_d_axial, s->length, k)) /
+                         s->length[0];
+        own_d_axial_times_y_[k] = product(own_d_axial, s->y_, k);
+        own_axial_times_y__2[k] = product(s->axial, t->y_, k);
+        own_turning_times_d_square[k] = product(s->turning, own_d_square, k);
+        own_d_turning[k] = (with_constant(k, -own_turning_times_d_square[k], d->stance_torque) -
+                            product_so_far(own_d_turning, s->square, k)) /
+                           s->square[0];
+        own_d_turning_times_x_[k] = product(own_d_turning, s->x_, k);
+        own_turning_times_x__2[k] = product(s->turning, t->x_, k);
+        dg[k] = with_constant(k,
+                              own_d_axial_times_y_[k] + own_axial_times_y__2[k] + own_d_turning_times_x_[k] +
+                                  own_turning_times_x__2[k],
+                              d->foot_mass_times_gravity_times_cosine);
+    }
+}
+
 /* falls: The body reaches the ground. */
 static void guard_stick_falls(const real *constants, const real *series, int order, real *g) {
     (void)constants;
@@ -1621,6 +1907,19 @@ static void vary_flight_retract(const real *constants, const real *series, const
         t->com_vx[k + 1] = series_reciprocal[k + 1] * (constant_of(k, d->external_fx_over_total));
         t->com_vy[k + 1] =
             series_reciprocal[k + 1] * (constant_of(k, d->external_fy_over_total_minus_gravity));
+    }
+}
+
+/* First variation of power_of_hip. */
+static void d_observed_flight_retract_power_of_hip(const real *constants, const real *series,
+                                                   const real *d_constants, const real *d_series, int order,
+                                                   real *dg) {
+    (void)constants;
+    (void)series;
+    (void)d_constants;
+    (void)d_series;
+    for (int k = 0; k < order; ++k) {
+        dg[k] = broadcast(0.0);
     }
 }
 
@@ -2044,6 +2343,153 @@ static void vary_slip_falling(const real *constants, const real *series, const r
     }
 }
 
+/* First variation of power_of_hip. */
+static void d_observed_slip_falling_power_of_hip(const real *constants, const real *series,
+                                                 const real *d_constants, const real *d_series, int order,
+                                                 real *dg) {
+    (void)constants;
+    (void)series;
+    (void)d_constants;
+    const slip_falling_series *t = (const void *)d_series;
+    real own_rate_of_work[TERMS];
+    for (int k = 0; k < order; ++k) {
+        own_rate_of_work[k] = (double)(k + 1) * t->work[k + 1];
+        dg[k] = own_rate_of_work[k];
+    }
+}
+
+/* First variation of vertical_force_on_foot. */
+static void d_observed_slip_falling_vertical_force_on_foot(const real *constants, const real *series,
+                                                           const real *d_constants, const real *d_series,
+                                                           int order, real *dg) {
+    const slip_falling_constants *c = (const void *)constants;
+    const slip_falling_series *s = (const void *)series;
+    const slip_falling_constants *d = (const void *)d_constants;
+    const slip_falling_series *t = (const void *)d_series;
+    real own_x__times_x__2[TERMS];
+    real own_y__times_y__2[TERMS];
+    real own_d_length[TERMS];
+    real own_d_length_rate[TERMS];
+    real own_axial_times_d_length[TERMS];
+    real own_d_axial[TERMS];
+    real own_d_axial_times_y_[TERMS];
+    real own_axial_times_y__2[TERMS];
+    real own_turning_times_d_square[TERMS];
+    real own_d_turning[TERMS];
+    real own_d_turning_times_x_[TERMS];
+    real own_turning_times_x__2[TERMS];
+    real own_fading_times_ratio[TERMS];
+    real own_d_way_times_slip_friction_times_normal[TERMS];
+    real own_way_times_slip_friction_times_d_normal[TERMS];
+    real own_d_square[TERMS];
+    real own_ratio[TERMS];
+    real own_d_way_times_slip_friction[TERMS];
+    real own_d_normal[TERMS];
+    own_x__times_x__2[0] = product(s->x_, t->x_, 0);
+    own_y__times_y__2[0] = product(s->y_, t->y_, 0);
+    own_d_square[0] = 2.0 * own_x__times_x__2[0] + 2.0 * own_y__times_y__2[0];
+    own_d_length[0] = (0.5 * own_d_square[0] - product_so_far(own_d_length, s->length, 0)) / s->length[0];
+    for (int k = 0; k < order; ++k) {
+        own_x__times_x__2[k + 1] = product(s->x_, t->x_, k + 1);
+        own_y__times_y__2[k + 1] = product(s->y_, t->y_, k + 1);
+        own_d_square[k + 1] = 2.0 * own_x__times_x__2[k + 1] + 2.0 * own_y__times_y__2[k + 1];
+        own_d_length[k + 1] =
+            (0.5 * own_d_square[k + 1] - product_so_far(own_d_length, s->length, k + 1)) / s->length[0];
+        own_d_length_rate[k] = (double)(k + 1) * own_d_length[k + 1];
+        own_axial_times_d_length[k] = product(s->axial, own_d_length, k);
+        own_d_axial[k] = (with_constant(k,
+                                        -(d->stiffness * s->length[k]) - c->stiffness * own_d_length[k] -
+                                            d->damping * s->length_rate[k] -
+                                            c->damping * own_d_length_rate[k] - own_axial_times_d_length[k],
+                                        d->stiffness * c->rest_length + c->stiffness * d->rest_length) -
+                          product_so_far(own_d_axial, s->length, k)) /
+                         s->length[0];
+        own_d_axial_times_y_[k] = product(own_d_axial, s->y_, k);
+        own_axial_times_y__2[k] = product(s->axial, t->y_, k);
+        own_turning_times_d_square[k] = product(s->turning, own_d_square, k);
+        own_d_turning[k] = (with_constant(k, -own_turning_times_d_square[k], d->stance_torque) -
+                            product_so_far(own_d_turning, s->square, k)) /
+                           s->square[0];
+        own_d_turning_times_x_[k] = product(own_d_turning, s->x_, k);
+        own_turning_times_x__2[k] = product(s->turning, t->x_, k);
+        own_d_normal[k] = with_constant(k,
+                                        own_d_axial_times_y_[k] + own_axial_times_y__2[k] +
+                                            own_d_turning_times_x_[k] + own_turning_times_x__2[k],
+                                        d->foot_mass_times_gravity_times_cosine);
+        own_ratio[k] = (d->way - d->stribeck_velocity * (c->way / c->stribeck_velocity)) /
+                           c->stribeck_velocity * s->foot_vx[k] +
+                       c->way / c->stribeck_velocity * t->foot_vx[k];
+        own_fading_times_ratio[k] = product(s->fading, own_ratio, k);
+        own_d_way_times_slip_friction[k] = with_constant(
+            k,
+            (d->way * (c->friction * c->static_ratio_minus_by_1) +
+             c->way * (d->friction * c->static_ratio_minus_by_1 + c->friction * d->static_ratio_minus_by_1)) *
+                    s->fading[k] -
+                c->way * (c->friction * c->static_ratio_minus_by_1) * own_fading_times_ratio[k],
+            d->way * c->friction + c->way * d->friction);
+        own_d_way_times_slip_friction_times_normal[k] = product(own_d_way_times_slip_friction, s->normal, k);
+        own_way_times_slip_friction_times_d_normal[k] = product(s->way_times_slip_friction, own_d_normal, k);
+        dg[k] = d->cosine * s->normal[k] + c->cosine * own_d_normal[k] - d->sine * s->friction_force[k] -
+                c->sine * own_d_way_times_slip_friction_times_normal[k] -
+                c->sine * own_way_times_slip_friction_times_d_normal[k];
+    }
+}
+
+/* First variation of force_on_foot. */
+static void d_observed_slip_falling_force_on_foot(const real *constants, const real *series,
+                                                  const real *d_constants, const real *d_series, int order,
+                                                  real *dg) {
+    const slip_falling_constants *c = (const void *)constants;
+    const slip_falling_series *s = (const void *)series;
+    const slip_falling_constants *d = (const void *)d_constants;
+    const slip_falling_series *t = (const void *)d_series;
+    real own_x__times_x__2[TERMS];
+    real own_y__times_y__2[TERMS];
+    real own_d_length[TERMS];
+    real own_d_length_rate[TERMS];
+    real own_axial_times_d_length[TERMS];
+    real own_d_axial[TERMS];
+    real own_d_axial_times_y_[TERMS];
+    real own_axial_times_y__2[TERMS];
+    real own_turning_times_d_square[TERMS];
+    real own_d_turning[TERMS];
+    real own_d_turning_times_x_[TERMS];
+    real own_turning_times_x__2[TERMS];
+    real own_d_square[TERMS];
+    own_x__times_x__2[0] = product(s->x_, t->x_, 0);
+    own_y__times_y__2[0] = product(s->y_, t->y_, 0);
+    own_d_square[0] = 2.0 * own_x__times_x__2[0] + 2.0 * own_y__times_y__2[0];
+    own_d_length[0] = (0.5 * own_d_square[0] - product_so_far(own_d_length, s->length, 0)) / s->length[0];
+    for (int k = 0; k < order; ++k) {
+        own_x__times_x__2[k + 1] = product(s->x_, t->x_, k + 1);
+        own_y__times_y__2[k + 1] = product(s->y_, t->y_, k + 1);
+        own_d_square[k + 1] = 2.0 * own_x__times_x__2[k + 1] + 2.0 * own_y__times_y__2[k + 1];
+        own_d_length[k + 1] =
+            (0.5 * own_d_square[k + 1] - product_so_far(own_d_length, s->length, k + 1)) / s->length[0];
+        own_d_length_rate[k] = (double)(k + 1) * own_d_length[k + 1];
+        own_axial_times_d_length[k] = product(s->axial, own_d_length, k);
+        own_d_axial[k] = (with_constant(k,
+                                        -(d->stiffness * s->length[k]) - c->stiffness * own_d_length[k] -
+                                            d->damping * s->length_rate[k] -
+                                            c->damping * own_d_length_rate[k] - own_axial_times_d_length[k],
+                                        d->stiffness * c->rest_length + c->stiffness * d->rest_length) -
+                          product_so_far(own_d_axial, s->length, k)) /
+                         s->length[0];
+        own_d_axial_times_y_[k] = product(own_d_axial, s->y_, k);
+        own_axial_times_y__2[k] = product(s->axial, t->y_, k);
+        own_turning_times_d_square[k] = product(s->turning, own_d_square, k);
+        own_d_turning[k] = (with_constant(k, -own_turning_times_d_square[k], d->stance_torque) -
+                            product_so_far(own_d_turning, s->square, k)) /
+                           s->square[0];
+        own_d_turning_times_x_[k] = product(own_d_turning, s->x_, k);
+        own_turning_times_x__2[k] = product(s->turning, t->x_, k);
+        dg[k] = with_constant(k,
+                              own_d_axial_times_y_[k] + own_axial_times_y__2[k] + own_d_turning_times_x_[k] +
+                                  own_turning_times_x__2[k],
+                              d->foot_mass_times_gravity_times_cosine);
+    }
+}
+
 /* falls: The body reaches the ground. */
 static void guard_slip_falling_falls(const real *constants, const real *series, int order, real *g) {
     (void)constants;
@@ -2188,12 +2634,14 @@ static void bounds_slip_falling(const real *constants, const real *series, const
 }
 
 static const tdmf_polynomial polynomials_start_of_run[] = {guard_start_of_run_begins};
+static const tdmf_vary_polynomial vary_observed_start_of_run[] = {NULL};
 static const int moving_start_of_run[] = {0};
 static const int degrees_start_of_run[] = {1};
 static const int judged_start_of_run[] = {0};
 static const int divisors_start_of_run[] = {0};
 static const int integrals_start_of_run[] = {0};
 static const tdmf_polynomial polynomials_no_start[] = {NULL};
+static const tdmf_vary_polynomial vary_observed_no_start[] = {NULL};
 static const int moving_no_start[] = {0};
 static const int degrees_no_start[] = {0};
 static const int judged_no_start[] = {0};
@@ -2201,12 +2649,14 @@ static const int divisors_no_start[] = {0};
 static const int integrals_no_start[] = {0};
 static const tdmf_polynomial polynomials_flight_place[] = {
     guard_flight_place_falls, guard_flight_place_touchdown, guard_flight_place_power_of_hip};
+static const tdmf_vary_polynomial vary_observed_flight_place[] = {d_observed_flight_place_power_of_hip};
 static const int moving_flight_place[] = {57, 58, 71, 0, 59, 60, 52, 80};
 static const int degrees_flight_place[] = {2, 2, 2, 1, 1, 1, 1, 1};
 static const int judged_flight_place[] = {0};
 static const int divisors_flight_place[] = {0};
 static const int integrals_flight_place[] = {-1};
 static const tdmf_polynomial polynomials_fallen[] = {NULL};
+static const tdmf_vary_polynomial vary_observed_fallen[] = {NULL};
 static const int moving_fallen[] = {0};
 static const int degrees_fallen[] = {0};
 static const int judged_fallen[] = {0};
@@ -2222,6 +2672,9 @@ static const tdmf_polynomial polynomials_slip_constant[] = {guard_slip_constant_
                                                             guard_slip_constant_power_of_hip,
                                                             guard_slip_constant_vertical_force_on_foot,
                                                             guard_slip_constant_force_on_foot};
+static const tdmf_vary_polynomial vary_observed_slip_constant[] = {
+    d_observed_slip_constant_power_of_hip, d_observed_slip_constant_vertical_force_on_foot,
+    d_observed_slip_constant_force_on_foot};
 static const int moving_slip_constant[] = {62, 63, 64, 65, 66, 67, 71, 72, 75, 82, 0};
 static const int degrees_slip_constant[] = {99, 99, 99, 99, 99, 99, 99, 99, 99, 99, 1, 99};
 static const int judged_slip_constant[] = {2, 3, 5, 6, 7, 8, 9, 11};
@@ -2232,18 +2685,22 @@ static const tdmf_polynomial polynomials_stick[] = {
     guard_stick_mid_stance,     guard_stick_lift_off,     guard_stick_slips_forward,
     guard_stick_slips_backward, guard_stick_power_of_hip, guard_stick_vertical_force_on_foot,
     guard_stick_force_on_foot};
+static const tdmf_vary_polynomial vary_observed_stick[] = {
+    d_observed_stick_power_of_hip, d_observed_stick_vertical_force_on_foot, d_observed_stick_force_on_foot};
 static const int moving_stick[] = {62, 63, 64, 65, 71, 72, 82, 0, 66};
 static const int degrees_stick[] = {99, 99, 99, 99, 99, 99, 99, 1, 1, 99};
 static const int judged_stick[] = {2, 3, 4, 5, 6, 9};
 static const int divisors_stick[] = {13, 12};
 static const int integrals_stick[] = {6, -1, -1};
 static const tdmf_polynomial polynomials_no_stance[] = {NULL};
+static const tdmf_vary_polynomial vary_observed_no_stance[] = {NULL};
 static const int moving_no_stance[] = {0};
 static const int degrees_no_stance[] = {0};
 static const int judged_no_stance[] = {0};
 static const int divisors_no_stance[] = {0};
 static const int integrals_no_stance[] = {0};
 static const tdmf_polynomial polynomials_no_apex[] = {NULL};
+static const tdmf_vary_polynomial vary_observed_no_apex[] = {NULL};
 static const int moving_no_apex[] = {0};
 static const int degrees_no_apex[] = {0};
 static const int judged_no_apex[] = {0};
@@ -2251,6 +2708,7 @@ static const int divisors_no_apex[] = {0};
 static const int integrals_no_apex[] = {0};
 static const tdmf_polynomial polynomials_flight_retract[] = {guard_flight_retract_apex,
                                                              guard_flight_retract_power_of_hip};
+static const tdmf_vary_polynomial vary_observed_flight_retract[] = {d_observed_flight_retract_power_of_hip};
 static const int moving_flight_retract[] = {57, 58, 71, 0, 59, 60};
 static const int degrees_flight_retract[] = {2, 2, 2, 1, 1, 1};
 static const int judged_flight_retract[] = {0};
@@ -2266,6 +2724,9 @@ static const tdmf_polynomial polynomials_slip_falling[] = {guard_slip_falling_fa
                                                            guard_slip_falling_power_of_hip,
                                                            guard_slip_falling_vertical_force_on_foot,
                                                            guard_slip_falling_force_on_foot};
+static const tdmf_vary_polynomial vary_observed_slip_falling[] = {
+    d_observed_slip_falling_power_of_hip, d_observed_slip_falling_vertical_force_on_foot,
+    d_observed_slip_falling_force_on_foot};
 static const int moving_slip_falling[] = {62, 63, 64, 65, 66, 67, 71, 72, 75, 82, 0};
 static const int degrees_slip_falling[] = {99, 99, 99, 99, 99, 99, 99, 99, 99, 99, 1, 99};
 static const int judged_slip_falling[] = {2, 3, 5, 6, 7, 8, 9, 11};
@@ -2284,6 +2745,7 @@ const tdmf_motion_kind TDMF_OF_WIDTH(tdmf_reduced_runner_motions)[] = {
      .divisors = divisors_start_of_run,
      .integrals = integrals_start_of_run,
      .polynomials = polynomials_start_of_run,
+     .vary_observed = vary_observed_start_of_run,
      .expand = expand_start_of_run,
      .vary = vary_start_of_run,
      .bounds = bounds_start_of_run},
@@ -2298,6 +2760,7 @@ const tdmf_motion_kind TDMF_OF_WIDTH(tdmf_reduced_runner_motions)[] = {
      .divisors = divisors_no_start,
      .integrals = integrals_no_start,
      .polynomials = polynomials_no_start,
+     .vary_observed = vary_observed_no_start,
      .expand = expand_no_start,
      .vary = vary_no_start,
      .bounds = NULL},
@@ -2312,6 +2775,7 @@ const tdmf_motion_kind TDMF_OF_WIDTH(tdmf_reduced_runner_motions)[] = {
      .divisors = divisors_flight_place,
      .integrals = integrals_flight_place,
      .polynomials = polynomials_flight_place,
+     .vary_observed = vary_observed_flight_place,
      .expand = expand_flight_place,
      .vary = vary_flight_place,
      .bounds = bounds_flight_place},
@@ -2326,6 +2790,7 @@ const tdmf_motion_kind TDMF_OF_WIDTH(tdmf_reduced_runner_motions)[] = {
      .divisors = divisors_fallen,
      .integrals = integrals_fallen,
      .polynomials = polynomials_fallen,
+     .vary_observed = vary_observed_fallen,
      .expand = expand_fallen,
      .vary = vary_fallen,
      .bounds = NULL},
@@ -2340,6 +2805,7 @@ const tdmf_motion_kind TDMF_OF_WIDTH(tdmf_reduced_runner_motions)[] = {
      .divisors = divisors_slip_constant,
      .integrals = integrals_slip_constant,
      .polynomials = polynomials_slip_constant,
+     .vary_observed = vary_observed_slip_constant,
      .expand = expand_slip_constant,
      .vary = vary_slip_constant,
      .bounds = bounds_slip_constant},
@@ -2354,6 +2820,7 @@ const tdmf_motion_kind TDMF_OF_WIDTH(tdmf_reduced_runner_motions)[] = {
      .divisors = divisors_stick,
      .integrals = integrals_stick,
      .polynomials = polynomials_stick,
+     .vary_observed = vary_observed_stick,
      .expand = expand_stick,
      .vary = vary_stick,
      .bounds = bounds_stick},
@@ -2368,6 +2835,7 @@ const tdmf_motion_kind TDMF_OF_WIDTH(tdmf_reduced_runner_motions)[] = {
      .divisors = divisors_no_stance,
      .integrals = integrals_no_stance,
      .polynomials = polynomials_no_stance,
+     .vary_observed = vary_observed_no_stance,
      .expand = expand_no_stance,
      .vary = vary_no_stance,
      .bounds = NULL},
@@ -2382,6 +2850,7 @@ const tdmf_motion_kind TDMF_OF_WIDTH(tdmf_reduced_runner_motions)[] = {
      .divisors = divisors_no_apex,
      .integrals = integrals_no_apex,
      .polynomials = polynomials_no_apex,
+     .vary_observed = vary_observed_no_apex,
      .expand = expand_no_apex,
      .vary = vary_no_apex,
      .bounds = NULL},
@@ -2396,6 +2865,7 @@ const tdmf_motion_kind TDMF_OF_WIDTH(tdmf_reduced_runner_motions)[] = {
      .divisors = divisors_flight_retract,
      .integrals = integrals_flight_retract,
      .polynomials = polynomials_flight_retract,
+     .vary_observed = vary_observed_flight_retract,
      .expand = expand_flight_retract,
      .vary = vary_flight_retract,
      .bounds = bounds_flight_retract},
@@ -2410,6 +2880,7 @@ const tdmf_motion_kind TDMF_OF_WIDTH(tdmf_reduced_runner_motions)[] = {
      .divisors = divisors_slip_falling,
      .integrals = integrals_slip_falling,
      .polynomials = polynomials_slip_falling,
+     .vary_observed = vary_observed_slip_falling,
      .expand = expand_slip_falling,
      .vary = vary_slip_falling,
      .bounds = bounds_slip_falling},

@@ -591,6 +591,155 @@ static void vary_slip_constant(const real *constants, const real *series, const 
     }
 }
 
+/* First variation of power_of_hip. */
+static void d_observed_slip_constant_power_of_hip(const real *constants, const real *series,
+                                                  const real *d_constants, const real *d_series, int order,
+                                                  real *dg) {
+    (void)constants;
+    (void)series;
+    (void)d_constants;
+    const slip_constant_series *t = (const void *)d_series;
+    real own_rate_of_work[TERMS];
+    for (int k = 0; k < order; ++k) {
+        own_rate_of_work[k] = (double)(k + 1) * t->work[k + 1];
+        dg[k] = own_rate_of_work[k];
+    }
+}
+
+/* First variation of vertical_force_on_foot. */
+static void d_observed_slip_constant_vertical_force_on_foot(const real *constants, const real *series,
+                                                            const real *d_constants, const real *d_series,
+                                                            int order, real *dg) {
+    const slip_constant_constants *c = (const void *)constants;
+    const slip_constant_series *s = (const void *)series;
+    const slip_constant_constants *d = (const void *)d_constants;
+    const slip_constant_series *t = (const void *)d_series;
+    real own_x__times_x__2[TERMS];
+    real own_y__times_y__2[TERMS];
+    real own_d_length[TERMS];
+    real own_d_length_rate[TERMS];
+    real own_axial_times_d_length[TERMS];
+    real own_d_axial[TERMS];
+    real own_d_axial_times_y_[TERMS];
+    real own_axial_times_y__2[TERMS];
+    real own_turning_times_d_square[TERMS];
+    real own_d_turning[TERMS];
+    real own_d_turning_times_x_[TERMS];
+    real own_turning_times_x__2[TERMS];
+    real own_sum_times_normal[TERMS];
+    real own_way_times_friction_along_times_d_normal[TERMS];
+    real own_d_square[TERMS];
+    real own_sum_2[TERMS];
+    real own_d_normal[TERMS];
+    own_x__times_x__2[0] = product(s->x_, t->x_, 0);
+    own_y__times_y__2[0] = product(s->y_, t->y_, 0);
+    own_d_square[0] = 2.0 * own_x__times_x__2[0] + 2.0 * own_y__times_y__2[0];
+    own_d_length[0] = (0.5 * own_d_square[0] - product_so_far(own_d_length, s->length, 0)) / s->length[0];
+    for (int k = 0; k < order; ++k) {
+        own_x__times_x__2[k + 1] = product(s->x_, t->x_, k + 1);
+        own_y__times_y__2[k + 1] = product(s->y_, t->y_, k + 1);
+        own_d_square[k + 1] = 2.0 * own_x__times_x__2[k + 1] + 2.0 * own_y__times_y__2[k + 1];
+        own_d_length[k + 1] =
+            (0.5 * own_d_square[k + 1] - product_so_far(own_d_length, s->length, k + 1)) / s->length[0];
+        own_d_length_rate[k] = (double)(k + 1) * own_d_length[k + 1];
+        own_axial_times_d_length[k] = product(s->axial, own_d_length, k);
+        own_d_axial[k] =
+            (with_constant(k,
+                           d->stiffness * s->extension[k] - d->stiffness * s->length[k] +
+                               c->stiffness * t->extension[k] - c->stiffness * own_d_length[k] -
+                               d->damping * s->length_rate[k] - c->damping * own_d_length_rate[k] -
+                               own_axial_times_d_length[k],
+                           d->stiffness * (c->free_length + c->thrusting_times_longer_or_by_0) +
+                               c->stiffness * (d->free_length + d->thrusting_times_longer_or_by_0)) -
+             product_so_far(own_d_axial, s->length, k)) /
+            s->length[0];
+        own_d_axial_times_y_[k] = product(own_d_axial, s->y_, k);
+        own_axial_times_y__2[k] = product(s->axial, t->y_, k);
+        own_turning_times_d_square[k] = product(s->turning, own_d_square, k);
+        own_d_turning[k] =
+            (with_constant(k, t->external_torque[k] - own_turning_times_d_square[k], -d->product_2) -
+             product_so_far(own_d_turning, s->square, k)) /
+            s->square[0];
+        own_d_turning_times_x_[k] = product(own_d_turning, s->x_, k);
+        own_turning_times_x__2[k] = product(s->turning, t->x_, k);
+        own_d_normal[k] = with_constant(k,
+                                        own_d_axial_times_y_[k] + own_axial_times_y__2[k] +
+                                            own_d_turning_times_x_[k] + own_turning_times_x__2[k],
+                                        d->foot_mass_times_gravity_times_cosine);
+        own_sum_2[k] =
+            with_constant(k,
+                          (d->way * c->by_1_minus_is_own + c->way * d->by_1_minus_is_own) * s->friction[k] +
+                              c->way * c->by_1_minus_is_own * t->friction[k],
+                          d->way * c->is_own_times_own + c->way * d->is_own_times_own);
+        own_sum_times_normal[k] = product(own_sum_2, s->normal, k);
+        own_way_times_friction_along_times_d_normal[k] = drift_times(
+            k, with_constant(0, c->way * c->by_1_minus_is_own * s->friction[0], c->way * c->is_own_times_own),
+            with_constant(1, c->way * c->by_1_minus_is_own * s->friction[1], c->way * c->is_own_times_own),
+            own_d_normal);
+        dg[k] = d->cosine * s->normal[k] + c->cosine * own_d_normal[k] - d->sine * s->friction_force[k] -
+                c->sine * own_sum_times_normal[k] - c->sine * own_way_times_friction_along_times_d_normal[k];
+    }
+}
+
+/* First variation of force_on_foot. */
+static void d_observed_slip_constant_force_on_foot(const real *constants, const real *series,
+                                                   const real *d_constants, const real *d_series, int order,
+                                                   real *dg) {
+    const slip_constant_constants *c = (const void *)constants;
+    const slip_constant_series *s = (const void *)series;
+    const slip_constant_constants *d = (const void *)d_constants;
+    const slip_constant_series *t = (const void *)d_series;
+    real own_x__times_x__2[TERMS];
+    real own_y__times_y__2[TERMS];
+    real own_d_length[TERMS];
+    real own_d_length_rate[TERMS];
+    real own_axial_times_d_length[TERMS];
+    real own_d_axial[TERMS];
+    real own_d_axial_times_y_[TERMS];
+    real own_axial_times_y__2[TERMS];
+    real own_turning_times_d_square[TERMS];
+    real own_d_turning[TERMS];
+    real own_d_turning_times_x_[TERMS];
+    real own_turning_times_x__2[TERMS];
+    real own_d_square[TERMS];
+    own_x__times_x__2[0] = product(s->x_, t->x_, 0);
+    own_y__times_y__2[0] = product(s->y_, t->y_, 0);
+    own_d_square[0] = 2.0 * own_x__times_x__2[0] + 2.0 * own_y__times_y__2[0];
+    own_d_length[0] = (0.5 * own_d_square[0] - product_so_far(own_d_length, s->length, 0)) / s->length[0];
+    for (int k = 0; k < order; ++k) {
+        own_x__times_x__2[k + 1] = product(s->x_, t->x_, k + 1);
+        own_y__times_y__2[k + 1] = product(s->y_, t->y_, k + 1);
+        own_d_square[k + 1] = 2.0 * own_x__times_x__2[k + 1] + 2.0 * own_y__times_y__2[k + 1];
+        own_d_length[k + 1] =
+            (0.5 * own_d_square[k + 1] - product_so_far(own_d_length, s->length, k + 1)) / s->length[0];
+        own_d_length_rate[k] = (double)(k + 1) * own_d_length[k + 1];
+        own_axial_times_d_length[k] = product(s->axial, own_d_length, k);
+        own_d_axial[k] =
+            (with_constant(k,
+                           d->stiffness * s->extension[k] - d->stiffness * s->length[k] +
+                               c->stiffness * t->extension[k] - c->stiffness * own_d_length[k] -
+                               d->damping * s->length_rate[k] - c->damping * own_d_length_rate[k] -
+                               own_axial_times_d_length[k],
+                           d->stiffness * (c->free_length + c->thrusting_times_longer_or_by_0) +
+                               c->stiffness * (d->free_length + d->thrusting_times_longer_or_by_0)) -
+             product_so_far(own_d_axial, s->length, k)) /
+            s->length[0];
+        own_d_axial_times_y_[k] = product(own_d_axial, s->y_, k);
+        own_axial_times_y__2[k] = product(s->axial, t->y_, k);
+        own_turning_times_d_square[k] = product(s->turning, own_d_square, k);
+        own_d_turning[k] =
+            (with_constant(k, t->external_torque[k] - own_turning_times_d_square[k], -d->product_2) -
+             product_so_far(own_d_turning, s->square, k)) /
+            s->square[0];
+        own_d_turning_times_x_[k] = product(own_d_turning, s->x_, k);
+        own_turning_times_x__2[k] = product(s->turning, t->x_, k);
+        dg[k] = with_constant(k,
+                              own_d_axial_times_y_[k] + own_axial_times_y__2[k] + own_d_turning_times_x_[k] +
+                                  own_turning_times_x__2[k],
+                              d->foot_mass_times_gravity_times_cosine);
+    }
+}
+
 /* ramp_ends: A ramp of the friction coefficient ends at 0. */
 static void guard_slip_constant_ramp_ends(const real *constants, const real *series, int order, real *g) {
     (void)constants;
@@ -1149,6 +1298,153 @@ static void vary_stick(const real *constants, const real *series, const real *d_
     }
 }
 
+/* First variation of power_of_hip. */
+static void d_observed_stick_power_of_hip(const real *constants, const real *series, const real *d_constants,
+                                          const real *d_series, int order, real *dg) {
+    (void)constants;
+    (void)series;
+    (void)d_constants;
+    const stick_series *t = (const void *)d_series;
+    real own_rate_of_work[TERMS];
+    for (int k = 0; k < order; ++k) {
+        own_rate_of_work[k] = (double)(k + 1) * t->work[k + 1];
+        dg[k] = own_rate_of_work[k];
+    }
+}
+
+/* First variation of vertical_force_on_foot. */
+static void d_observed_stick_vertical_force_on_foot(const real *constants, const real *series,
+                                                    const real *d_constants, const real *d_series, int order,
+                                                    real *dg) {
+    const stick_constants *c = (const void *)constants;
+    const stick_series *s = (const void *)series;
+    const stick_constants *d = (const void *)d_constants;
+    const stick_series *t = (const void *)d_series;
+    real own_x__times_x__2[TERMS];
+    real own_y__times_y__2[TERMS];
+    real own_d_length[TERMS];
+    real own_d_length_rate[TERMS];
+    real own_axial_times_d_length[TERMS];
+    real own_d_axial[TERMS];
+    real own_d_axial_times_x_[TERMS];
+    real own_axial_times_x__2[TERMS];
+    real own_turning_times_d_square[TERMS];
+    real own_d_turning[TERMS];
+    real own_d_turning_times_y_[TERMS];
+    real own_turning_times_y__2[TERMS];
+    real own_d_axial_times_y_[TERMS];
+    real own_axial_times_y__2[TERMS];
+    real own_d_turning_times_x_[TERMS];
+    real own_turning_times_x__2[TERMS];
+    real own_d_square[TERMS];
+    own_x__times_x__2[0] = product(s->x_, t->x_, 0);
+    own_y__times_y__2[0] = product(s->y_, t->y_, 0);
+    own_d_square[0] = 2.0 * own_x__times_x__2[0] + 2.0 * own_y__times_y__2[0];
+    own_d_length[0] = (0.5 * own_d_square[0] - product_so_far(own_d_length, s->length, 0)) / s->length[0];
+    for (int k = 0; k < order; ++k) {
+        own_x__times_x__2[k + 1] = product(s->x_, t->x_, k + 1);
+        own_y__times_y__2[k + 1] = product(s->y_, t->y_, k + 1);
+        own_d_square[k + 1] = 2.0 * own_x__times_x__2[k + 1] + 2.0 * own_y__times_y__2[k + 1];
+        own_d_length[k + 1] =
+            (0.5 * own_d_square[k + 1] - product_so_far(own_d_length, s->length, k + 1)) / s->length[0];
+        own_d_length_rate[k] = (double)(k + 1) * own_d_length[k + 1];
+        own_axial_times_d_length[k] = product(s->axial, own_d_length, k);
+        own_d_axial[k] =
+            (with_constant(k,
+                           d->stiffness * s->extension[k] - d->stiffness * s->length[k] +
+                               c->stiffness * t->extension[k] - c->stiffness * own_d_length[k] -
+                               d->damping * s->length_rate[k] - c->damping * own_d_length_rate[k] -
+                               own_axial_times_d_length[k],
+                           d->stiffness * (c->free_length + c->thrusting_times_longer_or_by_0) +
+                               c->stiffness * (d->free_length + d->thrusting_times_longer_or_by_0)) -
+             product_so_far(own_d_axial, s->length, k)) /
+            s->length[0];
+        own_d_axial_times_x_[k] = product(own_d_axial, s->x_, k);
+        own_axial_times_x__2[k] = product(s->axial, t->x_, k);
+        own_turning_times_d_square[k] = product(s->turning, own_d_square, k);
+        own_d_turning[k] =
+            (with_constant(k, t->external_torque[k] - own_turning_times_d_square[k], -d->product_2) -
+             product_so_far(own_d_turning, s->square, k)) /
+            s->square[0];
+        own_d_turning_times_y_[k] = product(own_d_turning, s->y_, k);
+        own_turning_times_y__2[k] = product(s->turning, t->y_, k);
+        own_d_axial_times_y_[k] = product(own_d_axial, s->y_, k);
+        own_axial_times_y__2[k] = product(s->axial, t->y_, k);
+        own_d_turning_times_x_[k] = product(own_d_turning, s->x_, k);
+        own_turning_times_x__2[k] = product(s->turning, t->x_, k);
+        dg[k] =
+            with_constant(k,
+                          d->sine * s->axial_times_x_[k] - d->sine * s->turning_times_y_[k] +
+                              c->sine * own_d_axial_times_x_[k] + c->sine * own_axial_times_x__2[k] -
+                              c->sine * own_d_turning_times_y_[k] - c->sine * own_turning_times_y__2[k] +
+                              d->cosine * s->axial_times_y_[k] + d->cosine * s->turning_times_x_[k] +
+                              c->cosine * own_d_axial_times_y_[k] + c->cosine * own_axial_times_y__2[k] +
+                              c->cosine * own_d_turning_times_x_[k] + c->cosine * own_turning_times_x__2[k],
+                          d->sine * c->foot_mass_times_gravity_times_sine +
+                              c->sine * d->foot_mass_times_gravity_times_sine +
+                              (d->cosine * c->foot_mass_times_gravity_times_cosine +
+                               c->cosine * d->foot_mass_times_gravity_times_cosine));
+    }
+}
+
+/* First variation of force_on_foot. */
+static void d_observed_stick_force_on_foot(const real *constants, const real *series, const real *d_constants,
+                                           const real *d_series, int order, real *dg) {
+    const stick_constants *c = (const void *)constants;
+    const stick_series *s = (const void *)series;
+    const stick_constants *d = (const void *)d_constants;
+    const stick_series *t = (const void *)d_series;
+    real own_x__times_x__2[TERMS];
+    real own_y__times_y__2[TERMS];
+    real own_d_length[TERMS];
+    real own_d_length_rate[TERMS];
+    real own_axial_times_d_length[TERMS];
+    real own_d_axial[TERMS];
+    real own_d_axial_times_y_[TERMS];
+    real own_axial_times_y__2[TERMS];
+    real own_turning_times_d_square[TERMS];
+    real own_d_turning[TERMS];
+    real own_d_turning_times_x_[TERMS];
+    real own_turning_times_x__2[TERMS];
+    real own_d_square[TERMS];
+    own_x__times_x__2[0] = product(s->x_, t->x_, 0);
+    own_y__times_y__2[0] = product(s->y_, t->y_, 0);
+    own_d_square[0] = 2.0 * own_x__times_x__2[0] + 2.0 * own_y__times_y__2[0];
+    own_d_length[0] = (0.5 * own_d_square[0] - product_so_far(own_d_length, s->length, 0)) / s->length[0];
+    for (int k = 0; k < order; ++k) {
+        own_x__times_x__2[k + 1] = product(s->x_, t->x_, k + 1);
+        own_y__times_y__2[k + 1] = product(s->y_, t->y_, k + 1);
+        own_d_square[k + 1] = 2.0 * own_x__times_x__2[k + 1] + 2.0 * own_y__times_y__2[k + 1];
+        own_d_length[k + 1] =
+            (0.5 * own_d_square[k + 1] - product_so_far(own_d_length, s->length, k + 1)) / s->length[0];
+        own_d_length_rate[k] = (double)(k + 1) * own_d_length[k + 1];
+        own_axial_times_d_length[k] = product(s->axial, own_d_length, k);
+        own_d_axial[k] =
+            (with_constant(k,
+                           d->stiffness * s->extension[k] - d->stiffness * s->length[k] +
+                               c->stiffness * t->extension[k] - c->stiffness * own_d_length[k] -
+                               d->damping * s->length_rate[k] - c->damping * own_d_length_rate[k] -
+                               own_axial_times_d_length[k],
+                           d->stiffness * (c->free_length + c->thrusting_times_longer_or_by_0) +
+                               c->stiffness * (d->free_length + d->thrusting_times_longer_or_by_0)) -
+             product_so_far(own_d_axial, s->length, k)) /
+            s->length[0];
+        own_d_axial_times_y_[k] = product(own_d_axial, s->y_, k);
+        own_axial_times_y__2[k] = product(s->axial, t->y_, k);
+        own_turning_times_d_square[k] = product(s->turning, own_d_square, k);
+        own_d_turning[k] =
+            (with_constant(k, t->external_torque[k] - own_turning_times_d_square[k], -d->product_2) -
+             product_so_far(own_d_turning, s->square, k)) /
+            s->square[0];
+        own_d_turning_times_x_[k] = product(own_d_turning, s->x_, k);
+        own_turning_times_x__2[k] = product(s->turning, t->x_, k);
+        dg[k] = with_constant(k,
+                              own_d_axial_times_y_[k] + own_axial_times_y__2[k] + own_d_turning_times_x_[k] +
+                                  own_turning_times_x__2[k],
+                              d->foot_mass_times_gravity_times_cosine);
+    }
+}
+
 /* ramp_ends: A ramp of the friction coefficient ends at 0. */
 static void guard_stick_ramp_ends(const real *constants, const real *series, int order, real *g) {
     (void)constants;
@@ -1585,6 +1881,21 @@ static void vary_flight_place_calm(const real *constants, const real *series, co
         t->com_x[k + 1] = series_reciprocal[k + 1] * (constant_of(k, d->com_vx));
         t->com_vy[k + 1] = series_reciprocal[k + 1] * (constant_of(k, d->minus_gravity));
         t->placing[k + 1] = series_reciprocal[k + 1] * (broadcast(0.0));
+    }
+}
+
+/* First variation of power_of_hip. */
+static void d_observed_flight_place_calm_power_of_hip(const real *constants, const real *series,
+                                                      const real *d_constants, const real *d_series,
+                                                      int order, real *dg) {
+    (void)constants;
+    (void)series;
+    (void)d_constants;
+    const flight_place_calm_series *t = (const void *)d_series;
+    real own_rate_of_work[TERMS];
+    for (int k = 0; k < order; ++k) {
+        own_rate_of_work[k] = (double)(k + 1) * t->work[k + 1];
+        dg[k] = own_rate_of_work[k];
     }
 }
 
@@ -2034,6 +2345,21 @@ static void vary_flight_rest_calm(const real *constants, const real *series, con
         t->time[k + 1] = series_reciprocal[k + 1] * (broadcast(0.0));
         t->com_x[k + 1] = series_reciprocal[k + 1] * (constant_of(k, d->com_vx));
         t->com_vy[k + 1] = series_reciprocal[k + 1] * (constant_of(k, d->minus_gravity));
+    }
+}
+
+/* First variation of power_of_hip. */
+static void d_observed_flight_rest_calm_power_of_hip(const real *constants, const real *series,
+                                                     const real *d_constants, const real *d_series, int order,
+                                                     real *dg) {
+    (void)constants;
+    (void)series;
+    (void)d_constants;
+    const flight_rest_calm_series *t = (const void *)d_series;
+    real own_rate_of_work[TERMS];
+    for (int k = 0; k < order; ++k) {
+        own_rate_of_work[k] = (double)(k + 1) * t->work[k + 1];
+        dg[k] = own_rate_of_work[k];
     }
 }
 
@@ -2516,6 +2842,21 @@ static void vary_flight_retract_calm(const real *constants, const real *series, 
         t->time[k + 1] = series_reciprocal[k + 1] * (broadcast(0.0));
         t->com_x[k + 1] = series_reciprocal[k + 1] * (constant_of(k, d->com_vx));
         t->com_vy[k + 1] = series_reciprocal[k + 1] * (constant_of(k, d->minus_gravity));
+    }
+}
+
+/* First variation of power_of_hip. */
+static void d_observed_flight_retract_calm_power_of_hip(const real *constants, const real *series,
+                                                        const real *d_constants, const real *d_series,
+                                                        int order, real *dg) {
+    (void)constants;
+    (void)series;
+    (void)d_constants;
+    const flight_retract_calm_series *t = (const void *)d_series;
+    real own_rate_of_work[TERMS];
+    for (int k = 0; k < order; ++k) {
+        own_rate_of_work[k] = (double)(k + 1) * t->work[k + 1];
+        dg[k] = own_rate_of_work[k];
     }
 }
 
@@ -3260,6 +3601,21 @@ static void vary_graze_place(const real *constants, const real *series, const re
     }
 }
 
+/* First variation of power_of_hip. */
+static void d_observed_graze_place_power_of_hip(const real *constants, const real *series,
+                                                const real *d_constants, const real *d_series, int order,
+                                                real *dg) {
+    (void)constants;
+    (void)series;
+    (void)d_constants;
+    const graze_place_series *t = (const void *)d_series;
+    real own_rate_of_work[TERMS];
+    for (int k = 0; k < order; ++k) {
+        own_rate_of_work[k] = (double)(k + 1) * t->work[k + 1];
+        dg[k] = own_rate_of_work[k];
+    }
+}
+
 /* passes_end: The foot is above the next segment. */
 static void guard_graze_place_passes_end(const real *constants, const real *series, int order, real *g) {
     const graze_place_constants *c = (const void *)constants;
@@ -3803,6 +4159,21 @@ static void vary_graze_rest(const real *constants, const real *series, const rea
         t->external_torque[k + 1] = series_reciprocal[k + 1] * (constant_of(k, d->external_torque_rate));
         t->time[k + 1] = series_reciprocal[k + 1] * (broadcast(0.0));
         t->seen_angle[k + 1] = series_reciprocal[k + 1] * (d_angle_rate[k]);
+    }
+}
+
+/* First variation of power_of_hip. */
+static void d_observed_graze_rest_power_of_hip(const real *constants, const real *series,
+                                               const real *d_constants, const real *d_series, int order,
+                                               real *dg) {
+    (void)constants;
+    (void)series;
+    (void)d_constants;
+    const graze_rest_series *t = (const void *)d_series;
+    real own_rate_of_work[TERMS];
+    for (int k = 0; k < order; ++k) {
+        own_rate_of_work[k] = (double)(k + 1) * t->work[k + 1];
+        dg[k] = own_rate_of_work[k];
     }
 }
 
@@ -4386,6 +4757,21 @@ static void vary_graze_retract(const real *constants, const real *series, const 
         t->external_torque[k + 1] = series_reciprocal[k + 1] * (constant_of(k, d->external_torque_rate));
         t->time[k + 1] = series_reciprocal[k + 1] * (broadcast(0.0));
         t->seen_angle[k + 1] = series_reciprocal[k + 1] * (d_angle_rate[k]);
+    }
+}
+
+/* First variation of power_of_hip. */
+static void d_observed_graze_retract_power_of_hip(const real *constants, const real *series,
+                                                  const real *d_constants, const real *d_series, int order,
+                                                  real *dg) {
+    (void)constants;
+    (void)series;
+    (void)d_constants;
+    const graze_retract_series *t = (const void *)d_series;
+    real own_rate_of_work[TERMS];
+    for (int k = 0; k < order; ++k) {
+        own_rate_of_work[k] = (double)(k + 1) * t->work[k + 1];
+        dg[k] = own_rate_of_work[k];
     }
 }
 
@@ -5069,6 +5455,170 @@ static void vary_slip_falling(const real *constants, const real *series, const r
     }
 }
 
+/* First variation of power_of_hip. */
+static void d_observed_slip_falling_power_of_hip(const real *constants, const real *series,
+                                                 const real *d_constants, const real *d_series, int order,
+                                                 real *dg) {
+    (void)constants;
+    (void)series;
+    (void)d_constants;
+    const slip_falling_series *t = (const void *)d_series;
+    real own_rate_of_work[TERMS];
+    for (int k = 0; k < order; ++k) {
+        own_rate_of_work[k] = (double)(k + 1) * t->work[k + 1];
+        dg[k] = own_rate_of_work[k];
+    }
+}
+
+/* First variation of vertical_force_on_foot. */
+static void d_observed_slip_falling_vertical_force_on_foot(const real *constants, const real *series,
+                                                           const real *d_constants, const real *d_series,
+                                                           int order, real *dg) {
+    const slip_falling_constants *c = (const void *)constants;
+    const slip_falling_series *s = (const void *)series;
+    const slip_falling_constants *d = (const void *)d_constants;
+    const slip_falling_series *t = (const void *)d_series;
+    real own_x__times_x__2[TERMS];
+    real own_y__times_y__2[TERMS];
+    real own_d_length[TERMS];
+    real own_d_length_rate[TERMS];
+    real own_axial_times_d_length[TERMS];
+    real own_d_axial[TERMS];
+    real own_d_axial_times_y_[TERMS];
+    real own_axial_times_y__2[TERMS];
+    real own_turning_times_d_square[TERMS];
+    real own_d_turning[TERMS];
+    real own_d_turning_times_x_[TERMS];
+    real own_turning_times_x__2[TERMS];
+    real own_d_friction_along_times_sum_2[TERMS];
+    real own_fading_times_ratio[TERMS];
+    real own_friction_along_times_d_sum_2[TERMS];
+    real own_d_way_times_slip_friction_times_normal[TERMS];
+    real own_way_times_slip_friction_times_d_normal[TERMS];
+    real own_d_square[TERMS];
+    real own_d_friction_along[TERMS];
+    real own_ratio[TERMS];
+    real own_d_sum_2[TERMS];
+    real own_d_way_times_slip_friction[TERMS];
+    real own_d_normal[TERMS];
+    own_x__times_x__2[0] = product(s->x_, t->x_, 0);
+    own_y__times_y__2[0] = product(s->y_, t->y_, 0);
+    own_d_square[0] = 2.0 * own_x__times_x__2[0] + 2.0 * own_y__times_y__2[0];
+    own_d_length[0] = (0.5 * own_d_square[0] - product_so_far(own_d_length, s->length, 0)) / s->length[0];
+    for (int k = 0; k < order; ++k) {
+        own_x__times_x__2[k + 1] = product(s->x_, t->x_, k + 1);
+        own_y__times_y__2[k + 1] = product(s->y_, t->y_, k + 1);
+        own_d_square[k + 1] = 2.0 * own_x__times_x__2[k + 1] + 2.0 * own_y__times_y__2[k + 1];
+        own_d_length[k + 1] =
+            (0.5 * own_d_square[k + 1] - product_so_far(own_d_length, s->length, k + 1)) / s->length[0];
+        own_d_length_rate[k] = (double)(k + 1) * own_d_length[k + 1];
+        own_axial_times_d_length[k] = product(s->axial, own_d_length, k);
+        own_d_axial[k] =
+            (with_constant(k,
+                           d->stiffness * s->extension[k] - d->stiffness * s->length[k] +
+                               c->stiffness * t->extension[k] - c->stiffness * own_d_length[k] -
+                               d->damping * s->length_rate[k] - c->damping * own_d_length_rate[k] -
+                               own_axial_times_d_length[k],
+                           d->stiffness * (c->free_length + c->thrusting_times_longer_or_by_0) +
+                               c->stiffness * (d->free_length + d->thrusting_times_longer_or_by_0)) -
+             product_so_far(own_d_axial, s->length, k)) /
+            s->length[0];
+        own_d_axial_times_y_[k] = product(own_d_axial, s->y_, k);
+        own_axial_times_y__2[k] = product(s->axial, t->y_, k);
+        own_turning_times_d_square[k] = product(s->turning, own_d_square, k);
+        own_d_turning[k] =
+            (with_constant(k, t->external_torque[k] - own_turning_times_d_square[k], -d->product_2) -
+             product_so_far(own_d_turning, s->square, k)) /
+            s->square[0];
+        own_d_turning_times_x_[k] = product(own_d_turning, s->x_, k);
+        own_turning_times_x__2[k] = product(s->turning, t->x_, k);
+        own_d_normal[k] = with_constant(k,
+                                        own_d_axial_times_y_[k] + own_axial_times_y__2[k] +
+                                            own_d_turning_times_x_[k] + own_turning_times_x__2[k],
+                                        d->foot_mass_times_gravity_times_cosine);
+        own_d_friction_along[k] =
+            with_constant(k, d->by_1_minus_is_own * s->friction[k] + c->by_1_minus_is_own * t->friction[k],
+                          d->is_own_times_own);
+        own_d_friction_along_times_sum_2[k] = product(own_d_friction_along, s->sum_2, k);
+        own_ratio[k] = (d->way - d->stribeck_velocity * (c->way / c->stribeck_velocity)) /
+                           c->stribeck_velocity * s->foot_vx[k] +
+                       c->way / c->stribeck_velocity * t->foot_vx[k];
+        own_fading_times_ratio[k] = product(s->fading, own_ratio, k);
+        own_d_sum_2[k] = d->static_ratio_minus_by_1 * s->fading[k] -
+                         c->static_ratio_minus_by_1 * own_fading_times_ratio[k];
+        own_friction_along_times_d_sum_2[k] = drift_times(
+            k, with_constant(0, c->by_1_minus_is_own * s->friction[0], c->is_own_times_own),
+            with_constant(1, c->by_1_minus_is_own * s->friction[1], c->is_own_times_own), own_d_sum_2);
+        own_d_way_times_slip_friction[k] = d->way * s->slip_friction[k] +
+                                           c->way * own_d_friction_along_times_sum_2[k] +
+                                           c->way * own_friction_along_times_d_sum_2[k];
+        own_d_way_times_slip_friction_times_normal[k] = product(own_d_way_times_slip_friction, s->normal, k);
+        own_way_times_slip_friction_times_d_normal[k] = product(s->way_times_slip_friction, own_d_normal, k);
+        dg[k] = d->cosine * s->normal[k] + c->cosine * own_d_normal[k] - d->sine * s->friction_force[k] -
+                c->sine * own_d_way_times_slip_friction_times_normal[k] -
+                c->sine * own_way_times_slip_friction_times_d_normal[k];
+    }
+}
+
+/* First variation of force_on_foot. */
+static void d_observed_slip_falling_force_on_foot(const real *constants, const real *series,
+                                                  const real *d_constants, const real *d_series, int order,
+                                                  real *dg) {
+    const slip_falling_constants *c = (const void *)constants;
+    const slip_falling_series *s = (const void *)series;
+    const slip_falling_constants *d = (const void *)d_constants;
+    const slip_falling_series *t = (const void *)d_series;
+    real own_x__times_x__2[TERMS];
+    real own_y__times_y__2[TERMS];
+    real own_d_length[TERMS];
+    real own_d_length_rate[TERMS];
+    real own_axial_times_d_length[TERMS];
+    real own_d_axial[TERMS];
+    real own_d_axial_times_y_[TERMS];
+    real own_axial_times_y__2[TERMS];
+    real own_turning_times_d_square[TERMS];
+    real own_d_turning[TERMS];
+    real own_d_turning_times_x_[TERMS];
+    real own_turning_times_x__2[TERMS];
+    real own_d_square[TERMS];
+    own_x__times_x__2[0] = product(s->x_, t->x_, 0);
+    own_y__times_y__2[0] = product(s->y_, t->y_, 0);
+    own_d_square[0] = 2.0 * own_x__times_x__2[0] + 2.0 * own_y__times_y__2[0];
+    own_d_length[0] = (0.5 * own_d_square[0] - product_so_far(own_d_length, s->length, 0)) / s->length[0];
+    for (int k = 0; k < order; ++k) {
+        own_x__times_x__2[k + 1] = product(s->x_, t->x_, k + 1);
+        own_y__times_y__2[k + 1] = product(s->y_, t->y_, k + 1);
+        own_d_square[k + 1] = 2.0 * own_x__times_x__2[k + 1] + 2.0 * own_y__times_y__2[k + 1];
+        own_d_length[k + 1] =
+            (0.5 * own_d_square[k + 1] - product_so_far(own_d_length, s->length, k + 1)) / s->length[0];
+        own_d_length_rate[k] = (double)(k + 1) * own_d_length[k + 1];
+        own_axial_times_d_length[k] = product(s->axial, own_d_length, k);
+        own_d_axial[k] =
+            (with_constant(k,
+                           d->stiffness * s->extension[k] - d->stiffness * s->length[k] +
+                               c->stiffness * t->extension[k] - c->stiffness * own_d_length[k] -
+                               d->damping * s->length_rate[k] - c->damping * own_d_length_rate[k] -
+                               own_axial_times_d_length[k],
+                           d->stiffness * (c->free_length + c->thrusting_times_longer_or_by_0) +
+                               c->stiffness * (d->free_length + d->thrusting_times_longer_or_by_0)) -
+             product_so_far(own_d_axial, s->length, k)) /
+            s->length[0];
+        own_d_axial_times_y_[k] = product(own_d_axial, s->y_, k);
+        own_axial_times_y__2[k] = product(s->axial, t->y_, k);
+        own_turning_times_d_square[k] = product(s->turning, own_d_square, k);
+        own_d_turning[k] =
+            (with_constant(k, t->external_torque[k] - own_turning_times_d_square[k], -d->product_2) -
+             product_so_far(own_d_turning, s->square, k)) /
+            s->square[0];
+        own_d_turning_times_x_[k] = product(own_d_turning, s->x_, k);
+        own_turning_times_x__2[k] = product(s->turning, t->x_, k);
+        dg[k] = with_constant(k,
+                              own_d_axial_times_y_[k] + own_axial_times_y__2[k] + own_d_turning_times_x_[k] +
+                                  own_turning_times_x__2[k],
+                              d->foot_mass_times_gravity_times_cosine);
+    }
+}
+
 /* ramp_ends: A ramp of the friction coefficient ends at 0. */
 static void guard_slip_falling_ramp_ends(const real *constants, const real *series, int order, real *g) {
     (void)constants;
@@ -5606,6 +6156,21 @@ static void vary_flight_place_pushed(const real *constants, const real *series, 
         t->external_torque[k + 1] = series_reciprocal[k + 1] * (constant_of(k, d->external_torque_rate));
         t->time[k + 1] = series_reciprocal[k + 1] * (broadcast(0.0));
         t->placing[k + 1] = series_reciprocal[k + 1] * (broadcast(0.0));
+    }
+}
+
+/* First variation of power_of_hip. */
+static void d_observed_flight_place_pushed_power_of_hip(const real *constants, const real *series,
+                                                        const real *d_constants, const real *d_series,
+                                                        int order, real *dg) {
+    (void)constants;
+    (void)series;
+    (void)d_constants;
+    const flight_place_pushed_series *t = (const void *)d_series;
+    real own_rate_of_work[TERMS];
+    for (int k = 0; k < order; ++k) {
+        own_rate_of_work[k] = (double)(k + 1) * t->work[k + 1];
+        dg[k] = own_rate_of_work[k];
     }
 }
 
@@ -6165,6 +6730,21 @@ static void vary_flight_rest_pushed(const real *constants, const real *series, c
         t->friction[k + 1] = series_reciprocal[k + 1] * (constant_of(k, d->friction_rate));
         t->external_torque[k + 1] = series_reciprocal[k + 1] * (constant_of(k, d->external_torque_rate));
         t->time[k + 1] = series_reciprocal[k + 1] * (broadcast(0.0));
+    }
+}
+
+/* First variation of power_of_hip. */
+static void d_observed_flight_rest_pushed_power_of_hip(const real *constants, const real *series,
+                                                       const real *d_constants, const real *d_series,
+                                                       int order, real *dg) {
+    (void)constants;
+    (void)series;
+    (void)d_constants;
+    const flight_rest_pushed_series *t = (const void *)d_series;
+    real own_rate_of_work[TERMS];
+    for (int k = 0; k < order; ++k) {
+        own_rate_of_work[k] = (double)(k + 1) * t->work[k + 1];
+        dg[k] = own_rate_of_work[k];
     }
 }
 
@@ -6765,6 +7345,21 @@ static void vary_flight_retract_pushed(const real *constants, const real *series
     }
 }
 
+/* First variation of power_of_hip. */
+static void d_observed_flight_retract_pushed_power_of_hip(const real *constants, const real *series,
+                                                          const real *d_constants, const real *d_series,
+                                                          int order, real *dg) {
+    (void)constants;
+    (void)series;
+    (void)d_constants;
+    const flight_retract_pushed_series *t = (const void *)d_series;
+    real own_rate_of_work[TERMS];
+    for (int k = 0; k < order; ++k) {
+        own_rate_of_work[k] = (double)(k + 1) * t->work[k + 1];
+        dg[k] = own_rate_of_work[k];
+    }
+}
+
 /* passes_end: The foot is above the next segment. */
 static void guard_flight_retract_pushed_passes_end(const real *constants, const real *series, int order,
                                                    real *g) {
@@ -7010,6 +7605,7 @@ static void bounds_flight_retract_pushed(const real *constants, const real *seri
 
 static const tdmf_polynomial polynomials_start_of_run[] = {
     guard_start_of_run_passes_end, guard_start_of_run_passes_begin, guard_start_of_run_begins};
+static const tdmf_vary_polynomial vary_observed_start_of_run[] = {NULL};
 static const int moving_start_of_run[] = {53, 54, 55, 83, 88, 0};
 static const int degrees_start_of_run[] = {1, 1, 1, 1, 1, 1};
 static const int judged_start_of_run[] = {0};
@@ -7027,6 +7623,9 @@ static const tdmf_polynomial polynomials_slip_constant[] = {guard_slip_constant_
                                                             guard_slip_constant_power_of_hip,
                                                             guard_slip_constant_vertical_force_on_foot,
                                                             guard_slip_constant_force_on_foot};
+static const tdmf_vary_polynomial vary_observed_slip_constant[] = {
+    d_observed_slip_constant_power_of_hip, d_observed_slip_constant_vertical_force_on_foot,
+    d_observed_slip_constant_force_on_foot};
 static const int moving_slip_constant[] = {69, 70, 71, 72, 73, 74, 77, 78, 79, 85, 96, 53, 54, 55, 83, 88, 0};
 static const int degrees_slip_constant[] = {99, 99, 99, 99, 99, 99, 99, 99, 99, 99, 99, 1, 1, 1, 1, 1, 1, 99};
 static const int judged_slip_constant[] = {2, 3, 5, 6, 7, 8, 9, 10, 17};
@@ -7039,6 +7638,8 @@ static const tdmf_polynomial polynomials_stick[] = {
     guard_stick_slips_forward, guard_stick_slips_backward,
     guard_stick_power_of_hip,  guard_stick_vertical_force_on_foot,
     guard_stick_force_on_foot};
+static const tdmf_vary_polynomial vary_observed_stick[] = {
+    d_observed_stick_power_of_hip, d_observed_stick_vertical_force_on_foot, d_observed_stick_force_on_foot};
 static const int moving_stick[] = {69, 70, 71, 72, 77, 78, 79, 96, 53, 54, 55, 83, 88, 0, 73};
 static const int degrees_stick[] = {99, 99, 99, 99, 99, 99, 99, 99, 1, 1, 1, 1, 1, 1, 1, 99};
 static const int judged_stick[] = {2, 3, 4, 5, 6, 7, 15};
@@ -7055,6 +7656,8 @@ static const tdmf_polynomial polynomials_flight_place_calm[] = {guard_flight_pla
                                                                 guard_flight_place_calm_apex,
                                                                 guard_flight_place_calm_touchdown,
                                                                 guard_flight_place_calm_power_of_hip};
+static const tdmf_vary_polynomial vary_observed_flight_place_calm[] = {
+    d_observed_flight_place_calm_power_of_hip};
 static const int moving_flight_place_calm[] = {58, 59, 62, 65, 68, 77, 79, 96, 53,
                                                54, 55, 83, 88, 0,  64, 67, 91};
 static const int degrees_flight_place_calm[] = {99, 99, 99, 2, 99, 99, 99, 99, 1, 1, 1, 1, 1, 1, 1, 1, 1};
@@ -7073,6 +7676,8 @@ static const tdmf_polynomial polynomials_flight_rest_calm[] = {guard_flight_rest
                                                                guard_flight_rest_calm_touchdown,
                                                                guard_flight_rest_calm_release,
                                                                guard_flight_rest_calm_power_of_hip};
+static const tdmf_vary_polynomial vary_observed_flight_rest_calm[] = {
+    d_observed_flight_rest_calm_power_of_hip};
 static const int moving_flight_rest_calm[] = {58, 59, 62, 65, 68, 77, 79, 96, 53, 54, 55, 83, 88, 0, 64, 67};
 static const int degrees_flight_rest_calm[] = {99, 99, 99, 2, 2, 99, 99, 99, 1, 1, 1, 1, 1, 1, 1, 1};
 static const int judged_flight_rest_calm[] = {1, 2, 5, 6, 7};
@@ -7091,6 +7696,8 @@ static const tdmf_polynomial polynomials_flight_retract_calm[] = {
     guard_flight_retract_calm_touchdown,
     guard_flight_retract_calm_clamp,
     guard_flight_retract_calm_power_of_hip};
+static const tdmf_vary_polynomial vary_observed_flight_retract_calm[] = {
+    d_observed_flight_retract_calm_power_of_hip};
 static const int moving_flight_retract_calm[] = {58, 59, 62, 65, 68, 77, 79, 96,
                                                  53, 54, 55, 83, 88, 0,  64, 67};
 static const int degrees_flight_retract_calm[] = {99, 99, 99, 2, 99, 99, 99, 99, 1, 1, 1, 1, 1, 1, 1, 1};
@@ -7098,6 +7705,7 @@ static const int judged_flight_retract_calm[] = {1, 2, 4, 5, 6, 7};
 static const int divisors_flight_retract_calm[] = {16};
 static const int integrals_flight_retract_calm[] = {7};
 static const tdmf_polynomial polynomials_fallen[] = {NULL};
+static const tdmf_vary_polynomial vary_observed_fallen[] = {NULL};
 static const int moving_fallen[] = {0};
 static const int degrees_fallen[] = {0};
 static const int judged_fallen[] = {0};
@@ -7109,6 +7717,7 @@ static const tdmf_polynomial polynomials_graze_place[] = {
     guard_graze_place_collapses,        guard_graze_place_mid_stance,
     guard_graze_place_graze_to_contact, guard_graze_place_graze_to_flight,
     guard_graze_place_power_of_hip};
+static const tdmf_vary_polynomial vary_observed_graze_place[] = {d_observed_graze_place_power_of_hip};
 static const int moving_graze_place[] = {69, 70, 71, 72, 73, 74, 77, 78, 79, 96, 53, 54, 55, 83, 88, 0, 91};
 static const int degrees_graze_place[] = {99, 3, 99, 2, 99, 99, 99, 99, 99, 99, 1, 1, 1, 1, 1, 1, 1, 99};
 static const int judged_graze_place[] = {2, 5, 6, 7, 8, 9, 17};
@@ -7119,6 +7728,7 @@ static const tdmf_polynomial polynomials_graze_rest[] = {
     guard_graze_rest_falls,           guard_graze_rest_collapses,    guard_graze_rest_apex_in_graze,
     guard_graze_rest_release,         guard_graze_rest_mid_stance,   guard_graze_rest_graze_to_contact,
     guard_graze_rest_graze_to_flight, guard_graze_rest_power_of_hip};
+static const tdmf_vary_polynomial vary_observed_graze_rest[] = {d_observed_graze_rest_power_of_hip};
 static const int moving_graze_rest[] = {69, 70, 71, 72, 73, 74, 77, 78, 79, 96, 53, 54, 55, 83, 88, 0};
 static const int degrees_graze_rest[] = {99, 3, 99, 2, 99, 99, 99, 99, 99, 99, 1, 1, 1, 1, 1, 1, 99};
 static const int judged_graze_rest[] = {2, 5, 6, 7, 8, 9, 16};
@@ -7135,6 +7745,7 @@ static const tdmf_polynomial polynomials_graze_retract[] = {guard_graze_retract_
                                                             guard_graze_retract_graze_to_contact,
                                                             guard_graze_retract_graze_to_flight,
                                                             guard_graze_retract_power_of_hip};
+static const tdmf_vary_polynomial vary_observed_graze_retract[] = {d_observed_graze_retract_power_of_hip};
 static const int moving_graze_retract[] = {69, 70, 71, 72, 73, 74, 77, 78, 79, 96, 53, 54, 55, 83, 88, 0};
 static const int degrees_graze_retract[] = {99, 3, 99, 2, 99, 99, 99, 99, 99, 99, 1, 1, 1, 1, 1, 1, 99};
 static const int judged_graze_retract[] = {2, 5, 6, 7, 8, 9, 16};
@@ -7152,6 +7763,9 @@ static const tdmf_polynomial polynomials_slip_falling[] = {guard_slip_falling_ra
                                                            guard_slip_falling_power_of_hip,
                                                            guard_slip_falling_vertical_force_on_foot,
                                                            guard_slip_falling_force_on_foot};
+static const tdmf_vary_polynomial vary_observed_slip_falling[] = {
+    d_observed_slip_falling_power_of_hip, d_observed_slip_falling_vertical_force_on_foot,
+    d_observed_slip_falling_force_on_foot};
 static const int moving_slip_falling[] = {69, 70, 71, 72, 73, 74, 77, 78, 79, 85, 96, 53, 54, 55, 83, 88, 0};
 static const int degrees_slip_falling[] = {99, 99, 99, 99, 99, 99, 99, 99, 99, 99, 99, 1, 1, 1, 1, 1, 1, 99};
 static const int judged_slip_falling[] = {2, 3, 5, 6, 7, 8, 9, 10, 17};
@@ -7163,6 +7777,8 @@ static const tdmf_polynomial polynomials_flight_place_pushed[] = {
     guard_flight_place_pushed_new_ground,         guard_flight_place_pushed_falls,
     guard_flight_place_pushed_collapses,          guard_flight_place_pushed_apex,
     guard_flight_place_pushed_touchdown,          guard_flight_place_pushed_power_of_hip};
+static const tdmf_vary_polynomial vary_observed_flight_place_pushed[] = {
+    d_observed_flight_place_pushed_power_of_hip};
 static const int moving_flight_place_pushed[] = {58, 59, 62, 64, 65, 66, 67, 68, 77, 78,
                                                  79, 96, 53, 54, 55, 83, 88, 0,  91};
 static const int degrees_flight_place_pushed[] = {99, 99, 99, 3, 3, 2, 2, 99, 99, 99,
@@ -7177,6 +7793,8 @@ static const tdmf_polynomial polynomials_flight_rest_pushed[] = {
     guard_flight_rest_pushed_collapses,          guard_flight_rest_pushed_apex,
     guard_flight_rest_pushed_touchdown,          guard_flight_rest_pushed_release,
     guard_flight_rest_pushed_power_of_hip};
+static const tdmf_vary_polynomial vary_observed_flight_rest_pushed[] = {
+    d_observed_flight_rest_pushed_power_of_hip};
 static const int moving_flight_rest_pushed[] = {58, 59, 62, 64, 65, 66, 67, 68, 77,
                                                 78, 79, 96, 53, 54, 55, 83, 88, 0};
 static const int degrees_flight_rest_pushed[] = {99, 99, 99, 3, 3, 2, 2, 99, 99,
@@ -7191,6 +7809,8 @@ static const tdmf_polynomial polynomials_flight_retract_pushed[] = {
     guard_flight_retract_pushed_collapses,          guard_flight_retract_pushed_apex,
     guard_flight_retract_pushed_touchdown,          guard_flight_retract_pushed_clamp,
     guard_flight_retract_pushed_power_of_hip};
+static const tdmf_vary_polynomial vary_observed_flight_retract_pushed[] = {
+    d_observed_flight_retract_pushed_power_of_hip};
 static const int moving_flight_retract_pushed[] = {58, 59, 62, 64, 65, 66, 67, 68, 77,
                                                    78, 79, 96, 53, 54, 55, 83, 88, 0};
 static const int degrees_flight_retract_pushed[] = {99, 99, 99, 3, 3, 2, 2, 99, 99,
@@ -7211,6 +7831,7 @@ const tdmf_motion_kind TDMF_OF_WIDTH(tdmf_runner_motions)[] = {
      .divisors = divisors_start_of_run,
      .integrals = integrals_start_of_run,
      .polynomials = polynomials_start_of_run,
+     .vary_observed = vary_observed_start_of_run,
      .expand = expand_start_of_run,
      .vary = vary_start_of_run,
      .bounds = bounds_start_of_run},
@@ -7225,6 +7846,7 @@ const tdmf_motion_kind TDMF_OF_WIDTH(tdmf_runner_motions)[] = {
      .divisors = divisors_slip_constant,
      .integrals = integrals_slip_constant,
      .polynomials = polynomials_slip_constant,
+     .vary_observed = vary_observed_slip_constant,
      .expand = expand_slip_constant,
      .vary = vary_slip_constant,
      .bounds = bounds_slip_constant},
@@ -7239,6 +7861,7 @@ const tdmf_motion_kind TDMF_OF_WIDTH(tdmf_runner_motions)[] = {
      .divisors = divisors_stick,
      .integrals = integrals_stick,
      .polynomials = polynomials_stick,
+     .vary_observed = vary_observed_stick,
      .expand = expand_stick,
      .vary = vary_stick,
      .bounds = bounds_stick},
@@ -7253,6 +7876,7 @@ const tdmf_motion_kind TDMF_OF_WIDTH(tdmf_runner_motions)[] = {
      .divisors = divisors_flight_place_calm,
      .integrals = integrals_flight_place_calm,
      .polynomials = polynomials_flight_place_calm,
+     .vary_observed = vary_observed_flight_place_calm,
      .expand = expand_flight_place_calm,
      .vary = vary_flight_place_calm,
      .bounds = bounds_flight_place_calm},
@@ -7267,6 +7891,7 @@ const tdmf_motion_kind TDMF_OF_WIDTH(tdmf_runner_motions)[] = {
      .divisors = divisors_flight_rest_calm,
      .integrals = integrals_flight_rest_calm,
      .polynomials = polynomials_flight_rest_calm,
+     .vary_observed = vary_observed_flight_rest_calm,
      .expand = expand_flight_rest_calm,
      .vary = vary_flight_rest_calm,
      .bounds = bounds_flight_rest_calm},
@@ -7281,6 +7906,7 @@ const tdmf_motion_kind TDMF_OF_WIDTH(tdmf_runner_motions)[] = {
      .divisors = divisors_flight_retract_calm,
      .integrals = integrals_flight_retract_calm,
      .polynomials = polynomials_flight_retract_calm,
+     .vary_observed = vary_observed_flight_retract_calm,
      .expand = expand_flight_retract_calm,
      .vary = vary_flight_retract_calm,
      .bounds = bounds_flight_retract_calm},
@@ -7295,6 +7921,7 @@ const tdmf_motion_kind TDMF_OF_WIDTH(tdmf_runner_motions)[] = {
      .divisors = divisors_fallen,
      .integrals = integrals_fallen,
      .polynomials = polynomials_fallen,
+     .vary_observed = vary_observed_fallen,
      .expand = expand_fallen,
      .vary = vary_fallen,
      .bounds = NULL},
@@ -7309,6 +7936,7 @@ const tdmf_motion_kind TDMF_OF_WIDTH(tdmf_runner_motions)[] = {
      .divisors = divisors_graze_place,
      .integrals = integrals_graze_place,
      .polynomials = polynomials_graze_place,
+     .vary_observed = vary_observed_graze_place,
      .expand = expand_graze_place,
      .vary = vary_graze_place,
      .bounds = bounds_graze_place},
@@ -7323,6 +7951,7 @@ const tdmf_motion_kind TDMF_OF_WIDTH(tdmf_runner_motions)[] = {
      .divisors = divisors_graze_rest,
      .integrals = integrals_graze_rest,
      .polynomials = polynomials_graze_rest,
+     .vary_observed = vary_observed_graze_rest,
      .expand = expand_graze_rest,
      .vary = vary_graze_rest,
      .bounds = bounds_graze_rest},
@@ -7337,6 +7966,7 @@ const tdmf_motion_kind TDMF_OF_WIDTH(tdmf_runner_motions)[] = {
      .divisors = divisors_graze_retract,
      .integrals = integrals_graze_retract,
      .polynomials = polynomials_graze_retract,
+     .vary_observed = vary_observed_graze_retract,
      .expand = expand_graze_retract,
      .vary = vary_graze_retract,
      .bounds = bounds_graze_retract},
@@ -7351,6 +7981,7 @@ const tdmf_motion_kind TDMF_OF_WIDTH(tdmf_runner_motions)[] = {
      .divisors = divisors_slip_falling,
      .integrals = integrals_slip_falling,
      .polynomials = polynomials_slip_falling,
+     .vary_observed = vary_observed_slip_falling,
      .expand = expand_slip_falling,
      .vary = vary_slip_falling,
      .bounds = bounds_slip_falling},
@@ -7365,6 +7996,7 @@ const tdmf_motion_kind TDMF_OF_WIDTH(tdmf_runner_motions)[] = {
      .divisors = divisors_flight_place_pushed,
      .integrals = integrals_flight_place_pushed,
      .polynomials = polynomials_flight_place_pushed,
+     .vary_observed = vary_observed_flight_place_pushed,
      .expand = expand_flight_place_pushed,
      .vary = vary_flight_place_pushed,
      .bounds = bounds_flight_place_pushed},
@@ -7379,6 +8011,7 @@ const tdmf_motion_kind TDMF_OF_WIDTH(tdmf_runner_motions)[] = {
      .divisors = divisors_flight_rest_pushed,
      .integrals = integrals_flight_rest_pushed,
      .polynomials = polynomials_flight_rest_pushed,
+     .vary_observed = vary_observed_flight_rest_pushed,
      .expand = expand_flight_rest_pushed,
      .vary = vary_flight_rest_pushed,
      .bounds = bounds_flight_rest_pushed},
@@ -7393,6 +8026,7 @@ const tdmf_motion_kind TDMF_OF_WIDTH(tdmf_runner_motions)[] = {
      .divisors = divisors_flight_retract_pushed,
      .integrals = integrals_flight_retract_pushed,
      .polynomials = polynomials_flight_retract_pushed,
+     .vary_observed = vary_observed_flight_retract_pushed,
      .expand = expand_flight_retract_pushed,
      .vary = vary_flight_retract_pushed,
      .bounds = bounds_flight_retract_pushed},
