@@ -5,6 +5,7 @@
 #include "section.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 static const tdmf_model_kind *model_of(const tdmf_page *page) {
@@ -102,8 +103,12 @@ static tdmf_page_run run_of(const tdmf_page_map *map) {
     return run;
 }
 
+/* Its memory has to be freed, and is NULL if there is none. */
 static tdmf_section_map section_of(const tdmf_page_map *map, const tdmf_page_run *run) {
-    const tdmf_section_map section = {model_of(map->page), map->section, run, map->longest};
+    const tdmf_model_kind *model = model_of(map->page);
+    const size_t size = tdmf_section_memory_size(model, map->section, map->seed_count);
+    double *memory = malloc(size * sizeof *memory);
+    const tdmf_section_map section = {model, map->section, run, map->longest, memory};
     return section;
 }
 
@@ -114,7 +119,11 @@ tdmf_page_end tdmf_page_stride(const tdmf_page_map *map, const double *point, do
     }
     const tdmf_page_run run = run_of(map);
     const tdmf_section_map section = section_of(map, &run);
+    if (!section.memory) {
+        return (tdmf_page_end){.outcome = TDMF_PAGE_UNSOLVED};
+    }
     const tdmf_crossing crossing = tdmf_next_crossing(&section, point, d_states != NULL, states, d_states);
+    free(section.memory);
     const tdmf_page_outcome outcome = crossing.outcome == TDMF_RUN_STOPPED   ? TDMF_PAGE_CROSSED
                                       : crossing.outcome == TDMF_RUN_ENDED   ? TDMF_PAGE_ENDED
                                       : crossing.outcome == TDMF_RUN_ARRIVED ? TDMF_PAGE_TOO_LONG
@@ -129,7 +138,11 @@ bool tdmf_page_fixed_point(const tdmf_page_map *map, double *point) {
     const tdmf_page_run run = run_of(map);
     const tdmf_section_map section = section_of(map, &run);
     tdmf_crossing last;
+    if (!section.memory) {
+        return false;
+    }
     const tdmf_fixed_point found = tdmf_find_crossing(&section, point, &last);
+    free(section.memory);
     if (found.outcome == TDMF_FIXED_POINT_FOUND) {
         memcpy(point, found.point, (size_t)section.model->sections[map->section].count * sizeof *point);
     }

@@ -37,7 +37,7 @@ from c_core.hybrid.page import Page  # noqa: E402
 COMPILER = shutil.which("cc")
 FLAGS = ["-std=c99", "-ffp-contract=off", "-fno-math-errno", "-fPIC", "-Wall", "-Wextra", "-Werror"]
 OUTCOMES = ["arrived", "stopped", "ended", "no-progress", "too-many-steps", "endless-chain"]
-OUTCOMES += ["too-many-events", "no-memory", "cancelled"]
+OUTCOMES += ["too-many-events", "no-memory", "cancelled", "bad-order", "too-many-seeds"]
 LOG_SIZE = 500
 
 
@@ -47,7 +47,7 @@ class Row(Structure):
 
 class RunStruct(Structure):
     _fields_ = [
-        *(("p", c_void_p), ("x", c_void_p), ("tables", c_void_p)),
+        *(("p", c_void_p), ("x", c_void_p), ("memory", c_void_p), ("tables", c_void_p)),
         *(("time", c_double), ("mode", c_int), ("tolerance", c_double)),
         *(("order", c_int), ("stop_event", c_int), ("observes", c_bool)),
         *(("step_limit", c_long), ("event_limit", c_long)),
@@ -97,7 +97,10 @@ MAP_LIMIT = 8
 
 
 class SectionMap(Structure):
-    _fields_ = [("model", c_void_p), ("section", c_int), ("run", c_void_p), ("longest", c_double)]
+    _fields_ = [
+        *(("model", c_void_p), ("section", c_int), ("run", c_void_p), ("longest", c_double)),
+        ("memory", c_void_p),
+    ]
 
 
 class Crossing(Structure):
@@ -112,6 +115,14 @@ class FixedPoint(Structure):
         *(("outcome", c_int), ("iterations", c_int), ("error", c_double)),
         *(("point", c_double * MAP_LIMIT), ("slot", c_int)),
     ]
+
+
+BEHIND = 8
+
+
+def garbage(size):
+    """Working memory that is not cleared, and some numbers behind it that no run may write."""
+    return np.full(size + BEHIND, np.nan)
 
 
 class StuckError(RuntimeError):
@@ -197,7 +208,9 @@ class CompiledPage:
             for names in ModelStruct.NAMES
         )
         self.library.tdmf_run_default.restype = RunStruct
-        self.library.tdmf_run_default.argtypes = [c_void_p, c_void_p, c_void_p]
+        self.library.tdmf_run_default.argtypes = [c_void_p] * 4
+        self.library.tdmf_run_memory_size.restype = c_size_t
+        self.library.tdmf_section_memory_size.restype = c_size_t
         self.library.tdmf_page_order.argtypes = [c_double]
 
     def names(self, values):
@@ -236,7 +249,10 @@ class PageSection:
     def __init__(self, of, index, run, longest):
         self.of, self.given, at = of, run, of.model.marked("is_section")[of.sections[index]]
         self.count, run.run.log_size = len(at.coordinates), 0
-        self.map = SectionMap(ctypes.addressof(of.struct), index, ctypes.addressof(run.run), longest)
+        size = of.library.tdmf_section_memory_size(byref(of.struct), c_int(index), c_int(len(run.seeds)))
+        self.memory = garbage(size)
+        addresses = ctypes.addressof(of.struct), index, ctypes.addressof(run.run), longest
+        self.map = SectionMap(*addresses, self.memory.ctypes.data)
         of.library.tdmf_next_crossing.restype = Crossing
         of.library.tdmf_find_crossing.restype = FixedPoint
         self.x = np.zeros(len(of.states))
@@ -282,7 +298,9 @@ class PageRun:
     def __init__(self, of, seeds, tolerance, step_limit, tables, values):
         self.of, self.seeds = of, seeds
         self.p, self.x = np.zeros(max(1, len(of.parameters))), np.zeros(max(1, len(of.states)))
-        self.run = of.library.tdmf_run_default(byref(of.struct), self.p.ctypes.data, self.x.ctypes.data)
+        self.memory = garbage(of.library.tdmf_run_memory_size(byref(of.struct), len(seeds)))
+        arrays = (array.ctypes.data for array in (self.p, self.x, self.memory))
+        self.run = of.library.tdmf_run_default(byref(of.struct), *arrays)
         self.run.tolerance, self.run.order = tolerance, of.library.tdmf_page_order(tolerance)
         self.run.step_limit = step_limit
         self.tables = [np.array(tables.get(name, []), dtype=float, ndmin=2) for name in of.tables]
@@ -327,12 +345,16 @@ class PageRun:
         outcome = self.of.library.tdmf_page_run_to(byref(self.of.struct), byref(self.run), c_double(until))
         self.outcome = OUTCOMES[outcome]
         if self.outcome == "endless-chain":
-            text = ctypes.create_string_buffer(500)
-            self.of.library.tdmf_run_message(
-                byref(self.of.struct), byref(self.run), outcome, text, c_size_t(len(text))
-            )
-            raise StuckError(text.value.decode())
+            raise StuckError(self.message)
         return self
+
+    @property
+    def message(self):
+        """The outcome in a sentence."""
+        text = ctypes.create_string_buffer(500)
+        given = byref(self.of.struct), byref(self.run), OUTCOMES.index(self.outcome)
+        self.of.library.tdmf_run_message(*given, text, c_size_t(len(text)))
+        return text.value.decode()
 
     def sample(self, times):
         """Outputs at some times, by time and output, and their variations, by time, seed and output."""

@@ -249,5 +249,8 @@ def test_runs_that_do_not_match_and_widths_that_are_not_there_are_refused(hopper
         run_batch(runs, 10.0)
     with pytest.raises(AssertionError, match="refused"):
         run_batch(runs[:2], 10.0, width=3)
-    run_batch(runs[:2], 10.0)
-    assert run_batch(runs[:1], 0.0).steps == 0
+    with pytest.raises(AssertionError, match="refused"):
+        runs[0].run.order = 30
+        run_batch(runs[:1], 10.0)
+    run_batch(runs[1:2], 10.0)
+    assert run_batch(runs[1:2], 0.0).steps == 0

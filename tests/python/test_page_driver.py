@@ -4,7 +4,7 @@ import ctypes
 
 import numpy as np
 import pytest
-from page_runs import COMPILER, CompiledPage, StuckError
+from page_runs import BEHIND, COMPILER, KERNEL, CompiledPage, StuckError
 from test_page_language import Hopper
 
 from c_core.hybrid import Model, cos, event, mode, observe, output, parameter, sin, state
@@ -183,6 +183,26 @@ def test_the_message_names_the_mode_the_time_and_the_events():
     run.run.event_limit = 3
     assert run.to(9).outcome == "too-many-events"
     assert run.run.events == 3
+
+
+# ---- memory and refusals ---------------------------------------------------------------------------------
+
+
+def test_a_run_allocates_nothing_and_stays_within_its_memory():
+    allocates = {f.name for folder in KERNEL for f in folder.glob("*.c") if "alloc(" in f.read_text()}
+    assert allocates == {"batch.c", "batch_lanes.c", "threads.c"}
+    for page, seeds in ((CompiledPage(Bounces), ["gravity"]), (CompiledPage(Hopper), [])):
+        run = page.start(seeds=seeds).to(3.0)
+        assert np.isnan(run.memory[-BEHIND:]).all()
+
+
+@pytest.mark.parametrize("order", [-2, 0, 2, 3, 27, 29, 30, 1000])
+def test_an_order_that_is_not_allowed_is_refused_where_a_run_begins(order):
+    run = CompiledPage(Bounces).start()
+    run.run.order = order
+    assert run.to(1.0).outcome == "bad-order"
+    assert run.message == f"The order of the series is {order}; it has to be even, from 4 to 28"
+    assert (run.time, run.run.steps) == (0, 0)
 
 
 # ---- guards that are zero where a mode begins ------------------------------------------------------------

@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from page_runs import COMPILER
+from page_runs import BEHIND, COMPILER
 from test_page_runner import GAITS, jacobian, runner  # noqa: F401
 
 pytestmark = pytest.mark.skipif(COMPILER is None, reason="there is no C compiler")
@@ -20,3 +20,18 @@ def test_the_reference_gaits_are_fixed_points_of_the_apex_map(runner, reading, g
     known = expected[expected > 0]  # others are of order 1e-8 or below
     assert largest[: len(known)] == pytest.approx(known, abs=1e-8)
     assert len(known) == 0 or (largest[len(known) :] < 1e-7).all()
+    assert np.isnan(at_apex.memory[-BEHIND:]).all()
+
+
+def test_a_return_map_of_too_many_seeds_is_refused(runner):  # noqa: F811
+    seeds = ["friction", "kp", "kd", "gravity", "damping", "stiffness", "body_mass", "foot_mass"]
+    seeds += ["free_length", "drive_torque", "touchdown_angle"]
+    apex = GAITS[0][1]["apex"]
+    at_apex = runner.section("at_apex", seeds=seeds[:10])
+    assert at_apex.after(apex, varies=True).outcome == "stopped"
+    at_apex = runner.section("at_apex", seeds=seeds)
+    assert at_apex.after(apex, varies=True).outcome == "too-many-seeds"
+    at_apex.given.outcome = at_apex.outcome
+    text = "The return map has 11 seeds; with its coordinates, at most 16 are allowed"
+    assert at_apex.given.message == text
+    assert at_apex.after(apex).outcome == "stopped"

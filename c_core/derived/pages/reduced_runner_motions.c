@@ -934,8 +934,7 @@ static void guard_slip_constant_collapses(const real *constants, const real *ser
     }
 }
 
-/* greatest_compression: Thrust begins where the leg is shortest, once per stance. A thrust of 0 is not
- * counted. */
+/* greatest_compression: Thrust begins where the leg is shortest, once per stance. */
 static void guard_slip_constant_greatest_compression(const real *constants, const real *series, int order,
                                                      real *g) {
     (void)constants;
@@ -1524,8 +1523,7 @@ static void guard_stick_collapses(const real *constants, const real *series, int
     }
 }
 
-/* greatest_compression: Thrust begins where the leg is shortest, once per stance. A thrust of 0 is not
- * counted. */
+/* greatest_compression: Thrust begins where the leg is shortest, once per stance. */
 static void guard_stick_greatest_compression(const real *constants, const real *series, int order, real *g) {
     (void)constants;
     const stick_series *s = (const void *)series;
@@ -2510,8 +2508,7 @@ static void guard_slip_falling_collapses(const real *constants, const real *seri
     }
 }
 
-/* greatest_compression: Thrust begins where the leg is shortest, once per stance. A thrust of 0 is not
- * counted. */
+/* greatest_compression: Thrust begins where the leg is shortest, once per stance. */
 static void guard_slip_falling_greatest_compression(const real *constants, const real *series, int order,
                                                     real *g) {
     (void)constants;

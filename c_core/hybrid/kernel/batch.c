@@ -3,6 +3,7 @@
 #include "batch.h"
 
 #include "processor.h"
+#include "run_state.h"
 #include "threads.h"
 
 #include <stdlib.h>
@@ -51,27 +52,46 @@ int64_t tdmf_next_run(tdmf_batch_share *share) {
     return number < share->batch->count ? number : -1;
 }
 
-bool tdmf_goes_on(const tdmf_batch *batch, int64_t number, tdmf_run_outcome outcome) {
+bool tdmf_goes_on(const tdmf_batch *batch, int64_t number, tdmf_run_outcome outcome, double *memory) {
+    tdmf_page_run *r = &batch->runs[number];
+    double *own = r->memory;
     batch->outcomes[number] = outcome;
-    return outcome == TDMF_RUN_STOPPED && batch->at_stop &&
-           batch->at_stop(batch->context, number, &batch->runs[number]);
+    if (outcome != TDMF_RUN_STOPPED || !batch->at_stop) {
+        return false;
+    }
+    r->memory = memory;
+    const bool goes_on = batch->at_stop(batch->context, number, r);
+    r->memory = own;
+    return goes_on;
+}
+
+/* Runs to the next stop, in memory of the batch. */
+static tdmf_run_outcome run_to_stop(const tdmf_batch_share *share, int64_t number, double *memory) {
+    tdmf_page_run *r = &share->batch->runs[number];
+    double *own = r->memory;
+    r->memory = memory;
+    const tdmf_run_outcome outcome = tdmf_page_run_to(share->model, r, share->batch->until[number]);
+    r->memory = own;
+    return outcome;
 }
 
 static bool run_one_by_one(tdmf_batch_share *share, tdmf_batch_work *work) {
     const tdmf_batch *batch = share->batch;
+    double *memory = malloc(tdmf_run_memory_size(share->model, batch->runs[0].seed_count) * sizeof *memory);
     for (int64_t i = tdmf_next_run(share); i >= 0; i = tdmf_next_run(share)) {
-        tdmf_page_run *r = &batch->runs[i];
-        const long before = r->steps;
+        const long before = batch->runs[i].steps;
         bool goes_on = true;
         while (goes_on) {
-            goes_on = tdmf_goes_on(batch, i, tdmf_page_run_to(share->model, r, batch->until[i]));
+            const tdmf_run_outcome outcome = memory ? run_to_stop(share, i, memory) : TDMF_RUN_NO_MEMORY;
+            goes_on = tdmf_goes_on(batch, i, outcome, memory);
             if (goes_on && tdmf_is_raised(batch->cancel)) {
                 batch->outcomes[i] = TDMF_RUN_CANCELLED;
                 goes_on = false;
             }
         }
-        work->single_steps += r->steps - before;
+        work->single_steps += batch->runs[i].steps - before;
     }
+    free(memory);
     return true;
 }
 
@@ -96,7 +116,8 @@ static bool is_sound(const tdmf_batch *batch) {
             return false;
         }
     }
-    return batch->count >= 0 && batch->threads >= 1;
+    return batch->count >= 0 && batch->threads >= 1 &&
+           (batch->count == 0 || tdmf_is_order(batch->runs[0].order));
 }
 
 tdmf_batch tdmf_batch_default(void) {
@@ -105,15 +126,15 @@ tdmf_batch tdmf_batch_default(void) {
 }
 
 bool tdmf_run_batch(const tdmf_model_kind *model, const tdmf_batch *batch, tdmf_batch_work *work) {
-    if (!is_sound(batch)) {
-        return false;
-    }
     const int threads = batch->threads <= batch->count ? batch->threads
                         : batch->count > 0             ? (int)batch->count
                                                        : 1;
-    const int row = row_of_width(model, batch->width, batch->count / threads);
-    if (row < 0) {
-        return false;
+    const int row = is_sound(batch) ? row_of_width(model, batch->width, batch->count / threads) : -1;
+    if (row < 0 || batch->count == 0) {
+        if (work) {
+            memset(work, 0, sizeof *work);
+        }
+        return row >= 0;
     }
     job all = {.share = {model, batch, 0, threads},
                .run = widths[row].run,

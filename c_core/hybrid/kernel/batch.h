@@ -11,7 +11,7 @@
 #include <stdint.h>
 
 /* Called where a run has stopped at its stop event, in the thread that runs it. It may change the states and
- * the parameters of the run, and returns whether the run goes on. */
+ * the parameters of the run, also by tdmf_page_set, and returns whether the run goes on. */
 typedef bool tdmf_at_stop(void *context, int64_t number, tdmf_page_run *run);
 
 /* The runs have equal orders, tolerances and numbers of seeds, and either all or none observe. */
@@ -53,8 +53,9 @@ typedef struct {
 /* The number of the next run; -1: there is none, or the batch is cancelled. */
 int64_t tdmf_next_run(tdmf_batch_share *share);
 
-/* Whether a run that has come to this outcome goes on. Writes the outcome if not. */
-bool tdmf_goes_on(const tdmf_batch *batch, int64_t number, tdmf_run_outcome outcome);
+/* Whether a run that has come to this outcome goes on. Writes the outcome if not. A callback may use the
+ * memory. */
+bool tdmf_goes_on(const tdmf_batch *batch, int64_t number, tdmf_run_outcome outcome, double *memory);
 
 /* Makes runs until there are no more. False without memory: nothing has been done. */
 typedef bool tdmf_run_lanes(tdmf_batch_share *share, tdmf_batch_work *work);

@@ -103,7 +103,8 @@ static void go_on(lane_pool *w, int index, tdmf_run_outcome outcome) {
             wait_for_lane(w, index);
             return;
         }
-        if (!tdmf_goes_on(w->share->batch, w->runners[index].number, outcome) && !take_next_run(w, index)) {
+        const bool is_stopped = !tdmf_goes_on(w->share->batch, w->runners[index].number, outcome, w->at.c);
+        if (is_stopped && !take_next_run(w, index)) {
             return;
         }
         begin_run(w, index);
@@ -476,56 +477,67 @@ static void run_pool(lane_pool *w, int under_way) {
     }
 }
 
+/* Reals of the series and of all modes. */
+static size_t reals_of_pool(const lane_pool *w) {
+    size_t reals = 2 * (size_t)w->model->series_count * TERMS;
+    for (int number = 0; number < w->model->mode_count; ++number) {
+        reals += reals_of_mode(w, number);
+    }
+    return reals;
+}
+
+static size_t doubles_of_pool(const lane_pool *w, int under_way) {
+    return tdmf_size_of_mode_start(w->model, w->seed_count) + tdmf_size_of_driver(w->model) +
+           (size_t)under_way * tdmf_size_of_run_state(w->model);
+}
+
+static size_t bytes_of_pool(const lane_pool *w, int under_way) {
+    return sizeof(real) + (size_t)w->model->mode_count * sizeof(lane_batch) +
+           TDMF_WATCH_LIMIT * sizeof(observed_part) + reals_of_pool(w) * sizeof(real) +
+           doubles_of_pool(w, under_way) * sizeof(double) + (size_t)under_way * sizeof(runner);
+}
+
+/* Places the arrays of a pool in memory that is zero; those of reals have to be aligned. */
+static void place_pool(lane_pool *w, int under_way, char *memory) {
+    const tdmf_model_kind *model = w->model;
+    w->batches = (void *)(((uintptr_t)memory + sizeof(real) - 1) / sizeof(real) * sizeof(real));
+    w->observed = (void *)(w->batches + model->mode_count);
+    w->s = (void *)(w->observed + TDMF_WATCH_LIMIT);
+    w->t = w->s + model->series_count;
+    real *next = (real *)(w->t + model->series_count);
+    for (int number = 0; number < model->mode_count; ++number) {
+        next = place_batch(w, number, next);
+    }
+    double *numbers = (double *)next;
+    w->runners = (void *)(numbers + doubles_of_pool(w, under_way));
+    tdmf_place_mode_start(&w->at, model, w->seed_count, numbers);
+    numbers += tdmf_size_of_mode_start(model, w->seed_count);
+    w->driver = tdmf_place_driver(model, numbers);
+    numbers += tdmf_size_of_driver(model);
+    for (int index = 0; index < under_way; ++index) {
+        w->runners[index].state.scales = numbers + (size_t)index * tdmf_size_of_run_state(model);
+    }
+}
+
 bool TDMF_OF_WIDTH(tdmf_run_lanes)(tdmf_batch_share *share, tdmf_batch_work *work) {
-    const tdmf_model_kind *model = share->model;
+    enum { ROW = LANES == 2 ? 0 : LANES == 4 ? 1 : 2 };
     const tdmf_page_run *first = share->batch->runs;
     const int64_t each = (share->batch->count + share->threads - 1) / share->threads;
     const int under_way = each < UNDER_WAY ? (int)each : UNDER_WAY;
-    if (share->batch->count == 0) {
-        return true;
-    }
-    lane_pool w = {.model = model,
-                   .motions = model->lanes[LANES == 2   ? 0
-                                           : LANES == 4 ? 1
-                                                        : 2](),
+    lane_pool w = {.model = share->model,
+                   .motions = share->model->lanes[ROW](),
                    .share = share,
                    .work = work,
                    .mode_of_series = NOBODY,
                    .order = first->order,
                    .seed_count = first->seed_count,
                    .observes = first->observes};
-    size_t reals = 2 * (size_t)model->series_count * TERMS;
-    for (int number = 0; number < model->mode_count; ++number) {
-        reals += reals_of_mode(&w, number);
+    char *memory = calloc(1, bytes_of_pool(&w, under_way));
+    if (!memory) {
+        return false;
     }
-    const int of_start = tdmf_size_of_mode_start(model, w.seed_count),
-              of_state = tdmf_size_of_run_state(model);
-    const size_t batches =
-        (size_t)model->mode_count * sizeof(lane_batch) + TDMF_WATCH_LIMIT * sizeof(observed_part);
-    const size_t doubles = (size_t)(of_start + under_way * of_state) * sizeof(double);
-    char *memory = calloc(1, sizeof(real) + batches + reals * sizeof(real) + doubles +
-                                 (size_t)under_way * sizeof(runner));
-    w.driver = tdmf_driver_create(model);
-    const bool has_memory = memory && w.driver;
-    if (has_memory) {
-        w.batches =
-            (void *)(((uintptr_t)memory + sizeof(real) - 1) / sizeof(real) * sizeof(real)); /* aligned */
-        w.observed = (void *)(w.batches + model->mode_count);
-        w.s = (void *)(w.observed + TDMF_WATCH_LIMIT);
-        w.t = w.s + model->series_count;
-        real *next = (real *)(w.t + model->series_count);
-        for (int number = 0; number < model->mode_count; ++number) {
-            next = place_batch(&w, number, next);
-        }
-        double *numbers = (double *)next;
-        tdmf_place_mode_start(&w.at, model, w.seed_count, numbers);
-        w.runners = (void *)(numbers + of_start + under_way * of_state);
-        for (int index = 0; index < under_way; ++index) {
-            w.runners[index].state.scales = numbers + of_start + index * of_state;
-        }
-        run_pool(&w, under_way);
-    }
-    free(w.driver);
+    place_pool(&w, under_way, memory);
+    run_pool(&w, under_way);
     free(memory);
-    return has_memory;
+    return true;
 }

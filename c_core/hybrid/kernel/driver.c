@@ -16,9 +16,6 @@
 #include "run_state.h"
 
 #include <stdio.h>
-#include <stdlib.h>
-
-enum { LEAST_ORDER = 4 };
 
 /* `state` and `at` are those of the run at hand. */
 struct tdmf_driver {
@@ -65,7 +62,7 @@ static bool begin_step(work *w, double left) {
     m->expand(w->step.c, w->step.order, w->step.s[0]);
     while (!judge_series(&w->step, &remainder)) {
         w->step.order -= 2;
-        if (w->step.order < LEAST_ORDER) {
+        if (!tdmf_is_order(w->step.order)) {
             return false;
         }
     }
@@ -274,16 +271,20 @@ static tdmf_run_outcome to_event(work *w, double until) {
     return TDMF_RUN_TOO_MANY_STEPS;
 }
 
-tdmf_driver *tdmf_driver_create(const tdmf_model_kind *model) {
-    const size_t series = (size_t)model->series_count * sizeof(double[TERMS]);
-    tdmf_driver *driver = calloc(1, sizeof *driver + 2 * series +
-                                        (size_t)(model->state_count + TDMF_WATCH_LIMIT) * sizeof(double));
-    if (driver) {
-        driver->step.s = (double(*)[TERMS])(void *)(driver + 1);
-        driver->t = driver->step.s + model->series_count;
-        driver->step.units = (double *)(driver->t + model->series_count);
-        driver->step.observed = driver->observed;
-    }
+/* Numbers of memory that hold a driver. */
+static const size_t driver_size = (sizeof(tdmf_driver) + sizeof(double) - 1) / sizeof(double);
+
+size_t tdmf_size_of_driver(const tdmf_model_kind *model) {
+    return driver_size + 2 * (size_t)model->series_count * TERMS + (size_t)model->state_count +
+           TDMF_WATCH_LIMIT;
+}
+
+tdmf_driver *tdmf_place_driver(const tdmf_model_kind *model, double *memory) {
+    tdmf_driver *driver = (void *)memory;
+    driver->step.s = (void *)(memory + driver_size);
+    driver->t = driver->step.s + model->series_count;
+    driver->step.units = (double *)(driver->t + model->series_count);
+    driver->step.observed = driver->observed;
     return driver;
 }
 
@@ -302,23 +303,26 @@ tdmf_run_outcome tdmf_drive_to_event(tdmf_driver *w, run_state *state, mode_star
     return outcome;
 }
 
+size_t tdmf_run_memory_size(const tdmf_model_kind *model, int seed_count) {
+    return tdmf_size_of_mode_start(model, seed_count) + tdmf_size_of_run_state(model) +
+           tdmf_size_of_driver(model);
+}
+
 tdmf_run_outcome tdmf_page_run_to(const tdmf_model_kind *model, tdmf_page_run *r, double until) {
-    const int of_start = tdmf_size_of_mode_start(model, r->seed_count);
-    double *memory = calloc((size_t)of_start + (size_t)tdmf_size_of_run_state(model), sizeof *memory);
-    tdmf_driver *driver = tdmf_driver_create(model);
-    tdmf_run_outcome outcome = TDMF_RUN_NO_MEMORY;
-    if (memory && driver) {
-        run_state state;
-        mode_start at;
-        tdmf_place_mode_start(&at, model, r->seed_count, memory);
-        tdmf_begin_run(&state, model, r, memory + of_start);
-        tdmf_begin_mode(&state, &at);
-        do {
-            outcome = tdmf_drive_to_event(driver, &state, &at, until);
-        } while (outcome == TDMF_RUN_GOES_ON);
+    double *of_state = r->memory + tdmf_size_of_mode_start(model, r->seed_count);
+    tdmf_driver *driver = tdmf_place_driver(model, of_state + tdmf_size_of_run_state(model));
+    run_state state;
+    mode_start at;
+    tdmf_run_outcome outcome;
+    if (!tdmf_is_order(r->order)) {
+        return TDMF_RUN_BAD_ORDER;
     }
-    free(driver);
-    free(memory);
+    tdmf_place_mode_start(&at, model, r->seed_count, r->memory);
+    tdmf_begin_run(&state, model, r, of_state);
+    tdmf_begin_mode(&state, &at);
+    do {
+        outcome = tdmf_drive_to_event(driver, &state, &at, until);
+    } while (outcome == TDMF_RUN_GOES_ON);
     return outcome;
 }
 
@@ -327,12 +331,13 @@ int tdmf_page_order(double tolerance) {
     return half >= 0.5 * SERIES_ORDER_LIMIT ? SERIES_ORDER_LIMIT : half >= 4.0 ? 2 * (int)half : 8;
 }
 
-tdmf_page_run tdmf_run_default(const tdmf_model_kind *model, double *p, double *x) {
+tdmf_page_run tdmf_run_default(const tdmf_model_kind *model, double *p, double *x, double *memory) {
     const double tolerance = 1e-11;
     memcpy(p, model->parameter_defaults, (size_t)model->parameter_count * sizeof *p);
     memcpy(x, model->state_defaults, (size_t)model->state_count * sizeof *x);
     const tdmf_page_run run = {.p = p,
                                .x = x,
+                               .memory = memory,
                                .tolerance = tolerance,
                                .order = tdmf_page_order(tolerance),
                                .stop_event = -1,
@@ -342,10 +347,10 @@ tdmf_page_run tdmf_run_default(const tdmf_model_kind *model, double *p, double *
     return run;
 }
 
-bool tdmf_page_set(const tdmf_model_kind *model, tdmf_page_run *r, bool is_state, int index, double value) {
+void tdmf_page_set(const tdmf_model_kind *model, tdmf_page_run *r, bool is_state, int index, double value) {
     const size_t size = (size_t)model->state_count * sizeof(double);
-    double *after = malloc(size);
-    for (int i = 0; i < model->set_count && after; ++i) {
+    double *after = r->memory;
+    for (int i = 0; i < model->set_count; ++i) {
         const tdmf_set_kind *kind = &model->sets[i];
         if (kind->is_state == is_state && kind->index == index && kind->set[r->mode]) {
             memcpy(after, r->x, size);
@@ -353,11 +358,7 @@ bool tdmf_page_set(const tdmf_model_kind *model, tdmf_page_run *r, bool is_state
             memcpy(r->x, after, size);
         }
     }
-    if (after) {
-        *(is_state ? &r->x[index] : &r->p[index]) = value;
-    }
-    free(after);
-    return after != NULL;
+    *(is_state ? &r->x[index] : &r->p[index]) = value;
 }
 
 /* ---- the message --------------------------------------------------------------------------------------- */
@@ -376,6 +377,16 @@ static const char *const endings[] = {
 
 void tdmf_run_message(const tdmf_model_kind *model, const tdmf_page_run *r, tdmf_run_outcome outcome,
                       char *text, size_t size) {
+    if (outcome == TDMF_RUN_BAD_ORDER) {
+        snprintf(text, size, "The order of the series is %d; it has to be even, from %d to %d", r->order,
+                 LEAST_ORDER, SERIES_ORDER_LIMIT);
+        return;
+    }
+    if (outcome == TDMF_RUN_TOO_MANY_SEEDS) {
+        snprintf(text, size, "The return map has %d seeds; with its coordinates, at most %d are allowed",
+                 r->seed_count, TDMF_VARIED_LIMIT);
+        return;
+    }
     int length = snprintf(text, size, "%s in the mode `%s` at t = %g", endings[outcome],
                           model->mode_names[r->mode], r->time);
     const char *before = ": ";

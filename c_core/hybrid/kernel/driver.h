@@ -30,7 +30,7 @@ typedef void (*tdmf_set)(const double *p, const double *x, double given, double 
 typedef void tdmf_enter(const double *p, const double *x, const double *at, double *after);
 typedef void tdmf_vary_enter(const double *p, const double *x, const double *dp, const double *dx,
                              const double *at, const double *d_at, double *after);
-typedef void tdmf_write_scales(const double *p, double *of_states, double *of_events);
+typedef void tdmf_scales(const double *p, double *of_states, double *of_events);
 
 /* Limits: modes that an event can lead to, events that a mode watches, quantities that it observes, events of
  * a page, events of a chain in zero time. The generator reads these numbers. */
@@ -41,6 +41,9 @@ enum {
     TDMF_PAGE_EVENT_LIMIT = 64,
     TDMF_PAGE_CHAIN_LIMIT = 100
 };
+
+/* The least order of series, and the largest number of coordinates and seeds of a return map. */
+enum { LEAST_ORDER = 4, TDMF_VARIED_LIMIT = 16 };
 
 /* An event as a mode watches it. */
 typedef struct {
@@ -120,7 +123,7 @@ typedef struct {
     const tdmf_mode_kind *modes; /* runs start in the first */
     const tdmf_set_kind *sets;
     const tdmf_section_kind *sections;
-    tdmf_write_scales *scales;        /* typical size of each state and guard */
+    tdmf_scales *scales;              /* typical size of each state and guard */
     int series_count, constant_count; /* largest numbers of any mode */
     const char *const *mode_names;
     const char *const *event_names;
@@ -145,11 +148,12 @@ typedef struct {
 typedef struct {
     double *p;                /* parameters */
     double *x;                /* states */
+    double *memory;           /* working memory of tdmf_run_memory_size numbers, which batches do not need */
     const tdmf_table *tables; /* one for each table of the page; NULL: the page's own rows */
     double time;
     int mode;
     double tolerance;
-    int order;      /* of the series: even */
+    int order;      /* of the series: even, from LEAST_ORDER to SERIES_ORDER_LIMIT */
     int stop_event; /* the run stops where this one is taken, and variations are then those on that section;
                        -1: none */
     bool observes;
@@ -189,23 +193,28 @@ typedef enum {
     TDMF_RUN_TOO_MANY_STEPS,  /* the step limit was reached */
     TDMF_RUN_ENDLESS_CHAIN,   /* the events `taken` are due again and again in zero time */
     TDMF_RUN_TOO_MANY_EVENTS, /* the event limit was reached */
-    TDMF_RUN_NO_MEMORY,
-    TDMF_RUN_CANCELLED, /* in a batch */
-    TDMF_RUN_GOES_ON    /* never returned */
+    TDMF_RUN_NO_MEMORY,       /* in a batch, which allocates memory for each thread */
+    TDMF_RUN_CANCELLED,       /* in a batch */
+    TDMF_RUN_BAD_ORDER,       /* the order of the series is not allowed */
+    TDMF_RUN_TOO_MANY_SEEDS,  /* of a return map */
+    TDMF_RUN_GOES_ON          /* never returned */
 } tdmf_run_outcome;
 
-/* A run from the start of the page. `p` and `x` receive the defaults; the caller adds memory for variations,
+/* Numbers of working memory that a run needs that has at most so many seeds. Runs allocate nothing. One piece
+ * of memory serves any number of runs one after the other, and need not be cleared. */
+size_t tdmf_run_memory_size(const tdmf_model_kind *model, int seed_count);
+
+/* A run from the start of the page. `p` and `x` receive the defaults; the caller adds arrays for variations,
  * the log and samples. */
-tdmf_page_run tdmf_run_default(const tdmf_model_kind *model, double *p, double *x);
+tdmf_page_run tdmf_run_default(const tdmf_model_kind *model, double *p, double *x, double *memory);
 
 /* The order of the series that suits a tolerance. */
 int tdmf_page_order(double tolerance);
 
 tdmf_run_outcome tdmf_page_run_to(const tdmf_model_kind *model, tdmf_page_run *run, double until);
 
-/* Sets a state or a parameter as an importer does, and changes the states that depend on it. False where
- * there is no memory. */
-bool tdmf_page_set(const tdmf_model_kind *model, tdmf_page_run *run, bool is_state, int index, double value);
+/* Sets a state or a parameter as an importer does, and changes the states that depend on it. */
+void tdmf_page_set(const tdmf_model_kind *model, tdmf_page_run *run, bool is_state, int index, double value);
 
 /* Writes what ended a run to a text of at most `size` characters, in a sentence. It names the mode, the time
  * and, of a chain that does not end, the events. */

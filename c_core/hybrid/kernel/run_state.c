@@ -1,12 +1,17 @@
 /* The beginning of a mode in a run, and its events. */
 #include "run_state.h"
 
-int tdmf_size_of_run_state(const tdmf_model_kind *model) {
-    return model->state_count + model->event_count;
+size_t tdmf_size_of_run_state(const tdmf_model_kind *model) {
+    return (size_t)model->state_count + (size_t)model->event_count;
 }
 
-int tdmf_size_of_mode_start(const tdmf_model_kind *model, int seed_count) {
-    return (1 + seed_count) * model->constant_count + 2 * model->state_count + model->parameter_count;
+size_t tdmf_size_of_mode_start(const tdmf_model_kind *model, int seed_count) {
+    return (1 + (size_t)seed_count) * (size_t)model->constant_count + 2 * (size_t)model->state_count +
+           (size_t)model->parameter_count;
+}
+
+bool tdmf_is_order(int order) {
+    return order % 2 == 0 && order >= LEAST_ORDER && order <= SERIES_ORDER_LIMIT;
 }
 
 void tdmf_begin_run(run_state *state, const tdmf_model_kind *model, tdmf_page_run *r, double *memory) {
@@ -20,12 +25,13 @@ void tdmf_begin_run(run_state *state, const tdmf_model_kind *model, tdmf_page_ru
     model->scales(r->p, state->scales, state->event_scales);
 }
 
-void tdmf_place_mode_start(mode_start *at, const tdmf_model_kind *model, int seed_count, double *zeros) {
-    at->c = zeros;
+void tdmf_place_mode_start(mode_start *at, const tdmf_model_kind *model, int seed_count, double *memory) {
+    at->c = memory;
     at->d = at->c + model->constant_count;
     at->room = at->d + seed_count * model->constant_count;
     at->rates = at->room + model->state_count;
     at->none = at->rates + model->state_count;
+    memset(at->none, 0, (size_t)model->parameter_count * sizeof *at->none);
 }
 
 static bool has_event(uint64_t events, int event) {

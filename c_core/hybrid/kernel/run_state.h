@@ -28,12 +28,15 @@ typedef struct {
 } mode_start;
 
 /* Numbers of doubles that the arrays need. */
-int tdmf_size_of_run_state(const tdmf_model_kind *model);
-int tdmf_size_of_mode_start(const tdmf_model_kind *model, int seed_count);
+size_t tdmf_size_of_run_state(const tdmf_model_kind *model);
+size_t tdmf_size_of_mode_start(const tdmf_model_kind *model, int seed_count);
+
+/* Whether series can have this order. */
+bool tdmf_is_order(int order);
 
 /* Begins a run in memory for its arrays. */
 void tdmf_begin_run(run_state *state, const tdmf_model_kind *model, tdmf_page_run *r, double *memory);
-void tdmf_place_mode_start(mode_start *at, const tdmf_model_kind *model, int seed_count, double *zeros);
+void tdmf_place_mode_start(mode_start *at, const tdmf_model_kind *model, int seed_count, double *memory);
 
 /* Adds to the time and keeps the rounding error. Events that follow are at another instant. */
 void tdmf_pass_time(tdmf_page_run *r, double elapsed);
@@ -52,10 +55,11 @@ void tdmf_keep_guards(run_state *state, const mode_start *at);
 bool tdmf_take_event(run_state *state, const tdmf_guard_kind *kind, const mode_start *at);
 tdmf_run_outcome tdmf_limit_reached(const run_state *state);
 
-/* The driver's working memory. It fits any number of runs of the model, one after the other, and is freed by
- * `free`. NULL: there is no memory. */
+/* The driver of any number of runs of the model, one after the other, and the numbers of memory that it
+ * needs. */
 typedef struct tdmf_driver tdmf_driver;
-tdmf_driver *tdmf_driver_create(const tdmf_model_kind *model);
+size_t tdmf_size_of_driver(const tdmf_model_kind *model);
+tdmf_driver *tdmf_place_driver(const tdmf_model_kind *model, double *memory);
 
 /* Goes on in a mode up to the next event, and takes it. Returns TDMF_RUN_GOES_ON, or the outcome of the run.
  */

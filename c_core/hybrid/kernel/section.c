@@ -1,7 +1,6 @@
 /* A run from a point of a section to its event, whose variations are on the guard of the event. */
 #include "section.h"
 
-#include <stdlib.h>
 #include <string.h>
 
 /* Starts a run on the section, with the variations of all seeds. */
@@ -26,16 +25,31 @@ static void enter(const tdmf_section_map *map, const double *point, tdmf_page_ru
     }
 }
 
-/* A run with variations by the coordinates, then by the seeds; its arrays lie in one piece of memory. */
-static tdmf_page_run run_with_seeds(const tdmf_section_map *map, bool varies, double *memory) {
+/* Numbers of a run with so many coordinates and seeds. */
+static size_t size_of_run(const tdmf_model_kind *model, int seeds) {
+    return (size_t)(2 + seeds) * (size_t)model->state_count +
+           (size_t)seeds * (size_t)(model->parameter_count + 1);
+}
+
+size_t tdmf_section_memory_size(const tdmf_model_kind *model, int section, int seed_count) {
+    const int seeds = model->sections[section].count + seed_count;
+    const size_t for_scales = (size_t)model->state_count + (size_t)model->event_count;
+    const size_t size = size_of_run(model, seeds) + tdmf_run_memory_size(model, seeds);
+    return size > for_scales ? size : for_scales;
+}
+
+/* A run with variations by the coordinates, then by the seeds, in the memory of the map. */
+static tdmf_page_run run_with_seeds(const tdmf_section_map *map, bool varies) {
     const tdmf_model_kind *model = map->model;
     const int states = model->state_count, parameters = model->parameter_count;
     const int coordinates = map->model->sections[map->section].count;
     tdmf_page_run r = *map->run;
     r.log_size = r.sample_count = 0;
     r.seed_count = varies ? coordinates + map->run->seed_count : 0;
-    r.x = memory;
-    r.dx = memory + states;
+    memset(map->memory, 0, size_of_run(model, r.seed_count) * sizeof *r.x);
+    r.memory = map->memory + size_of_run(model, r.seed_count);
+    r.x = map->memory;
+    r.dx = r.x + states;
     r.shift = r.dx + r.seed_count * states; /* behind it are zeros for states that do not vary */
     double *dp = r.shift + r.seed_count + states;
     if (map->run->dp && varies) {
@@ -64,15 +78,11 @@ tdmf_crossing tdmf_next_crossing(const tdmf_section_map *map, const double *poin
     const tdmf_model_kind *model = map->model;
     const tdmf_section_kind *kind = &model->sections[map->section];
     const int seeds = varies ? kind->count + map->run->seed_count : 0, states = model->state_count;
-    tdmf_crossing crossing = {.outcome = TDMF_RUN_NO_MEMORY};
-    double *memory =
-        calloc((size_t)(2 + seeds) * (size_t)states + (size_t)seeds * (size_t)(model->parameter_count + 1),
-               sizeof *memory);
-    if (!memory || seeds > 2 * TDMF_MAP_LIMIT) {
-        free(memory);
+    tdmf_crossing crossing = {.outcome = TDMF_RUN_TOO_MANY_SEEDS};
+    if (seeds > TDMF_VARIED_LIMIT) {
         return crossing;
     }
-    tdmf_page_run r = run_with_seeds(map, varies, memory);
+    tdmf_page_run r = run_with_seeds(map, varies);
     enter(map, point, &r);
     crossing.outcome = tdmf_page_run_to(model, &r, map->longest);
     if (crossing.outcome == TDMF_RUN_ENDED && (r.taken >> kind->event & 1u)) {
@@ -85,7 +95,6 @@ tdmf_crossing tdmf_next_crossing(const tdmf_section_map *map, const double *poin
     if (dx) {
         memcpy(dx, r.dx, (size_t)(seeds * states) * sizeof *dx);
     }
-    free(memory);
     return crossing;
 }
 
@@ -112,17 +121,11 @@ tdmf_fixed_point tdmf_find_crossing(const tdmf_section_map *map, const double *g
     const tdmf_section_kind *kind = &model->sections[map->section];
     search s = {.map = map};
     tdmf_map newton = {.count = kind->count, .evaluate = evaluate, .context = &s};
-    tdmf_fixed_point found = {.outcome = TDMF_FIXED_POINT_NO_IMAGE};
-    double *scales = malloc((size_t)(model->state_count + model->event_count) * sizeof *scales);
-    if (!scales) {
-        return found;
-    }
-    model->scales(map->run->p, scales, scales + model->state_count);
+    model->scales(map->run->p, map->memory, map->memory + model->state_count);
     for (int i = 0; i < kind->count; ++i) {
-        newton.scales[i] = scales[kind->coordinates[i]];
+        newton.scales[i] = map->memory[kind->coordinates[i]];
     }
-    free(scales);
-    found = tdmf_find_fixed_point(&newton, guess);
+    const tdmf_fixed_point found = tdmf_find_fixed_point(&newton, guess);
     *last = s.crossings[found.slot];
     return found;
 }

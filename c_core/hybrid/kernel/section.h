@@ -13,7 +13,11 @@ typedef struct {
     int section;
     const tdmf_page_run *run;
     double longest; /* time to the next crossing, at the most */
+    double *memory; /* working memory of tdmf_section_memory_size numbers */
 } tdmf_section_map;
+
+/* Numbers of working memory that a return map needs whose run has so many seeds. */
+size_t tdmf_section_memory_size(const tdmf_model_kind *model, int section, int seed_count);
 
 /* The image of a point. Columns of `varied` are the coordinates of the point, then the seeds. */
 typedef struct {
@@ -21,12 +25,12 @@ typedef struct {
     int mode;                 /* at the end of the run */
     double time;
     double next[TDMF_MAP_LIMIT];
-    double varied[TDMF_MAP_LIMIT][2 * TDMF_MAP_LIMIT];
+    double varied[TDMF_MAP_LIMIT][TDMF_VARIED_LIMIT];
 } tdmf_crossing;
 
 /* The next crossing from a point. `x` receives the states at the end of the run. With `varies`, `dx` receives
- * their variations by coordinates and seeds, and has room for them; it may be NULL. Parameters vary along at
- * most TDMF_MAP_LIMIT seeds. */
+ * their variations by coordinates and seeds, and has room for them; it may be NULL. There are at most
+ * TDMF_VARIED_LIMIT coordinates and seeds. */
 tdmf_crossing tdmf_next_crossing(const tdmf_section_map *map, const double *point, bool varies, double *x,
                                  double *dx);
 
