@@ -37,13 +37,13 @@ def figure_of(found: Viability) -> Figure:
 def _figure(found: Viability) -> Figure:
     figure, axes = style.subplots(figsize=(7.6, 5.4))
     mesh = paint(axes, found)
-    figure.colorbar(mesh, ax=axes, label="share of the actions that are viable, from inside", pad=0.01)
+    figure.colorbar(mesh, ax=axes, label="share of actions that lead to a viable state (inner set)", pad=0.01)
     handles = [
-        Patch(color=OPEN, label="left open by the grid"),
+        Patch(color=OPEN, label="undecided on this grid"),
         Patch(
             facecolor=NOT_VIABLE,
             edgecolor=style.FAINT,
-            label="no action of the grid avoids a fall or leaving",
+            label="no action on the grid avoids a fall",
         ),
     ]
     figure.legend(handles=handles, loc="outside lower center", ncols=2)
