@@ -208,12 +208,13 @@ class Runner(Hip, Friction, Leg, Ground, Stride, Model):
         """The foot is above the pending ground line, which comes into force."""
         return r.replace(height=r.set_height(), slope=r.set_slope())
 
-    @event("flight stick slip graze", when=lambda r: r.body_above(), unit="m")
+    @event("flight stick slip graze", when=lambda r: r.body_above(), unit="m", counted=False)
     def falls(r):
         """The body reaches the ground."""
         return r.to("fallen")
 
-    @event("flight stick slip graze", when=lambda r: r.leg().length - r.least_length, unit="m")
+    @event("flight stick slip graze", when=lambda r: r.leg().length - r.least_length, unit="m",
+           counted=False)
     def collapses(r):
         """The leg is shorter than leg.min_length."""
         return r.to("fallen")
@@ -245,10 +246,11 @@ class Runner(Hip, Friction, Leg, Ground, Stride, Model):
         """The clamp of (12) releases the retracting torque."""
         return r.replace(swing="retract")
 
-    @event("stick slip", when=lambda r: -r.leg().length_rate, unit="m/s", only=lambda r: r.thrusting <= 0)
+    @event("stick slip", when=lambda r: -r.leg().length_rate, unit="m/s", counted=False,
+           only=lambda r: r.thrusting <= 0)
     def greatest_compression(r):
-        """Thrust begins where the leg is shortest, once per stance."""
-        return r.with_thrust(1)
+        """Thrust begins where the leg is shortest, once per stance. A thrust of 0 is not counted."""
+        return r.with_thrust(1).count_event(select(r.thrust + r.more_thrust > 0, 1, 0))
 
     @event("stick slip graze", when=lambda r: r.leg().angle, unit="rad", only=lambda r: r.driving > 0)
     def mid_stance(r):

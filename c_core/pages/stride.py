@@ -81,14 +81,19 @@ class Stride(Model):
             return select(r.way > 0, FORWARD, BACKWARD)
         return STICK if r.mode == "stick" else None
 
+    def count_event(r, counted):
+        """Count a change of contact or phase (1). A chain in zero time is one change."""
+        is_new = select(r.time > r.last_event, counted, 0)
+        return r.replace(events=r.events + is_new, last_event=select(counted > 0, r.time, r.last_event))
+
     def leaving(r, counted):
         """Count the event. A contact mode that lasted adds a letter to the gait word, a new stance a bar."""
+        r = r.count_event(counted)
         letter, lasted = r.letter(), r.time - r.mode_began
         if letter is not None:
             slid = r.way * (r.foot_x - r.slid_from) if r.mode == "slip" else 0
             r = r.replace(stance_so_far=r.stance_so_far + lasted, slip_so_far=r.slip_so_far + slid)
-        last_event = select(counted > 0, r.time, r.last_event)
-        r = r.replace(mode_began=r.time, events=r.events + counted, last_event=last_event)
+        r = r.replace(mode_began=r.time)
         if r.seen_in == "ground":
             r = r.replace(slid_from=r.foot_x)
         if letter is None:

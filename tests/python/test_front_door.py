@@ -218,7 +218,8 @@ def test_the_search_finds_guides_before_the_reference(query, page, rank, browser
     with served(site) as address:
         driver.get(f"{address}/search.html?q={query}")
         links = "[...document.querySelectorAll('#search-results li a')].map((link) => link.pathname)"
-        found = wait(driver, f"{links}.length && {links}", "what was found")
+        finished = "document.querySelector('.search-summary')?.textContent.startsWith('Search finished')"
+        found = wait(driver, f"{finished} && {links}", "what was found")
         assert f"/{page}" in found[:rank], found
         assert not any("/reference/" in path for path in found[: found.index(f"/{page}")]), found
 

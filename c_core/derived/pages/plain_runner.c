@@ -378,9 +378,9 @@ static void leave_start_of_run(const real *parameters, const real *states, real 
     (void)parameters;
     const plain_runner_states *x = (const void *)states;
     plain_runner_states *y = (void *)after;
-    const real last_event = select(counted > 0.0, x->time, x->last_event);
-    y->events = x->events + counted;
-    y->last_event = last_event;
+    const real is_new = select(x->time > x->last_event, counted, 0.0);
+    y->events = x->events + is_new;
+    y->last_event = select(counted > 0.0, x->time, x->last_event);
     y->mode_began = x->time;
 }
 
@@ -392,9 +392,8 @@ static void vary_leave_start_of_run(const real *parameters, const real *states, 
     (void)d_parameters;
     const plain_runner_states *dx = (const void *)d_states;
     plain_runner_states *y = (void *)after;
-    const real d_last_event = select(counted > 0.0, dx->time, dx->last_event);
     y->events = dx->events;
-    y->last_event = d_last_event;
+    y->last_event = select(counted > 0.0, dx->time, dx->last_event);
     y->mode_began = dx->time;
 }
 
@@ -983,19 +982,19 @@ static void leave_slip_constant(const real *parameters, const real *states, real
     (void)parameters;
     const plain_runner_states *x = (const void *)states;
     plain_runner_states *y = (void *)after;
-    const real last_event = select(counted > 0.0, x->time, x->last_event);
+    const real is_new = select(x->time > x->last_event, counted, 0.0);
     const real slid = x->way * (x->foot_x - x->slid_from);
     const real lasted = x->time - x->mode_began;
     const real letter = select(x->way > 0.0, 3.0, 1.0);
-    const real is_new = select(real_abs(letter - x->last_letter) > 0.0, 1.0, x->bar_is_due);
-    const real adds = select(lasted > 0.0, is_new, 0.0);
+    const real adds =
+        select(lasted > 0.0, select(real_abs(letter - x->last_letter) > 0.0, 1.0, x->bar_is_due), 0.0);
     const real after_bar = select(x->bar_is_due * x->word_so_far > 0.0, 4.0 * x->word_so_far, x->word_so_far);
     const real by_4_times_after_bar_plus_letter = 4.0 * after_bar + letter;
     const real longer = select(after_bar < 0.0, -1.0,
                                select(by_4_times_after_bar_plus_letter < 4503599627370496.0,
                                       by_4_times_after_bar_plus_letter, -1.0));
-    y->events = x->events + counted;
-    y->last_event = last_event;
+    y->events = x->events + is_new;
+    y->last_event = select(counted > 0.0, x->time, x->last_event);
     y->slip_so_far = x->slip_so_far + slid;
     y->slid_from = x->foot_x;
     y->stance_so_far = x->stance_so_far + lasted;
@@ -1013,13 +1012,12 @@ static void vary_leave_slip_constant(const real *parameters, const real *states,
     (void)d_parameters;
     const plain_runner_states *dx = (const void *)d_states;
     plain_runner_states *y = (void *)after;
-    const real d_last_event = select(counted > 0.0, dx->time, dx->last_event);
     const real d_slid = dx->way * (x->foot_x - x->slid_from) + x->way * (dx->foot_x - dx->slid_from);
     const real d_lasted = dx->time - dx->mode_began;
     const real lasted = x->time - x->mode_began;
     const real letter = select(x->way > 0.0, 3.0, 1.0);
-    const real is_new = select(real_abs(letter - x->last_letter) > 0.0, 1.0, x->bar_is_due);
-    const real adds = select(lasted > 0.0, is_new, 0.0);
+    const real adds =
+        select(lasted > 0.0, select(real_abs(letter - x->last_letter) > 0.0, 1.0, x->bar_is_due), 0.0);
     const real bar_is_due_times_word_so_far = x->bar_is_due * x->word_so_far;
     const real after_bar = select(bar_is_due_times_word_so_far > 0.0, 4.0 * x->word_so_far, x->word_so_far);
     const real d_after_bar =
@@ -1027,7 +1025,7 @@ static void vary_leave_slip_constant(const real *parameters, const real *states,
     const real d_longer = select(
         after_bar < 0.0, 0.0, select(4.0 * after_bar + letter < 4503599627370496.0, 4.0 * d_after_bar, 0.0));
     y->events = dx->events;
-    y->last_event = d_last_event;
+    y->last_event = select(counted > 0.0, dx->time, dx->last_event);
     y->slip_so_far = dx->slip_so_far + d_slid;
     y->slid_from = dx->foot_x;
     y->stance_so_far = dx->stance_so_far + d_lasted;
@@ -1565,17 +1563,17 @@ static void leave_stick(const real *parameters, const real *states, real counted
     (void)parameters;
     const plain_runner_states *x = (const void *)states;
     plain_runner_states *y = (void *)after;
-    const real last_event = select(counted > 0.0, x->time, x->last_event);
+    const real is_new = select(x->time > x->last_event, counted, 0.0);
     const real lasted = x->time - x->mode_began;
-    const real is_new = select(real_abs(2.0 - x->last_letter) > 0.0, 1.0, x->bar_is_due);
-    const real adds = select(lasted > 0.0, is_new, 0.0);
+    const real adds =
+        select(lasted > 0.0, select(real_abs(2.0 - x->last_letter) > 0.0, 1.0, x->bar_is_due), 0.0);
     const real after_bar = select(x->bar_is_due * x->word_so_far > 0.0, 4.0 * x->word_so_far, x->word_so_far);
     const real by_4_times_after_bar_plus_by_2 = 4.0 * after_bar + 2.0;
     const real longer = select(
         after_bar < 0.0, -1.0,
         select(by_4_times_after_bar_plus_by_2 < 4503599627370496.0, by_4_times_after_bar_plus_by_2, -1.0));
-    y->events = x->events + counted;
-    y->last_event = last_event;
+    y->events = x->events + is_new;
+    y->last_event = select(counted > 0.0, x->time, x->last_event);
     y->slid_from = x->foot_x;
     y->stance_so_far = x->stance_so_far + lasted;
     y->word_so_far = select(adds > 0.0, longer, x->word_so_far);
@@ -1592,11 +1590,10 @@ static void vary_leave_stick(const real *parameters, const real *states, const r
     (void)d_parameters;
     const plain_runner_states *dx = (const void *)d_states;
     plain_runner_states *y = (void *)after;
-    const real d_last_event = select(counted > 0.0, dx->time, dx->last_event);
     const real d_lasted = dx->time - dx->mode_began;
     const real lasted = x->time - x->mode_began;
-    const real is_new = select(real_abs(2.0 - x->last_letter) > 0.0, 1.0, x->bar_is_due);
-    const real adds = select(lasted > 0.0, is_new, 0.0);
+    const real adds =
+        select(lasted > 0.0, select(real_abs(2.0 - x->last_letter) > 0.0, 1.0, x->bar_is_due), 0.0);
     const real bar_is_due_times_word_so_far = x->bar_is_due * x->word_so_far;
     const real after_bar = select(bar_is_due_times_word_so_far > 0.0, 4.0 * x->word_so_far, x->word_so_far);
     const real d_after_bar =
@@ -1604,7 +1601,7 @@ static void vary_leave_stick(const real *parameters, const real *states, const r
     const real d_longer = select(after_bar < 0.0, 0.0,
                                  select(4.0 * after_bar + 2.0 < 4503599627370496.0, 4.0 * d_after_bar, 0.0));
     y->events = dx->events;
-    y->last_event = d_last_event;
+    y->last_event = select(counted > 0.0, dx->time, dx->last_event);
     y->slid_from = dx->foot_x;
     y->stance_so_far = dx->stance_so_far + d_lasted;
     y->word_so_far = select(adds > 0.0, d_longer, dx->word_so_far);
@@ -3724,9 +3721,9 @@ static void leave_graze_place(const real *parameters, const real *states, real c
     (void)parameters;
     const plain_runner_states *x = (const void *)states;
     plain_runner_states *y = (void *)after;
-    const real last_event = select(counted > 0.0, x->time, x->last_event);
-    y->events = x->events + counted;
-    y->last_event = last_event;
+    const real is_new = select(x->time > x->last_event, counted, 0.0);
+    y->events = x->events + is_new;
+    y->last_event = select(counted > 0.0, x->time, x->last_event);
     y->slid_from = x->foot_x;
     y->mode_began = x->time;
 }
@@ -3739,9 +3736,8 @@ static void vary_leave_graze_place(const real *parameters, const real *states, c
     (void)d_parameters;
     const plain_runner_states *dx = (const void *)d_states;
     plain_runner_states *y = (void *)after;
-    const real d_last_event = select(counted > 0.0, dx->time, dx->last_event);
     y->events = dx->events;
-    y->last_event = d_last_event;
+    y->last_event = select(counted > 0.0, dx->time, dx->last_event);
     y->slid_from = dx->foot_x;
     y->mode_began = dx->time;
 }
@@ -4385,13 +4381,13 @@ static const tdmf_watch_kind watches_start_of_run[] = {
 };
 static const tdmf_guard_kind guards_slip_constant[] = {
     {.event = EVENT_falls,
-     .is_counted = true,
+     .is_counted = false,
      .react = react_slip_constant_falls,
      .vary_react = vary_react_slip_constant_falls,
      .vary_guard = vary_guard_slip_constant_falls,
      .next = {MODE_fallen}},
     {.event = EVENT_collapses,
-     .is_counted = true,
+     .is_counted = false,
      .react = react_slip_constant_falls,
      .vary_react = vary_react_slip_constant_falls,
      .vary_guard = vary_guard_slip_constant_collapses,
@@ -4425,13 +4421,13 @@ static const tdmf_watch_kind watches_slip_constant[] = {
 };
 static const tdmf_guard_kind guards_stick[] = {
     {.event = EVENT_falls,
-     .is_counted = true,
+     .is_counted = false,
      .react = react_slip_constant_falls,
      .vary_react = vary_react_slip_constant_falls,
      .vary_guard = vary_guard_slip_constant_falls,
      .next = {MODE_fallen}},
     {.event = EVENT_collapses,
-     .is_counted = true,
+     .is_counted = false,
      .react = react_slip_constant_falls,
      .vary_react = vary_react_slip_constant_falls,
      .vary_guard = vary_guard_slip_constant_collapses,
@@ -4471,13 +4467,13 @@ static const tdmf_watch_kind watches_stick[] = {
 };
 static const tdmf_guard_kind guards_flight_place_calm[] = {
     {.event = EVENT_falls,
-     .is_counted = true,
+     .is_counted = false,
      .react = react_flight_place_calm_falls,
      .vary_react = vary_react_flight_place_calm_falls,
      .vary_guard = vary_guard_flight_place_calm_falls,
      .next = {MODE_fallen}},
     {.event = EVENT_collapses,
-     .is_counted = true,
+     .is_counted = false,
      .react = react_flight_place_calm_falls,
      .vary_react = vary_react_flight_place_calm_falls,
      .vary_guard = vary_guard_flight_place_calm_collapses,
@@ -4504,13 +4500,13 @@ static const tdmf_watch_kind watches_flight_place_calm[] = {
 };
 static const tdmf_guard_kind guards_flight_rest_calm[] = {
     {.event = EVENT_falls,
-     .is_counted = true,
+     .is_counted = false,
      .react = react_flight_place_calm_falls,
      .vary_react = vary_react_flight_place_calm_falls,
      .vary_guard = vary_guard_flight_place_calm_falls,
      .next = {MODE_fallen}},
     {.event = EVENT_collapses,
-     .is_counted = true,
+     .is_counted = false,
      .react = react_flight_place_calm_falls,
      .vary_react = vary_react_flight_place_calm_falls,
      .vary_guard = vary_guard_flight_place_calm_collapses,
@@ -4541,13 +4537,13 @@ static const tdmf_watch_kind watches_flight_rest_calm[] = {
 };
 static const tdmf_guard_kind guards_flight_retract_calm[] = {
     {.event = EVENT_falls,
-     .is_counted = true,
+     .is_counted = false,
      .react = react_flight_place_calm_falls,
      .vary_react = vary_react_flight_place_calm_falls,
      .vary_guard = vary_guard_flight_place_calm_falls,
      .next = {MODE_fallen}},
     {.event = EVENT_collapses,
-     .is_counted = true,
+     .is_counted = false,
      .react = react_flight_place_calm_falls,
      .vary_react = vary_react_flight_place_calm_falls,
      .vary_guard = vary_guard_flight_place_calm_collapses,
@@ -4585,13 +4581,13 @@ static const tdmf_watch_kind watches_fallen[] = {
 };
 static const tdmf_guard_kind guards_graze_place[] = {
     {.event = EVENT_falls,
-     .is_counted = true,
+     .is_counted = false,
      .react = react_slip_constant_falls,
      .vary_react = vary_react_slip_constant_falls,
      .vary_guard = vary_guard_slip_constant_falls,
      .next = {MODE_fallen}},
     {.event = EVENT_collapses,
-     .is_counted = true,
+     .is_counted = false,
      .react = react_slip_constant_falls,
      .vary_react = vary_react_slip_constant_falls,
      .vary_guard = vary_guard_slip_constant_collapses,
@@ -4623,13 +4619,13 @@ static const tdmf_watch_kind watches_graze_place[] = {
 };
 static const tdmf_guard_kind guards_graze_rest[] = {
     {.event = EVENT_falls,
-     .is_counted = true,
+     .is_counted = false,
      .react = react_slip_constant_falls,
      .vary_react = vary_react_slip_constant_falls,
      .vary_guard = vary_guard_slip_constant_falls,
      .next = {MODE_fallen}},
     {.event = EVENT_collapses,
-     .is_counted = true,
+     .is_counted = false,
      .react = react_slip_constant_falls,
      .vary_react = vary_react_slip_constant_falls,
      .vary_guard = vary_guard_slip_constant_collapses,
@@ -4673,13 +4669,13 @@ static const tdmf_watch_kind watches_graze_rest[] = {
 };
 static const tdmf_guard_kind guards_graze_retract[] = {
     {.event = EVENT_falls,
-     .is_counted = true,
+     .is_counted = false,
      .react = react_slip_constant_falls,
      .vary_react = vary_react_slip_constant_falls,
      .vary_guard = vary_guard_slip_constant_falls,
      .next = {MODE_fallen}},
     {.event = EVENT_collapses,
-     .is_counted = true,
+     .is_counted = false,
      .react = react_slip_constant_falls,
      .vary_react = vary_react_slip_constant_falls,
      .vary_guard = vary_guard_slip_constant_collapses,

@@ -333,9 +333,9 @@ static void leave_start_of_run(const real *parameters, const real *states, real 
     (void)parameters;
     const reduced_runner_states *x = (const void *)states;
     reduced_runner_states *y = (void *)after;
-    const real last_event = select(counted > 0.0, x->time, x->last_event);
-    y->events = x->events + counted;
-    y->last_event = last_event;
+    const real is_new = select(x->time > x->last_event, counted, 0.0);
+    y->events = x->events + is_new;
+    y->last_event = select(counted > 0.0, x->time, x->last_event);
     y->mode_began = x->time;
 }
 
@@ -347,9 +347,8 @@ static void vary_leave_start_of_run(const real *parameters, const real *states, 
     (void)d_parameters;
     const reduced_runner_states *dx = (const void *)d_states;
     reduced_runner_states *y = (void *)after;
-    const real d_last_event = select(counted > 0.0, dx->time, dx->last_event);
     y->events = dx->events;
-    y->last_event = d_last_event;
+    y->last_event = select(counted > 0.0, dx->time, dx->last_event);
     y->mode_began = dx->time;
 }
 
@@ -1338,15 +1337,18 @@ static real vary_guard_slip_constant_collapses(const real *parameters, const rea
     return d_length - dp->least_length;
 }
 
-/* greatest_compression: Thrust begins where the leg is shortest, once per stance. */
+/* greatest_compression: Thrust begins where the leg is shortest, once per stance. A thrust of 0 is not
+ * counted. */
 static int react_slip_constant_greatest_compression(const real *parameters, const real *states,
                                                     const tdmf_table *tables, real *after, const int *next) {
     const reduced_runner_parameters *p = (const void *)parameters;
     const reduced_runner_states *x = (const void *)states;
     (void)tables;
     reduced_runner_states *y = (void *)after;
-    const real free_length_plus_extension = p->free_length + x->extension;
     const real longer = p->thrust + p->more_thrust;
+    const real by_1_or_by_0 = select(longer > 0.0, 1.0, 0.0);
+    const real is_new = select(x->time > x->last_event, by_1_or_by_0, 0.0);
+    const real free_length_plus_extension = p->free_length + x->extension;
     const real longer_or_by_0 = select(longer > 0.0, longer, 0.0);
     const real rest_length = free_length_plus_extension + longer_or_by_0;
     const real sum_2 = free_length_plus_extension + longer_or_by_0 * x->thrusting;
@@ -1354,6 +1356,8 @@ static int react_slip_constant_greatest_compression(const real *parameters, cons
     const real square = x->x_ * x->x_ + x->y_ * x->y_;
     const real length = real_sqrt(square);
     const real middle = sum_2 + 0.5 * jump - length;
+    y->events = x->events + is_new;
+    y->last_event = select(by_1_or_by_0 > 0.0, x->time, x->last_event);
     y->thrusting = 1.0;
     y->leg_work = x->leg_work + p->stiffness * jump * middle;
     return next[0]; /* slip */
@@ -1370,8 +1374,8 @@ static void vary_react_slip_constant_greatest_compression(const real *parameters
     (void)tables;
     (void)seed;
     reduced_runner_states *y = (void *)after;
-    const real free_length_plus_extension = p->free_length + x->extension;
     const real longer = p->thrust + p->more_thrust;
+    const real free_length_plus_extension = p->free_length + x->extension;
     const real longer_or_by_0 = select(longer > 0.0, longer, 0.0);
     const real rest_length = free_length_plus_extension + longer_or_by_0;
     const real sum_2 = free_length_plus_extension + longer_or_by_0 * x->thrusting;
@@ -1389,6 +1393,8 @@ static void vary_react_slip_constant_greatest_compression(const real *parameters
     const real d_square = 2.0 * (x->x_ * dx->x_) + 2.0 * (x->y_ * dx->y_);
     const real d_length = 0.5 * d_square / length;
     const real d_middle = free_length_plus_extension_plus_sum + 0.5 * d_jump - d_length;
+    y->events = dx->events;
+    y->last_event = select(select(longer > 0.0, 1.0, 0.0) > 0.0, dx->time, dx->last_event);
     y->thrusting = 0.0;
     y->leg_work = dx->leg_work +
                   ((dp->stiffness * jump + p->stiffness * d_jump) * middle + p->stiffness * jump * d_middle);
@@ -1972,19 +1978,19 @@ static void leave_slip_constant(const real *parameters, const real *states, real
     (void)parameters;
     const reduced_runner_states *x = (const void *)states;
     reduced_runner_states *y = (void *)after;
-    const real last_event = select(counted > 0.0, x->time, x->last_event);
+    const real is_new = select(x->time > x->last_event, counted, 0.0);
     const real slid = x->way * (x->foot_x - x->slid_from);
     const real lasted = x->time - x->mode_began;
     const real letter = select(x->way > 0.0, 3.0, 1.0);
-    const real is_new = select(real_abs(letter - x->last_letter) > 0.0, 1.0, x->bar_is_due);
-    const real adds = select(lasted > 0.0, is_new, 0.0);
+    const real adds =
+        select(lasted > 0.0, select(real_abs(letter - x->last_letter) > 0.0, 1.0, x->bar_is_due), 0.0);
     const real after_bar = select(x->bar_is_due * x->word_so_far > 0.0, 4.0 * x->word_so_far, x->word_so_far);
     const real by_4_times_after_bar_plus_letter = 4.0 * after_bar + letter;
     const real longer = select(after_bar < 0.0, -1.0,
                                select(by_4_times_after_bar_plus_letter < 4503599627370496.0,
                                       by_4_times_after_bar_plus_letter, -1.0));
-    y->events = x->events + counted;
-    y->last_event = last_event;
+    y->events = x->events + is_new;
+    y->last_event = select(counted > 0.0, x->time, x->last_event);
     y->slip_so_far = x->slip_so_far + slid;
     y->slid_from = x->foot_x;
     y->stance_so_far = x->stance_so_far + lasted;
@@ -2002,13 +2008,12 @@ static void vary_leave_slip_constant(const real *parameters, const real *states,
     (void)d_parameters;
     const reduced_runner_states *dx = (const void *)d_states;
     reduced_runner_states *y = (void *)after;
-    const real d_last_event = select(counted > 0.0, dx->time, dx->last_event);
     const real d_slid = dx->way * (x->foot_x - x->slid_from) + x->way * (dx->foot_x - dx->slid_from);
     const real d_lasted = dx->time - dx->mode_began;
     const real lasted = x->time - x->mode_began;
     const real letter = select(x->way > 0.0, 3.0, 1.0);
-    const real is_new = select(real_abs(letter - x->last_letter) > 0.0, 1.0, x->bar_is_due);
-    const real adds = select(lasted > 0.0, is_new, 0.0);
+    const real adds =
+        select(lasted > 0.0, select(real_abs(letter - x->last_letter) > 0.0, 1.0, x->bar_is_due), 0.0);
     const real bar_is_due_times_word_so_far = x->bar_is_due * x->word_so_far;
     const real after_bar = select(bar_is_due_times_word_so_far > 0.0, 4.0 * x->word_so_far, x->word_so_far);
     const real d_after_bar =
@@ -2016,7 +2021,7 @@ static void vary_leave_slip_constant(const real *parameters, const real *states,
     const real d_longer = select(
         after_bar < 0.0, 0.0, select(4.0 * after_bar + letter < 4503599627370496.0, 4.0 * d_after_bar, 0.0));
     y->events = dx->events;
-    y->last_event = d_last_event;
+    y->last_event = select(counted > 0.0, dx->time, dx->last_event);
     y->slip_so_far = dx->slip_so_far + d_slid;
     y->slid_from = dx->foot_x;
     y->stance_so_far = dx->stance_so_far + d_lasted;
@@ -2418,15 +2423,18 @@ static void vary_open_stick(const real *parameters, const real *states, const re
     c->foot_mass_times_gravity_times_sine = d_foot_mass_times_gravity_times_sine;
 }
 
-/* greatest_compression: Thrust begins where the leg is shortest, once per stance. */
+/* greatest_compression: Thrust begins where the leg is shortest, once per stance. A thrust of 0 is not
+ * counted. */
 static int react_stick_greatest_compression(const real *parameters, const real *states,
                                             const tdmf_table *tables, real *after, const int *next) {
     const reduced_runner_parameters *p = (const void *)parameters;
     const reduced_runner_states *x = (const void *)states;
     (void)tables;
     reduced_runner_states *y = (void *)after;
-    const real free_length_plus_extension = p->free_length + x->extension;
     const real longer = p->thrust + p->more_thrust;
+    const real by_1_or_by_0 = select(longer > 0.0, 1.0, 0.0);
+    const real is_new = select(x->time > x->last_event, by_1_or_by_0, 0.0);
+    const real free_length_plus_extension = p->free_length + x->extension;
     const real longer_or_by_0 = select(longer > 0.0, longer, 0.0);
     const real rest_length = free_length_plus_extension + longer_or_by_0;
     const real sum_2 = free_length_plus_extension + longer_or_by_0 * x->thrusting;
@@ -2434,6 +2442,8 @@ static int react_stick_greatest_compression(const real *parameters, const real *
     const real square = x->x_ * x->x_ + x->y_ * x->y_;
     const real length = real_sqrt(square);
     const real middle = sum_2 + 0.5 * jump - length;
+    y->events = x->events + is_new;
+    y->last_event = select(by_1_or_by_0 > 0.0, x->time, x->last_event);
     y->thrusting = 1.0;
     y->leg_work = x->leg_work + p->stiffness * jump * middle;
     return next[0]; /* stick */
@@ -2783,17 +2793,17 @@ static void leave_stick(const real *parameters, const real *states, real counted
     (void)parameters;
     const reduced_runner_states *x = (const void *)states;
     reduced_runner_states *y = (void *)after;
-    const real last_event = select(counted > 0.0, x->time, x->last_event);
+    const real is_new = select(x->time > x->last_event, counted, 0.0);
     const real lasted = x->time - x->mode_began;
-    const real is_new = select(real_abs(2.0 - x->last_letter) > 0.0, 1.0, x->bar_is_due);
-    const real adds = select(lasted > 0.0, is_new, 0.0);
+    const real adds =
+        select(lasted > 0.0, select(real_abs(2.0 - x->last_letter) > 0.0, 1.0, x->bar_is_due), 0.0);
     const real after_bar = select(x->bar_is_due * x->word_so_far > 0.0, 4.0 * x->word_so_far, x->word_so_far);
     const real by_4_times_after_bar_plus_by_2 = 4.0 * after_bar + 2.0;
     const real longer = select(
         after_bar < 0.0, -1.0,
         select(by_4_times_after_bar_plus_by_2 < 4503599627370496.0, by_4_times_after_bar_plus_by_2, -1.0));
-    y->events = x->events + counted;
-    y->last_event = last_event;
+    y->events = x->events + is_new;
+    y->last_event = select(counted > 0.0, x->time, x->last_event);
     y->slid_from = x->foot_x;
     y->stance_so_far = x->stance_so_far + lasted;
     y->word_so_far = select(adds > 0.0, longer, x->word_so_far);
@@ -2810,11 +2820,10 @@ static void vary_leave_stick(const real *parameters, const real *states, const r
     (void)d_parameters;
     const reduced_runner_states *dx = (const void *)d_states;
     reduced_runner_states *y = (void *)after;
-    const real d_last_event = select(counted > 0.0, dx->time, dx->last_event);
     const real d_lasted = dx->time - dx->mode_began;
     const real lasted = x->time - x->mode_began;
-    const real is_new = select(real_abs(2.0 - x->last_letter) > 0.0, 1.0, x->bar_is_due);
-    const real adds = select(lasted > 0.0, is_new, 0.0);
+    const real adds =
+        select(lasted > 0.0, select(real_abs(2.0 - x->last_letter) > 0.0, 1.0, x->bar_is_due), 0.0);
     const real bar_is_due_times_word_so_far = x->bar_is_due * x->word_so_far;
     const real after_bar = select(bar_is_due_times_word_so_far > 0.0, 4.0 * x->word_so_far, x->word_so_far);
     const real d_after_bar =
@@ -2822,7 +2831,7 @@ static void vary_leave_stick(const real *parameters, const real *states, const r
     const real d_longer = select(after_bar < 0.0, 0.0,
                                  select(4.0 * after_bar + 2.0 < 4503599627370496.0, 4.0 * d_after_bar, 0.0));
     y->events = dx->events;
-    y->last_event = d_last_event;
+    y->last_event = select(counted > 0.0, dx->time, dx->last_event);
     y->slid_from = dx->foot_x;
     y->stance_so_far = dx->stance_so_far + d_lasted;
     y->word_so_far = select(adds > 0.0, d_longer, dx->word_so_far);
@@ -4106,7 +4115,7 @@ static const tdmf_guard_kind guards_slip_constant[] = {
      .vary_guard = vary_guard_slip_constant_collapses,
      .next = {MODE_fallen}},
     {.event = EVENT_greatest_compression,
-     .is_counted = true,
+     .is_counted = false,
      .react = react_slip_constant_greatest_compression,
      .vary_react = vary_react_slip_constant_greatest_compression,
      .is_watched = watches_slip_constant_greatest_compression,
@@ -4160,7 +4169,7 @@ static const tdmf_guard_kind guards_stick[] = {
      .vary_guard = vary_guard_slip_constant_collapses,
      .next = {MODE_fallen}},
     {.event = EVENT_greatest_compression,
-     .is_counted = true,
+     .is_counted = false,
      .react = react_stick_greatest_compression,
      .vary_react = vary_react_slip_constant_greatest_compression,
      .is_watched = watches_slip_constant_greatest_compression,
@@ -4238,7 +4247,7 @@ static const tdmf_guard_kind guards_slip_falling[] = {
      .vary_guard = vary_guard_slip_constant_collapses,
      .next = {MODE_fallen}},
     {.event = EVENT_greatest_compression,
-     .is_counted = true,
+     .is_counted = false,
      .react = react_slip_constant_greatest_compression,
      .vary_react = vary_react_slip_constant_greatest_compression,
      .is_watched = watches_slip_constant_greatest_compression,

@@ -934,7 +934,8 @@ static void guard_slip_constant_collapses(const real *constants, const real *ser
     }
 }
 
-/* greatest_compression: Thrust begins where the leg is shortest, once per stance. */
+/* greatest_compression: Thrust begins where the leg is shortest, once per stance. A thrust of 0 is not
+ * counted. */
 static void guard_slip_constant_greatest_compression(const real *constants, const real *series, int order,
                                                      real *g) {
     (void)constants;
@@ -1523,7 +1524,8 @@ static void guard_stick_collapses(const real *constants, const real *series, int
     }
 }
 
-/* greatest_compression: Thrust begins where the leg is shortest, once per stance. */
+/* greatest_compression: Thrust begins where the leg is shortest, once per stance. A thrust of 0 is not
+ * counted. */
 static void guard_stick_greatest_compression(const real *constants, const real *series, int order, real *g) {
     (void)constants;
     const stick_series *s = (const void *)series;
@@ -2508,7 +2510,8 @@ static void guard_slip_falling_collapses(const real *constants, const real *seri
     }
 }
 
-/* greatest_compression: Thrust begins where the leg is shortest, once per stance. */
+/* greatest_compression: Thrust begins where the leg is shortest, once per stance. A thrust of 0 is not
+ * counted. */
 static void guard_slip_falling_greatest_compression(const real *constants, const real *series, int order,
                                                     real *g) {
     (void)constants;

@@ -798,9 +798,9 @@ static void leave_start_of_run(const real *parameters, const real *states, real 
     (void)parameters;
     const runner_states *x = (const void *)states;
     runner_states *y = (void *)after;
-    const real last_event = select(counted > 0.0, x->time, x->last_event);
-    y->events = x->events + counted;
-    y->last_event = last_event;
+    const real is_new = select(x->time > x->last_event, counted, 0.0);
+    y->events = x->events + is_new;
+    y->last_event = select(counted > 0.0, x->time, x->last_event);
     y->mode_began = x->time;
 }
 
@@ -812,9 +812,8 @@ static void vary_leave_start_of_run(const real *parameters, const real *states, 
     (void)d_parameters;
     const runner_states *dx = (const void *)d_states;
     runner_states *y = (void *)after;
-    const real d_last_event = select(counted > 0.0, dx->time, dx->last_event);
     y->events = dx->events;
-    y->last_event = d_last_event;
+    y->last_event = select(counted > 0.0, dx->time, dx->last_event);
     y->mode_began = dx->time;
 }
 
@@ -1073,15 +1072,18 @@ static real vary_guard_slip_constant_collapses(const real *parameters, const rea
     return d_length - dp->least_length;
 }
 
-/* greatest_compression: Thrust begins where the leg is shortest, once per stance. */
+/* greatest_compression: Thrust begins where the leg is shortest, once per stance. A thrust of 0 is not
+ * counted. */
 static int react_slip_constant_greatest_compression(const real *parameters, const real *states,
                                                     const tdmf_table *tables, real *after, const int *next) {
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
     (void)tables;
     runner_states *y = (void *)after;
-    const real free_length_plus_extension = p->free_length + x->extension;
     const real longer = p->thrust + p->more_thrust;
+    const real by_1_or_by_0 = select(longer > 0.0, 1.0, 0.0);
+    const real is_new = select(x->time > x->last_event, by_1_or_by_0, 0.0);
+    const real free_length_plus_extension = p->free_length + x->extension;
     const real longer_or_by_0 = select(longer > 0.0, longer, 0.0);
     const real rest_length = free_length_plus_extension + longer_or_by_0;
     const real sum_2 = free_length_plus_extension + longer_or_by_0 * x->thrusting;
@@ -1089,6 +1091,8 @@ static int react_slip_constant_greatest_compression(const real *parameters, cons
     const real square = x->x_ * x->x_ + x->y_ * x->y_;
     const real length = real_sqrt(square);
     const real middle = sum_2 + 0.5 * jump - length;
+    y->events = x->events + is_new;
+    y->last_event = select(by_1_or_by_0 > 0.0, x->time, x->last_event);
     y->thrusting = 1.0;
     y->leg_work = x->leg_work + p->stiffness * jump * middle;
     return next[0]; /* slip */
@@ -1105,8 +1109,8 @@ static void vary_react_slip_constant_greatest_compression(const real *parameters
     (void)tables;
     (void)seed;
     runner_states *y = (void *)after;
-    const real free_length_plus_extension = p->free_length + x->extension;
     const real longer = p->thrust + p->more_thrust;
+    const real free_length_plus_extension = p->free_length + x->extension;
     const real longer_or_by_0 = select(longer > 0.0, longer, 0.0);
     const real rest_length = free_length_plus_extension + longer_or_by_0;
     const real sum_2 = free_length_plus_extension + longer_or_by_0 * x->thrusting;
@@ -1124,6 +1128,8 @@ static void vary_react_slip_constant_greatest_compression(const real *parameters
     const real d_square = 2.0 * (x->x_ * dx->x_) + 2.0 * (x->y_ * dx->y_);
     const real d_length = 0.5 * d_square / length;
     const real d_middle = free_length_plus_extension_plus_sum + 0.5 * d_jump - d_length;
+    y->events = dx->events;
+    y->last_event = select(select(longer > 0.0, 1.0, 0.0) > 0.0, dx->time, dx->last_event);
     y->thrusting = 0.0;
     y->leg_work = dx->leg_work +
                   ((dp->stiffness * jump + p->stiffness * d_jump) * middle + p->stiffness * jump * d_middle);
@@ -1976,19 +1982,19 @@ static void leave_slip_constant(const real *parameters, const real *states, real
     (void)parameters;
     const runner_states *x = (const void *)states;
     runner_states *y = (void *)after;
-    const real last_event = select(counted > 0.0, x->time, x->last_event);
+    const real is_new = select(x->time > x->last_event, counted, 0.0);
     const real slid = x->way * (x->foot_x - x->slid_from);
     const real lasted = x->time - x->mode_began;
     const real letter = select(x->way > 0.0, 3.0, 1.0);
-    const real is_new = select(real_abs(letter - x->last_letter) > 0.0, 1.0, x->bar_is_due);
-    const real adds = select(lasted > 0.0, is_new, 0.0);
+    const real adds =
+        select(lasted > 0.0, select(real_abs(letter - x->last_letter) > 0.0, 1.0, x->bar_is_due), 0.0);
     const real after_bar = select(x->bar_is_due * x->word_so_far > 0.0, 4.0 * x->word_so_far, x->word_so_far);
     const real by_4_times_after_bar_plus_letter = 4.0 * after_bar + letter;
     const real longer = select(after_bar < 0.0, -1.0,
                                select(by_4_times_after_bar_plus_letter < 4503599627370496.0,
                                       by_4_times_after_bar_plus_letter, -1.0));
-    y->events = x->events + counted;
-    y->last_event = last_event;
+    y->events = x->events + is_new;
+    y->last_event = select(counted > 0.0, x->time, x->last_event);
     y->slip_so_far = x->slip_so_far + slid;
     y->slid_from = x->foot_x;
     y->stance_so_far = x->stance_so_far + lasted;
@@ -2006,13 +2012,12 @@ static void vary_leave_slip_constant(const real *parameters, const real *states,
     (void)d_parameters;
     const runner_states *dx = (const void *)d_states;
     runner_states *y = (void *)after;
-    const real d_last_event = select(counted > 0.0, dx->time, dx->last_event);
     const real d_slid = dx->way * (x->foot_x - x->slid_from) + x->way * (dx->foot_x - dx->slid_from);
     const real d_lasted = dx->time - dx->mode_began;
     const real lasted = x->time - x->mode_began;
     const real letter = select(x->way > 0.0, 3.0, 1.0);
-    const real is_new = select(real_abs(letter - x->last_letter) > 0.0, 1.0, x->bar_is_due);
-    const real adds = select(lasted > 0.0, is_new, 0.0);
+    const real adds =
+        select(lasted > 0.0, select(real_abs(letter - x->last_letter) > 0.0, 1.0, x->bar_is_due), 0.0);
     const real bar_is_due_times_word_so_far = x->bar_is_due * x->word_so_far;
     const real after_bar = select(bar_is_due_times_word_so_far > 0.0, 4.0 * x->word_so_far, x->word_so_far);
     const real d_after_bar =
@@ -2020,7 +2025,7 @@ static void vary_leave_slip_constant(const real *parameters, const real *states,
     const real d_longer = select(
         after_bar < 0.0, 0.0, select(4.0 * after_bar + letter < 4503599627370496.0, 4.0 * d_after_bar, 0.0));
     y->events = dx->events;
-    y->last_event = d_last_event;
+    y->last_event = select(counted > 0.0, dx->time, dx->last_event);
     y->slip_so_far = dx->slip_so_far + d_slid;
     y->slid_from = dx->foot_x;
     y->stance_so_far = dx->stance_so_far + d_lasted;
@@ -2464,15 +2469,18 @@ static int react_stick_ramp_ends(const real *parameters, const real *states, con
     return next[0]; /* stick */
 }
 
-/* greatest_compression: Thrust begins where the leg is shortest, once per stance. */
+/* greatest_compression: Thrust begins where the leg is shortest, once per stance. A thrust of 0 is not
+ * counted. */
 static int react_stick_greatest_compression(const real *parameters, const real *states,
                                             const tdmf_table *tables, real *after, const int *next) {
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
     (void)tables;
     runner_states *y = (void *)after;
-    const real free_length_plus_extension = p->free_length + x->extension;
     const real longer = p->thrust + p->more_thrust;
+    const real by_1_or_by_0 = select(longer > 0.0, 1.0, 0.0);
+    const real is_new = select(x->time > x->last_event, by_1_or_by_0, 0.0);
+    const real free_length_plus_extension = p->free_length + x->extension;
     const real longer_or_by_0 = select(longer > 0.0, longer, 0.0);
     const real rest_length = free_length_plus_extension + longer_or_by_0;
     const real sum_2 = free_length_plus_extension + longer_or_by_0 * x->thrusting;
@@ -2480,6 +2488,8 @@ static int react_stick_greatest_compression(const real *parameters, const real *
     const real square = x->x_ * x->x_ + x->y_ * x->y_;
     const real length = real_sqrt(square);
     const real middle = sum_2 + 0.5 * jump - length;
+    y->events = x->events + is_new;
+    y->last_event = select(by_1_or_by_0 > 0.0, x->time, x->last_event);
     y->thrusting = 1.0;
     y->leg_work = x->leg_work + p->stiffness * jump * middle;
     return next[0]; /* stick */
@@ -2941,17 +2951,17 @@ static void leave_stick(const real *parameters, const real *states, real counted
     (void)parameters;
     const runner_states *x = (const void *)states;
     runner_states *y = (void *)after;
-    const real last_event = select(counted > 0.0, x->time, x->last_event);
+    const real is_new = select(x->time > x->last_event, counted, 0.0);
     const real lasted = x->time - x->mode_began;
-    const real is_new = select(real_abs(2.0 - x->last_letter) > 0.0, 1.0, x->bar_is_due);
-    const real adds = select(lasted > 0.0, is_new, 0.0);
+    const real adds =
+        select(lasted > 0.0, select(real_abs(2.0 - x->last_letter) > 0.0, 1.0, x->bar_is_due), 0.0);
     const real after_bar = select(x->bar_is_due * x->word_so_far > 0.0, 4.0 * x->word_so_far, x->word_so_far);
     const real by_4_times_after_bar_plus_by_2 = 4.0 * after_bar + 2.0;
     const real longer = select(
         after_bar < 0.0, -1.0,
         select(by_4_times_after_bar_plus_by_2 < 4503599627370496.0, by_4_times_after_bar_plus_by_2, -1.0));
-    y->events = x->events + counted;
-    y->last_event = last_event;
+    y->events = x->events + is_new;
+    y->last_event = select(counted > 0.0, x->time, x->last_event);
     y->slid_from = x->foot_x;
     y->stance_so_far = x->stance_so_far + lasted;
     y->word_so_far = select(adds > 0.0, longer, x->word_so_far);
@@ -2968,11 +2978,10 @@ static void vary_leave_stick(const real *parameters, const real *states, const r
     (void)d_parameters;
     const runner_states *dx = (const void *)d_states;
     runner_states *y = (void *)after;
-    const real d_last_event = select(counted > 0.0, dx->time, dx->last_event);
     const real d_lasted = dx->time - dx->mode_began;
     const real lasted = x->time - x->mode_began;
-    const real is_new = select(real_abs(2.0 - x->last_letter) > 0.0, 1.0, x->bar_is_due);
-    const real adds = select(lasted > 0.0, is_new, 0.0);
+    const real adds =
+        select(lasted > 0.0, select(real_abs(2.0 - x->last_letter) > 0.0, 1.0, x->bar_is_due), 0.0);
     const real bar_is_due_times_word_so_far = x->bar_is_due * x->word_so_far;
     const real after_bar = select(bar_is_due_times_word_so_far > 0.0, 4.0 * x->word_so_far, x->word_so_far);
     const real d_after_bar =
@@ -2980,7 +2989,7 @@ static void vary_leave_stick(const real *parameters, const real *states, const r
     const real d_longer = select(after_bar < 0.0, 0.0,
                                  select(4.0 * after_bar + 2.0 < 4503599627370496.0, 4.0 * d_after_bar, 0.0));
     y->events = dx->events;
-    y->last_event = d_last_event;
+    y->last_event = select(counted > 0.0, dx->time, dx->last_event);
     y->slid_from = dx->foot_x;
     y->stance_so_far = dx->stance_so_far + d_lasted;
     y->word_so_far = select(adds > 0.0, d_longer, dx->word_so_far);
@@ -6311,9 +6320,9 @@ static void leave_graze_place(const real *parameters, const real *states, real c
     (void)parameters;
     const runner_states *x = (const void *)states;
     runner_states *y = (void *)after;
-    const real last_event = select(counted > 0.0, x->time, x->last_event);
-    y->events = x->events + counted;
-    y->last_event = last_event;
+    const real is_new = select(x->time > x->last_event, counted, 0.0);
+    y->events = x->events + is_new;
+    y->last_event = select(counted > 0.0, x->time, x->last_event);
     y->slid_from = x->foot_x;
     y->mode_began = x->time;
 }
@@ -6326,9 +6335,8 @@ static void vary_leave_graze_place(const real *parameters, const real *states, c
     (void)d_parameters;
     const runner_states *dx = (const void *)d_states;
     runner_states *y = (void *)after;
-    const real d_last_event = select(counted > 0.0, dx->time, dx->last_event);
     y->events = dx->events;
-    y->last_event = d_last_event;
+    y->last_event = select(counted > 0.0, dx->time, dx->last_event);
     y->slid_from = dx->foot_x;
     y->mode_began = dx->time;
 }
@@ -8632,19 +8640,19 @@ static const tdmf_guard_kind guards_slip_constant[] = {
      .vary_guard = vary_guard_slip_constant_ramp_ends,
      .next = {MODE_slip_constant}},
     {.event = EVENT_falls,
-     .is_counted = true,
+     .is_counted = false,
      .react = react_slip_constant_falls,
      .vary_react = vary_react_slip_constant_falls,
      .vary_guard = vary_guard_slip_constant_falls,
      .next = {MODE_fallen}},
     {.event = EVENT_collapses,
-     .is_counted = true,
+     .is_counted = false,
      .react = react_slip_constant_falls,
      .vary_react = vary_react_slip_constant_falls,
      .vary_guard = vary_guard_slip_constant_collapses,
      .next = {MODE_fallen}},
     {.event = EVENT_greatest_compression,
-     .is_counted = true,
+     .is_counted = false,
      .react = react_slip_constant_greatest_compression,
      .vary_react = vary_react_slip_constant_greatest_compression,
      .is_watched = watches_slip_constant_greatest_compression,
@@ -8701,19 +8709,19 @@ static const tdmf_guard_kind guards_stick[] = {
      .vary_guard = vary_guard_slip_constant_ramp_ends,
      .next = {MODE_stick}},
     {.event = EVENT_falls,
-     .is_counted = true,
+     .is_counted = false,
      .react = react_slip_constant_falls,
      .vary_react = vary_react_slip_constant_falls,
      .vary_guard = vary_guard_slip_constant_falls,
      .next = {MODE_fallen}},
     {.event = EVENT_collapses,
-     .is_counted = true,
+     .is_counted = false,
      .react = react_slip_constant_falls,
      .vary_react = vary_react_slip_constant_falls,
      .vary_guard = vary_guard_slip_constant_collapses,
      .next = {MODE_fallen}},
     {.event = EVENT_greatest_compression,
-     .is_counted = true,
+     .is_counted = false,
      .react = react_stick_greatest_compression,
      .vary_react = vary_react_slip_constant_greatest_compression,
      .is_watched = watches_slip_constant_greatest_compression,
@@ -8797,13 +8805,13 @@ static const tdmf_guard_kind guards_flight_place_calm[] = {
      .vary_guard = vary_guard_flight_place_calm_new_ground,
      .next = {MODE_flight_place_calm}},
     {.event = EVENT_falls,
-     .is_counted = true,
+     .is_counted = false,
      .react = react_flight_place_calm_falls,
      .vary_react = vary_react_flight_place_calm_falls,
      .vary_guard = vary_guard_flight_place_calm_falls,
      .next = {MODE_fallen}},
     {.event = EVENT_collapses,
-     .is_counted = true,
+     .is_counted = false,
      .react = react_flight_place_calm_falls,
      .vary_react = vary_react_flight_place_calm_falls,
      .vary_guard = vary_guard_flight_place_calm_collapses,
@@ -8872,13 +8880,13 @@ static const tdmf_guard_kind guards_flight_rest_calm[] = {
      .vary_guard = vary_guard_flight_place_calm_new_ground,
      .next = {MODE_flight_rest_calm}},
     {.event = EVENT_falls,
-     .is_counted = true,
+     .is_counted = false,
      .react = react_flight_place_calm_falls,
      .vary_react = vary_react_flight_place_calm_falls,
      .vary_guard = vary_guard_flight_place_calm_falls,
      .next = {MODE_fallen}},
     {.event = EVENT_collapses,
-     .is_counted = true,
+     .is_counted = false,
      .react = react_flight_place_calm_falls,
      .vary_react = vary_react_flight_place_calm_falls,
      .vary_guard = vary_guard_flight_place_calm_collapses,
@@ -8951,13 +8959,13 @@ static const tdmf_guard_kind guards_flight_retract_calm[] = {
      .vary_guard = vary_guard_flight_place_calm_new_ground,
      .next = {MODE_flight_retract_calm}},
     {.event = EVENT_falls,
-     .is_counted = true,
+     .is_counted = false,
      .react = react_flight_place_calm_falls,
      .vary_react = vary_react_flight_place_calm_falls,
      .vary_guard = vary_guard_flight_place_calm_falls,
      .next = {MODE_fallen}},
     {.event = EVENT_collapses,
-     .is_counted = true,
+     .is_counted = false,
      .react = react_flight_place_calm_falls,
      .vary_react = vary_react_flight_place_calm_falls,
      .vary_guard = vary_guard_flight_place_calm_collapses,
@@ -9016,13 +9024,13 @@ static const tdmf_guard_kind guards_graze_place[] = {
      .vary_guard = vary_guard_slip_constant_ramp_ends,
      .next = {MODE_graze_place}},
     {.event = EVENT_falls,
-     .is_counted = true,
+     .is_counted = false,
      .react = react_slip_constant_falls,
      .vary_react = vary_react_slip_constant_falls,
      .vary_guard = vary_guard_slip_constant_falls,
      .next = {MODE_fallen}},
     {.event = EVENT_collapses,
-     .is_counted = true,
+     .is_counted = false,
      .react = react_slip_constant_falls,
      .vary_react = vary_react_slip_constant_falls,
      .vary_guard = vary_guard_slip_constant_collapses,
@@ -9075,13 +9083,13 @@ static const tdmf_guard_kind guards_graze_rest[] = {
      .vary_guard = vary_guard_slip_constant_ramp_ends,
      .next = {MODE_graze_rest}},
     {.event = EVENT_falls,
-     .is_counted = true,
+     .is_counted = false,
      .react = react_slip_constant_falls,
      .vary_react = vary_react_slip_constant_falls,
      .vary_guard = vary_guard_slip_constant_falls,
      .next = {MODE_fallen}},
     {.event = EVENT_collapses,
-     .is_counted = true,
+     .is_counted = false,
      .react = react_slip_constant_falls,
      .vary_react = vary_react_slip_constant_falls,
      .vary_guard = vary_guard_slip_constant_collapses,
@@ -9146,13 +9154,13 @@ static const tdmf_guard_kind guards_graze_retract[] = {
      .vary_guard = vary_guard_slip_constant_ramp_ends,
      .next = {MODE_graze_retract}},
     {.event = EVENT_falls,
-     .is_counted = true,
+     .is_counted = false,
      .react = react_slip_constant_falls,
      .vary_react = vary_react_slip_constant_falls,
      .vary_guard = vary_guard_slip_constant_falls,
      .next = {MODE_fallen}},
     {.event = EVENT_collapses,
-     .is_counted = true,
+     .is_counted = false,
      .react = react_slip_constant_falls,
      .vary_react = vary_react_slip_constant_falls,
      .vary_guard = vary_guard_slip_constant_collapses,
@@ -9204,19 +9212,19 @@ static const tdmf_guard_kind guards_slip_falling[] = {
      .vary_guard = vary_guard_slip_constant_ramp_ends,
      .next = {MODE_slip_falling}},
     {.event = EVENT_falls,
-     .is_counted = true,
+     .is_counted = false,
      .react = react_slip_constant_falls,
      .vary_react = vary_react_slip_constant_falls,
      .vary_guard = vary_guard_slip_constant_falls,
      .next = {MODE_fallen}},
     {.event = EVENT_collapses,
-     .is_counted = true,
+     .is_counted = false,
      .react = react_slip_constant_falls,
      .vary_react = vary_react_slip_constant_falls,
      .vary_guard = vary_guard_slip_constant_collapses,
      .next = {MODE_fallen}},
     {.event = EVENT_greatest_compression,
-     .is_counted = true,
+     .is_counted = false,
      .react = react_slip_constant_greatest_compression,
      .vary_react = vary_react_slip_constant_greatest_compression,
      .is_watched = watches_slip_constant_greatest_compression,
@@ -9300,13 +9308,13 @@ static const tdmf_guard_kind guards_flight_place_pushed[] = {
      .vary_guard = vary_guard_flight_place_calm_new_ground,
      .next = {MODE_flight_place_pushed}},
     {.event = EVENT_falls,
-     .is_counted = true,
+     .is_counted = false,
      .react = react_flight_place_calm_falls,
      .vary_react = vary_react_flight_place_calm_falls,
      .vary_guard = vary_guard_flight_place_calm_falls,
      .next = {MODE_fallen}},
     {.event = EVENT_collapses,
-     .is_counted = true,
+     .is_counted = false,
      .react = react_flight_place_calm_falls,
      .vary_react = vary_react_flight_place_calm_falls,
      .vary_guard = vary_guard_flight_place_calm_collapses,
@@ -9367,13 +9375,13 @@ static const tdmf_guard_kind guards_flight_rest_pushed[] = {
      .vary_guard = vary_guard_flight_place_calm_new_ground,
      .next = {MODE_flight_rest_pushed}},
     {.event = EVENT_falls,
-     .is_counted = true,
+     .is_counted = false,
      .react = react_flight_place_calm_falls,
      .vary_react = vary_react_flight_place_calm_falls,
      .vary_guard = vary_guard_flight_place_calm_falls,
      .next = {MODE_fallen}},
     {.event = EVENT_collapses,
-     .is_counted = true,
+     .is_counted = false,
      .react = react_flight_place_calm_falls,
      .vary_react = vary_react_flight_place_calm_falls,
      .vary_guard = vary_guard_flight_place_calm_collapses,
@@ -9439,13 +9447,13 @@ static const tdmf_guard_kind guards_flight_retract_pushed[] = {
      .vary_guard = vary_guard_flight_place_calm_new_ground,
      .next = {MODE_flight_retract_pushed}},
     {.event = EVENT_falls,
-     .is_counted = true,
+     .is_counted = false,
      .react = react_flight_place_calm_falls,
      .vary_react = vary_react_flight_place_calm_falls,
      .vary_guard = vary_guard_flight_place_calm_falls,
      .next = {MODE_fallen}},
     {.event = EVENT_collapses,
-     .is_counted = true,
+     .is_counted = false,
      .react = react_flight_place_calm_falls,
      .vary_react = vary_react_flight_place_calm_falls,
      .vary_guard = vary_guard_flight_place_calm_collapses,

@@ -308,18 +308,23 @@ size_t tdmf_run_memory_size(const tdmf_model_kind *model, int seed_count) {
            tdmf_size_of_driver(model);
 }
 
-tdmf_run_outcome tdmf_page_run_to(const tdmf_model_kind *model, tdmf_page_run *r, double until) {
+tdmf_driver *tdmf_begin_in_memory(run_state *state, mode_start *at, const tdmf_model_kind *model,
+                                  tdmf_page_run *r) {
     double *of_state = r->memory + tdmf_size_of_mode_start(model, r->seed_count);
-    tdmf_driver *driver = tdmf_place_driver(model, of_state + tdmf_size_of_run_state(model));
+    tdmf_place_mode_start(at, model, r->seed_count, r->memory);
+    tdmf_begin_run(state, model, r, of_state);
+    tdmf_begin_mode(state, at);
+    return tdmf_place_driver(model, of_state + tdmf_size_of_run_state(model));
+}
+
+tdmf_run_outcome tdmf_page_run_to(const tdmf_model_kind *model, tdmf_page_run *r, double until) {
     run_state state;
     mode_start at;
     tdmf_run_outcome outcome;
     if (!tdmf_is_order(r->order)) {
         return TDMF_RUN_BAD_ORDER;
     }
-    tdmf_place_mode_start(&at, model, r->seed_count, r->memory);
-    tdmf_begin_run(&state, model, r, of_state);
-    tdmf_begin_mode(&state, &at);
+    tdmf_driver *driver = tdmf_begin_in_memory(&state, &at, model, r);
     do {
         outcome = tdmf_drive_to_event(driver, &state, &at, until);
     } while (outcome == TDMF_RUN_GOES_ON);

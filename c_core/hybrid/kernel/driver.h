@@ -30,7 +30,7 @@ typedef void (*tdmf_set)(const double *p, const double *x, double given, double 
 typedef void tdmf_enter(const double *p, const double *x, const double *at, double *after);
 typedef void tdmf_vary_enter(const double *p, const double *x, const double *dp, const double *dx,
                              const double *at, const double *d_at, double *after);
-typedef void tdmf_scales(const double *p, double *of_states, double *of_events);
+typedef void tdmf_write_scales(const double *p, double *of_states, double *of_events);
 
 /* Limits: modes that an event can lead to, events that a mode watches, quantities that it observes, events of
  * a page, events of a chain in zero time. The generator reads these numbers. */
@@ -123,7 +123,7 @@ typedef struct {
     const tdmf_mode_kind *modes; /* runs start in the first */
     const tdmf_set_kind *sets;
     const tdmf_section_kind *sections;
-    tdmf_scales *scales;              /* typical size of each state and guard */
+    tdmf_write_scales *scales;        /* typical size of each state and guard */
     int series_count, constant_count; /* largest numbers of any mode */
     const char *const *mode_names;
     const char *const *event_names;

@@ -61,6 +61,10 @@ typedef struct tdmf_driver tdmf_driver;
 size_t tdmf_size_of_driver(const tdmf_model_kind *model);
 tdmf_driver *tdmf_place_driver(const tdmf_model_kind *model, double *memory);
 
+/* Begins or resumes a run in its working memory, and returns its driver. */
+tdmf_driver *tdmf_begin_in_memory(run_state *state, mode_start *at, const tdmf_model_kind *model,
+                                  tdmf_page_run *r);
+
 /* Goes on in a mode up to the next event, and takes it. Returns TDMF_RUN_GOES_ON, or the outcome of the run.
  */
 tdmf_run_outcome tdmf_drive_to_event(tdmf_driver *w, run_state *state, mode_start *at, double until);

@@ -1,0 +1,82 @@
+/* The places of fields, in one table for each struct. */
+#include "page_fields.h"
+
+#include <string.h>
+
+runner_parameters tdmf_page_parameters(const tdmf_parameters *p, const tdmf_inputs *inputs) {
+    const runner_parameters of = {
+        .ground_height = inputs->ground.height,
+        .ground_slope = inputs->ground.slope,
+        .patch_begin = p->ground.patch_begin,
+        .patch_end = p->ground.patch_end,
+        .patch_friction = p->ground.patch_friction,
+        .body_mass = p->body.mass,
+        .foot_mass = p->foot.mass,
+        .stiffness = p->leg.stiffness,
+        .damping = p->leg.damping,
+        .free_length = p->leg.free_length,
+        .least_length = p->leg.min_length,
+        .gravity = p->gravity,
+        .thrust = p->leg.thrust,
+        .more_thrust = inputs->control.thrust,
+        .static_ratio = p->ground.static_friction_ratio,
+        .stribeck_velocity = p->ground.stribeck_velocity,
+        .drive_torque = p->hip.stance_torque,
+        .kp = p->hip.kp,
+        .kd = p->hip.kd,
+        .touchdown_angle = p->hip.touchdown_angle,
+        .liftoff_factor = p->hip.liftoff_angle_factor,
+        .retraction_rate = p->hip.retraction_rate,
+        .swing_clamp = p->hip.swing_clamp,
+        .more_angle = inputs->control.touchdown_angle,
+        .more_torque = inputs->control.stance_torque,
+    };
+    return of;
+}
+
+void tdmf_write_page_inputs(const tdmf_inputs *inputs, runner_states *x) {
+    x->friction = inputs->ground.friction;
+    x->external_torque = inputs->hip.external_torque;
+    x->extension = inputs->leg.extension;
+    x->external_fx = inputs->body.external_fx;
+    x->external_fy = inputs->body.external_fy;
+}
+
+void tdmf_read_page_state(const double state[TDMF_STATE_COUNT], runner_states *x) {
+    x->seen_x = state[TDMF_FOOT_X];
+    x->seen_y = state[TDMF_FOOT_Y];
+    x->length = state[TDMF_LEG_LENGTH];
+    x->angle = state[TDMF_LEG_ANGLE];
+    x->seen_vx = state[TDMF_FOOT_VX];
+    x->seen_vy = state[TDMF_FOOT_VY];
+    x->length_rate = state[TDMF_LEG_LENGTH_RATE];
+    x->angle_rate = state[TDMF_LEG_ANGLE_RATE];
+    x->work = state[TDMF_HIP_WORK];
+    x->placing = state[TDMF_HIP_PLACE_TIME];
+    x->leg_work = state[TDMF_LEG_WORK];
+    x->damper_loss = state[TDMF_ENERGY_DAMPER_LOSS];
+    x->friction_loss = state[TDMF_ENERGY_FRICTION_LOSS];
+    x->positive_work_so_far = state[TDMF_HIP_POSITIVE_WORK];
+    x->external_work = state[TDMF_ENERGY_EXTERNAL_WORK];
+}
+
+void tdmf_write_page_state(const runner_states *x, double state[TDMF_STATE_COUNT]) {
+    const double written[TDMF_STATE_COUNT] = {
+        [TDMF_FOOT_X] = x->seen_x,
+        [TDMF_FOOT_Y] = x->seen_y,
+        [TDMF_LEG_LENGTH] = x->length,
+        [TDMF_LEG_ANGLE] = x->angle,
+        [TDMF_FOOT_VX] = x->seen_vx,
+        [TDMF_FOOT_VY] = x->seen_vy,
+        [TDMF_LEG_LENGTH_RATE] = x->length_rate,
+        [TDMF_LEG_ANGLE_RATE] = x->angle_rate,
+        [TDMF_HIP_WORK] = x->work,
+        [TDMF_HIP_PLACE_TIME] = x->placing,
+        [TDMF_LEG_WORK] = x->leg_work,
+        [TDMF_ENERGY_DAMPER_LOSS] = x->damper_loss,
+        [TDMF_ENERGY_FRICTION_LOSS] = x->friction_loss,
+        [TDMF_HIP_POSITIVE_WORK] = x->positive_work_so_far,
+        [TDMF_ENERGY_EXTERNAL_WORK] = x->external_work,
+    };
+    memcpy(state, written, sizeof written);
+}

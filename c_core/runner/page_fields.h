@@ -1,0 +1,13 @@
+/* Where parameters, inputs and states of the core are on the runner's page. The same places hold changes. */
+#ifndef TDMF_RUNNER_PAGE_FIELDS_H
+#define TDMF_RUNNER_PAGE_FIELDS_H
+
+#include "runner.h"
+#include "tdmf_slip/variables.h"
+
+runner_parameters tdmf_page_parameters(const tdmf_parameters *p, const tdmf_inputs *inputs);
+void tdmf_write_page_inputs(const tdmf_inputs *inputs, runner_states *x);
+void tdmf_read_page_state(const double state[TDMF_STATE_COUNT], runner_states *x);
+void tdmf_write_page_state(const runner_states *x, double state[TDMF_STATE_COUNT]);
+
+#endif

@@ -1,0 +1,361 @@
+/* The correspondence of a motion and the states of the runner's page. Times of the page are relative, so that
+ * those before the motion are negative; they are written where they are not. */
+#include "page_motion.h"
+
+#include "contact_mode.h"
+#include "ground_line.h"
+#include "input_rates.h"
+#include "instant.h"
+#include "leg_laws.h"
+#include "page_fields.h"
+#include "patch.h"
+#include "record.h"
+
+#include <limits.h>
+#include <math.h>
+#include <string.h>
+
+/* Letters of a gait word by their digits in base 4. */
+static const char letters[] = "|-0+";
+enum { LONGEST_WORD = 26, LONGEST_CODED_WORD = 15, TOO_LONG = -1 };
+static const double far_away = 1e12; /* of borders that are never reached */
+static const double long_ago = -1.0; /* a time before the motion */
+
+/* ---- gait words ---------------------------------------------------------------------------------------- */
+
+static double digit_of(char letter) {
+    return (double)(strchr(letters, letter) - letters);
+}
+
+static double code_of_word(const char *word) {
+    double code = 0.0;
+    if (strlen(word) > LONGEST_WORD || strchr(word, '~')) {
+        return TOO_LONG;
+    }
+    for (const char *letter = word; *letter != '\0'; ++letter) {
+        code = 4.0 * code + digit_of(*letter);
+    }
+    return code;
+}
+
+static void write_word(double code, char word[TDMF_WORD_CAPACITY]) {
+    int length = 0;
+    memset(word, 0, TDMF_WORD_CAPACITY);
+    if (code < 0.0) {
+        word[0] = '~';
+        return;
+    }
+    for (double rest = code; rest > 0.0; rest = floor(rest / 4.0)) {
+        ++length;
+    }
+    for (int i = length - 1; i >= 0; --i) {
+        const double rest = floor(code / 4.0);
+        word[i] = letters[(int)(code - 4.0 * rest)];
+        code = rest;
+    }
+}
+
+static double last_letter_of(const char *word) {
+    const size_t length = strlen(word);
+    return length > 0 && word[length - 1] != '~' ? digit_of(word[length - 1]) : 0.0;
+}
+
+static int as_int(double count) {
+    return count < INT_MAX ? (int)count : INT_MAX;
+}
+
+static void write_rates(const tdmf_inputs *rates, runner_states *x) {
+    x->friction_rate = rates->ground.friction;
+    x->external_torque_rate = rates->hip.external_torque;
+    x->extension_rate = rates->leg.extension;
+    x->external_fx_rate = rates->body.external_fx;
+    x->external_fy_rate = rates->body.external_fy;
+}
+
+/* ---- the record ---------------------------------------------------------------------------------------- */
+
+static void read_open_stride(const tdmf_motion *motion, double cosine, runner_states *x) {
+    const tdmf_open_stride *open = &motion->record.progress.open;
+    const tdmf_instant now = tdmf_instant_of(motion);
+    x->is_open = open->began_at_apex;
+    x->apex_time = tdmf_time_between(now, open->start);
+    x->x_then = open->start_com_x;
+    x->y_then = open->start_com_y;
+    x->work_then = open->start_hip_work;
+    x->leg_work_then = open->start_leg_work;
+    x->positive_work_then = open->start_positive_work;
+    x->peak_force_so_far = open->peak_force;
+    x->vertical_so_far = open->peak_vertical_force;
+    x->touchdowns_so_far = open->touchdowns;
+    x->slip_so_far = open->slip_distance;
+    x->stance_so_far = open->stance_time;
+    x->slid_from = open->contact_start_x / cosine;
+    x->mode_began = tdmf_time_between(now, open->contact_start);
+    x->word_so_far = code_of_word(open->word);
+    x->last_letter = last_letter_of(open->word);
+    x->bar_is_due = open->flew_since_letter;
+}
+
+static void read_record(const tdmf_record *record, runner_states *x) {
+    const tdmf_stride *stride = &record->stride;
+    const tdmf_apex *apex = &record->apex;
+    x->events = record->event_count;
+    x->last_event = long_ago;
+    x->impact_loss = record->impact_loss;
+    x->count = stride->count;
+    x->apex_com_height = apex->com_height;
+    x->apex_com_speed = apex->com_speed;
+    x->apex_length = apex->leg_length;
+    x->apex_angle = apex->leg_angle;
+    x->apex_length_rate = apex->leg_length_rate;
+    x->apex_angle_rate = apex->leg_angle_rate;
+}
+
+static double quotient_or_zero(double numerator, double denominator) {
+    return denominator == 0.0 ? 0.0 : numerator / denominator;
+}
+
+static void write_stride(const tdmf_model *model, const runner_states *x, tdmf_stride *stride) {
+    const double weight = model->total_mass * model->parameters.gravity;
+    stride->count = as_int(x->count);
+    stride->period = x->period;
+    stride->length = x->distance;
+    stride->rise = x->rise_of_stride;
+    stride->speed = x->speed;
+    stride->work = x->work_of_stride;
+    stride->hip_work = x->hip_work;
+    stride->leg_work = x->leg_work_of_stride;
+    stride->positive_work = x->positive_work;
+    stride->cost_of_transport = quotient_or_zero(x->work_of_stride, weight * x->distance);
+    stride->touchdowns = as_int(x->touchdowns);
+    stride->stance_time = x->stance_time;
+    stride->duty_factor = x->duty_factor;
+    stride->slip_distance = x->slip_distance;
+    stride->peak_force = x->peak_force;
+    stride->peak_vertical_force = x->peak_vertical_force;
+    write_word(x->word_code, stride->word);
+    stride->word_code =
+        strlen(stride->word) <= LONGEST_CODED_WORD && x->word_code >= 0.0 ? (int)x->word_code : TOO_LONG;
+}
+
+static void write_apex(tdmf_instant at, const runner_states *x, tdmf_record *record) {
+    const tdmf_apex apex = {.time = at.time,
+                            .com_height = x->apex_com_height,
+                            .com_speed = x->apex_com_speed,
+                            .leg_length = x->apex_length,
+                            .leg_angle = x->apex_angle,
+                            .leg_length_rate = x->apex_length_rate,
+                            .leg_angle_rate = x->apex_angle_rate};
+    record->apex = apex;
+    record->progress.open.start = at;
+}
+
+static void write_open_stride(tdmf_instant begin, bool flies, double cosine, const runner_states *x,
+                              tdmf_open_stride *open) {
+    open->began_at_apex = x->is_open > 0.0;
+    open->start_com_x = x->x_then;
+    open->start_com_y = x->y_then;
+    open->start_hip_work = x->work_then;
+    open->start_leg_work = x->leg_work_then;
+    open->start_positive_work = x->positive_work_then;
+    open->peak_force = x->peak_force_so_far;
+    open->peak_vertical_force = x->vertical_so_far;
+    open->touchdowns = as_int(x->touchdowns_so_far);
+    open->slip_distance = x->slip_so_far;
+    open->stance_time = x->stance_so_far;
+    write_word(x->word_so_far, open->word);
+    open->flew_since_letter = flies || x->bar_is_due > 0.0;
+    open->contact_start_x = x->slid_from * cosine;
+    if (x->mode_began >= 0.0) {
+        open->contact_start = tdmf_instant_after(begin, x->mode_began);
+    }
+}
+
+static void write_record(const tdmf_model *model, tdmf_instant begin, const tdmf_mode *mode,
+                         const runner_states *x, tdmf_record *record) {
+    record->event_count = as_int(x->events);
+    if (x->last_event >= 0.0) {
+        record->last_event_time = tdmf_instant_after(begin, x->last_event).time;
+    }
+    record->impact_loss = x->impact_loss;
+    if (x->count > record->stride.count) {
+        write_stride(model, x, &record->stride);
+    }
+    if (x->is_open > 0.0 && x->apex_time >= 0.0) {
+        write_apex(tdmf_instant_after(begin, x->apex_time), x, record);
+    }
+    write_open_stride(begin, mode->contact == TDMF_CONTACT_FLIGHT, mode->ground.cosine, x,
+                      &record->progress.open);
+}
+
+/* ---- the mode ------------------------------------------------------------------------------------------ */
+
+static bool is_pushed(const runner_states *x) {
+    return x->external_fx != 0.0 || x->external_fy != 0.0 || x->external_fx_rate != 0.0 ||
+           x->external_fy_rate != 0.0;
+}
+
+static int mode_of_swing(const tdmf_mode *mode, int place, int retract, int rest) {
+    return mode->phase == TDMF_PHASE_PLACE ? place : mode->clamp_closed ? rest : retract;
+}
+
+static int page_mode_of(const tdmf_mode *mode, const runner_states *x) {
+    if (mode->fallen) {
+        return MODE_fallen;
+    }
+    switch (mode->contact) {
+    case TDMF_CONTACT_STICK:
+        return MODE_stick;
+    case TDMF_CONTACT_GRAZE:
+        return mode_of_swing(mode, MODE_graze_place, MODE_graze_retract, MODE_graze_rest);
+    case TDMF_CONTACT_FLIGHT:
+        return is_pushed(x) ? mode_of_swing(mode, MODE_flight_place_pushed, MODE_flight_retract_pushed,
+                                            MODE_flight_rest_pushed)
+                            : mode_of_swing(mode, MODE_flight_place_calm, MODE_flight_retract_calm,
+                                            MODE_flight_rest_calm);
+    default:
+        return MODE_slip_constant; /* in the layer of falling friction an event follows at once */
+    }
+}
+
+/* The segments that stand for a patch: before it, on it, behind it. */
+static double friction_of_segment(const runner_parameters *p, tdmf_zone zone) {
+    return zone == TDMF_ZONE_PATCH ? p->patch_friction : -1.0;
+}
+
+static void read_ground(const tdmf_model *model, const tdmf_motion *motion, runner_states *x,
+                        const runner_parameters *p) {
+    const tdmf_mode *mode = &motion->mode;
+    const double foot_x = motion->state[TDMF_FOOT_X], way = tdmf_sign_of_slip(mode);
+    const bool has_patch = tdmf_has_patch(model);
+    const double begin = has_patch ? p->patch_begin : far_away, end = has_patch ? p->patch_end : far_away;
+    const tdmf_zone zone = way != 0.0 ? mode->zone : tdmf_zone_towards(model, foot_x, 1.0);
+    const tdmf_zone behind = way != 0.0 ? mode->zone : tdmf_zone_towards(model, foot_x, -1.0);
+    x->height = mode->ground.height;
+    x->slope = mode->ground.slope;
+    x->segment = zone;
+    x->segment_begin = zone == TDMF_ZONE_BEFORE ? -far_away : zone == TDMF_ZONE_PATCH ? begin : end;
+    x->segment_end = zone == TDMF_ZONE_BEFORE ? begin : zone == TDMF_ZONE_PATCH ? end : far_away;
+    x->friction_ahead = friction_of_segment(p, zone);
+    x->friction_behind = friction_of_segment(p, behind);
+}
+
+static void read_mode(const tdmf_mode *mode, runner_states *x) {
+    const bool rises_again = mode->phase == TDMF_PHASE_PLACE && mode->rises;
+    x->way = mode->contact == TDMF_CONTACT_SLIP_NEGATIVE ? -1.0 : 1.0;
+    x->liftoff_angle = mode->liftoff_angle;
+    x->driving = tdmf_is_loaded(mode) ? mode->phase == TDMF_PHASE_DRIVE : mode->mid_stance_pending;
+    x->thrusting = mode->thrusts;
+    x->rises_again = rises_again;
+    x->touchdown_time = long_ago;
+}
+
+static tdmf_contact_mode contact_of(int mode, double way) {
+    switch (mode) {
+    case MODE_stick:
+        return TDMF_CONTACT_STICK;
+    case MODE_slip_constant:
+    case MODE_slip_falling:
+        return way > 0.0 ? TDMF_CONTACT_SLIP_POSITIVE : TDMF_CONTACT_SLIP_NEGATIVE;
+    case MODE_graze_place:
+    case MODE_graze_rest:
+    case MODE_graze_retract:
+        return TDMF_CONTACT_GRAZE;
+    default:
+        return TDMF_CONTACT_FLIGHT;
+    }
+}
+
+static bool is_in_place(int mode) {
+    return mode == MODE_flight_place_calm || mode == MODE_flight_place_pushed || mode == MODE_graze_place;
+}
+
+static bool is_at_rest(int mode) {
+    return mode == MODE_flight_rest_calm || mode == MODE_flight_rest_pushed || mode == MODE_graze_rest;
+}
+
+/* Whether an apex is to come. In place it is after an impact that began while the centre of mass rose. */
+static bool rises(const tdmf_model *model, const tdmf_page_point *point, const tdmf_mode *mode) {
+    const runner_states *x = &point->x;
+    const tdmf_ground_line *ground = &mode->ground;
+    if (mode->phase == TDMF_PHASE_RETRACT || mode->contact == TDMF_CONTACT_FLIGHT) {
+        return mode->phase == TDMF_PHASE_RETRACT || (point->above >> EVENT_apex & 1) != 0;
+    }
+    const double along = x->foot_vx + model->body_share * x->vx, off = model->body_share * x->vy;
+    return x->rises_again > 0.0 && ground->sine * along + ground->cosine * off > 0.0;
+}
+
+void tdmf_mode_of_page(tdmf_system system, const tdmf_page_point *point, int last_mode, tdmf_mode *mode) {
+    const runner_states *x = &point->x;
+    const bool fallen = point->mode == MODE_fallen;
+    const int at = fallen ? last_mode : point->mode;
+    if (at == MODE_fallen) {
+        return; /* it had fallen before */
+    }
+    tdmf_inputs inputs = *system.inputs;
+    inputs.leg.extension = x->extension;
+    mode->contact = contact_of(at, x->way);
+    if (tdmf_is_loaded(mode)) {
+        mode->phase = x->driving > 0.0 ? TDMF_PHASE_DRIVE : TDMF_PHASE_COAST;
+    } else {
+        mode->phase = is_in_place(at) ? TDMF_PHASE_PLACE : TDMF_PHASE_RETRACT;
+    }
+    mode->zone = tdmf_sign_of_slip(mode) != 0.0 ? (tdmf_zone)(int)x->segment : TDMF_ZONE_BEFORE;
+    mode->liftoff_angle = x->liftoff_angle;
+    mode->mid_stance_pending = x->driving > 0.0;
+    mode->clamp_closed = is_at_rest(at);
+    mode->thrusts = x->thrusting > 0.0;
+    mode->rises = !tdmf_is_loaded(mode) && rises(system.model, point, mode);
+    mode->rest_length = tdmf_rest_length(system.model, &inputs, mode);
+    if (mode->ground.height != x->height || mode->ground.slope != x->slope) {
+        mode->ground = tdmf_ground_line_of(x->height, x->slope);
+    }
+    mode->fallen = fallen;
+}
+
+/* ---- the motion ---------------------------------------------------------------------------------------- */
+
+/* Works that a jump of the rest length since the motion was written has done on the spring. */
+static double work_of_jump(tdmf_system system, const tdmf_motion *motion) {
+    const double before = motion->mode.rest_length;
+    const double after = tdmf_rest_length(system.model, system.inputs, &motion->mode);
+    return after == before
+               ? 0.0
+               : tdmf_leg_work_of_jump(system.model, motion->state[TDMF_LEG_LENGTH], before, after);
+}
+
+tdmf_page_point tdmf_page_of_motion(tdmf_system system, const tdmf_inputs *rates, const tdmf_motion *motion) {
+    tdmf_page_point point = {.p = tdmf_page_parameters(&system.model->parameters, system.inputs)};
+    runner_states *x = &point.x;
+    tdmf_write_page_inputs(system.inputs, x);
+    write_rates(rates, x);
+    tdmf_read_page_state(motion->state, x);
+    x->leg_work += work_of_jump(system, motion);
+    read_mode(&motion->mode, x);
+    read_ground(system.model, motion, x, &point.p);
+    read_open_stride(motion, motion->mode.ground.cosine, x);
+    read_record(&motion->record, x);
+    point.mode = page_mode_of(&motion->mode, x);
+    point.above = (uint64_t)(x->rises_again > 0.0) << EVENT_apex;
+    const tdmf_mode_kind *mode = &tdmf_runner_model.modes[point.mode];
+    if (mode->from_world) {
+        const runner_states seen = *x;
+        mode->from_world((const double *)&point.p, (const double *)&seen, (double *)x);
+    }
+    return point;
+}
+
+void tdmf_motion_of_page(tdmf_system system, const tdmf_page_point *point, int last_mode,
+                         tdmf_motion *motion) {
+    const tdmf_instant begin = tdmf_instant_of(motion);
+    const tdmf_mode_kind *kind = &tdmf_runner_model.modes[point->mode];
+    runner_states x = point->x;
+    if (kind->to_world) {
+        kind->to_world((const double *)&point->p, (const double *)&point->x, (double *)&x);
+    }
+    tdmf_write_page_state(&x, motion->state);
+    tdmf_mode_of_page(system, point, last_mode, &motion->mode);
+    write_record(system.model, begin, &motion->mode, &x, &motion->record);
+    motion->record.progress.now = tdmf_instant_after(tdmf_instant_after(begin, point->time), point->rest);
+    motion->time = motion->record.progress.now.time;
+}

@@ -1,0 +1,35 @@
+/* A motion as the runner's page sees it, and back.
+ *
+ * The page's time begins at 0, where the motion stands, so that a run at any time of an epoch is as exact as
+ * one at 0. A motion stores the world's states; the coordinates of its mode follow from them.
+ */
+#ifndef TDMF_RUNNER_PAGE_MOTION_H
+#define TDMF_RUNNER_PAGE_MOTION_H
+
+#include "driver.h"
+#include "runner.h"
+#include "tdmf_slip/motion.h"
+#include "tdmf_slip/parameters.h"
+#include "tdmf_slip/variation.h"
+
+/* A run of the whole page at an instant. */
+typedef struct {
+    runner_parameters p;
+    runner_states x;
+    int mode;          /* a MODE_ of the whole page */
+    uint64_t above;    /* as in tdmf_page_run */
+    double time, rest; /* since the motion that was read: the sum of both */
+} tdmf_page_point;
+
+/* Reads a motion under its inputs, which are ramped. */
+tdmf_page_point tdmf_page_of_motion(tdmf_system system, const tdmf_inputs *rates, const tdmf_motion *motion);
+
+/* Writes a point that a run of the page has come to into the motion that it began with. A fallen runner keeps
+ * contact and phase of the mode in which it fell, `last_mode`. */
+void tdmf_motion_of_page(tdmf_system system, const tdmf_page_point *point, int last_mode,
+                         tdmf_motion *motion);
+
+/* Writes the mode of a point; of the mode before are kept those parts that the page has no name for. */
+void tdmf_mode_of_page(tdmf_system system, const tdmf_page_point *point, int last_mode, tdmf_mode *mode);
+
+#endif

@@ -1,0 +1,48 @@
+/* A run of the runner's page: of the plain page where the runner has no more than that, else of the whole
+ * one.
+ *
+ *     tdmf_page_point point = tdmf_page_of_motion(system, rates, motion);
+ *     tdmf_runner_run run;
+ *     tdmf_begin_runner_run(&run, &point, tdmf_suits_plain_page(&point));
+ *     ... the driver or a batch takes run.run on, a run of run.model ...
+ *     tdmf_end_runner_run(&run, &point);
+ *     tdmf_motion_of_page(system, &point, last_mode, motion);
+ */
+#ifndef TDMF_RUNNER_PAGE_RUN_H
+#define TDMF_RUNNER_PAGE_RUN_H
+
+#include "page_motion.h"
+
+enum {
+    TDMF_PAGE_PARAMETER_COUNT = sizeof(runner_parameters) / sizeof(double),
+    TDMF_PAGE_STATE_COUNT = sizeof(runner_states) / sizeof(double)
+};
+
+typedef struct {
+    const tdmf_model_kind *model;
+    bool is_plain;
+    tdmf_page_run run;
+    double p[TDMF_PAGE_PARAMETER_COUNT], x[TDMF_PAGE_STATE_COUNT]; /* of the page that runs */
+} tdmf_runner_run;
+
+/* Whether the plain page has all that acts on this runner. */
+bool tdmf_suits_plain_page(const tdmf_page_point *point);
+
+/* Begins a run at a point, at the time 0 of the page, with the defaults of tdmf_run_default. */
+void tdmf_begin_runner_run(tdmf_runner_run *run, const tdmf_page_point *point, bool is_plain);
+
+/* Writes where the run has come to into the point at which it began. */
+void tdmf_end_runner_run(const tdmf_runner_run *run, tdmf_page_point *point);
+
+/* The mode and the event of the whole page for one of the page that runs. */
+int tdmf_mode_in_whole(bool is_plain, int mode);
+int tdmf_event_in_whole(bool is_plain, int event);
+int tdmf_event_of_whole(bool is_plain, int event); /* -1 for -1 */
+
+/* Copies parameters or states of the whole page to those of the page that runs, and back. */
+void tdmf_take_parameters(bool is_plain, const double *whole, double *own);
+void tdmf_take_states(bool is_plain, const double *whole, double *own);
+void tdmf_give_parameters(bool is_plain, const double *own, double *whole);
+void tdmf_give_states(bool is_plain, const double *own, double *whole);
+
+#endif

@@ -1,0 +1,39 @@
+/* The native solver's runs on the page, for the return map and for the functions of solver.h. */
+#ifndef TDMF_RUNNER_PAGE_SOLVER_H
+#define TDMF_RUNNER_PAGE_SOLVER_H
+
+#include "page_variation.h"
+#include "tdmf_slip/solver.h"
+
+/* A run under the limits of a solver, and its variations. */
+typedef struct {
+    tdmf_solver *solver;
+    tdmf_system system;
+    const tdmf_motion *motion; /* for the log, or NULL */
+    tdmf_page_point point;
+    tdmf_runner_run run;
+    int last_mode;       /* of the whole page: where the run was before it fell */
+    double span_began;   /* in page time: steps since then are counted against TDMF_STIFFNESS_LIMIT */
+    bool has_stopped;    /* at the event asked for */
+    bool stays_on_guard; /* at that event variations are those on its guard, not those at its time */
+    /* Variations of all directions, as the page that runs has them. */
+    double dp[TDMF_VARIATION_LIMIT * TDMF_PAGE_PARAMETER_COUNT];
+    double dx[TDMF_VARIATION_LIMIT * TDMF_PAGE_STATE_COUNT];
+    double shift[TDMF_VARIATION_LIMIT];
+} tdmf_page_solver;
+
+/* Begins at a point, which may be one of a motion. `is_plain`: on the plain page. */
+void tdmf_begin_page_solver(tdmf_page_solver *s, tdmf_solver *solver, tdmf_system system,
+                            const tdmf_page_point *point, bool is_plain);
+
+/* Adds a direction. */
+void tdmf_add_direction(tdmf_page_solver *s, const tdmf_page_direction *direction);
+
+/* Runs for a time, or to an event of the whole page; -1: to none. Events are logged by what they make of
+ * `motion`. */
+tdmf_outcome tdmf_run_page_solver(tdmf_page_solver *s, double duration, int stop_event);
+
+/* The direction number i at the end of the run. */
+tdmf_page_direction tdmf_direction_at_end(const tdmf_page_solver *s, int i);
+
+#endif
