@@ -356,16 +356,22 @@ class PageRun:
         self.of.library.tdmf_run_message(*given, text, c_size_t(len(text)))
         return text.value.decode()
 
+    def sample_at(self, times):
+        """Have the run sample its outputs at some times. Returns arrays by time and output, for their values,
+        and by time, seed and output, for their variations."""
+        times, count = np.array(times, dtype=float), len(self.of.outputs)
+        self.sampled = times, np.zeros((len(times), count)), np.zeros((len(times), len(self.seeds), count))
+        run = self.run
+        run.sample_times, run.samples, run.d_samples = (a.ctypes.data for a in self.sampled)
+        run.sample_count, run.sampled = len(times), 0
+        return self.sampled[1:]
+
     def sample(self, times):
         """Outputs at some times, by time and output, and their variations, by time, seed and output."""
-        times, count = np.array(times, dtype=float), len(self.of.outputs)
-        values, varied = np.zeros((len(times), count)), np.zeros((len(times), len(self.seeds), count))
-        run = self.run
-        run.sample_times, run.samples, run.d_samples = (a.ctypes.data for a in (times, values, varied))
-        run.sample_count, run.sampled = len(times), 0
+        values, varied = self.sample_at(times)
         self.to(times[-1])
-        run.sample_count = 0
-        return values[: run.sampled], varied[: run.sampled]
+        self.run.sample_count = 0
+        return values[: self.run.sampled], varied[: self.run.sampled]
 
     @property
     def time(self):

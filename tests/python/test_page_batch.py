@@ -162,6 +162,32 @@ def test_random_runs_with_everything_on_end_as_the_driver_ends_them(whole, width
     assert 50 < len(mine) < 150
 
 
+@pytest.mark.parametrize("count", [1, 3, 25])
+def test_batches_sample_as_the_driver_does(whole, count):
+    """Densely and rarely, at events, beyond the end, and in runs that fall."""
+
+    def runs():
+        made = []
+        for i in range(count):
+            random = np.random.default_rng([3, i])
+            given = world_of(np.array(APEX) + random.uniform(-0.05, 0.05, 6)) | {"friction": 0.4}
+            run = whole.start(seeds=["friction", "length"], ground_slope=0.03 * (i % 3), **given)
+            times = np.sort(random.uniform(-1, 40, 3 + 40 * (i % 4)))
+            run.sample_at([0.0, 0.0, *times[times > 0], *times[-1:], 1e9])
+            made.append(run)
+        return made
+
+    wanted = driven(runs(), 30.0)
+    assert all(0 < run.run.sampled < len(run.sampled[0]) for run in wanted)
+    for width in widths_of(whole):
+        mine = runs()
+        run_batch(mine, 30.0, width=width)
+        for run, other in zip(mine, wanted, strict=True):
+            assert bits(run) == bits(other)
+            assert run.run.sampled == other.run.sampled
+            assert [a.tobytes() for a in run.sampled] == [a.tobytes() for a in other.sampled]
+
+
 def test_threads_decide_nothing(hopper):
     wanted = [bits(run) for run in driven([random_hopper(hopper, i) for i in range(300)], 10.0)]
     for threads in (2, 5):

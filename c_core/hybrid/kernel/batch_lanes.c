@@ -29,7 +29,7 @@ typedef struct {
 typedef struct {
     page_step step;
     mask live, moved, stops, is_shifted; /* moved: time has passed since the mode began */
-    real time, time_rest, until, steps, last_step;
+    real time, time_rest, until, steps, last_step, next_sample;
     real *x, *rates;      /* of the states that change */
     real *dx, *d, *shift; /* by seed: variations of these states and of the constants */
     int runner_in[LANES]; /* or NOBODY */
@@ -45,6 +45,7 @@ typedef struct {
     lane_batch *batches;
     real (*s)[TERMS], (*t)[TERMS]; /* series, and their variations for one seed */
     observed_part *observed;
+    real *x_within, *dx_within; /* states that change, at a time within a step, and their variations */
     int mode_of_series;
     runner *runners;
     mode_start at; /* of one runner */
@@ -97,6 +98,9 @@ static void go_on(lane_pool *w, int index, tdmf_run_outcome outcome) {
         const run_state *state = &w->runners[index].state;
         const bool is_late = state->r->steps >= state->last_step;
         if (outcome == TDMF_RUN_GOES_ON && (is_late || w->model->modes[state->r->mode].ends)) {
+            if (!is_late) {
+                tdmf_sample_here(w->model, state->r);
+            }
             outcome = conclude(w, index, is_late ? TDMF_RUN_TOO_MANY_STEPS : TDMF_RUN_ENDED);
         }
         if (outcome == TDMF_RUN_GOES_ON) {
@@ -142,6 +146,7 @@ static void load_runner(lane_pool *w, lane_batch *b, int lane, const run_state *
     set_lane(&b->until, lane, until);
     set_lane(&b->steps, lane, (double)r->steps);
     set_lane(&b->last_step, lane, (double)state->last_step);
+    set_lane(&b->next_sample, lane, tdmf_next_sample(r));
 }
 
 static void fill_lanes(lane_pool *w, lane_batch *b) {
@@ -163,16 +168,20 @@ static void fill_lanes(lane_pool *w, lane_batch *b) {
     }
 }
 
+/* Copies the changing states of a lane, or their variations along a seed, to those of its runner. */
+static void unload_states(const lane_batch *b, int lane, const real *changing, double *x) {
+    for (int i = 0; i < changing_count(&b->step); ++i) {
+        x[changing_state(&b->step, i)] = lane_of(&changing[changing_place(&b->step, i)], lane);
+    }
+}
+
 /* Copies the numbers of a lane to its runner, and those of its guards to `at`, and empties the lane. */
 static int leave_lane(lane_pool *w, lane_batch *b, int lane) {
     const int index = b->runner_in[lane], count = changing_count(&b->step);
     tdmf_page_run *r = run_of(w, index);
-    for (int i = 0; i < count; ++i) {
-        const int of = changing_state(&b->step, i), place = changing_place(&b->step, i);
-        r->x[of] = lane_of(&b->x[place], lane);
-        for (int seed = 0; seed < w->seed_count; ++seed) {
-            r->dx[seed * w->model->state_count + of] = lane_of(&b->dx[seed * count + place], lane);
-        }
+    unload_states(b, lane, b->x, r->x);
+    for (int seed = 0; seed < w->seed_count; ++seed) {
+        unload_states(b, lane, b->dx + seed * count, r->dx + seed * w->model->state_count);
     }
     w->work->steps += (int64_t)(lane_of(&b->steps, lane) - (double)r->steps);
     r->time = lane_of(&b->time, lane);
@@ -262,6 +271,136 @@ static void shift_back(const lane_pool *w, lane_batch *b, mask lanes) {
     b->is_shifted &= mask_not(lanes);
 }
 
+/* ---- variations ---------------------------------------------------------------------------------------- */
+
+/* Expands the variations of a seed. */
+static void expand_variation(const lane_pool *w, const lane_batch *b, int seed) {
+    const tdmf_motion_kind *m = b->step.motion;
+    const real *dx = &b->dx[seed * changing_count(&b->step)];
+    for (int i = 0; i < m->moving_count; ++i) {
+        w->t[i][0] = dx[i];
+    }
+    m->vary(b->step.c, w->s[0], &b->d[seed * m->constant_count], b->step.order, w->t[0]);
+}
+
+/* Goes on with the variations that were expanded. `after_event`: lanes whose step begins at an event, whose
+ * time varies. */
+static void advance_variation(const lane_pool *w, const lane_batch *b, int seed, mask goes, mask after_event,
+                              real *dx) {
+    const page_step *step = &b->step;
+    const tdmf_motion_kind *m = step->motion;
+    const real shift = select(after_event, b->shift[seed], broadcast(0.0));
+    for (int i = 0; i < step->observed_count; ++i) {
+        real *varied = &dx[changing_place(step, m->moving_count + i)];
+        *varied = observed_variation(step, i, &b->d[seed * m->constant_count], w->t, shift, *varied);
+    }
+    for (int i = 0; i < m->moving_count; ++i) {
+        dx[i] = select(goes, sum_of(w->t[i], step->power, step->order), dx[i]);
+    }
+}
+
+/* ---- samples ------------------------------------------------------------------------------------------- */
+
+/* Makes the samples that are due at the beginning of a step. */
+static void sample_here(const lane_pool *w, lane_batch *b, mask lanes) {
+    const int count = changing_count(&b->step);
+    lanes &= b->next_sample <= b->time;
+    for (int lane = 0; lane < LANES && any(lanes); ++lane) {
+        if (has_lane(&lanes, lane)) {
+            tdmf_page_run *r = run_of(w, b->runner_in[lane]);
+            r->time = lane_of(&b->time, lane);
+            unload_states(b, lane, b->x, r->x);
+            for (int seed = 0; seed < w->seed_count; ++seed) {
+                unload_states(b, lane, b->dx + seed * count, r->dx + seed * w->model->state_count);
+            }
+            tdmf_sample_here(w->model, r);
+            set_lane(&b->next_sample, lane, tdmf_next_sample(r));
+        }
+    }
+}
+
+/* Finds the changing states at times within the step, which it sets the powers of. */
+static void states_within(const lane_pool *w, lane_batch *b, real elapsed, mask lanes) {
+    page_step *step = &b->step;
+    const int moving_count = step->motion->moving_count;
+    set_powers(step->power, elapsed, step->order);
+    for (int i = 0; i < step->observed_count; ++i) {
+        w->x_within[moving_count + i] = b->x[moving_count + i];
+    }
+    for (int i = 0; i < step->observed_count; ++i) {
+        real *value = &w->x_within[changing_place(step, moving_count + i)];
+        *value = observe(step, i, *value, lanes & (elapsed > 0.0));
+    }
+    for (int i = 0; i < moving_count; ++i) {
+        w->x_within[i] = value_at_end(step, i);
+    }
+}
+
+/* Copies a sampled lane's states to its runner's, which the end of the step overwrites. */
+static tdmf_page_run *sampled_run(const lane_pool *w, const lane_batch *b, int lane) {
+    tdmf_page_run *r = run_of(w, b->runner_in[lane]);
+    unload_states(b, lane, w->x_within, r->x);
+    return r;
+}
+
+/* The variations along a seed of the samples that a step has made since the first ones. */
+static void vary_samples(const lane_pool *w, lane_batch *b, int seed, const int first[LANES], mask lanes,
+                         mask after_event) {
+    const int count = changing_count(&b->step);
+    for (int more = 0; any(lanes); ++more) {
+        real elapsed = broadcast(0.0);
+        for (int lane = 0; lane < LANES; ++lane) {
+            const tdmf_page_run *r = has_lane(&lanes, lane) ? run_of(w, b->runner_in[lane]) : NULL;
+            if (r && first[lane] + more < r->sampled && r->d_samples) {
+                const double time = r->sample_times[first[lane] + more];
+                set_lane(&elapsed, lane, time - lane_of(&b->time, lane));
+            } else {
+                set_mask(&lanes, lane, false);
+            }
+        }
+        states_within(w, b, elapsed, lanes);
+        memcpy(w->dx_within, b->dx + seed * count, (size_t)count * sizeof *w->dx_within);
+        advance_variation(w, b, seed, lanes, after_event, w->dx_within);
+        for (int lane = 0; lane < LANES; ++lane) {
+            if (has_lane(&lanes, lane)) {
+                tdmf_page_run *r = sampled_run(w, b, lane);
+                double *dx = r->dx + seed * w->model->state_count;
+                unload_states(b, lane, w->dx_within, dx);
+                tdmf_vary_sample(w->model, r, first[lane] + more, seed, r->x, dx);
+            }
+        }
+    }
+}
+
+/* Makes the samples within steps that last for `elapsed`, before the runs are advanced. */
+static void sample_within(const lane_pool *w, lane_batch *b, real elapsed, mask goes, mask after_event) {
+    const mask sampled = goes & (b->next_sample - b->time < elapsed);
+    int first[LANES] = {0};
+    if (!any(sampled)) {
+        return;
+    }
+    for (int lane = 0; lane < LANES; ++lane) {
+        first[lane] = has_lane(&sampled, lane) ? run_of(w, b->runner_in[lane])->sampled : 0;
+    }
+    for (mask lanes = sampled; any(lanes); lanes &= b->next_sample - b->time < elapsed) {
+        states_within(w, b, b->next_sample - b->time, lanes);
+        for (int lane = 0; lane < LANES; ++lane) {
+            if (has_lane(&lanes, lane)) {
+                tdmf_page_run *r = sampled_run(w, b, lane);
+                tdmf_write_sample(w->model, r, r->sampled++, r->x);
+                set_lane(&b->next_sample, lane, tdmf_next_sample(r));
+            }
+        }
+    }
+    for (int seed = 0; seed < w->seed_count; ++seed) {
+        expand_variation(w, b, seed);
+        vary_samples(w, b, seed, first, sampled, after_event);
+    }
+    set_powers(b->step.power, elapsed, b->step.order);
+}
+
+/* ---- the end of a step --------------------------------------------------------------------------------- */
+
 /* Adds to the time and keeps the rounding error, as tdmf_pass_time does. */
 static void pass_time(lane_batch *b, real elapsed, real left, mask goes) {
     const page_step *step = &b->step;
@@ -273,27 +412,6 @@ static void pass_time(lane_batch *b, real elapsed, real left, mask goes) {
     b->steps += select(goes, broadcast(1.0), broadcast(0.0));
 }
 
-/* `after_event`: lanes whose step begins at an event, whose time varies. */
-static void advance_variations(const lane_pool *w, lane_batch *b, mask goes, mask after_event) {
-    page_step *step = &b->step;
-    const tdmf_motion_kind *m = step->motion;
-    for (int seed = 0; seed < w->seed_count; ++seed) {
-        real *dx = &b->dx[seed * changing_count(step)], *d = &b->d[seed * m->constant_count];
-        const real shift = select(after_event, b->shift[seed], broadcast(0.0));
-        for (int i = 0; i < m->moving_count; ++i) {
-            w->t[i][0] = dx[i];
-        }
-        m->vary(step->c, w->s[0], d, step->order, w->t[0]);
-        for (int i = 0; i < step->observed_count; ++i) {
-            real *varied = &dx[changing_place(step, m->moving_count + i)];
-            *varied = observed_variation(step, i, d, w->t, shift, *varied);
-        }
-        for (int i = 0; i < m->moving_count; ++i) {
-            dx[i] = select(goes, sum_of(w->t[i], step->power, step->order), dx[i]);
-        }
-    }
-}
-
 static void advance(const lane_pool *w, lane_batch *b, real left, mask goes, mask after_event) {
     page_step *step = &b->step;
     const int moving_count = step->motion->moving_count;
@@ -301,11 +419,15 @@ static void advance(const lane_pool *w, lane_batch *b, real left, mask goes, mas
         trust_observed(step, i, b->x[changing_place(step, moving_count + i)], goes);
     }
     const real elapsed = end_step(step);
+    sample_within(w, b, elapsed, goes, after_event);
     for (int i = 0; i < step->observed_count; ++i) {
         real *value = &b->x[changing_place(step, moving_count + i)];
         *value = observe(step, i, *value, goes & (elapsed > 0.0));
     }
-    advance_variations(w, b, goes, after_event);
+    for (int seed = 0; seed < w->seed_count; ++seed) {
+        expand_variation(w, b, seed);
+        advance_variation(w, b, seed, goes, after_event, &b->dx[seed * changing_count(step)]);
+    }
     for (int i = 0; i < moving_count; ++i) {
         b->x[i] = select(goes, value_at_end(step, i), b->x[i]);
     }
@@ -366,6 +488,7 @@ static void step_lanes(lane_pool *w, int number) {
     const mask stops = b->live & b->stops & mask_not(overflows | fails | step->is_due);
     const mask after_event = goes & b->is_shifted;
     shift_back(w, b, after_event);
+    sample_here(w, b, goes);
     const mask arrives = goes & mask_not(left > 0.0);
     goes &= mask_not(arrives);
     advance(w, b, left, goes, after_event);
@@ -432,7 +555,8 @@ static void cancel(lane_pool *w) {
 static size_t reals_of_mode(const lane_pool *w, int number) {
     const tdmf_motion_kind *m = &w->motions[number];
     const int changing = m->moving_count + (w->observes ? w->model->modes[number].watch_count : 0);
-    return (size_t)(3 * changing + m->constant_count + w->seed_count * (changing + m->constant_count + 1));
+    const size_t by_seed = (size_t)changing + (size_t)m->constant_count + 1;
+    return 3 * (size_t)changing + (size_t)m->constant_count + (size_t)w->seed_count * by_seed;
 }
 
 static real *place_batch(lane_pool *w, int number, real *next) {
@@ -479,7 +603,7 @@ static void run_pool(lane_pool *w, int under_way) {
 
 /* Reals of the series and of all modes. */
 static size_t reals_of_pool(const lane_pool *w) {
-    size_t reals = 2 * (size_t)w->model->series_count * TERMS;
+    size_t reals = 2 * (size_t)(w->model->series_count * TERMS + w->model->state_count + TDMF_WATCH_LIMIT);
     for (int number = 0; number < w->model->mode_count; ++number) {
         reals += reals_of_mode(w, number);
     }
@@ -504,7 +628,9 @@ static void place_pool(lane_pool *w, int under_way, char *memory) {
     w->observed = (void *)(w->batches + model->mode_count);
     w->s = (void *)(w->observed + TDMF_WATCH_LIMIT);
     w->t = w->s + model->series_count;
-    real *next = (real *)(w->t + model->series_count);
+    w->x_within = (real *)(w->t + model->series_count);
+    w->dx_within = w->x_within + model->state_count + TDMF_WATCH_LIMIT;
+    real *next = w->dx_within + model->state_count + TDMF_WATCH_LIMIT;
     for (int number = 0; number < model->mode_count; ++number) {
         next = place_batch(w, number, next);
     }

@@ -124,28 +124,6 @@ static void advance_variation(const work *w, int seed, double *dx) {
 
 /* ---- samples ------------------------------------------------------------------------------------------- */
 
-static const double *next_sample(const tdmf_page_run *r) {
-    return r->sampled < r->sample_count ? &r->sample_times[r->sampled] : NULL;
-}
-
-static double *variation_of_sample(const work *w, int sample, int seed) {
-    const tdmf_page_run *r = w->state->r;
-    return r->d_samples + (size_t)(sample * r->seed_count + seed) * (size_t)w->state->model->output_count;
-}
-
-/* Samples the outputs at the beginning of a step. */
-static void sample_here(work *w) {
-    tdmf_page_run *r = w->state->r;
-    for (const double *time = next_sample(r); time && *time <= r->time; time = next_sample(r)) {
-        const int sample = r->sampled++;
-        w->mode->outputs(r->p, r->x, r->samples + sample * w->state->model->output_count);
-        for (int seed = 0; seed < r->seed_count && r->d_samples; ++seed) {
-            const double *dp = r->dp + seed * w->state->model->parameter_count;
-            w->mode->vary_outputs(r->p, r->x, dp, seed_dx(w, seed), variation_of_sample(w, sample, seed));
-        }
-    }
-}
-
 /* Writes the states at a time within the step, whose powers it sets. */
 static void states_within(work *w, double elapsed, double *x) {
     set_powers(w->step.power, elapsed, w->step.order);
@@ -154,27 +132,28 @@ static void states_within(work *w, double elapsed, double *x) {
     advance_states(w, x);
 }
 
-/* Samples the outputs within a step that lasts for `elapsed`, before the run is advanced. */
+/* Makes the samples within a step that lasts for `elapsed`, before the run is advanced. */
 static void sample_within(work *w, double elapsed) {
     tdmf_page_run *r = w->state->r;
     const tdmf_model_kind *model = w->state->model;
+    double *x = w->at->room, *dx = w->at->rates;
     const int first = r->sampled;
-    for (const double *time = next_sample(r); time && *time - r->time < elapsed; time = next_sample(r)) {
-        states_within(w, *time - r->time, w->at->room);
-        w->mode->outputs(r->p, w->at->room, r->samples + r->sampled++ * model->output_count);
+    while (tdmf_next_sample(r) - r->time < elapsed) {
+        states_within(w, tdmf_next_sample(r) - r->time, x);
+        tdmf_write_sample(model, r, r->sampled++, x);
     }
     for (int seed = 0; seed < r->seed_count && r->d_samples && r->sampled > first; ++seed) {
         vary(w, seed);
         for (int sample = first; sample < r->sampled; ++sample) {
-            double *dx = w->at->rates;
-            states_within(w, r->sample_times[sample] - r->time, w->at->room);
+            states_within(w, r->sample_times[sample] - r->time, x);
             memcpy(dx, seed_dx(w, seed), (size_t)model->state_count * sizeof *dx);
             advance_variation(w, seed, dx);
-            const double *dp = r->dp + seed * model->parameter_count;
-            w->mode->vary_outputs(r->p, w->at->room, dp, dx, variation_of_sample(w, sample, seed));
+            tdmf_vary_sample(model, r, sample, seed, x, dx);
         }
     }
-    set_powers(w->step.power, elapsed, w->step.order);
+    if (r->sampled > first) {
+        set_powers(w->step.power, elapsed, w->step.order);
+    }
 }
 
 /* ---- its end ------------------------------------------------------------------------------------------- */
@@ -183,9 +162,7 @@ static void sample_within(work *w, double elapsed) {
 static void advance(work *w) {
     trust_all_observed(w);
     const double elapsed = end_step(&w->step);
-    if (next_sample(w->state->r)) {
-        sample_within(w, elapsed);
-    }
+    sample_within(w, elapsed);
     observe_all(w, w->state->r->x);
     for (int seed = 0; seed < w->state->r->seed_count; ++seed) {
         vary(w, seed);
@@ -226,7 +203,7 @@ static tdmf_run_outcome to_event(work *w, double until) {
     tdmf_page_run *r = w->state->r;
     while (r->steps < w->state->last_step) {
         if (w->mode->ends) {
-            sample_here(w);
+            tdmf_sample_here(w->state->model, r);
             return TDMF_RUN_ENDED;
         }
         const double left = until - r->time - r->time_rest;
@@ -243,9 +220,7 @@ static tdmf_run_outcome to_event(work *w, double until) {
             if (r->is_shifted) {
                 shift_back(w);
             }
-            if (next_sample(r)) {
-                sample_here(w);
-            }
+            tdmf_sample_here(w->state->model, r);
             if (!(left > 0.0)) {
                 return TDMF_RUN_ARRIVED;
             }

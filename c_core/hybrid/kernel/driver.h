@@ -169,7 +169,7 @@ typedef struct {
     int log_size, log_count;
     /* Outputs at given times, which increase, with their variations by seed: `samples` has a row for each
      * time, `d_samples`, which may be NULL, one for each time and seed. Where an event is, outputs are those
-     * after it. Batches do not sample. */
+     * after it. */
     const double *sample_times;
     double *samples, *d_samples;
     int sample_count, sampled;

@@ -160,3 +160,30 @@ bool tdmf_take_event(run_state *state, const tdmf_guard_kind *kind, const mode_s
 tdmf_run_outcome tdmf_limit_reached(const run_state *state) {
     return state->r->chain > TDMF_PAGE_CHAIN_LIMIT ? TDMF_RUN_ENDLESS_CHAIN : TDMF_RUN_TOO_MANY_EVENTS;
 }
+
+/* ---- samples ------------------------------------------------------------------------------------------- */
+
+double tdmf_next_sample(const tdmf_page_run *r) {
+    return r->sampled < r->sample_count ? r->sample_times[r->sampled] : INFINITY;
+}
+
+void tdmf_write_sample(const tdmf_model_kind *model, const tdmf_page_run *r, int sample, const double *x) {
+    model->modes[r->mode].outputs(r->p, x, r->samples + (size_t)sample * (size_t)model->output_count);
+}
+
+void tdmf_vary_sample(const tdmf_model_kind *model, const tdmf_page_run *r, int sample, int seed,
+                      const double *x, const double *dx) {
+    const size_t row = (size_t)sample * (size_t)r->seed_count + (size_t)seed;
+    model->modes[r->mode].vary_outputs(r->p, x, r->dp + seed * model->parameter_count, dx,
+                                       r->d_samples + row * (size_t)model->output_count);
+}
+
+void tdmf_sample_here(const tdmf_model_kind *model, tdmf_page_run *r) {
+    while (tdmf_next_sample(r) <= r->time) {
+        const int sample = r->sampled++;
+        tdmf_write_sample(model, r, sample, r->x);
+        for (int seed = 0; seed < r->seed_count && r->d_samples; ++seed) {
+            tdmf_vary_sample(model, r, sample, seed, r->x, r->dx + seed * model->state_count);
+        }
+    }
+}

@@ -55,6 +55,17 @@ void tdmf_keep_guards(run_state *state, const mode_start *at);
 bool tdmf_take_event(run_state *state, const tdmf_guard_kind *kind, const mode_start *at);
 tdmf_run_outcome tdmf_limit_reached(const run_state *state);
 
+/* The time of the next sample; infinite: there is none. */
+double tdmf_next_sample(const tdmf_page_run *r);
+
+/* Makes all samples that are due where the run is. */
+void tdmf_sample_here(const tdmf_model_kind *model, tdmf_page_run *r);
+
+/* Writes a sample at states x, or its variation along a seed, at variations dx. */
+void tdmf_write_sample(const tdmf_model_kind *model, const tdmf_page_run *r, int sample, const double *x);
+void tdmf_vary_sample(const tdmf_model_kind *model, const tdmf_page_run *r, int sample, int seed,
+                      const double *x, const double *dx);
+
 /* The driver of any number of runs of the model, one after the other, and the numbers of memory that it
  * needs. */
 typedef struct tdmf_driver tdmf_driver;
