@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 import numpy as np
 from tdmf_slip.analysis.basin import basin
-from tdmf_slip.analysis.tracing import continue_branch
+from tdmf_slip.analysis.branches import continue_branch
 from tdmf_slip.checks import checked
 from tdmf_slip.fitting.fitted import fit
 from tdmf_slip.fitting.measurements import Measured, Measurements

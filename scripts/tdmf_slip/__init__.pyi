@@ -1,17 +1,15 @@
 from .analysis.basin import basin
 from .analysis.basin_result import Basin
-from .analysis.branch import Branch
+from .analysis.branches import Branch, continue_branch
 from .analysis.comparison import Comparison, compare
-from .analysis.curve import Curve
-from .analysis.curves import continue_curves
+from .analysis.curves import Curve, continue_curves
 from .analysis.first_passage import FirstPassage, strides_to_fall
 from .analysis.grid_result import GaitGrid
 from .analysis.rare_falls import RareFalls, rare_falls
 from .analysis.stride_map import stride_map
 from .analysis.strides_result import Strides
-from .analysis.sweep import Sweep, sweep
+from .analysis.sweeps import Sweep, sweep
 from .analysis.targeted import TargetNotMetError, find_gait
-from .analysis.tracing import continue_branch
 from .errors import GaitNotFoundError, InputError, RunError, TdmfSlipError
 from .feedback.controllability import Controllability, controllability
 from .feedback.feedback import Feedback

@@ -1,12 +1,12 @@
-"""Maps whose bifurcations are known in closed form, as families of fixed points to be followed."""
+"""Maps whose bifurcations are known in closed form, as problems to be followed."""
 
 import numpy as np
 from tdmf_slip import InputError, RunError
-from tdmf_slip.analysis.family import Family
+from tdmf_slip.analysis.branch_problem import BranchProblem
 from tdmf_slip.library.gait import Gait
 
 
-class MapFamily(Family):
+class MapProblem(BranchProblem):
     """Fixed points of the n-th iterate of x' = step(x, p), with derivatives by x and p.
 
     `step` gives the next point, the Jacobian, the change by the parameter, and the word.
@@ -14,10 +14,11 @@ class MapFamily(Family):
 
     def __init__(self, step, dimension, strides=1, low=-np.inf):
         self.step, self.strides, self.low = step, strides, low
-        self.name = self.along = "p"
+        self.names, self.doublings = ("p",), ()
         self.scales = np.ones(dimension + 1)
 
-    def strides_at(self, value, apex):
+    def strides_at(self, x):
+        apex, value = x[:-1], x[-1]
         if value < self.low:
             raise InputError(f"p = {value:g} is not allowed")
         point, jacobian, change = np.array(apex, dtype=float), np.eye(len(apex)), np.zeros(len(apex))
@@ -44,31 +45,24 @@ class MapFamily(Family):
             left_over=left_over,
         )
 
-    def residual(self, coordinates):
-        return self.evaluate(coordinates).left_over
+    def describe(self, x):
+        gait = self.strides_at(x)
+        return gait, np.hstack([gait.jacobian - np.eye(len(gait.apex)), gait.by_parameter[:, None]])
 
-    def linearize(self, coordinates):
-        gait = self.evaluate(coordinates)
-        return gait.left_over, self.rows(gait)
+    def residual(self, x):
+        return self.strides_at(x).left_over
 
-    def value_of(self, gait):
-        return gait.stride["p"]
+    def linearize(self, x):
+        gait, rows = self.describe(x)
+        return gait.left_over, rows
 
-    def gait(self, value, guess, *_near):
-        found = self.strides_at(value, guess)
-        for _ in range(50):
-            if found.error < 1e-13:
-                break
-            change = np.linalg.solve(np.eye(len(found.apex)) - found.jacobian, found.left_over)
-            found = self.strides_at(value, found.apex + change)
-        if not found.error < 1e-11:
-            raise RunError("no fixed point")
-        return found
+    def word_at(self, x):
+        return self.strides_at(x).word
 
     def beginning(self, value, guess, towards=1.0):
         """A first point, in the direction in which the parameter grows or falls."""
-        gait = self.gait(value, np.atleast_1d(np.array(guess, dtype=float)))
-        return self.point(gait, np.append(np.zeros(len(gait.apex)), towards))
+        goal = np.append(np.atleast_1d(np.array(guess, dtype=float)), value)
+        return self.correct(goal, self.towards(towards))
 
 
 def logistic(x, p):

@@ -5,8 +5,9 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from tdmf_slip import Runner, find_gait
-from tdmf_slip.analysis.bifurcations import special_points
-from tdmf_slip.analysis.family import Family, Point
+from tdmf_slip.analysis.branch_problem import BranchProblem
+from tdmf_slip.analysis.special_points import special_points
+from tdmf_slip.numerics.following import Point
 
 NAME = "leg.damping"
 
@@ -16,12 +17,12 @@ def gait():
     return find_gait(Runner({}))
 
 
-class Made(Family):
+class Made(BranchProblem):
     """A branch by its arclength s: eigenvalues, the parameter's value, and the word."""
 
     def __init__(self, gait, eigenvalues, value=lambda s: s, word=lambda s: "+0+"):
         self.gait, self.eigenvalues, self.at, self.word = gait, eigenvalues, value, word
-        self.name, self.scales = NAME, np.ones(7)
+        self.names, self.scales = (NAME,), np.ones(7)
 
     def made(self, s, along=1.0):
         jacobian = np.zeros((6, 6))
@@ -37,9 +38,16 @@ class Made(Family):
         )
         slope = (self.at(s + 1e-7) - self.at(s - 1e-7)) / 2e-7
         direction = np.array([1.0, 0, 0, 0, 0, 0, slope]) / np.hypot(1.0, slope)
-        return Point(gait, value, along * direction)
+        return Point(np.append(gait.apex, value), along * direction, gait, np.empty((6, 7)))
 
-    def on_plane(self, goal, normal, *_near):
+    def point(self, x, along):
+        return self.made(x[0], 1.0 if along[0] > 0.0 else -1.0)
+
+    def look(self, begin, end, across, _rows):
+        found = self.correct(0.5 * (begin + end), across)
+        return found.x, found.gait.word
+
+    def correct(self, goal, normal, _near=None):
         """Halves the way through the plane until the point is found."""
         low, high = goal[0] - 0.3, goal[0] + 0.3
 
@@ -54,7 +62,7 @@ class Made(Family):
         return self.made(high, 1.0 if normal[0] > 0.0 else -1.0)
 
     def reported(self, low=0.5, high=1.5):
-        _, specials = special_points(self, self.made(low), self.made(high))
+        specials = special_points(self, self.made(low), self.made(high))
         return [(special.kind, pytest.approx(special.value, abs=2e-6)) for special in specials]
 
 
@@ -82,7 +90,7 @@ def test_a_gait_is_stable_inside_the_unit_circle(gait):
 
 def test_located_where_it_is(gait):
     """However curved the way there is."""
-    found = special_points(made := Made(gait, lambda s: [real(-(s**9))]), made.made(0.5), made.made(1.5))[1]
+    found = special_points(made := Made(gait, lambda s: [real(-(s**9))]), made.made(0.5), made.made(1.5))
     assert [special.kind for special in found] == ["period doubling"]
     assert found[0].value == pytest.approx(1.0, abs=1e-10)
     assert found[0].between == (0.5, 1.5) and found[0].gait.runner[NAME] == found[0].value
@@ -147,15 +155,15 @@ def test_eigenvalues_may_jump_at_a_border(gait):
     ):
         made = Made(gait, lambda s, low=low, high=high: [low if s < 1.0 else high], word=word)
         assert made.reported() == [("word border", 1.0), *reported]
-        borders, _ = special_points(made, made.made(0.5), made.made(1.5))
-        assert [(border.before, border.after) for border in borders] == [("+0+", "+0-0+")]
+        border, *_ = special_points(made, made.made(0.5), made.made(1.5))
+        assert border.words == ("+0+", "+0-0+")
 
 
 def test_a_branch_that_cannot_be_parted_is_not_judged(gait):
     """Newton's method may come back to the same gait again and again."""
     made = Made(gait, lambda s: [real(-s, -s - 0.05)])
     made.between = lambda before, after, share: after
-    (special,) = special_points(made, made.made(0.5), made.made(1.5))[1]
+    (special,) = special_points(made, made.made(0.5), made.made(1.5))
     assert (special.kind, special.between) == ("unclassified", (0.5, 1.5))
     assert special.why == "0 eigenvalues outside the unit circle become 2"
     assert special.as_json() == {

@@ -9,7 +9,7 @@ import pytest
 from conftest import CLAMPED, some_of
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from tdmf_slip import Batch, InputError, Runner, continue_branch
-from tdmf_slip.analysis.continuation import gaits_over
+from tdmf_slip.analysis.branch_problem import gaits_over
 from tdmf_slip.library.binding import c, ffi
 from tdmf_slip.library.engine import FATES
 from tdmf_slip.pictures.branch_diagram import figure_of, values_of

@@ -7,11 +7,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 from tdmf_slip import InputError, RunError, Runner, find_gait
-from tdmf_slip.analysis.bifurcations import SHORTEST, special_points
-from tdmf_slip.analysis.continuation import gaits_over
-from tdmf_slip.analysis.family import Family, Point
+from tdmf_slip.analysis.branch_problem import BranchProblem, gaits_over
+from tdmf_slip.analysis.branches import trace
 from tdmf_slip.analysis.search import periodic_gait
-from tdmf_slip.analysis.tracing import trace
+from tdmf_slip.analysis.special_points import SHORTEST, special_points
 from tdmf_slip.variables.parameters import read_parameters
 from tdmf_slip.variables.table import FRICTION
 
@@ -171,7 +170,7 @@ def test_a_border_is_where_the_word_changes(preset, name, end):
         assert special.gait.word == border.after and special.value == border.value
 
 
-class Torn(Family):
+class Torn(BranchProblem):
     """Gaits between two others are not found."""
 
     def between(self, before, after, share):
@@ -179,42 +178,42 @@ class Torn(Family):
 
 
 def test_what_cannot_be_located_is_told_as_not_judged(human):
-    family = Family(human, FRICTION)
+    problem = BranchProblem(human, FRICTION)
     branch = trace(human, FRICTION, find_gait(human), 0.2)
     (fold,) = [special for special in branch.specials if special.kind == "fold"]
     around = branch.gaits[fold.index : fold.index + 2]
-    start, end = (family.point(gait, way * np.eye(7)[-1]) for gait, way in zip(around, (-1, 1), strict=True))
+    ways = zip(around, (-1.0, 1.0), strict=True)
+    start, end = (problem.start(gait, problem.towards(way)) for gait, way in ways)
     assert (start.rises, end.rises) == (False, True)
-    _, whole = special_points(family, start, end)
+    whole = special_points(problem, start, end)
     assert "fold" in [special.kind for special in whole]
-    no_borders, (torn,) = special_points(Torn(human, FRICTION), start, end)
-    assert torn.kind == "unclassified" and "the branch turns" in torn.why and not no_borders
-    assert torn.between == (start.value, end.value) and torn.gait is end.gait
+    (torn,) = special_points(Torn(human, FRICTION), start, end)
+    assert torn.kind == "unclassified" and "the branch turns" in torn.why
+    assert torn.between == (problem.value(start), problem.value(end)) and torn.gait is end.gait
 
 
 def test_a_border_on_which_the_branch_turns_is_not_judged(human):
     """As near as gaits are told apart: no eigenvalue has to be 1 there, so that it is not called a fold."""
-    family = Family(human, FRICTION)
-    start = family.point(family.gait(0.6, find_gait(human).apex), np.append(np.zeros(6), -1.0))
-    end = family.on_plane(family.coordinates(start) + 0.5 * SHORTEST * start.tangent, start.tangent)
-    other = Point(replace(end.gait, word="+0-0+"), end.value, -start.tangent)
-    borders, specials = special_points(family, start, other)
+    problem = BranchProblem(human, FRICTION)
+    start = problem.start(find_gait(human), problem.towards(-1.0))
+    end = problem.correct(start.x + 0.5 * SHORTEST * start.tangent, start.tangent)
+    other = replace(end, gait=replace(end.gait, word="+0-0+"), tangent=-start.tangent)
+    specials = special_points(problem, start, other)
     assert [special.kind for special in specials] == ["word border", "unclassified"]
-    assert [(border.before, border.after) for border in borders] == [("+0+", "+0-0+")]
+    assert specials[0].words == ("+0+", "+0-0+")
     assert "the branch turns" in specials[1].why and specials[1].gait is other.gait
 
 
 def test_stability_that_changes_at_a_border_is_not_judged(human):
     """Eigenvalues may jump where a contact mode appears."""
-    family = Family(human, FRICTION)
+    problem = BranchProblem(human, FRICTION)
     branch = trace(human, FRICTION, find_gait(human), 0.41)
     word = branch.gaits[0].word
     last = next(k for k, gait in enumerate(branch.gaits) if gait.word != word)
-    towards = np.append(np.zeros(6), -1.0)
-    start, end = (family.point(gait, towards) for gait in branch.gaits[last - 1 : last + 1])
-    jumping = Point(replace(end.gait, jacobian=1.2 * end.gait.jacobian), end.value, end.tangent)
+    start, end = (problem.start(o, problem.towards(-1.0)) for o in branch.gaits[last - 1 : last + 1])
+    jumping = replace(end, gait=replace(end.gait, jacobian=1.2 * end.gait.jacobian))
     assert (start.gait.unstable, jumping.gait.unstable) == (0, 1)
-    _, specials = special_points(family, start, jumping)
+    specials = special_points(problem, start, jumping)
     assert [special.kind for special in specials if special.kind != "word border"] == ["unclassified"]
 
 
@@ -230,14 +229,14 @@ def test_the_first_step_is_predicted_along_the_right_parameter(runner):
 @pytest.fixture
 def looked(monkeypatch):
     """What gaits were looked for: value, guess, and the gait."""
-    honest, seen = Family.gait, []
+    honest, seen = BranchProblem.correct, []
 
-    def remembered(self, value, guess, *near):
-        gait = honest(self, value, guess, *near)
-        seen.append((value, np.array(guess), gait))
-        return gait
+    def remembered(self, goal, across, near=None):
+        found = honest(self, goal, across, near)
+        seen.append((self.value(found), goal[:-1] * self.scales[:-1], found.gait))
+        return found
 
-    monkeypatch.setattr(Family, "gait", remembered)
+    monkeypatch.setattr(BranchProblem, "correct", remembered)
     return seen
 
 
@@ -251,16 +250,17 @@ def test_gaits_are_predicted_along_the_branch(runner, looked):
 
 
 def test_steps_that_had_to_be_short_grow_again(runner, monkeypatch):
-    honest, values = Family.gait, []
+    honest, values = BranchProblem.correct, []
 
-    def hard_at_first(self, value, guess, *near):
+    def hard_at_first(self, goal, across, near=None):
+        (value,) = self.values(goal)
         if len(values) == 0 and abs(value - 0.2) > 0.0101:
             raise RunError("too far")
         values.append(value)
-        return honest(self, value, guess, *near)
+        return honest(self, goal, across, near)
 
     first = periodic_gait(runner, along="leg.damping")
-    monkeypatch.setattr(Family, "gait", hard_at_first)
+    monkeypatch.setattr(BranchProblem, "correct", hard_at_first)
     (last,) = gaits_over(runner, "leg.damping", [0.36], first)
     assert values == pytest.approx([0.21, 0.23, 0.27, 0.35, 0.36])
     assert last.runner["leg.damping"] == 0.36

@@ -5,30 +5,56 @@ from itertools import combinations
 
 import numpy as np
 import pytest
-from closed_form_maps import MapFamily, henon
+from closed_form_maps import MapProblem, henon
 from tdmf_slip import InputError, Runner, continue_branch, continue_curves
-from tdmf_slip.analysis.curve import Box
-from tdmf_slip.analysis.curves import curve_through
-from tdmf_slip.analysis.plane import Plane, bialternate
+from tdmf_slip.analysis.curves import BifurcationProblem, curve_through
+from tdmf_slip.analysis.special_points import bialternate
+from tdmf_slip.numerics.following import Limits
 from tdmf_slip.pictures.curve_diagram import figure_of
 
 ANGLE, DAMPING, FRICTION = "hip.touchdown_angle", "leg.damping", "ground.friction"
 
 
-class HenonPlane(Plane):
-    """Fixed points of the Henon map over a and b."""
+class MapCurve(BifurcationProblem):
+    """Bifurcations of the fixed points of x' = step(x, a, b), which gives by both parameters, too."""
 
-    def __init__(self, kind):
-        self.runner, self.names, self.kind, self.scales = None, ("a", "b"), kind, np.ones(4)
+    def __init__(self, step, dimension, kind):
+        self.runner, self.names, self.kind = None, ("a", "b"), kind
+        self.step, self.scales = step, np.ones(dimension + 2)
 
-    def strides_at(self, at, along):
-        *point, a, b = at
-        family = MapFamily(lambda point, a: self.step(point, a, b, along), 2)
-        return family.strides_at(a, point)
+    def problem(self, x, along):
+        *_, a, b = x
+        return MapProblem(lambda point, _: self.step(point, a, b, along), len(x) - 2)
 
-    def step(self, point, a, b, along):
-        image, jacobian, by_a, word = henon(point, a, b)
-        return image, jacobian, by_a if along == "a" else np.array([0.0, point[0]]), word
+    def by_apex(self, x):
+        gait, rows = self.problem(x, "a").describe(x[:-1])
+        return gait.left_over, rows[:, :-1]
+
+    def linearize(self, x):
+        gait, rows = self.describe(x)
+        return np.append(gait.left_over, self.singular(self.by_apex(x)[1])), rows
+
+    def describe(self, x):
+        gait, rows = self.problem(x, "a").describe(x[:-1])
+        rows = np.hstack([rows, self.problem(x, "b").describe(x[:-1])[1][:, -1:]])
+        return gait, np.vstack([rows, self._differentiated(x, rows)[1]])
+
+
+def henon_over_both(point, a, b, along):
+    image, jacobian, by_a, word = henon(point, a, b)
+    return image, jacobian, by_a if along == "a" else np.array([0.0, point[0]]), word
+
+
+def ring(x, a, b, along):
+    """x' = x + x^2 + a^2 + b^2 - 1, whose folds are at x = 0 on the unit circle."""
+    change = np.array([2 * (a if along == "a" else b)])
+    return x + x**2 + a**2 + b**2 - 1, np.array([1 + 2 * x]), change, "x"
+
+
+def followed(problem, at, low, high):
+    limits = Limits(np.array(low), np.array(high), parts=15.0)
+    start = problem.point(at, np.eye(len(at))[-1])
+    return curve_through(problem, start, limits, problem.kind)
 
 
 def fixed_point(a, b, sign=1.0):
@@ -44,8 +70,8 @@ def fixed_point(a, b, sign=1.0):
     ],
 )
 def test_curves_of_the_henon_map_are_parabolas(kind, a_of, start):
-    box = Box(np.array([-1.0, -0.5]), np.array([1.0, 0.5]))
-    curve = curve_through(HenonPlane(kind), box, fixed_point(a_of(start), start), 200)
+    problem = MapCurve(henon_over_both, 2, kind)
+    curve = followed(problem, fixed_point(a_of(start), start), [-1.0, -0.5], [1.0, 0.5])
     a, b = curve.points.T
     np.testing.assert_allclose(a, a_of(b), atol=1e-9)
     assert len(b) > 10 and curve.began == curve.ended == "edge of the ranges"
@@ -55,8 +81,8 @@ def test_curves_of_the_henon_map_are_parabolas(kind, a_of, start):
 
 def test_a_curve_of_neimark_sacker_points_ends_where_the_pair_becomes_real():
     """The Henon map has one at b = -1, between the double eigenvalues 1 at a = -1 and -1 at a = 3."""
-    box = Box(np.array([-2.0, -1.5]), np.array([4.0, -0.5]))
-    curve = curve_through(HenonPlane("Neimark-Sacker"), box, fixed_point(1.0, -1.0), 200)
+    problem = MapCurve(henon_over_both, 2, "Neimark-Sacker")
+    curve = followed(problem, fixed_point(1.0, -1.0), [-2.0, -1.5], [4.0, -0.5])
     np.testing.assert_allclose(curve.points[:, 1], -1.0, atol=1e-9)
     low, high = sorted(curve.points[[0, -1], 0])
     assert -1.3 < low < -0.6 and 2.6 < high < 3.4
@@ -64,24 +90,8 @@ def test_a_curve_of_neimark_sacker_points_ends_where_the_pair_becomes_real():
     assert all(end.startswith(("the eigenvalues become real", "lost")) for end in ends), ends
 
 
-class RingPlane(HenonPlane):
-    """x' = x + x^2 + a^2 + b^2 - 1, whose folds are at x = 0 on the unit circle."""
-
-    def __init__(self):
-        self.runner, self.names, self.kind, self.scales = None, ("a", "b"), "fold", np.ones(3)
-
-    def strides_at(self, at, along):
-        x, a, b = at
-        return MapFamily(lambda x, _: self.step(x, a, b, along), 1).strides_at(a, [x])
-
-    def step(self, x, a, b, along):
-        change = np.array([2 * (a if along == "a" else b)])
-        return x + x**2 + a**2 + b**2 - 1, np.array([1 + 2 * x]), change, "x"
-
-
 def test_a_curve_that_closes_is_followed_once():
-    box = Box(np.array([-2.0, -2.0]), np.array([2.0, 2.0]))
-    curve = curve_through(RingPlane(), box, np.array([0.0, 1.0, 0.0]), 200)
+    curve = followed(MapCurve(ring, 1, "fold"), np.array([0.0, 1.0, 0.0]), [-2.0, -2.0], [2.0, 2.0])
     assert curve.began == curve.ended == "closed: back where it has been"
     np.testing.assert_allclose(np.linalg.norm(curve.points, axis=1), 1.0, atol=1e-9)
     angles = np.unwrap(np.arctan2(*curve.points.T))

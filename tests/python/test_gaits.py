@@ -13,13 +13,13 @@ import xarray
 from conftest import CLAMPED, reference_gaits
 from tdmf_slip import Batch, InputError, RunError, Runner, find_gait
 from tdmf_slip.analysis import grid as grids
-from tdmf_slip.analysis import sweep as sweeps
-from tdmf_slip.analysis.borders import borders_between
-from tdmf_slip.analysis.continuation import gaits_over
+from tdmf_slip.analysis import sweeps
+from tdmf_slip.analysis.branch_problem import gaits_over
+from tdmf_slip.analysis.branches import trace
 from tdmf_slip.analysis.grid import grid
 from tdmf_slip.analysis.search import periodic_gait
-from tdmf_slip.analysis.sweep import sweep
-from tdmf_slip.analysis.tracing import trace
+from tdmf_slip.analysis.special_points import borders_between
+from tdmf_slip.analysis.sweeps import sweep
 from tdmf_slip.blocks import InTurn
 from tdmf_slip.cli.ranges import values_of
 from tdmf_slip.library.binding import c, ffi

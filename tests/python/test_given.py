@@ -11,7 +11,7 @@ import pytest
 import tdmf_slip
 from conftest import HANGS
 from tdmf_slip import InputError, RunError
-from tdmf_slip.analysis import continuation, fates, stability
+from tdmf_slip.analysis import branch_problem, fates, stability
 from tdmf_slip.fmu import batch
 from tdmf_slip.library.section import COORDINATES
 from tdmf_slip.variables.parameters import read_parameters
@@ -71,7 +71,7 @@ SAME = {
         pandas.Series([0.5, 0.6]),
     ),
     "gaits_over": (
-        lambda given, gait: [o.apex for o in continuation.gaits_over(gait.runner, FRICTION, given, gait)],
+        lambda given, gait: [o.apex for o in branch_problem.gaits_over(gait.runner, FRICTION, given, gait)],
         [0.58],
         pandas.Series([0.58]),
     ),

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 from closed_form_maps import (
-    MapFamily,
+    MapProblem,
     collision,
     delayed_logistic,
     falling,
@@ -17,19 +17,20 @@ from closed_form_maps import (
     two_sheets,
 )
 from tdmf_slip import RunError, Runner, find_gait
-from tdmf_slip.analysis import switching
-from tdmf_slip.analysis.continuation import walk
-from tdmf_slip.analysis.meeting import Track
-from tdmf_slip.analysis.next_point import reverse
-from tdmf_slip.analysis.steps import Limits, follow
-from tdmf_slip.analysis.switching import with_doubled_branches
-from tdmf_slip.analysis.tracing import trace, whole_branch
+from tdmf_slip.analysis import branches
+from tdmf_slip.analysis.branch_problem import to_value
+from tdmf_slip.analysis.branches import trace, whole_branch, with_doubled_branches
 from tdmf_slip.library import classic_slip
+from tdmf_slip.numerics.following import Limits, Track, follow
 
 
-def followed(family, first, low, high, max_step=0.1, max_points=400):
-    limits = Limits(low, high, first.value, max_step, max_points)
-    return whole_branch(family, first, limits), limits
+def between(low, high, begin, max_step=0.1, max_points=400):
+    return Limits(np.array([low]), np.array([high]), max_step, max_points, begin)
+
+
+def followed(problem, first, low, high, max_step=0.1, max_points=400):
+    limits = between(low, high, problem.value(first), max_step, max_points)
+    return whole_branch(problem, first, limits), limits
 
 
 def specials_of(branch):
@@ -37,13 +38,13 @@ def specials_of(branch):
 
 
 def test_the_logistic_map_doubles_its_period_at_3():
-    family = MapFamily(logistic, 1)
-    branch, limits = followed(family, family.beginning(1.5, 1 / 3), 1.5, 3.8)
+    problem = MapProblem(logistic, 1)
+    branch, limits = followed(problem, problem.beginning(1.5, 1 / 3), 1.5, 3.8)
     assert specials_of(branch) == [("period doubling", 3.0)] and branch.ended == "end of the range"
     assert branch.values[-1] == 3.8
     for value, gait in zip(branch.values, branch.gaits, strict=True):
         assert gait.apex[0] == pytest.approx(1 - 1 / value, abs=1e-12)
-    (doubled,) = with_doubled_branches(branch, lambda n: MapFamily(logistic, 1, n), limits).branches
+    (doubled,) = with_doubled_branches(branch, lambda n: MapProblem(logistic, 1, n), limits).branches
     assert doubled.strides == 2 and doubled.began.startswith("period doubling at p = 3")
     assert [kind for kind, _ in specials_of(doubled)] == ["period doubling"]
     assert doubled.specials[0].value == pytest.approx(1 + np.sqrt(6), abs=1e-9)
@@ -66,9 +67,9 @@ def logistic_period(r, longest=16):
 
 
 def test_a_period_that_doubles_again_is_followed_and_a_third_time_is_told():
-    family = MapFamily(logistic, 1)
-    branch, limits = followed(family, family.beginning(2.9, 0.66), 2.9, 3.56, 0.05)
-    doubled = with_doubled_branches(branch, lambda n: MapFamily(logistic, 1, n), limits)
+    problem = MapProblem(logistic, 1)
+    branch, limits = followed(problem, problem.beginning(2.9, 0.66), 2.9, 3.56, 0.05)
+    doubled = with_doubled_branches(branch, lambda n: MapProblem(logistic, 1, n), limits)
     (two,) = doubled.branches
     (four,) = two.branches
     assert [b.strides for b in (doubled, two, four)] == [1, 2, 4] and four.branches == ()
@@ -91,18 +92,18 @@ def test_a_period_that_doubles_again_is_followed_and_a_third_time_is_told():
 
 
 def test_a_period_doubling_beside_which_no_gait_is_found_says_so(monkeypatch):
-    monkeypatch.setattr(switching, "departure", lambda *_: None)
-    family = MapFamily(logistic, 1)
-    branch, limits = followed(family, family.beginning(2.9, 0.66), 2.9, 3.2)
-    doubled = with_doubled_branches(branch, lambda n: MapFamily(logistic, 1, n), limits)
+    monkeypatch.setattr(branches, "departure", lambda *_: None)
+    problem = MapProblem(logistic, 1)
+    branch, limits = followed(problem, problem.beginning(2.9, 0.66), 2.9, 3.2)
+    doubled = with_doubled_branches(branch, lambda n: MapProblem(logistic, 1, n), limits)
     assert doubled.branches == () and specials_of(doubled) == [("period doubling", 3.0)]
     assert doubled.specials[0].why == "no gait of 2 strides was found beside it"
 
 
 def test_the_henon_map_folds_and_doubles_its_period():
     """At 3 (1-b)^2/4 and at the fold -(1-b)^2/4, beyond which x goes to infinity where a goes to 0."""
-    family = MapFamily(henon, 2)
-    branch, _ = followed(family, family.beginning(0.6, [0.7, 0.2], -1.0), -1.0, 0.6)
+    problem = MapProblem(henon, 2)
+    branch, _ = followed(problem, problem.beginning(0.6, [0.7, 0.2], -1.0), -1.0, 0.6)
     assert specials_of(branch) == [("period doubling", 3 * 0.49 / 4), ("fold", -0.49 / 4)]
     assert branch.ended == "number of points: 400" and -0.1 < branch.values[-1] < 0.0
     assert (branch.gaits[0].unstable, branch.gaits[-1].unstable) == (1, 1)
@@ -110,8 +111,8 @@ def test_the_henon_map_folds_and_doubles_its_period():
 
 
 def test_the_delayed_logistic_map_has_a_neimark_sacker_point_at_2():
-    family = MapFamily(delayed_logistic, 2)
-    branch, _ = followed(family, family.beginning(1.5, [1 / 3, 1 / 3]), 1.5, 2.5)
+    problem = MapProblem(delayed_logistic, 2)
+    branch, _ = followed(problem, problem.beginning(1.5, [1 / 3, 1 / 3]), 1.5, 2.5)
     assert specials_of(branch) == [("Neimark-Sacker", 2.0)]
     values = branch.specials[0].gait.eigenvalues
     assert np.abs(np.angle(values)) == pytest.approx([np.pi / 3, np.pi / 3], abs=1e-9)
@@ -130,10 +131,10 @@ def classic_slip_step(height, angle):
 
 def test_the_classic_slip_folds_where_its_own_slope_says():
     """At 44.59 degrees, where the paper's stable and unstable gaits meet."""
-    family = MapFamily(classic_slip_step, 1)
+    problem = MapProblem(classic_slip_step, 1)
     low = np.radians(43.0)
     stable = next(gait for gait in classic_slip.fixed_points(low) if gait.stable)
-    branch, _ = followed(family, family.beginning(low, stable.height), low, np.radians(46.0))
+    branch, _ = followed(problem, problem.beginning(low, stable.height), low, np.radians(46.0))
     (fold,) = branch.specials
     known = classic_slip.fold()
     assert fold.kind == "fold" and np.degrees(fold.value) == pytest.approx(44.59, abs=5e-3)
@@ -144,15 +145,15 @@ def test_the_classic_slip_folds_where_its_own_slope_says():
 
 
 def test_a_neutral_saddle_is_nothing():
-    family = MapFamily(saddle, 2)
-    branch, _ = followed(family, family.beginning(1.5, [0.0, 0.0]), 1.5, 2.5)
+    problem = MapProblem(saddle, 2)
+    branch, _ = followed(problem, problem.beginning(1.5, [0.0, 0.0]), 1.5, 2.5)
     assert specials_of(branch) == [] and branch.ended == "end of the range"
 
 
 def test_where_two_branches_cross_is_not_judged():
     """The logistic map's other fixed point passes 0 at r = 1."""
-    family = MapFamily(logistic, 1)
-    branch, _ = followed(family, family.beginning(0.5, 0.0), 0.5, 1.7)
+    problem = MapProblem(logistic, 1)
+    branch, _ = followed(problem, problem.beginning(0.5, 0.0), 0.5, 1.7)
     (crossing,) = branch.specials
     assert crossing.kind == "unclassified" and crossing.why
     assert min(crossing.between) - 1e-6 <= 1.0 <= max(crossing.between) + 1e-6
@@ -160,8 +161,8 @@ def test_where_two_branches_cross_is_not_judged():
 
 
 def test_a_branch_that_closes_ends_where_it_began():
-    family = MapFamily(ring, 1)
-    branch, _ = followed(family, family.beginning(0.0, 0.9), -2.0, 2.0)
+    problem = MapProblem(ring, 1)
+    branch, _ = followed(problem, problem.beginning(0.0, 0.9), -2.0, 2.0)
     assert specials_of(branch) == [("fold", 1.0), ("fold", -1.0)]
     assert branch.ended == branch.began == "closed: back at the gait at p = 0"
     np.testing.assert_allclose(
@@ -184,8 +185,8 @@ def test_a_branch_that_closes_ends_where_it_began():
 )
 def test_a_border_collision_is_judged_by_the_maps_of_both_sides(left, right, kinds):
     """Feigin: where det(I - J) changes its sign the branch turns; where det(I + J) does, it doubles."""
-    family = MapFamily(tent(left, right), 1)
-    branch, _ = followed(family, family.beginning(-1.0, -1.0 / (1.0 - left)), -1.0, 1.0)
+    problem = MapProblem(tent(left, right), 1)
+    branch, _ = followed(problem, problem.beginning(-1.0, -1.0 / (1.0 - left)), -1.0, 1.0)
     assert specials_of(branch) == [(kind, 0.0) for kind in kinds]
     assert all(special.words == ("-", "+") for special in branch.specials)
     assert branch.ended == ("back at p = -1" if "fold" in kinds else "end of the range")
@@ -205,8 +206,8 @@ def test_a_border_collision_is_judged_by_the_maps_of_both_sides(left, right, kin
     ],
 )
 def test_eigenvalues_that_jump_at_a_border_are_judged_or_told(left, right, kinds):
-    family = MapFamily(collision(left, right), 2)
-    branch, _ = followed(family, family.beginning(-1.0, [-0.5, 0.3]), -1.0, 1.0)
+    problem = MapProblem(collision(left, right), 2)
+    branch, _ = followed(problem, problem.beginning(-1.0, [-0.5, 0.3]), -1.0, 1.0)
     assert specials_of(branch) == [(kind, 0.0) for kind in kinds]
     for special in branch.specials:
         assert (special.kind == "unclassified") == bool(special.why)
@@ -214,8 +215,8 @@ def test_eigenvalues_that_jump_at_a_border_are_judged_or_told(left, right, kinds
 
 def test_each_reason_to_stop_has_its_own_words():
     def ended(step, begin, guess, towards, low, high, **settings):
-        family = MapFamily(step, 1, low=settings.pop("lowest", -np.inf))
-        return followed(family, family.beginning(begin, guess, towards), low, high, **settings)[0].ended
+        problem = MapProblem(step, 1, low=settings.pop("lowest", -np.inf))
+        return followed(problem, problem.beginning(begin, guess, towards), low, high, **settings)[0].ended
 
     reasons = [
         ended(logistic, 1.5, 1 / 3, 1.0, 1.5, 2.0),
@@ -242,8 +243,8 @@ def test_each_reason_to_stop_has_its_own_words():
 def test_only_where_the_branch_leads_beyond_what_is_allowed_that_is_its_end():
     """At the tear Newton's method goes off to where p is not allowed, far from where the branch is lost."""
     for lowest in (-np.inf, -0.5, -0.01):
-        family = MapFamily(torn, 1, low=lowest)
-        branch, _ = followed(family, family.beginning(0.0, 0.0, 1.0), 0.0, 1.0)
+        problem = MapProblem(torn, 1, low=lowest)
+        branch, _ = followed(problem, problem.beginning(0.0, 0.0, 1.0), 0.0, 1.0)
         assert branch.ended.startswith("the gait is lost at p = 0.5: at the border from - to +")
         assert branch.values[-1] == pytest.approx(0.5, abs=1e-6)
 
@@ -258,46 +259,45 @@ def test_a_branch_that_leads_out_of_a_parameters_range_ends_there_with_what_it_h
 
 
 def test_a_branch_that_begins_inside_its_range_is_followed_both_ways():
-    family = MapFamily(henon, 2)
-    first = family.beginning(0.2, [0.9, 0.3], -1.0)
-    branch = whole_branch(family, first, Limits(-1.0, 0.6, 0.6, 0.1, 400))
+    problem = MapProblem(henon, 2)
+    first = problem.beginning(0.2, [0.9, 0.3], -1.0)
+    branch = whole_branch(problem, first, between(-1.0, 0.6, 0.6))
     assert (branch.values[0], branch.began) == (0.6, "beginning of the range")
     assert specials_of(branch) == [("period doubling", 3 * 0.49 / 4), ("fold", -0.49 / 4)]
 
 
 @pytest.mark.parametrize("gap", [0.02, 0.05])
 def test_a_branch_that_ends_does_not_go_on_from_another(gap):
-    family = MapFamily(two_sheets(gap), 1)
-    branch, _ = followed(family, family.beginning(0.3, 0.6), 0.3, 0.7)
+    problem = MapProblem(two_sheets(gap), 1)
+    branch, _ = followed(problem, problem.beginning(0.3, 0.6), 0.3, 0.7)
     assert branch.ended.startswith("the gait is lost at p = 0.5: at the border from - to +")
     assert {gait.word for gait in branch.gaits} == {"-"} and branch.values[-1] == pytest.approx(0.5)
 
 
 def test_a_walk_along_a_parameter_does_not_change_the_sheet():
-    family = MapFamily(two_sheets(0.3), 1)
-    first = family.gait(0.45, np.array([0.9]))
+    problem = MapProblem(two_sheets(0.3), 1)
     with pytest.raises(RunError, match="the branch ends near p"):
-        list(walk(family, first, 0.45, 0.55))
-    *_, last = walk(family, family.gait(0.6, np.array([1.5])), 0.6, 0.4)
-    assert last.apex[0] == pytest.approx(1.1) and last.word == "+"
+        list(to_value(problem, problem.beginning(0.45, 0.9), 0.55))
+    *_, last = to_value(problem, problem.beginning(0.6, 1.5), 0.4)
+    assert last.gait.apex[0] == pytest.approx(1.1) and last.gait.word == "+"
 
 
 def test_gaits_of_two_strides_are_met_again_by_their_other_half():
-    family = MapFamily(swapping_ring, 1, 2)
-    first = family.beginning(0.1, np.sqrt(0.99))
-    points, ended = follow(family, first, Limits(-2.0, 2.0, first.value, 0.1, 400))
+    problem = MapProblem(swapping_ring, 1, 2)
+    first = problem.beginning(0.1, np.sqrt(0.99))
+    points, ended = follow(problem, first, 1.0, between(-2.0, 2.0, 0.1))
     assert ended.startswith("retraced: back") and ended.endswith("begun by another of its strides")
     assert any(points[-1] is point for point in points[:-1])
-    assert 0.99 < points[-2].value <= 1.0 and points[-2].gait.apex[0] < 0.1
+    assert 0.99 < problem.value(points[-2]) <= 1.0 and points[-2].gait.apex[0] < 0.1
 
 
 def test_a_branch_that_comes_back_over_itself_says_so():
-    family = MapFamily(ring, 1)
-    points, _ = follow(family, family.beginning(0.0, 0.9), Limits(-2.0, 2.0, 0.0, 0.1, 12))
-    track = Track(family, points)
-    back = reverse(family.between(points[7], points[8], 0.5))
+    problem = MapProblem(ring, 1)
+    points, _ = follow(problem, problem.beginning(0.0, 0.9), 1.0, between(-2.0, 2.0, 0.0, 0.1, 12))
+    track = Track(problem, points)
+    back = problem.between(points[7], points[8], 0.5).reversed()
     met, ended = track.met(points[-1], back)
     assert met in points[8:11] and ended.endswith("from the other side") and ended.startswith("retraced")
     assert not track.is_new([points[-1], back])
-    further, _ = follow(family, points[-1], Limits(-2.0, 2.0, 0.0, 0.1, 5))
+    further, _ = follow(problem, points[-1], 1.0, between(-2.0, 2.0, 0.0, 0.1, 5))
     assert track.is_new(further)

@@ -146,4 +146,4 @@ def test_no_module_is_too_long_to_be_about_one_thing():
     modules = list(PACKAGE.rglob("*.py"))
     assert len(modules) > 60
     lengths = {str(path): len(path.read_text(encoding="utf-8").splitlines()) for path in modules}
-    assert {path: length for path, length in lengths.items() if length > 300} == {}
+    assert {path: length for path, length in lengths.items() if length > 500} == {}

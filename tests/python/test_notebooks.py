@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 import tdmf_slip
-from tdmf_slip.analysis.tracing import trace
+from tdmf_slip.analysis.branches import trace
 from tdmf_slip.pictures.plot import plot
 
 

@@ -6,7 +6,7 @@ from itertools import pairwise
 import numpy as np
 import pytest
 from tdmf_slip.errors import InputError, RunError
-from tdmf_slip.numerics.halving import halved, walk
+from tdmf_slip.numerics.following import halved, walk
 from tdmf_slip.numerics.newton import NotSolvedError, solve
 
 

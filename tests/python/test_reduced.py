@@ -7,9 +7,9 @@ import pickle
 import numpy as np
 import pytest
 from tdmf_slip import Batch, InputError, RunError, Runner, basin, find_gait, sweep
-from tdmf_slip.analysis import borders, volume
+from tdmf_slip.analysis import special_points, volume
+from tdmf_slip.analysis.branches import trace
 from tdmf_slip.analysis.stability import stability
-from tdmf_slip.analysis.tracing import trace
 from tdmf_slip.library.engine import FATES
 from tdmf_slip.library.return_map import stride_from
 from tdmf_slip.library.section import COORDINATES, REDUCED
@@ -80,7 +80,7 @@ def test_a_sweep_has_the_borders_of_the_reduced_map():
         assert beside == [border.before, border.after]
     words = [found.borders[0].before, *(border.after for border in found.borders)]
     assert words == ["+0+", "+0-0+", "+0-+", "+0-"]
-    one = borders.borders_between(reduced(), "ground.friction", found.gaits[2], found.gaits[3])
+    one = special_points.borders_between(reduced(), "ground.friction", found.gaits[2], found.gaits[3])
     assert [border.value for border in one] == [border.value for border in found.borders[1:]]
 
 

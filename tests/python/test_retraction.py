@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 from conftest import CLAMPED
 from tdmf_slip import Batch, Runner, find_gait
-from tdmf_slip.analysis.bifurcations import PERIOD_DOUBLING
-from tdmf_slip.analysis.tracing import trace
+from tdmf_slip.analysis.branches import trace
+from tdmf_slip.analysis.special_points import PERIOD_DOUBLING
 from tdmf_slip.paper.figures import leading
 
 RATE = "hip.retraction_rate"

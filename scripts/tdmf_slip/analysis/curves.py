@@ -3,37 +3,269 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from functools import partial
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ..checks import checked_whole, refusal, shown
+from ..drawable import Drawable
 from ..errors import InputError, RunError
 from ..given import row_of
+from ..library.gait import Gait
 from ..library.members import check_varied
-from ..library.quantities import scales_of
 from ..library.runner import Runner
 from ..library.shared_steps import shares_steps
-from ..numerics.halving import halved
+from ..numerics.following import RETURNED, Limits, Point, both_ways
+from ..numerics.newton import Matrix, Vector
 from ..terminal.progress import progress_bar
 from ..variables.parameters import RunnerLike
 from ..variables.table import VARIABLES, by_full_name
-from .bifurcations import NEIMARK_SACKER, UNCLASSIFIED, WORD_BORDER, Special
-from .curve import CLOSED, LONGEST, SHORTEST, Box, Curve
-from .lines import border_curve
-from .meeting import PointSet
-from .plane import CurvePoint, Plane
-from .tracing import continue_branch
+from .branch_problem import GaitProblem
+from .branches import continue_branch
+from .special_points import (
+    BORDER_ACCURACY,
+    NEIMARK_SACKER,
+    UNCLASSIFIED,
+    WORD_BORDER,
+    Special,
+    bialternate,
+)
 
-FARTHEST = 0.5
-"""How far a point may be from where it was predicted, over the step."""
+DIFFERENCE = 1e-6
+"""Difference of points, over the scales, by which the test function is differentiated."""
+PARTS, MAX_STEP = 15.0, 0.3
+"""No step is longer than this part of a range, nor than this over the scales."""
 ON_CURVE = 0.02
-"""Of the ranges: a special point as near to a curve of its kind is on it."""
+"""Distance, over the ranges, of a special point from a curve of its kind that goes through it."""
 MAX_POINTS = 10_000
-"""Of a curve, in each direction."""
-SAME = 1e-6
-"""Two points of a curve that are as near, over the scales, are one."""
+"""Largest number of points of a curve that may be asked for, in each direction."""
+KINK = 1e-3
+"""Change of the Jacobian across a border, over its size, from which both sides tell the border's tangent."""
+WIDTHS = (0.003, 0.03, 0.3, 3.0, 30.0)
+"""Distances to either side of a predicted border at which words are read, over the step."""
+FIRST_STEPS = (1e-4, 1e-5, 1e-6)
+"""Steps along the second parameter to the second point of a border."""
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Curve(Drawable):
+    """Special points of one kind over two parameters."""
+
+    runner: Runner
+    """The runner; its own values of the two parameters do not matter."""
+    kind: str
+    """fold, period doubling, Neimark-Sacker, or word border."""
+    names: tuple[str, str]
+    """Names of the parameters or inputs."""
+    points: NDArray[np.float64]
+    """Both parameters at each point, in their units, shape (points, 2), in the curve's order."""
+    began: str
+    """Why it has no earlier points."""
+    ended: str
+    """Why it has no more."""
+    words: tuple[str, str] | None = None
+    """Words on both sides of a word border."""
+
+    def __repr__(self) -> str:
+        """One line: the kind, the parameters, and the number of points."""
+        names = " and ".join(self.names)
+        return f"<Curve of a {self.kind} over {names}: {len(self.points)} points, {self.ended}>"
+
+    def as_json(self) -> dict[str, object]:
+        """The curve as a plain object; a point is a pair in the order of `over`."""
+        words = {"from": self.words[0], "to": self.words[1]} if self.words else {}
+        ends = {"began": self.began, "ended": self.ended}
+        record = {**self.runner.record(*self.names), "over": list(self.names)}
+        return {**record, "kind": self.kind, **words, "points": self.points.tolist(), **ends}
+
+
+class BifurcationProblem(GaitProblem):
+    """Gaits over two parameters at which an eigenvalue is where a bifurcation has it.
+
+    By the last equation a matrix M is singular. With the map's Jacobian J it is J - I for folds, J + I for
+    period doublings, and the bialternate product of J with itself less I for Neimark-Sacker points. Its
+    residual is the least singular value of M with the sign of det M, which is smooth where it is zero.
+    """
+
+    same = 1e-6
+
+    def __init__(self, runner: Runner, names: Sequence[str], kind: str) -> None:
+        """Bifurcations of a kind of a runner's gaits, over two parameters or inputs."""
+        super().__init__(runner, names)
+        self.kind = kind
+
+    def singular(self, rows: Matrix) -> float:
+        """Least singular value of the matrix M, with the sign of its determinant."""
+        return _singular(self.kind, rows)
+
+    def residual(self, x: Vector) -> Vector:
+        """Residual of the gait, and the singular value."""
+        residual, by_apex = self.by_apex(x)
+        return np.append(residual, self.singular(by_apex))
+
+    def linearize(self, x: Vector) -> tuple[Vector, Matrix]:
+        """The residual and its derivatives, those of the singular value by differences."""
+        residual, rows = super().linearize(x)
+        singular, gradient = self._differentiated(x, rows)
+        return np.append(residual, singular), np.vstack([rows, gradient])
+
+    def describe(self, x: Vector) -> tuple[Gait, Matrix]:
+        """The gait, and the derivatives of all equations."""
+        gait, rows = super().describe(x)
+        return gait, np.vstack([rows, self._differentiated(x, rows)[1]])
+
+    def _differentiated(self, x: Vector, rows: Matrix) -> tuple[float, Vector]:
+        here = self.singular(rows[:, : len(rows)])
+        there = [self.singular(self.by_apex(x + step)[1]) for step in DIFFERENCE * np.eye(len(x))]
+        return here, (np.array(there) - here) / DIFFERENCE
+
+    def ends_between(self, before: Point, after: Point) -> str:
+        """Where the eigenvalues of a Neimark-Sacker point become real."""
+        if self.kind != NEIMARK_SACKER or _is_complex(after.gait):
+            return ""
+        return "the eigenvalues become real: beyond, their product is 1 and none is on the circle"
+
+    def lost(self, last: Point, why: Exception) -> str:
+        """Why a curve cannot be followed on."""
+        try:
+            beyond, _ = super().describe(last.x + 1e-3 * last.tangent)
+        except (InputError, RunError) as fate:
+            return f"lost: just beyond, {fate}"
+        if beyond.sequence != last.gait.sequence:
+            return f"at a word border: {last.gait.word} becomes {beyond.word}"
+        return f"lost: {why}"
+
+
+def _singular(kind: str, by_apex: Matrix) -> float:
+    """Least singular value of the matrix of a bifurcation, from J - I."""
+    identity = np.eye(len(by_apex))
+    matrix = by_apex
+    if kind == NEIMARK_SACKER:
+        product = bialternate(by_apex + identity)
+        matrix = product - np.eye(len(product))
+    elif kind != "fold":
+        matrix = by_apex + 2.0 * identity
+    sign = np.linalg.slogdet(matrix)[0]
+    return float(sign * np.linalg.svd(matrix, compute_uv=False)[-1])
+
+
+def _is_complex(gait: Gait) -> bool:
+    values = gait.eigenvalues
+    on_circle = values[np.argmin(np.abs(np.abs(values) - 1.0))]
+    return bool(on_circle.imag != 0.0)
+
+
+@dataclass(frozen=True, eq=False)
+class Side:
+    """A gait next to a word border."""
+
+    x: Vector
+    """Apex and parameters, over the scales."""
+    rows: Matrix
+    """Derivatives of the residual."""
+
+
+class BorderProblem(GaitProblem):
+    """A border between two words over two parameters.
+
+    It has no residual. On the plane across the border's tangent the gaits are a branch, on which the border
+    is located by bisection. So nothing is assumed of the branch: it may turn at a fold nearby.
+    """
+
+    same = 1e-6
+
+    def __init__(self, runner: Runner, names: Sequence[str], special: Special) -> None:
+        """The border through a special point of a branch over the first parameter."""
+        super().__init__(runner, names)
+        assert special.words is not None and special.short is not None
+        self.words, self._begin = special.words, (special.short, special.gait)
+
+    def first(self) -> Point:
+        """The special point, with the tangent of the border."""
+        sides = [Side(x, self.describe(x)[1]) for x in map(self.at, self._begin)]
+        up = np.eye(len(self.scales))[-1]
+        here = self._between(sides[0], sides[1], up, None)
+        if self._exact_tangent(sides[0], sides[1]) is not None:
+            return here
+        why = RunError("")
+        for step in FIRST_STEPS:
+            try:
+                second = self.correct(here.x + step * up, up, here)
+                return replace(here, tangent=second.tangent)
+            except (InputError, RunError) as met:
+                why = RunError(f"lost at the start: {met}")
+        raise why
+
+    def correct(self, goal: Vector, across: Vector, near: Point | None = None) -> Point:
+        """The border near a goal on the plane across a direction, from a point of it that is near."""
+        assert near is not None
+        shift = goal - near.x
+        reach = max(float(np.linalg.norm(shift)), 1e-5)
+        why: Exception = RunError("")
+        for width in WIDTHS:
+            try:
+                ends = [
+                    self._beside(side, shift, sign * width * reach, across, near)
+                    for side, sign in zip(near.gait, (-1.0, 1.0), strict=True)
+                ]
+                # One of the words may last for less than the width: it is enough to see the other one end.
+                for inner in (0, 1):
+                    if ends[inner][1] == self.words[inner] != ends[1 - inner][1]:
+                        return self._located([x for x, _ in ends], inner, across, near)
+            except (InputError, RunError) as met:
+                why = met
+        raise RunError(f"no border from {self.words[0]} to {self.words[1]} goes on: {why}")
+
+    def leads_back(self, found: Point, known: Point) -> bool:
+        """Whether the border is found again from the tangent at another point."""
+        way = found.x - known.x
+        try:
+            back = self.correct(found.x - (way @ found.tangent) * found.tangent, found.tangent, found)
+        except (InputError, RunError):
+            return False
+        return bool(np.linalg.norm(back.x - known.x) <= RETURNED * np.linalg.norm(way))
+
+    def _beside(
+        self, side: Side, shift: Vector, distance: float, across: Vector, near: Point
+    ) -> tuple[Vector, str]:
+        """A gait on the plane, at a distance from the expected border along the branch, and its word."""
+        towards = near.gait[1].x - near.gait[0].x
+        along = np.linalg.svd(np.vstack([side.rows, across]))[2][-1]
+        along = along if along @ towards >= 0.0 else -along
+        goal = side.x + shift + distance * along
+        x = self.solution(goal, np.array([across, along]), side.rows)
+        return x, self.word_at(x)
+
+    def _located(self, ends: Sequence[Vector], inner: int, across: Vector, near: Point) -> Point:
+        """The border between two gaits, the inner one of which has its word, by bisection."""
+        inside, outside, rows = ends[inner], ends[1 - inner], near.gait[inner].rows
+        while (width := float(np.linalg.norm(outside - inside))) > BORDER_ACCURACY:
+            planes = np.array([across, (outside - inside) / width])
+            x, word = self.look(inside, outside, planes, rows)
+            if min(np.linalg.norm(x - end) for end in (inside, outside)) > width:
+                raise RunError("the gaits of both words are apart")
+            inside, outside = (x, outside) if word == self.words[inner] else (inside, x)
+        found = [self.describe(x) for x in (inside, outside)]
+        if found[1][0].word != self.words[1 - inner]:
+            raise RunError(f"between {self.words[0]} and {self.words[1]} comes {found[1][0].word}")
+        sides = [Side(x, rows) for x, (_, rows) in zip((inside, outside), found, strict=True)]
+        return self._between(sides[inner], sides[1 - inner], across, near)
+
+    def _between(self, short: Side, beyond: Side, across: Vector, near: Point | None) -> Point:
+        """The point of the border between its two sides, with its tangent along a direction."""
+        x = 0.5 * (short.x + beyond.x)
+        tangent = self._exact_tangent(short, beyond)
+        if tangent is None:
+            way = across if near is None else x - near.x
+            tangent = way / np.linalg.norm(way)
+        return Point(x, tangent, (short, beyond), short.rows).along(across)
+
+    def _exact_tangent(self, short: Side, beyond: Side) -> Vector | None:
+        """Tangent of the border, in which the gaits of both sides move alike; None without a kink."""
+        _, sizes, directions = np.linalg.svd(np.vstack([short.rows, beyond.rows]))
+        tangent: Vector = directions[-1]
+        return tangent if sizes[-2] > KINK * sizes[-3] else None
 
 
 @shares_steps
@@ -59,14 +291,14 @@ def continue_curves(
     model : str, optional
         `full` or `reduced`, as in `find_gait`.
     max_points : int, default 200
-        Of a curve in each direction.
+        Largest number of points of a curve, in each direction.
     progress : bool, default False
-        A count of points on stderr.
+        Show a count of points on stderr.
 
     Returns
     -------
     tuple of Curve
-        Of folds, period doublings, Neimark-Sacker points and word borders.
+        Curves of folds, period doublings, Neimark-Sacker points and word borders.
 
     Raises
     ------
@@ -93,8 +325,7 @@ def continue_curves(
     if not spans[1].min() <= home <= spans[1].max():
         runner = runner.replace({second: float(spans[1, 0])})
     branch = continue_branch(runner, {first: (float(spans[0, 0]), float(spans[0, 1]))}, switch=False)
-    sizes = scales_of(runner, names)[-2:]
-    box = Box(spans.min(axis=1) / sizes, spans.max(axis=1) / sizes)
+    limits = Limits(spans.min(axis=1), spans.max(axis=1), MAX_STEP, max_points, parts=PARTS)
     found: list[Curve] = []
     with progress_bar("curves", None, "points", progress) as bar:
 
@@ -102,17 +333,11 @@ def continue_curves(
             bar.update()
 
         for special in branch.specials:
-            at = np.array([special.value, runner[second]]) / sizes
-            if special.kind == UNCLASSIFIED or _is_on(found, special, at, sizes, box):
+            at = np.array([special.value, runner[second]])
+            if special.kind == UNCLASSIFIED or _is_on(found, special, at, limits):
                 continue
-            if special.kind == WORD_BORDER:
-                curve = border_curve(runner, names, sizes, box, branch, special, max_points, tell)
-            elif special.words is None:
-                point = np.append(special.gait.apex / runner.scales, at)
-                curve = curve_through(Plane(runner, names, special.kind), box, point, max_points, tell)
-            else:
-                continue  # on a word border, whose curve has it
-            found.append(curve)
+            if special.kind == WORD_BORDER or special.words is None:  # else on a border, whose curve has it
+                found.append(curve_of(runner, names, special, at, limits, tell))
     return tuple(found)
 
 
@@ -133,18 +358,13 @@ def _checked_ranges(vary: object) -> tuple[tuple[str, str], NDArray[np.float64]]
     return (first, second), np.array(spans)
 
 
-def _is_on(
-    found: Sequence[Curve],
-    special: Special,
-    at: NDArray[np.float64],
-    sizes: NDArray[np.float64],
-    box: Box,
-) -> bool:
-    """A curve that has been followed goes through a special point."""
+def _is_on(found: Sequence[Curve], special: Special, at: Vector, limits: Limits) -> bool:
+    """Whether a curve that has been followed goes through a special point."""
     for curve in found:
-        if (curve.kind, curve.words) != (special.kind, special.words) or len(curve.points) < 2:
+        same = curve.kind == special.kind and {*(curve.words or ())} == {*(special.words or ())}
+        if not same or len(curve.points) < 2:
             continue
-        points = (curve.points / sizes - at) / box.size
+        points = (curve.points - at) / (limits.high - limits.low)
         begin, way = points[:-1], np.diff(points, axis=0)
         share = np.clip(-np.sum(begin * way, axis=1) / np.sum(way**2, axis=1), 0.0, 1.0)
         if np.min(np.linalg.norm(begin + share[:, None] * way, axis=1)) < ON_CURVE:
@@ -152,115 +372,38 @@ def _is_on(
     return False
 
 
-def curve_through(
-    plane: Plane,
-    box: Box,
-    at: NDArray[np.float64],
-    max_points: int,
-    tell: Callable[[], None] = lambda: None,
+def curve_of(
+    runner: Runner,
+    names: tuple[str, str],
+    special: Special,
+    at: Vector,
+    limits: Limits,
+    step_finished: Callable[[], None] = lambda: None,
 ) -> Curve:
-    """The curve of bifurcations through one of them, both ways."""
-    here = plane.evaluate(at)
-    back, began = _followed(plane, box, [here], -here.tangent, max_points, tell)
-    forth: list[CurvePoint] = []
-    ended = began
-    if began != CLOSED:
-        forth, ended = _followed(plane, box, [*back[::-1], here], here.tangent, max_points, tell)
-    whole = [*back[::-1], here, *forth]
-    points = np.array([(point.at * plane.scales)[-2:] for point in whole])
-    return Curve(plane.runner, plane.kind, plane.names, points, began, ended)
-
-
-def _followed(
-    plane: Plane,
-    box: Box,
-    known: Sequence[CurvePoint],
-    direction: NDArray[np.float64],
-    max_points: int,
-    tell: Callable[[], None],
-) -> tuple[list[CurvePoint], str]:
-    """The curve from the last of the points that are known, without it, and why it stops."""
-    found: list[CurvePoint] = []
-    points = list(known)
-    last, step = known[-1], 1.0
-    while len(found) < max_points:
-        longest = LONGEST / max(np.max(np.abs(direction[-2:]) / box.size), 0.05)
-        try:
-            following, step = halved(
-                partial(_stepped, plane, last, longest * direction), step, SHORTEST / LONGEST
-            )
-        except (InputError, RunError) as problem:
-            return found, _lost(plane, last, direction, problem)
-        tell()
-        if box.outside(following.at[-2:]):
-            share = box.share(last.at[-2:], following.at[-2:])
-            return [*found, _at_edge(plane, box, last, following, share)], "edge of the ranges"
-        again = _met(plane, points, last, following)
-        if again is not None:
-            return [*found, again], CLOSED
-        found.append(following)
-        points.append(following)
-        if plane.kind == NEIMARK_SACKER and not _is_complex(following):
-            return found, "the eigenvalues become real: beyond, their product is 1 and none is on the circle"
-        tangent = following.tangent
-        last, direction = following, tangent if tangent @ direction > 0.0 else -tangent
-        step = min(1.0, 1.5 * step)
-    return found, f"number of points: {max_points}"
-
-
-def _stepped(plane: Plane, last: CurvePoint, way: NDArray[np.float64], share: float) -> CurvePoint:
-    """The point of the curve a share of a way further, from which it leads back."""
-    goal = last.at + share * way
-    following = plane.corrected(goal, way / np.linalg.norm(way), last)
-    if np.linalg.norm(following.at - goal) > FARTHEST * share * np.linalg.norm(way):
-        raise RunError("the curve turns sharply")
-    if not plane.leads_back(following, last):
-        raise RunError("no point is found that leads back")
-    return following
-
-
-def _met(
-    plane: Plane, points: Sequence[CurvePoint], last: CurvePoint, following: CurvePoint
-) -> CurvePoint | None:
-    """The point at which the curve has been that it goes through in its next step, or None."""
-    track = PointSet(len(plane.scales))
-    for point in points:
-        track.add(point.at)
-    way = (following.at - last.at) / np.linalg.norm(following.at - last.at)
-    for number, beside in track.beside(last.at, following.at):
-        try:
-            found = plane.corrected(beside, way, following)
-        except (InputError, RunError):
-            continue
-        if np.linalg.norm(found.at - points[number].at) < SAME:
-            return points[number]
-    return None
-
-
-def _at_edge(plane: Plane, box: Box, last: CurvePoint, following: CurvePoint, share: float) -> CurvePoint:
-    """The point of the curve on the edge of the ranges; the last one within where it is not found."""
-    goal = last.at + share * (following.at - last.at)
-    across = np.zeros(len(goal))
-    beyond = np.maximum(box.low - following.at[-2:], following.at[-2:] - box.high) / box.size
-    across[-2 + int(np.argmax(beyond))] = 1.0
+    """The curve through a special point of a branch over the first parameter, both ways."""
     try:
-        return plane.corrected(goal, across, last)
-    except (InputError, RunError):
-        return last
+        if special.kind == WORD_BORDER:
+            problem: GaitProblem = BorderProblem(runner, names, special)
+            assert isinstance(problem, BorderProblem)
+            start = problem.first()
+        else:
+            problem = BifurcationProblem(runner, names, special.kind)
+            start = problem.start(special.gait, np.eye(len(problem.scales))[-1])
+    except (InputError, RunError) as why:
+        return Curve(runner, special.kind, names, at[None, :], str(why), str(why), special.words)
+    return curve_through(problem, start, limits, special.kind, special.words, step_finished)
 
 
-def _is_complex(point: CurvePoint) -> bool:
-    values = point.gait.eigenvalues
-    on_circle = values[np.argmin(np.abs(np.abs(values) - 1.0))]
-    return bool(on_circle.imag != 0.0)
-
-
-def _lost(plane: Plane, last: CurvePoint, direction: NDArray[np.float64], problem: Exception) -> str:
-    """Why a curve cannot be followed on."""
-    try:
-        beyond = plane.strides_at(last.at + 1e-3 * direction, plane.names[0])
-    except (InputError, RunError) as fate:
-        return f"lost: just beyond, {fate}"
-    if beyond.sequence != last.gait.sequence:
-        return f"at a word border: {last.gait.word} becomes {beyond.word}"
-    return f"lost: {problem}"
+def curve_through(
+    problem: GaitProblem,
+    start: Point,
+    limits: Limits,
+    kind: str,
+    words: tuple[str, str] | None = None,
+    step_finished: Callable[[], None] = lambda: None,
+) -> Curve:
+    """The curve of a problem through a point, both ways."""
+    points, began, ended = both_ways(problem, start, limits, step_finished)
+    first, second = problem.names
+    values = np.array([problem.values(point.x) for point in points])
+    return Curve(problem.runner, kind, (first, second), values, began, ended, words)

@@ -27,7 +27,7 @@ from ..terminal.progress import progress_bar
 from ..variables.table import FRICTION, STATES, VARIABLES, by_full_name
 from ..variables.variable import MAX_VALUES, Given, Values
 from .gait_columns import COLUMNS
-from .sweep import check_values, sweep_row
+from .sweeps import check_values, sweep_row
 
 GAITS_AGREE = 1e-6
 """To which part of the largest in a row the quantities of a gait on file have to be those of its stride."""

@@ -10,7 +10,7 @@ from ..library.section import Apex
 from ..library.shared_steps import shares_steps
 from ..variables.parameters import RunnerLike
 from ..variables.table import FRICTION, VARIABLES
-from .continuation import gaits_over
+from .branch_problem import gaits_over
 from .spread import search_from_spread
 
 

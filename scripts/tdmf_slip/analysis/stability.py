@@ -16,7 +16,7 @@ from ..terminal.progress import Bar, progress_bar
 from ..variables.table import VARIABLES, by_full_name
 from ..variables.variable import Given, Values
 from .search import periodic_gait
-from .sweep import MAX_GAITS
+from .sweeps import MAX_GAITS
 
 
 @dataclass(frozen=True, eq=False)

@@ -18,7 +18,7 @@ from ..library.gait import Gait
 from ..library.quantities import scales_of
 from ..library.runner import Runner
 from ..library.varied_stride import VariedStride, plain_stride, varied_stride
-from ..numerics.halving import halved, walk
+from ..numerics.following import halved, walk
 from ..numerics.newton import solve
 
 NEWTON_ITERATIONS, SHORTENINGS = 40, 6

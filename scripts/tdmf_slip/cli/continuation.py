@@ -5,11 +5,9 @@ from pathlib import Path
 
 import click
 
-from ..analysis.bifurcations import Special
-from ..analysis.branch import Branch
+from ..analysis.branches import LARGEST_STEP, MAX_POINTS, SHORTEST_STEP, Branch, continue_branch
 from ..analysis.curves import continue_curves
-from ..analysis.next_point import SHORTEST_STEP
-from ..analysis.tracing import LARGEST_STEP, MAX_POINTS, continue_branch
+from ..analysis.special_points import Special
 from ..errors import InputError
 from ..library.members import check_varied
 from ..library.runner import Runner

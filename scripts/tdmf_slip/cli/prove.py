@@ -135,7 +135,7 @@ def _error_text(errors: dict[str, dict[str, float]]) -> str:
 def _prove_borders(
     runner: Runner, reported: dict[str, object], border: str, digits: int, as_json_object: bool
 ) -> None:
-    from ..analysis.sweep import sweep
+    from ..analysis.sweeps import sweep
     from ..proof.prove_border import prove_border
 
     ends = ends_of(border, VARIABLES[FRICTION], "--border")

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..analysis.grid_result import GaitGrid
-from ..analysis.sweep import Sweep, short, sweep
+from ..analysis.sweeps import Sweep, short, sweep
 from ..errors import InputError, RunError
 from ..files.whole import check_destination, whole
 from ..library.members import check_varied

@@ -14,6 +14,7 @@ from .binding import c, ffi
 from .gait import Gait
 from .maps import map_of, why_no_return
 from .members import check_comes_down, check_has_gaits
+from .refusals import text_of
 from .return_map import Along, derivatives, seed_of
 from .runner import Runner
 from .section import Apex, checked_apex
@@ -78,6 +79,15 @@ class Closing:
             apex, jacobian, along = self._next(stride), by_apex @ jacobian, by_apex @ along + by_parameter
         residual = apex / self.scales - x
         return residual, scaled_less_one(jacobian, self.scales), along / self.scales
+
+    def words(self, x: NDArray[np.float64]) -> list[str]:
+        """Words of the plain strides from an apex over the scales."""
+        apex, words = x * self.scales, []
+        for _ in range(self.strides):
+            stride = self.stride(apex, False)
+            words.append(text_of(stride.stride.word))
+            apex = self._next(stride)
+        return words
 
     def stride(self, apex: NDArray[np.float64], varied: bool) -> Any:
         """One stride from an apex; RunError where it does not close."""

@@ -1,1 +1,1 @@
-"""Numerical methods that know nothing of runners: Newton's method with damping, and walks by halves."""
+"""Numerical methods that know nothing of runners: Newton's method, and curves that are followed."""

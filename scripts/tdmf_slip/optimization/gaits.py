@@ -19,7 +19,7 @@ from ..library.gait import Gait
 from ..library.runner import Runner
 from ..library.strides import strides_from
 from ..library.varied_gait import varied_gait
-from ..numerics.halving import walk
+from ..numerics.following import walk
 from .space import Space
 from .spectrum import Spectrum, spectrum_of
 

@@ -13,7 +13,7 @@ from ..analysis.targeted import TargetNotMetError
 from ..errors import RunError
 from ..library.gait import Gait
 from ..library.runner import Runner
-from ..numerics.halving import halved
+from ..numerics.following import halved
 from ..terminal.progress import Bar
 from .gaits import Candidate, Gaits
 from .optimum import FOLD, STABILITY, Optimum, reported

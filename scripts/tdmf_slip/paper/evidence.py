@@ -11,7 +11,7 @@ from scipy.optimize import brentq
 from ..analysis.search import periodic_gait
 from ..analysis.spread import Spread, search_from_spread
 from ..analysis.stride_map import stride_map
-from ..analysis.sweep import Sweep, sweep
+from ..analysis.sweeps import Sweep, sweep
 from ..library import classic_slip
 from ..library.binding import c
 from ..library.gait import Gait

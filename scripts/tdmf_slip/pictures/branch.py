@@ -9,8 +9,8 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.ticker import LogLocator, StrMethodFormatter
 
-from ..analysis.borders import Border
-from ..analysis.sweep import Sweep
+from ..analysis.special_points import Border
+from ..analysis.sweeps import Sweep
 from ..library.gait import Gait
 from ..variables.display_units import DisplayUnits
 from ..variables.table import VARIABLES

@@ -13,8 +13,8 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
-from ..analysis.bifurcations import FOLD, NEIMARK_SACKER, PERIOD_DOUBLING, UNCLASSIFIED, WORD_BORDER
-from ..analysis.branch import Branch
+from ..analysis.branches import Branch
+from ..analysis.special_points import FOLD, NEIMARK_SACKER, PERIOD_DOUBLING, UNCLASSIFIED, WORD_BORDER
 from ..checks import is_one_of, near_matches, shown
 from ..errors import InputError
 from ..library.gait import Gait

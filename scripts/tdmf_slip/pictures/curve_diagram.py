@@ -8,8 +8,8 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from ..analysis.bifurcations import WORD_BORDER
-from ..analysis.curve import Curve
+from ..analysis.curves import Curve
+from ..analysis.special_points import WORD_BORDER
 from ..variables.display_units import DisplayUnits
 from . import style
 from .branch_diagram import MARKS

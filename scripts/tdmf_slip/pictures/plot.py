@@ -7,8 +7,8 @@ from functools import singledispatch
 
 from matplotlib.figure import Figure
 
-from ..analysis.branch import Branch
-from ..analysis.sweep import Sweep
+from ..analysis.branches import Branch
+from ..analysis.sweeps import Sweep
 from ..errors import InputError
 from ..fitting.result import Fit
 from ..fmu.run import Run

@@ -9,8 +9,8 @@ from fractions import Fraction
 
 from flint import arb, ctx
 
-from ..analysis.borders import Border
 from ..analysis.search import periodic_gait
+from ..analysis.special_points import Border
 from ..checks import checked_flag, checked_whole, number_of, refusal
 from ..drawable import Drawable
 from ..library.gait import Gait

@@ -8,7 +8,7 @@ from matplotlib.axes import Axes
 
 from ...analysis.attraction import Attraction
 from ...analysis.robustness import FARTHEST
-from ...analysis.sweep import Sweep
+from ...analysis.sweeps import Sweep
 from ...pictures import style
 from ...pictures.curve_label import CurveLabel
 from . import figure_9

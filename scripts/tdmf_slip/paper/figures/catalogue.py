@@ -11,7 +11,7 @@ from ...analysis.attraction import Attraction, measure_all
 from ...analysis.basin_result import Basin
 from ...analysis.search import periodic_gait
 from ...analysis.stability import StabilityMap
-from ...analysis.sweep import Sweep, sweep
+from ...analysis.sweeps import Sweep, sweep
 from ...errors import InputError
 from ...library.gait import Gait
 from ...library.runner import Runner

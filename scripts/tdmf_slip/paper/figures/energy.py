@@ -6,7 +6,7 @@ from typing import Any
 
 from matplotlib.axes import Axes
 
-from ...analysis.sweep import Sweep
+from ...analysis.sweeps import Sweep
 from ...library.gait import Gait
 from ...pictures import style
 from . import figure_9

@@ -8,11 +8,10 @@ import numpy as np
 from matplotlib.axes import Axes
 from numpy.typing import NDArray
 
-from ...analysis.bifurcations import FOLD, WORD_BORDER
-from ...analysis.branch import Branch
-from ...analysis.continuation import gaits_over
+from ...analysis.branch_problem import gaits_over
+from ...analysis.branches import Branch, trace
 from ...analysis.search import periodic_gait
-from ...analysis.tracing import trace
+from ...analysis.special_points import FOLD, WORD_BORDER
 from ...library.gait import Gait
 from ...library.runner import Runner
 from ...pictures import style

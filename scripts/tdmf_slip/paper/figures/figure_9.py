@@ -12,7 +12,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.patches import Patch
 
-from ...analysis.sweep import Sweep
+from ...analysis.sweeps import Sweep
 from ...library.gait import Gait
 from ...pictures import style
 from ...pictures.curve_label import CurveLabel

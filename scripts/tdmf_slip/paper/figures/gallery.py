@@ -4,7 +4,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 from ...analysis.search import periodic_gait
-from ...analysis.sweep import Sweep, sweep
+from ...analysis.sweeps import Sweep, sweep
 from ...library.runner import Runner
 from ...pictures import animation, model, snapshots
 from ...pictures.stride import Stride

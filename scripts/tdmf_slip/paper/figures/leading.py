@@ -6,8 +6,8 @@ import numpy as np
 from matplotlib.axes import Axes
 from numpy.typing import NDArray
 
-from ...analysis.bifurcations import FOLD, PERIOD_DOUBLING
-from ...analysis.branch import Branch
+from ...analysis.branches import Branch
+from ...analysis.special_points import FOLD, PERIOD_DOUBLING
 from ...library.gait import Gait
 from ...pictures import style
 

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from ...analysis.basin import basin
 from ...analysis.basin_result import Basin
 from ...analysis.stability import StabilityMap, stability
-from ...analysis.sweep import Sweep
+from ...analysis.sweeps import Sweep
 from ...library.runner import Runner
 from ...library.section import REDUCED
 from ...pictures import basin_map, style

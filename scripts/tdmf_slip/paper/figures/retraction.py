@@ -5,9 +5,8 @@ from pathlib import Path
 
 import numpy as np
 
-from ...analysis.branch import Branch
+from ...analysis.branches import Branch, trace
 from ...analysis.search import periodic_gait
-from ...analysis.tracing import trace
 from ...library.gait import Gait
 from ...library.runner import Runner
 from ...pictures import style

@@ -6,10 +6,9 @@ from pathlib import Path
 import numpy as np
 from matplotlib.axes import Axes
 
-from ...analysis.bifurcations import FOLD
-from ...analysis.branch import Branch
+from ...analysis.branches import Branch, trace
 from ...analysis.search import periodic_gait
-from ...analysis.tracing import trace
+from ...analysis.special_points import FOLD
 from ...library.gait import Gait
 from ...library.runner import Runner
 from ...pictures import style

@@ -7,9 +7,8 @@ import numpy as np
 from matplotlib.axes import Axes
 from numpy.typing import NDArray
 
-from ...analysis.branch import Branch
+from ...analysis.branches import Branch, trace
 from ...analysis.search import periodic_gait
-from ...analysis.tracing import trace
 from ...library.gait import Gait
 from ...library.runner import Runner
 from ...pictures import style

@@ -5,7 +5,7 @@ from functools import cache
 
 import numpy as np
 
-from ...analysis.sweep import Sweep, sweep
+from ...analysis.sweeps import Sweep, sweep
 from ...errors import RunError
 from ...library.gait import Gait
 from ...variables.table import FRICTION

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import Executor
 from dataclasses import dataclass
 from itertools import pairwise
@@ -19,24 +19,47 @@ from ..library.gait import Gait
 from ..library.members import check_has_gaits, varied_alone
 from ..library.runner import Runner
 from ..library.shared_steps import shares_steps
+from ..numerics.following import Limits, Point, follow
 from ..record import attributes_of
 from ..terminal.progress import Bar, progress_bar
 from ..variables.parameters import RunnerLike
 from ..variables.table import FRICTION, VARIABLES
 from ..variables.variable import Values
-from .borders import Border, crossings
-from .family import Family
+from .branch_problem import BranchProblem, gaits_over
 from .grid_result import GaitGrid
 from .search import periodic_gait
-from .segment import Segment, followed
+from .special_points import FOLD, Border, borders_between, special_points
 
 if TYPE_CHECKING:
     import xarray
 
 MAX_GAITS = 100_000
 """Of a sweep that is on no file: each takes 10 kB."""
+LARGEST_STEP = 0.2
+"""Longest step along a branch that is followed to learn why it ends, over the scales."""
+MAX_POINTS = 200
+"""Largest number of its gaits."""
 NAMES = "values by the name of one parameter or input, or of two"
 """Names that `vary` accepts."""
+
+
+@dataclass(frozen=True)
+class Segment:
+    """Part of a range: values whose gaits are of one branch."""
+
+    begin: int
+    """Number of the first value."""
+    end: int
+    """Number after that of the last value."""
+    began: str
+    """Why the branch has no gait at the value before; empty at the beginning of the range."""
+    ended: str
+    """Why it has none at the next; empty at the end of the range."""
+
+    def as_json(self, values: Sequence[float]) -> dict[str, object]:
+        """As a plain object; the values are those of the range."""
+        ends = {"from": values[self.begin], "to": values[self.end - 1]}
+        return {**ends, "began": self.began or None, "ended": self.ended or None}
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -245,11 +268,64 @@ def _borders(runner: Runner, name: str, gaits: Sequence[Gait]) -> tuple[list[Bor
     problems: list[str] = []
     for before, after in pairwise(gaits):
         try:
-            family = Family(runner, name)
-            borders += [found.border for found in crossings(family, *family.points(before, after))]
+            borders += borders_between(runner, name, before, after) if before.word != after.word else []
         except RunError as problem:
             problems.append(str(problem))
     return borders, problems
+
+
+def followed(
+    runner: Runner,
+    name: str,
+    values: Values,
+    first: Gait,
+    step_finished: Callable[[], None] = lambda: None,
+) -> tuple[list[Gait], list[str]]:
+    """Gaits at values in turn from one on, as far as the branch could be followed, and what stopped it."""
+    found: list[Gait] = []
+    while len(found) < len(values):
+        last = found[-1] if found else first
+        try:
+            for gait in gaits_over(runner, name, values[len(found) :], last):
+                found.append(gait)
+                step_finished()
+        except RunError as problem:
+            last = found[-1] if found else first
+            reached, why = _beyond(BranchProblem(runner, name), last, float(values[len(found)]))
+            if reached is None:
+                return found, [why or str(problem)]
+            found.append(reached)
+            step_finished()
+    return found, []
+
+
+def _beyond(problem: BranchProblem, last: Gait, value: float) -> tuple[Gait | None, str]:
+    """The gait at a value where the branch leads there, by steps along it; else why it does not."""
+    at = last.runner[problem.name]
+    back = 2.0 * at - value
+    ends = np.array([[value, back]])
+    limits = Limits(ends.min(axis=1), ends.max(axis=1), LARGEST_STEP, MAX_POINTS, back)
+    try:
+        points, ended = follow(problem, problem.start(last, problem.towards(value - at)), 1.0, limits)
+    except (InputError, RunError):
+        return None, ""
+    fold = _fold(problem, points)
+    if fold is not None:
+        return None, f"the branch ends in a fold at {problem.name} = {fold:.10g}"
+    if problem.value(points[-1]) == value:
+        return points[-1].gait, ""
+    return None, f"the branch ends at {problem.name} = {problem.value(points[-1]):.10g}: {ended}"
+
+
+def _fold(problem: BranchProblem, points: Sequence[Point]) -> float | None:
+    """Value of the parameter at which the branch turns back first."""
+    for before, after in pairwise(points):
+        if before.rises != after.rises:
+            folds = [
+                special.value for special in special_points(problem, before, after) if special.kind == FOLD
+            ]
+            return folds[0] if folds else 0.5 * (problem.value(before) + problem.value(after))
+    return None
 
 
 def check_values(runner: Runner, name: str, values: Values) -> None:

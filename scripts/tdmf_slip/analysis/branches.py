@@ -1,0 +1,352 @@
+"""Branches of gaits along a parameter: followed from a gait both ways, with all that happens on them."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from itertools import pairwise
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from ..checks import checked, checked_flag, checked_whole, number_of, refusal
+from ..drawable import Drawable
+from ..errors import InputError, RunError
+from ..given import row_of
+from ..library.fixed_point import settled_gait
+from ..library.gait import Gait, check_is_gait
+from ..library.members import varied_alone
+from ..library.runner import Runner
+from ..library.shared_steps import shares_steps
+from ..numerics.following import SHORTEST_STEP as SHORTEST_STEP
+from ..numerics.following import Limits, Point, both_ways, follow
+from ..record import attributes_of
+from ..terminal.progress import progress_bar
+from ..variables.parameters import RunnerLike
+from ..variables.table import VARIABLES
+from ..variables.variable import Given
+from .branch_problem import BranchProblem, gaits_over
+from .search import periodic_gait
+from .special_points import PERIOD_DOUBLING, WORD_BORDER, Border, Special, special_points
+
+if TYPE_CHECKING:
+    import xarray
+
+LARGEST_STEP = 1e9
+MAX_POINTS = 1_000_000
+"""Largest number of gaits that may be asked for."""
+BEGINNING = "beginning of the range"
+STARTS = 24
+"""Values of the range at which a gait to begin with is looked for."""
+MAX_STRIDES = 4
+"""Strides of the gaits that are followed; of a period doubling of theirs no further branch is followed."""
+DEPARTURES = (1e-2, 3e-3, 1e-3, 3e-2)
+"""Distances from a period doubling, over the scales, of the first gait of twice the period."""
+UNEVEN = 0.5
+"""The halves of the first gait lie on both sides of the doubling, two departures apart up to this."""
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Branch(Drawable):
+    """Gaits in the order in which they were met along a parameter."""
+
+    name: str
+    """Name of the parameter or input."""
+    values: tuple[float, ...]
+    """Value of the parameter at each gait, in its unit."""
+    gaits: tuple[Gait, ...]
+    """The gaits."""
+    specials: tuple[Special, ...]
+    """Bifurcations, word borders, and unclassified points, in the branch's order."""
+    began: str
+    """Why the branch has no earlier points, in the words of `ended`."""
+    ended: str
+    """Why the branch stops: at the end of the range, where it began, or in words what happened."""
+    strides: int = 1
+    """Number of strides after which its gaits repeat themselves."""
+    branches: tuple[Branch, ...] = ()
+    """Branches of gaits of twice as many strides, from the period doublings."""
+
+    @property
+    def borders(self) -> tuple[Border, ...]:
+        """Changes of the word, in the branch's order."""
+        return tuple(Border(s.value, *s.words) for s in self.specials if s.kind == WORD_BORDER and s.words)
+
+    def __repr__(self) -> str:
+        """One line: the parameter, the length, the special points, and why the branch stops."""
+        kinds = [special.kind for special in self.specials]
+        counts = (
+            ", ".join(f"{kinds.count(kind)} {kind}" for kind in dict.fromkeys(kinds)) or "nothing special"
+        )
+        return (
+            f"<Branch over {self.name} {self.values[0]:.6g} to {self.values[-1]:.6g}: "
+            f"{len(self.gaits)} gaits of {self.strides} strides; {counts}; {self.ended}>"
+        )
+
+    def as_json(self) -> dict[str, object]:
+        """The branch as a plain object; a point is a gait's `as_json` with its `value`."""
+        found = zip(self.values, self.gaits, strict=True)
+        return {
+            **self.gaits[0].runner.record(self.name),
+            "over": self.name,
+            "strides": self.strides,
+            "points": [
+                {"value": value, "unstable": gait.unstable, **gait.as_json()} for value, gait in found
+            ],
+            "specials": [special.as_json() for special in self.specials],
+            "began": self.began,
+            "ended": self.ended,
+            "branches": [branch.as_json() for branch in self.branches],
+        }
+
+    def to_xarray(self) -> xarray.Dataset:
+        """The branch as a dataset with units, over `point` and, for its special points, over `special`.
+
+        Returns
+        -------
+        xarray.Dataset
+            By point the parameter under its name, all numbers of a gait as in a sweep's dataset, the `word`,
+            and `unstable`, how many eigenvalues are outside the unit circle; by special point `special_kind`,
+            `special_value` and `special_why`.
+        """
+        from .grid import as_dataset  # xarray is slow to load
+
+        data = as_dataset(self.gaits, {"point": np.arange(len(self.gaits), dtype=float)})
+        data[self.name] = ("point",), np.array(self.values)
+        data[self.name].attrs = VARIABLES[self.name].attributes
+        data["unstable"] = ("point",), np.array([gait.unstable for gait in self.gaits])
+        data["unstable"].attrs = {"units": "1", "long_name": "eigenvalues outside the unit circle"}
+        data["special_kind"] = ("special",), np.array([s.kind for s in self.specials], dtype=object)
+        data["special_value"] = ("special",), np.array([s.value for s in self.specials], dtype=float)
+        data["special_why"] = ("special",), np.array([s.why for s in self.specials], dtype=object)
+        data["special_value"].attrs = VARIABLES[self.name].attributes
+        data.attrs = {
+            **attributes_of(self.gaits[0].runner.record(self.name)),
+            "over": self.name,
+            "strides": self.strides,
+            "began": self.began,
+            "ended": self.ended,
+        }
+        return data
+
+
+@shares_steps
+def continue_branch(
+    runner: RunnerLike,
+    vary: Mapping[str, tuple[float, float]],
+    *,
+    model: str | None = None,
+    max_step: float = 0.2,
+    max_points: int = 1000,
+    switch: bool = True,
+    progress: bool = False,
+) -> Branch:
+    """The branch of gaits over a range of a parameter, through folds, with every special point classified.
+
+    The branch begins at the first end of the range with the gait that `find_gait` gives. Where there is
+    none, it begins at the first value that has one, and is followed both ways.
+
+    Parameters
+    ----------
+    runner : Runner, Gait, mapping of str to float, Series, str or Path, optional
+        Whose gaits: a runner, or start values by the unit's names, over the unit's own.
+    vary : mapping of str to pair of float
+        The parameter or input that is varied, and both ends of its range, in its unit.
+    model : str, optional
+        `full` or `reduced`, as in `find_gait`.
+    max_step : float, default 0.2
+        Longest step along the branch, over the coordinates' scales and the parameter's.
+    max_points : int, default 1000
+        Stop after so many gaits, in each direction.
+    switch : bool, default True
+        Follow the gaits of two strides from each period doubling, and those of four from theirs, too.
+    progress : bool, default False
+        Show a count of gaits on stderr.
+
+    Returns
+    -------
+    Branch
+        The gaits in their order, with borders and bifurcations, and the branches of more strides.
+
+    Raises
+    ------
+    InputError
+        No such parameter, a value that is not allowed, or a range without length.
+    RunError
+        There is no gait in the range.
+
+    Examples
+    --------
+    >>> import tdmf_slip
+    >>> branch = tdmf_slip.continue_branch({}, {"ground.friction": (0.6, 0.2)})
+    >>> branch.ended, [special.kind for special in branch.specials]
+    ('end of the range', ['word border', 'word border', 'word border'])
+    """
+    runner = Runner(runner, model=model)
+    allowed = "both ends of a range, by the name of one parameter or input"
+    name, ends = varied_alone(vary, allowed)
+    where = f"vary {name}"
+    row = row_of(ends, where, allowed)
+    if len(row) != 2:
+        raise refusal(where, ends, allowed)
+    begin, end = (float(VARIABLES.find(name, "vary").value_of(value, where)) for value in row)
+    switch = checked_flag("switch", switch)
+    max_step = checked("max_step", max_step, SHORTEST_STEP, LARGEST_STEP)
+    max_points = checked_whole("max_points", max_points, 1, MAX_POINTS)
+    if begin == end:
+        raise InputError(f"{where}: {begin:g} to {end:g}; allowed: ends that differ")
+    with progress_bar("branch", None, "gaits", progress) as bar:
+
+        def tell() -> None:
+            bar.update()
+
+        first = first_gait(runner, name, begin, end)
+        branch = trace(
+            runner,
+            name,
+            first,
+            end,
+            begin=begin,
+            max_step=max_step,
+            max_points=max_points,
+            step_finished=tell,
+        )
+        if not switch:
+            return branch
+        limits = _limits(begin, end, max_step, max_points)
+        return with_doubled_branches(branch, lambda n: BranchProblem(first.runner, name, n), limits, tell)
+
+
+def first_gait(runner: Runner, name: str, begin: float, end: float) -> Gait:
+    """A gait in a range of a parameter: at its first end, or as near to it as one is found."""
+    why: RunError | None = None
+    home = runner[name]
+    inside = [home] if min(begin, end) <= home <= max(begin, end) else []
+    for number, value in enumerate([begin, *inside, *np.linspace(begin, end, STARTS)[1:]]):
+        at = runner.replace({name: float(value)})
+        try:
+            found = periodic_gait(at) if number <= len(inside) else settled_gait(at)
+        except RunError as problem:
+            why = why or problem
+            continue
+        return _nearer(found, name, begin) if number == 1 and inside else found
+    assert why is not None
+    raise RunError(f"no gait of {name} from {begin:g} to {end:g} was found: {why}")
+
+
+def _nearer(found: Gait, name: str, begin: float) -> Gait:
+    """The gait of the same branch at the first end of the range, if the parameter alone leads there."""
+    try:
+        return next(gaits_over(found.runner, name, [begin], found))
+    except RunError:
+        return found
+
+
+def _limits(begin: float, end: float, max_step: float, max_points: int) -> Limits:
+    low, high = np.array([min(begin, end)]), np.array([max(begin, end)])
+    return Limits(low, high, max_step, max_points, begin)
+
+
+def trace(
+    runner: Runner | Mapping[str, Given],
+    name: str,
+    first: Gait,
+    end: float,
+    *,
+    begin: float | None = None,
+    max_step: float = 0.2,
+    max_points: int = 1000,
+    step_finished: Callable[[], None] = lambda: None,
+) -> Branch:
+    """Follow the branch of a gait, through folds, until the parameter leaves the range."""
+    problem = BranchProblem(runner, name)
+    check_is_gait(first, "first")
+    max_step = checked("max_step", max_step, SHORTEST_STEP, LARGEST_STEP)
+    max_points = checked_whole("max_points", max_points, 1, MAX_POINTS)
+    start = first.runner[name]
+    begin = start if begin is None else begin
+    for what, value in (("begin", begin), ("end", end)):
+        if number_of(value) is None:
+            raise refusal(f"{what} of {name}", value, "a number")
+    if not abs(end - begin) > 0.0 or not min(begin, end) <= start <= max(begin, end):
+        raise InputError(
+            f"end {end:g} of {name}: allowed: a number other than {begin:g}, and the first gait's "
+            f"{start:g} between the two"
+        )
+    problem = BranchProblem(problem.runner.replace({name: start}), name, first.strides)
+    towards = problem.towards(end - begin)
+    point = problem.correct(problem.at(first), towards)
+    return whole_branch(problem, point, _limits(begin, end, max_step, max_points), step_finished)
+
+
+def whole_branch(
+    problem: BranchProblem, first: Point, limits: Limits, step_finished: Callable[[], None] = lambda: None
+) -> Branch:
+    """The branch through a point, in its direction, and back from it unless at the range's beginning."""
+    points, began, ended = both_ways(problem, first, limits, step_finished)
+    began = BEGINNING if not began or began.startswith("back at") else began
+    return reported_branch(problem, points, began, ended)
+
+
+def reported_branch(problem: BranchProblem, points: Sequence[Point], began: str, ended: str) -> Branch:
+    """Points as a branch, with all that happens between them."""
+    specials = [
+        replace(special, index=index)
+        for index, (before, after) in enumerate(pairwise(points))
+        for special in special_points(problem, before, after)
+    ]
+    values, gaits = (problem.value(point) for point in points), (point.gait for point in points)
+    return Branch(problem.name, tuple(values), tuple(gaits), tuple(specials), began, ended, problem.strides)
+
+
+def with_doubled_branches(
+    branch: Branch,
+    problem_of: Callable[[int], BranchProblem],
+    limits: Limits,
+    step_finished: Callable[[], None] = lambda: None,
+) -> Branch:
+    """A branch with those of twice the period from its period doublings, each once, and with theirs.
+
+    On such a branch the period may double again: its gaits of four strides are followed likewise. A doubling
+    whose gaits are not followed says why.
+    """
+    strides = 2 * branch.strides
+    met: list[float] = []
+    found: list[Branch] = []
+    specials = list(branch.specials)
+    for number, special in enumerate(branch.specials):
+        if special.kind != PERIOD_DOUBLING or any(abs(special.value - v) <= 1e-8 * abs(v) for v in met):
+            continue
+        if strides > MAX_STRIDES:
+            specials[number] = replace(special, why=f"gaits of {strides} strides are not followed")
+            continue
+        problem = problem_of(strides)
+        problem.doublings = [other.value for other in branch.specials if other.kind == PERIOD_DOUBLING]
+        first = departure(problem, special)
+        if first is None:
+            specials[number] = replace(special, why=f"no gait of {strides} strides was found beside it")
+            continue
+        points, ended = follow(problem, first, 1.0, limits, step_finished=step_finished)
+        other = reported_branch(problem, points, problem.at_doubling(special.value), ended)
+        met += [value for value in problem.doublings if ended == problem.at_doubling(value)]
+        found.append(with_doubled_branches(other, problem_of, limits, step_finished))
+    return replace(branch, specials=tuple(specials), branches=tuple(found))
+
+
+def departure(problem: BranchProblem, doubling: Special) -> Point | None:
+    """The first gait of twice the period beside a period doubling, in the direction away from it."""
+    gait, scales = doubling.gait, problem.scales[:-1]
+    eigenvalues, vectors = np.linalg.eig(gait.jacobian)
+    vector = vectors[:, np.argmin(np.abs(eigenvalues + 1.0))].real / scales
+    way = np.append(vector / np.linalg.norm(vector), 0.0)
+    begin = np.append(gait.apex / scales, doubling.value / problem.scales[-1])
+    for distance in DEPARTURES:
+        try:
+            found = problem.correct(begin + distance * way, way)
+        except (InputError, RunError):
+            continue
+        halfway = found.gait.following[problem.strides // 2 - 1]
+        apart = float(np.linalg.norm((halfway - found.gait.apex) / scales)) / distance
+        if abs(apart - 2.0) < UNEVEN:
+            return found
+    return None

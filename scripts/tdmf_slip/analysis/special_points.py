@@ -1,0 +1,330 @@
+"""Special points of a branch of gaits: where it turns, where its stability changes, where its word changes.
+
+At a fold an eigenvalue is +1 and the parameter turns back. At a period doubling an eigenvalue is -1, and at
+a Neimark-Sacker point a complex pair is on the unit circle. At a word border the return map has a kink, and
+eigenvalues may jump. Feigin's conditions for a border collision then classify the point from the maps of
+both sides: the branch turns where det(I - J) changes its sign across the border, and the period doubles
+where det(I + J) does. Any other change in the number of eigenvalues outside the unit circle is kept and
+marked `unclassified`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, replace
+from itertools import combinations
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..errors import InputError, RunError
+from ..library.gait import Gait, check_is_gait
+from ..library.runner import Runner
+from ..numerics.following import Point
+from ..numerics.newton import Matrix
+from ..variables.variable import Given
+from .branch_problem import BranchProblem
+
+FOLD, PERIOD_DOUBLING, NEIMARK_SACKER = "fold", "period doubling", "Neimark-Sacker"
+WORD_BORDER, UNCLASSIFIED = "word border", "unclassified"
+SHORTEST = 1e-6
+"""Length of branch within which special points are not told apart."""
+LOCATED = 1e-11
+"""Share of the way between two gaits to which a zero of a test function is located."""
+ON_CIRCLE = 1e-6
+"""Distance of eigenvalues from where a bifurcation has them."""
+BORDER_ACCURACY = 1e-11
+"""Length of branch, over the scales, within which a border is located."""
+CORNER = 1e-9
+"""Points on both sides of a border that are farther apart are at a corner that the chord does not show."""
+ACUTE = 100.0
+"""Distance of such points from the corner, over their distance from each other."""
+MAX_LOOKS = 100
+MAX_BORDERS = 100
+
+
+@dataclass(frozen=True)
+class Border:
+    """A change of a gait's word."""
+
+    value: float
+    """Value of the parameter."""
+    before: str
+    """Word before the border, in the order of the branch."""
+    after: str
+    """Word after it."""
+
+    def as_json(self, name: str = "friction") -> dict[str, object]:
+        """The border as a plain object."""
+        return {name: self.value, "from": self.before, "to": self.after}
+
+
+@dataclass(frozen=True, eq=False)
+class Special:
+    """A point of a branch where its stability, its direction or its word changes."""
+
+    kind: str
+    """fold, period doubling, Neimark-Sacker, word border, or unclassified."""
+    value: float
+    """Value of the parameter; for an unclassified point, the middle of `between`."""
+    gait: Gait
+    """Gait at the point; for a word border or an unclassified point, the gait just beyond it."""
+    between: tuple[float, float]
+    """Values of the parameter at two gaits around it, in their order along the branch."""
+    why: str = ""
+    """Why the point is unclassified, or why the gaits of a period doubling are not followed."""
+    words: tuple[str, str] | None = None
+    """Gait words before and after the point, if they differ."""
+    index: int = 0
+    """Index of the branch's gait just before the point."""
+    short: Gait | None = None
+    """Gait just before a word border."""
+
+    def as_json(self) -> dict[str, object]:
+        """As a plain object; `from` and `to` are the words where they change."""
+        known: dict[str, object] = {"kind": self.kind, "value": self.value}
+        words = {"from": self.words[0], "to": self.words[1]} if self.words else {}
+        return known | words | ({"between": list(self.between), "why": self.why} if self.why else {})
+
+
+def special_points(problem: BranchProblem, before: Point, after: Point) -> list[Special]:
+    """What happens between two neighbouring points of a branch, in its order."""
+    return list(_specials(problem, before, after))
+
+
+def _specials(problem: BranchProblem, before: Point, after: Point) -> Iterator[Special]:
+    """Special points segment by segment, with one thing each, or too short to be told apart."""
+    length = float(np.linalg.norm(after.x - before.x))
+    try:
+        if before.gait.word != after.gait.word:
+            yield from _across_borders(problem, before, after)
+            return
+        if _is_simple(before, after):
+            yield from _bifurcations(problem, before, after)
+            return
+    except (InputError, RunError) as why:
+        if length < SHORTEST:
+            yield _unclassified(problem, before, after, str(why))
+            return
+    middle = None
+    if length >= SHORTEST:
+        try:
+            middle = problem.between(before, after, 0.5)
+        except (InputError, RunError):
+            middle = None
+    if middle is None or max(np.linalg.norm(middle.x - end.x) for end in (before, after)) >= 0.8 * length:
+        yield _unclassified(problem, before, after, _account(before, after))
+        return
+    yield from _specials(problem, before, middle)
+    yield from _specials(problem, middle, after)
+
+
+def _across_borders(problem: BranchProblem, before: Point, after: Point) -> Iterator[Special]:
+    """Borders, what happens on them, and what happens between them."""
+    begin = before
+    for short, beyond in list(crossings(problem, before, after)):
+        yield from _specials(problem, begin, short)
+        yield from _at_border(problem, short, beyond, (problem.value(before), problem.value(after)))
+        begin = beyond
+    yield from _specials(problem, begin, after)
+
+
+def _at_border(
+    problem: BranchProblem, short: Point, beyond: Point, around: tuple[float, float]
+) -> Iterator[Special]:
+    """The border, and by the maps of both sides whether the branch turns there or the period doubles."""
+    border = border_of(problem, short, beyond)
+    words = (border.before, border.after)
+    yield Special(WORD_BORDER, border.value, beyond.gait, around, words=words, short=short.gait)
+    changes = _changes(short, beyond)
+    turns = FOLD in changes and _passes_one(short, beyond)
+    real = [FOLD] * turns + [PERIOD_DOUBLING] * (PERIOD_DOUBLING in changes)
+    for kind in real:
+        yield Special(kind, border.value, beyond.gait, around, words=words)
+    more = abs(beyond.gait.unstable - short.gait.unstable)
+    explained = more <= len(real) and (more - len(real)) % 2 == 0
+    if not explained or turns != (FOLD in changes):
+        yield _unclassified(problem, short, beyond, _account(short, beyond))
+
+
+def _unclassified(problem: BranchProblem, before: Point, after: Point, why: str) -> Special:
+    around = problem.value(before), problem.value(after)
+    words = (before.gait.word, after.gait.word)
+    kept = words if words[0] != words[1] else None
+    return Special(UNCLASSIFIED, 0.5 * sum(around), after.gait, around, why, kept)
+
+
+def _passes_one(before: Point, after: Point) -> bool:
+    """Whether an odd number of real eigenvalues gets across +1."""
+    low, high = (JACOBIAN_TESTS[FOLD](point.gait.jacobian) for point in (before, after))
+    return (low > 0.0) != (high > 0.0)
+
+
+def bialternate(matrix: Matrix) -> Matrix:
+    """The bialternate product of a matrix with itself: its eigenvalues are the products of pairs."""
+    pairs = list(combinations(range(len(matrix)), 2))
+    rows = [[matrix[i, k] * matrix[j, m] - matrix[i, m] * matrix[j, k] for k, m in pairs] for i, j in pairs]
+    return np.array(rows).reshape(len(pairs), len(pairs))
+
+
+def _determinant(matrix: Matrix, number: float) -> float:
+    return float(np.linalg.det(matrix - number * np.eye(len(matrix))))
+
+
+JACOBIAN_TESTS: Mapping[str, Callable[[Matrix], float]] = {
+    FOLD: lambda jacobian: _determinant(jacobian, 1.0),
+    PERIOD_DOUBLING: lambda jacobian: _determinant(jacobian, -1.0),
+    NEIMARK_SACKER: lambda jacobian: _determinant(bialternate(jacobian), 1.0),
+}
+"""Functions of the map's Jacobian that are zero at a bifurcation: where an eigenvalue is 1 or -1, and where
+the product of two of them is 1, as for a pair on the unit circle or at a neutral saddle."""
+_TESTS: Mapping[str, Callable[[Point], float]] = {
+    FOLD: lambda point: float(point.tangent[-1]),
+    PERIOD_DOUBLING: lambda point: JACOBIAN_TESTS[PERIOD_DOUBLING](point.gait.jacobian),
+    NEIMARK_SACKER: lambda point: JACOBIAN_TESTS[NEIMARK_SACKER](point.gait.jacobian),
+}
+"""Functions of a point that change their sign where something may happen."""
+_STABILITY_CHANGES: Mapping[tuple[str, ...], tuple[int, ...]] = {
+    (): (0,),
+    (FOLD,): (1,),
+    (PERIOD_DOUBLING,): (1,),
+    (NEIMARK_SACKER,): (0, 2),
+}
+"""Changes of the number of eigenvalues outside the unit circle, where one thing happens."""
+
+
+def _unstable_in_pairs(point: Point) -> int:
+    """Number of eigenvalues of complex pairs outside the unit circle."""
+    values = point.gait.eigenvalues
+    return int(np.count_nonzero(np.abs(values[values.imag != 0.0]) > 1.0))
+
+
+def _changes(before: Point, after: Point) -> tuple[str, ...]:
+    return tuple(kind for kind, test in _TESTS.items() if (test(before) > 0.0) != (test(after) > 0.0))
+
+
+def _is_simple(before: Point, after: Point) -> bool:
+    """Whether the one thing that happens explains how many eigenvalues get across the unit circle.
+
+    Two real ones that leave it make the same sign change as a complex pair.
+    """
+    changes = _changes(before, after)
+    more = after.gait.unstable - before.gait.unstable
+    pairs = _unstable_in_pairs(after) - _unstable_in_pairs(before)
+    if changes == (NEIMARK_SACKER,) and more not in (0, pairs):
+        return False
+    return abs(more) in _STABILITY_CHANGES.get(changes, ())
+
+
+def _account(before: Point, after: Point) -> str:
+    """What is seen of two gaits between which more happens than can be told apart."""
+    changes = _changes(before, after)
+    words = f"{before.gait.word} becomes {after.gait.word}" if before.gait.word != after.gait.word else ""
+    turns = "the branch turns" if FOLD in changes else ""
+    passes = "an eigenvalue passes -1" if PERIOD_DOUBLING in changes else ""
+    counts = f"{before.gait.unstable} eigenvalues outside the unit circle become {after.gait.unstable}"
+    return ", ".join(filter(None, (words, turns, passes, counts)))
+
+
+def _bifurcations(problem: BranchProblem, before: Point, after: Point) -> Iterator[Special]:
+    """Bifurcations at sign changes of test functions; a neutral saddle is none."""
+    for kind in _changes(before, after):
+        point = _zero(problem, before, after, _TESTS[kind])
+        if is_there(kind, point.gait.eigenvalues):
+            around = problem.value(before), problem.value(after)
+            yield Special(kind, problem.value(point), point.gait, around)
+        elif before.gait.unstable != after.gait.unstable:
+            raise RunError(f"no eigenvalues of a {kind}: {_account(before, after)}")
+
+
+def is_there(kind: str, eigenvalues: NDArray[Any]) -> bool:
+    """Whether eigenvalues are where a bifurcation has them."""
+    if kind == NEIMARK_SACKER:
+        return bool(np.any((np.abs(np.abs(eigenvalues) - 1.0) < ON_CIRCLE) & (eigenvalues.imag != 0.0)))
+    return bool(np.min(np.abs(eigenvalues - (1.0 if kind == FOLD else -1.0))) < ON_CIRCLE)
+
+
+def _zero(problem: BranchProblem, before: Point, after: Point, test: Callable[[Point], float]) -> Point:
+    """The zero of a test function between two points of a branch, by the Illinois method."""
+    low, high = 0.0, 1.0
+    at_low, at_high = test(before), test(after)
+    last = high
+    for _ in range(MAX_LOOKS):
+        share = high - at_high * (high - low) / (at_high - at_low)
+        point = problem.between(before, after, share)
+        value = test(point)
+        if value == 0.0 or min(abs(share - last), abs(high - low)) <= LOCATED:
+            return point
+        if (value > 0.0) != (at_high > 0.0):
+            low, at_low = high, at_high
+        else:
+            at_low *= 0.5
+        high, at_high, last = share, value, share
+    raise RunError(f"not located between {problem.where(before.x)} and {problem.where(after.x)}")
+
+
+def borders_between(runner: Runner | Mapping[str, Given], name: str, first: Gait, last: Gait) -> list[Border]:
+    """All changes of the word from one gait to another of the same branch."""
+    check_is_gait(first, "first")
+    check_is_gait(last, "last")
+    problem = BranchProblem(runner, name)
+    way = problem.at(last) - problem.at(first)
+    found = crossings(problem, problem.start(first, way), problem.start(last, way))
+    return [border_of(problem, *sides) for sides in found]
+
+
+def border_of(problem: BranchProblem, short: Point, beyond: Point) -> Border:
+    """The border between two points that are next to it."""
+    return Border(0.5 * (problem.value(short) + problem.value(beyond)), short.gait.word, beyond.gait.word)
+
+
+def crossings(problem: BranchProblem, first: Point, last: Point) -> Iterator[tuple[Point, Point]]:
+    """Points short of and beyond each word border between two points of a branch."""
+    inside = first
+    for _ in range(MAX_BORDERS):
+        if inside.gait.word == last.gait.word:
+            return
+        short, beyond = _border(problem, inside, last)
+        short = short.along(inside.tangent)
+        beyond = beyond.along(last.tangent) if beyond.gait.word == last.gait.word else beyond
+        apart = float(np.linalg.norm(beyond.x - short.x))
+        if apart > CORNER:
+            short = _approached(problem, short, ACUTE * apart, 1.0)
+            beyond = _approached(problem, beyond, ACUTE * apart, -1.0)
+        yield short, beyond
+        inside = beyond
+    raise RunError(f"more than {MAX_BORDERS} borders between {first.gait.word} and {last.gait.word}")
+
+
+def _border(problem: BranchProblem, inside: Point, last: Point) -> tuple[Point, Point]:
+    """The points just short of where the word of `inside` ends on the way to `last`, and just beyond."""
+    length = float(np.linalg.norm(last.x - inside.x))
+    normal = (last.x - inside.x) / length
+    word, low, high = inside.gait.word, inside.x, last.x
+    while (high - low) @ normal > BORDER_ACCURACY:
+        x, found = problem.look(low, high, normal, inside.rows)
+        low, high = (x, high) if found == word else (low, x)
+    short = inside if low is inside.x else problem.point(low, normal)
+    beyond = last if high is last.x else problem.point(high, normal)
+    if not short.gait.word == word != beyond.gait.word:
+        raise RunError(f"border of {word} not located near {problem.where(inside.x)}")
+    return short, beyond
+
+
+def _approached(problem: BranchProblem, point: Point, reach: float, way: float) -> Point:
+    """The last point of the same word from one on, along its tangent, no farther than a reach."""
+    direction, word = way * point.tangent, point.gait.word
+    low, high, last = 0.0, reach, point
+    while high - low > BORDER_ACCURACY:
+        middle = 0.5 * (low + high)
+        try:
+            tried = problem.correct(point.x + middle * direction, direction, last)
+            is_there = tried.gait.word == word and np.linalg.norm(tried.x - point.x) <= 2.0 * middle
+        except (InputError, RunError):
+            is_there = False
+        if is_there:
+            low, last = middle, replace(tried, tangent=point.tangent)
+        else:
+            high = middle
+    return last

@@ -1,0 +1,495 @@
+"""Follow a curve of solutions by predictor and corrector, whatever the curve consists of.
+
+A curve is given by a `Problem` with one equation less than it has unknowns. Unknowns are over their scales,
+and the last ones are parameters, which have ranges. `follow` predicts along the tangent and corrects on the
+plane across it. A step counts only if it can be walked back: the corrector that starts from the new point's
+tangent has to find the old point. Else the step may have led to another curve that comes near.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, replace
+from functools import partial
+from itertools import count, dropwhile, pairwise
+from typing import Any, TypeVar
+
+import numpy as np
+
+from ..errors import InputError, RunError
+from .newton import Matrix, Vector, solve
+
+SHORTEST_STEP = 1e-7
+"""Length over the scales: where no step of this length finds a point, the curve ends or has a corner."""
+SHARP = 1e-4
+"""Steps up to this length may turn by any angle."""
+STRAIGHT = 0.9
+"""Least cosine between the tangents at both ends of a longer step."""
+FARTHEST, NEAR = 0.5, 10.0
+"""Largest distance of a point from its prediction, over the step: in a longer step, and at a corner."""
+RETURNED = 1e-3
+"""Share of a step: Newton's method that comes as near to a known point would find it."""
+BESIDE = 0.5
+"""Share of a step: points farther from the straight way are not passed."""
+BEYOND = (1e-6, 3e-6, 1e-5, 3e-5, 1e-4, 3e-4, 1e-3, 3e-3, 1e-2)
+"""Distances beyond a corner at which the map of the other side is evaluated."""
+MAX_BACK = 100
+"""Largest number of steps from beyond a corner back to it."""
+ITERATIONS, SHORTENINGS = 24, 12
+"""Largest number of Newton's steps, and of lengths at which each is tried."""
+MAX_STEPS = 500
+"""Largest number of steps of a walk; most walks take fewer than a hundred."""
+CLOSED = "closed: back where it has been"
+"""Why a curve ended that met itself."""
+
+Found = TypeVar("Found")
+Known = TypeVar("Known")
+
+
+@dataclass(frozen=True, eq=False)
+class Point:
+    """A point of a curve."""
+
+    x: Vector
+    """Unknowns over the scales, shape (n,)."""
+    tangent: Vector
+    """Unit tangent of the curve, shape (n,)."""
+    gait: Any
+    """What the problem knows at the point, such as a `Gait`."""
+    rows: Matrix
+    """Jacobian of the residual, shape (n - 1, n)."""
+
+    @property
+    def rises(self) -> bool:
+        """Whether the last unknown grows along the curve."""
+        return bool(self.tangent[-1] > 0.0)
+
+    def reversed(self) -> Point:
+        """The same point with its tangent the other way."""
+        return replace(self, tangent=-self.tangent)
+
+    def along(self, direction: Vector) -> Point:
+        """The same point with its tangent along a direction."""
+        return self if self.tangent @ direction >= 0.0 else self.reversed()
+
+
+@dataclass(frozen=True, eq=False)
+class Limits:
+    """Ranges of the parameters, and lengths and number of the steps."""
+
+    low: Vector
+    """Least value of each parameter, in its unit."""
+    high: Vector
+    """Largest value of each parameter."""
+    max_step: float = 0.2
+    """Longest step, over the scales."""
+    max_points: int = 1000
+    """Number of points after which the curve is left, in one direction."""
+    begin: float | None = None
+    """Value of the only parameter that is reported as the beginning of its range."""
+    parts: float = 50.0
+    """No step changes a parameter by more than this part of its range, to first order."""
+
+    def longest(self, problem: Problem, last: Point) -> float:
+        """The longest step from a point."""
+        rates = np.abs(last.tangent * problem.scales)[-len(self.low) :] * self.parts
+        with np.errstate(divide="ignore"):
+            return float(min(self.max_step, np.min((self.high - self.low) / rates)))
+
+
+class Problem:
+    """A curve given by equations; subclasses evaluate them and say what happened in words."""
+
+    scales: Vector
+    """Scales of the unknowns, shape (n,)."""
+    names: tuple[str, ...]
+    """Names of the parameters, the last unknowns."""
+    same = 1e-8
+    """Points as near, over the scales, are one."""
+
+    def residual(self, x: Vector) -> Vector:
+        """Residual, shape (n - 1,)."""
+        raise NotImplementedError
+
+    def linearize(self, x: Vector) -> tuple[Vector, Matrix]:
+        """Residual and its Jacobian, shape (n - 1, n)."""
+        raise NotImplementedError
+
+    def describe(self, x: Vector) -> tuple[Any, Matrix]:
+        """What is known at a solution, and the Jacobian of the residual."""
+        raise NotImplementedError
+
+    def label(self, known: object) -> object:
+        """Label of what is known at a point; the equations are smooth while it stays."""
+        return None
+
+    def visited(self, point: Point) -> Sequence[Vector]:
+        """All places that a point stands for: a gait of two strides is met again at its other apex."""
+        return [point.x]
+
+    def ends_between(self, before: Point, after: Point) -> str:
+        """Why the curve ends between two points, or an empty text."""
+        return ""
+
+    def at_edge(self, value: float, limits: Limits) -> str:
+        """Why a curve ended at the edge of a range."""
+        return "edge of the ranges"
+
+    def where_met(self, point: Point, following: Point, number: int) -> str:
+        """Why a curve ended that came back to a point, by the number of the place in `visited`."""
+        return CLOSED
+
+    def lost(self, last: Point, why: Exception) -> str:
+        """Why a curve cannot be followed from its last point on."""
+        return f"lost: {why}"
+
+    def values(self, x: Vector) -> Vector:
+        """Values of the parameters, in their units."""
+        count = len(self.names)
+        values: Vector = x[-count:] * self.scales[-count:]
+        return values
+
+    def where(self, x: Vector) -> str:
+        """Names and values of the parameters at a point, for messages."""
+        values = zip(self.names, self.values(x), strict=True)
+        return ", ".join(f"{name} = {value:g}" for name, value in values)
+
+    def point(self, x: Vector, along: Vector) -> Point:
+        """A solution as a point whose tangent leads along a direction."""
+        known, rows = self.describe(x)
+        return Point(x, np.linalg.svd(rows)[2][-1], known, rows).along(along)
+
+    def solution(self, goal: Vector, across: Vector, rows: Matrix | None) -> Vector:
+        """The solution near a goal on the plane across a direction, or on several, by damped or whole steps.
+
+        `across` has the shape (n,) or (k, n); `rows` are a Jacobian from nearby. RunError where there is no
+        solution, InputError where the goal itself is not allowed.
+        """
+        plane = _OnPlane(self, goal, across)
+        near = None if rows is None else np.vstack([rows, across])
+        try:
+            return solve(plane, goal, jacobian=near, iterations=ITERATIONS, shortenings=SHORTENINGS).x
+        except RunError:
+            return solve(plane, goal, iterations=ITERATIONS, shortenings=0).x
+
+    def correct(self, goal: Vector, across: Vector, near: Point | None = None) -> Point:
+        """The curve's point near a goal on the plane across a direction; its tangent goes along it.
+
+        The Jacobian of a point that is near may save some evaluations.
+        """
+        try:
+            return self.point(self.solution(goal, across, None if near is None else near.rows), across)
+        except RunError as problem:
+            raise RunError(f"no gait near {self.where(goal)}: {problem}") from None
+
+    def between(self, before: Point, after: Point, share: float) -> Point:
+        """The curve's point beside a share of the straight way from one point to the next."""
+        way = after.x - before.x
+        return self.correct(before.x + share * way, way / np.linalg.norm(way), before)
+
+    def leads_back(self, found: Point, known: Point) -> bool:
+        """Whether the corrector that starts from the tangent of one point finds the known one."""
+        goal = found.x - ((found.x - known.x) @ found.tangent) * found.tangent
+        return self.reaches(goal, found.tangent, known.x, found)
+
+    def reaches(self, goal: Vector, across: Vector, known: Vector, found: Point) -> bool:
+        """Whether Newton's method from a goal comes near a known solution, over its distance from a point."""
+        near = RETURNED * float(np.linalg.norm(found.x - known))
+        plane = _OnPlane(self, goal, across, known, near)
+        for shortenings, rows in ((SHORTENINGS, np.vstack([found.rows, across])), (0, None)):
+            try:
+                solve(plane, goal, jacobian=rows, iterations=ITERATIONS, shortenings=shortenings)
+            except _ReachedError:
+                return True
+            except (InputError, RunError):
+                continue
+        return False
+
+
+class _ReachedError(Exception):
+    """An iterate is near the known solution."""
+
+
+@dataclass(frozen=True, eq=False)
+class _OnPlane:
+    """Equations of a curve with that of a plane; raises _ReachedError near a known solution."""
+
+    problem: Problem
+    goal: Vector
+    across: Vector
+    known: Vector | None = None
+    near: float = 0.0
+
+    def residual(self, x: Vector) -> Vector:
+        if self.known is not None and np.linalg.norm(x - self.known) <= self.near:
+            raise _ReachedError
+        return np.append(self.problem.residual(x), self.across @ (x - self.goal))
+
+    def linearize(self, x: Vector) -> tuple[Vector, Matrix]:
+        residual, rows = self.problem.linearize(x)
+        return np.append(residual, self.across @ (x - self.goal)), np.vstack([rows, self.across])
+
+
+def follow(
+    problem: Problem,
+    start: Point,
+    direction: float,
+    limits: Limits,
+    *,
+    known: Sequence[Point] = (),
+    step_finished: Callable[[], None] = lambda: None,
+) -> tuple[list[Point], str]:
+    """Follow a curve until it leaves the ranges, meets itself, or cannot be followed.
+
+    It goes along the tangent of the first point, or against it for a negative direction. `known` are points
+    where the curve has been already. Returns the points in their order, and why there are no more.
+    """
+    start = start if direction > 0.0 else start.reversed()
+    points, step = [start], limits.max_step / 10.0
+    track = Track(problem, [*known, start])
+    while len(points) < limits.max_points:
+        last = points[-1]
+        try:
+            following, step = next_point(problem, last, step, limits.longest(problem, last))
+            further = [following]
+        except (InputError, RunError) as why:
+            further = _past_corner(problem, last, track)
+            if not further:
+                return points, problem.lost(last, why)
+            step = float(np.linalg.norm(further[-1].x - [last, *further][-2].x))
+        for following in further:
+            end, ended = _end_between(problem, points[-1], following, limits, track)
+            for point in end if ended else [following]:
+                points.append(point)
+                track.add(point)
+                step_finished()
+            if ended:
+                return points, ended
+    return points, f"number of points: {limits.max_points}"
+
+
+def both_ways(
+    problem: Problem, start: Point, limits: Limits, step_finished: Callable[[], None] = lambda: None
+) -> tuple[list[Point], str, str]:
+    """Follow a curve to both sides of a point; the reasons are why it began and why it ended."""
+    points, ended = follow(problem, start, 1.0, limits, step_finished=step_finished)
+    if ended.startswith("closed") and points[-1] is start:
+        return points, ended, ended
+    if limits.begin is not None and problem.values(start.x)[-1] == limits.begin:
+        return points, "", ended
+    back, began = follow(problem, start, -1.0, limits, known=points[1:], step_finished=step_finished)
+    return [*(point.reversed() for point in back[:0:-1]), *points], began, ended
+
+
+def next_point(problem: Problem, last: Point, step: float, longest: float) -> tuple[Point, float]:
+    """The next point by a step along the tangent, and how long the next step may be."""
+
+    def attempt(step: float) -> tuple[Point, float]:
+        goal = last.x + step * last.tangent
+        following = problem.correct(goal, last.tangent, last)
+        off = float(np.linalg.norm(following.x - goal))
+        turns = following.tangent @ last.tangent < STRAIGHT
+        if off > NEAR * step or (step > SHARP and (turns or off > FARTHEST * step)):
+            raise RunError(f"the branch turns sharply at {problem.where(last.x)}")
+        if not problem.leads_back(following, last):
+            raise RunError(f"from {problem.where(last.x)} no gait is found that leads back to it")
+        return following, off
+
+    (following, off), step = halved(attempt, min(step, longest), 0.5 * SHORTEST_STEP)
+    return following, min(longest, (1.5 if off < 0.1 * step else 1.0) * step)
+
+
+def _end_between(
+    problem: Problem, last: Point, following: Point, limits: Limits, track: Track
+) -> tuple[list[Point], str]:
+    """The last points of the curve if it ends before the next one, and why; or nothing."""
+    ended = problem.ends_between(last, following)
+    if ended:
+        return [], ended
+    values = problem.values(following.x)
+    beyond = np.maximum(limits.low - values, values - limits.high) / (limits.high - limits.low)
+    number = int(np.argmax(beyond))
+    if beyond[number] > 0.0:
+        edge = float(limits.low[number] if values[number] < limits.low[number] else limits.high[number])
+        position = number - len(values)
+        is_there = problem.values(last.x)[number] == edge
+        points = [] if is_there else [_on_edge(problem, last, following, position, edge)]
+        return points, problem.at_edge(edge, limits)
+    met = track.met(last, following)
+    return ([], "") if met is None else ([met[0]], met[1])
+
+
+def _on_edge(problem: Problem, last: Point, following: Point, position: int, edge: float) -> Point:
+    """The curve's point at a value of a parameter; the point beyond it where that is not found."""
+    x = edge / problem.scales[position]
+    way = following.x - last.x
+    goal = last.x + (x - last.x[position]) / way[position] * way
+    goal[position] = x
+    across = np.zeros(len(goal))
+    across[position] = np.sign(way[position])
+    try:
+        point = problem.correct(goal, across, last).along(way)
+        return point if problem.leads_back(point, last) else following
+    except (InputError, RunError):
+        return following
+
+
+class Track:
+    """Points at which a curve has been."""
+
+    def __init__(self, problem: Problem, points: Sequence[Point]) -> None:
+        self.problem = problem
+        self._places: list[tuple[Point, int]] = []
+        self._rows = np.empty((64, len(problem.scales)))
+        for point in points:
+            self.add(point)
+
+    def add(self, point: Point) -> None:
+        """Add a point."""
+        for number, x in enumerate(self.problem.visited(point)):
+            if len(self._places) == len(self._rows):
+                self._rows = np.concatenate([self._rows, np.empty_like(self._rows)])
+            self._rows[len(self._places)] = x
+            self._places.append((point, number))
+
+    def met(self, last: Point, following: Point) -> tuple[Point, str] | None:
+        """The point that the curve goes through in its next step, and that as a reason to end."""
+        way = following.x - last.x
+        away = self._rows[: len(self._places)] - last.x
+        shares = away @ way / (way @ way)
+        off = np.linalg.norm(away - shares[:, None] * way, axis=1)
+        for place in np.flatnonzero((shares > 0.0) & (shares <= 1.0) & (off <= BESIDE * np.linalg.norm(way))):
+            if self._goes_through(self._rows[place], shares[place], last, following):
+                point, number = self._places[place]
+                return point, self.problem.where_met(point, following, number)
+        return None
+
+    def is_new(self, points: Sequence[Point]) -> bool:
+        """Whether the curve has not been yet where it leads along some points."""
+        return all(self.met(*pair) is None for pair in pairwise(points))
+
+    def _goes_through(self, x: Vector, share: float, last: Point, following: Point) -> bool:
+        """Whether the curve is at a place, and leads from there to both ends of a step.
+
+        Near a sharp turn the corrector finds points of both sides from one prediction.
+        """
+        try:
+            found = self.problem.between(last, following, share)
+        except (InputError, RunError):
+            return False
+        if np.linalg.norm(found.x - x) >= self.problem.same:
+            return False
+        return all(self.problem.leads_back(found, other) for other in (last, following))
+
+
+def _past_corner(problem: Problem, last: Point, track: Track) -> list[Point]:
+    """Points of the curve beyond a change of the label at which it turns; none if there are none."""
+    here = problem.label(last.gait)
+    for distance in BEYOND if here is not None else ():
+        try:
+            other = problem.point(last.x + distance * last.tangent, last.tangent)
+            if problem.label(other.gait) == here:
+                continue
+            for way in (last.tangent, other.tangent, -other.tangent):
+                found = _on_other_side(problem, last, distance * way)
+                if found and track.is_new([last, *found]):
+                    return found
+        except (InputError, RunError):
+            continue
+    return []
+
+
+def _on_other_side(problem: Problem, last: Point, step: Vector) -> list[Point]:
+    """A point with another label a step away, if its curve leads back; and those on the way there."""
+    length = np.linalg.norm(step)
+    try:
+        found = problem.correct(last.x + step, step / length)
+    except (InputError, RunError):
+        return []
+    way = found.x - last.x
+    if np.linalg.norm(way) > NEAR * length or problem.label(found.gait) == problem.label(last.gait):
+        return []
+    found = found.along(way)
+    return [found] if problem.leads_back(found, last) else _way_to(problem, last, found)
+
+
+def _way_to(problem: Problem, corner: Point, found: Point) -> list[Point]:
+    """Points from a corner to one beyond it, by walking back from there; none if it fails.
+
+    Where an event is just touched the map has a square root: close to it the tangent turns without end.
+    """
+    back = [found.reversed()]
+    longest = float(np.linalg.norm(found.x - corner.x))
+    step, here = longest / 4.0, problem.label(corner.gait)
+    for _ in range(MAX_BACK):
+        left = float(np.linalg.norm(back[-1].x - corner.x))
+        if left <= SHARP:
+            there = dropwhile(lambda point: problem.label(point.gait) == here, reversed(back))
+            return [point.reversed() for point in there]
+        if left > 2.0 * longest:
+            break
+        try:
+            following, step = next_point(problem, back[-1], step, 0.5 * left)
+        except (InputError, RunError):
+            break
+        back.append(following)
+    return []
+
+
+def halved(
+    attempt: Callable[[float], Found],
+    step: float,
+    shortest: float,
+    failures: tuple[type[Exception], ...] = (InputError, RunError),
+) -> tuple[Found, float]:
+    """What an attempt finds by the longest of a step, its half, its quarter and so on, and that step.
+
+    Where no step as long as the shortest succeeds, the error of the last attempt is raised.
+    """
+    while True:
+        try:
+            return attempt(step), step
+        except failures:
+            step *= 0.5
+            if not abs(step) >= shortest:  # also where it is not a number
+                raise
+
+
+def walk(
+    known: Known,
+    begin: float,
+    end: float,
+    advance: Callable[[Known, float, float], Known],
+    *,
+    shortest: float,
+    first: float | None = None,
+) -> Iterator[tuple[float, Known]]:
+    """What is found on the way from a value to another, each from what is known at the value before.
+
+    Where `advance` raises RunError the step is halved; where it succeeds the next step is twice as long. No
+    step is shorter than the shortest, nor is what it leaves of the way; else the RunError is raised. A walk
+    that does not reach the end in `MAX_STEPS` steps raises RunError, too.
+    """
+    at, step = begin, end - begin if first is None else first
+    for number in count():
+        if at == end:
+            return
+        if number == MAX_STEPS:
+            raise RunError(f"{MAX_STEPS} steps from {begin:g} towards {end:g} lead no farther than to {at:g}")
+        step = max(-abs(end - at), min(step, abs(end - at)))
+        attempt = partial(_advanced, advance, known, at, end, shortest)
+        (at, known), step = halved(attempt, step, shortest, (RunError,))
+        yield at, known
+        step *= 2.0
+
+
+def _advanced(
+    advance: Callable[[Known, float, float], Known],
+    known: Known,
+    at: float,
+    end: float,
+    shortest: float,
+    step: float,
+) -> tuple[float, Known]:
+    to = end if abs(end - at - step) < shortest else at + step
+    return to, advance(known, at, to)
