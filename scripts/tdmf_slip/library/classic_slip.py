@@ -43,6 +43,7 @@ class Step:
     """One step from apex to apex. Without a next apex, what belongs to it is NaN."""
 
     outcome: Outcome
+    """Whether the step has a next apex, and else why not."""
     touchdown_time: float
     """Time from the apex to touchdown, s."""
     stance_time: float
