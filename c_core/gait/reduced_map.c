@@ -1,165 +1,365 @@
-/* A stride of the reduced map and its variations, which go through the impact and the stance as those of the
- * full model do. At lift-off they are those at a fixed time, with the centre of mass ballistic from there. */
+/* The reduced map: strides of its own page, whose parameters and states are some of the runner's page. A
+ * stride runs to touchdown, to lift-off and to the next apex, as the times allowed for these parts differ. */
 #include "tdmf_slip/reduced_map.h"
 
-#include "coordinate_laws.h"
 #include "event_log.h"
-#include "free_fall_laws.h"
-#include "ground_line.h"
-#include "leg.h"
+#include "page_fields.h"
+#include "page_run.h"
+#include "page_variation.h"
 #include "patch.h"
-#include "prescribed_flight_laws.h"
+#include "plain_reduced_runner_in_runner.h"
+#include "reduced_runner_in_runner.h"
 #include "reduced_stride.h"
 #include "request.h"
 #include "return_record.h"
-#include "seed.h"
-#include "tdmf_slip/dynamics.h"
-#include "tdmf_slip/energy.h"
 
+#include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
-/* ---- variations --------------------------------------------------------------------------------------- */
+/* A page of the map, and the places of what it has on the runner's page; -1: the runner's page has it not. */
+typedef struct {
+    const tdmf_model_kind *model;
+    const int *parameters, *states, *modes, *events;
+} page;
+
+extern const tdmf_model_kind tdmf_reduced_runner_model, tdmf_plain_reduced_runner_model;
+static const page whole = {&tdmf_reduced_runner_model, reduced_parameters_in_whole, reduced_states_in_whole,
+                           reduced_modes_in_whole, reduced_events_in_whole};
+static const page plain = {&tdmf_plain_reduced_runner_model, plain_reduced_parameters_in_whole,
+                           plain_reduced_states_in_whole, plain_reduced_modes_in_whole,
+                           plain_reduced_events_in_whole};
+
+/* Of the page that has more. */
+enum {
+    PARAMETERS = sizeof reduced_parameters_in_whole / sizeof *reduced_parameters_in_whole,
+    STATES = sizeof reduced_states_in_whole / sizeof *reduced_states_in_whole
+};
+
+/* In the runner's unit of time: nothing takes longer, also where any time is allowed. */
+static const double longest_time = 1e12;
 
 typedef struct {
-    int count;
-    tdmf_seed seeds[TDMF_VARIATION_LIMIT];
-    tdmf_variation variations[TDMF_VARIATION_LIMIT];
-} stride_variations;
-
-static void open_variations(stride_variations *varied, const tdmf_seed *seeds, int count) {
-    varied->count = TDMF_REDUCED_COUNT + count;
-    for (int i = 0; i < count; ++i) {
-        varied->seeds[TDMF_REDUCED_COUNT + i] = seeds[i];
-    }
-}
-
-/* Takes the variations from the apex through the impact. */
-static void touch_down(stride_variations *varied, tdmf_system system, tdmf_point apex,
-                       const tdmf_motion *motion, const tdmf_event_state *before) {
-    tdmf_event_state after = {.mode = motion->mode,
-                              .peak_force = motion->record.progress.open.peak_force,
-                              .peak_vertical_force = motion->record.progress.open.peak_vertical_force};
-    memcpy(after.state, motion->state, sizeof after.state);
-    tdmf_derivatives(system, &after.mode, after.state, after.derivatives);
-    for (int i = 0; i < varied->count; ++i) {
-        const tdmf_local_seed d = tdmf_local_seed_of(system.model, &varied->seeds[i], NULL);
-        const double d_height = i == TDMF_REDUCED_COM_HEIGHT;
-        const tdmf_point d_apex = {.y = d_height + d.mode.ground.height, .vx = i == TDMF_REDUCED_COM_SPEED};
-        tdmf_variation falling = {.liftoff_angle = 0.0};
-        tdmf_vary_prescribed_state(system.model, system.inputs, apex, before->state[TDMF_HIP_PLACE_TIME],
-                                   &d.model, &d.inputs, d_apex, 0.0, falling.state);
-        varied->variations[i] =
-            tdmf_saltation(system, TDMF_GUARD_TOUCHDOWN, before, &after, &varied->seeds[i], &falling);
-    }
-}
-
-/* Takes a variation from lift-off, the state given, to the next apex. */
-static tdmf_stride_variation fly(tdmf_system system, const tdmf_ground_line *ground,
-                                 const double state[TDMF_STATE_COUNT], const tdmf_seed *seed,
-                                 const tdmf_variation *variation) {
-    const tdmf_local_seed d = tdmf_local_seed_of(system.model, seed, NULL);
-    const tdmf_point com = tdmf_center_of_mass(system.model, state);
-    const tdmf_point d_com = tdmf_vary_center_of_mass_along(system.model, state, tdmf_leg_direction_of(state),
-                                                            &d.model, variation->state);
-    const tdmf_model *model = system.model;
-    const tdmf_inputs *inputs = system.inputs;
-    const double time = tdmf_rise_time(model, inputs, com);
-    const double d_time = tdmf_vary_rise_time(model, inputs, com, &d.model, &d.inputs, d_com);
-    const tdmf_point d_apex =
-        tdmf_vary_ballistic_under(model, inputs, com, time, &d.model, &d.inputs, d_com, d_time);
-    const double apex_x = tdmf_ballistic_under(model, inputs, com, time).x;
-    const double d_ground_height = tdmf_vary_ground_height_at(ground, apex_x, &d.mode.ground, d_apex.x);
-    tdmf_stride_variation result = {.apex = {d_apex.y - d_ground_height, d_apex.vx},
-                                    .period = d_time,
-                                    .length = d_apex.x,
-                                    .work =
-                                        variation->state[TDMF_HIP_WORK] + variation->state[TDMF_LEG_WORK]};
-    tdmf_write_stance_variation(&variation->stance, &result);
-    return result;
-}
-
-/* ---- the map ------------------------------------------------------------------------------------------ */
-
-typedef struct {
+    const page *page;
+    tdmf_solver *solver;
     tdmf_system system;
-    tdmf_motion motion;
-    tdmf_point from;         /* the centre of mass at the apex */
-    tdmf_event_state before; /* the impact */
-    double lift_off[TDMF_STATE_COUNT];
-    double leg_loss;
-    stride_variations varied;
-} run;
+    tdmf_motion start;
+    tdmf_page_run run;
+    double p[PARAMETERS], x[STATES], lift_off[STATES];
+    double dp[TDMF_VARIATION_LIMIT * PARAMETERS], dx[TDMF_VARIATION_LIMIT * STATES];
+    double shift[TDMF_VARIATION_LIMIT];
+    tdmf_event_row rows[TDMF_EVENT_CAPACITY];
+    double row_states[TDMF_EVENT_CAPACITY * STATES];
+} stride;
 
-/* The energy less what the external force has given is kept over a flight. */
-static double energy_of(const run *run, const tdmf_mode *mode, const double state[TDMF_STATE_COUNT]) {
-    return tdmf_mechanical_energy(run->system, mode, state).total - state[TDMF_ENERGY_EXTERNAL_WORK];
-}
+/* ---- places on the runner's page ----------------------------------------------------------------------- */
 
-static void log_event(tdmf_event_log *log, const tdmf_motion *motion, tdmf_guard guard,
-                      const tdmf_mode *before, const double state[TDMF_STATE_COUNT]) {
-    tdmf_event event = {.time = motion->time, .guard = (int)guard, .before = *before, .after = motion->mode};
-    memcpy(event.state, state, sizeof event.state);
-    tdmf_log_event(log, &event);
-}
-
-/* Goes from the apex into contact. */
-static tdmf_return_outcome descend(run *run, const double apex[TDMF_REDUCED_COUNT], double until,
-                                   tdmf_event_log *log) {
-    const tdmf_return_outcome begun = tdmf_reduced_begin(run->system, apex, &run->motion);
-    if (begun != TDMF_RETURN_CLOSED) {
-        return begun;
+static void take(const int *places, int count, const double *whole, double *own) {
+    for (int i = 0; i < count; ++i) {
+        own[i] = whole[places[i]];
     }
-    const double energy_at_apex = energy_of(run, &run->motion.mode, run->motion.state);
-    run->from = tdmf_center_of_mass(run->system.model, run->motion.state);
-    const tdmf_return_outcome landed =
-        tdmf_reduced_touch_down(run->system, until, &run->motion, &run->before);
-    if (landed == TDMF_RETURN_CLOSED) {
-        log_event(log, &run->motion, TDMF_GUARD_TOUCHDOWN, &run->before.mode, run->before.state);
-        run->leg_loss = energy_at_apex - energy_of(run, &run->before.mode, run->before.state);
-        touch_down(&run->varied, run->system, run->from, &run->motion, &run->before);
-    }
-    return landed;
 }
 
-static tdmf_return_outcome stand(run *run, tdmf_solver *solver, double until, tdmf_outcome *outcome) {
-    stride_variations *varied = &run->varied;
-    const tdmf_stride_outcome stance =
-        tdmf_native_stance(solver, run->system, run->motion.time + until, &run->motion, varied->seeds,
-                           varied->variations, varied->count);
-    *outcome = stance.outcome;
-    return tdmf_return_outcome_of(stance);
+static void take_parameters(const page *page, const runner_parameters *p, double *own) {
+    take(page->parameters, page->model->parameter_count, (const double *)p, own);
 }
 
-static tdmf_return_outcome rise(run *run, tdmf_event_log *log) {
-    const tdmf_mode lifted_off = run->motion.mode;
-    memcpy(run->lift_off, run->motion.state, sizeof run->lift_off);
-    const tdmf_return_outcome risen = tdmf_reduced_fly(run->system, &run->motion);
-    run->leg_loss += energy_of(run, &run->motion.mode, run->lift_off) -
-                     energy_of(run, &run->motion.mode, run->motion.state);
-    if (risen == TDMF_RETURN_CLOSED) {
-        log_event(log, &run->motion, TDMF_GUARD_APEX, &lifted_off, run->motion.state);
-    }
-    return risen;
+static void take_states(const page *page, const runner_states *x, double *own) {
+    take(page->states, page->model->state_count, (const double *)x, own);
 }
 
-static void write_stride(const run *run, tdmf_return *result) {
-    const tdmf_record *record = &run->motion.record;
-    const stride_variations *varied = &run->varied;
-    result->apex[TDMF_REDUCED_COM_HEIGHT] = record->apex.com_height;
-    result->apex[TDMF_REDUCED_COM_SPEED] = record->apex.com_speed;
-    result->liftoff_angle = run->lift_off[TDMF_LEG_ANGLE];
-    tdmf_write_return(record, run->lift_off, result);
-    result->external_work = run->motion.state[TDMF_ENERGY_EXTERNAL_WORK]; /* in flight, too */
-    result->leg_loss = run->leg_loss;
-    for (int i = 0; i < varied->count; ++i) {
-        result->variations[i] = fly(run->system, &run->motion.mode.ground, run->lift_off, &varied->seeds[i],
-                                    &varied->variations[i]);
+static runner_states states_of(const page *page, const double *own) {
+    runner_states x;
+    memset(&x, 0, sizeof x);
+    for (int i = 0; i < page->model->state_count; ++i) {
+        ((double *)&x)[page->states[i]] = own[i];
     }
+    return x;
+}
+
+static int place_of_event(const page *page, int event_of_whole) {
+    int i = 0;
+    while (i < page->model->event_count - 1 && page->events[i] != event_of_whole) {
+        ++i;
+    }
+    return i;
+}
+
+/* A point of the runner's page, with the leg where it is placed; after lift-off with the leg as it was lost.
+ */
+static tdmf_page_point point_at(const stride *s, const double *x, int mode, double time) {
+    tdmf_page_point point = {
+        .p = tdmf_page_parameters(&s->system.model->parameters, s->system.inputs),
+        .x = states_of(s->page, x),
+        .mode = s->page->modes[mode],
+        .time = time,
+    };
+    if (s->page == &plain) {
+        point.x.vertical_so_far = point.x.peak_force_so_far;
+        point.x.peak_vertical_force = point.x.peak_force;
+    }
+    return point;
+}
+
+static tdmf_motion motion_at(const stride *s, const double *x, int mode, double time) {
+    const tdmf_page_point point = point_at(s, x, mode, time);
+    tdmf_motion motion = s->start;
+    tdmf_motion_of_page(s->system, &point, point.mode, &motion);
+    return motion;
+}
+
+/* ---- the start ----------------------------------------------------------------------------------------- */
+
+/* The variation by a coordinate, or along a seed. */
+static void begin_variation(stride *s, const double *start, const double *apex, const tdmf_seed *seed,
+                            int coordinate) {
+    static const tdmf_seed none = {0};
+    const tdmf_model_kind *model = s->page->model;
+    const tdmf_section_kind *section = model->sections;
+    const tdmf_seed *given = seed ? seed : &none;
+    const int i = s->run.seed_count++;
+    const runner_parameters of_whole = tdmf_page_parameters(&given->parameters, &given->inputs);
+    runner_states d_inputs;
+    double d_start[STATES], d_apex[TDMF_REDUCED_COUNT] = {0.0};
+    memset(&d_inputs, 0, sizeof d_inputs);
+    tdmf_write_page_inputs(&given->inputs, &d_inputs);
+    double *dp = s->dp + i * model->parameter_count, *dx = s->dx + i * model->state_count;
+    take_parameters(s->page, &of_whole, dp);
+    take_states(s->page, &d_inputs, d_start);
+    if (!seed) {
+        d_apex[coordinate] = 1.0;
+    }
+    memcpy(dx, d_start, (size_t)model->state_count * sizeof *dx);
+    section->vary_enter(s->p, start, dp, d_start, apex, d_apex, dx);
+    s->shift[i] = 0.0;
+}
+
+static void begin(stride *s, const double *apex, bool derivatives, const tdmf_seed *seeds, int count) {
+    const tdmf_model_kind *model = s->page->model;
+    const tdmf_section_kind *section = model->sections;
+    const runner_parameters p = tdmf_page_parameters(&s->system.model->parameters, s->system.inputs);
+    double start[STATES];
+    s->run = tdmf_run_default(model, s->p, start, NULL);
+    take_parameters(s->page, &p, s->p);
+    runner_states inputs = states_of(s->page, start);
+    tdmf_write_page_inputs(s->system.inputs, &inputs);
+    take_states(s->page, &inputs, start);
+    memcpy(s->x, start, (size_t)model->state_count * sizeof *start);
+    section->enter(s->p, start, apex, s->x);
+    s->run.x = s->x;
+    s->run.dp = s->dp;
+    s->run.dx = s->dx;
+    s->run.shift = s->shift;
+    s->run.tolerance = s->solver->relative_tolerance;
+    s->run.order = tdmf_page_order(s->run.tolerance);
+    s->run.observes = derivatives || !s->solver->without_peaks_and_positive_work;
+    s->run.event_limit = s->solver->event_limit;
+    s->run.log = s->rows;
+    s->run.log_states = s->row_states;
+    s->run.log_size = s->solver->log ? TDMF_EVENT_CAPACITY : 0;
+    for (int k = 0; k < TDMF_REDUCED_COUNT && derivatives; ++k) {
+        begin_variation(s, start, apex, NULL, k);
+    }
+    for (int k = 0; k < count && derivatives; ++k) {
+        begin_variation(s, start, apex, &seeds[k], 0);
+    }
+}
+
+/* ---- the run ------------------------------------------------------------------------------------------- */
+
+static tdmf_return_outcome outcome_of_mode(const char *mode) {
+    static const struct {
+        const char *name;
+        tdmf_return_outcome outcome;
+    } ends[] = {{"no_start", TDMF_RETURN_NO_START},
+                {"no_stance", TDMF_RETURN_NO_STANCE},
+                {"no_apex", TDMF_RETURN_NO_APEX}};
+    for (size_t i = 0; i < sizeof ends / sizeof *ends; ++i) {
+        if (strcmp(ends[i].name, mode) == 0) {
+            return ends[i].outcome;
+        }
+    }
+    return TDMF_RETURN_FELL;
+}
+
+/* Runs to an event of the runner's page. `late` is the outcome if it does not come in time. */
+static tdmf_return_outcome run_to(stride *s, int event, double duration, tdmf_return_outcome late,
+                                  tdmf_outcome *solver) {
+    const long steps = s->run.steps;
+    const double longest = longest_time * s->system.model->scales.time;
+    s->run.step_limit = s->solver->step_limit - steps;
+    s->run.stop_event = place_of_event(s->page, event);
+    const double until = s->run.time + (duration < longest ? duration : longest);
+    switch (tdmf_page_run_to(s->page->model, &s->run, until)) {
+    case TDMF_RUN_STOPPED:
+        return TDMF_RETURN_CLOSED;
+    case TDMF_RUN_ARRIVED:
+        return late;
+    case TDMF_RUN_ENDED: /* an apex below the ground is the next apex, too */
+        return event == EVENT_apex && (s->run.taken >> s->run.stop_event & 1u) != 0
+                   ? TDMF_RETURN_CLOSED
+                   : outcome_of_mode(s->page->model->mode_names[s->run.mode]);
+    case TDMF_RUN_TOO_MANY_STEPS:
+        *solver = TDMF_TOO_MANY_STEPS;
+        return TDMF_RETURN_UNSOLVED;
+    case TDMF_RUN_ENDLESS_CHAIN:
+    case TDMF_RUN_TOO_MANY_EVENTS:
+        *solver = TDMF_TOO_MANY_EVENTS;
+        return TDMF_RETURN_UNSOLVED;
+    default:
+        *solver = TDMF_NO_PROGRESS;
+        return TDMF_RETURN_UNSOLVED;
+    }
+}
+
+static tdmf_return_outcome run_stride(stride *s, double until, tdmf_outcome *solver) {
+    const size_t size = tdmf_run_memory_size(s->page->model, s->run.seed_count);
+    double *memory = malloc(size * sizeof *memory);
+    if (!memory) {
+        *solver = TDMF_NO_PROGRESS;
+        return TDMF_RETURN_UNSOLVED;
+    }
+    s->run.memory = memory;
+    tdmf_return_outcome outcome = run_to(s, EVENT_touchdown, until, TDMF_RETURN_NO_TOUCHDOWN, solver);
+    if (outcome == TDMF_RETURN_CLOSED) {
+        outcome = run_to(s, EVENT_lift_off, until, TDMF_RETURN_TOO_LONG, solver);
+    }
+    if (outcome == TDMF_RETURN_CLOSED) {
+        ++s->solver->strides;
+        memcpy(s->lift_off, s->x, sizeof s->x);
+        outcome = run_to(s, EVENT_apex, INFINITY, TDMF_RETURN_NO_APEX, solver);
+    }
+    free(memory);
+    return outcome;
+}
+
+/* ---- the log ------------------------------------------------------------------------------------------- */
+
+static tdmf_guard guard_of(const stride *s, int event) {
+    switch (s->page->events[event]) {
+    case EVENT_falls:
+        return TDMF_GUARD_BODY_DOWN;
+    case EVENT_collapses:
+        return TDMF_GUARD_LEG_TOO_SHORT;
+    case EVENT_apex:
+        return TDMF_GUARD_APEX;
+    case EVENT_touchdown:
+        return TDMF_GUARD_TOUCHDOWN;
+    case EVENT_greatest_compression:
+        return s->system.model->parameters.leg.thrust + s->system.inputs->control.thrust > 0.0
+                   ? TDMF_GUARD_GREATEST_COMPRESSION
+                   : TDMF_GUARD_COUNT;
+    case EVENT_mid_stance:
+        return TDMF_GUARD_MID_STANCE;
+    case EVENT_lift_off:
+        return TDMF_GUARD_LIFT_OFF;
+    case EVENT_slips_forward:
+        return TDMF_GUARD_SLIP_ONSET_POSITIVE;
+    case EVENT_slips_backward:
+        return TDMF_GUARD_SLIP_ONSET_NEGATIVE;
+    case EVENT_comes_to_rest:
+        return TDMF_GUARD_SLIP_VELOCITY_ZERO;
+    default:
+        return TDMF_GUARD_COUNT;
+    }
+}
+
+/* The event of a row of the log, without the mode after it. */
+static tdmf_event event_at(const stride *s, int number) {
+    const tdmf_event_row *row = &s->rows[number];
+    const double *x = s->row_states + number * s->page->model->state_count;
+    const tdmf_motion before = motion_at(s, x, row->before, row->time);
+    tdmf_event event = {.time = row->time, .guard = (int)guard_of(s, row->event), .before = before.mode};
+    memcpy(event.state, before.state, sizeof event.state);
+    return event;
+}
+
+/* Logs the events of the run up to the apex. A chain in zero time is one event, by the name of its first. */
+static void log_events(const stride *s) {
+    const int count = s->run.log_count < s->run.log_size ? s->run.log_count : s->run.log_size;
+    tdmf_event_log *log = s->solver->log;
+    bool is_open = false;
+    for (int i = 0; i < count; ++i) {
+        const tdmf_event_row *row = &s->rows[i];
+        const double *after = i + 1 < count ? s->row_states + (i + 1) * s->page->model->state_count : s->x;
+        const bool is_apex = s->page->events[row->event] == EVENT_apex;
+        const bool goes_on = is_open && i > 0 && row->time == s->rows[i - 1].time;
+        is_open =
+            goes_on || (guard_of(s, row->event) != TDMF_GUARD_COUNT && s->page->modes[row->before] >= 0);
+        if (is_open && !goes_on) {
+            const tdmf_event event = event_at(s, i);
+            tdmf_log_event(log, &event);
+        }
+        if (is_open && s->page->modes[row->after] >= 0 && log->count <= TDMF_EVENT_CAPACITY) {
+            log->events[log->count - 1].after = motion_at(s, after, row->after, row->time).mode;
+        }
+        if (is_apex) {
+            return;
+        }
+    }
+}
+
+/* ---- the result ---------------------------------------------------------------------------------------- */
+
+/* Energy of the leg's motion about the centre of mass, and of its spring. */
+static double energy_of_leg(const tdmf_model *model, double length_rate, double turning_speed,
+                            double compression) {
+    const double reduced_mass = model->parameters.body.mass * model->parameters.foot.mass / model->total_mass;
+    return 0.5 * (reduced_mass * (length_rate * length_rate + turning_speed * turning_speed) +
+                  model->parameters.leg.stiffness * compression * compression);
+}
+
+/* What is left in the leg at lift-off less what it is given for touchdown. */
+static double leg_loss_of(const stride *s) {
+    const tdmf_model *model = s->system.model;
+    const runner_states x = states_of(s->page, s->lift_off);
+    const double rest_length = model->parameters.leg.free_length + s->system.inputs->leg.extension;
+    const double given = energy_of_leg(model, 0.0, rest_length * model->parameters.hip.retraction_rate, 0.0);
+    return energy_of_leg(model, x.length_rate, x.momentum / x.length, rest_length - x.length) - given;
+}
+
+static tdmf_stride_variation variation_of(const page *page, const double *own) {
+    const runner_states d = states_of(page, own);
+    const tdmf_stride_variation variation = {
+        .apex = {d.apex_com_height, d.apex_com_speed},
+        .period = d.period,
+        .length = d.distance,
+        .work = d.work_of_stride,
+        .stance_time = d.stance_time,
+        .slip_distance = d.slip_distance,
+        .peak_force = d.peak_force,
+        .peak_vertical_force = page == &plain ? d.peak_force : d.peak_vertical_force,
+    };
+    return variation;
+}
+
+static void write_stride(const stride *s, tdmf_return *result) {
+    const tdmf_motion motion = motion_at(s, s->x, s->run.mode, s->run.time);
+    result->apex[TDMF_REDUCED_COM_HEIGHT] = motion.record.apex.com_height;
+    result->apex[TDMF_REDUCED_COM_SPEED] = motion.record.apex.com_speed;
+    result->liftoff_angle = states_of(s->page, s->lift_off).liftoff_angle;
+    tdmf_write_return(&motion.record, motion.state, result);
+    result->impact_loss = states_of(s->page, s->lift_off).impact_loss; /* without a touchdown at the apex */
+    result->leg_loss = leg_loss_of(s);
+    for (int i = 0; i < s->run.seed_count; ++i) {
+        result->variations[i] = variation_of(s->page, s->dx + i * s->page->model->state_count);
+    }
+}
+
+/* The plain page, which is faster, where it has all that acts on the runner and all that changes. */
+static const page *page_of(tdmf_system system, const tdmf_seed *seeds, int count) {
+    tdmf_page_point point = {.p = tdmf_page_parameters(&system.model->parameters, system.inputs)};
+    tdmf_write_page_inputs(system.inputs, &point.x);
+    bool suits = tdmf_suits_plain_page(&point);
+    for (int i = 0; i < count; ++i) {
+        suits = suits && tdmf_varies_plain_page(&seeds[i]);
+    }
+    return suits ? &plain : &whole;
 }
 
 tdmf_return tdmf_reduced_map(tdmf_solver *solver, tdmf_system system, const double apex[TDMF_REDUCED_COUNT],
                              double until, bool derivatives, const tdmf_seed *seeds, int count) {
-    run run = {.system = system};
+    stride s;
     tdmf_return result;
     memset(&result, 0, sizeof result);
     if (!tdmf_is_sound_solver(solver) || system.model == NULL || system.inputs == NULL || apex == NULL ||
@@ -167,18 +367,20 @@ tdmf_return tdmf_reduced_map(tdmf_solver *solver, tdmf_system system, const doub
         result.outcome = TDMF_RETURN_REFUSED;
         return result;
     }
-    if (derivatives) {
-        open_variations(&run.varied, seeds, count);
-    }
-    result.outcome = descend(&run, apex, until, solver->log);
+    s.solver = solver;
+    s.system = system;
+    s.page = page_of(system, seeds, count);
+    result.outcome = tdmf_reduced_begin(system, apex, &s.start);
     if (result.outcome == TDMF_RETURN_CLOSED) {
-        result.outcome = stand(&run, solver, until, &result.solver);
+        begin(&s, apex, derivatives, seeds, count);
+        result.outcome = run_stride(&s, until, &result.solver);
+        solver->steps += s.run.steps;
+        solver->events += s.run.events;
+        solver->evaluations += s.run.steps * s.run.order;
+        log_events(&s);
     }
     if (result.outcome == TDMF_RETURN_CLOSED) {
-        result.outcome = rise(&run, solver->log);
-    }
-    if (result.outcome == TDMF_RETURN_CLOSED) {
-        write_stride(&run, &result);
+        write_stride(&s, &result);
     }
     return result;
 }

@@ -7,28 +7,29 @@ import sys
 from pathlib import Path
 
 from ..hybrid.generate import generate
-from ..hybrid.instants import c_name
 from ..hybrid.page import Page
 from ..hybrid.tables import list_in_c
 from .classic import ClassicSlip
-from .reduced import ReducedRunner
+from .reduced import PlainReducedRunner, ReducedRunner
 from .runner import PlainRunner, Runner
 
-PAGES = ClassicSlip, PlainRunner, ReducedRunner, Runner
+PAGES = ClassicSlip, PlainReducedRunner, PlainRunner, ReducedRunner, Runner
 
 
-def places_in(whole, part):
-    """A header that says where parameters, states, modes and events of a page are in another page."""
-    names = {
-        "parameters": lambda page: list(page.parameters),
-        "states": lambda page: list(page.states),
-        "modes": lambda page: [c_name(key) for key in page.keys],
-        "events": lambda page: list(page.events),
-    }
-    tables = "".join(
-        list_in_c("int", f"{what}_in_whole", map(names_of(whole).index, names_of(part)))
-        for what, names_of in names.items()
-    )
+def places_in(whole, part, prefix=""):
+    """A header that says where parameters, states, modes and events of a page are in another page.
+
+    A mode of the other page may have further words. What the other page does not have is at -1.
+    """
+
+    def place_of_mode(key):
+        return next((i for i, k in enumerate(whole.keys) if k[0] == key[0] and {*key[1]} <= {*k[1]}), -1)
+
+    places = {"modes": map(place_of_mode, part.keys)}
+    for what in ("parameters", "states", "events"):
+        of_whole = list(getattr(whole, what))
+        places[what] = [of_whole.index(n) if n in of_whole else -1 for n in getattr(part, what)]
+    tables = "".join(list_in_c("int", f"{prefix}{what}_in_whole", of) for what, of in places.items())
     guard = f"{part.c.upper()}_IN_{whole.c.upper()}_H"
     about = f"/* Places of what {part.model.__name__} has in the tables of {whole.model.__name__}. */\n"
     return f"{about}#ifndef {guard}\n#define {guard}\n\n{tables}\n#endif\n"
@@ -40,6 +41,8 @@ pages = {model: Page(model) for model in PAGES}
 texts: dict[str, str] = {}
 for page in pages.values():
     texts |= generate(page)
-texts["plain_runner_in_runner.h"] = places_in(pages[Runner], pages[PlainRunner])
+prefixes = {PlainRunner: "", ReducedRunner: "reduced_", PlainReducedRunner: "plain_reduced_"}
+for model, prefix in prefixes.items():
+    texts[f"{pages[model].c}_in_runner.h"] = places_in(pages[Runner], pages[model], prefix)
 for name, text in texts.items():
     (folder / name).write_text(text, encoding="utf-8")

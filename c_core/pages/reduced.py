@@ -1,7 +1,7 @@
 """The reduced map: the leg is placed in flight as if by itself, so that an apex has two coordinates."""
 
-from ..hybrid import Record, event, mode, output, section
-from .runner import RunnerOnOneLine
+from ..hybrid import Record, cos, event, mode, output, section
+from .runner import PlainRunner, RunnerOnOneLine
 
 
 class ReducedRunner(RunnerOnOneLine):
@@ -66,8 +66,24 @@ class ReducedRunner(RunnerOnOneLine):
         return r.to("fallen")
 
     def may_fall(r):
-        """Whether the leg, which is lost after lift-off, is there."""
-        return r.mode != "flight" or r.swing == "place"
+        """Whether the body may reach the ground: in flight before the foot, with a leg that may lie."""
+        if r.mode != "flight":
+            return True
+        if r.swing != "place":
+            return False
+        if abs(r.retraction_rate) > 0:
+            return True
+        return cos(r.angle - r.slope) < 0.01
+
+    @event("stick slip", when=lambda r: -r.leg().length_rate, unit="m/s", counted=False,
+           only=lambda r: r.may_thrust())
+    def greatest_compression(r):
+        """Thrust begins where the leg is shortest, once per stance."""
+        return r.with_thrust(1).count_event(1)
+
+    def may_thrust(r):
+        """Whether a thrust is to come in this stance."""
+        return r.thrusting <= 0 and r.thrust + r.more_thrust > 0
 
     @event("stick slip", when=lambda r: r.leg().length - r.least_length, unit="m")
     def collapses(r):
@@ -97,3 +113,7 @@ class ReducedRunner(RunnerOnOneLine):
     def torque(r):
         """Total hip torque in stance, external torque included."""
         return r.stance_torque() if r.mode in ("stick", "slip") else 0
+
+
+class PlainReducedRunner(PlainRunner, ReducedRunner):
+    """The reduced map of the runner on level ground with constant friction, driven by the hip alone."""

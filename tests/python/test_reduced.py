@@ -10,6 +10,7 @@ from tdmf_slip import Batch, InputError, RunError, Runner, basin, find_gait, swe
 from tdmf_slip.analysis import special_points, volume
 from tdmf_slip.analysis.branches import trace
 from tdmf_slip.analysis.stability import stability
+from tdmf_slip.library.binding import c, ffi
 from tdmf_slip.library.engine import FATES
 from tdmf_slip.library.return_map import stride_from
 from tdmf_slip.library.section import COORDINATES, REDUCED
@@ -17,6 +18,8 @@ from tdmf_slip.library.section import COORDINATES, REDUCED
 GAITS = json.loads((pathlib.Path(__file__).parent / "reduced_gaits.json").read_text())["gaits"]
 """Fixed points in units m = k = l0 = 1, computed independently in extended precision: values to 1e-12,
 eigenvalues to 1e-9."""
+STRIDES = json.loads((pathlib.Path(__file__).parent / "reduced_strides.json").read_text())
+"""Random strides by an earlier solver for this map alone, with closed forms of both flights."""
 
 
 def reduced(**values):
@@ -35,6 +38,47 @@ def test_gaits_are_those_of_the_reference(gait):
     assert sorted(found.eigenvalues) == pytest.approx(sorted(gait["eigenvalues"]), abs=1e-9)
     assert found.stable and found.error < 1e-11
     assert [letter.letter for letter in found.letters] == list(gait["word"])
+
+
+def drawn(number):
+    """A random runner and its apex; some have no stride."""
+    random = np.random.default_rng([47, number])
+    u = random.uniform
+    values = {
+        "foot.mass": 0.1 * 3 ** u(-1, 1), "leg.damping": 0.2 * 2 ** u(-1, 1), "gravity": 0.01 * 3 ** u(-1, 1),
+        "hip.stance_torque": 0.2 * 2 ** u(-1, 1), "hip.touchdown_angle": u(-0.2, 1.2),
+        "hip.retraction_rate": u(-0.01, 0.02), "leg.thrust": max(0, u(-0.05, 0.05)),
+        "ground.static_friction_ratio": max(1, u(0.5, 1.6)), "ground.stribeck_velocity": max(0, u(-0.2, 0.3)),
+        "ground.friction": 10 ** u(-1.5, 1), "ground.height": u(-1, 1), "ground.slope": u(-0.1, 0.1),
+        "leg.extension": u(-0.02, 0.02), "hip.external_torque": max(0, u(-0.01, 0.005)),
+        "body.external_fx": u(-1e-3, 1e-3), "body.external_fy": u(-2e-3, 2e-3),
+    }  # fmt: skip
+    return Runner(values, model="reduced"), [u(0.6, 2.0), u(-0.1, 1.4)]
+
+
+def test_random_strides_are_those_of_another_solver():
+    seeds = ffi.new("tdmf_seed[3]")
+    seeds[0].parameters.foot.mass = seeds[1].inputs.ground.friction = 1.0
+    seeds[2].parameters.hip.retraction_rate = 1.0
+    for number, (outcome, *expected) in enumerate(STRIDES):
+        runner, apex = drawn(number)
+        solver = ffi.new("tdmf_solver *", c.tdmf_solver_default())
+        solver.relative_tolerance = 1e-13
+        made = c.tdmf_reduced_map(solver, runner.c_system, apex, 1e4, True, seeds, len(seeds))
+        name = ffi.string(ffi.cast("tdmf_return_outcome", made.outcome))
+        assert name == f"TDMF_RETURN_{outcome.upper().replace(' ', '_')}", number
+        if outcome != "closed":
+            continue
+        word, *values, varied = expected
+        stride = made.stride
+        found = [made.apex[0], made.apex[1], stride.period, stride.length, stride.work, stride.stance_time,
+                 stride.slip_distance, stride.peak_force]  # fmt: skip
+        assert ffi.string(stride.word).decode() == word, number
+        assert found == pytest.approx(values, rel=1e-9, abs=1e-10), number
+        columns = [list(made.variations[k].apex)[:2] for k in range(5)]
+        scale = 1 + np.abs(varied).max()
+        assert np.array(columns) / scale == pytest.approx(np.array(varied) / scale, abs=1e-9), number
+    assert sum(outcome == "closed" for outcome, *_ in STRIDES) > 80
 
 
 def test_a_gait_is_found_without_a_guess_too():

@@ -483,6 +483,16 @@ static void vary_react_flight_place_falls(const real *parameters, const real *st
     y->angle_rate = d_rate;
 }
 
+/* Whether falls is watched. */
+static real watches_flight_place_falls(const real *parameters, const real *states) {
+    const reduced_runner_parameters *p = (const void *)parameters;
+    const reduced_runner_states *x = (const void *)states;
+    if (real_abs(p->retraction_rate) > 0.0 || real_cos(x->angle - x->slope) < 0.01) {
+        return 1.0;
+    }
+    return 0.0;
+}
+
 /* First variation of the guard of falls. */
 static real vary_guard_flight_place_falls(const real *parameters, const real *states,
                                           const real *d_parameters, const real *d_states) {
@@ -1337,18 +1347,16 @@ static real vary_guard_slip_constant_collapses(const real *parameters, const rea
     return d_length - dp->least_length;
 }
 
-/* greatest_compression: Thrust begins where the leg is shortest, once per stance. A thrust of 0 is not
- * counted. */
+/* greatest_compression: Thrust begins where the leg is shortest, once per stance. */
 static int react_slip_constant_greatest_compression(const real *parameters, const real *states,
                                                     const tdmf_table *tables, real *after, const int *next) {
     const reduced_runner_parameters *p = (const void *)parameters;
     const reduced_runner_states *x = (const void *)states;
     (void)tables;
     reduced_runner_states *y = (void *)after;
-    const real longer = p->thrust + p->more_thrust;
-    const real by_1_or_by_0 = select(longer > 0.0, 1.0, 0.0);
-    const real is_new = select(x->time > x->last_event, by_1_or_by_0, 0.0);
+    const real is_new = select(x->time > x->last_event, 1.0, 0.0);
     const real free_length_plus_extension = p->free_length + x->extension;
+    const real longer = p->thrust + p->more_thrust;
     const real longer_or_by_0 = select(longer > 0.0, longer, 0.0);
     const real rest_length = free_length_plus_extension + longer_or_by_0;
     const real sum_2 = free_length_plus_extension + longer_or_by_0 * x->thrusting;
@@ -1357,7 +1365,7 @@ static int react_slip_constant_greatest_compression(const real *parameters, cons
     const real length = real_sqrt(square);
     const real middle = sum_2 + 0.5 * jump - length;
     y->events = x->events + is_new;
-    y->last_event = select(by_1_or_by_0 > 0.0, x->time, x->last_event);
+    y->last_event = x->time;
     y->thrusting = 1.0;
     y->leg_work = x->leg_work + p->stiffness * jump * middle;
     return next[0]; /* slip */
@@ -1374,8 +1382,8 @@ static void vary_react_slip_constant_greatest_compression(const real *parameters
     (void)tables;
     (void)seed;
     reduced_runner_states *y = (void *)after;
-    const real longer = p->thrust + p->more_thrust;
     const real free_length_plus_extension = p->free_length + x->extension;
+    const real longer = p->thrust + p->more_thrust;
     const real longer_or_by_0 = select(longer > 0.0, longer, 0.0);
     const real rest_length = free_length_plus_extension + longer_or_by_0;
     const real sum_2 = free_length_plus_extension + longer_or_by_0 * x->thrusting;
@@ -1394,7 +1402,7 @@ static void vary_react_slip_constant_greatest_compression(const real *parameters
     const real d_length = 0.5 * d_square / length;
     const real d_middle = free_length_plus_extension_plus_sum + 0.5 * d_jump - d_length;
     y->events = dx->events;
-    y->last_event = select(select(longer > 0.0, 1.0, 0.0) > 0.0, dx->time, dx->last_event);
+    y->last_event = dx->time;
     y->thrusting = 0.0;
     y->leg_work = dx->leg_work +
                   ((dp->stiffness * jump + p->stiffness * d_jump) * middle + p->stiffness * jump * d_middle);
@@ -1402,9 +1410,9 @@ static void vary_react_slip_constant_greatest_compression(const real *parameters
 
 /* Whether greatest_compression is watched. */
 static real watches_slip_constant_greatest_compression(const real *parameters, const real *states) {
-    (void)parameters;
+    const reduced_runner_parameters *p = (const void *)parameters;
     const reduced_runner_states *x = (const void *)states;
-    if (x->thrusting <= 0.0) {
+    if (x->thrusting <= 0.0 && p->thrust + p->more_thrust > 0.0) {
         return 1.0;
     }
     return 0.0;
@@ -2423,18 +2431,16 @@ static void vary_open_stick(const real *parameters, const real *states, const re
     c->foot_mass_times_gravity_times_sine = d_foot_mass_times_gravity_times_sine;
 }
 
-/* greatest_compression: Thrust begins where the leg is shortest, once per stance. A thrust of 0 is not
- * counted. */
+/* greatest_compression: Thrust begins where the leg is shortest, once per stance. */
 static int react_stick_greatest_compression(const real *parameters, const real *states,
                                             const tdmf_table *tables, real *after, const int *next) {
     const reduced_runner_parameters *p = (const void *)parameters;
     const reduced_runner_states *x = (const void *)states;
     (void)tables;
     reduced_runner_states *y = (void *)after;
-    const real longer = p->thrust + p->more_thrust;
-    const real by_1_or_by_0 = select(longer > 0.0, 1.0, 0.0);
-    const real is_new = select(x->time > x->last_event, by_1_or_by_0, 0.0);
+    const real is_new = select(x->time > x->last_event, 1.0, 0.0);
     const real free_length_plus_extension = p->free_length + x->extension;
+    const real longer = p->thrust + p->more_thrust;
     const real longer_or_by_0 = select(longer > 0.0, longer, 0.0);
     const real rest_length = free_length_plus_extension + longer_or_by_0;
     const real sum_2 = free_length_plus_extension + longer_or_by_0 * x->thrusting;
@@ -2443,7 +2449,7 @@ static int react_stick_greatest_compression(const real *parameters, const real *
     const real length = real_sqrt(square);
     const real middle = sum_2 + 0.5 * jump - length;
     y->events = x->events + is_new;
-    y->last_event = select(by_1_or_by_0 > 0.0, x->time, x->last_event);
+    y->last_event = x->time;
     y->thrusting = 1.0;
     y->leg_work = x->leg_work + p->stiffness * jump * middle;
     return next[0]; /* stick */
@@ -4081,6 +4087,7 @@ static const tdmf_guard_kind guards_flight_place[] = {
      .is_counted = true,
      .react = react_flight_place_falls,
      .vary_react = vary_react_flight_place_falls,
+     .is_watched = watches_flight_place_falls,
      .vary_guard = vary_guard_flight_place_falls,
      .next = {MODE_fallen}},
     {.event = EVENT_touchdown,

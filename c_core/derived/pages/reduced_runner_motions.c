@@ -340,18 +340,21 @@ static void bounds_flight_place(const real *constants, const real *series, const
     const interval span_6 = interval_of_series(s->com_x, power, 3);
     const interval span_7 = interval_product(span_5, span_6);
     const interval span_8 = interval_difference(span_4, span_7);
-    const interval span_9 = interval_at(c->by_1_minus_share_times_length, c->by_1_minus_share_times_length);
+    const interval span_9 = interval_at(c->share_times_length, c->share_times_length);
     const interval span_10 = interval_at(broadcast(-1.0), broadcast(1.0));
     const interval span_11 = interval_product(span_9, span_10);
-    const interval span_12 = interval_sum(span_8, span_11);
-    bounds[0] = span_12;
-    const interval span_13 = interval_at(c->share_times_length, c->share_times_length);
-    const interval span_14 = interval_product(span_13, span_10);
-    const interval span_15 = interval_difference(span_8, span_14);
-    bounds[1] = span_15;
+    const interval span_12 = interval_difference(span_8, span_11);
+    bounds[1] = span_12;
+    if (watched >> 0 & 1) {
+        const interval span_13 =
+            interval_at(c->by_1_minus_share_times_length, c->by_1_minus_share_times_length);
+        const interval span_14 = interval_product(span_13, span_10);
+        const interval span_15 = interval_sum(span_8, span_14);
+        bounds[0] = span_15;
+    }
     if (watched >> 2 & 1) {
-        const interval span_16 = interval_at(broadcast(0.0), broadcast(0.0));
-        bounds[2] = span_16;
+        const interval span_13 = interval_at(broadcast(0.0), broadcast(0.0));
+        bounds[2] = span_13;
     }
 }
 
@@ -934,8 +937,7 @@ static void guard_slip_constant_collapses(const real *constants, const real *ser
     }
 }
 
-/* greatest_compression: Thrust begins where the leg is shortest, once per stance. A thrust of 0 is not
- * counted. */
+/* greatest_compression: Thrust begins where the leg is shortest, once per stance. */
 static void guard_slip_constant_greatest_compression(const real *constants, const real *series, int order,
                                                      real *g) {
     (void)constants;
@@ -1524,8 +1526,7 @@ static void guard_stick_collapses(const real *constants, const real *series, int
     }
 }
 
-/* greatest_compression: Thrust begins where the leg is shortest, once per stance. A thrust of 0 is not
- * counted. */
+/* greatest_compression: Thrust begins where the leg is shortest, once per stance. */
 static void guard_stick_greatest_compression(const real *constants, const real *series, int order, real *g) {
     (void)constants;
     const stick_series *s = (const void *)series;
@@ -2510,8 +2511,7 @@ static void guard_slip_falling_collapses(const real *constants, const real *seri
     }
 }
 
-/* greatest_compression: Thrust begins where the leg is shortest, once per stance. A thrust of 0 is not
- * counted. */
+/* greatest_compression: Thrust begins where the leg is shortest, once per stance. */
 static void guard_slip_falling_greatest_compression(const real *constants, const real *series, int order,
                                                     real *g) {
     (void)constants;

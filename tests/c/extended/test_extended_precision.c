@@ -2,7 +2,6 @@
  * more, with `double` meaning long double. A central difference over a step h errs by h^2 of a third
  * derivative, and by the map's own error over h: that of its events, which are located to a part of their
  * margin. */
-#include "check_reduced_map.h"
 #include "random.h"
 #include "reference_gaits.h"
 #include "reference_gaits_table.h"
@@ -247,7 +246,7 @@ static int check_light_runners(void) {
 }
 
 int main(void) {
-    int failures = check_light_runners() + check_reduced_map();
+    int failures = check_light_runners();
     for (int i = 0; i < 2 * PUBLISHED_GAITS; i += EVERY_OTHER) {
         const reference_gait *gait = &reference_gaits[i];
         scene scene = {tdmf_default_parameters(), tdmf_default_inputs(), {0.0L}};

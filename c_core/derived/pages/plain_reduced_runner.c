@@ -1,0 +1,3078 @@
+/* Derived from the page PlainReducedRunner: edit the page, not this. */
+#include "plain_reduced_runner.h"
+
+/* Constants of start_of_run. */
+static void open_start_of_run(const real *parameters, const real *states, real *constants) {
+    (void)parameters;
+    (void)states;
+    (void)constants;
+}
+
+/* First variation of open_start_of_run. */
+static void vary_open_start_of_run(const real *parameters, const real *states, const real *d_parameters,
+                                   const real *d_states, real *constants) {
+    (void)parameters;
+    (void)states;
+    (void)d_parameters;
+    (void)d_states;
+    (void)constants;
+}
+
+/* begins: Every run begins at an apex, with the foot above the ground. */
+static int react_start_of_run_begins(const real *parameters, const real *states, const tdmf_table *tables,
+                                     real *after, const int *next) {
+    const plain_reduced_runner_parameters *p = (const void *)parameters;
+    const plain_reduced_runner_states *x = (const void *)states;
+    (void)tables;
+    plain_reduced_runner_states *y = (void *)after;
+    y->liftoff_angle = x->angle;
+    if (x->seen_y <= 0.0) {
+        return next[0]; /* no_start */
+    }
+    const real share = p->body_mass / (p->body_mass + p->foot_mass);
+    const real sine = real_sin(x->angle);
+    const real sum_2 = x->seen_x - share * (x->length * sine);
+    const real cosine = real_cos(x->angle);
+    const real y_2 = x->length * cosine;
+    const real height_of_section = x->seen_y + share * y_2;
+    const real turn = x->length * x->angle_rate;
+    const real vx = -(x->length_rate * sine) - turn * cosine;
+    const real seen_vx_plus_share_times_vx = x->seen_vx + share * vx;
+    const real vy = x->length_rate * cosine - turn * sine;
+    y->is_open = 1.0;
+    y->work_then = x->work;
+    y->positive_work_then = x->positive_work_so_far;
+    y->peak_force_so_far = 0.0;
+    y->touchdowns_so_far = 0.0;
+    y->slip_so_far = 0.0;
+    y->stance_so_far = 0.0;
+    y->word_so_far = 0.0;
+    y->last_letter = 0.0;
+    y->bar_is_due = 0.0;
+    y->x_then = sum_2;
+    y->y_then = height_of_section;
+    y->apex_time = x->time;
+    y->apex_com_height = height_of_section;
+    y->apex_com_speed = seen_vx_plus_share_times_vx;
+    y->apex_length = p->free_length;
+    y->apex_angle = p->touchdown_angle;
+    y->apex_length_rate = 0.0;
+    y->apex_angle_rate = 0.0;
+    y->length = p->free_length;
+    y->angle = p->touchdown_angle;
+    y->length_rate = 0.0;
+    y->com_x = sum_2;
+    y->com_y = height_of_section;
+    y->com_vx = seen_vx_plus_share_times_vx;
+    y->com_vy = x->seen_vy + share * vy;
+    y->momentum = 0.0;
+    y->placing = 0.0;
+    return next[1]; /* flight */
+}
+
+/* First variation of begins. */
+static void vary_react_start_of_run_begins(const real *parameters, const real *states,
+                                           const real *d_parameters, const real *d_states,
+                                           const tdmf_table *tables, int seed, real *after) {
+    const plain_reduced_runner_parameters *p = (const void *)parameters;
+    const plain_reduced_runner_states *x = (const void *)states;
+    const plain_reduced_runner_parameters *dp = (const void *)d_parameters;
+    const plain_reduced_runner_states *dx = (const void *)d_states;
+    (void)tables;
+    (void)seed;
+    plain_reduced_runner_states *y = (void *)after;
+    y->liftoff_angle = dx->angle;
+    if (x->seen_y <= 0.0) {
+        return;
+    }
+    const real body_mass_plus_foot_mass = p->body_mass + p->foot_mass;
+    const real share = p->body_mass / body_mass_plus_foot_mass;
+    const real d_share = (dp->body_mass - share * (dp->body_mass + dp->foot_mass)) / body_mass_plus_foot_mass;
+    const real sine = real_sin(x->angle);
+    const real cosine = real_cos(x->angle);
+    const real d_sine = cosine * dx->angle;
+    const real seen_x_minus_sum =
+        dx->seen_x - (d_share * (x->length * sine) + share * (dx->length * sine + x->length * d_sine));
+    const real y_2 = x->length * cosine;
+    const real sine_times_angle = sine * dx->angle;
+    const real d_y = dx->length * cosine - x->length * sine_times_angle;
+    const real d_height_of_section = dx->seen_y + (d_share * y_2 + share * d_y);
+    const real turn = x->length * x->angle_rate;
+    const real vx = -(x->length_rate * sine) - turn * cosine;
+    const real d_turn = dx->length * x->angle_rate + x->length * dx->angle_rate;
+    const real d_vx =
+        -(dx->length_rate * sine + x->length_rate * d_sine) - (d_turn * cosine - turn * sine_times_angle);
+    const real sum_2 = dx->seen_vx + (d_share * vx + share * d_vx);
+    const real vy = x->length_rate * cosine - turn * sine;
+    const real d_vy =
+        dx->length_rate * cosine - x->length_rate * sine_times_angle - (d_turn * sine + turn * d_sine);
+    y->is_open = 0.0;
+    y->work_then = dx->work;
+    y->positive_work_then = dx->positive_work_so_far;
+    y->peak_force_so_far = 0.0;
+    y->touchdowns_so_far = 0.0;
+    y->slip_so_far = 0.0;
+    y->stance_so_far = 0.0;
+    y->word_so_far = 0.0;
+    y->last_letter = 0.0;
+    y->bar_is_due = 0.0;
+    y->x_then = seen_x_minus_sum;
+    y->y_then = d_height_of_section;
+    y->apex_time = dx->time;
+    y->apex_com_height = d_height_of_section;
+    y->apex_com_speed = sum_2;
+    y->apex_length = dp->free_length;
+    y->apex_angle = dp->touchdown_angle;
+    y->apex_length_rate = 0.0;
+    y->apex_angle_rate = 0.0;
+    y->length = dp->free_length;
+    y->angle = dp->touchdown_angle;
+    y->length_rate = 0.0;
+    y->com_x = seen_x_minus_sum;
+    y->com_y = d_height_of_section;
+    y->com_vx = sum_2;
+    y->com_vy = dx->seen_vy + (d_share * vy + share * d_vy);
+    y->momentum = 0.0;
+    y->placing = 0.0;
+}
+
+/* First variation of the guard of begins. */
+static real vary_guard_start_of_run_begins(const real *parameters, const real *states,
+                                           const real *d_parameters, const real *d_states) {
+    (void)parameters;
+    (void)states;
+    (void)d_parameters;
+    (void)d_states;
+    return 0.0;
+}
+
+/* Outputs in start_of_run. */
+static void outputs_start_of_run(const real *parameters, const real *states, real *outputs) {
+    const plain_reduced_runner_parameters *p = (const void *)parameters;
+    const plain_reduced_runner_states *x = (const void *)states;
+    const real shorter = p->free_length - x->length;
+    const real spring = p->stiffness * shorter - p->damping * x->length_rate;
+    const real sine = real_sin(x->angle);
+    const real length_times_sine = x->length * sine;
+    const real body_x = x->seen_x - length_times_sine;
+    const real cosine = real_cos(x->angle);
+    const real y_2 = x->length * cosine;
+    const real body_y = x->seen_y + y_2;
+    const real turn = x->length * x->angle_rate;
+    const real vx = -(x->length_rate * sine) - turn * cosine;
+    const real body_vx = x->seen_vx + vx;
+    const real vy = x->length_rate * cosine - turn * sine;
+    const real body_vy = x->seen_vy + vy;
+    const real share = p->body_mass / (p->body_mass + p->foot_mass);
+    const real center_x = x->seen_x - share * length_times_sine;
+    const real center_y = x->seen_y + share * y_2;
+    const real center_vx = x->seen_vx + share * vx;
+    const real center_vy = x->seen_vy + share * vy;
+    const real of_body = p->body_mass * (body_vx * body_vx + body_vy * body_vy);
+    const real kinetic_energy =
+        0.5 * (of_body + p->foot_mass * (x->seen_vx * x->seen_vx + x->seen_vy * x->seen_vy));
+    const real potential_energy = p->gravity * (p->body_mass * body_y + p->foot_mass * x->seen_y);
+    const real elastic_energy = 0.5 * (p->stiffness * (shorter * shorter));
+    const real energy = kinetic_energy + potential_energy + elastic_energy;
+    outputs[OUTPUT_pending] = 0.0;
+    outputs[OUTPUT_torque] = 0.0;
+    outputs[OUTPUT_normal_force] = 0.0;
+    outputs[OUTPUT_tangential_force] = 0.0;
+    outputs[OUTPUT_ground_force_x] = 0.0;
+    outputs[OUTPUT_ground_force_y] = 0.0;
+    outputs[OUTPUT_force_of_leg] = spring;
+    outputs[OUTPUT_body_x] = body_x;
+    outputs[OUTPUT_body_y] = body_y;
+    outputs[OUTPUT_body_vx] = body_vx;
+    outputs[OUTPUT_body_vy] = body_vy;
+    outputs[OUTPUT_center_x] = center_x;
+    outputs[OUTPUT_center_y] = center_y;
+    outputs[OUTPUT_center_vx] = center_vx;
+    outputs[OUTPUT_center_vy] = center_vy;
+    outputs[OUTPUT_kinetic_energy] = kinetic_energy;
+    outputs[OUTPUT_potential_energy] = potential_energy;
+    outputs[OUTPUT_elastic_energy] = elastic_energy;
+    outputs[OUTPUT_energy] = energy;
+    outputs[OUTPUT_kind_of_contact] = 1.0;
+    outputs[OUTPUT_phase_of_hip] = 4.0;
+    outputs[OUTPUT_has_fallen] = 0.0;
+}
+
+/* First variation of outputs_start_of_run. */
+static void vary_outputs_start_of_run(const real *parameters, const real *states, const real *d_parameters,
+                                      const real *d_states, real *outputs) {
+    const plain_reduced_runner_parameters *p = (const void *)parameters;
+    const plain_reduced_runner_states *x = (const void *)states;
+    const plain_reduced_runner_parameters *dp = (const void *)d_parameters;
+    const plain_reduced_runner_states *dx = (const void *)d_states;
+    const real shorter = p->free_length - x->length;
+    const real d_shorter = dp->free_length - dx->length;
+    const real d_spring = dp->stiffness * shorter + p->stiffness * d_shorter -
+                          (dp->damping * x->length_rate + p->damping * dx->length_rate);
+    const real sine = real_sin(x->angle);
+    const real cosine = real_cos(x->angle);
+    const real d_sine = cosine * dx->angle;
+    const real sum_2 = dx->length * sine + x->length * d_sine;
+    const real d_body_x = dx->seen_x - sum_2;
+    const real sine_times_angle = sine * dx->angle;
+    const real d_y = dx->length * cosine - x->length * sine_times_angle;
+    const real d_body_y = dx->seen_y + d_y;
+    const real d_turn = dx->length * x->angle_rate + x->length * dx->angle_rate;
+    const real turn = x->length * x->angle_rate;
+    const real d_vx =
+        -(dx->length_rate * sine + x->length_rate * d_sine) - (d_turn * cosine - turn * sine_times_angle);
+    const real d_body_vx = dx->seen_vx + d_vx;
+    const real d_vy =
+        dx->length_rate * cosine - x->length_rate * sine_times_angle - (d_turn * sine + turn * d_sine);
+    const real d_body_vy = dx->seen_vy + d_vy;
+    const real body_mass_plus_foot_mass = p->body_mass + p->foot_mass;
+    const real share = p->body_mass / body_mass_plus_foot_mass;
+    const real d_share = (dp->body_mass - share * (dp->body_mass + dp->foot_mass)) / body_mass_plus_foot_mass;
+    const real d_center_x = dx->seen_x - (d_share * (x->length * sine) + share * sum_2);
+    const real y_2 = x->length * cosine;
+    const real d_center_y = dx->seen_y + (d_share * y_2 + share * d_y);
+    const real vx = -(x->length_rate * sine) - turn * cosine;
+    const real d_center_vx = dx->seen_vx + (d_share * vx + share * d_vx);
+    const real vy = x->length_rate * cosine - turn * sine;
+    const real d_center_vy = dx->seen_vy + (d_share * vy + share * d_vy);
+    const real body_vx = x->seen_vx + vx;
+    const real body_vy = x->seen_vy + vy;
+    const real d_of_body = dp->body_mass * (body_vx * body_vx + body_vy * body_vy) +
+                           p->body_mass * (2.0 * (body_vx * d_body_vx) + 2.0 * (body_vy * d_body_vy));
+    const real d_kinetic_energy =
+        0.5 *
+        (d_of_body + (dp->foot_mass * (x->seen_vx * x->seen_vx + x->seen_vy * x->seen_vy) +
+                      p->foot_mass * (2.0 * (x->seen_vx * dx->seen_vx) + 2.0 * (x->seen_vy * dx->seen_vy))));
+    const real body_y = x->seen_y + y_2;
+    const real d_potential_energy = dp->gravity * (p->body_mass * body_y + p->foot_mass * x->seen_y) +
+                                    p->gravity * (dp->body_mass * body_y + p->body_mass * d_body_y +
+                                                  (dp->foot_mass * x->seen_y + p->foot_mass * dx->seen_y));
+    const real d_elastic_energy =
+        0.5 * (dp->stiffness * (shorter * shorter) + p->stiffness * (2.0 * (shorter * d_shorter)));
+    const real d_energy = d_kinetic_energy + d_potential_energy + d_elastic_energy;
+    outputs[OUTPUT_pending] = 0.0;
+    outputs[OUTPUT_torque] = 0.0;
+    outputs[OUTPUT_normal_force] = 0.0;
+    outputs[OUTPUT_tangential_force] = 0.0;
+    outputs[OUTPUT_ground_force_x] = 0.0;
+    outputs[OUTPUT_ground_force_y] = 0.0;
+    outputs[OUTPUT_force_of_leg] = d_spring;
+    outputs[OUTPUT_body_x] = d_body_x;
+    outputs[OUTPUT_body_y] = d_body_y;
+    outputs[OUTPUT_body_vx] = d_body_vx;
+    outputs[OUTPUT_body_vy] = d_body_vy;
+    outputs[OUTPUT_center_x] = d_center_x;
+    outputs[OUTPUT_center_y] = d_center_y;
+    outputs[OUTPUT_center_vx] = d_center_vx;
+    outputs[OUTPUT_center_vy] = d_center_vy;
+    outputs[OUTPUT_kinetic_energy] = d_kinetic_energy;
+    outputs[OUTPUT_potential_energy] = d_potential_energy;
+    outputs[OUTPUT_elastic_energy] = d_elastic_energy;
+    outputs[OUTPUT_energy] = d_energy;
+    outputs[OUTPUT_kind_of_contact] = 0.0;
+    outputs[OUTPUT_phase_of_hip] = 0.0;
+    outputs[OUTPUT_has_fallen] = 0.0;
+}
+
+/* Count the event. A contact mode that lasted adds a letter to the gait word, a new stance a bar. */
+static void leave_start_of_run(const real *parameters, const real *states, real counted, real *after) {
+    (void)parameters;
+    const plain_reduced_runner_states *x = (const void *)states;
+    plain_reduced_runner_states *y = (void *)after;
+    const real is_new = select(x->time > x->last_event, counted, 0.0);
+    y->events = x->events + is_new;
+    y->last_event = select(counted > 0.0, x->time, x->last_event);
+    y->mode_began = x->time;
+}
+
+/* First variation of leave_start_of_run. */
+static void vary_leave_start_of_run(const real *parameters, const real *states, const real *d_parameters,
+                                    const real *d_states, real counted, real *after) {
+    (void)parameters;
+    (void)states;
+    (void)d_parameters;
+    const plain_reduced_runner_states *dx = (const void *)d_states;
+    plain_reduced_runner_states *y = (void *)after;
+    y->events = dx->events;
+    y->last_event = select(counted > 0.0, dx->time, dx->last_event);
+    y->mode_began = dx->time;
+}
+
+/* Constants of flight_place. */
+static void open_flight_place(const real *parameters, const real *states, real *constants) {
+    const plain_reduced_runner_parameters *p = (const void *)parameters;
+    const plain_reduced_runner_states *x = (const void *)states;
+    flight_place_constants *c = (void *)constants;
+    const real minus_gravity = -p->gravity;
+    const real square = x->length * x->length;
+    const real rate = x->momentum / square;
+    const real total = p->body_mass + p->foot_mass;
+    const real share = p->body_mass / total;
+    const real by_1_minus_share_times_length = (1.0 - share) * x->length;
+    const real share_times_length = share * x->length;
+    c->com_vx = x->com_vx;
+    c->minus_gravity = minus_gravity;
+    c->rate = rate;
+    c->by_1_minus_share_times_length = by_1_minus_share_times_length;
+    c->share_times_length = share_times_length;
+}
+
+/* First variation of open_flight_place. */
+static void vary_open_flight_place(const real *parameters, const real *states, const real *d_parameters,
+                                   const real *d_states, real *constants) {
+    const plain_reduced_runner_parameters *p = (const void *)parameters;
+    const plain_reduced_runner_states *x = (const void *)states;
+    const plain_reduced_runner_parameters *dp = (const void *)d_parameters;
+    const plain_reduced_runner_states *dx = (const void *)d_states;
+    flight_place_constants *c = (void *)constants;
+    const real d_minus_gravity = -dp->gravity;
+    const real square = x->length * x->length;
+    const real rate = x->momentum / square;
+    const real d_square = 2.0 * (x->length * dx->length);
+    const real d_rate = (dx->momentum - rate * d_square) / square;
+    const real total = p->body_mass + p->foot_mass;
+    const real share = p->body_mass / total;
+    const real d_total = dp->body_mass + dp->foot_mass;
+    const real d_share = (dp->body_mass - share * d_total) / total;
+    const real length_times_d_share = x->length * d_share;
+    const real d_by_1_minus_share_times_length = (1.0 - share) * dx->length - length_times_d_share;
+    const real d_share_times_length = length_times_d_share + share * dx->length;
+    c->com_vx = dx->com_vx;
+    c->minus_gravity = d_minus_gravity;
+    c->rate = d_rate;
+    c->by_1_minus_share_times_length = d_by_1_minus_share_times_length;
+    c->share_times_length = d_share_times_length;
+}
+
+/* falls: The body reaches the ground. */
+static int react_flight_place_falls(const real *parameters, const real *states, const tdmf_table *tables,
+                                    real *after, const int *next) {
+    const plain_reduced_runner_parameters *p = (const void *)parameters;
+    const plain_reduced_runner_states *x = (const void *)states;
+    (void)tables;
+    plain_reduced_runner_states *y = (void *)after;
+    const real share = p->body_mass / (p->body_mass + p->foot_mass);
+    const real sine = real_sin(x->angle);
+    const real cosine = real_cos(x->angle);
+    const real y_2 = x->length * cosine;
+    const real turn = x->momentum / x->length;
+    const real vx = -(x->length_rate * sine) - turn * cosine;
+    const real vy = x->length_rate * cosine - turn * sine;
+    const real square = x->length * x->length;
+    const real rate = x->momentum / square;
+    y->seen_x = x->com_x + share * (x->length * sine);
+    y->seen_y = x->com_y - share * y_2;
+    y->seen_vx = x->com_vx - share * vx;
+    y->seen_vy = x->com_vy - share * vy;
+    y->angle_rate = rate;
+    return next[0]; /* fallen */
+}
+
+/* First variation of falls. */
+static void vary_react_flight_place_falls(const real *parameters, const real *states,
+                                          const real *d_parameters, const real *d_states,
+                                          const tdmf_table *tables, int seed, real *after) {
+    const plain_reduced_runner_parameters *p = (const void *)parameters;
+    const plain_reduced_runner_states *x = (const void *)states;
+    const plain_reduced_runner_parameters *dp = (const void *)d_parameters;
+    const plain_reduced_runner_states *dx = (const void *)d_states;
+    (void)tables;
+    (void)seed;
+    plain_reduced_runner_states *y = (void *)after;
+    const real body_mass_plus_foot_mass = p->body_mass + p->foot_mass;
+    const real share = p->body_mass / body_mass_plus_foot_mass;
+    const real d_share = (dp->body_mass - share * (dp->body_mass + dp->foot_mass)) / body_mass_plus_foot_mass;
+    const real sine = real_sin(x->angle);
+    const real cosine = real_cos(x->angle);
+    const real d_sine = cosine * dx->angle;
+    const real y_2 = x->length * cosine;
+    const real sine_times_angle = sine * dx->angle;
+    const real d_y = dx->length * cosine - x->length * sine_times_angle;
+    const real turn = x->momentum / x->length;
+    const real vx = -(x->length_rate * sine) - turn * cosine;
+    const real d_turn = (dx->momentum - turn * dx->length) / x->length;
+    const real d_vx =
+        -(dx->length_rate * sine + x->length_rate * d_sine) - (d_turn * cosine - turn * sine_times_angle);
+    const real vy = x->length_rate * cosine - turn * sine;
+    const real d_vy =
+        dx->length_rate * cosine - x->length_rate * sine_times_angle - (d_turn * sine + turn * d_sine);
+    const real square = x->length * x->length;
+    const real rate = x->momentum / square;
+    const real d_square = 2.0 * (x->length * dx->length);
+    const real d_rate = (dx->momentum - rate * d_square) / square;
+    y->seen_x = dx->com_x + (d_share * (x->length * sine) + share * (dx->length * sine + x->length * d_sine));
+    y->seen_y = dx->com_y - (d_share * y_2 + share * d_y);
+    y->seen_vx = dx->com_vx - (d_share * vx + share * d_vx);
+    y->seen_vy = dx->com_vy - (d_share * vy + share * d_vy);
+    y->angle_rate = d_rate;
+}
+
+/* Whether falls is watched. */
+static real watches_flight_place_falls(const real *parameters, const real *states) {
+    (void)parameters;
+    const plain_reduced_runner_states *x = (const void *)states;
+    if (real_cos(x->angle) < 0.01) {
+        return 1.0;
+    }
+    return 0.0;
+}
+
+/* First variation of the guard of falls. */
+static real vary_guard_flight_place_falls(const real *parameters, const real *states,
+                                          const real *d_parameters, const real *d_states) {
+    const plain_reduced_runner_parameters *p = (const void *)parameters;
+    const plain_reduced_runner_states *x = (const void *)states;
+    const plain_reduced_runner_parameters *dp = (const void *)d_parameters;
+    const plain_reduced_runner_states *dx = (const void *)d_states;
+    const real body_mass_plus_foot_mass = p->body_mass + p->foot_mass;
+    const real share = p->body_mass / body_mass_plus_foot_mass;
+    const real by_1_minus_share = 1.0 - share;
+    const real d_share = (dp->body_mass - share * (dp->body_mass + dp->foot_mass)) / body_mass_plus_foot_mass;
+    const real d_above =
+        dx->com_y + ((by_1_minus_share * dx->length - d_share * x->length) * real_cos(x->angle) -
+                     by_1_minus_share * x->length * (real_sin(x->angle) * dx->angle));
+    return d_above;
+}
+
+/* touchdown: The foot reaches the ground. */
+static int react_flight_place_touchdown(const real *parameters, const real *states, const tdmf_table *tables,
+                                        real *after, const int *next) {
+    const plain_reduced_runner_parameters *p = (const void *)parameters;
+    const plain_reduced_runner_states *x = (const void *)states;
+    (void)tables;
+    plain_reduced_runner_states *y = (void *)after;
+    const real share = p->body_mass / (p->body_mass + p->foot_mass);
+    const real sine = real_sin(x->angle);
+    const real turn = x->momentum / x->length;
+    const real cosine = real_cos(x->angle);
+    const real vx = -(x->length_rate * sine) - turn * cosine;
+    const real along = x->com_vx - share * vx;
+    const real way = select(along >= 0.0, 1.0, -1.0);
+    const real way_times_along = way * along;
+    const real vy = x->length_rate * cosine - turn * sine;
+    const real off = x->com_vy - share * vy;
+    const real friction_times_off = x->friction * off;
+    const real lost = -friction_times_off;
+    const real after_2 = select(way_times_along <= lost, 0.0, way_times_along + friction_times_off);
+    const real way_times_after = way * after_2;
+    const real touchdowns_so_far_plus_by_1 = x->touchdowns_so_far + 1.0;
+    const real length_times_sine = x->length * sine;
+    const real sum_2 = x->com_x + share * length_times_sine;
+    const real x_2 = -length_times_sine;
+    const real y_2 = x->length * cosine;
+    const real vx_plus_along_minus_way_times_after = vx + along - way_times_after;
+    const real vy_plus_off = vy + off;
+    const real angle_minus_length_times_sineatan2_of_y = x->angle - real_atan2(length_times_sine, y_2);
+    const real speeds = along * along + off * off - way_times_after * way_times_after;
+    const real sum_3 = x->impact_loss + 0.5 * (p->foot_mass * speeds);
+    const real by_1_or_by_0 = select(x->angle >= 0.0, 1.0, 0.0);
+    y->touchdowns_so_far = touchdowns_so_far_plus_by_1;
+    y->slid_from = sum_2;
+    y->bar_is_due = 1.0;
+    y->x_ = x_2;
+    y->y_ = y_2;
+    y->vx = vx_plus_along_minus_way_times_after;
+    y->vy = vy_plus_off;
+    y->foot_x = sum_2;
+    y->foot_vx = way_times_after;
+    y->winding = angle_minus_length_times_sineatan2_of_y;
+    y->impact_loss = sum_3;
+    y->driving = by_1_or_by_0;
+    y->placing = 0.0;
+    y->touchdown_time = x->time;
+    if (way * way_times_after > 0.0) {
+        y->way = way;
+        return next[0]; /* slip */
+    }
+    return next[1]; /* stick */
+}
+
+/* First variation of touchdown. */
+static void vary_react_flight_place_touchdown(const real *parameters, const real *states,
+                                              const real *d_parameters, const real *d_states,
+                                              const tdmf_table *tables, int seed, real *after) {
+    const plain_reduced_runner_parameters *p = (const void *)parameters;
+    const plain_reduced_runner_states *x = (const void *)states;
+    const plain_reduced_runner_parameters *dp = (const void *)d_parameters;
+    const plain_reduced_runner_states *dx = (const void *)d_states;
+    (void)tables;
+    (void)seed;
+    plain_reduced_runner_states *y = (void *)after;
+    const real body_mass_plus_foot_mass = p->body_mass + p->foot_mass;
+    const real share = p->body_mass / body_mass_plus_foot_mass;
+    const real sine = real_sin(x->angle);
+    const real turn = x->momentum / x->length;
+    const real cosine = real_cos(x->angle);
+    const real vx = -(x->length_rate * sine) - turn * cosine;
+    const real along = x->com_vx - share * vx;
+    const real way = select(along >= 0.0, 1.0, -1.0);
+    const real way_times_along = way * along;
+    const real vy = x->length_rate * cosine - turn * sine;
+    const real off = x->com_vy - share * vy;
+    const real friction_times_off = x->friction * off;
+    const real lost = -friction_times_off;
+    const real after_2 = select(way_times_along <= lost, 0.0, way_times_along + friction_times_off);
+    const real way_times_after = way * after_2;
+    const real d_share = (dp->body_mass - share * (dp->body_mass + dp->foot_mass)) / body_mass_plus_foot_mass;
+    const real length_times_sine = x->length * sine;
+    const real d_sine = cosine * dx->angle;
+    const real sum_2 = dx->length * sine + x->length * d_sine;
+    const real com_x_plus_sum = dx->com_x + (d_share * length_times_sine + share * sum_2);
+    const real d_x = -sum_2;
+    const real sine_times_angle = sine * dx->angle;
+    const real d_y = dx->length * cosine - x->length * sine_times_angle;
+    const real d_turn = (dx->momentum - turn * dx->length) / x->length;
+    const real d_vx =
+        -(dx->length_rate * sine + x->length_rate * d_sine) - (d_turn * cosine - turn * sine_times_angle);
+    const real d_along = dx->com_vx - (d_share * vx + share * d_vx);
+    const real d_vy =
+        dx->length_rate * cosine - x->length_rate * sine_times_angle - (d_turn * sine + turn * d_sine);
+    const real d_off = dx->com_vy - (d_share * vy + share * d_vy);
+    const real d_after =
+        select(way_times_along <= lost, 0.0, way * d_along + (dx->friction * off + x->friction * d_off));
+    const real way_times_d_after = way * d_after;
+    const real sum_3 = d_vx + d_along - way_times_d_after;
+    const real d_vy_plus_d_off = d_vy + d_off;
+    const real y_2 = x->length * cosine;
+    const real sum_4 = dx->angle - (y_2 * sum_2 - length_times_sine * d_y) /
+                                       (length_times_sine * length_times_sine + y_2 * y_2);
+    const real speeds = along * along + off * off - way_times_after * way_times_after;
+    const real d_speeds =
+        2.0 * (along * d_along) + 2.0 * (off * d_off) - 2.0 * (way_times_after * way_times_d_after);
+    const real impact_loss_plus_by_0_5_times_sum =
+        dx->impact_loss + 0.5 * (dp->foot_mass * speeds + p->foot_mass * d_speeds);
+    y->touchdowns_so_far = dx->touchdowns_so_far;
+    y->slid_from = com_x_plus_sum;
+    y->bar_is_due = 0.0;
+    y->x_ = d_x;
+    y->y_ = d_y;
+    y->vx = sum_3;
+    y->vy = d_vy_plus_d_off;
+    y->foot_x = com_x_plus_sum;
+    y->foot_vx = way_times_d_after;
+    y->winding = sum_4;
+    y->impact_loss = impact_loss_plus_by_0_5_times_sum;
+    y->driving = 0.0;
+    y->placing = 0.0;
+    y->touchdown_time = dx->time;
+    if (way * way_times_after > 0.0) {
+        y->way = 0.0;
+        return;
+    }
+}
+
+/* First variation of the guard of touchdown. */
+static real vary_guard_flight_place_touchdown(const real *parameters, const real *states,
+                                              const real *d_parameters, const real *d_states) {
+    const plain_reduced_runner_parameters *p = (const void *)parameters;
+    const plain_reduced_runner_states *x = (const void *)states;
+    const plain_reduced_runner_parameters *dp = (const void *)d_parameters;
+    const plain_reduced_runner_states *dx = (const void *)d_states;
+    const real body_mass_plus_foot_mass = p->body_mass + p->foot_mass;
+    const real share = p->body_mass / body_mass_plus_foot_mass;
+    const real d_share = (dp->body_mass - share * (dp->body_mass + dp->foot_mass)) / body_mass_plus_foot_mass;
+    const real d_above = dx->com_y - ((d_share * x->length + share * dx->length) * real_cos(x->angle) -
+                                      share * x->length * (real_sin(x->angle) * dx->angle));
+    return d_above;
+}
+
+/* Outputs in flight_place. */
+static void outputs_flight_place(const real *parameters, const real *states, real *outputs) {
+    const plain_reduced_runner_parameters *p = (const void *)parameters;
+    const plain_reduced_runner_states *x = (const void *)states;
+    const real shorter = p->free_length - x->length;
+    const real spring = p->stiffness * shorter - p->damping * x->length_rate;
+    const real share = p->body_mass / (p->body_mass + p->foot_mass);
+    const real sine = real_sin(x->angle);
+    const real length_times_sine = x->length * sine;
+    const real body_x = x->com_x + share * length_times_sine - length_times_sine;
+    const real cosine = real_cos(x->angle);
+    const real y_2 = x->length * cosine;
+    const real com_y_minus_share_times_y = x->com_y - share * y_2;
+    const real body_y = com_y_minus_share_times_y + y_2;
+    const real turn = x->momentum / x->length;
+    const real vx = -(x->length_rate * sine) - turn * cosine;
+    const real com_vx_minus_share_times_vx = x->com_vx - share * vx;
+    const real body_vx = com_vx_minus_share_times_vx + vx;
+    const real vy = x->length_rate * cosine - turn * sine;
+    const real com_vy_minus_share_times_vy = x->com_vy - share * vy;
+    const real body_vy = com_vy_minus_share_times_vy + vy;
+    const real of_body = p->body_mass * (body_vx * body_vx + body_vy * body_vy);
+    const real kinetic_energy =
+        0.5 * (of_body + p->foot_mass * (com_vx_minus_share_times_vx * com_vx_minus_share_times_vx +
+                                         com_vy_minus_share_times_vy * com_vy_minus_share_times_vy));
+    const real potential_energy =
+        p->gravity * (p->body_mass * body_y + p->foot_mass * com_y_minus_share_times_y);
+    const real elastic_energy = 0.5 * (p->stiffness * (shorter * shorter));
+    const real energy = kinetic_energy + potential_energy + elastic_energy;
+    outputs[OUTPUT_pending] = 0.0;
+    outputs[OUTPUT_torque] = 0.0;
+    outputs[OUTPUT_normal_force] = 0.0;
+    outputs[OUTPUT_tangential_force] = 0.0;
+    outputs[OUTPUT_ground_force_x] = 0.0;
+    outputs[OUTPUT_ground_force_y] = 0.0;
+    outputs[OUTPUT_force_of_leg] = spring;
+    outputs[OUTPUT_body_x] = body_x;
+    outputs[OUTPUT_body_y] = body_y;
+    outputs[OUTPUT_body_vx] = body_vx;
+    outputs[OUTPUT_body_vy] = body_vy;
+    outputs[OUTPUT_center_x] = x->com_x;
+    outputs[OUTPUT_center_y] = x->com_y;
+    outputs[OUTPUT_center_vx] = x->com_vx;
+    outputs[OUTPUT_center_vy] = x->com_vy;
+    outputs[OUTPUT_kinetic_energy] = kinetic_energy;
+    outputs[OUTPUT_potential_energy] = potential_energy;
+    outputs[OUTPUT_elastic_energy] = elastic_energy;
+    outputs[OUTPUT_energy] = energy;
+    outputs[OUTPUT_kind_of_contact] = 1.0;
+    outputs[OUTPUT_phase_of_hip] = 4.0;
+    outputs[OUTPUT_has_fallen] = 0.0;
+}
+
+/* First variation of outputs_flight_place. */
+static void vary_outputs_flight_place(const real *parameters, const real *states, const real *d_parameters,
+                                      const real *d_states, real *outputs) {
+    const plain_reduced_runner_parameters *p = (const void *)parameters;
+    const plain_reduced_runner_states *x = (const void *)states;
+    const plain_reduced_runner_parameters *dp = (const void *)d_parameters;
+    const plain_reduced_runner_states *dx = (const void *)d_states;
+    const real shorter = p->free_length - x->length;
+    const real d_shorter = dp->free_length - dx->length;
+    const real d_spring = dp->stiffness * shorter + p->stiffness * d_shorter -
+                          (dp->damping * x->length_rate + p->damping * dx->length_rate);
+    const real body_mass_plus_foot_mass = p->body_mass + p->foot_mass;
+    const real share = p->body_mass / body_mass_plus_foot_mass;
+    const real d_share = (dp->body_mass - share * (dp->body_mass + dp->foot_mass)) / body_mass_plus_foot_mass;
+    const real sine = real_sin(x->angle);
+    const real cosine = real_cos(x->angle);
+    const real d_sine = cosine * dx->angle;
+    const real sum_2 = dx->length * sine + x->length * d_sine;
+    const real d_body_x = dx->com_x + (d_share * (x->length * sine) + share * sum_2) - sum_2;
+    const real y_2 = x->length * cosine;
+    const real sine_times_angle = sine * dx->angle;
+    const real d_y = dx->length * cosine - x->length * sine_times_angle;
+    const real sum_3 = dx->com_y - (d_share * y_2 + share * d_y);
+    const real d_body_y = sum_3 + d_y;
+    const real turn = x->momentum / x->length;
+    const real vx = -(x->length_rate * sine) - turn * cosine;
+    const real d_turn = (dx->momentum - turn * dx->length) / x->length;
+    const real d_vx =
+        -(dx->length_rate * sine + x->length_rate * d_sine) - (d_turn * cosine - turn * sine_times_angle);
+    const real sum_4 = dx->com_vx - (d_share * vx + share * d_vx);
+    const real d_body_vx = sum_4 + d_vx;
+    const real vy = x->length_rate * cosine - turn * sine;
+    const real d_vy =
+        dx->length_rate * cosine - x->length_rate * sine_times_angle - (d_turn * sine + turn * d_sine);
+    const real sum_5 = dx->com_vy - (d_share * vy + share * d_vy);
+    const real d_body_vy = sum_5 + d_vy;
+    const real com_vx_minus_share_times_vx = x->com_vx - share * vx;
+    const real body_vx = com_vx_minus_share_times_vx + vx;
+    const real com_vy_minus_share_times_vy = x->com_vy - share * vy;
+    const real body_vy = com_vy_minus_share_times_vy + vy;
+    const real d_of_body = dp->body_mass * (body_vx * body_vx + body_vy * body_vy) +
+                           p->body_mass * (2.0 * (body_vx * d_body_vx) + 2.0 * (body_vy * d_body_vy));
+    const real d_kinetic_energy =
+        0.5 * (d_of_body + (dp->foot_mass * (com_vx_minus_share_times_vx * com_vx_minus_share_times_vx +
+                                             com_vy_minus_share_times_vy * com_vy_minus_share_times_vy) +
+                            p->foot_mass * (2.0 * (com_vx_minus_share_times_vx * sum_4) +
+                                            2.0 * (com_vy_minus_share_times_vy * sum_5))));
+    const real com_y_minus_share_times_y = x->com_y - share * y_2;
+    const real body_y = com_y_minus_share_times_y + y_2;
+    const real d_potential_energy =
+        dp->gravity * (p->body_mass * body_y + p->foot_mass * com_y_minus_share_times_y) +
+        p->gravity * (dp->body_mass * body_y + p->body_mass * d_body_y +
+                      (dp->foot_mass * com_y_minus_share_times_y + p->foot_mass * sum_3));
+    const real d_elastic_energy =
+        0.5 * (dp->stiffness * (shorter * shorter) + p->stiffness * (2.0 * (shorter * d_shorter)));
+    const real d_energy = d_kinetic_energy + d_potential_energy + d_elastic_energy;
+    outputs[OUTPUT_pending] = 0.0;
+    outputs[OUTPUT_torque] = 0.0;
+    outputs[OUTPUT_normal_force] = 0.0;
+    outputs[OUTPUT_tangential_force] = 0.0;
+    outputs[OUTPUT_ground_force_x] = 0.0;
+    outputs[OUTPUT_ground_force_y] = 0.0;
+    outputs[OUTPUT_force_of_leg] = d_spring;
+    outputs[OUTPUT_body_x] = d_body_x;
+    outputs[OUTPUT_body_y] = d_body_y;
+    outputs[OUTPUT_body_vx] = d_body_vx;
+    outputs[OUTPUT_body_vy] = d_body_vy;
+    outputs[OUTPUT_center_x] = dx->com_x;
+    outputs[OUTPUT_center_y] = dx->com_y;
+    outputs[OUTPUT_center_vx] = dx->com_vx;
+    outputs[OUTPUT_center_vy] = dx->com_vy;
+    outputs[OUTPUT_kinetic_energy] = d_kinetic_energy;
+    outputs[OUTPUT_potential_energy] = d_potential_energy;
+    outputs[OUTPUT_elastic_energy] = d_elastic_energy;
+    outputs[OUTPUT_energy] = d_energy;
+    outputs[OUTPUT_kind_of_contact] = 0.0;
+    outputs[OUTPUT_phase_of_hip] = 0.0;
+    outputs[OUTPUT_has_fallen] = 0.0;
+}
+
+/* from world, in flight. */
+static void from_world_flight_place(const real *parameters, const real *states, real *after) {
+    const plain_reduced_runner_parameters *p = (const void *)parameters;
+    const plain_reduced_runner_states *x = (const void *)states;
+    plain_reduced_runner_states *y = (void *)after;
+    const real share = p->body_mass / (p->body_mass + p->foot_mass);
+    const real sine = real_sin(x->angle);
+    const real cosine = real_cos(x->angle);
+    const real y_2 = x->length * cosine;
+    const real turn = x->length * x->angle_rate;
+    const real vx = -(x->length_rate * sine) - turn * cosine;
+    const real vy = x->length_rate * cosine - turn * sine;
+    const real square = x->length * x->length;
+    const real moment = square * x->angle_rate;
+    y->com_x = x->seen_x - share * (x->length * sine);
+    y->com_y = x->seen_y + share * y_2;
+    y->com_vx = x->seen_vx + share * vx;
+    y->com_vy = x->seen_vy + share * vy;
+    y->momentum = moment;
+}
+
+/* First variation of from_world_flight_place. */
+static void vary_from_world_flight_place(const real *parameters, const real *states, const real *d_parameters,
+                                         const real *d_states, real *after) {
+    const plain_reduced_runner_parameters *p = (const void *)parameters;
+    const plain_reduced_runner_states *x = (const void *)states;
+    const plain_reduced_runner_parameters *dp = (const void *)d_parameters;
+    const plain_reduced_runner_states *dx = (const void *)d_states;
+    plain_reduced_runner_states *y = (void *)after;
+    const real body_mass_plus_foot_mass = p->body_mass + p->foot_mass;
+    const real share = p->body_mass / body_mass_plus_foot_mass;
+    const real d_share = (dp->body_mass - share * (dp->body_mass + dp->foot_mass)) / body_mass_plus_foot_mass;
+    const real sine = real_sin(x->angle);
+    const real cosine = real_cos(x->angle);
+    const real d_sine = cosine * dx->angle;
+    const real y_2 = x->length * cosine;
+    const real sine_times_angle = sine * dx->angle;
+    const real d_y = dx->length * cosine - x->length * sine_times_angle;
+    const real turn = x->length * x->angle_rate;
+    const real vx = -(x->length_rate * sine) - turn * cosine;
+    const real d_turn = dx->length * x->angle_rate + x->length * dx->angle_rate;
+    const real d_vx =
+        -(dx->length_rate * sine + x->length_rate * d_sine) - (d_turn * cosine - turn * sine_times_angle);
+    const real vy = x->length_rate * cosine - turn * sine;
+    const real d_vy =
+        dx->length_rate * cosine - x->length_rate * sine_times_angle - (d_turn * sine + turn * d_sine);
+    const real d_square = 2.0 * (x->length * dx->length);
+    const real square = x->length * x->length;
+    const real d_moment = d_square * x->angle_rate + square * dx->angle_rate;
+    y->com_x = dx->seen_x - (d_share * (x->length * sine) + share * (dx->length * sine + x->length * d_sine));
+    y->com_y = dx->seen_y + (d_share * y_2 + share * d_y);
+    y->com_vx = dx->seen_vx + (d_share * vx + share * d_vx);
+    y->com_vy = dx->seen_vy + (d_share * vy + share * d_vy);
+    y->momentum = d_moment;
+}
+
+/* to world, in flight. */
+static void to_world_flight_place(const real *parameters, const real *states, real *after) {
+    const plain_reduced_runner_parameters *p = (const void *)parameters;
+    const plain_reduced_runner_states *x = (const void *)states;
+    plain_reduced_runner_states *y = (void *)after;
+    const real share = p->body_mass / (p->body_mass + p->foot_mass);
+    const real sine = real_sin(x->angle);
+    const real cosine = real_cos(x->angle);
+    const real y_2 = x->length * cosine;
+    const real turn = x->momentum / x->length;
+    const real vx = -(x->length_rate * sine) - turn * cosine;
+    const real vy = x->length_rate * cosine - turn * sine;
+    const real square = x->length * x->length;
+    const real rate = x->momentum / square;
+    y->seen_x = x->com_x + share * (x->length * sine);
+    y->seen_y = x->com_y - share * y_2;
+    y->seen_vx = x->com_vx - share * vx;
+    y->seen_vy = x->com_vy - share * vy;
+    y->angle_rate = rate;
+}
+
+/* First variation of to_world_flight_place. */
+static void vary_to_world_flight_place(const real *parameters, const real *states, const real *d_parameters,
+                                       const real *d_states, real *after) {
+    const plain_reduced_runner_parameters *p = (const void *)parameters;
+    const plain_reduced_runner_states *x = (const void *)states;
+    const plain_reduced_runner_parameters *dp = (const void *)d_parameters;
+    const plain_reduced_runner_states *dx = (const void *)d_states;
+    plain_reduced_runner_states *y = (void *)after;
+    const real body_mass_plus_foot_mass = p->body_mass + p->foot_mass;
+    const real share = p->body_mass / body_mass_plus_foot_mass;
+    const real d_share = (dp->body_mass - share * (dp->body_mass + dp->foot_mass)) / body_mass_plus_foot_mass;
+    const real sine = real_sin(x->angle);
+    const real cosine = real_cos(x->angle);
+    const real d_sine = cosine * dx->angle;
+    const real y_2 = x->length * cosine;
+    const real sine_times_angle = sine * dx->angle;
+    const real d_y = dx->length * cosine - x->length * sine_times_angle;
+    const real turn = x->momentum / x->length;
+    const real vx = -(x->length_rate * sine) - turn * cosine;
+    const real d_turn = (dx->momentum - turn * dx->length) / x->length;
+    const real d_vx =
+        -(dx->length_rate * sine + x->length_rate * d_sine) - (d_turn * cosine - turn * sine_times_angle);
+    const real vy = x->length_rate * cosine - turn * sine;
+    const real d_vy =
+        dx->length_rate * cosine - x->length_rate * sine_times_angle - (d_turn * sine + turn * d_sine);
+    const real square = x->length * x->length;
+    const real rate = x->momentum / square;
+    const real d_square = 2.0 * (x->length * dx->length);
+    const real d_rate = (dx->momentum - rate * d_square) / square;
+    y->seen_x = dx->com_x + (d_share * (x->length * sine) + share * (dx->length * sine + x->length * d_sine));
+    y->seen_y = dx->com_y - (d_share * y_2 + share * d_y);
+    y->seen_vx = dx->com_vx - (d_share * vx + share * d_vx);
+    y->seen_vy = dx->com_vy - (d_share * vy + share * d_vy);
+    y->angle_rate = d_rate;
+}
+
+/* Rates of the world's states in flight. */
+static void world_rates_flight_place(const real *parameters, const real *states, real *after) {
+    const plain_reduced_runner_parameters *p = (const void *)parameters;
+    const plain_reduced_runner_states *x = (const void *)states;
+    plain_reduced_runner_states *y = (void *)after;
+    const real total = p->body_mass + p->foot_mass;
+    const real share = p->body_mass / total;
+    const real cosine = real_cos(x->angle);
+    const real square = x->length * x->length;
+    const real rate = x->momentum / square;
+    const real cosine_times_rate = cosine * rate;
+    const real sine = real_sin(x->angle);
+    const real sine_times_rate = sine * rate;
+    const real turn = x->momentum / x->length;
+    y->seen_x = x->com_vx + share * (x->length * cosine_times_rate);
+    y->seen_y = x->com_vy + share * (x->length * sine_times_rate);
+    y->seen_vx = -(share * (turn * sine_times_rate - x->length_rate * cosine_times_rate));
+    y->seen_vy = -p->gravity - share * (-(x->length_rate * sine_times_rate) - turn * cosine_times_rate);
+    y->length = 0.0;
+    y->angle = rate;
+    y->length_rate = 0.0;
+    y->angle_rate = 0.0;
+}
+
+/* First variation of world_rates_flight_place. */
+static void vary_world_rates_flight_place(const real *parameters, const real *states,
+                                          const real *d_parameters, const real *d_states, real *after) {
+    const plain_reduced_runner_parameters *p = (const void *)parameters;
+    const plain_reduced_runner_states *x = (const void *)states;
+    const plain_reduced_runner_parameters *dp = (const void *)d_parameters;
+    const plain_reduced_runner_states *dx = (const void *)d_states;
+    plain_reduced_runner_states *y = (void *)after;
+    const real total = p->body_mass + p->foot_mass;
+    const real share = p->body_mass / total;
+    const real d_total = dp->body_mass + dp->foot_mass;
+    const real d_share = (dp->body_mass - share * d_total) / total;
+    const real cosine = real_cos(x->angle);
+    const real square = x->length * x->length;
+    const real rate = x->momentum / square;
+    const real cosine_times_rate = cosine * rate;
+    const real d_square = 2.0 * (x->length * dx->length);
+    const real d_rate = (dx->momentum - rate * d_square) / square;
+    const real sine = real_sin(x->angle);
+    const real sum_2 = cosine * d_rate - sine * dx->angle * rate;
+    const real sine_times_rate = sine * rate;
+    const real d_sine = cosine * dx->angle;
+    const real sum_3 = d_sine * rate + sine * d_rate;
+    const real turn = x->momentum / x->length;
+    const real d_turn = (dx->momentum - turn * dx->length) / x->length;
+    y->seen_x = dx->com_vx + (d_share * (x->length * cosine_times_rate) +
+                              share * (dx->length * cosine_times_rate + x->length * sum_2));
+    y->seen_y = dx->com_vy + (d_share * (x->length * sine_times_rate) +
+                              share * (dx->length * sine_times_rate + x->length * sum_3));
+    y->seen_vx = -(d_share * (turn * sine_times_rate - x->length_rate * cosine_times_rate) +
+                   share * (d_turn * sine_times_rate + turn * sum_3 -
+                            (dx->length_rate * cosine_times_rate + x->length_rate * sum_2)));
+    y->seen_vy = -dp->gravity - (d_share * (-(x->length_rate * sine_times_rate) - turn * cosine_times_rate) +
+                                 share * (-(dx->length_rate * sine_times_rate + x->length_rate * sum_3) -
+                                          (d_turn * cosine_times_rate + turn * sum_2)));
+    y->length = 0.0;
+    y->angle = d_rate;
+    y->length_rate = 0.0;
+    y->angle_rate = 0.0;
+}
+
+/* Outputs in fallen. */
+static void outputs_fallen(const real *parameters, const real *states, real *outputs) {
+    const plain_reduced_runner_parameters *p = (const void *)parameters;
+    const plain_reduced_runner_states *x = (const void *)states;
+    const real shorter = p->free_length - x->length;
+    const real spring = p->stiffness * shorter - p->damping * x->length_rate;
+    const real sine = real_sin(x->angle);
+    const real length_times_sine = x->length * sine;
+    const real body_x = x->seen_x - length_times_sine;
+    const real cosine = real_cos(x->angle);
+    const real y_2 = x->length * cosine;
+    const real body_y = x->seen_y + y_2;
+    const real turn = x->length * x->angle_rate;
+    const real vx = -(x->length_rate * sine) - turn * cosine;
+    const real body_vx = x->seen_vx + vx;
+    const real vy = x->length_rate * cosine - turn * sine;
+    const real body_vy = x->seen_vy + vy;
+    const real share = p->body_mass / (p->body_mass + p->foot_mass);
+    const real center_x = x->seen_x - share * length_times_sine;
+    const real center_y = x->seen_y + share * y_2;
+    const real center_vx = x->seen_vx + share * vx;
+    const real center_vy = x->seen_vy + share * vy;
+    const real of_body = p->body_mass * (body_vx * body_vx + body_vy * body_vy);
+    const real kinetic_energy =
+        0.5 * (of_body + p->foot_mass * (x->seen_vx * x->seen_vx + x->seen_vy * x->seen_vy));
+    const real potential_energy = p->gravity * (p->body_mass * body_y + p->foot_mass * x->seen_y);
+    const real elastic_energy = 0.5 * (p->stiffness * (shorter * shorter));
+    const real energy = kinetic_energy + potential_energy + elastic_energy;
+    outputs[OUTPUT_pending] = 0.0;
+    outputs[OUTPUT_torque] = 0.0;
+    outputs[OUTPUT_normal_force] = 0.0;
+    outputs[OUTPUT_tangential_force] = 0.0;
+    outputs[OUTPUT_ground_force_x] = 0.0;
+    outputs[OUTPUT_ground_force_y] = 0.0;
+    outputs[OUTPUT_force_of_leg] = spring;
+    outputs[OUTPUT_body_x] = body_x;
+    outputs[OUTPUT_body_y] = body_y;
+    outputs[OUTPUT_body_vx] = body_vx;
+    outputs[OUTPUT_body_vy] = body_vy;
+    outputs[OUTPUT_center_x] = center_x;
+    outputs[OUTPUT_center_y] = center_y;
+    outputs[OUTPUT_center_vx] = center_vx;
+    outputs[OUTPUT_center_vy] = center_vy;
+    outputs[OUTPUT_kinetic_energy] = kinetic_energy;
+    outputs[OUTPUT_potential_energy] = potential_energy;
+    outputs[OUTPUT_elastic_energy] = elastic_energy;
+    outputs[OUTPUT_energy] = energy;
+    outputs[OUTPUT_kind_of_contact] = 1.0;
+    outputs[OUTPUT_phase_of_hip] = 4.0;
+    outputs[OUTPUT_has_fallen] = 1.0;
+}
+
+/* Constants of slip_constant. */
+static void open_slip_constant(const real *parameters, const real *states, real *constants) {
+    const plain_reduced_runner_parameters *p = (const void *)parameters;
+    const plain_reduced_runner_states *x = (const void *)states;
+    slip_constant_constants *c = (void *)constants;
+    const real stance_torque = x->external_torque - x->driving * p->drive_torque;
+    const real way_times_friction = x->way * x->friction;
+    const real foot_mass_times_gravity = p->foot_mass * p->gravity;
+    c->stiffness = p->stiffness;
+    c->free_length = p->free_length;
+    c->damping = p->damping;
+    c->stance_torque = stance_torque;
+    c->body_mass = p->body_mass;
+    c->way = x->way;
+    c->way_times_friction = way_times_friction;
+    c->foot_mass = p->foot_mass;
+    c->gravity = p->gravity;
+    c->foot_mass_times_gravity = foot_mass_times_gravity;
+    c->least_length = p->least_length;
+    c->winding = x->winding;
+}
+
+/* First variation of open_slip_constant. */
+static void vary_open_slip_constant(const real *parameters, const real *states, const real *d_parameters,
+                                    const real *d_states, real *constants) {
+    const plain_reduced_runner_parameters *p = (const void *)parameters;
+    const plain_reduced_runner_states *x = (const void *)states;
+    const plain_reduced_runner_parameters *dp = (const void *)d_parameters;
+    const plain_reduced_runner_states *dx = (const void *)d_states;
+    slip_constant_constants *c = (void *)constants;
+    const real d_stance_torque =
+        dx->external_torque - (p->drive_torque * dx->driving + x->driving * dp->drive_torque);
+    const real d_way_times_friction = x->friction * dx->way + x->way * dx->friction;
+    const real d_foot_mass_times_gravity = p->gravity * dp->foot_mass + p->foot_mass * dp->gravity;
+    c->stiffness = dp->stiffness;
+    c->free_length = dp->free_length;
+    c->damping = dp->damping;
+    c->stance_torque = d_stance_torque;
+    c->body_mass = dp->body_mass;
+    c->way = dx->way;
+    c->way_times_friction = d_way_times_friction;
+    c->foot_mass = dp->foot_mass;
+    c->gravity = dp->gravity;
+    c->foot_mass_times_gravity = d_foot_mass_times_gravity;
+    c->least_length = dp->least_length;
+    c->winding = dx->winding;
+}
+
+/* falls: The body reaches the ground. */
+static int react_slip_constant_falls(const real *parameters, const real *states, const tdmf_table *tables,
+                                     real *after, const int *next) {
+    (void)parameters;
+    const plain_reduced_runner_states *x = (const void *)states;
+    (void)tables;
+    plain_reduced_runner_states *y = (void *)after;
+    const real square = x->x_ * x->x_ + x->y_ * x->y_;
+    const real length = real_sqrt(square);
+    const real angle = real_atan2(-x->x_, x->y_) + x->winding;
+    const real length_rate = (x->x_ * x->vx + x->y_ * x->vy) / length;
+    const real moment = x->x_ * x->vy - x->y_ * x->vx;
+    const real angle_rate = moment / square;
+    y->seen_x = x->foot_x;
+    y->seen_y = 0.0;
+    y->length = length;
+    y->angle = angle;
+    y->seen_vx = x->foot_vx;
+    y->seen_vy = 0.0;
+    y->length_rate = length_rate;
+    y->angle_rate = angle_rate;
+    return next[0]; /* fallen */
+}
+
+/* First variation of falls. */
+static void vary_react_slip_constant_falls(const real *parameters, const real *states,
+                                           const real *d_parameters, const real *d_states,
+                                           const tdmf_table *tables, int seed, real *after) {
+    (void)parameters;
+    const plain_reduced_runner_states *x = (const void *)states;
+    (void)d_parameters;
+    const plain_reduced_runner_states *dx = (const void *)d_states;
+    (void)tables;
+    (void)seed;
+    plain_reduced_runner_states *y = (void *)after;
+    const real d_square = 2.0 * (x->x_ * dx->x_) + 2.0 * (x->y_ * dx->y_);
+    const real square = x->x_ * x->x_ + x->y_ * x->y_;
+    const real length = real_sqrt(square);
+    const real d_length = 0.5 * d_square / length;
+    const real d_angle = (x->x_ * dx->y_ - x->y_ * dx->x_) / square + dx->winding;
+    const real length_rate = (x->x_ * x->vx + x->y_ * x->vy) / length;
+    const real d_length_rate =
+        (dx->x_ * x->vx + x->x_ * dx->vx + (dx->y_ * x->vy + x->y_ * dx->vy) - length_rate * d_length) /
+        length;
+    const real d_moment = dx->x_ * x->vy + x->x_ * dx->vy - (dx->y_ * x->vx + x->y_ * dx->vx);
+    const real moment = x->x_ * x->vy - x->y_ * x->vx;
+    const real angle_rate = moment / square;
+    const real d_angle_rate = (d_moment - angle_rate * d_square) / square;
+    y->seen_x = dx->foot_x;
+    y->seen_y = 0.0;
+    y->length = d_length;
+    y->angle = d_angle;
+    y->seen_vx = dx->foot_vx;
+    y->seen_vy = 0.0;
+    y->length_rate = d_length_rate;
+    y->angle_rate = d_angle_rate;
+}
+
+/* First variation of the guard of falls. */
+static real vary_guard_slip_constant_falls(const real *parameters, const real *states,
+                                           const real *d_parameters, const real *d_states) {
+    (void)parameters;
+    (void)states;
+    (void)d_parameters;
+    const plain_reduced_runner_states *dx = (const void *)d_states;
+    return dx->y_;
+}
+
+/* First variation of the guard of collapses. */
+static real vary_guard_slip_constant_collapses(const real *parameters, const real *states,
+                                               const real *d_parameters, const real *d_states) {
+    (void)parameters;
+    const plain_reduced_runner_states *x = (const void *)states;
+    const plain_reduced_runner_parameters *dp = (const void *)d_parameters;
+    const plain_reduced_runner_states *dx = (const void *)d_states;
+    const real d_square = 2.0 * (x->x_ * dx->x_) + 2.0 * (x->y_ * dx->y_);
+    const real square = x->x_ * x->x_ + x->y_ * x->y_;
+    const real length = real_sqrt(square);
+    const real d_length = 0.5 * d_square / length;
+    return d_length - dp->least_length;
+}
+
+/* mid_stance: Drive ends where the leg is upright, once per stance. */
+static int react_slip_constant_mid_stance(const real *parameters, const real *states,
+                                          const tdmf_table *tables, real *after, const int *next) {
+    (void)parameters;
+    (void)states;
+    (void)tables;
+    plain_reduced_runner_states *y = (void *)after;
+    y->driving = 0.0;
+    return next[0]; /* slip */
+}
+
+/* First variation of mid_stance. */
+static void vary_react_slip_constant_mid_stance(const real *parameters, const real *states,
+                                                const real *d_parameters, const real *d_states,
+                                                const tdmf_table *tables, int seed, real *after) {
+    (void)parameters;
+    (void)states;
+    (void)d_parameters;
+    (void)d_states;
+    (void)tables;
+    (void)seed;
+    plain_reduced_runner_states *y = (void *)after;
+    y->driving = 0.0;
+}
+
+/* Whether mid_stance is watched. */
+static real watches_slip_constant_mid_stance(const real *parameters, const real *states) {
+    (void)parameters;
+    const plain_reduced_runner_states *x = (const void *)states;
+    if (x->driving > 0.0) {
+        return 1.0;
+    }
+    return 0.0;
+}
+
+/* First variation of the guard of mid_stance. */
+static real vary_guard_slip_constant_mid_stance(const real *parameters, const real *states,
+                                                const real *d_parameters, const real *d_states) {
+    (void)parameters;
+    const plain_reduced_runner_states *x = (const void *)states;
+    (void)d_parameters;
+    const plain_reduced_runner_states *dx = (const void *)d_states;
+    const real square = x->x_ * x->x_ + x->y_ * x->y_;
+    const real d_angle = (x->x_ * dx->y_ - x->y_ * dx->x_) / square + dx->winding;
+    return d_angle;
+}
+
+/* lift_off: The centre of mass flies to the next apex. */
+static int react_slip_constant_lift_off(const real *parameters, const real *states, const tdmf_table *tables,
+                                        real *after, const int *next) {
+    const plain_reduced_runner_parameters *p = (const void *)parameters;
+    const plain_reduced_runner_states *x = (const void *)states;
+    (void)tables;
+    plain_reduced_runner_states *y = (void *)after;
+    const real square = x->x_ * x->x_ + x->y_ * x->y_;
+    const real length = real_sqrt(square);
+    const real angle = real_atan2(-x->x_, x->y_) + x->winding;
+    const real length_rate = (x->x_ * x->vx + x->y_ * x->vy) / length;
+    const real moment = x->x_ * x->vy - x->y_ * x->vx;
+    const real angle_rate = moment / square;
+    y->length = length;
+    y->angle = angle;
+    y->length_rate = length_rate;
+    if (x->time <= x->touchdown_time) {
+        y->seen_x = x->foot_x;
+        y->seen_y = 0.0;
+        y->seen_vx = x->foot_vx;
+        y->seen_vy = 0.0;
+        y->angle_rate = angle_rate;
+        return next[0]; /* no_stance */
+    }
+    const real body_mass_plus_foot_mass = p->body_mass + p->foot_mass;
+    const real share = p->body_mass / body_mass_plus_foot_mass;
+    const real rise = share * x->vy;
+    if (rise <= 0.0 || body_mass_plus_foot_mass * p->gravity <= 0.0) {
+        y->seen_x = x->foot_x;
+        y->seen_y = 0.0;
+        y->seen_vx = x->foot_vx;
+        y->seen_vy = 0.0;
+        y->angle_rate = angle_rate;
+        return next[1]; /* no_apex */
+    }
+    const real x_2 = x->foot_x + share * x->x_;
+    const real y_2 = share * x->y_;
+    const real along = x->foot_vx + share * x->vx;
+    y->com_x = x_2;
+    y->com_y = y_2;
+    y->com_vx = along;
+    y->com_vy = rise;
+    y->momentum = moment;
+    y->liftoff_angle = angle;
+    y->placing = 0.0;
+    return next[2]; /* flight */
+}
+
+/* First variation of lift_off. */
+static void vary_react_slip_constant_lift_off(const real *parameters, const real *states,
+                                              const real *d_parameters, const real *d_states,
+                                              const tdmf_table *tables, int seed, real *after) {
+    const plain_reduced_runner_parameters *p = (const void *)parameters;
+    const plain_reduced_runner_states *x = (const void *)states;
+    const plain_reduced_runner_parameters *dp = (const void *)d_parameters;
+    const plain_reduced_runner_states *dx = (const void *)d_states;
+    (void)tables;
+    (void)seed;
+    plain_reduced_runner_states *y = (void *)after;
+    const real body_mass_plus_foot_mass = p->body_mass + p->foot_mass;
+    const real share = p->body_mass / body_mass_plus_foot_mass;
+    const real rise = share * x->vy;
+    const real d_square = 2.0 * (x->x_ * dx->x_) + 2.0 * (x->y_ * dx->y_);
+    const real square = x->x_ * x->x_ + x->y_ * x->y_;
+    const real length = real_sqrt(square);
+    const real d_length = 0.5 * d_square / length;
+    const real d_angle = (x->x_ * dx->y_ - x->y_ * dx->x_) / square + dx->winding;
+    const real length_rate = (x->x_ * x->vx + x->y_ * x->vy) / length;
+    const real d_length_rate =
+        (dx->x_ * x->vx + x->x_ * dx->vx + (dx->y_ * x->vy + x->y_ * dx->vy) - length_rate * d_length) /
+        length;
+    const real d_moment = dx->x_ * x->vy + x->x_ * dx->vy - (dx->y_ * x->vx + x->y_ * dx->vx);
+    y->length = d_length;
+    y->angle = d_angle;
+    y->length_rate = d_length_rate;
+    if (x->time <= x->touchdown_time || rise <= 0.0 || body_mass_plus_foot_mass * p->gravity <= 0.0) {
+        const real moment = x->x_ * x->vy - x->y_ * x->vx;
+        const real angle_rate = moment / square;
+        const real d_angle_rate = (d_moment - angle_rate * d_square) / square;
+        y->seen_x = dx->foot_x;
+        y->seen_y = 0.0;
+        y->seen_vx = dx->foot_vx;
+        y->seen_vy = 0.0;
+        y->angle_rate = d_angle_rate;
+        return;
+    }
+    const real d_share = (dp->body_mass - share * (dp->body_mass + dp->foot_mass)) / body_mass_plus_foot_mass;
+    const real d_x = dx->foot_x + (d_share * x->x_ + share * dx->x_);
+    const real d_y = d_share * x->y_ + share * dx->y_;
+    const real d_along = dx->foot_vx + (d_share * x->vx + share * dx->vx);
+    const real d_rise = d_share * x->vy + share * dx->vy;
+    y->com_x = d_x;
+    y->com_y = d_y;
+    y->com_vx = d_along;
+    y->com_vy = d_rise;
+    y->momentum = d_moment;
+    y->liftoff_angle = d_angle;
+    y->placing = 0.0;
+}
+
+/* First variation of the guard of lift_off. */
+static real vary_guard_slip_constant_lift_off(const real *parameters, const real *states,
+                                              const real *d_parameters, const real *d_states) {
+    const plain_reduced_runner_parameters *p = (const void *)parameters;
+    const plain_reduced_runner_states *x = (const void *)states;
+    const plain_reduced_runner_parameters *dp = (const void *)d_parameters;
+    const plain_reduced_runner_states *dx = (const void *)d_states;
+    const real square = x->x_ * x->x_ + x->y_ * x->y_;
+    const real length = real_sqrt(square);
+    const real free_length_minus_length = p->free_length - length;
+    const real d_square = 2.0 * (x->x_ * dx->x_) + 2.0 * (x->y_ * dx->y_);
+    const real d_length = 0.5 * d_square / length;
+    const real length_rate = (x->x_ * x->vx + x->y_ * x->vy) / length;
+    const real d_length_rate =
+        (dx->x_ * x->vx + x->x_ * dx->vx + (dx->y_ * x->vy + x->y_ * dx->vy) - length_rate * d_length) /
+        length;
+    const real d_spring = dp->stiffness * free_length_minus_length +
+                          p->stiffness * (dp->free_length - d_length) -
+                          (dp->damping * length_rate + p->damping * d_length_rate);
+    const real spring = p->stiffness * free_length_minus_length - p->damping * length_rate;
+    const real axial = spring / length;
+    const real d_axial = (d_spring - axial * d_length) / length;
+    const real d_stance_torque =
+        dx->external_torque - (dp->drive_torque * x->driving + p->drive_torque * dx->driving);
+    const real stance_torque = x->external_torque - p->drive_torque * x->driving;
+    const real turning = stance_torque / square;
+    const real d_turning = (d_stance_torque - turning * d_square) / square;
+    const real d_off = d_axial * x->y_ + axial * dx->y_ + (d_turning * x->x_ + turning * dx->x_);
+    const real d_normal = d_off + (p->gravity * dp->foot_mass + p->foot_mass * dp->gravity);
+    return d_normal;
+}
+
+/* comes_to_rest: The slip velocity reaches 0: the foot sticks, or slips the other way. */
+static int react_slip_constant_comes_to_rest(const real *parameters, const real *states,
+                                             const tdmf_table *tables, real *after, const int *next) {
+    const plain_reduced_runner_parameters *p = (const void *)parameters;
+    const plain_reduced_runner_states *x = (const void *)states;
+    (void)tables;
+    plain_reduced_runner_states *y = (void *)after;
+    const real square = x->x_ * x->x_ + x->y_ * x->y_;
+    const real length = real_sqrt(square);
+    const real length_rate = (x->x_ * x->vx + x->y_ * x->vy) / length;
+    const real spring = p->stiffness * (p->free_length - length) - p->damping * length_rate;
+    const real axial = spring / length;
+    const real stance_torque = x->external_torque - p->drive_torque * x->driving;
+    const real turning = stance_torque / square;
+    const real along = axial * x->x_ - turning * x->y_;
+    const real off = axial * x->y_ + turning * x->x_;
+    const real normal = off + p->foot_mass * p->gravity;
+    const real cone = x->friction * normal;
+    y->foot_vx = 0.0;
+    if (real_abs(along) <= cone) {
+        return next[0]; /* stick */
+    }
+    const real way = select(along > 0.0, -1.0, 1.0);
+    y->way = way;
+    return next[1]; /* slip */
+}
+
+/* First variation of comes_to_rest. */
+static void vary_react_slip_constant_comes_to_rest(const real *parameters, const real *states,
+                                                   const real *d_parameters, const real *d_states,
+                                                   const tdmf_table *tables, int seed, real *after) {
+    const plain_reduced_runner_parameters *p = (const void *)parameters;
+    const plain_reduced_runner_states *x = (const void *)states;
+    (void)d_parameters;
+    (void)d_states;
+    (void)tables;
+    (void)seed;
+    plain_reduced_runner_states *y = (void *)after;
+    const real square = x->x_ * x->x_ + x->y_ * x->y_;
+    const real length = real_sqrt(square);
+    const real length_rate = (x->x_ * x->vx + x->y_ * x->vy) / length;
+    const real spring = p->stiffness * (p->free_length - length) - p->damping * length_rate;
+    const real axial = spring / length;
+    const real stance_torque = x->external_torque - p->drive_torque * x->driving;
+    const real turning = stance_torque / square;
+    const real along = axial * x->x_ - turning * x->y_;
+    const real off = axial * x->y_ + turning * x->x_;
+    const real normal = off + p->foot_mass * p->gravity;
+    const real cone = x->friction * normal;
+    y->foot_vx = 0.0;
+    if (real_abs(along) <= cone) {
+        return;
+    }
+    y->way = 0.0;
+}
+
+/* First variation of the guard of comes_to_rest. */
+static real vary_guard_slip_constant_comes_to_rest(const real *parameters, const real *states,
+                                                   const real *d_parameters, const real *d_states) {
+    (void)parameters;
+    const plain_reduced_runner_states *x = (const void *)states;
+    (void)d_parameters;
+    const plain_reduced_runner_states *dx = (const void *)d_states;
+    return dx->way * x->foot_vx + x->way * dx->foot_vx;
+}
+
+/* Outputs in slip_constant. */
+static void outputs_slip_constant(const real *parameters, const real *states, real *outputs) {
+    const plain_reduced_runner_parameters *p = (const void *)parameters;
+    const plain_reduced_runner_states *x = (const void *)states;
+    const real stance_torque = x->external_torque - p->drive_torque * x->driving;
+    const real square = x->x_ * x->x_ + x->y_ * x->y_;
+    const real length = real_sqrt(square);
+    const real shorter = p->free_length - length;
+    const real length_rate = (x->x_ * x->vx + x->y_ * x->vy) / length;
+    const real spring = p->stiffness * shorter - p->damping * length_rate;
+    const real axial = spring / length;
+    const real turning = stance_torque / square;
+    const real off = axial * x->y_ + turning * x->x_;
+    const real normal = off + p->foot_mass * p->gravity;
+    const real tangential_force = -(x->way * x->friction * normal);
+    const real x_2 = x->foot_x + x->x_;
+    const real vx = x->foot_vx + x->vx;
+    const real share = p->body_mass / (p->body_mass + p->foot_mass);
+    const real center_x = x->foot_x + share * x->x_;
+    const real y_2 = share * x->y_;
+    const real center_vx = x->foot_vx + share * x->vx;
+    const real vy = share * x->vy;
+    const real of_body = p->body_mass * (vx * vx + x->vy * x->vy);
+    const real kinetic_energy = 0.5 * (of_body + p->foot_mass * (x->foot_vx * x->foot_vx));
+    const real potential_energy = p->gravity * (p->body_mass * x->y_);
+    const real elastic_energy = 0.5 * (p->stiffness * (shorter * shorter));
+    const real energy = kinetic_energy + potential_energy + elastic_energy;
+    const real kind_of_contact = select(x->way > 0.0, 3.0, 4.0);
+    const real phase_of_hip = select(x->driving > 0.0, 1.0, 2.0);
+    outputs[OUTPUT_pending] = 0.0;
+    outputs[OUTPUT_torque] = stance_torque;
+    outputs[OUTPUT_normal_force] = normal;
+    outputs[OUTPUT_tangential_force] = tangential_force;
+    outputs[OUTPUT_ground_force_x] = tangential_force;
+    outputs[OUTPUT_ground_force_y] = normal;
+    outputs[OUTPUT_force_of_leg] = spring;
+    outputs[OUTPUT_body_x] = x_2;
+    outputs[OUTPUT_body_y] = x->y_;
+    outputs[OUTPUT_body_vx] = vx;
+    outputs[OUTPUT_body_vy] = x->vy;
+    outputs[OUTPUT_center_x] = center_x;
+    outputs[OUTPUT_center_y] = y_2;
+    outputs[OUTPUT_center_vx] = center_vx;
+    outputs[OUTPUT_center_vy] = vy;
+    outputs[OUTPUT_kinetic_energy] = kinetic_energy;
+    outputs[OUTPUT_potential_energy] = potential_energy;
+    outputs[OUTPUT_elastic_energy] = elastic_energy;
+    outputs[OUTPUT_energy] = energy;
+    outputs[OUTPUT_kind_of_contact] = kind_of_contact;
+    outputs[OUTPUT_phase_of_hip] = phase_of_hip;
+    outputs[OUTPUT_has_fallen] = 0.0;
+}
+
+/* First variation of outputs_slip_constant. */
+static void vary_outputs_slip_constant(const real *parameters, const real *states, const real *d_parameters,
+                                       const real *d_states, real *outputs) {
+    const plain_reduced_runner_parameters *p = (const void *)parameters;
+    const plain_reduced_runner_states *x = (const void *)states;
+    const plain_reduced_runner_parameters *dp = (const void *)d_parameters;
+    const plain_reduced_runner_states *dx = (const void *)d_states;
+    const real d_stance_torque =
+        dx->external_torque - (dp->drive_torque * x->driving + p->drive_torque * dx->driving);
+    const real square = x->x_ * x->x_ + x->y_ * x->y_;
+    const real length = real_sqrt(square);
+    const real shorter = p->free_length - length;
+    const real d_square = 2.0 * (x->x_ * dx->x_) + 2.0 * (x->y_ * dx->y_);
+    const real d_length = 0.5 * d_square / length;
+    const real d_shorter = dp->free_length - d_length;
+    const real length_rate = (x->x_ * x->vx + x->y_ * x->vy) / length;
+    const real d_length_rate =
+        (dx->x_ * x->vx + x->x_ * dx->vx + (dx->y_ * x->vy + x->y_ * dx->vy) - length_rate * d_length) /
+        length;
+    const real d_spring = dp->stiffness * shorter + p->stiffness * d_shorter -
+                          (dp->damping * length_rate + p->damping * d_length_rate);
+    const real spring = p->stiffness * shorter - p->damping * length_rate;
+    const real axial = spring / length;
+    const real d_axial = (d_spring - axial * d_length) / length;
+    const real stance_torque = x->external_torque - p->drive_torque * x->driving;
+    const real turning = stance_torque / square;
+    const real d_turning = (d_stance_torque - turning * d_square) / square;
+    const real d_off = d_axial * x->y_ + axial * dx->y_ + (d_turning * x->x_ + turning * dx->x_);
+    const real d_normal = d_off + (p->gravity * dp->foot_mass + p->foot_mass * dp->gravity);
+    const real off = axial * x->y_ + turning * x->x_;
+    const real normal = off + p->foot_mass * p->gravity;
+    const real d_tangential_force =
+        -((dx->way * x->friction + x->way * dx->friction) * normal + x->way * x->friction * d_normal);
+    const real d_x = dx->foot_x + dx->x_;
+    const real d_vx = dx->foot_vx + dx->vx;
+    const real body_mass_plus_foot_mass = p->body_mass + p->foot_mass;
+    const real share = p->body_mass / body_mass_plus_foot_mass;
+    const real d_share = (dp->body_mass - share * (dp->body_mass + dp->foot_mass)) / body_mass_plus_foot_mass;
+    const real d_center_x = dx->foot_x + (d_share * x->x_ + share * dx->x_);
+    const real d_y = d_share * x->y_ + share * dx->y_;
+    const real d_center_vx = dx->foot_vx + (d_share * x->vx + share * dx->vx);
+    const real d_vy = d_share * x->vy + share * dx->vy;
+    const real vx = x->foot_vx + x->vx;
+    const real d_of_body = dp->body_mass * (vx * vx + x->vy * x->vy) +
+                           p->body_mass * (2.0 * (vx * d_vx) + 2.0 * (x->vy * dx->vy));
+    const real d_kinetic_energy = 0.5 * (d_of_body + (dp->foot_mass * (x->foot_vx * x->foot_vx) +
+                                                      p->foot_mass * (2.0 * (x->foot_vx * dx->foot_vx))));
+    const real d_potential_energy =
+        dp->gravity * (p->body_mass * x->y_) + p->gravity * (dp->body_mass * x->y_ + p->body_mass * dx->y_);
+    const real d_elastic_energy =
+        0.5 * (dp->stiffness * (shorter * shorter) + p->stiffness * (2.0 * (shorter * d_shorter)));
+    const real d_energy = d_kinetic_energy + d_potential_energy + d_elastic_energy;
+    outputs[OUTPUT_pending] = 0.0;
+    outputs[OUTPUT_torque] = d_stance_torque;
+    outputs[OUTPUT_normal_force] = d_normal;
+    outputs[OUTPUT_tangential_force] = d_tangential_force;
+    outputs[OUTPUT_ground_force_x] = d_tangential_force;
+    outputs[OUTPUT_ground_force_y] = d_normal;
+    outputs[OUTPUT_force_of_leg] = d_spring;
+    outputs[OUTPUT_body_x] = d_x;
+    outputs[OUTPUT_body_y] = dx->y_;
+    outputs[OUTPUT_body_vx] = d_vx;
+    outputs[OUTPUT_body_vy] = dx->vy;
+    outputs[OUTPUT_center_x] = d_center_x;
+    outputs[OUTPUT_center_y] = d_y;
+    outputs[OUTPUT_center_vx] = d_center_vx;
+    outputs[OUTPUT_center_vy] = d_vy;
+    outputs[OUTPUT_kinetic_energy] = d_kinetic_energy;
+    outputs[OUTPUT_potential_energy] = d_potential_energy;
+    outputs[OUTPUT_elastic_energy] = d_elastic_energy;
+    outputs[OUTPUT_energy] = d_energy;
+    outputs[OUTPUT_kind_of_contact] = 0.0;
+    outputs[OUTPUT_phase_of_hip] = 0.0;
+    outputs[OUTPUT_has_fallen] = 0.0;
+}
+
+/* Count the event. A contact mode that lasted adds a letter to the gait word, a new stance a bar. */
+static void leave_slip_constant(const real *parameters, const real *states, real counted, real *after) {
+    (void)parameters;
+    const plain_reduced_runner_states *x = (const void *)states;
+    plain_reduced_runner_states *y = (void *)after;
+    const real is_new = select(x->time > x->last_event, counted, 0.0);
+    const real slid = x->way * (x->foot_x - x->slid_from);
+    const real lasted = x->time - x->mode_began;
+    const real letter = select(x->way > 0.0, 3.0, 1.0);
+    const real adds =
+        select(lasted > 0.0, select(real_abs(letter - x->last_letter) > 0.0, 1.0, x->bar_is_due), 0.0);
+    const real after_bar = select(x->bar_is_due * x->word_so_far > 0.0, 4.0 * x->word_so_far, x->word_so_far);
+    const real by_4_times_after_bar_plus_letter = 4.0 * after_bar + letter;
+    const real longer = select(after_bar < 0.0, -1.0,
+                               select(by_4_times_after_bar_plus_letter < 4503599627370496.0,
+                                      by_4_times_after_bar_plus_letter, -1.0));
+    y->events = x->events + is_new;
+    y->last_event = select(counted > 0.0, x->time, x->last_event);
+    y->slip_so_far = x->slip_so_far + slid;
+    y->slid_from = x->foot_x;
+    y->stance_so_far = x->stance_so_far + lasted;
+    y->word_so_far = select(adds > 0.0, longer, x->word_so_far);
+    y->last_letter = select(lasted > 0.0, letter, x->last_letter);
+    y->bar_is_due = select(lasted > 0.0, 0.0, x->bar_is_due);
+    y->mode_began = x->time;
+}
+
+/* First variation of leave_slip_constant. */
+static void vary_leave_slip_constant(const real *parameters, const real *states, const real *d_parameters,
+                                     const real *d_states, real counted, real *after) {
+    (void)parameters;
+    const plain_reduced_runner_states *x = (const void *)states;
+    (void)d_parameters;
+    const plain_reduced_runner_states *dx = (const void *)d_states;
+    plain_reduced_runner_states *y = (void *)after;
+    const real d_slid = dx->way * (x->foot_x - x->slid_from) + x->way * (dx->foot_x - dx->slid_from);
+    const real d_lasted = dx->time - dx->mode_began;
+    const real lasted = x->time - x->mode_began;
+    const real letter = select(x->way > 0.0, 3.0, 1.0);
+    const real adds =
+        select(lasted > 0.0, select(real_abs(letter - x->last_letter) > 0.0, 1.0, x->bar_is_due), 0.0);
+    const real bar_is_due_times_word_so_far = x->bar_is_due * x->word_so_far;
+    const real after_bar = select(bar_is_due_times_word_so_far > 0.0, 4.0 * x->word_so_far, x->word_so_far);
+    const real d_after_bar =
+        select(bar_is_due_times_word_so_far > 0.0, 4.0 * dx->word_so_far, dx->word_so_far);
+    const real d_longer = select(
+        after_bar < 0.0, 0.0, select(4.0 * after_bar + letter < 4503599627370496.0, 4.0 * d_after_bar, 0.0));
+    y->events = dx->events;
+    y->last_event = select(counted > 0.0, dx->time, dx->last_event);
+    y->slip_so_far = dx->slip_so_far + d_slid;
+    y->slid_from = dx->foot_x;
+    y->stance_so_far = dx->stance_so_far + d_lasted;
+    y->word_so_far = select(adds > 0.0, d_longer, dx->word_so_far);
+    y->last_letter = select(lasted > 0.0, 0.0, dx->last_letter);
+    y->bar_is_due = select(lasted > 0.0, 0.0, dx->bar_is_due);
+    y->mode_began = dx->time;
+}
+
+/* from world, in slip. */
+static void from_world_slip_constant(const real *parameters, const real *states, real *after) {
+    (void)parameters;
+    const plain_reduced_runner_states *x = (const void *)states;
+    plain_reduced_runner_states *y = (void *)after;
+    const real sine = real_sin(x->angle);
+    const real length_times_sine = x->length * sine;
+    const real x_2 = -length_times_sine;
+    const real cosine = real_cos(x->angle);
+    const real y_2 = x->length * cosine;
+    const real turn = x->length * x->angle_rate;
+    const real vx = -(x->length_rate * sine) - turn * cosine;
+    const real vy = x->length_rate * cosine - turn * sine;
+    y->foot_x = x->seen_x;
+    y->foot_vx = x->seen_vx;
+    y->x_ = x_2;
+    y->y_ = y_2;
+    y->vx = vx;
+    y->vy = vy;
+    y->winding = x->angle - real_atan2(length_times_sine, y_2);
+}
+
+/* First variation of from_world_slip_constant. */
+static void vary_from_world_slip_constant(const real *parameters, const real *states,
+                                          const real *d_parameters, const real *d_states, real *after) {
+    (void)parameters;
+    const plain_reduced_runner_states *x = (const void *)states;
+    (void)d_parameters;
+    const plain_reduced_runner_states *dx = (const void *)d_states;
+    plain_reduced_runner_states *y = (void *)after;
+    const real sine = real_sin(x->angle);
+    const real cosine = real_cos(x->angle);
+    const real d_sine = cosine * dx->angle;
+    const real sum_2 = dx->length * sine + x->length * d_sine;
+    const real d_x = -sum_2;
+    const real sine_times_angle = sine * dx->angle;
+    const real d_y = dx->length * cosine - x->length * sine_times_angle;
+    const real d_turn = dx->length * x->angle_rate + x->length * dx->angle_rate;
+    const real turn = x->length * x->angle_rate;
+    const real d_vx =
+        -(dx->length_rate * sine + x->length_rate * d_sine) - (d_turn * cosine - turn * sine_times_angle);
+    const real d_vy =
+        dx->length_rate * cosine - x->length_rate * sine_times_angle - (d_turn * sine + turn * d_sine);
+    const real y_2 = x->length * cosine;
+    const real length_times_sine = x->length * sine;
+    y->foot_x = dx->seen_x;
+    y->foot_vx = dx->seen_vx;
+    y->x_ = d_x;
+    y->y_ = d_y;
+    y->vx = d_vx;
+    y->vy = d_vy;
+    y->winding = dx->angle - (y_2 * sum_2 - length_times_sine * d_y) /
+                                 (length_times_sine * length_times_sine + y_2 * y_2);
+}
+
+/* to world, in slip. */
+static void to_world_slip_constant(const real *parameters, const real *states, real *after) {
+    (void)parameters;
+    const plain_reduced_runner_states *x = (const void *)states;
+    plain_reduced_runner_states *y = (void *)after;
+    const real square = x->x_ * x->x_ + x->y_ * x->y_;
+    const real length = real_sqrt(square);
+    const real angle = real_atan2(-x->x_, x->y_) + x->winding;
+    const real length_rate = (x->x_ * x->vx + x->y_ * x->vy) / length;
+    const real moment = x->x_ * x->vy - x->y_ * x->vx;
+    const real angle_rate = moment / square;
+    y->seen_x = x->foot_x;
+    y->seen_y = 0.0;
+    y->seen_vx = x->foot_vx;
+    y->seen_vy = 0.0;
+    y->length = length;
+    y->angle = angle;
+    y->length_rate = length_rate;
+    y->angle_rate = angle_rate;
+}
+
+/* First variation of to_world_slip_constant. */
+static void vary_to_world_slip_constant(const real *parameters, const real *states, const real *d_parameters,
+                                        const real *d_states, real *after) {
+    (void)parameters;
+    const plain_reduced_runner_states *x = (const void *)states;
+    (void)d_parameters;
+    const plain_reduced_runner_states *dx = (const void *)d_states;
+    plain_reduced_runner_states *y = (void *)after;
+    const real d_square = 2.0 * (x->x_ * dx->x_) + 2.0 * (x->y_ * dx->y_);
+    const real square = x->x_ * x->x_ + x->y_ * x->y_;
+    const real length = real_sqrt(square);
+    const real d_length = 0.5 * d_square / length;
+    const real d_angle = (x->x_ * dx->y_ - x->y_ * dx->x_) / square + dx->winding;
+    const real length_rate = (x->x_ * x->vx + x->y_ * x->vy) / length;
+    const real d_length_rate =
+        (dx->x_ * x->vx + x->x_ * dx->vx + (dx->y_ * x->vy + x->y_ * dx->vy) - length_rate * d_length) /
+        length;
+    const real d_moment = dx->x_ * x->vy + x->x_ * dx->vy - (dx->y_ * x->vx + x->y_ * dx->vx);
+    const real moment = x->x_ * x->vy - x->y_ * x->vx;
+    const real angle_rate = moment / square;
+    const real d_angle_rate = (d_moment - angle_rate * d_square) / square;
+    y->seen_x = dx->foot_x;
+    y->seen_y = 0.0;
+    y->seen_vx = dx->foot_vx;
+    y->seen_vy = 0.0;
+    y->length = d_length;
+    y->angle = d_angle;
+    y->length_rate = d_length_rate;
+    y->angle_rate = d_angle_rate;
+}
+
+/* Rates of the world's states in slip. */
+static void world_rates_slip_constant(const real *parameters, const real *states, real *after) {
+    const plain_reduced_runner_parameters *p = (const void *)parameters;
+    const plain_reduced_runner_states *x = (const void *)states;
+    plain_reduced_runner_states *y = (void *)after;
+    const real square = x->x_ * x->x_ + x->y_ * x->y_;
+    const real length = real_sqrt(square);
+    const real x__times_vx = x->x_ * x->vx;
+    const real y__times_vy = x->y_ * x->vy;
+    const real length_rate = (x__times_vx + y__times_vy) / length;
+    const real spring = p->stiffness * (p->free_length - length) - p->damping * length_rate;
+    const real axial = spring / length;
+    const real stance_torque = x->external_torque - p->drive_torque * x->driving;
+    const real turning = stance_torque / square;
+    const real along = axial * x->x_ - turning * x->y_;
+    const real off = axial * x->y_ + turning * x->x_;
+    const real normal = off + p->foot_mass * p->gravity;
+    const real friction_force = x->way * x->friction * normal;
+    const real acceleration = (-along - friction_force) / p->foot_mass;
+    const real sum_2 = 2.0 * x__times_vx + 2.0 * y__times_vy;
+    const real moment = x->x_ * x->vy - x->y_ * x->vx;
+    const real angle_rate = moment / square;
+    const real along_over_body_mass_minus_acceleration = along / p->body_mass - acceleration;
+    const real off_over_body_mass_minus_gravity = off / p->body_mass - p->gravity;
+    y->seen_x = x->foot_vx;
+    y->seen_y = 0.0;
+    y->seen_vx = acceleration;
+    y->seen_vy = 0.0;
+    y->length = 0.5 * sum_2 / length;
+    y->angle = angle_rate;
+    y->length_rate =
+        (x->vx * x->vx + x->x_ * along_over_body_mass_minus_acceleration +
+         (x->vy * x->vy + x->y_ * off_over_body_mass_minus_gravity) - length_rate * (0.5 * sum_2 / length)) /
+        length;
+    y->angle_rate = (x->vx * x->vy + x->x_ * off_over_body_mass_minus_gravity -
+                     (x->vy * x->vx + x->y_ * along_over_body_mass_minus_acceleration) - angle_rate * sum_2) /
+                    square;
+}
+
+/* First variation of world_rates_slip_constant. */
+static void vary_world_rates_slip_constant(const real *parameters, const real *states,
+                                           const real *d_parameters, const real *d_states, real *after) {
+    const plain_reduced_runner_parameters *p = (const void *)parameters;
+    const plain_reduced_runner_states *x = (const void *)states;
+    const plain_reduced_runner_parameters *dp = (const void *)d_parameters;
+    const plain_reduced_runner_states *dx = (const void *)d_states;
+    plain_reduced_runner_states *y = (void *)after;
+    const real square = x->x_ * x->x_ + x->y_ * x->y_;
+    const real length = real_sqrt(square);
+    const real free_length_minus_length = p->free_length - length;
+    const real d_square = 2.0 * (x->x_ * dx->x_) + 2.0 * (x->y_ * dx->y_);
+    const real d_length = 0.5 * d_square / length;
+    const real x__times_vx = x->x_ * x->vx;
+    const real y__times_vy = x->y_ * x->vy;
+    const real length_rate = (x__times_vx + y__times_vy) / length;
+    const real x__times_vx_plus_x__times_vx = dx->x_ * x->vx + x->x_ * dx->vx;
+    const real y__times_vy_plus_y__times_vy = dx->y_ * x->vy + x->y_ * dx->vy;
+    const real d_length_rate =
+        (x__times_vx_plus_x__times_vx + y__times_vy_plus_y__times_vy - length_rate * d_length) / length;
+    const real d_spring = dp->stiffness * free_length_minus_length +
+                          p->stiffness * (dp->free_length - d_length) -
+                          (dp->damping * length_rate + p->damping * d_length_rate);
+    const real spring = p->stiffness * free_length_minus_length - p->damping * length_rate;
+    const real axial = spring / length;
+    const real d_axial = (d_spring - axial * d_length) / length;
+    const real d_stance_torque =
+        dx->external_torque - (dp->drive_torque * x->driving + p->drive_torque * dx->driving);
+    const real stance_torque = x->external_torque - p->drive_torque * x->driving;
+    const real turning = stance_torque / square;
+    const real d_turning = (d_stance_torque - turning * d_square) / square;
+    const real d_along = d_axial * x->x_ + axial * dx->x_ - (d_turning * x->y_ + turning * dx->y_);
+    const real off = axial * x->y_ + turning * x->x_;
+    const real normal = off + p->foot_mass * p->gravity;
+    const real way_times_friction = x->way * x->friction;
+    const real d_off = d_axial * x->y_ + axial * dx->y_ + (d_turning * x->x_ + turning * dx->x_);
+    const real d_normal = d_off + (p->gravity * dp->foot_mass + p->foot_mass * dp->gravity);
+    const real d_friction_force =
+        (dx->way * x->friction + x->way * dx->friction) * normal + way_times_friction * d_normal;
+    const real along = axial * x->x_ - turning * x->y_;
+    const real friction_force = way_times_friction * normal;
+    const real acceleration = (-along - friction_force) / p->foot_mass;
+    const real d_acceleration = (-d_along - d_friction_force - acceleration * dp->foot_mass) / p->foot_mass;
+    const real sum_2 = 2.0 * x__times_vx_plus_x__times_vx + 2.0 * y__times_vy_plus_y__times_vy;
+    const real sum_3 = 2.0 * x__times_vx + 2.0 * y__times_vy;
+    const real by_0_5_times_sum_over_length = 0.5 * sum_3 / length;
+    const real d_moment = dx->x_ * x->vy + x->x_ * dx->vy - (dx->y_ * x->vx + x->y_ * dx->vx);
+    const real moment = x->x_ * x->vy - x->y_ * x->vx;
+    const real angle_rate = moment / square;
+    const real d_angle_rate = (d_moment - angle_rate * d_square) / square;
+    const real along_over_body_mass = along / p->body_mass;
+    const real along_over_body_mass_minus_acceleration = along_over_body_mass - acceleration;
+    const real sum_over_body_mass_minus_d_acceleration =
+        (d_along - along_over_body_mass * dp->body_mass) / p->body_mass - d_acceleration;
+    const real off_over_body_mass = off / p->body_mass;
+    const real off_over_body_mass_minus_gravity = off_over_body_mass - p->gravity;
+    const real sum_over_body_mass_minus_gravity =
+        (d_off - off_over_body_mass * dp->body_mass) / p->body_mass - dp->gravity;
+    y->seen_x = dx->foot_vx;
+    y->seen_y = 0.0;
+    y->seen_vx = d_acceleration;
+    y->seen_vy = 0.0;
+    y->length = (0.5 * sum_2 - by_0_5_times_sum_over_length * d_length) / length;
+    y->angle = d_angle_rate;
+    y->length_rate = (2.0 * (x->vx * dx->vx) +
+                      (dx->x_ * along_over_body_mass_minus_acceleration +
+                       x->x_ * sum_over_body_mass_minus_d_acceleration) +
+                      (2.0 * (x->vy * dx->vy) + (dx->y_ * off_over_body_mass_minus_gravity +
+                                                 x->y_ * sum_over_body_mass_minus_gravity)) -
+                      (d_length_rate * by_0_5_times_sum_over_length +
+                       length_rate * ((0.5 * sum_2 - by_0_5_times_sum_over_length * d_length) / length)) -
+                      (x->vx * x->vx + x->x_ * along_over_body_mass_minus_acceleration +
+                       (x->vy * x->vy + x->y_ * off_over_body_mass_minus_gravity) -
+                       length_rate * by_0_5_times_sum_over_length) /
+                          length * d_length) /
+                     length;
+    y->angle_rate =
+        (dx->vx * x->vy + x->vx * dx->vy +
+         (dx->x_ * off_over_body_mass_minus_gravity + x->x_ * sum_over_body_mass_minus_gravity) -
+         (dx->vy * x->vx + x->vy * dx->vx +
+          (dx->y_ * along_over_body_mass_minus_acceleration +
+           x->y_ * sum_over_body_mass_minus_d_acceleration)) -
+         (d_angle_rate * sum_3 + angle_rate * sum_2) -
+         (x->vx * x->vy + x->x_ * off_over_body_mass_minus_gravity -
+          (x->vy * x->vx + x->y_ * along_over_body_mass_minus_acceleration) - angle_rate * sum_3) /
+             square * d_square) /
+        square;
+}
+
+/* Constants of stick. */
+static void open_stick(const real *parameters, const real *states, real *constants) {
+    const plain_reduced_runner_parameters *p = (const void *)parameters;
+    const plain_reduced_runner_states *x = (const void *)states;
+    stick_constants *c = (void *)constants;
+    const real stance_torque = x->external_torque - x->driving * p->drive_torque;
+    const real foot_mass_times_gravity = p->foot_mass * p->gravity;
+    c->stiffness = p->stiffness;
+    c->free_length = p->free_length;
+    c->damping = p->damping;
+    c->stance_torque = stance_torque;
+    c->body_mass = p->body_mass;
+    c->gravity = p->gravity;
+    c->foot_vx = x->foot_vx;
+    c->least_length = p->least_length;
+    c->winding = x->winding;
+    c->foot_mass_times_gravity = foot_mass_times_gravity;
+    c->friction = x->friction;
+}
+
+/* First variation of open_stick. */
+static void vary_open_stick(const real *parameters, const real *states, const real *d_parameters,
+                            const real *d_states, real *constants) {
+    const plain_reduced_runner_parameters *p = (const void *)parameters;
+    const plain_reduced_runner_states *x = (const void *)states;
+    const plain_reduced_runner_parameters *dp = (const void *)d_parameters;
+    const plain_reduced_runner_states *dx = (const void *)d_states;
+    stick_constants *c = (void *)constants;
+    const real d_stance_torque =
+        dx->external_torque - (p->drive_torque * dx->driving + x->driving * dp->drive_torque);
+    const real d_foot_mass_times_gravity = p->gravity * dp->foot_mass + p->foot_mass * dp->gravity;
+    c->stiffness = dp->stiffness;
+    c->free_length = dp->free_length;
+    c->damping = dp->damping;
+    c->stance_torque = d_stance_torque;
+    c->body_mass = dp->body_mass;
+    c->gravity = dp->gravity;
+    c->foot_vx = dx->foot_vx;
+    c->least_length = dp->least_length;
+    c->winding = dx->winding;
+    c->foot_mass_times_gravity = d_foot_mass_times_gravity;
+    c->friction = dx->friction;
+}
+
+/* mid_stance: Drive ends where the leg is upright, once per stance. */
+static int react_stick_mid_stance(const real *parameters, const real *states, const tdmf_table *tables,
+                                  real *after, const int *next) {
+    (void)parameters;
+    (void)states;
+    (void)tables;
+    plain_reduced_runner_states *y = (void *)after;
+    y->driving = 0.0;
+    return next[0]; /* stick */
+}
+
+/* slips_forward: The push of the leg exceeds static friction, and the foot slips forward. */
+static int react_stick_slips_forward(const real *parameters, const real *states, const tdmf_table *tables,
+                                     real *after, const int *next) {
+    (void)parameters;
+    (void)states;
+    (void)tables;
+    plain_reduced_runner_states *y = (void *)after;
+    y->way = 1.0;
+    return next[0]; /* slip */
+}
+
+/* First variation of slips_forward. */
+static void vary_react_stick_slips_forward(const real *parameters, const real *states,
+                                           const real *d_parameters, const real *d_states,
+                                           const tdmf_table *tables, int seed, real *after) {
+    (void)parameters;
+    (void)states;
+    (void)d_parameters;
+    (void)d_states;
+    (void)tables;
+    (void)seed;
+    plain_reduced_runner_states *y = (void *)after;
+    y->way = 0.0;
+}
+
+/* First variation of the guard of slips_forward. */
+static real vary_guard_stick_slips_forward(const real *parameters, const real *states,
+                                           const real *d_parameters, const real *d_states) {
+    const plain_reduced_runner_parameters *p = (const void *)parameters;
+    const plain_reduced_runner_states *x = (const void *)states;
+    const plain_reduced_runner_parameters *dp = (const void *)d_parameters;
+    const plain_reduced_runner_states *dx = (const void *)d_states;
+    const real square = x->x_ * x->x_ + x->y_ * x->y_;
+    const real length = real_sqrt(square);
+    const real free_length_minus_length = p->free_length - length;
+    const real length_rate = (x->x_ * x->vx + x->y_ * x->vy) / length;
+    const real spring = p->stiffness * free_length_minus_length - p->damping * length_rate;
+    const real axial = spring / length;
+    const real stance_torque = x->external_torque - p->drive_torque * x->driving;
+    const real turning = stance_torque / square;
+    const real off = axial * x->y_ + turning * x->x_;
+    const real normal = off + p->foot_mass * p->gravity;
+    const real d_square = 2.0 * (x->x_ * dx->x_) + 2.0 * (x->y_ * dx->y_);
+    const real d_length = 0.5 * d_square / length;
+    const real d_length_rate =
+        (dx->x_ * x->vx + x->x_ * dx->vx + (dx->y_ * x->vy + x->y_ * dx->vy) - length_rate * d_length) /
+        length;
+    const real d_spring = dp->stiffness * free_length_minus_length +
+                          p->stiffness * (dp->free_length - d_length) -
+                          (dp->damping * length_rate + p->damping * d_length_rate);
+    const real d_axial = (d_spring - axial * d_length) / length;
+    const real d_stance_torque =
+        dx->external_torque - (dp->drive_torque * x->driving + p->drive_torque * dx->driving);
+    const real d_turning = (d_stance_torque - turning * d_square) / square;
+    const real d_off = d_axial * x->y_ + axial * dx->y_ + (d_turning * x->x_ + turning * dx->x_);
+    const real d_normal = d_off + (p->gravity * dp->foot_mass + p->foot_mass * dp->gravity);
+    const real d_cone = dx->friction * normal + x->friction * d_normal;
+    const real d_along = d_axial * x->x_ + axial * dx->x_ - (d_turning * x->y_ + turning * dx->y_);
+    return d_cone + d_along;
+}
+
+/* slips_backward: The push of the leg exceeds static friction, and the foot slips backward. */
+static int react_stick_slips_backward(const real *parameters, const real *states, const tdmf_table *tables,
+                                      real *after, const int *next) {
+    (void)parameters;
+    (void)states;
+    (void)tables;
+    plain_reduced_runner_states *y = (void *)after;
+    y->way = -1.0;
+    return next[0]; /* slip */
+}
+
+/* First variation of the guard of slips_backward. */
+static real vary_guard_stick_slips_backward(const real *parameters, const real *states,
+                                            const real *d_parameters, const real *d_states) {
+    const plain_reduced_runner_parameters *p = (const void *)parameters;
+    const plain_reduced_runner_states *x = (const void *)states;
+    const plain_reduced_runner_parameters *dp = (const void *)d_parameters;
+    const plain_reduced_runner_states *dx = (const void *)d_states;
+    const real square = x->x_ * x->x_ + x->y_ * x->y_;
+    const real length = real_sqrt(square);
+    const real free_length_minus_length = p->free_length - length;
+    const real length_rate = (x->x_ * x->vx + x->y_ * x->vy) / length;
+    const real spring = p->stiffness * free_length_minus_length - p->damping * length_rate;
+    const real axial = spring / length;
+    const real stance_torque = x->external_torque - p->drive_torque * x->driving;
+    const real turning = stance_torque / square;
+    const real off = axial * x->y_ + turning * x->x_;
+    const real normal = off + p->foot_mass * p->gravity;
+    const real d_square = 2.0 * (x->x_ * dx->x_) + 2.0 * (x->y_ * dx->y_);
+    const real d_length = 0.5 * d_square / length;
+    const real d_length_rate =
+        (dx->x_ * x->vx + x->x_ * dx->vx + (dx->y_ * x->vy + x->y_ * dx->vy) - length_rate * d_length) /
+        length;
+    const real d_spring = dp->stiffness * free_length_minus_length +
+                          p->stiffness * (dp->free_length - d_length) -
+                          (dp->damping * length_rate + p->damping * d_length_rate);
+    const real d_axial = (d_spring - axial * d_length) / length;
+    const real d_stance_torque =
+        dx->external_torque - (dp->drive_torque * x->driving + p->drive_torque * dx->driving);
+    const real d_turning = (d_stance_torque - turning * d_square) / square;
+    const real d_off = d_axial * x->y_ + axial * dx->y_ + (d_turning * x->x_ + turning * dx->x_);
+    const real d_normal = d_off + (p->gravity * dp->foot_mass + p->foot_mass * dp->gravity);
+    const real d_cone = dx->friction * normal + x->friction * d_normal;
+    const real d_along = d_axial * x->x_ + axial * dx->x_ - (d_turning * x->y_ + turning * dx->y_);
+    return d_cone - d_along;
+}
+
+/* Outputs in stick. */
+static void outputs_stick(const real *parameters, const real *states, real *outputs) {
+    const plain_reduced_runner_parameters *p = (const void *)parameters;
+    const plain_reduced_runner_states *x = (const void *)states;
+    const real stance_torque = x->external_torque - p->drive_torque * x->driving;
+    const real square = x->x_ * x->x_ + x->y_ * x->y_;
+    const real length = real_sqrt(square);
+    const real shorter = p->free_length - length;
+    const real length_rate = (x->x_ * x->vx + x->y_ * x->vy) / length;
+    const real spring = p->stiffness * shorter - p->damping * length_rate;
+    const real axial = spring / length;
+    const real turning = stance_torque / square;
+    const real off = axial * x->y_ + turning * x->x_;
+    const real normal = off + p->foot_mass * p->gravity;
+    const real along = axial * x->x_ - turning * x->y_;
+    const real x_2 = x->foot_x + x->x_;
+    const real vx = x->foot_vx + x->vx;
+    const real share = p->body_mass / (p->body_mass + p->foot_mass);
+    const real center_x = x->foot_x + share * x->x_;
+    const real y_2 = share * x->y_;
+    const real center_vx = x->foot_vx + share * x->vx;
+    const real vy = share * x->vy;
+    const real of_body = p->body_mass * (vx * vx + x->vy * x->vy);
+    const real kinetic_energy = 0.5 * (of_body + p->foot_mass * (x->foot_vx * x->foot_vx));
+    const real potential_energy = p->gravity * (p->body_mass * x->y_);
+    const real elastic_energy = 0.5 * (p->stiffness * (shorter * shorter));
+    const real energy = kinetic_energy + potential_energy + elastic_energy;
+    const real phase_of_hip = select(x->driving > 0.0, 1.0, 2.0);
+    outputs[OUTPUT_pending] = 0.0;
+    outputs[OUTPUT_torque] = stance_torque;
+    outputs[OUTPUT_normal_force] = normal;
+    outputs[OUTPUT_tangential_force] = along;
+    outputs[OUTPUT_ground_force_x] = along;
+    outputs[OUTPUT_ground_force_y] = normal;
+    outputs[OUTPUT_force_of_leg] = spring;
+    outputs[OUTPUT_body_x] = x_2;
+    outputs[OUTPUT_body_y] = x->y_;
+    outputs[OUTPUT_body_vx] = vx;
+    outputs[OUTPUT_body_vy] = x->vy;
+    outputs[OUTPUT_center_x] = center_x;
+    outputs[OUTPUT_center_y] = y_2;
+    outputs[OUTPUT_center_vx] = center_vx;
+    outputs[OUTPUT_center_vy] = vy;
+    outputs[OUTPUT_kinetic_energy] = kinetic_energy;
+    outputs[OUTPUT_potential_energy] = potential_energy;
+    outputs[OUTPUT_elastic_energy] = elastic_energy;
+    outputs[OUTPUT_energy] = energy;
+    outputs[OUTPUT_kind_of_contact] = 2.0;
+    outputs[OUTPUT_phase_of_hip] = phase_of_hip;
+    outputs[OUTPUT_has_fallen] = 0.0;
+}
+
+/* First variation of outputs_stick. */
+static void vary_outputs_stick(const real *parameters, const real *states, const real *d_parameters,
+                               const real *d_states, real *outputs) {
+    const plain_reduced_runner_parameters *p = (const void *)parameters;
+    const plain_reduced_runner_states *x = (const void *)states;
+    const plain_reduced_runner_parameters *dp = (const void *)d_parameters;
+    const plain_reduced_runner_states *dx = (const void *)d_states;
+    const real d_stance_torque =
+        dx->external_torque - (dp->drive_torque * x->driving + p->drive_torque * dx->driving);
+    const real square = x->x_ * x->x_ + x->y_ * x->y_;
+    const real length = real_sqrt(square);
+    const real shorter = p->free_length - length;
+    const real d_square = 2.0 * (x->x_ * dx->x_) + 2.0 * (x->y_ * dx->y_);
+    const real d_length = 0.5 * d_square / length;
+    const real d_shorter = dp->free_length - d_length;
+    const real length_rate = (x->x_ * x->vx + x->y_ * x->vy) / length;
+    const real d_length_rate =
+        (dx->x_ * x->vx + x->x_ * dx->vx + (dx->y_ * x->vy + x->y_ * dx->vy) - length_rate * d_length) /
+        length;
+    const real d_spring = dp->stiffness * shorter + p->stiffness * d_shorter -
+                          (dp->damping * length_rate + p->damping * d_length_rate);
+    const real spring = p->stiffness * shorter - p->damping * length_rate;
+    const real axial = spring / length;
+    const real d_axial = (d_spring - axial * d_length) / length;
+    const real stance_torque = x->external_torque - p->drive_torque * x->driving;
+    const real turning = stance_torque / square;
+    const real d_turning = (d_stance_torque - turning * d_square) / square;
+    const real d_off = d_axial * x->y_ + axial * dx->y_ + (d_turning * x->x_ + turning * dx->x_);
+    const real d_normal = d_off + (p->gravity * dp->foot_mass + p->foot_mass * dp->gravity);
+    const real d_along = d_axial * x->x_ + axial * dx->x_ - (d_turning * x->y_ + turning * dx->y_);
+    const real d_x = dx->foot_x + dx->x_;
+    const real d_vx = dx->foot_vx + dx->vx;
+    const real body_mass_plus_foot_mass = p->body_mass + p->foot_mass;
+    const real share = p->body_mass / body_mass_plus_foot_mass;
+    const real d_share = (dp->body_mass - share * (dp->body_mass + dp->foot_mass)) / body_mass_plus_foot_mass;
+    const real d_center_x = dx->foot_x + (d_share * x->x_ + share * dx->x_);
+    const real d_y = d_share * x->y_ + share * dx->y_;
+    const real d_center_vx = dx->foot_vx + (d_share * x->vx + share * dx->vx);
+    const real d_vy = d_share * x->vy + share * dx->vy;
+    const real vx = x->foot_vx + x->vx;
+    const real d_of_body = dp->body_mass * (vx * vx + x->vy * x->vy) +
+                           p->body_mass * (2.0 * (vx * d_vx) + 2.0 * (x->vy * dx->vy));
+    const real d_kinetic_energy = 0.5 * (d_of_body + (dp->foot_mass * (x->foot_vx * x->foot_vx) +
+                                                      p->foot_mass * (2.0 * (x->foot_vx * dx->foot_vx))));
+    const real d_potential_energy =
+        dp->gravity * (p->body_mass * x->y_) + p->gravity * (dp->body_mass * x->y_ + p->body_mass * dx->y_);
+    const real d_elastic_energy =
+        0.5 * (dp->stiffness * (shorter * shorter) + p->stiffness * (2.0 * (shorter * d_shorter)));
+    const real d_energy = d_kinetic_energy + d_potential_energy + d_elastic_energy;
+    outputs[OUTPUT_pending] = 0.0;
+    outputs[OUTPUT_torque] = d_stance_torque;
+    outputs[OUTPUT_normal_force] = d_normal;
+    outputs[OUTPUT_tangential_force] = d_along;
+    outputs[OUTPUT_ground_force_x] = d_along;
+    outputs[OUTPUT_ground_force_y] = d_normal;
+    outputs[OUTPUT_force_of_leg] = d_spring;
+    outputs[OUTPUT_body_x] = d_x;
+    outputs[OUTPUT_body_y] = dx->y_;
+    outputs[OUTPUT_body_vx] = d_vx;
+    outputs[OUTPUT_body_vy] = dx->vy;
+    outputs[OUTPUT_center_x] = d_center_x;
+    outputs[OUTPUT_center_y] = d_y;
+    outputs[OUTPUT_center_vx] = d_center_vx;
+    outputs[OUTPUT_center_vy] = d_vy;
+    outputs[OUTPUT_kinetic_energy] = d_kinetic_energy;
+    outputs[OUTPUT_potential_energy] = d_potential_energy;
+    outputs[OUTPUT_elastic_energy] = d_elastic_energy;
+    outputs[OUTPUT_energy] = d_energy;
+    outputs[OUTPUT_kind_of_contact] = 0.0;
+    outputs[OUTPUT_phase_of_hip] = 0.0;
+    outputs[OUTPUT_has_fallen] = 0.0;
+}
+
+/* Count the event. A contact mode that lasted adds a letter to the gait word, a new stance a bar. */
+static void leave_stick(const real *parameters, const real *states, real counted, real *after) {
+    (void)parameters;
+    const plain_reduced_runner_states *x = (const void *)states;
+    plain_reduced_runner_states *y = (void *)after;
+    const real is_new = select(x->time > x->last_event, counted, 0.0);
+    const real lasted = x->time - x->mode_began;
+    const real adds =
+        select(lasted > 0.0, select(real_abs(2.0 - x->last_letter) > 0.0, 1.0, x->bar_is_due), 0.0);
+    const real after_bar = select(x->bar_is_due * x->word_so_far > 0.0, 4.0 * x->word_so_far, x->word_so_far);
+    const real by_4_times_after_bar_plus_by_2 = 4.0 * after_bar + 2.0;
+    const real longer = select(
+        after_bar < 0.0, -1.0,
+        select(by_4_times_after_bar_plus_by_2 < 4503599627370496.0, by_4_times_after_bar_plus_by_2, -1.0));
+    y->events = x->events + is_new;
+    y->last_event = select(counted > 0.0, x->time, x->last_event);
+    y->slid_from = x->foot_x;
+    y->stance_so_far = x->stance_so_far + lasted;
+    y->word_so_far = select(adds > 0.0, longer, x->word_so_far);
+    y->last_letter = select(lasted > 0.0, 2.0, x->last_letter);
+    y->bar_is_due = select(lasted > 0.0, 0.0, x->bar_is_due);
+    y->mode_began = x->time;
+}
+
+/* First variation of leave_stick. */
+static void vary_leave_stick(const real *parameters, const real *states, const real *d_parameters,
+                             const real *d_states, real counted, real *after) {
+    (void)parameters;
+    const plain_reduced_runner_states *x = (const void *)states;
+    (void)d_parameters;
+    const plain_reduced_runner_states *dx = (const void *)d_states;
+    plain_reduced_runner_states *y = (void *)after;
+    const real d_lasted = dx->time - dx->mode_began;
+    const real lasted = x->time - x->mode_began;
+    const real adds =
+        select(lasted > 0.0, select(real_abs(2.0 - x->last_letter) > 0.0, 1.0, x->bar_is_due), 0.0);
+    const real bar_is_due_times_word_so_far = x->bar_is_due * x->word_so_far;
+    const real after_bar = select(bar_is_due_times_word_so_far > 0.0, 4.0 * x->word_so_far, x->word_so_far);
+    const real d_after_bar =
+        select(bar_is_due_times_word_so_far > 0.0, 4.0 * dx->word_so_far, dx->word_so_far);
+    const real d_longer = select(after_bar < 0.0, 0.0,
+                                 select(4.0 * after_bar + 2.0 < 4503599627370496.0, 4.0 * d_after_bar, 0.0));
+    y->events = dx->events;
+    y->last_event = select(counted > 0.0, dx->time, dx->last_event);
+    y->slid_from = dx->foot_x;
+    y->stance_so_far = dx->stance_so_far + d_lasted;
+    y->word_so_far = select(adds > 0.0, d_longer, dx->word_so_far);
+    y->last_letter = select(lasted > 0.0, 0.0, dx->last_letter);
+    y->bar_is_due = select(lasted > 0.0, 0.0, dx->bar_is_due);
+    y->mode_began = dx->time;
+}
+
+/* Rates of the world's states in stick. */
+static void world_rates_stick(const real *parameters, const real *states, real *after) {
+    const plain_reduced_runner_parameters *p = (const void *)parameters;
+    const plain_reduced_runner_states *x = (const void *)states;
+    plain_reduced_runner_states *y = (void *)after;
+    const real x__times_vx = x->x_ * x->vx;
+    const real y__times_vy = x->y_ * x->vy;
+    const real sum_2 = 2.0 * x__times_vx + 2.0 * y__times_vy;
+    const real square = x->x_ * x->x_ + x->y_ * x->y_;
+    const real length = real_sqrt(square);
+    const real moment = x->x_ * x->vy - x->y_ * x->vx;
+    const real angle_rate = moment / square;
+    const real length_rate = (x__times_vx + y__times_vy) / length;
+    const real spring = p->stiffness * (p->free_length - length) - p->damping * length_rate;
+    const real axial = spring / length;
+    const real stance_torque = x->external_torque - p->drive_torque * x->driving;
+    const real turning = stance_torque / square;
+    const real along = axial * x->x_ - turning * x->y_;
+    const real along_over_body_mass = along / p->body_mass;
+    const real off = axial * x->y_ + turning * x->x_;
+    const real off_over_body_mass_minus_gravity = off / p->body_mass - p->gravity;
+    y->seen_x = x->foot_vx;
+    y->seen_y = 0.0;
+    y->seen_vx = 0.0;
+    y->seen_vy = 0.0;
+    y->length = 0.5 * sum_2 / length;
+    y->angle = angle_rate;
+    y->length_rate =
+        (x->vx * x->vx + x->x_ * along_over_body_mass +
+         (x->vy * x->vy + x->y_ * off_over_body_mass_minus_gravity) - length_rate * (0.5 * sum_2 / length)) /
+        length;
+    y->angle_rate = (x->vx * x->vy + x->x_ * off_over_body_mass_minus_gravity -
+                     (x->vy * x->vx + x->y_ * along_over_body_mass) - angle_rate * sum_2) /
+                    square;
+}
+
+/* First variation of world_rates_stick. */
+static void vary_world_rates_stick(const real *parameters, const real *states, const real *d_parameters,
+                                   const real *d_states, real *after) {
+    const plain_reduced_runner_parameters *p = (const void *)parameters;
+    const plain_reduced_runner_states *x = (const void *)states;
+    const plain_reduced_runner_parameters *dp = (const void *)d_parameters;
+    const plain_reduced_runner_states *dx = (const void *)d_states;
+    plain_reduced_runner_states *y = (void *)after;
+    const real x__times_vx_plus_x__times_vx = dx->x_ * x->vx + x->x_ * dx->vx;
+    const real y__times_vy_plus_y__times_vy = dx->y_ * x->vy + x->y_ * dx->vy;
+    const real sum_2 = 2.0 * x__times_vx_plus_x__times_vx + 2.0 * y__times_vy_plus_y__times_vy;
+    const real x__times_vx = x->x_ * x->vx;
+    const real y__times_vy = x->y_ * x->vy;
+    const real sum_3 = 2.0 * x__times_vx + 2.0 * y__times_vy;
+    const real square = x->x_ * x->x_ + x->y_ * x->y_;
+    const real length = real_sqrt(square);
+    const real by_0_5_times_sum_over_length = 0.5 * sum_3 / length;
+    const real d_square = 2.0 * (x->x_ * dx->x_) + 2.0 * (x->y_ * dx->y_);
+    const real d_length = 0.5 * d_square / length;
+    const real d_moment = dx->x_ * x->vy + x->x_ * dx->vy - (dx->y_ * x->vx + x->y_ * dx->vx);
+    const real moment = x->x_ * x->vy - x->y_ * x->vx;
+    const real angle_rate = moment / square;
+    const real d_angle_rate = (d_moment - angle_rate * d_square) / square;
+    const real free_length_minus_length = p->free_length - length;
+    const real length_rate = (x__times_vx + y__times_vy) / length;
+    const real spring = p->stiffness * free_length_minus_length - p->damping * length_rate;
+    const real axial = spring / length;
+    const real stance_torque = x->external_torque - p->drive_torque * x->driving;
+    const real turning = stance_torque / square;
+    const real along = axial * x->x_ - turning * x->y_;
+    const real along_over_body_mass = along / p->body_mass;
+    const real d_length_rate =
+        (x__times_vx_plus_x__times_vx + y__times_vy_plus_y__times_vy - length_rate * d_length) / length;
+    const real d_spring = dp->stiffness * free_length_minus_length +
+                          p->stiffness * (dp->free_length - d_length) -
+                          (dp->damping * length_rate + p->damping * d_length_rate);
+    const real d_axial = (d_spring - axial * d_length) / length;
+    const real d_stance_torque =
+        dx->external_torque - (dp->drive_torque * x->driving + p->drive_torque * dx->driving);
+    const real d_turning = (d_stance_torque - turning * d_square) / square;
+    const real d_along = d_axial * x->x_ + axial * dx->x_ - (d_turning * x->y_ + turning * dx->y_);
+    const real sum_over_body_mass = (d_along - along_over_body_mass * dp->body_mass) / p->body_mass;
+    const real off = axial * x->y_ + turning * x->x_;
+    const real off_over_body_mass = off / p->body_mass;
+    const real off_over_body_mass_minus_gravity = off_over_body_mass - p->gravity;
+    const real d_off = d_axial * x->y_ + axial * dx->y_ + (d_turning * x->x_ + turning * dx->x_);
+    const real sum_over_body_mass_minus_gravity =
+        (d_off - off_over_body_mass * dp->body_mass) / p->body_mass - dp->gravity;
+    y->seen_x = dx->foot_vx;
+    y->seen_y = 0.0;
+    y->seen_vx = 0.0;
+    y->seen_vy = 0.0;
+    y->length = (0.5 * sum_2 - by_0_5_times_sum_over_length * d_length) / length;
+    y->angle = d_angle_rate;
+    y->length_rate = (2.0 * (x->vx * dx->vx) + (dx->x_ * along_over_body_mass + x->x_ * sum_over_body_mass) +
+                      (2.0 * (x->vy * dx->vy) + (dx->y_ * off_over_body_mass_minus_gravity +
+                                                 x->y_ * sum_over_body_mass_minus_gravity)) -
+                      (d_length_rate * by_0_5_times_sum_over_length +
+                       length_rate * ((0.5 * sum_2 - by_0_5_times_sum_over_length * d_length) / length)) -
+                      (x->vx * x->vx + x->x_ * along_over_body_mass +
+                       (x->vy * x->vy + x->y_ * off_over_body_mass_minus_gravity) -
+                       length_rate * by_0_5_times_sum_over_length) /
+                          length * d_length) /
+                     length;
+    y->angle_rate =
+        (dx->vx * x->vy + x->vx * dx->vy +
+         (dx->x_ * off_over_body_mass_minus_gravity + x->x_ * sum_over_body_mass_minus_gravity) -
+         (dx->vy * x->vx + x->vy * dx->vx + (dx->y_ * along_over_body_mass + x->y_ * sum_over_body_mass)) -
+         (d_angle_rate * sum_3 + angle_rate * sum_2) -
+         (x->vx * x->vy + x->x_ * off_over_body_mass_minus_gravity -
+          (x->vy * x->vx + x->y_ * along_over_body_mass) - angle_rate * sum_3) /
+             square * d_square) /
+        square;
+}
+
+/* Constants of flight_retract. */
+static void open_flight_retract(const real *parameters, const real *states, real *constants) {
+    const plain_reduced_runner_parameters *p = (const void *)parameters;
+    const plain_reduced_runner_states *x = (const void *)states;
+    flight_retract_constants *c = (void *)constants;
+    const real minus_gravity = -p->gravity;
+    c->com_vx = x->com_vx;
+    c->minus_gravity = minus_gravity;
+}
+
+/* First variation of open_flight_retract. */
+static void vary_open_flight_retract(const real *parameters, const real *states, const real *d_parameters,
+                                     const real *d_states, real *constants) {
+    (void)parameters;
+    (void)states;
+    const plain_reduced_runner_parameters *dp = (const void *)d_parameters;
+    const plain_reduced_runner_states *dx = (const void *)d_states;
+    flight_retract_constants *c = (void *)constants;
+    const real d_minus_gravity = -dp->gravity;
+    c->com_vx = dx->com_vx;
+    c->minus_gravity = d_minus_gravity;
+}
+
+/* apex: A stride closes, and the leg is placed anew. */
+static int react_flight_retract_apex(const real *parameters, const real *states, const tdmf_table *tables,
+                                     real *after, const int *next) {
+    const plain_reduced_runner_parameters *p = (const void *)parameters;
+    const plain_reduced_runner_states *x = (const void *)states;
+    (void)tables;
+    plain_reduced_runner_states *y = (void *)after;
+    const real period = x->time - x->apex_time;
+    const real distance = x->com_x - x->x_then;
+    const real hip = x->work - x->work_then;
+    const real weight = (p->body_mass + p->foot_mass) * p->gravity;
+    const real square = x->length * x->length;
+    const real rate = x->momentum / square;
+    y->is_open = 1.0;
+    y->work_then = x->work;
+    y->positive_work_then = x->positive_work_so_far;
+    y->peak_force_so_far = 0.0;
+    y->touchdowns_so_far = 0.0;
+    y->slip_so_far = 0.0;
+    y->stance_so_far = 0.0;
+    y->word_so_far = 0.0;
+    y->last_letter = 0.0;
+    y->bar_is_due = 0.0;
+    y->x_then = x->com_x;
+    y->y_then = x->com_y;
+    y->count = select(x->is_open > 0.0, x->count + 1.0, x->count);
+    y->word_code = select(x->is_open > 0.0, x->word_so_far, x->word_code);
+    y->period = select(x->is_open > 0.0, period, x->period);
+    y->distance = select(x->is_open > 0.0, distance, x->distance);
+    y->rise_of_stride = select(x->is_open > 0.0, x->com_y - x->y_then, x->rise_of_stride);
+    y->work_of_stride = select(x->is_open > 0.0, hip, x->work_of_stride);
+    y->hip_work = select(x->is_open > 0.0, hip, x->hip_work);
+    y->positive_work =
+        select(x->is_open > 0.0, x->positive_work_so_far - x->positive_work_then, x->positive_work);
+    y->speed = select(x->is_open > 0.0, distance / period, x->speed);
+    y->cost_of_transport = select(x->is_open > 0.0, hip / (weight * distance), x->cost_of_transport);
+    y->touchdowns = select(x->is_open > 0.0, x->touchdowns_so_far, x->touchdowns);
+    y->stance_time = select(x->is_open > 0.0, x->stance_so_far, x->stance_time);
+    y->duty_factor = select(x->is_open > 0.0, x->stance_so_far / period, x->duty_factor);
+    y->slip_distance = select(x->is_open > 0.0, x->slip_so_far, x->slip_distance);
+    y->peak_force = select(x->is_open > 0.0, x->peak_force_so_far, x->peak_force);
+    y->peak_vertical_force = select(x->is_open > 0.0, x->peak_force_so_far, x->peak_vertical_force);
+    y->apex_time = x->time;
+    y->apex_com_height = x->com_y;
+    y->apex_com_speed = x->com_vx;
+    y->apex_length = x->length;
+    y->apex_angle = x->angle;
+    y->apex_length_rate = x->length_rate;
+    y->apex_angle_rate = rate;
+    y->length = p->free_length;
+    y->angle = p->touchdown_angle;
+    y->length_rate = 0.0;
+    y->momentum = 0.0;
+    y->placing = 0.0;
+    return next[0]; /* flight */
+}
+
+/* First variation of apex. */
+static void vary_react_flight_retract_apex(const real *parameters, const real *states,
+                                           const real *d_parameters, const real *d_states,
+                                           const tdmf_table *tables, int seed, real *after) {
+    const plain_reduced_runner_parameters *p = (const void *)parameters;
+    const plain_reduced_runner_states *x = (const void *)states;
+    const plain_reduced_runner_parameters *dp = (const void *)d_parameters;
+    const plain_reduced_runner_states *dx = (const void *)d_states;
+    (void)tables;
+    (void)seed;
+    plain_reduced_runner_states *y = (void *)after;
+    const real d_period = dx->time - dx->apex_time;
+    const real d_distance = dx->com_x - dx->x_then;
+    const real d_hip = dx->work - dx->work_then;
+    const real distance = x->com_x - x->x_then;
+    const real period = x->time - x->apex_time;
+    const real hip = x->work - x->work_then;
+    const real body_mass_plus_foot_mass = p->body_mass + p->foot_mass;
+    const real weight = body_mass_plus_foot_mass * p->gravity;
+    const real weight_times_distance = weight * distance;
+    const real d_weight =
+        p->gravity * (dp->body_mass + dp->foot_mass) + body_mass_plus_foot_mass * dp->gravity;
+    const real square = x->length * x->length;
+    const real rate = x->momentum / square;
+    const real d_square = 2.0 * (x->length * dx->length);
+    const real d_rate = (dx->momentum - rate * d_square) / square;
+    y->is_open = 0.0;
+    y->work_then = dx->work;
+    y->positive_work_then = dx->positive_work_so_far;
+    y->peak_force_so_far = 0.0;
+    y->touchdowns_so_far = 0.0;
+    y->slip_so_far = 0.0;
+    y->stance_so_far = 0.0;
+    y->word_so_far = 0.0;
+    y->last_letter = 0.0;
+    y->bar_is_due = 0.0;
+    y->x_then = dx->com_x;
+    y->y_then = dx->com_y;
+    y->count = dx->count;
+    y->word_code = select(x->is_open > 0.0, dx->word_so_far, dx->word_code);
+    y->period = select(x->is_open > 0.0, d_period, dx->period);
+    y->distance = select(x->is_open > 0.0, d_distance, dx->distance);
+    y->rise_of_stride = select(x->is_open > 0.0, dx->com_y - dx->y_then, dx->rise_of_stride);
+    y->work_of_stride = select(x->is_open > 0.0, d_hip, dx->work_of_stride);
+    y->hip_work = select(x->is_open > 0.0, d_hip, dx->hip_work);
+    y->positive_work =
+        select(x->is_open > 0.0, dx->positive_work_so_far - dx->positive_work_then, dx->positive_work);
+    y->speed = select(x->is_open > 0.0, (d_distance - distance / period * d_period) / period, dx->speed);
+    y->cost_of_transport =
+        select(x->is_open > 0.0,
+               (d_hip - hip / weight_times_distance * (d_weight * distance + weight * d_distance)) /
+                   weight_times_distance,
+               dx->cost_of_transport);
+    y->touchdowns = select(x->is_open > 0.0, dx->touchdowns_so_far, dx->touchdowns);
+    y->stance_time = select(x->is_open > 0.0, dx->stance_so_far, dx->stance_time);
+    y->duty_factor =
+        select(x->is_open > 0.0, (dx->stance_so_far - x->stance_so_far / period * d_period) / period,
+               dx->duty_factor);
+    y->slip_distance = select(x->is_open > 0.0, dx->slip_so_far, dx->slip_distance);
+    y->peak_force = select(x->is_open > 0.0, dx->peak_force_so_far, dx->peak_force);
+    y->peak_vertical_force = select(x->is_open > 0.0, dx->peak_force_so_far, dx->peak_vertical_force);
+    y->apex_time = dx->time;
+    y->apex_com_height = dx->com_y;
+    y->apex_com_speed = dx->com_vx;
+    y->apex_length = dx->length;
+    y->apex_angle = dx->angle;
+    y->apex_length_rate = dx->length_rate;
+    y->apex_angle_rate = d_rate;
+    y->length = dp->free_length;
+    y->angle = dp->touchdown_angle;
+    y->length_rate = 0.0;
+    y->momentum = 0.0;
+    y->placing = 0.0;
+}
+
+/* First variation of the guard of apex. */
+static real vary_guard_flight_retract_apex(const real *parameters, const real *states,
+                                           const real *d_parameters, const real *d_states) {
+    (void)parameters;
+    (void)states;
+    (void)d_parameters;
+    const plain_reduced_runner_states *dx = (const void *)d_states;
+    return dx->com_vy;
+}
+
+/* Outputs in flight_retract. */
+static void outputs_flight_retract(const real *parameters, const real *states, real *outputs) {
+    const plain_reduced_runner_parameters *p = (const void *)parameters;
+    const plain_reduced_runner_states *x = (const void *)states;
+    const real shorter = p->free_length - x->length;
+    const real spring = p->stiffness * shorter - p->damping * x->length_rate;
+    const real share = p->body_mass / (p->body_mass + p->foot_mass);
+    const real sine = real_sin(x->angle);
+    const real length_times_sine = x->length * sine;
+    const real body_x = x->com_x + share * length_times_sine - length_times_sine;
+    const real cosine = real_cos(x->angle);
+    const real y_2 = x->length * cosine;
+    const real com_y_minus_share_times_y = x->com_y - share * y_2;
+    const real body_y = com_y_minus_share_times_y + y_2;
+    const real turn = x->momentum / x->length;
+    const real vx = -(x->length_rate * sine) - turn * cosine;
+    const real com_vx_minus_share_times_vx = x->com_vx - share * vx;
+    const real body_vx = com_vx_minus_share_times_vx + vx;
+    const real vy = x->length_rate * cosine - turn * sine;
+    const real com_vy_minus_share_times_vy = x->com_vy - share * vy;
+    const real body_vy = com_vy_minus_share_times_vy + vy;
+    const real of_body = p->body_mass * (body_vx * body_vx + body_vy * body_vy);
+    const real kinetic_energy =
+        0.5 * (of_body + p->foot_mass * (com_vx_minus_share_times_vx * com_vx_minus_share_times_vx +
+                                         com_vy_minus_share_times_vy * com_vy_minus_share_times_vy));
+    const real potential_energy =
+        p->gravity * (p->body_mass * body_y + p->foot_mass * com_y_minus_share_times_y);
+    const real elastic_energy = 0.5 * (p->stiffness * (shorter * shorter));
+    const real energy = kinetic_energy + potential_energy + elastic_energy;
+    outputs[OUTPUT_pending] = 0.0;
+    outputs[OUTPUT_torque] = 0.0;
+    outputs[OUTPUT_normal_force] = 0.0;
+    outputs[OUTPUT_tangential_force] = 0.0;
+    outputs[OUTPUT_ground_force_x] = 0.0;
+    outputs[OUTPUT_ground_force_y] = 0.0;
+    outputs[OUTPUT_force_of_leg] = spring;
+    outputs[OUTPUT_body_x] = body_x;
+    outputs[OUTPUT_body_y] = body_y;
+    outputs[OUTPUT_body_vx] = body_vx;
+    outputs[OUTPUT_body_vy] = body_vy;
+    outputs[OUTPUT_center_x] = x->com_x;
+    outputs[OUTPUT_center_y] = x->com_y;
+    outputs[OUTPUT_center_vx] = x->com_vx;
+    outputs[OUTPUT_center_vy] = x->com_vy;
+    outputs[OUTPUT_kinetic_energy] = kinetic_energy;
+    outputs[OUTPUT_potential_energy] = potential_energy;
+    outputs[OUTPUT_elastic_energy] = elastic_energy;
+    outputs[OUTPUT_energy] = energy;
+    outputs[OUTPUT_kind_of_contact] = 1.0;
+    outputs[OUTPUT_phase_of_hip] = 3.0;
+    outputs[OUTPUT_has_fallen] = 0.0;
+}
+
+/* Rates of the world's states in flight. */
+static void world_rates_flight_retract(const real *parameters, const real *states, real *after) {
+    const plain_reduced_runner_parameters *p = (const void *)parameters;
+    const plain_reduced_runner_states *x = (const void *)states;
+    plain_reduced_runner_states *y = (void *)after;
+    y->seen_x = x->com_vx;
+    y->seen_y = x->com_vy;
+    y->seen_vx = 0.0;
+    y->seen_vy = -p->gravity;
+    y->length = 0.0;
+    y->angle = 0.0;
+    y->length_rate = 0.0;
+    y->angle_rate = 0.0;
+}
+
+/* First variation of world_rates_flight_retract. */
+static void vary_world_rates_flight_retract(const real *parameters, const real *states,
+                                            const real *d_parameters, const real *d_states, real *after) {
+    (void)parameters;
+    (void)states;
+    const plain_reduced_runner_parameters *dp = (const void *)d_parameters;
+    const plain_reduced_runner_states *dx = (const void *)d_states;
+    plain_reduced_runner_states *y = (void *)after;
+    y->seen_x = dx->com_vx;
+    y->seen_y = dx->com_vy;
+    y->seen_vx = 0.0;
+    y->seen_vy = -dp->gravity;
+    y->length = 0.0;
+    y->angle = 0.0;
+    y->length_rate = 0.0;
+    y->angle_rate = 0.0;
+}
+
+/* at_apex: A start at an apex, with the centre of mass at x = 0 and the leg at rest. */
+static void enter_at_apex(const real *parameters, const real *states, const real *at, real *after) {
+    const plain_reduced_runner_parameters *p = (const void *)parameters;
+    (void)states;
+    plain_reduced_runner_states *y = (void *)after;
+    const real at_apex_com_height = at[0];
+    const real at_apex_com_speed = at[1];
+    const real share = p->body_mass / (p->body_mass + p->foot_mass);
+    const real sine = real_sin(p->touchdown_angle);
+    const real cosine = real_cos(p->touchdown_angle);
+    const real y_2 = p->free_length * cosine;
+    y->seen_x = share * (p->free_length * sine);
+    y->seen_y = at_apex_com_height - share * y_2;
+    y->length = p->free_length;
+    y->angle = p->touchdown_angle;
+    y->seen_vx = at_apex_com_speed;
+    y->seen_vy = 0.0;
+    y->length_rate = 0.0;
+    y->angle_rate = 0.0;
+}
+
+/* First variation of enter_at_apex. */
+static void vary_enter_at_apex(const real *parameters, const real *states, const real *d_parameters,
+                               const real *d_states, const real *at, const real *d_at, real *after) {
+    const plain_reduced_runner_parameters *p = (const void *)parameters;
+    (void)states;
+    const plain_reduced_runner_parameters *dp = (const void *)d_parameters;
+    (void)d_states;
+    (void)at;
+    plain_reduced_runner_states *y = (void *)after;
+    const real d_at_apex_com_height = d_at[0];
+    const real d_at_apex_com_speed = d_at[1];
+    const real sine = real_sin(p->touchdown_angle);
+    const real body_mass_plus_foot_mass = p->body_mass + p->foot_mass;
+    const real share = p->body_mass / body_mass_plus_foot_mass;
+    const real d_share = (dp->body_mass - share * (dp->body_mass + dp->foot_mass)) / body_mass_plus_foot_mass;
+    const real cosine = real_cos(p->touchdown_angle);
+    const real d_sine = cosine * dp->touchdown_angle;
+    const real y_2 = p->free_length * cosine;
+    const real d_y = cosine * dp->free_length - p->free_length * (sine * dp->touchdown_angle);
+    y->seen_x = p->free_length * sine * d_share + share * (sine * dp->free_length + p->free_length * d_sine);
+    y->seen_y = d_at_apex_com_height - (y_2 * d_share + share * d_y);
+    y->length = dp->free_length;
+    y->angle = dp->touchdown_angle;
+    y->seen_vx = d_at_apex_com_speed;
+    y->seen_vy = 0.0;
+    y->length_rate = 0.0;
+    y->angle_rate = 0.0;
+}
+
+/* Typical size of each state and guard. */
+static void scales(const real *parameters, real *of_states, real *of_events) {
+    const plain_reduced_runner_parameters *p = (const void *)parameters;
+    const real sqrt_of_stiffness_over_body_mass = real_sqrt(p->stiffness / p->body_mass);
+    of_states[0] = real_sqrt(p->body_mass / p->stiffness);
+    of_states[1] = 1.0;
+    of_states[2] = real_sqrt(p->body_mass / p->stiffness);
+    of_states[3] = 1.0;
+    of_states[4] = p->stiffness * p->free_length * p->free_length;
+    of_states[5] = p->stiffness * p->free_length * p->free_length;
+    of_states[6] = p->stiffness * p->free_length * p->free_length;
+    of_states[7] = p->stiffness * p->free_length;
+    of_states[8] = 1.0;
+    of_states[9] = p->free_length;
+    of_states[10] = p->free_length;
+    of_states[11] = real_sqrt(p->body_mass / p->stiffness);
+    of_states[12] = 1.0;
+    of_states[13] = 1.0;
+    of_states[14] = 1.0;
+    of_states[15] = real_sqrt(p->body_mass / p->stiffness);
+    of_states[16] = p->free_length;
+    of_states[17] = p->free_length;
+    of_states[18] = 1.0;
+    of_states[19] = 1.0;
+    of_states[20] = real_sqrt(p->body_mass / p->stiffness);
+    of_states[21] = p->free_length;
+    of_states[22] = p->free_length;
+    of_states[23] = p->stiffness * p->free_length * p->free_length;
+    of_states[24] = p->stiffness * p->free_length * p->free_length;
+    of_states[25] = p->stiffness * p->free_length * p->free_length;
+    of_states[26] = p->free_length * sqrt_of_stiffness_over_body_mass;
+    of_states[27] = 1.0;
+    of_states[28] = 1.0;
+    of_states[29] = real_sqrt(p->body_mass / p->stiffness);
+    of_states[30] = 1.0;
+    of_states[31] = p->free_length;
+    of_states[32] = p->stiffness * p->free_length;
+    of_states[33] = p->stiffness * p->free_length;
+    of_states[34] = real_sqrt(p->body_mass / p->stiffness);
+    of_states[35] = p->free_length;
+    of_states[36] = p->free_length * sqrt_of_stiffness_over_body_mass;
+    of_states[37] = p->free_length;
+    of_states[38] = 1.0;
+    of_states[39] = p->free_length * sqrt_of_stiffness_over_body_mass;
+    of_states[40] = sqrt_of_stiffness_over_body_mass;
+    of_states[41] = p->free_length;
+    of_states[42] = p->free_length;
+    of_states[43] = p->free_length;
+    of_states[44] = 1.0;
+    of_states[45] = p->free_length * sqrt_of_stiffness_over_body_mass;
+    of_states[46] = p->free_length * sqrt_of_stiffness_over_body_mass;
+    of_states[47] = p->free_length * sqrt_of_stiffness_over_body_mass;
+    of_states[48] = sqrt_of_stiffness_over_body_mass;
+    of_states[49] = p->free_length;
+    of_states[50] = p->free_length;
+    of_states[51] = p->free_length * sqrt_of_stiffness_over_body_mass;
+    of_states[52] = p->free_length * sqrt_of_stiffness_over_body_mass;
+    of_states[53] = p->free_length * p->free_length * sqrt_of_stiffness_over_body_mass;
+    of_states[54] = p->free_length;
+    of_states[55] = p->free_length;
+    of_states[56] = p->free_length * sqrt_of_stiffness_over_body_mass;
+    of_states[57] = p->free_length * sqrt_of_stiffness_over_body_mass;
+    of_states[58] = p->free_length;
+    of_states[59] = p->free_length * sqrt_of_stiffness_over_body_mass;
+    of_states[60] = 1.0;
+    of_states[61] = p->stiffness * p->free_length * p->free_length;
+    of_states[62] = 1.0;
+    of_states[63] = 1.0;
+    of_states[64] = p->stiffness * p->free_length * p->free_length;
+    of_states[65] = p->stiffness * p->free_length * p->free_length;
+    of_states[66] = p->stiffness * p->free_length * p->free_length;
+    of_states[67] = 1.0;
+    of_states[68] = 1.0;
+    of_states[69] = real_sqrt(p->body_mass / p->stiffness);
+    of_states[70] = real_sqrt(p->body_mass / p->stiffness);
+    of_states[71] = p->stiffness * p->free_length * p->free_length;
+    of_events[EVENT_begins] = 1.0;
+    of_events[EVENT_falls] = p->free_length;
+    of_events[EVENT_collapses] = p->free_length;
+    of_events[EVENT_apex] = p->free_length * sqrt_of_stiffness_over_body_mass;
+    of_events[EVENT_touchdown] = p->free_length;
+    of_events[EVENT_mid_stance] = 1.0;
+    of_events[EVENT_lift_off] = p->stiffness * p->free_length;
+    of_events[EVENT_slips_forward] = p->stiffness * p->free_length;
+    of_events[EVENT_slips_backward] = p->stiffness * p->free_length;
+    of_events[EVENT_comes_to_rest] = p->free_length * sqrt_of_stiffness_over_body_mass;
+}
+
+static const tdmf_guard_kind guards_start_of_run[] = {
+    {.event = EVENT_begins,
+     .is_counted = false,
+     .react = react_start_of_run_begins,
+     .vary_react = vary_react_start_of_run_begins,
+     .vary_guard = vary_guard_start_of_run_begins,
+     .next = {MODE_no_start, MODE_flight_place}},
+    {.event = -1},
+};
+static const tdmf_watch_kind watches_start_of_run[] = {
+    {.into = -1},
+};
+static const tdmf_guard_kind guards_no_start[] = {
+    {.event = -1},
+};
+static const tdmf_watch_kind watches_no_start[] = {
+    {.into = -1},
+};
+static const tdmf_guard_kind guards_flight_place[] = {
+    {.event = EVENT_falls,
+     .is_counted = true,
+     .react = react_flight_place_falls,
+     .vary_react = vary_react_flight_place_falls,
+     .is_watched = watches_flight_place_falls,
+     .vary_guard = vary_guard_flight_place_falls,
+     .next = {MODE_fallen}},
+    {.event = EVENT_touchdown,
+     .is_counted = true,
+     .react = react_flight_place_touchdown,
+     .vary_react = vary_react_flight_place_touchdown,
+     .vary_guard = vary_guard_flight_place_touchdown,
+     .next = {MODE_slip_constant, MODE_stick}},
+    {.event = -1},
+};
+static const tdmf_watch_kind watches_flight_place[] = {
+    {.part = TDMF_POSITIVE_INTEGRAL, .into = 5},
+    {.into = -1},
+};
+static const tdmf_guard_kind guards_fallen[] = {
+    {.event = -1},
+};
+static const tdmf_watch_kind watches_fallen[] = {
+    {.into = -1},
+};
+static const tdmf_guard_kind guards_slip_constant[] = {
+    {.event = EVENT_falls,
+     .is_counted = true,
+     .react = react_slip_constant_falls,
+     .vary_react = vary_react_slip_constant_falls,
+     .vary_guard = vary_guard_slip_constant_falls,
+     .next = {MODE_fallen}},
+    {.event = EVENT_collapses,
+     .is_counted = true,
+     .react = react_slip_constant_falls,
+     .vary_react = vary_react_slip_constant_falls,
+     .vary_guard = vary_guard_slip_constant_collapses,
+     .next = {MODE_fallen}},
+    {.event = EVENT_mid_stance,
+     .is_counted = true,
+     .react = react_slip_constant_mid_stance,
+     .vary_react = vary_react_slip_constant_mid_stance,
+     .is_watched = watches_slip_constant_mid_stance,
+     .vary_guard = vary_guard_slip_constant_mid_stance,
+     .next = {MODE_slip_constant}},
+    {.event = EVENT_lift_off,
+     .is_counted = true,
+     .react = react_slip_constant_lift_off,
+     .vary_react = vary_react_slip_constant_lift_off,
+     .vary_guard = vary_guard_slip_constant_lift_off,
+     .next = {MODE_no_stance, MODE_no_apex, MODE_flight_retract}},
+    {.event = EVENT_comes_to_rest,
+     .is_counted = true,
+     .react = react_slip_constant_comes_to_rest,
+     .vary_react = vary_react_slip_constant_comes_to_rest,
+     .vary_guard = vary_guard_slip_constant_comes_to_rest,
+     .next = {MODE_stick, MODE_slip_constant}},
+    {.event = -1},
+};
+static const tdmf_watch_kind watches_slip_constant[] = {
+    {.part = TDMF_POSITIVE_INTEGRAL, .into = 5},
+    {.part = TDMF_LARGEST, .into = 7},
+    {.into = -1},
+};
+static const tdmf_guard_kind guards_stick[] = {
+    {.event = EVENT_falls,
+     .is_counted = true,
+     .react = react_slip_constant_falls,
+     .vary_react = vary_react_slip_constant_falls,
+     .vary_guard = vary_guard_slip_constant_falls,
+     .next = {MODE_fallen}},
+    {.event = EVENT_collapses,
+     .is_counted = true,
+     .react = react_slip_constant_falls,
+     .vary_react = vary_react_slip_constant_falls,
+     .vary_guard = vary_guard_slip_constant_collapses,
+     .next = {MODE_fallen}},
+    {.event = EVENT_mid_stance,
+     .is_counted = true,
+     .react = react_stick_mid_stance,
+     .vary_react = vary_react_slip_constant_mid_stance,
+     .is_watched = watches_slip_constant_mid_stance,
+     .vary_guard = vary_guard_slip_constant_mid_stance,
+     .next = {MODE_stick}},
+    {.event = EVENT_lift_off,
+     .is_counted = true,
+     .react = react_slip_constant_lift_off,
+     .vary_react = vary_react_slip_constant_lift_off,
+     .vary_guard = vary_guard_slip_constant_lift_off,
+     .next = {MODE_no_stance, MODE_no_apex, MODE_flight_retract}},
+    {.event = EVENT_slips_forward,
+     .is_counted = true,
+     .react = react_stick_slips_forward,
+     .vary_react = vary_react_stick_slips_forward,
+     .vary_guard = vary_guard_stick_slips_forward,
+     .next = {MODE_slip_constant}},
+    {.event = EVENT_slips_backward,
+     .is_counted = true,
+     .react = react_stick_slips_backward,
+     .vary_react = vary_react_stick_slips_forward,
+     .vary_guard = vary_guard_stick_slips_backward,
+     .next = {MODE_slip_constant}},
+    {.event = -1},
+};
+static const tdmf_watch_kind watches_stick[] = {
+    {.part = TDMF_POSITIVE_INTEGRAL, .into = 5},
+    {.part = TDMF_LARGEST, .into = 7},
+    {.into = -1},
+};
+static const tdmf_guard_kind guards_no_stance[] = {
+    {.event = -1},
+};
+static const tdmf_watch_kind watches_no_stance[] = {
+    {.into = -1},
+};
+static const tdmf_guard_kind guards_no_apex[] = {
+    {.event = -1},
+};
+static const tdmf_watch_kind watches_no_apex[] = {
+    {.into = -1},
+};
+static const tdmf_guard_kind guards_flight_retract[] = {
+    {.event = EVENT_apex,
+     .is_counted = true,
+     .react = react_flight_retract_apex,
+     .vary_react = vary_react_flight_retract_apex,
+     .vary_guard = vary_guard_flight_retract_apex,
+     .next = {MODE_flight_place}},
+    {.event = -1},
+};
+static const tdmf_watch_kind watches_flight_retract[] = {
+    {.part = TDMF_POSITIVE_INTEGRAL, .into = 5},
+    {.into = -1},
+};
+static const int coordinates_at_apex[] = {35, 36};
+
+static const tdmf_mode_kind modes[] = {
+    {.motion = &tdmf_plain_reduced_runner_motions[MODE_start_of_run],
+     .ends = false,
+     .open = open_start_of_run,
+     .vary_open = vary_open_start_of_run,
+     .guard_count = 1,
+     .guards = guards_start_of_run,
+     .watch_count = 0,
+     .watches = watches_start_of_run,
+     .outputs = outputs_start_of_run,
+     .vary_outputs = vary_outputs_start_of_run,
+     .leave = leave_start_of_run,
+     .vary_leave = vary_leave_start_of_run},
+    {.motion = &tdmf_plain_reduced_runner_motions[MODE_no_start],
+     .ends = true,
+     .open = open_start_of_run,
+     .vary_open = vary_open_start_of_run,
+     .guard_count = 0,
+     .guards = guards_no_start,
+     .watch_count = 0,
+     .watches = watches_no_start,
+     .outputs = outputs_start_of_run,
+     .vary_outputs = vary_outputs_start_of_run,
+     .leave = leave_start_of_run,
+     .vary_leave = vary_leave_start_of_run},
+    {.motion = &tdmf_plain_reduced_runner_motions[MODE_flight_place],
+     .ends = false,
+     .open = open_flight_place,
+     .vary_open = vary_open_flight_place,
+     .guard_count = 2,
+     .guards = guards_flight_place,
+     .watch_count = 1,
+     .watches = watches_flight_place,
+     .outputs = outputs_flight_place,
+     .vary_outputs = vary_outputs_flight_place,
+     .leave = leave_start_of_run,
+     .vary_leave = vary_leave_start_of_run,
+     .from_world = from_world_flight_place,
+     .vary_from_world = vary_from_world_flight_place,
+     .to_world = to_world_flight_place,
+     .vary_to_world = vary_to_world_flight_place,
+     .world_rates = world_rates_flight_place,
+     .vary_world_rates = vary_world_rates_flight_place},
+    {.motion = &tdmf_plain_reduced_runner_motions[MODE_fallen],
+     .ends = true,
+     .open = open_start_of_run,
+     .vary_open = vary_open_start_of_run,
+     .guard_count = 0,
+     .guards = guards_fallen,
+     .watch_count = 0,
+     .watches = watches_fallen,
+     .outputs = outputs_fallen,
+     .vary_outputs = vary_outputs_start_of_run,
+     .leave = leave_start_of_run,
+     .vary_leave = vary_leave_start_of_run},
+    {.motion = &tdmf_plain_reduced_runner_motions[MODE_slip_constant],
+     .ends = false,
+     .open = open_slip_constant,
+     .vary_open = vary_open_slip_constant,
+     .guard_count = 5,
+     .guards = guards_slip_constant,
+     .watch_count = 2,
+     .watches = watches_slip_constant,
+     .outputs = outputs_slip_constant,
+     .vary_outputs = vary_outputs_slip_constant,
+     .leave = leave_slip_constant,
+     .vary_leave = vary_leave_slip_constant,
+     .from_world = from_world_slip_constant,
+     .vary_from_world = vary_from_world_slip_constant,
+     .to_world = to_world_slip_constant,
+     .vary_to_world = vary_to_world_slip_constant,
+     .world_rates = world_rates_slip_constant,
+     .vary_world_rates = vary_world_rates_slip_constant},
+    {.motion = &tdmf_plain_reduced_runner_motions[MODE_stick],
+     .ends = false,
+     .open = open_stick,
+     .vary_open = vary_open_stick,
+     .guard_count = 6,
+     .guards = guards_stick,
+     .watch_count = 2,
+     .watches = watches_stick,
+     .outputs = outputs_stick,
+     .vary_outputs = vary_outputs_stick,
+     .leave = leave_stick,
+     .vary_leave = vary_leave_stick,
+     .from_world = from_world_slip_constant,
+     .vary_from_world = vary_from_world_slip_constant,
+     .to_world = to_world_slip_constant,
+     .vary_to_world = vary_to_world_slip_constant,
+     .world_rates = world_rates_stick,
+     .vary_world_rates = vary_world_rates_stick},
+    {.motion = &tdmf_plain_reduced_runner_motions[MODE_no_stance],
+     .ends = true,
+     .open = open_start_of_run,
+     .vary_open = vary_open_start_of_run,
+     .guard_count = 0,
+     .guards = guards_no_stance,
+     .watch_count = 0,
+     .watches = watches_no_stance,
+     .outputs = outputs_start_of_run,
+     .vary_outputs = vary_outputs_start_of_run,
+     .leave = leave_start_of_run,
+     .vary_leave = vary_leave_start_of_run},
+    {.motion = &tdmf_plain_reduced_runner_motions[MODE_no_apex],
+     .ends = true,
+     .open = open_start_of_run,
+     .vary_open = vary_open_start_of_run,
+     .guard_count = 0,
+     .guards = guards_no_apex,
+     .watch_count = 0,
+     .watches = watches_no_apex,
+     .outputs = outputs_start_of_run,
+     .vary_outputs = vary_outputs_start_of_run,
+     .leave = leave_start_of_run,
+     .vary_leave = vary_leave_start_of_run},
+    {.motion = &tdmf_plain_reduced_runner_motions[MODE_flight_retract],
+     .ends = false,
+     .open = open_flight_retract,
+     .vary_open = vary_open_flight_retract,
+     .guard_count = 1,
+     .guards = guards_flight_retract,
+     .watch_count = 1,
+     .watches = watches_flight_retract,
+     .outputs = outputs_flight_retract,
+     .vary_outputs = vary_outputs_flight_place,
+     .leave = leave_start_of_run,
+     .vary_leave = vary_leave_start_of_run,
+     .from_world = from_world_flight_place,
+     .vary_from_world = vary_from_world_flight_place,
+     .to_world = to_world_flight_place,
+     .vary_to_world = vary_to_world_flight_place,
+     .world_rates = world_rates_flight_retract,
+     .vary_world_rates = vary_world_rates_flight_retract},
+};
+
+static const tdmf_set_kind sets[] = {
+    {.index = -1},
+};
+static const tdmf_section_kind sections[] = {
+    {.enter = enter_at_apex,
+     .vary_enter = vary_enter_at_apex,
+     .event = EVENT_apex,
+     .count = 2,
+     .coordinates = coordinates_at_apex},
+    {.event = -1},
+};
+
+static const char *const mode_names[] = {"start_of_run", "no_start",      "flight_place",
+                                         "fallen",       "slip_constant", "stick",
+                                         "no_stance",    "no_apex",       "flight_retract"};
+static const char *const state_names[] = {"time",
+                                          "events",
+                                          "last_event",
+                                          "is_open",
+                                          "work_then",
+                                          "positive_work_so_far",
+                                          "positive_work_then",
+                                          "peak_force_so_far",
+                                          "touchdowns_so_far",
+                                          "slip_so_far",
+                                          "slid_from",
+                                          "stance_so_far",
+                                          "word_so_far",
+                                          "last_letter",
+                                          "bar_is_due",
+                                          "mode_began",
+                                          "x_then",
+                                          "y_then",
+                                          "count",
+                                          "word_code",
+                                          "period",
+                                          "distance",
+                                          "rise_of_stride",
+                                          "work_of_stride",
+                                          "hip_work",
+                                          "positive_work",
+                                          "speed",
+                                          "cost_of_transport",
+                                          "touchdowns",
+                                          "stance_time",
+                                          "duty_factor",
+                                          "slip_distance",
+                                          "peak_force",
+                                          "peak_vertical_force",
+                                          "apex_time",
+                                          "apex_com_height",
+                                          "apex_com_speed",
+                                          "apex_length",
+                                          "apex_angle",
+                                          "apex_length_rate",
+                                          "apex_angle_rate",
+                                          "seen_x",
+                                          "seen_y",
+                                          "length",
+                                          "angle",
+                                          "seen_vx",
+                                          "seen_vy",
+                                          "length_rate",
+                                          "angle_rate",
+                                          "com_x",
+                                          "com_y",
+                                          "com_vx",
+                                          "com_vy",
+                                          "momentum",
+                                          "x",
+                                          "y",
+                                          "vx",
+                                          "vy",
+                                          "foot_x",
+                                          "foot_vx",
+                                          "winding",
+                                          "damper_loss",
+                                          "friction",
+                                          "way",
+                                          "friction_loss",
+                                          "impact_loss",
+                                          "external_torque",
+                                          "liftoff_angle",
+                                          "driving",
+                                          "placing",
+                                          "touchdown_time",
+                                          "work"};
+static const char *const parameter_names[] = {"body_mass", "foot_mass",    "stiffness",
+                                              "damping",   "free_length",  "least_length",
+                                              "gravity",   "drive_torque", "touchdown_angle"};
+static const char *const event_names[] = {"begins",         "falls",        "collapses", "apex",
+                                          "touchdown",      "mid_stance",   "lift_off",  "slips_forward",
+                                          "slips_backward", "comes_to_rest"};
+static const char *const output_names[] = {
+    "pending",        "torque",           "normal_force",   "tangential_force", "ground_force_x",
+    "ground_force_y", "force_of_leg",     "body_x",         "body_y",           "body_vx",
+    "body_vy",        "center_x",         "center_y",       "center_vx",        "center_vy",
+    "kinetic_energy", "potential_energy", "elastic_energy", "energy",           "kind_of_contact",
+    "phase_of_hip",   "has_fallen"};
+static const char *const table_names[] = {0};
+static const char *const section_names[] = {"at_apex"};
+static const double state_defaults[] = {0.0,
+                                        0.0,
+                                        0.0,
+                                        0.0,
+                                        0.0,
+                                        0.0,
+                                        0.0,
+                                        0.0,
+                                        0.0,
+                                        0.0,
+                                        0.0,
+                                        0.0,
+                                        0.0,
+                                        0.0,
+                                        0.0,
+                                        0.0,
+                                        0.0,
+                                        0.0,
+                                        0.0,
+                                        0.0,
+                                        0.0,
+                                        0.0,
+                                        0.0,
+                                        0.0,
+                                        0.0,
+                                        0.0,
+                                        0.0,
+                                        0.0,
+                                        0.0,
+                                        0.0,
+                                        0.0,
+                                        0.0,
+                                        0.0,
+                                        0.0,
+                                        0.0,
+                                        0.0,
+                                        0.0,
+                                        0.0,
+                                        0.0,
+                                        0.0,
+                                        0.0,
+                                        -0.4722627765193387,
+                                        0.6417114468531165,
+                                        0.9999993776846997,
+                                        -0.5462532571145313,
+                                        1.062035591761993,
+                                        -1.9951712441925837e-05,
+                                        1.1268102275039307e-06,
+                                        4.039363331769765e-05,
+                                        0.0,
+                                        1.4,
+                                        1.0,
+                                        0.0,
+                                        0.0,
+                                        0.0,
+                                        1.0,
+                                        0.0,
+                                        0.0,
+                                        0.0,
+                                        0.0,
+                                        0.0,
+                                        0.0,
+                                        0.6,
+                                        1.0,
+                                        0.0,
+                                        0.0,
+                                        0.0,
+                                        0.0,
+                                        0.0,
+                                        0.0,
+                                        0.0,
+                                        0.0};
+static const double parameter_defaults[] = {1.0, 0.1, 1.0, 0.2, 1.0, 0.05, 0.01, 0.2, 0.6981317007977318};
+static const double parameter_least[] = {
+    1e-09, 1e-12, 1e-09, 0.0, 1e-06, 1e-09, 1e-09, -1e+18, -1.5707963267948966};
+static const double parameter_most[] = {1000000000.0,    1000000000.0, 1000000000000.0,
+                                        1000000000000.0, 1000000.0,    1000000.0,
+                                        1000000.0,       1e+18,        1.5707963267948966};
+
+const tdmf_model_kind tdmf_plain_reduced_runner_model = {
+    .modes = modes,
+    .sets = sets,
+    .set_count = 0,
+    .sections = sections,
+    .scales = scales,
+    .series_count = 28,
+    .constant_count = 12,
+    .lanes = {TDMF_TWO_LANES(tdmf_plain_reduced_runner_motions_of_2),
+              TDMF_FOUR_LANES(tdmf_plain_reduced_runner_motions_of_4),
+              TDMF_EIGHT_LANES(tdmf_plain_reduced_runner_motions_of_8)},
+    .mode_count = 9,
+    .mode_names = mode_names,
+    .state_count = 72,
+    .state_names = state_names,
+    .parameter_count = 9,
+    .parameter_names = parameter_names,
+    .event_count = 10,
+    .event_names = event_names,
+    .output_count = 22,
+    .output_names = output_names,
+    .table_count = 0,
+    .table_names = table_names,
+    .section_count = 1,
+    .section_names = section_names,
+    .state_defaults = state_defaults,
+    .parameter_defaults = parameter_defaults,
+    .parameter_least = parameter_least,
+    .parameter_most = parameter_most,
+};
