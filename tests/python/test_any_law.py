@@ -16,8 +16,7 @@ from tdmf_slip import (
     rare_falls,
     strides_to_fall,
 )
-from tdmf_slip.analysis.robustness import robustness
-from tdmf_slip.analysis.volume import volume
+from tdmf_slip.analysis.attraction import robustness, volume
 from tdmf_slip.feedback.judgement import judge
 from tdmf_slip.library.engine import FELL
 

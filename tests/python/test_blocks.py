@@ -18,7 +18,7 @@ import tdmf_slip
 import xarray
 from conftest import HANGS, assert_same
 from tdmf_slip import InputError, RunError
-from tdmf_slip.analysis import attraction, basin, first_passage, grid, preview, stride_map, volume
+from tdmf_slip.analysis import attraction, basin, first_passage, grid, preview, stride_map
 from tdmf_slip.blocks import InTurn, run_blocks
 from tdmf_slip.cli import interrupts
 from tdmf_slip.cli import workers as options
@@ -88,7 +88,7 @@ ANALYSES = {
     ),
     "basin": lambda _, how: basin.basin({}, AXES, (6, 5), **how),
     "preview of a basin": lambda _, how: basin.basin({}, AXES, 20, refine="preview", **how),
-    "volume": lambda gait, how: volume.volume(gait, 60, **how),
+    "volume": lambda gait, how: attraction.volume(gait, 60, **how),
     "grid of gaits": lambda _, how: tdmf_slip.sweep({}, {FRICTION: [0.6, 0.5], DAMPING: [0.2, 0.22]}, **how),
     "strides to a fall": lambda gait, how: first_passage.strides_to_fall(gait, 0.4, 200, 1, 60, **how),
     "strides": lambda gait, how: tdmf_slip.stride_map(
@@ -107,7 +107,7 @@ ANALYSES = {
 SIZES = (
     (basin, "STARTS_AT_ONCE", 5),
     (preview, "MAX_POINTS_AT_ONCE", 7),
-    (volume, "STARTS_AT_ONCE", 4096),  # a block's number decides what is drawn
+    (attraction, "STARTS_AT_ONCE", 4096),  # a block's number decides what is drawn
     (first_passage, "MIN_IN_A_BLOCK", 7),
     (first_passage, "MAX_IN_A_BLOCK", 7),
     (stride_map, "MAX_IN_A_BLOCK", 2),

@@ -7,7 +7,6 @@ import numpy as np
 import pytest
 import tdmf_slip
 from conftest import CLAMPED
-from tdmf_slip.analysis import robustness
 from tdmf_slip.errors import InputError
 from tdmf_slip.feedback import judgement
 from tdmf_slip.paper.figures import feedback, stored
@@ -24,7 +23,7 @@ def gait():
 @pytest.fixture
 def few(monkeypatch):
     """Runs that take a moment."""
-    monkeypatch.setattr(robustness, "COARSE", 50)
+    monkeypatch.setattr(attraction, "COARSE", 50)
     monkeypatch.setattr(judgement, "SAMPLES", 60)
     monkeypatch.setattr(judgement, "RUNNERS", 48)
     monkeypatch.setattr(judgement, "MAX_STRIDES", 200)

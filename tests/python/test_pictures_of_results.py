@@ -11,8 +11,7 @@ import tdmf_slip
 from matplotlib.collections import PolyCollection
 from tdmf_slip import Runner
 from tdmf_slip.analysis.first_passage import FirstPassage
-from tdmf_slip.analysis.rare_falls import RareFalls
-from tdmf_slip.analysis.splitting import RareEvent
+from tdmf_slip.analysis.rare_falls import RareEvent, RareFalls
 from tdmf_slip.drawable import Drawable
 from tdmf_slip.paper.reference_gaits import Drift
 from tdmf_slip.pictures import style

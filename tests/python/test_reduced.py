@@ -7,7 +7,7 @@ import pickle
 import numpy as np
 import pytest
 from tdmf_slip import Batch, InputError, RunError, Runner, basin, find_gait, sweep
-from tdmf_slip.analysis import special_points, volume
+from tdmf_slip.analysis import attraction, special_points
 from tdmf_slip.analysis.branches import trace
 from tdmf_slip.analysis.stability import stability
 from tdmf_slip.library.binding import c, ffi
@@ -168,7 +168,7 @@ def test_a_basin_is_the_whole_plane(tmp_path):
         path=tmp_path / "plane.nc",
     )
     assert np.array_equal(again["fate"], data["fate"])
-    found = volume.volume(find_gait(model="reduced"), 300)
+    found = attraction.volume(find_gait(model="reduced"), 300)
     assert found.as_json()["box"].keys() == set(REDUCED)
     with pytest.raises(InputError, match="another slice"):
         basin(

@@ -26,9 +26,9 @@ from ..library.runner import Runner
 from ..library.settings import checked_values
 from ..terminal.progress import progress_bar
 from ..variables.parameters import RunnerLike
+from .attraction import CONFIDENCE, NORMAL_QUANTILE
 from .fates import TOLERANCE
 from .search import periodic_gait
-from .volume import CONFIDENCE, NORMAL_QUANTILE
 
 MAX_RUNNERS = 100_000_000
 MAX_STRIDES = 1_000_000

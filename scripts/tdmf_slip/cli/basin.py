@@ -6,14 +6,13 @@ from typing import Any
 
 import click
 
+from ..analysis.attraction import DISTURBED, robustness, volume
 from ..analysis.axes import AXES
 from ..analysis.ball import CHOICES, Ball
 from ..analysis.basin import basin, stable_gait
 from ..analysis.basin_result import Basin
 from ..analysis.fates import MAX_ALONG
 from ..analysis.preview import REFINEMENTS
-from ..analysis.robustness import DISTURBED, robustness
-from ..analysis.volume import volume
 from ..errors import InputError
 from ..library.section import COORDINATES, check_axes
 from ..record import without_record

@@ -6,8 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from ..analysis.linkage import linked
-from ..analysis.settled import evenly, settled_gaits
+from ..analysis.settled import evenly, linked, settled_gaits
 from ..errors import InputError, RunError
 from ..library.fixed_point import gait_near
 from ..library.gait import Gait

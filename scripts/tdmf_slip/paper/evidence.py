@@ -8,8 +8,7 @@ from functools import cache
 import numpy as np
 from scipy.optimize import brentq
 
-from ..analysis.search import periodic_gait
-from ..analysis.spread import Spread, search_from_spread
+from ..analysis.search import Spread, periodic_gait, search_from_spread
 from ..analysis.stride_map import stride_map
 from ..analysis.sweeps import Sweep, sweep
 from ..library import classic_slip

@@ -6,8 +6,7 @@ from pathlib import Path
 import numpy as np
 from matplotlib.axes import Axes
 
-from ...analysis.attraction import Attraction
-from ...analysis.robustness import FARTHEST
+from ...analysis.attraction import FARTHEST, Attraction
 from ...analysis.sweeps import Sweep
 from ...pictures import style
 from ...pictures.curve_label import CurveLabel
