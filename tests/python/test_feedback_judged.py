@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 import tdmf_slip
 from conftest import CLAMPED
+from tdmf_slip.analysis import attraction
 from tdmf_slip.errors import InputError
 from tdmf_slip.feedback import judgement
 from tdmf_slip.paper.figures import feedback, stored

@@ -8,11 +8,9 @@ from tdmf_slip import find_gait, optimize, sweep
 from tdmf_slip.errors import RunError
 from tdmf_slip.library.quantities import QUANTITIES
 from tdmf_slip.optimization.border import between
-from tdmf_slip.optimization.gaits import Candidate, Gaits
+from tdmf_slip.optimization.gaits import Candidate, Gaits, Space, Spectrum
+from tdmf_slip.optimization.optimizer import Search
 from tdmf_slip.optimization.problem import Goal, Problem
-from tdmf_slip.optimization.search import Search
-from tdmf_slip.optimization.space import Space
-from tdmf_slip.optimization.spectrum import Spectrum
 
 QUANTITY, SUM = "speed", "length"
 """The names under which the functions below are asked for."""

@@ -9,9 +9,7 @@ from tdmf_slip import InputError, TargetNotMetError, find_gait, optimize, sweep
 from tdmf_slip.library.fixed_point import gait_near
 from tdmf_slip.library.quantities import known_quantities
 from tdmf_slip.library.strides import strides_from
-from tdmf_slip.optimization.gaits import Gaits
-from tdmf_slip.optimization.space import Space
-from tdmf_slip.optimization.spectrum import MINIMUM, spectrum_of
+from tdmf_slip.optimization.gaits import MINIMUM, Gaits, Space, spectrum_of
 from tdmf_slip.variables.parameters import read_parameters
 
 STIFF = {"leg.stiffness": 2.0, "ground.friction": 0.6}

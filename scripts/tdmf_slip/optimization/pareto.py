@@ -20,11 +20,10 @@ from ..terminal.progress import Bar, progress_bar
 from ..variables.parameters import RunnerLike
 from ..variables.variable import Given
 from .optimize import MAX_STARTS, STARTS
-from .optimizer import Optimizer
+from .optimizer import Optimizer, Start
 from .optimum import Optimum, reported
 from .problem import Goal
 from .request import check_action, checked_quantity, checked_radius, checked_space, checked_values
-from .starts import Start
 
 POINTS, MAX_POINTS = 7, 1000
 
