@@ -1,4 +1,4 @@
-"""The search for the best gait: from several starts, within smooth regions by SLSQP, and from border to border.
+"""The search for the best gait: from several starts, by SLSQP in smooth regions, from border to border.
 
 Starts are gaits all over the bounds that have no better one near them. The objective and the constraints
 are smooth functions of the parameters only while the word and the events of the stride stay. So each run
