@@ -21,8 +21,10 @@ from ..terminal.text import quantity
 from ..variables.parameters import RunnerLike
 from ..variables.table import ALIASES, VARIABLES, full_names
 from ..variables.variable import Given
+from .beginnings import beginnings
+from .nearest import Help, nearest_from, parameters_that_help
 from .search import periodic_gait
-from .target import Help, Iterate, Target, beginnings, nearest_from, parameters_that_help
+from .target import Iterate, Target
 
 TRAVEL = ("speed", "frequency", "length")
 """Any two of them set the third."""
