@@ -288,7 +288,7 @@ static void log_events(const stride *s) {
             goes_on || (guard_of(s, row->event) != TDMF_GUARD_COUNT && s->page->modes[row->before] >= 0);
         if (is_open && !goes_on) {
             const tdmf_event event = event_at(s, i);
-            tdmf_log_event(s->solver, &event);
+            tdmf_log_event(log, &event);
         }
         if (is_open && s->page->modes[row->after] >= 0 && log->count <= TDMF_EVENT_CAPACITY) {
             log->events[log->count - 1].after = motion_at(s, after, row->after, row->time).mode;

@@ -4,7 +4,8 @@ import os
 import pathlib
 import shutil
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
+from conftest import ROOT
+
 WINE = shutil.which("wine64", path=f"{os.environ['PATH']}:/usr/lib/wine")
 WINE_FOLDER = ROOT / "build/platforms/wine"
 """What wine keeps of Windows, some 700 MB: made once, because that takes longer than any test."""

@@ -6,25 +6,18 @@ import os
 import pathlib
 import shlex
 import shutil
-import subprocess
 import sys
 import zipfile
 
 import pytest
+from conftest import ROOT, succeed
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
 HEADERS = ROOT / "c_core" / "include"
 COMPILES_NOTHING = """\
 #!/bin/sh
 while [ $# -gt 0 ]; do [ "$1" = -o ] && { : > "$2"; exit; }; shift; done
 """
 """Stands in front of compiler and linker, and writes empty files in their place."""
-
-
-def run(*command, **options):
-    done = subprocess.run(list(map(str, command)), capture_output=True, text=True, **options)
-    assert done.returncode == 0, done.stdout + done.stderr
-    return done.stdout
 
 
 @pytest.fixture(scope="module")
@@ -45,7 +38,7 @@ def configure(source, build, launcher, **settings):
         "CMAKE_C_COMPILER_LAUNCHER": launcher,
         "CMAKE_C_LINKER_LAUNCHER": launcher,
     }
-    run("cmake", "-S", source, "-B", build, *(f"-D{name}={value}" for name, value in settings.items()))
+    succeed("cmake", "-S", source, "-B", build, *(f"-D{name}={value}" for name, value in settings.items()))
 
 
 def replies(build, kind):
@@ -62,8 +55,10 @@ def test_units_are_built_in_a_folder_of_any_name(tmp_path, launcher):
     (folder / "source").symlink_to(ROOT)
     configure(folder / "source", folder / "build", launcher)
     for _ in range(2):
-        run("cmake", folder / "build")
-        run("cmake", "--build", folder / "build", "--target", "tdmf_slip_fmi2_unit", "tdmf_slip_fmi3_unit")
+        succeed("cmake", folder / "build")
+        succeed(
+            "cmake", "--build", folder / "build", "--target", "tdmf_slip_fmi2_unit", "tdmf_slip_fmi3_unit"
+        )
         (folder / "build" / "fmu_src" / "generated" / "fmi2" / "index.html").touch()
     for file in ("TDMF_SLIP.fmu", "TDMF_SLIP_FMI3.fmu"):
         with zipfile.ZipFile(folder / "build" / "fmu_src" / file) as unit:
@@ -107,7 +102,7 @@ def test_as_a_part_of_another_project_it_builds_and_installs_nothing_unasked(ins
 def test_pkg_config_finds_absolute_folders(tmp_path_factory, configured, library_folder, header_folder):
     """Relative folders move with the file, absolute ones stay; spaces are quoted."""
     moved = tmp_path_factory.mktemp("moved to")
-    run(
+    succeed(
         "cmake",
         f"-DCMAKE_INSTALL_LIBDIR={library_folder}",
         f"-DCMAKE_INSTALL_INCLUDEDIR={header_folder}",
@@ -117,7 +112,7 @@ def test_pkg_config_finds_absolute_folders(tmp_path_factory, configured, library
     packages.mkdir(parents=True)
     shutil.copy(configured / "c_core" / "tdmf_slip.pc", packages)
     environment = os.environ | {"PKG_CONFIG_PATH": str(packages)}
-    flags = shlex.split(run("pkg-config", "--cflags", "--libs", "tdmf_slip", env=environment))
+    flags = shlex.split(succeed("pkg-config", "--cflags", "--libs", "tdmf_slip", env=environment))
     found = {flag[:2]: pathlib.Path(os.path.normpath(flag[2:])) for flag in flags if flag[:2] in ("-I", "-L")}
     prefix = pathlib.Path("/usr/local") if library_folder.startswith("/") else moved
     assert found == {"-I": prefix / header_folder, "-L": moved / library_folder}
@@ -145,7 +140,7 @@ def test_headers_are_valid_in_every_cpp(tmp_path, compiler, standard):
     program = tmp_path / "headers.cpp"
     names = sorted(str(path.relative_to(HEADERS)) for path in HEADERS.rglob("*.h"))
     program.write_text("".join(f'#include "{name}"\n' for name in names))
-    run(
+    succeed(
         compiler,
         f"-std={standard}",
         "-fsyntax-only",

@@ -5,10 +5,9 @@ import pathlib
 
 import fmpy
 import pytest
-from conftest import HANGS, apex_start, name_of_gait, reference_gaits, runner_of_gait
+from conftest import HANGS, QUANTITIES, apex_start, name_of_gait, reference_gaits, runner_of_gait
 from fmpy.fmi2 import FMU2Slave
 
-QUANTITIES = ("period", "length", "speed", "work", "cost_of_transport")
 OUTPUTS = [f"stride.{name}" for name in QUANTITIES]
 
 

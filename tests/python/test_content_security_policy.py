@@ -1,13 +1,11 @@
 """The policy in the site's pages, in Chromium: theirs keeps it, and nothing foreign gets past it."""
 
-import pathlib
 import shutil
 import sys
 
 import pytest
-from conftest import some_of
+from conftest import ROOT, some_of
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "documentation" / "live"))
 sys.path.insert(0, str(ROOT / "documentation" / "extensions"))
 pytest.importorskip("sphinx", reason="NOT TESTED: the site, Sphinx is not installed")

@@ -2,23 +2,14 @@
 
 import json
 import os
-import pathlib
 import shutil
-import subprocess
 import sys
 import tarfile
 
 import pytest
-from conftest import HANGS, locked, unit_reference
+from conftest import ROOT, locked, succeed, unit_reference
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
 UNITS = ("TDMF_SLIP.fmu", "TDMF_SLIP_FMI3.fmu")
-
-
-def run(*command, **options):
-    done = subprocess.run(list(map(str, command)), capture_output=True, text=True, timeout=HANGS, **options)
-    assert done.returncode == 0, done.stdout + done.stderr
-    return done.stdout
 
 
 @pytest.fixture(scope="module")
@@ -27,7 +18,7 @@ def sources(tmp_path_factory):
     folder = tmp_path_factory.mktemp("sources")
     make = "import sys; from scikit_build_core.build import build_sdist; build_sdist(sys.argv[1])"
     with locked("wheel"):
-        run(sys.executable, "-c", make, folder, cwd=ROOT)
+        succeed(sys.executable, "-c", make, folder, cwd=ROOT)
     (path,) = folder.glob("*.tar.gz")
     return path
 
@@ -36,8 +27,8 @@ def assert_runs(environment, variables):
     (package,) = environment.folder.glob("lib/*/site-packages/tdmf_slip")
     assert all((package / unit).is_file() for unit in UNITS)
     command = environment.programs / "tdmf-slip"
-    run_by_unit = json.loads(run(command, "simulate", "--strides", "2", "--json", env=variables))
-    gait_by_library = json.loads(run(command, "gait", "--friction", "0.6", "--json", env=variables))
+    run_by_unit = json.loads(succeed(command, "simulate", "--strides", "2", "--json", env=variables))
+    gait_by_library = json.loads(succeed(command, "gait", "--friction", "0.6", "--json", env=variables))
     for stride, tolerance in ((run_by_unit["stride"], 1e-6), (gait_by_library, 1e-9)):
         assert stride["word"] == "+0-0+"
         assert stride["period"] == pytest.approx(unit_reference()["period"], rel=tolerance)
@@ -59,7 +50,7 @@ def test_the_source_distribution_is_what_git_has(sources):
     """Nothing of a build in it, and nothing of the sources forgotten."""
     with tarfile.open(sources) as archive:
         names = {name.split("/", 1)[1] for name in archive.getnames() if "/" in name}
-    tracked = set(run("git", "ls-files", cwd=ROOT).splitlines())
+    tracked = set(succeed("git", "ls-files", cwd=ROOT).splitlines())
     assert {
         name for name in tracked if name.split("/")[0] in ("c_core", "fmu_src", "cmake", "scripts")
     } <= names

@@ -12,11 +12,10 @@ import sys
 
 import pytest
 import tdmf_slip
-from conftest import release, succeed
+from conftest import ROOT, release, succeed
 from tdmf_slip.cli import validate as command_module
 from tdmf_slip.cli.main import main
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
 GUIDES = sorted(path.stem for path in (ROOT / "documentation" / "guides").glob("*.md"))
 EXECUTE = (
     "import sys, nbformat, nbclient; book = nbformat.read(sys.argv[1], 4);"

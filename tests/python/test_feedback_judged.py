@@ -66,7 +66,7 @@ def test_a_basin_under_a_feedback_keeps_the_law(gait):
     axes = {"com_height": (height, height + 0.1), "com_speed": (speed, speed + 0.1)}
     found = tdmf_slip.basin(gait.runner, axes, 2, law=law)
     assert (found["fate"] == 0).all()
-    kept = json.loads(found.attrs["law"])
+    kept = json.loads(found.attributes["law"])
     assert kept["inputs"] == [ANGLE, TORQUE] and len(kept["eigenvalues"]) == 6
 
 

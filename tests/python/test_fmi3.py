@@ -8,12 +8,11 @@ from xml.etree import ElementTree
 import fmpy
 import numpy as np
 import pytest
-from conftest import apex_start, name_of_gait, reference_gaits, runner_of_gait, unit_reference
+from conftest import QUANTITIES, apex_start, name_of_gait, reference_gaits, runner_of_gait, unit_reference
 from fmpy.fmi3 import FMU3Model, FMU3Slave
 from fmpy.validation import validate_fmu
 from lxml import etree
 
-QUANTITIES = ("period", "length", "speed", "work", "cost_of_transport")
 OUTPUTS = [f"stride.{name}" for name in QUANTITIES]
 CO_SIMULATION = {
     "plain": {},

@@ -12,9 +12,8 @@ import tomllib
 from contextlib import redirect_stdout
 
 import pytest
-from conftest import succeed
+from conftest import ROOT, succeed
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
 SOURCES = ROOT / "documentation"
 README = (ROOT / "README.md").read_text(encoding="utf-8")
 GLOSSARY = tomllib.loads((SOURCES / "glossary.toml").read_text(encoding="utf-8"))

@@ -8,11 +8,11 @@ import zipfile
 
 import pytest
 import tdmf_slip
+from conftest import ROOT
 from tdmf_slip.library.binding import library_path
 
 lief = pytest.importorskip("lief", reason="NOT TESTED: hardening, lief is not installed")
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
 SUFFIXES = (".so", ".dll", ".dylib")
 
 

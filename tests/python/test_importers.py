@@ -10,10 +10,9 @@ import subprocess
 import sys
 
 import pytest
-from conftest import HANGS, unit_reference
+from conftest import HANGS, QUANTITIES, unit_reference
 
 REFERENCE = unit_reference()
-QUANTITIES = ("period", "length", "speed", "work", "cost_of_transport")
 
 # The programs get the unit's path and the value references of the quantities and of stride.count.
 LIBCOSIM = """

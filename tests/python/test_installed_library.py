@@ -3,17 +3,11 @@
 import os
 import pathlib
 import shutil
-import subprocess
 
 import pytest
+from conftest import succeed
 
 CONSUMER = pathlib.Path(__file__).resolve().parents[1] / "consumer"
-
-
-def run(*command, **options):
-    done = subprocess.run(list(map(str, command)), capture_output=True, text=True, **options)
-    assert done.returncode == 0, done.stdout + done.stderr
-    return done.stdout
 
 
 SAYS = {
@@ -28,10 +22,10 @@ SAYS = {
 
 
 def test_find_package(installed_library, tmp_path):
-    run("cmake", "-S", CONSUMER, "-B", tmp_path, f"-DCMAKE_PREFIX_PATH={installed_library}")
-    run("cmake", "--build", tmp_path)
+    succeed("cmake", "-S", CONSUMER, "-B", tmp_path, f"-DCMAKE_PREFIX_PATH={installed_library}")
+    succeed("cmake", "--build", tmp_path)
     for program, says in SAYS.items():
-        assert run(tmp_path / program).startswith(says)
+        assert succeed(tmp_path / program).startswith(says)
 
 
 @pytest.mark.skipif(shutil.which("pkg-config") is None, reason="pkg-config is not installed")
@@ -41,6 +35,6 @@ def test_find_package(installed_library, tmp_path):
 def test_pkg_config(installed_library, tmp_path, program, package):
     (folder,) = {path.parent for path in installed_library.rglob(f"{package}.pc")}
     environment = os.environ | {"PKG_CONFIG_PATH": str(folder)}
-    flags = run("pkg-config", "--cflags", "--libs", package, env=environment).split()
-    run("cc", "-std=c99", CONSUMER / f"{program}.c", *flags, "-o", tmp_path / program)
-    assert run(tmp_path / program).startswith(SAYS[program])
+    flags = succeed("pkg-config", "--cflags", "--libs", package, env=environment).split()
+    succeed("cc", "-std=c99", CONSUMER / f"{program}.c", *flags, "-o", tmp_path / program)
+    assert succeed(tmp_path / program).startswith(SAYS[program])

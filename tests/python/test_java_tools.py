@@ -1,14 +1,12 @@
 """Tools in Java: FMI4j imports the unit, VDMCheck checks it; scripts/test --release fetches both."""
 
 import json
-import pathlib
 import shutil
 import subprocess
 
 import pytest
-from conftest import HANGS, unit_reference
+from conftest import HANGS, ROOT, unit_reference
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
 JARS = ROOT / "build/importers/java"
 QUANTITIES = ("period", "length", "speed", "work", "cost_of_transport")
 REFERENCE = unit_reference()

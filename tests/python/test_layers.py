@@ -1,19 +1,20 @@
 """The package's parts, each of which knows those below it only."""
 
 import ast
-import pathlib
 import sys
 
 import pytest
+from conftest import ROOT
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
 PACKAGE = ROOT / "scripts/tdmf_slip"
 PAGES = ROOT / "c_core/equations"
 GROUND = {
     "blocks",
     "checks",
+    "drawable",
     "errors",
     "given",
+    "labelled",
     "record",
     "uninterrupted",
     "version",

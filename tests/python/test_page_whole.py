@@ -21,7 +21,7 @@ PATCHES = json.loads((FOLDER / "patch_runs.json").read_text(encoding="utf-8"))["
 
 @pytest.fixture(scope="module")
 def whole():
-    return CompiledPage(Runner)
+    return CompiledPage(Runner, level="-O1")
 
 
 def given(page, values):

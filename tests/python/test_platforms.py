@@ -11,13 +11,12 @@ import zipfile
 
 import fmpy
 import pytest
-from conftest import HANGS, unit_reference
+from conftest import HANGS, QUANTITIES, ROOT, unit_reference
 from emulators import arm_linux, windows
 from fmpy.validation import validate_fmu
 
 lief = pytest.importorskip("lief", reason="NOT TESTED: units for every platform, lief is not installed")
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
 PLATFORMS = ROOT / "build/platforms"
 UNITS = {2: PLATFORMS / "TDMF_SLIP.fmu", 3: PLATFORMS / "TDMF_SLIP_FMI3.fmu"}
 BINARIES = {
@@ -31,7 +30,6 @@ BINARIES = {
 ALL = [(fmi, name) for fmi in BINARIES for name in BINARIES[fmi]]
 HEADERS = pathlib.Path(fmpy.__file__).parent / "c-code"
 REFERENCE = unit_reference()
-QUANTITIES = ("period", "length", "speed", "work", "cost_of_transport")
 COMPARED = [*(f"stride.{name}" for name in QUANTITIES), "apex.leg_angle", "foot.x", "energy.total"]
 
 pytestmark = pytest.mark.skipif(

@@ -3,24 +3,22 @@
 import importlib.metadata
 import json
 import os
-import pathlib
 import re
 import subprocess
 import sys
 import tomllib
 
 import pytest
-from conftest import HANGS
+from conftest import HANGS, ROOT
 
 packaging = pytest.importorskip("packaging.requirements")
 utils = pytest.importorskip("packaging.utils")
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
 LOCKS = ROOT / "scripts" / "locks"
 PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
 DEPENDENCIES = PROJECT["project"]["dependencies"]
 EXTRAS = PROJECT["project"]["optional-dependencies"]
-PARTS = ("plots", "cluster", "proof")
+PARTS = ("plots", "data", "cluster", "proof")
 """Extras that a user may leave out; `all` has every one."""
 OPTIONAL = [text for name in PARTS for text in EXTRAS[name]]
 OF_TESTS = [text for name in ("test", "importers") for text in EXTRAS[name]]
@@ -47,7 +45,7 @@ def locked(*names):
     [
         ("environment", PROJECT["build-system"]["requires"], 2),
         ("environment", DEPENDENCIES, 7),
-        ("environment", OPTIONAL, 3),
+        ("environment", OPTIONAL, 5),
         ("test", OF_TESTS, 11),
         ("bench", EXTRAS["bench"], 2),
         ("zig", EXTRAS["zig"], 1),

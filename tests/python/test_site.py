@@ -2,7 +2,6 @@
 
 import html.parser
 import json
-import pathlib
 import re
 import subprocess
 import sys
@@ -10,9 +9,9 @@ import urllib.parse
 
 import pytest
 import tdmf_slip
+from conftest import ROOT
 from tdmf_slip.cli.main import COMMANDS
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
 SOURCES = ROOT / "documentation"
 sys.path.insert(0, str(SOURCES / "extensions"))
 pytest.importorskip("sphinx", reason="NOT TESTED: the site, Sphinx is not installed")

@@ -5,26 +5,18 @@ changed in the printed code are the values of the runner.
 """
 
 import os
-import pathlib
 import random
 import re
 import shutil
-import subprocess
 
 import pytest
 import tdmf_slip
+from conftest import ROOT, succeed
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
 GUIDES = ROOT / "documentation" / "guides"
 PRINTED = (GUIDES / "start.md").read_text(encoding="utf-8")
 VALUES = {"ground.friction": (0.4, 1.2, "0.43"), "leg.damping": (0.18, 0.22, "0.2")}
 """By what is changed in the printed code: from, to, and the value that is printed."""
-
-
-def run(*command, **options):
-    done = subprocess.run(list(map(str, command)), capture_output=True, text=True, **options)
-    assert done.returncode == 0, done.stdout + done.stderr
-    return done.stdout
 
 
 @pytest.fixture(scope="module")
@@ -65,9 +57,11 @@ def test_the_c_way_against_the_installed_library(installed_library, tmp_path, ru
     (tmp_path / "strides.c").write_text(code, encoding="utf-8")
     (folder,) = {path.parent for path in installed_library.rglob("tdmf_slip.pc")}
     variables = os.environ | {"PKG_CONFIG_PATH": str(folder)}
-    flags = run("pkg-config", "--cflags", "--libs", "tdmf_slip", env=variables).split()
-    run("cc", "-std=c99", tmp_path / "strides.c", *flags, "-o", tmp_path / "strides")
-    found = re.fullmatch(r"(\S+), speed (\S+), cost of transport (\S+)\n", run(tmp_path / "strides", env={}))
+    flags = succeed("pkg-config", "--cflags", "--libs", "tdmf_slip", env=variables).split()
+    succeed("cc", "-std=c99", tmp_path / "strides.c", *flags, "-o", tmp_path / "strides")
+    found = re.fullmatch(
+        r"(\S+), speed (\S+), cost of transport (\S+)\n", succeed(tmp_path / "strides", env={})
+    )
     assert found and found[1] == gait.word, runner
     assert float(found[2]) == pytest.approx(gait.stride["speed"], abs=6e-7), runner
     assert float(found[3]) == pytest.approx(gait.stride["cost_of_transport"], abs=6e-7), runner

@@ -1,11 +1,11 @@
 """Data of figures that take minutes, as they are kept: some of it computed anew. Pictures that are kept."""
 
-import pathlib
 import re
 from types import SimpleNamespace
 
 import numpy as np
 import pytest
+from conftest import ROOT
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from tdmf_slip import Runner, compare, find_gait, strides_to_fall
 from tdmf_slip import viability as find_viable
@@ -14,7 +14,6 @@ from tdmf_slip.paper.figures import optimal, rough, slippery_patch, slope, store
 from tdmf_slip.pictures import style
 from tdmf_slip.pictures.curve_label import CurveLabel
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
 OF_THE_GAITS = {"snapshots", "stride"}
 """What `tdmf-slip validate --pictures` draws, and the documentation shows."""
 

@@ -4,15 +4,13 @@ Windows runs under wine, Arm Linux under qemu, by small programs in C; what is f
 read.
 """
 
-import pathlib
 import platform
 import re
-import subprocess
 import sys
 import zipfile
 
 import pytest
-from conftest import HANGS
+from conftest import ROOT, succeed
 from emulators import arm_linux, windows
 from tdmf_slip.library.binding import c
 from test_distribution import assert_runs
@@ -23,7 +21,6 @@ wheelfile = pytest.importorskip("wheel.wheelfile", reason="NOT TESTED: wheels, w
 metadata = pytest.importorskip("packaging.metadata")
 utils = pytest.importorskip("packaging.utils")
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
 WHEELS = {path.stem.rpartition("-")[2]: path for path in (ROOT / "dist").glob("*.whl")}
 """The keys are platform tags."""
 UNITS = {name: f"tdmf_slip/{name}" for name in ("TDMF_SLIP.fmu", "TDMF_SLIP_FMI3.fmu")}
@@ -52,12 +49,6 @@ to that.
 
 pytestmark = pytest.mark.skipif(not WHEELS, reason="NOT TESTED: wheels; ./scripts/release makes them")
 each_platform = pytest.mark.parametrize("tag", PLATFORMS)
-
-
-def run(*command, **options):
-    done = subprocess.run(list(map(str, command)), capture_output=True, text=True, timeout=HANGS, **options)
-    assert done.returncode == 0, done.stdout + done.stderr
-    return done.stdout
 
 
 @pytest.fixture
@@ -191,5 +182,5 @@ def test_the_library_of_a_wheel_runs_on_its_platform(tag, tmp_path):
     for program in ("strides", "population"):
         built = native / f"{program}.exe"
         links = [native / PLATFORMS[tag][2]] + (["-Wl,-rpath,$ORIGIN"] if "linux" in tag else [])
-        run(*compiler, CONSUMER / f"{program}.c", *links, "-o", built, cwd=native)
-        assert run(*command, built, env=variables, cwd=native).startswith(SAYS[program])
+        succeed(*compiler, CONSUMER / f"{program}.c", *links, "-o", built, cwd=native)
+        assert succeed(*command, built, env=variables, cwd=native).startswith(SAYS[program])

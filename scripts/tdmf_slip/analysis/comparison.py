@@ -10,6 +10,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from ..checks import is_one_of, near_matches, shown
+from ..drawable import Drawable
 from ..errors import InputError
 from ..given import row_of
 from ..library.gait import Gait
@@ -57,7 +58,7 @@ class MatchedRunner:
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class Comparison:
+class Comparison(Drawable):
     """Runners with the same speed, clearance or the like, whose differences have fewer causes."""
 
     hold: tuple[str, ...]

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..checks import checked_whole, refusal, shown
+from ..drawable import Drawable
 from ..errors import InputError, RunError
 from ..given import row_of
 from ..library.gait import Gait
@@ -48,7 +49,7 @@ FIRST_STEPS = (1e-4, 1e-5, 1e-6)
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class Curve:
+class Curve(Drawable):
     """Special points of one kind over two parameters."""
 
     runner: Runner

@@ -15,6 +15,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ..blocks import run_blocks
 from ..checks import checked_whole
+from ..drawable import Drawable
 from ..errors import InputError
 from ..library.batch import Batch
 from ..library.engine import FELL, UNDECIDED, UNSOLVED
@@ -39,7 +40,7 @@ BISECTIONS = 60
 
 
 @dataclass(frozen=True, repr=False)
-class FirstPassage:
+class FirstPassage(Drawable):
     """Strides until the fall, estimated from runners of whom some are still up at the end.
 
     The number of strides is taken as geometric, which it is once the start is forgotten. The estimate is then

@@ -10,6 +10,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from ..checks import checked_whole
+from ..drawable import Drawable
 from ..errors import InputError
 from ..library.gait import Gait, check_is_gait
 from ..library.ground import LAST_SEED, RoughGround
@@ -28,7 +29,7 @@ SMOOTHEST = 1e-9
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class RareFalls:
+class RareFalls(Drawable):
     """Strides until a rare fall, estimated by splitting."""
 
     runner: Runner

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..checks import is_one_of, near_matches, shown
+from ..drawable import Drawable
 from ..errors import InputError
 from ..record import origin_of
 from ..variables import paper_units
@@ -20,7 +21,7 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class Run:
+class Run(Drawable):
     """What a run gave. All values are in the units of the model description, see `units`."""
 
     table: NDArray[np.void]
@@ -77,6 +78,10 @@ class Run:
             raise InputError(f"{shown(name)} was not recorded{near_matches(name, self.names)}")
         return self.table[name]
 
+    def _shown(self) -> Mapping[str, Any]:
+        """How it ended, and the last stride."""
+        return {"fallen": self.fallen, "strides": self.strides, **self.stride}
+
     def __repr__(self) -> str:
         """In a line: how far it went, and the last stride."""
         time, speed = self.label("s"), self.label("m/s")
@@ -90,7 +95,7 @@ class Run:
         )
         return f"<Run {end}, {self.strides} strides{last}>"
 
-    def to_dataset(self) -> "xarray.Dataset":
+    def to_xarray(self) -> "xarray.Dataset":
         """The recorded rows with units, over the time; at an event there are two rows of the same time.
 
         Returns

@@ -10,6 +10,7 @@ import numpy as np
 from ..analysis.search import periodic_gait
 from ..analysis.targeted import TargetNotMetError
 from ..checks import checked_whole
+from ..drawable import Drawable
 from ..errors import InputError
 from ..given import row_of
 from ..library.runner import Runner
@@ -29,7 +30,7 @@ POINTS, MAX_POINTS = 7, 1000
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class Front:
+class Front(Drawable):
     """Runners of which none is better in one quantity without being worse in the other."""
 
     objectives: tuple[str, str]

@@ -12,6 +12,7 @@ from flint import arb, ctx
 from ..analysis.search import periodic_gait
 from ..analysis.special_points import Border
 from ..checks import checked_flag, checked_whole, number_of, refusal
+from ..drawable import Drawable
 from ..library.gait import Gait
 from ..library.members import MOVING, check_varied
 from ..library.runner import Runner
@@ -36,7 +37,7 @@ ROUGH = 1e-12
 
 
 @dataclass(frozen=True, repr=False)
-class BorderProof:
+class BorderProof(Drawable):
     """A border between gait words, with enclosures, or what could not be decided."""
 
     proved: bool
@@ -130,7 +131,7 @@ def prove_border(
     Parameters
     ----------
     border : Border or float
-        Value of the parameter at the border, as a sweep's `borders` has it.
+        One of a sweep's `borders`, or its value.
     runner : Runner, Gait, mapping of str to float, Series, str or Path, optional
         Whose gaits; exact as in `prove`.
     vary : str, default "ground.friction"
@@ -155,8 +156,8 @@ def prove_border(
     Examples
     --------
     >>> import tdmf_slip
-    >>> gaits, borders = tdmf_slip.sweep({}, {"ground.friction": [0.3, 0.25]})
-    >>> tdmf_slip.prove_border(borders["ground.friction"][0]).proved
+    >>> border = tdmf_slip.sweep({}, {"ground.friction": [0.3, 0.25]}).borders[0]
+    >>> tdmf_slip.prove_border(border).proved
     True
     """
     vary = full_name(vary)

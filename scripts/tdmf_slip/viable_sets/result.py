@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from ..drawable import Drawable
 from ..library.gait import Gait
 from ..library.runner import Runner
 from ..library.section import REDUCED, Apex
@@ -17,17 +18,17 @@ from .disturbances import FrictionLoss, friction_loss, largest_drop
 from .fixed_point import strides_to
 from .grid import Grid
 from .reached import Reached, target_of
-from .transitions import Transitions, transitions_file
+from .transitions import Transitions, dataset_of
 
 if TYPE_CHECKING:
-    import xarray
+    from ..files.datasets import xarray
 
 STATES = ("not_viable", "open", "viable")
 """What the dataset's `viable` says: not in the outer set, in the outer one alone, in both."""
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class Viability:
+class Viability(Drawable):
     """Viable states and pairs of state and action, from inside and from outside.
 
     States are cells of the plane of apices, row by row of rising height; actions are combinations of
@@ -189,7 +190,7 @@ class Viability:
             progress=progress,
         )
 
-    def to_dataset(self) -> "xarray.Dataset":
+    def to_xarray(self) -> "xarray.Dataset":
         """Sets, robustness and the strides that they rest on, as a dataset.
 
         Returns
@@ -200,11 +201,7 @@ class Viability:
             and the next height and speed.
         """
         grid = self.grid
-        made, shape = self.transitions, (*grid.nodes, *grid.action_shape)
-        data = transitions_file(self.runner, grid).data
-        data["fate"].values[...] = made.fate.reshape(shape)
-        for number, axis in enumerate(REDUCED):
-            data[f"next_{axis}"].values[...] = made.next_apex[number].reshape(shape)
+        data = dataset_of(self.runner, self.transitions)
         over = tuple(grid.edges)
         shape = (*grid.cells, *grid.action_shape)
         levels = {

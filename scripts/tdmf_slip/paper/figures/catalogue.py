@@ -4,14 +4,14 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cache, partial
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 import numpy as np
 
 from ...analysis.attraction import Attraction, measure_all
+from ...analysis.basin_result import Basin
 from ...analysis.search import periodic_gait
 from ...analysis.stability import StabilityMap
-from ...analysis.sweeps import Row, sweep_row
+from ...analysis.sweeps import Sweep, sweep
 from ...errors import InputError
 from ...library.gait import Gait
 from ...library.runner import Runner
@@ -49,9 +49,6 @@ from . import (
     thrust,
     viability,
 )
-
-if TYPE_CHECKING:
-    import xarray
 from .columns import Columns, write_columns
 
 FORMATS = ("png", "svg", "pdf")
@@ -127,8 +124,9 @@ def _figures(measure: bool = False) -> dict[str, Figure]:
     both = [partial(stride, figure_5.FRICTION, clamp) for clamp in READINGS.values()]
 
     @cache
-    def gaits() -> Row:
-        return sweep_row(runner, FRICTION, SWEPT)
+    def gaits() -> Sweep:
+        found: Sweep = sweep(runner, {FRICTION: SWEPT})
+        return found
 
     @cache
     def measured() -> list[Attraction]:
@@ -148,11 +146,11 @@ def _figures(measure: bool = False) -> dict[str, Figure]:
     alike = cache(lambda: retraction.matched(runner))
 
     @cache
-    def gaits_of_both() -> dict[str, Row]:
-        return {"full": gaits(), "reduced": sweep_row(Runner(runner, model="reduced"), FRICTION, SWEPT)}
+    def gaits_of_both() -> dict[str, Sweep]:
+        return {"full": gaits(), "reduced": sweep(runner, {"ground.friction": SWEPT}, model="reduced")}
 
     @cache
-    def regions() -> dict[str, "xarray.Dataset"]:
+    def regions() -> dict[str, Basin]:
         return reduced.regions(runner)
 
     @cache
