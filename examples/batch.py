@@ -44,10 +44,10 @@ def main():
         runs = tdmf_slip.simulate_many(table(), strides=STRIDES, executor=executor, progress=True)
     print(f"{'damping':>8} {'friction':>9}  {'word':8} {'speed':>7} {'cost of transport':>18}")
     columns = ("leg.damping", "ground.friction", "word", "speed", "cost_of_transport")
-    for damping, friction, word, speed, cost in zip(*(runs[name] for name in columns), strict=True):
+    for damping, friction, word, speed, cost in zip(*(runs[name].values for name in columns), strict=True):
         print(f"{damping:8.2f} {friction:9.2f}  {word or '(fell)':8} {speed:7.4f} {cost:18.4f}")
     if options.output:
-        runs.to_xarray().to_netcdf(options.output)
+        runs.to_netcdf(options.output)
 
 
 if __name__ == "__main__":

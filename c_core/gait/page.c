@@ -1,12 +1,13 @@
 /* Return maps of models that are written as pages. */
 #include "tdmf_slip/page.h"
 
-#include "classic_slip.h"
 #include "section.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+
+extern const tdmf_model_kind tdmf_classic_slip_model, tdmf_reduced_runner_model;
 
 static const tdmf_model_kind *model_of(const tdmf_page *page) {
     return (const tdmf_model_kind *)page;
@@ -16,7 +17,7 @@ const tdmf_page *tdmf_page_named(const char *name) {
     static const struct {
         const char *name;
         const tdmf_model_kind *model;
-    } pages[] = {{"classic_slip", &tdmf_classic_slip_model}};
+    } pages[] = {{"classic_slip", &tdmf_classic_slip_model}, {"reduced_runner", &tdmf_reduced_runner_model}};
     for (size_t i = 0; name && i < sizeof pages / sizeof *pages; ++i) {
         if (strcmp(name, pages[i].name) == 0) {
             return (const tdmf_page *)pages[i].model;

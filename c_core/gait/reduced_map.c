@@ -3,15 +3,16 @@
 #include "tdmf_slip/reduced_map.h"
 
 #include "event_log.h"
+#include "ground_line.h"
 #include "page_fields.h"
 #include "page_run.h"
 #include "page_variation.h"
 #include "patch.h"
 #include "plain_reduced_runner_in_runner.h"
 #include "reduced_runner_in_runner.h"
-#include "reduced_stride.h"
 #include "request.h"
 #include "return_record.h"
+#include "tdmf_slip/automaton.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -110,6 +111,42 @@ static tdmf_motion motion_at(const stride *s, const double *x, int mode, double 
 
 /* ---- the start ----------------------------------------------------------------------------------------- */
 
+/* The states of a run from an apex: those of the world, with the leg at rest. `inputs` are those before. */
+static void enter(const page *page, const double *p, const double *apex, double *inputs, double *x) {
+    memcpy(x, inputs, (size_t)page->model->state_count * sizeof *x);
+    page->model->sections->enter(p, inputs, apex, x);
+}
+
+static void read_system(const page *page, tdmf_system system, double *p, double *x) {
+    const runner_parameters parameters = tdmf_page_parameters(&system.model->parameters, system.inputs);
+    runner_states inputs = states_of(page, page->model->state_defaults);
+    tdmf_write_page_inputs(system.inputs, &inputs);
+    take_parameters(page, &parameters, p);
+    take_states(page, &inputs, x);
+}
+
+void tdmf_reduced_state(tdmf_system system, const double apex[TDMF_REDUCED_COUNT],
+                        double state[TDMF_STATE_COUNT]) {
+    double p[PARAMETERS], inputs[STATES], x[STATES];
+    read_system(&whole, system, p, inputs);
+    enter(&whole, p, apex, inputs, x);
+    const runner_states world = states_of(&whole, x);
+    tdmf_write_page_state(&world, state);
+}
+
+/* Begins the motion of a stride. TDMF_RETURN_CLOSED where it has an apex. */
+static tdmf_return_outcome begin_motion(tdmf_system system, const double *apex, tdmf_motion *motion) {
+    const tdmf_ground_line ground = tdmf_ground_line_set(system.inputs);
+    memset(motion, 0, sizeof *motion);
+    tdmf_reduced_state(system, apex, motion->state);
+    if (tdmf_foot_over_ground(&ground, motion->state).y <= 0.0) {
+        return TDMF_RETURN_NO_START;
+    }
+    const bool begins =
+        tdmf_start(system, motion).variable == NULL && motion->record.progress.open.began_at_apex;
+    return begins ? TDMF_RETURN_CLOSED : TDMF_RETURN_REFUSED;
+}
+
 /* The variation by a coordinate, or along a seed. */
 static void begin_variation(stride *s, const double *start, const double *apex, const tdmf_seed *seed,
                             int coordinate) {
@@ -135,18 +172,10 @@ static void begin_variation(stride *s, const double *start, const double *apex, 
 }
 
 static void begin(stride *s, const double *apex, bool derivatives, const tdmf_seed *seeds, int count) {
-    const tdmf_model_kind *model = s->page->model;
-    const tdmf_section_kind *section = model->sections;
-    const runner_parameters p = tdmf_page_parameters(&s->system.model->parameters, s->system.inputs);
     double start[STATES];
-    s->run = tdmf_run_default(model, s->p, start, NULL);
-    take_parameters(s->page, &p, s->p);
-    runner_states inputs = states_of(s->page, start);
-    tdmf_write_page_inputs(s->system.inputs, &inputs);
-    take_states(s->page, &inputs, start);
-    memcpy(s->x, start, (size_t)model->state_count * sizeof *start);
-    section->enter(s->p, start, apex, s->x);
-    s->run.x = s->x;
+    s->run = tdmf_run_default(s->page->model, s->p, s->x, NULL);
+    read_system(s->page, s->system, s->p, start);
+    enter(s->page, s->p, apex, start, s->x);
     s->run.dp = s->dp;
     s->run.dx = s->dx;
     s->run.shift = s->shift;
@@ -288,7 +317,7 @@ static void log_events(const stride *s) {
             goes_on || (guard_of(s, row->event) != TDMF_GUARD_COUNT && s->page->modes[row->before] >= 0);
         if (is_open && !goes_on) {
             const tdmf_event event = event_at(s, i);
-            tdmf_log_event(log, &event);
+            tdmf_log_event(s->solver, &event);
         }
         if (is_open && s->page->modes[row->after] >= 0 && log->count <= TDMF_EVENT_CAPACITY) {
             log->events[log->count - 1].after = motion_at(s, after, row->after, row->time).mode;
@@ -370,7 +399,7 @@ tdmf_return tdmf_reduced_map(tdmf_solver *solver, tdmf_system system, const doub
     s.solver = solver;
     s.system = system;
     s.page = page_of(system, seeds, count);
-    result.outcome = tdmf_reduced_begin(system, apex, &s.start);
+    result.outcome = begin_motion(system, apex, &s.start);
     if (result.outcome == TDMF_RETURN_CLOSED) {
         begin(&s, apex, derivatives, seeds, count);
         result.outcome = run_stride(&s, until, &result.solver);

@@ -38,14 +38,6 @@ static void move_time(tdmf_motion *motion, double elapsed) {
     motion->time = motion->record.progress.now.time;
 }
 
-void tdmf_reduced_state(tdmf_system system, const double apex[TDMF_REDUCED_COUNT],
-                        double state[TDMF_STATE_COUNT]) {
-    const tdmf_point com = {0.0, apex[TDMF_REDUCED_COM_HEIGHT] + system.inputs->ground.height,
-                            apex[TDMF_REDUCED_COM_SPEED], 0.0};
-    memset(state, 0, TDMF_STATE_COUNT * sizeof *state);
-    write_apex(system, com, state);
-}
-
 tdmf_return_outcome tdmf_reduced_begin(tdmf_system system, const double apex[TDMF_REDUCED_COUNT],
                                        tdmf_motion *motion) {
     const tdmf_ground_line ground = tdmf_ground_line_set(system.inputs);

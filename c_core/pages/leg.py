@@ -122,7 +122,7 @@ class Leg(Model):
     def rest_length(r):
         """Rest length l: free length, extension, and epsilon, which is not negative, under thrust."""
         longer = r.thrust + r.more_thrust
-        return r.free_length + r.extension + r.thrusting * select(longer > 0, longer, 0)
+        return r.free_length + r.extension + r.thrusting * select(longer >= 0, longer, 0)
 
     @on_set("extension thrust more_thrust")
     def lengthened(r, after):

@@ -231,7 +231,7 @@ static void read_ground(const tdmf_model *model, const tdmf_motion *motion, runn
     const double begin = has_patch ? p->patch_begin : far_away, end = has_patch ? p->patch_end : far_away;
     const tdmf_zone zone = way != 0.0 ? mode->zone : tdmf_zone_towards(model, foot_x, 1.0);
     const tdmf_zone behind = way != 0.0 ? mode->zone : tdmf_zone_towards(model, foot_x, -1.0);
-    x->height = mode->ground.height;
+    x->height = 0.0;
     x->slope = mode->ground.slope;
     x->segment = zone;
     x->segment_begin = zone == TDMF_ZONE_BEFORE ? -far_away : zone == TDMF_ZONE_PATCH ? begin : end;
@@ -274,15 +274,15 @@ static bool is_at_rest(int mode) {
     return mode == MODE_flight_rest_calm || mode == MODE_flight_rest_pushed || mode == MODE_graze_rest;
 }
 
-/* Whether an apex is to come. In place it is after an impact that began while the centre of mass rose. */
+/* Whether an apex is to come. In place one is if the centre of mass rises, again or pushed. */
 static bool rises(const tdmf_model *model, const tdmf_page_point *point, const tdmf_mode *mode) {
     const runner_states *x = &point->x;
     const tdmf_ground_line *ground = &mode->ground;
-    if (mode->phase == TDMF_PHASE_RETRACT || mode->contact == TDMF_CONTACT_FLIGHT) {
-        return mode->phase == TDMF_PHASE_RETRACT || (point->above >> EVENT_apex & 1) != 0;
-    }
     const double along = x->foot_vx + model->body_share * x->vx, off = model->body_share * x->vy;
-    return x->rises_again > 0.0 && ground->sine * along + ground->cosine * off > 0.0;
+    const double rate =
+        mode->contact == TDMF_CONTACT_FLIGHT ? x->com_vy : ground->sine * along + ground->cosine * off;
+    const bool may_rise = x->rises_again > 0.0 || (point->above >> EVENT_apex & 1) != 0;
+    return mode->phase == TDMF_PHASE_RETRACT || (may_rise && rate > 0.0);
 }
 
 void tdmf_mode_of_page(tdmf_system system, const tdmf_page_point *point, int last_mode, tdmf_mode *mode) {
@@ -307,8 +307,11 @@ void tdmf_mode_of_page(tdmf_system system, const tdmf_page_point *point, int las
     mode->thrusts = x->thrusting > 0.0;
     mode->rises = !tdmf_is_loaded(mode) && rises(system.model, point, mode);
     mode->rest_length = tdmf_rest_length(system.model, &inputs, mode);
-    if (mode->ground.height != x->height || mode->ground.slope != x->slope) {
-        mode->ground = tdmf_ground_line_of(x->height, x->slope);
+    if (x->height != 0.0 || mode->ground.slope != x->slope) {
+        const bool is_set = x->height == point->p.ground_height + x->segment_height;
+        const double height =
+            is_set && x->segment_height == 0.0 ? system.inputs->ground.height : point->base + x->height;
+        mode->ground = tdmf_ground_line_of(height, x->slope);
     }
     mode->fallen = fallen;
 }
@@ -325,8 +328,10 @@ static double work_of_jump(tdmf_system system, const tdmf_motion *motion) {
 }
 
 tdmf_page_point tdmf_page_of_motion(tdmf_system system, const tdmf_inputs *rates, const tdmf_motion *motion) {
-    tdmf_page_point point = {.p = tdmf_page_parameters(&system.model->parameters, system.inputs)};
+    tdmf_page_point point = {.p = tdmf_page_parameters(&system.model->parameters, system.inputs),
+                             .base = motion->mode.ground.height};
     runner_states *x = &point.x;
+    point.p.ground_height -= point.base;
     tdmf_write_page_inputs(system.inputs, x);
     write_rates(rates, x);
     tdmf_read_page_state(motion->state, x);
@@ -335,6 +340,8 @@ tdmf_page_point tdmf_page_of_motion(tdmf_system system, const tdmf_inputs *rates
     read_ground(system.model, motion, x, &point.p);
     read_open_stride(motion, motion->mode.ground.cosine, x);
     read_record(&motion->record, x);
+    x->seen_y -= point.base;
+    x->y_then -= point.base;
     point.mode = page_mode_of(&motion->mode, x);
     point.above = (uint64_t)(x->rises_again > 0.0) << EVENT_apex;
     const tdmf_mode_kind *mode = &tdmf_runner_model.modes[point.mode];
@@ -353,6 +360,8 @@ void tdmf_motion_of_page(tdmf_system system, const tdmf_page_point *point, int l
     if (kind->to_world) {
         kind->to_world((const double *)&point->p, (const double *)&point->x, (double *)&x);
     }
+    x.seen_y += point->base;
+    x.y_then += point->base;
     tdmf_write_page_state(&x, motion->state);
     tdmf_mode_of_page(system, point, last_mode, &motion->mode);
     write_record(system.model, begin, &motion->mode, &x, &motion->record);

@@ -1,7 +1,8 @@
 /* A motion as the runner's page sees it, and back.
  *
  * The page's time begins at 0, where the motion stands, so that a run at any time of an epoch is as exact as
- * one at 0. A motion stores the world's states; the coordinates of its mode follow from them.
+ * one at 0, and its heights at the ground line. A motion stores the world's states; the coordinates of its
+ * mode follow from them.
  */
 #ifndef TDMF_RUNNER_PAGE_MOTION_H
 #define TDMF_RUNNER_PAGE_MOTION_H
@@ -18,6 +19,7 @@ typedef struct {
     runner_states x;
     int mode;          /* a MODE_ of the whole page */
     uint64_t above;    /* as in tdmf_page_run */
+    double base;       /* height of the ground line in force, from which the page counts heights */
     double time, rest; /* since the motion that was read: the sum of both */
 } tdmf_page_point;
 

@@ -5,7 +5,6 @@
 #include "run_state.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 /* The guard of an event, for the log; TDMF_GUARD_COUNT: the event is the page's own. */
@@ -74,7 +73,7 @@ void tdmf_begin_page_solver(tdmf_page_solver *s, tdmf_solver *solver, tdmf_syste
     tdmf_begin_runner_run(&s->run, point, is_plain);
     s->last_mode = point->mode;
     s->span_began = 0.0;
-    s->has_stopped = s->stays_on_guard = false;
+    s->has_stopped = s->stays_on_guard = s->has_event = false;
     tdmf_page_run *r = &s->run.run;
     r->tolerance = solver->relative_tolerance;
     r->order = tdmf_page_order(r->tolerance);
@@ -87,7 +86,7 @@ void tdmf_begin_page_solver(tdmf_page_solver *s, tdmf_solver *solver, tdmf_syste
 void tdmf_add_direction(tdmf_page_solver *s, const tdmf_page_direction *direction) {
     tdmf_page_run *r = &s->run.run;
     const int i = r->seed_count++;
-    r->observes = true;
+    r->observes = r->judges_variations = true;
     s->shift[i] = 0.0;
     tdmf_take_parameters(s->run.is_plain, (const double *)&direction->p,
                          s->dp + i * s->run.model->parameter_count);
@@ -113,25 +112,32 @@ static tdmf_motion motion_at(const tdmf_page_solver *s, const tdmf_runner_run *r
     return motion;
 }
 
+static void tell_event(tdmf_page_solver *s) {
+    if (s->has_event) {
+        tdmf_log_event(s->solver, &s->event);
+    }
+    s->has_event = false;
+}
+
 /* A chain in zero time is one event, by the name of its first, from the mode before to the mode after it.
  * What a call begins with is none. */
-static void log_event(const tdmf_page_solver *s, const tdmf_runner_run *before, const tdmf_event_row *row) {
-    tdmf_event_log *log = s->solver->log;
+static void note_event(tdmf_page_solver *s, const tdmf_runner_run *before, const tdmf_event_row *row) {
     const tdmf_guard guard = guard_of(tdmf_event_in_whole(s->run.is_plain, row->event));
     const tdmf_motion after = motion_at(s, &s->run);
-    if (s->run.run.chain > 1 && log->count > 0) {
-        if (log->count <= TDMF_EVENT_CAPACITY) {
-            log->events[log->count - 1].after = after.mode;
-        }
+    if (s->run.run.chain > 1 && s->has_event) {
+        s->event.after = after.mode;
         return;
     }
-    if (guard == TDMF_GUARD_COUNT || (s->run.run.time == 0.0 && s->run.run.time_rest == 0.0)) {
-        return;
-    }
-    const tdmf_motion at = motion_at(s, before);
-    tdmf_event event = {.time = after.time, .guard = (int)guard, .before = at.mode, .after = after.mode};
-    memcpy(event.state, at.state, sizeof event.state);
-    tdmf_log_event(log, &event);
+    tell_event(s);
+    tdmf_motion at = motion_at(s, before);
+    at.mode.rises |= guard == TDMF_GUARD_APEX; /* until then */
+    const bool has_guard = guard != TDMF_GUARD_CLAMP || at.mode.contact == TDMF_CONTACT_FLIGHT;
+    const bool is_at_start = s->run.run.time == 0.0 && s->run.run.time_rest == 0.0;
+    const tdmf_event event = {
+        .time = after.time, .guard = (int)guard, .before = at.mode, .after = after.mode};
+    s->event = event;
+    memcpy(s->event.state, at.state, sizeof event.state);
+    s->has_event = guard != TDMF_GUARD_COUNT && has_guard && !is_at_start;
 }
 
 /* ---- the run ------------------------------------------------------------------------------------------- */
@@ -146,15 +152,18 @@ typedef struct {
 static tdmf_run_outcome to_event(tdmf_page_solver *s, working_memory *w, double until) {
     tdmf_page_run *r = &s->run.run;
     const int mode = r->mode;
-    const long events = r->events;
+    const long events = r->events, steps = r->steps;
     tdmf_runner_run before;
     tdmf_event_row row;
     double x_before[TDMF_PAGE_STATE_COUNT];
     r->log = &row;
     r->log_states = x_before;
     r->log_count = 0;
-    r->log_size = s->solver->log != NULL && s->motion != NULL;
+    r->log_size = s->motion != NULL && (s->solver->log != NULL || s->solver->on_event != NULL);
     const tdmf_run_outcome outcome = tdmf_drive_to_event(w->driver, &w->state, &w->at, until);
+    if (tdmf_mode_in_whole(s->run.is_plain, mode) == MODE_slip_falling) {
+        s->solver->layer_steps += r->steps - steps;
+    }
     if (r->events == events) {
         return outcome;
     }
@@ -166,7 +175,7 @@ static tdmf_run_outcome to_event(tdmf_page_solver *s, working_memory *w, double 
         before = s->run;
         before.run.mode = mode;
         memcpy(before.x, x_before, sizeof before.x);
-        log_event(s, &before, &row);
+        note_event(s, &before, &row);
     }
     return outcome;
 }
@@ -179,6 +188,15 @@ static bool is_too_stiff(tdmf_page_solver *s) {
     return is_stiff;
 }
 
+/* The first step of flight and stick tells whether they are too stiff; slip and graze may be over before it
+ * matters. */
+static bool begins_too_stiff(const tdmf_page_solver *s, double duration) {
+    const bool lasts = s->point.mode == MODE_stick || s->point.mode == MODE_flight_place_calm ||
+                       s->point.mode == MODE_flight_retract_calm || s->point.mode == MODE_flight_rest_calm;
+    const double span = fmin(s->system.model->scales.time, duration);
+    return lasts && s->run.run.events == 0 && s->run.run.time * TDMF_STIFFNESS_LIMIT < span;
+}
+
 static void count_work(tdmf_solver *solver, const tdmf_page_run *r, long steps_before) {
     solver->steps += r->steps - steps_before;
     solver->evaluations += (r->steps - steps_before) * r->order;
@@ -186,19 +204,20 @@ static void count_work(tdmf_solver *solver, const tdmf_page_run *r, long steps_b
 
 static tdmf_run_outcome run_with(tdmf_page_solver *s, working_memory *w, double until, bool *stiff) {
     tdmf_page_run *r = &s->run.run;
-    const long last_step = r->steps + s->solver->step_limit;
+    const long first = r->steps, last_step = first + s->solver->step_limit;
     tdmf_run_outcome outcome;
     *stiff = false;
-    w->state.last_step = r->steps;
+    w->state.last_step = first + (s->solver->step_limit > 0);
     do {
-        if (r->steps >= w->state.last_step && r->steps < last_step) {
-            w->state.last_step =
-                last_step - r->steps > TDMF_STIFFNESS_LIMIT ? r->steps + TDMF_STIFFNESS_LIMIT : last_step;
-        }
         outcome = to_event(s, w, until);
-        if (outcome == TDMF_RUN_TOO_MANY_STEPS && r->steps < last_step) {
-            *stiff = is_too_stiff(s);
-            outcome = *stiff ? outcome : TDMF_RUN_GOES_ON;
+        if (outcome != TDMF_RUN_TOO_MANY_STEPS || r->steps >= last_step) {
+            continue;
+        }
+        *stiff = r->steps == first + 1 ? begins_too_stiff(s, until) : is_too_stiff(s);
+        if (!*stiff) {
+            const long span = r->steps == first + 1 ? TDMF_STIFFNESS_LIMIT - 1 : TDMF_STIFFNESS_LIMIT;
+            w->state.last_step = last_step - r->steps > span ? r->steps + span : last_step;
+            outcome = TDMF_RUN_GOES_ON;
         }
     } while (outcome == TDMF_RUN_GOES_ON);
     return outcome;
@@ -206,25 +225,20 @@ static tdmf_run_outcome run_with(tdmf_page_solver *s, working_memory *w, double 
 
 tdmf_outcome tdmf_run_page_solver(tdmf_page_solver *s, double duration, int stop_event) {
     tdmf_page_run *r = &s->run.run;
-    const tdmf_model_kind *model = s->run.model;
-    double *memory = malloc(tdmf_run_memory_size(model, r->seed_count) * sizeof *memory);
     working_memory w;
-    tdmf_run_outcome outcome = TDMF_RUN_NO_MEMORY;
     const long steps = r->steps;
     bool stiff = false;
-    if (memory) {
-        r->memory = memory;
-        r->stop_event = tdmf_event_of_whole(s->run.is_plain, stop_event);
-        r->event_limit = s->solver->event_limit;
-        w.driver = tdmf_begin_in_memory(&w.state, &w.at, model, r);
-        outcome = run_with(s, &w, duration, &stiff);
-        if (outcome == TDMF_RUN_STOPPED && r->seed_count > 0 && r->is_shifted && !s->stays_on_guard) {
-            r->stop_event = -1;
-            w.state.stops = false;
-            run_with(s, &w, r->time + r->time_rest, &stiff); /* back to a fixed time */
-        }
+    r->memory = s->memory;
+    r->stop_event = tdmf_event_of_whole(s->run.is_plain, stop_event);
+    r->event_limit = s->solver->event_limit;
+    w.driver = tdmf_begin_in_memory(&w.state, &w.at, s->run.model, r);
+    const tdmf_run_outcome outcome = run_with(s, &w, duration, &stiff);
+    if (outcome == TDMF_RUN_STOPPED && r->is_shifted && !s->stays_on_guard) {
+        r->stop_event = -1;
+        w.state.stops = false;
+        run_with(s, &w, r->time + r->time_rest, &stiff); /* back to a fixed time */
     }
-    free(memory);
+    tell_event(s);
     count_work(s->solver, r, steps);
     s->has_stopped = outcome == TDMF_RUN_STOPPED;
     return stiff ? TDMF_TOO_STIFF : outcome_of(outcome);

@@ -5,6 +5,9 @@
 #include "page_variation.h"
 #include "tdmf_slip/solver.h"
 
+/* Working memory of the largest page with all variations, which a test checks. */
+enum { TDMF_PAGE_MEMORY = 5120 };
+
 /* A run under the limits of a solver, and its variations. */
 typedef struct {
     tdmf_solver *solver;
@@ -12,14 +15,17 @@ typedef struct {
     const tdmf_motion *motion; /* for the log, or NULL */
     tdmf_page_point point;
     tdmf_runner_run run;
-    int last_mode;       /* of the whole page: where the run was before it fell */
-    double span_began;   /* in page time: steps since then are counted against TDMF_STIFFNESS_LIMIT */
+    int last_mode;     /* of the whole page: where the run was before it fell */
+    double span_began; /* in page time: steps since then are counted against TDMF_STIFFNESS_LIMIT */
+    bool has_event;
+    tdmf_event event;    /* the last, if there is one: the chain that it begins may go on */
     bool has_stopped;    /* at the event asked for */
     bool stays_on_guard; /* at that event variations are those on its guard, not those at its time */
     /* Variations of all directions, as the page that runs has them. */
     double dp[TDMF_VARIATION_LIMIT * TDMF_PAGE_PARAMETER_COUNT];
     double dx[TDMF_VARIATION_LIMIT * TDMF_PAGE_STATE_COUNT];
     double shift[TDMF_VARIATION_LIMIT];
+    double memory[TDMF_PAGE_MEMORY]; /* as tdmf_run_memory_size asks for */
 } tdmf_page_solver;
 
 /* Begins at a point, which may be one of a motion. `is_plain`: on the plain page. */

@@ -43,6 +43,7 @@ tdmf_page_direction tdmf_page_of_variation(const tdmf_page_point *point, const d
         const runner_states d_seen = d.x;
         runner_states seen = point->x;
         tdmf_read_page_state(state, &seen);
+        seen.seen_y -= point->base;
         mode->vary_from_world((const double *)&point->p, (const double *)&seen, (const double *)&d.p,
                               (const double *)&d_seen, (double *)&d.x);
         d.x.slid_from = d.x.foot_x;

@@ -118,7 +118,9 @@ def _write_if_changed(path: Path, text: str) -> None:
 FIRST = (
     "find_gait",
     "simulate",
+    "plot",
     "sweep",
+    "gait_at",
     "compare",
     "continue_branch",
     "continue_curves",

@@ -1,14 +1,11 @@
 from .analysis.basin import basin
-from .analysis.basin_result import Basin
 from .analysis.branches import Branch, continue_branch
 from .analysis.comparison import Comparison, compare
 from .analysis.curves import Curve, continue_curves
 from .analysis.first_passage import FirstPassage, strides_to_fall
-from .analysis.grid_result import GaitGrid
 from .analysis.rare_falls import RareFalls, rare_falls
 from .analysis.stride_map import stride_map
-from .analysis.strides_result import Strides
-from .analysis.sweeps import Sweep, sweep
+from .analysis.sweeps import Sweep, gait_at, sweep
 from .analysis.targeted import TargetNotMetError, find_gait
 from .errors import GaitNotFoundError, InputError, RunError, TdmfSlipError
 from .feedback.controllability import Controllability, controllability
@@ -21,7 +18,6 @@ from .fmu.batch import simulate_many
 from .fmu.fmu import Fmu, fmu_path, load_fmu
 from .fmu.profile import Profile
 from .fmu.run import Run
-from .fmu.runs_result import Runs
 from .fmu.simulation import simulate
 from .library.batch import Batch
 from .library.gait import Gait
@@ -32,6 +28,7 @@ from .optimization.optimize import optimize
 from .optimization.optimum import Optimum
 from .optimization.pareto import Front, pareto_front
 from .paper.validation import Validation, validate
+from .pictures.plot import plot
 from .proof.proof import Proof
 from .proof.prove import prove
 from .proof.prove_attraction import Attraction, prove_attraction
@@ -44,7 +41,6 @@ from .viable_sets.viability import viability
 __all__ = [
     "AffineLaw",
     "Attraction",
-    "Basin",
     "Batch",
     "BorderProof",
     "Branch",
@@ -57,7 +53,6 @@ __all__ = [
     "Fmu",
     "Front",
     "Gait",
-    "GaitGrid",
     "GaitNotFoundError",
     "InputError",
     "Optimum",
@@ -68,8 +63,6 @@ __all__ = [
     "Run",
     "RunError",
     "Runner",
-    "Runs",
-    "Strides",
     "Sweep",
     "TargetNotMetError",
     "TdmfSlipError",
@@ -87,11 +80,13 @@ __all__ = [
     "find_gait",
     "fit",
     "fmu_path",
+    "gait_at",
     "load_fmu",
     "lqr",
     "optimize",
     "pareto_front",
     "place_poles",
+    "plot",
     "prove",
     "prove_attraction",
     "prove_border",

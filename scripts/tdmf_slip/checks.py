@@ -78,8 +78,8 @@ def path_of(given: object, what: str, allowed: str) -> Path:
 def number_of(given: object, unit: str = "") -> float | None:
     """The real number that an argument is, or None. A duration is converted to seconds if the unit is s."""
     try:
-        if isinstance(given, np.ndarray) and given.ndim == 0 and not np.ma.is_masked(given):
-            given = given[()]
+        if getattr(given, "ndim", None) == 0 and not np.ma.is_masked(given):
+            given = np.asarray(given)[()]  # also of a DataArray
         if _is_duration(given):
             return _seconds(given) if unit == "s" else None
         is_real = isinstance(given, Real | Decimal) and not isinstance(given, bool)

@@ -1,13 +1,19 @@
-"""Record of a saved result: the version that computed it, the model, and all values of its runner.
+"""Results as datasets, and the record of a saved result: its version, its model and its runner's values.
 
-JSON has them as `version`, `model` and `runner`; a result from which a run can begin has `start_values`
-instead of `runner`, and a proof has its exact `parameters`. A NetCDF file has each value as an attribute.
+JSON has the record as `version`, `model` and `runner`; a result from which a run can begin has `start_values`
+instead of `runner`, and a proof has its exact `parameters`. A dataset has `version`, `model` and `runner` as
+attributes, and `result`, the kind of the result. The runner is one JSON text, because attributes of NetCDF
+files are numbers and texts.
 """
 
+import json
 from collections.abc import Mapping
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from .version import __version__
+
+if TYPE_CHECKING:
+    import xarray
 
 RUNNERS = ("runner", "start_values")
 """Entries that hold a runner's values, by the unit's names."""
@@ -26,14 +32,29 @@ def record_of(runner: Any, *varied: str) -> dict[str, Any]:
     return {**origin_of(reduced=runner.reduced), "runner": kept}
 
 
-def attributes_of(record: Mapping[str, Any]) -> dict[str, float | int | str]:
-    """The record of a plain object as NetCDF attributes. Booleans become integers: NetCDF has none."""
-    entries = {name: record[name] for name in ("version", "model") if name in record}
-    for name in RUNNERS:
-        entries |= record.get(name, {})
-    return {name: int(value) if isinstance(value, bool) else value for name, value in entries.items()}
-
-
 def without_record(plain: Mapping[str, Any]) -> dict[str, Any]:
     """A plain object without its record."""
     return {name: value for name, value in plain.items() if name not in NAMES}
+
+
+def dataset(
+    kind: str,
+    record: Mapping[str, Any],
+    variables: Mapping[str, Any],
+    coordinates: Mapping[str, Any],
+    **attributes: str | float,
+) -> "xarray.Dataset":
+    """A result as a dataset, with its kind and its record as attributes."""
+    import xarray  # slow to load
+
+    runner: dict[str, Any] = {}
+    for name in RUNNERS:
+        runner |= record.get(name, {})
+    texts = {"version": record["version"], "model": record["model"], "runner": json.dumps(runner)}
+    return xarray.Dataset(variables, coordinates, {"result": kind, **texts, **attributes})
+
+
+def runner_in(data: "xarray.Dataset") -> dict[str, Any]:
+    """Values of the runner of a dataset, without those that vary in it, by the unit's names."""
+    values: dict[str, Any] = json.loads(data.attrs.get("runner", "{}"))
+    return values

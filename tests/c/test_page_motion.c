@@ -1,7 +1,7 @@
 /* A motion on the runner's page: what is read of it is written back, and a run that is saved in the middle of
  * a stride goes on as one that is not. */
 #include "compare.h"
-#include "page_run.h"
+#include "page_solver.h"
 #include "scene.h"
 #include "tdmf_slip/tdmf_slip.h"
 
@@ -134,7 +134,13 @@ static void test_a_saved_run_goes_on_as_one_that_was_not(void **state) {
     assert_true(strides > RUNS / 2);
 }
 
+static void test_a_run_of_any_page_has_the_memory_that_it_needs(void **state) {
+    (void)state;
+    assert_true(tdmf_run_memory_size(&tdmf_runner_model, TDMF_VARIATION_LIMIT) <= TDMF_PAGE_MEMORY);
+}
+
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_a_saved_run_goes_on_as_one_that_was_not)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_a_run_of_any_page_has_the_memory_that_it_needs),
+                                       cmocka_unit_test(test_a_saved_run_goes_on_as_one_that_was_not)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -268,6 +268,7 @@ static void pages_refuse_null_and_numbers_out_of_range(void **state) {
     assert_non_null(page);
     assert_null(tdmf_page_named(NULL));
     assert_null(tdmf_page_named("no such page"));
+    assert_string_equal(tdmf_page_name(tdmf_page_named("reduced_runner"), TDMF_PAGE_SECTION, 0), "at_apex");
     assert_null(tdmf_page_name(NULL, TDMF_PAGE_STATE, 0));
     assert_null(tdmf_page_name(page, TDMF_PAGE_STATE, -1));
     assert_null(tdmf_page_name(page, TDMF_PAGE_STATE, SIZE));

@@ -21,6 +21,7 @@ import fmpy
 import numpy as np
 import pytest
 import tdmf_slip
+import xarray
 from fmpy.fmi2 import FMU2Model
 from tdmf_slip.cli.main import main
 
@@ -270,12 +271,15 @@ def command(capsys, tmp_path, monkeypatch):
 def assert_same(one, other):
     """Compares results made anew number by number; NaN equals NaN."""
     assert type(one) is type(other)
+    if isinstance(one, xarray.Dataset):
+        assert one.identical(other)
+        return
     np.testing.assert_equal(_plain(one), _plain(other))
 
 
 def _plain(result):
-    if isinstance(result, list):
-        return list(map(_plain, result))
+    if isinstance(result, list | tuple):
+        return [of.to_dict() if isinstance(of, xarray.Dataset) else _plain(of) for of in result]
     return dataclasses.asdict(result) if dataclasses.is_dataclass(result) else result
 
 

@@ -13,7 +13,7 @@ from pathlib import Path
 
 import numpy as np
 from tdmf_slip import RunError, Runner
-from tdmf_slip.analysis import spread
+from tdmf_slip.analysis import search
 from tdmf_slip.library.fixed_point import settled_gait
 
 STORED = Path(__file__).with_suffix(".json")
@@ -44,18 +44,18 @@ def drawn():
 
 def gaits_of(values):
     runner = Runner(values)
-    spread.MAX_TRIED, spread.PROMISING = 144, 36
-    spread.ITERATIONS, spread.SHORTENINGS, spread.GAIN = 24, 8, 0.97
+    search.MAX_TRIED, search.PROMISING = 144, 36
+    search.ITERATIONS, search.SHORTENINGS, search.GAIN = 24, 8, 0.97
     found = []
     with contextlib.suppress(RunError):
         found.append(settled_gait(runner))
-    box = spread.SPEEDS, spread.ANGLES, spread.LENGTHS
+    box = search.SPEEDS, search.ANGLES, search.LENGTHS
     for drawing in range(1, DRAWINGS + 1):
         if drawing == DRAWINGS:
-            spread.SPEEDS, spread.ANGLES, spread.LENGTHS = (0.01, 5.0), (-1.5, 2.5), (0.9, 1.1)
-        spread.starts_of.__defaults__ = (spread.SEED + drawing,)
-        found += spread.search_from_spread(runner, max_gaits=10**6).gaits
-    spread.SPEEDS, spread.ANGLES, spread.LENGTHS = box
+            search.SPEEDS, search.ANGLES, search.LENGTHS = (0.01, 5.0), (-1.5, 2.5), (0.9, 1.1)
+        search.starts_of.__defaults__ = (search.SEED + drawing,)
+        found += search.search_from_spread(runner, max_gaits=10**6).gaits
+    search.SPEEDS, search.ANGLES, search.LENGTHS = box
     apart = []
     for gait in found:
         forward = gait.stride["length"] > 0.0

@@ -8,10 +8,10 @@ import tdmf_slip
 from conftest import RELEASE, some_of
 from tdmf_slip import Batch, InputError, Runner, find_gait
 from tdmf_slip.analysis import ball as ball_module
+from tdmf_slip.analysis.attraction import volume
 from tdmf_slip.analysis.ball import attributes_of, ball_of, pays
 from tdmf_slip.analysis.basin import basin, basin_at
 from tdmf_slip.analysis.fates import MAX_STRIDES, fates
-from tdmf_slip.analysis.volume import volume
 from tdmf_slip.library.batch import NEAR
 from tdmf_slip.library.engine import SETTLED
 from tdmf_slip.library.laws import AffineLaw
@@ -143,9 +143,9 @@ def test_a_map_says_by_which_ball_it_knows():
     axes = {"com_height": (1.2, 1.6), "com_speed": (0.9, 1.2)}
     by_ball = basin({}, axes)
     followed = basin({}, axes, ball="none")
-    assert by_ball.attributes["ball"] == "tested" and by_ball.attributes["ball_points"] == 10_000
-    assert 0.05 < by_ball.attributes["ball_radius"] < 1.0 and 0.8 < by_ball.attributes["ball_rate"] < 1.0
-    assert followed.attributes["ball"] == "none" and "ball_radius" not in followed.attributes
+    assert by_ball.attrs["ball"] == "tested" and by_ball.attrs["ball_points"] == 10_000
+    assert 0.05 < by_ball.attrs["ball_radius"] < 1.0 and 0.8 < by_ball.attrs["ball_rate"] < 1.0
+    assert followed.attrs["ball"] == "none" and "ball_radius" not in followed.attrs
     np.testing.assert_array_equal(by_ball["fate"], followed["fate"])
     assert (by_ball["strides_until_known"] == 0).any()  # starts in the ball
     assert not (followed["strides_until_known"] == 0).any()
@@ -168,13 +168,13 @@ def test_a_proved_ball_is_inside_the_one_that_is_proved():
     values = {"com_height": [1.3, 1.5, 0.9], "com_speed": [0.2, 1.05]}
     slice_, followed = (basin_at(gait, values, ball=of) for of in (ball, "none"))
     np.testing.assert_array_equal(slice_["fate"], followed["fate"])
-    settled = followed["fate"] == SETTLED
+    settled = followed["fate"].values == SETTLED
     assert settled.sum() >= 3
-    more = (slice_["strides_until_known"] - followed["strides_until_known"])[settled]
+    more = (slice_["strides_until_known"] - followed["strides_until_known"]).values[settled]
     extents = np.linalg.norm(np.linalg.inv(ball.matrix), axis=1) / gait.runner.scales
     fewest = np.log(NEAR / extents.max()) / -np.log(gait.lambda_max)
     assert fewest > 20.0 and (more > fewest - 1.0).all()  # no runner forgets faster than by the eigenvalue
-    assert slice_.attributes["ball_radius"] == pytest.approx(ball.radius)
+    assert slice_.attrs["ball_radius"] == pytest.approx(ball.radius)
 
 
 def test_a_proved_ball_that_is_not_to_be_had_is_refused():

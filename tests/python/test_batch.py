@@ -5,7 +5,7 @@ import pickle
 import numpy as np
 import pytest
 from tdmf_slip import AffineLaw, Batch, InputError, RoughGround, Runner, find_gait
-from tdmf_slip.analysis import fates, volume
+from tdmf_slip.analysis import attraction, fates
 from tdmf_slip.library import batch, binding, engine
 
 
@@ -47,7 +47,7 @@ def populations(size):
     numbers = np.arange(size) % len(gaits)
     runners = [gaits[k].runner for k in numbers]
     near = np.array([gaits[i].apex for i in numbers]) + rng.uniform(-0.05, 0.05, (size, 6))
-    low, high = np.array(list(volume.BOX.values())).T
+    low, high = np.array(list(attraction.BOX.values())).T
     yield "near", runners, near
     yield "box", runners, rng.uniform(low, high, (size, 6))
     others = []

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from conftest import CLAMPED, some_of
 from matplotlib.backends.backend_agg import FigureCanvasAgg
-from tdmf_slip import Batch, InputError, Runner, continue_branch
+from tdmf_slip import Batch, InputError, Runner, continue_branch, plot
 from tdmf_slip.analysis.branch_problem import gaits_over
 from tdmf_slip.library.binding import c, ffi
 from tdmf_slip.library.engine import FATES
@@ -300,7 +300,7 @@ def test_the_reduced_map_is_followed_as_well(command):
 
 
 def test_lines_are_solid_where_gaits_are_stable(over_low_angle):
-    axes = over_low_angle.plot().axes[0]
+    axes = plot(over_low_angle).axes[0]
     lines = {line.get_label(): line for line in axes.get_lines()}
     assert {"stable, 1 stride", "unstable, 1 stride", "stable, 2 strides", "period doubling"} <= set(lines)
     assert lines["stable, 1 stride"].get_linestyle() == "-"
@@ -315,7 +315,7 @@ def test_lines_are_solid_where_gaits_are_stable(over_low_angle):
 
 
 def test_words_are_beside_their_lines_and_hide_nothing(over_angle):
-    figure = over_angle.plot()
+    figure = plot(over_angle)
     canvas = FigureCanvasAgg(figure)
     canvas.draw()
     axes = figure.axes[0]

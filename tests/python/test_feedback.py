@@ -333,7 +333,7 @@ def test_placed_eigenvalues_are_those_of_the_closed_loop_by_differences_through_
         assert np.abs(law.eigenvalues - value).min() < 1e-9
     moved = 1e-7 * np.vstack([np.diag(gait.runner.scales), -np.diag(gait.runner.scales)])
     run = tdmf_slip.stride_map(gait.runner, gait.apex + moved, law=law, tolerance=1e-13)
-    ends = run["next_apex"][:, 0] / gait.runner.scales
+    ends = run["next_apex"].values[:, 0] / gait.runner.scales
     found = np.linalg.eigvals((ends[:6] - ends[6:]).T / 2e-7)
     for value in wanted:
         assert np.abs(found - value).min() < 1e-4
@@ -367,7 +367,7 @@ def test_any_gait_is_held_stable_or_not():
         law = dead_beat(gait, [ANGLE, TORQUE])
         first = away(gait, 1e-6, held)
         run = tdmf_slip.stride_map(gait.runner, first, strides=law.strides + 1, law=law, tolerance=1e-13)
-        assert np.abs(deviations(law, run["next_apex"][0, -1])).max() < 2e-8
+        assert np.abs(deviations(law, run["next_apex"].values[0, -1])).max() < 2e-8
         held, unstable = held + 1, unstable + (not gait.stable)
     assert held >= 7 * DRAWN // 12 and unstable >= DRAWN // 24
 
@@ -381,7 +381,7 @@ def test_the_engine_makes_the_strides_of_a_loop_over_the_return_map(gaits):
     first = away(gait, 0.1)
     run = tdmf_slip.stride_map(gait.runner, first, strides=5, law=law, tolerance=1e-13)
     expected = strides_under(law, first, 5)
-    assert np.abs(run["next_apex"][0] - expected[1:]).max() < 1e-9
+    assert np.abs(run["next_apex"].values[0] - expected[1:]).max() < 1e-9
     assert 0.202 in run[TORQUE][0] and run[TORQUE][0].min() < 0.202
 
 
@@ -406,7 +406,7 @@ def test_noise_spreads_the_apices_as_the_lyapunov_equation_says(gaits, friction,
         seed=3,
         instructions=instruction_sets()[-1],
     )
-    found = np.cov(run["next_apex"][:, -1].T)
+    found = np.cov(run["next_apex"].values[:, -1].T)
     expected = apex_covariance(law, roughness)
     variances = np.diag(expected)
     errors = np.sqrt((np.outer(variances, variances) + expected**2) / runners)

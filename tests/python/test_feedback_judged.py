@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 import tdmf_slip
 from conftest import CLAMPED
-from tdmf_slip.analysis import robustness
+from tdmf_slip.analysis import attraction
 from tdmf_slip.errors import InputError
 from tdmf_slip.feedback import judgement
 from tdmf_slip.paper.figures import feedback, stored
@@ -24,7 +24,7 @@ def gait():
 @pytest.fixture
 def few(monkeypatch):
     """Runs that take a moment."""
-    monkeypatch.setattr(robustness, "COARSE", 50)
+    monkeypatch.setattr(attraction, "COARSE", 50)
     monkeypatch.setattr(judgement, "SAMPLES", 60)
     monkeypatch.setattr(judgement, "RUNNERS", 48)
     monkeypatch.setattr(judgement, "MAX_STRIDES", 200)
@@ -66,7 +66,7 @@ def test_a_basin_under_a_feedback_keeps_the_law(gait):
     axes = {"com_height": (height, height + 0.1), "com_speed": (speed, speed + 0.1)}
     found = tdmf_slip.basin(gait.runner, axes, 2, law=law)
     assert (found["fate"] == 0).all()
-    kept = json.loads(found.attributes["law"])
+    kept = json.loads(found.attrs["law"])
     assert kept["inputs"] == [ANGLE, TORQUE] and len(kept["eigenvalues"]) == 6
 
 

@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 import tdmf_slip
 from PIL import Image
+from tdmf_slip.analysis.sweeps import sweep_row
 from tdmf_slip.paper.figures import figure_4, figure_9
 from tdmf_slip.pictures import animation, style
 
@@ -57,7 +58,7 @@ def test_what_the_papers_text_tells_is_marked_on_the_curves_or_off_them(monkeypa
     kept = []
     monkeypatch.setattr(style, "save", lambda figure, path: kept.append(figure))
     figure_4.draw(tmp_path / "4.png")
-    gaits = tdmf_slip.sweep({}, {"ground.friction": [10.0, 1.2, 0.6, 0.5]})
+    gaits = sweep_row(tdmf_slip.Runner(), "ground.friction", [10.0, 1.2, 0.6, 0.5])
     figure_9.draw(tmp_path / "9.png", gaits, ())
     off = {}
     for axes in (axes for figure in kept for axes in figure.axes):

@@ -12,23 +12,21 @@ import pytest
 import xarray
 from conftest import CLAMPED, reference_gaits
 from tdmf_slip import Batch, InputError, RunError, Runner, find_gait
-from tdmf_slip.analysis import grid as grids
 from tdmf_slip.analysis import sweeps
 from tdmf_slip.analysis.branch_problem import gaits_over
 from tdmf_slip.analysis.branches import trace
-from tdmf_slip.analysis.grid import grid
 from tdmf_slip.analysis.search import periodic_gait
 from tdmf_slip.analysis.special_points import borders_between
-from tdmf_slip.analysis.sweeps import sweep
-from tdmf_slip.blocks import InTurn
+from tdmf_slip.analysis.sweeps import gait_at, sweep, sweep_row
 from tdmf_slip.cli.ranges import values_of
 from tdmf_slip.library.binding import c, ffi
 from tdmf_slip.library.engine import FATES
 from tdmf_slip.library.return_map import stride_from
 from tdmf_slip.library.word import LETTERS
 from tdmf_slip.paper import reference_gaits as reference
+from tdmf_slip.record import runner_in
 from tdmf_slip.variables.parameters import read_parameters
-from tdmf_slip.variables.table import FRICTION
+from tdmf_slip.variables.table import FRICTION, MODELS
 
 CLAMP = "hip.swing_clamp"
 FAST_HUMAN = Path(__file__).with_name("fast_human.toml")
@@ -51,7 +49,7 @@ def runner():
 
 @pytest.fixture(scope="module")
 def swept(runner):
-    return sweep(runner, {"ground.friction": np.geomspace(10.0, 0.05, 24)})
+    return sweep_row(runner, FRICTION, np.geomspace(10.0, 0.05, 24))
 
 
 @pytest.mark.parametrize("known", reference.gaits(), ids=lambda gait: f"{gait.word} {gait.swing_clamp}")
@@ -115,7 +113,7 @@ def test_eigenvalues_tell_how_fast_a_disturbance_dies(runner):
 def test_borders_do_not_depend_on_the_way_they_are_met(runner, swept):
     found = {(b.before, b.after): b.value for b in swept.borders}
     assert found == pytest.approx(BORDERS, abs=1e-9)
-    upwards = sweep(runner, {"ground.friction": np.linspace(0.05, 10.0, 9)})
+    upwards = sweep_row(runner, FRICTION, np.linspace(0.05, 10.0, 9))
     assert upwards.problem is None
     for border in upwards.borders:
         assert found[border.after, border.before] == pytest.approx(border.value, rel=1e-9)
@@ -149,30 +147,42 @@ def test_the_ledger_of_a_gait_closes(swept):
         assert losses == pytest.approx(gait.stride["work"], abs=1e-11)
 
 
-def test_a_grid_goes_on_where_it_was_interrupted(runner, tmp_path, monkeypatch):
-    path = tmp_path / "grid.nc"
+def test_a_grid_has_each_gait_with_its_units(runner):
     frictions, rows = np.linspace(0.5, 0.7, 3), np.linspace(0.18, 0.22, 3)
-    honest, calls = grids.gaits_of_row, []
-
-    def interrupted(*arguments):
-        calls.append(arguments)
-        if len(calls) == 2:
-            raise KeyboardInterrupt
-        return honest(*arguments)
-
-    monkeypatch.setattr(grids, "gaits_of_row", interrupted)
-    with pytest.raises(KeyboardInterrupt):
-        grid(runner, {"ground.friction": frictions, "leg.damping": rows}, path, executor=InTurn())
-    whole = grid(runner, {"ground.friction": frictions, "leg.damping": rows}, path, executor=InTurn())
-    assert len(calls) == 4  # one row was done, one interrupted, two were missing
-    assert int(whole["period"].notnull().sum()) == 9
-    on_file = xarray.load_dataset(path)
-    assert on_file["period"].attrs["units"] == "s"
-    assert on_file.attrs["leg.stiffness"] == 1.0
+    gaits, borders = sweep(runner, {"ground.friction": frictions, "leg.damping": rows})
+    assert gaits["period"].dims == ("ground.friction", "leg.damping")
+    assert int(gaits["period"].notnull().sum()) == 9 and gaits["period"].attrs["units"] == "s"
+    values = runner_in(gaits)
+    assert values["leg.stiffness"] == 1.0 and "leg.damping" not in values
     middle = find_gait(runner.replace({FRICTION: 0.6}))
-    assert float(on_file["period"][1, 1]) == pytest.approx(middle.period, rel=1e-11)
-    with pytest.raises(InputError, match="another sweep"):
-        grid(runner, {"ground.friction": frictions, "leg.damping": rows + 0.01}, path)
+    assert float(gaits["period"][1, 1]) == pytest.approx(middle.period, rel=1e-11)
+    spectrum = gaits["eigenvalue_real"][1, 1] + 1j * gaits["eigenvalue_imag"][1, 1]
+    np.testing.assert_allclose(spectrum, middle.eigenvalues, atol=1e-9)
+    again = gait_at(gaits, friction=0.6, **{"leg.damping": 0.2})
+    assert again.word == middle.word and again.runner == middle.runner
+    np.testing.assert_allclose(again.apex, middle.apex, atol=1e-11)
+    assert set(borders["before"].values) == {"+0-", "+0-+"}
+    assert set(borders["leg.damping"].values) <= {*rows}
+    for where, message in (
+        ({"friction": 0.65}, "friction = 0.65 is not in the sweep"),
+        ({"friction": 0.6}, "give a value of leg.damping, too"),
+        ({"torque": 0.2}, "hip.stance_torque does not vary; give ground.friction, leg.damping"),
+    ):
+        with pytest.raises(InputError, match=message):
+            gait_at(gaits, **where)
+
+
+def test_a_gait_has_all_quantities_as_attributes_and_as_a_dataset(runner):
+    gait = find_gait(runner)
+    assert len(gait.stride) == 29
+    data = gait.to_dataset()
+    for name, value in gait.stride.items():
+        assert getattr(gait, name) == value == data[name].item() and name in dir(gait)
+        assert data[name].attrs["units"] == MODELS["full"].quantities[name].unit
+    assert np.array_equal(data["jacobian"], gait.jacobian) and data.attrs["result"] == "gait"
+    with pytest.raises(AttributeError, match="a gait has no 'sped'; near matches: speed"):
+        _ = gait.sped
+    assert pickle.loads(pickle.dumps(gait)).speed == gait.speed
 
 
 def test_the_search_begins_at_an_apex_whatever_the_masses(runner):
@@ -212,13 +222,9 @@ def test_a_runner_keeps_its_tolerance_wherever_it_is_sent(runner):
         Runner(runner, tolerance=0.0)
 
 
-def test_a_grid_keeps_the_gaits_before_its_branch_was_lost(runner, tmp_path):
+def test_a_grid_keeps_the_gaits_before_its_branch_was_lost(runner):
     frictions = np.linspace(0.6, 0.02, 4)
-    found = grid(
-        runner,
-        {"ground.friction": frictions, "hip.touchdown_angle": [1.0]},
-        tmp_path / "l.nc",
-    )
+    found = sweep(runner, {"hip.touchdown_angle": [1.0], "ground.friction": frictions}).gaits
     known = np.isfinite(found["period"].values[0]).tolist()
     assert known == [True, True, False, False] and str(found["problem"].values[0])
     assert found["word"].values[0].tolist()[2:] == ["", ""]
@@ -235,21 +241,16 @@ def test_a_border_that_is_not_located_loses_no_gait(runner, monkeypatch):
         raise RunError("not located")
 
     monkeypatch.setattr(sweeps, "borders_between", none)
-    found = sweep(runner, {"ground.friction": [0.6, 0.45]})
+    found = sweep_row(runner, FRICTION, [0.6, 0.45])
     assert len(found.gaits) == 2 and found.problem == "not located"
 
 
-def test_a_grid_over_a_mass(runner, tmp_path):
+def test_a_grid_over_a_mass(runner):
     """A row whose start values are refused has its reason, and the others are done."""
-    found = grid(runner, {"ground.friction": [0.6], "foot.mass": [0.1, 0.2]}, tmp_path / "mass.nc")
+    found = sweep(runner, {"ground.friction": [0.6], "foot.mass": [0.1, 0.2]}).gaits
     assert not found["period"].isnull().any()
-    found = grid(
-        runner,
-        {"ground.friction": [0.6], "leg.length": [0.04, runner["leg.length"]]},
-        tmp_path / "y.nc",
-    )
+    found = sweep(runner, {"ground.friction": [0.6], "leg.length": [0.04, runner["leg.length"]]}).gaits
     assert "leg.length = 0.04" in str(found["problem"].values[0]) and found["problem"].values[1] == ""
-    assert list(found["done"].values) == [1, 1]
 
 
 def test_what_was_not_asked_for_is_absent(runner):
@@ -310,7 +311,7 @@ def test_what_cannot_be_found_is_said(runner):
 def test_borders_do_not_depend_on_how_far_away_the_gaits_are(runner, ends):
     """Only digits beyond those written here may differ."""
     known = sorted(BORDERS.values())
-    borders = [border.value for border in sweep(runner, {"ground.friction": ends}).borders]
+    borders = sweep(runner, {"ground.friction": ends}).borders[FRICTION].values
     expected = [value for value in known if ends[0] < value < ends[1]]
     assert borders == pytest.approx(expected, rel=0.0, abs=1e-9)
 
@@ -474,7 +475,7 @@ def test_a_sweep_from_where_there_is_no_gait_finds_the_others(command):
 def test_a_sweep_goes_on_beyond_a_gap():
     """At human scale; between gaits of different words, but of no common branch, there is no border."""
     runner = Runner(read_parameters(FAST_HUMAN))
-    found = sweep(runner, {"ground.friction": [0.6, 0.3, 0.405]})
+    found = sweep_row(runner, FRICTION, [0.6, 0.3, 0.405])
     assert [gait and gait.word for gait in found.by_value] == ["+0+", None, "+0-0+"]
     assert "friction 0.3" in found.problem
     assert found.borders == ()

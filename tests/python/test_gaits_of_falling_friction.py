@@ -71,9 +71,9 @@ def test_the_unstable_gait_parts_runners_that_settle_from_runners_that_run_away(
     away = vectors[:, np.argmax(np.abs(values))].real
     away *= 0.01 * np.sign(away[1])
     run = tdmf_slip.stride_map(downhill, [fast.apex - away, fast.apex + away], strides=1500)
-    speed = run["next_apex"][:, :, 1]
+    speed = run["next_apex"].values[:, :, 1]
     assert np.all(np.diff(speed[1]) > 0.0) and speed[1, -1] > 1.6
-    assert run["next_apex"][0, -1] == pytest.approx(slow.apex, abs=1e-7)
+    assert run["next_apex"].values[0, -1] == pytest.approx(slow.apex, abs=1e-7)
     growth = (speed[1, 50] - fast.apex[1]) / (speed[1, 0] - fast.apex[1])
     assert growth == pytest.approx(fast.lambda_max**50, rel=0.02)
 
@@ -88,6 +88,6 @@ def test_below_the_fold_no_gait_is_left_and_the_runner_runs_away(data, downhill)
         {**near, "ground.stribeck_velocity": np.array([0.8, 1.2]) * fold},
         gait.apex,
         strides=2000,
-    )["next_apex"][:, :, 1]
+    )["next_apex"].values[:, :, 1]
     assert ends[1, -1] == pytest.approx(gait.apex[1], abs=1e-8)
     assert ends[0, -1] > 1.1 * gait.apex[1] and np.all(np.diff(ends[0, -100:]) > 0.0)

@@ -56,17 +56,17 @@ SAME = {
         pandas.Series(["contact.fx", "foot.x"]),
     ),
     "batch": (
-        lambda given, gait: batch.simulate_many(given, strides=1)["period"],
+        lambda given, gait: batch.simulate_many(given, strides=1)["period"].values,
         [GIVEN, {FRICTION: 0.5, DAMPING: 0.2}],
         pandas.DataFrame({FRICTION: [0.6, 0.5], DAMPING: [0.19, 0.2]}),
     ),
     "batch of Series": (
-        lambda given, gait: batch.simulate_many(given, strides=1)["period"],
+        lambda given, gait: batch.simulate_many(given, strides=1)["period"].values,
         [GIVEN],
         [SERIES],
     ),
     "sweep": (
-        lambda given, gait: [gait.apex for gait in tdmf_slip.sweep({}, {"ground.friction": given}).gaits],
+        lambda given, gait: tdmf_slip.sweep({}, {"ground.friction": given}).gaits["apex_com_speed"].values,
         [0.5, 0.6],
         pandas.Series([0.5, 0.6]),
     ),

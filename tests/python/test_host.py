@@ -103,7 +103,7 @@ try:
 except tdmf_slip.TdmfSlipError:
     pass""",
     "sweep": "tdmf_slip.sweep(None, {'friction': [0.5, 0.6]})",
-    "a grid": "tdmf_slip.sweep(None, {'friction': [0.5, 0.6], 'damping': [0.2, 0.21]}).to_xarray()",
+    "a grid": "tdmf_slip.sweep(None, {'friction': [0.5, 0.6], 'damping': [0.2, 0.21]})",
     "continue_branch": "tdmf_slip.continue_branch(None, {'friction': (0.6, 0.55)}, switch=False)",
     "stride_map": "tdmf_slip.stride_map(None, gait.apex, strides=3, law=lambda at, *number: {'torque': 0.2})",
     "basin": f"tdmf_slip.basin(None, {AXES}, n=2, progress=True)",
@@ -113,8 +113,8 @@ except tdmf_slip.TdmfSlipError:
     "simulate": "run = tdmf_slip.simulate(strides=1)",
     "inputs": "tdmf_slip.simulate(inputs={'hip.external_torque': ([0, 9], [0.0, 0.01])}, stop_time=9)",
     "simulate_many": "tdmf_slip.simulate_many([{}, {}], strides=1)",
-    "plot": "gait.plot(); run.plot()",
-    "a file": "run.to_xarray().to_netcdf('run.nc')",
+    "plot": "gait.plot(); tdmf_slip.plot(run)",
+    "a file": "run.to_dataset().to_netcdf('run.nc')",
 }
 
 

@@ -11,10 +11,8 @@ PAGES = ROOT / "c_core/equations"
 GROUND = {
     "blocks",
     "checks",
-    "drawable",
     "errors",
     "given",
-    "labelled",
     "record",
     "uninterrupted",
     "version",

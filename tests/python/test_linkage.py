@@ -3,8 +3,7 @@
 import numpy as np
 import pytest
 from tdmf_slip import Runner, find_gait
-from tdmf_slip.analysis.linkage import linked
-from tdmf_slip.analysis.settled import evenly, settled_gaits
+from tdmf_slip.analysis.settled import evenly, linked, settled_gaits
 from tdmf_slip.library.fixed_point import gait_near
 from tdmf_slip.library.scales import scale_of
 

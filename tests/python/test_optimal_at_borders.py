@@ -8,11 +8,9 @@ from tdmf_slip import find_gait, optimize, sweep
 from tdmf_slip.errors import RunError
 from tdmf_slip.library.quantities import QUANTITIES
 from tdmf_slip.optimization.border import between
-from tdmf_slip.optimization.gaits import Candidate, Gaits
+from tdmf_slip.optimization.gaits import Candidate, Gaits, Space, Spectrum
+from tdmf_slip.optimization.optimizer import Search
 from tdmf_slip.optimization.problem import Goal, Problem
-from tdmf_slip.optimization.search import Search
-from tdmf_slip.optimization.space import Space
-from tdmf_slip.optimization.spectrum import Spectrum
 
 QUANTITY, SUM = "speed", "length"
 """The names under which the functions below are asked for."""
@@ -137,8 +135,8 @@ def test_gradients_are_the_same_on_both_sides_of_borders_between_words(friction,
     assert (border.short.gait.word, border.beyond.gait.word) == words
     assert border.is_smooth
     assert border.beyond.slopes == pytest.approx(border.short.slopes, rel=1e-5, abs=1e-6)
-    row = sweep({}, {"ground.friction": [0.99 * friction, 1.01 * friction]})
-    assert space.values(border.short.at)["ground.friction"] == pytest.approx(row.borders[0].value, rel=1e-8)
+    borders = sweep({}, {"ground.friction": [0.99 * friction, 1.01 * friction]}).borders["ground.friction"]
+    assert space.values(border.short.at)["ground.friction"] == pytest.approx(borders.item(), rel=1e-8)
 
 
 def test_the_cheapest_runner_on_slippery_ground_is_at_a_border():

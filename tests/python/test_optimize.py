@@ -9,9 +9,7 @@ from tdmf_slip import InputError, TargetNotMetError, find_gait, optimize, sweep
 from tdmf_slip.library.fixed_point import gait_near
 from tdmf_slip.library.quantities import known_quantities
 from tdmf_slip.library.strides import strides_from
-from tdmf_slip.optimization.gaits import Gaits
-from tdmf_slip.optimization.space import Space
-from tdmf_slip.optimization.spectrum import MINIMUM, spectrum_of
+from tdmf_slip.optimization.gaits import MINIMUM, Gaits, Space, spectrum_of
 from tdmf_slip.variables.parameters import read_parameters
 
 STIFF = {"leg.stiffness": 2.0, "ground.friction": 0.6}
@@ -75,11 +73,11 @@ def test_an_optimum_over_one_parameter_is_that_of_a_fine_grid(sign):
     over, setting = ("ground.friction", {}) if sign < 0 else (ANGLE, SLIPPING)
     low, high = (0.45, 0.55) if sign < 0 else (0.7, 0.82)
     best = optimize(setting, {over: (low, high)}, starts=1, **{asked: quantity})
-    grid = sweep(setting, {over: np.linspace(low, high, 41)})
-    values = np.array([gait.stride[quantity] for gait in grid.gaits])
+    grid = sweep(setting, {over: np.linspace(low, high, 41)}).gaits
+    values = grid[quantity].values
     index = np.argmin(sign * values)
     assert len(values) == 41 and 0 < index < 40
-    assert best.parameters[over] == pytest.approx(grid.values[index], abs=(high - low) / 40)
+    assert best.parameters[over] == pytest.approx(grid[over].values[index], abs=(high - low) / 40)
     assert 0.0 <= sign * (values[index] - best.value) < 1e-3 * best.value
     assert best.why == "" and max(best.remaining_improvement.values()) <= 1e-4
 
@@ -93,9 +91,7 @@ def test_an_optimum_over_two_parameters_is_that_of_a_fine_grid():
     smallest = []
     for angle in best.parameters[ANGLE] + np.linspace(-0.05, 0.05, 11):
         row = sweep({**SLIPPING, ANGLE: angle}, {TORQUE: best.parameters[TORQUE] * np.linspace(0.9, 1.1, 9)})
-        speeds, costs = (
-            np.array([gait.stride[name] for gait in row.gaits]) for name in ("speed", "cost_of_transport")
-        )
+        speeds, costs = (row.gaits[name].values for name in ("speed", "cost_of_transport"))
         assert speeds[0] < 0.9 < speeds[-1]
         smallest.append(np.interp(0.9, speeds, costs))
     assert np.argmin(smallest) == 5
@@ -106,7 +102,7 @@ def test_an_optimum_at_a_bound_says_so():
     best = optimize(STICKING, {ANGLE: (0.5, 0.9)}, minimize="cost_of_transport", starts=1)
     assert best.active_bounds == {ANGLE: "upper"}
     assert best.parameters[ANGLE] == 0.9 and best.why == ""
-    costs = [gait.stride["cost_of_transport"] for gait in sweep(STICKING, {ANGLE: [0.88, 0.9]}).gaits]
+    costs = sweep(STICKING, {ANGLE: [0.88, 0.9]}).gaits["cost_of_transport"].values
     assert best.value == pytest.approx(costs[1], rel=1e-9) and costs[1] < costs[0]
 
 

@@ -30,7 +30,7 @@ def test_a_gait_says_its_units_and_keeps_its_values():
     assert f"period {paper.period:.6g} sqrt(m/k), speed {paper.speed:.6g} l0 sqrt(k/m)" in repr(paper)
     assert f"period {human.period:.6g} s, speed {human.speed:.6g} m/s" in repr(human)
     assert paper.period == paper.stride["period"] == paper.as_json()["period"]
-    assert tdmf_slip.sweep(None, {"friction": [0.5, 0.6]}).to_xarray()["speed"].attrs["units"] == "m/s"
+    assert tdmf_slip.sweep(None, {"friction": [0.5, 0.6]}).gaits["speed"].attrs["units"] == "m/s"
 
 
 @pytest.mark.parametrize(
@@ -62,7 +62,7 @@ def test_the_command_labels_by_the_runner(command, arguments):
 )
 def test_pictures_label_by_the_runner(result):
     for runner, wanted, other in ((None, "l₀", "m/s"), ("human", "m/s", "l₀√")):
-        figure = result(runner).plot()
+        figure = tdmf_slip.plot(result(runner))
         texts = [text.get_text() for text in figure.findobj(plt.Text)]
         assert other not in " ".join(texts), runner
         assert any(wanted in text for text in texts), texts

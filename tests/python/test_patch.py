@@ -42,9 +42,9 @@ def test_the_engine_makes_each_stride(run_over, by):
     made = tdmf_slip.stride_map(
         moved(run_over, by), run_over["apex"], strides=len(run_over["words"]), foot_x=by, tolerance=1e-13
     )
-    assert made["word"][0].tolist() == run_over["words"]
-    assert made["next_apex"][0, -1] == pytest.approx(run_over["end"]["apex"], rel=1e-8, abs=1e-8)
-    assert made["foot.x"][0, -1] == pytest.approx(run_over["end"]["foot.x"] + by, rel=1e-9)
+    assert made["word"].values[0].tolist() == run_over["words"]
+    assert made["next_apex"].values[0, -1] == pytest.approx(run_over["end"]["apex"], rel=1e-8, abs=1e-8)
+    assert made["foot.x"].values[0, -1] == pytest.approx(run_over["end"]["foot.x"] + by, rel=1e-9)
 
 
 each_closed_run = pytest.mark.parametrize(
@@ -94,10 +94,10 @@ def test_a_patch_of_no_length_changes_no_bit(friction):
     as_ever = tdmf_slip.stride_map(runner, apex, strides=2)
     nothing = {"ground.patch_begin": 12.5, "ground.patch_end": 12.5, "ground.patch_friction": 0.01}
     with_it = tdmf_slip.stride_map(runner | nothing, apex, strides=2)
-    compared = [name for name in as_ever if as_ever[name].dtype.kind == "f"]
+    compared = [name for name in as_ever.data_vars if as_ever[name].dtype.kind == "f"]
     assert len(compared) > 15
     for name in compared:
-        assert with_it[name].tobytes() == as_ever[name].tobytes(), name
+        assert with_it[name].values.tobytes() == as_ever[name].values.tobytes(), name
 
 
 def test_where_a_foot_lands_decides():
@@ -105,9 +105,9 @@ def test_where_a_foot_lands_decides():
     (first,) = (run for run in RUNS if run["name"] == "P1")
     positions = np.array([0.0, -30.0, 30.0])
     made = tdmf_slip.stride_map(first["start_values"], first["apex"], foot_x=positions)
-    over, before, behind = made["next_apex"][:, 0]
+    over, before, behind = made["next_apex"].values[:, 0]
     assert before == pytest.approx(behind, rel=1e-9) and abs(over - before).max() > 0.01
-    length = made["foot.x"][:, 0] - positions
+    length = made["foot.x"].values[:, 0] - positions
     assert length[1] == pytest.approx(length[2], rel=1e-9) and abs(length[0] - length[1]) > 0.1
 
 
@@ -174,7 +174,7 @@ def test_strides_to_fall_begins_on_the_gait_without_the_patch_at_any_phase():
     assert found.word == gait.word and found.falls > 0
     positions = 100.0 - np.random.default_rng(3).uniform(1.0, 2.0, 40) * gait.stride["length"]
     run = tdmf_slip.stride_map(DOWNHILL, gait.apex, strides=120, foot_x=positions)
-    fell = (run["fate"] == 1).any(axis=1)
+    fell = (run["fate"].values == 1).any(axis=1)
     assert found.falls == np.count_nonzero(fell)
     given = tdmf_slip.strides_to_fall(DOWNHILL, 0.0, runners=40, max_strides=120, foot_x=positions)
     assert (given.falls, given.strides) == (found.falls, found.strides)

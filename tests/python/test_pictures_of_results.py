@@ -1,5 +1,6 @@
 """Every result draws itself: what its axes name, and that the marks are its numbers."""
 
+import importlib
 import io
 import json
 import math
@@ -11,12 +12,10 @@ import tdmf_slip
 from matplotlib.collections import PolyCollection
 from tdmf_slip import Runner
 from tdmf_slip.analysis.first_passage import FirstPassage
-from tdmf_slip.analysis.rare_falls import RareFalls
-from tdmf_slip.analysis.splitting import RareEvent
-from tdmf_slip.drawable import Drawable
+from tdmf_slip.analysis.rare_falls import RareEvent, RareFalls
 from tdmf_slip.paper.reference_gaits import Drift
 from tdmf_slip.pictures import style
-from tdmf_slip.pictures.plot import BY_NAME, PICTURES
+from tdmf_slip.pictures.plot import PICTURES
 
 ANGLE, TORQUE, FRICTION = "hip.touchdown_angle", "hip.stance_torque", "ground.friction"
 
@@ -39,34 +38,38 @@ def legend(figure):
     return [text.get_text() for one in figure.legends for text in one.get_texts()]
 
 
-def kinds(of=Drawable):
-    for kind in of.__subclasses__():
-        yield kind
-        yield from kinds(kind)
+def test_every_picture_is_of_a_kind_that_there_is_and_has_a_function():
+    for kind, name in PICTURES.items():
+        module, _, function = name.rpartition(".")
+        home = "tdmf_slip" if module.startswith(".") else "tdmf_slip.pictures."
+        assert callable(getattr(importlib.import_module(home + module), function))
+        assert kind.islower() or hasattr(tdmf_slip, kind)
 
 
-def test_every_kind_of_result_has_a_picture():
-    for name in tdmf_slip.__all__:
-        getattr(tdmf_slip, name)  # loads the modules of all results
-    names = {kind.__name__ for kind in kinds()}
-    assert len(names) >= 18
-    drawn = {*BY_NAME, *(kind.__name__ for kind in PICTURES.registry)}
-    # A validation draws itself, for pictures know nothing of the paper; of arrays their kinds are drawn.
-    assert names - drawn == {"Validation", "LabelledArrays"}
+def test_a_dataset_that_lost_what_it_is_is_refused(gait):
+    made = tdmf_slip.stride_map(gait, gait.apex)
+    with pytest.raises(tdmf_slip.InputError, match="attribute `result` is None; it has to be one of basin"):
+        tdmf_slip.plot(made.drop_attrs())
+    with pytest.raises(tdmf_slip.InputError, match="int has no picture"):
+        tdmf_slip.plot(3)
+    cube = tdmf_slip.sweep(None, {"friction": [0.6], "damping": [0.2], "torque": [0.2]}).gaits
+    with pytest.raises(tdmf_slip.InputError, match="a sweep over 3 names"):
+        tdmf_slip.plot(cube)
+    assert tdmf_slip.plot(cube.isel({"hip.stance_torque": 0})).axes
 
 
 def test_a_basin_shows_strides_until_the_fate_and_the_gait(gait):
     height, speed = gait.apex[:2]
     axes = {"com_height": (height, height + 2.0), "com_speed": (speed, speed + 1.0)}
     found = tdmf_slip.basin(gait, axes, n=9)
-    drawn = found.plot().axes[0]
+    drawn = tdmf_slip.plot(found).axes[0]
     assert drawn.get_title(loc="left").endswith(f"{found.settled_share:.1%} of 81 starts settle")
     shown = [mesh.get_array() for mesh in drawn.collections if mesh.get_array() is not None]
     strides = np.ma.masked_all((9, 9))
     for part in shown:
         strides[~part.mask.reshape(9, 9)] = part.reshape(9, 9)[~part.mask.reshape(9, 9)]
     known = ~strides.mask
-    assert known.any() and np.array_equal(strides[known], found["strides_until_known"][known])
+    assert known.any() and np.array_equal(strides[known], found["strides_until_known"].values[known])
     (cross,) = [one for one in drawn.lines if one.get_label() == "gait"]
     assert (cross.get_xdata()[0], cross.get_ydata()[0]) == (speed, height)
 
@@ -74,7 +77,7 @@ def test_a_basin_shows_strides_until_the_fate_and_the_gait(gait):
 def test_strides_show_their_apices_and_end_where_runners_fall(gait):
     low = gait.apex * [0.75, 1.0, 1.0, 1.0, 1.0, 1.0]
     made = tdmf_slip.stride_map(gait, [gait.apex, low], strides=4, inputs={ANGLE: [[0.698] * 4, [-0.5] * 4]})
-    heights, speeds = made.plot().axes
+    heights, speeds = tdmf_slip.plot(made).axes
     assert labels(speeds) == ("strides", "speed of the centre of mass (l₀√(k/m))")
     for number in (0, 1):
         for axes, coordinate in ((heights, 0), (speeds, 1)):
@@ -82,31 +85,31 @@ def test_strides_show_their_apices_and_end_where_runners_fall(gait):
             np.testing.assert_array_equal(axes.lines[number].get_ydata(), apices)
     assert np.isnan(heights.lines[1].get_ydata()).any() and not np.isnan(heights.lines[0].get_ydata()).any()
     many = tdmf_slip.stride_map(gait, gait.apex + 1e-3 * np.arange(30)[:, None] * np.eye(6)[0], strides=2)
-    _, median = line(many.plot().axes[0], "median of those that are up")
+    _, median = line(tdmf_slip.plot(many).axes[0], "median of those that are up")
     assert median[1] == np.median(many["next_apex"][:, 0, 0])
 
 
 def test_runs_show_their_last_strides_over_what_is_varied():
     runs = tdmf_slip.simulate_many([{FRICTION: 0.6}, {FRICTION: 1.2}], strides=2)
-    speeds, costs = runs.plot().axes
+    speeds, costs = tdmf_slip.plot(runs).axes
     assert costs.get_xlabel() == FRICTION and speeds.get_ylabel() == "speed (l₀√(k/m))"
     frictions, drawn = line(speeds, "ran")
     assert frictions.tolist() == [0.6, 1.2] and np.array_equal(drawn, runs["speed"])
 
 
 def test_a_grid_of_gaits_shows_speeds_and_words():
-    grid = tdmf_slip.sweep({}, {"leg.damping": [0.2, 0.21], FRICTION: [0.7, 0.43]})
-    speeds, words, _ = grid.plot().axes
+    grid = tdmf_slip.sweep({}, {"leg.damping": [0.2, 0.21], FRICTION: [0.7, 0.43]}).gaits
+    speeds, words, _ = tdmf_slip.plot(grid).axes
     assert labels(speeds) == (FRICTION, "leg.damping (√(k m))")
     assert np.array_equal(speeds.collections[0].get_array().reshape(2, 2), grid["speed"])
     (legend_,) = [words.get_legend()]
     texts = [text.get_text() for text in legend_.get_texts()]
-    assert texts == [style.word(word) for word in grid.words] and len(texts) == 2
+    assert texts == [style.word(word) for word in np.unique(grid["word"])] and len(texts) == 2
 
 
 def test_controllability_shows_modes_beside_the_unit_circle(gait):
     found = tdmf_slip.controllability(gait, [ANGLE, TORQUE])
-    figure = found.plot()
+    figure = tdmf_slip.plot(found)
     left, right = figure.axes
     assert labels(left) == ("real part of the eigenvalue", "imaginary part of the eigenvalue")
     x, y = line(left, "can be moved")
@@ -120,7 +123,7 @@ def test_controllability_shows_modes_beside_the_unit_circle(gait):
 
 def test_a_feedback_shows_eigenvalues_with_and_without_it(gait):
     law = tdmf_slip.dead_beat(gait, [ANGLE, TORQUE])
-    figure = law.plot()
+    figure = tdmf_slip.plot(law)
     left, right = figure.axes
     x, y = line(left, "without")
     assert np.array_equal(x + 1j * y, gait.eigenvalues)
@@ -131,7 +134,7 @@ def test_a_feedback_shows_eigenvalues_with_and_without_it(gait):
 
 def test_an_optimum_shows_what_it_changed(gait):
     found = tdmf_slip.optimize(gait, {TORQUE: (0.19, 0.21)}, maximize="speed", starts=1)
-    upper, lower = found.plot().axes
+    upper, lower = tdmf_slip.plot(found).axes
     assert upper.get_xlabel() == "change from the runner that was given (%)"
     names = [text.get_text() for text in upper.get_yticklabels()]
     width = upper.patches[names.index("speed")].get_width()
@@ -144,7 +147,7 @@ def test_an_optimum_shows_what_it_changed(gait):
 
 def test_a_comparison_has_no_bar_where_a_quantity_is_held():
     found = tdmf_slip.compare([{FRICTION: 0.6}, {FRICTION: 0.7}], hold=["speed"], vary=[TORQUE])
-    (axes,) = found.plot().axes
+    (axes,) = tdmf_slip.plot(found).axes
     names = [text.get_text() for text in axes.get_yticklabels()]
     widths = dict(zip(names, (bar.get_width() for bar in axes.patches), strict=True))
     assert abs(widths["speed"]) < 1e-5 and abs(widths["slip distance"]) > 0.1
@@ -155,7 +158,7 @@ def test_a_front_shows_one_objective_over_the_other():
     front = tdmf_slip.pareto_front(
         {}, {TORQUE: (0.15, 0.25)}, minimize=["cost_of_transport"], maximize=["speed"], points=2, starts=1
     )
-    (axes,) = front.plot().axes
+    (axes,) = tdmf_slip.plot(front).axes
     assert labels(axes) == ("cost of transport", "speed (l₀√(k/m))")
     speeds = [best.gait.speed for best in front.optima]
     assert np.allclose(axes.lines[0].get_ydata(), speeds, rtol=1e-12)
@@ -163,7 +166,7 @@ def test_a_front_shows_one_objective_over_the_other():
 
 def test_strides_to_fall_show_who_is_still_up():
     found = FirstPassage(Runner(), "+0+", 0.02, runners=100, falls=80, strides=1600)
-    figure = found.plot()
+    figure = tdmf_slip.plot(found)
     (axes,) = figure.axes
     assert labels(axes) == ("strides begun", "probability of not having fallen")
     strides, still_up = line(axes, "mean 20 strides until the fall")
@@ -179,7 +182,7 @@ def test_rare_falls_are_drawn_also_where_the_interval_is_open():
     rates = np.array([0.0, 0.0, 3e-6])
     found = RareFalls(Runner(), "+0+", 0.01, RareEvent(rates, 3, 1000))
     assert math.isinf(found.interval[1])
-    (axes,) = found.plot().axes
+    (axes,) = tdmf_slip.plot(found).axes
     strides, still_up = line(axes, "mean 1e+06 strides until the fall")
     assert np.allclose(still_up, np.exp(-1e-6 * strides), rtol=1e-4)
 
@@ -187,7 +190,7 @@ def test_rare_falls_are_drawn_also_where_the_interval_is_open():
 def test_a_curve_lies_over_its_two_parameters():
     points = np.array([[0.5, 0.1], [0.6, 0.2], [0.7, 0.25]])
     curve = tdmf_slip.Curve(Runner(), "fold", (FRICTION, "leg.damping"), points, "edge", "edge")
-    (axes,) = curve.plot().axes
+    (axes,) = tdmf_slip.plot(curve).axes
     assert labels(axes) == (FRICTION, "leg.damping (√(k m))")
     assert np.array_equal(np.transpose(axes.lines[0].get_data()), points)
 
@@ -195,7 +198,7 @@ def test_a_curve_lies_over_its_two_parameters():
 def test_a_proved_gait_shows_its_eigenvalues_and_enclosures():
     pytest.importorskip("flint")
     proof = tdmf_slip.prove({FRICTION: 0.6})
-    left, right = proof.plot().axes
+    left, right = tdmf_slip.plot(proof).axes
     x, _ = line(left, style.word(proof.word))
     assert np.max(np.abs(x)) < 1.0 and len(x) == 6
     names = [text.get_text() for text in right.get_yticklabels()]
@@ -208,11 +211,11 @@ def test_a_proved_attraction_bounds_the_distance_stride_by_stride():
     from tdmf_slip.proof.prove_attraction import Attraction
 
     proof = Attraction(proved=True, values={}, radius=1e-3, rate=0.5, norm_radius=2e-3)
-    (axes,) = proof.plot().axes
+    (axes,) = tdmf_slip.plot(proof).axes
     strides, bound = axes.lines[0].get_data()
     assert np.allclose(bound, 2e-3 * 0.5**strides) and axes.get_xlabel() == "strides"
     with pytest.raises(tdmf_slip.InputError, match="nothing is proved, the word"):
-        Attraction(proved=False, values={}, undecided="the word").plot()
+        tdmf_slip.plot(Attraction(proved=False, values={}, undecided="the word"))
 
 
 def test_a_validation_shows_each_value_beside_what_is_allowed():
@@ -223,7 +226,7 @@ def test_a_validation_shows_each_value_beside_what_is_allowed():
         Drift(math.nan, "fold", 1.0, 1.0, 1e-9, 1e-6),
     ]
     plt.close("all")
-    figure = tdmf_slip.Validation({}, [], drifts).plot()
+    figure = tdmf_slip.plot(tdmf_slip.Validation({}, [], drifts))
     assert not plt.get_fignums()  # else a notebook shows it twice
     (axes,) = figure.axes
     assert sorted(line(axes, "as recorded: 3 values")[0]) == pytest.approx([1e-6, 1e-6, 1e-3])

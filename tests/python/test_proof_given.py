@@ -40,7 +40,7 @@ def test_a_preset_and_a_gait_are_proved_as_any_runner():
     human = gait_of("human")[0]
     assert human.runner == tdmf_slip.Runner("human")
     gait = tdmf_slip.find_gait({"ground.friction": 0.25})
-    border = tdmf_slip.sweep({}, {"ground.friction": [0.3, 0.25]}).borders[0]
+    border = tdmf_slip.sweep({}, {"ground.friction": [0.3, 0.25]}).borders["ground.friction"][0]
     assert tdmf_slip.prove_border(border, gait, digits=5, sides=False).proved
 
 

@@ -98,7 +98,7 @@ def test_the_printed_torque_takes_energy_out(reading, evidence):
     made = stride_map(
         gait.runner.replace({"hip.stance_torque": -gait.runner["hip.stance_torque"]}), [gait.apex]
     )
-    assert made["hip_work"][0, 0] < 0.0 < gait.stride["hip_work"]
+    assert made["hip_work"].values[0, 0] < 0.0 < gait.stride["hip_work"]
 
 
 def test_a_statement_says_the_same_in_both_columns_where_there_is_no_swing(claims):

@@ -148,6 +148,6 @@ def test_the_reduced_map_refuses_what_its_leg_does_not_have():
 
 
 def test_a_sweep_tells_all_of_them_with_units():
-    data = sweep({}, {"ground.friction": [0.3, 0.6]}).to_xarray()
+    data = sweep({}, {"ground.friction": [0.3, 0.6]}).gaits
     for name, unit in ((name, MODELS["full"].quantities[name].unit) for name in MEASURES):
         assert np.isfinite(data[name]).all() and data[name].attrs["units"] == unit

@@ -31,7 +31,7 @@ def same_apices(ends, data):
     """Of runners that have made all strides."""
     up = ends["strides"] == STRIDES
     assert np.count_nonzero(up) > RUNNERS // 2
-    last = data["next_apex"][:, -1]
+    last = data["next_apex"].values[:, -1]
     assert ends["apex"][up] == pytest.approx(last[up], abs=1e-6)
 
 

@@ -6,10 +6,11 @@ import pickle
 
 import numpy as np
 import pytest
-from tdmf_slip import Batch, InputError, RunError, Runner, basin, find_gait, sweep
-from tdmf_slip.analysis import special_points, volume
+from tdmf_slip import Batch, InputError, RunError, Runner, basin, find_gait
+from tdmf_slip.analysis import attraction, special_points
 from tdmf_slip.analysis.branches import trace
 from tdmf_slip.analysis.stability import stability
+from tdmf_slip.analysis.sweeps import sweep_row
 from tdmf_slip.library.binding import c, ffi
 from tdmf_slip.library.engine import FATES
 from tdmf_slip.library.return_map import stride_from
@@ -113,7 +114,7 @@ def test_the_command_tells_the_same_keys(command):
 
 
 def test_a_sweep_has_the_borders_of_the_reduced_map():
-    found = sweep(reduced(), {"ground.friction": [1.2, 0.6, 0.5, 0.4]})
+    found = sweep_row(reduced(), "ground.friction", [1.2, 0.6, 0.5, 0.4])
     assert [gait.word for gait in found.gaits] == ["+0+", "+0-0+", "+0-0+", "+0-"]
     assert found.problem is None
     for border in found.borders:
@@ -159,7 +160,7 @@ def test_a_basin_is_the_whole_plane(tmp_path):
         12,
         path=tmp_path / "plane.nc",
     )
-    assert data.attributes["model"] == "reduced"
+    assert data.attrs["model"] == "reduced"
     assert 0.9 < data.settled_share < 1.0
     again = basin(
         reduced(),
@@ -168,9 +169,9 @@ def test_a_basin_is_the_whole_plane(tmp_path):
         path=tmp_path / "plane.nc",
     )
     assert np.array_equal(again["fate"], data["fate"])
-    found = volume.volume(find_gait(model="reduced"), 300)
+    found = attraction.volume(find_gait(model="reduced"), 300)
     assert found.as_json()["box"].keys() == set(REDUCED)
-    with pytest.raises(InputError, match="another slice"):
+    with pytest.raises(InputError, match="another model"):
         basin(
             Runner(),
             PLANE,

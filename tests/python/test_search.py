@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from conftest import CLAMPED, RELEASE
 from tdmf_slip import GaitNotFoundError, RunError, Runner, find_gait
-from tdmf_slip.analysis import search, spread
+from tdmf_slip.analysis import search
 from tdmf_slip.analysis.search import periodic_gait
 from tdmf_slip.library.fixed_point import gait_near, settled_gait
 
@@ -83,14 +83,14 @@ def test_no_gait_says_what_was_tried(command):
 
 def test_a_search_ends_after_a_bounded_number_of_strides():
     runner = Runner({"hip.stance_torque": 0.0})
-    few = spread.search_from_spread(runner, max_strides=5000)
-    assert few.strides <= 5000 + spread.MAX_TRIED * spread.ITERATIONS * spread.SHORTENINGS
-    assert spread.search_from_spread(Runner(FROM_ISSUE)).strides < spread.MAX_STRIDES
+    few = search.search_from_spread(runner, max_strides=5000)
+    assert few.strides <= 5000 + search.MAX_TRIED * search.ITERATIONS * search.SHORTENINGS
+    assert search.search_from_spread(Runner(FROM_ISSUE)).strides < search.MAX_STRIDES
 
 
 def test_a_search_whose_strides_take_too_many_steps_ends_and_says_so(monkeypatch):
     """A stride of this runner takes 3,000 steps or more, two hundred times as many as is usual."""
-    monkeypatch.setattr(spread, "STARTS", 64)
+    monkeypatch.setattr(search, "STARTS", 64)
     runner = {
         "hip.touchdown_angle": -1.4977579896173873e-08,
         "body.external_fx": -40020851.84273862,
@@ -101,7 +101,7 @@ def test_a_search_whose_strides_take_too_many_steps_ends_and_says_so(monkeypatch
     with pytest.raises(GaitNotFoundError, match=r"strides more could not be followed") as raised:
         find_gait(runner)
     _, steps = re.search(r"([\d,]+) strides in ([\d,]+) steps", str(raised.value)).groups()
-    assert int(steps.replace(",", "")) <= 64 * spread.STEP_LIMIT * (1 + len(spread.ROUNDS))
+    assert int(steps.replace(",", "")) <= 64 * search.STEP_LIMIT * (1 + len(search.ROUNDS))
 
 
 @pytest.mark.parametrize("model", ["full", "reduced"])
@@ -117,5 +117,5 @@ def test_the_reduced_map_is_searched_too():
     runner = Runner({**FROM_ISSUE, "hip.retraction_rate": 0.0})
     gait = find_gait(runner, model="reduced")
     assert len(gait.apex) == 2 and gait.error < 1e-11
-    found = spread.search_from_spread(gait.runner)
+    found = search.search_from_spread(gait.runner)
     assert any(np.allclose(other.apex, gait.apex, atol=1e-8) for other in found.gaits)

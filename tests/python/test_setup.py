@@ -18,7 +18,7 @@ LOCKS = ROOT / "scripts" / "locks"
 PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
 DEPENDENCIES = PROJECT["project"]["dependencies"]
 EXTRAS = PROJECT["project"]["optional-dependencies"]
-PARTS = ("plots", "data", "cluster", "proof")
+PARTS = ("plots", "cluster", "proof")
 """Extras that a user may leave out; `all` has every one."""
 OPTIONAL = [text for name in PARTS for text in EXTRAS[name]]
 OF_TESTS = [text for name in ("test", "importers") for text in EXTRAS[name]]
@@ -45,7 +45,7 @@ def locked(*names):
     [
         ("environment", PROJECT["build-system"]["requires"], 2),
         ("environment", DEPENDENCIES, 7),
-        ("environment", OPTIONAL, 5),
+        ("environment", OPTIONAL, 3),
         ("test", OF_TESTS, 11),
         ("bench", EXTRAS["bench"], 2),
         ("zig", EXTRAS["zig"], 1),

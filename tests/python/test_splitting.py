@@ -4,10 +4,8 @@ import numpy as np
 import pytest
 from conftest import assert_same, some_of
 from scipy import stats
-from tdmf_slip import InputError, Runner, rare_falls, strides_to_fall
-from tdmf_slip.analysis.factors import factor_of
-from tdmf_slip.analysis.first_passage import FirstPassage
-from tdmf_slip.analysis.splitting import levels_of, rare_event, resampled
+from tdmf_slip import InputError, rare_falls, strides_to_fall
+from tdmf_slip.analysis.rare_falls import levels_of, rare_event, resampled
 from tdmf_slip.library.ground import RoughGround, correlated_weights, spectrum_weights
 
 
@@ -164,27 +162,6 @@ def test_ground_that_splitting_does_not_know_is_refused_by_name():
         rare_falls({}, RoughGround(0.3, friction_spread=0.1, friction_weights=(0.6, 0.8)))
     with pytest.raises(InputError, match="roughness = 0 is not allowed"):
         rare_falls({}, RoughGround(friction_spread=0.1))
-
-
-def test_a_factor_from_few_falls_is_told_by_its_interval_alone():
-    many = FirstPassage(Runner(), "0+", 0.3, 100, 100, 18_000)
-    few = FirstPassage(Runner(), "+-", 0.3, 100, 4, 120_000)
-    assert str(factor_of(many, many)).startswith("1 (0.7")
-    sentence = str(factor_of(few, many))
-    assert "166" not in sentence and "too few" in sentence and not factor_of(few, many).is_reported
-    none = factor_of(FirstPassage(Runner(), "+-", 0.3, 100, 0, 120_000), many)
-    assert none.interval[0] > 30.0 and none.interval[1] == np.inf and "above" in str(none)
-
-
-def test_the_interval_of_a_factor_has_its_coverage():
-    random, inside, count = np.random.default_rng(4), 0, 600
-    runner = Runner()
-    for _ in range(count):
-        falls = random.poisson(12.0), random.poisson(40.0)
-        one, other = (FirstPassage(runner, "0", 0.3, 1, int(n), 12_000) for n in falls)
-        low, high = factor_of(one, other).interval
-        inside += low <= 40.0 / 12.0 <= high
-    assert 0.93 * count <= inside <= 0.995 * count
 
 
 def test_the_command_splits_on_request(command):

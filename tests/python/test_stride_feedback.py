@@ -29,7 +29,7 @@ def gait():
 def strides_of_library(law, first, count):
     """The apices of the library's run, the first one too."""
     run = tdmf_slip.stride_map({}, first, strides=count, law=law, tolerance=1e-13)
-    return np.vstack([first, run["next_apex"][0]])
+    return np.vstack([first, run["next_apex"].values[0]])
 
 
 def check_strides(gait, law, apices):
@@ -121,4 +121,4 @@ def test_a_viable_controller_keeps_the_unit_up_where_its_own_settings_do_not(exa
     assert settings[0][viable.ANGLE] > gait.runner[viable.ANGLE]
     assert all(law.grade_at(apex) == "viable" for apex in apices)
     run = tdmf_slip.stride_map(viable.RUNNER, apices[0], strides=6, law=law, tolerance=1e-13)
-    assert np.abs((np.array(apices[1:]) - run["next_apex"][0]) / gait.runner.scales).max() < 1e-8
+    assert np.abs((np.array(apices[1:]) - run["next_apex"].values[0]) / gait.runner.scales).max() < 1e-8

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 import tdmf_slip
 import xarray
-from tdmf_slip import AffineLaw, InputError, RunError, Runner, Strides, find_gait, stride_map
+from tdmf_slip import AffineLaw, InputError, RunError, Runner, find_gait, stride_map
 from tdmf_slip.analysis import stride_map as module
 from tdmf_slip.blocks import InTurn
 from tdmf_slip.library.batch_tables import STRIDE_FATES
@@ -16,6 +16,7 @@ from tdmf_slip.library.ground import RoughGround
 from tdmf_slip.library.quantities import STRIDE_QUANTITIES
 from tdmf_slip.library.settings import SETTINGS
 from tdmf_slip.library.strides import strides_from
+from tdmf_slip.record import runner_in
 
 RUNNERS, STRIDES = 30, 6
 ANGLE, TORQUE = "hip.touchdown_angle", "hip.stance_torque"
@@ -62,14 +63,14 @@ def function_of(law, noise=lambda stride: 0.0):
 
 def assert_same(one, other):
     """Bit for bit, in all that is kept."""
-    assert set(one.variables) == set(other.variables)
-    for name in one.variables:
+    assert set(one.data_vars) == set(other.data_vars)
+    for name in one.data_vars:
         np.testing.assert_array_equal(one[name], other[name], err_msg=name)
 
 
 def one_stride(found, runner, stride):
     """What is kept of one stride, by name."""
-    return {name: found[name][runner, stride] for name in found.variables if found[name].ndim > 1}
+    return {name: found[name][runner, stride] for name in found.data_vars if found[name].ndim > 1}
 
 
 # ---- what is kept -----------------------------------------------------------------------------------------
@@ -100,11 +101,11 @@ def test_each_stride_is_that_of_the_return_map(gait, starts, instructions):
 def test_a_runner_below_its_ground_for_a_whole_stride_has_fallen_and_the_rule_is_told(gait):
     """A ground of 2 m is never in force: the stride below it closes as on the one before; it is the last."""
     found = stride_map(gait.runner, gait.apex, strides=4, inputs={"ground.height": [0.0, 2.0, 0.0, 0.0]})
-    assert [STRIDE_FATES[fate] for fate in found["fate"][0]] == ["closed", "closed", "fell", "fell"]
+    assert [STRIDE_FATES[fate] for fate in found["fate"].values[0]] == ["closed", "closed", "fell", "fell"]
     np.testing.assert_allclose(found["period"][0, :2], gait.period, rtol=1e-9)
     low = stride_map(gait.runner, gait.apex, strides=4, inputs={"ground.height": [0.0, 0.2, 0.2, 0.2]})
     assert (low["fate"] == CLOSED).all()
-    assert "below a new ground for a whole stride" in found.variables["fate"].attributes["comment"]
+    assert "below a new ground for a whole stride" in found["fate"].attrs["comment"]
     assert "below it for a whole stride has fallen" in " ".join(stride_map.__doc__.split())
 
 
@@ -118,7 +119,7 @@ def test_after_a_fall_there_is_nothing_but_the_fate(gait):
         strides=4,
         inputs={ANGLE: [[angle] * 4, [angle, -0.5, angle, angle], [angle] * 4, [angle] * 4]},
     )
-    fates = [[STRIDE_FATES[fate] for fate in row] for row in found["fate"]]
+    fates = [[STRIDE_FATES[fate] for fate in row] for row in found["fate"].values]
     assert fates[0] == ["closed"] * 4
     assert fates[1] == ["closed", "fell", "fell", "fell"]
     assert fates[3] == ["no_start"] * 4
@@ -134,10 +135,9 @@ def test_after_a_fall_there_is_nothing_but_the_fate(gait):
 
 def test_the_dataset_goes_through_a_file_and_back(gait, starts, tmp_path):
     made = stride_map(gait.runner, starts, strides=2, roughness=0.3, seed=2**63)
-    made.to_xarray().to_netcdf(tmp_path / "strides.nc")
+    made.to_netcdf(tmp_path / "strides.nc")
     with xarray.open_dataset(tmp_path / "strides.nc") as found:
-        xarray.testing.assert_equal(found.load(), made.to_xarray())
-        assert_same(Strides.of_dataset(found), made)
+        xarray.testing.assert_equal(found.load(), made)
         assert found.attrs["seed"] == str(2**63)
         assert found["speed"].attrs["units"] == "m/s"
         assert found["fate"].attrs["flag_meanings"].split() == list(STRIDE_FATES)
@@ -181,7 +181,7 @@ def test_runners_have_their_own_parameters_and_settings(gait, starts):
     assert RUNNERS < compared < 2 * RUNNERS
     np.testing.assert_array_equal(found[TORQUE], np.tile(torque, (RUNNERS, 1)))
     np.testing.assert_array_equal(found["leg.stiffness"], stiffness)
-    assert "leg.stiffness" not in found.attributes and found.attributes["foot.mass"] == 0.11
+    assert "leg.stiffness" not in runner_in(found) and runner_in(found)["foot.mass"] == 0.11
 
 
 def test_every_setting_may_change_and_acts(gait):
@@ -250,7 +250,7 @@ def test_a_run_depends_on_its_number_and_not_on_who_works(gait, starts, monkeypa
     how = {"strides": STRIDES, "law": law, "roughness": 0.1}
     whole = stride_map(gait.runner, starts, **how)
     part = stride_map(gait.runner, starts[7:19], first_number=7, **how)
-    for name in part.variables:
+    for name in part.data_vars:
         np.testing.assert_array_equal(part[name], whole[name][7:19], err_msg=name)
     np.testing.assert_array_equal(part["runner"], np.arange(7, 19))
     monkeypatch.setattr(module, "MIN_IN_A_BLOCK", 11)
@@ -349,7 +349,7 @@ def test_the_reduced_map_has_laws_too():
 
     found = stride_map(gait.runner, starts, strides=3, law=law)
     assert_same(stride_map(gait.runner, starts, strides=3, law=function), found)
-    assert found["apex"].shape == (RUNNERS, 3, 2) and found.attributes["model"] == "reduced"
+    assert found["apex"].shape == (RUNNERS, 3, 2) and found.attrs["model"] == "reduced"
     compared = 0
     for number in range(RUNNERS):
         here = one_stride(found, number, 1)
@@ -503,26 +503,26 @@ def test_derivatives_are_those_of_differences_with_the_settings_of_each_stride(g
 
     inputs = {TORQUE: [[0.2, 0.19], [0.21, 0.2], [0.2, 0.2]]}
     found = stride_map(runner, apices, law=law, inputs=inputs, derivatives=names, **how)
-    assert found.to_xarray()["next_apex_by"].dims == ("runner", "stride", "coordinate", "by")
-    assert found["by"].tolist() == [*found["coordinate"], *names]
+    assert found["next_apex_by"].dims == ("runner", "stride", "coordinate", "by")
+    assert found["by"].values.tolist() == [*found["coordinate"].values, *names]
     assert np.isnan(found["next_apex_by"][2]).all() and np.isnan(found["speed_by"][2]).all()
     for number in (0, 1):
         for stride in (0, 1):
             at = {ANGLE: 0.69 + 0.02 * stride, TORQUE: inputs[TORQUE][number][stride]}
             base = Runner({"leg.damping": runner["leg.damping"][number], **at}, model=model)
-            apex = found["apex"][number, stride]
+            apex = found["apex"].values[number, stride]
 
             def moved(name, h, base=base, apex=apex):
                 if name in base:
                     return stride_map(base.replace({name: base[name] + h}), apex, **how)
-                step = h * np.eye(size)[list(found["coordinate"]).index(name)]
+                step = h * np.eye(size)[list(found["coordinate"].values).index(name)]
                 return stride_map(base, apex + step, **how)
 
-            for column, name in enumerate(found["by"]):
+            for column, name in enumerate(found["by"].values):
                 up, down = moved(name, 1e-6), moved(name, -1e-6)
                 for of in ("next_apex", "speed", "cost_of_transport"):
-                    difference = (up[of][0, 0] - down[of][0, 0]) / 2e-6
-                    exact = found[f"{of}_by"][number, stride][..., column]
+                    difference = (up[of].values[0, 0] - down[of].values[0, 0]) / 2e-6
+                    exact = found[f"{of}_by"].values[number, stride][..., column]
                     assert exact == pytest.approx(difference, rel=2e-5, abs=2e-6), (name, of)
 
 

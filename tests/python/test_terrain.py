@@ -34,7 +34,7 @@ def by_stride(gait, heights):
     data = stride_map(
         gait.runner, [gait.apex], strides=len(heights), inputs={"ground.height": np.array([heights])}
     )
-    return data["next_apex"][0, -1]
+    return data["next_apex"].values[0, -1]
 
 
 @pytest.mark.parametrize("length", [0.7, 2.0, 30.0])

@@ -10,7 +10,7 @@ import pytest
 import xarray
 from tdmf_slip import InputError, continue_branch, continue_curves, load_fmu, sweep
 from tdmf_slip.cli.main import COMMANDS
-from tdmf_slip.pictures import branch, branch_diagram, curve_diagram
+from tdmf_slip.pictures import branch_diagram, curve_diagram, sweep_diagram
 from tdmf_slip.variables.display_units import DisplayUnits
 
 ANGLE, FRICTION, DAMPING = "hip.touchdown_angle", "ground.friction", "leg.damping"
@@ -81,7 +81,7 @@ def test_pictures_are_marked_in_the_unit_that_was_given():
     (line, *_) = figure.axes[0].lines
     assert np.min(line.get_xdata()) < 1.0  # what is drawn stays in the variable's unit
     swept = sweep({FRICTION: 0.6}, {ANGLE: np.linspace(*ends, 3)})
-    figure = branch.figure_of(*branch.drawn_of(swept), display)
+    figure = sweep_diagram.figure_of(*swept, display)
     check_degrees(figure.axes[-1].xaxis, figure.axes[-1].get_xlabel())
     figure = branch_diagram.figure_of(found)
     assert figure.axes[1].get_xlabel() == f"{ANGLE} (rad)"

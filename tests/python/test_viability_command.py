@@ -31,7 +31,7 @@ def test_the_command_draws_writes_and_goes_on(command, tmp_path):
     assert (tmp_path / "viable.png").stat().st_size > 10_000
     status, _, said = command("viability", *GRID, "--n", 7, *files)
     assert status == 2
-    assert "holds another viable set" in said
+    assert "not this viable set" in said
 
 
 def test_the_command_tells_of_the_gait_and_writes_a_controller(command, tmp_path):
@@ -109,7 +109,7 @@ def test_the_picture_tells_the_three_kinds_of_cells_apart():
         vary={ANGLE: (0.1, 1.3, 12)},
         n=30,
     )
-    figure = found.plot()
+    figure = tdmf_slip.plot(found)
     axes, bar = figure.axes
     assert axes.get_xlim() == (0, 3)
     assert axes.get_ylim() == (0.3, 3)

@@ -196,7 +196,8 @@ static void outputs_start_of_run(const real *parameters, const real *states, rea
                                     0.0,
                                 1.0, 0.0);
     const real longer = p->thrust + p->more_thrust;
-    const real rest_length = p->free_length + x->extension + select(longer > 0.0, longer, 0.0) * x->thrusting;
+    const real rest_length =
+        p->free_length + x->extension + select(longer >= 0.0, longer, 0.0) * x->thrusting;
     const real shorter = rest_length - x->length;
     const real spring = p->stiffness * shorter - p->damping * x->length_rate;
     const real sin_of_angle = real_sin(x->angle);
@@ -253,13 +254,13 @@ static void vary_outputs_start_of_run(const real *parameters, const real *states
     const reduced_runner_parameters *dp = (const void *)d_parameters;
     const reduced_runner_states *dx = (const void *)d_states;
     const real longer = p->thrust + p->more_thrust;
-    const real longer_or_by_0 = select(longer > 0.0, longer, 0.0);
+    const real longer_or_by_0 = select(longer >= 0.0, longer, 0.0);
     const real rest_length = p->free_length + x->extension + longer_or_by_0 * x->thrusting;
     const real shorter = rest_length - x->length;
     const real d_longer = dp->thrust + dp->more_thrust;
     const real d_rest_length =
         dp->free_length + dx->extension +
-        (select(longer > 0.0, d_longer, 0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
+        (select(longer >= 0.0, d_longer, 0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
     const real d_shorter = d_rest_length - dx->length;
     const real d_spring = dp->stiffness * shorter + p->stiffness * d_shorter -
                           (dp->damping * x->length_rate + p->damping * dx->length_rate);
@@ -780,7 +781,8 @@ static void outputs_flight_place(const real *parameters, const real *states, rea
                                     0.0,
                                 1.0, 0.0);
     const real longer = p->thrust + p->more_thrust;
-    const real rest_length = p->free_length + x->extension + select(longer > 0.0, longer, 0.0) * x->thrusting;
+    const real rest_length =
+        p->free_length + x->extension + select(longer >= 0.0, longer, 0.0) * x->thrusting;
     const real shorter = rest_length - x->length;
     const real spring = p->stiffness * shorter - p->damping * x->length_rate;
     const real share = p->body_mass / (p->body_mass + p->foot_mass);
@@ -838,13 +840,13 @@ static void vary_outputs_flight_place(const real *parameters, const real *states
     const reduced_runner_parameters *dp = (const void *)d_parameters;
     const reduced_runner_states *dx = (const void *)d_states;
     const real longer = p->thrust + p->more_thrust;
-    const real longer_or_by_0 = select(longer > 0.0, longer, 0.0);
+    const real longer_or_by_0 = select(longer >= 0.0, longer, 0.0);
     const real rest_length = p->free_length + x->extension + longer_or_by_0 * x->thrusting;
     const real shorter = rest_length - x->length;
     const real d_longer = dp->thrust + dp->more_thrust;
     const real d_rest_length =
         dp->free_length + dx->extension +
-        (select(longer > 0.0, d_longer, 0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
+        (select(longer >= 0.0, d_longer, 0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
     const real d_shorter = d_rest_length - dx->length;
     const real d_spring = dp->stiffness * shorter + p->stiffness * d_shorter -
                           (dp->damping * x->length_rate + p->damping * dx->length_rate);
@@ -1108,7 +1110,8 @@ static void outputs_fallen(const real *parameters, const real *states, real *out
                                     0.0,
                                 1.0, 0.0);
     const real longer = p->thrust + p->more_thrust;
-    const real rest_length = p->free_length + x->extension + select(longer > 0.0, longer, 0.0) * x->thrusting;
+    const real rest_length =
+        p->free_length + x->extension + select(longer >= 0.0, longer, 0.0) * x->thrusting;
     const real shorter = rest_length - x->length;
     const real spring = p->stiffness * shorter - p->damping * x->length_rate;
     const real sin_of_angle = real_sin(x->angle);
@@ -1163,7 +1166,8 @@ static void open_slip_constant(const real *parameters, const real *states, real 
     const reduced_runner_states *x = (const void *)states;
     slip_constant_constants *c = (void *)constants;
     const real longer = p->thrust + p->more_thrust;
-    const real rest_length = p->free_length + x->extension + x->thrusting * select(longer > 0.0, longer, 0.0);
+    const real rest_length =
+        p->free_length + x->extension + x->thrusting * select(longer >= 0.0, longer, 0.0);
     const real stance_torque = x->external_torque - x->driving * (p->drive_torque + p->more_torque);
     const real cosine = real_cos(x->slope);
     const real sine = real_sin(x->slope);
@@ -1208,8 +1212,8 @@ static void vary_open_slip_constant(const real *parameters, const real *states, 
     const real longer = p->thrust + p->more_thrust;
     const real d_longer = dp->thrust + dp->more_thrust;
     const real d_rest_length = dp->free_length + dx->extension +
-                               (select(longer > 0.0, longer, 0.0) * dx->thrusting +
-                                x->thrusting * select(longer > 0.0, d_longer, 0.0));
+                               (select(longer >= 0.0, longer, 0.0) * dx->thrusting +
+                                x->thrusting * select(longer >= 0.0, d_longer, 0.0));
     const real d_stance_torque = dx->external_torque - ((p->drive_torque + p->more_torque) * dx->driving +
                                                         x->driving * (dp->drive_torque + dp->more_torque));
     const real sine = real_sin(x->slope);
@@ -1357,7 +1361,7 @@ static int react_slip_constant_greatest_compression(const real *parameters, cons
     const real is_new = select(x->time > x->last_event, 1.0, 0.0);
     const real free_length_plus_extension = p->free_length + x->extension;
     const real longer = p->thrust + p->more_thrust;
-    const real longer_or_by_0 = select(longer > 0.0, longer, 0.0);
+    const real longer_or_by_0 = select(longer >= 0.0, longer, 0.0);
     const real rest_length = free_length_plus_extension + longer_or_by_0;
     const real sum_2 = free_length_plus_extension + longer_or_by_0 * x->thrusting;
     const real jump = rest_length - sum_2;
@@ -1384,13 +1388,13 @@ static void vary_react_slip_constant_greatest_compression(const real *parameters
     reduced_runner_states *y = (void *)after;
     const real free_length_plus_extension = p->free_length + x->extension;
     const real longer = p->thrust + p->more_thrust;
-    const real longer_or_by_0 = select(longer > 0.0, longer, 0.0);
+    const real longer_or_by_0 = select(longer >= 0.0, longer, 0.0);
     const real rest_length = free_length_plus_extension + longer_or_by_0;
     const real sum_2 = free_length_plus_extension + longer_or_by_0 * x->thrusting;
     const real jump = rest_length - sum_2;
     const real free_length_plus_extension_2 = dp->free_length + dx->extension;
     const real d_longer = dp->thrust + dp->more_thrust;
-    const real d_longer_or_by_0 = select(longer > 0.0, d_longer, 0.0);
+    const real d_longer_or_by_0 = select(longer >= 0.0, d_longer, 0.0);
     const real d_rest_length = free_length_plus_extension_2 + d_longer_or_by_0;
     const real free_length_plus_extension_plus_sum =
         free_length_plus_extension_2 + (d_longer_or_by_0 * x->thrusting + longer_or_by_0 * dx->thrusting);
@@ -1528,7 +1532,7 @@ static int react_slip_constant_lift_off(const real *parameters, const real *stat
     }
     const real rest_length = p->free_length + x->extension;
     const real longer = p->thrust + p->more_thrust;
-    const real sum_2 = rest_length + select(longer > 0.0, longer, 0.0) * x->thrusting;
+    const real sum_2 = rest_length + select(longer >= 0.0, longer, 0.0) * x->thrusting;
     const real jump = rest_length - sum_2;
     const real middle = sum_2 + 0.5 * jump - length;
     y->com_x = x_2 + share * (x->x_ * cosine - x->y_ * sine);
@@ -1595,13 +1599,13 @@ static void vary_react_slip_constant_lift_off(const real *parameters, const real
     const real d_share = (dp->body_mass - share * (dp->body_mass + dp->foot_mass)) / body_mass_plus_foot_mass;
     const real rest_length = p->free_length + x->extension;
     const real longer = p->thrust + p->more_thrust;
-    const real longer_or_by_0 = select(longer > 0.0, longer, 0.0);
+    const real longer_or_by_0 = select(longer >= 0.0, longer, 0.0);
     const real sum_2 = rest_length + longer_or_by_0 * x->thrusting;
     const real jump = rest_length - sum_2;
     const real d_rest_length = dp->free_length + dx->extension;
     const real d_longer = dp->thrust + dp->more_thrust;
-    const real d_rest_length_plus_sum =
-        d_rest_length + (select(longer > 0.0, d_longer, 0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
+    const real d_rest_length_plus_sum = d_rest_length + (select(longer >= 0.0, d_longer, 0.0) * x->thrusting +
+                                                         longer_or_by_0 * dx->thrusting);
     const real d_jump = d_rest_length - d_rest_length_plus_sum;
     const real middle = sum_2 + 0.5 * jump - length;
     const real d_middle = d_rest_length_plus_sum + 0.5 * d_jump - d_length;
@@ -1633,7 +1637,7 @@ static real vary_guard_slip_constant_lift_off(const real *parameters, const real
     const reduced_runner_parameters *dp = (const void *)d_parameters;
     const reduced_runner_states *dx = (const void *)d_states;
     const real longer = p->thrust + p->more_thrust;
-    const real longer_or_by_0 = select(longer > 0.0, longer, 0.0);
+    const real longer_or_by_0 = select(longer >= 0.0, longer, 0.0);
     const real rest_length = p->free_length + x->extension + longer_or_by_0 * x->thrusting;
     const real square = x->x_ * x->x_ + x->y_ * x->y_;
     const real length = real_sqrt(square);
@@ -1641,7 +1645,7 @@ static real vary_guard_slip_constant_lift_off(const real *parameters, const real
     const real d_longer = dp->thrust + dp->more_thrust;
     const real d_rest_length =
         dp->free_length + dx->extension +
-        (select(longer > 0.0, d_longer, 0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
+        (select(longer >= 0.0, d_longer, 0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
     const real d_square = 2.0 * (x->x_ * dx->x_) + 2.0 * (x->y_ * dx->y_);
     const real d_length = 0.5 * d_square / length;
     const real length_rate = (x->x_ * x->vx + x->y_ * x->vy) / length;
@@ -1719,7 +1723,8 @@ static int react_slip_constant_comes_to_rest(const real *parameters, const real 
     (void)tables;
     reduced_runner_states *y = (void *)after;
     const real longer = p->thrust + p->more_thrust;
-    const real rest_length = p->free_length + x->extension + select(longer > 0.0, longer, 0.0) * x->thrusting;
+    const real rest_length =
+        p->free_length + x->extension + select(longer >= 0.0, longer, 0.0) * x->thrusting;
     const real square = x->x_ * x->x_ + x->y_ * x->y_;
     const real length = real_sqrt(square);
     const real length_rate = (x->x_ * x->vx + x->y_ * x->vy) / length;
@@ -1756,7 +1761,8 @@ static void vary_react_slip_constant_comes_to_rest(const real *parameters, const
     (void)seed;
     reduced_runner_states *y = (void *)after;
     const real longer = p->thrust + p->more_thrust;
-    const real rest_length = p->free_length + x->extension + select(longer > 0.0, longer, 0.0) * x->thrusting;
+    const real rest_length =
+        p->free_length + x->extension + select(longer >= 0.0, longer, 0.0) * x->thrusting;
     const real square = x->x_ * x->x_ + x->y_ * x->y_;
     const real length = real_sqrt(square);
     const real length_rate = (x->x_ * x->vx + x->y_ * x->vy) / length;
@@ -1798,7 +1804,8 @@ static void outputs_slip_constant(const real *parameters, const real *states, re
                                 1.0, 0.0);
     const real stance_torque = x->external_torque - (p->drive_torque + p->more_torque) * x->driving;
     const real longer = p->thrust + p->more_thrust;
-    const real rest_length = p->free_length + x->extension + select(longer > 0.0, longer, 0.0) * x->thrusting;
+    const real rest_length =
+        p->free_length + x->extension + select(longer >= 0.0, longer, 0.0) * x->thrusting;
     const real square = x->x_ * x->x_ + x->y_ * x->y_;
     const real length = real_sqrt(square);
     const real shorter = rest_length - length;
@@ -1874,7 +1881,7 @@ static void vary_outputs_slip_constant(const real *parameters, const real *state
     const real d_stance_torque = dx->external_torque - ((dp->drive_torque + dp->more_torque) * x->driving +
                                                         drive_torque_plus_more_torque * dx->driving);
     const real longer = p->thrust + p->more_thrust;
-    const real longer_or_by_0 = select(longer > 0.0, longer, 0.0);
+    const real longer_or_by_0 = select(longer >= 0.0, longer, 0.0);
     const real rest_length = p->free_length + x->extension + longer_or_by_0 * x->thrusting;
     const real square = x->x_ * x->x_ + x->y_ * x->y_;
     const real length = real_sqrt(square);
@@ -1882,7 +1889,7 @@ static void vary_outputs_slip_constant(const real *parameters, const real *state
     const real d_longer = dp->thrust + dp->more_thrust;
     const real d_rest_length =
         dp->free_length + dx->extension +
-        (select(longer > 0.0, d_longer, 0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
+        (select(longer >= 0.0, d_longer, 0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
     const real d_square = 2.0 * (x->x_ * dx->x_) + 2.0 * (x->y_ * dx->y_);
     const real d_length = 0.5 * d_square / length;
     const real d_shorter = d_rest_length - d_length;
@@ -2192,7 +2199,8 @@ static void world_rates_slip_constant(const real *parameters, const real *states
     const real sine = real_sin(x->slope);
     const real vy = x->foot_vx * sine;
     const real longer = p->thrust + p->more_thrust;
-    const real rest_length = p->free_length + x->extension + select(longer > 0.0, longer, 0.0) * x->thrusting;
+    const real rest_length =
+        p->free_length + x->extension + select(longer >= 0.0, longer, 0.0) * x->thrusting;
     const real square = x->x_ * x->x_ + x->y_ * x->y_;
     const real length = real_sqrt(square);
     const real x__times_vx = x->x_ * x->vx;
@@ -2245,7 +2253,7 @@ static void vary_world_rates_slip_constant(const real *parameters, const real *s
     const real d_sine = cosine * dx->slope;
     const real d_vy = dx->foot_vx * sine + x->foot_vx * d_sine;
     const real longer = p->thrust + p->more_thrust;
-    const real longer_or_by_0 = select(longer > 0.0, longer, 0.0);
+    const real longer_or_by_0 = select(longer >= 0.0, longer, 0.0);
     const real rest_length = p->free_length + x->extension + longer_or_by_0 * x->thrusting;
     const real square = x->x_ * x->x_ + x->y_ * x->y_;
     const real length = real_sqrt(square);
@@ -2253,7 +2261,7 @@ static void vary_world_rates_slip_constant(const real *parameters, const real *s
     const real d_longer = dp->thrust + dp->more_thrust;
     const real d_rest_length =
         dp->free_length + dx->extension +
-        (select(longer > 0.0, d_longer, 0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
+        (select(longer >= 0.0, d_longer, 0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
     const real d_square = 2.0 * (x->x_ * dx->x_) + 2.0 * (x->y_ * dx->y_);
     const real d_length = 0.5 * d_square / length;
     const real x__times_vx = x->x_ * x->vx;
@@ -2348,7 +2356,8 @@ static void open_stick(const real *parameters, const real *states, real *constan
     const reduced_runner_states *x = (const void *)states;
     stick_constants *c = (void *)constants;
     const real longer = p->thrust + p->more_thrust;
-    const real rest_length = p->free_length + x->extension + x->thrusting * select(longer > 0.0, longer, 0.0);
+    const real rest_length =
+        p->free_length + x->extension + x->thrusting * select(longer >= 0.0, longer, 0.0);
     const real stance_torque = x->external_torque - x->driving * (p->drive_torque + p->more_torque);
     const real cosine = real_cos(x->slope);
     const real sine = real_sin(x->slope);
@@ -2390,8 +2399,8 @@ static void vary_open_stick(const real *parameters, const real *states, const re
     const real longer = p->thrust + p->more_thrust;
     const real d_longer = dp->thrust + dp->more_thrust;
     const real d_rest_length = dp->free_length + dx->extension +
-                               (select(longer > 0.0, longer, 0.0) * dx->thrusting +
-                                x->thrusting * select(longer > 0.0, d_longer, 0.0));
+                               (select(longer >= 0.0, longer, 0.0) * dx->thrusting +
+                                x->thrusting * select(longer >= 0.0, d_longer, 0.0));
     const real d_stance_torque = dx->external_torque - ((p->drive_torque + p->more_torque) * dx->driving +
                                                         x->driving * (dp->drive_torque + dp->more_torque));
     const real sine = real_sin(x->slope);
@@ -2441,7 +2450,7 @@ static int react_stick_greatest_compression(const real *parameters, const real *
     const real is_new = select(x->time > x->last_event, 1.0, 0.0);
     const real free_length_plus_extension = p->free_length + x->extension;
     const real longer = p->thrust + p->more_thrust;
-    const real longer_or_by_0 = select(longer > 0.0, longer, 0.0);
+    const real longer_or_by_0 = select(longer >= 0.0, longer, 0.0);
     const real rest_length = free_length_plus_extension + longer_or_by_0;
     const real sum_2 = free_length_plus_extension + longer_or_by_0 * x->thrusting;
     const real jump = rest_length - sum_2;
@@ -2499,7 +2508,7 @@ static real vary_guard_stick_slips_forward(const real *parameters, const real *s
     const reduced_runner_parameters *dp = (const void *)d_parameters;
     const reduced_runner_states *dx = (const void *)d_states;
     const real longer = p->thrust + p->more_thrust;
-    const real longer_or_by_0 = select(longer > 0.0, longer, 0.0);
+    const real longer_or_by_0 = select(longer >= 0.0, longer, 0.0);
     const real rest_length = p->free_length + x->extension + longer_or_by_0 * x->thrusting;
     const real square = x->x_ * x->x_ + x->y_ * x->y_;
     const real length = real_sqrt(square);
@@ -2517,7 +2526,7 @@ static real vary_guard_stick_slips_forward(const real *parameters, const real *s
     const real d_longer = dp->thrust + dp->more_thrust;
     const real d_rest_length =
         dp->free_length + dx->extension +
-        (select(longer > 0.0, d_longer, 0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
+        (select(longer >= 0.0, d_longer, 0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
     const real d_square = 2.0 * (x->x_ * dx->x_) + 2.0 * (x->y_ * dx->y_);
     const real d_length = 0.5 * d_square / length;
     const real d_length_rate =
@@ -2560,7 +2569,7 @@ static real vary_guard_stick_slips_backward(const real *parameters, const real *
     const reduced_runner_parameters *dp = (const void *)d_parameters;
     const reduced_runner_states *dx = (const void *)d_states;
     const real longer = p->thrust + p->more_thrust;
-    const real longer_or_by_0 = select(longer > 0.0, longer, 0.0);
+    const real longer_or_by_0 = select(longer >= 0.0, longer, 0.0);
     const real rest_length = p->free_length + x->extension + longer_or_by_0 * x->thrusting;
     const real square = x->x_ * x->x_ + x->y_ * x->y_;
     const real length = real_sqrt(square);
@@ -2578,7 +2587,7 @@ static real vary_guard_stick_slips_backward(const real *parameters, const real *
     const real d_longer = dp->thrust + dp->more_thrust;
     const real d_rest_length =
         dp->free_length + dx->extension +
-        (select(longer > 0.0, d_longer, 0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
+        (select(longer >= 0.0, d_longer, 0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
     const real d_square = 2.0 * (x->x_ * dx->x_) + 2.0 * (x->y_ * dx->y_);
     const real d_length = 0.5 * d_square / length;
     const real d_length_rate =
@@ -2612,7 +2621,8 @@ static void outputs_stick(const real *parameters, const real *states, real *outp
                                 1.0, 0.0);
     const real stance_torque = x->external_torque - (p->drive_torque + p->more_torque) * x->driving;
     const real longer = p->thrust + p->more_thrust;
-    const real rest_length = p->free_length + x->extension + select(longer > 0.0, longer, 0.0) * x->thrusting;
+    const real rest_length =
+        p->free_length + x->extension + select(longer >= 0.0, longer, 0.0) * x->thrusting;
     const real square = x->x_ * x->x_ + x->y_ * x->y_;
     const real length = real_sqrt(square);
     const real shorter = rest_length - length;
@@ -2688,7 +2698,7 @@ static void vary_outputs_stick(const real *parameters, const real *states, const
     const real d_stance_torque = dx->external_torque - ((dp->drive_torque + dp->more_torque) * x->driving +
                                                         drive_torque_plus_more_torque * dx->driving);
     const real longer = p->thrust + p->more_thrust;
-    const real longer_or_by_0 = select(longer > 0.0, longer, 0.0);
+    const real longer_or_by_0 = select(longer >= 0.0, longer, 0.0);
     const real rest_length = p->free_length + x->extension + longer_or_by_0 * x->thrusting;
     const real square = x->x_ * x->x_ + x->y_ * x->y_;
     const real length = real_sqrt(square);
@@ -2696,7 +2706,7 @@ static void vary_outputs_stick(const real *parameters, const real *states, const
     const real d_longer = dp->thrust + dp->more_thrust;
     const real d_rest_length =
         dp->free_length + dx->extension +
-        (select(longer > 0.0, d_longer, 0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
+        (select(longer >= 0.0, d_longer, 0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
     const real d_square = 2.0 * (x->x_ * dx->x_) + 2.0 * (x->y_ * dx->y_);
     const real d_length = 0.5 * d_square / length;
     const real d_shorter = d_rest_length - d_length;
@@ -2863,7 +2873,8 @@ static void world_rates_stick(const real *parameters, const real *states, real *
     const real moment = x->x_ * x->vy - x->y_ * x->vx;
     const real angle_rate = moment / square;
     const real longer = p->thrust + p->more_thrust;
-    const real rest_length = p->free_length + x->extension + select(longer > 0.0, longer, 0.0) * x->thrusting;
+    const real rest_length =
+        p->free_length + x->extension + select(longer >= 0.0, longer, 0.0) * x->thrusting;
     const real length_rate = (x__times_vx + y__times_vy) / length;
     const real spring = p->stiffness * (rest_length - length) - p->damping * length_rate;
     const real axial = spring / length;
@@ -2918,7 +2929,7 @@ static void vary_world_rates_stick(const real *parameters, const real *states, c
     const real angle_rate = moment / square;
     const real d_angle_rate = (d_moment - angle_rate * d_square) / square;
     const real longer = p->thrust + p->more_thrust;
-    const real longer_or_by_0 = select(longer > 0.0, longer, 0.0);
+    const real longer_or_by_0 = select(longer >= 0.0, longer, 0.0);
     const real rest_length = p->free_length + x->extension + longer_or_by_0 * x->thrusting;
     const real rest_length_minus_length = rest_length - length;
     const real length_rate = (x__times_vx + y__times_vy) / length;
@@ -2934,7 +2945,7 @@ static void vary_world_rates_stick(const real *parameters, const real *states, c
     const real d_longer = dp->thrust + dp->more_thrust;
     const real d_rest_length =
         dp->free_length + dx->extension +
-        (select(longer > 0.0, d_longer, 0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
+        (select(longer >= 0.0, d_longer, 0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
     const real d_length_rate =
         (x__times_vx_plus_x__times_vx + y__times_vy_plus_y__times_vy - length_rate * d_length) / length;
     const real d_spring = dp->stiffness * rest_length_minus_length +
@@ -3196,7 +3207,8 @@ static void outputs_flight_retract(const real *parameters, const real *states, r
                                     0.0,
                                 1.0, 0.0);
     const real longer = p->thrust + p->more_thrust;
-    const real rest_length = p->free_length + x->extension + select(longer > 0.0, longer, 0.0) * x->thrusting;
+    const real rest_length =
+        p->free_length + x->extension + select(longer >= 0.0, longer, 0.0) * x->thrusting;
     const real shorter = rest_length - x->length;
     const real spring = p->stiffness * shorter - p->damping * x->length_rate;
     const real share = p->body_mass / (p->body_mass + p->foot_mass);
@@ -3288,7 +3300,8 @@ static void open_slip_falling(const real *parameters, const real *states, real *
     const reduced_runner_states *x = (const void *)states;
     slip_falling_constants *c = (void *)constants;
     const real longer = p->thrust + p->more_thrust;
-    const real rest_length = p->free_length + x->extension + x->thrusting * select(longer > 0.0, longer, 0.0);
+    const real rest_length =
+        p->free_length + x->extension + x->thrusting * select(longer >= 0.0, longer, 0.0);
     const real stance_torque = x->external_torque - x->driving * (p->drive_torque + p->more_torque);
     const real cosine = real_cos(x->slope);
     const real sine = real_sin(x->slope);
@@ -3335,8 +3348,8 @@ static void vary_open_slip_falling(const real *parameters, const real *states, c
     const real longer = p->thrust + p->more_thrust;
     const real d_longer = dp->thrust + dp->more_thrust;
     const real d_rest_length = dp->free_length + dx->extension +
-                               (select(longer > 0.0, longer, 0.0) * dx->thrusting +
-                                x->thrusting * select(longer > 0.0, d_longer, 0.0));
+                               (select(longer >= 0.0, longer, 0.0) * dx->thrusting +
+                                x->thrusting * select(longer >= 0.0, d_longer, 0.0));
     const real d_stance_torque = dx->external_torque - ((p->drive_torque + p->more_torque) * dx->driving +
                                                         x->driving * (dp->drive_torque + dp->more_torque));
     const real sine = real_sin(x->slope);
@@ -3399,7 +3412,8 @@ static void outputs_slip_falling(const real *parameters, const real *states, rea
                                 1.0, 0.0);
     const real stance_torque = x->external_torque - (p->drive_torque + p->more_torque) * x->driving;
     const real longer = p->thrust + p->more_thrust;
-    const real rest_length = p->free_length + x->extension + select(longer > 0.0, longer, 0.0) * x->thrusting;
+    const real rest_length =
+        p->free_length + x->extension + select(longer >= 0.0, longer, 0.0) * x->thrusting;
     const real square = x->x_ * x->x_ + x->y_ * x->y_;
     const real length = real_sqrt(square);
     const real shorter = rest_length - length;
@@ -3477,7 +3491,7 @@ static void vary_outputs_slip_falling(const real *parameters, const real *states
     const real d_stance_torque = dx->external_torque - ((dp->drive_torque + dp->more_torque) * x->driving +
                                                         drive_torque_plus_more_torque * dx->driving);
     const real longer = p->thrust + p->more_thrust;
-    const real longer_or_by_0 = select(longer > 0.0, longer, 0.0);
+    const real longer_or_by_0 = select(longer >= 0.0, longer, 0.0);
     const real rest_length = p->free_length + x->extension + longer_or_by_0 * x->thrusting;
     const real square = x->x_ * x->x_ + x->y_ * x->y_;
     const real length = real_sqrt(square);
@@ -3485,7 +3499,7 @@ static void vary_outputs_slip_falling(const real *parameters, const real *states
     const real d_longer = dp->thrust + dp->more_thrust;
     const real d_rest_length =
         dp->free_length + dx->extension +
-        (select(longer > 0.0, d_longer, 0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
+        (select(longer >= 0.0, d_longer, 0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
     const real d_square = 2.0 * (x->x_ * dx->x_) + 2.0 * (x->y_ * dx->y_);
     const real d_length = 0.5 * d_square / length;
     const real d_shorter = d_rest_length - d_length;
@@ -3602,7 +3616,8 @@ static real time_scale_slip_falling(const real *parameters, const real *states) 
     const reduced_runner_states *x = (const void *)states;
     const real static_ratio_minus_by_1 = p->static_ratio - 1.0;
     const real longer = p->thrust + p->more_thrust;
-    const real rest_length = p->free_length + x->extension + select(longer > 0.0, longer, 0.0) * x->thrusting;
+    const real rest_length =
+        p->free_length + x->extension + select(longer >= 0.0, longer, 0.0) * x->thrusting;
     const real square = x->x_ * x->x_ + x->y_ * x->y_;
     const real length = real_sqrt(square);
     const real length_rate = (x->x_ * x->vx + x->y_ * x->vy) / length;
@@ -3636,7 +3651,8 @@ static void world_rates_slip_falling(const real *parameters, const real *states,
     const real sine = real_sin(x->slope);
     const real vy = x->foot_vx * sine;
     const real longer = p->thrust + p->more_thrust;
-    const real rest_length = p->free_length + x->extension + select(longer > 0.0, longer, 0.0) * x->thrusting;
+    const real rest_length =
+        p->free_length + x->extension + select(longer >= 0.0, longer, 0.0) * x->thrusting;
     const real square = x->x_ * x->x_ + x->y_ * x->y_;
     const real length = real_sqrt(square);
     const real x__times_vx = x->x_ * x->vx;
@@ -3691,7 +3707,7 @@ static void vary_world_rates_slip_falling(const real *parameters, const real *st
     const real d_sine = cosine * dx->slope;
     const real d_vy = dx->foot_vx * sine + x->foot_vx * d_sine;
     const real longer = p->thrust + p->more_thrust;
-    const real longer_or_by_0 = select(longer > 0.0, longer, 0.0);
+    const real longer_or_by_0 = select(longer >= 0.0, longer, 0.0);
     const real rest_length = p->free_length + x->extension + longer_or_by_0 * x->thrusting;
     const real square = x->x_ * x->x_ + x->y_ * x->y_;
     const real length = real_sqrt(square);
@@ -3699,7 +3715,7 @@ static void vary_world_rates_slip_falling(const real *parameters, const real *st
     const real d_longer = dp->thrust + dp->more_thrust;
     const real d_rest_length =
         dp->free_length + dx->extension +
-        (select(longer > 0.0, d_longer, 0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
+        (select(longer >= 0.0, d_longer, 0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
     const real d_square = 2.0 * (x->x_ * dx->x_) + 2.0 * (x->y_ * dx->y_);
     const real d_length = 0.5 * d_square / length;
     const real x__times_vx = x->x_ * x->vx;
@@ -3806,7 +3822,7 @@ static void set_extension_start_of_run(const real *parameters, const real *state
     const reduced_runner_states *x = (const void *)states;
     reduced_runner_states *y = (void *)after;
     const real longer = p->thrust + p->more_thrust;
-    const real longer_or_by_0_times_thrusting = select(longer > 0.0, longer, 0.0) * x->thrusting;
+    const real longer_or_by_0_times_thrusting = select(longer >= 0.0, longer, 0.0) * x->thrusting;
     const real rest_length = p->free_length + given + longer_or_by_0_times_thrusting;
     const real sum_2 = p->free_length + x->extension + longer_or_by_0_times_thrusting;
     const real jump = rest_length - sum_2;
@@ -3820,7 +3836,7 @@ static void set_extension_slip_constant(const real *parameters, const real *stat
     const reduced_runner_states *x = (const void *)states;
     reduced_runner_states *y = (void *)after;
     const real longer = p->thrust + p->more_thrust;
-    const real longer_or_by_0_times_thrusting = select(longer > 0.0, longer, 0.0) * x->thrusting;
+    const real longer_or_by_0_times_thrusting = select(longer >= 0.0, longer, 0.0) * x->thrusting;
     const real rest_length = p->free_length + given + longer_or_by_0_times_thrusting;
     const real sum_2 = p->free_length + x->extension + longer_or_by_0_times_thrusting;
     const real jump = rest_length - sum_2;
@@ -3837,11 +3853,11 @@ static void set_thrust_start_of_run(const real *parameters, const real *states, 
     reduced_runner_states *y = (void *)after;
     const real free_length_plus_extension = p->free_length + x->extension;
     const real longer = given + p->more_thrust;
-    const real rest_length = free_length_plus_extension + select(longer > 0.0, longer, 0.0) * x->thrusting;
+    const real rest_length = free_length_plus_extension + select(longer >= 0.0, longer, 0.0) * x->thrusting;
     const real thrust_plus_more_thrust = p->thrust + p->more_thrust;
     const real free_length_plus_extension_plus_product =
         free_length_plus_extension +
-        select(thrust_plus_more_thrust > 0.0, thrust_plus_more_thrust, 0.0) * x->thrusting;
+        select(thrust_plus_more_thrust >= 0.0, thrust_plus_more_thrust, 0.0) * x->thrusting;
     const real jump = rest_length - free_length_plus_extension_plus_product;
     const real middle = free_length_plus_extension_plus_product + 0.5 * jump - x->length;
     y->leg_work = x->leg_work + p->stiffness * jump * middle;
@@ -3854,11 +3870,11 @@ static void set_thrust_slip_constant(const real *parameters, const real *states,
     reduced_runner_states *y = (void *)after;
     const real free_length_plus_extension = p->free_length + x->extension;
     const real longer = given + p->more_thrust;
-    const real rest_length = free_length_plus_extension + select(longer > 0.0, longer, 0.0) * x->thrusting;
+    const real rest_length = free_length_plus_extension + select(longer >= 0.0, longer, 0.0) * x->thrusting;
     const real thrust_plus_more_thrust = p->thrust + p->more_thrust;
     const real free_length_plus_extension_plus_product =
         free_length_plus_extension +
-        select(thrust_plus_more_thrust > 0.0, thrust_plus_more_thrust, 0.0) * x->thrusting;
+        select(thrust_plus_more_thrust >= 0.0, thrust_plus_more_thrust, 0.0) * x->thrusting;
     const real jump = rest_length - free_length_plus_extension_plus_product;
     const real square = x->x_ * x->x_ + x->y_ * x->y_;
     const real length = real_sqrt(square);
@@ -3874,11 +3890,11 @@ static void set_more_thrust_start_of_run(const real *parameters, const real *sta
     reduced_runner_states *y = (void *)after;
     const real free_length_plus_extension = p->free_length + x->extension;
     const real longer = p->thrust + given;
-    const real rest_length = free_length_plus_extension + select(longer > 0.0, longer, 0.0) * x->thrusting;
+    const real rest_length = free_length_plus_extension + select(longer >= 0.0, longer, 0.0) * x->thrusting;
     const real thrust_plus_more_thrust = p->thrust + p->more_thrust;
     const real free_length_plus_extension_plus_product =
         free_length_plus_extension +
-        select(thrust_plus_more_thrust > 0.0, thrust_plus_more_thrust, 0.0) * x->thrusting;
+        select(thrust_plus_more_thrust >= 0.0, thrust_plus_more_thrust, 0.0) * x->thrusting;
     const real jump = rest_length - free_length_plus_extension_plus_product;
     const real middle = free_length_plus_extension_plus_product + 0.5 * jump - x->length;
     y->leg_work = x->leg_work + p->stiffness * jump * middle;
@@ -3892,11 +3908,11 @@ static void set_more_thrust_slip_constant(const real *parameters, const real *st
     reduced_runner_states *y = (void *)after;
     const real free_length_plus_extension = p->free_length + x->extension;
     const real longer = p->thrust + given;
-    const real rest_length = free_length_plus_extension + select(longer > 0.0, longer, 0.0) * x->thrusting;
+    const real rest_length = free_length_plus_extension + select(longer >= 0.0, longer, 0.0) * x->thrusting;
     const real thrust_plus_more_thrust = p->thrust + p->more_thrust;
     const real free_length_plus_extension_plus_product =
         free_length_plus_extension +
-        select(thrust_plus_more_thrust > 0.0, thrust_plus_more_thrust, 0.0) * x->thrusting;
+        select(thrust_plus_more_thrust >= 0.0, thrust_plus_more_thrust, 0.0) * x->thrusting;
     const real jump = rest_length - free_length_plus_extension_plus_product;
     const real square = x->x_ * x->x_ + x->y_ * x->y_;
     const real length = real_sqrt(square);

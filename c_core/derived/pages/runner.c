@@ -661,7 +661,8 @@ static void outputs_start_of_run(const real *parameters, const real *states, rea
     const real pending = select(
         real_abs(set_height - x->height) + real_abs(p->free_length * (set_slope - x->slope)) > 0.0, 1.0, 0.0);
     const real longer = p->thrust + p->more_thrust;
-    const real rest_length = p->free_length + x->extension + select(longer > 0.0, longer, 0.0) * x->thrusting;
+    const real rest_length =
+        p->free_length + x->extension + select(longer >= 0.0, longer, 0.0) * x->thrusting;
     const real shorter = rest_length - x->length;
     const real spring = p->stiffness * shorter - p->damping * x->length_rate;
     const real sin_of_angle = real_sin(x->angle);
@@ -718,13 +719,13 @@ static void vary_outputs_start_of_run(const real *parameters, const real *states
     const runner_parameters *dp = (const void *)d_parameters;
     const runner_states *dx = (const void *)d_states;
     const real longer = p->thrust + p->more_thrust;
-    const real longer_or_by_0 = select(longer > 0.0, longer, 0.0);
+    const real longer_or_by_0 = select(longer >= 0.0, longer, 0.0);
     const real rest_length = p->free_length + x->extension + longer_or_by_0 * x->thrusting;
     const real shorter = rest_length - x->length;
     const real d_longer = dp->thrust + dp->more_thrust;
     const real d_rest_length =
         dp->free_length + dx->extension +
-        (select(longer > 0.0, d_longer, 0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
+        (select(longer >= 0.0, d_longer, 0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
     const real d_shorter = d_rest_length - dx->length;
     const real d_spring = dp->stiffness * shorter + p->stiffness * d_shorter -
                           (dp->damping * x->length_rate + p->damping * dx->length_rate);
@@ -823,7 +824,7 @@ static void open_slip_constant(const real *parameters, const real *states, real 
     const runner_states *x = (const void *)states;
     slip_constant_constants *c = (void *)constants;
     const real longer = p->thrust + p->more_thrust;
-    const real thrusting_times_longer_or_by_0 = x->thrusting * select(longer > 0.0, longer, 0.0);
+    const real thrusting_times_longer_or_by_0 = x->thrusting * select(longer >= 0.0, longer, 0.0);
     const real product_2 = x->driving * (p->drive_torque + p->more_torque);
     const real cosine = real_cos(x->slope);
     const real sine = real_sin(x->slope);
@@ -877,8 +878,8 @@ static void vary_open_slip_constant(const real *parameters, const real *states, 
     slip_constant_constants *c = (void *)constants;
     const real longer = p->thrust + p->more_thrust;
     const real d_longer = dp->thrust + dp->more_thrust;
-    const real d_thrusting_times_longer_or_by_0 = select(longer > 0.0, longer, 0.0) * dx->thrusting +
-                                                  x->thrusting * select(longer > 0.0, d_longer, 0.0);
+    const real d_thrusting_times_longer_or_by_0 = select(longer >= 0.0, longer, 0.0) * dx->thrusting +
+                                                  x->thrusting * select(longer >= 0.0, d_longer, 0.0);
     const real d_product_2 =
         (p->drive_torque + p->more_torque) * dx->driving + x->driving * (dp->drive_torque + dp->more_torque);
     const real sine = real_sin(x->slope);
@@ -1084,7 +1085,7 @@ static int react_slip_constant_greatest_compression(const real *parameters, cons
     const real by_1_or_by_0 = select(longer > 0.0, 1.0, 0.0);
     const real is_new = select(x->time > x->last_event, by_1_or_by_0, 0.0);
     const real free_length_plus_extension = p->free_length + x->extension;
-    const real longer_or_by_0 = select(longer > 0.0, longer, 0.0);
+    const real longer_or_by_0 = select(longer >= 0.0, longer, 0.0);
     const real rest_length = free_length_plus_extension + longer_or_by_0;
     const real sum_2 = free_length_plus_extension + longer_or_by_0 * x->thrusting;
     const real jump = rest_length - sum_2;
@@ -1111,13 +1112,13 @@ static void vary_react_slip_constant_greatest_compression(const real *parameters
     runner_states *y = (void *)after;
     const real longer = p->thrust + p->more_thrust;
     const real free_length_plus_extension = p->free_length + x->extension;
-    const real longer_or_by_0 = select(longer > 0.0, longer, 0.0);
+    const real longer_or_by_0 = select(longer >= 0.0, longer, 0.0);
     const real rest_length = free_length_plus_extension + longer_or_by_0;
     const real sum_2 = free_length_plus_extension + longer_or_by_0 * x->thrusting;
     const real jump = rest_length - sum_2;
     const real free_length_plus_extension_2 = dp->free_length + dx->extension;
     const real d_longer = dp->thrust + dp->more_thrust;
-    const real d_longer_or_by_0 = select(longer > 0.0, d_longer, 0.0);
+    const real d_longer_or_by_0 = select(longer >= 0.0, d_longer, 0.0);
     const real d_rest_length = free_length_plus_extension_2 + d_longer_or_by_0;
     const real free_length_plus_extension_plus_sum =
         free_length_plus_extension_2 + (d_longer_or_by_0 * x->thrusting + longer_or_by_0 * dx->thrusting);
@@ -1225,7 +1226,7 @@ static int react_slip_constant_lift_off(const real *parameters, const real *stat
     const real goes_on = select(x->time <= x->touchdown_time, x->was_placed, 0.0);
     const real free_length_plus_extension = p->free_length + x->extension;
     const real longer = p->thrust + p->more_thrust;
-    const real rest_length = free_length_plus_extension + select(longer > 0.0, longer, 0.0) * x->thrusting;
+    const real rest_length = free_length_plus_extension + select(longer >= 0.0, longer, 0.0) * x->thrusting;
     const real square = x->x_ * x->x_ + x->y_ * x->y_;
     const real length = real_sqrt(square);
     const real length_rate = (x->x_ * x->vx + x->y_ * x->vy) / length;
@@ -1332,7 +1333,7 @@ static void vary_react_slip_constant_lift_off(const real *parameters, const real
     const real goes_on = select(x->time <= x->touchdown_time, x->was_placed, 0.0);
     const real free_length_plus_extension = p->free_length + x->extension;
     const real longer = p->thrust + p->more_thrust;
-    const real longer_or_by_0 = select(longer > 0.0, longer, 0.0);
+    const real longer_or_by_0 = select(longer >= 0.0, longer, 0.0);
     const real rest_length = free_length_plus_extension + longer_or_by_0 * x->thrusting;
     const real square = x->x_ * x->x_ + x->y_ * x->y_;
     const real length = real_sqrt(square);
@@ -1379,7 +1380,7 @@ static void vary_react_slip_constant_lift_off(const real *parameters, const real
     const real d_longer = dp->thrust + dp->more_thrust;
     const real d_rest_length =
         free_length_plus_extension_2 +
-        (select(longer > 0.0, d_longer, 0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
+        (select(longer >= 0.0, d_longer, 0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
     const real d_jump = free_length_plus_extension_2 - d_rest_length;
     const real middle = rest_length + 0.5 * jump - length;
     const real d_middle = d_rest_length + 0.5 * d_jump - d_length;
@@ -1455,7 +1456,7 @@ static real vary_guard_slip_constant_lift_off(const real *parameters, const real
     const runner_parameters *dp = (const void *)d_parameters;
     const runner_states *dx = (const void *)d_states;
     const real longer = p->thrust + p->more_thrust;
-    const real longer_or_by_0 = select(longer > 0.0, longer, 0.0);
+    const real longer_or_by_0 = select(longer >= 0.0, longer, 0.0);
     const real rest_length = p->free_length + x->extension + longer_or_by_0 * x->thrusting;
     const real square = x->x_ * x->x_ + x->y_ * x->y_;
     const real length = real_sqrt(square);
@@ -1463,7 +1464,7 @@ static real vary_guard_slip_constant_lift_off(const real *parameters, const real
     const real d_longer = dp->thrust + dp->more_thrust;
     const real d_rest_length =
         dp->free_length + dx->extension +
-        (select(longer > 0.0, d_longer, 0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
+        (select(longer >= 0.0, d_longer, 0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
     const real d_square = 2.0 * (x->x_ * dx->x_) + 2.0 * (x->y_ * dx->y_);
     const real d_length = 0.5 * d_square / length;
     const real length_rate = (x->x_ * x->vx + x->y_ * x->vy) / length;
@@ -1540,7 +1541,8 @@ static int react_slip_constant_comes_to_rest(const real *parameters, const real 
     const runner_states *x = (const void *)states;
     runner_states *y = (void *)after;
     const real longer = p->thrust + p->more_thrust;
-    const real rest_length = p->free_length + x->extension + select(longer > 0.0, longer, 0.0) * x->thrusting;
+    const real rest_length =
+        p->free_length + x->extension + select(longer >= 0.0, longer, 0.0) * x->thrusting;
     const real square = x->x_ * x->x_ + x->y_ * x->y_;
     const real length = real_sqrt(square);
     const real length_rate = (x->x_ * x->vx + x->y_ * x->vy) / length;
@@ -1611,7 +1613,8 @@ static void vary_react_slip_constant_comes_to_rest(const real *parameters, const
     const runner_states *dx = (const void *)d_states;
     runner_states *y = (void *)after;
     const real longer = p->thrust + p->more_thrust;
-    const real rest_length = p->free_length + x->extension + select(longer > 0.0, longer, 0.0) * x->thrusting;
+    const real rest_length =
+        p->free_length + x->extension + select(longer >= 0.0, longer, 0.0) * x->thrusting;
     const real square = x->x_ * x->x_ + x->y_ * x->y_;
     const real length = real_sqrt(square);
     const real length_rate = (x->x_ * x->vx + x->y_ * x->vy) / length;
@@ -1785,7 +1788,8 @@ static void outputs_slip_constant(const real *parameters, const real *states, re
         real_abs(set_height - x->height) + real_abs(p->free_length * (set_slope - x->slope)) > 0.0, 1.0, 0.0);
     const real stance_torque = x->external_torque - (p->drive_torque + p->more_torque) * x->driving;
     const real longer = p->thrust + p->more_thrust;
-    const real rest_length = p->free_length + x->extension + select(longer > 0.0, longer, 0.0) * x->thrusting;
+    const real rest_length =
+        p->free_length + x->extension + select(longer >= 0.0, longer, 0.0) * x->thrusting;
     const real square = x->x_ * x->x_ + x->y_ * x->y_;
     const real length = real_sqrt(square);
     const real shorter = rest_length - length;
@@ -1864,7 +1868,7 @@ static void vary_outputs_slip_constant(const real *parameters, const real *state
     const real d_stance_torque = dx->external_torque - ((dp->drive_torque + dp->more_torque) * x->driving +
                                                         drive_torque_plus_more_torque * dx->driving);
     const real longer = p->thrust + p->more_thrust;
-    const real longer_or_by_0 = select(longer > 0.0, longer, 0.0);
+    const real longer_or_by_0 = select(longer >= 0.0, longer, 0.0);
     const real rest_length = p->free_length + x->extension + longer_or_by_0 * x->thrusting;
     const real square = x->x_ * x->x_ + x->y_ * x->y_;
     const real length = real_sqrt(square);
@@ -1872,7 +1876,7 @@ static void vary_outputs_slip_constant(const real *parameters, const real *state
     const real d_longer = dp->thrust + dp->more_thrust;
     const real d_rest_length =
         dp->free_length + dx->extension +
-        (select(longer > 0.0, d_longer, 0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
+        (select(longer >= 0.0, d_longer, 0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
     const real d_square = 2.0 * (x->x_ * dx->x_) + 2.0 * (x->y_ * dx->y_);
     const real d_length = 0.5 * d_square / length;
     const real d_shorter = d_rest_length - d_length;
@@ -2188,7 +2192,8 @@ static void world_rates_slip_constant(const real *parameters, const real *states
     const real sine = real_sin(x->slope);
     const real vy = x->foot_vx * sine;
     const real longer = p->thrust + p->more_thrust;
-    const real rest_length = p->free_length + x->extension + select(longer > 0.0, longer, 0.0) * x->thrusting;
+    const real rest_length =
+        p->free_length + x->extension + select(longer >= 0.0, longer, 0.0) * x->thrusting;
     const real square = x->x_ * x->x_ + x->y_ * x->y_;
     const real length = real_sqrt(square);
     const real x__times_vx = x->x_ * x->vx;
@@ -2244,7 +2249,7 @@ static void vary_world_rates_slip_constant(const real *parameters, const real *s
     const real d_sine = cosine * dx->slope;
     const real d_vy = dx->foot_vx * sine + x->foot_vx * d_sine;
     const real longer = p->thrust + p->more_thrust;
-    const real longer_or_by_0 = select(longer > 0.0, longer, 0.0);
+    const real longer_or_by_0 = select(longer >= 0.0, longer, 0.0);
     const real rest_length = p->free_length + x->extension + longer_or_by_0 * x->thrusting;
     const real square = x->x_ * x->x_ + x->y_ * x->y_;
     const real length = real_sqrt(square);
@@ -2252,7 +2257,7 @@ static void vary_world_rates_slip_constant(const real *parameters, const real *s
     const real d_longer = dp->thrust + dp->more_thrust;
     const real d_rest_length =
         dp->free_length + dx->extension +
-        (select(longer > 0.0, d_longer, 0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
+        (select(longer >= 0.0, d_longer, 0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
     const real d_square = 2.0 * (x->x_ * dx->x_) + 2.0 * (x->y_ * dx->y_);
     const real d_length = 0.5 * d_square / length;
     const real x__times_vx = x->x_ * x->vx;
@@ -2353,7 +2358,7 @@ static void open_stick(const real *parameters, const real *states, real *constan
     const runner_states *x = (const void *)states;
     stick_constants *c = (void *)constants;
     const real longer = p->thrust + p->more_thrust;
-    const real thrusting_times_longer_or_by_0 = x->thrusting * select(longer > 0.0, longer, 0.0);
+    const real thrusting_times_longer_or_by_0 = x->thrusting * select(longer >= 0.0, longer, 0.0);
     const real product_2 = x->driving * (p->drive_torque + p->more_torque);
     const real cosine = real_cos(x->slope);
     const real sine = real_sin(x->slope);
@@ -2407,8 +2412,8 @@ static void vary_open_stick(const real *parameters, const real *states, const re
     stick_constants *c = (void *)constants;
     const real longer = p->thrust + p->more_thrust;
     const real d_longer = dp->thrust + dp->more_thrust;
-    const real d_thrusting_times_longer_or_by_0 = select(longer > 0.0, longer, 0.0) * dx->thrusting +
-                                                  x->thrusting * select(longer > 0.0, d_longer, 0.0);
+    const real d_thrusting_times_longer_or_by_0 = select(longer >= 0.0, longer, 0.0) * dx->thrusting +
+                                                  x->thrusting * select(longer >= 0.0, d_longer, 0.0);
     const real d_product_2 =
         (p->drive_torque + p->more_torque) * dx->driving + x->driving * (dp->drive_torque + dp->more_torque);
     const real sine = real_sin(x->slope);
@@ -2481,7 +2486,7 @@ static int react_stick_greatest_compression(const real *parameters, const real *
     const real by_1_or_by_0 = select(longer > 0.0, 1.0, 0.0);
     const real is_new = select(x->time > x->last_event, by_1_or_by_0, 0.0);
     const real free_length_plus_extension = p->free_length + x->extension;
-    const real longer_or_by_0 = select(longer > 0.0, longer, 0.0);
+    const real longer_or_by_0 = select(longer >= 0.0, longer, 0.0);
     const real rest_length = free_length_plus_extension + longer_or_by_0;
     const real sum_2 = free_length_plus_extension + longer_or_by_0 * x->thrusting;
     const real jump = rest_length - sum_2;
@@ -2588,7 +2593,7 @@ static real vary_guard_stick_slips_forward(const real *parameters, const real *s
     const real friction_along = is_own * x->friction_ahead + by_1_minus_is_own * x->friction;
     const real d_friction_along = is_own * dx->friction_ahead + by_1_minus_is_own * dx->friction;
     const real longer = p->thrust + p->more_thrust;
-    const real longer_or_by_0 = select(longer > 0.0, longer, 0.0);
+    const real longer_or_by_0 = select(longer >= 0.0, longer, 0.0);
     const real rest_length = p->free_length + x->extension + longer_or_by_0 * x->thrusting;
     const real square = x->x_ * x->x_ + x->y_ * x->y_;
     const real length = real_sqrt(square);
@@ -2606,7 +2611,7 @@ static real vary_guard_stick_slips_forward(const real *parameters, const real *s
     const real d_longer = dp->thrust + dp->more_thrust;
     const real d_rest_length =
         dp->free_length + dx->extension +
-        (select(longer > 0.0, d_longer, 0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
+        (select(longer >= 0.0, d_longer, 0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
     const real d_square = 2.0 * (x->x_ * dx->x_) + 2.0 * (x->y_ * dx->y_);
     const real d_length = 0.5 * d_square / length;
     const real d_length_rate =
@@ -2712,7 +2717,7 @@ static real vary_guard_stick_slips_backward(const real *parameters, const real *
     const real friction_along = is_own * x->friction_behind + by_1_minus_is_own * x->friction;
     const real d_friction_along = is_own * dx->friction_behind + by_1_minus_is_own * dx->friction;
     const real longer = p->thrust + p->more_thrust;
-    const real longer_or_by_0 = select(longer > 0.0, longer, 0.0);
+    const real longer_or_by_0 = select(longer >= 0.0, longer, 0.0);
     const real rest_length = p->free_length + x->extension + longer_or_by_0 * x->thrusting;
     const real square = x->x_ * x->x_ + x->y_ * x->y_;
     const real length = real_sqrt(square);
@@ -2730,7 +2735,7 @@ static real vary_guard_stick_slips_backward(const real *parameters, const real *
     const real d_longer = dp->thrust + dp->more_thrust;
     const real d_rest_length =
         dp->free_length + dx->extension +
-        (select(longer > 0.0, d_longer, 0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
+        (select(longer >= 0.0, d_longer, 0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
     const real d_square = 2.0 * (x->x_ * dx->x_) + 2.0 * (x->y_ * dx->y_);
     const real d_length = 0.5 * d_square / length;
     const real d_length_rate =
@@ -2764,7 +2769,8 @@ static void outputs_stick(const real *parameters, const real *states, real *outp
         real_abs(set_height - x->height) + real_abs(p->free_length * (set_slope - x->slope)) > 0.0, 1.0, 0.0);
     const real stance_torque = x->external_torque - (p->drive_torque + p->more_torque) * x->driving;
     const real longer = p->thrust + p->more_thrust;
-    const real rest_length = p->free_length + x->extension + select(longer > 0.0, longer, 0.0) * x->thrusting;
+    const real rest_length =
+        p->free_length + x->extension + select(longer >= 0.0, longer, 0.0) * x->thrusting;
     const real square = x->x_ * x->x_ + x->y_ * x->y_;
     const real length = real_sqrt(square);
     const real shorter = rest_length - length;
@@ -2840,7 +2846,7 @@ static void vary_outputs_stick(const real *parameters, const real *states, const
     const real d_stance_torque = dx->external_torque - ((dp->drive_torque + dp->more_torque) * x->driving +
                                                         drive_torque_plus_more_torque * dx->driving);
     const real longer = p->thrust + p->more_thrust;
-    const real longer_or_by_0 = select(longer > 0.0, longer, 0.0);
+    const real longer_or_by_0 = select(longer >= 0.0, longer, 0.0);
     const real rest_length = p->free_length + x->extension + longer_or_by_0 * x->thrusting;
     const real square = x->x_ * x->x_ + x->y_ * x->y_;
     const real length = real_sqrt(square);
@@ -2848,7 +2854,7 @@ static void vary_outputs_stick(const real *parameters, const real *states, const
     const real d_longer = dp->thrust + dp->more_thrust;
     const real d_rest_length =
         dp->free_length + dx->extension +
-        (select(longer > 0.0, d_longer, 0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
+        (select(longer >= 0.0, d_longer, 0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
     const real d_square = 2.0 * (x->x_ * dx->x_) + 2.0 * (x->y_ * dx->y_);
     const real d_length = 0.5 * d_square / length;
     const real d_shorter = d_rest_length - d_length;
@@ -3015,7 +3021,8 @@ static void world_rates_stick(const real *parameters, const real *states, real *
     const real moment = x->x_ * x->vy - x->y_ * x->vx;
     const real angle_rate = moment / square;
     const real longer = p->thrust + p->more_thrust;
-    const real rest_length = p->free_length + x->extension + select(longer > 0.0, longer, 0.0) * x->thrusting;
+    const real rest_length =
+        p->free_length + x->extension + select(longer >= 0.0, longer, 0.0) * x->thrusting;
     const real length_rate = (x__times_vx + y__times_vy) / length;
     const real spring = p->stiffness * (rest_length - length) - p->damping * length_rate;
     const real axial = spring / length;
@@ -3070,7 +3077,7 @@ static void vary_world_rates_stick(const real *parameters, const real *states, c
     const real angle_rate = moment / square;
     const real d_angle_rate = (d_moment - angle_rate * d_square) / square;
     const real longer = p->thrust + p->more_thrust;
-    const real longer_or_by_0 = select(longer > 0.0, longer, 0.0);
+    const real longer_or_by_0 = select(longer >= 0.0, longer, 0.0);
     const real rest_length = p->free_length + x->extension + longer_or_by_0 * x->thrusting;
     const real rest_length_minus_length = rest_length - length;
     const real length_rate = (x__times_vx + y__times_vy) / length;
@@ -3086,7 +3093,7 @@ static void vary_world_rates_stick(const real *parameters, const real *states, c
     const real d_longer = dp->thrust + dp->more_thrust;
     const real d_rest_length =
         dp->free_length + dx->extension +
-        (select(longer > 0.0, d_longer, 0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
+        (select(longer >= 0.0, d_longer, 0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
     const real d_length_rate =
         (x__times_vx_plus_x__times_vx + y__times_vy_plus_y__times_vy - length_rate * d_length) / length;
     const real d_spring = dp->stiffness * rest_length_minus_length +
@@ -3143,7 +3150,7 @@ static void open_flight_place_calm(const real *parameters, const real *states, r
     flight_place_calm_constants *c = (void *)constants;
     const real mobility = 1.0 / p->body_mass + 1.0 / p->foot_mass;
     const real longer = p->thrust + p->more_thrust;
-    const real thrusting_times_longer_or_by_0 = x->thrusting * select(longer > 0.0, longer, 0.0);
+    const real thrusting_times_longer_or_by_0 = x->thrusting * select(longer >= 0.0, longer, 0.0);
     const real touchdown_angle_plus_more_angle = p->touchdown_angle + p->more_angle;
     const real stiffness_times_extension_rate = p->stiffness * x->extension_rate;
     const real minus_gravity = -p->gravity;
@@ -3199,8 +3206,8 @@ static void vary_open_flight_place_calm(const real *parameters, const real *stat
                             1.0 / p->foot_mass * dp->foot_mass / p->foot_mass;
     const real longer = p->thrust + p->more_thrust;
     const real d_longer = dp->thrust + dp->more_thrust;
-    const real d_thrusting_times_longer_or_by_0 = select(longer > 0.0, longer, 0.0) * dx->thrusting +
-                                                  x->thrusting * select(longer > 0.0, d_longer, 0.0);
+    const real d_thrusting_times_longer_or_by_0 = select(longer >= 0.0, longer, 0.0) * dx->thrusting +
+                                                  x->thrusting * select(longer >= 0.0, d_longer, 0.0);
     const real d_touchdown_angle_plus_more_angle = dp->touchdown_angle + dp->more_angle;
     const real d_stiffness_times_extension_rate =
         x->extension_rate * dp->stiffness + p->stiffness * dx->extension_rate;
@@ -4122,7 +4129,8 @@ static void outputs_flight_place_calm(const real *parameters, const real *states
     const real servo = -(p->kp * (x->angle - target)) - p->kd * (rate + p->retraction_rate);
     const real swing_torque = x->external_torque + servo;
     const real longer = p->thrust + p->more_thrust;
-    const real rest_length = p->free_length + x->extension + select(longer > 0.0, longer, 0.0) * x->thrusting;
+    const real rest_length =
+        p->free_length + x->extension + select(longer >= 0.0, longer, 0.0) * x->thrusting;
     const real shorter = rest_length - x->length;
     const real spring = p->stiffness * shorter - p->damping * x->length_rate;
     const real share = p->body_mass / (p->body_mass + p->foot_mass);
@@ -4190,13 +4198,13 @@ static void vary_outputs_flight_place_calm(const real *parameters, const real *s
                          (dp->kd * (rate + p->retraction_rate) + p->kd * (d_rate + dp->retraction_rate));
     const real d_swing_torque = dx->external_torque + d_servo;
     const real longer = p->thrust + p->more_thrust;
-    const real longer_or_by_0 = select(longer > 0.0, longer, 0.0);
+    const real longer_or_by_0 = select(longer >= 0.0, longer, 0.0);
     const real rest_length = p->free_length + x->extension + longer_or_by_0 * x->thrusting;
     const real shorter = rest_length - x->length;
     const real d_longer = dp->thrust + dp->more_thrust;
     const real d_rest_length =
         dp->free_length + dx->extension +
-        (select(longer > 0.0, d_longer, 0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
+        (select(longer >= 0.0, d_longer, 0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
     const real d_shorter = d_rest_length - dx->length;
     const real d_spring = dp->stiffness * shorter + p->stiffness * d_shorter -
                           (dp->damping * x->length_rate + p->damping * dx->length_rate);
@@ -4396,7 +4404,8 @@ static void world_rates_flight_place_calm(const real *parameters, const real *st
     const real sine_times_rate = sine * rate;
     const real mobility = 1.0 / p->body_mass + 1.0 / p->foot_mass;
     const real longer = p->thrust + p->more_thrust;
-    const real rest_length = p->free_length + x->extension + select(longer > 0.0, longer, 0.0) * x->thrusting;
+    const real rest_length =
+        p->free_length + x->extension + select(longer >= 0.0, longer, 0.0) * x->thrusting;
     const real spring = p->stiffness * (rest_length - x->length) - p->damping * x->length_rate;
     const real sum_2 = x->length * (rate * rate) + mobility * spring;
     const real target = p->touchdown_angle + p->more_angle - p->retraction_rate * x->placing;
@@ -4445,7 +4454,7 @@ static void vary_world_rates_flight_place_calm(const real *parameters, const rea
     const real by_1_over_foot_mass = 1.0 / p->foot_mass;
     const real mobility = by_1_over_body_mass + by_1_over_foot_mass;
     const real longer = p->thrust + p->more_thrust;
-    const real longer_or_by_0 = select(longer > 0.0, longer, 0.0);
+    const real longer_or_by_0 = select(longer >= 0.0, longer, 0.0);
     const real rest_length = p->free_length + x->extension + longer_or_by_0 * x->thrusting;
     const real rest_length_minus_length = rest_length - x->length;
     const real spring = p->stiffness * rest_length_minus_length - p->damping * x->length_rate;
@@ -4463,7 +4472,7 @@ static void vary_world_rates_flight_place_calm(const real *parameters, const rea
     const real d_longer = dp->thrust + dp->more_thrust;
     const real d_rest_length =
         dp->free_length + dx->extension +
-        (select(longer > 0.0, d_longer, 0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
+        (select(longer >= 0.0, d_longer, 0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
     const real d_spring = dp->stiffness * rest_length_minus_length +
                           p->stiffness * (d_rest_length - dx->length) -
                           (dp->damping * x->length_rate + p->damping * dx->length_rate);
@@ -4516,7 +4525,7 @@ static void open_flight_rest_calm(const real *parameters, const real *states, re
     flight_rest_calm_constants *c = (void *)constants;
     const real mobility = 1.0 / p->body_mass + 1.0 / p->foot_mass;
     const real longer = p->thrust + p->more_thrust;
-    const real thrusting_times_longer_or_by_0 = x->thrusting * select(longer > 0.0, longer, 0.0);
+    const real thrusting_times_longer_or_by_0 = x->thrusting * select(longer >= 0.0, longer, 0.0);
     const real stiffness_times_extension_rate = p->stiffness * x->extension_rate;
     const real minus_gravity = -p->gravity;
     const real share = p->body_mass / (p->body_mass + p->foot_mass);
@@ -4571,8 +4580,8 @@ static void vary_open_flight_rest_calm(const real *parameters, const real *state
                             1.0 / p->foot_mass * dp->foot_mass / p->foot_mass;
     const real longer = p->thrust + p->more_thrust;
     const real d_longer = dp->thrust + dp->more_thrust;
-    const real d_thrusting_times_longer_or_by_0 = select(longer > 0.0, longer, 0.0) * dx->thrusting +
-                                                  x->thrusting * select(longer > 0.0, d_longer, 0.0);
+    const real d_thrusting_times_longer_or_by_0 = select(longer >= 0.0, longer, 0.0) * dx->thrusting +
+                                                  x->thrusting * select(longer >= 0.0, d_longer, 0.0);
     const real d_stiffness_times_extension_rate =
         x->extension_rate * dp->stiffness + p->stiffness * dx->extension_rate;
     const real d_minus_gravity = -dp->gravity;
@@ -4787,7 +4796,8 @@ static void outputs_flight_rest_calm(const real *parameters, const real *states,
     const real pending = select(
         real_abs(set_height - x->height) + real_abs(p->free_length * (set_slope - x->slope)) > 0.0, 1.0, 0.0);
     const real longer = p->thrust + p->more_thrust;
-    const real rest_length = p->free_length + x->extension + select(longer > 0.0, longer, 0.0) * x->thrusting;
+    const real rest_length =
+        p->free_length + x->extension + select(longer >= 0.0, longer, 0.0) * x->thrusting;
     const real shorter = rest_length - x->length;
     const real spring = p->stiffness * shorter - p->damping * x->length_rate;
     const real share = p->body_mass / (p->body_mass + p->foot_mass);
@@ -4845,13 +4855,13 @@ static void vary_outputs_flight_rest_calm(const real *parameters, const real *st
     const runner_parameters *dp = (const void *)d_parameters;
     const runner_states *dx = (const void *)d_states;
     const real longer = p->thrust + p->more_thrust;
-    const real longer_or_by_0 = select(longer > 0.0, longer, 0.0);
+    const real longer_or_by_0 = select(longer >= 0.0, longer, 0.0);
     const real rest_length = p->free_length + x->extension + longer_or_by_0 * x->thrusting;
     const real shorter = rest_length - x->length;
     const real d_longer = dp->thrust + dp->more_thrust;
     const real d_rest_length =
         dp->free_length + dx->extension +
-        (select(longer > 0.0, d_longer, 0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
+        (select(longer >= 0.0, d_longer, 0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
     const real d_shorter = d_rest_length - dx->length;
     const real d_spring = dp->stiffness * shorter + p->stiffness * d_shorter -
                           (dp->damping * x->length_rate + p->damping * dx->length_rate);
@@ -4938,7 +4948,8 @@ static void world_rates_flight_rest_calm(const real *parameters, const real *sta
     const real sine_times_rate = sine * rate;
     const real mobility = 1.0 / p->body_mass + 1.0 / p->foot_mass;
     const real longer = p->thrust + p->more_thrust;
-    const real rest_length = p->free_length + x->extension + select(longer > 0.0, longer, 0.0) * x->thrusting;
+    const real rest_length =
+        p->free_length + x->extension + select(longer >= 0.0, longer, 0.0) * x->thrusting;
     const real spring = p->stiffness * (rest_length - x->length) - p->damping * x->length_rate;
     const real sum_2 = x->length * (rate * rate) + mobility * spring;
     const real mobility_times_external_torque = mobility * x->external_torque;
@@ -4984,7 +4995,7 @@ static void vary_world_rates_flight_rest_calm(const real *parameters, const real
     const real by_1_over_foot_mass = 1.0 / p->foot_mass;
     const real mobility = by_1_over_body_mass + by_1_over_foot_mass;
     const real longer = p->thrust + p->more_thrust;
-    const real longer_or_by_0 = select(longer > 0.0, longer, 0.0);
+    const real longer_or_by_0 = select(longer >= 0.0, longer, 0.0);
     const real rest_length = p->free_length + x->extension + longer_or_by_0 * x->thrusting;
     const real rest_length_minus_length = rest_length - x->length;
     const real spring = p->stiffness * rest_length_minus_length - p->damping * x->length_rate;
@@ -4997,7 +5008,7 @@ static void vary_world_rates_flight_rest_calm(const real *parameters, const real
     const real d_longer = dp->thrust + dp->more_thrust;
     const real d_rest_length =
         dp->free_length + dx->extension +
-        (select(longer > 0.0, d_longer, 0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
+        (select(longer >= 0.0, d_longer, 0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
     const real d_spring = dp->stiffness * rest_length_minus_length +
                           p->stiffness * (d_rest_length - dx->length) -
                           (dp->damping * x->length_rate + p->damping * dx->length_rate);
@@ -5045,7 +5056,7 @@ static void open_flight_retract_calm(const real *parameters, const real *states,
     flight_retract_calm_constants *c = (void *)constants;
     const real mobility = 1.0 / p->body_mass + 1.0 / p->foot_mass;
     const real longer = p->thrust + p->more_thrust;
-    const real thrusting_times_longer_or_by_0 = x->thrusting * select(longer > 0.0, longer, 0.0);
+    const real thrusting_times_longer_or_by_0 = x->thrusting * select(longer >= 0.0, longer, 0.0);
     const real liftoff_factor_times_liftoff_angle = p->liftoff_factor * x->liftoff_angle;
     const real stiffness_times_extension_rate = p->stiffness * x->extension_rate;
     const real minus_gravity = -p->gravity;
@@ -5100,8 +5111,8 @@ static void vary_open_flight_retract_calm(const real *parameters, const real *st
                             1.0 / p->foot_mass * dp->foot_mass / p->foot_mass;
     const real longer = p->thrust + p->more_thrust;
     const real d_longer = dp->thrust + dp->more_thrust;
-    const real d_thrusting_times_longer_or_by_0 = select(longer > 0.0, longer, 0.0) * dx->thrusting +
-                                                  x->thrusting * select(longer > 0.0, d_longer, 0.0);
+    const real d_thrusting_times_longer_or_by_0 = select(longer >= 0.0, longer, 0.0) * dx->thrusting +
+                                                  x->thrusting * select(longer >= 0.0, d_longer, 0.0);
     const real d_liftoff_factor_times_liftoff_angle =
         x->liftoff_angle * dp->liftoff_factor + p->liftoff_factor * dx->liftoff_angle;
     const real d_stiffness_times_extension_rate =
@@ -5195,7 +5206,8 @@ static void outputs_flight_retract_calm(const real *parameters, const real *stat
     const real servo = -(p->kp * (x->angle - p->liftoff_factor * x->liftoff_angle)) - p->kd * rate;
     const real swing_torque = x->external_torque + servo;
     const real longer = p->thrust + p->more_thrust;
-    const real rest_length = p->free_length + x->extension + select(longer > 0.0, longer, 0.0) * x->thrusting;
+    const real rest_length =
+        p->free_length + x->extension + select(longer >= 0.0, longer, 0.0) * x->thrusting;
     const real shorter = rest_length - x->length;
     const real spring = p->stiffness * shorter - p->damping * x->length_rate;
     const real share = p->body_mass / (p->body_mass + p->foot_mass);
@@ -5263,13 +5275,13 @@ static void vary_outputs_flight_retract_calm(const real *parameters, const real 
         (dp->kd * rate + p->kd * d_rate);
     const real d_swing_torque = dx->external_torque + d_servo;
     const real longer = p->thrust + p->more_thrust;
-    const real longer_or_by_0 = select(longer > 0.0, longer, 0.0);
+    const real longer_or_by_0 = select(longer >= 0.0, longer, 0.0);
     const real rest_length = p->free_length + x->extension + longer_or_by_0 * x->thrusting;
     const real shorter = rest_length - x->length;
     const real d_longer = dp->thrust + dp->more_thrust;
     const real d_rest_length =
         dp->free_length + dx->extension +
-        (select(longer > 0.0, d_longer, 0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
+        (select(longer >= 0.0, d_longer, 0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
     const real d_shorter = d_rest_length - dx->length;
     const real d_spring = dp->stiffness * shorter + p->stiffness * d_shorter -
                           (dp->damping * x->length_rate + p->damping * dx->length_rate);
@@ -5356,7 +5368,8 @@ static void world_rates_flight_retract_calm(const real *parameters, const real *
     const real sine_times_rate = sine * rate;
     const real mobility = 1.0 / p->body_mass + 1.0 / p->foot_mass;
     const real longer = p->thrust + p->more_thrust;
-    const real rest_length = p->free_length + x->extension + select(longer > 0.0, longer, 0.0) * x->thrusting;
+    const real rest_length =
+        p->free_length + x->extension + select(longer >= 0.0, longer, 0.0) * x->thrusting;
     const real spring = p->stiffness * (rest_length - x->length) - p->damping * x->length_rate;
     const real sum_2 = x->length * (rate * rate) + mobility * spring;
     const real servo = -(p->kp * (x->angle - p->liftoff_factor * x->liftoff_angle)) - p->kd * rate;
@@ -5405,7 +5418,7 @@ static void vary_world_rates_flight_retract_calm(const real *parameters, const r
     const real by_1_over_foot_mass = 1.0 / p->foot_mass;
     const real mobility = by_1_over_body_mass + by_1_over_foot_mass;
     const real longer = p->thrust + p->more_thrust;
-    const real longer_or_by_0 = select(longer > 0.0, longer, 0.0);
+    const real longer_or_by_0 = select(longer >= 0.0, longer, 0.0);
     const real rest_length = p->free_length + x->extension + longer_or_by_0 * x->thrusting;
     const real rest_length_minus_length = rest_length - x->length;
     const real spring = p->stiffness * rest_length_minus_length - p->damping * x->length_rate;
@@ -5421,7 +5434,7 @@ static void vary_world_rates_flight_retract_calm(const real *parameters, const r
     const real d_longer = dp->thrust + dp->more_thrust;
     const real d_rest_length =
         dp->free_length + dx->extension +
-        (select(longer > 0.0, d_longer, 0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
+        (select(longer >= 0.0, d_longer, 0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
     const real d_spring = dp->stiffness * rest_length_minus_length +
                           p->stiffness * (d_rest_length - dx->length) -
                           (dp->damping * x->length_rate + p->damping * dx->length_rate);
@@ -5492,7 +5505,8 @@ static void outputs_fallen(const real *parameters, const real *states, real *out
     const real pending = select(
         real_abs(set_height - x->height) + real_abs(p->free_length * (set_slope - x->slope)) > 0.0, 1.0, 0.0);
     const real longer = p->thrust + p->more_thrust;
-    const real rest_length = p->free_length + x->extension + select(longer > 0.0, longer, 0.0) * x->thrusting;
+    const real rest_length =
+        p->free_length + x->extension + select(longer >= 0.0, longer, 0.0) * x->thrusting;
     const real shorter = rest_length - x->length;
     const real spring = p->stiffness * shorter - p->damping * x->length_rate;
     const real sin_of_angle = real_sin(x->angle);
@@ -5547,7 +5561,7 @@ static void open_graze_place(const real *parameters, const real *states, real *c
     const runner_states *x = (const void *)states;
     graze_place_constants *c = (void *)constants;
     const real longer = p->thrust + p->more_thrust;
-    const real thrusting_times_longer_or_by_0 = x->thrusting * select(longer > 0.0, longer, 0.0);
+    const real thrusting_times_longer_or_by_0 = x->thrusting * select(longer >= 0.0, longer, 0.0);
     const real cosine = real_cos(x->slope);
     const real foot_mass_times_gravity = p->foot_mass * p->gravity;
     const real off = foot_mass_times_gravity * cosine;
@@ -5597,8 +5611,8 @@ static void vary_open_graze_place(const real *parameters, const real *states, co
     graze_place_constants *c = (void *)constants;
     const real longer = p->thrust + p->more_thrust;
     const real d_longer = dp->thrust + dp->more_thrust;
-    const real d_thrusting_times_longer_or_by_0 = select(longer > 0.0, longer, 0.0) * dx->thrusting +
-                                                  x->thrusting * select(longer > 0.0, d_longer, 0.0);
+    const real d_thrusting_times_longer_or_by_0 = select(longer >= 0.0, longer, 0.0) * dx->thrusting +
+                                                  x->thrusting * select(longer >= 0.0, d_longer, 0.0);
     const real sine = real_sin(x->slope);
     const real sine_times_slope = sine * dx->slope;
     const real d_cosine = -sine_times_slope;
@@ -5780,7 +5794,8 @@ static int react_graze_place_graze_to_contact(const real *parameters, const real
         return next[0]; /* slip */
     }
     const real longer = p->thrust + p->more_thrust;
-    const real rest_length = p->free_length + x->extension + select(longer > 0.0, longer, 0.0) * x->thrusting;
+    const real rest_length =
+        p->free_length + x->extension + select(longer >= 0.0, longer, 0.0) * x->thrusting;
     const real square = x->x_ * x->x_ + x->y_ * x->y_;
     const real length = real_sqrt(square);
     const real length_rate = (x->x_ * x->vx + x->y_ * x->vy) / length;
@@ -5876,7 +5891,8 @@ static void vary_react_graze_place_graze_to_contact(const real *parameters, cons
         return;
     }
     const real longer = p->thrust + p->more_thrust;
-    const real rest_length = p->free_length + x->extension + select(longer > 0.0, longer, 0.0) * x->thrusting;
+    const real rest_length =
+        p->free_length + x->extension + select(longer >= 0.0, longer, 0.0) * x->thrusting;
     const real square = x->x_ * x->x_ + x->y_ * x->y_;
     const real length = real_sqrt(square);
     const real length_rate = (x->x_ * x->vx + x->y_ * x->vy) / length;
@@ -5949,7 +5965,7 @@ static real vary_guard_graze_place_graze_to_contact(const real *parameters, cons
     const runner_parameters *dp = (const void *)d_parameters;
     const runner_states *dx = (const void *)d_states;
     const real longer = p->thrust + p->more_thrust;
-    const real longer_or_by_0 = select(longer > 0.0, longer, 0.0);
+    const real longer_or_by_0 = select(longer >= 0.0, longer, 0.0);
     const real rest_length = p->free_length + x->extension + longer_or_by_0 * x->thrusting;
     const real square = x->x_ * x->x_ + x->y_ * x->y_;
     const real length = real_sqrt(square);
@@ -5957,7 +5973,7 @@ static real vary_guard_graze_place_graze_to_contact(const real *parameters, cons
     const real d_longer = dp->thrust + dp->more_thrust;
     const real d_rest_length =
         dp->free_length + dx->extension +
-        (select(longer > 0.0, d_longer, 0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
+        (select(longer >= 0.0, d_longer, 0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
     const real d_square = 2.0 * (x->x_ * dx->x_) + 2.0 * (x->y_ * dx->y_);
     const real d_length = 0.5 * d_square / length;
     const real length_rate = (x->x_ * x->vx + x->y_ * x->vy) / length;
@@ -6005,7 +6021,7 @@ static int react_graze_place_graze_to_flight(const real *parameters, const real 
     const real moment = x->x_ * x->vy - x->y_ * x->vx;
     const real rest_length = p->free_length + x->extension;
     const real longer = p->thrust + p->more_thrust;
-    const real sum_2 = rest_length + select(longer > 0.0, longer, 0.0) * x->thrusting;
+    const real sum_2 = rest_length + select(longer >= 0.0, longer, 0.0) * x->thrusting;
     const real jump = rest_length - sum_2;
     const real middle = sum_2 + 0.5 * jump - length;
     y->length = length;
@@ -6055,13 +6071,13 @@ static void vary_react_graze_place_graze_to_flight(const real *parameters, const
     const real d_moment = dx->x_ * x->vy + x->x_ * dx->vy - (dx->y_ * x->vx + x->y_ * dx->vx);
     const real rest_length = p->free_length + x->extension;
     const real longer = p->thrust + p->more_thrust;
-    const real longer_or_by_0 = select(longer > 0.0, longer, 0.0);
+    const real longer_or_by_0 = select(longer >= 0.0, longer, 0.0);
     const real sum_2 = rest_length + longer_or_by_0 * x->thrusting;
     const real jump = rest_length - sum_2;
     const real d_rest_length = dp->free_length + dx->extension;
     const real d_longer = dp->thrust + dp->more_thrust;
-    const real d_rest_length_plus_sum =
-        d_rest_length + (select(longer > 0.0, d_longer, 0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
+    const real d_rest_length_plus_sum = d_rest_length + (select(longer >= 0.0, d_longer, 0.0) * x->thrusting +
+                                                         longer_or_by_0 * dx->thrusting);
     const real d_jump = d_rest_length - d_rest_length_plus_sum;
     const real middle = sum_2 + 0.5 * jump - length;
     const real d_middle = d_rest_length_plus_sum + 0.5 * d_jump - d_length;
@@ -6094,7 +6110,7 @@ static real vary_guard_graze_place_graze_to_flight(const real *parameters, const
     const runner_parameters *dp = (const void *)d_parameters;
     const runner_states *dx = (const void *)d_states;
     const real longer = p->thrust + p->more_thrust;
-    const real longer_or_by_0 = select(longer > 0.0, longer, 0.0);
+    const real longer_or_by_0 = select(longer >= 0.0, longer, 0.0);
     const real rest_length = p->free_length + x->extension + longer_or_by_0 * x->thrusting;
     const real square = x->x_ * x->x_ + x->y_ * x->y_;
     const real length = real_sqrt(square);
@@ -6102,7 +6118,7 @@ static real vary_guard_graze_place_graze_to_flight(const real *parameters, const
     const real d_longer = dp->thrust + dp->more_thrust;
     const real d_rest_length =
         dp->free_length + dx->extension +
-        (select(longer > 0.0, d_longer, 0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
+        (select(longer >= 0.0, d_longer, 0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
     const real d_square = 2.0 * (x->x_ * dx->x_) + 2.0 * (x->y_ * dx->y_);
     const real d_length = 0.5 * d_square / length;
     const real length_rate = (x->x_ * x->vx + x->y_ * x->vy) / length;
@@ -6151,7 +6167,8 @@ static void outputs_graze_place(const real *parameters, const real *states, real
     const real pending = select(
         real_abs(set_height - x->height) + real_abs(p->free_length * (set_slope - x->slope)) > 0.0, 1.0, 0.0);
     const real longer = p->thrust + p->more_thrust;
-    const real rest_length = p->free_length + x->extension + select(longer > 0.0, longer, 0.0) * x->thrusting;
+    const real rest_length =
+        p->free_length + x->extension + select(longer >= 0.0, longer, 0.0) * x->thrusting;
     const real square = x->x_ * x->x_ + x->y_ * x->y_;
     const real length = real_sqrt(square);
     const real shorter = rest_length - length;
@@ -6216,7 +6233,7 @@ static void vary_outputs_graze_place(const real *parameters, const real *states,
     const runner_parameters *dp = (const void *)d_parameters;
     const runner_states *dx = (const void *)d_states;
     const real longer = p->thrust + p->more_thrust;
-    const real longer_or_by_0 = select(longer > 0.0, longer, 0.0);
+    const real longer_or_by_0 = select(longer >= 0.0, longer, 0.0);
     const real rest_length = p->free_length + x->extension + longer_or_by_0 * x->thrusting;
     const real square = x->x_ * x->x_ + x->y_ * x->y_;
     const real length = real_sqrt(square);
@@ -6224,7 +6241,7 @@ static void vary_outputs_graze_place(const real *parameters, const real *states,
     const real d_longer = dp->thrust + dp->more_thrust;
     const real d_rest_length =
         dp->free_length + dx->extension +
-        (select(longer > 0.0, d_longer, 0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
+        (select(longer >= 0.0, d_longer, 0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
     const real d_square = 2.0 * (x->x_ * dx->x_) + 2.0 * (x->y_ * dx->y_);
     const real d_length = 0.5 * d_square / length;
     const real d_shorter = d_rest_length - d_length;
@@ -6351,7 +6368,8 @@ static void world_rates_graze_place(const real *parameters, const real *states, 
     const real sine = real_sin(x->slope);
     const real vy = x->foot_vx * sine;
     const real longer = p->thrust + p->more_thrust;
-    const real rest_length = p->free_length + x->extension + select(longer > 0.0, longer, 0.0) * x->thrusting;
+    const real rest_length =
+        p->free_length + x->extension + select(longer >= 0.0, longer, 0.0) * x->thrusting;
     const real square = x->x_ * x->x_ + x->y_ * x->y_;
     const real length = real_sqrt(square);
     const real x__times_vx = x->x_ * x->vx;
@@ -6400,7 +6418,7 @@ static void vary_world_rates_graze_place(const real *parameters, const real *sta
     const real d_sine = cosine * dx->slope;
     const real d_vy = dx->foot_vx * sine + x->foot_vx * d_sine;
     const real longer = p->thrust + p->more_thrust;
-    const real longer_or_by_0 = select(longer > 0.0, longer, 0.0);
+    const real longer_or_by_0 = select(longer >= 0.0, longer, 0.0);
     const real rest_length = p->free_length + x->extension + longer_or_by_0 * x->thrusting;
     const real square = x->x_ * x->x_ + x->y_ * x->y_;
     const real length = real_sqrt(square);
@@ -6408,7 +6426,7 @@ static void vary_world_rates_graze_place(const real *parameters, const real *sta
     const real d_longer = dp->thrust + dp->more_thrust;
     const real d_rest_length =
         dp->free_length + dx->extension +
-        (select(longer > 0.0, d_longer, 0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
+        (select(longer >= 0.0, d_longer, 0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
     const real d_square = 2.0 * (x->x_ * dx->x_) + 2.0 * (x->y_ * dx->y_);
     const real d_length = 0.5 * d_square / length;
     const real x__times_vx = x->x_ * x->vx;
@@ -6491,7 +6509,7 @@ static void open_graze_rest(const real *parameters, const real *states, real *co
     const runner_states *x = (const void *)states;
     graze_rest_constants *c = (void *)constants;
     const real longer = p->thrust + p->more_thrust;
-    const real thrusting_times_longer_or_by_0 = x->thrusting * select(longer > 0.0, longer, 0.0);
+    const real thrusting_times_longer_or_by_0 = x->thrusting * select(longer >= 0.0, longer, 0.0);
     const real cosine = real_cos(x->slope);
     const real foot_mass_times_gravity = p->foot_mass * p->gravity;
     const real off = foot_mass_times_gravity * cosine;
@@ -6542,8 +6560,8 @@ static void vary_open_graze_rest(const real *parameters, const real *states, con
     graze_rest_constants *c = (void *)constants;
     const real longer = p->thrust + p->more_thrust;
     const real d_longer = dp->thrust + dp->more_thrust;
-    const real d_thrusting_times_longer_or_by_0 = select(longer > 0.0, longer, 0.0) * dx->thrusting +
-                                                  x->thrusting * select(longer > 0.0, d_longer, 0.0);
+    const real d_thrusting_times_longer_or_by_0 = select(longer >= 0.0, longer, 0.0) * dx->thrusting +
+                                                  x->thrusting * select(longer >= 0.0, d_longer, 0.0);
     const real sine = real_sin(x->slope);
     const real sine_times_slope = sine * dx->slope;
     const real d_cosine = -sine_times_slope;
@@ -6678,7 +6696,7 @@ static real vary_guard_graze_rest_graze_to_flight(const real *parameters, const 
     const runner_parameters *dp = (const void *)d_parameters;
     const runner_states *dx = (const void *)d_states;
     const real longer = p->thrust + p->more_thrust;
-    const real longer_or_by_0 = select(longer > 0.0, longer, 0.0);
+    const real longer_or_by_0 = select(longer >= 0.0, longer, 0.0);
     const real rest_length = p->free_length + x->extension + longer_or_by_0 * x->thrusting;
     const real square = x->x_ * x->x_ + x->y_ * x->y_;
     const real length = real_sqrt(square);
@@ -6686,7 +6704,7 @@ static real vary_guard_graze_rest_graze_to_flight(const real *parameters, const 
     const real d_longer = dp->thrust + dp->more_thrust;
     const real d_rest_length =
         dp->free_length + dx->extension +
-        (select(longer > 0.0, d_longer, 0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
+        (select(longer >= 0.0, d_longer, 0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
     const real d_square = 2.0 * (x->x_ * dx->x_) + 2.0 * (x->y_ * dx->y_);
     const real d_length = 0.5 * d_square / length;
     const real length_rate = (x->x_ * x->vx + x->y_ * x->vy) / length;
@@ -6718,7 +6736,8 @@ static void outputs_graze_rest(const real *parameters, const real *states, real 
     const real pending = select(
         real_abs(set_height - x->height) + real_abs(p->free_length * (set_slope - x->slope)) > 0.0, 1.0, 0.0);
     const real longer = p->thrust + p->more_thrust;
-    const real rest_length = p->free_length + x->extension + select(longer > 0.0, longer, 0.0) * x->thrusting;
+    const real rest_length =
+        p->free_length + x->extension + select(longer >= 0.0, longer, 0.0) * x->thrusting;
     const real square = x->x_ * x->x_ + x->y_ * x->y_;
     const real length = real_sqrt(square);
     const real shorter = rest_length - length;
@@ -6781,7 +6800,7 @@ static void open_graze_retract(const real *parameters, const real *states, real 
     const runner_states *x = (const void *)states;
     graze_retract_constants *c = (void *)constants;
     const real longer = p->thrust + p->more_thrust;
-    const real thrusting_times_longer_or_by_0 = x->thrusting * select(longer > 0.0, longer, 0.0);
+    const real thrusting_times_longer_or_by_0 = x->thrusting * select(longer >= 0.0, longer, 0.0);
     const real cosine = real_cos(x->slope);
     const real foot_mass_times_gravity = p->foot_mass * p->gravity;
     const real off = foot_mass_times_gravity * cosine;
@@ -6832,8 +6851,8 @@ static void vary_open_graze_retract(const real *parameters, const real *states, 
     graze_retract_constants *c = (void *)constants;
     const real longer = p->thrust + p->more_thrust;
     const real d_longer = dp->thrust + dp->more_thrust;
-    const real d_thrusting_times_longer_or_by_0 = select(longer > 0.0, longer, 0.0) * dx->thrusting +
-                                                  x->thrusting * select(longer > 0.0, d_longer, 0.0);
+    const real d_thrusting_times_longer_or_by_0 = select(longer >= 0.0, longer, 0.0) * dx->thrusting +
+                                                  x->thrusting * select(longer >= 0.0, d_longer, 0.0);
     const real sine = real_sin(x->slope);
     const real sine_times_slope = sine * dx->slope;
     const real d_cosine = -sine_times_slope;
@@ -6913,7 +6932,7 @@ static real vary_guard_graze_retract_graze_to_flight(const real *parameters, con
     const runner_parameters *dp = (const void *)d_parameters;
     const runner_states *dx = (const void *)d_states;
     const real longer = p->thrust + p->more_thrust;
-    const real longer_or_by_0 = select(longer > 0.0, longer, 0.0);
+    const real longer_or_by_0 = select(longer >= 0.0, longer, 0.0);
     const real rest_length = p->free_length + x->extension + longer_or_by_0 * x->thrusting;
     const real square = x->x_ * x->x_ + x->y_ * x->y_;
     const real length = real_sqrt(square);
@@ -6921,7 +6940,7 @@ static real vary_guard_graze_retract_graze_to_flight(const real *parameters, con
     const real d_longer = dp->thrust + dp->more_thrust;
     const real d_rest_length =
         dp->free_length + dx->extension +
-        (select(longer > 0.0, d_longer, 0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
+        (select(longer >= 0.0, d_longer, 0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
     const real d_square = 2.0 * (x->x_ * dx->x_) + 2.0 * (x->y_ * dx->y_);
     const real d_length = 0.5 * d_square / length;
     const real length_rate = (x->x_ * x->vx + x->y_ * x->vy) / length;
@@ -6963,7 +6982,7 @@ static void open_slip_falling(const real *parameters, const real *states, real *
     const runner_states *x = (const void *)states;
     slip_falling_constants *c = (void *)constants;
     const real longer = p->thrust + p->more_thrust;
-    const real thrusting_times_longer_or_by_0 = x->thrusting * select(longer > 0.0, longer, 0.0);
+    const real thrusting_times_longer_or_by_0 = x->thrusting * select(longer >= 0.0, longer, 0.0);
     const real product_2 = x->driving * (p->drive_torque + p->more_torque);
     const real cosine = real_cos(x->slope);
     const real sine = real_sin(x->slope);
@@ -7020,8 +7039,8 @@ static void vary_open_slip_falling(const real *parameters, const real *states, c
     slip_falling_constants *c = (void *)constants;
     const real longer = p->thrust + p->more_thrust;
     const real d_longer = dp->thrust + dp->more_thrust;
-    const real d_thrusting_times_longer_or_by_0 = select(longer > 0.0, longer, 0.0) * dx->thrusting +
-                                                  x->thrusting * select(longer > 0.0, d_longer, 0.0);
+    const real d_thrusting_times_longer_or_by_0 = select(longer >= 0.0, longer, 0.0) * dx->thrusting +
+                                                  x->thrusting * select(longer >= 0.0, d_longer, 0.0);
     const real d_product_2 =
         (p->drive_torque + p->more_torque) * dx->driving + x->driving * (dp->drive_torque + dp->more_torque);
     const real sine = real_sin(x->slope);
@@ -7094,7 +7113,8 @@ static void outputs_slip_falling(const real *parameters, const real *states, rea
         real_abs(set_height - x->height) + real_abs(p->free_length * (set_slope - x->slope)) > 0.0, 1.0, 0.0);
     const real stance_torque = x->external_torque - (p->drive_torque + p->more_torque) * x->driving;
     const real longer = p->thrust + p->more_thrust;
-    const real rest_length = p->free_length + x->extension + select(longer > 0.0, longer, 0.0) * x->thrusting;
+    const real rest_length =
+        p->free_length + x->extension + select(longer >= 0.0, longer, 0.0) * x->thrusting;
     const real square = x->x_ * x->x_ + x->y_ * x->y_;
     const real length = real_sqrt(square);
     const real shorter = rest_length - length;
@@ -7175,7 +7195,7 @@ static void vary_outputs_slip_falling(const real *parameters, const real *states
     const real d_stance_torque = dx->external_torque - ((dp->drive_torque + dp->more_torque) * x->driving +
                                                         drive_torque_plus_more_torque * dx->driving);
     const real longer = p->thrust + p->more_thrust;
-    const real longer_or_by_0 = select(longer > 0.0, longer, 0.0);
+    const real longer_or_by_0 = select(longer >= 0.0, longer, 0.0);
     const real rest_length = p->free_length + x->extension + longer_or_by_0 * x->thrusting;
     const real square = x->x_ * x->x_ + x->y_ * x->y_;
     const real length = real_sqrt(square);
@@ -7183,7 +7203,7 @@ static void vary_outputs_slip_falling(const real *parameters, const real *states
     const real d_longer = dp->thrust + dp->more_thrust;
     const real d_rest_length =
         dp->free_length + dx->extension +
-        (select(longer > 0.0, d_longer, 0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
+        (select(longer >= 0.0, d_longer, 0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
     const real d_square = 2.0 * (x->x_ * dx->x_) + 2.0 * (x->y_ * dx->y_);
     const real d_length = 0.5 * d_square / length;
     const real d_shorter = d_rest_length - d_length;
@@ -7309,7 +7329,8 @@ static real time_scale_slip_falling(const real *parameters, const real *states) 
     const real is_own = select(own < 0.0, 0.0, 1.0);
     const real friction_along = is_own * own + (1.0 - is_own) * x->friction;
     const real longer = p->thrust + p->more_thrust;
-    const real rest_length = p->free_length + x->extension + select(longer > 0.0, longer, 0.0) * x->thrusting;
+    const real rest_length =
+        p->free_length + x->extension + select(longer >= 0.0, longer, 0.0) * x->thrusting;
     const real square = x->x_ * x->x_ + x->y_ * x->y_;
     const real length = real_sqrt(square);
     const real length_rate = (x->x_ * x->vx + x->y_ * x->vy) / length;
@@ -7343,7 +7364,8 @@ static void world_rates_slip_falling(const real *parameters, const real *states,
     const real sine = real_sin(x->slope);
     const real vy = x->foot_vx * sine;
     const real longer = p->thrust + p->more_thrust;
-    const real rest_length = p->free_length + x->extension + select(longer > 0.0, longer, 0.0) * x->thrusting;
+    const real rest_length =
+        p->free_length + x->extension + select(longer >= 0.0, longer, 0.0) * x->thrusting;
     const real square = x->x_ * x->x_ + x->y_ * x->y_;
     const real length = real_sqrt(square);
     const real x__times_vx = x->x_ * x->vx;
@@ -7401,7 +7423,7 @@ static void vary_world_rates_slip_falling(const real *parameters, const real *st
     const real d_sine = cosine * dx->slope;
     const real d_vy = dx->foot_vx * sine + x->foot_vx * d_sine;
     const real longer = p->thrust + p->more_thrust;
-    const real longer_or_by_0 = select(longer > 0.0, longer, 0.0);
+    const real longer_or_by_0 = select(longer >= 0.0, longer, 0.0);
     const real rest_length = p->free_length + x->extension + longer_or_by_0 * x->thrusting;
     const real square = x->x_ * x->x_ + x->y_ * x->y_;
     const real length = real_sqrt(square);
@@ -7409,7 +7431,7 @@ static void vary_world_rates_slip_falling(const real *parameters, const real *st
     const real d_longer = dp->thrust + dp->more_thrust;
     const real d_rest_length =
         dp->free_length + dx->extension +
-        (select(longer > 0.0, d_longer, 0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
+        (select(longer >= 0.0, d_longer, 0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
     const real d_square = 2.0 * (x->x_ * dx->x_) + 2.0 * (x->y_ * dx->y_);
     const real d_length = 0.5 * d_square / length;
     const real x__times_vx = x->x_ * x->vx;
@@ -7523,7 +7545,7 @@ static void open_flight_place_pushed(const real *parameters, const real *states,
     flight_place_pushed_constants *c = (void *)constants;
     const real mobility = 1.0 / p->body_mass + 1.0 / p->foot_mass;
     const real longer = p->thrust + p->more_thrust;
-    const real thrusting_times_longer_or_by_0 = x->thrusting * select(longer > 0.0, longer, 0.0);
+    const real thrusting_times_longer_or_by_0 = x->thrusting * select(longer >= 0.0, longer, 0.0);
     const real total_mass = p->body_mass + p->foot_mass;
     const real touchdown_angle_plus_more_angle = p->touchdown_angle + p->more_angle;
     const real stiffness_times_extension_rate = p->stiffness * x->extension_rate;
@@ -7580,8 +7602,8 @@ static void vary_open_flight_place_pushed(const real *parameters, const real *st
                             1.0 / p->foot_mass * dp->foot_mass / p->foot_mass;
     const real longer = p->thrust + p->more_thrust;
     const real d_longer = dp->thrust + dp->more_thrust;
-    const real d_thrusting_times_longer_or_by_0 = select(longer > 0.0, longer, 0.0) * dx->thrusting +
-                                                  x->thrusting * select(longer > 0.0, d_longer, 0.0);
+    const real d_thrusting_times_longer_or_by_0 = select(longer >= 0.0, longer, 0.0) * dx->thrusting +
+                                                  x->thrusting * select(longer >= 0.0, d_longer, 0.0);
     const real d_total_mass = dp->body_mass + dp->foot_mass;
     const real d_touchdown_angle_plus_more_angle = dp->touchdown_angle + dp->more_angle;
     const real d_stiffness_times_extension_rate =
@@ -7649,7 +7671,8 @@ static void world_rates_flight_place_pushed(const real *parameters, const real *
     const real sine_times_rate = sine * rate;
     const real mobility = 1.0 / p->body_mass + 1.0 / p->foot_mass;
     const real longer = p->thrust + p->more_thrust;
-    const real rest_length = p->free_length + x->extension + select(longer > 0.0, longer, 0.0) * x->thrusting;
+    const real rest_length =
+        p->free_length + x->extension + select(longer >= 0.0, longer, 0.0) * x->thrusting;
     const real spring = p->stiffness * (rest_length - x->length) - p->damping * x->length_rate;
     const real axial = x->external_fy * cosine - x->external_fx * sine;
     const real sum_plus_axial_over_body_mass =
@@ -7705,7 +7728,7 @@ static void vary_world_rates_flight_place_pushed(const real *parameters, const r
     const real by_1_over_foot_mass = 1.0 / p->foot_mass;
     const real mobility = by_1_over_body_mass + by_1_over_foot_mass;
     const real longer = p->thrust + p->more_thrust;
-    const real longer_or_by_0 = select(longer > 0.0, longer, 0.0);
+    const real longer_or_by_0 = select(longer >= 0.0, longer, 0.0);
     const real rest_length = p->free_length + x->extension + longer_or_by_0 * x->thrusting;
     const real rest_length_minus_length = rest_length - x->length;
     const real spring = p->stiffness * rest_length_minus_length - p->damping * x->length_rate;
@@ -7728,7 +7751,7 @@ static void vary_world_rates_flight_place_pushed(const real *parameters, const r
     const real d_longer = dp->thrust + dp->more_thrust;
     const real d_rest_length =
         dp->free_length + dx->extension +
-        (select(longer > 0.0, d_longer, 0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
+        (select(longer >= 0.0, d_longer, 0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
     const real d_spring = dp->stiffness * rest_length_minus_length +
                           p->stiffness * (d_rest_length - dx->length) -
                           (dp->damping * x->length_rate + p->damping * dx->length_rate);
@@ -7790,7 +7813,7 @@ static void open_flight_rest_pushed(const real *parameters, const real *states, 
     flight_rest_pushed_constants *c = (void *)constants;
     const real mobility = 1.0 / p->body_mass + 1.0 / p->foot_mass;
     const real longer = p->thrust + p->more_thrust;
-    const real thrusting_times_longer_or_by_0 = x->thrusting * select(longer > 0.0, longer, 0.0);
+    const real thrusting_times_longer_or_by_0 = x->thrusting * select(longer >= 0.0, longer, 0.0);
     const real total_mass = p->body_mass + p->foot_mass;
     const real stiffness_times_extension_rate = p->stiffness * x->extension_rate;
     const real share = p->body_mass / total_mass;
@@ -7846,8 +7869,8 @@ static void vary_open_flight_rest_pushed(const real *parameters, const real *sta
                             1.0 / p->foot_mass * dp->foot_mass / p->foot_mass;
     const real longer = p->thrust + p->more_thrust;
     const real d_longer = dp->thrust + dp->more_thrust;
-    const real d_thrusting_times_longer_or_by_0 = select(longer > 0.0, longer, 0.0) * dx->thrusting +
-                                                  x->thrusting * select(longer > 0.0, d_longer, 0.0);
+    const real d_thrusting_times_longer_or_by_0 = select(longer >= 0.0, longer, 0.0) * dx->thrusting +
+                                                  x->thrusting * select(longer >= 0.0, d_longer, 0.0);
     const real d_total_mass = dp->body_mass + dp->foot_mass;
     const real d_stiffness_times_extension_rate =
         x->extension_rate * dp->stiffness + p->stiffness * dx->extension_rate;
@@ -7915,7 +7938,8 @@ static void world_rates_flight_rest_pushed(const real *parameters, const real *s
     const real sine_times_rate = sine * rate;
     const real mobility = 1.0 / p->body_mass + 1.0 / p->foot_mass;
     const real longer = p->thrust + p->more_thrust;
-    const real rest_length = p->free_length + x->extension + select(longer > 0.0, longer, 0.0) * x->thrusting;
+    const real rest_length =
+        p->free_length + x->extension + select(longer >= 0.0, longer, 0.0) * x->thrusting;
     const real spring = p->stiffness * (rest_length - x->length) - p->damping * x->length_rate;
     const real axial = x->external_fy * cosine - x->external_fx * sine;
     const real sum_plus_axial_over_body_mass =
@@ -7967,7 +7991,7 @@ static void vary_world_rates_flight_rest_pushed(const real *parameters, const re
     const real by_1_over_foot_mass = 1.0 / p->foot_mass;
     const real mobility = by_1_over_body_mass + by_1_over_foot_mass;
     const real longer = p->thrust + p->more_thrust;
-    const real longer_or_by_0 = select(longer > 0.0, longer, 0.0);
+    const real longer_or_by_0 = select(longer >= 0.0, longer, 0.0);
     const real rest_length = p->free_length + x->extension + longer_or_by_0 * x->thrusting;
     const real rest_length_minus_length = rest_length - x->length;
     const real spring = p->stiffness * rest_length_minus_length - p->damping * x->length_rate;
@@ -7985,7 +8009,7 @@ static void vary_world_rates_flight_rest_pushed(const real *parameters, const re
     const real d_longer = dp->thrust + dp->more_thrust;
     const real d_rest_length =
         dp->free_length + dx->extension +
-        (select(longer > 0.0, d_longer, 0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
+        (select(longer >= 0.0, d_longer, 0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
     const real d_spring = dp->stiffness * rest_length_minus_length +
                           p->stiffness * (d_rest_length - dx->length) -
                           (dp->damping * x->length_rate + p->damping * dx->length_rate);
@@ -8042,7 +8066,7 @@ static void open_flight_retract_pushed(const real *parameters, const real *state
     flight_retract_pushed_constants *c = (void *)constants;
     const real mobility = 1.0 / p->body_mass + 1.0 / p->foot_mass;
     const real longer = p->thrust + p->more_thrust;
-    const real thrusting_times_longer_or_by_0 = x->thrusting * select(longer > 0.0, longer, 0.0);
+    const real thrusting_times_longer_or_by_0 = x->thrusting * select(longer >= 0.0, longer, 0.0);
     const real total_mass = p->body_mass + p->foot_mass;
     const real liftoff_factor_times_liftoff_angle = p->liftoff_factor * x->liftoff_angle;
     const real stiffness_times_extension_rate = p->stiffness * x->extension_rate;
@@ -8098,8 +8122,8 @@ static void vary_open_flight_retract_pushed(const real *parameters, const real *
                             1.0 / p->foot_mass * dp->foot_mass / p->foot_mass;
     const real longer = p->thrust + p->more_thrust;
     const real d_longer = dp->thrust + dp->more_thrust;
-    const real d_thrusting_times_longer_or_by_0 = select(longer > 0.0, longer, 0.0) * dx->thrusting +
-                                                  x->thrusting * select(longer > 0.0, d_longer, 0.0);
+    const real d_thrusting_times_longer_or_by_0 = select(longer >= 0.0, longer, 0.0) * dx->thrusting +
+                                                  x->thrusting * select(longer >= 0.0, d_longer, 0.0);
     const real d_total_mass = dp->body_mass + dp->foot_mass;
     const real d_liftoff_factor_times_liftoff_angle =
         x->liftoff_angle * dp->liftoff_factor + p->liftoff_factor * dx->liftoff_angle;
@@ -8167,7 +8191,8 @@ static void world_rates_flight_retract_pushed(const real *parameters, const real
     const real sine_times_rate = sine * rate;
     const real mobility = 1.0 / p->body_mass + 1.0 / p->foot_mass;
     const real longer = p->thrust + p->more_thrust;
-    const real rest_length = p->free_length + x->extension + select(longer > 0.0, longer, 0.0) * x->thrusting;
+    const real rest_length =
+        p->free_length + x->extension + select(longer >= 0.0, longer, 0.0) * x->thrusting;
     const real spring = p->stiffness * (rest_length - x->length) - p->damping * x->length_rate;
     const real axial = x->external_fy * cosine - x->external_fx * sine;
     const real sum_plus_axial_over_body_mass =
@@ -8222,7 +8247,7 @@ static void vary_world_rates_flight_retract_pushed(const real *parameters, const
     const real by_1_over_foot_mass = 1.0 / p->foot_mass;
     const real mobility = by_1_over_body_mass + by_1_over_foot_mass;
     const real longer = p->thrust + p->more_thrust;
-    const real longer_or_by_0 = select(longer > 0.0, longer, 0.0);
+    const real longer_or_by_0 = select(longer >= 0.0, longer, 0.0);
     const real rest_length = p->free_length + x->extension + longer_or_by_0 * x->thrusting;
     const real rest_length_minus_length = rest_length - x->length;
     const real spring = p->stiffness * rest_length_minus_length - p->damping * x->length_rate;
@@ -8243,7 +8268,7 @@ static void vary_world_rates_flight_retract_pushed(const real *parameters, const
     const real d_longer = dp->thrust + dp->more_thrust;
     const real d_rest_length =
         dp->free_length + dx->extension +
-        (select(longer > 0.0, d_longer, 0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
+        (select(longer >= 0.0, d_longer, 0.0) * x->thrusting + longer_or_by_0 * dx->thrusting);
     const real d_spring = dp->stiffness * rest_length_minus_length +
                           p->stiffness * (d_rest_length - dx->length) -
                           (dp->damping * x->length_rate + p->damping * dx->length_rate);
@@ -8303,7 +8328,7 @@ static void set_extension_start_of_run(const real *parameters, const real *state
     const runner_states *x = (const void *)states;
     runner_states *y = (void *)after;
     const real longer = p->thrust + p->more_thrust;
-    const real longer_or_by_0_times_thrusting = select(longer > 0.0, longer, 0.0) * x->thrusting;
+    const real longer_or_by_0_times_thrusting = select(longer >= 0.0, longer, 0.0) * x->thrusting;
     const real rest_length = p->free_length + given + longer_or_by_0_times_thrusting;
     const real sum_2 = p->free_length + x->extension + longer_or_by_0_times_thrusting;
     const real jump = rest_length - sum_2;
@@ -8317,7 +8342,7 @@ static void set_extension_slip_constant(const real *parameters, const real *stat
     const runner_states *x = (const void *)states;
     runner_states *y = (void *)after;
     const real longer = p->thrust + p->more_thrust;
-    const real longer_or_by_0_times_thrusting = select(longer > 0.0, longer, 0.0) * x->thrusting;
+    const real longer_or_by_0_times_thrusting = select(longer >= 0.0, longer, 0.0) * x->thrusting;
     const real rest_length = p->free_length + given + longer_or_by_0_times_thrusting;
     const real sum_2 = p->free_length + x->extension + longer_or_by_0_times_thrusting;
     const real jump = rest_length - sum_2;
@@ -8334,11 +8359,11 @@ static void set_thrust_start_of_run(const real *parameters, const real *states, 
     runner_states *y = (void *)after;
     const real free_length_plus_extension = p->free_length + x->extension;
     const real longer = given + p->more_thrust;
-    const real rest_length = free_length_plus_extension + select(longer > 0.0, longer, 0.0) * x->thrusting;
+    const real rest_length = free_length_plus_extension + select(longer >= 0.0, longer, 0.0) * x->thrusting;
     const real thrust_plus_more_thrust = p->thrust + p->more_thrust;
     const real free_length_plus_extension_plus_product =
         free_length_plus_extension +
-        select(thrust_plus_more_thrust > 0.0, thrust_plus_more_thrust, 0.0) * x->thrusting;
+        select(thrust_plus_more_thrust >= 0.0, thrust_plus_more_thrust, 0.0) * x->thrusting;
     const real jump = rest_length - free_length_plus_extension_plus_product;
     const real middle = free_length_plus_extension_plus_product + 0.5 * jump - x->length;
     y->leg_work = x->leg_work + p->stiffness * jump * middle;
@@ -8351,11 +8376,11 @@ static void set_thrust_slip_constant(const real *parameters, const real *states,
     runner_states *y = (void *)after;
     const real free_length_plus_extension = p->free_length + x->extension;
     const real longer = given + p->more_thrust;
-    const real rest_length = free_length_plus_extension + select(longer > 0.0, longer, 0.0) * x->thrusting;
+    const real rest_length = free_length_plus_extension + select(longer >= 0.0, longer, 0.0) * x->thrusting;
     const real thrust_plus_more_thrust = p->thrust + p->more_thrust;
     const real free_length_plus_extension_plus_product =
         free_length_plus_extension +
-        select(thrust_plus_more_thrust > 0.0, thrust_plus_more_thrust, 0.0) * x->thrusting;
+        select(thrust_plus_more_thrust >= 0.0, thrust_plus_more_thrust, 0.0) * x->thrusting;
     const real jump = rest_length - free_length_plus_extension_plus_product;
     const real square = x->x_ * x->x_ + x->y_ * x->y_;
     const real length = real_sqrt(square);
@@ -8371,11 +8396,11 @@ static void set_more_thrust_start_of_run(const real *parameters, const real *sta
     runner_states *y = (void *)after;
     const real free_length_plus_extension = p->free_length + x->extension;
     const real longer = p->thrust + given;
-    const real rest_length = free_length_plus_extension + select(longer > 0.0, longer, 0.0) * x->thrusting;
+    const real rest_length = free_length_plus_extension + select(longer >= 0.0, longer, 0.0) * x->thrusting;
     const real thrust_plus_more_thrust = p->thrust + p->more_thrust;
     const real free_length_plus_extension_plus_product =
         free_length_plus_extension +
-        select(thrust_plus_more_thrust > 0.0, thrust_plus_more_thrust, 0.0) * x->thrusting;
+        select(thrust_plus_more_thrust >= 0.0, thrust_plus_more_thrust, 0.0) * x->thrusting;
     const real jump = rest_length - free_length_plus_extension_plus_product;
     const real middle = free_length_plus_extension_plus_product + 0.5 * jump - x->length;
     y->leg_work = x->leg_work + p->stiffness * jump * middle;
@@ -8389,11 +8414,11 @@ static void set_more_thrust_slip_constant(const real *parameters, const real *st
     runner_states *y = (void *)after;
     const real free_length_plus_extension = p->free_length + x->extension;
     const real longer = p->thrust + given;
-    const real rest_length = free_length_plus_extension + select(longer > 0.0, longer, 0.0) * x->thrusting;
+    const real rest_length = free_length_plus_extension + select(longer >= 0.0, longer, 0.0) * x->thrusting;
     const real thrust_plus_more_thrust = p->thrust + p->more_thrust;
     const real free_length_plus_extension_plus_product =
         free_length_plus_extension +
-        select(thrust_plus_more_thrust > 0.0, thrust_plus_more_thrust, 0.0) * x->thrusting;
+        select(thrust_plus_more_thrust >= 0.0, thrust_plus_more_thrust, 0.0) * x->thrusting;
     const real jump = rest_length - free_length_plus_extension_plus_product;
     const real square = x->x_ * x->x_ + x->y_ * x->y_;
     const real length = real_sqrt(square);

@@ -158,16 +158,82 @@ static void sample_within(work *w, double elapsed) {
 
 /* ---- its end ------------------------------------------------------------------------------------------- */
 
+/* The share of the elapsed time for which an expanded variation can be trusted. As a rule that is all of it;
+ * but where the states rest, their steps are long, and a variation may swing. Its unit is the largest change
+ * of a state at the beginning. */
+static double trusted_share(const work *w) {
+    static const double far_too_large = 1e4;
+    const tdmf_motion_kind *m = w->step.motion;
+    double largest = 0.0, share = 1.0;
+    for (int i = 0; i < m->moving_count; ++i) {
+        largest = real_max(largest, fabs(w->t[i][0]) / w->step.units[i]);
+    }
+    for (int i = 0; i < m->moving_count; ++i) {
+        const double allowed = w->step.tolerance * largest * w->step.units[i];
+        for (int k = w->step.order - 2; k < w->step.order; ++k) {
+            const double term = fabs(w->t[i][k]) * w->step.power[k];
+            share = term > far_too_large * allowed && allowed > 0.0
+                        ? real_min(share, rough_root(allowed / term, k))
+                        : share;
+        }
+    }
+    return share;
+}
+
+/* Ends the step sooner, before any event. */
+static double shortened(work *w, double elapsed) {
+    set_powers(w->step.power, elapsed, w->step.order);
+    w->step.end = elapsed / w->step.size;
+    w->step.first = NO_EVENT;
+    return elapsed;
+}
+
+/* Advances observed quantities and all variations by the elapsed time, or by the share of it for which all
+ * variations can be trusted. Keeps the variations as they were before. */
+static double advance_variations(work *w, double elapsed) {
+    tdmf_page_run *r = w->state->r;
+    const size_t size = (size_t)(r->seed_count * w->state->model->state_count) * sizeof *r->dx;
+    double observed[TDMF_WATCH_LIMIT];
+    int seed = 0;
+    memcpy(w->at->kept, r->dx, size);
+    for (int i = 0; i < w->step.observed_count; ++i) {
+        observed[i] = r->x[w->mode->watches[i].into];
+    }
+    observe_all(w, r->x);
+    while (seed < r->seed_count) {
+        vary(w, seed);
+        const double share = r->judges_variations ? trusted_share(w) : 1.0;
+        if (!(share < 1.0)) {
+            advance_variation(w, seed, seed_dx(w, seed));
+            ++seed;
+            continue;
+        }
+        elapsed = shortened(w, elapsed * share);
+        memcpy(r->dx, w->at->kept, size);
+        for (int i = 0; i < w->step.observed_count; ++i) {
+            r->x[w->mode->watches[i].into] = observed[i];
+        }
+        observe_all(w, r->x);
+        seed = 0;
+    }
+    return elapsed;
+}
+
+/* Samples behind the end of a step that has been shortened are taken in the next one. */
+static void forget_samples(const work *w, double elapsed) {
+    tdmf_page_run *r = w->state->r;
+    while (r->sampled > 0 && !(r->sample_times[r->sampled - 1] - r->time < elapsed)) {
+        --r->sampled;
+    }
+}
+
 /* Advances the run to the end of the step. */
 static void advance(work *w) {
     trust_all_observed(w);
-    const double elapsed = end_step(&w->step);
+    double elapsed = end_step(&w->step);
     sample_within(w, elapsed);
-    observe_all(w, w->state->r->x);
-    for (int seed = 0; seed < w->state->r->seed_count; ++seed) {
-        vary(w, seed);
-        advance_variation(w, seed, seed_dx(w, seed));
-    }
+    elapsed = advance_variations(w, elapsed);
+    forget_samples(w, elapsed);
     advance_states(w, w->state->r->x);
     tdmf_pass_time(w->state->r, elapsed);
     ++w->state->r->steps;

@@ -12,10 +12,11 @@
 
 #include <string.h>
 
-static const double most_time_scales = 3.0; /* of a law in a step */
-static const double largest_size = 1e10;    /* powers of a step do not overflow */
-static const double divisor_change = 0.75;  /* of a divisor within a step, relative to it */
-static const double guard_tolerance = 10.0; /* of a guard's series, relative to that of a step */
+static const double most_time_scales = 3.0;  /* of a law in a step */
+static const double largest_size = 1e10;     /* powers of a step do not overflow */
+static const double smallest_share = 1e-200; /* of a scale: dividing by it raises no exception */
+static const double divisor_change = 0.75;   /* of a divisor within a step, relative to it */
+static const double guard_tolerance = 10.0;  /* of a guard's series, relative to that of a step */
 
 static const double short_line = 1e-10; /* share of a step in which a guard is a straight line */
 
@@ -292,7 +293,8 @@ static inline void search_guard(page_step *step, int guard, real *g, real floor,
         found.time = select(is_below, to, found.time);
         found.zero = select(is_below, to, found.zero);
     }
-    const real since = found.time - found.zero;
+    const real zero = broadcast(0.0);
+    const real since = select(found.is_root, found.time, zero) - select(found.is_root, found.zero, zero);
     const mask is_slow = lanes & found.is_root & mask_not((since > 0.0) & (since < short_line));
     if (any(is_slow)) {
         found.zero = refined_zero(g, step->order - 1, &found, is_slow);
@@ -304,7 +306,7 @@ static inline void search_guard(page_step *step, int guard, real *g, real floor,
 static inline real time_of_change(const page_step *step, const real *g, real scale) {
     real time = step->reach;
     for (int k = 1; k < step->order; ++k) {
-        time = real_min(time, rough_root(scale / real_abs(g[k]), k));
+        time = real_min(time, rough_root(scale / real_max(real_abs(g[k]), smallest_share * scale), k));
     }
     return time;
 }

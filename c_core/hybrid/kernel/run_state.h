@@ -24,6 +24,7 @@ typedef struct {
     bool begins;   /* no time has passed in the mode */
     double *c, *d; /* constants of the mode, and their variations for each seed */
     guard_start guards[TDMF_GUARD_LIMIT];
+    double *kept;                /* variations of all states at the beginning of a step */
     double *room, *rates, *none; /* arrays of states; `none` holds zeros for parameters that do not vary */
 } mode_start;
 

@@ -16,28 +16,35 @@ from numpy.typing import ArrayLike, NDArray
 from ..blocks import run_blocks
 from ..checks import check_size, is_one_of, refusal
 from ..errors import InputError
+from ..files.resume import Resumed
 from ..files.whole import check_destination
 from ..given import counts_given
-from ..labelled import Labelled
+from ..library.engine import FATES, SETTLED
 from ..library.gait import Gait
 from ..library.laws import Law, is_noisy, text_of_law
 from ..library.runner import Runner
 from ..library.section import check_axes
 from ..library.shared_steps import shares_steps
+from ..record import dataset
 from ..terminal.progress import progress_bar
 from ..variables.parameters import RunnerLike
 from ..variables.table import VARIABLES
 from .axes import AXES, Axes, axes_of
 from .axes import range_around as range_around
 from .ball import Ball, attributes_of, ball_of
-from .basin_result import FOLLOWED, NOT_YET, STRIDES, Basin
 from .controlled_gait import stable_gait as stable_gait
 from .fates import MAX_ALONG, STARTS_AT_ONCE
 from .preview import PREVIEW, REFINEMENTS, follow_points, preview_of
 from .slice_block import Slice, fates_of_slice
 
 if TYPE_CHECKING:
-    from .basin_file import BasinFile
+    import xarray
+
+NOT_YET = -1
+STRIDES = "strides_until_known"
+"""Name of the variable."""
+FOLLOWED = "is_followed"
+"""Name of a variable of previews."""
 
 MAX_STARTS = MAX_ALONG**2
 """A map of as many is 2 GB."""
@@ -57,11 +64,12 @@ def basin(
     path: Path | str | None = None,
     executor: Executor | None = None,
     progress: bool = False,
-) -> Basin:
+) -> xarray.Dataset:
     """The fate of a runner from each point of a slice through the gait's apex.
 
     The other coordinates are the gait's; the reduced map has none. With a path the result is written there as
-    NetCDF, row by row, and a file of the same slice is gone on with.
+    NetCDF; rows that are done are kept in a folder beside it, so that a job that stopped is resumed by the
+    same call.
 
     Parameters
     ----------
@@ -96,10 +104,11 @@ def basin(
 
     Returns
     -------
-    Basin
+    xarray.Dataset
         `fate`, a number of `library.engine.FATES`, and `strides_until_known`, that were closed until then,
-        over the two coordinates. How much of the slice settles: `settled_share` and, in the coordinates'
-        units, `settled_area`. By which ball, its attributes say: `ball` ("tested", "proved" or "none"),
+        over the two coordinates. Attributes: `settled_share`, the share of the starts that settle, and
+        `settled_area`, their area in the coordinates' units; the gait, as `gait_com_height` and so on; the
+        ball: `ball` ("tested", "proved" or "none"),
         `ball_radius` (every apex so near in each coordinate, over the scales, is inside), `ball_rate` (what
         the norm falls to in a stride at the most) and `ball_points`; `refine` says how the map was
         made; a preview has `is_followed`, too: 0 for starts that are painted.
@@ -152,43 +161,61 @@ def basin_at(
     path: Path | str | None = None,
     executor: Executor | None = None,
     progress: bool = False,
-) -> Basin:
+) -> xarray.Dataset:
     """`basin` of a stable gait, at values of two coordinates that may be at any distance from each other."""
     runner = gait.runner
     path = None if path is None else check_destination(path, (".nc",), "path")
     along = _checked_slice(values, runner.coordinates)
-    rows, columns = along.values()
+    (first, rows), (second, columns) = along.items()
     _check_refine(refine, law)
     around = ball_of(gait, ball, len(rows) * len(columns), law)
-    data = _blank(gait, along, refine).with_attributes(attributes_of(around))
-    plan = Slice(runner, tuple(gait.apex), data.axes, tuple(rows), tuple(columns), law=law, ball=around)
-    if law is not None:
-        data = data.with_attributes({"law": text_of_law(law, plan.starts())})
-    file = None
-    if path is not None:
-        from .basin_file import BasinFile  # xarray is slow to load, and an extra
-
-        file = BasinFile(path)
-        data = file.resumed(data)
+    plan = Slice(runner, tuple(gait.apex), (first, second), tuple(rows), tuple(columns), law=law, ball=around)
+    made = Resumed(path, _blank(gait, along, refine, plan), "map of fates")
     blocks = functools.partial(run_blocks, executor=executor)
     if refine == PREVIEW:
-        _paint(data, plan, blocks, progress)
+        _paint(made, plan, blocks, progress)
     else:
-        _follow_rows(data, plan, blocks, file, progress)
-    data = data.with_attributes({"settled_share": data.settled_share, "settled_area": data.settled_area})
-    if file is not None:
-        file.write(data)
+        _follow_rows(made, plan, blocks, progress)
+    share = float((made.data["fate"] == SETTLED).mean())
+    area = math.prod(float(np.ptp(values)) for values in along.values())
+    data = made.data.assign_attrs(settled_share=share, settled_area=share * area)
+    if not made.is_whole:
+        made.finish(data)
     return data
 
 
-def _blank(gait: Gait, along: Mapping[str, NDArray[np.float64]], refine: str) -> Basin:
-    """One without fates; a preview tells which starts it followed."""
-    data = Basin.blank(gait, along).with_attributes({"refine": refine})
-    if refine != PREVIEW:
-        return data
-    about = {"long_name": "1 for a start that was followed, 0 for a painted one"}
-    nowhere = np.zeros(data["fate"].shape, dtype="i1")
-    return data.with_arrays(**{FOLLOWED: Labelled(data.axes, nowhere, about)})
+def fate_counts(data: xarray.Dataset) -> dict[str, int]:
+    """Number of starts with each fate, by the names of `library.engine.FATES`."""
+    return {name: int((data["fate"] == number).sum()) for number, name in enumerate(FATES)}
+
+
+def _blank(gait: Gait, along: Mapping[str, NDArray[np.float64]], refine: str, plan: Slice) -> xarray.Dataset:
+    """A map without fates; a preview reports which starts it followed."""
+    shape = tuple(map(len, along.values()))
+    flags = {"flag_values": np.arange(len(FATES)), "flag_meanings": " ".join(FATES)}
+    count = {"units": "1", "long_name": "strides closed until the fate was known"}
+    variables = {
+        "fate": (plan.axes, np.full(shape, NOT_YET, dtype="i4"), flags),
+        STRIDES: (plan.axes, np.zeros(shape, dtype="i4"), count),
+    }
+    if refine == PREVIEW:
+        about = {"long_name": "1 for a start that was followed, 0 for a painted one"}
+        variables[FOLLOWED] = plan.axes, np.zeros(shape, dtype="i1"), about
+    coordinates = {
+        axis: (axis, values, VARIABLES[f"apex.{axis}"].attributes) for axis, values in along.items()
+    }
+    apex = dict(zip(gait.runner.coordinates, map(float, gait.apex), strict=True))
+    return dataset(
+        "basin",
+        gait.runner.record(),
+        variables,
+        coordinates,
+        **{f"gait_{axis}": value for axis, value in apex.items()},
+        word=gait.word,
+        refine=refine,
+        **attributes_of(plan.ball),
+        **({} if plan.law is None else {"law": text_of_law(plan.law, plan.starts())}),
+    )
 
 
 def _check_refine(refine: str, law: Law | None) -> None:
@@ -198,20 +225,20 @@ def _check_refine(refine: str, law: Law | None) -> None:
         raise InputError("refine = 'preview' with a law that has noise: allowed: 'exact'")
 
 
-def _paint(data: Basin, plan: Slice, blocks: Callable[..., Any], progress: bool) -> None:
+def _paint(made: Resumed, plan: Slice, blocks: Callable[..., Any], progress: bool) -> None:
     """A preview, unless the file holds it."""
-    if (data["fate"] != NOT_YET).all():
+    if made.is_whole:
         return
+    shape = len(plan.rows), len(plan.columns)
     with progress_bar("preview of a basin", None, "starts", progress) as bar:
-        found = preview_of(data["fate"].shape, functools.partial(follow_points, plan, blocks, bar.update))
+        found = preview_of(shape, functools.partial(follow_points, plan, blocks, bar.update))
+    data = made.data
     data["fate"][:], data[STRIDES][:], data[FOLLOWED][:] = found.fate, found.strides, found.is_followed
 
 
-def _follow_rows(
-    data: Basin, plan: Slice, blocks: Callable[..., Any], file: BasinFile | None, progress: bool
-) -> None:
-    """Rows that are missing, each start by itself, into the file as they come."""
-    missing = [row for row in range(len(plan.rows)) if (data["fate"][row] == NOT_YET).any()]
+def _follow_rows(made: Resumed, plan: Slice, blocks: Callable[..., Any], progress: bool) -> None:
+    """Rows that are missing, each start by itself."""
+    missing = [row for row in range(len(plan.rows)) if (made.data["fate"].values[row] == NOT_YET).any()]
     at_once = max(1, STARTS_AT_ONCE // len(plan.columns))
     rows = [missing[i : i + at_once] for i in range(0, len(missing), at_once)]
     parts = [
@@ -223,11 +250,9 @@ def _follow_rows(
         blocks(fates_of_slice, parts) as results,
     ):
         bar.update(len(plan.rows) - len(missing))
-        for number, found in results:
-            data["fate"][rows[number]], data[STRIDES][rows[number]] = found
+        for number, (fate, strides) in results:
+            made.write({plan.axes[0]: rows[number]}, {"fate": fate, STRIDES: strides})
             bar.update(len(rows[number]))
-            if file is not None:
-                file.write_rows(data, rows[number])
 
 
 def _checked_slice(

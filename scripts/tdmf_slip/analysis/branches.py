@@ -10,17 +10,15 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ..checks import checked, checked_flag, checked_whole, number_of, refusal
-from ..drawable import Drawable
 from ..errors import InputError, RunError
 from ..given import row_of
 from ..library.fixed_point import settled_gait
-from ..library.gait import Gait, check_is_gait
+from ..library.gait import Gait, check_is_gait, gaits_dataset
 from ..library.members import varied_alone
 from ..library.runner import Runner
 from ..library.shared_steps import shares_steps
 from ..numerics.following import SHORTEST_STEP as SHORTEST_STEP
 from ..numerics.following import Limits, Point, both_ways, follow
-from ..record import attributes_of
 from ..terminal.progress import progress_bar
 from ..variables.parameters import RunnerLike
 from ..variables.table import VARIABLES
@@ -47,7 +45,7 @@ UNEVEN = 0.5
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class Branch(Drawable):
+class Branch:
     """Gaits in the order in which they were met along a parameter."""
 
     name: str
@@ -99,7 +97,7 @@ class Branch(Drawable):
             "branches": [branch.as_json() for branch in self.branches],
         }
 
-    def to_xarray(self) -> xarray.Dataset:
+    def to_dataset(self) -> xarray.Dataset:
         """The branch as a dataset with units, over `point` and, for its special points, over `special`.
 
         Returns
@@ -109,9 +107,17 @@ class Branch(Drawable):
             and `unstable`, how many eigenvalues are outside the unit circle; by special point `special_kind`,
             `special_value` and `special_why`.
         """
-        from .grid import as_dataset  # xarray is slow to load
-
-        data = as_dataset(self.gaits, {"point": np.arange(len(self.gaits), dtype=float)})
+        points = {"point": np.arange(len(self.gaits), dtype=float)}
+        data = gaits_dataset(
+            "branch",
+            self.gaits[0].runner.record(self.name),
+            self.gaits,
+            points,
+            over=self.name,
+            strides=self.strides,
+            began=self.began,
+            ended=self.ended,
+        )
         data[self.name] = ("point",), np.array(self.values)
         data[self.name].attrs = VARIABLES[self.name].attributes
         data["unstable"] = ("point",), np.array([gait.unstable for gait in self.gaits])
@@ -120,13 +126,6 @@ class Branch(Drawable):
         data["special_value"] = ("special",), np.array([s.value for s in self.specials], dtype=float)
         data["special_why"] = ("special",), np.array([s.why for s in self.specials], dtype=object)
         data["special_value"].attrs = VARIABLES[self.name].attributes
-        data.attrs = {
-            **attributes_of(self.gaits[0].runner.record(self.name)),
-            "over": self.name,
-            "strides": self.strides,
-            "began": self.began,
-            "ended": self.ended,
-        }
         return data
 
 

@@ -10,7 +10,6 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from ..checks import is_one_of, near_matches, shown
-from ..drawable import Drawable
 from ..errors import InputError
 from ..given import row_of
 from ..library.gait import Gait
@@ -58,7 +57,7 @@ class MatchedRunner:
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class Comparison(Drawable):
+class Comparison:
     """Runners with the same speed, clearance or the like, whose differences have fewer causes."""
 
     hold: tuple[str, ...]

@@ -9,7 +9,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..checks import checked_whole, refusal, shown
-from ..drawable import Drawable
 from ..errors import InputError, RunError
 from ..given import row_of
 from ..library.gait import Gait
@@ -49,7 +48,7 @@ FIRST_STEPS = (1e-4, 1e-5, 1e-6)
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class Curve(Drawable):
+class Curve:
     """Special points of one kind over two parameters."""
 
     runner: Runner

@@ -15,7 +15,6 @@ from numpy.typing import ArrayLike, NDArray
 
 from ..blocks import run_blocks
 from ..checks import checked_whole
-from ..drawable import Drawable
 from ..errors import InputError
 from ..library.batch import Batch
 from ..library.engine import FELL, UNDECIDED, UNSOLVED
@@ -26,9 +25,9 @@ from ..library.runner import Runner
 from ..library.settings import checked_values
 from ..terminal.progress import progress_bar
 from ..variables.parameters import RunnerLike
+from .attraction import CONFIDENCE, NORMAL_QUANTILE
 from .fates import TOLERANCE
 from .search import periodic_gait
-from .volume import CONFIDENCE, NORMAL_QUANTILE
 
 MAX_RUNNERS = 100_000_000
 MAX_STRIDES = 1_000_000
@@ -40,7 +39,7 @@ BISECTIONS = 60
 
 
 @dataclass(frozen=True, repr=False)
-class FirstPassage(Drawable):
+class FirstPassage:
     """Strides until the fall, estimated from runners of whom some are still up at the end.
 
     The number of strides is taken as geometric, which it is once the start is forgotten. The estimate is then

@@ -1,17 +1,219 @@
-"""The gait of a runner: near a guess, by settling, along the friction, or from starts everywhere."""
+"""The gait of a runner: near a guess, by settling, along the friction, or from starts everywhere.
 
-from ..errors import GaitNotFoundError, RunError
-from ..library.fixed_point import gait_near, settled_gait
+Gaits from starts all over the section, side by side.
+
+Runners settle on stable gaits. Newton's method from where strides come back nearest finds unstable ones, too.
+"""
+
+import contextlib
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..errors import GaitNotFoundError, InputError, RunError
+from ..library.batch import Batch
+from ..library.engine import UNSOLVED
+from ..library.fixed_point import Closing, gait_near, settled_gait
 from ..library.gait import Gait
 from ..library.members import check_comes_down
 from ..library.return_map import Along
 from ..library.runner import Runner
 from ..library.section import Apex
-from ..library.shared_steps import shares_steps
+from ..library.shared_steps import SharedSteps, search_under_way, shares_steps
+from ..numerics.newton import solve
 from ..variables.parameters import RunnerLike
 from ..variables.table import FRICTION, VARIABLES
 from .branch_problem import gaits_over
-from .spread import search_from_spread
+
+MAX_STRIDES = 150_000
+"""Of all runners of a search, about a second of two processors."""
+STEP_LIMIT = 50_000
+"""Largest number of steps in a runner's first stride: a foot of a thousandth of the body takes 2,300 on
+average."""
+MAX_STEPS, MAX_NEWTON_STEPS = 100_000_000, 500_000
+"""Largest number of steps of all runners together, and of Newton's method: about ten seconds each."""
+BLOCK = 1_024
+"""Runners in one call of the engine; the steps of all runners are counted after each call."""
+STARTS = 16_384
+"""That are drawn."""
+SEED = 2016
+"""Of the drawing: a search gives the same gait each time."""
+TOLERANCE = 1e-6
+"""Of a step, relative: where runners settle need not be known any better."""
+ROUNDS = (0, 0, 1, 2, 4, 8, 16, 32, 64, 128)
+"""Strides before each look at how near to its start a stride comes back."""
+KEPT = 2_048
+"""Runners that go on after each look: those whose strides come back nearest."""
+PROMISING, MAX_TRIED = 12, 48
+"""Points from which Newton's method begins: after each look, and in the end of all looks together."""
+ITERATIONS, SHORTENINGS, GAIN = 20, 6, 0.9
+"""Steps of each, lengths at which a step is tried, and the share of the residual that it may leave."""
+APART = 1e-2
+"""Over the scales: a point as near to one that was tried is not tried."""
+SAME = 1e-6
+"""Over the scales: gaits as near are one."""
+SETTLED = 1e-4
+"""Over the scales: a stride that comes back as near is next to a gait."""
+HEIGHTS, SPEEDS, ANGLES = (0.7, 1.3), (0.05, 3.0), (-1.2, 1.5)
+"""Least and largest height in l0, of low apexes; speed in l0 sqrt(k/m); angle of the leg in rad."""
+RISE = 0.6
+"""Largest vertical speed at lift-off, in l0 sqrt(k/m): apexes are as high as gravity lets it take them."""
+LENGTHS, RATES = (0.98, 1.02), (-0.3, 0.3)
+"""Of the leg, in l0, and of its turning, in sqrt(k/m)."""
+
+
+@dataclass(frozen=True, eq=False)
+class Spread:
+    """What came of a search from starts all over the section."""
+
+    gaits: tuple[Gait, ...]
+    """Different ones: those that runners settle on first, then by the size of their largest eigenvalue."""
+    starts: int
+    """So many were drawn."""
+    strides: int
+    """So many were made."""
+    steps: int
+    """Solver steps, in these strides and in those that did not close."""
+    events: int
+    """Events in these steps."""
+    given_up: int
+    """Strides that were given up, most of them because they take too many steps."""
+
+    def __str__(self) -> str:
+        """What was tried, in words."""
+        tried = f"{self.starts:,} starts all over the section, {self.strides:,} strides"
+        if not self.given_up:
+            return tried
+        return (
+            f"{tried} in {self.steps:,} steps with {self.events:,} events; {self.given_up:,} strides more "
+            "could not be followed, in most cases because they take too many steps"
+        )
+
+
+def starts_of(runner: Runner, count: int, seed: int = SEED) -> NDArray[np.float64]:
+    """Apexes all over the part of the section where gaits may be."""
+    source = np.random.default_rng(seed)
+    scales = runner.c_model.scales
+    weightless = scales.length / (scales.time**2 * runner["gravity"])
+    heights = source.uniform(*HEIGHTS, count) + 0.5 * weightless * source.uniform(0.0, RISE, count) ** 2
+    drawn = np.column_stack(
+        [
+            heights,
+            np.exp(source.uniform(np.log(SPEEDS[0]), np.log(SPEEDS[1]), count)),
+            source.uniform(*LENGTHS, count),
+            source.uniform(*ANGLES, count),
+            np.zeros(count),
+            source.uniform(*RATES, count),
+        ]
+    )
+    return drawn[:, : len(runner.coordinates)] * runner.scales
+
+
+@shares_steps
+def search_from_spread(
+    runner: Runner, *, along: Along | None = None, max_gaits: int = 1, max_strides: int = MAX_STRIDES
+) -> Spread:
+    """Gaits of a runner from starts all over the section, but for those that lead backwards."""
+    found = _Found(runner, along, search_under_way())
+    runs = _Runs(runner, starts_of(runner, STARTS), max_strides)
+    nearest: list[tuple[float, NDArray[np.float64]]] = []
+    for apices, returns in runs.looks():
+        order = np.argsort(returns)[:PROMISING]
+        nearest += [(float(returns[k]), apices[k]) for k in order]
+        for k in order[returns[order] < SETTLED]:
+            found.try_from(apices[k])
+        if found.stable >= max_gaits:
+            break
+    else:
+        for _, apex in sorted(nearest, key=lambda pair: pair[0]):
+            found.try_from(apex)
+    gaits = sorted(found.gaits, key=lambda gait: (not gait.stable, gait.lambda_max))
+    strides, steps, events = (sum(pair) for pair in zip(runs.done, found.work.done(), strict=True))
+    return Spread(tuple(gaits), STARTS, strides, steps, events, runs.given_up)
+
+
+class _Runs:
+    """Runners side by side."""
+
+    def __init__(self, runner: Runner, starts: NDArray[np.float64], max_strides: int) -> None:
+        self.runner, self.apexes, self.max_strides = runner, starts, max_strides
+        self.done = (0, 0, 0)
+        self.given_up = 0
+
+    def looks(self) -> Iterator[tuple[NDArray[np.float64], NDArray[np.float64]]]:
+        """Points, and how near to them a stride from there comes back, over the scales: again and again."""
+        for strides in ROUNDS:
+            if strides:
+                self.apexes = self._after(strides)[1]
+            begins, ends = self._after(1)
+            if not len(ends):
+                return
+            returns = np.linalg.norm((ends - begins) / self.runner.scales, axis=1)
+            yield ends, returns
+            self.apexes = ends[np.argsort(returns)[:KEPT]]
+
+    def _after(self, strides: int) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+        """Those apexes from which so many strides close, and the last ones; no more than may be made."""
+        apexes = self.apexes[: (self.max_strides - self.done[0]) // strides]
+        begins, ends = [apexes[:0]], [apexes[:0]]
+        for first in range(0, len(apexes), BLOCK):
+            made, steps, events = self.done
+            if steps >= MAX_STEPS:
+                break
+            block = apexes[first : first + BLOCK]
+            batch = Batch(self.runner, block, tolerance=TOLERANCE, step_limit=STEP_LIMIT)
+            found = batch.run(strides)
+            work = found.attributes["work_done"]
+            self.done = made + work["strides"], steps + work["steps"], events + work["events"]
+            self.given_up += int(np.count_nonzero(found.fate == UNSOLVED))
+            closed = found.strides == strides
+            begins.append(block[closed])
+            ends.append(found.apex[closed])
+        return np.concatenate(begins), np.concatenate(ends)
+
+
+class _Found:
+    """Gaits by Newton's method from one point after the other."""
+
+    def __init__(self, runner: Runner, along: Along | None, work: SharedSteps) -> None:
+        self.runner, self.closing, self.work = runner, Closing(runner, along=along), work
+        self.gaits: list[Gait] = []
+        self._tried: list[NDArray[np.float64]] = []
+
+    @property
+    def stable(self) -> int:
+        """How many of them are."""
+        return sum(gait.stable for gait in self.gaits)
+
+    def try_from(self, apex: NDArray[np.float64]) -> None:
+        """Once more, unless a point near this one was tried or is a gait's."""
+        _, steps, _ = self.work.done()
+        if (
+            len(self._tried) >= MAX_TRIED
+            or steps >= MAX_NEWTON_STEPS
+            or self._is_near(apex, self._tried, APART)
+        ):
+            return
+        self._tried.append(apex)
+        with contextlib.suppress(InputError, RunError):
+            near = solve(
+                self.closing,
+                apex / self.runner.scales,
+                iterations=ITERATIONS,
+                shortenings=SHORTENINGS,
+                gain=GAIN,
+            )
+            gait = self.closing.gait(near.x * self.runner.scales)
+            known = [other.apex for other in self.gaits]
+            if gait.stride["length"] > 0.0 and not self._is_near(gait.apex, known, SAME):
+                self.gaits.append(gait)
+
+    def _is_near(
+        self, apex: NDArray[np.float64], others: Sequence[NDArray[np.float64]], distance: float
+    ) -> bool:
+        return any(np.linalg.norm((apex - other) / self.runner.scales) < distance for other in others)
 
 
 @shares_steps

@@ -1,11 +1,14 @@
 """Gaits of runners whose parameters are spread over a box, side by side: thousands of them in a second.
 
-Each runner begins near a gait that is known and makes strides until they repeat themselves; one that falls
-begins once more, where its nearest neighbour among those that run has come to. Gaits that are found so are
-stable: others attract nobody.
+Each runner begins near a gait that is known and makes strides until they repeat themselves. A runner that
+falls begins once more, where its nearest neighbour among those that run has come to. Gaits that are found so
+are stable, because others attract nobody. Of many points, `linked` chooses those where a search is worth
+beginning, by multi-level single linkage (Rinnooy Kan and Timmer 1987, Mathematical Programming 39, 57-78):
+within a critical distance of a better point a search would lead into the same basin.
 """
 
-from collections.abc import Mapping
+import math
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -26,6 +29,8 @@ SETTLED = 1e-3
 """Over the scales: a stride that comes back as near is next to a gait."""
 TAKEN_IN = 0.5
 """Over the widths of the box: a neighbour that is farther is none to begin from."""
+SIGMA = 4.0
+"""From 4 on, finitely many searches are begun, however many points are drawn."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -124,3 +129,20 @@ def _goes_together(runner: Runner, varied: Mapping[str, NDArray[np.float64]], nu
     except InputError:
         return False
     return True
+
+
+def linked(points: NDArray[np.float64], merits: NDArray[np.float64]) -> Sequence[int]:
+    """Numbers of the points that have none of less merit near them, the least merit first."""
+    count = len(merits)
+    if not count:
+        return []
+    dimension = points.shape[1]
+    share = min(1.0, SIGMA * math.log(max(count, 2)) / count)
+    reach = (math.gamma(1.0 + 0.5 * dimension) * share) ** (1.0 / dimension) / math.sqrt(math.pi)
+    order = np.argsort(merits, kind="stable")
+    taken = []
+    for rank, number in enumerate(order):
+        better = points[order[:rank]]
+        if not np.any(np.linalg.norm(better - points[number], axis=1) < reach):
+            taken.append(int(number))
+    return taken

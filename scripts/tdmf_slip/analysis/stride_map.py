@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import Executor
 from functools import partial
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -14,16 +14,19 @@ from ..blocks import run_blocks
 from ..checks import check_size, checked_whole
 from ..errors import InputError
 from ..library.batch import TOLERANCE, Batch
-from ..library.batch_tables import CLOSED
+from ..library.batch_tables import CLOSED, about
 from ..library.ground import RoughGround
-from ..library.laws import AffineLaw, Law
+from ..library.laws import AffineLaw, Law, text_of_law
 from ..library.members import check_varied
 from ..library.quantities import differentiable
 from ..library.settings import SETTINGS
+from ..library.tables import Table
 from ..terminal.progress import progress_bar
 from ..variables.parameters import RunnerLike
-from ..variables.table import full_names
-from .strides_result import Strides
+from ..variables.table import STATES, full_names
+
+if TYPE_CHECKING:
+    import xarray
 
 MAX_STRIDES = 1_000_000
 MAX_IN_ALL = 10_000_000
@@ -51,7 +54,7 @@ def stride_map(
     instructions: str | None = None,
     executor: Executor | None = None,
     progress: bool = False,
-) -> Strides:
+) -> xarray.Dataset:
     """Strides of many runners in a row, each kept with its apices and quantities.
 
     Settings are in force from the apex on at which a stride begins, and what they are is up to `inputs` or
@@ -108,7 +111,7 @@ def stride_map(
 
     Returns
     -------
-    Strides
+    xarray.Dataset
         Over `runner` and `stride`: `fate`, a number of `library.batch_tables.STRIDE_FATES`; `apex` and
         `next_apex`, over `coordinate` too; quantities of the stride by the names of
         `library.quantities.STRIDE_QUANTITIES` and `LEDGER`, `liftoff_angle` and `word`; by the full model
@@ -178,7 +181,30 @@ def stride_map(
             batch.law = law
     if names:
         arrays |= _derivatives_of(batch, arrays, names)
-    return Strides.of(batch, arrays, [*batch.runner.coordinates, *names] if names else [])
+    return _dataset(batch, arrays, [*batch.runner.coordinates, *names] if names else [])
+
+
+def _dataset(batch: Batch, arrays: Mapping[str, NDArray[Any]], by: Sequence[str]) -> xarray.Dataset:
+    """Arrays of strides by name, over runners and strides; `by` labels the last axis of derivatives."""
+    found, over = {**arrays, **batch.varied}, ("runner", "stride", "coordinate")
+    dimensions = {
+        name: (*over[: values.ndim - 1], "by") if by and name.endswith("_by") else over[: values.ndim]
+        for name, values in found.items()
+    }
+    labels = {
+        "runner": batch.first_number + np.arange(len(batch)),
+        "stride": np.arange(arrays["fate"].shape[1]),
+        "coordinate": np.array(batch.runner.coordinates),
+        "by": np.array(by),
+    }
+    attributes: dict[str, float | str] = {"tolerance": batch.tolerance}
+    if batch.law is not None:
+        attributes["law"] = text_of_law(batch.law)
+    if batch.ground.roughness:
+        attributes |= {"roughness": batch.ground.roughness, "seed": str(batch.ground.seed)}
+    record = batch.runner.record(*found, *STATES)
+    table = Table(dimensions, found.__getitem__, lambda: labels, about, lambda: record, attributes)
+    return table.to_dataset("strides")
 
 
 def _reporting(law: Law, report: Callable[[], object]) -> Law:

@@ -1,45 +1,51 @@
-"""Gaits over a range of a parameter, and the borders between gait words."""
+"""Gaits over a range of parameters, and the borders between gait words."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+import json
+import math
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from concurrent.futures import Executor
 from dataclasses import dataclass
-from itertools import pairwise
+from itertools import pairwise, product
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
-from ..drawable import Drawable
-from ..errors import InputError, RunError
-from ..given import mapping_of
+from ..blocks import run_blocks
+from ..checks import check_size
+from ..errors import InputError, RunError, TdmfSlipError
+from ..files.resume import Resumed
+from ..files.whole import check_destination
 from ..library.fixed_point import settled_gait
-from ..library.gait import Gait
-from ..library.members import check_has_gaits, varied_alone
+from ..library.gait import Gait, gaits_dataset
+from ..library.members import check_has_gaits, check_varied
 from ..library.runner import Runner
+from ..library.section import COORDINATES
 from ..library.shared_steps import shares_steps
+from ..library.strides import strides_from
 from ..numerics.following import Limits, Point, follow
-from ..record import attributes_of
+from ..record import dataset, runner_in
 from ..terminal.progress import Bar, progress_bar
 from ..variables.parameters import RunnerLike
-from ..variables.table import FRICTION, VARIABLES
-from ..variables.variable import Values
+from ..variables.table import FRICTION, STATES, VARIABLES, by_full_name
+from ..variables.variable import Given, Values
 from .branch_problem import BranchProblem, gaits_over
-from .grid_result import GaitGrid
 from .search import periodic_gait
 from .special_points import FOLD, Border, borders_between, special_points
 
 if TYPE_CHECKING:
     import xarray
 
-MAX_GAITS = 100_000
-"""Of a sweep that is on no file: each takes 10 kB."""
+MAX_GAITS = 1_000_000
+"""In a sweep; each takes 400 bytes."""
 LARGEST_STEP = 0.2
 """Longest step along a branch that is followed to learn why it ends, over the scales."""
 MAX_POINTS = 200
 """Largest number of its gaits."""
-NAMES = "values by the name of one parameter or input, or of two"
+NAMES = "values by the names of parameters or inputs"
 """Names that `vary` accepts."""
 
 
@@ -62,12 +68,12 @@ class Segment:
         return {**ends, "began": self.began or None, "ended": self.ended or None}
 
 
-@dataclass(frozen=True, eq=False, repr=False)
-class Sweep(Drawable):
-    """Gaits at the values of a range, where they were found."""
+@dataclass(frozen=True, eq=False)
+class Row:
+    """Gaits at the values of one parameter, where they were found."""
 
     name: str
-    """Of the parameter or input."""
+    """Name of the parameter or input."""
     values: tuple[float, ...]
     """The range."""
     by_value: tuple[Gait | None, ...]
@@ -78,27 +84,6 @@ class Sweep(Drawable):
     """Of the range, in its order, the gaits of each on one branch; and why it ends."""
     problem: str | None
     """Why gaits are missing, and what kept a border from being located; or None."""
-
-    def __repr__(self) -> str:
-        """In a line: how many gaits, from where to where, and their words."""
-        words = ", ".join(dict.fromkeys(gait.word for gait in self.gaits))
-        ends = f"{self.values[0]:.6g} to {self.values[-1]:.6g}"
-        return f"<Sweep {len(self.gaits)} of {len(self.values)} gaits, {self.name} {ends}: {words}>"
-
-    def to_xarray(self) -> xarray.Dataset:
-        """Quantities of the gaits over the parameter, with units.
-
-        Returns
-        -------
-        xarray.Dataset
-            As `grid.as_dataset` gives it, and `branch`, the number of the stretch.
-        """
-        from .grid import as_dataset  # xarray is slow to load
-
-        data = as_dataset(self.by_value, {self.name: np.array(self.values)})
-        data["branch"] = (self.name,), self.branches
-        data.attrs = attributes_of(self.gaits[0].runner.record(self.name))
-        return data
 
     @property
     def branches(self) -> list[float]:
@@ -132,6 +117,16 @@ def short(name: str) -> str:
     return "friction" if name == FRICTION else name
 
 
+class Sweep(NamedTuple):
+    """Gaits over a grid, and the borders between their words."""
+
+    gaits: xarray.Dataset
+    """Over the varied names, in the order asked for: quantities, apex, eigenvalues and word of each gait."""
+    borders: xarray.Dataset
+    """Over `border`: the values of the varied names where the word changes, and the words `before` and
+    `after`, in the order of the range."""
+
+
 def sweep(
     runner: RunnerLike,
     vary: Mapping[str, Values],
@@ -140,71 +135,231 @@ def sweep(
     path: Path | str | None = None,
     executor: Executor | None = None,
     progress: bool = False,
-) -> Any:
-    """The gait at each value of a parameter, each from the one before, and every change of the gait word.
+) -> Sweep:
+    """The gait at each point of a grid over any number of names, and every change of the gait word.
 
-    Where the first values have no gait, the sweep begins at the first that has one, and follows its branch
-    back as far as it goes; where a branch cannot be followed on, because of a fold or as the gait is lost,
-    the sweep goes on with the next gait that is found, which is of another branch. `segments` and `problem`
-    say what happened. Changes of the word from one branch to another are no borders.
+    Gaits are followed along one of the names, each from the one before: along the friction if it varies, else
+    along the last name. Where the first values have no gait, a row begins at the first that has one, and
+    follows its branch back as far as it goes. Where a branch cannot be followed on, because of a fold or
+    because the gait is lost, the row goes on with the next gait that is found, which is of another branch.
+    Changes of the word from one branch to another are no borders.
 
     Parameters
     ----------
     runner : Runner, Gait, mapping of str to float, Series, str or Path, optional
-        Parameters and start, or start values by name; the value of what is varied does not matter.
+        Parameters and start, or start values by name; the values of what is varied do not matter.
     vary : mapping of str to sequence of float
-        The parameter or input that is varied, and its values in order; of the friction, above 0. With two of
-        them a grid, whose rows go along the friction or else along the second.
+        Parameters or inputs that are varied, and their values in order; friction has to be above 0.
     model : str, optional
         `full` or `reduced`, as in `find_gait`.
     path : Path or str, optional
-        Of a grid: the NetCDF file that it is written to row by row, and gone on with where it has some.
+        NetCDF file for the gaits, with the borders in its group `borders`. Rows that are done are kept in a
+        folder beside it, so that a job that stopped is resumed by the same call.
     executor : concurrent.futures.Executor, optional
-        Runs the rows of a grid, such as a `ProcessPoolExecutor()` or `client.get_executor()` of Dask; by
-        default threads of this process. The result does not depend on the executor.
+        Runs the rows, such as a `ProcessPoolExecutor()` or `client.get_executor()` of Dask; by default
+        threads of this process. The result does not depend on the executor.
     progress : bool, default False
         A bar on stderr.
 
     Returns
     -------
-    Sweep or GaitGrid
-        The gaits, and the borders between their words; of a grid, arrays over both names, and of each row
-        `problem`, empty where all its gaits were found. It needs the extra `data`.
+    Sweep
+        The gaits as a dataset over the names, in the order in which they are given, NaN where there is no
+        gait, and the borders as a second dataset. `branch` numbers the branches of each row, and `problem`
+        says why gaits of a row are missing; it is empty where all were found.
 
     Raises
     ------
     InputError
-        A value is refused, or there is no such parameter.
+        A value is refused, there is no such parameter, or the file holds another result.
     RunError
-        There is no gait at any of them; the message tells of the first.
+        There is no gait anywhere; the message is about the first point.
 
     Examples
     --------
     >>> import tdmf_slip
-    >>> gaits = tdmf_slip.sweep({}, {"ground.friction": [0.7, 0.6, 0.45, 0.43]})
-    >>> print([gait.word for gait in gaits.gaits])
-    ['+0-0+', '+0-0+', '+0-', '+0-']
+    >>> gaits, borders = tdmf_slip.sweep(None, {"friction": [0.7, 0.6, 0.45, 0.43]})
+    >>> print(gaits["word"].values)
+    ['+0-0+' '+0-0+' '+0-' '+0-']
+    >>> print(borders["ground.friction"].values.round(6), borders["after"].values)
+    [0.458143] ['+0-']
+    >>> tdmf_slip.gait_at(gaits, friction=0.6).stable
+    True
     """
     runner = Runner(runner, model=model)
-    vary = mapping_of(vary, "vary", NAMES)
-    if len(vary) == 2:
-        from .grid import grid_over  # xarray is slow to load
+    axes = _checked_axes(vary)
+    along = FRICTION if FRICTION in axes else list(axes)[-1]
+    others = {name: values for name, values in axes.items() if name != along}
+    rows = [dict(zip(others, map(float, values), strict=True)) for values in product(*others.values())]
+    for row in rows:
+        check_values(runner.replace(row), along, axes[along][: None if row is rows[0] else 1])
+    path = None if path is None else check_destination(path, (".nc",), "path")
+    made = Resumed(path, _blank(runner, axes, along), "sweep", working=("borders",))
+    if made.is_whole:
+        from ..files.netcdf import read_dataset  # netCDF4 is slow to load
 
-        where = {"executor": executor, "progress": progress}
-        return GaitGrid.of_dataset(grid_over(runner, vary, path, **where))
-    if path is not None or executor is not None:
-        raise InputError("path and executor are for a grid over two names; this sweep varies one")
-    name, values = varied_alone(vary, NAMES)
-    row = VARIABLES.find(name, "vary").values_of(values, f"vary {name}")
-    if len(row) > MAX_GAITS:
-        raise InputError(f"vary {name}: {len(row):,} values; allowed: {MAX_GAITS:,}, or a grid, on file")
-    check_values(runner, name, row)
-    return sweep_row(runner, name, row, progress)
+        assert path is not None
+        return Sweep(made.data, read_dataset(path, "borders"))
+    places = [
+        dict(zip(others, place, strict=True)) for place in product(*(range(len(v)) for v in others.values()))
+    ]
+    missing = [number for number, place in enumerate(places) if place not in made.done]
+    blocks = [_Block(runner.replace(rows[number]), along, tuple(axes[along])) for number in missing]
+    if len(places) == 1:
+        for block in blocks:
+            made.write({}, _columns(sweep_row(block.runner, along, block.values, progress)))
+    else:
+        with (
+            progress_bar("sweep", len(rows), "rows", progress) as bar,
+            run_blocks(columns_of_block, blocks, executor) as results,
+        ):
+            bar.update(len(rows) - len(missing))
+            for number, columns in results:
+                made.write(places[missing[number]], columns)
+                bar.update()
+    found = _finished(runner, made.data, along)
+    if not (found.gaits["word"] != "").any():
+        raise RunError(str(found.gaits["problem"].values.ravel()[0]))
+    made.finish(found.gaits, {"borders": found.borders})
+    return found
+
+
+def sweep_of_row(runner: Runner, row: Row) -> Sweep:
+    """A row as a sweep over its name."""
+    made = Resumed(None, _blank(runner, {row.name: np.array(row.values)}, row.name), "sweep")
+    made.write({}, _columns(row))
+    return _finished(runner, made.data, row.name)
+
+
+def _finished(runner: Runner, data: xarray.Dataset, along: str) -> Sweep:
+    return Sweep(data.drop_vars("borders"), _borders_dataset(runner, data, along))
+
+
+def gait_at(gaits: xarray.Dataset, **where: Given) -> Gait:
+    """A gait of a sweep, with its Jacobian, events and quantities.
+
+    Parameters
+    ----------
+    gaits : xarray.Dataset
+        Gaits of a sweep, or one point of it, as `gaits.isel(...)` gives it.
+    **where : float or str
+        Values of the varied names, as in `friction=0.6`; names with a point go in a mapping, as in
+        `**{"leg.damping": 0.2}`.
+
+    Returns
+    -------
+    Gait
+        One stride from the gait's apex.
+
+    Raises
+    ------
+    InputError
+        The values do not name one point of the sweep, or there is no gait.
+    """
+    wanted = by_full_name(where, "gait_at", "values by the names of the sweep")
+    point = gaits
+    for name, given in wanted.items():
+        if name not in gaits.dims:
+            raise InputError(f"gait_at: {name} does not vary; give {', '.join(map(str, gaits['word'].dims))}")
+        value = VARIABLES.find(name, "gait_at").value_of(given, "gait_at")
+        (index,) = np.nonzero(np.isclose(gaits[name], value, rtol=1e-9, atol=0.0))
+        if not len(index):
+            raise InputError(f"gait_at: {name} = {value:g} is not in the sweep; give one of its values")
+        point = point.isel({name: int(index[0])})
+    if point["word"].ndim:
+        raise InputError(f"gait_at: give a value of {', '.join(map(str, point['word'].dims))}, too")
+    if not point["word"].item():
+        raise InputError("gait_at: the sweep has no gait there")
+    values = {str(name): point[name].item() for name in point.coords if name in VARIABLES}
+    runner = Runner({**runner_in(gaits), **values}, model=gaits.attrs["model"])
+    apex = [point[f"apex_{name}"].item() for name in COORDINATES[: len(runner.coordinates)]]
+    return strides_from(runner, apex)
+
+
+def _checked_axes(vary: object) -> dict[str, NDArray[np.float64]]:
+    """Values by the names of what varies."""
+    given = by_full_name(vary, "vary", NAMES)
+    if not given:
+        raise InputError(f"vary: nothing; allowed: {NAMES}")
+    for name in given:
+        if len(given) == 1 or name not in STATES:
+            check_varied(name, "vary")
+    axes = {name: VARIABLES.find(name, "vary").values_of(of, f"vary {name}") for name, of in given.items()}
+    check_size("vary", math.prod(map(len, axes.values())), "gaits", MAX_GAITS)
+    return axes
+
+
+def _blank(runner: Runner, axes: Mapping[str, NDArray[np.float64]], along: str) -> xarray.Dataset:
+    """A sweep before any row is done; `borders` of a row are JSON until all rows are done."""
+    shape, over = [len(values) for values in axes.values()], tuple(axes)
+    others = [name for name in over if name != along]
+    texts = np.full([len(axes[name]) for name in others], "", dtype=object)
+    nothing = [None] * math.prod(shape)
+    data = gaits_dataset("sweep", runner.record(*axes), nothing, axes, along=along)
+    if runner.reduced:
+        data = data.isel(mode=slice(len(runner.coordinates)))
+    return data.assign(
+        branch=(over, np.full(shape, np.nan), {"long_name": "number of the branch in its row"}),
+        problem=(others, texts),
+        borders=(others, texts.copy()),
+    )
+
+
+@dataclass(frozen=True)
+class _Block:
+    """A row of a sweep: a block of work."""
+
+    runner: Runner
+    """Whose gaits."""
+    along: str
+    """Name that varies along the row."""
+    values: tuple[float, ...]
+    """Values of that name."""
+
+
+def columns_of_block(block: _Block) -> dict[str, Any]:
+    """Arrays of a row by the names of the sweep's variables."""
+    try:
+        return _columns(sweep_row(block.runner, block.along, block.values))
+    except TdmfSlipError as problem:  # also start values that go with other rows only
+        return {"problem": str(problem)}
+
+
+def _columns(row: Row) -> dict[str, Any]:
+    data = gaits_dataset(
+        "sweep", row.gaits[0].runner.record(), row.by_value, {row.name: np.array(row.values)}
+    )
+    borders = [[border.value, border.before, border.after] for border in row.borders]
+    return {
+        **{str(name): array.values for name, array in data.data_vars.items()},
+        "branch": row.branches,
+        "problem": row.problem or "",
+        "borders": json.dumps(borders),
+    }
+
+
+def _borders_dataset(runner: Runner, data: xarray.Dataset, along: str) -> xarray.Dataset:
+    """Borders of all rows, row by row."""
+    rows = list(_borders_by_row(data["borders"]))
+    names = [*map(str, data["word"].dims)]
+    columns: dict[str, Any] = {
+        name: ("border", np.array([where.get(name, value) for where, (value, _, _) in rows], float))
+        for name in names
+    }
+    for number, name in ((1, "before"), (2, "after")):
+        columns[name] = "border", np.array([border[number] for _, border in rows], dtype=object)
+    return dataset("borders", runner.record(*names), columns, {}, along=along)
+
+
+def _borders_by_row(texts: xarray.DataArray) -> Iterator[tuple[dict[str, float], Any]]:
+    for place in np.ndindex(texts.shape):
+        where = {str(name): float(texts[name][k]) for name, k in zip(texts.dims, place, strict=True)}
+        yield from ((where, border) for border in json.loads(str(texts.values[place]) or "[]"))
 
 
 @shares_steps
-def sweep_row(runner: Runner, name: str, values: Values, progress: bool = False) -> Sweep:
-    """`sweep` over values that are checked already."""
+def sweep_row(runner: Runner, name: str, values: Values, progress: bool = False) -> Row:
+    """Gaits along one name, at values that are checked already."""
     gaits: list[Gait | None] = [None] * len(values)
     borders: list[Border] = []
     problems: list[str] = []
@@ -233,7 +388,7 @@ def sweep_row(runner: Runner, name: str, values: Values, progress: bool = False)
             problems += unknown
     if not any(gaits):
         raise RunError("; ".join([*problems[:1], *["nor is there any further on"] * (len(values) > 1)]))
-    return Sweep(
+    return Row(
         name,
         tuple(float(value) for value in values),
         tuple(gaits),

@@ -1,11 +1,13 @@
-"""The system that a gait with a target solves: its stride closes, its quantities are those prescribed.
+"""Targets: gaits with prescribed quantities, other starts of the search, and the nearest gait to a target.
 
-Unknowns are the apex z and the varied parameters p. With the return map P and the quantities q, Newton's
-method solves P(z, p) - z = 0 and q(z, p) = the target, all over their scales.
+Newton's method leads to a target from a gait that is near, and on a way of targets from a gait of the same
+branch. Where that branch ends, or the way leads where no gait is, gaits with parameters far from the first's
+may still lead there. Where the target cannot be met, the nearest gait has the least sum of squared
+deviations, each over what is prescribed. It is found by the method of Levenberg and Marquardt.
 """
 
 import contextlib
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
 
@@ -15,11 +17,16 @@ from numpy.typing import NDArray
 from ..errors import InputError, RunError
 from ..library.fixed_point import gait_near
 from ..library.gait import Gait
+from ..library.members import VARIED
 from ..library.quantities import scales_of
 from ..library.runner import Runner
+from ..library.scales import scale_of
 from ..library.varied_stride import VariedStride, plain_stride, varied_stride
 from ..numerics.following import halved, walk
-from ..numerics.newton import solve
+from ..numerics.newton import GOOD_ENOUGH, solve
+from ..terminal.progress import progress_bar
+from ..variables.table import VARIABLES
+from .settled import evenly, linked, settled_gaits
 
 NEWTON_ITERATIONS, SHORTENINGS = 40, 6
 """To what is prescribed at once."""
@@ -33,6 +40,29 @@ LEAST_ITERATIONS, LEAST_STEP = 30, 1e-7
 """To the least change of parameters, and the last step there, over the parameters' values."""
 SHORTEST_SHARE = 5e-3
 """Of the way from the first gait's quantities to those prescribed."""
+RUNNERS = 1024
+"""Spread over the varied parameters."""
+FACTOR = 4.0
+"""To both sides of a varied parameter's value, that of a runner may be other by as much."""
+FROM_ZERO = 0.4
+"""Of its scale, where that value is zero."""
+NONE = 1e-6
+"""Of what is prescribed: less counts as none of it."""
+DESCENT_ITERATIONS, LOOK_AHEAD = 30, 8
+"""Of the search for the nearest gait, and to see whether a further parameter helps."""
+LONGEST_STEPS = (0.3, 0.03)
+"""Over the scales of apex and parameters, each tried: where words change, other steps lead elsewhere."""
+MIN_DAMPING, MAX_DAMPING = 1e-9, 1e2
+LITTLE = 1e-3
+"""Of the gap: what a step makes it smaller by is then no more worth a further one."""
+HELPING = 0.95
+"""A parameter helps if, varied too, it leaves at most this share of the gap."""
+MAX_TRIED, TRIED_STEPS = 5, 10
+"""Parameters whose derivatives promise most are tried, each by so many steps towards the target."""
+SETTINGS = "hip."
+"""What a runner changes at will: these are tried instead of a varied parameter, too."""
+NOT_THE_RUNNERS = ("gravity",)
+"""Not told as a help: nobody can turn it."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -219,3 +249,193 @@ def null_space(rows: NDArray[np.float64]) -> NDArray[np.float64]:
     """An orthonormal basis of the null space, in columns, for rows that are independent."""
     basis: NDArray[np.float64] = np.linalg.svd(rows)[2][len(rows) :].T
     return basis
+
+
+def beginnings(target: Target, first: Gait) -> Iterator[Iterate]:
+    """Gaits from which a target may be reached, the nearest to it first."""
+    runner = first.runner
+    shares = evenly(RUNNERS, len(target.vary))
+    varied = {
+        name: around(runner, name, np.ascontiguousarray(row))
+        for name, row in zip(target.vary, shares.T, strict=True)
+    }
+    found = settled_gaits(runner, varied, first.apex)
+    values = np.column_stack(list(varied.values()))
+    known, points, gaps = [], [], []
+    for number, apex in zip(found.numbers, found.apexes, strict=True):
+        at = np.append(apex, values[number]) / target.scales
+        try:
+            quantities = plain_stride(target.runner_at(at), apex, target.names).quantities
+        except (InputError, RunError):
+            continue
+        known.append(at)
+        points.append(shares[number])
+        gaps.append(_gap(quantities, target.prescribed))
+    for k in linked(np.array(points), np.array(gaps)):
+        try:
+            yield target.closed_near(known[k])
+        except RunError:
+            continue
+
+
+def around(runner: Runner, name: str, shares: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Values of a parameter: by factors of its own or, where that is zero, about it."""
+    variable, value = VARIABLES[name], runner[name]
+    if value:
+        values = value * FACTOR ** (2.0 * shares - 1.0)
+    else:
+        reach = FROM_ZERO * scale_of(runner, variable.unit)
+        low, high = max(-reach, variable.minimum), min(reach, variable.maximum)
+        values = low + shares * (high - low)
+    clipped: NDArray[np.float64] = np.clip(values, variable.minimum, variable.maximum)
+    return clipped
+
+
+def _gap(quantities: NDArray[np.float64], prescribed: NDArray[np.float64]) -> float:
+    """How far a gait is from a target, by factors: half is as far as twice; where signs differ, over it."""
+    size = np.abs(prescribed)
+    size[size == 0.0] = 1.0
+    factors = np.maximum(quantities / size, NONE) / np.maximum(prescribed / size, NONE)
+    positive = (prescribed > 0.0) & (quantities >= 0.0)
+    off = np.where(positive, np.log(factors), (quantities - prescribed) / size)
+    return float(np.linalg.norm(off))
+
+
+def nearest_from(
+    target: Target,
+    iterates: Sequence[Iterate],
+    steps: Sequence[float] = LONGEST_STEPS,
+    iterations: int = DESCENT_ITERATIONS,
+) -> Iterate:
+    """The gait nearest to a target, of those that are reached from some gaits."""
+    return min(
+        (_descended(target, iterate, step, iterations) for iterate in iterates for step in steps),
+        key=target.gap,
+    )
+
+
+def _descended(target: Target, iterate: Iterate, longest: float, iterations: int) -> Iterate:
+    """Where the gap gets no smaller."""
+    damping = 1e-3
+    for _ in range(iterations):
+        gap = target.gap(iterate)
+        tried = _stepped(target, iterate, damping, longest)
+        if tried is None or target.gap(tried) >= gap:
+            damping *= 10.0
+            if damping > MAX_DAMPING:
+                break
+            continue
+        iterate, damping = tried, max(0.1 * damping, MIN_DAMPING)
+        if target.gap(tried) <= GOOD_ENOUGH or gap - target.gap(tried) < LITTLE * gap:
+            break
+    return iterate
+
+
+def _stepped(target: Target, iterate: Iterate, damping: float, longest: float) -> Iterate | None:
+    """A step towards the target along the gaits; None where there is no gait."""
+    count = len(target.closing(iterate))
+    rows = target.rows(iterate)
+    tangents = null_space(rows[:count])
+    slopes = rows[count:] @ tangents
+    square = slopes.T @ slopes + damping * np.eye(tangents.shape[1])
+    step = tangents @ np.linalg.solve(square, -slopes.T @ target.deviations(iterate))
+    step *= min(1.0, longest / (float(np.linalg.norm(step)) or 1.0))
+    try:
+        return target.closed_near(iterate.at + step)
+    except RunError:
+        return None
+
+
+@dataclass(frozen=True)
+class Help:
+    """A parameter that brings a target nearer, or meets it."""
+
+    name: str
+    """Of the parameter or input."""
+    instead_of: str
+    """Which varied parameter then keeps its value; empty where all of them vary."""
+    left: float
+    """Of the gap; 0 where the target is met."""
+    changed: float
+    """How far the gait that meets the target is from the first, over the scales."""
+
+    def __str__(self) -> str:
+        """Advice and its effect, in parentheses."""
+        how = f"instead of {self.instead_of}" if self.instead_of else "too"
+        return f"vary {self.name} {how} ({'meets the target' if self.left == 0.0 else 'comes nearer'})"
+
+
+def parameters_that_help(
+    target: Target, nearest: Iterate, first: Gait, progress: bool = False
+) -> tuple[Help, ...]:
+    """Parameters and inputs that bring the target nearer, each varied beside the others or instead of one.
+
+    Those whose derivatives promise most, at the nearest gait or at the first one, are varied one by one from
+    the first gait on, as a user who varies them begins. Those are named with which the target is met, or a
+    gait is found that is nearer to it.
+    """
+    maximum, near = HELPING * target.gap(nearest), target.gait(nearest)
+    promising = _promising(target, (near, first))
+    found: list[Help] = []
+    with progress_bar("what would help", len(promising), "parameters", progress) as bar:
+        for name in promising:
+            more = _with_one_more(target, name, first, near, maximum)
+            others = target.vary if name.startswith(SETTINGS) else ()
+            instead = (_with_one_instead(target, name, other, first) for other in others)
+            one = more if more.left == 0.0 else next((help for help in instead if help.left == 0.0), more)
+            found += [one] if one.left <= maximum else []
+            bar.update()
+    return tuple(sorted(found, key=lambda help: (help.left, help.changed)))
+
+
+def _with_one_more(target: Target, name: str, first: Gait, near: Gait, maximum: float) -> Help:
+    """What is left of the gap where one more parameter varies."""
+    wider = target.with_more(name)
+    try:
+        begin = wider.iterate_of(first)
+        there, share = wider.solved_from(begin, TRIED_STEPS)
+        if wider.gap(there) > maximum:
+            there = nearest_from(wider, (wider.iterate_of(near),), LONGEST_STEPS[:1], LOOK_AHEAD)
+    except RunError:
+        return Help(name, "", np.inf, np.inf)
+    changed = float(np.linalg.norm(there.at - begin.at))
+    return Help(name, "", 0.0 if share == 1.0 else wider.gap(there), changed)
+
+
+def _with_one_instead(target: Target, name: str, other: str, first: Gait) -> Help:
+    """Whether the target is met where one parameter varies instead of another."""
+    changed = target.with_one_for(other, name)
+    try:
+        begin = changed.iterate_of(first)
+        there, share = changed.solved_from(begin)
+    except RunError:
+        share = 0.0
+    if share < 1.0:
+        return Help(name, other, np.inf, np.inf)
+    return Help(name, other, 0.0, float(np.linalg.norm(there.at - begin.at)))
+
+
+def _promising(target: Target, gaits: Sequence[Gait]) -> list[str]:
+    """Further parameters, those first of which derivatives promise that they leave least of the gap."""
+    values = gaits[0].runner
+    names = [name for name in VARIED if name not in (*target.vary, *NOT_THE_RUNNERS) and values[name] != 0.0]
+    widest = target.with_more(*names)
+    left = dict.fromkeys(names, np.inf)
+    for gait in gaits:
+        with contextlib.suppress(RunError):
+            iterate = widest.iterate_of(gait)
+            kept = list(range(len(gait.apex) + len(target.vary)))
+            for further, name in enumerate(names, len(kept)):
+                left[name] = min(left[name], _promised(widest, iterate, [*kept, further]))
+    return sorted(names, key=lambda name: left[name])[:MAX_TRIED]
+
+
+def _promised(target: Target, iterate: Iterate, columns: list[int]) -> float:
+    """The share of the gap that is left after the longest step, along gaits, by some of what is varied."""
+    off, count = target.deviations(iterate), len(target.closing(iterate))
+    rows = target.rows(iterate)[:, columns]
+    tangents = null_space(rows[:count])
+    slopes = rows[count:] @ tangents
+    step = -np.linalg.lstsq(slopes, off)[0]
+    step *= min(1.0, LONGEST_STEPS[0] / (float(np.linalg.norm(step)) or 1.0))
+    return float(np.linalg.norm(off + slopes @ step) / np.linalg.norm(off))

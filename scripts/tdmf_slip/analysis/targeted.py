@@ -21,10 +21,8 @@ from ..terminal.text import quantity
 from ..variables.parameters import RunnerLike
 from ..variables.table import ALIASES, VARIABLES, full_names
 from ..variables.variable import Given
-from .beginnings import beginnings
-from .nearest import Help, nearest_from, parameters_that_help
 from .search import periodic_gait
-from .target import Iterate, Target
+from .target import Help, Iterate, Target, beginnings, nearest_from, parameters_that_help
 
 TRAVEL = ("speed", "frequency", "length")
 """Any two of them set the third."""

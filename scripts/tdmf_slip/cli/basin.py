@@ -2,18 +2,16 @@
 
 from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import click
 
+from ..analysis.attraction import DISTURBED, robustness, volume
 from ..analysis.axes import AXES
 from ..analysis.ball import CHOICES, Ball
-from ..analysis.basin import basin, stable_gait
-from ..analysis.basin_result import Basin
+from ..analysis.basin import basin, fate_counts, stable_gait
 from ..analysis.fates import MAX_ALONG
 from ..analysis.preview import REFINEMENTS
-from ..analysis.robustness import DISTURBED, robustness
-from ..analysis.volume import volume
 from ..errors import InputError
 from ..library.section import COORDINATES, check_axes
 from ..record import without_record
@@ -25,6 +23,9 @@ from .output import json_text
 from .ranges import ends_of
 from .runner import Asked, runner_options
 from .workers import executor_of, workers_options
+
+if TYPE_CHECKING:
+    import xarray
 
 
 @click.command("basin", cls=Command)
@@ -128,11 +129,11 @@ def basin_command(
         **gait.runner.record(),
         "word": gait.word,
         "starts": data["fate"].size,
-        **data.counts,
+        **fate_counts(data),
         **_made(data),
         "settled_share": data.settled_share,
         "settled_area": data.settled_area,
-        **{name: value for name, value in data.attributes.items() if name.startswith("ball")},
+        **{name: value for name, value in data.attrs.items() if name.startswith("ball")},
         "robustness": robustness(gait).as_json(),
     }
     if found is not None:
@@ -142,12 +143,12 @@ def basin_command(
     )
 
 
-def _made(data: Basin) -> dict[str, int]:
+def _made(data: "xarray.Dataset") -> dict[str, int]:
     """How many strides were made, and of a preview how many starts were followed."""
-    strides = data["strides_until_known"]
+    strides = data["strides_until_known"].values
     if "is_followed" not in data:
         return {"strides": int(strides.sum())}
-    is_followed = data["is_followed"] == 1
+    is_followed = data["is_followed"].values == 1
     return {"strides": int(strides[is_followed].sum()), "followed": int(is_followed.sum())}
 
 

@@ -101,7 +101,7 @@ def continue_command(
     if output is not None:
         from ..files.netcdf import write_dataset  # xarray is slow to load
 
-        write_dataset(output, branch.to_xarray())
+        write_dataset(output, branch.to_dataset())
     if plot is not None:
         from ..pictures import branch_diagram
 

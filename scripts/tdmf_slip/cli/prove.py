@@ -135,11 +135,11 @@ def _error_text(errors: dict[str, dict[str, float]]) -> str:
 def _prove_borders(
     runner: Runner, reported: dict[str, object], border: str, digits: int, as_json_object: bool
 ) -> None:
-    from ..analysis.sweeps import sweep
+    from ..analysis.sweeps import sweep_row
     from ..proof.prove_border import prove_border
 
     ends = ends_of(border, VARIABLES[FRICTION], "--border")
-    borders = sweep(runner, {"ground.friction": list(ends)}).borders
+    borders = sweep_row(runner, FRICTION, list(ends)).borders
     if not borders:
         raise RunError(f"--border {border}: the gaits at both ends have the same word")
     proofs = [prove_border(one, reported, digits=digits) for one in borders]

@@ -4,9 +4,9 @@ import math
 
 import click
 
+from ..analysis.attraction import CONFIDENCE
 from ..analysis.first_passage import MAX_RUNNERS, MAX_STRIDES, FirstPassage, strides_to_fall
 from ..analysis.rare_falls import RareFalls, rare_falls
-from ..analysis.volume import CONFIDENCE
 from ..errors import InputError
 from ..library.ground import (
     LARGEST,

@@ -8,8 +8,7 @@ import click
 import numpy as np
 from numpy.typing import NDArray
 
-from ..analysis.grid_result import GaitGrid
-from ..analysis.sweeps import Sweep, short, sweep
+from ..analysis.sweeps import Row, check_values, short, sweep, sweep_of_row, sweep_row
 from ..errors import InputError, RunError
 from ..files.whole import check_destination, whole
 from ..library.members import check_varied
@@ -23,8 +22,8 @@ from .ranges import SPACINGS, values_of
 from .runner import MODEL_OPTION, PARAMETERS_OPTION, SET_OPTION, Asked, refuse_given, values_given
 from .workers import executor_of, workers_options
 
-NETCDF = ".nc"
-FORMATS = (NETCDF, ".json")
+NETCDF, CSV = ".nc", ".csv"
+FORMATS = (NETCDF, ".json", CSV)
 """Of --output."""
 STDOUT = Path("-")
 SPACING_OPTION = click.option(
@@ -55,7 +54,8 @@ SPACING_OPTION = click.option(
     "--output",
     type=click.Path(path_type=Path),
     metavar="FILE",
-    help="Write the gaits as NetCDF (.nc) or JSON (.json); - writes JSON to stdout, as --json does.",
+    help="Write the gaits as NetCDF (.nc), JSON (.json) or CSV (.csv); - writes JSON to stdout, as "
+    "--json does.",
 )
 @plot_option("the gaits")
 @workers_options
@@ -144,30 +144,37 @@ def _row(
     display: DisplayUnits,
 ) -> None:
     if output is not None and output.suffix.lower() == NETCDF:
-        from ..files.resume import refuse_resumable  # xarray is slow to load
+        from ..files.resume import refuse_resumable
 
         refuse_resumable(output)
-    found = sweep(runner, {name: values}, progress=True)
+    check_values(runner, name, values)
+    found = sweep_row(runner, name, values, progress=True)
     if output is not None:
-        _write(output, found)
+        _write(output, runner, found)
     if plot is not None:
-        from ..pictures import branch
+        from ..pictures import sweep_diagram
 
-        branch.draw(plot, found, display)
+        sweep_diagram.draw(plot, sweep_of_row(runner, found), display)
     print(json_text(found.as_json()) if as_json_object else _sweep_text(found, display))
     if found.problem is not None:
         raise RunError(f"{found.problem}; {len(found.gaits)} of {len(values)} gaits were found")
 
 
-def _write(path: Path, found: Sweep) -> None:
+def _write(path: Path, runner: Runner, found: Row) -> None:
     """Into a file whose suffix is one of `FORMATS`."""
-    if path.suffix.lower() == NETCDF:
+    suffix = path.suffix.lower()
+    if suffix == NETCDF:
         from ..files.netcdf import write_dataset  # xarray is slow to load
 
-        write_dataset(path, found.to_xarray())
+        gaits, borders = sweep_of_row(runner, found)
+        write_dataset(path, gaits, {"borders": borders})
         return
     with whole(path) as beside:
-        beside.write_text(json_text(found.as_json()) + "\n", encoding="utf-8")
+        if suffix == CSV:
+            gaits = sweep_of_row(runner, found).gaits.drop_dims("mode")
+            gaits.to_dataframe().to_csv(beside)
+        else:
+            beside.write_text(json_text(found.as_json()) + "\n", encoding="utf-8")
 
 
 def _grid(
@@ -177,32 +184,31 @@ def _grid(
     executor: Executor | None,
     as_json_object: bool,
 ) -> None:
-    from ..analysis.grid import grid  # xarray is slow to load
-
     if output is None or output.suffix.lower() != NETCDF:
         raise InputError("--vary: a grid of gaits goes to a file; allowed: with --output FILE.nc")
-    data = grid(runner, vary, output, executor=executor, progress=True)
-    found = GaitGrid.of_dataset(data)
-    points = found["period"].size
+    found = sweep(runner, vary, path=output, executor=executor, progress=True).gaits
+    words = found["word"].values.ravel()
+    points, gaits = words.size, int(np.count_nonzero(words != ""))
+    different = sorted({word for word in words if word})
     result = {
         **runner.record(*vary),
         "file": str(output),
         "points": points,
-        "gaits": found.gaits,
-        "words": list(found.words),
+        "gaits": gaits,
+        "words": different,
     }
-    text = f"{output}: {found.gaits} gaits at {points} points, words {', '.join(found.words)}"
+    text = f"{output}: {gaits} gaits at {points} points, words {', '.join(different)}"
     print(json_text(result) if as_json_object else text)
-    problems = [problem for problem in found["problem"] if problem]
+    problems = [problem for problem in found["problem"].values if problem]
     if problems:
-        raise RunError(f"{problems[0]}; {found.gaits} of {points} gaits were found")
+        raise RunError(f"{problems[0]}; {gaits} of {points} gaits were found")
 
 
 def _headed(name: str, measure: str) -> str:
     return short(name) if measure in ("", "1") else f"{name} ({measure})"
 
 
-def _sweep_text(found: Sweep, display: DisplayUnits) -> str:
+def _sweep_text(found: Row, display: DisplayUnits) -> str:
     rows = [
         (
             f"{display.value(found.name, value):.6g}",

@@ -11,7 +11,6 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..drawable import Drawable
 from ..library.gait import Gait
 from ..library.runner import Runner
 from .linearization import linearize
@@ -22,7 +21,7 @@ RANK_TOLERANCE = 1e-9
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class Controllability(Drawable):
+class Controllability:
     """Which modes of a gait its settings can move, and how far; everything over the scales."""
 
     runner: Runner

@@ -10,7 +10,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..checks import is_one_of, near_matches, refusal, shown
-from ..drawable import Drawable
 from ..errors import InputError
 from ..given import numbers_of, row_of
 from ..library.laws import AffineLaw
@@ -22,7 +21,7 @@ Limits: TypeAlias = Mapping[str, tuple[float, float]]
 
 
 @dataclass(frozen=True, eq=False, repr=False, kw_only=True)
-class Feedback(AffineLaw, Drawable):
+class Feedback(AffineLaw):
     """An affine law that holds a gait, as `law=` takes it; `dataclasses.replace` gives it noise or limits."""
 
     linearization: Linearization

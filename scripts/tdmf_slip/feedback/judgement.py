@@ -7,9 +7,8 @@ from collections.abc import Sequence
 from concurrent.futures import Executor
 from dataclasses import dataclass, replace
 
+from ..analysis.attraction import Robustness, Volume, robustness, volume
 from ..analysis.first_passage import FirstPassage, strides_to_fall
-from ..analysis.robustness import Robustness, robustness
-from ..analysis.volume import Volume, volume
 from ..blocks import run_blocks
 from ..checks import check_kind
 from ..given import row_of
@@ -50,7 +49,7 @@ class Judgement:
     trial: Trial
     """Which gait, by which feedback."""
     volume: Volume
-    """How much of the box of `analysis.volume` settles on the gait; without noise."""
+    """How much of the box of `analysis.attraction` settles on the gait; without noise."""
     robustness: Robustness
     """The largest disturbances that the runner recovers from; without noise."""
     first_passages: tuple[FirstPassage, ...]

@@ -1,83 +1,152 @@
-"""Resume work from a file: only a file of exactly the same work is accepted."""
+"""Long work on file, block by block, so that a job that is killed loses no block that was done.
 
-import contextlib
-from collections.abc import Hashable, Mapping
+While work is under way, each block that is done is a NetCDF file in a folder beside the result, as
+`map.nc.parts` beside `map.nc`. When all blocks are done, the result is written and the folder goes.
+"""
+
+import json
+import secrets
+import shutil
+from collections.abc import Hashable, Iterator, Mapping, Sequence
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ..errors import InputError
-from ..files.datasets import xarray
-from .netcdf import read_dataset
+
+if TYPE_CHECKING:
+    import xarray
+
+Place = Mapping[str, int | Sequence[int]]
+"""Indices of a block along some of the dimensions."""
+PLACE = "place"
+"""Attribute of a block: its place as JSON."""
 
 
-def resumed(path: Path, blank: xarray.Dataset, what: str) -> xarray.Dataset:
-    """The partial result on file of the work that would fill `blank`; `blank` if there is no file."""
-    try:
-        data = read_dataset(path)
-    except FileNotFoundError:
-        return blank
-    except (OSError, ValueError) as problem:
-        reason = getattr(problem, "strerror", None) or "no NetCDF file"
-        raise InputError(f"{path}: no {what} to go on with ({reason}); allowed: another file name") from None
-    difference = _difference(data, blank)
-    if difference is not None:
-        raise InputError(f"{path}: holds another {what}, {difference}; allowed: another file name")
-    return data
+class Resumed:
+    """A result that is filled in block by block, on file where a path is given.
+
+    Parameters
+    ----------
+    path : Path or None
+        Where the result goes.
+    blank : xarray.Dataset
+        The result before any work. On file, only the same coordinates, attributes and variables are accepted.
+    what : str
+        The result in messages, as "map of fates".
+    working : sequence of str
+        Variables of blocks that the whole result does not have.
+    """
+
+    def __init__(
+        self, path: Path | None, blank: "xarray.Dataset", what: str, working: Sequence[str] = ()
+    ) -> None:
+        self.path, self.what, self.data = path, what, blank
+        self.done: list[Place] = []
+        self.is_whole = path is not None and path.exists()
+        if path is None:
+            return
+        self.folder = path.with_name(f"{path.name}.parts")
+        if self.is_whole:
+            self.data = self._read(path)
+            self._check(path, self.data, blank.drop_vars(working))
+        else:
+            for part in sorted(self.folder.glob("*.nc")):
+                self._take(part)
+
+    def _take(self, part: Path) -> None:
+        """Fill in a block that is done."""
+        found = self._read(part)
+        try:
+            place = json.loads(found.attrs[PLACE])
+            wanted = self.data.isel(place)
+        except (KeyError, ValueError, IndexError, TypeError):
+            raise self._refusal(part, "without its place") from None
+        self._check(part, found, wanted)
+        self._fill(place, {name: found[name].values for name in wanted.data_vars})
+
+    def _read(self, path: Path) -> "xarray.Dataset":
+        from .netcdf import read_dataset  # netCDF4 is slow to load
+
+        try:
+            return read_dataset(path)
+        except (OSError, ValueError) as problem:
+            why = getattr(problem, "strerror", None) or str(problem)
+            raise self._refusal(path, f"no NetCDF file, {why}") from None
+
+    def _check(self, path: Path, found: "xarray.Dataset", wanted: "xarray.Dataset") -> None:
+        if "result" not in found.attrs:
+            raise self._refusal(path, "made by another program or an earlier version")
+        difference = next(_differences(found, wanted), None)
+        if difference is not None:
+            raise self._refusal(path, difference)
+
+    def _refusal(self, path: Path, why: str) -> InputError:
+        return InputError(
+            f"{path}: not this {self.what}: {why}; give another file name, or delete it to compute it anew"
+        )
+
+    def _fill(self, place: Place, values: Mapping[Any, Any]) -> None:
+        for name, array in values.items():
+            self.data[name][dict(place)] = array
+        self.done.append(place)
+
+    def write(self, place: Place, values: Mapping[Any, Any]) -> None:
+        """Fill in a block: arrays by the names of the variables."""
+        self._fill(place, values)
+        if self.path is not None:
+            from .netcdf import write_dataset  # netCDF4 is slow to load
+
+            self.folder.mkdir(exist_ok=True)
+            part = self.data.isel(place).assign_attrs({PLACE: json.dumps(place)})
+            write_dataset(self.folder / f"{secrets.token_hex(8)}.nc", part)
+
+    def finish(self, data: "xarray.Dataset", groups: "Mapping[str, xarray.Dataset] | None" = None) -> None:
+        """Write the result, with further datasets in groups of the file; the blocks go."""
+        if self.path is not None:
+            from .netcdf import write_dataset  # netCDF4 is slow to load
+
+            write_dataset(self.path, data, groups)
+            shutil.rmtree(self.folder, ignore_errors=True)
 
 
 def refuse_resumable(path: Path) -> None:
-    """Refuse, before any work, to write something else over results on file, which have taken long."""
-    with contextlib.suppress(OSError, ValueError):
-        data = read_dataset(path)
-        if "done" in data or "fate" in data:
-            what = "grid of gaits" if "done" in data else "map"
-            raise InputError(f"{path}: holds a {what}; allowed: another file name")
+    """Refuse, before any work, to write something else over results on file that took long."""
+    from .netcdf import read_dataset  # netCDF4 is slow to load
+
+    try:
+        kind = read_dataset(path).attrs.get("result")
+    except (OSError, ValueError):
+        return
+    if kind in ("basin", "sweep", "viability"):
+        raise InputError(f"{path}: holds a {kind}; give another file name")
 
 
-def same_values(
-    found: xarray.Dataset,
-    wanted: xarray.Dataset,
-    relative: float = 0.0,
-    rounding: Mapping[str, float] | None = None,
-) -> bool:
-    """Whether all variables of one dataset are those of another, NaN where it is NaN."""
-    minimum = rounding or {}
-    return all(
-        _close(found[name].values, wanted[name].values, relative, minimum.get(str(name), 0.0))
-        for name in wanted.data_vars
-    )
+def _differences(found: "xarray.Dataset", wanted: "xarray.Dataset") -> Iterator[str]:
+    """What differs, in words: coordinates, variables and attributes that are wanted."""
+    for name, values in wanted.coords.items():
+        if name not in found.coords or not np.array_equal(found[name].values, values.values):
+            yield f"other values of {name}"
+    for name, variable in wanted.data_vars.items():
+        if name not in found or found[name].dims != variable.dims:
+            yield f"without a variable {name} over {', '.join(map(str, variable.dims))}"
+    for name in wanted.attrs:
+        if name == "runner":
+            yield from _other_values(found.attrs.get(name), wanted.attrs[name])
+        elif not _same(found.attrs, wanted.attrs, name):
+            yield f"another {name}"
 
 
-def _close(found: NDArray[np.float64], wanted: NDArray[np.float64], relative: float, rounding: float) -> bool:
-    if wanted.dtype.kind != "f":
-        return np.array_equal(found, wanted)
-    off = relative * np.max(np.abs(wanted), initial=0.0, where=np.isfinite(wanted))
-    off = max(off, rounding)
-    return np.allclose(found, wanted, rtol=0.0, atol=off, equal_nan=True)
-
-
-def _difference(data: xarray.Dataset, blank: xarray.Dataset) -> str | None:
-    for name, wanted in blank.coords.items():
-        if name not in data.coords or not np.array_equal(data[name].values, wanted.values):
-            return f"with other values of {name}"
-    for name, wanted in blank.data_vars.items():
-        if name not in data or data[name].dims != wanted.dims or _kind(data[name]) != _kind(wanted):
-            return f"without such a variable {name}"
-    for name, wanted in blank.variables.items():
-        for attribute in wanted.attrs:
-            if not _same(data[name].attrs, wanted.attrs, attribute):
-                return f"with another {attribute} of {name}"
-    return next(
-        (f"with another {name}" for name in blank.attrs if not _same(data.attrs, blank.attrs, name)), None
-    )
-
-
-def _kind(variable: xarray.DataArray) -> str:
-    """Kind of the values. Texts come back from a file with another dtype."""
-    return "text" if variable.dtype.kind in "OSTU" else variable.dtype.kind
+def _other_values(found: Any, wanted: str) -> Iterator[str]:
+    """Names whose values differ between two runners."""
+    if found != wanted:
+        try:
+            there, here = json.loads(found), json.loads(wanted)
+            yield from (f"another {name}" for name in here if there.get(name) != here[name])
+        except (ValueError, TypeError, AttributeError):
+            pass
+        yield "another runner"
 
 
 def _same(found: Mapping[Any, Any], wanted: Mapping[Any, Any], name: Hashable) -> bool:

@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from ..drawable import Drawable
 from ..library.gait import Gait
 from ..library.quantities import unit_of
 from ..library.runner import Runner
@@ -75,7 +74,7 @@ class Residual:
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class Fit(Drawable):
+class Fit:
     """A runner fitted to measured gaits; `plot` draws the data, the fit and the residuals."""
 
     measurements: Measurements

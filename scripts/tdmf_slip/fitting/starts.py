@@ -5,9 +5,8 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from ..analysis.beginnings import around
-from ..analysis.linkage import linked
-from ..analysis.settled import evenly, settled_gaits
+from ..analysis.settled import evenly, linked, settled_gaits
+from ..analysis.target import around
 from ..errors import InputError, RunError
 from ..library.fixed_point import gait_near
 from ..library.gait import Gait

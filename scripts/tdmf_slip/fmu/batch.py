@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from concurrent.futures import Executor
 from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -12,17 +13,18 @@ from ..blocks import run_blocks
 from ..checks import checked, checked_whole
 from ..errors import InputError, TdmfSlipError
 from ..given import row_of, rows_of
-from ..labelled import Labelled
-from ..record import attributes_of, origin_of
+from ..record import dataset, origin_of
 from ..terminal.progress import progress_bar
 from ..variables.parameters import RunnerLike, start_values_of
 from ..variables.variable import Value
 from .fmu import Fmu, load_fmu
-from .runs_result import Runs
 from .simulation import DEFAULT_STRIDES, DEFAULT_TOLERANCE, MAX_STRIDES, TOLERANCES, simulate
 
+if TYPE_CHECKING:
+    import xarray
 
-@dataclass(frozen=True, eq=False)
+
+@dataclass(frozen=True)
 class Job:
     """A run: a block of work."""
 
@@ -36,7 +38,7 @@ class Job:
     """`me` or `cs`."""
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True)
 class Result:
     """How a run ended."""
 
@@ -76,7 +78,7 @@ def simulate_many(
     executor: Executor | None = None,
     progress: bool = False,
     fmu: Fmu | None = None,
-) -> Runs:
+) -> xarray.Dataset:
     """Run the unit once for each of many runners.
 
     Parameters
@@ -100,7 +102,7 @@ def simulate_many(
 
     Returns
     -------
-    Runs
+    xarray.Dataset
         Over the dimension `run`: what the runners name as coordinates, the last stride's quantities with
         their units, `fallen`, and `problem`, empty where there was none.
 
@@ -114,7 +116,7 @@ def simulate_many(
     >>> import tdmf_slip
     >>> runners = [{"ground.friction": 0.6}, {"ground.friction": 1.2}]
     >>> runs = tdmf_slip.simulate_many(runners, strides=2)
-    >>> print(runs["speed"].round(3), runs["fallen"])
+    >>> print(runs["speed"].values.round(3), runs["fallen"].values)
     [1.061 1.05 ] [False False]
     """
     fmu = load_fmu(fmu)
@@ -142,22 +144,19 @@ def simulate_many(
     return _runs(jobs, results, names, fmu)
 
 
-def _runs(jobs: Sequence[Job], results: Sequence[Result], names: Sequence[str], fmu: Fmu) -> Runs:
+def _runs(jobs: Sequence[Job], results: Sequence[Result], names: Sequence[str], fmu: Fmu) -> xarray.Dataset:
     alike = {name: value for name, value in fmu.variables.all_start_values({}).items() if name not in names}
-    arrays = {
-        "fallen": Labelled(OVER, np.array([result.fallen for result in results])),
-        "problem": Labelled(OVER, np.array([result.problem for result in results], dtype=object)),
+    arrays: dict[str, tuple[Any, ...]] = {
+        "fallen": (OVER, [result.fallen for result in results]),
+        "problem": (OVER, np.array([result.problem for result in results], dtype=object)),
     }
     for variable in fmu.variables.group("stride"):
-        name, is_text = variable.member, variable.type == "String"
-        values = [result.stride.get(name, "" if is_text else np.nan) for result in results]
-        array = np.array(values, dtype=object if is_text else float)
-        arrays[name] = Labelled(OVER, array, variable.attributes)
-    return Runs(
-        arrays,
-        {
-            name: Labelled(OVER, np.array([fmu.variables.start_of(name, job.values) for job in jobs]))
-            for name in names
-        },
-        attributes_of({**origin_of(version=fmu.version), "start_values": alike}),
-    )
+        is_text = variable.type == "String"
+        values = [result.stride.get(variable.member, "" if is_text else np.nan) for result in results]
+        arrays[variable.member] = (
+            OVER,
+            np.array(values, dtype=object if is_text else float),
+            variable.attributes,
+        )
+    given = {name: (OVER, [fmu.variables.start_of(name, job.values) for job in jobs]) for name in names}
+    return dataset("runs", {**origin_of(version=fmu.version), "start_values": alike}, arrays, given)

@@ -8,7 +8,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..checks import is_one_of, near_matches, shown
-from ..drawable import Drawable
 from ..errors import InputError
 from ..record import origin_of
 from ..variables import paper_units
@@ -21,7 +20,7 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class Run(Drawable):
+class Run:
     """What a run gave. All values are in the units of the model description, see `units`."""
 
     table: NDArray[np.void]
@@ -78,10 +77,6 @@ class Run(Drawable):
             raise InputError(f"{shown(name)} was not recorded{near_matches(name, self.names)}")
         return self.table[name]
 
-    def _shown(self) -> Mapping[str, Any]:
-        """How it ended, and the last stride."""
-        return {"fallen": self.fallen, "strides": self.strides, **self.stride}
-
     def __repr__(self) -> str:
         """In a line: how far it went, and the last stride."""
         time, speed = self.label("s"), self.label("m/s")
@@ -95,7 +90,7 @@ class Run(Drawable):
         )
         return f"<Run {end}, {self.strides} strides{last}>"
 
-    def to_xarray(self) -> "xarray.Dataset":
+    def to_dataset(self) -> "xarray.Dataset":
         """The recorded rows with units, over the time; at an event there are two rows of the same time.
 
         Returns

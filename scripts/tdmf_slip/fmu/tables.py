@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ..files.whole import check_destination, write_whole
-from ..record import attributes_of
+from ..record import dataset
 from ..variables.variable import Variable
 from .run import Run
 
@@ -37,17 +37,13 @@ def _write_netcdf(path: Path, run: Run) -> None:
 
 def dataset_of(run: Run) -> "xarray.Dataset":
     """A run's recorded rows over the time, with units, flags and the run's end."""
-    from ..files.datasets import xarray  # slow to load, and seldom asked for
-
-    data = xarray.Dataset()
+    variables = {}
     for name in run.names:
         column = run.table[name]
         values = column.astype("i4") if column.dtype == bool else column  # NetCDF has no booleans
-        data[name] = ("time", values, _attributes(run.variables[name]))
-        data[name].encoding = {"zlib": True}
-    data.attrs = {"title": "TDMF-SLIP run", **attributes_of(run.record), "fallen": int(run.fallen)}
-    data.attrs |= {variable.name: run.final[variable.name] for variable in run.variables.group("stride")}
-    return data
+        variables[name] = "time", values, _attributes(run.variables[name]), {"zlib": True}
+    stride = {variable.name: run.final[variable.name] for variable in run.variables.group("stride")}
+    return dataset("run", run.record, variables, {}, fallen=int(run.fallen), **stride)
 
 
 def _attributes(variable: Variable) -> dict[str, object]:

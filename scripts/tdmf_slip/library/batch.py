@@ -29,8 +29,8 @@ from .tables import Table
 
 ACCURACY = 1e-8
 """Largest error of a stride at `TOLERANCE`, of its apex over the scales of the section, and of its time,
-distance and energies over sqrt(m/k), l0 and k l0^2. It holds for starts anywhere in `analysis.volume.BOX`,
-and for runners whose parameters differ from the default ones by factors of up to e."""
+distance and energies over sqrt(m/k), l0 and k l0^2. It holds for starts anywhere in
+`analysis.attraction.BOX`, and for runners whose parameters are at most a factor of e off the default ones."""
 NEAR = 1e-2
 """Distance from a gait's apex, over the scales, at which a runner counts as settled."""
 

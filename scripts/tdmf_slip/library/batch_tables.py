@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ..variables.table import MODELS, VARIABLES
 from .batch_given import Given
 from .engine import FATES, SETTLED, STOPPED, Engine
 from .laws import AffineLaw
@@ -19,7 +20,6 @@ from .quantities import (
     Quantities,
     differentiable,
     reported_quantities,
-    unit_of,
     weight_by,
     weight_of,
 )
@@ -36,8 +36,28 @@ FOOT_X = "foot.x"
 
 
 OF_WEIGHT = ("body.mass", "foot.mass", "gravity")
-_ENERGIES = ("work", "hip_work", "leg_work", "external_work", "damper_loss", "friction_loss", "impact_loss")
-_END_UNITS = {"time": "s", "distance": "m", "foot_x": "m", **dict.fromkeys(_ENERGIES, "J")}
+_ENERGIES = ("work", "hip_work", "leg_work", *LEDGER)
+ABOUT: Mapping[str, Mapping[str, Any]] = {
+    **{name: {"units": "J", "long_name": f"{name.replace('_', ' ')} of the stride"} for name in LEDGER},
+    "liftoff_angle": {"units": "rad", "long_name": "leg angle at lift-off"},
+    "apex": {"long_name": "apex at which the stride begins"},
+    "next_apex": {"long_name": "apex at which it closes"},
+    "next_apex_by": {"long_name": "derivatives of the next apex by this apex and by parameters"},
+    "fate": {
+        "flag_values": np.arange(len(STRIDE_FATES), dtype=np.int8),
+        "flag_meanings": " ".join(STRIDE_FATES),
+        "comment": "fell: the body or the leg is down, or the foot was below a new ground for a whole stride",
+    },
+}
+"""Units and descriptions of arrays that the unit does not report under their names."""
+ABOUT_ENDS: Mapping[str, Mapping[str, Any]] = {
+    "fate": {"flag_values": np.arange(len(FATES)), "flag_meanings": " ".join(FATES)},
+    "apex": {"long_name": "apex of the last stride that closed"},
+    "time": {"units": "s"},
+    **{name: {"units": "m"} for name in ("distance", "foot_x")},
+    **{name: {"units": "J"} for name in _ENERGIES},
+}
+"""Units and descriptions at the ends of runs."""
 
 
 def exact_table(
@@ -88,7 +108,8 @@ def exact_table(
         by = [*batch.runner.coordinates, *map(title, along)]
         return {**_labels(batch), "by": np.array(by), "by_coordinate": np.array(batch.runner.coordinates)}
 
-    return Table(_exact(single, reduced, variations is not None), make, labels, _unit)
+    dimensions = _exact(single, reduced, variations is not None)
+    return Table(dimensions, make, labels, about, batch.runner.record)
 
 
 @cache
@@ -120,9 +141,16 @@ def title(direction: Along) -> str:
     return " + ".join(f"{share:g} {name}" for name, share in direction.items())
 
 
-def _unit(name: str) -> str:
-    """The unit of an array by its name, empty for none."""
-    return _END_UNITS.get(name) or (unit_of(name) if name in reported_quantities(False) else "")
+def about(name: str) -> Mapping[str, Any]:
+    """Unit and description of an array of strides, by the names that CF gives them."""
+    if name in ABOUT:
+        return ABOUT[name]
+    known = VARIABLES.get(f"stride.{name}") or MODELS["full"].quantities.get(name) or VARIABLES.get(name)
+    return {} if known is None else known.attributes
+
+
+def _about_ends(name: str) -> Mapping[str, Any]:
+    return ABOUT_ENDS.get(name, {})
 
 
 def _labels(batch: Given) -> dict[str, NDArray[Any]]:
@@ -141,8 +169,15 @@ def ends_table(batch: Given, ends: NDArray[Any], work: Mapping[str, int], record
         return values[0] if batch.is_single else values
 
     dimensions = dict.fromkeys(ends.dtype.names or (), over) | {"apex": (*over, "coordinate")}
-    attributes = {"work_done": work}
-    return Table(dimensions, make, lambda: _labels(batch), _unit, attributes, recorded)
+    return Table(
+        dimensions,
+        make,
+        lambda: _labels(batch),
+        _about_ends,
+        batch.runner.record,
+        {"work_done": work},
+        recorded,
+    )
 
 
 def recorded_table(batch: Given, engine: Engine, given: Mapping[str, NDArray[np.float64]]) -> Table:
@@ -177,7 +212,8 @@ def recorded_table(batch: Given, engine: Engine, given: Mapping[str, NDArray[np.
     arrays |= {name: of(values, begun) for name, values in given.items()}
     over = ("runner", "stride", "coordinate")
     dimensions = {name: over[: values.ndim] for name, values in arrays.items()}
-    return Table(dimensions, arrays.__getitem__, lambda: {**_labels(batch), "stride": strides}, _unit)
+    labels = {**_labels(batch), "stride": strides}
+    return Table(dimensions, arrays.__getitem__, lambda: labels, about, batch.runner.record)
 
 
 def _words(words: NDArray[np.bytes_]) -> NDArray[np.str_]:

@@ -1,19 +1,18 @@
 """Periodic gaits as fixed points of the return map, stable or not, with their eigenvalues."""
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from importlib import import_module
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ..checks import check_kind
-from ..drawable import Drawable
-from ..record import origin_of
-from ..variables.table import FRICTION
+from ..checks import check_kind, near_matches
+from ..record import dataset, origin_of
+from ..variables.table import FRICTION, MODELS, VARIABLES
 from .binding import ffi
 from .c_structs import RETURN, viewed
 from .quantities import LEDGER as LEDGER
@@ -24,6 +23,10 @@ from .runner import Runner
 from .section import COORDINATES, REDUCED
 from .word import Event, Letter, letters_of, recorded
 
+if TYPE_CHECKING:
+    import xarray
+    from matplotlib.figure import Figure
+
 REPORTED = ("period", "length", "speed", "work", "cost_of_transport")
 """Those that a gait is told by."""
 PARTS = ("rise", "hip_work", "leg_work", *LEDGER)
@@ -31,7 +34,7 @@ PARTS = ("rise", "hip_work", "leg_work", *LEDGER)
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class Gait(Drawable):
+class Gait:
     """A periodic gait, which is a fixed point of the return map; units as in the model description."""
 
     runner: Runner
@@ -71,6 +74,18 @@ class Gait(Drawable):
         """After how many the gait repeats itself; word, quantities and Jacobian are of all of them."""
         return 1 + len(self.following)
 
+    def __getattr__(self, name: str) -> float:
+        """A quantity of the stride by its name, as `gait.cost_of_transport`."""
+        stride = self.__dict__.get("stride", {})
+        if name not in stride:
+            raise AttributeError(f"a gait has no {name!r}{near_matches(name, (*stride, *dir(type(self))))}")
+        quantity: float = stride[name]
+        return quantity
+
+    def __dir__(self) -> list[str]:
+        """Names of all attributes, the stride's quantities included."""
+        return [*super().__dir__(), *self.stride]
+
     def __repr__(self) -> str:
         """In a line: what tells one gait from another."""
         stride, kind, label = self.stride, "stable" if self.stable else "unstable", self.runner.label
@@ -86,15 +101,30 @@ class Gait(Drawable):
         """Of the ground."""
         return self.runner[FRICTION]
 
-    @property
-    def period(self) -> float:
-        """Of the stride, s."""
-        return self.stride["period"]
+    def plot(self) -> "Figure":
+        """Draw the stride's velocities and force ratio.
 
-    @property
-    def speed(self) -> float:
-        """Average over the stride, m/s."""
-        return self.stride["speed"]
+        Returns
+        -------
+        Figure
+            A Matplotlib figure, see `tdmf_slip.plot`.
+        """
+        figure: Figure = import_module("..pictures.plot", __package__).plot(self)
+        return figure
+
+    def to_dataset(self) -> "xarray.Dataset":
+        """The gait as a dataset: quantities with units, eigenvalues as two variables, and the Jacobian.
+
+        Returns
+        -------
+        xarray.Dataset
+            As one point of a sweep's dataset, with `jacobian` besides.
+        """
+        data = gaits_dataset("gait", self.runner.record(), [self], {})
+        coordinates = list(self.runner.coordinates)
+        return data.assign(jacobian=(("coordinate", "by_coordinate"), self.jacobian)).assign_coords(
+            coordinate=coordinates, by_coordinate=coordinates
+        )
 
     def animate(self, path: Path | str = "stride.gif", *, frames: int = 120) -> Path:
         """Write one stride as an animation that loops, the stance in slow motion.
@@ -208,3 +238,49 @@ def gait_of_stride(
         iterations=0,
         events=recorded(log),
     )
+
+
+def gaits_dataset(
+    kind: str,
+    record: Mapping[str, Any],
+    gaits: Sequence[Gait | None],
+    coordinates: Mapping[str, NDArray[np.float64]],
+    **attributes: str | float,
+) -> "xarray.Dataset":
+    """Gaits on a grid as a dataset with units; NaN and an empty word where there is none.
+
+    The gaits are in the order of the coordinates, the last one running fastest.
+    """
+    over, shape = tuple(coordinates), tuple(map(len, coordinates.values()))
+    modes = max((len(gait.apex) for gait in gaits if gait is not None), default=len(COORDINATES))
+    spectra = np.full((len(gaits), modes), np.nan, complex)
+    for row, gait in zip(spectra, gaits, strict=True):
+        if gait is not None:
+            row[:] = gait.eigenvalues
+    eigenvalues = spectra.reshape(*shape, modes)
+
+    def column(value_of: Callable[[Gait], float], attributes: Mapping[str, str]) -> tuple[Any, ...]:
+        values = [np.nan if gait is None else value_of(gait) for gait in gaits]
+        return over, np.array(values, float).reshape(shape), attributes
+
+    def quantity(name: str) -> tuple[Any, ...]:
+        return column(lambda gait: gait.stride.get(name, np.nan), MODELS["full"].quantities[name].attributes)
+
+    def coordinate(number: int) -> tuple[Any, ...]:
+        about = VARIABLES[f"apex.{COORDINATES[number]}"].attributes
+        return column(lambda gait: float(gait.section[number]), about)
+
+    names = dict.fromkeys((*STRIDE_QUANTITIES, *LEDGER, *MEASURES))
+    variables = {name: quantity(name) for name in names}
+    variables |= {f"apex_{name}": coordinate(number) for number, name in enumerate(COORDINATES)}
+    variables["lambda_max"] = column(lambda gait: gait.lambda_max, {"units": "1"})
+    for part in ("real", "imag"):
+        about = {"units": "1", "long_name": f"{part} parts of the eigenvalues, the largest first"}
+        variables[f"eigenvalue_{part}"] = (*over, "mode"), getattr(eigenvalues, part).copy(), about
+    words = np.array(["" if gait is None else gait.word for gait in gaits], dtype=object).reshape(shape)
+    variables["word"] = over, words, VARIABLES["stride.word"].attributes
+    labels = {
+        name: (name, values, VARIABLES[name].attributes if name in VARIABLES else {})
+        for name, values in coordinates.items()
+    }
+    return dataset(kind, record, variables, labels, **attributes)

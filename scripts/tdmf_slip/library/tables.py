@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import importlib
 from collections.abc import Callable, Iterator, Mapping
 from typing import TYPE_CHECKING, Any
 
 from numpy.typing import NDArray
 
 from ..errors import InputError
+from ..record import dataset
 
 if TYPE_CHECKING:
     import xarray
@@ -25,8 +25,10 @@ class Table(Mapping[str, Any]):
         Makes an array by its name.
     labels : function
         Labels of dimensions, by their names.
-    units : function of str
-        Unit of a column by its name, empty for none.
+    about : function of str
+        Unit and description of an array by its name, by the names that CF gives them.
+    record : function
+        Version, model and runner, see `record`.
     attributes : mapping
         Properties of the whole table.
     recorded : Table, optional
@@ -38,12 +40,13 @@ class Table(Mapping[str, Any]):
         dimensions: Mapping[str, tuple[str, ...]],
         make: Callable[[str], NDArray[Any]],
         labels: Callable[[], Mapping[str, Any]],
-        units: Callable[[str], str],
+        about: Callable[[str], Mapping[str, Any]],
+        record: Callable[[], Mapping[str, Any]],
         attributes: Mapping[str, Any] | None = None,
         recorded: Table | None = None,
     ) -> None:
         self._dimensions, self._make, self._made = dimensions, make, dict[str, Any]()
-        self._labels, self._units = labels, units
+        self._labels, self._about, self._record = labels, about, record
         self.attributes, self.recorded = attributes or {}, recorded
 
     def __getitem__(self, name: str) -> Any:
@@ -80,25 +83,21 @@ class Table(Mapping[str, Any]):
         """The names of the arrays."""
         return f"<Table of {', '.join(self)}>"
 
-    def to_dataset(self) -> xarray.Dataset:
+    def to_dataset(self, kind: str = "batch") -> xarray.Dataset:
         """The table as a dataset with units.
+
+        Parameters
+        ----------
+        kind : str, default "batch"
+            The dataset's attribute `result`.
 
         Returns
         -------
         xarray.Dataset
-            With the same names, dimensions and attributes.
-
-        Raises
-        ------
-        InputError
-            The library xarray is missing.
+            With the same names and dimensions; attributes of the table that are numbers or texts.
         """
-        datasets = importlib.import_module("..files.datasets", __package__)  # xarray is slow to load
-        variables = {}
-        for name, dimensions in self._dimensions.items():
-            unit = self._units(name)
-            variables[name] = (dimensions, self[name], {"units": unit} if unit else {})
+        variables = {name: (over, self[name], self._about(name)) for name, over in self._dimensions.items()}
         used = {dimension for dimensions in self._dimensions.values() for dimension in dimensions}
         labels = {name: label for name, label in self._labels().items() if name in used}
-        data: xarray.Dataset = datasets.xarray.Dataset(variables, labels, dict(self.attributes))
-        return data
+        plain = {name: of for name, of in self.attributes.items() if isinstance(of, str | float | int)}
+        return dataset(kind, self._record(), variables, labels, **plain)

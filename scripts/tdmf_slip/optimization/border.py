@@ -1,21 +1,30 @@
-"""Borders between regions: where the word or the events of a gait change, and its quantities have a kink.
+"""Borders between regions, the best point on a border, and the best point on the edge off a fold.
 
-Quantities are continuous across a border and smooth on either side. So the changes of all of them and of the
-apex differ, from one side to the other, by a matrix of rank one, whose rows are along the normal of the
-border: their derivatives along the border are the same. This gives the normal exactly. Where that matrix is
-nothing the functions are smooth, and the border is none for the search.
+At a border the word or the events of a gait change, and its quantities have a kink. They are continuous
+across it and smooth on either side. So their derivatives on both sides differ by a matrix of rank one,
+whose rows are along the normal of the border. This gives the normal exactly. Where that matrix is zero
+the functions are smooth, and the search does not treat the border as one.
+
+Parameters on the border are x = x0 + T u + n s(u), with the normal n at x0, a basis T of the plane across
+it, and s(u) solved for. So the objective and the constraints are functions of u alone, as smooth as the
+region and the border, and their derivatives are those along T + n ds/du, which lies in the border's own
+plane.
+
+On the edge off a fold det(I - J)^2 is at its least. Near a fold gaits change as a square root does, so
+that a search in a box of parameters creeps: a straight step along the edge leads over the fold. On the
+edge itself all is smooth, with one coordinate less than there are parameters.
 """
 
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ..errors import RunError
 from ..library.gait import Gait
-from .gaits import Candidate, Gaits
-from .problem import Problem
+from .gaits import AT_BOUND, Candidate, Gaits
+from .problem import OFF_FOLD, Problem, Rows, minimize
 
 ACCURACY = 1e-10
 """Distance of the gaits on both sides, over the width of the bounds."""
@@ -26,6 +35,38 @@ CONTINUOUS = 1e-4
 change as a square root does."""
 NARROWEST, WIDEST = 1e-6, 0.3
 """Distances at which a border is looked for across itself."""
+RADIUS, SMALLEST = 0.05, 1e-7
+"""Half the width of the first box, and of the last one; of the bounds' width."""
+ROUNDS = 20
+NEAR = 0.5
+"""Of `OFF_FOLD`: a gait as near to the edge is led onto it."""
+EDGE_RADIUS, EDGE_SMALLEST, EDGE_ROUNDS = 0.1, 1e-5, 12
+"""Half the width of the first box and of the last one, of the bounds' width; and boxes."""
+ON_EDGE, NEWTON = 1e-9, 12
+"""What is left over of the edge's equation, and steps towards it."""
+INWARDS, LONGEST = 1e-5, 0.1
+"""Of the bounds' width: first and last step off the fold, where a point is beyond it."""
+
+
+@dataclass
+class Region:
+    """Sequences of events between which nothing has a kink."""
+
+    sequences: set[tuple[object, ...]] = field(default_factory=set)
+    """Of the strides, see `Gait.sequence`."""
+
+    @classmethod
+    def of(cls, gait: Gait) -> "Region":
+        """That of a gait, as far as is known from it alone."""
+        return cls({gait.sequence})
+
+    def has(self, gait: Gait) -> bool:
+        """Whether a gait is on it."""
+        return gait.sequence in self.sequences
+
+    def grow(self, gait: Gait) -> None:
+        """Take in a gait beyond a border at which nothing has a kink."""
+        self.sequences.add(gait.sequence)
 
 
 @dataclass(frozen=True, eq=False)
@@ -107,3 +148,206 @@ def across(
             return between(gaits, low, high, is_inside)
         reach *= 4.0
     raise RunError("the border between two words is not met")
+
+
+@dataclass(frozen=True, eq=False)
+class OnBorder(Candidate):
+    """A gait on a border; `at` is u, over which the slopes are."""
+
+    border: Border
+    """There."""
+    plane: NDArray[np.float64]
+    """Changes of the parameters by u, shape (d, d - 1): T + n ds/du."""
+
+
+class AlongBorder(Problem):
+    """A problem over a border; the bounds of the parameters are among the margins."""
+
+    def __init__(self, problem: Problem, free: NDArray[np.bool_]) -> None:
+        """Of the problem itself, and which of the parameters are varied."""
+        super().__init__(problem.goal, problem.scales)
+        self._problem, self._free = problem, free
+
+    def objective(self, gait: Candidate) -> tuple[float, NDArray[np.float64]]:
+        """As the problem has it."""
+        return self._problem.objective(gait)
+
+    def equations(self, gait: Candidate) -> Rows:
+        """As the problem has them."""
+        return self._problem.equations(gait)
+
+    def margins(self, gait: Candidate) -> Rows:
+        """Those of the problem, and of the bounds."""
+        assert isinstance(gait, OnBorder)
+        left, slopes = self._problem.margins(gait)
+        at, plane = gait.border.short.at[self._free], gait.plane[self._free]
+        return np.concatenate([left, at, 1.0 - at]), np.vstack([slopes, plane, -plane])
+
+
+def best_along(gaits: Gaits, problem: Problem, border: Border, region: Region, stationary: float) -> Border:
+    """The best point on a border, as the region on this side has it."""
+    at = border.short.at
+    off_bounds = (at > AT_BOUND) & (at < 1.0 - AT_BOUND)
+    for free in (off_bounds, np.ones_like(off_bounds)):
+        if np.count_nonzero(free) < 2 or not np.any(border.normal[free]):
+            continue
+        border = _best_over(gaits, problem, border, region, free, stationary)
+        if problem.steepest(border.short, border.normal, along=True) <= stationary:
+            break
+    return border
+
+
+def _best_over(
+    gaits: Gaits,
+    problem: Problem,
+    border: Border,
+    region: Region,
+    free: NDArray[np.bool_],
+    stationary: float,
+) -> Border:
+    """With some of the parameters held: first those at their bounds, which may have to leave them then."""
+    wanted, chart = AlongBorder(problem, free), _Chart(gaits, border, region, free)
+    here, radius = chart.point(border, np.zeros(chart.basis.shape[1])), RADIUS
+    for _ in range(ROUNDS):
+        ended = minimize(wanted, chart.follow, here, here.at - radius, here.at + radius)
+        grows = not ended.lost and wanted.merit(ended.best) < wanted.merit(here)
+        assert isinstance(ended.best, OnBorder)
+        here = ended.best
+        if (
+            not ended.lost
+            and problem.steepest(here.border.short, here.border.normal, along=True) <= stationary
+        ):
+            break
+        radius *= 2.0 if grows else 0.25
+        if radius < SMALLEST:
+            break
+    return here.border
+
+
+class _Chart:
+    """Coordinates u on a border."""
+
+    def __init__(self, gaits: Gaits, border: Border, region: Region, free: NDArray[np.bool_]) -> None:
+        self.gaits, self.region = gaits, region
+        normal = np.where(free, border.normal, 0.0)
+        self.normal = normal / np.linalg.norm(normal)
+        self.basis = np.eye(len(free))[:, free] @ np.linalg.svd(border.normal[None, free])[2][1:].T
+
+    def point(self, border: Border, u: NDArray[np.float64]) -> OnBorder:
+        """A point on the border, where its normal says how it bends off the plane."""
+        bend = -(border.normal @ self.basis) / (border.normal @ self.normal)
+        plane = self.basis + np.outer(self.normal, bend)
+        short = border.short
+        return OnBorder(
+            at=u,
+            gait=short.gait,
+            apex_slopes=short.apex_slopes @ plane,
+            values=short.values,
+            slopes=short.slopes @ plane,
+            spectrum=short.spectrum.along(plane),
+            border=border,
+            plane=plane,
+        )
+
+    def follow(self, near: Candidate, u: NDArray[np.float64]) -> OnBorder:
+        """The border at u, from a point on it."""
+        assert isinstance(near, OnBorder)
+        at = near.border.short.at + near.plane @ (u - near.at)
+        return self.point(across(self.gaits, near.border.short, at, self.normal, self.region.has), u)
+
+
+def is_near(gait: Candidate) -> bool:
+    """Whether a gait is next to the edge."""
+    return abs(gait.spectrum.fold / OFF_FOLD - 1.0) < NEAR
+
+
+def best_on_edge(
+    gaits: Gaits, problem: Problem, begin: Candidate, region: Region, stationary: float
+) -> Candidate:
+    """The best gait on the edge that is reached from one near it."""
+    if len(begin.at) < 2:
+        return begin
+    without = Problem(replace(problem.goal, fold=False), problem.scales)
+    wanted = AlongBorder(without, np.ones(len(begin.at), dtype=bool))
+    best, radius = begin, EDGE_RADIUS
+    for _ in range(EDGE_ROUNDS):
+        try:
+            chart = _EdgeChart(gaits, best)
+            here = chart.follow(chart.here(best), np.zeros(len(best.at) - 1))
+        except RunError:
+            break
+        ended = minimize(
+            wanted,
+            chart.follow,
+            here,
+            here.at - radius,
+            here.at + radius,
+            lambda gait: region.has(gait.gait),
+        )
+        assert isinstance(ended.best, OnBorder)
+        found = ended.best.border.short
+        gained = problem.merit(best) - problem.merit(found)
+        best = found if gained > 0.0 else best
+        if problem.steepest(best) <= stationary:
+            break
+        radius *= 2.0 if gained > 0.0 and not ended.lost else 0.25
+        if radius < EDGE_SMALLEST:
+            break
+    return best
+
+
+class _EdgeChart:
+    """Coordinates u on the edge: parameters are a point, a step across u, and one along the normal there."""
+
+    def __init__(self, gaits: Gaits, begin: Candidate) -> None:
+        self.gaits = gaits
+        slopes = begin.spectrum.fold_slopes
+        size = float(np.linalg.norm(slopes))
+        if not size > 0.0:
+            raise RunError("the edge of the fold has no normal here")
+        self.normal = slopes / size
+        self.basis: NDArray[np.float64] = np.linalg.svd(self.normal[None, :])[2][1:].T
+
+    def here(self, gait: Candidate) -> OnBorder:
+        """A gait as the origin of the coordinates."""
+        return self._point(gait, np.zeros(self.basis.shape[1]))
+
+    def follow(self, near: Candidate, u: NDArray[np.float64]) -> OnBorder:
+        """The gait on the edge at u, from one that is known; by Newton's method along the normal."""
+        assert isinstance(near, OnBorder)
+        known = near.border.short
+        gait = self._off_fold(known, known.at + near.plane @ (u - near.at))
+        for _ in range(NEWTON):
+            left = gait.spectrum.fold / OFF_FOLD - 1.0
+            if abs(left) <= ON_EDGE:
+                return self._point(gait, u)
+            slope = float(gait.spectrum.fold_slopes @ self.normal) / OFF_FOLD
+            if not slope > 0.0:
+                break
+            gait = self.gaits.follow(gait, gait.at - max(left, -NEAR) / slope * self.normal)
+        raise RunError("the edge of the fold is not met")
+
+    def _off_fold(self, near: Candidate, at: NDArray[np.float64]) -> Candidate:
+        """The gait at a point or, where none is there, as little off it as one is."""
+        step = 0.0
+        while step <= LONGEST:
+            try:
+                return self.gaits.follow(near, at + step * self.normal)
+            except RunError:
+                step = max(INWARDS, 4.0 * step)
+        raise RunError("there are no gaits off the fold")
+
+    def _point(self, gait: Candidate, u: NDArray[np.float64]) -> OnBorder:
+        slopes = gait.spectrum.fold_slopes
+        bend = -(slopes @ self.basis) / (slopes @ self.normal)
+        plane = self.basis + np.outer(self.normal, bend)
+        return OnBorder(
+            at=u,
+            gait=gait.gait,
+            apex_slopes=gait.apex_slopes @ plane,
+            values=gait.values,
+            slopes=gait.slopes @ plane,
+            spectrum=gait.spectrum.along(plane),
+            border=Border(gait, gait, is_smooth=False, normal=self.normal),
+            plane=plane,
+        )

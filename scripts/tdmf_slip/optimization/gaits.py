@@ -1,8 +1,17 @@
-"""Gaits over several parameters, with the gradients of their quantities through the gait.
+"""Gaits over several parameters, with the gradients of their quantities and of their eigenvalues.
 
-The gradients are exact, by `library.varied_gait`. The library has no second derivatives: how the Jacobian,
-and so the eigenvalues, change along the gaits is told by central differences of exact Jacobians, of strides
-that begin on the tangent of the gaits.
+Gradients of quantities are exact, by `library.varied_gait`. The library has no second derivatives. So the
+change of the Jacobian along the gaits comes from central differences of exact Jacobians, of strides that
+begin on the tangent of the gaits. Parameters are shares of the way from their lower bounds to their upper
+ones.
+
+An eigenvalue of the Jacobian J with left and right vectors y, x changes by y^H dJ x / y^H x, and its size
+by the part of that along it. The spectral radius has no derivative where two eigenvalues are of one size.
+So each of the leading eigenvalues is kept for itself, of a complex pair one: the radius is at most R if
+each of them is, and their sizes are smooth. Where two eigenvalues meet they have no derivative.
+
+The distance from a fold is measured by det(I - J)^2, which goes to zero there linearly with the
+parameters.
 """
 
 from collections.abc import Callable, Mapping, Sequence
@@ -20,9 +29,17 @@ from ..library.runner import Runner
 from ..library.strides import strides_from
 from ..library.varied_gait import varied_gait
 from ..numerics.following import walk
-from .space import Space
-from .spectrum import Spectrum, spectrum_of
 
+AT_BOUND = 1e-9
+"""Of the width of the bounds: what is as near to one is at it."""
+ROUNDING = 1e-14
+"""Distance from a bound, over the width, that rounding may leave."""
+LEADING = 3
+"""So many are told, a complex pair as one."""
+MINIMUM = 1e-3
+"""Smaller eigenvalues are of no interest, and count as zero."""
+SIMPLE = 1e-7
+"""Least product of unit left and right vectors: below, two eigenvalues meet."""
 CENTRAL: Mapping[float, float] = {1.0: 0.5, -1.0: -0.5}
 FORWARD: Mapping[float, float] = {0.0: -1.5, 1.0: 2.0, 2.0: -0.5}
 BACKWARD: Mapping[float, float] = {0.0: 1.5, -1.0: -2.0, -2.0: 0.5}
@@ -50,6 +67,124 @@ ROOM, OFF_FOLDS = 0.05, 1e-2
 
 Known: TypeAlias = tuple[Gait, NDArray[np.float64]]
 """A gait, and the changes of its apex by the parameters."""
+
+
+@dataclass(frozen=True, eq=False)
+class Space:
+    """Parameters and inputs between bounds."""
+
+    bounds: Mapping[str, tuple[float, float]]
+    """By name: the lower and the upper one, in the unit's unit."""
+
+    @property
+    def low(self) -> NDArray[np.float64]:
+        """The lower bounds, shape (d,)."""
+        return np.array([low for low, _ in self.bounds.values()])
+
+    @property
+    def high(self) -> NDArray[np.float64]:
+        """The upper bounds, shape (d,)."""
+        return np.array([high for _, high in self.bounds.values()])
+
+    @property
+    def width(self) -> NDArray[np.float64]:
+        """From bound to bound, shape (d,)."""
+        return self.high - self.low
+
+    def values(self, at: NDArray[np.float64]) -> dict[str, float]:
+        """The parameters' values, by name, at shares of the way from bound to bound.
+
+        A share that rounding keeps from a bound is at the bound.
+        """
+        near = np.round(at)
+        at = np.where(np.abs(at - near) <= ROUNDING, near, at)
+        values = (1.0 - at) * self.low + at * self.high
+        return dict(zip(self.bounds, map(float, values), strict=True))
+
+    def runner_at(self, runner: Runner, at: NDArray[np.float64]) -> Runner:
+        """A runner with the values of a point in the space."""
+        return runner.replace(self.values(at))
+
+    def coordinates_of(self, runner: Runner) -> NDArray[np.float64]:
+        """Where a runner's values are, inside the bounds from 0 to 1, shape (d,)."""
+        values = np.array([runner[name] for name in self.bounds])
+        coordinates: NDArray[np.float64] = (values - self.low) / self.width
+        return coordinates
+
+    def active(self, at: NDArray[np.float64]) -> dict[str, str]:
+        """By name of the parameters that are at a bound: `lower` or `upper`."""
+        coordinates = dict(zip(self.bounds, at, strict=True))
+        low = {name: "lower" for name, share in coordinates.items() if share <= AT_BOUND}
+        return low | {name: "upper" for name, share in coordinates.items() if share >= 1.0 - AT_BOUND}
+
+
+@dataclass(frozen=True, eq=False)
+class Spectrum:
+    """Sizes of leading eigenvalues."""
+
+    sizes: NDArray[np.float64]
+    """The largest first, shape (m,)."""
+    slopes: NDArray[np.float64]
+    """Their changes, in rows, shape (m, d)."""
+    positive: NDArray[np.bool_]
+    """Which of them are of positive real eigenvalues, shape (m,)."""
+    fold: float
+    """det(I - J)^2."""
+    fold_slopes: NDArray[np.float64]
+    """Its changes, shape (d,)."""
+
+    @classmethod
+    def none(cls, count: int) -> "Spectrum":
+        """Of nobody, over so many parameters."""
+        return cls(np.zeros(0), np.zeros((0, count)), np.zeros(0, dtype=bool), np.inf, np.zeros(count))
+
+    def along(self, directions: NDArray[np.float64]) -> "Spectrum":
+        """The same, with the changes along directions, shape (d, e), in columns."""
+        return Spectrum(
+            self.sizes, self.slopes @ directions, self.positive, self.fold, self.fold_slopes @ directions
+        )
+
+
+def spectrum_of(
+    jacobian: NDArray[np.float64], variations: Sequence[NDArray[np.float64]], simple: bool = True
+) -> Spectrum:
+    """The leading eigenvalues' sizes, and how they change."""
+    values, right = np.linalg.eig(jacobian)
+    leading = [k for k in np.argsort(-np.abs(values), kind="stable") if values[k].imag >= 0.0][:LEADING]
+    sizes, slopes = np.zeros(LEADING), np.zeros((LEADING, len(variations)))
+    positive = np.zeros(LEADING, dtype=bool)
+    for row, k in enumerate(leading):
+        sizes[row] = abs(values[k])
+        positive[row] = values[k].imag == 0.0 and values[k].real > 0.0
+        if simple and sizes[row] > MINIMUM:
+            slopes[row] = _slopes(jacobian, values[k], right[:, k], variations)
+    return Spectrum(sizes, slopes, positive, *_fold(jacobian, variations))
+
+
+def _fold(
+    jacobian: NDArray[np.float64], variations: Sequence[NDArray[np.float64]]
+) -> tuple[float, NDArray[np.float64]]:
+    """By Jacobi's formula for the derivative of a determinant."""
+    matrix = np.eye(len(jacobian)) - jacobian
+    fold = float(np.linalg.det(matrix)) ** 2
+    traces = [np.trace(np.linalg.solve(matrix, variation)) for variation in variations]
+    return fold, -2.0 * fold * np.array(traces)
+
+
+def _slopes(
+    jacobian: NDArray[np.float64],
+    value: complex,
+    right: NDArray[np.complex128],
+    variations: Sequence[NDArray[np.float64]],
+) -> list[float]:
+    """Of an eigenvalue's size."""
+    others, vectors = np.linalg.eig(jacobian.T)
+    left = vectors[:, np.argmin(np.abs(others - value))]  # of J^T: y^H without the conjugation
+    product = left @ right
+    if abs(product) < SIMPLE:
+        raise RunError("two leading eigenvalues of the gait meet, where they have no derivative")
+    towards = np.conj(value) / abs(value)
+    return [float((towards * (left @ variation @ right) / product).real) for variation in variations]
 
 
 @dataclass(frozen=True, eq=False)

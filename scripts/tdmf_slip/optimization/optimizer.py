@@ -1,6 +1,23 @@
-"""Searches from several starts, of which the best counts; and what is told where none meets a goal."""
+"""The search for the best gait: from several starts, by SLSQP in smooth regions, from border to border.
 
-from collections.abc import Sequence
+Starts are gaits all over the bounds that have no better one near them. The objective and the constraints
+are smooth functions of the parameters only while the word and the events of the stride stay. So each run
+of SLSQP is on one region, in a box. Where an iterate is on another one, the border between the two is
+located, with the gradients on both sides:
+
+* where the merit falls away from the border on a side, the search goes on there;
+* where it falls on neither, the best point on the border is looked for, by SLSQP along it; this is an optimum
+  where, on both sides, no step makes the merit less, to first order.
+
+The eigenvalues are not even continuous across a border. Where one side violates a constraint on them and
+the other does not, the other is the better one, and the optimum is its.
+
+Where an iterate is no gait, because of a fold or a fall, the box becomes smaller. Gaits near a fold
+change without bound, and an optimum at its very edge cannot be found by gradients: the caller then asks
+once more with a constraint that keeps off the fold.
+"""
+
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import islice
@@ -8,20 +25,39 @@ from itertools import islice
 import numpy as np
 from numpy.typing import NDArray
 
-from ..analysis.settled import evenly
+from ..analysis.settled import evenly, linked, settled_gaits
 from ..analysis.targeted import TargetNotMetError
-from ..errors import RunError
+from ..errors import InputError, RunError
+from ..library.fixed_point import gait_near
 from ..library.gait import Gait
 from ..library.runner import Runner
+from ..library.varied_stride import plain_stride
 from ..numerics.following import halved
 from ..terminal.progress import Bar
-from .gaits import Candidate, Gaits
+from .border import Border, Region, Side, best_along, best_on_edge, between, is_near
+from .gaits import Candidate, Gaits, Space
 from .optimum import FOLD, STABILITY, Optimum, reported
-from .problem import OFF_FOLD, Feasibility, Goal, Problem
-from .search import Found, Search
-from .space import Space
-from .starts import Spread, Start
+from .problem import MET, OFF_FOLD, Ended, Feasibility, Goal, Problem, minimize
 
+RUNNERS = 1024
+"""Spread over the bounds."""
+VIOLATED = 2.0
+"""What a violated constraint weighs against the objective where a search is to begin: it will be met there by
+a change of the parameters, which changes the objective by as much or so."""
+RADIUS, SMALLEST = 0.25, 1e-7
+"""Half the width of the first box, and of the last one before a search gives up; of the bounds' width."""
+ROUNDS = 80
+PATIENCE, LITTLE = 12, 1e-6
+"""A search that was kept from going on gives up after so many runs that make the merit less by no more."""
+PROGRESS = 1e-9
+"""Of the merit: a run that makes it less by no more has come to nothing."""
+STILL_VIOLATED = 1e-3
+"""Violation of the constraints at which a search that makes no progress has nothing to hope for."""
+EDGES = 3
+"""Searches along the edge that is kept off a fold."""
+TOUCHES = "a foot just touches the ground once more there, where gaits end or change as a square root does"
+STATIONARY = 1e-4
+"""Fall of the merit, over the size of a step, that counts as none."""
 ROUGHLY = 1e-4
 """Violation of constraints from which SLSQP is left to meet them."""
 NEARLY = 1e-2
@@ -36,6 +72,169 @@ APART = 1e-2
 """Over the width of the bounds, and of apices over the scales: optima as near are one."""
 TRIES = 4
 """Shares of the way to a start that are tried: all, a half, and so on."""
+
+
+@dataclass(frozen=True, eq=False)
+class Start:
+    """A gait where a search begins."""
+
+    at: NDArray[np.float64]
+    """Where it is, inside the bounds from 0 to 1."""
+    gait: Gait
+    """The gait."""
+
+
+class Spread:
+    """Gaits all over the bounds."""
+
+    def __init__(self, first: Start, space: Space) -> None:
+        """From a gait that is known, over the space."""
+        self.space, self.runner = space, first.gait.runner
+        points = evenly(RUNNERS, len(space.bounds))
+        values = space.low + points * space.width
+        varied = {name: np.ascontiguousarray(row) for name, row in zip(space.bounds, values.T, strict=True)}
+        found = settled_gaits(self.runner, varied, first.gait.apex)
+        self.points, self.apexes = points[found.numbers], found.apexes
+
+    def starts(self, problem: Problem, first: Start) -> Iterator[Start]:
+        """Where to begin a search for a problem, the most promising first."""
+        runners = [self.space.runner_at(self.runner, point) for point in self.points]
+        names = problem.goal.names
+        merits, known = [], []
+        for number, (runner, apex) in enumerate(zip(runners, self.apexes, strict=True)):
+            try:
+                quantities = plain_stride(runner, apex, names).quantities
+            except (InputError, RunError):
+                continue
+            merits.append(problem.rough_merit(quantities, VIOLATED))
+            known.append(number)
+        for k in linked(self.points[known], np.array(merits)):
+            try:
+                yield Start(self.points[known[k]], gait_near(runners[known[k]], self.apexes[known[k]]))
+            except RunError:
+                continue
+
+
+@dataclass(frozen=True, eq=False)
+class Found:
+    """Where a search ended."""
+
+    gait: Candidate
+    """The best one."""
+    remaining_improvement: dict[str, float]
+    """Largest decrease of the merit per size of a step, by gait word next to it; zero at an optimum."""
+    border: Border | None = None
+    """On which it lies, if on any."""
+    why: str = ""
+    """What kept the search from an optimum; empty where it is one."""
+
+
+def _touches_again(gait: Candidate, beyond: Candidate) -> bool:
+    """Whether between two gaits a foot just touches the ground once more within a stride."""
+    return gait.gait.stride["touchdowns"] != beyond.gait.stride["touchdowns"]
+
+
+class Search:
+    """From a gait to the best one of a problem that is reached."""
+
+    def __init__(self, gaits: Gaits, problem: Problem) -> None:
+        """Of which runner, over which parameters, and what is asked."""
+        self.gaits, self.problem = gaits, problem
+
+    def run(self, begin: Candidate) -> Found:
+        """The optimum that is reached from a gait, or how far the search came."""
+        best, region, radius, largest, why = begin, Region.of(begin.gait), RADIUS, 1.0, ""
+        edges, touches = 0, False
+        merits: list[float] = []
+        for _ in range(ROUNDS):
+            ended = self._in_box(best, radius, region)
+            progress = self.problem.merit(best) - self.problem.merit(ended.best)
+            best = ended.best
+            merits.append(self.problem.merit(best))
+            if len(merits) > PATIENCE and merits[-PATIENCE] - merits[-1] <= LITTLE and why:
+                break
+            if ended.beyond is None:
+                fall = self.problem.steepest(best)
+                if fall <= STATIONARY and not ended.lost:
+                    return Found(best, {best.gait.word: fall})
+                if ended.lost and not self.problem.goal.fold:
+                    return Found(best, {best.gait.word: fall}, why=ended.lost)
+                if self.problem.goal.fold and edges < EDGES and is_near(best):
+                    edges += 1
+                    best = best_on_edge(self.gaits, self.problem, best, region, STATIONARY)
+                    fall = self.problem.steepest(best)
+                    if fall <= STATIONARY:
+                        return Found(best, {best.gait.word: fall})
+                grows = not ended.lost and progress > PROGRESS
+                largest = 0.5 * radius if ended.lost else 1.5 * largest
+                radius = min(1.0, largest, 2.0 * radius) if grows else 0.25 * radius
+                if not ended.lost and not grows and self.problem.violation(best) > STILL_VIOLATED:
+                    return Found(best, {best.gait.word: fall}, why="the constraints cannot be met from here")
+                why = ended.lost or "the search does not converge"
+            else:
+                try:
+                    went = self._at_border(best, ended.beyond, region)
+                except RunError as problem:
+                    went, why = (best, region, True), str(problem)
+                    touches = touches or _touches_again(best, ended.beyond)
+                if isinstance(went, Found):
+                    return went
+                best, region, stays = went
+                radius *= 0.25 if stays else 1.0
+                why = why or "words change too often"
+            if radius < SMALLEST:
+                break
+        remaining = {best.gait.word: self.problem.steepest(best)}
+        return Found(best, remaining, why=TOUCHES if touches else why)
+
+    def _in_box(self, best: Candidate, radius: float, region: Region) -> Ended:
+        low, high = (best.at - radius).clip(0.0, 1.0), (best.at + radius).clip(0.0, 1.0)
+        follow = self.gaits.follow
+        return minimize(self.problem, follow, best, low, high, lambda gait: region.has(gait.gait))
+
+    def _at_border(
+        self, best: Candidate, beyond: Candidate, region: Region
+    ) -> Found | tuple[Candidate, Region, bool]:
+        """The optimum on the border on the way; or the gait and the region to go on from.
+
+        With these, whether the search stays where it was, for which it wants a smaller box.
+        """
+        merit = self.problem.merit
+        border = between(self.gaits, best, beyond, region.has)
+        if border.is_smooth:
+            region.grow(border.beyond.gait)
+            return min((best, border.short), key=merit), region, False
+        if min(merit(side.gait) for side in border.sides) > merit(best) + MET:
+            return best, region, True
+        better = self._better_side(border)
+        if better is None:
+            border = best_along(self.gaits, self.problem, border, region, STATIONARY)
+            better = self._better_side(border)
+            if better is None:
+                return self._found(border)
+        if better is border.beyond:
+            return better, Region.of(better.gait), False
+        return min((best, better), key=merit), region, True
+
+    def _open_sides(self, border: Border) -> list[Side]:
+        """Without the side of more merit where it jumps, for it is no better than the border itself."""
+        merits = [self.problem.merit(side.gait) for side in border.sides]
+        return [side for side, merit in zip(border.sides, merits, strict=True) if merit <= min(merits) + MET]
+
+    def _better_side(self, border: Border) -> Candidate | None:
+        """Where the merit falls away from the border, the more if on both sides; None where on neither."""
+        sides = self._open_sides(border)
+        if len(sides) == 1 and sides[0].gait is border.beyond:
+            return border.beyond
+        gains = [side.gain(self.problem) for side in sides]
+        best = max(range(len(sides)), key=lambda number: gains[number])
+        return sides[best].gait if gains[best] > STATIONARY else None
+
+    def _found(self, border: Border) -> Found:
+        sides = self._open_sides(border)
+        remaining = {side.gait.gait.word: self.problem.steepest(side.gait, side.away) for side in sides}
+        why = "" if max(remaining.values()) <= STATIONARY else "the search along a border does not converge"
+        return Found(min((side.gait for side in sides), key=self.problem.merit), remaining, border, why)
 
 
 @dataclass(frozen=True, eq=False)

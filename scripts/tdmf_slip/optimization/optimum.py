@@ -3,7 +3,6 @@
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from ..drawable import Drawable
 from ..library.gait import Gait
 from ..library.quantities import known_quantities, quantities_of
 from ..library.scales import scale_of
@@ -31,7 +30,7 @@ def reported(gait: Gait) -> dict[str, float]:
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class Optimum(Drawable):
+class Optimum:
     """Best runner found, with the evidence that no better one lies near it."""
 
     objective: str

@@ -10,7 +10,6 @@ import numpy as np
 from ..analysis.search import periodic_gait
 from ..analysis.targeted import TargetNotMetError
 from ..checks import checked_whole
-from ..drawable import Drawable
 from ..errors import InputError
 from ..given import row_of
 from ..library.runner import Runner
@@ -20,17 +19,16 @@ from ..terminal.progress import Bar, progress_bar
 from ..variables.parameters import RunnerLike
 from ..variables.variable import Given
 from .optimize import MAX_STARTS, STARTS
-from .optimizer import Optimizer
+from .optimizer import Optimizer, Start
 from .optimum import Optimum, reported
 from .problem import Goal
 from .request import check_action, checked_quantity, checked_radius, checked_space, checked_values
-from .starts import Start
 
 POINTS, MAX_POINTS = 7, 1000
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class Front(Drawable):
+class Front:
     """Runners of which none is better in one quantity without being worse in the other."""
 
     objectives: tuple[str, str]

@@ -1,19 +1,25 @@
-"""What is asked of a gait: an objective and constraints, all without dimension, and how far it is from both.
+"""An objective and constraints of a gait without dimension, their violation, and the SLSQP method over gaits.
 
-A quantity is taken over its scale, and a parameter over the width of its bounds. How near a gait is to an
-optimum of its region is told by a linear program: within a small box, how much less could the objective be,
-and the constraints be violated, were all linear? Where that is nothing, the conditions of Karush, Kuhn and
-Tucker hold.
+A quantity is taken over its scale, and a parameter over the width of its bounds. A linear program tells
+how near a gait is to an optimum of its region: within a small box, how much less could the objective be,
+and the constraints be violated, if all were linear? Where that is zero, the conditions of Karush, Kuhn
+and Tucker hold.
+
+Sequential quadratic programming (Kraft's SLSQP, of SciPy) runs in a box, on one smooth region. It ends
+where an iterate is on another region of the functions, or is no gait. The caller then goes on from what
+was found, with a smaller box or on the other region.
 """
 
-from collections.abc import Mapping
+import contextlib
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from .gaits import Candidate
-from .spectrum import Spectrum
+from ..errors import RunError
+from .gaits import Candidate, Spectrum
 
 PENALTY = 100.0
 """What a violated constraint weighs against the objective, in a comparison of two gaits."""
@@ -29,6 +35,9 @@ LITTLE = 1e-3
 
 Rows = tuple[NDArray[np.float64], NDArray[np.float64]]
 """Values, shape (m,), and their gradients in rows, shape (m, d)."""
+ITERATIONS = 30
+ACCURACY = 1e-12
+"""Of the objective, and of the constraints' violations."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -179,3 +188,74 @@ class Feasibility(Problem):
     def margins(self, gait: Candidate) -> Rows:
         """None."""
         return np.zeros(0), np.zeros((0, len(gait.at)))
+
+
+@dataclass(frozen=True, eq=False)
+class Ended:
+    """How a search within a box ended."""
+
+    best: Candidate
+    """The gait of least merit that was seen on the region."""
+    beyond: Candidate | None
+    """An iterate on another region, which ended it."""
+    lost: str
+    """Why an iterate is no gait, which ended it; else empty."""
+
+
+class _LeftError(Exception):
+    """An iterate is not on the region."""
+
+
+def minimize(
+    problem: Problem,
+    follow: Callable[[Candidate, NDArray[np.float64]], Candidate],
+    begin: Candidate,
+    low: NDArray[np.float64],
+    high: NDArray[np.float64],
+    is_inside: Callable[[Candidate], bool] = lambda gait: True,
+) -> Ended:
+    """The best gait of a region in a box around one, or how far the search came."""
+    from scipy.optimize import minimize as by_scipy  # slow to load
+
+    seen = [begin]
+    ended: dict[str, Any] = {"beyond": None, "lost": ""}
+
+    def at(coordinates: NDArray[np.float64]) -> Candidate:
+        near = min(reversed(seen), key=lambda gait: float(np.linalg.norm(gait.at - coordinates)))
+        if np.array_equal(near.at, coordinates):
+            return near
+        try:
+            gait = follow(near, coordinates.copy())
+        except RunError as problem:
+            ended["lost"] = str(problem)
+            raise _LeftError from None
+        if not is_inside(gait):
+            ended["beyond"] = gait
+            raise _LeftError
+        seen.append(gait)
+        return gait
+
+    constraints = [
+        {
+            "type": kind,
+            "fun": lambda coordinates, rows=rows: rows(at(coordinates))[0],
+            "jac": lambda coordinates, rows=rows: rows(at(coordinates))[1],
+        }
+        for kind, rows in (("eq", problem.equations), ("ineq", problem.margins))
+        if _count(rows, begin)
+    ]
+    with contextlib.suppress(_LeftError):
+        by_scipy(
+            lambda coordinates: problem.objective(at(coordinates))[0],
+            begin.at,
+            jac=lambda coordinates: problem.objective(at(coordinates))[1],
+            method="SLSQP",
+            bounds=list(zip(low, high, strict=True)),
+            constraints=constraints,
+            options={"maxiter": ITERATIONS, "ftol": ACCURACY},
+        )
+    return Ended(min(seen, key=problem.merit), **ended)
+
+
+def _count(rows: Callable[[Candidate], Rows], gait: Candidate) -> int:
+    return len(rows(gait)[0])

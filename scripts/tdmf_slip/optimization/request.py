@@ -9,8 +9,7 @@ from ..given import mapping_of, row_of
 from ..library.members import check_varied
 from ..library.quantities import QUANTITIES, quantity_given
 from ..variables.table import VARIABLES, by_full_name
-from .gaits import Candidate
-from .space import Space
+from .gaits import Candidate, Space
 
 FROM_ZERO = ("slip_distance",)
 """Of these, those that may be prescribed as zero."""

@@ -1,20 +1,20 @@
 """Every value of the five gaits beside its recorded reference: how much of what is allowed it is off."""
 
-from collections.abc import Sequence
-
 import numpy as np
 from matplotlib.figure import Figure
 
 from ..pictures import style
 from .reference_gaits import Drift
+from .validation import Validation
 
 SMALLEST, LARGEST = 1e-6, 1e6
 """Of what is allowed: the least and the largest share that is drawn; beyond, they are drawn as these."""
 OTHER = "of no single gait"
 
 
-def figure_of(drifts: Sequence[Drift]) -> Figure:
+def of_validation(found: Validation) -> Figure:
     """A mark for each value, over the share of the allowed deviation; beyond the line is what differs."""
+    drifts = found.drifts
     names = list(dict.fromkeys(_gait(drift) for drift in drifts))
     shares = np.clip([_share(drift) for drift in drifts], SMALLEST, LARGEST)
     rows = np.array([names.index(_gait(drift)) for drift in drifts])

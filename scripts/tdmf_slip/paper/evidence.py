@@ -8,10 +8,9 @@ from functools import cache
 import numpy as np
 from scipy.optimize import brentq
 
-from ..analysis.search import periodic_gait
-from ..analysis.spread import Spread, search_from_spread
+from ..analysis.search import Spread, periodic_gait, search_from_spread
 from ..analysis.stride_map import stride_map
-from ..analysis.sweeps import Sweep, sweep
+from ..analysis.sweeps import Row, sweep_row
 from ..library import classic_slip
 from ..library.binding import c
 from ..library.gait import Gait
@@ -40,7 +39,7 @@ BRACKET = (math.radians(30.0), math.radians(33.0))
 class Evidence:
     """Computed results about the paper's runner for one reading."""
 
-    sweep: Sweep
+    sweep: Row
     """Gaits at many values of friction."""
     five: Sequence[Gait]
     """Gaits at the frictions of the paper's figures 5 to 8."""
@@ -70,7 +69,7 @@ class ClassicEvidence:
 
 def gather(runner: Runner, progress: bool = False) -> Evidence:
     """Compute the evidence on the statements about the paper's runner."""
-    found = sweep(runner, {FRICTION: SWEPT}, progress=progress)
+    found = sweep_row(runner, FRICTION, SWEPT, progress)
     five = [periodic_gait(runner.replace({FRICTION: friction})) for friction in WORDS]
     perturbed, further = _perturb(runner)
     return Evidence(
@@ -87,7 +86,7 @@ def _settling(runner: Runner) -> int | None:
     """Run from the unit's own start, as a simulation would."""
     slippery = runner.replace({FRICTION: LEAST_FRICTION})
     run = stride_map(slippery, [runner.start_apex()], strides=SIMULATED)
-    distance = np.max(np.abs(run["apex"][0] - periodic_gait(slippery).apex) / slippery.scales, axis=1)
+    distance = np.max(np.abs(run["apex"].values[0] - periodic_gait(slippery).apex) / slippery.scales, axis=1)
     settled = np.flatnonzero(distance < SETTLED)
     return int(settled[0]) if len(settled) else None
 

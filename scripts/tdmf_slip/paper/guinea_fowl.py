@@ -13,7 +13,6 @@ from importlib import resources
 import numpy as np
 from numpy.typing import NDArray
 
-from ..analysis.patch import Meetings, contact_angle_of, meet_patch
 from ..analysis.targeted import find_gait
 from ..errors import RunError
 from ..library.fixed_point import gait_near
@@ -21,6 +20,7 @@ from ..library.gait import Gait
 from ..library.runner import Runner
 from ..variables.table import FRICTION
 from .claims import Claim, alike
+from .patch import Meetings, contact_angle_of, meet_patch
 
 FRICTIONS = (0.05, 0.1, 0.2)
 """Of the patch, for that of polypropylene is not known."""

@@ -82,4 +82,6 @@ def cross(gait: Gait, friction: float, length: float) -> Crossing:
         strides=BEFORE + math.ceil(length / stride) + AFTER,
         foot_x=stride * np.arange(PHASES) / PHASES,
     )
-    return Crossing(int(np.sum(made["fate"][:, -1] != 0)), np.nanmax(made["slip_distance"], axis=1))
+    return Crossing(
+        int((made["fate"].values[:, -1] != 0).sum()), np.nanmax(made["slip_distance"].values, axis=1)
+    )

@@ -3,11 +3,9 @@
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass, field
-from typing import TYPE_CHECKING
 
 from ..analysis.search import periodic_gait
 from ..checks import checked_flag, checked_whole
-from ..drawable import Drawable
 from ..fmu.fmu import Fmu, load_fmu
 from ..library.runner import Runner
 from ..record import origin_of
@@ -23,12 +21,9 @@ from .own_claims import LAST_SEED, OwnClaims, own_claims
 from .reference_gaits import Drift
 from .settling import DEFAULT_TOLERANCE, SettledRun, settle_fmu
 
-if TYPE_CHECKING:
-    from matplotlib.figure import Figure
-
 
 @dataclass(frozen=True, eq=False, repr=False)
-class Validation(Drawable):
+class Validation:
     """The five gaits in both readings, what is published of them, and how far they are from the reference."""
 
     gaits: Mapping[str, Sequence[SettledRun]]
@@ -51,13 +46,6 @@ class Validation(Drawable):
     def counts(self) -> dict[str, int]:
         """Number of the paper's statements, by the name of their group."""
         return {group.name.lower(): len(of_group(self.claims, group)) for group in Group}
-
-    def plot(self) -> "Figure":
-        """Every recorded value, over its deviation from the reference."""
-        from ..pictures.plot import released  # Matplotlib is slow to load
-        from . import drift_diagram
-
-        return released(drift_diagram.figure_of(self.drifts))
 
     def __repr__(self) -> str:
         """Number of statements, in all and in each group, in one line."""

@@ -2,6 +2,7 @@
 
 import math
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import matplotlib
 import numpy as np
@@ -15,11 +16,15 @@ from matplotlib.patheffects import withStroke
 from matplotlib.ticker import MaxNLocator
 from numpy.typing import NDArray
 
-from ..analysis.basin_result import FOLLOWED, STRIDES, Basin
+from ..analysis.basin import FOLLOWED, STRIDES
 from ..library.engine import FATES, SETTLED
+from ..record import runner_in
 from ..variables import paper_units
 from ..variables.table import paper_unit, scale
 from . import style
+
+if TYPE_CHECKING:
+    import xarray
 
 NAMES = {
     "com_height": "height of the centre of mass",
@@ -49,18 +54,18 @@ SMALLEST, RIM = 3.2, 1.0
 """Points: starts that are drawn smaller are marked with a white rim, else a single one would be lost."""
 
 
-def draw(path: Path, data: Basin) -> None:
+def draw(path: Path, data: "xarray.Dataset") -> None:
     """Draw the map into a file."""
     with style.styled():
         style.save(figure_of(data), path)
 
 
-def figure_of(data: Basin) -> Figure:
+def figure_of(data: "xarray.Dataset") -> Figure:
     """The map: starts that settle in blue, those that fall in red, by strides; the gait as a cross."""
     with style.styled():
         figure, axes = style.subplots(figsize=(7.6, 5.8))
         handles = paint(axes, data)
-        axes.set_title(_title(data, data["fate"] == SETTLED))
+        axes.set_title(_title(data, data["fate"].values == SETTLED))
         figure.legend(handles=handles, loc="outside lower center", ncols=len(handles))
         figure.draw_without_rendering()  # now the size of a start is known
         for name, where in _others(data).items():
@@ -68,11 +73,11 @@ def figure_of(data: Basin) -> Figure:
     return figure
 
 
-def paint(axes: Axes, data: Basin) -> list[Artist]:
+def paint(axes: Axes, data: "xarray.Dataset") -> list[Artist]:
     """Paint the map into axes of a figure."""
-    vertical, horizontal = data.axes
-    edges = edges_of(data[horizontal]), edges_of(data[vertical])
-    fate, strides = data["fate"], data[STRIDES]
+    vertical, horizontal = map(str, data["fate"].dims)
+    edges = edges_of(data[horizontal].values), edges_of(data[vertical].values)
+    fate, strides = data["fate"].values, data[STRIDES].values
     axes.set_xlim(min(edges[0]), max(edges[0]))
     axes.set_ylim(min(edges[1]), max(edges[1]))
     style.label(axes, _label(data, horizontal), _label(data, vertical))
@@ -94,9 +99,9 @@ def paint(axes: Axes, data: Basin) -> list[Artist]:
     return handles
 
 
-def _others(data: Basin) -> dict[str, NDArray[np.bool_]]:
+def _others(data: "xarray.Dataset") -> dict[str, NDArray[np.bool_]]:
     """Where fates are that are not told by strides."""
-    where = {name: data["fate"] == number for number, name in enumerate(FATES) if name in OTHERS}
+    where = {name: data["fate"].values == number for number, name in enumerate(FATES) if name in OTHERS}
     return {name: starts for name, starts in where.items() if starts.any()}
 
 
@@ -113,18 +118,18 @@ def _without_palest(name: str) -> Colormap:
     return ListedColormap(matplotlib.colormaps[name](np.linspace(0.0, PALEST, 256)))
 
 
-def _title(data: Basin, settled: NDArray[np.bool_]) -> str:
-    friction, word = data.attributes["ground.friction"], style.word(data.attributes["word"])
+def _title(data: "xarray.Dataset", settled: NDArray[np.bool_]) -> str:
+    friction, word = runner_in(data)["ground.friction"], style.word(data.attrs["word"])
     title = f"friction {friction:g}, gait {word}: {settled.mean():.1%} of {settled.size:,} starts settle"
     if FOLLOWED in data:
-        share = data[FOLLOWED].mean()
+        share = float(data[FOLLOWED].mean())
         title += f"\npreview: {share:.1%} of the starts followed, the rest painted; islands may be missed"
     return title
 
 
-def _cross(axes: Axes, data: Basin, horizontal: str, vertical: str) -> Line2D:
+def _cross(axes: Axes, data: "xarray.Dataset", horizontal: str, vertical: str) -> Line2D:
     """Ink with a white rim, which is seen on any colour."""
-    at = data.attributes[f"gait_{horizontal}"], data.attributes[f"gait_{vertical}"]
+    at = data.attrs[f"gait_{horizontal}"], data.attrs[f"gait_{vertical}"]
     low, high = np.transpose([axes.get_xlim(), axes.get_ylim()])
     inside = np.all((low <= at) & (at <= high))
     (cross,) = axes.plot(
@@ -142,15 +147,17 @@ def _cross(axes: Axes, data: Basin, horizontal: str, vertical: str) -> Line2D:
     return cross
 
 
-def _mark_small(figure: Figure, axes: Axes, data: Basin, where: NDArray[np.bool_], colour: str) -> None:
+def _mark_small(
+    figure: Figure, axes: Axes, data: "xarray.Dataset", where: NDArray[np.bool_], colour: str
+) -> None:
     """Mark starts that are too small to be seen by themselves."""
     extent, points = axes.get_window_extent(), 72.0 / figure.dpi
     rows, columns = where.shape
     if min(extent.width / columns, extent.height / rows) * points >= SMALLEST:
         return
-    vertical, horizontal = data.axes
+    vertical, horizontal = map(str, data["fate"].dims)
     rows_of, columns_of = np.nonzero(where)
-    at = data[horizontal][columns_of], data[vertical][rows_of]
+    at = data[horizontal].values[columns_of], data[vertical].values[rows_of]
     for size, filled in ((SMALLEST + 2.0 * RIM, "white"), (SMALLEST, colour)):
         axes.plot(
             *at,
@@ -164,9 +171,9 @@ def _mark_small(figure: Figure, axes: Axes, data: Basin, where: NDArray[np.bool_
         )
 
 
-def _label(data: Basin, axis: str) -> str:
+def _label(data: "xarray.Dataset", axis: str) -> str:
     """With the unit, in SI units also how much of it the runner's own scale is."""
-    unit, values = data.coordinates[axis].attributes["units"], data.attributes
+    unit, values = data[axis].attrs["units"], runner_in(data)
     label = style.with_unit(NAMES[axis], paper_units.label(unit, values))
     if unit == "rad" or paper_units.are_in_use(values):
         return label

@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 from matplotlib.figure import Figure
 
+from ..analysis.attraction import CONFIDENCE
 from ..analysis.first_passage import FirstPassage
 from ..analysis.rare_falls import RareFalls
-from ..analysis.volume import CONFIDENCE
 from ..errors import InputError
 from . import style
 

@@ -1,48 +1,100 @@
-"""The picture of a result, by its kind: what its `plot()` shows."""
+"""The picture of a result, by its kind."""
 
 import importlib
 import sys
 from collections.abc import Mapping
-from functools import singledispatch
+from typing import Any
 
 from matplotlib.figure import Figure
 
-from ..analysis.branches import Branch
-from ..analysis.sweeps import Sweep
 from ..errors import InputError
-from ..fitting.result import Fit
-from ..fmu.run import Run
-from ..library.gait import Gait
-from ..viable_sets.result import Viability
-from . import branch, branch_diagram, fit_diagram, overview, velocity_and_ratio, viability_map
-from .stride import Stride
 
-BY_NAME: Mapping[str, tuple[str, str]] = {
-    "Attraction": ("decay_diagram", "of_attraction"),
-    "Basin": ("basin_map", "figure_of"),
-    "BorderProof": ("eigenvalue_diagram", "of_border"),
-    "Comparison": ("quantity_diagram", "of_comparison"),
-    "Controllability": ("eigenvalue_diagram", "of_controllability"),
-    "Curve": ("curve_diagram", "figure_of_one"),
-    "Feedback": ("eigenvalue_diagram", "of_feedback"),
-    "FirstPassage": ("decay_diagram", "of_falls"),
-    "Front": ("quantity_diagram", "of_front"),
-    "GaitGrid": ("gait_map", "figure_of"),
-    "Optimum": ("quantity_diagram", "of_optimum"),
-    "Proof": ("eigenvalue_diagram", "of_proof"),
-    "RareFalls": ("decay_diagram", "of_falls"),
-    "Runs": ("runners_diagram", "of_runs"),
-    "Strides": ("runners_diagram", "of_strides"),
+PICTURES: Mapping[str, str] = {
+    "Attraction": "decay_diagram.of_attraction",
+    "BorderProof": "eigenvalue_diagram.of_border",
+    "Branch": "branch_diagram.figure_of",
+    "Comparison": "quantity_diagram.of_comparison",
+    "Controllability": "eigenvalue_diagram.of_controllability",
+    "Curve": "curve_diagram.figure_of_one",
+    "Feedback": "eigenvalue_diagram.of_feedback",
+    "FirstPassage": "decay_diagram.of_falls",
+    "Fit": "fit_diagram.figure_of",
+    "Front": "quantity_diagram.of_front",
+    "Gait": "velocity_and_ratio.of_gait",
+    "Optimum": "quantity_diagram.of_optimum",
+    "Proof": "eigenvalue_diagram.of_proof",
+    "RareFalls": "decay_diagram.of_falls",
+    "Run": "overview.figure_of",
+    "Sweep": "sweep_diagram.of_sweep",
+    "Validation": ".paper.drift_diagram.of_validation",
+    "Viability": "viability_map.figure_of",
+    "basin": "basin_map.figure_of",
+    "runs": "runners_diagram.of_runs",
+    "strides": "runners_diagram.of_strides",
+    "sweep": "sweep_diagram.of_gaits",
 }
-"""Module and function by the kind's name: kinds whose modules are loaded only by those who use them."""
+"""Module and function by the kind of a result: the name of its class, or a dataset's attribute `result`."""
 
 
-def plot(result: object) -> Figure:
-    """The picture of a result."""
-    return released(_figure_of(result))
+def plot(result: Any) -> Figure:
+    """Draw a result of this package; a notebook shows the figure, and `savefig` writes it.
+
+    Where `matplotlib.pyplot` is imported before, its `show` opens a window. Else no backend is chosen.
+
+    Parameters
+    ----------
+    result : Gait, Run, Branch or another result, or Dataset
+        A dataset is drawn by its attribute `result`, which says what it is.
+
+        - Runs are drawn over time, gaits as velocities and force ratio of a stride.
+        - Sweeps and branches are drawn over their parameter, sweeps over two names as maps.
+        - Fits are drawn by their residuals; optima, fronts and comparisons by their quantities.
+        - Feedbacks, modes and proofs are drawn by eigenvalues beside the unit circle.
+        - Basins and viable sets are drawn over their two coordinates.
+
+    Returns
+    -------
+    Figure
+        A Matplotlib figure.
+
+    Raises
+    ------
+    InputError
+        There is no picture of such a result, or the dataset has lost its attribute `result`.
+
+    Examples
+    --------
+    >>> import tdmf_slip
+    >>> gait = tdmf_slip.find_gait(friction=0.6)
+    >>> law = tdmf_slip.dead_beat(gait, ["hip.touchdown_angle", "hip.stance_torque"])
+    >>> tdmf_slip.plot(law).axes[0].get_xlabel()
+    'real part of the eigenvalue'
+    """
+    name = _picture_of(result)
+    module, _, function = name.rpartition(".")
+    home = f"{__package__}.{module}" if not module.startswith(".") else f"{__package__.split('.')[0]}{module}"
+    figure: Figure = getattr(importlib.import_module(home), function)(result)
+    return _handed_on(figure)
 
 
-def released(figure: Figure) -> Figure:
+def _picture_of(result: Any) -> str:
+    kinds = [kind.__name__ for kind in type(result).__mro__]
+    if "Dataset" in kinds:
+        kind = result.attrs.get("result")
+        if kind not in PICTURES:
+            raise InputError(
+                f"plot: the dataset's attribute `result` is {kind!r}; it has to be one of "
+                f"{', '.join(name for name in PICTURES if name.islower())}. Many operations of xarray drop "
+                "attributes: use xarray.set_options(keep_attrs=True), or set it again"
+            )
+        return PICTURES[kind]
+    name = next((kind for kind in kinds if kind in PICTURES), None)
+    if name is None:
+        raise InputError(f"plot: {type(result).__name__} has no picture; allowed: results of this package")
+    return PICTURES[name]
+
+
+def _handed_on(figure: Figure) -> Figure:
     """Hand a figure to pyplot if the user has imported it and it has windows: `pyplot.show()` opens it."""
     pyplot = sys.modules.get("matplotlib.pyplot")
     if pyplot is not None:
@@ -50,48 +102,3 @@ def released(figure: Figure) -> Figure:
         if figure.canvas.required_interactive_framework is None:
             pyplot.close(figure)  # else a notebook shows it once more, at the end of the cell
     return figure
-
-
-@singledispatch
-def _figure_of(result: object) -> Figure:
-    """Of a kind that is registered below, or that `BY_NAME` has."""
-    name = next((kind.__name__ for kind in type(result).__mro__ if kind.__name__ in BY_NAME), None)
-    if name is None:
-        raise InputError(f"plot: {type(result).__name__} has no picture; allowed: results of this package")
-    module, function = BY_NAME[name]
-    figure: Figure = getattr(importlib.import_module(f"{__package__}.{module}"), function)(result)
-    return figure
-
-
-PICTURES = _figure_of
-"""By the kind itself; other kinds are in `BY_NAME`."""
-
-
-@_figure_of.register
-def _run(result: Run) -> Figure:
-    return overview.figure_of(result)
-
-
-@_figure_of.register
-def _gait(result: Gait) -> Figure:
-    return velocity_and_ratio.figure_of(Stride(result))
-
-
-@_figure_of.register
-def _sweep(result: Sweep) -> Figure:
-    return branch.figure_of(*branch.drawn_of(result))
-
-
-@_figure_of.register
-def _branch(result: Branch) -> Figure:
-    return branch_diagram.figure_of(result)
-
-
-@_figure_of.register
-def _fit(result: Fit) -> Figure:
-    return fit_diagram.figure_of(result)
-
-
-@_figure_of.register
-def _viability(result: Viability) -> Figure:
-    return viability_map.figure_of(result)

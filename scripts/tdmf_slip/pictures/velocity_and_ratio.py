@@ -4,6 +4,7 @@ from pathlib import Path
 
 from matplotlib.figure import Figure
 
+from ..library.gait import Gait
 from . import panels, style
 from .stride import Stride
 
@@ -11,6 +12,11 @@ from .stride import Stride
 def draw(path: Path, stride: Stride) -> None:
     """Draw the two panels."""
     style.save(figure_of(stride), path)
+
+
+def of_gait(gait: Gait) -> Figure:
+    """The two panels of a gait's stride."""
+    return figure_of(Stride(gait))
 
 
 def figure_of(stride: Stride) -> Figure:

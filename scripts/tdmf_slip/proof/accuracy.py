@@ -71,7 +71,7 @@ def _native(runner: Runner, apex: NDArray[np.float64]) -> Numbers:
 def _lanes(instructions: str) -> Solve:
     def solve(runner: Runner, apex: NDArray[np.float64]) -> Numbers:
         run = stride_map(runner, np.tile(apex, (LANES, 1)), tolerance=FINEST, instructions=instructions)
-        after = dict(zip(COORDINATES, run["next_apex"][0, 0], strict=True))
+        after = dict(zip(COORDINATES, run["next_apex"].values[0, 0], strict=True))
         return {**{name: float(run[name][0, 0]) for name in QUANTITIES}, **after}
 
     return solve

@@ -9,7 +9,6 @@ from typing import Protocol
 import flint
 from flint import acb, arb
 
-from ..drawable import Drawable
 from ..record import origin_of
 from ..variables.table import FRICTION, VARIABLES
 from ..version import __version__
@@ -138,7 +137,7 @@ def texts_of(values: Mapping[str, Exact], varied: str | None = None) -> dict[str
 
 
 @dataclass(frozen=True, repr=False)
-class Proof(Drawable):
+class Proof:
     """A gait with enclosures of all that is reported, or what could not be decided."""
 
     proved: bool

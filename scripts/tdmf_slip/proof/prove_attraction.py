@@ -13,7 +13,6 @@ from fractions import Fraction
 
 from flint import acb_mat, arb, ctx
 
-from ..drawable import Drawable
 from ..library.shared_steps import shares_steps
 from ..version import __version__
 from .eigenvalues import contraction
@@ -31,7 +30,7 @@ BITS = 64
 
 
 @dataclass(frozen=True, repr=False)
-class Attraction(Drawable):
+class Attraction:
     """Starts that are proved to settle on a gait."""
 
     proved: bool

@@ -12,7 +12,6 @@ from flint import arb, ctx
 from ..analysis.search import periodic_gait
 from ..analysis.special_points import Border
 from ..checks import checked_flag, checked_whole, number_of, refusal
-from ..drawable import Drawable
 from ..library.gait import Gait
 from ..library.members import MOVING, check_varied
 from ..library.runner import Runner
@@ -37,7 +36,7 @@ ROUGH = 1e-12
 
 
 @dataclass(frozen=True, repr=False)
-class BorderProof(Drawable):
+class BorderProof:
     """A border between gait words, with enclosures, or what could not be decided."""
 
     proved: bool
@@ -131,7 +130,7 @@ def prove_border(
     Parameters
     ----------
     border : Border or float
-        One of a sweep's `borders`, or its value.
+        Value of the parameter at the border, as a sweep's `borders` has it.
     runner : Runner, Gait, mapping of str to float, Series, str or Path, optional
         Whose gaits; exact as in `prove`.
     vary : str, default "ground.friction"
@@ -156,8 +155,8 @@ def prove_border(
     Examples
     --------
     >>> import tdmf_slip
-    >>> border = tdmf_slip.sweep({}, {"ground.friction": [0.3, 0.25]}).borders[0]
-    >>> tdmf_slip.prove_border(border).proved
+    >>> gaits, borders = tdmf_slip.sweep({}, {"ground.friction": [0.3, 0.25]})
+    >>> tdmf_slip.prove_border(borders["ground.friction"][0]).proved
     True
     """
     vary = full_name(vary)

@@ -15,7 +15,7 @@ from ..variables.table import FRICTION
 from .boxes import boxes_of
 from .fixed_point import lands
 from .grid import Grid
-from .transitions import Transitions, make_transitions
+from .transitions import Transitions, make_transitions, transitions_file
 
 
 @dataclass(frozen=True, eq=False)
@@ -56,6 +56,7 @@ def friction_loss(
         made = make_transitions(
             runner.replace({FRICTION: friction}),
             transitions.grid,
+            transitions_file(runner, transitions.grid),
             executor=executor,
             progress=progress,
             what=f"friction {friction:g}",

@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from ..drawable import Drawable
 from ..library.gait import Gait
 from ..library.runner import Runner
 from ..library.section import REDUCED, Apex
@@ -18,17 +17,17 @@ from .disturbances import FrictionLoss, friction_loss, largest_drop
 from .fixed_point import strides_to
 from .grid import Grid
 from .reached import Reached, target_of
-from .transitions import Transitions, dataset_of
+from .transitions import Transitions, transitions_file
 
 if TYPE_CHECKING:
-    from ..files.datasets import xarray
+    import xarray
 
 STATES = ("not_viable", "open", "viable")
 """What the dataset's `viable` says: not in the outer set, in the outer one alone, in both."""
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class Viability(Drawable):
+class Viability:
     """Viable states and pairs of state and action, from inside and from outside.
 
     States are cells of the plane of apices, row by row of rising height; actions are combinations of
@@ -190,7 +189,7 @@ class Viability(Drawable):
             progress=progress,
         )
 
-    def to_xarray(self) -> "xarray.Dataset":
+    def to_dataset(self) -> "xarray.Dataset":
         """Sets, robustness and the strides that they rest on, as a dataset.
 
         Returns
@@ -201,7 +200,11 @@ class Viability(Drawable):
             and the next height and speed.
         """
         grid = self.grid
-        data = dataset_of(self.runner, self.transitions)
+        made, shape = self.transitions, (*grid.nodes, *grid.action_shape)
+        data = transitions_file(self.runner, grid).data
+        data["fate"].values[...] = made.fate.reshape(shape)
+        for number, axis in enumerate(REDUCED):
+            data[f"next_{axis}"].values[...] = made.next_apex[number].reshape(shape)
         over = tuple(grid.edges)
         shape = (*grid.cells, *grid.action_shape)
         levels = {

@@ -19,7 +19,7 @@ from .boxes import Boxes, boxes_of
 from .fixed_point import largest_kept
 from .grid import Grid, grid_of
 from .result import Viability
-from .transitions import Transitions, make_transitions
+from .transitions import Transitions, make_transitions, transitions_file
 
 FACTOR = 1.5
 """Of the derivatives at corners, by default."""
@@ -67,8 +67,8 @@ def viability(
         1 or above. Derivatives within a cell are taken to be no larger than this times the largest at its
         corners, which are differences to the neighbouring corners.
     path : Path or str, optional
-        Of a NetCDF file to which strides are written as they are made, and the sets at the end; a file of
-        the same grid is gone on with.
+        NetCDF file for the sets and the strides that they rest on. Strides that are made are kept in a folder
+        beside it, so that a job that stopped is resumed by the same call.
     executor : concurrent.futures.Executor, optional
         Runs blocks of the work, such as a `ProcessPoolExecutor()` or `client.get_executor()` of Dask; by
         default threads of this process. The result does not depend on the executor.
@@ -110,12 +110,12 @@ def viability(
     factor = checked("factor", factor, 1.0, LARGEST_FACTOR)
     path = None if path is None else check_destination(path, (".nc",), "path")
     grid = grid_of(runner, axes, vary, n)
-    made = make_transitions(runner, grid, path=path, executor=executor, progress=progress)
-    found = viable_sets(runner, made, factor)
+    file = transitions_file(runner, grid, path)
+    found = viable_sets(
+        runner, make_transitions(runner, grid, file, executor=executor, progress=progress), factor
+    )
     if path is not None:
-        from ..files.netcdf import write_dataset  # loads xarray
-
-        write_dataset(path, found.to_xarray())
+        file.finish(found.to_dataset())
     return found
 
 

@@ -6,9 +6,8 @@ from pathlib import Path
 import numpy as np
 from matplotlib.axes import Axes
 
-from ...analysis.attraction import Attraction
-from ...analysis.robustness import FARTHEST
-from ...analysis.sweeps import Sweep
+from ...analysis.attraction import FARTHEST, Attraction
+from ...analysis.sweeps import Row
 from ...pictures import style
 from ...pictures.curve_label import CurveLabel
 from . import figure_9
@@ -40,7 +39,7 @@ def table(measured: Sequence[Attraction], matched: Sequence[Attraction] = ()) ->
     }
 
 
-def draw(path: Path, sweep: Sweep, measured: Sequence[Attraction], matched: Sequence[Attraction]) -> None:
+def draw(path: Path, sweep: Row, measured: Sequence[Attraction], matched: Sequence[Attraction]) -> None:
     """Draw the share of starts that settle, the largest eigenvalue, and the largest disturbances."""
     data, equal = table(measured), table(matched)
     with style.styled():

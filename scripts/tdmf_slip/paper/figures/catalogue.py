@@ -4,14 +4,14 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cache, partial
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from ...analysis.attraction import Attraction, measure_all
-from ...analysis.basin_result import Basin
 from ...analysis.search import periodic_gait
 from ...analysis.stability import StabilityMap
-from ...analysis.sweeps import Sweep, sweep
+from ...analysis.sweeps import Row, sweep_row
 from ...errors import InputError
 from ...library.gait import Gait
 from ...library.runner import Runner
@@ -49,6 +49,9 @@ from . import (
     thrust,
     viability,
 )
+
+if TYPE_CHECKING:
+    import xarray
 from .columns import Columns, write_columns
 
 FORMATS = ("png", "svg", "pdf")
@@ -124,9 +127,8 @@ def _figures(measure: bool = False) -> dict[str, Figure]:
     both = [partial(stride, figure_5.FRICTION, clamp) for clamp in READINGS.values()]
 
     @cache
-    def gaits() -> Sweep:
-        found: Sweep = sweep(runner, {FRICTION: SWEPT})
-        return found
+    def gaits() -> Row:
+        return sweep_row(runner, FRICTION, SWEPT)
 
     @cache
     def measured() -> list[Attraction]:
@@ -146,11 +148,11 @@ def _figures(measure: bool = False) -> dict[str, Figure]:
     alike = cache(lambda: retraction.matched(runner))
 
     @cache
-    def gaits_of_both() -> dict[str, Sweep]:
-        return {"full": gaits(), "reduced": sweep(runner, {"ground.friction": SWEPT}, model="reduced")}
+    def gaits_of_both() -> dict[str, Row]:
+        return {"full": gaits(), "reduced": sweep_row(Runner(runner, model="reduced"), FRICTION, SWEPT)}
 
     @cache
-    def regions() -> dict[str, Basin]:
+    def regions() -> dict[str, "xarray.Dataset"]:
         return reduced.regions(runner)
 
     @cache

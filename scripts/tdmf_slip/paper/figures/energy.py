@@ -6,7 +6,7 @@ from typing import Any
 
 from matplotlib.axes import Axes
 
-from ...analysis.sweeps import Sweep
+from ...analysis.sweeps import Row
 from ...library.gait import Gait
 from ...pictures import style
 from . import figure_9
@@ -40,7 +40,7 @@ def table(gaits: Sequence[Gait], matched: Sequence[Gait] = ()) -> Columns:
     return columns
 
 
-def draw(path: Path, sweep: Sweep, matched: Sequence[Gait]) -> None:
+def draw(path: Path, sweep: Row, matched: Sequence[Gait]) -> None:
     """Draw the stacked losses and the hip's work, for the paper's runner and for matched runners."""
     with style.styled():
         figure, panels = style.subplots(2, 1, figsize=(7.6, 7.6), sharex=True, sharey=True)

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from matplotlib.axes import Axes
 
-from ...analysis.robustness import FARTHEST
+from ...analysis.attraction import FARTHEST
 from ...analysis.search import periodic_gait
 from ...feedback.feedback import Feedback
 from ...feedback.gains import dead_beat, lqr

@@ -12,7 +12,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.patches import Patch
 
-from ...analysis.sweeps import Sweep
+from ...analysis.sweeps import Row
 from ...library.gait import Gait
 from ...pictures import style
 from ...pictures.curve_label import CurveLabel
@@ -37,7 +37,7 @@ TINT = "#eef3e6"
 TICKS = (0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0)
 
 
-def table(sweep: Sweep, matched: Sequence[Gait]) -> Columns:
+def table(sweep: Row, matched: Sequence[Gait]) -> Columns:
     """Data of the figure by column. `matched` is 1 for runners matched to the first gait."""
     gaits = [*sweep.gaits, *matched]
     return {
@@ -50,7 +50,7 @@ def table(sweep: Sweep, matched: Sequence[Gait]) -> Columns:
     }
 
 
-def draw(path: Path, sweep: Sweep, matched: Sequence[Gait]) -> None:
+def draw(path: Path, sweep: Row, matched: Sequence[Gait]) -> None:
     """Draw the three panels, with matched runners dashed."""
     data, equal = table(sweep, ()), table(sweep, matched)
     panels = (
@@ -91,13 +91,13 @@ def tint(axes: Axes, shown: Sequence[tuple[float, float]], frictions: Values) ->
         edge = high
 
 
-def mark_borders(axes: Axes, sweep: Sweep) -> None:
+def mark_borders(axes: Axes, sweep: Row) -> None:
     """Draw a dashed line at each border between words."""
     for border in sweep.borders:
         axes.axvline(border.value, **style.STANCE_LINE)
 
 
-def name_words(axes: Axes, sweep: Sweep) -> None:
+def name_words(axes: Axes, sweep: Row) -> None:
     """Write the gait words above the axes, between the borders; a narrow range is named inside the axes."""
     frictions = sorted(gait.friction for gait in (sweep.gaits[0], sweep.gaits[-1]))
     edges = [frictions[-1], *(border.value for border in sweep.borders), frictions[0]]

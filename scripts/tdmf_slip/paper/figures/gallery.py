@@ -4,7 +4,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 from ...analysis.search import periodic_gait
-from ...analysis.sweeps import Sweep, sweep
+from ...analysis.sweeps import Row, sweep_row
 from ...library.runner import Runner
 from ...pictures import animation, model, snapshots
 from ...pictures.stride import Stride
@@ -30,7 +30,7 @@ def draw(folder: Path, progress: bool = False) -> list[Path]:
         clamped = Stride(periodic_gait(runner.replace({FRICTION: figure_5.FRICTION, CLAMP: True})))
         bar.update()
         written = []
-        gaits = sweep(runner, {FRICTION: SWEPT})
+        gaits = sweep_row(runner, FRICTION, SWEPT)
         for name, drawing in _drawings(strides, clamped, gaits).items():
             drawing(folder / name)
             written.append(folder / name)
@@ -38,9 +38,7 @@ def draw(folder: Path, progress: bool = False) -> list[Path]:
     return written
 
 
-def _drawings(
-    strides: dict[float, Stride], clamped: Stride, gaits: Sweep
-) -> dict[str, Callable[[Path], None]]:
+def _drawings(strides: dict[float, Stride], clamped: Stride, gaits: Row) -> dict[str, Callable[[Path], None]]:
     first, second = figure_8.FRICTIONS
     return {
         "figure_5.png": lambda path: figure_5.draw(path, strides[figure_5.FRICTION], clamped),

@@ -8,9 +8,9 @@ from matplotlib.colors import ListedColormap
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 
-from ...analysis.patch import contact_angle_of
 from ...pictures import style
 from .. import guinea_fowl
+from ..patch import contact_angle_of
 from .columns import Columns
 
 FALLS, UP = "#b3216f", "#cfe8e6"

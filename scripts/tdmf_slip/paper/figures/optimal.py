@@ -16,11 +16,10 @@ from ...analysis.search import periodic_gait
 from ...errors import RunError
 from ...library.fixed_point import gait_near
 from ...library.runner import Runner
-from ...optimization.optimizer import Optimizer
+from ...optimization.gaits import Space
+from ...optimization.optimizer import Optimizer, Start
 from ...optimization.optimum import Optimum
 from ...optimization.problem import Goal
-from ...optimization.space import Space
-from ...optimization.starts import Start
 from ...pictures import style
 from ...terminal.progress import progress_bar
 from ...variables.table import FRICTION

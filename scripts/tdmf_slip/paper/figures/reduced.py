@@ -1,7 +1,7 @@
 """The reduced map beside the full model: regions of attraction, eigenvalues and stability."""
 
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from matplotlib.artist import Artist
@@ -13,15 +13,17 @@ from matplotlib.patches import Patch
 from numpy.typing import NDArray
 
 from ...analysis.basin import basin
-from ...analysis.basin_result import Basin
 from ...analysis.stability import StabilityMap, stability
-from ...analysis.sweeps import Sweep
+from ...analysis.sweeps import Row
 from ...library.runner import Runner
 from ...library.section import REDUCED
 from ...pictures import basin_map, style
 from ...variables.table import FRICTION
 from . import figure_9
 from .columns import Columns
+
+if TYPE_CHECKING:
+    import xarray
 
 PLANE = {"com_height": (0.6, 4.0), "com_speed": (-1.0, 2.5)}
 """Ranges of height and speed for regions of attraction, l0 and l0 sqrt(k/m)."""
@@ -37,22 +39,22 @@ FRICTIONS = np.geomspace(0.05, 5.0, 61)
 COLOURS = {"full": style.CURVE, "reduced": "#e07b00"}
 
 
-def regions(runner: Runner) -> dict[str, Basin]:
+def regions(runner: Runner) -> dict[str, "xarray.Dataset"]:
     """Regions of attraction of both models; that of the full model is a slice."""
     return {name: basin(runner, PLANE, STARTS, model=name) for name in ("full", "reduced")}
 
 
-def region_table(maps: dict[str, Basin]) -> Columns:
+def region_table(maps: dict[str, "xarray.Dataset"]) -> Columns:
     """Fate and number of strides of all starts."""
     along = (np.linspace(*PLANE[axis], count) for axis, count in zip(REDUCED, STARTS, strict=True))
     height, speed = (grid.ravel() for grid in np.meshgrid(*along, indexing="ij"))
     columns: dict[str, Any] = {"com_height": height, "com_speed": speed}
     for name, data in maps.items():
-        columns |= {f"{what}_{name}": data[what].ravel() for what in ("fate", "strides_until_known")}
+        columns |= {f"{what}_{name}": data[what].values.ravel() for what in ("fate", "strides_until_known")}
     return columns
 
 
-def draw_regions(path: Path, maps: dict[str, Basin]) -> None:
+def draw_regions(path: Path, maps: dict[str, "xarray.Dataset"]) -> None:
     """Draw the full model's slice and the reduced map's plane, one beside the other."""
     titles = {
         "full": "(a) full model",
@@ -69,7 +71,7 @@ def draw_regions(path: Path, maps: dict[str, Basin]) -> None:
         style.save(figure, path)
 
 
-def eigenvalue_table(sweeps: dict[str, Sweep]) -> Columns:
+def eigenvalue_table(sweeps: dict[str, Row]) -> Columns:
     """The two largest eigenvalues of both models by friction."""
     columns: dict[str, Any] = {"friction": [gait.friction for gait in sweeps["full"].gaits]}
     for name, sweep in sweeps.items():
@@ -81,7 +83,7 @@ def eigenvalue_table(sweeps: dict[str, Sweep]) -> Columns:
     return columns
 
 
-def draw_eigenvalues(path: Path, sweeps: dict[str, Sweep]) -> None:
+def draw_eigenvalues(path: Path, sweeps: dict[str, Row]) -> None:
     """Draw the two largest eigenvalues of both models against friction, and how far apart they are."""
     data = eigenvalue_table(sweeps)
     friction = np.asarray(data["friction"])

@@ -11,10 +11,10 @@ from matplotlib.axes import Axes
 
 from ...analysis.comparison import compare
 from ...analysis.first_passage import FirstPassage
-from ...analysis.first_passages import Trial, first_passages
 from ...library.runner import Runner
 from ...pictures import style
 from ...variables.table import FRICTION
+from ..first_passages import Trial, first_passages
 from . import figure_9
 from .columns import Columns
 

@@ -2,8 +2,7 @@
 
 from collections.abc import Callable
 
-from ...analysis.robustness import DISTURBED, FARTHEST, Robustness, robustness
-from ...analysis.volume import volume
+from ...analysis.attraction import DISTURBED, FARTHEST, Robustness, robustness, volume
 from ...errors import RunError
 from ...library.gait import Gait
 from ...library.laws import AffineLaw
@@ -34,7 +33,7 @@ Design = Callable[[Regime, float], AffineLaw]
 
 
 def _share_of(one: Gait, seed: int, law: AffineLaw | None = None) -> Estimate:
-    """Share of the box of `analysis.volume` that settles on a gait."""
+    """Share of the box of `analysis.attraction` that settles on a gait."""
     found = volume(one, SAMPLES, seed=seed, law=law)
     return Estimate(found.share, *found.interval)
 

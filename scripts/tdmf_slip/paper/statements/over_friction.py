@@ -5,9 +5,10 @@ from functools import cache
 
 import numpy as np
 
-from ...analysis.sweeps import Sweep, sweep
+from ...analysis.sweeps import Row, sweep_row
 from ...errors import RunError
 from ...library.gait import Gait
+from ...library.runner import Runner
 from ...variables.table import FRICTION
 from .claim import (
     ALL_BUT_HUMAN,
@@ -34,10 +35,9 @@ SWEEP = "tdmf-slip sweep --friction 10:0.1:200 --spacing log"
 
 
 @cache
-def swept(regime: Regime, model: str = "full") -> Sweep:
+def swept(regime: Regime, model: str = "full") -> Row:
     """Gaits at all frictions, from the greatest on."""
-    found: Sweep = sweep(regime.values, {FRICTION: FRICTIONS}, model=model)
-    return found
+    return sweep_row(Runner(regime.values, model=model), FRICTION, FRICTIONS)
 
 
 @cache
@@ -46,7 +46,7 @@ def fastest(regime: Regime) -> Gait:
     found = swept(regime).gaits
     number = int(np.argmax([one.stride["speed"] for one in found]))
     ends = found[max(number - 1, 0)].friction, found[min(number + 1, len(found) - 1)].friction
-    near = sweep(regime.values, {FRICTION: np.geomspace(*ends, REFINED)}).gaits
+    near = sweep_row(Runner(regime.values), FRICTION, np.geomspace(*ends, REFINED)).gaits
     best: Gait = max(near, key=lambda one: one.stride["speed"])
     return best
 

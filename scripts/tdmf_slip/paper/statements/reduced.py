@@ -61,7 +61,7 @@ def _eigenvalue(number: int) -> Measure:
 def _settles(regime: Regime, model: str) -> NDArray[np.bool_]:
     """Whether each start settles on the gait, over a plane of height and speed."""
     found = basin({**regime.values, FRICTION: 0.6}, PLANES.get(regime.name, PLANE), CELLS, model=model)
-    settled: NDArray[np.bool_] = found["fate"] == SETTLED
+    settled: NDArray[np.bool_] = found["fate"].values == SETTLED
     return settled
 
 

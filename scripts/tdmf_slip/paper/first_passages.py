@@ -4,11 +4,11 @@ from collections.abc import Sequence
 from concurrent.futures import Executor
 from dataclasses import dataclass
 
+from ..analysis.first_passage import FirstPassage, strides_to_fall
 from ..blocks import run_blocks
 from ..library.laws import Law
 from ..library.runner import Runner
 from ..terminal.progress import progress_bar
-from .first_passage import FirstPassage, strides_to_fall
 
 
 @dataclass(frozen=True, eq=False)

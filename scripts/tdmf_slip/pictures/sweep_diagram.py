@@ -1,0 +1,143 @@
+"""Gaits over one parameter, by eigenvalues, speed and cost of transport; over two, by speed and word."""
+
+from collections.abc import Mapping, Sequence
+from itertools import pairwise
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import matplotlib
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.colors import ListedColormap
+from matplotlib.figure import Figure
+from matplotlib.patches import Patch
+from matplotlib.ticker import LogLocator, StrMethodFormatter
+from numpy.typing import NDArray
+
+from ..analysis.sweeps import Sweep
+from ..errors import InputError
+from ..record import runner_in
+from ..variables.display_units import DisplayUnits
+from ..variables.table import VARIABLES
+from . import style
+from .basin_map import edges_of
+
+if TYPE_CHECKING:
+    import xarray
+
+PANELS: Mapping[str, str] = {"speed": "average speed", "cost_of_transport": "cost of transport"}
+"""Quantities of a stride, and their names."""
+LETTER_WIDTH = 11.0
+"""Pixels that a letter of a word needs."""
+DECADES = 10.0
+"""Values that span more are shown on a logarithmic axis."""
+WORD_COLOURS = matplotlib.colormaps["tab20"].colors  # type: ignore[attr-defined] # a list of colours
+
+
+def of_sweep(found: Sweep) -> Figure:
+    """A sweep with its borders."""
+    return figure_of(found.gaits, found.borders)
+
+
+def of_gaits(gaits: "xarray.Dataset") -> Figure:
+    """Gaits of a sweep without the borders."""
+    return figure_of(gaits)
+
+
+def figure_of(
+    gaits: "xarray.Dataset", borders: "xarray.Dataset | None" = None, display: DisplayUnits | None = None
+) -> Figure:
+    """Curves over one name, or maps over two."""
+    dimensions = gaits["word"].ndim
+    if not np.isfinite(gaits["period"]).any():
+        raise InputError("plot: a sweep without gaits; allowed: one that has some")
+    if dimensions not in (1, 2):
+        raise InputError(f"plot: a sweep over {dimensions} names; allowed: over one or two, see Dataset.sel")
+    display = display or DisplayUnits(values=runner_in(gaits))
+    with style.styled():
+        return _curves(gaits, borders, display) if dimensions == 1 else _map(gaits, display)
+
+
+def draw(path: Path, found: Sweep, display: DisplayUnits | None = None) -> None:
+    """Draw a sweep over one name into a file."""
+    style.save(figure_of(found.gaits, found.borders, display), path)
+
+
+def _curves(gaits: "xarray.Dataset", borders: "xarray.Dataset | None", display: DisplayUnits) -> Figure:
+    """Three panels over a parameter; unstable gaits are dashed."""
+    name = str(gaits["word"].dims[0])
+    found = gaits.isel({name: np.flatnonzero(gaits["word"].values != "")})
+    values = found[name].values
+    figure, panels = style.subplots(len(PANELS) + 1, 1, figsize=(7.6, 7.2), sharex=True)
+    moduli = np.hypot(found["eigenvalue_real"].values, found["eigenvalue_imag"].values)[:, :3]
+    stable = found["lambda_max"].values < 1.0
+    for column, colour in zip(moduli.T, (style.CURVE, style.SECOND_CURVE, style.FAINT), strict=False):
+        _draw(panels[0], values, column, stable, colour)
+    panels[0].axhline(1.0, **style.LIMIT_LINE)
+    panels[0].set_ylabel("moduli of the eigenvalues")
+    for axes, (quantity, label) in zip(panels[1:], PANELS.items(), strict=True):
+        _draw(axes, values, found[quantity].values, stable)
+        axes.set_ylabel(style.with_unit(label, display.label(VARIABLES[f"stride.{quantity}"].unit)))
+    for axes in panels:
+        for value in [] if borders is None else borders[name].values:
+            axes.axvline(value, **style.STANCE_LINE)
+    label = style.tell_in(panels[-1].xaxis, name, display)
+    if display.factor(name) == 1.0 and min(values) > 0 and max(values) > DECADES * min(values):
+        panels[-1].set_xscale("log")
+        panels[-1].xaxis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
+        panels[-1].xaxis.set_major_formatter(StrMethodFormatter("{x:g}"))
+        panels[-1].minorticks_off()
+    panels[-1].set_xlabel(label)
+    figure.draw_without_rendering()  # lays out the axes
+    _words(panels[0], values, found["word"].values.tolist())
+    return figure
+
+
+def _draw(
+    axes: Axes,
+    values: NDArray[np.float64],
+    heights: NDArray[np.float64],
+    stable: NDArray[np.bool_],
+    colour: str = style.CURVE,
+) -> None:
+    axes.plot(values, heights, color=colour, linewidth=1.0, linestyle=style.SLIP_DASHES)
+    axes.plot(
+        values, np.where(stable, heights, np.nan), color=colour, marker="." if len(values) < 2 else None
+    )
+
+
+def _words(axes: Axes, values: NDArray[np.float64], words: Sequence[str]) -> None:
+    """The gait word above each stretch of equal words that has room for it; none where a branch turns."""
+    if len(set(np.sign(np.diff(values)))) > 1:
+        return
+    starts = [0, *(i for i in range(1, len(words)) if words[i] != words[i - 1]), len(words)]
+    shown = axes.transData.transform([(value, 0.0) for value in values])[:, 0]
+    for start, end in pairwise(starts):
+        word = style.word(words[start])
+        if abs(shown[end - 1] - shown[start]) > LETTER_WIDTH * len(word) or len(starts) == 2:
+            middle = axes.transData.inverted().transform((0.5 * (shown[start] + shown[end - 1]), 0.0))[0]
+            top: Any = ("data", "axes fraction")
+            axes.annotate(word, (middle, 1.02), xycoords=top, ha="center", fontsize=9)
+
+
+def _map(gaits: "xarray.Dataset", display: DisplayUnits) -> Figure:
+    """Speed on the left, words on the right; white where no gait was found."""
+    vertical, horizontal = map(str, gaits["word"].dims)
+    edges = edges_of(gaits[horizontal].values), edges_of(gaits[vertical].values)
+    words = gaits["word"].values
+    figure, panels = style.subplots(1, 2, figsize=(10.4, 4.6), sharey=True)
+    speeds = np.ma.masked_invalid(gaits["speed"].values)
+    mesh = panels[0].pcolormesh(*edges, speeds, cmap="viridis", rasterized=True)
+    figure.colorbar(mesh, ax=panels[0], label=style.with_unit("speed", display.label("m/s")), pad=0.01)
+    handles = []
+    for number, word in enumerate(sorted({word for word in words.ravel() if word})):
+        colour = WORD_COLOURS[number % len(WORD_COLOURS)]
+        there = np.ma.masked_where(words != word, np.zeros(speeds.shape))
+        panels[1].pcolormesh(*edges, there, cmap=ListedColormap([colour]), rasterized=True)
+        handles.append(Patch(color=colour, label=style.word(word)))
+    panels[1].legend(handles=handles, title="word", loc="upper left", bbox_to_anchor=(1.01, 1.0))
+    for axes in panels:
+        axes.set_xlabel(style.tell_in(axes.xaxis, horizontal, display))
+    panels[0].set_ylabel(style.tell_in(panels[0].yaxis, vertical, display))
+    panels[0].set_title(f"{speeds.count():,} of {words.size:,} gaits")
+    return figure
