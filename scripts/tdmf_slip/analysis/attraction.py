@@ -29,10 +29,10 @@ BOX: Mapping[str, tuple[float, float]] = {
     "leg_length_rate": (-2.0, 2.0),
     "leg_angle_rate": (-4.0, 4.0),
 }
-"""Of the section, over its scales: where starts are drawn from. The same for every gait, to compare them."""
+"""Box of the section, over its scales, from which starts are drawn: one for all gaits, to compare them."""
 CONFIDENCE = 0.95
 NORMAL_QUANTILE = 1.959963984540054
-"""Of CONFIDENCE, two-sided."""
+"""Two-sided quantile of CONFIDENCE."""
 MAX_SAMPLES = 100_000_000
 FARTHEST = 5.0
 """Over the scales: beyond this no disturbance is tried."""
@@ -46,7 +46,7 @@ DISTURBED: Mapping[str, str] = {
     "step_down": "com_height",
     "step_up": "com_height",
 }
-"""By disturbance: the coordinate of the section that it changes."""
+"""Coordinate of the section that each disturbance changes."""
 SAMPLES = 4000
 """Starts drawn for each of many gaits."""
 
@@ -56,9 +56,9 @@ class Volume:
     """A Monte-Carlo estimate of how much of the box `BOX` a gait attracts."""
 
     samples: int
-    """Starts that were drawn."""
+    """Number of starts that were drawn."""
     settled: int
-    """So many of them settled on the gait."""
+    """Number of samples that settled on the gait."""
     box: float
     """The box's own volume, in the section's scales."""
     unsolved: int = 0
@@ -68,7 +68,7 @@ class Volume:
 
     @property
     def share(self) -> float:
-        """Of the samples that settle."""
+        """Share of the samples that settle."""
         return self.settled / self.samples
 
     @property
@@ -105,19 +105,19 @@ class Drawing:
     """Random starts: a block of work. Its number, not its worker, decides what is drawn."""
 
     runner: Runner
-    """Whose starts."""
+    """The runner."""
     apex: tuple[float, ...]
-    """The gait's, shape (n,)."""
+    """Apex of the gait, shape (n,)."""
     seed: int
-    """Of the whole estimate."""
+    """Seed of the whole estimate."""
     number: int
-    """Of the block."""
+    """Number of the block."""
     count: int
-    """Starts in it."""
+    """Number of starts in it."""
     law: Law | None = None
-    """By which runners are set."""
+    """Law that sets the runners, if any."""
     ball: Ball | None = None
-    """In which a start has settled."""
+    """Ball of attraction in which a start has settled, if any."""
 
     def starts(self) -> NDArray[np.float64]:
         """Uniform over the box."""
@@ -181,13 +181,13 @@ class Robustness:
     """
 
     push_forward: float
-    """Of the speed, m/s."""
+    """Increase of the speed, m/s."""
     push_backward: float
-    """Likewise, the other way."""
+    """Decrease of the speed, m/s."""
     step_down: float
-    """Of the ground, m: the runner then starts so much higher."""
+    """Drop of the ground, m: the runner then starts so much higher."""
     step_up: float
-    """Likewise, upwards."""
+    """Rise of the ground, m."""
 
     def as_json(self) -> dict[str, float | None]:
         """The disturbances as a plain object."""
@@ -230,9 +230,9 @@ class Attraction:
     """How stable a gait is, by the largest eigenvalue and by what it attracts."""
 
     friction: float
-    """Of the ground."""
+    """Friction coefficient of the ground."""
     word: str
-    """The gait's."""
+    """Word of the gait."""
     lambda_max: float
     """Size of the largest eigenvalue."""
     volume: Volume

@@ -26,27 +26,27 @@ from ..library.laws import Law, is_noisy
 from .controlled_gait import jacobian_under
 
 POINTS = 10_000
-"""That a ball is tested on."""
+"""Points on which a ball is tested."""
 SHELLS = tuple(0.1 * k for k in range(1, 10))
 """Their radii over the ball's; each gets a twentieth of the points, the surface what is left."""
 FIRST_POINTS = 500
-"""Of these, for a radius to be worth the test."""
+"""Points that are tried before a radius is tested on all of them."""
 RADII = tuple(0.6 * 2.0 ** (-k / 6) for k in range(30))
-"""That are tried, in the form's norm, which measures the slowest part: from 0.6 of the section's scales."""
+"""Radii that are tried, in the form's norm, which measures the slowest part: from 0.6 of the scales."""
 INSIDE = 0.9
 """The ball's radius over that of the tested surface."""
 WIDTHS = ((0.3, 1.5), (0.3, 2.5), (0.7, 1.5))
-"""That are tried: how far g is from the second largest eigenvalue to 1, over the way, and r."""
+"""Forms that are tried: the share of the way from the second largest eigenvalue to 1 at which g is, and r."""
 MARGIN = 0.75
-"""Of the way from the largest eigenvalue to 1: what the norm may fall to in a stride from any point."""
+"""Share of the way from the largest eigenvalue to 1: the norm has to fall below it in a stride."""
 STRIDES = 2
 """After which the norm is looked at: the first may raise it for a start whose height is far off."""
 MIN_TERM = 1e-10
-"""Of the sum."""
+"""Smallest term of the sum that is added."""
 TOLERANCE = 1e-5
 """Relative tolerance of a step, as of maps and volumes."""
 CHOICES = ("tested", "none")
-"""Of who does not give a ball: with none, a start is followed until it is near the gait."""
+"""Choices without a ball of one's own; with `none` a start is followed until it is near the gait."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -58,9 +58,9 @@ class Ball:
     radius: float
     """Every apex no farther from the gait's in any coordinate, in units of the scales, is inside."""
     rate: float
-    """What the norm falls to in a stride at the most; of a tested ball, at its points, in the mean of two."""
+    """Largest ratio of the norm after a stride to that before; of a tested ball the mean of two strides."""
     points: int
-    """That it was tested on; 0 of a proved one."""
+    """Number of points on which it was tested; 0 for a proved ball."""
     matrix: NDArray[np.float64]
     """Shape (n, n): an apex is inside where ``|matrix (apex - gait)| <= 1``."""
     tolerance: float = TOLERANCE
@@ -69,7 +69,7 @@ class Ball:
     """Distance from the gait, over the scales, at which a run counts as settled without the ball."""
 
     def attributes(self) -> dict[str, str | float | int]:
-        """What a result says of it."""
+        """Attributes of a result that tell the ball."""
         return {
             "ball": self.known,
             "ball_radius": self.radius,
@@ -130,7 +130,7 @@ class _Stride:
 
 
 def _roots_of_forms(jacobian: NDArray[np.float64]) -> list[NDArray[np.float64]]:
-    """Of each form R with R'R the form; none where the Jacobian has no such eigenvector."""
+    """Matrices R with R'R the forms; none where the Jacobian has no such eigenvector."""
     values, right = np.linalg.eig(jacobian)
     order = np.argsort(-np.abs(values))
     slow, size = order[0], len(values)
@@ -160,7 +160,7 @@ def _lyapunov(jacobian: NDArray[np.float64], rate: float) -> NDArray[np.float64]
 
 
 def _points(coordinates: int) -> NDArray[np.float64]:
-    """Of the unit ball's surface and of shells inside; the same each time."""
+    """Points of the unit ball's surface and of shells inside; the same each time."""
     drawn = np.random.default_rng(0).normal(size=(POINTS, coordinates))
     radii = np.tile((*SHELLS, *[1.0] * (20 - len(SHELLS))), POINTS // 20)
     points: NDArray[np.float64] = drawn * (radii / np.linalg.norm(drawn, axis=1))[:, None]
@@ -185,5 +185,5 @@ def ball_of(gait: Gait, choice: Ball | str, starts: int, law: Law | None = None)
 
 
 def attributes_of(ball: Ball | None) -> dict[str, str | float | int]:
-    """What a result says of its ball, or of having none."""
+    """Attributes of a result that tell its ball, or that it has none."""
     return {"ball": "none"} if ball is None else ball.attributes()

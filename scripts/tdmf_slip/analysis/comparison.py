@@ -37,11 +37,11 @@ class NotHeld:
     runner: int
     """Its number; the reference is 0."""
     quantity: str
-    """By its name."""
+    """Name of the quantity."""
     wanted: float
-    """What the reference has."""
+    """Value of the reference."""
     has: float
-    """What the runner has that came nearest."""
+    """Value of the runner that came nearest."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -49,7 +49,7 @@ class MatchedRunner:
     """A runner as it was given, and as it was matched to the reference."""
 
     parameters: Mapping[str, float]
-    """Of the matched runner, in the unit's units: what was varied, and what tells the runners apart."""
+    """Values of the matched runner, in the unit's units, that were varied or tell the runners apart."""
     before: Gait
     """The gait that it had."""
     after: Gait
@@ -63,15 +63,15 @@ class Comparison:
     hold: tuple[str, ...]
     """Quantities that are to be equal."""
     vary: tuple[str, ...]
-    """What may change for it."""
+    """Names of the parameters that may change for it."""
     runners: tuple[MatchedRunner, ...]
     """In the order in which they were given; the first is as it was."""
     not_held: tuple[NotHeld, ...]
-    """What could not be made equal: empty where all runners are matched."""
+    """Quantities that could not be made equal: empty where all runners are matched."""
 
     @property
     def gaits(self) -> tuple[Gait, ...]:
-        """Of the matched runners."""
+        """Values of the matched runners."""
         return tuple(matched.after for matched in self.runners)
 
     def __repr__(self) -> str:

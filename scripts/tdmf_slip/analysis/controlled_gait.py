@@ -17,7 +17,7 @@ from ..variables.table import by_full_name
 from .search import periodic_gait
 
 SAME = 1e-6
-"""What a setting may be off the gait's at its apex, over the larger of it and 1."""
+"""Largest difference of a setting from the gait's at its apex, over the larger of the setting and 1."""
 DIFFERENCE = 1e-5
 """Step of differences, over the scales."""
 ROUNDS = 20

@@ -50,7 +50,7 @@ class FirstPassage:
     runner: Runner
     """The runner that falls."""
     word: str
-    """Of the gait on level ground that the runners start from."""
+    """Word of the gait on level ground from which the runners start."""
     roughness: float
     """Standard deviation of a step, m."""
     runners: int

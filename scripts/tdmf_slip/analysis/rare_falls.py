@@ -46,7 +46,7 @@ CONFIDENCE = 0.95
 REPLICAS = 12
 """Independent runs, by whose spread the interval is made."""
 BURN_IN = 0.25
-"""Of the strides of a run, that are forgotten: weights are not settled yet."""
+"""Share of the strides of a run that is dropped, because weights have not settled yet."""
 AHEAD = 6
 """Strides within which a fall counts when the score is learned."""
 PILOT_WALKERS, PILOT_STRIDES = 512, 60
@@ -320,7 +320,7 @@ class RareFalls:
     runner: Runner
     """The runner that falls."""
     word: str
-    """Of the gait on level ground that the runners start from."""
+    """Word of the gait on level ground from which the runners start."""
     roughness: float
     """Standard deviation of a step, m."""
     found: RareEvent
@@ -338,7 +338,7 @@ class RareFalls:
 
     @property
     def falls(self) -> int:
-        """Of walkers, each with its weight."""
+        """Number of walkers, each with its weight."""
         return self.found.events
 
     @property

@@ -28,7 +28,7 @@ from ..variables.table import FRICTION, VARIABLES
 from .branch_problem import gaits_over
 
 MAX_STRIDES = 150_000
-"""Of all runners of a search, about a second of two processors."""
+"""Strides of all runners of a search, about a second of two processors."""
 STEP_LIMIT = 50_000
 """Largest number of steps in a runner's first stride: a foot of a thousandth of the body takes 2,300 on
 average."""
@@ -37,11 +37,11 @@ MAX_STEPS, MAX_NEWTON_STEPS = 100_000_000, 500_000
 BLOCK = 1_024
 """Runners in one call of the engine; the steps of all runners are counted after each call."""
 STARTS = 16_384
-"""That are drawn."""
+"""Number of starts that are drawn."""
 SEED = 2016
-"""Of the drawing: a search gives the same gait each time."""
+"""Seed of the drawing: a search gives the same gait each time."""
 TOLERANCE = 1e-6
-"""Of a step, relative: where runners settle need not be known any better."""
+"""Relative tolerance of a step: where runners settle need not be known any better."""
 ROUNDS = (0, 0, 1, 2, 4, 8, 16, 32, 64, 128)
 """Strides before each look at how near to its start a stride comes back."""
 KEPT = 2_048
@@ -61,12 +61,12 @@ HEIGHTS, SPEEDS, ANGLES = (0.7, 1.3), (0.05, 3.0), (-1.2, 1.5)
 RISE = 0.6
 """Largest vertical speed at lift-off, in l0 sqrt(k/m): apexes are as high as gravity lets it take them."""
 LENGTHS, RATES = (0.98, 1.02), (-0.3, 0.3)
-"""Of the leg, in l0, and of its turning, in sqrt(k/m)."""
+"""Lengths of the leg, in l0, and rates of its turning, in sqrt(k/m)."""
 
 
 @dataclass(frozen=True, eq=False)
 class Spread:
-    """What came of a search from starts all over the section."""
+    """Result of a search from starts all over the section."""
 
     gaits: tuple[Gait, ...]
     """Different ones: those that runners settle on first, then by the size of their largest eigenvalue."""
@@ -82,7 +82,7 @@ class Spread:
     """Strides that were given up, most of them because they take too many steps."""
 
     def __str__(self) -> str:
-        """What was tried, in words."""
+        """A description of the starts that were tried."""
         tried = f"{self.starts:,} starts all over the section, {self.strides:,} strides"
         if not self.given_up:
             return tried

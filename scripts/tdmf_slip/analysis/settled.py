@@ -20,7 +20,7 @@ from ..library.batch_tables import CLOSED
 from ..library.runner import Runner
 
 TOLERANCE = 1e-6
-"""Of a step, relative: where runners settle need not be known any better."""
+"""Relative tolerance of a step: where runners settle need not be known any better."""
 AT_ONCE = 8
 """Strides between two looks at who still runs."""
 BEGINNINGS, LOOKS = 3, 6
@@ -38,11 +38,11 @@ class Settled:
     """Runners that have settled."""
 
     numbers: NDArray[np.intp]
-    """Which of those that began, shape (m,)."""
+    """Numbers of the runners that settled, shape (m,)."""
     apexes: NDArray[np.float64]
-    """Next to those of their gaits, shape (m, n)."""
+    """Apices next to those of their gaits, shape (m, n)."""
     strides: int
-    """That all made together."""
+    """Number of strides that all runners made together."""
 
 
 def evenly(count: int, dimension: int, first: int = 0) -> NDArray[np.float64]:

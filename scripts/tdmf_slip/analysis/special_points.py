@@ -89,7 +89,7 @@ class Special:
 
 
 def special_points(problem: BranchProblem, before: Point, after: Point) -> list[Special]:
-    """What happens between two neighbouring points of a branch, in its order."""
+    """Special points between two neighbouring points of a branch, in its order."""
     return list(_specials(problem, before, after))
 
 
@@ -218,7 +218,7 @@ def _is_simple(before: Point, after: Point) -> bool:
 
 
 def _account(before: Point, after: Point) -> str:
-    """What is seen of two gaits between which more happens than can be told apart."""
+    """Differences of two gaits between which more happens than can be told apart, in words."""
     changes = _changes(before, after)
     words = f"{before.gait.word} becomes {after.gait.word}" if before.gait.word != after.gait.word else ""
     turns = "the branch turns" if FOLD in changes else ""

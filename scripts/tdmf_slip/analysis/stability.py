@@ -24,7 +24,7 @@ class StabilityMap:
     """The largest eigenvalue of gaits over a plane of two parameters."""
 
     names: tuple[str, str]
-    """Of the two."""
+    """Names of the two parameters."""
     rows: NDArray[np.float64]
     """Values of the first, in its unit."""
     columns: NDArray[np.float64]
@@ -41,7 +41,7 @@ class StabilityMap:
 
     @property
     def stable_share(self) -> float:
-        """Of all points of the plane, those with a stable gait."""
+        """Share of the points of the plane that have a stable gait."""
         return float(np.mean(self.lambda_max < 1.0))
 
 

@@ -31,36 +31,36 @@ from .settled import evenly, linked, settled_gaits
 NEWTON_ITERATIONS, SHORTENINGS = 40, 6
 """To what is prescribed at once."""
 LONGEST_STEP = 1.0
-"""Of Newton's method, over the scales of apex and parameters: far beyond them a stride may take an age."""
+"""Longest Newton step over the scales of apex and parameters: far beyond them a stride may take an age."""
 CLOSE_ITERATIONS, CLOSE_SHORTENINGS = 10, 3
 """Where a point is near a gait that is sought, or else is of no use."""
 STEPS = 40
-"""Of the way from the first gait's quantities to those prescribed, with those that are refused."""
+"""Steps on the way from the first gait's quantities to those prescribed, with the refused ones."""
 LEAST_ITERATIONS, LEAST_STEP = 30, 1e-7
 """To the least change of parameters, and the last step there, over the parameters' values."""
 SHORTEST_SHARE = 5e-3
-"""Of the way from the first gait's quantities to those prescribed."""
+"""Shortest step, as a share of the way from the first gait's quantities to those prescribed."""
 RUNNERS = 1024
 """Spread over the varied parameters."""
 FACTOR = 4.0
 """To both sides of a varied parameter's value, that of a runner may be other by as much."""
 FROM_ZERO = 0.4
-"""Of its scale, where that value is zero."""
+"""Reach of a parameter that is zero, over its scale."""
 NONE = 1e-6
-"""Of what is prescribed: less counts as none of it."""
+"""Share of a prescribed value below which a quantity counts as zero."""
 DESCENT_ITERATIONS, LOOK_AHEAD = 30, 8
-"""Of the search for the nearest gait, and to see whether a further parameter helps."""
+"""Steps of the search for the nearest gait, and of a look whether a further parameter helps."""
 LONGEST_STEPS = (0.3, 0.03)
 """Over the scales of apex and parameters, each tried: where words change, other steps lead elsewhere."""
 MIN_DAMPING, MAX_DAMPING = 1e-9, 1e2
 LITTLE = 1e-3
-"""Of the gap: what a step makes it smaller by is then no more worth a further one."""
+"""Share of the gap by which a step has to reduce it for another step to be worth it."""
 HELPING = 0.95
 """A parameter helps if, varied too, it leaves at most this share of the gap."""
 MAX_TRIED, TRIED_STEPS = 5, 10
 """Parameters whose derivatives promise most are tried, each by so many steps towards the target."""
 SETTINGS = "hip."
-"""What a runner changes at will: these are tried instead of a varied parameter, too."""
+"""Parameters that a runner changes at will; they are tried instead of a varied one, too."""
 NOT_THE_RUNNERS = ("gravity",)
 """Not told as a help: nobody can turn it."""
 
@@ -72,7 +72,7 @@ class Iterate:
     at: NDArray[np.float64]
     """Coordinates, then varied parameters, over the scales."""
     varied: VariedStride
-    """Of it."""
+    """The stride from there, with its derivatives."""
 
 
 class Target:
@@ -103,7 +103,7 @@ class Target:
         return self.runner.replace(dict(zip(self.vary, map(float, values), strict=True)))
 
     def iterate_of(self, gait: Gait) -> Iterate:
-        """That of a gait of this runner, whatever its varied parameters."""
+        """The iterate of a gait of this runner, whatever its varied parameters."""
         values = [gait.runner[name] for name in self.vary]
         return self.evaluate(np.append(gait.apex, values) / self.scales)
 
@@ -351,11 +351,11 @@ class Help:
     """A parameter that brings a target nearer, or meets it."""
 
     name: str
-    """Of the parameter or input."""
+    """Name of the parameter or input."""
     instead_of: str
     """Which varied parameter then keeps its value; empty where all of them vary."""
     left: float
-    """Of the gap; 0 where the target is met."""
+    """Share of the gap that is left; 0 where the target is met."""
     changed: float
     """How far the gait that meets the target is from the first, over the scales."""
 
@@ -389,7 +389,7 @@ def parameters_that_help(
 
 
 def _with_one_more(target: Target, name: str, first: Gait, near: Gait, maximum: float) -> Help:
-    """What is left of the gap where one more parameter varies."""
+    """The gap that is left where one more parameter varies."""
     wider = target.with_more(name)
     try:
         begin = wider.iterate_of(first)

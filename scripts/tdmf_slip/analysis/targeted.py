@@ -27,15 +27,15 @@ from .target import Help, Iterate, Target, beginnings, nearest_from, parameters_
 TRAVEL = ("speed", "frequency", "length")
 """Any two of them set the third."""
 MINIMUM, MAXIMUM = 1e-9, 1e9
-"""Of what is prescribed, in SI units."""
+"""Least and largest prescribed value, in SI units."""
 MET = 1e-10
-"""Of what is prescribed."""
+"""Largest deviation of a gait that meets a target, over the prescribed values."""
 LAST_STEPS = 10
 """From the nearest gait towards the target, and from each of the others."""
 MAX_BEGINNINGS = 8
 """Other gaits that a search begins from."""
 DESCENTS = 2
-"""Of these, so many of the nearest lead on to the gait that is nearest of all."""
+"""Number of the nearest ones that lead on to the gait nearest of all."""
 NO_ACTION = 1e-11
 """Changes over the scales that are no more than rounding."""
 NAMES = "a list of names of parameters and inputs"
@@ -198,7 +198,7 @@ def _met(target: Target, iterate: Iterate) -> Gait:
 
 
 def _checked_target(target: object) -> dict[str, float]:
-    """What is prescribed, by its names."""
+    """Prescribed values by the names of their quantities."""
     given = mapping_of(target, "target", f"numbers by name: {', '.join(QUANTITIES)}")
     if not given:
         raise InputError(f"target: nothing is prescribed; allowed: {', '.join(QUANTITIES)}")

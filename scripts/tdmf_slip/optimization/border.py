@@ -39,13 +39,13 @@ RADIUS, SMALLEST = 0.05, 1e-7
 """Half the width of the first box, and of the last one; of the bounds' width."""
 ROUNDS = 20
 NEAR = 0.5
-"""Of `OFF_FOLD`: a gait as near to the edge is led onto it."""
+"""Share of `OFF_FOLD`: a gait as near to the edge is led onto it."""
 EDGE_RADIUS, EDGE_SMALLEST, EDGE_ROUNDS = 0.1, 1e-5, 12
 """Half the width of the first box and of the last one, of the bounds' width; and boxes."""
 ON_EDGE, NEWTON = 1e-9, 12
-"""What is left over of the edge's equation, and steps towards it."""
+"""Residual of the edge's equation, and steps towards it."""
 INWARDS, LONGEST = 1e-5, 0.1
-"""Of the bounds' width: first and last step off the fold, where a point is beyond it."""
+"""First and last step off the fold, over the bounds' width, where a point is beyond it."""
 
 
 @dataclass
@@ -53,11 +53,11 @@ class Region:
     """Sequences of events between which nothing has a kink."""
 
     sequences: set[tuple[object, ...]] = field(default_factory=set)
-    """Of the strides, see `Gait.sequence`."""
+    """Sequences of the strides, see `Gait.sequence`."""
 
     @classmethod
     def of(cls, gait: Gait) -> "Region":
-        """That of a gait, as far as is known from it alone."""
+        """The region of a gait, as far as is known from it alone."""
         return cls({gait.sequence})
 
     def has(self, gait: Gait) -> bool:
@@ -164,7 +164,7 @@ class AlongBorder(Problem):
     """A problem over a border; the bounds of the parameters are among the margins."""
 
     def __init__(self, problem: Problem, free: NDArray[np.bool_]) -> None:
-        """Of the problem itself, and which of the parameters are varied."""
+        """Keep the problem itself, and which of the parameters are varied."""
         super().__init__(problem.goal, problem.scales)
         self._problem, self._free = problem, free
 

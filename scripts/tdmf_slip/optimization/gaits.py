@@ -31,7 +31,7 @@ from ..library.varied_gait import varied_gait
 from ..numerics.following import walk
 
 AT_BOUND = 1e-9
-"""Of the width of the bounds: what is as near to one is at it."""
+"""Distance from a bound, over the width, at which a parameter is at it."""
 ROUNDING = 1e-14
 """Distance from a bound, over the width, that rounding may leave."""
 LEADING = 3
@@ -48,18 +48,18 @@ OPEN_BACKWARD: Mapping[float, float] = {-1.0: 2.5, -2.0: -4.0, -3.0: 1.5}
 """Differences of second order: weights by how many steps aside. The last two do without the gait itself,
 which may be on the edge of a region: a thrust of zero is no event, any other is."""
 SHORTEST_SHARE = 2.0**-5
-"""Of the way from one gait to another, of which a step may be."""
+"""Shortest step, as a share of the way from one gait to another."""
 FARTHEST = 0.7
 """How far a gait may be from where it was predicted, over how far it is from the one before."""
 NEAR = 1e-2
 """Over the scales: a gait as near to where it was predicted is of the branch, if it is on its side of the
 fold."""
 DIFFERENCES = (1e-5, 1e-7)
-"""Of the width of the bounds: steps of differences along the gaits; the second one where a region is
+"""Steps of differences over the width of the bounds, along the gaits; the second one where a region is
 narrow."""
 
 SLANTS = (1.0, -1.0, 10.0, -10.0)
-"""Of directions between two parameters."""
+"""Slopes of directions between two parameters."""
 ON_EDGE = "the gait is on the edge of an event, where its eigenvalues have no derivatives"
 ROOM, OFF_FOLDS = 0.05, 1e-2
 """Below its limit and off folds by so much, it does not matter how the spectrum changes."""
@@ -74,7 +74,7 @@ class Space:
     """Parameters and inputs between bounds."""
 
     bounds: Mapping[str, tuple[float, float]]
-    """By name: the lower and the upper one, in the unit's unit."""
+    """Lower and upper bound by name, in the unit's unit."""
 
     @property
     def low(self) -> NDArray[np.float64]:
@@ -112,7 +112,7 @@ class Space:
         return coordinates
 
     def active(self, at: NDArray[np.float64]) -> dict[str, str]:
-        """By name of the parameters that are at a bound: `lower` or `upper`."""
+        """The parameters that are at a bound, by name: `lower` or `upper`."""
         coordinates = dict(zip(self.bounds, at, strict=True))
         low = {name: "lower" for name, share in coordinates.items() if share <= AT_BOUND}
         return low | {name: "upper" for name, share in coordinates.items() if share >= 1.0 - AT_BOUND}
@@ -135,7 +135,7 @@ class Spectrum:
 
     @classmethod
     def none(cls, count: int) -> "Spectrum":
-        """Of nobody, over so many parameters."""
+        """Empty spectrum over so many parameters."""
         return cls(np.zeros(0), np.zeros((0, count)), np.zeros(0, dtype=bool), np.inf, np.zeros(count))
 
     def along(self, directions: NDArray[np.float64]) -> "Spectrum":
@@ -164,7 +164,7 @@ def spectrum_of(
 def _fold(
     jacobian: NDArray[np.float64], variations: Sequence[NDArray[np.float64]]
 ) -> tuple[float, NDArray[np.float64]]:
-    """By Jacobi's formula for the derivative of a determinant."""
+    """det(I - J)^2 and its gradient, by Jacobi's formula for the derivative of a determinant."""
     matrix = np.eye(len(jacobian)) - jacobian
     fold = float(np.linalg.det(matrix)) ** 2
     traces = [np.trace(np.linalg.solve(matrix, variation)) for variation in variations]
@@ -177,7 +177,7 @@ def _slopes(
     right: NDArray[np.complex128],
     variations: Sequence[NDArray[np.float64]],
 ) -> list[float]:
-    """Of an eigenvalue's size."""
+    """Gradient of an eigenvalue's size."""
     others, vectors = np.linalg.eig(jacobian.T)
     left = vectors[:, np.argmin(np.abs(others - value))]  # of J^T: y^H without the conjugation
     product = left @ right
@@ -198,7 +198,7 @@ class Candidate:
     apex_slopes: NDArray[np.float64]
     """Changes of the apex by the parameters, shape (n, d)."""
     values: NDArray[np.float64]
-    """Of the quantities asked for, shape (q,)."""
+    """Values of the quantities asked for, shape (q,)."""
     slopes: NDArray[np.float64]
     """Their gradients, in rows, shape (q, d)."""
     spectrum: Spectrum
@@ -239,7 +239,7 @@ class Gaits:
         return Candidate(at, gait, apex_slopes, varied.quantities, slopes, spectrum)
 
     def _spectrum(self, gait: Gait, at: NDArray[np.float64], apex_slopes: NDArray[np.float64]) -> Spectrum:
-        """Of a gait; without slopes where it has none, unless a limit is near and they matter."""
+        """The spectrum of a gait, without slopes where it has none and no limit is near."""
         try:
             return spectrum_of(gait.jacobian, self._jacobian_variations(gait, at, apex_slopes))
         except RunError:
@@ -251,7 +251,7 @@ class Gaits:
     def _jacobian_variations(
         self, gait: Gait, at: NDArray[np.float64], apex_slopes: NDArray[np.float64]
     ) -> list[NDArray[np.float64]]:
-        """Of the map's Jacobian along the gaits, by each parameter.
+        """Changes of the map's Jacobian along the gaits, by each parameter.
 
         On the border of a region both ways along a parameter may lead off it, or off its bounds; a direction
         between it and another parameter, by which the change is known, may not.
@@ -328,12 +328,12 @@ class Gaits:
 
 
 def _orientation(gait: Gait) -> bool:
-    """Of a fold: the sign of det(I - J)."""
+    """The side of a fold: the sign of det(I - J)."""
     return bool(np.linalg.det(np.eye(len(gait.jacobian)) - gait.jacobian) > 0.0)
 
 
 def _jacobian_variation(gait: Gait, stride: Callable[[float], Gait]) -> NDArray[np.float64]:
-    """By strides on both sides of a gait, or on one, where on the other is another region or nothing."""
+    """Differences of strides on both sides of a gait, or on one if the other is in another region."""
     for length, weights in product(DIFFERENCES, (CENTRAL, FORWARD, BACKWARD, OPEN_FORWARD, OPEN_BACKWARD)):
         try:
             gaits = [stride(length * steps) if steps else gait for steps in weights]

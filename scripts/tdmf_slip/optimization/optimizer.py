@@ -50,7 +50,7 @@ ROUNDS = 80
 PATIENCE, LITTLE = 12, 1e-6
 """A search that was kept from going on gives up after so many runs that make the merit less by no more."""
 PROGRESS = 1e-9
-"""Of the merit: a run that makes it less by no more has come to nothing."""
+"""Least progress: a run that makes the merit less by no more has come to nothing."""
 STILL_VIOLATED = 1e-3
 """Violation of the constraints at which a search that makes no progress has nothing to hope for."""
 EDGES = 3
@@ -65,7 +65,7 @@ NEARLY = 1e-2
 FEASIBLE = 1e-7
 """Violation of constraints, over their scales, that is rounding."""
 ACTIVE = 1e-5
-"""Of an eigenvalue: as near to its limit, it is at it."""
+"""Distance of an eigenvalue from its limit at which it is at it."""
 NATURAL = 1e-2
 """Least scale of a quantity, over that of its dimension: of one that is zero, or all but."""
 APART = 1e-2
@@ -126,7 +126,7 @@ class Found:
     border: Border | None = None
     """On which it lies, if on any."""
     why: str = ""
-    """What kept the search from an optimum; empty where it is one."""
+    """Why the search did not come to an optimum; empty where it did."""
 
 
 def _touches_again(gait: Candidate, beyond: Candidate) -> bool:
@@ -138,7 +138,7 @@ class Search:
     """From a gait to the best one of a problem that is reached."""
 
     def __init__(self, gaits: Gaits, problem: Problem) -> None:
-        """Of which runner, over which parameters, and what is asked."""
+        """Keep the runner, the parameters, and what is asked."""
         self.gaits, self.problem = gaits, problem
 
     def run(self, begin: Candidate) -> Found:
@@ -291,7 +291,7 @@ class Optimizer:
         return [self.first, *found]
 
     def scales(self, goal: Goal) -> dict[str, float]:
-        """Of a goal's quantities: their sizes at the first start, or what is prescribed."""
+        """Scales of a goal's quantities: their sizes at the first start, or the prescribed values."""
         gait = self.first.gait
         length, _, _, _, speed, rate = _natural(gait)
         natural = {"speed": speed, "frequency": rate, "stance_time": 1.0 / rate}
@@ -307,7 +307,7 @@ class Optimizer:
         return self._gaits(goal).candidate(self.first.gait, self.first.at)
 
     def best(self, goal: Goal, bar: Bar, starts: Sequence[Start] = ()) -> "Best":
-        """Of all searches, the best gait that meets the constraints."""
+        """The best gait of all searches that meets the constraints."""
         problem = Problem(goal, self.scales(goal))
         found, begun, trouble = [], starts or self.starts(problem), ""
         for start in begun:

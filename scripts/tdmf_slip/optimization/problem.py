@@ -22,7 +22,7 @@ from ..errors import RunError
 from .gaits import Candidate, Spectrum
 
 PENALTY = 100.0
-"""What a violated constraint weighs against the objective, in a comparison of two gaits."""
+"""Weight of a violated constraint against the objective, in a comparison of two gaits."""
 MET = 1e-8
 """Violation of a constraint that counts as none."""
 OFF_FOLD = 1e-4
@@ -37,7 +37,7 @@ Rows = tuple[NDArray[np.float64], NDArray[np.float64]]
 """Values, shape (m,), and their gradients in rows, shape (m, d)."""
 ITERATIONS = 30
 ACCURACY = 1e-12
-"""Of the objective, and of the constraints' violations."""
+"""Accuracy of the objective and of the constraints' violations."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -45,13 +45,13 @@ class Goal:
     """An objective and constraints by names of quantities, in SI units."""
 
     objective: str
-    """What is minimized or maximized."""
+    """Name of the quantity that is minimized or maximized."""
     sign: float = 1.0
     """1 to minimize, -1 to maximize."""
     at: Mapping[str, float] = field(default_factory=dict)
     """Quantities that are prescribed."""
     upper_limits: Mapping[str, tuple[float, float]] = field(default_factory=dict)
-    """By quantity a sign and a limit: sign times the quantity is to be sign times the limit at the most."""
+    """Sign and limit by quantity: sign times the quantity is to be at most sign times the limit."""
     radius: float | None = None
     """The largest spectral radius, if any is asked for."""
     fold: bool = False
@@ -64,7 +64,7 @@ class Goal:
 
     @property
     def names(self) -> tuple[str, ...]:
-        """Of all quantities in it, each once."""
+        """Names of all quantities in it, each once."""
         return tuple(dict.fromkeys((self.objective, *self.at, *self.upper_limits)))
 
 
@@ -76,13 +76,13 @@ class Problem:
         self.goal, self.scales = goal, scales
 
     def objective(self, gait: Candidate) -> tuple[float, NDArray[np.float64]]:
-        """What is to be small, and its gradient."""
+        """The objective, to be minimized, and its gradient."""
         name, sign = self.goal.objective, self.goal.sign
         row, scale = self.goal.names.index(name), sign / self.scales[name]
         return scale * float(gait.values[row]), scale * gait.slopes[row]
 
     def equations(self, gait: Candidate) -> Rows:
-        """What is to be zero."""
+        """Residuals of the equality constraints, and their gradients."""
         goal = self.goal
         rows = [goal.names.index(name) for name in goal.at]
         scales = np.array([self.scales[name] for name in goal.at])
@@ -90,7 +90,7 @@ class Problem:
         return off, gait.slopes[rows] / scales[:, None]
 
     def margins(self, gait: Candidate) -> Rows:
-        """What is to be zero or more."""
+        """Margins of the inequality constraints, which are to be zero or more, and their gradients."""
         goal = self.goal
         rows = [goal.names.index(name) for name in goal.upper_limits]
         scales = np.array([sign / self.scales[name] for name, (sign, _) in goal.upper_limits.items()])
@@ -107,7 +107,7 @@ class Problem:
         return left, slopes
 
     def violation(self, gait: Candidate) -> float:
-        """By how much constraints are violated, in all."""
+        """Sum of the violations of all constraints."""
         return float(np.sum(np.abs(self.equations(gait)[0])) - np.sum(np.minimum(self.margins(gait)[0], 0.0)))
 
     def merit(self, gait: Candidate) -> float:

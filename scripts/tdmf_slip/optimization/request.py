@@ -1,4 +1,4 @@
-"""What may be asked of an optimal runner, checked: quantities, bounds, prescribed values."""
+"""Checks of what is asked of an optimal runner: quantities, bounds, prescribed values."""
 
 import numpy as np
 
@@ -12,7 +12,7 @@ from ..variables.table import VARIABLES, by_full_name
 from .gaits import Candidate, Space
 
 FROM_ZERO = ("slip_distance",)
-"""Of these, those that may be prescribed as zero."""
+"""Quantities that may be prescribed as zero."""
 MAX_PARAMETERS = 12
 LARGEST_RADIUS = 0.99
 """Largest spectral radius of a gait that is to be stable, where no other is given."""
