@@ -122,15 +122,18 @@ def test_period_doublings_over_two_parameters(command, tmp_path):
     assert (tmp_path / "curves.png").read_bytes()[:4] == b"\x89PNG"
 
 
-def test_word_borders_over_two_parameters():
-    (curve,) = continue_curves({}, {FRICTION: (1.2, 1.1), DAMPING: (0.198, 0.202)})
-    assert (curve.kind, curve.words) == ("word border", ("+0+", "+0-0+"))
-    assert curve.points[[0, -1], 1] == pytest.approx([0.198, 0.202])
-    friction, damping = curve.points[len(curve.points) // 4]
-    runner = Runner({DAMPING: damping})
-    branch = continue_branch(runner, {FRICTION: (friction + 0.01, friction - 0.01)}, switch=False)
-    (border,) = branch.borders
-    assert border.value == pytest.approx(friction, rel=1e-8)
+def test_word_borders_cross_the_ranges_of_two_parameters():
+    curves = continue_curves({}, {FRICTION: (1.2, 0.4), DAMPING: (0.15, 0.25)})
+    words = [("+0+", "+0-0+"), ("+0-0+", "+0-+"), ("+0-+", "+0-")]
+    assert [(curve.kind, curve.words) for curve in curves] == [("word border", pair) for pair in words]
+    for curve in curves:
+        assert curve.began == curve.ended == "edge of the ranges" and len(curve.points) < 60
+        assert sorted(curve.points[[0, -1], 1]) == pytest.approx([0.15, 0.25])
+        friction, damping = curve.points[len(curve.points) // 4]
+        runner = Runner({DAMPING: damping})
+        branch = continue_branch(runner, {FRICTION: (friction + 0.001, friction - 0.001)}, switch=False)
+        (value,) = (of.value for of in branch.borders if (of.before, of.after) == curve.words)
+        assert value == pytest.approx(friction, rel=1e-8)
 
 
 @pytest.mark.parametrize("turned", [False, True])

@@ -11,7 +11,7 @@ from .ball import TOLERANCE as TOLERANCE
 from .ball import Ball
 
 ACCURACY = 5e-4
-"""By which the apex after a stride then errs at the most, over the scales, from anywhere in `volume.BOX`;
+"""Largest error of the apex after a stride, over the scales, from anywhere in `attraction.BOX`;
 from within 0.05 of a gait by a twentieth of that. Of 24,576 starts none has another fate than at 1e-10."""
 MAX_STRIDES = 400
 MAX_ALONG = 16384

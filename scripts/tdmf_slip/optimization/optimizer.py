@@ -42,7 +42,7 @@ from .problem import MET, OFF_FOLD, Ended, Feasibility, Goal, Problem, minimize
 RUNNERS = 1024
 """Spread over the bounds."""
 VIOLATED = 2.0
-"""What a violated constraint weighs against the objective where a search is to begin: it will be met there by
+"""Weight of a violated constraint against the objective where a search is to begin: it will be met there by
 a change of the parameters, which changes the objective by as much or so."""
 RADIUS, SMALLEST = 0.25, 1e-7
 """Half the width of the first box, and of the last one before a search gives up; of the bounds' width."""
