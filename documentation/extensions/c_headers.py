@@ -177,12 +177,12 @@ def _starts(code: str) -> list[int]:
 
 def _entry(node: c_ast.Node, line: int, comments: _Comments) -> Entry:
     inner = node.type.type if isinstance(node.type, c_ast.TypeDecl) else node.type
-    has_members = isinstance(inner, c_ast.Enum | c_ast.Struct)
+    has_members = isinstance(inner, c_ast.Enum) or (isinstance(inner, c_ast.Struct) and bool(inner.decls))
     comment = comments.of(line, beside=not has_members)  # beside it stands what is said of a member
     if isinstance(inner, c_ast.Enum):
         members = tuple(_enumerators(inner, comments))
         return Entry("enum", getattr(node, "name", None) or "", "", line, comment, members)
-    if isinstance(inner, c_ast.Struct):
+    if isinstance(inner, c_ast.Struct) and inner.decls:
         return Entry("struct", node.name, node.name, line, comment, tuple(_members(inner, comments)))
     text = " ".join(WRITTEN.visit(node).split())
     kind = "function" if isinstance(node.type, c_ast.FuncDecl) else "type"

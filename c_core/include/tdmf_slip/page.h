@@ -14,17 +14,19 @@
 extern "C" {
 #endif
 
+/* A model; its content is the library's. */
 typedef struct tdmf_page tdmf_page;
 
 /* "classic_slip" or "reduced_runner"; NULL for any other name. */
 TDMF_API const tdmf_page *tdmf_page_named(const char *name);
 
+/* Things of a model that have a name and a number. */
 typedef enum {
-    TDMF_PAGE_PARAMETER,
-    TDMF_PAGE_STATE,
-    TDMF_PAGE_MODE,
-    TDMF_PAGE_EVENT,
-    TDMF_PAGE_SECTION
+    TDMF_PAGE_PARAMETER, /* constant in a run */
+    TDMF_PAGE_STATE,     /* changes in a run */
+    TDMF_PAGE_MODE,      /* has rates of its own for the states */
+    TDMF_PAGE_EVENT,     /* leads from one mode to the next */
+    TDMF_PAGE_SECTION    /* of a return map */
 } tdmf_page_item;
 
 /* The name of the parameter, state, mode, event or section with a number; NULL after the last one. */
@@ -38,8 +40,8 @@ TDMF_API void tdmf_page_range(const tdmf_page *page, int parameter, double *leas
 
 /* A return map. Angles are in rad, all else in SI units. */
 typedef struct {
-    const tdmf_page *page;
-    int section;
+    const tdmf_page *page;       /* the model */
+    int section;                 /* its number */
     double *parameters, *states; /* in the order of their numbers; not changed. The states begin the run,
                                     where a point of the section does not determine them */
     double tolerance;            /* relative, between 1e-16 and 1e-2 */
@@ -48,6 +50,7 @@ typedef struct {
     double *d_parameters;        /* of each seed, the change of each parameter; NULL where there is none */
 } tdmf_page_map;
 
+/* How a run to the next crossing ended. */
 typedef enum {
     TDMF_PAGE_CROSSED,  /* there is a next crossing */
     TDMF_PAGE_ENDED,    /* the run ends in the mode, which the model does not leave, as in a fall */
@@ -56,10 +59,11 @@ typedef enum {
     TDMF_PAGE_UNSOLVED  /* the run cannot be followed */
 } tdmf_page_outcome;
 
+/* The end of a run. */
 typedef struct {
-    tdmf_page_outcome outcome;
-    int mode;    /* at the end of the run */
-    double time; /* s, of the run */
+    tdmf_page_outcome outcome; /* how it ended */
+    int mode;                  /* at the end of the run */
+    double time;               /* s, of the run */
 } tdmf_page_end;
 
 /* Runs from a point of the section, whose coordinates are given in their order, to the next crossing.
