@@ -10,11 +10,9 @@ from tdmf_slip.analysis import (
     branch_problem,
     branches,
     fates,
-    robustness,
     search,
     special_points,
     sweeps,
-    volume,
 )
 from tdmf_slip.analysis.search import periodic_gait
 from tdmf_slip.blocks import run_blocks
@@ -125,11 +123,11 @@ WRONG = [
     lambda r, o: basin.basin(r, RANGES, 2, path="missing/map.nc"),
     lambda r, o: basin.basin(r, RANGES, 2, path=3),
     lambda r, o: basin.range_around(r, "com_height"),
-    lambda r, o: volume.volume(r, 10),
-    lambda r, o: volume.volume(o, 1.5),
-    lambda r, o: volume.volume(o, float("nan")),
-    lambda r, o: volume.volume(o, 10, seed=-1),
-    lambda r, o: robustness.robustness(START),
+    lambda r, o: attraction.volume(r, 10),
+    lambda r, o: attraction.volume(o, 1.5),
+    lambda r, o: attraction.volume(o, float("nan")),
+    lambda r, o: attraction.volume(o, 10, seed=-1),
+    lambda r, o: attraction.robustness(START),
     lambda r, o: attraction.measure(r),
     lambda r, o: attraction.measure_all(o),
     lambda r, o: attraction.measure_all([START]),
