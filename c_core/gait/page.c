@@ -4,7 +4,6 @@
 #include "section.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 extern const tdmf_model_kind tdmf_classic_slip_model, tdmf_reduced_runner_model;
@@ -64,6 +63,9 @@ void tdmf_page_range(const tdmf_page *page, int parameter, double *least, double
     }
 }
 
+/* Working memory for the library's largest page with all seeds, which a test runs. */
+enum { MEMORY = 6000 };
+
 static bool are_finite(const double *values, int count) {
     double sum = 0.0; /* 0, or not a number */
     for (int i = 0; i < count; ++i) {
@@ -86,7 +88,9 @@ static bool is_sound(const tdmf_page_map *map, const double *point) {
         }
     }
     return map->tolerance >= 1e-16 && map->tolerance <= 1e-2 && map->longest >= 0.0 &&
-           isfinite(map->longest) && are_finite(map->states, model->state_count) &&
+           isfinite(map->longest) &&
+           tdmf_section_memory_size(model, map->section, map->seed_count) <= MEMORY &&
+           are_finite(map->states, model->state_count) &&
            are_finite(map->d_parameters, map->seed_count * model->parameter_count) &&
            are_finite(point, model->sections[map->section].count);
 }
@@ -104,12 +108,9 @@ static tdmf_page_run run_of(const tdmf_page_map *map) {
     return run;
 }
 
-/* Its memory has to be freed, and is NULL if there is none. */
-static tdmf_section_map section_of(const tdmf_page_map *map, const tdmf_page_run *run) {
-    const tdmf_model_kind *model = model_of(map->page);
-    const size_t size = tdmf_section_memory_size(model, map->section, map->seed_count);
-    double *memory = malloc(size * sizeof *memory);
-    const tdmf_section_map section = {model, map->section, run, map->longest, memory};
+static tdmf_section_map section_of(const tdmf_page_map *map, const tdmf_page_run *run,
+                                   double memory[MEMORY]) {
+    const tdmf_section_map section = {model_of(map->page), map->section, run, map->longest, memory};
     return section;
 }
 
@@ -119,12 +120,9 @@ tdmf_page_end tdmf_page_stride(const tdmf_page_map *map, const double *point, do
         return (tdmf_page_end){.outcome = TDMF_PAGE_REFUSED};
     }
     const tdmf_page_run run = run_of(map);
-    const tdmf_section_map section = section_of(map, &run);
-    if (!section.memory) {
-        return (tdmf_page_end){.outcome = TDMF_PAGE_UNSOLVED};
-    }
+    double memory[MEMORY];
+    const tdmf_section_map section = section_of(map, &run, memory);
     const tdmf_crossing crossing = tdmf_next_crossing(&section, point, d_states != NULL, states, d_states);
-    free(section.memory);
     const tdmf_page_outcome outcome = crossing.outcome == TDMF_RUN_STOPPED   ? TDMF_PAGE_CROSSED
                                       : crossing.outcome == TDMF_RUN_ENDED   ? TDMF_PAGE_ENDED
                                       : crossing.outcome == TDMF_RUN_ARRIVED ? TDMF_PAGE_TOO_LONG
@@ -137,13 +135,10 @@ bool tdmf_page_fixed_point(const tdmf_page_map *map, double *point) {
         return false;
     }
     const tdmf_page_run run = run_of(map);
-    const tdmf_section_map section = section_of(map, &run);
+    double memory[MEMORY];
+    const tdmf_section_map section = section_of(map, &run, memory);
     tdmf_crossing last;
-    if (!section.memory) {
-        return false;
-    }
     const tdmf_fixed_point found = tdmf_find_crossing(&section, point, &last);
-    free(section.memory);
     if (found.outcome == TDMF_FIXED_POINT_FOUND) {
         memcpy(point, found.point, (size_t)section.model->sections[map->section].count * sizeof *point);
     }

@@ -5,8 +5,7 @@
 #include "event_log.h"
 #include "ground_line.h"
 #include "page_fields.h"
-#include "page_run.h"
-#include "page_variation.h"
+#include "page_solver.h"
 #include "patch.h"
 #include "plain_reduced_runner_in_runner.h"
 #include "reduced_runner_in_runner.h"
@@ -15,7 +14,6 @@
 #include "tdmf_slip/automaton.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 /* A page of the map, and the places of what it has on the runner's page; -1: the runner's page has it not. */
@@ -49,6 +47,7 @@ typedef struct {
     double p[PARAMETERS], x[STATES], lift_off[STATES];
     double dp[TDMF_VARIATION_LIMIT * PARAMETERS], dx[TDMF_VARIATION_LIMIT * STATES];
     double shift[TDMF_VARIATION_LIMIT];
+    double memory[TDMF_PAGE_MEMORY];
     tdmf_event_row rows[TDMF_EVENT_CAPACITY];
     double row_states[TDMF_EVENT_CAPACITY * STATES];
 } stride;
@@ -242,13 +241,7 @@ static tdmf_return_outcome run_to(stride *s, int event, double duration, tdmf_re
 }
 
 static tdmf_return_outcome run_stride(stride *s, double until, tdmf_outcome *solver) {
-    const size_t size = tdmf_run_memory_size(s->page->model, s->run.seed_count);
-    double *memory = malloc(size * sizeof *memory);
-    if (!memory) {
-        *solver = TDMF_NO_PROGRESS;
-        return TDMF_RETURN_UNSOLVED;
-    }
-    s->run.memory = memory;
+    s->run.memory = s->memory;
     tdmf_return_outcome outcome = run_to(s, EVENT_touchdown, until, TDMF_RETURN_NO_TOUCHDOWN, solver);
     if (outcome == TDMF_RETURN_CLOSED) {
         outcome = run_to(s, EVENT_lift_off, until, TDMF_RETURN_TOO_LONG, solver);
@@ -258,7 +251,6 @@ static tdmf_return_outcome run_stride(stride *s, double until, tdmf_outcome *sol
         memcpy(s->lift_off, s->x, sizeof s->x);
         outcome = run_to(s, EVENT_apex, INFINITY, TDMF_RETURN_NO_APEX, solver);
     }
-    free(memory);
     return outcome;
 }
 

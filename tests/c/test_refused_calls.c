@@ -260,6 +260,17 @@ static void refusals_name_what_is_null(void **state) {
     assert_int_equal(tdmf_setting_of(NULL), -1);
 }
 
+static void pages_take_all_seeds(void) {
+    enum { SEEDS = 8, ROOM = 100 };
+    const tdmf_page *page = tdmf_page_named("reduced_runner");
+    double p[ROOM], x[ROOM], end[ROOM], varied[ROOM * (SEEDS + 2)], along[ROOM * SEEDS] = {0.0};
+    const double point[] = {1.4, 1.05};
+    tdmf_page_defaults(page, p, x);
+    const tdmf_page_map map = {page, 0, p, x, 1e-12, 1e6, SEEDS, along};
+    assert_null(tdmf_page_name(page, TDMF_PAGE_STATE, ROOM));
+    assert_int_equal(tdmf_page_stride(&map, point, end, varied).outcome, TDMF_PAGE_CROSSED);
+}
+
 static void pages_refuse_null_and_numbers_out_of_range(void **state) {
     (void)state;
     enum { SIZE = 64 };
@@ -284,6 +295,7 @@ static void pages_refuse_null_and_numbers_out_of_range(void **state) {
     assert_string_equal(tdmf_page_name(page, TDMF_PAGE_PARAMETER, 0), "mass");
     assert_int_equal(tdmf_page_stride(&sound, point, end, NULL).outcome, TDMF_PAGE_CROSSED);
     assert_int_equal(tdmf_page_stride(NULL, point, end, NULL).outcome, TDMF_PAGE_REFUSED);
+    pages_take_all_seeds();
     assert_int_equal(tdmf_page_stride(&sound, NULL, end, NULL).outcome, TDMF_PAGE_REFUSED);
     assert_int_equal(tdmf_page_stride(&sound, point, NULL, NULL).outcome, TDMF_PAGE_REFUSED);
     assert_false(tdmf_page_fixed_point(NULL, point));
