@@ -6,10 +6,10 @@ import tdmf_slip
 from tdmf_slip import Batch, InputError, Runner, find_gait
 from tdmf_slip.analysis import (
     attraction,
+    ball,
     basin,
     branch_problem,
     branches,
-    fates,
     search,
     special_points,
     sweeps,
@@ -53,7 +53,7 @@ TAKE_A_RUNNER = {
     "trace": lambda given, found: branches.trace(given, FRICTION, found, 0.21, max_points=2).values,
     "basin": lambda given, found: basin.basin(given, RANGES, 2)["strides_until_known"],
     "stable_gait": lambda given, found: basin.stable_gait(given).apex,
-    "fates": lambda given, found: fates.fates(given, found.apex, [found.apex])["strides"],
+    "fates": lambda given, found: ball.fates(given, found.apex, [found.apex])["strides"],
 }
 
 

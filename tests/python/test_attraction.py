@@ -7,7 +7,7 @@ import types
 import numpy as np
 import pytest
 from tdmf_slip import Batch, InputError, Runner, find_gait
-from tdmf_slip.analysis import attraction, basin, fates
+from tdmf_slip.analysis import attraction, ball, basin
 from tdmf_slip.library import engine
 from tdmf_slip.library.section import COORDINATES
 from tdmf_slip.variables.parameters import read_parameters
@@ -66,11 +66,11 @@ def test_a_volume_depends_on_its_seed_alone(gait):
 
 
 def test_a_volume_is_a_share_of_the_box(gait):
-    found = attraction.volume(gait, 2 * fates.STARTS_AT_ONCE)
+    found = attraction.volume(gait, 2 * ball.STARTS_AT_ONCE)
     low, high = np.array(list(attraction.BOX.values())).T
     drawings = [attraction.Drawing(gait.runner, tuple(gait.apex), 0, n, 4096).starts() for n in range(2)]
     assert np.min(np.abs(drawings[0] - drawings[1])) > 0.0
-    ends = fates.fates(gait.runner, gait.apex, np.concatenate(drawings))
+    ends = ball.fates(gait.runner, gait.apex, np.concatenate(drawings))
     assert found.settled == np.count_nonzero(ends["fate"] == engine.SETTLED)
     assert found.as_json()["volume"] == pytest.approx(found.settled / 8192 * np.prod(high - low))
     assert found.volume[1] < found.volume[0] < found.volume[2]

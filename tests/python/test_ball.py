@@ -9,9 +9,8 @@ from conftest import RELEASE, some_of
 from tdmf_slip import Batch, InputError, Runner, find_gait
 from tdmf_slip.analysis import ball as ball_module
 from tdmf_slip.analysis.attraction import volume
-from tdmf_slip.analysis.ball import attributes_of, ball_of, pays
+from tdmf_slip.analysis.ball import MAX_STRIDES, attributes_of, ball_of, fates, pays
 from tdmf_slip.analysis.basin import basin, basin_at
-from tdmf_slip.analysis.fates import MAX_STRIDES, fates
 from tdmf_slip.library.batch import NEAR
 from tdmf_slip.library.engine import SETTLED
 from tdmf_slip.library.laws import AffineLaw

@@ -5,7 +5,7 @@ import pickle
 import numpy as np
 import pytest
 from tdmf_slip import AffineLaw, Batch, InputError, RoughGround, Runner, find_gait
-from tdmf_slip.analysis import attraction, fates
+from tdmf_slip.analysis import attraction, ball
 from tdmf_slip.library import batch, binding, engine
 
 
@@ -92,7 +92,7 @@ def test_every_stride_keeps_the_promised_accuracy(instructions):
 
 def test_a_map_keeps_the_promised_accuracy():
     fastest = engine.instruction_sets()[-1]
-    allowed = {"near": fates.ACCURACY / 20.0, "box": fates.ACCURACY}
+    allowed = {"near": ball.ACCURACY / 20.0, "box": ball.ACCURACY}
     compared = 0
     for name, runners, starts in populations(2000):
         if name not in allowed:
@@ -100,7 +100,7 @@ def test_a_map_keeps_the_promised_accuracy():
         scales = np.array([runner.scales for runner in runners])
         apices = [
             Batch(runners, starts, tolerance=tolerance, instructions=kind, threads=2).run(1).apex
-            for tolerance, kind in ((fates.TOLERANCE, fastest), (1e-13, "one by one"))
+            for tolerance, kind in ((ball.TOLERANCE, fastest), (1e-13, "one by one"))
         ]
         assert np.max(np.abs(apices[0] - apices[1]) / scales) <= allowed[name], name
         compared += 1

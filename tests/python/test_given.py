@@ -11,7 +11,7 @@ import pytest
 import tdmf_slip
 from conftest import HANGS
 from tdmf_slip import InputError, RunError
-from tdmf_slip.analysis import branch_problem, fates, stability
+from tdmf_slip.analysis import ball, branch_problem, stability
 from tdmf_slip.fmu import batch
 from tdmf_slip.library.section import COORDINATES
 from tdmf_slip.variables.parameters import read_parameters
@@ -189,7 +189,7 @@ REFUSED = {
         lambda gait: tdmf_slip.Batch(GIVEN, MANY),
         r"runners: 1,000,000,000 runners; allowed: up to 10,000,000",
     ),
-    "fates": (lambda gait: fates.fates(GIVEN, gait.apex, MANY), r"runners: 1,000,000,000 .*up to"),
+    "fates": (lambda gait: ball.fates(GIVEN, gait.apex, MANY), r"runners: 1,000,000,000 .*up to"),
     "gaits to settle on": (
         lambda gait: tdmf_slip.Batch(GIVEN, gait.apex).run(1, MANY),
         r"until: 6,000,000,000 .*up to",

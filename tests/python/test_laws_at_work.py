@@ -10,8 +10,7 @@ from conftest import CLAMPED
 from tdmf_slip import AffineLaw, InputError, Runner, basin, find_gait, strides_to_fall
 from tdmf_slip.analysis import basin as basin_module
 from tdmf_slip.analysis.attraction import robustness, volume
-from tdmf_slip.analysis.controlled_gait import check_attracts, jacobian_under
-from tdmf_slip.analysis.fates import fates
+from tdmf_slip.analysis.ball import check_attracts, fates, jacobian_under
 from tdmf_slip.blocks import InTurn
 from tdmf_slip.library.return_map import stride_from
 from tdmf_slip.paper.first_passages import Trial, first_passage

@@ -31,8 +31,8 @@ from live_pages import (
 )
 from selenium.webdriver.common.by import By
 from selenium.webdriver.support.select import Select
+from tdmf_slip.analysis.ball import fates
 from tdmf_slip.analysis.basin import range_around
-from tdmf_slip.analysis.fates import fates
 from tdmf_slip.library.engine import FATES
 from tdmf_slip.library.members import INPUTS, PARAMETERS, names_of
 from tdmf_slip.pictures import style

@@ -17,9 +17,7 @@ from ..library.laws import Law
 from ..library.runner import Runner
 from ..library.section import COORDINATES
 from ..terminal.progress import progress_bar
-from .ball import Ball, ball_of
-from .controlled_gait import check_attracts
-from .fates import STARTS_AT_ONCE, fates
+from .ball import STARTS_AT_ONCE, Ball, ball_of, check_attracts, fates
 
 BOX: Mapping[str, tuple[float, float]] = {
     "com_height": (0.0, 4.0),

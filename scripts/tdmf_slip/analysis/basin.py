@@ -18,28 +18,30 @@ from ..checks import check_size, is_one_of, refusal
 from ..errors import InputError
 from ..files.resume import Resumed
 from ..files.whole import check_destination
-from ..given import counts_given
+from ..given import counts_given, ends_given, is_series, is_table, mapping_of, row_of
 from ..library.engine import FATES, SETTLED
-from ..library.gait import Gait
+from ..library.gait import Gait, check_is_gait
 from ..library.laws import Law, is_noisy, text_of_law
 from ..library.runner import Runner
-from ..library.section import check_axes
+from ..library.section import COORDINATES, check_axes
 from ..library.shared_steps import shares_steps
 from ..record import dataset
 from ..terminal.progress import progress_bar
 from ..variables.parameters import RunnerLike
 from ..variables.table import VARIABLES
-from .axes import AXES, Axes, axes_of
-from .axes import range_around as range_around
-from .ball import Ball, attributes_of, ball_of
-from .controlled_gait import stable_gait as stable_gait
-from .fates import MAX_ALONG, STARTS_AT_ONCE
-from .preview import PREVIEW, REFINEMENTS, follow_points, preview_of
-from .slice_block import Slice, fates_of_slice
+from .ball import MAX_ALONG, STARTS_AT_ONCE, Ball, attributes_of, ball_of
+from .ball import stable_gait as stable_gait
+from .preview import PREVIEW, REFINEMENTS, Slice, fates_of_slice, follow_points, preview_of
 
 if TYPE_CHECKING:
     import xarray
 
+AXES = ("com_height", "com_speed")
+"""Where none are given."""
+Axes = Mapping[str, tuple[float, float] | None] | Sequence[str]
+"""Two coordinates with their ranges."""
+LEG_LENGTH = COORDINATES.index("leg_length")
+"""It and the coordinates before are positive, and measured by what they are."""
 NOT_YET = -1
 STRIDES = "strides_until_known"
 """Name of the variable."""
@@ -49,6 +51,35 @@ FOLLOWED = "is_followed"
 MAX_STARTS = MAX_ALONG**2
 """A map of as many is 2 GB."""
 MAX_AXIS = MAX_STARTS // 2
+
+
+def axes_of(axes: Any, coordinates: Sequence[str]) -> dict[str, tuple[float, float] | None]:
+    """The two coordinates with their ranges, None where it is to be around the gait."""
+    allowed = "two coordinates of an apex with their ranges (low, high)"
+    named = isinstance(axes, Mapping) or is_table(axes) or is_series(axes)
+    names = mapping_of(axes, "axes", allowed) if named else row_of(axes, "axes", allowed)
+    if len(names) != 2:
+        raise refusal("axes", axes, allowed)
+    check_axes(tuple(names), coordinates)
+    spans = names if isinstance(names, dict) else dict.fromkeys(names)
+    if len(spans) != 2:
+        raise refusal("axes", axes, allowed)
+    return {name: None if span is None else ends_given(f"axes: {name}", span) for name, span in spans.items()}
+
+
+def range_around(gait: Gait, axis: str) -> tuple[float, float]:
+    """Ends of a range of a coordinate that has the gait in it, and most of what it attracts."""
+    check_axes((axis,))
+    check_is_gait(gait, "gait")
+    index = COORDINATES.index(axis)
+    here, scale = gait.apex[index], gait.runner.scales[index]
+    low, high = (here - 0.5 * scale, here + 0.5 * scale) if index > LEG_LENGTH else (0.7 * here, 1.5 * here)
+    return _rounded(low), _rounded(high)
+
+
+def _rounded(value: float) -> float:
+    """A number to six significant digits."""
+    return round(value, 5 - math.floor(math.log10(abs(value)))) if value else 0.0
 
 
 @shares_steps

@@ -26,7 +26,7 @@ from ..library.settings import checked_values
 from ..terminal.progress import progress_bar
 from ..variables.parameters import RunnerLike
 from .attraction import CONFIDENCE, NORMAL_QUANTILE
-from .fates import TOLERANCE
+from .ball import TOLERANCE
 from .search import periodic_gait
 
 MAX_RUNNERS = 100_000_000

@@ -38,7 +38,7 @@ from ..library.laws import Law, check_law
 from ..library.runner import Runner
 from ..terminal.progress import progress_bar
 from ..variables.parameters import RunnerLike
-from .fates import TOLERANCE
+from .ball import TOLERANCE
 from .search import periodic_gait
 
 RIDGE, ITERATIONS = 1e-3, 25

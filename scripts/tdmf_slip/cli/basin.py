@@ -7,10 +7,8 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from ..analysis.attraction import DISTURBED, robustness, volume
-from ..analysis.axes import AXES
-from ..analysis.ball import CHOICES, Ball
-from ..analysis.basin import basin, fate_counts, stable_gait
-from ..analysis.fates import MAX_ALONG
+from ..analysis.ball import CHOICES, MAX_ALONG, Ball
+from ..analysis.basin import AXES, basin, fate_counts, stable_gait
 from ..analysis.preview import REFINEMENTS
 from ..errors import InputError
 from ..library.section import COORDINATES, check_axes
