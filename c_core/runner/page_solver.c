@@ -86,7 +86,7 @@ void tdmf_begin_page_solver(tdmf_page_solver *s, tdmf_solver *solver, tdmf_syste
 void tdmf_add_direction(tdmf_page_solver *s, const tdmf_page_direction *direction) {
     tdmf_page_run *r = &s->run.run;
     const int i = r->seed_count++;
-    r->observes = r->judges_variations = true;
+    r->observes = true;
     s->shift[i] = 0.0;
     tdmf_take_parameters(s->run.is_plain, (const double *)&direction->p,
                          s->dp + i * s->run.model->parameter_count);

@@ -49,7 +49,7 @@ class RunStruct(Structure):
     _fields_ = [
         *(("p", c_void_p), ("x", c_void_p), ("memory", c_void_p), ("tables", c_void_p)),
         *(("time", c_double), ("mode", c_int), ("tolerance", c_double)),
-        *(("order", c_int), ("stop_event", c_int), ("observes", c_bool), ("judges_variations", c_bool)),
+        *(("order", c_int), ("stop_event", c_int), ("observes", c_bool)),
         *(("step_limit", c_long), ("event_limit", c_long)),
         *(("seed_count", c_int), ("dp", c_void_p), ("dx", c_void_p), ("shift", c_void_p)),
         *(("log", c_void_p), ("log_states", c_void_p), ("log_size", c_int), ("log_count", c_int)),

@@ -46,6 +46,7 @@ typedef struct {
     real (*s)[TERMS], (*t)[TERMS]; /* series, and their variations for one seed */
     observed_part *observed;
     real *x_within, *dx_within; /* states that change, at a time within a step, and their variations */
+    real *after, *d_after;      /* those after a step; `d_after` is by seed */
     int mode_of_series;
     runner *runners;
     mode_start at; /* of one runner */
@@ -319,18 +320,25 @@ static void sample_here(const lane_pool *w, lane_batch *b, mask lanes) {
     }
 }
 
+/* Writes the states of what is observed up to the time whose powers are set. */
+static void observe_all(lane_batch *b, real elapsed, mask lanes, real *x) {
+    page_step *step = &b->step;
+    const int moving_count = step->motion->moving_count;
+    if (step->observed_count > 0) {
+        memcpy(x + moving_count, b->x + moving_count, (size_t)step->observed_count * sizeof *x);
+    }
+    for (int i = 0; i < step->observed_count; ++i) {
+        real *value = &x[changing_place(step, moving_count + i)];
+        *value = observe(step, i, *value, lanes & (elapsed > 0.0));
+    }
+}
+
 /* Finds the changing states at times within the step, which it sets the powers of. */
 static void states_within(const lane_pool *w, lane_batch *b, real elapsed, mask lanes) {
     page_step *step = &b->step;
     const int moving_count = step->motion->moving_count;
     set_powers(step->power, elapsed, step->order);
-    for (int i = 0; i < step->observed_count; ++i) {
-        w->x_within[moving_count + i] = b->x[moving_count + i];
-    }
-    for (int i = 0; i < step->observed_count; ++i) {
-        real *value = &w->x_within[changing_place(step, moving_count + i)];
-        *value = observe(step, i, *value, lanes & (elapsed > 0.0));
-    }
+    observe_all(b, elapsed, lanes, w->x_within);
     for (int i = 0; i < moving_count; ++i) {
         w->x_within[i] = value_at_end(step, i);
     }
@@ -412,25 +420,39 @@ static void pass_time(lane_batch *b, real elapsed, real left, mask goes) {
     b->steps += select(goes, broadcast(1.0), broadcast(0.0));
 }
 
+/* Finds what is observed up to the end of the step, and the variations there. False where these cannot be
+ * trusted so far: then the step is shorter. */
+static bool find_variations(const lane_pool *w, lane_batch *b, real elapsed, mask goes, mask after_event) {
+    page_step *step = &b->step;
+    const int count = changing_count(step);
+    observe_all(b, elapsed, goes, w->after);
+    for (int seed = 0; seed < w->seed_count; ++seed) {
+        expand_variation(w, b, seed);
+        if (any(trust_variation(step, w->t, goes))) {
+            return false;
+        }
+        memcpy(w->d_after + seed * count, b->dx + seed * count, (size_t)count * sizeof *b->dx);
+        advance_variation(w, b, seed, goes, after_event, w->d_after + seed * count);
+    }
+    return true;
+}
+
 static void advance(const lane_pool *w, lane_batch *b, real left, mask goes, mask after_event) {
     page_step *step = &b->step;
-    const int moving_count = step->motion->moving_count;
+    const int moving_count = step->motion->moving_count, count = changing_count(step);
+    real elapsed;
     for (int i = 0; i < step->observed_count; ++i) {
         trust_observed(step, i, b->x[changing_place(step, moving_count + i)], goes);
     }
-    const real elapsed = end_step(step);
+    do {
+        elapsed = end_step(step);
+    } while (!find_variations(w, b, elapsed, goes, after_event));
     sample_within(w, b, elapsed, goes, after_event);
-    for (int i = 0; i < step->observed_count; ++i) {
-        real *value = &b->x[changing_place(step, moving_count + i)];
-        *value = observe(step, i, *value, goes & (elapsed > 0.0));
-    }
-    for (int seed = 0; seed < w->seed_count; ++seed) {
-        expand_variation(w, b, seed);
-        advance_variation(w, b, seed, goes, after_event, &b->dx[seed * changing_count(step)]);
-    }
     for (int i = 0; i < moving_count; ++i) {
         b->x[i] = select(goes, value_at_end(step, i), b->x[i]);
     }
+    memcpy(b->x + moving_count, w->after + moving_count, (size_t)step->observed_count * sizeof *b->x);
+    memcpy(b->dx, w->d_after, (size_t)(w->seed_count * count) * sizeof *b->dx);
     pass_time(b, elapsed, left, goes);
     step->begins &= mask_not(goes);
 }
@@ -601,9 +623,15 @@ static void run_pool(lane_pool *w, int under_way) {
     }
 }
 
+/* At least as many states as change in any mode. */
+static size_t most_changing(const tdmf_model_kind *model) {
+    return (size_t)model->state_count + TDMF_WATCH_LIMIT;
+}
+
 /* Reals of the series and of all modes. */
 static size_t reals_of_pool(const lane_pool *w) {
-    size_t reals = 2 * (size_t)(w->model->series_count * TERMS + w->model->state_count + TDMF_WATCH_LIMIT);
+    size_t reals = 2 * (size_t)w->model->series_count * TERMS;
+    reals += (3 + (size_t)w->seed_count) * most_changing(w->model);
     for (int number = 0; number < w->model->mode_count; ++number) {
         reals += reals_of_mode(w, number);
     }
@@ -629,8 +657,10 @@ static void place_pool(lane_pool *w, int under_way, char *memory) {
     w->s = (void *)(w->observed + TDMF_WATCH_LIMIT);
     w->t = w->s + model->series_count;
     w->x_within = (real *)(w->t + model->series_count);
-    w->dx_within = w->x_within + model->state_count + TDMF_WATCH_LIMIT;
-    real *next = w->dx_within + model->state_count + TDMF_WATCH_LIMIT;
+    w->dx_within = w->x_within + most_changing(model);
+    w->after = w->dx_within + most_changing(model);
+    w->d_after = w->after + most_changing(model);
+    real *next = w->d_after + (size_t)w->seed_count * most_changing(model);
     for (int number = 0; number < model->mode_count; ++number) {
         next = place_batch(w, number, next);
     }

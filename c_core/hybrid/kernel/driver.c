@@ -158,85 +158,48 @@ static void sample_within(work *w, double elapsed) {
 
 /* ---- its end ------------------------------------------------------------------------------------------- */
 
-/* The share of the elapsed time for which an expanded variation can be trusted. As a rule that is all of it;
- * but where the states rest, their steps are long, and a variation may swing. Its unit is the largest change
- * of a state at the beginning. */
-static double trusted_share(const work *w) {
-    static const double far_too_large = 1e4;
-    const tdmf_motion_kind *m = w->step.motion;
-    double largest = 0.0, share = 1.0;
-    for (int i = 0; i < m->moving_count; ++i) {
-        largest = real_max(largest, fabs(w->t[i][0]) / w->step.units[i]);
-    }
-    for (int i = 0; i < m->moving_count; ++i) {
-        const double allowed = w->step.tolerance * largest * w->step.units[i];
-        for (int k = w->step.order - 2; k < w->step.order; ++k) {
-            const double term = fabs(w->t[i][k]) * w->step.power[k];
-            share = term > far_too_large * allowed && allowed > 0.0
-                        ? real_min(share, rough_root(allowed / term, k))
-                        : share;
-        }
-    }
-    return share;
-}
-
-/* Ends the step sooner, before any event. */
-static double shortened(work *w, double elapsed) {
-    set_powers(w->step.power, elapsed, w->step.order);
-    w->step.end = elapsed / w->step.size;
-    w->step.first = NO_EVENT;
-    return elapsed;
-}
-
-/* Advances observed quantities and all variations by the elapsed time, or by the share of it for which all
- * variations can be trusted. Keeps the variations as they were before. */
-static double advance_variations(work *w, double elapsed) {
+/* Finds what is observed up to the end of the step, and the variations there. False where these cannot be
+ * trusted so far: then the step is shorter. */
+static bool find_variations(work *w) {
     tdmf_page_run *r = w->state->r;
-    const size_t size = (size_t)(r->seed_count * w->state->model->state_count) * sizeof *r->dx;
-    double observed[TDMF_WATCH_LIMIT];
-    int seed = 0;
-    memcpy(w->at->kept, r->dx, size);
+    const int states = w->state->model->state_count;
     for (int i = 0; i < w->step.observed_count; ++i) {
-        observed[i] = r->x[w->mode->watches[i].into];
+        const int into = w->mode->watches[i].into;
+        w->at->after[into] = r->x[into];
     }
-    observe_all(w, r->x);
-    while (seed < r->seed_count) {
+    observe_all(w, w->at->after);
+    for (int seed = 0; seed < r->seed_count; ++seed) {
+        double *dx = w->at->d_after + seed * states;
         vary(w, seed);
-        const double share = r->judges_variations ? trusted_share(w) : 1.0;
-        if (!(share < 1.0)) {
-            advance_variation(w, seed, seed_dx(w, seed));
-            ++seed;
-            continue;
+        if (trust_variation(&w->step, w->t, true)) {
+            return false;
         }
-        elapsed = shortened(w, elapsed * share);
-        memcpy(r->dx, w->at->kept, size);
-        for (int i = 0; i < w->step.observed_count; ++i) {
-            r->x[w->mode->watches[i].into] = observed[i];
-        }
-        observe_all(w, r->x);
-        seed = 0;
+        memcpy(dx, seed_dx(w, seed), (size_t)states * sizeof *dx);
+        advance_variation(w, seed, dx);
     }
-    return elapsed;
-}
-
-/* Samples behind the end of a step that has been shortened are taken in the next one. */
-static void forget_samples(const work *w, double elapsed) {
-    tdmf_page_run *r = w->state->r;
-    while (r->sampled > 0 && !(r->sample_times[r->sampled - 1] - r->time < elapsed)) {
-        --r->sampled;
-    }
+    return true;
 }
 
 /* Advances the run to the end of the step. */
 static void advance(work *w) {
+    tdmf_page_run *r = w->state->r;
+    double elapsed;
     trust_all_observed(w);
-    double elapsed = end_step(&w->step);
+    do {
+        elapsed = end_step(&w->step);
+    } while (!find_variations(w));
     sample_within(w, elapsed);
-    elapsed = advance_variations(w, elapsed);
-    forget_samples(w, elapsed);
-    advance_states(w, w->state->r->x);
-    tdmf_pass_time(w->state->r, elapsed);
-    ++w->state->r->steps;
+    for (int i = 0; i < w->step.observed_count; ++i) {
+        const int into = w->mode->watches[i].into;
+        r->x[into] = w->at->after[into];
+    }
+    advance_states(w, r->x);
+    if (r->seed_count > 0) {
+        const size_t variations = (size_t)r->seed_count * (size_t)w->state->model->state_count;
+        memcpy(r->dx, w->at->d_after, variations * sizeof *r->dx);
+    }
+    tdmf_pass_time(r, elapsed);
+    ++r->steps;
     w->step.begins = false;
 }
 

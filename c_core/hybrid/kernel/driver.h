@@ -157,7 +157,6 @@ typedef struct {
     int stop_event; /* the run stops where this one is taken, and variations are then those on that section;
                        -1: none */
     bool observes;
-    bool judges_variations; /* steps are shortened where a variation needs it, which batches do not do */
     long step_limit, event_limit; /* of a call */
     /* Variations: of each seed those of the parameters and of the states, and of the time of the last event.
      */

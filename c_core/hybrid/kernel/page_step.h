@@ -12,11 +12,12 @@
 
 #include <string.h>
 
-static const double most_time_scales = 3.0;  /* of a law in a step */
-static const double largest_size = 1e10;     /* powers of a step do not overflow */
-static const double smallest_share = 1e-200; /* of a scale: dividing by it raises no exception */
-static const double divisor_change = 0.75;   /* of a divisor within a step, relative to it */
-static const double guard_tolerance = 10.0;  /* of a guard's series, relative to that of a step */
+static const double most_time_scales = 3.0;    /* of a law in a step */
+static const double largest_size = 1e10;       /* powers of a step do not overflow */
+static const double smallest_share = 1e-200;   /* of a scale: dividing by it raises no exception */
+static const double divisor_change = 0.75;     /* of a divisor within a step, relative to it */
+static const double guard_tolerance = 10.0;    /* of a guard's series, relative to that of a step */
+static const double variation_tolerance = 1e3; /* of a variation's, relative to that of a step */
 
 static const double short_line = 1e-10; /* share of a step in which a guard is a straight line */
 
@@ -220,21 +221,48 @@ static inline void end_without_event(page_step *step, real share, mask lanes) {
     step->first = select_integer(lanes, integer_of(NO_EVENT), step->first);
 }
 
-/* Shortens the step where the series of a guard or an observed quantity can be trusted no further: a leg that
- * spins steadily has states of few terms, and a sine in its guard. `allowed` is the largest of the last
- * terms. An event that was found behind the new end is forgotten. */
-static inline void trust(page_step *step, const real *g, real allowed, mask lanes) {
-    const int order = step->order;
-    const series_remainder remainder = {real_abs(g[order - 1]) * step->power[order - 1],
-                                        real_abs(g[order - 2]) * step->power[order - 2]};
-    lanes &= (remainder.last > allowed) | (remainder.last_but_one > allowed);
+/* Shortens the step where the last two terms of a series, as they are at its end, are larger than allowed.
+ * Returns the lanes in which it does so. An event that was found behind the new end is forgotten. */
+static inline mask shorten(page_step *step, const series_remainder *remainder, real allowed, mask lanes) {
+    lanes &= (remainder->last > allowed) | (remainder->last_but_one > allowed);
     if (any(lanes)) {
-        const real share = size_of_remainder(&remainder, order - 1, allowed);
+        const real share = size_of_remainder(remainder, step->order - 1, allowed);
         step->size = select(lanes, step->size * share, step->size);
         step->end = select(lanes, step->end / share, step->end);
         step->first = select_integer(lanes & (step->end > 1.0), integer_of(NO_EVENT), step->first);
-        set_powers(step->power, step->size, order);
+        set_powers(step->power, step->size, step->order);
     }
+    return lanes;
+}
+
+/* Shortens the step where the series of a guard or an observed quantity can be trusted no further: a leg that
+ * spins steadily has states of few terms, and a sine in its guard. */
+static inline void trust(page_step *step, const real *g, real allowed, mask lanes) {
+    const int last = step->order - 1;
+    const series_remainder remainder = {real_abs(g[last]) * step->power[last],
+                                        real_abs(g[last - 1]) * step->power[last - 1]};
+    shorten(step, &remainder, allowed, lanes);
+}
+
+/* Shortens the step where variations t of the series can be trusted no further, and returns the lanes in
+ * which it does so: a stiff motion that has died out has small coefficients, and variations that are not
+ * small. */
+static inline mask trust_variation(page_step *step, real (*t)[TERMS], mask lanes) {
+    const int last = step->order - 1;
+    const real *power = step->power;
+    series_remainder remainder = {broadcast(0.0), broadcast(0.0)};
+    real first = broadcast(0.0);
+    for (int i = 0; i < step->motion->judged_count; ++i) {
+        const int j = step->motion->judged[i];
+        const real by_unit = 1.0 / (j < step->motion->moving_count ? step->units[j] : broadcast(1.0));
+        first += by_unit * (real_abs(t[j][0]) + real_abs(t[j][1]) * power[1] + real_abs(t[j][2]) * power[2]);
+        remainder.last += by_unit * real_abs(t[j][last]);
+        remainder.last_but_one += by_unit * real_abs(t[j][last - 1]);
+    }
+    lanes &= is_finite(remainder.last + remainder.last_but_one);
+    remainder.last = real_min(remainder.last * power[last], broadcast(DBL_MAX));
+    remainder.last_but_one = real_min(remainder.last_but_one * power[last - 1], broadcast(DBL_MAX));
+    return shorten(step, &remainder, variation_tolerance * step->tolerance * first, lanes);
 }
 
 static inline void trust_guard(page_step *step, const real *g, real scale, mask lanes) {
