@@ -215,16 +215,25 @@ class Page:
 
     def check_declarations(self):
         """Refuse errors that are visible without running a function of the page."""
-        model, start = self.model, self.model.start[0]
+        start = self.model.start[0]
         if not self.modes:
             self.refuse("has no mode; a page needs one function marked by @mode()")
-        if len(self.events) > LIMITS["PAGE_EVENT"]:
-            self.refuse(f"has {len(self.events)} events; at most {LIMITS['PAGE_EVENT']} are allowed")
         if start not in self.modes:
             text = f"starts in `{start}`, which is no mode{similar(start, self.modes)}"
-            raise page_error(model.start_at, model.__name__, text)
+            raise page_error(self.model.start_at, self.model.__name__, text)
+        if len(self.events) > LIMITS["PAGE_EVENT"]:
+            self.refuse(f"has {len(self.events)} events; at most {LIMITS['PAGE_EVENT']} are allowed")
         for name, function in [*self.events.items(), *self.observed.items()]:
             self.check_modes(name, function)
+        self.check_observed()
+        self.check_units()
+        self.check_sections()
+        self.check_sets()
+        self.check_coordinates()
+        self.check_public_names()
+
+    def check_observed(self):
+        """Refuse observed quantities of an unknown part, or whose state does not exist."""
         for name, function in self.observed.items():
             if function.part not in PARTS:
                 text = f"observes the `{function.part}`; known are {' and '.join(PARTS)}"
@@ -232,14 +241,21 @@ class Page:
             if function.into not in self.states:
                 text = f"goes into `{function.into}`, which is no state{similar(function.into, self.states)}"
                 raise page_error(function, name, text)
-        for name, function in (self.events | self.outputs | self.observed).items():
+
+    def check_units(self):
+        """Refuse unknown units of functions and of columns of tables."""
+        columns = [(n, f, unit) for n, f in self.tables.items() for unit in f.columns.values()]
+        functions = self.events | self.outputs | self.observed
+        for name, function, unit in [*((n, f, f.unit) for n, f in functions.items()), *columns]:
             with reading(function, name):
-                dimension_of(function.unit)
+                dimension_of(unit)
+
+    def check_sections(self):
+        """Refuse sections without an event or state of the page."""
         for name, function in self.sections.items():
             if function.event not in self.events:
-                text = (
-                    f"is taken at `{function.event}`, which is no event{similar(function.event, self.events)}"
-                )
+                near = similar(function.event, self.events)
+                text = f"is taken at `{function.event}`, which is no event{near}"
                 raise page_error(function, name, text)
             for of in function.coordinates:
                 if of not in self.states:
@@ -247,28 +263,34 @@ class Page:
                     raise page_error(function, name, text)
             if len(function.coordinates) > LIMITS["MAP"]:
                 raise page_error(function, name, f"has more than {LIMITS['MAP']} coordinates")
-        for name, function in self.tables.items():
-            with reading(function, name):
-                for unit in function.columns.values():
-                    dimension_of(unit)
+
+    def check_sets(self):
+        """Refuse functions about the setting of a quantity that does not exist."""
         known = self.parameters.keys() | self.states.keys()
         for name, function in self.on_set.items():
-            if name not in known and not hasattr(model, name):
+            if name not in known and not hasattr(self.model, name):
                 text = f"is about `{name}`, which the page does not have{similar(name, known)}"
                 raise page_error(function, function.__name__, text)
-        sets = {f.gives_coordinates for f in model.marked("gives_coordinates").values()}
+
+    def check_coordinates(self):
+        """Refuse coordinates that no function gives."""
+        sets = {f.gives_coordinates for f in self.model.marked("gives_coordinates").values()}
         used = {of: q for q in self.states.values() for of in q.of or ()}
         used |= {f.of: f for f in self.modes.values() if f.of}
         for of, declared in used.items():
             if of not in sets:
                 text = f"is no set of coordinates: no function gives it{similar(of, sets)}"
                 raise page_error(declared, of, text)
+
+    def check_public_names(self):
+        """Refuse two quantities of one name in a unit."""
         named = {}
         for name in [*self.parameters, *(n for n, q in self.states.items() if q.name), *self.outputs]:
-            other = named.setdefault(model.public(name), name)
+            public = self.model.public(name)
+            other = named.setdefault(public, name)
             if other != name:
-                text = f"has the name `{model.public(name)}` in a unit, which `{other}` has"
-                raise page_error(getattr(model, name), name, text)
+                text = f"has the name `{public}` in a unit, which `{other}` has"
+                raise page_error(getattr(self.model, name), name, text)
 
     def check_modes(self, name, function):
         """Refuse modes and words that the page does not have."""

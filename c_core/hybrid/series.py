@@ -116,6 +116,8 @@ class Expansion:
             given |= {"value": self.coefficient(parts["a"], 0), "slope": self.coefficient(parts["a"], 1)}
         if "{over}" in text:
             given["over"] = self.coefficient(node.operands[0], k)
+        if k == "0" and kind_of(node) == "quotient":
+            text = "({over}) / {b}[0]"
         return text.format(k=k, **given)
 
     def linear(self, node, k):

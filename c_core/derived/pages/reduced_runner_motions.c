@@ -679,7 +679,7 @@ static void vary_slip_constant(const real *constants, const real *series, const 
     x__times_x__2[0] = product(s->x_, t->x_, 0);
     y__times_y__2[0] = product(s->y_, t->y_, 0);
     d_square[0] = 2.0 * x__times_x__2[0] + 2.0 * y__times_y__2[0];
-    d_length[0] = (0.5 * d_square[0] - product_so_far(d_length, s->length, 0)) / s->length[0];
+    d_length[0] = (0.5 * d_square[0]) / s->length[0];
     for (int k = 0; k < order; ++k) {
         t->x_[k + 1] = t->vx[k] * series_reciprocal[k + 1];
         t->y_[k + 1] = t->vy[k] * series_reciprocal[k + 1];
@@ -824,7 +824,7 @@ static void d_observed_slip_constant_vertical_force_on_foot(const real *constant
     own_x__times_x__2[0] = product(s->x_, t->x_, 0);
     own_y__times_y__2[0] = product(s->y_, t->y_, 0);
     own_d_square[0] = 2.0 * own_x__times_x__2[0] + 2.0 * own_y__times_y__2[0];
-    own_d_length[0] = (0.5 * own_d_square[0] - product_so_far(own_d_length, s->length, 0)) / s->length[0];
+    own_d_length[0] = (0.5 * own_d_square[0]) / s->length[0];
     for (int k = 0; k < order; ++k) {
         own_x__times_x__2[k + 1] = product(s->x_, t->x_, k + 1);
         own_y__times_y__2[k + 1] = product(s->y_, t->y_, k + 1);
@@ -888,7 +888,7 @@ static void d_observed_slip_constant_force_on_foot(const real *constants, const 
     own_x__times_x__2[0] = product(s->x_, t->x_, 0);
     own_y__times_y__2[0] = product(s->y_, t->y_, 0);
     own_d_square[0] = 2.0 * own_x__times_x__2[0] + 2.0 * own_y__times_y__2[0];
-    own_d_length[0] = (0.5 * own_d_square[0] - product_so_far(own_d_length, s->length, 0)) / s->length[0];
+    own_d_length[0] = (0.5 * own_d_square[0]) / s->length[0];
     for (int k = 0; k < order; ++k) {
         own_x__times_x__2[k + 1] = product(s->x_, t->x_, k + 1);
         own_y__times_y__2[k + 1] = product(s->y_, t->y_, k + 1);
@@ -1295,7 +1295,7 @@ static void vary_stick(const real *constants, const real *series, const real *d_
     x__times_x__2[0] = product(s->x_, t->x_, 0);
     y__times_y__2[0] = product(s->y_, t->y_, 0);
     d_square[0] = 2.0 * x__times_x__2[0] + 2.0 * y__times_y__2[0];
-    d_length[0] = (0.5 * d_square[0] - product_so_far(d_length, s->length, 0)) / s->length[0];
+    d_length[0] = (0.5 * d_square[0]) / s->length[0];
     for (int k = 0; k < order; ++k) {
         t->x_[k + 1] = t->vx[k] * series_reciprocal[k + 1];
         t->y_[k + 1] = t->vy[k] * series_reciprocal[k + 1];
@@ -1411,7 +1411,7 @@ static void d_observed_stick_vertical_force_on_foot(const real *constants, const
     own_x__times_x__2[0] = product(s->x_, t->x_, 0);
     own_y__times_y__2[0] = product(s->y_, t->y_, 0);
     own_d_square[0] = 2.0 * own_x__times_x__2[0] + 2.0 * own_y__times_y__2[0];
-    own_d_length[0] = (0.5 * own_d_square[0] - product_so_far(own_d_length, s->length, 0)) / s->length[0];
+    own_d_length[0] = (0.5 * own_d_square[0]) / s->length[0];
     for (int k = 0; k < order; ++k) {
         own_x__times_x__2[k + 1] = product(s->x_, t->x_, k + 1);
         own_y__times_y__2[k + 1] = product(s->y_, t->y_, k + 1);
@@ -1477,7 +1477,7 @@ static void d_observed_stick_force_on_foot(const real *constants, const real *se
     own_x__times_x__2[0] = product(s->x_, t->x_, 0);
     own_y__times_y__2[0] = product(s->y_, t->y_, 0);
     own_d_square[0] = 2.0 * own_x__times_x__2[0] + 2.0 * own_y__times_y__2[0];
-    own_d_length[0] = (0.5 * own_d_square[0] - product_so_far(own_d_length, s->length, 0)) / s->length[0];
+    own_d_length[0] = (0.5 * own_d_square[0]) / s->length[0];
     for (int k = 0; k < order; ++k) {
         own_x__times_x__2[k + 1] = product(s->x_, t->x_, k + 1);
         own_y__times_y__2[k + 1] = product(s->y_, t->y_, k + 1);
@@ -2229,7 +2229,7 @@ static void vary_slip_falling(const real *constants, const real *series, const r
     x__times_x__2[0] = product(s->x_, t->x_, 0);
     y__times_y__2[0] = product(s->y_, t->y_, 0);
     d_square[0] = 2.0 * x__times_x__2[0] + 2.0 * y__times_y__2[0];
-    d_length[0] = (0.5 * d_square[0] - product_so_far(d_length, s->length, 0)) / s->length[0];
+    d_length[0] = (0.5 * d_square[0]) / s->length[0];
     for (int k = 0; k < order; ++k) {
         t->x_[k + 1] = t->vx[k] * series_reciprocal[k + 1];
         t->y_[k + 1] = t->vy[k] * series_reciprocal[k + 1];
@@ -2391,7 +2391,7 @@ static void d_observed_slip_falling_vertical_force_on_foot(const real *constants
     own_x__times_x__2[0] = product(s->x_, t->x_, 0);
     own_y__times_y__2[0] = product(s->y_, t->y_, 0);
     own_d_square[0] = 2.0 * own_x__times_x__2[0] + 2.0 * own_y__times_y__2[0];
-    own_d_length[0] = (0.5 * own_d_square[0] - product_so_far(own_d_length, s->length, 0)) / s->length[0];
+    own_d_length[0] = (0.5 * own_d_square[0]) / s->length[0];
     for (int k = 0; k < order; ++k) {
         own_x__times_x__2[k + 1] = product(s->x_, t->x_, k + 1);
         own_y__times_y__2[k + 1] = product(s->y_, t->y_, k + 1);
@@ -2462,7 +2462,7 @@ static void d_observed_slip_falling_force_on_foot(const real *constants, const r
     own_x__times_x__2[0] = product(s->x_, t->x_, 0);
     own_y__times_y__2[0] = product(s->y_, t->y_, 0);
     own_d_square[0] = 2.0 * own_x__times_x__2[0] + 2.0 * own_y__times_y__2[0];
-    own_d_length[0] = (0.5 * own_d_square[0] - product_so_far(own_d_length, s->length, 0)) / s->length[0];
+    own_d_length[0] = (0.5 * own_d_square[0]) / s->length[0];
     for (int k = 0; k < order; ++k) {
         own_x__times_x__2[k + 1] = product(s->x_, t->x_, k + 1);
         own_y__times_y__2[k + 1] = product(s->y_, t->y_, k + 1);

@@ -153,11 +153,33 @@ static void add_piece(positive_pieces *pieces, double from, double to) {
     }
 }
 
+/* Adds the only root of a polynomial whose rate keeps its sign, if it has one. False if the rate may change
+ * its sign: it is a mean of its partial sums. */
+static bool add_root_of_monotone(sign_changes *of) {
+    const double *c = of->c;
+    double rate = 0.0, end = c[0], lowest = INFINITY, highest = -INFINITY;
+    for (int k = 1; k <= of->degree; ++k) {
+        rate += k * c[k];
+        end += c[k];
+        lowest = real_min(lowest, rate);
+        highest = real_max(highest, rate);
+    }
+    if (lowest < 0.0 && highest > 0.0) {
+        return false;
+    }
+    if ((c[0] < 0.0) != (end < 0.0)) {
+        add_root(of, root_between(of, 0.0, 1.0, c[0] < 0.0, c[0] / (c[0] - end)));
+    }
+    return true;
+}
+
 double tdmf_integral_where_positive(const double *g, int order, double least, positive_pieces *pieces) {
     double b[TERMS], integral[TERMS], sum = 0.0, before = 0.0, from = 0.0;
     sign_changes of = {.c = g, .degree = order - 1, .negligible = least};
-    to_bernstein(g, of.degree, b);
-    add_roots(&of, b);
+    if (!add_root_of_monotone(&of)) {
+        to_bernstein(g, of.degree, b);
+        add_roots(&of, b);
+    }
     add_root(&of, 1.0);
     integral_of(g, order, integral);
     pieces->count = 0;
