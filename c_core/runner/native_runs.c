@@ -8,6 +8,7 @@
 
 #include <float.h>
 #include <math.h>
+#include <string.h>
 
 /* Directions, if any. */
 typedef struct {
@@ -77,6 +78,9 @@ static tdmf_outcome run_motion(tdmf_solver *solver, tdmf_system system, const td
     }
     tdmf_end_runner_run(&s.run, &s.point);
     tdmf_motion_of_page(system, &s.point, s.last_mode, motion);
+    if (s.run.run.steps == 0 && s.run.run.events == 0) { /* nothing but the rounding of the two maps */
+        memcpy(motion->state, before.state, sizeof motion->state);
+    }
     if (outcome == TDMF_ARRIVED && !s.has_stopped) {
         const tdmf_instant end = {until, 0.0};
         motion->record.progress.now = end;

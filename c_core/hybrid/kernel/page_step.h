@@ -255,11 +255,11 @@ static inline mask trust_variation(page_step *step, real (*t)[TERMS], mask lanes
     for (int i = 0; i < step->motion->judged_count; ++i) {
         const int j = step->motion->judged[i];
         const real by_unit = 1.0 / (j < step->motion->moving_count ? step->units[j] : broadcast(1.0));
-        first += by_unit * (real_abs(t[j][0]) + real_abs(t[j][1]) * power[1] + real_abs(t[j][2]) * power[2]);
+        first += by_unit * (real_abs(t[j][0]) + largest_change(t[j], power, last - 2));
         remainder.last += by_unit * real_abs(t[j][last]);
         remainder.last_but_one += by_unit * real_abs(t[j][last - 1]);
     }
-    lanes &= is_finite(remainder.last + remainder.last_but_one);
+    lanes &= is_finite(remainder.last + remainder.last_but_one) & (first > 0.0);
     remainder.last = real_min(remainder.last * power[last], broadcast(DBL_MAX));
     remainder.last_but_one = real_min(remainder.last_but_one * power[last - 1], broadcast(DBL_MAX));
     return shorten(step, &remainder, variation_tolerance * step->tolerance * first, lanes);
