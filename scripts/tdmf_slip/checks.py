@@ -110,6 +110,14 @@ def checked(name: str, value: object, low: float, high: float, unit: str = "") -
     return number
 
 
+def checked_between(name: str, value: object, low: float, high: float) -> float:
+    """A number between two others, which are not allowed themselves."""
+    number = number_of(value)
+    if number is None or not low < number < high:
+        raise refusal(name, value, f"a number above {low:g} and below {high:g}")
+    return number
+
+
 def checked_whole(name: str, value: object, low: int, high: int) -> int:
     """A whole number within its range."""
     number = number_of(value)

@@ -1,5 +1,7 @@
 """What a notebook shows of a result: a line, a picture, and a dataset over the time or the parameter."""
 
+from xml.etree import ElementTree
+
 import numpy as np
 import pytest
 import tdmf_slip
@@ -82,3 +84,19 @@ def test_gaits_are_a_dataset_over_their_parameter(results):
     assert list(sweep["word"].values) == ["+0-0+", "+0-0+", "+0-", "+0-"]
     assert np.array_equal(branch["leg.damping"], results["branch"].values)
     assert branch["lambda_max"].values[-1] == results["branch"].gaits[-1].lambda_max
+
+
+@pytest.mark.parametrize("model", ["full", "reduced"])
+def test_the_box_of_a_gait_has_eight_rows_and_a_mark_for_each_eigenvalue(model):
+    gait = tdmf_slip.find_gait("human", model=model)
+    box = gait._repr_html_()
+    table, picture = box.split("</table>")
+    assert table.count("<tr>") == 8 and f"<td>{gait.speed:.6g} m/s</td>" in table and "stable" in table
+    marks = [
+        (mark.get("cx"), mark.get("cy"))
+        for mark in ElementTree.fromstring(picture).iter("circle")
+        if mark.get("cx")
+    ]
+    found = sorted((float(x), -float(y)) for x, y in marks)
+    wanted = sorted((value.real, value.imag) for value in gait.eigenvalues.astype(complex))
+    np.testing.assert_allclose(found, wanted, atol=1e-4)

@@ -134,12 +134,16 @@ def test_what_is_no_netcdf_file_is_refused(tmp_path, content):
     refuse_resumable(path)  # it may be written over
 
 
-@pytest.mark.parametrize("kind", ["sweep", "basin", "viability", "run"])
-def test_what_took_long_is_not_written_over(tmp_path, kind):
+@pytest.mark.parametrize(
+    ("kind", "over"),
+    [("sweep", ("x", "y")), ("sweep", ("x",)), ("basin", ()), ("viability", ()), ("run", ())],
+)
+def test_what_took_long_is_not_written_over(tmp_path, kind, over):
     path = tmp_path / "file.nc"
     refuse_resumable(path)
-    blank().assign_attrs(result=kind).to_netcdf(path)
-    if kind == "run":
+    words = xarray.Dataset({"word": (over, np.full([2] * len(over), "+"))}, attrs={"result": kind})
+    words.to_netcdf(path)
+    if kind == "run" or over == ("x",):
         refuse_resumable(path)
     else:
         with pytest.raises(InputError, match=f"holds a {kind}"):

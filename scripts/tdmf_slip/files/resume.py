@@ -116,10 +116,11 @@ def refuse_resumable(path: Path) -> None:
     from .netcdf import read_dataset  # netCDF4 is slow to load
 
     try:
-        kind = read_dataset(path).attrs.get("result")
+        data = read_dataset(path)
     except (OSError, ValueError):
         return
-    if kind in ("basin", "sweep", "viability"):
+    kind = data.attrs.get("result")
+    if kind in ("basin", "viability") or (kind == "sweep" and data["word"].ndim > 1):
         raise InputError(f"{path}: holds a {kind}; give another file name")
 
 

@@ -9,16 +9,7 @@ from typing import Any, Self
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ..checks import (
-    check_kind,
-    check_size,
-    checked_threads,
-    checked_whole,
-    is_one_of,
-    number_of,
-    refusal,
-    shown,
-)
+from ..checks import check_kind, check_size, checked_between, checked_threads, checked_whole, is_one_of, shown
 from ..errors import InputError
 from ..given import is_series, numbers_by, row_of
 from ..variables.parameters import RunnerLike
@@ -83,7 +74,7 @@ class Given:
         if instructions is not None and not is_one_of(instructions, instruction_sets()):
             allowed = ", ".join(instruction_sets())
             raise InputError(f"instructions {shown(instructions)}: allowed here: {allowed}")
-        self.tolerance = within("tolerance", tolerance, MIN_TOLERANCE, 1.0)
+        self.tolerance = checked_between("tolerance", tolerance, MIN_TOLERANCE, 1.0)
         if ground is not None or law is not None or self.inputs:
             self._check_law_and_ground()
 
@@ -269,11 +260,3 @@ def _start_of(given: Any, runner: Runner) -> NDArray[np.float64]:
 def _is_row(value: object) -> bool:
     """Whether a value is one for each runner."""
     return is_series(value) or isinstance(value, list | tuple) or getattr(value, "ndim", 0) > 0
-
-
-def within(name: str, value: object, low: float, high: float) -> float:
-    """A number between two others."""
-    number = number_of(value)
-    if number is None or not low < number < high:
-        raise refusal(name, value, f"a number above {low:g} and below {high:g}")
-    return number

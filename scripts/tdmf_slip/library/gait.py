@@ -1,5 +1,6 @@
 """Periodic gaits as fixed points of the return map, stable or not, with their eigenvalues."""
 
+import html
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
@@ -95,6 +96,32 @@ class Gait:
             f"cost of transport {stride['cost_of_transport']:.6g}, {kind}, "
             f"largest eigenvalue {self.lambda_max:.6g}>"
         )
+
+    def _repr_html_(self) -> str:
+        """Box for a notebook: eight rows with units beside the eigenvalues in the unit circle."""
+        label, stride = self.runner.label, self.stride
+        stable = f"{'stable' if self.stable else 'unstable'}, largest eigenvalue {self.lambda_max:.4g}"
+        rows = {"friction": f"{self.friction:.6g}", "word": self.word, "stability": stable}
+        for name in ("period", "speed", "cost_of_transport", "duty_factor", "slip_distance"):
+            unit = label(MODELS["full"].quantities[name].unit)
+            rows[name.replace("_", " ")] = f"{stride[name]:.6g} {'' if unit == '1' else unit}".rstrip()
+        cells = "".join(
+            f"<tr><th>{name}</th><td>{html.escape(text)}</td></tr>" for name, text in rows.items()
+        )
+        marks = "".join(
+            f'<circle cx="{value.real:.4f}" cy="{-value.imag:.4f}" r="0.06" fill="#b3216f"/>'
+            for value in self.eigenvalues.astype(complex)
+        )
+        reach = 1.15 * max(1.0, self.lambda_max)
+        view = " ".join(f"{side:.4f}" for side in (-reach, -reach, 2.0 * reach, 2.0 * reach))
+        picture = (
+            f'<svg width="160" height="160" viewBox="{view}">'
+            "<title>Eigenvalues of the return map, and the unit circle</title>"
+            '<g fill="none" stroke="currentColor" stroke-width="0.015"><circle r="1"/>'
+            f'<path d="M{-reach:.4f} 0H{reach:.4f}M0 {-reach:.4f}V{reach:.4f}" stroke-opacity="0.4"/></g>'
+            f"{marks}</svg>"
+        )
+        return f'<table style="display:inline-block">{cells}</table>{picture}'
 
     @property
     def friction(self) -> float:

@@ -9,11 +9,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ..checks import checked_between
 from ..errors import InputError
 from ..given import numbers_by, numbers_of
 from ..uninterrupted import in_block
 from . import engine
-from .batch_given import Given, within
+from .batch_given import Given
 from .c_structs import WIDTH
 from .engine import Engine
 from .laws import AffineLaw, CheckedLaw
@@ -94,7 +95,7 @@ class Session:
                     f"balls: of shape {matrices.shape}; allowed: one for each gait, {size} by {size}, up to "
                     f"{LARGEST_BALL:g}"
                 )
-        self.engine.settle_on(wide, within("near", near, 0.0, np.inf), matrices)
+        self.engine.settle_on(wide, checked_between("near", near, 0.0, np.inf), matrices)
 
     def make(self, strides: int) -> dict[str, int]:
         """Make strides, all at once or, by a function, one after the other."""
