@@ -256,41 +256,14 @@ static tdmf_return_outcome run_stride(stride *s, double until, tdmf_outcome *sol
 
 /* ---- the log ------------------------------------------------------------------------------------------- */
 
-static tdmf_guard guard_of(const stride *s, int event) {
-    switch (s->page->events[event]) {
-    case EVENT_falls:
-        return TDMF_GUARD_BODY_DOWN;
-    case EVENT_collapses:
-        return TDMF_GUARD_LEG_TOO_SHORT;
-    case EVENT_apex:
-        return TDMF_GUARD_APEX;
-    case EVENT_touchdown:
-        return TDMF_GUARD_TOUCHDOWN;
-    case EVENT_greatest_compression:
-        return s->system.model->parameters.leg.thrust + s->system.inputs->control.thrust > 0.0
-                   ? TDMF_GUARD_GREATEST_COMPRESSION
-                   : TDMF_GUARD_COUNT;
-    case EVENT_mid_stance:
-        return TDMF_GUARD_MID_STANCE;
-    case EVENT_lift_off:
-        return TDMF_GUARD_LIFT_OFF;
-    case EVENT_slips_forward:
-        return TDMF_GUARD_SLIP_ONSET_POSITIVE;
-    case EVENT_slips_backward:
-        return TDMF_GUARD_SLIP_ONSET_NEGATIVE;
-    case EVENT_comes_to_rest:
-        return TDMF_GUARD_SLIP_VELOCITY_ZERO;
-    default:
-        return TDMF_GUARD_COUNT;
-    }
-}
-
 /* The event of a row of the log, without the mode after it. */
 static tdmf_event event_at(const stride *s, int number) {
     const tdmf_event_row *row = &s->rows[number];
     const double *x = s->row_states + number * s->page->model->state_count;
     const tdmf_motion before = motion_at(s, x, row->before, row->time);
-    tdmf_event event = {.time = row->time, .guard = (int)guard_of(s, row->event), .before = before.mode};
+    tdmf_event event = {.time = row->time,
+                        .guard = (int)tdmf_guard_of_event(s->page->events[row->event]),
+                        .before = before.mode};
     memcpy(event.state, before.state, sizeof event.state);
     return event;
 }
@@ -305,8 +278,8 @@ static void log_events(const stride *s) {
         const double *after = i + 1 < count ? s->row_states + (i + 1) * s->page->model->state_count : s->x;
         const bool is_apex = s->page->events[row->event] == EVENT_apex;
         const bool goes_on = is_open && i > 0 && row->time == s->rows[i - 1].time;
-        is_open =
-            goes_on || (guard_of(s, row->event) != TDMF_GUARD_COUNT && s->page->modes[row->before] >= 0);
+        is_open = goes_on || (tdmf_guard_of_event(s->page->events[row->event]) != TDMF_GUARD_COUNT &&
+                              s->page->modes[row->before] >= 0);
         if (is_open && !goes_on) {
             const tdmf_event event = event_at(s, i);
             tdmf_log_event(s->solver, &event);

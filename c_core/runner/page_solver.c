@@ -7,8 +7,7 @@
 #include <math.h>
 #include <string.h>
 
-/* The guard of an event, for the log; TDMF_GUARD_COUNT: the event is the page's own. */
-static tdmf_guard guard_of(int event) {
+tdmf_guard tdmf_guard_of_event(int event) {
     switch (event) {
     case EVENT_new_ground:
         return TDMF_GUARD_NEW_GROUND;
@@ -122,7 +121,7 @@ static void tell_event(tdmf_page_solver *s) {
 /* A chain in zero time is one event, by the name of its first, from the mode before to the mode after it.
  * What a call begins with is none. */
 static void note_event(tdmf_page_solver *s, const tdmf_runner_run *before, const tdmf_event_row *row) {
-    const tdmf_guard guard = guard_of(tdmf_event_in_whole(s->run.is_plain, row->event));
+    const tdmf_guard guard = tdmf_guard_of_event(tdmf_event_in_whole(s->run.is_plain, row->event));
     const tdmf_motion after = motion_at(s, &s->run);
     if (s->run.run.chain > 1 && s->has_event) {
         s->event.after = after.mode;

@@ -28,6 +28,9 @@ typedef struct {
     double memory[TDMF_PAGE_MEMORY]; /* as tdmf_run_memory_size asks for */
 } tdmf_page_solver;
 
+/* The guard of an event of the whole page, for the log; TDMF_GUARD_COUNT: the event is the page's own. */
+tdmf_guard tdmf_guard_of_event(int event);
+
 /* Begins at a point, which may be one of a motion. `is_plain`: on the plain page. */
 void tdmf_begin_page_solver(tdmf_page_solver *s, tdmf_solver *solver, tdmf_system system,
                             const tdmf_page_point *point, bool is_plain);
