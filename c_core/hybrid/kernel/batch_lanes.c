@@ -483,62 +483,85 @@ static void take_event(lane_pool *w, lane_batch *b, int lane, bool shifts) {
     go_on(w, index, may_go_on ? TDMF_RUN_GOES_ON : conclude(w, index, tdmf_limit_reached(state)));
 }
 
-static void step_lanes(lane_pool *w, int number) {
-    lane_batch *b = &w->batches[number];
-    const tdmf_mode_kind *mode = &w->model->modes[number];
+/* Lanes that a step ends in, by what ends it: coefficients overflow, no step has a finite result, the run
+ * stops or arrives, an event is taken (`shifts`: variations are moved onto its guard), the step limit is
+ * reached. */
+typedef struct {
+    mask overflows, fails, stops, arrives, takes, shifts, is_late;
+} lane_ends;
+
+/* Expands the series of all lanes. */
+static void expand_lanes(lane_pool *w, lane_batch *b, int number) {
     page_step *step = &b->step;
-    const tdmf_motion_kind *m = step->motion;
-    series_remainder remainder;
-    fill_lanes(w, b);
-    w->work->lane_steps += LANES;
     step->order = w->order;
     if (w->mode_of_series != number) {
         w->mode_of_series = number;
         clear_polynomials(step);
     }
-    for (int i = 0; i < m->moving_count; ++i) {
+    for (int i = 0; i < step->motion->moving_count; ++i) {
         w->s[i][0] = b->x[i];
     }
-    m->expand(step->c, w->order, w->s[0]);
-    const mask overflows = b->live & mask_not(judge_series(step, &remainder));
+    step->motion->expand(step->c, w->order, w->s[0]);
+}
+
+/* Makes a step whose series are expanded, as the driver does. */
+static lane_ends make_step(const lane_pool *w, lane_batch *b, const tdmf_mode_kind *mode) {
+    page_step *step = &b->step;
+    lane_ends ends;
+    series_remainder remainder;
+    ends.overflows = b->live & mask_not(judge_series(step, &remainder));
     const real left = b->until - b->time - b->time_rest;
     choose_size(step, &remainder, longest_step(w, b, mode), real_max(left, broadcast(0.0)));
-    const mask fails = b->live & mask_not(overflows | (step->size >= 0.0));
-    mask goes = b->live & mask_not(overflows | fails);
+    ends.fails = b->live & mask_not(ends.overflows | (step->size >= 0.0));
+    mask goes = b->live & mask_not(ends.overflows | ends.fails);
     search_events(step, goes);
+    ends.stops = goes & b->stops & mask_not(step->is_due);
     goes &= mask_not(step->is_due | b->stops);
-    const mask stops = b->live & b->stops & mask_not(overflows | fails | step->is_due);
     const mask after_event = goes & b->is_shifted;
     shift_back(w, b, after_event);
     sample_here(w, b, goes);
-    const mask arrives = goes & mask_not(left > 0.0);
-    goes &= mask_not(arrives);
+    ends.arrives = goes & mask_not(left > 0.0);
+    goes &= mask_not(ends.arrives);
     advance(w, b, left, goes, after_event);
     const mask reaches = goes & (step->end <= 1.0) & (step->first != NO_EVENT);
-    const mask is_late = goes & mask_not(reaches) & (b->steps >= b->last_step);
-    const mask shifts = mask_not(b->is_shifted) & (reaches | (step->is_due & step->is_reached));
-    if (w->seed_count > 0 && any(shifts)) {
-        find_rates(b, shifts);
+    ends.is_late = goes & mask_not(reaches) & (b->steps >= b->last_step);
+    ends.takes = step->is_due | reaches;
+    ends.shifts = mask_not(b->is_shifted) & (reaches | (step->is_due & step->is_reached));
+    if (w->seed_count > 0 && any(ends.shifts)) {
+        find_rates(b, ends.shifts);
     }
-    const mask takes = step->is_due | reaches;
-    const unsigned leaving = movemask(overflows | fails | takes | stops | arrives | is_late);
+    return ends;
+}
+
+/* Takes a runner out of the lane in which a step has ended. */
+static void end_in_lane(lane_pool *w, lane_batch *b, int lane, const lane_ends *ends) {
+    if (has_lane(&ends->takes, lane)) {
+        take_event(w, b, lane, w->seed_count > 0 && has_lane(&ends->shifts, lane));
+    } else if (has_lane(&ends->overflows, lane)) {
+        drive_out_of_lane(w, b, lane);
+    } else {
+        const int index = leave_lane(w, b, lane);
+        tdmf_keep_guards(&w->runners[index].state, &w->at);
+        go_on(w, index,
+              has_lane(&ends->fails, lane)     ? TDMF_RUN_NO_PROGRESS
+              : has_lane(&ends->stops, lane)   ? TDMF_RUN_STOPPED
+              : has_lane(&ends->arrives, lane) ? TDMF_RUN_ARRIVED
+                                               : TDMF_RUN_TOO_MANY_STEPS);
+    }
+}
+
+static void step_lanes(lane_pool *w, int number) {
+    lane_batch *b = &w->batches[number];
+    fill_lanes(w, b);
+    w->work->lane_steps += LANES;
+    expand_lanes(w, b, number);
+    const lane_ends ends = make_step(w, b, &w->model->modes[number]);
+    const unsigned leaving =
+        movemask(ends.overflows | ends.fails | ends.takes | ends.stops | ends.arrives | ends.is_late);
     end_lanes();
     for (int lane = 0; leaving >> lane != 0; ++lane) {
-        if (!(leaving >> lane & 1)) {
-            continue;
-        }
-        if (has_lane(&takes, lane)) {
-            take_event(w, b, lane, w->seed_count > 0 && has_lane(&shifts, lane));
-        } else if (has_lane(&overflows, lane)) {
-            drive_out_of_lane(w, b, lane);
-        } else {
-            const int index = leave_lane(w, b, lane);
-            tdmf_keep_guards(&w->runners[index].state, &w->at);
-            go_on(w, index,
-                  has_lane(&fails, lane)     ? TDMF_RUN_NO_PROGRESS
-                  : has_lane(&stops, lane)   ? TDMF_RUN_STOPPED
-                  : has_lane(&arrives, lane) ? TDMF_RUN_ARRIVED
-                                             : TDMF_RUN_TOO_MANY_STEPS);
+        if (leaving >> lane & 1) {
+            end_in_lane(w, b, lane, &ends);
         }
     }
 }
