@@ -371,10 +371,25 @@ static inline mask end_on_line(page_step *step, int guard, const real *g, real b
     return lanes;
 }
 
+/* Whether a guard that is near zero comes down to `floor` in the time in which it can change by its scale. */
+static inline mask reaches(const page_step *step, const real *g, real floor, real scale, mask lanes) {
+    real scaled[TERMS], power = broadcast(1.0);
+    if (!any(lanes)) {
+        return lanes;
+    }
+    const real time = time_of_change(step, g, scale);
+    for (int k = 0; k < step->order; ++k) {
+        scaled[k] = g[k] * power;
+        power *= time;
+    }
+    return first_root(scaled, step->order - 1, floor, broadcast(0.0), broadcast(1.0), lanes).is_root;
+}
+
 /* Decides the lanes in which a guard does not begin the step above zero, and returns those in which its event
  * is due at once. In the lanes that remain in `searched`, the guard is above zero from now on.
  *
- *  - Zero: the first derivative that is not zero decides. A guard that falls is due.
+ *  - Zero: the first derivative that is not zero decides. A guard that falls is due, unless it rises again
+ *    before it is clearly below zero: an event before it may have been located as roughly as that.
  *  - Hardly below zero where a mode begins, as rounding leaves a guard that is zero there: due if it falls.
  *    If its event was just taken, it has to fall clearly.
  *  - Below zero: due, unless it has to cross zero.
@@ -383,15 +398,22 @@ static inline mask end_on_line(page_step *step, int guard, const real *g, real b
 static inline mask begin_below(page_step *step, int guard, real *g, real *floor, mask *searched, mask lanes) {
     guard_watch *watch = &step->guards[guard];
     const bool is_crossing = step->kinds[guard].is_crossing;
-    const real value = g[0], band = -2.0 * *floor, late_band = late_margin * watch->scale;
+    const double late =
+        late_margin + (rough_share * step->tolerance < roughest ? rough_share * step->tolerance : roughest);
+    const real value = g[0], band = -2.0 * *floor, late_band = late * watch->scale;
     const mask is_zero = lanes & (value >= -band), was_taken = watch->was_taken & step->begins;
     const mask is_near = lanes & mask_not(is_zero) & (step->begins | watch->is_late) & (value > -late_band);
     real divided[TERMS];
     memcpy(divided, g, sizeof divided);
     const mask undecided = is_zero | is_near;
     const real down = -select(was_taken, late_band, band);
+    const real below_zero = *floor;
     const mask level = divide_by_time(step, divided, band, down, floor, watch->scale, undecided);
-    const mask falls = undecided & mask_not(level) & (divided[0] < 0.0);
+    mask falls = undecided & mask_not(level) & (divided[0] < 0.0);
+    const mask turns = is_crossing
+                           ? mask_of(false)
+                           : falls & is_zero & mask_not(reaches(step, g, below_zero, watch->scale, falls));
+    falls &= mask_not(turns);
     const mask is_late = is_near & mask_not(falls) & mask_not(level & mask_not(was_taken | watch->is_late));
     mask due = lanes & mask_not(is_zero | is_late);
     mask below = is_late;
@@ -407,7 +429,7 @@ static inline mask begin_below(page_step *step, int guard, real *g, real *floor,
     const real height = select(mask_not(is_zero) & (value >= -late_band), late_band, band);
     end_where_it_rises(step, g, height, below);
     watch->is_late |= is_late;
-    const mask rises = is_zero & mask_not(level | falls);
+    const mask rises = is_zero & mask_not(level | falls | turns);
     watch->was_above &= mask_not(below);
     watch->rises |= rises;
     *searched = (*searched & mask_not(lanes)) | rises;
