@@ -216,11 +216,20 @@ static tdmf_outcome advance(fmu *fmu, double until) {
 
 /* The same, and tells of every event. */
 static tdmf_outcome advance_observed(fmu *fmu, double until, const fmu_observer *observer) {
-    fmu->solver.on_event = observer->on_event;
-    fmu->solver.subject = observer->subject;
-    const tdmf_outcome outcome = advance(fmu, until);
-    fmu->solver.on_event = NULL;
-    fmu->solver.subject = NULL;
+    const long limit = fmu->solver.event_limit;
+    tdmf_outcome outcome = TDMF_TOO_MANY_EVENTS;
+    tdmf_event_log log;
+    fmu->solver.event_limit = TDMF_EVENT_CAPACITY;
+    fmu->solver.log = &log;
+    for (long i = 0; i < limit && outcome == TDMF_TOO_MANY_EVENTS; i += TDMF_EVENT_CAPACITY) {
+        log.count = 0;
+        outcome = advance(fmu, until);
+        for (int j = 0; j < log.count; ++j) {
+            observer->on_event(observer->subject, &log.events[j]);
+        }
+    }
+    fmu->solver.event_limit = limit;
+    fmu->solver.log = NULL;
     return outcome;
 }
 

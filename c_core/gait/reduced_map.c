@@ -282,7 +282,7 @@ static void log_events(const stride *s) {
                               s->page->modes[row->before] >= 0);
         if (is_open && !goes_on) {
             const tdmf_event event = event_at(s, i);
-            tdmf_log_event(s->solver, &event);
+            tdmf_log_event(log, &event);
         }
         if (is_open && s->page->modes[row->after] >= 0 && log->count <= TDMF_EVENT_CAPACITY) {
             log->events[log->count - 1].after = motion_at(s, after, row->after, row->time).mode;

@@ -113,7 +113,7 @@ static tdmf_motion motion_at(const tdmf_page_solver *s, const tdmf_runner_run *r
 
 static void tell_event(tdmf_page_solver *s) {
     if (s->has_event) {
-        tdmf_log_event(s->solver, &s->event);
+        tdmf_log_event(s->solver->log, &s->event);
     }
     s->has_event = false;
 }
@@ -158,7 +158,7 @@ static tdmf_run_outcome to_event(tdmf_page_solver *s, working_memory *w, double 
     r->log = &row;
     r->log_states = x_before;
     r->log_count = 0;
-    r->log_size = s->motion != NULL && (s->solver->log != NULL || s->solver->on_event != NULL);
+    r->log_size = s->motion != NULL && s->solver->log != NULL;
     const tdmf_run_outcome outcome = tdmf_drive_to_event(w->driver, &w->state, &w->at, until);
     if (tdmf_mode_in_whole(s->run.is_plain, mode) == MODE_slip_falling) {
         s->solver->layer_steps += r->steps - steps;

@@ -1,4 +1,5 @@
-/* The native solver's runs on the page, for the return map and for the functions of solver.h. */
+/* Runs of one runner on its page, with the limits, counters and log of the native solver. The functions of
+ * solver.h do not use them yet. */
 #ifndef TDMF_RUNNER_PAGE_SOLVER_H
 #define TDMF_RUNNER_PAGE_SOLVER_H
 

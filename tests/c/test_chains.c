@@ -267,6 +267,9 @@ static void a_chain_that_does_not_end_is_cut_and_reported(void **unused) {
             continue;
         }
         ++cut;
+        tdmf_solver solver = tdmf_solver_default();
+        solver.event_limit = 1000;
+        assert_int_not_equal(tdmf_native_advance(&solver, system, NULL, 1.0, &runner.motion), TDMF_ARRIVED);
     }
     assert_true(cut > 0);
 }

@@ -6,8 +6,7 @@
 extern "C" {
 #endif
 
-/* Room for a gait word and its terminator. A word of more than 26 letters is "~"; of return maps and
- * ensembles one that has no room keeps its first letters and ends in '~'. */
+/* Room for a gait word and its terminator. A longer word keeps its first letters and ends in '~'. */
 enum { TDMF_WORD_CAPACITY = 64 };
 
 /* A completed stride, apex to apex; all zero and the word empty until one closes. */
