@@ -241,6 +241,9 @@ def test_what_is_done_is_on_file_when_a_row_fails(tmp_path, monkeypatch):
     gaits, borders = tdmf_slip.sweep({}, vary, path=path)
     whole = tdmf_slip.sweep({}, vary)
     assert gaits.identical(whole.gaits) and borders.identical(whole.borders)
+    gaits.to_netcdf(path)
+    with pytest.raises(InputError, match="not this sweep: without a group borders"):
+        tdmf_slip.sweep({}, vary, path=path)
 
 
 class Cancelling(InTurn):
@@ -285,7 +288,8 @@ def test_a_run_that_fails_leaves_the_others(fmu):
     table = [{"leg.angle": 1.0}, {"hip.touchdown_angle": 0.2}]
     runs = batch.simulate_many(table, strides=2, fmu=fmu)
     together = batch.simulate_many([{"leg.length": 1.0}, {"leg.length": 0.01}], strides=1, fmu=fmu)
-    assert together["problem"][0] == "" and "leg.length" in together["problem"][1]
+    ran, refused = together["problem"].values
+    assert ran == "" and "leg.length" in refused
     assert runs["problem"][0] == "" and runs["period"][0] > 0.0
     assert runs["fallen"][1] or runs["problem"][1]
 

@@ -284,6 +284,11 @@ def test_a_diagram_and_a_dataset_are_one_command(command, tmp_path):
     assert data.attrs["ended"] == "end of the range" and data[ANGLE].attrs["units"] == "rad"
     assert data["special_kind"].values.tolist() == ["period doubling"]
     assert set(data["unstable"].values.tolist()) == {0, 1}
+    data.assign_attrs(result="basin").to_netcdf(tmp_path / "map.nc")
+    status, _, complaint = command(
+        "continue", "--vary", "hip.touchdown_angle=0.57:0.563", "--output", "map.nc"
+    )
+    assert status == 2 and "map.nc: holds a basin" in complaint
 
 
 def test_the_reduced_map_is_followed_as_well(command):

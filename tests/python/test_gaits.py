@@ -170,6 +170,9 @@ def test_a_grid_has_each_gait_with_its_units(runner):
     ):
         with pytest.raises(InputError, match=message):
             gait_at(gaits, **where)
+    for given in (None, sweep, borders, gaits.drop_attrs(), gaits.drop_vars("apex_com_height")):
+        with pytest.raises(InputError, match=r"gaits = .* allowed: gaits of a sweep"):
+            gait_at(given, friction=0.6)
 
 
 def test_a_gait_has_all_quantities_as_attributes_and_as_a_dataset(runner):

@@ -46,14 +46,20 @@ def test_every_picture_is_of_a_kind_that_there_is_and_has_a_function():
         assert kind.islower() or hasattr(tdmf_slip, kind)
 
 
-def test_a_dataset_that_lost_what_it_is_is_refused(gait):
+def test_a_dataset_that_is_not_whole_is_refused(gait):
     made = tdmf_slip.stride_map(gait, gait.apex)
-    with pytest.raises(tdmf_slip.InputError, match="attribute `result` is None; it has to be one of basin"):
+    with pytest.raises(tdmf_slip.InputError, match=r"is None; allowed: basin.*keep_attrs"):
         tdmf_slip.plot(made.drop_attrs())
+    with pytest.raises(tdmf_slip.InputError, match=r"`result` is \[1\]; allowed: basin"):
+        tdmf_slip.plot(made.assign_attrs(result=[1]))
+    with pytest.raises(tdmf_slip.InputError, match=r"incomplete strides: .*'fate'.*; allowed: all its"):
+        tdmf_slip.plot(made.drop_vars("fate"))
+    with pytest.raises(tdmf_slip.InputError, match=r"strides over 1 dimensions; allowed: 2, see"):
+        tdmf_slip.plot(made.isel(stride=0))
     with pytest.raises(tdmf_slip.InputError, match="int has no picture"):
         tdmf_slip.plot(3)
     cube = tdmf_slip.sweep(None, {"friction": [0.6], "damping": [0.2], "torque": [0.2]}).gaits
-    with pytest.raises(tdmf_slip.InputError, match="a sweep over 3 names"):
+    with pytest.raises(tdmf_slip.InputError, match="sweep over 3 dimensions; allowed: 1 or 2"):
         tdmf_slip.plot(cube)
     assert tdmf_slip.plot(cube.isel({"hip.stance_torque": 0})).axes
 

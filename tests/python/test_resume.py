@@ -141,6 +141,8 @@ def test_what_is_no_netcdf_file_is_refused(tmp_path, content):
 def test_what_took_long_is_not_written_over(tmp_path, kind, over):
     path = tmp_path / "file.nc"
     refuse_resumable(path)
+    xarray.Dataset(attrs={"result": "sweep"}).to_netcdf(path)
+    refuse_resumable(path)
     words = xarray.Dataset({"word": (over, np.full([2] * len(over), "+"))}, attrs={"result": kind})
     words.to_netcdf(path)
     if kind == "run" or over == ("x",):

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..blocks import run_blocks
-from ..checks import check_size
+from ..checks import check_size, refusal
 from ..errors import InputError, RunError, TdmfSlipError
 from ..files.resume import Resumed
 from ..files.whole import check_destination
@@ -81,7 +81,7 @@ class Row:
     borders: tuple[Border, ...]
     """Where the word changes along a branch, in the order of the range."""
     segments: tuple[Segment, ...]
-    """Of the range, in its order, the gaits of each on one branch; and why it ends."""
+    """Parts of the range in its order, each with gaits of one branch and why that branch ends."""
     problem: str | None
     """Why gaits are missing, and what kept a border from being located; or None."""
 
@@ -196,10 +196,7 @@ def sweep(
     path = None if path is None else check_destination(path, (".nc",), "path")
     made = Resumed(path, _blank(runner, axes, along), "sweep", working=("borders",))
     if made.is_whole:
-        from ..files.netcdf import read_dataset  # netCDF4 is slow to load
-
-        assert path is not None
-        return Sweep(made.data, read_dataset(path, "borders"))
+        return Sweep(made.data, made.group("borders"))
     places = [
         dict(zip(others, place, strict=True)) for place in product(*(range(len(v)) for v in others.values()))
     ]
@@ -254,8 +251,11 @@ def gait_at(gaits: xarray.Dataset, **where: Given) -> Gait:
     Raises
     ------
     InputError
-        The values do not name one point of the sweep, or there is no gait.
+        The values do not name one point of the sweep, there is no gait, or the dataset is no sweep.
     """
+    needed = ["word", *(f"apex_{name}" for name in COORDINATES)]
+    if getattr(gaits, "attrs", {}).get("result") != "sweep" or any(name not in gaits for name in needed):
+        raise refusal("gaits", gaits, "gaits of a sweep, with all their variables and attributes")
     wanted = by_full_name(where, "gait_at", "values by the names of the sweep")
     point = gaits
     for name, given in wanted.items():

@@ -88,7 +88,7 @@ def find_gait(
         What the gait is to have, by names of `library.quantities.QUANTITIES`: `speed` in m/s, `frequency` of
         strides in Hz, `length` of a stride in m, `stance_time` in s, `duty_factor`, `slip_distance` of the
         foot in m, `peak_force` of the ground across it and `peak_vertical_force` in N, `cost_of_transport`;
-        in the full model also those of `library.measures.MEASURES`, as `foot_clearance`.
+        in the full model also those of `library.quantities.MEASURES`, as `foot_clearance`.
     vary : sequence of str
         Names of the parameters and inputs that may change for the target, at least as many as it prescribes.
     guess : sequence of float, shape (6,), optional

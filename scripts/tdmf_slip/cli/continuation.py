@@ -89,6 +89,10 @@ def continue_command(
             raise InputError("--output: curves over two parameters have no file; allowed: with one --vary")
         _curves(runner, spans, points, plot, as_json_object, display)
         return
+    if output is not None:
+        from ..files.resume import refuse_resumable  # xarray is slow to load
+
+        refuse_resumable(output)
     ((name, (begin, end)),) = spans.items()
     branch = continue_branch(
         runner,

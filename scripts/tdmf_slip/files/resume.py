@@ -55,6 +55,16 @@ class Resumed:
             for part in sorted(self.folder.glob("*.nc")):
                 self._take(part)
 
+    def group(self, name: str) -> "xarray.Dataset":
+        """A further dataset of the whole result, by its group in the file."""
+        from .netcdf import read_dataset  # netCDF4 is slow to load
+
+        assert self.path is not None
+        try:
+            return read_dataset(self.path, name)
+        except IndexError:
+            raise self._refusal(self.path, f"without a group {name}") from None
+
     def _take(self, part: Path) -> None:
         """Fill in a block that is done."""
         found = self._read(part)
@@ -120,12 +130,12 @@ def refuse_resumable(path: Path) -> None:
     except (OSError, ValueError):
         return
     kind = data.attrs.get("result")
-    if kind in ("basin", "viability") or (kind == "sweep" and data["word"].ndim > 1):
+    if kind in ("basin", "viability") or (kind == "sweep" and "word" in data and data["word"].ndim > 1):
         raise InputError(f"{path}: holds a {kind}; give another file name")
 
 
 def _differences(found: "xarray.Dataset", wanted: "xarray.Dataset") -> Iterator[str]:
-    """What differs, in words: coordinates, variables and attributes that are wanted."""
+    """Differences in words: coordinates, variables and attributes that are wanted."""
     for name, values in wanted.coords.items():
         if name not in found.coords or not np.array_equal(found[name].values, values.values):
             yield f"other values of {name}"

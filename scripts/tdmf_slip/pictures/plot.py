@@ -2,11 +2,12 @@
 
 import importlib
 import sys
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
 from matplotlib.figure import Figure
 
+from ..checks import is_one_of, shown
 from ..errors import InputError
 
 PICTURES: Mapping[str, str] = {
@@ -34,6 +35,13 @@ PICTURES: Mapping[str, str] = {
     "sweep": "sweep_diagram.of_gaits",
 }
 """Module and function by the kind of a result: the name of its class, or a dataset's attribute `result`."""
+DATASETS: Mapping[str, tuple[str, Sequence[int]]] = {
+    "basin": ("fate", (2,)),
+    "runs": ("fallen", (1,)),
+    "strides": ("fate", (2,)),
+    "sweep": ("word", (1, 2)),
+}
+"""Datasets that have a picture: one of their variables, and how many dimensions it may have."""
 
 
 def plot(result: Any) -> Figure:
@@ -60,7 +68,7 @@ def plot(result: Any) -> Figure:
     Raises
     ------
     InputError
-        There is no picture of such a result, or the dataset has lost its attribute `result`.
+        There is no picture of such a result, or the dataset has lost variables, dimensions or attributes.
 
     Examples
     --------
@@ -70,28 +78,46 @@ def plot(result: Any) -> Figure:
     >>> tdmf_slip.plot(law).axes[0].get_xlabel()
     'real part of the eigenvalue'
     """
-    name = _picture_of(result)
-    module, _, function = name.rpartition(".")
+    kind = _kind_of(result)
+    module, _, function = PICTURES[kind].rpartition(".")
     home = f"{__package__}.{module}" if not module.startswith(".") else f"{__package__.split('.')[0]}{module}"
-    figure: Figure = getattr(importlib.import_module(home), function)(result)
-    return _handed_on(figure)
+    draw: Callable[[Any], Figure] = getattr(importlib.import_module(home), function)
+    return _handed_on(_of_dataset(result, kind, draw) if kind in DATASETS else draw(result))
 
 
-def _picture_of(result: Any) -> str:
+def _kind_of(result: Any) -> str:
+    """Key of a result's picture in `PICTURES`."""
     kinds = [kind.__name__ for kind in type(result).__mro__]
     if "Dataset" in kinds:
         kind = result.attrs.get("result")
-        if kind not in PICTURES:
-            raise InputError(
-                f"plot: the dataset's attribute `result` is {kind!r}; it has to be one of "
-                f"{', '.join(name for name in PICTURES if name.islower())}. Many operations of xarray drop "
-                "attributes: use xarray.set_options(keep_attrs=True), or set it again"
-            )
-        return PICTURES[kind]
-    name = next((kind for kind in kinds if kind in PICTURES), None)
+        if is_one_of(kind, DATASETS):
+            return kind
+        lost = (
+            ". Many operations of xarray drop attributes: use xarray.set_options(keep_attrs=True), or set it "
+            "again"
+        )
+        raise InputError(
+            f"plot: the dataset's attribute `result` is {shown(kind)}; allowed: {', '.join(DATASETS)}"
+            f"{lost if kind is None else ''}"
+        )
+    name = next((kind for kind in kinds if kind in PICTURES and kind not in DATASETS), None)
     if name is None:
         raise InputError(f"plot: {type(result).__name__} has no picture; allowed: results of this package")
-    return PICTURES[name]
+    return name
+
+
+def _of_dataset(data: Any, kind: str, draw: Callable[[Any], Figure]) -> Figure:
+    """Draw a dataset, or refuse a selection of it that is too small."""
+    variable, dimensions = DATASETS[kind]
+    try:
+        count = data[variable].ndim
+        if count in dimensions:
+            return draw(data)
+    except KeyError as problem:
+        raise InputError(f"plot: incomplete {kind}: {problem.args[0]}; allowed: all its variables") from None
+    raise InputError(
+        f"plot: {kind} over {count} dimensions; allowed: {' or '.join(map(str, dimensions))}, see Dataset.sel"
+    )
 
 
 def _handed_on(figure: Figure) -> Figure:

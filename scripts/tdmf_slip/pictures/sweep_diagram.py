@@ -51,8 +51,6 @@ def figure_of(
     dimensions = gaits["word"].ndim
     if not np.isfinite(gaits["period"]).any():
         raise InputError("plot: a sweep without gaits; allowed: one that has some")
-    if dimensions not in (1, 2):
-        raise InputError(f"plot: a sweep over {dimensions} names; allowed: over one or two, see Dataset.sel")
     display = display or DisplayUnits(values=runner_in(gaits))
     with style.styled():
         return _curves(gaits, borders, display) if dimensions == 1 else _map(gaits, display)
