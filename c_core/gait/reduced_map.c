@@ -86,12 +86,13 @@ static int place_of_event(const page *page, int event_of_whole) {
 }
 
 /* A point of the runner's page, with the leg where it is placed; after lift-off with the leg as it was lost.
- */
+ * A mode that only the map's page has is in the world's coordinates, as the fallen runner is. */
 static tdmf_page_point point_at(const stride *s, const double *x, int mode, double time) {
+    const int mode_of_runner = s->page->modes[mode];
     tdmf_page_point point = {
         .p = tdmf_page_parameters(&s->system.model->parameters, s->system.inputs),
         .x = states_of(s->page, x),
-        .mode = s->page->modes[mode],
+        .mode = mode_of_runner >= 0 ? mode_of_runner : MODE_fallen,
         .time = time,
     };
     if (s->page == &plain) {
@@ -101,10 +102,11 @@ static tdmf_page_point point_at(const stride *s, const double *x, int mode, doub
     return point;
 }
 
-static tdmf_motion motion_at(const stride *s, const double *x, int mode, double time) {
+/* `last_mode`: the mode in which the runner fell, if it has. */
+static tdmf_motion motion_at(const stride *s, const double *x, int mode, int last_mode, double time) {
     const tdmf_page_point point = point_at(s, x, mode, time);
     tdmf_motion motion = s->start;
-    tdmf_motion_of_page(s->system, &point, point.mode, &motion);
+    tdmf_motion_of_page(s->system, &point, s->page->modes[last_mode], &motion);
     return motion;
 }
 
@@ -181,7 +183,6 @@ static void begin(stride *s, const double *apex, bool derivatives, const tdmf_se
     s->run.tolerance = s->solver->relative_tolerance;
     s->run.order = tdmf_page_order(s->run.tolerance);
     s->run.observes = derivatives || !s->solver->without_peaks_and_positive_work;
-    s->run.event_limit = s->solver->event_limit;
     s->run.log = s->rows;
     s->run.log_states = s->row_states;
     s->run.log_size = s->solver->log ? TDMF_EVENT_CAPACITY : 0;
@@ -216,6 +217,7 @@ static tdmf_return_outcome run_to(stride *s, int event, double duration, tdmf_re
     const long steps = s->run.steps;
     const double longest = longest_time * s->system.model->scales.time;
     s->run.step_limit = s->solver->step_limit - steps;
+    s->run.event_limit = s->solver->event_limit - s->run.events;
     s->run.stop_event = place_of_event(s->page, event);
     const double until = s->run.time + (duration < longest ? duration : longest);
     switch (tdmf_page_run_to(s->page->model, &s->run, until)) {
@@ -260,7 +262,7 @@ static tdmf_return_outcome run_stride(stride *s, double until, tdmf_outcome *sol
 static tdmf_event event_at(const stride *s, int number) {
     const tdmf_event_row *row = &s->rows[number];
     const double *x = s->row_states + number * s->page->model->state_count;
-    const tdmf_motion before = motion_at(s, x, row->before, row->time);
+    const tdmf_motion before = motion_at(s, x, row->before, row->before, row->time);
     tdmf_event event = {.time = row->time,
                         .guard = (int)tdmf_guard_of_event(s->page->events[row->event]),
                         .before = before.mode};
@@ -271,25 +273,29 @@ static tdmf_event event_at(const stride *s, int number) {
 /* Logs the events of the run up to the apex. A chain in zero time is one event, by the name of its first. */
 static void log_events(const stride *s) {
     const int count = s->run.log_count < s->run.log_size ? s->run.log_count : s->run.log_size;
-    tdmf_event_log *log = s->solver->log;
+    tdmf_event event;
     bool is_open = false;
     for (int i = 0; i < count; ++i) {
         const tdmf_event_row *row = &s->rows[i];
         const double *after = i + 1 < count ? s->row_states + (i + 1) * s->page->model->state_count : s->x;
-        const bool is_apex = s->page->events[row->event] == EVENT_apex;
-        const bool goes_on = is_open && i > 0 && row->time == s->rows[i - 1].time;
-        is_open = goes_on || (tdmf_guard_of_event(s->page->events[row->event]) != TDMF_GUARD_COUNT &&
-                              s->page->modes[row->before] >= 0);
-        if (is_open && !goes_on) {
-            const tdmf_event event = event_at(s, i);
-            tdmf_log_event(log, &event);
+        const bool has_guard = tdmf_guard_of_event(s->page->events[row->event]) != TDMF_GUARD_COUNT;
+        if (is_open && row->time != s->rows[i - 1].time) {
+            tdmf_log_event(s->solver->log, &event);
+            is_open = false;
         }
-        if (is_open && s->page->modes[row->after] >= 0 && log->count <= TDMF_EVENT_CAPACITY) {
-            log->events[log->count - 1].after = motion_at(s, after, row->after, row->time).mode;
+        if (!is_open && has_guard && s->page->modes[row->before] >= 0) {
+            event = event_at(s, i);
+            is_open = true;
         }
-        if (is_apex) {
-            return;
+        if (is_open && s->page->modes[row->after] >= 0) {
+            event.after = motion_at(s, after, row->after, row->before, row->time).mode;
         }
+        if (s->page->events[row->event] == EVENT_apex) {
+            break;
+        }
+    }
+    if (is_open) {
+        tdmf_log_event(s->solver->log, &event);
     }
 }
 
@@ -328,7 +334,7 @@ static tdmf_stride_variation variation_of(const page *page, const double *own) {
 }
 
 static void write_stride(const stride *s, tdmf_return *result) {
-    const tdmf_motion motion = motion_at(s, s->x, s->run.mode, s->run.time);
+    const tdmf_motion motion = motion_at(s, s->x, s->run.mode, s->run.mode, s->run.time);
     result->apex[TDMF_REDUCED_COM_HEIGHT] = motion.record.apex.com_height;
     result->apex[TDMF_REDUCED_COM_SPEED] = motion.record.apex.com_speed;
     result->liftoff_angle = states_of(s->page, s->lift_off).liftoff_angle;

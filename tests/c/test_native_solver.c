@@ -413,6 +413,27 @@ static void a_fall_is_where_the_run_stays(void **state) {
     assert_true(motion.time == time);
 }
 
+/* Also where the fall is in the last step, or the last event, that the limits allow. */
+static void a_fall_is_a_fall_under_any_limit(void **state) {
+    (void)state;
+    runner runner = runner_default(0.6);
+    runner.motion.state[TDMF_FOOT_Y] = 100.0;
+    runner_start(&runner);
+    for (int i = 0; i < 2; ++i) {
+        tdmf_solver solver = tdmf_solver_default();
+        long *limit = i == 0 ? &solver.event_limit : &solver.step_limit;
+        tdmf_motion motion = runner.motion;
+        for (*limit = 0; !motion.mode.fallen; ++*limit) {
+            motion = runner.motion;
+            const tdmf_outcome outcome =
+                tdmf_native_advance(&solver, SYSTEM_OF(&runner), &no_rates, 1e4, &motion);
+            assert_int_equal(outcome, motion.mode.fallen ? TDMF_FELL
+                                      : i == 0           ? TDMF_TOO_MANY_EVENTS
+                                                         : TDMF_TOO_MANY_STEPS);
+        }
+    }
+}
+
 /* ---- calls that do nothing ---------------------------------------------------------------------------- */
 
 static void assert_refused(const runner *runner, double tolerance, tdmf_inputs inputs, tdmf_inputs rates,
@@ -492,6 +513,7 @@ int main(void) {
         cmocka_unit_test(the_work_of_an_external_torque_is_in_the_ledger),
         cmocka_unit_test(limits_end_a_call_and_leave_a_valid_motion),
         cmocka_unit_test(a_fall_is_where_the_run_stays),
+        cmocka_unit_test(a_fall_is_a_fall_under_any_limit),
         cmocka_unit_test(requests_without_sense_are_refused),
         cmocka_unit_test(a_call_for_no_time_changes_nothing),
     };

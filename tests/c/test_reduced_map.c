@@ -6,6 +6,7 @@
 #include "reduced_gaits.h"
 #include "scene.h"
 
+#include <limits.h>
 #include <math.h>
 #include <stddef.h>
 #include <string.h>
@@ -379,6 +380,26 @@ static void a_stride_that_does_not_close_says_why(void **state) {
     assert_int_equal(outcome_from(&scene), TDMF_RETURN_NO_STANCE);
 }
 
+/* At the next apex the foot is placed below the ground, behind the body, so that the impact does not load it.
+ * That is the next stride's end. */
+static void a_stride_closes_where_the_next_has_no_stance(void **state) {
+    apex_scene scene = {tdmf_default_parameters(), tdmf_default_inputs(), {1.0157, 1.5229}};
+    (void)state;
+    scene.parameters.hip.touchdown_angle = -0.3593;
+    scene.parameters.hip.retraction_rate = 0.8107;
+    scene.parameters.leg.damping = 0.07;
+    scene.inputs.ground.friction = 0.98;
+    const tdmf_model model = model_of(&scene);
+    const tdmf_return stride = stride_from(&scene, tight, true, NULL, 0);
+    assert_int_equal(stride.outcome, TDMF_RETURN_CLOSED);
+    assert_close(energy_gained(&model, &stride, scene.apex[TDMF_REDUCED_COM_SPEED]),
+                 stride.stride.work + stride.external_work - stride.damper_loss - stride.friction_loss -
+                     stride.impact_loss - stride.leg_loss,
+                 1e-12);
+    memcpy(scene.apex, stride.apex, sizeof scene.apex);
+    assert_int_equal(outcome_from(&scene), TDMF_RETURN_NO_START);
+}
+
 /* Nothing brings a runner down, or back, who is pushed up by his weight. */
 static void a_runner_that_is_held_up_has_no_stride(void **state) {
     apex_scene scene = at_gait(&reduced_gaits[2]);
@@ -479,6 +500,28 @@ static void a_log_has_the_events_of_a_stride(void **state) {
     assert_close(log.events[3].state[TDMF_LEG_ANGLE], stride.liftoff_angle, 0.0);
 }
 
+static void a_fall_is_the_last_event_under_the_largest_limit(void **state) {
+    apex_scene scene = at_gait(&reduced_gaits[0]);
+    const tdmf_model model = model_of(&scene);
+    tdmf_event_log log = {0};
+    tdmf_solver solver = tdmf_solver_default();
+    (void)state;
+    solver.event_limit = LONG_MAX;
+    assert_int_equal(
+        tdmf_reduced_map(&solver, (tdmf_system){&model, &scene.inputs}, scene.apex, INFINITY, false, NULL, 0)
+            .outcome,
+        TDMF_RETURN_CLOSED);
+    scene.apex[0] = 200.0;
+    solver.log = &log;
+    assert_int_equal(
+        tdmf_reduced_map(&solver, (tdmf_system){&model, &scene.inputs}, scene.apex, INFINITY, false, NULL, 0)
+            .outcome,
+        TDMF_RETURN_FELL);
+    assert_int_equal(log.count, 2);
+    assert_false(log.events[0].after.fallen);
+    assert_true(log.events[1].after.fallen);
+}
+
 /* ---- the flight down ---------------------------------------------------------------------------------- */
 
 /* Heights of foot and body above the ground, some time after the apex: the centre of mass is ballistic, and
@@ -564,12 +607,14 @@ int main(void) {
         cmocka_unit_test(a_scaled_runner_makes_the_scaled_stride),
         cmocka_unit_test(control_and_extension_are_settings),
         cmocka_unit_test(a_stride_that_does_not_close_says_why),
+        cmocka_unit_test(a_stride_closes_where_the_next_has_no_stance),
         cmocka_unit_test(a_runner_that_is_held_up_has_no_stride),
         cmocka_unit_test(what_is_no_number_or_out_of_range_is_refused),
         cmocka_unit_test(what_did_not_happen_or_was_not_asked_for_is_zero),
         cmocka_unit_test(a_search_tells_what_ends_the_stride_from_its_guess),
         cmocka_unit_test(a_runner_off_a_slope_comes_down_much_later),
         cmocka_unit_test(a_log_has_the_events_of_a_stride),
+        cmocka_unit_test(a_fall_is_the_last_event_under_the_largest_limit),
         cmocka_unit_test(the_first_touchdown_is_found_however_the_leg_turns),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

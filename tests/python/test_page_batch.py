@@ -219,6 +219,23 @@ def test_each_outcome_is_told_apart(hopper):
         assert all(np.isfinite(run.x).all() for run in mine if run.outcome in ("ended", "arrived"))
 
 
+def test_a_run_that_ends_in_the_last_step_or_event_of_its_limits_has_ended(hopper):
+    end = hopper.start(sticks=0.5).to(20.0)
+
+    def runs():
+        made = [hopper.start(sticks=0.5) for _ in range(2)]
+        made[0].run.step_limit = end.run.steps
+        made[1].run.event_limit = end.run.events
+        return made
+
+    for run in driven(runs(), 20.0):
+        assert bits(run) == bits(end) and run.outcome == "ended"
+    for width in widths_of(hopper):
+        mine = runs()
+        run_batch(mine, 20.0, width=width)
+        assert [bits(run) for run in mine] == [bits(end)] * 2
+
+
 @pytest.mark.parametrize("threads", [1, 3])
 def test_a_callback_changes_states_from_stop_to_stop(hopper, threads):
     """Each hop makes the ball faster, in the batch as by the driver; each run has hops of its own."""

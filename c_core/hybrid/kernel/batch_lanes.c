@@ -97,12 +97,12 @@ static tdmf_run_outcome conclude(lane_pool *w, int index, tdmf_run_outcome outco
 static void go_on(lane_pool *w, int index, tdmf_run_outcome outcome) {
     for (;;) {
         const run_state *state = &w->runners[index].state;
-        const bool is_late = state->r->steps >= state->last_step;
-        if (outcome == TDMF_RUN_GOES_ON && (is_late || w->model->modes[state->r->mode].ends)) {
-            if (!is_late) {
+        const bool ends = w->model->modes[state->r->mode].ends;
+        if (outcome == TDMF_RUN_GOES_ON && (ends || state->r->steps >= state->last_step)) {
+            if (ends) {
                 tdmf_sample_here(w->model, state->r);
             }
-            outcome = conclude(w, index, is_late ? TDMF_RUN_TOO_MANY_STEPS : TDMF_RUN_ENDED);
+            outcome = conclude(w, index, ends ? TDMF_RUN_ENDED : TDMF_RUN_TOO_MANY_STEPS);
         }
         if (outcome == TDMF_RUN_GOES_ON) {
             wait_for_lane(w, index);

@@ -230,11 +230,11 @@ static void shift_back(work *w) {
 /* Goes on in a mode up to the next event, and takes it. */
 static tdmf_run_outcome to_event(work *w, double until) {
     tdmf_page_run *r = w->state->r;
+    if (w->mode->ends) {
+        tdmf_sample_here(w->state->model, r);
+        return TDMF_RUN_ENDED;
+    }
     while (r->steps < w->state->last_step) {
-        if (w->mode->ends) {
-            tdmf_sample_here(w->state->model, r);
-            return TDMF_RUN_ENDED;
-        }
         const double left = until - r->time - r->time_rest;
         if (!begin_step(w, real_max(left, 0.0))) {
             return TDMF_RUN_NO_PROGRESS;

@@ -156,7 +156,8 @@ bool tdmf_take_event(run_state *state, const tdmf_guard_kind *kind, const mode_s
     state->stops |= kind->event == r->stop_event;
     ++r->events;
     ++r->chain;
-    return r->chain <= TDMF_PAGE_CHAIN_LIMIT && r->events < state->last_event;
+    return state->model->modes[r->mode].ends ||
+           (r->chain <= TDMF_PAGE_CHAIN_LIMIT && r->events < state->last_event);
 }
 
 tdmf_run_outcome tdmf_limit_reached(const run_state *state) {
