@@ -1,5 +1,5 @@
-/* A motion on the runner's page: what is read of it is written back, and a run that is saved in the middle of
- * a stride goes on as one that is not. */
+/* A motion on the runner's page: what is read of it is written back, a run that is saved in the middle of a
+ * stride goes on as one that is not, and the core's series come to the same motion. */
 #include "compare.h"
 #include "page_solver.h"
 #include "scene.h"
@@ -45,6 +45,19 @@ static case_of_run random_case(random_source *source) {
 }
 
 static tdmf_outcome go_on(const case_of_run *it, double until, tdmf_motion *motion) {
+    const tdmf_system system = {&it->model, &it->inputs};
+    const tdmf_page_point point = tdmf_page_of_motion(system, &held, motion);
+    tdmf_solver solver = tdmf_solver_default();
+    tdmf_page_solver s;
+    solver.relative_tolerance = 1e-13;
+    tdmf_begin_page_solver(&s, &solver, system, &point, tdmf_suits_plain_page(&point));
+    const tdmf_outcome outcome = tdmf_run_page_solver(&s, until - motion->time, -1);
+    tdmf_end_runner_run(&s.run, &s.point);
+    tdmf_motion_of_page(system, &s.point, s.last_mode, motion);
+    return outcome;
+}
+
+static tdmf_outcome go_on_by_the_core(const case_of_run *it, double until, tdmf_motion *motion) {
     tdmf_solver solver = tdmf_solver_default();
     solver.relative_tolerance = 1e-13;
     return tdmf_native_advance(&solver, (tdmf_system){&it->model, &it->inputs}, &held, until, motion);
@@ -107,7 +120,7 @@ static void assert_is_written_back(const case_of_run *it, const tdmf_motion *mot
     }
 }
 
-static void test_a_saved_run_goes_on_as_one_that_was_not(void **state) {
+static void test_a_run_goes_as_in_the_core_also_if_it_is_saved(void **state) {
     (void)state;
     random_source source = {47};
     int strides = 0;
@@ -118,7 +131,7 @@ static void test_a_saved_run_goes_on_as_one_that_was_not(void **state) {
         if (tdmf_start((tdmf_system){&it.model, &it.inputs}, &it.motion).variable) {
             continue;
         }
-        tdmf_motion whole = it.motion, saved = it.motion;
+        tdmf_motion whole = it.motion, saved = it.motion, by_core = it.motion;
         const tdmf_outcome outcome = go_on(&it, end, &whole);
         for (int piece = 0; piece < PIECES; ++piece) {
             time = piece == PIECES - 1 ? end : time + random_uniform(&source, 0.0, end / PIECES);
@@ -129,6 +142,9 @@ static void test_a_saved_run_goes_on_as_one_that_was_not(void **state) {
         assert_same_state(&whole, &saved, 1e-8);
         assert_same_mode(&whole.mode, &saved.mode);
         assert_same_record(&whole.record, &saved.record);
+        assert_int_equal(go_on_by_the_core(&it, end, &by_core), outcome);
+        assert_same_state(&whole, &by_core, 1e-8);
+        assert_same_mode(&whole.mode, &by_core.mode);
         strides += whole.record.stride.count;
     }
     assert_true(strides > RUNS / 2);
@@ -141,6 +157,6 @@ static void test_a_run_of_any_page_has_the_memory_that_it_needs(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {cmocka_unit_test(test_a_run_of_any_page_has_the_memory_that_it_needs),
-                                       cmocka_unit_test(test_a_saved_run_goes_on_as_one_that_was_not)};
+                                       cmocka_unit_test(test_a_run_goes_as_in_the_core_also_if_it_is_saved)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
