@@ -285,7 +285,8 @@ static bool rises(const tdmf_model *model, const tdmf_page_point *point, const t
     return mode->phase == TDMF_PHASE_RETRACT || (may_rise && rate > 0.0);
 }
 
-void tdmf_mode_of_page(tdmf_system system, const tdmf_page_point *point, int last_mode, tdmf_mode *mode) {
+/* Writes the mode of a point, and keeps those parts of the mode before that the page has no name for. */
+static void write_mode(tdmf_system system, const tdmf_page_point *point, int last_mode, tdmf_mode *mode) {
     const runner_states *x = &point->x;
     const bool fallen = point->mode == MODE_fallen;
     const int at = fallen ? last_mode : point->mode;
@@ -363,7 +364,7 @@ void tdmf_motion_of_page(tdmf_system system, const tdmf_page_point *point, int l
     x.seen_y += point->base;
     x.y_then += point->base;
     tdmf_write_page_state(&x, motion->state);
-    tdmf_mode_of_page(system, point, last_mode, &motion->mode);
+    write_mode(system, point, last_mode, &motion->mode);
     write_record(system.model, begin, &motion->mode, &x, &motion->record);
     motion->record.progress.now = tdmf_instant_after(tdmf_instant_after(begin, point->time), point->rest);
     motion->time = motion->record.progress.now.time;

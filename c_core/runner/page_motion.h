@@ -31,7 +31,4 @@ tdmf_page_point tdmf_page_of_motion(tdmf_system system, const tdmf_inputs *rates
 void tdmf_motion_of_page(tdmf_system system, const tdmf_page_point *point, int last_mode,
                          tdmf_motion *motion);
 
-/* Writes the mode of a point; of the mode before are kept those parts that the page has no name for. */
-void tdmf_mode_of_page(tdmf_system system, const tdmf_page_point *point, int last_mode, tdmf_mode *mode);
-
 #endif

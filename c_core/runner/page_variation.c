@@ -17,7 +17,8 @@ bool tdmf_varies_plain_page(const tdmf_seed *seed) {
            i->control.stance_torque == 0.0 && i->control.thrust == 0.0;
 }
 
-tdmf_page_direction tdmf_page_of_seed(const tdmf_seed *seed) {
+/* The change of parameters and inputs, for states that do not change. */
+static tdmf_page_direction direction_of_seed(const tdmf_seed *seed) {
     tdmf_page_direction d = {.p = tdmf_page_parameters(&seed->parameters, &seed->inputs)};
     tdmf_write_page_inputs(&seed->inputs, &d.x);
     return d;
@@ -26,7 +27,7 @@ tdmf_page_direction tdmf_page_of_seed(const tdmf_seed *seed) {
 tdmf_page_direction tdmf_page_of_variation(const tdmf_page_point *point, const double state[TDMF_STATE_COUNT],
                                            const tdmf_seed *seed, const tdmf_variation *variation) {
     const tdmf_mode_kind *mode = &tdmf_runner_model.modes[point->mode];
-    tdmf_page_direction d = tdmf_page_of_seed(seed);
+    tdmf_page_direction d = direction_of_seed(seed);
     double varied[TDMF_STATE_COUNT] = {0.0};
     memcpy(varied, variation->state, TDMF_VARIED_COUNT * sizeof *varied);
     tdmf_read_page_state(varied, &d.x);

@@ -22,7 +22,4 @@ tdmf_page_direction tdmf_page_of_variation(const tdmf_page_point *point, const d
 tdmf_variation tdmf_variation_of_page(const tdmf_page_point *point, const tdmf_page_direction *d,
                                       bool closed);
 
-/* The change of parameters and inputs, for states that do not change. */
-tdmf_page_direction tdmf_page_of_seed(const tdmf_seed *seed);
-
 #endif

@@ -22,7 +22,8 @@ static void open_new_ground(tdmf_mode_equations *equations, const tdmf_inputs *i
     }
 }
 
-tdmf_point tdmf_com_in_flight(const tdmf_mode_equations *equations, double t) {
+/* The centre of mass in flight, after a time t. */
+static tdmf_point com_in_flight(const tdmf_mode_equations *equations, double t) {
     const tdmf_vector acceleration = tdmf_com_acceleration(equations->model, equations->push);
     const double share = equations->model->body_share;
     const tdmf_vector rate = {share * equations->push_rate.x, share * equations->push_rate.y};
@@ -147,7 +148,7 @@ void tdmf_open_mode(tdmf_mode_equations *equations, tdmf_system system, const td
 }
 
 void tdmf_shift_mode(tdmf_mode_equations *equations, double elapsed, const tdmf_mode_coordinates *reached) {
-    const tdmf_point com = tdmf_com_in_flight(equations, elapsed);
+    const tdmf_point com = com_in_flight(equations, elapsed);
     equations->start = *reached;
     equations->law = tdmf_law_after(&equations->law, elapsed);
     equations->stance_law = tdmf_law_after(&equations->stance_law, elapsed);
@@ -178,7 +179,7 @@ void tdmf_end_friction(tdmf_mode_equations *equations) {
 /* The foot hangs below the ballistic centre of mass, at the body's share of the leg. */
 static tdmf_leg_direction write_flight(const tdmf_mode_equations *equations, double elapsed,
                                        const tdmf_mode_coordinates *at, double state[TDMF_STATE_COUNT]) {
-    const tdmf_point com = tdmf_com_in_flight(equations, elapsed);
+    const tdmf_point com = com_in_flight(equations, elapsed);
     tdmf_state_of_flying(&at->flying, state);
     const tdmf_leg_direction direction = tdmf_leg_direction_of(state);
     tdmf_hang_foot(equations->model, com, state, direction, state);

@@ -58,9 +58,6 @@ void tdmf_open_mode(tdmf_mode_equations *equations, tdmf_system system, const td
                     const tdmf_mode *mode, const double state[TDMF_STATE_COUNT],
                     tdmf_leg_direction direction);
 
-/* The centre of mass in flight, after a time t. */
-tdmf_point tdmf_com_in_flight(const tdmf_mode_equations *equations, double t);
-
 /* Goes on from the coordinates reached after `elapsed`. */
 void tdmf_shift_mode(tdmf_mode_equations *equations, double elapsed, const tdmf_mode_coordinates *reached);
 

@@ -284,8 +284,8 @@ static bool resolve(integration *integration, const tdmf_step_end *end) {
     log_event(integration->solver->log, motion->time, end->guard, &before, &after.mode);
     for (int i = 0; i < integration->count; ++i) {
         integration->variations[i] =
-            tdmf_saltation_met(system_of(integration), end->guard, &before, &after, &integration->seeds[i],
-                               &integration->variations[i], &met[i]);
+            tdmf_saltation(system_of(integration), end->guard, &before, &after, &integration->seeds[i],
+                           &integration->variations[i], &met[i]);
     }
     if (integration->measured) {
         tdmf_measure_event(integration->measured, system_of(integration), &before, &after, integration->seeds,

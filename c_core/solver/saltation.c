@@ -123,9 +123,9 @@ static tdmf_stance_variation vary_stance(tdmf_system system, const tdmf_event_st
     return stance;
 }
 
-tdmf_variation tdmf_saltation_met(tdmf_system system, tdmf_guard guard, const tdmf_event_state *before,
-                                  const tdmf_event_state *after, const tdmf_seed *seed,
-                                  const tdmf_variation *variation, tdmf_met_event *met) {
+tdmf_variation tdmf_saltation(tdmf_system system, tdmf_guard guard, const tdmf_event_state *before,
+                              const tdmf_event_state *after, const tdmf_seed *seed,
+                              const tdmf_variation *variation, tdmf_met_event *met) {
     const tdmf_event_kind *event = tdmf_event_kind_of(guard);
     const bool impact = event->is_impact;
     if (event->vary_guard == NULL || is_on_edge(system, impact, before, after)) {
@@ -159,11 +159,4 @@ tdmf_variation tdmf_saltation_met(tdmf_system system, tdmf_guard guard, const td
     shift_in_time(-dt, after->derivatives, varied.state);
     tdmf_constrain_variation(&after->mode, after->state, &d, varied.state);
     return varied;
-}
-
-tdmf_variation tdmf_saltation(tdmf_system system, tdmf_guard guard, const tdmf_event_state *before,
-                              const tdmf_event_state *after, const tdmf_seed *seed,
-                              const tdmf_variation *variation) {
-    tdmf_met_event met;
-    return tdmf_saltation_met(system, guard, before, after, seed, variation, &met);
 }

@@ -20,14 +20,10 @@ typedef struct {
         after[TDMF_STATE_COUNT]; /* of the state where it is met, on either side */
 } tdmf_met_event;
 
-/* The variation after an event that `guard` has fired, from that before it, each at a fixed time. */
+/* The variation after an event that `guard` has fired, from that before it, each at a fixed time, and how it
+ * meets the event. It is not a number where there is no derivative. */
 tdmf_variation tdmf_saltation(tdmf_system system, tdmf_guard guard, const tdmf_event_state *before,
                               const tdmf_event_state *after, const tdmf_seed *seed,
-                              const tdmf_variation *variation);
-
-/* The same, and how it meets the event; not a number where there is no derivative. */
-tdmf_variation tdmf_saltation_met(tdmf_system system, tdmf_guard guard, const tdmf_event_state *before,
-                                  const tdmf_event_state *after, const tdmf_seed *seed,
-                                  const tdmf_variation *variation, tdmf_met_event *met);
+                              const tdmf_variation *variation, tdmf_met_event *met);
 
 #endif

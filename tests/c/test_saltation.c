@@ -170,8 +170,9 @@ static event random_event(random_source *source, const runner *runner, tdmf_guar
 }
 
 static tdmf_variation taken(const runner *runner, tdmf_guard guard, const event *event) {
+    tdmf_met_event met;
     return tdmf_saltation(SYSTEM_OF(runner), guard, &event->before, &event->after, &event->seed,
-                          &event->variation);
+                          &event->variation, &met);
 }
 
 static bool is_smooth(const guard_line *on) {

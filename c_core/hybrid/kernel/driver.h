@@ -221,8 +221,4 @@ void tdmf_page_set(const tdmf_model_kind *model, tdmf_page_run *run, bool is_sta
 void tdmf_run_message(const tdmf_model_kind *model, const tdmf_page_run *run, tdmf_run_outcome outcome,
                       char *text, size_t size);
 
-/* Applies the decision of an event, and its variation; `room` is working memory for the states. */
-void tdmf_page_take(const tdmf_model_kind *model, const tdmf_guard_kind *kind, tdmf_page_run *run,
-                    double *room);
-
 #endif

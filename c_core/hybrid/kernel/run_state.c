@@ -77,8 +77,8 @@ void tdmf_shift_to_event(run_state *state, const tdmf_guard_kind *kind, const mo
     r->is_shifted = true;
 }
 
-void tdmf_page_take(const tdmf_model_kind *model, const tdmf_guard_kind *kind, tdmf_page_run *r,
-                    double *room) {
+/* Applies the decision of an event, and its variation; `room` is working memory for the states. */
+static void apply(const tdmf_model_kind *model, const tdmf_guard_kind *kind, tdmf_page_run *r, double *room) {
     const tdmf_mode_kind *left = &model->modes[r->mode];
     const size_t size = (size_t)model->state_count * sizeof *room;
     const double counted = kind->is_counted ? 1.0 : 0.0;
@@ -146,7 +146,7 @@ bool tdmf_take_event(run_state *state, const tdmf_guard_kind *kind, const mode_s
         memcpy(r->log_states + r->log_count * count, r->x, (size_t)count * sizeof *r->x);
     }
     tdmf_keep_guards(state, at);
-    tdmf_page_take(state->model, kind, r, at->room);
+    apply(state->model, kind, r, at->room);
     if (r->log_count < r->log_size) {
         const tdmf_event_row row = {r->time, kind->event, before, r->mode};
         r->log[r->log_count++] = row;
