@@ -2,6 +2,7 @@
 
 import concurrent.futures
 import contextlib
+import gc
 import json
 import multiprocessing
 import os
@@ -24,6 +25,7 @@ from tdmf_slip.cli import interrupts
 from tdmf_slip.cli import workers as options
 from tdmf_slip.feedback import judgement
 from tdmf_slip.fmu import batch
+from tdmf_slip.fmu.instance import opened
 from tdmf_slip.library.batch import Batch
 from tdmf_slip.uninterrupted import check_stop
 from tdmf_slip.viable_sets import transitions
@@ -281,6 +283,19 @@ def test_a_script_needs_no_guard(tmp_path):
     )
     done = subprocess.run([sys.executable, script], capture_output=True, text=True, timeout=HANGS)
     assert (done.returncode, done.stdout.strip()) == (0, "True set()"), done.stderr
+
+
+def test_each_instance_keeps_its_own_messages(fmu):
+    """Also an older instance, when a newer one has been freed."""
+    with opened(fmu, "cs") as older:
+        with opened(fmu, "cs") as newer:
+            pass
+        kept = newer.messages
+        del newer
+        gc.collect()
+        with pytest.raises(InputError, match=r"leg\.length = 0\.01"):
+            older.start({"leg.length": 0.01})
+    assert "leg.length" in older.messages[0] and "leg.length" not in str(kept)
 
 
 def test_a_run_that_fails_leaves_the_others(fmu):

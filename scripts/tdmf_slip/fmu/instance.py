@@ -1,9 +1,10 @@
 """One instance of the unit in FMPy: made, run, read, and always freed."""
 
+import contextlib
+import ctypes
 import os
 import threading
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from contextlib import contextmanager
 from dataclasses import dataclass
 from typing import Protocol
 
@@ -11,6 +12,7 @@ import fmpy
 import fmpy.simulation
 import numpy as np
 from fmpy.fmi1 import FMICallException
+from fmpy.fmi2 import fmi2CallbackFunctions, fmi2CallbackLoggerTYPE
 from numpy.typing import NDArray
 
 from ..errors import InputError, RunError, TdmfSlipError, reason
@@ -21,20 +23,38 @@ from .fmu import Fmu
 
 LOADING = threading.Lock()
 """FMPy changes the working directory, which all threads share, while it loads a library."""
+HEARD = threading.local()
+"""`messages` of the instance that this thread calls: FMPy has one logger for all instances."""
 MAX_NUMBERS = 50_000_000
 """Numbers that a run may record, rows times columns. FMPy keeps each as an object: about 2 GB."""
 REFUSING_CALLS = ("fmi2Set", "fmi2ExitInitializationMode")
 """FMI calls by which the unit refuses start values: one alone, or several together."""
 
 
+def _log(_environment: object, _name: bytes, _status: int, _category: bytes, message: bytes) -> None:
+    HEARD.messages.append(message.decode("utf-8", errors="replace").strip())
+
+
+LOGGER = fmi2CallbackLoggerTYPE(_log)
+"""Logger that is never freed, unlike those that FMPy makes for each instance."""
+
+
+def _set_logger() -> None:
+    """Replace the logger of the newest instance, to which FMPy hands the messages of all instances."""
+    with contextlib.suppress(Exception):  # no library for this platform: FMPy has no proxy either
+        from fmpy.logging import addLoggerProxy
+
+        addLoggerProxy(ctypes.byref(fmi2CallbackFunctions(logger=LOGGER)))
+
+
 @dataclass(frozen=True, eq=False)
 class Experiment:
-    """What FMPy is asked to do with an instance; times in s."""
+    """Options of a run that FMPy makes with an instance; times in s."""
 
     stop_time: float
     """The run begins at 0."""
     tolerance: float
-    """Of the importer."""
+    """Relative tolerance of the importer."""
     output_interval: float
     """Between recorded rows."""
     start_values: Mapping[str, Value]
@@ -75,7 +95,7 @@ class Instance:
         """Instantiate; whatever the unit says from here on is kept in `messages`."""
         self.fmu = fmu
         self.interface = fmu.require_interface(interface)
-        self.messages: list[str] = []
+        self.messages = HEARD.messages = list[str]()
         try:
             os.getcwd()
         except OSError as problem:
@@ -85,9 +105,12 @@ class Instance:
         try:
             with LOADING:
                 self._folder = fmu.folder
-                self._fmu = fmpy.simulation.instantiate_fmu(
-                    self._folder, fmu.description, self.interface, logger=self._log
-                )
+                try:
+                    self._fmu = fmpy.simulation.instantiate_fmu(
+                        self._folder, fmu.description, self.interface, logger=_log
+                    )
+                finally:
+                    _set_logger()
         except RunError:
             raise
         except Exception as problem:  # FMPy raises bare Exceptions, and ctypes OSError, for a bad library
@@ -96,11 +119,6 @@ class Instance:
             ) from problem
         troubles = [c.name for c in fmu.description.logCategories or [] if c.name.startswith("logStatus")]
         self._fmu.setDebugLogging(True, troubles)
-
-    def _log(
-        self, _environment: object, _name: bytes, _status: int, _category: bytes, message: bytes
-    ) -> None:
-        self.messages.append(message.decode("utf-8", errors="replace").strip())
 
     def read(self, names: Iterable[str]) -> dict[str, float | int | bool | str]:
         """Present values by name: Real float, Integer and Enumeration int, Boolean bool, String str."""
@@ -151,6 +169,7 @@ class Instance:
     def _simulate(
         self, experiment: Experiment, step_finished: Callable[[float, Recorder], bool]
     ) -> NDArray[np.void]:
+        HEARD.messages = self.messages
         simulation = fmpy.simulation if experiment.inputs is None else following.simulation()
         try:
             rows: NDArray[np.void] = simulation.simulate_fmu(
@@ -174,6 +193,7 @@ class Instance:
 
     def start(self, values: Mapping[str, float | int | bool], tolerance: float | None = None) -> None:
         """Set start values and initialize, to go on by `advance` (Co-Simulation)."""
+        HEARD.messages = self.messages
         try:
             self._set(values)
             self._fmu.setupExperiment(tolerance=tolerance)
@@ -184,6 +204,7 @@ class Instance:
 
     def set(self, values: Mapping[str, float | int | bool]) -> None:
         """Set inputs or tunable parameters between two steps."""
+        HEARD.messages = self.messages
         try:
             self._set(values)
         except FMICallException as problem:
@@ -197,6 +218,7 @@ class Instance:
 
     def advance(self, time: float, duration: float) -> None:
         """One communication step from `time` on; both in s."""
+        HEARD.messages = self.messages
         try:
             self._fmu.doStep(currentCommunicationPoint=time, communicationStepSize=duration)
         except FMICallException as problem:
@@ -212,6 +234,7 @@ class Instance:
 
     def close(self) -> None:
         """Terminate, where FMPy has not done so, and free the instance."""
+        HEARD.messages = self.messages
         try:
             if self.interface == "CoSimulation":
                 self._fmu.terminate()
@@ -221,7 +244,7 @@ class Instance:
             self._fmu.freeInstance()
 
 
-@contextmanager
+@contextlib.contextmanager
 def opened(fmu: Fmu, interface: str = "me") -> Iterator[Instance]:
     """An instance that is freed at the end, whatever happens."""
     instance = Instance(fmu, interface)
