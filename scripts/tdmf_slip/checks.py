@@ -16,7 +16,7 @@ import numpy as np
 from .errors import InputError
 
 LONGEST_NAME = 100
-"""Of what is searched for among names: none is as long, and the search takes the square of it."""
+"""Longest text that is searched for among names; no name is as long, and the search takes its square."""
 LONGEST_PATH = 4096
 SECOND = np.timedelta64(1, "s")
 _REPR = reprlib.Repr()

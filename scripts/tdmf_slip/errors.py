@@ -1,4 +1,4 @@
-"""What goes wrong, as one clear message each."""
+"""Errors, as one clear message each."""
 
 from typing import TYPE_CHECKING
 

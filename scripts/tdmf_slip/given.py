@@ -1,4 +1,4 @@
-"""What is given by name, in a row or as a range: mappings, lists, and the Series and DataFrames of users.
+"""Arguments by name, in a row or as a range: mappings, lists, and the Series and DataFrames of users.
 
 Those are known by what they can do, so that neither pandas nor another library of tables is imported.
 """

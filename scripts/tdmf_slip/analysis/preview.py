@@ -43,7 +43,7 @@ class Slice:
     columns: tuple[float, ...]
     """Values of the second."""
     numbers: tuple[int, ...] = ()
-    """Of the rows in the whole slice."""
+    """Numbers of the rows in the whole slice."""
     law: Law | None = None
     """By which runners are set."""
     ball: Ball | None = None
@@ -82,7 +82,7 @@ class Points:
     axes: tuple[str, str]
     """Names of the two coordinates."""
     values: NDArray[np.float64]
-    """Of the two coordinates, shape (starts, 2)."""
+    """Values of the two coordinates, shape (starts, 2)."""
     law: Law | None = None
     """By which runners are set."""
     ball: Ball | None = None
@@ -123,7 +123,7 @@ class Preview:
     """A map of which only some starts were followed."""
 
     fate: NDArray[np.int32]
-    """Of each start, followed or painted."""
+    """Fate of each start, followed or painted."""
     strides: NDArray[np.int32]
     """Closed until the fate of a followed start was known; of a painted one, those of a corner."""
     is_followed: NDArray[np.bool_]
@@ -145,7 +145,7 @@ def preview_of(shape: Sequence[int], follow: Follow) -> Preview:
 
 
 def _edges(count: int, size: int) -> NDArray[np.intp]:
-    """Of squares of a size, from the first start to the last."""
+    """Edges of squares of a size, from the first start to the last."""
     return np.append(np.arange(0, max(count - 1, 1), size), count - 1)
 
 

@@ -127,7 +127,7 @@ def fit_command(
 
 
 def _priors(given: tuple[str, ...]) -> dict[str, tuple[str, float]]:
-    """Of --prior."""
+    """Priors of --prior."""
     priors: dict[str, tuple[str, float]] = {}
     for text in given:
         name, _, pair = (part.strip() for part in text.partition("="))

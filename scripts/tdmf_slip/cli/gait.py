@@ -92,7 +92,7 @@ def _draw(gait: Gait, path: Path | None) -> None:
 
 
 def _names(vary: str | None, target: Mapping[str, float]) -> list[str]:
-    """Of --vary, which has a meaning with a target only."""
+    """Names of --vary, which has a meaning with a target only."""
     if vary is not None and not target:
         raise InputError(f"--vary {vary}: nothing is prescribed; allowed: with --target QUANTITY=VALUE")
     if vary is None and target:

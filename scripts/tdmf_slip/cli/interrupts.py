@@ -20,7 +20,7 @@ class Interrupt:
     """One that may come while it is held back."""
 
     handlers: Mapping[int, Handler]
-    """What is to be called, by the number of the signal."""
+    """Handlers by the number of the signal."""
     came: int | None = None
     """Number of the one that came last."""
 

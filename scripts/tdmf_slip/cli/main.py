@@ -40,7 +40,7 @@ COMMANDS = (
 )
 """Each in the module of its name, but for the following."""
 MODULES = {"continue": "continuation"}
-"""Of commands whose name is a word of Python."""
+"""Modules of commands whose name is a word of Python."""
 
 
 def module_of(name: str) -> str:

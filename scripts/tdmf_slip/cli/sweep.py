@@ -24,7 +24,7 @@ from .workers import executor_of, workers_options
 
 NETCDF, CSV = ".nc", ".csv"
 FORMATS = (NETCDF, ".json", CSV)
-"""Of --output."""
+"""Formats of --output."""
 STDOUT = Path("-")
 SPACING_OPTION = click.option(
     "--spacing",

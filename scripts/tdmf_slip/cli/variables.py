@@ -60,7 +60,7 @@ def row(variable: Variable) -> tuple[str, str, str, str, str, str, str]:
 
 
 def _range(variable: Variable) -> str:
-    """What the value may be; empty where it may be anything."""
+    """Allowed values; empty where any is allowed."""
     if variable.items:
         return ", ".join(variable.items.values())
     low, high = variable.minimum, variable.maximum

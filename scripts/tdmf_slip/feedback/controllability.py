@@ -1,4 +1,4 @@
-"""What settings can do about a gait's modes, in numbers.
+"""Effect of settings on a gait's modes, in numbers.
 
 R. E. Kalman's test: the modes are controllable where [G, F G, F^2 G, ...] has their rank. How near they are
 to losing it, its singular values tell.
@@ -29,13 +29,13 @@ class Controllability:
     inputs: tuple[str, ...]
     """Those that are chosen at each apex."""
     eigenvalues: NDArray[Any]
-    """Of the modes that last, shape (modes,), the largest first; complex where any is."""
+    """Eigenvalues of the modes that last, shape (modes,), the largest first; complex where any is."""
     negligible: int
     """Modes that a stride forgets by itself: of a foot that lands and sticks."""
     rank: int
-    """Of the controllability matrix."""
+    """Rank of the controllability matrix."""
     singular_values: NDArray[np.float64]
-    """Of the controllability matrix, shape (modes,), the largest first."""
+    """Singular values of the controllability matrix, shape (modes,), the largest first."""
     modal_controllability: NDArray[np.float64]
     """How far each setting moves each mode in a stride, shape (modes, k): by the mode's left eigenvector of
     length 1."""
@@ -82,7 +82,7 @@ class Controllability:
 
 
 def controllability(gait: Gait, inputs: Sequence[str], *, negligible: float = NEGLIGIBLE) -> Controllability:
-    """What settings that are chosen at each apex can do about a gait's modes.
+    """Effect on a gait's modes of settings that are chosen at each apex.
 
     Parameters
     ----------
@@ -138,7 +138,7 @@ def controllability_of(runner: Runner, modes: Modes, inputs: tuple[str, ...]) ->
 
 
 def controllability_matrix(modes: Modes, strides: int | None = None) -> NDArray[np.float64]:
-    """What settings do to the modes in several strides: [G, F G, F^2 G, ...]."""
+    """Effect of the settings on the modes in several strides: [G, F G, F^2 G, ...]."""
     parts = [modes.input_matrix]
     while len(parts) < (modes.count if strides is None else strides):
         parts.append(modes.state_matrix @ parts[-1])

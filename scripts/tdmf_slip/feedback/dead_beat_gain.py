@@ -50,7 +50,7 @@ def _complement(basis: NDArray[np.float64]) -> NDArray[np.float64]:
 
 
 def _added(basis: NDArray[np.float64], to: NDArray[np.float64]) -> NDArray[np.float64]:
-    """What a basis adds to one that lies in its range."""
+    """Part of a basis beyond another one that lies in its range."""
     beside = basis - to @ (to.T @ basis)
     vectors = np.linalg.svd(beside, full_matrices=False)[0]
     return vectors[:, : basis.shape[1] - to.shape[1]]

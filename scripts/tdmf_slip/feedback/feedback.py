@@ -27,7 +27,7 @@ class Feedback(AffineLaw):
     linearization: Linearization
     """The gait and its settings, to first order."""
     eigenvalues: NDArray[Any]
-    """Of the closed loop within its limits, shape (n,), the largest first; complex where any is."""
+    """Eigenvalues of the closed loop within its limits, shape (n,), largest first; complex where any is."""
     strides: int | None = None
     """After so many a dead-beat law has moved every mode that it does not leave alone; None of another."""
 

@@ -216,7 +216,7 @@ def riccati_gain(
 
 
 def _movable(modes: Modes, model: Linearization) -> Controllability:
-    """What is told of the modes, all of which can be moved."""
+    """Controllability of the modes, all of which can be moved."""
     reported = controllability_of(model.gait.runner, modes, model.inputs)
     if not reported.controllable:
         raise _not_movable(model, reported.uncontrollable)

@@ -1,4 +1,4 @@
-"""What a feedback is worth: what its gait attracts, what is recovered from, how long a runner stays up.
+"""Value of a feedback: region of attraction, largest disturbances, and how long a runner stays up.
 
 The largest eigenvalue says nothing of these: settings have limits, sensors are noisy, and disturbances large.
 """
@@ -30,11 +30,11 @@ class Trial:
     gait: Gait
     """The gait."""
     law: Law | None
-    """What holds it; None for the runner as it is."""
+    """Law that holds the gait; None for the runner as it is."""
     roughness: tuple[float, ...]
     """Standard deviations of a step of the ground, m."""
     seed: int = 0
-    """Of starts and ground."""
+    """Seed of starts and ground."""
 
     def __post_init__(self) -> None:
         """Refuse a ground that cannot be, before a judgement has taken seconds."""

@@ -25,7 +25,7 @@ from ..library.settings import SETTINGS
 from ..variables.table import ALIASES, VARIABLES, full_names
 
 CHOSEN = tuple(name for name in SETTINGS if not name.startswith("ground."))
-"""What a controller may choose anew at each apex: settings that are not the ground's."""
+"""Settings that a controller may choose anew at each apex: all but the ground's."""
 THRUSTS = ("leg.thrust", "control.thrust")
 """Their sum is held at 0 and above."""
 CLOSED = 1e-9
@@ -54,7 +54,7 @@ class Linearization:
 
     @cached_property
     def scales(self) -> NDArray[np.float64]:
-        """Of the section's coordinates, shape (n,)."""
+        """Scales of the section's coordinates, shape (n,)."""
         return self.gait.runner.scales
 
     @cached_property

@@ -1,4 +1,4 @@
-"""What of a deviation lasts: the modes of a return map that its strides do not forget by themselves.
+"""Modes of a return map that last: its strides do not forget them by themselves.
 
 A touchdown and a sticking foot lose coordinates for ever: of the six eigenvalues of a return map some are 0
 but for rounding, three where the stance sticks at some time, two where it does not. These modes need no

@@ -16,9 +16,9 @@ from ..library.varied_stride import plain_stride, varied_stride
 from .problem import FIRST_STEP, Problem
 
 WEIGHT = 1e3
-"""Of what a stride leaves over, over the coordinates' scales, beside residuals over their errors."""
+"""Weight of a stride's residual over the coordinates' scales, beside residuals over their errors."""
 MAX_STEPS, CHANGE = 100, 1e-6
-"""Of the search, and of its sum of squares and unknowns where it ends."""
+"""Largest number of steps; change of the sum of squares and of the unknowns at which the search ends."""
 
 
 class Across:
@@ -37,7 +37,7 @@ class Across:
         return at[: len(self.problem.parameters)]
 
     def apexes(self, at: NDArray[np.float64]) -> NDArray[np.float64]:
-        """Of the strides, shape (rows, n)."""
+        """Apexes of the strides, shape (rows, n)."""
         moved = at[len(self.problem.parameters) :].reshape(self._apexes.shape)
         apexes: NDArray[np.float64] = self._apexes + self._steps * moved
         return apexes
@@ -68,7 +68,7 @@ class Across:
         return np.concatenate([*parts, problem.off_priors(values)])
 
     def jacobian(self, at: NDArray[np.float64]) -> NDArray[np.float64]:
-        """Of the residuals."""
+        """Jacobian of the residuals."""
         problem, values = self.problem, self.problem.values(self.unknowns(at))
         width = self._apexes.shape[1]
         blocks = []

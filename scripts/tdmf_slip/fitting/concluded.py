@@ -1,4 +1,4 @@
-"""What a search that has ended says: estimates with their intervals, what is not told, and notes."""
+"""Results of a search: estimates with their intervals, unidentified combinations, and notes."""
 
 from collections.abc import Iterator
 from dataclasses import replace
@@ -21,10 +21,10 @@ FAR_OFF = 1e4
 
 
 class Conclusion:
-    """What a search has come to."""
+    """Results of a search."""
 
     def __init__(self, request: Request, problem: Problem, found: Ended, starts: int) -> None:
-        """What was asked, the problem with its gaits, where its search ended, and the number of searches."""
+        """Results from a request, its problem, the end of its search, and the number of searches."""
         self.request, self.problem, self.found, self.starts = request, problem, found, starts
         is_there = problem.is_linear_at(found.at)
         self.strides = problem.log.strides
@@ -49,7 +49,7 @@ class Conclusion:
 
     @property
     def scale(self) -> float:
-        """Of the errors: 1 where they are known, else the root of chi square over the degrees of freedom."""
+        """Scale of the errors: 1 if known, else the root of chi square over the degrees of freedom."""
         if not self.request.scale_errors:
             return 1.0
         return float(np.sqrt(self.chi_square / self.request.degrees_of_freedom))
@@ -143,7 +143,7 @@ class Conclusion:
         return low, high, ", ".join(dict.fromkeys(end.why for end in ends if end.why))
 
     def _notes(self) -> Iterator[str]:
-        """What happened, and what the fit should be read with."""
+        """Notes on the search and on how to read the fit."""
         log, found = self.log, self.found
         if self.is_spent:
             yield (
@@ -187,7 +187,7 @@ def is_met(loss: float, request: Request) -> bool:
 
 
 def probability_of(chi_square: float, degrees_of_freedom: int) -> float:
-    """That the chi square distribution exceeds a value."""
+    """Probability that the chi square distribution exceeds a value."""
     from scipy.special import gammaincc  # slow to load
 
     if degrees_of_freedom == 0:

@@ -13,9 +13,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 ROUNDING = 1e-9
-"""Of the largest singular value: less is none."""
+"""Share of the largest singular value below which a singular value counts as zero."""
 SMALL = 1e-5
-"""Of a combination's largest member: less has no part in one that is not told at all."""
+"""Share of a combination's largest member below which a parameter has no part in it."""
 MINOR = 0.1
 """The same in a combination that is told badly, of which every parameter has a little."""
 
@@ -48,20 +48,20 @@ class Combination:
 
 @dataclass(frozen=True, eq=False)
 class Identified:
-    """What a weighted Jacobian tells."""
+    """Identifiability of the parameters by a weighted Jacobian."""
 
     covariance: NDArray[np.float64]
-    """Of the parameters over their scales, shape (p, p), of what is told of them."""
+    """Covariance of the identified parts of the parameters over their scales, shape (p, p)."""
     reported: NDArray[np.bool_]
     """Which parameters have no part in what is not told at all, shape (p,)."""
     unidentified: tuple[Combination, ...]
-    """What is not told at all first."""
+    """Combinations that are poorly identified; those that are not identified at all come first."""
 
 
 def identified(
     jacobian: NDArray[np.float64], labels: Sequence[str], scales: NDArray[np.float64], quantile: float
 ) -> Identified:
-    """What a weighted Jacobian tells of the parameters."""
+    """Identifiability of the parameters by a weighted Jacobian."""
     _, sizes, directions = np.linalg.svd(jacobian, full_matrices=False)
     none = sizes <= ROUNDING * max(sizes[0], np.finfo(float).tiny)
     unseen = _simplest(directions[none])

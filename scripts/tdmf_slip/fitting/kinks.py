@@ -18,13 +18,13 @@ from .search import Bounds, Ended, is_stationary, loss_of, searched, weights_of
 ROUNDS, REGIONS = 12, 8
 """Searches that go on, and gradients at one place, at the most."""
 ASIDE = 1e-4
-"""Of an unknown: how far aside another region is looked at."""
+"""Distance of an unknown at which another region is looked at."""
 SHORTEST = 1e-4
-"""Of a step."""
+"""Shortest step."""
 LEVEL = 1e-4
 """Fall of the loss that is none."""
 SUFFICIENT = 0.1
-"""Of the fall that is promised, so much has to come."""
+"""Share of the predicted fall that a step has to achieve."""
 HEAVY = 1e4
 """Weight of the sum of weights."""
 

@@ -42,7 +42,7 @@ class Measured:
 
 
 Row = Mapping[str, Measured]
-"""What was measured in one condition, by the quantities' names."""
+"""Measurements in one condition, by the quantities' names."""
 
 
 @dataclass(frozen=True, eq=False)

@@ -1,4 +1,4 @@
-"""What is known of parameters beside the data, checked."""
+"""Priors of parameters, checked."""
 
 import math
 from collections.abc import Sequence

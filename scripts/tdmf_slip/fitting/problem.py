@@ -1,4 +1,4 @@
-"""What a fit solves: the gaits of all conditions, at parameters that are looked for, are those measured.
+"""Problem of a fit: parameters at which the gaits of all conditions are those measured.
 
 Unknowns are parameters that all rows share, and parameters of which each row has its own; each is counted
 from its first value in tenths of its scale. A residual is a quantity less the measured one, over its error.
@@ -22,14 +22,14 @@ from .search_log import SearchLog
 from .unknowns import Parameter, Prior
 
 FIRST_STEP = 0.1
-"""Of a parameter's scale: the first step of the search is no longer."""
+"""Longest first step of the search, over a parameter's scale."""
 CLOSED = 1e-11
 """Largest difference of apex and next apex over the scales."""
 FAR = 1e3
 """Of a parameter's scale: an end of its range that is farther away is no bound, as SciPy's search scales the
 parameters by how far their bounds are."""
 MAX_STRIDES = 20_000
-"""Of all rows in a fit: nearly thirty times what the data that come with the package take."""
+"""Largest number of strides of all rows in a fit: nearly thirty times what the package's data take."""
 STRIDES_OF_SEARCH = 50
 """So many a search for a gait by Newton's method is counted for: how many it made is not told."""
 CHORDS = 16
@@ -43,7 +43,7 @@ class _Iterate:
     apex: NDArray[np.float64]
     varied: VariedGait
     values: NDArray[np.float64]
-    """Of the row's parameters."""
+    """Values of the row's parameters."""
 
 
 class Problem:
@@ -113,7 +113,7 @@ class Problem:
         return self.runner.replace(dict(zip(self.vary, own, strict=True)))
 
     def residuals(self, unknowns: NDArray[np.float64]) -> NDArray[np.float64]:
-        """Of all rows in turn; infinite where one has no gait, so that a shorter step is tried.
+        """Residuals of all rows in turn; infinite where one has no gait, so that a shorter step is tried.
 
         Where no further stride is to be made, those of before: no step is then better, and the search ends.
         """
@@ -170,7 +170,7 @@ class Problem:
         self._bases, self._tried, self._linear_at = iterates, None, None
 
     def jacobian(self, unknowns: NDArray[np.float64]) -> NDArray[np.float64]:
-        """Of the residuals; the search goes on from there."""
+        """Jacobian of the residuals; the search goes on from there."""
         if self._tried is None or not np.array_equal(self._tried[0], unknowns):
             self._residuals(unknowns)
         assert self._tried is not None
@@ -193,11 +193,11 @@ class Problem:
         return self._linear_at is not None and np.array_equal(self._linear_at, unknowns)
 
     def apexes(self) -> list[NDArray[np.float64]]:
-        """Of the gaits at which the Jacobian was asked for last."""
+        """Apexes of the gaits at the last evaluation of the Jacobian."""
         return [base.apex for base in self._bases]
 
     def words(self) -> list[str]:
-        """Of the same gaits."""
+        """Words of the gaits at the last evaluation of the Jacobian."""
         return list(self._words)
 
     def _varied(self, values: NDArray[np.float64], row: int, apex: NDArray[np.float64]) -> VariedGait:

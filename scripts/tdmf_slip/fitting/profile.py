@@ -15,13 +15,13 @@ from .problem import Problem
 from .search import Bounds, Ended, searched
 
 MET = 0.02
-"""Of the root of the rise, over what it is to be: the interval's end is then interpolated."""
+"""Relative error of the root of the rise at which the interval's end is interpolated."""
 TRIES = 14
-"""Of an end."""
+"""Largest number of tries to find an end."""
 LONGEST, FARTHEST = 5.0, 40.0
-"""Of an unknown, in tenths of its scale: the first step, and how far an end is looked for."""
+"""First step of an unknown, and largest distance of an end, in tenths of the unknown's scale."""
 CHANGE = 1e-4
-"""Of the loss, where a search with a held parameter ends."""
+"""Change of the loss at which a search with a held parameter ends."""
 BETTER = 1e-3
 """Fall of the loss below the least one that says that this was none."""
 
@@ -33,7 +33,7 @@ class End:
     at: float
     """The unknown; infinite where there is no end."""
     why: str
-    """What it ends at, if not at the rise: `range` or `gaits`; else empty."""
+    """Reason why it ends before the rise: `range` or `gaits`; else empty."""
 
 
 class BetterFitError(Exception):

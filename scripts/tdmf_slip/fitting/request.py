@@ -1,4 +1,4 @@
-"""What is asked of a fit, checked."""
+"""Request for a fit, checked."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -9,7 +9,7 @@ from .unknowns import Prior
 
 @dataclass(frozen=True, eq=False)
 class Request:
-    """What is to be fitted to what, and how."""
+    """Data and parameters of a fit, and how to fit."""
 
     measurements: Measurements
     """The data."""
@@ -18,7 +18,7 @@ class Request:
     each: tuple[str, ...]
     """Those of which each row has its own."""
     priors: tuple[Prior, ...]
-    """What is known of shared ones beside the data."""
+    """Priors of shared parameters."""
     robust: bool
     """Huber's loss instead of squares."""
     scale_errors: bool
@@ -28,7 +28,7 @@ class Request:
     starts: int
     """Fits, at the most, of which the best counts."""
     ranges: Mapping[str, tuple[float, float]]
-    """Of the parameters, by name."""
+    """Ranges of the parameters, by name."""
 
     @property
     def degrees_of_freedom(self) -> int:

@@ -49,7 +49,7 @@ class Estimate:
     is_profiled: bool
     """The interval is by the profile likelihood, else linear."""
     ends_at: str
-    """What the interval ends at where it is not the likelihood: `range`, `gaits`, or both; else empty."""
+    """Reason why the interval ends before the likelihood does: `range`, `gaits`, or both; else empty."""
 
 
 @dataclass(frozen=True)
@@ -59,13 +59,13 @@ class Residual:
     row: int
     """Number of the condition, from 1."""
     name: str
-    """Of the quantity."""
+    """Name of the quantity."""
     measured: float
     """As it was measured."""
     error: float
     """Its standard error."""
     fitted: float
-    """That of the fitted gait."""
+    """Value of the fitted gait."""
 
     @property
     def residual(self) -> float:
@@ -78,36 +78,36 @@ class Fit:
     """A runner fitted to measured gaits; `plot` draws the data, the fit and the residuals."""
 
     measurements: Measurements
-    """What was fitted."""
+    """Measurements that were fitted."""
     runners: tuple[Runner, ...]
     """With the fitted parameters, one for each row."""
     apexes: tuple[NDArray[np.float64], ...]
-    """Of the fitted gaits, one for each row."""
+    """Apexes of the fitted gaits, one for each row."""
     words: tuple[str, ...]
-    """Of the fitted gaits."""
+    """Words of the fitted gaits."""
     estimates: tuple[Estimate, ...]
     """Those that all rows share first."""
     covariance: NDArray[np.float64]
-    """Of the estimates, in their units; of what the data tell of them."""
+    """Covariance of the identified parts of the estimates, in their units."""
     unidentified: tuple[Combination, ...]
     """Combinations of parameters that the data determine badly or not at all."""
     residuals: tuple[Residual, ...]
     """Row by row."""
     priors: tuple[Residual, ...]
-    """What is known beside the data, by parameters' names, beside the fitted values; their rows are 0."""
+    """Priors beside the fitted values, by parameters' names; their rows are 0."""
     probability: float
-    """That residuals as large as these come by chance; not a number where as many are fitted as measured."""
+    """Probability of residuals as large as these by chance; NaN where as many are fitted as measured."""
     converged: bool
     """Whether the search ended where the sum of squares is least, and this is not far beyond the data's
     errors."""
     steps: int
-    """Of the search."""
+    """Number of steps of the search."""
     starts: int
-    """Of how many searches this is the best."""
+    """Number of searches of which this is the best."""
     request: Request = field(repr=False)
-    """What was asked."""
+    """Request that this fit answers."""
     notes: tuple[str, ...] = field(default=())
-    """What happened on the way, and what the fit should be read with, a sentence each."""
+    """Notes on the search and on how to read the fit, a sentence each."""
 
     def __repr__(self) -> str:
         """In a line: what was found."""

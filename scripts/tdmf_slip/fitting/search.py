@@ -11,13 +11,13 @@ from .problem import Problem
 MAX_STEPS = 60
 """Tries of the search."""
 CHANGE = 1e-9
-"""Of the sum of squares, of the unknowns, and of the slope: where the search ends."""
+"""Change of the sum of squares, of the unknowns, and of the slope at which the search ends."""
 INSIDE = 1e-9
-"""Of an unknown: how far within its bounds a search begins, lest SciPy moves it there itself, unasked."""
+"""Distance of an unknown from its bounds where a search begins; SciPy would move a closer one."""
 HUBER = 1.345
 """Errors up to which Huber's loss is the square: of normal data it then tells 95 % of what squares do."""
 STATIONARY, ROUNDING = 1e-2, 1e-4
-"""Of a standard error, and of the length of all residuals: how far from its best a parameter may be."""
+"""Distance of a parameter from its best, over its standard error and over the length of all residuals."""
 
 Bounds = tuple[NDArray[np.float64], NDArray[np.float64]]
 """Least and greatest values of the unknowns."""
@@ -34,9 +34,9 @@ class Ended:
     loss: float
     """The sum of squares, or of the loss."""
     at_bound: NDArray[np.int_]
-    """Of each unknown: -1 or 1 where it is at its least or greatest value, else 0."""
+    """Active bound of each unknown: -1 or 1 where it is at its least or greatest value, else 0."""
     tries: int
-    """Of the search."""
+    """Number of tries of the search."""
     ended: bool
     """By itself, not by the number of tries."""
     on_border: bool = False
@@ -51,7 +51,7 @@ def searched(
     fixed: int | None = None,
     change: float = CHANGE,
 ) -> Ended:
-    """What SciPy's `least_squares` finds."""
+    """Result of SciPy's `least_squares`."""
     from scipy.optimize import least_squares  # slow to load
 
     free = np.arange(len(begin)) != (-1 if fixed is None else fixed)

@@ -1,11 +1,11 @@
-"""What came in the way of a fit's search, and what it took."""
+"""Log of a fit's search: obstacles and effort."""
 
 from dataclasses import dataclass, field
 
 
 @dataclass
 class SearchLog:
-    """What came in the way of the search."""
+    """Obstacles of the search."""
 
     strides: int = 0
     """Made by all rows."""
@@ -14,4 +14,4 @@ class SearchLog:
     crossed: bool = False
     """The search went on across a fold."""
     words: list[list[str]] = field(default_factory=list)
-    """Of each row, those that its gait had, in their order."""
+    """Words of each row's gait, in their order."""

@@ -1,4 +1,4 @@
-"""What a fit looks for, and what is known of it beside the data."""
+"""Unknowns of a fit, and their priors."""
 
 from dataclasses import dataclass
 
@@ -8,7 +8,7 @@ class Parameter:
     """A parameter that is looked for."""
 
     name: str
-    """Of the runner."""
+    """Name of the runner's parameter."""
     row: int | None
     """Number of the row whose own it is; None where all rows share it."""
 
@@ -20,10 +20,10 @@ class Parameter:
 
 @dataclass(frozen=True)
 class Prior:
-    """What is known of a parameter beside the data."""
+    """Prior of a parameter."""
 
     name: str
-    """Of the parameter, which all rows share."""
+    """Name of the parameter, which all rows share."""
     value: float
     """In the unit's unit."""
     error: float

@@ -19,11 +19,11 @@ class LeftOut:
     """A datum, and the fit without it."""
 
     row: int
-    """Of the datum, from 1."""
+    """Row of the datum, from 1."""
     name: str
-    """Of its quantity."""
+    """Name of the datum's quantity."""
     fit: Fit
-    """Of all the others, with linear intervals."""
+    """Fit of all other data, with linear intervals."""
 
     def shifts(self, of: Fit) -> Mapping[str, float]:
         """By label: how far shared estimates move, over their standard errors in the whole fit."""

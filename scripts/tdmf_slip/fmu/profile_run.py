@@ -20,7 +20,7 @@ STEPS_PER_TIME_UNIT = 20
 """Communication steps in each sqrt(m/k), unless an output interval is given."""
 HEIGHT, SLOPE = "ground.height", "ground.slope"
 TYPES = {"Real": float, "Boolean": bool}
-"""Of columns; others are whole numbers."""
+"""Types of columns; others are whole numbers."""
 
 
 def interface_over(profile: object, interface: str | None, inputs: InputTables | None, fmu: Fmu) -> str:

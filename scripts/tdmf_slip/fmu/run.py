@@ -1,4 +1,4 @@
-"""What a run of the unit gave."""
+"""Result of a run of the unit."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Run:
-    """What a run gave. All values are in the units of the model description, see `units`."""
+    """Result of a run. All values are in the units of the model description, see `units`."""
 
     table: NDArray[np.void]
     """Recorded rows: structured array, fields `time` and variables' names; two rows at each event."""
@@ -40,7 +40,7 @@ class Run:
     events: list[Event] = field(default_factory=list)
     """Contact and phase changes, in their order."""
     messages: list[str] = field(default_factory=list)
-    """What the unit had to say."""
+    """Messages of the unit."""
 
     stride: Mapping[str, float | int | str] = field(default_factory=dict)
     """The last completed stride: `count`, `period`, `word` and so on; zero and empty without one."""

@@ -81,17 +81,17 @@ class FixedPoint:
     angle: float
     """Touchdown angle, rad, at the apex where the leg retracts."""
     height: float
-    """Of the apex above the ground below it, m."""
+    """Height of the apex above the ground below it, m."""
     slope: float
-    """Of the map at one energy, its eigenvalue."""
+    """Slope of the map at one energy, which is its eigenvalue."""
     stance_friction: float
     """Friction needed in the stance."""
     impact_friction: float
     """Friction needed at the impact of an infinitesimal foot mass."""
     length: float
-    """Of the step, m, from apex to apex, horizontally."""
+    """Length of the step from apex to apex, m."""
     energy_loss: float
-    """What the step takes of the energy above the ground, J; negative downhill, 0 on level ground."""
+    """Loss of energy above the ground in the step, J; negative downhill, 0 on level ground."""
 
     @property
     def stable(self) -> bool:

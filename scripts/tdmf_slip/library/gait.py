@@ -50,17 +50,17 @@ class Gait:
     """Quantities by the names in `STRIDE_QUANTITIES`, `LEDGER` and, in the full model, `quantities.MEASURES`.
     `positive_work` is the work of hip and leg, in the reduced map the work of the hip."""
     jacobian: NDArray[np.float64]
-    """Of the map, shape (n, n); [i, k] is the change of coordinate i by coordinate k."""
+    """Jacobian of the map, shape (n, n); [i, k] is the change of coordinate i by coordinate k."""
     along: Along | None
     """The parameter or input, or the direction of several, by which the next apex is differentiated, too."""
     by_parameter: NDArray[np.float64] | None
     """Change of the next apex along it, shape (n,); None where none was asked for."""
     error: float
-    """What is left of apex minus next apex, over the coordinates' scales."""
+    """Residual: apex minus next apex, over the coordinates' scales."""
     iterations: int
-    """Of Newton's method."""
+    """Number of iterations of Newton's method."""
     events: tuple[Event, ...] = field(repr=False)
-    """Of the stride, in their order."""
+    """Events of the stride, in their order."""
     following: tuple[NDArray[np.float64], ...] = ()
     """Where the gait takes more than one stride: the apexes between them, each of shape (6,)."""
     left_over: NDArray[np.float64] = field(default_factory=lambda: np.zeros(len(COORDINATES)), repr=False)
@@ -125,7 +125,7 @@ class Gait:
 
     @property
     def friction(self) -> float:
-        """Of the ground."""
+        """Friction coefficient of the ground."""
         return self.runner[FRICTION]
 
     def plot(self) -> "Figure":
@@ -190,7 +190,7 @@ class Gait:
 
     @cached_property
     def eigenvalues(self) -> NDArray[np.float64] | NDArray[np.complex128]:
-        """Of the Jacobian, shape (n,), the largest first; complex where any is."""
+        """Eigenvalues of the Jacobian, shape (n,), the largest first; complex where any is."""
         found: NDArray[Any] = np.linalg.eigvals(self.jacobian)
         return found[np.argsort(-np.abs(found), kind="stable")]
 

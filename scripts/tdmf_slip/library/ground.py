@@ -19,7 +19,7 @@ LARGEST = 1e9
 MIN_SEGMENT = 1e-3
 """Over l0; shorter ones the library refuses."""
 LARGEST_SPREAD = 10.0
-"""Of the logarithm of friction."""
+"""Largest standard deviation of the logarithm of friction."""
 LAST_SEED = 2**64 - 1
 LAST_RUNNER = 2**63 - 1
 MAX_STEPS = 2**31 - 1
@@ -77,7 +77,7 @@ class RoughGround:
     roughness: float = 0.0
     """Standard deviation of a step, or of the height of a segment, m; their mean is 0."""
     seed: int = 0
-    """Of all steps, and of friction."""
+    """Seed of all steps, and of friction."""
     step_weights: tuple[float, ...] = ()
     """A step is the sum of weight j times the deviate of j strides before; none: each is its own deviate. See
     `correlated_weights` and `spectrum_weights`."""

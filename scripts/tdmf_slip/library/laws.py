@@ -60,7 +60,7 @@ class AffineLaw:
     nominal: Sequence[float] | NDArray[np.float64]
     """Values of the settings there, shape (k,), in their units; so are the limits."""
     gain: ArrayLike
-    """Of each setting by each coordinate, shape (k, n)."""
+    """Gain of each setting by each coordinate, shape (k, n)."""
     low: Sequence[float] | NDArray[np.float64]
     """Least value of each setting, shape (k,), within its range."""
     high: Sequence[float] | NDArray[np.float64]
@@ -68,7 +68,7 @@ class AffineLaw:
     noise: Sequence[float] | NDArray[np.float64] | None = None
     """Standard deviation of what is added to each coordinate, shape (n,); by default none is."""
     seed: int = 0
-    """Of the noise."""
+    """Seed of the noise."""
 
     def __post_init__(self) -> None:
         """Make all of it plain numbers; refuse values that are none, out of range or of another shape."""
@@ -148,7 +148,7 @@ class AffineLaw:
         return dict(zip(self.inputs, values.T, strict=True))
 
     def inputs_at(self, apex: Apex, runner: int = 0, stride: int = 0) -> dict[str, float]:
-        """What is set at an apex.
+        """Settings at an apex.
 
         Parameters
         ----------

@@ -19,14 +19,14 @@ PATCH = ("ground.patch_begin", "ground.patch_end")
 
 @dataclass(frozen=True)
 class Map:
-    """What the library has for a map."""
+    """Functions of the library for a map."""
 
     stride: Callable[..., Any]
-    """Of solver, system, apex, longest time, whether derivatives, seeds and how many."""
+    """Takes solver, system, apex, longest time, whether derivatives, seeds and how many."""
     measured_stride: Callable[..., Any]
     """The same, with what is measured along the stride."""
     settle: Callable[..., int]
-    """Of solver, system, strides and the apex, which becomes the last one: how many closed."""
+    """Takes solver, system, strides and the apex, which becomes the last one; returns how many closed."""
 
 
 def map_of(runner: Runner) -> Map:
@@ -47,7 +47,7 @@ def refuse_patch(values: Mapping[str, float]) -> None:
 
 
 def why_no_return(stride: Any) -> str | None:
-    """What ended a stride, in words to follow in a message; None where it closed."""
+    """Reason why a stride ended, in words for a message; None where it closed."""
     if stride.outcome == c.TDMF_RETURN_CLOSED:
         return None
     if stride.outcome == c.TDMF_RETURN_UNSOLVED:

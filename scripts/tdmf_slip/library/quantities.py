@@ -216,7 +216,7 @@ def quantity_given(name: str, given: object, where: str) -> object:
 
 
 def quantities_of(gait: Gait, names: Sequence[str]) -> dict[str, float]:
-    """What a gait has of the quantities that one can be ordered by."""
+    """Values of a gait's quantities, by names of possible targets."""
     check_quantities(gait.runner, names)
     apex = apex_quantities(gait.runner, gait.apex)
     return {name: quantity_of(name, {**gait.stride, **apex}) for name in names}

@@ -1,4 +1,4 @@
-"""What may be set anew at each apex: settings of the control law, and inputs."""
+"""Settings that may change at each apex: parameters of the control law, and inputs."""
 
 from collections.abc import Mapping, Sequence
 

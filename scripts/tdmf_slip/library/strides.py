@@ -101,7 +101,7 @@ def _together(runner: Runner, strides: Sequence[Mapping[str, float]]) -> dict[st
 
 
 def _events(gaits: Sequence[Gait]) -> tuple[Event, ...]:
-    """Of all strides, timed from the first apex."""
+    """Events of all strides, timed from the first apex."""
     begins = np.cumsum([0.0, *(gait.period for gait in gaits[:-1])])
     return tuple(
         replace(event, time=event.time + float(begin))

@@ -49,7 +49,7 @@ class PlainStride:
     quantities: NDArray[np.float64]
     """In the order in which they were asked for, shape (q,)."""
     word: str
-    """Of its stance."""
+    """Word of the stride's stance."""
 
 
 def plain_stride(runner: Runner, apex: NDArray[np.float64], names: Sequence[str]) -> PlainStride:

@@ -12,7 +12,7 @@ LETTERS: Mapping[int, str] = {
     c.TDMF_CONTACT_SLIP_POSITIVE: "+",
     c.TDMF_CONTACT_SLIP_NEGATIVE: "-",
 }
-"""Of the gait word, by contact mode."""
+"""Letters of the gait word, by contact mode."""
 
 
 @dataclass(frozen=True)
@@ -32,7 +32,7 @@ class Event:
 
 
 def recorded(log: Any) -> tuple[Event, ...]:
-    """What a solver has noted of a stride."""
+    """Events of a stride, as the solver has logged them."""
     return tuple(
         Event(e.time, e.guard, e.before.contact, e.after.contact, tuple(e.state))
         for e in log.events[0 : min(log.count, c.TDMF_EVENT_CAPACITY)]

@@ -55,7 +55,7 @@ class Point:
     tangent: Vector
     """Unit tangent of the curve, shape (n,)."""
     gait: Any
-    """What the problem knows at the point, such as a `Gait`."""
+    """Solution at the point as the problem describes it, such as a `Gait`."""
     rows: Matrix
     """Jacobian of the residual, shape (n - 1, n)."""
 
@@ -116,7 +116,7 @@ class Problem:
         raise NotImplementedError
 
     def describe(self, x: Vector) -> tuple[Any, Matrix]:
-        """What is known at a solution, and the Jacobian of the residual."""
+        """Description of a solution, and the Jacobian of the residual."""
         raise NotImplementedError
 
     def label(self, known: object) -> object:

@@ -8,7 +8,7 @@ from .reference_gaits import Drift
 from .validation import Validation
 
 SMALLEST, LARGEST = 1e-6, 1e6
-"""Of what is allowed: the least and the largest share that is drawn; beyond, they are drawn as these."""
+"""Least and largest share of the allowed drift that is drawn; shares beyond are drawn at these."""
 OTHER = "of no single gait"
 
 
@@ -46,7 +46,7 @@ def _gait(drift: Drift) -> str:
 
 
 def _share(drift: Drift) -> float:
-    """Of what is allowed; a word has to be the same."""
+    """Drift as a share of the allowed one; a word has to be the same."""
     if drift.allowed > 0.0:
         return drift.deviation / drift.allowed
     return 0.0 if drift.passed else LARGEST

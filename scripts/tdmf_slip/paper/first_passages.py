@@ -22,7 +22,7 @@ class Trial:
     runners: int
     """How many run."""
     seed: int
-    """Of the ground."""
+    """Seed of the ground."""
     max_strides: int
     """A runner that has made as many is still up."""
     law: Law | None = None

@@ -23,11 +23,11 @@ from .claims import Claim, alike
 from .patch import Meetings, contact_angle_of, meet_patch
 
 FRICTIONS = (0.05, 0.1, 0.2)
-"""Of the patch, for that of polypropylene is not known."""
+"""Friction coefficients of the patch, because that of polypropylene is not known."""
 SOURCE = "Clark and Higham 2011"
 """Who measured guinea fowl on a slippery patch."""
 STEP = 0.1
-"""Of speeds, m/s."""
+"""Step between speeds, m/s."""
 ANGLES = np.arange(50.0, 76.0, 1.0)
 """Contact angles, degrees from the ground."""
 NEAR = 5.0
@@ -56,7 +56,7 @@ class Map:
 
     @property
     def speeds(self) -> NDArray[np.float64]:
-        """Of the gaits, m/s."""
+        """Speeds of the gaits, m/s."""
         return np.array([gait.stride["speed"] for gait in self.gaits])
 
     def borders(self, friction: float) -> NDArray[np.float64]:

@@ -28,10 +28,10 @@ TORQUE = "hip.stance_torque"
 
 @dataclass(frozen=True, eq=False)
 class Crossing:
-    """What came of one gait on one patch, from `PHASES` places."""
+    """Outcome of one gait on one patch, from `PHASES` places."""
 
     falls: int
-    """Of `PHASES`."""
+    """Number of falls among `PHASES`."""
     slips: NDArray[np.float64]
     """The largest slip of one stride, m, by the place of the foot."""
 

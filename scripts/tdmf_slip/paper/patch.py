@@ -25,17 +25,17 @@ AFTER = 30
 UP = (SETTLED, UNDECIDED)
 """Fates of runners that are up: one that has made its strides without a gait to settle on is undecided."""
 STEEPEST = math.pi / 2.0
-"""Of the angle at which a leg may be placed, rad from the vertical."""
+"""Bound of the angle at which a leg may be placed, rad from the vertical."""
 
 
 @dataclass(frozen=True, eq=False)
 class Meetings:
-    """What came of gaits on a patch, by contact angle."""
+    """Falls and slip of gaits on a patch, by contact angle."""
 
     fell: NDArray[np.float64]
     """1 or 0, shape (gaits, angles); not a number where the leg cannot be placed so."""
     slip_distance: NDArray[np.float64]
-    """Of the first stride on the patch, m; not a number where it does not close, too."""
+    """Slip distance of the first stride on the patch, m; NaN where the stride does not close."""
 
 
 def contact_angle_of(gait: Gait) -> float:
@@ -60,7 +60,7 @@ def landing_at(gait: Gait, contact_angle: float) -> Runner | None:
 def meet_patch(
     gaits: Sequence[Gait], contact_angles: Sequence[float], friction: float, strides: int = 1
 ) -> Meetings:
-    """What comes of runners on gaits that meet a patch."""
+    """Falls and slip of runners on gaits that meet a patch."""
     shape = len(gaits), len(contact_angles)
     fell, slips = np.full(shape, np.nan), np.full(shape, np.nan)
     landings = {
@@ -100,7 +100,7 @@ def _followed(
 
 
 def _slip(runner: Runner, apex: NDArray[np.float64]) -> float:
-    """Of one stride; not a number where it does not close."""
+    """Slip distance of one stride; NaN where it does not close."""
     try:
         return float(plain_stride(runner, apex, ["slip_distance"]).quantities[0])
     except (InputError, RunError):

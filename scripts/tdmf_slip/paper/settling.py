@@ -33,21 +33,21 @@ class SettledRun:
     """A run of the unit that settled on a gait, by its last stride. Units as in the model description."""
 
     friction: float
-    """Of the ground."""
+    """Friction coefficient of the ground."""
     word: str
-    """Of the last stride."""
+    """Word of the last stride."""
     period: float
-    """Of the last stride."""
+    """Period of the last stride."""
     length: float
-    """Of the last stride."""
+    """Length of the last stride."""
     speed: float
-    """Of the last stride."""
+    """Speed of the last stride."""
     work: float
-    """Of the hip in the last stride."""
+    """Work of the hip in the last stride."""
     cost_of_transport: float
-    """Of the last stride."""
+    """Cost of transport of the last stride."""
     liftoff_angle: float
-    """Of the leg in the last stride, rad."""
+    """Angle of the leg at the last lift-off, rad."""
     apex: tuple[float, ...]
     """Section at the apex, in the order of `COORDINATES`."""
     start_values: Mapping[str, Value]

@@ -34,7 +34,7 @@ NAMES = {
     "leg_length_rate": "rate of leg length",
     "leg_angle_rate": "rate of leg angle",
 }
-"""Of the section's coordinates, at the apex."""
+"""Names of the section's coordinates, at the apex."""
 COUNTED = {
     "settled": ("GnBu_r", "strides until the runner is known to settle"),
     "fell": ("OrRd_r", "strides until the runner falls"),
@@ -49,7 +49,7 @@ OTHERS = {
 }
 """Colours of the others."""
 PALEST = 0.85
-"""Of a colour map: beyond, it is hardly told from the paper."""
+"""Share of a colour map that is used; paler colours are hard to see on paper."""
 SMALLEST, RIM = 3.2, 1.0
 """Points: starts that are drawn smaller are marked with a white rim, else a single one would be lost."""
 

@@ -27,9 +27,9 @@ from .curve_label import CurveLabel
 DRAWN = "com_speed"
 """The quantity that is drawn unless another is asked for."""
 MIN_SHOWN, LARGEST_SHOWN = 1.15, 4.0
-"""Of eigenvalues: how far their axis goes at least and at most."""
+"""Least and largest reach of the axis of eigenvalues."""
 COLOURS = (style.CURVE, style.SECOND_CURVE, "#8a5a00", "#5b2a86")
-"""Of lines, by how often the period was doubled."""
+"""Colours of lines, by how often the period was doubled."""
 MARKS: dict[str, dict[str, Any]] = {
     WORD_BORDER: {"marker": "|", "color": style.FAINT, "markersize": 9, "markeredgewidth": 1.4},
     FOLD: {"marker": "o", "color": style.MODE_COLOURS["slip_negative"], "markersize": 6.5},
@@ -37,9 +37,9 @@ MARKS: dict[str, dict[str, Any]] = {
     NEIMARK_SACKER: {"marker": "s", "color": style.MODE_COLOURS["stick"], "markersize": 6},
     UNCLASSIFIED: {"marker": "x", "color": "#c0392b", "markersize": 7, "markeredgewidth": 1.8},
 }
-"""Of special points, by kind."""
+"""Markers of special points, by kind."""
 SHORT_RUN = 0.03
-"""Of the axes' diagonal: a word that holds over less is not written."""
+"""Share of the axes' diagonal: a word that holds over less is not written."""
 WORD_PLACES = 21
 """Places along a line where its word may stand."""
 

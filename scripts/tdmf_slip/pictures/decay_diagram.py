@@ -1,4 +1,4 @@
-"""What remains from stride to stride: runners that are still up, or a deviation that is proved to die out."""
+"""Decay from stride to stride: runners that are still up, or a deviation that is proved to die out."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ POINTS = 400
 SPAN = (1e-2, 10.0)
 """Over the mean: strides that are drawn."""
 SMALLEST = 1e-6
-"""Of the first distance: a deviation is followed until it is proved to be as small."""
+"""Share of the first distance: a deviation is followed until it is proved to be as small."""
 
 
 def of_falls(found: FirstPassage | RareFalls) -> Figure:

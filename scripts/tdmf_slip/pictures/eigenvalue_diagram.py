@@ -26,7 +26,7 @@ MARKERS: Sequence[Mapping[str, Any]] = (
     {"marker": "o", "color": style.SECOND_CURVE, "markersize": 7.0},
     {"marker": "x", "color": style.MODE_COLOURS["slip_negative"], "markersize": 8.0, "markeredgewidth": 1.8},
 )
-"""Of the first and the second set of eigenvalues."""
+"""Markers of the first and the second set of eigenvalues."""
 NARROWEST = 1e-300
 """Least radius of an enclosure that is drawn: that of a point has no logarithm."""
 
@@ -82,7 +82,7 @@ def of_border(proof: BorderProof) -> Figure:
 
 
 def _middles(proof: Proof) -> NDArray[np.complex128]:
-    """Of the discs that the eigenvalues are proved to be in."""
+    """Centres of the discs that the eigenvalues are proved to be in."""
     return np.array([complex(value) for value in proof.eigenvalues])
 
 

@@ -16,9 +16,9 @@ from . import style
 
 DATA, FITTED = style.INK, style.MODE_COLOURS["slip_positive"]
 WIDTH, HEIGHT = 7.6, 2.5
-"""Of the figure, and of each row of panels, inches."""
+"""Width of the figure and height of each row of panels, inches."""
 COLOURS = ("#0b7a75", "#1f5fa8", "#b3216f", "#e07b00", "#5b2a86", "#8a5a00")
-"""Of residuals, by quantity in the order of `MEASURABLE`, again and again."""
+"""Colours of residuals, by quantity in the order of `MEASURABLE`, repeated."""
 NAMES = {name: name.replace("_", " ") for name in MEASURABLE}
 FEW = 12
 """Rows that are numbered each."""
@@ -49,7 +49,7 @@ def figure_of(fit: Fit) -> Figure:
 
 
 def _tick_positions(fit: Fit) -> tuple[Sequence[float], str]:
-    """Of the rows on the horizontal axis, and its title."""
+    """Places of the rows on the horizontal axis, and its title."""
     speeds = [row["speed"].value for row in fit.measurements.rows if "speed" in row]
     if len(speeds) > 1 and len(set(speeds)) == len(fit.measurements.rows):
         return speeds, style.with_unit("measured speed", fit.runners[0].label(unit_of("speed")))

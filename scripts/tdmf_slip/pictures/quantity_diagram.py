@@ -26,7 +26,7 @@ HEIGHT, BAR = 1.6, 0.2
 
 
 def of_optimum(found: Optimum) -> Figure:
-    """What the optimum changes: quantities of the gait, and the parameters that were varied."""
+    """Changes by the optimum: quantities of the gait, and the parameters that were varied."""
     names = known_quantities(found.gait.runner)
     before = quantities_of(found.before, names) | {LAMBDA_MAX: found.before.lambda_max}
     after = quantities_of(found.gait, names) | {LAMBDA_MAX: found.gait.lambda_max}

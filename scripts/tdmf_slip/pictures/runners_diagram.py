@@ -1,4 +1,4 @@
-"""What many runners did: their apices from stride to stride, or the last strides of their runs."""
+"""Many runners: their apices from stride to stride, or the last strides of their runs."""
 
 from typing import TYPE_CHECKING
 
@@ -23,7 +23,7 @@ DRAWN = ("com_height", "com_speed")
 MAX_LINES = 20
 """Runners that are drawn one by one; of more their median, and where nine of ten are."""
 REPORTED = ("speed", "cost_of_transport")
-"""Of a run's last stride."""
+"""Quantities of a run's last stride that are drawn."""
 
 
 def of_strides(made: "xarray.Dataset") -> Figure:

@@ -22,7 +22,7 @@ class Interval:
     mode: str
     """Name of the contact mode."""
     rows: slice
-    """Of the stride."""
+    """Rows of the stride in this mode."""
 
 
 class Stride:

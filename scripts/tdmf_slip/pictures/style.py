@@ -1,4 +1,4 @@
-"""What all pictures share: colours and names of contact modes, type, axes, and how files are written."""
+"""Style of all pictures: colours and names of contact modes, type, axes, and how files are written."""
 
 from collections.abc import Iterable, Iterator, Mapping
 from contextlib import contextmanager
@@ -61,7 +61,7 @@ PRINTED: Mapping[str, str] = {
 """How parts of a unit are printed, replaced in this order."""
 
 LETTERS: Mapping[str, str] = {"stick": "0", "slip_positive": "+", "slip_negative": "−"}
-"""Of the gait word."""
+"""Letters of the gait word."""
 
 STANCE_LINE: Mapping[str, Any] = {"color": FAINT, "linestyle": (0, (5, 3)), "linewidth": 1.0, "zorder": 1}
 MID_STANCE_LINE: Mapping[str, Any] = {"color": FAINT, "linestyle": "-.", "linewidth": 1.0, "zorder": 1}
@@ -144,7 +144,7 @@ class Appearance:
     width: float | None = None
     """Inches, with the height in proportion and type of its own size; None: as each figure was designed."""
     dots_per_inch: float | None = None
-    """Of PNG files; None: as each figure was designed."""
+    """Resolution of PNG files; None: as each figure was designed."""
     style: str = "house"
     """One of `STYLES`."""
 
@@ -257,7 +257,7 @@ def tell_in(axis: Axis, name: str, display: DisplayUnits) -> str:
 
 
 def with_unit(name: str, unit: str) -> str:
-    """What an axis shows, with its unit, if it has one, as it is printed: N·s/m for N.s/m, m/s² for m/s2."""
+    """Label of an axis with its unit, if it has one, as it is printed: N·s/m for N.s/m, m/s² for m/s2."""
     return name if unit in ("", "1") else f"{name} ({printed(unit)})"
 
 

@@ -1,4 +1,4 @@
-"""What the solvers make of a gait, against its proved enclosures."""
+"""Accuracy of the solvers: gaits against their proved enclosures."""
 
 from collections.abc import Callable, Mapping, Sequence
 

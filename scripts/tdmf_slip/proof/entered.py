@@ -1,4 +1,4 @@
-"""What an event leads to."""
+"""Mode and motion that an event leads to."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
@@ -14,7 +14,7 @@ class Entered:
     mode: Mode
     """After the event and what follows it at the same instant."""
     values: dict[str, Number]
-    """Of the motion, by the names of the mode."""
+    """Numbers of the motion, by the names of the mode."""
     zeros: Mapping[str, int] = field(default_factory=dict)
     """By guard: to which order in time it begins at exactly zero."""
     closes: bool = False
@@ -22,4 +22,4 @@ class Entered:
     impact: bool = False
     """The foot came down."""
     margin: Number | None = None
-    """Of an event that is forced: zero on the border."""
+    """Margin of an event that is forced: zero on the border."""

@@ -16,13 +16,13 @@ class Forced:
     """Which event, and what is made of it."""
 
     index: int
-    """Of the stride's events, from 0 on."""
+    """Index among the stride's events, from 0 on."""
     event: str
     """Its name."""
     kind: Kind
-    """What happens at once there."""
+    """Kind of the two events that happen at once there."""
     sign: int = 0
-    """Of the slip that a foot goes on with which is at the limit of the cone."""
+    """Sign of the slip with which a foot at the limit of the cone goes on."""
 
     @property
     def rival(self) -> str:

@@ -32,7 +32,7 @@ class _Instant:
 
     @property
     def force(self) -> Any:
-        """What would hold the foot still under the stance law."""
+        """Force that would hold the foot still under the stance law."""
         runner, mode, at = self._of
         axial = laws.axial_force(*self._of)
         return laws.holding_force(runner, at, axial, laws.stance_torque(runner, mode) / at.length)
@@ -62,7 +62,7 @@ def slip_speed(runner: Any, mode: Mode, at: Any) -> Number:
 
 
 def foot_height(runner: Any, mode: Mode, at: Any) -> Number:
-    """Of a foot in flight: touchdown."""
+    """Guard of a foot in flight: touchdown."""
     return laws.foot_height(runner, at)
 
 
@@ -86,7 +86,7 @@ def holding(runner: Any, mode: Mode, at: Any) -> Number:
 
 
 def body_height(runner: Any, mode: Mode, at: Any) -> Number:
-    """Of the body above the line: a fall."""
+    """Guard of the body above the line: a fall."""
     if mode.contact == "flight":
         return at.height + (1 - runner.model.body_share) * laws.body_over_foot(at)
     return laws.body_over_foot(at)

@@ -27,7 +27,7 @@ from .travelling_set import SetTraveller
 from .undecided import UndecidedError
 
 COARSE_BITS = 64
-"""Of the working precision where few digits are asked for."""
+"""Bits of the working precision where few digits are asked for."""
 MAX_STEPS = 12
 SHARPENINGS = 12
 ROOM = 1.3
@@ -61,7 +61,7 @@ def refined(
 
 
 def residual(stride: Stride, centre: Sequence[arb]) -> list[arb]:
-    """What vanishes at a fixed point, and on a border: the way from apex to apex, and the margin."""
+    """Residual at a fixed point and on a border: the way from apex to apex, and the margin."""
     return [*(after - x for after, x in zip(stride.centre, centre, strict=False)), stride.margin]
 
 
@@ -72,7 +72,7 @@ def point_matrix(matrix: NDArray[Any]) -> arb_mat:
 
 
 def slopes_of(stride: Stride, tilt: Sequence[arb] = ()) -> arb_mat:
-    """Of what vanishes, by the start: six rows, and one for the margin of an event that is forced."""
+    """Derivatives of the residual by the start: six rows, and one for the margin of a forced event."""
     assert stride.derivative is not None
     columns = stride.derivative.ncols()
     rows = stride.derivative.tolist()
@@ -138,7 +138,7 @@ class Inclusion:
     """Krawczyk's operator on a box, and what it proves."""
 
     def __init__(self, starts: Starts, stride: Stride, fineness: Fineness) -> None:
-        """Of a box and its stride."""
+        """Krawczyk's operator on a box with its stride."""
         with ctx.workprec(fineness.bits):
             self._solve(starts, residual(stride, starts.centre), slopes_of(stride, starts.tilt))
 

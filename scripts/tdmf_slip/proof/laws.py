@@ -46,7 +46,7 @@ _AT_REST = Record(x=_NOTHING, y=_NOTHING)
 
 
 def rest_length(runner: Any, mode: Mode) -> Number:
-    """Of the spring: l0 + u, and in thrust epsilon more."""
+    """Rest length of the spring: l0 + u, and in thrust epsilon more."""
     return leg.rest_length(runner.model, runner.inputs, mode.thrusts and runner.has_thrust)
 
 
@@ -82,7 +82,7 @@ def flight_torque(runner: Any, mode: Mode, at: Any) -> Number:
 
 
 def holding_force(runner: Any, at: Any, axial: Number, across: Number) -> Any:
-    """What would hold the foot still (10); `across` is tau/r."""
+    """Force that would hold the foot still (10); `across` is tau/r."""
     return ground_force.holding_force(
         axial, across, -at.sine, at.cosine, runner.foot_weight_along, runner.foot_weight_off
     )
@@ -156,7 +156,7 @@ def torque_across(runner: Any, mode: Mode, at: Any, axial: Number, inverse: Numb
 
 
 def foot_acceleration(runner: Any, mode: Mode, at: Any, axial: Number, across: Number) -> Number:
-    """Of a foot on the ground along the line, in slip and graze (8)."""
+    """Acceleration of a foot on the ground along the line, in slip and graze (8)."""
     holding = holding_force(runner, at, axial, across)
     tangential: Number = _NOTHING
     if mode.contact == "slip":
@@ -225,7 +225,7 @@ def fly(runner: Any, at: Any, speed: Number) -> Record:
 
 
 def foot_velocity(runner: Any, at: Any) -> Record:
-    """Of a foot in flight: along, off."""
+    """Velocity of a foot in flight: along, off."""
     center = Record(x=0, y=at.height, vx=at.along, vy=at.off)
     foot = coordinates.foot_below(runner.model, center, _state(at), at)
     return Record(along=foot.vx, off=foot.vy)
@@ -237,7 +237,7 @@ def body_over_foot(at: Any) -> Number:
 
 
 def foot_height(runner: Any, at: Any) -> Number:
-    """Of a foot in flight above the line."""
+    """Height of a foot in flight above the line."""
     return at.height - runner.model.body_share * body_over_foot(at)
 
 

@@ -1,4 +1,4 @@
-"""What a stride covers and costs: quadratures along the tubes, over all starts."""
+"""Length and costs of a stride: quadratures along the tubes, over all starts."""
 
 from typing import Any
 

@@ -24,13 +24,13 @@ def greatest(values: list[arb]) -> arb:
 
 
 def row_sums(sizes: list[list[arb]], weights: list[arb]) -> list[arb]:
-    """Of the rows of D^-1 A D, with the weights on the diagonal of D and the absolute values of A."""
+    """Sums of the rows of D^-1 A D, with the weights on the diagonal of D and the absolute values of A."""
     rows = zip(sizes, weights, strict=True)
     return [sum((x * w for x, w in zip(row, weights, strict=True)), arb(0)) / own for row, own in rows]
 
 
 def absolute(matrix: arb_mat | acb_mat) -> list[list[arb]]:
-    """Of its entries, by rows."""
+    """Absolute values of a matrix, by rows."""
     return [[abs(x) for x in row] for row in matrix.tolist()]
 
 

@@ -42,7 +42,7 @@ class Mode:
 
 
 def moving_names(runner: Any, mode: Mode) -> tuple[str, ...]:
-    """What moves along with the leg, by equations that are solved as series."""
+    """Quantities that move along with the leg, by equations that are solved as series."""
     names: tuple[str, ...] = LEG
     if mode.contact in ("slip", "graze"):
         names += ("foot_speed",)
@@ -52,7 +52,7 @@ def moving_names(runner: Any, mode: Mode) -> tuple[str, ...]:
 
 
 def kept_names(runner: Any, mode: Mode) -> tuple[str, ...]:
-    """What stays as it is and matters."""
+    """Quantities that stay as they are and matter."""
     names: tuple[str, ...] = ()
     if not mode.touches and not mode.places:
         names += ("latched_angle",)

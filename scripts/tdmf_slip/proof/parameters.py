@@ -16,7 +16,7 @@ from .modes import PARAMETER
 LONGEST_STEP = 1.0
 """In units of sqrt(m/k)."""
 MAX_LEG_ROTATION = 10.0
-"""Of a step, over the leg's fastest rate in flight: for longer ones no bound of the variations holds."""
+"""Largest rotation of the leg in a step in flight; for longer steps no bound of the variations holds."""
 
 
 class Parameters:

@@ -6,7 +6,7 @@ from typing import Any
 from flint import acb, arb
 
 RADIUS_BITS = 30
-"""Of a radius; the next one above is taken where one is made of a number."""
+"""Bits of a radius, which is rounded up."""
 Part = tuple[int, int] | str
 
 

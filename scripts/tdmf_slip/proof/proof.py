@@ -203,7 +203,7 @@ class Proof:
 
     @property
     def sentence(self) -> str:
-        """What is proved, or left open, for a reader who wants to sign it."""
+        """Statement that is proved, or left open, for a reader who wants to sign it."""
         of = reported(self.values)
         radius = short(max(self.box.radii))
         box = f"within {radius} of ({', '.join(decimal(x) for x in self.box.centre)})"

@@ -38,7 +38,7 @@ BOXES = tuple(Fraction(1, 10**decimals) for decimals in (6, 8, 10, 13, 16))
 BEYOND = 8
 """Decimal places by which the box of the enclosures is smaller than what is asked for."""
 MIN_DECIMALS = 16
-"""Of that box: a wider one costs as much, and eigenvalues get too few digits."""
+"""Fewest decimal places of that box: a wider one costs as much, and eigenvalues get too few digits."""
 REFINEMENTS = 3
 """How often the box of the enclosures is made smaller where digits are missing."""
 GUARD_BITS = 32
@@ -171,7 +171,7 @@ def _over(
 
 
 def bits_for(decimals: int) -> int:
-    """Of the working precision, for a box of so many decimal places."""
+    """Bits of the working precision, for a box of so many decimal places."""
     return round(3.33 * decimals) + GUARD_BITS
 
 

@@ -50,7 +50,7 @@ class Attraction:
     weights: Sequence[float] = field(default=(), repr=False)
     """The norm's w, shape (6,)."""
     undecided: str = ""
-    """What could not be decided."""
+    """Statement that could not be decided."""
     version: str = field(default=__version__, repr=False, compare=False)
     """The version that proved it."""
 
@@ -73,7 +73,7 @@ class Attraction:
 
     @property
     def sentence(self) -> str:
-        """What is proved, or left open."""
+        """Statement that is proved, or left open."""
         if not self.proved:
             return f"Undecided: {self.undecided}."
         return (

@@ -97,7 +97,7 @@ class BorderProof:
 
     @property
     def sentence(self) -> str:
-        """What is proved, or left open."""
+        """Statement that is proved, or left open."""
         of = reported(self.values, self.name)
         if not self.proved or self.value is None or self.box is None:
             return f"Undecided for the {of}: {self.undecided.get('guard')}."

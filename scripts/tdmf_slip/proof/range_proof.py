@@ -12,7 +12,7 @@ from .exact import Exact, ball_of
 from .proof import decimal, reported, statement
 
 BITS = 56
-"""Of the arithmetic in which subintervals are proved."""
+"""Precision of the arithmetic in which subintervals are proved."""
 COMPARING_BITS = 2 * BITS
 
 
@@ -37,7 +37,7 @@ class Subinterval:
     enclosure: Sequence[float] = ()
     """Radii of xi that hold it."""
     undecided: str = ""
-    """What could not be decided."""
+    """Statement that could not be decided."""
 
     @property
     def proved(self) -> bool:
@@ -129,7 +129,7 @@ class RangeProof:
 
     @property
     def sentence(self) -> str:
-        """What is proved, or left."""
+        """Statement that is proved, or left open."""
         span = f"{self.name} from {decimal(self.begin)} to {decimal(self.end)}"
         of = reported(self.values, self.name)
         if not self.proved:

@@ -36,18 +36,18 @@ GROWTH = 4.0
 """At the most, from one subinterval to the next."""
 SHRINKAGE = Fraction(3, 4)
 RECOVERY = Fraction(103, 100)
-"""Of the width after one that was too wide, by each subinterval that is proved."""
+"""Growth of the width by each subinterval that is proved after one that was too wide."""
 FULL = 0.6
 """Of its size, what the operator leaves of a box that is as wide as is worth while: 1 proves nothing."""
 TRIES = 4
 WIDEST_BOX = 1.5
-"""Of xi, in units of the subinterval's width: a wider one bends the stride more than the parameter does."""
+"""Widest box of xi, over the subinterval's width: a wider one bends the stride more than the parameter."""
 SPLITS = 3
 """How often a subinterval whose gaits are proved, but not their stability, is cut in two for its sake."""
 
 
 class RangeProver:
-    """Of one runner, along one parameter."""
+    """Proves ranges of one runner along one parameter."""
 
     def __init__(self, runner: Runner, values: Mapping[str, Exact], name: str) -> None:
         """Whose gaits, with exact values, and what is varied."""
@@ -134,7 +134,7 @@ def at_least(size: float) -> float:
 
 
 def proved_subinterval(parameters: Parameters, subinterval: Subinterval) -> tuple[Subinterval, Inclusion]:
-    """What is proved of a subinterval in its box."""
+    """Subinterval in its box, as far as it is proved."""
     fine = Fineness(BITS)
     with ctx.workprec(BITS):
         value = subinterval.middle()

@@ -9,7 +9,7 @@ from flint import arb, arb_poly
 from .tube import Tube
 
 FINEST = 2.0**-14
-"""Of a step, the shortest part that a guard is looked at over."""
+"""Shortest part of a step over which a guard is enclosed."""
 
 
 class Guard:

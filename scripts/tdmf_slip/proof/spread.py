@@ -80,13 +80,13 @@ def _frame_of(matrix: arb_mat, inside: arb_mat) -> arb_mat:
 
 
 def intersected(one: arb_mat, other: arb_mat) -> arb_mat:
-    """What lies in both of two enclosures of the same matrix."""
+    """Intersection of two enclosures of a matrix."""
     pairs = zip(one.entries(), other.entries(), strict=True)
     return arb_mat(one.nrows(), one.ncols(), [narrower(a, b) for a, b in pairs])
 
 
 def narrower(one: arb, other: arb) -> arb:
-    """What lies in both of two enclosures of the same number; a ball, so not always less than either."""
+    """Enclosure of the intersection of two enclosures of a number; a ball, so not always less than either."""
     if not one.is_finite():
         return other
     if not other.is_finite():

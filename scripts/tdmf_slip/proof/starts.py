@@ -14,11 +14,11 @@ class Fineness:
     """How finely a motion is followed."""
 
     bits: int
-    """Of the working precision."""
+    """Bits of the working precision."""
 
     @property
     def degree(self) -> int:
-        """Of a step's polynomials: where the work of a stride is least."""
+        """Degree of a step's polynomials at which the work of a stride is least."""
         return max(12, round(DEGREE_PER_BIT * self.bits))
 
 

@@ -33,7 +33,7 @@ class Event:
     time: arb
     """Since the apex, s, over all starts."""
     mode: Mode
-    """That it leads to."""
+    """Mode that the event leads to."""
 
 
 @dataclass(frozen=True)
@@ -41,7 +41,7 @@ class Met:
     """An event as it is met in a step."""
 
     guard: Guard
-    """That falls through zero."""
+    """Guard that falls through zero."""
     times: arb
     """In the step, over all starts."""
     values: Values
@@ -49,31 +49,31 @@ class Met:
     before: Mode
     """Which ends."""
     entered: Entered
-    """What comes next."""
+    """Mode and motion that come next."""
     forced: Forced | None
     """Where it is taken as on one side of a border."""
 
 
 @dataclass
 class Stride:
-    """What a stride is proved to do."""
+    """Proved enclosures of a stride."""
 
     centre: list[arb]
     """The apex that the centre comes to, shape (6,)."""
     after: list[arb]
     """The apexes that all starts come to, shape (6,)."""
     derivative: arb_mat | None
-    """Of the map over all starts, shape (6, 6), or (6, 7) with what is varied."""
+    """Derivative of the map over all starts, shape (6, 6), or (6, 7) with the varied parameter."""
     word: str
     """The gait word, the same for all starts."""
     events: list[Event]
     """In the order in which they are taken."""
     rank: int
-    """Of the map's derivative, at the most: each mode ends on a surface in its own few numbers."""
+    """Largest rank of the map's derivative: each mode ends on a surface in its own few numbers."""
     quantities: dict[str, arb]
     """Over all starts."""
     margin: arb
-    """Of the event that is forced, at the centre."""
+    """Margin of the forced event, at the centre."""
     margin_slopes: list[arb]
     """By the start, over all starts, shape (6,) or (7,)."""
 
@@ -178,7 +178,7 @@ class Traveller:
         return first, times
 
     def _now(self) -> Forced | None:
-        """What is forced of the next event."""
+        """Constraint on the next event, if it is forced."""
         forced = self.forced
         return forced if forced is not None and forced.index == len(self.events) else None
 
@@ -253,7 +253,7 @@ class Traveller:
 
 
 def gradient_of_guard(runner: Any, mode: Mode, name: str, values: Values) -> list[arb]:
-    """Of a guard by the numbers of the motion, in their order."""
+    """Gradient of a guard by the numbers of the motion, in their order."""
     numbers = dict(zip(values, seeds(list(values.values()), list(values)), strict=True))
     found = FUNCTIONS[name](runner, mode, Record(**with_direction(runner, numbers)))
     return [arb(slope_of(found, of)) for of in values]

@@ -238,7 +238,7 @@ class Transition:
         return self._fly(self.mode)
 
     def _order_of_rise(self) -> int:
-        """Of the foot's height, where no force acts on it yet: thrust that ends pulls it up at once."""
+        """Order of the foot's rise where no force acts on it yet: thrust that ends pulls it up at once."""
         return 2 if self.runner.has_thrust and self.mode.thrusts else 3
 
     def _fly(self, mode: Mode) -> Entered:

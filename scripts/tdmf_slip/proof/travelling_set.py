@@ -150,7 +150,7 @@ class SetTraveller(Traveller):
     def _note_margin(
         self, margin: Number, landed: Entered, derivative: arb_mat, names: Sequence[str]
     ) -> None:
-        """Of an event that is forced: at the centre, and by the start."""
+        """Margin of a forced event: at the centre, and its derivatives by the start."""
         assert landed.margin is not None
         slopes = self._slopes({"": margin}, ("",), names) * derivative
         drift = slopes * arb_mat(len(names), 1, self.drift.balls())

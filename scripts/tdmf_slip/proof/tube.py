@@ -12,7 +12,7 @@ from flint import arb, arb_poly
 
 
 class Span:
-    """What the tubes of one step have in common: the degree N, and the time they reach."""
+    """Degree N and reach in time that the tubes of one step have in common."""
 
     __slots__ = ("degree", "reach", "time", "time_power")
 

@@ -21,9 +21,9 @@ class Section:
     time: float
     """Since the apex, s."""
     contact: str
-    """What the foot does: flight, stick, slip or graze."""
+    """Mode of the foot: flight, stick, slip or graze."""
     middle: dict[str, float]
-    """Of the numbers of the motion: the leg's, and by mode those of the centre of mass or of the foot."""
+    """Centres of the motion's numbers: the leg's, and by mode those of the centre of mass or of the foot."""
     radius: dict[str, float]
     """How far a start of the set may be from the middle."""
 

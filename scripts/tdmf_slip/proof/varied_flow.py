@@ -115,7 +115,7 @@ def slopes_of_slope(runner: Any) -> dict[str, arb]:
 
 
 def coefficients_of(entry: Any) -> list[arb]:
-    """Of an entry of a matrix: a tube's, or a number alone."""
+    """Coefficients of an entry of a matrix: a tube's, or a number alone."""
     if isinstance(entry, Tube):
         terms: list[arb] = entry.polynomial.coeffs()
         return terms
@@ -123,5 +123,5 @@ def coefficients_of(entry: Any) -> list[arb]:
 
 
 def remainder_of(entry: Any) -> arb:
-    """Of an entry of a matrix: a tube's, or zero."""
+    """Remainder of an entry of a matrix: a tube's, or zero."""
     return entry.remainder if isinstance(entry, Tube) else arb(0)

@@ -1,1 +1,1 @@
-"""What a terminal shows and sends: tables of text, progress, interrupts from the keyboard."""
+"""Terminal: tables of text, progress, interrupts from the keyboard."""

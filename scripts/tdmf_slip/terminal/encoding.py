@@ -37,7 +37,7 @@ def prints_anything() -> None:
 
 
 def _replaced(problem: UnicodeError) -> tuple[str | bytes, int]:
-    """What stands for the first character that cannot be encoded, and where to go on."""
+    """Replacement of the first character that cannot be encoded, and where to go on."""
     if not isinstance(problem, UnicodeEncodeError):
         raise problem
     character, following = problem.object[problem.start], problem.start + 1

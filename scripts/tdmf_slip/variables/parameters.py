@@ -17,7 +17,7 @@ from .variable import Given
 
 
 class HasStartValues(Protocol):
-    """What has start values, as a Gait."""
+    """Object with start values, such as a Gait."""
 
     @property
     def start_values(self) -> Mapping[str, Any]:
@@ -29,9 +29,9 @@ RunnerLike: TypeAlias = HasStartValues | Mapping[str, Given] | LabelledRow | str
 names and in its units, over the unit's own, also as a Series; the name of a preset; the path of a parameter
 file; or None, for the runner of the paper."""
 RUNNER = "a Runner or Gait, start values by name, a preset's name or a parameter file's path"
-"""What may be given for a runner, in words."""
+"""Allowed runners, in words."""
 MAX_PARTS = 16
-"""Of a key, with dots between them; variables have three at the most."""
+"""Largest number of parts of a key, with dots between them; variables have three at the most."""
 _PART = r"""(?:[\w-]+|"[^"\n]*"|'[^'\n]*')[ \t]*"""
 DEEP_KEY = re.compile(rf"(?<![\w-]){_PART}(?:\.[ \t]*{_PART}){{{MAX_PARTS}}}")
 """The beginning of one with more parts."""
@@ -83,7 +83,7 @@ def _path_of(given: Path) -> Path:
 
 
 def start_values_of(runner: object) -> Mapping[str, Any]:
-    """What a runner, given in whatever way, says of start values."""
+    """Start values of a runner, given in any way."""
     if isinstance(runner, str | os.PathLike):
         return read_parameters(runner)
     own = getattr(runner, "start_values", None)  # of a Gait

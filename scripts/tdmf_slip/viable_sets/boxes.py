@@ -24,7 +24,7 @@ from .transitions import Transitions
 
 PAIRS_AT_ONCE = 1_000_000
 ROUNDING = 2.0**-22
-"""Of single precision, in which images are kept, over the largest coordinate: some units."""
+"""Rounding of images, which are kept in single precision, over the largest coordinate."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -70,7 +70,7 @@ def _parts(
 def _block(
     transitions: Transitions, scales: NDArray[np.float64], factor: float, inner: bool, first: int, last: int
 ) -> Boxes:
-    """Of the cells of some rows."""
+    """Boxes of the cells of some rows."""
     grid = transitions.grid
     around = slice(max(0, first - 1), last + 2)
     images = transitions.next_apex[:, around]
@@ -100,7 +100,7 @@ def _block(
 
 
 def _four(of_nodes: NDArray[Any]) -> tuple[NDArray[Any], ...]:
-    """Of each cell's corners: low and low, low and high, high and low, high and high."""
+    """Values at each cell's corners: low and low, low and high, high and low, high and high."""
     return tuple(
         of_nodes[..., rows, columns, :]
         for rows in (slice(None, -1), slice(1, None))
@@ -141,7 +141,7 @@ def _reach(
 
 
 def _largest_of_three(values: NDArray[np.float32], axis: int) -> NDArray[np.float32]:
-    """Of each and both its neighbours along an axis; NaN counts only where there is nothing else."""
+    """Largest of each value and its two neighbours along an axis; NaN counts only if all three are NaN."""
     largest = values.copy()
     low = [slice(None)] * values.ndim
     high = low.copy()

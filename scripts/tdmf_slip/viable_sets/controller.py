@@ -17,7 +17,7 @@ from ..variables.table import by_full_name
 from .grid import Grid
 
 GRADES = ("not viable", "open", "viable")
-"""Of a choice: no action of the cell is viable, one of the outer set is, one of the inner set is."""
+"""Grades of a choice: no action of the cell is viable, one of the outer set is, one of the inner set is."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -99,7 +99,7 @@ class ViableController:
         return cls(grid, inner, outer, tuple(values.values()))
 
     def inputs_at(self, apex: ArrayLike) -> dict[str, float]:
-        """What is set at one apex.
+        """Settings at one apex.
 
         Parameters
         ----------
@@ -169,7 +169,7 @@ class ViableController:
         return int(np.argmin(np.where(viable, self._distances(), np.inf)))
 
     def _distances(self) -> NDArray[np.float64]:
-        """Of each action from the wish, squared, over the ranges."""
+        """Squared distance of each action from the wish, over the ranges."""
         distances = np.zeros(self.grid.action_count)
         for (name, values), wished in zip(self.grid.all_actions().items(), self.wish, strict=True):
             width = np.ptp(self.grid.actions[name]) or 1.0

@@ -1,4 +1,4 @@
-"""What a viable state stands: the largest drop of the ground, and loss of friction, at the next stride."""
+"""Disturbances at the next stride that a viable state withstands: drops of the ground, losses of friction."""
 
 from collections.abc import Sequence
 from concurrent.futures import Executor

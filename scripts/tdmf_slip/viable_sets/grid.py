@@ -17,13 +17,13 @@ from ..library.settings import check_acts, checked_values, setting_number
 from ..variables.table import VARIABLES, by_full_name
 
 MAX_CELLS = 2048
-"""Along an axis."""
+"""Largest number of cells along an axis."""
 MAX_ACTIONS = 4096
-"""Of one setting."""
+"""Largest number of values of one setting."""
 MAX_STRIDES = 50_000_000
 """In all: those of that many take 1.5 GB, and are made in two to four minutes by two processors."""
 VALUES = 16
-"""Of a setting, by default."""
+"""Number of values of a setting, by default."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -53,12 +53,12 @@ class Grid:
 
     @property
     def action_count(self) -> int:
-        """Of all combinations."""
+        """Number of all combinations of settings."""
         return math.prod(self.action_shape)
 
     @property
     def sizes(self) -> NDArray[np.float64]:
-        """Of a cell along each coordinate, shape (2,)."""
+        """Sizes of a cell along each coordinate, shape (2,)."""
         return np.array([edges[1] - edges[0] for edges in self.edges.values()])
 
     @property

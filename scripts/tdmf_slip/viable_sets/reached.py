@@ -28,7 +28,7 @@ class Reached:
 
     @property
     def inner_share(self) -> float:
-        """Of the cells from which a choice of actions leads to the gait, from inside."""
+        """Share of the cells from which a choice of actions leads to the gait, from inside."""
         return float((self.inner >= 0).mean())
 
     @property
@@ -37,7 +37,7 @@ class Reached:
         return float((self.outer >= 0).mean())
 
     def as_json(self) -> dict[str, object]:
-        """What there is of it in a few numbers."""
+        """Summary in a few numbers."""
         return {
             "cells": int(self.target.sum()),
             "inner_share": self.inner_share,

@@ -1,4 +1,4 @@
-"""What was found viable: states, pairs, and how much room each state leaves."""
+"""Viable sets: states, pairs, and how much room each state leaves."""
 
 from collections.abc import Mapping, Sequence
 from concurrent.futures import Executor
@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     import xarray
 
 STATES = ("not_viable", "open", "viable")
-"""What the dataset's `viable` says: not in the outer set, in the outer one alone, in both."""
+"""Values of the dataset's `viable`: not in the outer set, in the outer one alone, in both."""
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -39,7 +39,7 @@ class Viability:
     transitions: Transitions
     """The strides that they rest on."""
     factor: float
-    """Of derivatives at corners, by which a cell's image is estimated."""
+    """Factor of the derivatives at corners, by which a cell's image is estimated."""
     inner: NDArray[np.bool_]
     """Pairs of the inner set, shape (rows, columns, actions)."""
     outer: NDArray[np.bool_]
@@ -68,12 +68,12 @@ class Viability:
 
     @property
     def inner_share(self) -> float:
-        """Of the cells that are in the inner set."""
+        """Share of the cells that are in the inner set."""
         return float(self.inner_states.mean())
 
     @property
     def outer_share(self) -> float:
-        """Of the cells that are in the outer set."""
+        """Share of the cells that are in the outer set."""
         return float(self.outer_states.mean())
 
     @property
@@ -229,7 +229,7 @@ class Viability:
         return data
 
     def as_json(self) -> dict[str, object]:
-        """What there is of it in a few numbers."""
+        """Summary in a few numbers."""
         grid = self.grid
         return {
             **self.runner.record(),

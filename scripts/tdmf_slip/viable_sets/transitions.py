@@ -29,7 +29,7 @@ class Transitions:
     """The fate of each pair of a corner and an action, and where it leads."""
 
     grid: Grid
-    """Of corners and actions."""
+    """Grid of corners and actions."""
     fate: NDArray[np.int8]
     """Numbers into `library.batch_tables.STRIDE_FATES`, shape (nodes, nodes, actions)."""
     next_apex: NDArray[np.float32]
@@ -48,7 +48,7 @@ class Corners:
     runner: Runner
     """Who makes the strides."""
     grid: Grid
-    """Of all corners."""
+    """Grid of all corners."""
     rows: tuple[int, ...]
     """Numbers of the rows."""
 

@@ -22,7 +22,7 @@ from .result import Viability
 from .transitions import Transitions, make_transitions, transitions_file
 
 FACTOR = 1.5
-"""Of the derivatives at corners, by default."""
+"""Factor of the derivatives at corners, by default."""
 LARGEST_FACTOR = 100.0
 
 
