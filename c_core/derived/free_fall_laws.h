@@ -15,18 +15,6 @@ static inline tdmf_vector tdmf_push_on_body(const tdmf_model *model, const tdmf_
     return result;
 }
 
-/* Its change. */
-static inline tdmf_vector tdmf_vary_push_on_body(const tdmf_model *model, const tdmf_inputs *inputs,
-                                                 const tdmf_model *d_model, const tdmf_inputs *d_inputs) {
-    const tdmf_vector result = {
-        .x = d_inputs->body.external_fx * model->inverse_body_mass +
-             inputs->body.external_fx * d_model->inverse_body_mass,
-        .y = d_inputs->body.external_fy * model->inverse_body_mass +
-             inputs->body.external_fy * d_model->inverse_body_mass,
-    };
-    return result;
-}
-
 /* (0, -g) + (external force)/(m + m_f), of the centre of mass. */
 static inline tdmf_vector tdmf_com_acceleration(const tdmf_model *model, tdmf_vector push) {
     const tdmf_vector result = {

@@ -206,7 +206,7 @@ FUNCTIONS = {
         InC("tdmf_ground_force force_in_flight", graze.force_in_flight, varied=False),
     ],
     "free_fall": [
-        InC("tdmf_vector push_on_body", free_fall.push_on_body),
+        InC("tdmf_vector push_on_body", free_fall.push_on_body, varied=False),
         InC("tdmf_vector com_acceleration", free_fall.of_center, varied=False),
         InC("tdmf_vector falling_acceleration", free_fall.of_runner, varied=False),
         InC("tdmf_point ballistic_after", free_fall.ballistic, varied=False),
@@ -252,9 +252,9 @@ FUNCTIONS = {
         InC("void rates_at", dynamics.rates),
     ],
     "prescribed_flight": [
-        InC("void prescribed_state", prescribed_flight.state),
+        InC("void prescribed_state", prescribed_flight.state, varied=False),
         InC("void prescribed_rates", prescribed_flight.rates, varied=False),
-        InC("double rise_time", prescribed_flight.time_to_apex),
+        InC("double rise_time", prescribed_flight.time_to_apex, varied=False),
     ],
     "impact": [
         InC("tdmf_after_impact impact_with", impact.after),

@@ -45,7 +45,9 @@ static void write_word(double code, char word[TDMF_WORD_CAPACITY]) {
         word[0] = '~';
         return;
     }
-    for (double rest = code; rest > 0.0; rest = floor(rest / 4.0)) {
+    double unread = code;
+    while (unread > 0.0) {
+        unread = floor(unread / 4.0);
         ++length;
     }
     for (int i = length - 1; i >= 0; --i) {
