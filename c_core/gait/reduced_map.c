@@ -363,7 +363,8 @@ tdmf_return tdmf_reduced_map(tdmf_solver *solver, tdmf_system system, const doub
     tdmf_return result;
     memset(&result, 0, sizeof result);
     if (!tdmf_is_sound_solver(solver) || system.model == NULL || system.inputs == NULL || apex == NULL ||
-        tdmf_has_patch(system.model) || !tdmf_are_sound_seeds(seeds, count, TDMF_REDUCED_MAP_SEEDS)) {
+        isnan(until) || tdmf_has_patch(system.model) ||
+        !tdmf_are_sound_seeds(seeds, count, TDMF_REDUCED_MAP_SEEDS)) {
         result.outcome = TDMF_RETURN_REFUSED;
         return result;
     }

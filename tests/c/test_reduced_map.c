@@ -435,6 +435,10 @@ static void what_is_no_number_or_out_of_range_is_refused(void **state) {
     assert_int_equal(stride_from(&gait, tight, true, seeds, TDMF_REDUCED_MAP_SEEDS).outcome,
                      TDMF_RETURN_CLOSED);
     assert_int_equal(stride_from(&gait, 0.0, true, NULL, 0).outcome, TDMF_RETURN_REFUSED);
+    assert_int_equal(
+        tdmf_reduced_map(&solver, (tdmf_system){&model, &gait.inputs}, gait.apex, NAN, false, NULL, 0)
+            .outcome,
+        TDMF_RETURN_REFUSED);
     solver.step_limit = 2;
     const tdmf_return tired =
         tdmf_reduced_map(&solver, (tdmf_system){&model, &gait.inputs}, gait.apex, longest, true, NULL, 0);
