@@ -34,22 +34,6 @@ static inline void tdmf_prescribed_state(const tdmf_model *model, const tdmf_inp
     written[TDMF_HIP_PLACE_TIME] = time;
 }
 
-/* Where the leg has a constant length and rate, the foot swings about the centre of mass. */
-static inline void tdmf_prescribed_rates(const tdmf_model *model, const tdmf_inputs *inputs,
-                                         const double state[TDMF_STATE_COUNT], tdmf_leg_direction direction,
-                                         double written[TDMF_STATE_COUNT]) {
-    const double x = inputs->body.external_fx * model->inverse_body_mass;
-    const double towards = model->body_share * state[TDMF_LEG_ANGLE_RATE] * state[TDMF_LEG_ANGLE_RATE];
-    const double y = inputs->body.external_fy * model->inverse_body_mass;
-    written[TDMF_FOOT_X] = state[TDMF_FOOT_VX];
-    written[TDMF_FOOT_Y] = state[TDMF_FOOT_VY];
-    written[TDMF_LEG_ANGLE] = state[TDMF_LEG_ANGLE_RATE];
-    written[TDMF_FOOT_VX] = model->body_share * x + towards * (-state[TDMF_LEG_LENGTH] * direction.sine);
-    written[TDMF_FOOT_VY] = model->body_share * y - model->parameters.gravity +
-                            towards * (state[TDMF_LEG_LENGTH] * direction.cosine);
-    written[TDMF_HIP_PLACE_TIME] = 1.0;
-}
-
 /* How long a centre of mass rises; where nothing pulls it down the time is infinite or negative. */
 static inline double tdmf_rise_time(const tdmf_model *model, const tdmf_inputs *inputs, tdmf_point start) {
     const double y = inputs->body.external_fy * model->inverse_body_mass;

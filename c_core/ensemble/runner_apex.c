@@ -85,7 +85,7 @@ static bool leave_apex(tdmf_runner *runner) {
         return true;
     }
     const tdmf_return_outcome outcome = tdmf_reduced_touch_down(
-        tdmf_runner_system(runner), TDMF_LONGEST_STRIDE * runner->model->scales.time, &runner->motion, NULL);
+        tdmf_runner_system(runner), TDMF_LONGEST_STRIDE * runner->model->scales.time, &runner->motion);
     runner->direction = tdmf_leg_direction_of(runner->motion.state);
     if (outcome != TDMF_RETURN_CLOSED) {
         tdmf_runner_give_up_reduced(runner, outcome);

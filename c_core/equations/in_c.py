@@ -253,7 +253,6 @@ FUNCTIONS = {
     ],
     "prescribed_flight": [
         InC("void prescribed_state", prescribed_flight.state, varied=False),
-        InC("void prescribed_rates", prescribed_flight.rates, varied=False),
         InC("double rise_time", prescribed_flight.time_to_apex, varied=False),
     ],
     "impact": [

@@ -28,21 +28,6 @@ def state(model, inputs, start, time):
     return Record(**vars(coordinates.foot_at(foot)), **vars(placed))
 
 
-def rates(model, inputs, state, direction):
-    """Where the leg has a constant length and rate, the foot swings about the centre of mass."""
-    acceleration = free_fall.of_runner(model, inputs)
-    from_foot = coordinates.body_from_foot(state, direction)
-    towards = model.body_share * state.leg_angle_rate * state.leg_angle_rate
-    return Record(
-        foot_x=state.foot_vx,
-        foot_y=state.foot_vy,
-        leg_angle=state.leg_angle_rate,
-        foot_vx=acceleration.x + towards * from_foot.x,
-        foot_vy=acceleration.y + towards * from_foot.y,
-        hip_place_time=1,
-    )
-
-
 def time_to_apex(model, inputs, start):
     """How long a centre of mass rises; where nothing pulls it down the time is infinite or negative."""
     acceleration = free_fall.of_runner(model, inputs)

@@ -58,8 +58,7 @@ void tdmf_reduced_reset_leg(tdmf_system system, tdmf_motion *motion) {
     motion->mode.rest_length = tdmf_rest_length(system.model, system.inputs, &motion->mode);
 }
 
-tdmf_return_outcome tdmf_reduced_touch_down(tdmf_system system, double until, tdmf_motion *motion,
-                                            tdmf_event_state *before) {
+tdmf_return_outcome tdmf_reduced_touch_down(tdmf_system system, double until, tdmf_motion *motion) {
     const tdmf_ground_line *ground = &motion->mode.ground;
     const tdmf_point apex = tdmf_center_of_mass(system.model, motion->state);
     if (tdmf_foot_over_ground(ground, motion->state).y <= 0.0) {
@@ -77,14 +76,6 @@ tdmf_return_outcome tdmf_reduced_touch_down(tdmf_system system, double until, td
     }
     tdmf_lift_to_ground(ground, motion->state); /* up to rounding it is there */
     tdmf_run run = run_of(system, motion);
-    if (before != NULL) {
-        memcpy(before->state, motion->state, sizeof before->state);
-        before->mode = motion->mode;
-        before->peak_force = motion->record.progress.open.peak_force;
-        before->peak_vertical_force = motion->record.progress.open.peak_vertical_force;
-        memset(before->derivatives, 0, sizeof before->derivatives);
-        tdmf_prescribed_rates(system.model, system.inputs, before->state, run.direction, before->derivatives);
-    }
     tdmf_take_touchdown(&run);
     tdmf_resolve_along(system, motion, run.direction, TDMF_GUARD_COUNT);
     return tdmf_in_contact(&motion->mode) ? TDMF_RETURN_CLOSED : TDMF_RETURN_NO_STANCE;

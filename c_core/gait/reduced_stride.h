@@ -3,7 +3,6 @@
 #ifndef TDMF_GAIT_REDUCED_STRIDE_H
 #define TDMF_GAIT_REDUCED_STRIDE_H
 
-#include "saltation.h"
 #include "tdmf_slip/motion.h"
 #include "tdmf_slip/reduced_map.h"
 
@@ -15,9 +14,8 @@ tdmf_return_outcome tdmf_reduced_begin(tdmf_system system, const double apex[TDM
 void tdmf_reduced_reset_leg(tdmf_system system, tdmf_motion *motion);
 
 /* Goes from an apex through the impact into contact. Returns TDMF_RETURN_CLOSED where the foot is loaded
- * then. `before` becomes the runner before the impact; it may be NULL. */
-tdmf_return_outcome tdmf_reduced_touch_down(tdmf_system system, double until, tdmf_motion *motion,
-                                            tdmf_event_state *before);
+ * then. */
+tdmf_return_outcome tdmf_reduced_touch_down(tdmf_system system, double until, tdmf_motion *motion);
 
 /* Flies from lift-off to the next apex, which closes the stride. Returns TDMF_RETURN_CLOSED where there is
  * one. */
