@@ -150,6 +150,69 @@ static void test_a_run_goes_as_in_the_core_also_if_it_is_saved(void **state) {
     assert_true(strides > RUNS / 2);
 }
 
+static tdmf_seed random_seed(random_source *source) {
+    tdmf_seed seed;
+    memset(&seed, 0, sizeof seed);
+    seed.parameters.leg.stiffness = random_uniform(source, -1.0, 1.0);
+    seed.parameters.hip.stance_torque = random_uniform(source, -1.0, 1.0);
+    seed.inputs.ground.friction = random_uniform(source, -1.0, 1.0);
+    seed.parameters.leg.thrust = random_chance(source, 0.5) ? random_uniform(source, -1.0, 1.0) : 0.0;
+    return seed;
+}
+
+/* The variation of a run to a time, on the page. */
+static tdmf_variation vary_on_page(const case_of_run *it, double until, const tdmf_seed *seed,
+                                   const tdmf_variation *variation) {
+    const tdmf_system system = {&it->model, &it->inputs};
+    const tdmf_page_point point = tdmf_page_of_motion(system, &held, &it->motion);
+    const bool is_plain = tdmf_suits_plain_page(&point) && tdmf_varies_plain_page(seed);
+    const tdmf_page_direction start = tdmf_page_of_variation(&point, it->motion.state, seed, variation);
+    tdmf_solver solver = tdmf_solver_default();
+    tdmf_page_solver s;
+    solver.relative_tolerance = 1e-13;
+    tdmf_begin_page_solver(&s, &solver, system, &point, is_plain);
+    tdmf_add_direction(&s, &start);
+    tdmf_run_page_solver(&s, until - it->motion.time, -1);
+    tdmf_end_runner_run(&s.run, &s.point);
+    const tdmf_page_direction end = tdmf_direction_at_end(&s, 0);
+    return tdmf_variation_of_page(&s.point, &end, false);
+}
+
+/* Up to a time before the stride closes. */
+static void test_a_variation_is_that_of_the_core(void **state) {
+    (void)state;
+    random_source source = {48};
+    int compared = 0;
+    for (int i = 0; i < RUNS; ++i) {
+        case_of_run it = random_case(&source);
+        const tdmf_system system = {&it.model, &it.inputs};
+        const tdmf_seed seed = random_seed(&source);
+        const double until = random_uniform(&source, 0.1, 8.0);
+        tdmf_variation begin = {.state = {0.0}};
+        tdmf_solver solver = tdmf_solver_default();
+        solver.relative_tolerance = 1e-13;
+        if (tdmf_start(system, &it.motion).variable) {
+            continue;
+        }
+        begin.state[TDMF_LEG_ANGLE] = random_uniform(&source, -1.0, 1.0);
+        begin.state[TDMF_FOOT_VX] = random_uniform(&source, -1.0, 1.0);
+        tdmf_motion motion = it.motion;
+        tdmf_variation by_core = begin;
+        const tdmf_stride_outcome ended =
+            tdmf_native_stride_varied(&solver, system, until, &motion, &seed, &by_core, 1);
+        if (ended.outcome != TDMF_ARRIVED || ended.closed) {
+            continue;
+        }
+        const tdmf_variation on_page = vary_on_page(&it, until, &seed, &begin);
+        for (int k = 0; k < TDMF_VARIED_COUNT; ++k) {
+            assert_close(on_page.state[k], by_core.state[k], 1e-7 * (1.0 + fabs(by_core.state[k])));
+        }
+        assert_close(on_page.liftoff_angle, by_core.liftoff_angle, 1e-7);
+        ++compared;
+    }
+    assert_true(compared > RUNS / 4);
+}
+
 static void test_a_run_of_any_page_has_the_memory_that_it_needs(void **state) {
     (void)state;
     assert_true(tdmf_run_memory_size(&tdmf_runner_model, TDMF_VARIATION_LIMIT) <= TDMF_PAGE_MEMORY);
@@ -157,6 +220,7 @@ static void test_a_run_of_any_page_has_the_memory_that_it_needs(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {cmocka_unit_test(test_a_run_of_any_page_has_the_memory_that_it_needs),
-                                       cmocka_unit_test(test_a_run_goes_as_in_the_core_also_if_it_is_saved)};
+                                       cmocka_unit_test(test_a_run_goes_as_in_the_core_also_if_it_is_saved),
+                                       cmocka_unit_test(test_a_variation_is_that_of_the_core)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
