@@ -28,7 +28,7 @@ class MapProblem(BranchProblem):
             point, by_point, by_parameter, word = self.step(point, value)
             jacobian, change = by_point @ jacobian, by_point @ change + by_parameter
             words.append(word)
-        left_over = point - points[0]
+        residual = point - points[0]
         return Gait(
             runner=None,
             apex=points[0],
@@ -38,11 +38,11 @@ class MapProblem(BranchProblem):
             jacobian=jacobian,
             along="p",
             by_parameter=change,
-            error=float(np.max(np.abs(left_over))),
+            error=float(np.max(np.abs(residual))),
             iterations=0,
             events=(),
             following=tuple(points[1:]),
-            left_over=left_over,
+            residual=residual,
         )
 
     def describe(self, x):
@@ -50,11 +50,11 @@ class MapProblem(BranchProblem):
         return gait, np.hstack([gait.jacobian - np.eye(len(gait.apex)), gait.by_parameter[:, None]])
 
     def residual(self, x):
-        return self.strides_at(x).left_over
+        return self.strides_at(x).residual
 
     def linearize(self, x):
         gait, rows = self.describe(x)
-        return gait.left_over, rows
+        return gait.residual, rows
 
     def word_at(self, x):
         return self.strides_at(x).word

@@ -9,7 +9,7 @@ from conftest import RELEASE, some_of
 from tdmf_slip import Batch, InputError, Runner, find_gait
 from tdmf_slip.analysis import ball as ball_module
 from tdmf_slip.analysis.attraction import volume
-from tdmf_slip.analysis.ball import MAX_STRIDES, attributes_of, ball_of, fates, pays
+from tdmf_slip.analysis.ball import MAX_STRIDES, attributes_of, ball_of, fates, saves_time
 from tdmf_slip.analysis.basin import basin, basin_at
 from tdmf_slip.library.batch import NEAR
 from tdmf_slip.library.engine import SETTLED
@@ -129,7 +129,7 @@ def rate_under(gait, law):
 
 
 def test_a_ball_is_made_only_where_it_saves_more_than_it_costs(gait, ball):
-    assert not pays(gait, 400) and pays(gait, 128 * 128)
+    assert not saves_time(gait, 400) and saves_time(gait, 128 * 128)
     assert ball_of(gait, "tested", 400) is None
     with pytest.raises(InputError, match="of 2 coordinates; allowed: of 6"):
         ball_of(gait, dataclasses.replace(ball, matrix=np.eye(2)), 10)

@@ -28,11 +28,11 @@ class MapCurve(BifurcationProblem):
 
     def by_apex(self, x):
         gait, rows = self.problem(x, "a").describe(x[:-1])
-        return gait.left_over, rows[:, :-1]
+        return gait.residual, rows[:, :-1]
 
     def linearize(self, x):
         gait, rows = self.describe(x)
-        return np.append(gait.left_over, self.singular(self.by_apex(x)[1])), rows
+        return np.append(gait.residual, self.singular(self.by_apex(x)[1])), rows
 
     def describe(self, x):
         gait, rows = self.problem(x, "a").describe(x[:-1])

@@ -13,7 +13,7 @@ import pytest
 from tdmf_slip import InputError, Runner, find_gait, fit
 from tdmf_slip.fitting import problem as problem_module
 from tdmf_slip.fitting.across import Across
-from tdmf_slip.fitting.concluded import is_met
+from tdmf_slip.fitting.conclusion import is_met
 from tdmf_slip.fitting.identifiability import identified
 from tdmf_slip.fitting.measurements import Measured, Measurements, read_measurements, shipped
 from tdmf_slip.fitting.problem import Problem
@@ -176,7 +176,7 @@ def test_steps_with_an_old_jacobian_end_where_they_come_no_nearer(monkeypatch):
     def stuck(runner, apex, names):
         made.append(apex)
         stride = real(runner, gait.apex, names)
-        return replace(stride, left_over=1e-3 * runner.scales)
+        return replace(stride, residual=1e-3 * runner.scales)
 
     monkeypatch.setattr(problem_module, "plain_stride", stuck)
     assert np.isfinite(problem.residuals(np.array([0.01]))).all()

@@ -19,7 +19,7 @@ def stays_up(gait, angle, friction):
     patch, apex = landing_at(gait, angle).replace({"ground.friction": friction}), gait.apex
     try:
         for runner in (patch, *[gait.runner] * AFTER):
-            apex = apex + plain_stride(runner, apex, []).left_over
+            apex = apex + plain_stride(runner, apex, []).residual
     except RunError:
         return False
     return True
@@ -40,14 +40,14 @@ def test_the_leg_comes_down_at_the_angle_that_is_asked_for(found):
 
 def test_a_patch_that_is_none_changes_nothing(found):
     gait = found.gaits[10]
-    meetings = meet_patch([gait], [contact_angle_of(gait)], gait.friction, strides=3)
-    assert meetings.fell[0, 0] == 0.0
-    assert meetings.slip_distance[0, 0] == pytest.approx(gait.stride["slip_distance"], abs=1e-12)
+    outcomes = meet_patch([gait], [contact_angle_of(gait)], gait.friction, strides=3)
+    assert outcomes.fell[0, 0] == 0.0
+    assert outcomes.slip_distance[0, 0] == pytest.approx(gait.stride["slip_distance"], abs=1e-12)
 
 
 @pytest.mark.parametrize("friction", [0.05, 2.0])
 def test_the_native_solver_sees_the_same_falls(found, friction):
-    fell = found.meetings[friction].fell
+    fell = found.outcomes[friction].fell
     compared = {True: 0, False: 0}
     for row in range(0, len(found.gaits), 4):
         for column in range(0, len(guinea_fowl.ANGLES), 5):

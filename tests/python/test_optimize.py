@@ -248,7 +248,7 @@ def test_the_plain_call_finds_what_lies_beyond_the_runners_own_basin():
     alone = optimize(own, over, **asked, starts=1)
     assert alone.value > 0.23 and alone.starts == 1 == alone.basins
     again = strides_from(best.gait.runner, best.gait.apex)
-    assert np.max(np.abs(again.left_over / best.gait.runner.scales)) < 1e-11
+    assert np.max(np.abs(again.residual / best.gait.runner.scales)) < 1e-11
     printed = best.as_json()
     assert printed["local"] and printed["basins"] == best.basins and printed["starts"] == best.starts
 

@@ -161,7 +161,7 @@ def test_starts_in_the_proved_ball_come_nearer_by_the_proved_rate(friction):
     for _ in range(20):
         offset = attraction.radius * rng.uniform(-1, 1, 6)
         assert size(offset) <= attraction.norm_radius
-        after = offset + strides_from(gait.runner, gait.apex + offset).left_over
+        after = offset + strides_from(gait.runner, gait.apex + offset).residual
         assert size(after) <= attraction.rate * size(offset) + 1e-9 * attraction.norm_radius + 1e-11
 
 

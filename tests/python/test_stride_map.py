@@ -91,7 +91,7 @@ def test_each_stride_is_that_of_the_return_map(gait, starts, instructions):
                 assert here[name] == pytest.approx(stride.stride[name], abs=1e-8), name
             assert here["word"] == stride.word
             assert here["liftoff_angle"] == pytest.approx(stride.liftoff_angle, abs=1e-9)
-            np.testing.assert_allclose(here["next_apex"] - here["apex"], stride.left_over, atol=1e-9)
+            np.testing.assert_allclose(here["next_apex"] - here["apex"], stride.residual, atol=1e-9)
             compared += 1
         np.testing.assert_array_equal(found["apex"][number, 0], start)
     np.testing.assert_array_equal(found["apex"][:, 1], found["next_apex"][:, 0])
@@ -176,7 +176,7 @@ def test_runners_have_their_own_parameters_and_settings(gait, starts):
             stride = strides_from(runner, here["apex"])
             assert here["word"] == stride.word
             assert here["cost_of_transport"] == pytest.approx(stride.stride["cost_of_transport"], abs=1e-8)
-            np.testing.assert_allclose(here["next_apex"] - here["apex"], stride.left_over, atol=1e-8)
+            np.testing.assert_allclose(here["next_apex"] - here["apex"], stride.residual, atol=1e-8)
             compared += 1
     assert RUNNERS < compared < 2 * RUNNERS
     np.testing.assert_array_equal(found[TORQUE], np.tile(torque, (RUNNERS, 1)))
@@ -354,7 +354,7 @@ def test_the_reduced_map_has_laws_too():
     for number in range(RUNNERS):
         here = one_stride(found, number, 1)
         stride = strides_from(gait.runner.replace({ANGLE: float(here[ANGLE])}), here["apex"])
-        np.testing.assert_allclose(here["next_apex"] - here["apex"], stride.left_over, atol=1e-8)
+        np.testing.assert_allclose(here["next_apex"] - here["apex"], stride.residual, atol=1e-8)
         for name in STRIDE_QUANTITIES:
             assert here[name] == pytest.approx(stride.stride[name], abs=1e-7), name
         compared += 1

@@ -46,7 +46,7 @@ def test_derivatives_of_what_is_ordered_are_those_of_differences(model, paramete
             name = names[k - len(apex)]
             runner = runner.replace({name: runner[name] * (1.0 + sign * steps)})
         stride = varied_stride(runner, apex, quantities, [])
-        return np.append(stride.left_over, stride.quantities)
+        return np.append(stride.residual, stride.quantities)
 
     for k in range(len(scales)):
         difference = (moved(k, 1.0) - moved(k, -1.0)) / (2.0 * steps)

@@ -181,7 +181,7 @@ class Ball:
         }
 
 
-def pays(gait: Gait, starts: int) -> bool:
+def saves_time(gait: Gait, starts: int) -> bool:
     """Whether a tested ball is likely to save more strides than its test takes."""
     slowest = min(max(gait.lambda_max, 1e-3), 1.0 - 1e-9)
     saved = math.log(0.1 / NEAR) / -math.log(slowest)
@@ -284,7 +284,7 @@ def ball_of(gait: Gait, choice: Ball | str, starts: int, law: Law | None = None)
         return choice
     if not is_one_of(choice, CHOICES):
         raise refusal("ball", choice, f"{', '.join(CHOICES)}, or a Ball")
-    return tested_ball(gait, law) if choice == "tested" and pays(gait, starts) else None
+    return tested_ball(gait, law) if choice == "tested" and saves_time(gait, starts) else None
 
 
 def attributes_of(ball: Ball | None) -> dict[str, str | float | int]:

@@ -124,7 +124,7 @@ class Target:
             stride = plain_stride(self.runner_at(at), apex, self.names)
         except InputError as problem:
             raise RunError(str(problem)) from None
-        return stride.left_over / self._apex_scales, stride.quantities
+        return stride.residual / self._apex_scales, stride.quantities
 
     def gait(self, iterate: Iterate) -> Gait:
         """The gait at a point where the stride leads back to its apex."""
@@ -143,7 +143,7 @@ class Target:
 
     def closing(self, iterate: Iterate) -> NDArray[np.float64]:
         """Residual of the stride, over the scales."""
-        return iterate.varied.left_over / self._apex_scales
+        return iterate.varied.residual / self._apex_scales
 
     def solved_from(self, iterate: Iterate, steps: int = STEPS) -> tuple[Iterate, float]:
         """The point that meets the target, or the last one on the way to it.
@@ -251,7 +251,7 @@ def null_space(rows: NDArray[np.float64]) -> NDArray[np.float64]:
     return basis
 
 
-def beginnings(target: Target, first: Gait) -> Iterator[Iterate]:
+def initial_iterates(target: Target, first: Gait) -> Iterator[Iterate]:
     """Gaits from which a target may be reached, the nearest to it first."""
     runner = first.runner
     shares = evenly(RUNNERS, len(target.vary))

@@ -22,7 +22,7 @@ from ..variables.parameters import RunnerLike
 from ..variables.table import ALIASES, VARIABLES, full_names
 from ..variables.variable import Given
 from .search import periodic_gait
-from .target import Help, Iterate, Target, beginnings, nearest_from, parameters_that_help
+from .target import Help, Iterate, Target, initial_iterates, nearest_from, parameters_that_help
 
 TRAVEL = ("speed", "frequency", "length")
 """Any two of them set the third."""
@@ -148,7 +148,7 @@ def find_gait(
     _check_action(system, begin)
     iterate, share = system.solved_from(begin)
     if share < 1.0:
-        others = beginnings(system, first)
+        others = initial_iterates(system, first)
         iterate, share, nearest = _met_from_elsewhere(system, (begin, iterate), others)
         if share < 1.0:
             helps = parameters_that_help(system, nearest, first, progress)

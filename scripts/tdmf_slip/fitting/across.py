@@ -63,7 +63,7 @@ class Across:
                 stride = plain_stride(problem.runner_of(values, number), apex, tuple(row))
             except (InputError, RunError):
                 return np.full(problem.count + self._apexes.size, np.inf)
-            closing = WEIGHT * stride.left_over / problem.runner.scales
+            closing = WEIGHT * stride.residual / problem.runner.scales
             parts += [problem.over_errors(stride.quantities, number), closing]
         return np.concatenate([*parts, problem.off_priors(values)])
 

@@ -22,7 +22,7 @@ from ..terminal.progress import progress_bar
 from ..variables.parameters import RunnerLike
 from ..variables.table import VARIABLES
 from .across import cross
-from .concluded import Conclusion, is_met
+from .conclusion import Conclusion, is_met
 from .kinks import past_kinks
 from .measurements import Measurements, measurements_of
 from .priors import PriorGiven, checked_priors
@@ -185,7 +185,7 @@ def _begun(request: Request, first: Gait, strides_made: Callable[[int], object])
     return problem, _found(request, problem, np.zeros(len(problem.parameters)))
 
 
-def concluded(request: Request, problem: Problem, begin: NDArray[np.float64]) -> Fit:
+def summarize(request: Request, problem: Problem, begin: NDArray[np.float64]) -> Fit:
     """The fit from gaits that a problem has."""
     return _reported(request, problem, _found(request, problem, begin), 1)
 

@@ -221,12 +221,12 @@ class Problem:
                 stride = plain_stride(runner, apex, names)
             except RunError:
                 break
-            error = float(np.max(np.abs(stride.left_over / runner.scales)))
+            error = float(np.max(np.abs(stride.residual / runner.scales)))
             if error <= CLOSED:
                 return apex, stride
             if error > 0.5 * last:
                 break
-            last, apex = error, apex - base.varied.apex_by_left_over @ stride.left_over
+            last, apex = error, apex - base.varied.apex_by_residual @ stride.residual
         self.count_strides(STRIDES_OF_SEARCH)
         apex = gait_near(runner, predicted).apex
         return apex, plain_stride(runner, apex, names)

@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..errors import InputError
-from .fitted import concluded
+from .fitted import summarize
 from .measurements import Measurements
 from .problem import Problem
 from .request import Request
@@ -50,7 +50,7 @@ def without(found: Fit, row: int, name: str, profile: bool = True) -> Fit:
     fewer = replace(request, measurements=data, starts=1, profiled=request.profiled if profile else ())
     if fewer.degrees_of_freedom < fewer.scale_errors or not kept:
         raise InputError(f"{where}: less is left than is fitted; allowed: a datum that can be spared")
-    return concluded(fewer, *_begun(fewer, found, kept))
+    return summarize(fewer, *_begun(fewer, found, kept))
 
 
 def without_each(found: Fit) -> tuple[LeftOut, ...]:

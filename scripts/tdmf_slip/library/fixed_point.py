@@ -119,7 +119,7 @@ class Closing:
             raise self._not_found(f"from the apex that was tried, {problem}") from None
         at = found.x * self.scales if found.iterations else apex
         gait = strides_from(self.runner, at, self.strides, along=self.along)
-        return replace(gait, iterations=found.iterations, left_over=np.zeros(len(at)))
+        return replace(gait, iterations=found.iterations, residual=np.zeros(len(at)))
 
     def settled(self, apex: NDArray[np.float64]) -> Gait:
         """The gait that a runner settles on from an apex.

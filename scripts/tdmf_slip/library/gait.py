@@ -56,14 +56,14 @@ class Gait:
     by_parameter: NDArray[np.float64] | None
     """Change of the next apex along it, shape (n,); None where none was asked for."""
     error: float
-    """Residual: apex minus next apex, over the coordinates' scales."""
+    """Largest entry of the residual, over the coordinates' scales."""
     iterations: int
     """Number of iterations of Newton's method."""
     events: tuple[Event, ...] = field(repr=False)
     """Events of the stride, in their order."""
     following: tuple[NDArray[np.float64], ...] = ()
     """Where the gait takes more than one stride: the apexes between them, each of shape (6,)."""
-    left_over: NDArray[np.float64] = field(default_factory=lambda: np.zeros(len(COORDINATES)), repr=False)
+    residual: NDArray[np.float64] = field(default_factory=lambda: np.zeros(len(COORDINATES)), repr=False)
     """Last apex minus first, shape (n,), where the strides need not lead back; else zero."""
 
     @property

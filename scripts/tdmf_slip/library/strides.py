@@ -68,7 +68,7 @@ def _joined(gaits: Sequence[Gait], last_apex: NDArray[np.float64]) -> Gait:
         jacobian = gait.jacobian @ jacobian
         if by_parameter is not None and gait.by_parameter is not None:
             by_parameter = gait.jacobian @ by_parameter + gait.by_parameter
-    left_over = last_apex - first.apex
+    residual = last_apex - first.apex
     return replace(
         first,
         word=BETWEEN_WORDS.join(gait.word for gait in gaits),
@@ -76,10 +76,10 @@ def _joined(gaits: Sequence[Gait], last_apex: NDArray[np.float64]) -> Gait:
         stride=_together(first.runner, [gait.stride for gait in gaits]),
         jacobian=jacobian,
         by_parameter=by_parameter,
-        error=float(np.max(np.abs(left_over) / first.runner.scales)),
+        error=float(np.max(np.abs(residual) / first.runner.scales)),
         events=_events(gaits),
         following=tuple(gait.apex for gait in gaits[1:]),
-        left_over=left_over,
+        residual=residual,
     )
 
 

@@ -22,8 +22,8 @@ class VariedGait:
     """Their changes, shape (q, p)."""
     apex_by_parameters: NDArray[np.float64]
     """Those of the apex, shape (n, p)."""
-    apex_by_left_over: NDArray[np.float64]
-    """Changes of an apex that leave so much over of its stride: the inverse of the map less one, (n, n)."""
+    apex_by_residual: NDArray[np.float64]
+    """Derivative of the apex by the residual of its stride: the inverse of the map less one, shape (n, n)."""
 
 
 def varied_gait(
@@ -46,5 +46,5 @@ def varied_gait(
         quantities=stride.quantities,
         by_parameters=of_quantities[:, count:] + of_quantities[:, :count] @ d_apex,
         apex_by_parameters=d_apex,
-        apex_by_left_over=inverse,
+        apex_by_residual=inverse,
     )

@@ -20,12 +20,12 @@ from .tables import Table
 class VariedStride:
     """A stride, and how it changes with its apex and with parameters."""
 
-    left_over: NDArray[np.float64]
+    residual: NDArray[np.float64]
     """Next apex minus this one, shape (n,)."""
     quantities: NDArray[np.float64]
     """In the order in which they were asked for, shape (q,)."""
     by_all: NDArray[np.float64]
-    """Changes of `left_over` and `quantities` by the coordinates and the parameters, shape (n + q, n + p)."""
+    """Changes of `residual` and `quantities` by the coordinates and the parameters, shape (n + q, n + p)."""
 
 
 def varied_stride(
@@ -44,7 +44,7 @@ def varied_stride(
 class PlainStride:
     """A stride without derivatives."""
 
-    left_over: NDArray[np.float64]
+    residual: NDArray[np.float64]
     """Next apex minus this one, shape (n,)."""
     quantities: NDArray[np.float64]
     """In the order in which they were asked for, shape (q,)."""

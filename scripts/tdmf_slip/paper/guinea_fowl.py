@@ -20,7 +20,7 @@ from ..library.gait import Gait
 from ..library.runner import Runner
 from ..variables.table import FRICTION
 from .claims import Claim, alike
-from .patch import Meetings, contact_angle_of, meet_patch
+from .patch import PatchOutcomes, contact_angle_of, meet_patch
 
 FRICTIONS = (0.05, 0.1, 0.2)
 """Friction coefficients of the patch, because that of polypropylene is not known."""
@@ -51,7 +51,7 @@ class Map:
 
     gaits: tuple[Gait, ...]
     """On ground of high friction, by rising speed."""
-    meetings: Mapping[float, Meetings]
+    outcomes: Mapping[float, PatchOutcomes]
     """By the friction of the patch; the high one among them."""
 
     @property
@@ -63,7 +63,7 @@ class Map:
         """Contact angles down to which gaits stay up, degrees; begun at the one nearest to their own."""
         found = np.full(len(self.gaits), np.nan)
         for row, gait in enumerate(self.gaits):
-            up = self.meetings[friction].fell[row] == 0.0
+            up = self.outcomes[friction].fell[row] == 0.0
             if up.any():
                 own = contact_angle_of(gait)
                 column = int(np.argmin(np.where(up, np.abs(ANGLES - own), np.inf)))
@@ -130,11 +130,11 @@ def fall_map(leg_length: float | None = None, strides: int = 1) -> Map:
 def claims(found: Map) -> list[Claim]:
     """Numbers of Clark and Higham beside the map on the most slippery patch; the reduced map has no swing."""
     said, friction = published()["published"], FRICTIONS[0]
-    on = found.meetings[friction]
+    on = found.outcomes[friction]
     borders, slow = found.borders(friction), found.speeds <= said["fast"]
     patch = f"guinea fowl, mu = {friction:g}"
     steep, anyway = (
-        np.nansum(found.meetings[mu].fell[:, said["contact_angle"] < ANGLES])
+        np.nansum(found.outcomes[mu].fell[:, said["contact_angle"] < ANGLES])
         for mu in (friction, published()["runner"]["high_friction"])
     )
     up, down = on.slip_distance[on.fell == 0.0], on.slip_distance[on.fell == 1.0]

@@ -29,7 +29,7 @@ STEEPEST = math.pi / 2.0
 
 
 @dataclass(frozen=True, eq=False)
-class Meetings:
+class PatchOutcomes:
     """Falls and slip of gaits on a patch, by contact angle."""
 
     fell: NDArray[np.float64]
@@ -59,7 +59,7 @@ def landing_at(gait: Gait, contact_angle: float) -> Runner | None:
 
 def meet_patch(
     gaits: Sequence[Gait], contact_angles: Sequence[float], friction: float, strides: int = 1
-) -> Meetings:
+) -> PatchOutcomes:
     """Falls and slip of runners on gaits that meet a patch."""
     shape = len(gaits), len(contact_angles)
     fell, slips = np.full(shape, np.nan), np.full(shape, np.nan)
@@ -81,7 +81,7 @@ def meet_patch(
     after = [gaits[row].runner for row, _ in up]
     for cell in _followed(up, after, apices, AFTER, [[gaits[row].apex] for row, _ in up])[0]:
         fell[cell] = 0.0
-    return Meetings(fell, slips)
+    return PatchOutcomes(fell, slips)
 
 
 def _followed(

@@ -32,7 +32,7 @@ PICTURES: Mapping[str, str] = {
     "basin": "basin_map.figure_of",
     "runs": "runners_diagram.of_runs",
     "strides": "runners_diagram.of_strides",
-    "sweep": "sweep_diagram.of_gaits",
+    "sweep": "sweep_diagram.figure_of",
 }
 """Module and function by the kind of a result: the name of its class, or a dataset's attribute `result`."""
 DATASETS: Mapping[str, tuple[str, Sequence[int]]] = {

@@ -39,11 +39,6 @@ def of_sweep(found: Sweep) -> Figure:
     return figure_of(found.gaits, found.borders)
 
 
-def of_gaits(gaits: "xarray.Dataset") -> Figure:
-    """Gaits of a sweep without the borders."""
-    return figure_of(gaits)
-
-
 def figure_of(
     gaits: "xarray.Dataset", borders: "xarray.Dataset | None" = None, display: DisplayUnits | None = None
 ) -> Figure:

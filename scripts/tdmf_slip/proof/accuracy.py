@@ -64,7 +64,7 @@ def _of_fmu() -> dict[str, Solve]:
 
 def _native(runner: Runner, apex: NDArray[np.float64]) -> Numbers:
     stride = strides_from(runner, apex)
-    after = dict(zip(COORDINATES, stride.apex + stride.left_over, strict=True))
+    after = dict(zip(COORDINATES, stride.apex + stride.residual, strict=True))
     return {**{name: stride.stride[name] for name in QUANTITIES}, **after}
 
 

@@ -25,11 +25,11 @@ SHOWN = (50.5, 75.5)
 def table(found: guinea_fowl.Map) -> Columns:
     """Data of the figure by column, for all angles at which the leg can be placed."""
     rows = [
-        (friction, speed, angle, meetings.fell[i, k], meetings.slip_distance[i, k])
-        for friction, meetings in found.meetings.items()
+        (friction, speed, angle, outcomes.fell[i, k], outcomes.slip_distance[i, k])
+        for friction, outcomes in found.outcomes.items()
         for i, speed in enumerate(found.speeds)
         for k, angle in enumerate(guinea_fowl.ANGLES)
-        if np.isfinite(meetings.fell[i, k])
+        if np.isfinite(outcomes.fell[i, k])
     ]
     names = ("friction", "speed", "contact_angle", "fell", "slip_distance")
     return {name: [float(row[k]) for row in rows] for k, name in enumerate(names)}
@@ -39,7 +39,7 @@ def draw(path: Path, found: guinea_fowl.Map) -> None:
     """Draw a panel for each friction on the patch; in the last one it is that of the ground."""
     with style.styled():
         figure, panels = style.subplots(2, 2, figsize=(7.6, 6.6), sharex=True, sharey=True)
-        for axes, friction in zip(panels.flat, found.meetings, strict=True):
+        for axes, friction in zip(panels.flat, found.outcomes, strict=True):
             _panel(axes, found, friction)
         for axes in panels[1]:
             axes.set_xlabel("speed (m/s)")
@@ -51,18 +51,18 @@ def draw(path: Path, found: guinea_fowl.Map) -> None:
 
 
 def _panel(axes: Axes, found: guinea_fowl.Map, friction: float) -> None:
-    meetings, speeds, angles = found.meetings[friction], found.speeds, guinea_fowl.ANGLES
+    outcomes, speeds, angles = found.outcomes[friction], found.speeds, guinea_fowl.ANGLES
     said = guinea_fowl.published()["published"]
     axes.pcolormesh(
         speeds,
         angles,
-        meetings.fell.T,
+        outcomes.fell.T,
         cmap=ListedColormap([UP, FALLS]),
         vmin=0.0,
         vmax=1.0,
         shading="nearest",
     )
-    slipped = (meetings.fell == 0.0) & (meetings.slip_distance >= said["slip_distance"])
+    slipped = (outcomes.fell == 0.0) & (outcomes.slip_distance >= said["slip_distance"])
     rows, columns = np.nonzero(slipped)
     axes.plot(speeds[rows], angles[columns], ".", color=style.INK, markersize=3)
     axes.plot(speeds, [contact_angle_of(gait) for gait in found.gaits], color=style.SECOND_CURVE)
