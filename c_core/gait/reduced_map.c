@@ -29,7 +29,7 @@ static const page plain = {&tdmf_plain_reduced_runner_model, plain_reduced_param
                            plain_reduced_states_in_whole, plain_reduced_modes_in_whole,
                            plain_reduced_events_in_whole};
 
-/* Of the page that has more. */
+/* Numbers of the whole page, which has more of them. */
 enum {
     PARAMETERS = sizeof reduced_parameters_in_whole / sizeof *reduced_parameters_in_whole,
     STATES = sizeof reduced_states_in_whole / sizeof *reduced_states_in_whole
@@ -309,7 +309,7 @@ static double energy_of_leg(const tdmf_model *model, double length_rate, double 
                   model->parameters.leg.stiffness * compression * compression);
 }
 
-/* What is left in the leg at lift-off less what it is given for touchdown. */
+/* The energy left in the leg at lift-off, less the energy that it is given for touchdown. */
 static double leg_loss_of(const stride *s) {
     const tdmf_model *model = s->system.model;
     const runner_states x = states_of(s->page, s->lift_off);

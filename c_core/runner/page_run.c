@@ -121,8 +121,8 @@ static bool is_on_ground(int mode) {
     }
 }
 
-/* What the plain page leaves out: the vertical force is the normal force, and a thrust of 0 begins where the
- * leg lengthens and ends in flight. */
+/* Adds what the plain page leaves out: the vertical force is the normal force, and a thrust of 0 begins where
+ * the leg lengthens and ends in flight. */
 static void add_what_is_plain(runner_states *x, int mode) {
     const bool goes_on = x->touchdown_time < 0.0 && x->thrusting > 0.0;
     x->vertical_so_far = x->peak_force_so_far;

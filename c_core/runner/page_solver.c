@@ -111,7 +111,7 @@ static tdmf_motion motion_at(const tdmf_page_solver *s, const tdmf_runner_run *r
     return motion;
 }
 
-static void tell_event(tdmf_page_solver *s) {
+static void report_event(tdmf_page_solver *s) {
     if (s->has_event) {
         tdmf_log_event(s->solver->log, &s->event);
     }
@@ -119,7 +119,7 @@ static void tell_event(tdmf_page_solver *s) {
 }
 
 /* A chain in zero time is one event, by the name of its first, from the mode before to the mode after it.
- * What a call begins with is none. */
+ * Events at the start of a call are not logged. */
 static void note_event(tdmf_page_solver *s, const tdmf_runner_run *before, const tdmf_event_row *row) {
     const tdmf_guard guard = tdmf_guard_of_event(tdmf_event_in_whole(s->run.is_plain, row->event));
     const tdmf_motion after = motion_at(s, &s->run);
@@ -127,9 +127,9 @@ static void note_event(tdmf_page_solver *s, const tdmf_runner_run *before, const
         s->event.after = after.mode;
         return;
     }
-    tell_event(s);
+    report_event(s);
     tdmf_motion at = motion_at(s, before);
-    at.mode.rises |= guard == TDMF_GUARD_APEX; /* until then */
+    at.mode.rises |= guard == TDMF_GUARD_APEX; /* before the event */
     const bool has_guard = guard != TDMF_GUARD_CLAMP || at.mode.contact == TDMF_CONTACT_FLIGHT;
     const bool is_at_start = s->run.run.time == 0.0 && s->run.run.time_rest == 0.0;
     const tdmf_event event = {
@@ -187,8 +187,7 @@ static bool is_too_stiff(tdmf_page_solver *s) {
     return is_stiff;
 }
 
-/* The first step of flight and stick tells whether they are too stiff; slip and graze may be over before it
- * matters. */
+/* The first step shows whether flight or stick is too stiff. Slip and graze may be over before it matters. */
 static bool begins_too_stiff(const tdmf_page_solver *s, double duration) {
     const bool lasts = s->point.mode == MODE_stick || s->point.mode == MODE_flight_place_calm ||
                        s->point.mode == MODE_flight_retract_calm || s->point.mode == MODE_flight_rest_calm;
@@ -237,7 +236,7 @@ tdmf_outcome tdmf_run_page_solver(tdmf_page_solver *s, double duration, int stop
         w.state.stops = false;
         run_with(s, &w, r->time + r->time_rest, &stiff); /* back to a fixed time */
     }
-    tell_event(s);
+    report_event(s);
     count_work(s->solver, r, steps);
     s->has_stopped = outcome == TDMF_RUN_STOPPED;
     return stiff ? TDMF_TOO_STIFF : outcome_of(outcome);

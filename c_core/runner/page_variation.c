@@ -5,7 +5,7 @@
 
 #include <string.h>
 
-/* Numbers of a runner that the plain page has not got, which a direction may change. */
+/* The plain page lacks these numbers, so that a direction must not change them. */
 bool tdmf_varies_plain_page(const tdmf_seed *seed) {
     const tdmf_parameters *p = &seed->parameters;
     const tdmf_inputs *i = &seed->inputs;
@@ -52,7 +52,7 @@ tdmf_page_direction tdmf_page_of_variation(const tdmf_page_point *point, const d
     return d;
 }
 
-/* Of the stride under way: the mode that the point is in adds to it. */
+/* Stance of the open stride, to which the mode of the point adds. */
 static tdmf_stance_variation stance_so_far(const tdmf_page_point *point, const runner_states *d) {
     tdmf_stance_variation stance = {.stance_time = d->stance_so_far,
                                     .slip_distance = d->slip_so_far,
