@@ -77,7 +77,7 @@ def test_other_work_is_not_resumed(half, runner, vary, why):
     [
         (lambda data: data.drop_attrs(), "made by another program or an earlier version"),
         (lambda data: data.assign_attrs(version="0.0.9"), "another version"),
-        (lambda data: data.assign_attrs(result="basin"), "another result"),
+        (lambda data: data.assign_attrs(result="basin"), "holds a basin"),
         (lambda data: data.assign_attrs(runner="nobody"), "another runner"),
         (lambda data: data.assign_attrs(runner=3), "another runner"),
         (lambda data: data.drop_vars("speed"), "without a variable speed"),
@@ -150,3 +150,9 @@ def test_what_took_long_is_not_written_over(tmp_path, kind, over):
     else:
         with pytest.raises(InputError, match=f"holds a {kind}"):
             refuse_resumable(path)
+
+
+def test_a_file_where_the_folder_of_blocks_goes_is_refused_before_any_work(tmp_path):
+    (tmp_path / "sweep.nc.parts").write_text("something else")
+    with pytest.raises(InputError, match=r"sweep\.nc\.parts: cannot be written to"):
+        sweep(None, {FRICTION: [0.6]}, path=tmp_path / "sweep.nc")

@@ -4,6 +4,7 @@ While work is under way, each block that is done is a NetCDF file in a folder be
 `map.nc.parts` beside `map.nc`. When all blocks are done, the result is written and the folder goes.
 """
 
+import contextlib
 import json
 import secrets
 import shutil
@@ -14,6 +15,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ..errors import InputError
+from .whole import check_folder
 
 if TYPE_CHECKING:
     import xarray
@@ -52,6 +54,7 @@ class Resumed:
             self.data = self._read(path)
             self._check(path, self.data, blank.drop_vars(working))
         else:
+            check_folder(self.folder, self.what)
             for part in sorted(self.folder.glob("*.nc")):
                 self._take(part)
 
@@ -88,6 +91,8 @@ class Resumed:
     def _check(self, path: Path, found: "xarray.Dataset", wanted: "xarray.Dataset") -> None:
         if "result" not in found.attrs:
             raise self._refusal(path, "made by another program or an earlier version")
+        if found.attrs["result"] != wanted.attrs["result"]:
+            raise self._refusal(path, f"holds a {found.attrs['result']}")
         difference = next(_differences(found, wanted), None)
         if difference is not None:
             raise self._refusal(path, difference)
@@ -110,7 +115,13 @@ class Resumed:
 
             self.folder.mkdir(exist_ok=True)
             part = self.data.isel(place).assign_attrs({PLACE: json.dumps(place)})
-            write_dataset(self.folder / f"{secrets.token_hex(8)}.nc", part)
+            file = self.folder / f"{secrets.token_hex(8)}.nc"
+            try:
+                write_dataset(file, part)
+            except InputError as problem:  # as on a full disk
+                with contextlib.suppress(OSError):  # blocks that were done stay
+                    self.folder.rmdir()
+                raise InputError(f"{self.path}{str(problem).removeprefix(str(file))}") from problem
 
     def finish(self, data: "xarray.Dataset", groups: "Mapping[str, xarray.Dataset] | None" = None) -> None:
         """Write the result, with further datasets in groups of the file; the blocks go."""
