@@ -182,7 +182,7 @@ def sweep(
     >>> print(gaits["word"].values)
     ['+0-0+' '+0-0+' '+0-' '+0-']
     >>> print(borders["ground.friction"].values.round(6), borders["after"].values)
-    [0.458143] ['+0-']
+    [0.496682 0.496679] ['+0-+' '+0-']
     >>> tdmf_slip.gait_at(gaits, friction=0.6).stable
     True
     """
@@ -252,6 +252,13 @@ def gait_at(gaits: xarray.Dataset, **where: Given) -> Gait:
     ------
     InputError
         The values do not name one point of the sweep, there is no gait, or the dataset is no sweep.
+
+    Examples
+    --------
+    >>> import tdmf_slip
+    >>> gaits = tdmf_slip.sweep(None, {"friction": [0.7, 0.6]}).gaits
+    >>> tdmf_slip.gait_at(gaits, friction=0.6).word
+    '+0-0+'
     """
     needed = ["word", *(f"apex_{name}" for name in COORDINATES)]
     if getattr(gaits, "attrs", {}).get("result") != "sweep" or any(name not in gaits for name in needed):
