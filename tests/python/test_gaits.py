@@ -337,7 +337,7 @@ def test_borders_do_not_depend_on_how_far_away_the_gaits_are(runner, ends):
             ["2000 by 2000"],
         ),
         (("--scheduler", "tcp://nowhere:1"), ["--scheduler", "--vary"]),
-        (("--output", "grid.nc"), ["holds a grid"]),
+        (("--output", "grid.nc"), ["grid.nc", "holds a sweep"]),
         (("--vary", "leg.damping=0.1:0.2:2", "--output", "text.nc"), ["text.nc"]),
         (("--vary", "leg.damping=0.1:0.3:2", "--output", "grid.nc"), ["leg.damping"]),
     ],
@@ -363,7 +363,7 @@ def test_sweeps_that_cannot_be_are_refused(command, tmp_path, options, words):
 def test_a_grid_without_gaits_says_why(command):
     over = ("--vary", "hip.touchdown_angle=1.2:1.5:2", "--output", "none.nc")
     status, out, said = command("sweep", "--friction", "0.3:1:3", *over, "--json")
-    assert status == 1 and json.loads(out)["gaits"] == 0
+    assert status == 1 and not out
     assert "the runner fell" in said and "0 of 6" in said
     assert all(xarray.load_dataset("none.nc")["problem"].values)
 

@@ -39,7 +39,7 @@ from .special_points import FOLD, Border, borders_between, special_points
 if TYPE_CHECKING:
     import xarray
 
-MAX_GAITS = 1_000_000
+MAX_GAITS, MAX_GAITS_OF_ROW = 1_000_000, 100_000
 """In a sweep; each takes 400 bytes."""
 LARGEST_STEP = 0.2
 """Longest step along a branch that is followed to learn why it ends, over the scales."""
@@ -173,7 +173,7 @@ def sweep(
     InputError
         A value is refused, there is no such parameter, or the file holds another result.
     RunError
-        There is no gait anywhere; the message is about the first point.
+        There is no gait anywhere; the message is about the first point. A file says why at each point.
 
     Examples
     --------
@@ -215,9 +215,11 @@ def sweep(
                 made.write(places[missing[number]], columns)
                 bar.update()
     found = _finished(runner, made.data, along)
-    if not (found.gaits["word"] != "").any():
-        raise RunError(str(found.gaits["problem"].values.ravel()[0]))
     made.finish(found.gaits, {"borders": found.borders})
+    words = found.gaits["word"]
+    if not (words != "").any():
+        problem = found.gaits["problem"].values.ravel()[0]
+        raise RunError(f"{problem}; 0 of {words.size} gaits were found")
     return found
 
 
@@ -292,7 +294,10 @@ def _checked_axes(vary: object) -> dict[str, NDArray[np.float64]]:
         if len(given) == 1 or name not in STATES:
             check_varied(name, "vary")
     axes = {name: VARIABLES.find(name, "vary").values_of(of, f"vary {name}") for name, of in given.items()}
-    check_size("vary", math.prod(map(len, axes.values())), "gaits", MAX_GAITS)
+    for name, values in axes.items():
+        check_size(f"vary {name}", len(values), "gaits", MAX_GAITS_OF_ROW)
+    shape = [len(values) for values in axes.values()]
+    check_size(f"vary: {' by '.join(map(str, shape))}", math.prod(shape), "gaits", MAX_GAITS)
     return axes
 
 
@@ -366,7 +371,8 @@ def _borders_by_row(texts: xarray.DataArray) -> Iterator[tuple[dict[str, float],
 
 @shares_steps
 def sweep_row(runner: Runner, name: str, values: Values, progress: bool = False) -> Row:
-    """Gaits along one name, at values that are checked already."""
+    """Gaits along one name, at values that are checked already but for their number."""
+    check_size(f"vary {name}", len(values), "gaits", MAX_GAITS_OF_ROW)
     gaits: list[Gait | None] = [None] * len(values)
     borders: list[Border] = []
     problems: list[str] = []
