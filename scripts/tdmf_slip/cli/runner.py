@@ -58,13 +58,14 @@ class Asked:
         """The runner. A start value of what --vary varies is refused."""
         for name in varied:
             refuse_given(self.given, name, "--vary")
+        starts = start_values(file_values(self.parameters), self.given)
         for name, (option, _) in self.given.items():
             if name not in NAMES:
                 raise InputError(
                     f"{option} {name}: has no meaning for gaits, which the library finds without the unit; "
                     f"allowed: parameters and inputs of the model, and its state"
                 )
-        runner = Runner(start_values(file_values(self.parameters), self.given), model=self.model)
+        runner = Runner(starts, model=self.model)
         for name, (option, _) in self.given.items():
             if runner.reduced and name in OF_FLIGHT:
                 warnings.warn(f"{option} {name}: has no effect in the reduced map", Note, stacklevel=2)

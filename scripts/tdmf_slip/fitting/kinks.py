@@ -68,6 +68,8 @@ class _Walk:
     def step(self, ended: Ended) -> _Step:
         """From a place that is not level."""
         free = ended.at_bound == 0
+        if not free.any():
+            return _Step(None, False)
         gradient, square = self._slopes(ended.at, free)
         inverse: NDArray[np.float64] = np.asarray(np.linalg.pinv(square, hermitian=True), dtype=np.float64)
         gradients = [gradient]
