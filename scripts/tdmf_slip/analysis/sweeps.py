@@ -218,8 +218,7 @@ def sweep(
     made.finish(found.gaits, {"borders": found.borders})
     words = found.gaits["word"]
     if not (words != "").any():
-        problem = found.gaits["problem"].values.ravel()[0]
-        raise RunError(f"{problem}; 0 of {words.size} gaits were found")
+        raise RunError(f"{found.gaits['problem'].values.flat[0]}; 0 of {words.size} gaits were found")
     return found
 
 
@@ -294,9 +293,8 @@ def _checked_axes(vary: object) -> dict[str, NDArray[np.float64]]:
         if len(given) == 1 or name not in STATES:
             check_varied(name, "vary")
     axes = {name: VARIABLES.find(name, "vary").values_of(of, f"vary {name}") for name, of in given.items()}
-    for name, values in axes.items():
-        check_size(f"vary {name}", len(values), "gaits", MAX_GAITS_OF_ROW)
     shape = [len(values) for values in axes.values()]
+    check_size("vary", max(shape), "gaits in a row", MAX_GAITS_OF_ROW)
     check_size(f"vary: {' by '.join(map(str, shape))}", math.prod(shape), "gaits", MAX_GAITS)
     return axes
 
