@@ -61,6 +61,17 @@ def run_blocks(
         yield _as_they_come(work, blocks, executor, flag, pending)
 
 
+def in_order(
+    results: Iterable[tuple[int, Result]], tell: Callable[[int], object] = lambda _: None
+) -> list[Result]:
+    """Results in the order of the blocks; `tell` is called with the number of each block that is done."""
+    found: dict[int, Result] = {}
+    for number, result in results:
+        found[number] = result
+        tell(number)
+    return [found[number] for number in range(len(found))]
+
+
 def _cancel(flag: Flag, pending: "dict[Future[Any], int]") -> None:
     flag[0] = 1
     for future in list(pending):

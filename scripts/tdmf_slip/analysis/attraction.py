@@ -9,7 +9,7 @@ from dataclasses import asdict, dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from ..blocks import run_blocks
+from ..blocks import in_order, run_blocks
 from ..checks import check_kind, checked_whole
 from ..library.engine import FATES, SETTLED, UNSOLVED
 from ..library.gait import Gait, check_is_gait
@@ -257,4 +257,4 @@ def measure_all(gaits: Sequence[Gait], *, executor: Executor | None = None) -> l
     for gait in gaits:
         check_is_gait(gait, "gaits")
     with run_blocks(measure, gaits, executor) as results:
-        return [found for _, found in sorted(results, key=lambda numbered: numbered[0])]
+        return in_order(results)

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ..blocks import run_blocks
+from ..blocks import in_order, run_blocks
 from ..checks import check_size, checked_whole
 from ..errors import InputError
 from ..library.batch import TOLERANCE, Batch
@@ -231,15 +231,13 @@ def _in_blocks(
     runners = len(batch)
     size = min(MAX_IN_A_BLOCK, max(MIN_IN_A_BLOCK, STRIDES_IN_A_BLOCK // strides))
     blocks = [batch.part(first, min(size, runners - first)) for first in range(0, max(runners, 1), size)]
-    work, parts = partial(_strides_of, strides), dict[int, dict[str, NDArray[Any]]]()
+    work = partial(_strides_of, strides)
     with (
         progress_bar("strides", runners, "runners", progress) as bar,
         run_blocks(work, blocks, executor) as results,
     ):
-        for number, arrays in results:
-            parts[number] = arrays
-            bar.update(len(blocks[number]))
-    return {name: np.concatenate([parts[n][name] for n in range(len(blocks))]) for name in parts[0]}
+        parts = in_order(results, lambda number: bar.update(len(blocks[number])))
+    return {name: np.concatenate([part[name] for part in parts]) for name in parts[0]}
 
 
 def _check_derivatives(names: Sequence[str], batch: Batch) -> None:

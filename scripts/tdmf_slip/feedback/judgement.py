@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 
 from ..analysis.attraction import Robustness, Volume, robustness, volume
 from ..analysis.first_passage import FirstPassage, strides_to_fall
-from ..blocks import run_blocks
+from ..blocks import in_order, run_blocks
 from ..checks import check_kind
 from ..given import row_of
 from ..library.gait import Gait, check_is_gait
@@ -71,15 +71,11 @@ def judge_all(
     check_kind(trials, Sequence, "trials", "Trials in a list")
     for trial in trials:
         check_kind(trial, Trial, "trials", "Trials in a list")
-    found: dict[int, Judgement] = {}
     with (
         progress_bar("feedback", len(trials), "laws", progress) as bar,
         run_blocks(_judged, trials, executor) as results,
     ):
-        for number, one in results:
-            found[number] = one
-            bar.update()
-    return [found[number] for number in range(len(trials))]
+        return in_order(results, lambda _: bar.update())
 
 
 def _judged(trial: Trial) -> Judgement:

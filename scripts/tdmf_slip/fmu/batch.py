@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ..blocks import run_blocks
+from ..blocks import in_order, run_blocks
 from ..checks import checked, checked_whole
 from ..errors import InputError, TdmfSlipError
 from ..given import row_of, rows_of
@@ -52,7 +52,6 @@ class Result:
 
 OVER = ("run",)
 """The dimension of all arrays."""
-NOT_RUN = Result({}, False, "")
 
 
 def run_one(job: Job) -> Result:
@@ -133,14 +132,11 @@ def simulate_many(
     ]
     jobs = [Job(its, strides, tolerance, interface) for its in starts]
     names = list(dict.fromkeys(name for job in jobs for name in job.values))
-    results = [NOT_RUN] * len(jobs)
     with (
         progress_bar("batch", len(jobs), "runs", progress) as bar,
         run_blocks(run_one, jobs, executor) as finished,
     ):
-        for number, result in finished:
-            results[number] = result
-            bar.update()
+        results = in_order(finished, lambda _: bar.update())
     return _runs(jobs, results, names, fmu)
 
 

@@ -5,7 +5,7 @@ from concurrent.futures import Executor
 from dataclasses import dataclass
 
 from ..analysis.first_passage import FirstPassage, strides_to_fall
-from ..blocks import run_blocks
+from ..blocks import in_order, run_blocks
 from ..library.laws import Law
 from ..library.runner import Runner
 from ..terminal.progress import progress_bar
@@ -45,12 +45,8 @@ def first_passages(
     trials: Sequence[Trial], *, executor: Executor | None = None, progress: bool = False
 ) -> list[FirstPassage]:
     """`first_passage` of many trials, side by side."""
-    found: dict[int, FirstPassage] = {}
     with (
         progress_bar("rough", len(trials), "means", progress) as bar,
         run_blocks(first_passage, trials, executor) as results,
     ):
-        for number, one in results:
-            found[number] = one
-            bar.update()
-    return [found[number] for number in range(len(trials))]
+        return in_order(results, lambda _: bar.update())
