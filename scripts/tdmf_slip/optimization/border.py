@@ -205,7 +205,7 @@ def _best_over(
     free: NDArray[np.bool_],
     stationary: float,
 ) -> Border:
-    """With some of the parameters held: first those at their bounds, which may have to leave them then."""
+    """Best border with some parameters held: at first those at their bounds."""
     wanted, chart = AlongBorder(problem, free), _Chart(gaits, border, region, free)
     here, radius = chart.point(border, np.zeros(chart.basis.shape[1])), RADIUS
     for _ in range(ROUNDS):
@@ -224,6 +224,28 @@ def _best_over(
     return here.border
 
 
+def _on_border(
+    border: Border,
+    u: NDArray[np.float64],
+    across: NDArray[np.float64],
+    normal: NDArray[np.float64],
+    basis: NDArray[np.float64],
+) -> OnBorder:
+    """A point at u of a chart with a normal and a basis. The border is normal to `across`."""
+    plane = basis - np.outer(normal, across @ basis / (across @ normal))
+    short = border.short
+    return OnBorder(
+        at=u,
+        gait=short.gait,
+        apex_slopes=short.apex_slopes @ plane,
+        values=short.values,
+        slopes=short.slopes @ plane,
+        spectrum=short.spectrum.along(plane),
+        border=border,
+        plane=plane,
+    )
+
+
 class _Chart:
     """Coordinates u on a border."""
 
@@ -234,20 +256,8 @@ class _Chart:
         self.basis = np.eye(len(free))[:, free] @ np.linalg.svd(border.normal[None, free])[2][1:].T
 
     def point(self, border: Border, u: NDArray[np.float64]) -> OnBorder:
-        """A point on the border, where its normal says how it bends off the plane."""
-        bend = -(border.normal @ self.basis) / (border.normal @ self.normal)
-        plane = self.basis + np.outer(self.normal, bend)
-        short = border.short
-        return OnBorder(
-            at=u,
-            gait=short.gait,
-            apex_slopes=short.apex_slopes @ plane,
-            values=short.values,
-            slopes=short.slopes @ plane,
-            spectrum=short.spectrum.along(plane),
-            border=border,
-            plane=plane,
-        )
+        """A point on the border."""
+        return _on_border(border, u, border.normal, self.normal, self.basis)
 
     def follow(self, near: Candidate, u: NDArray[np.float64]) -> OnBorder:
         """The border at u, from a point on it."""
@@ -338,16 +348,5 @@ class _EdgeChart:
         raise RunError("there are no gaits off the fold")
 
     def _point(self, gait: Candidate, u: NDArray[np.float64]) -> OnBorder:
-        slopes = gait.spectrum.fold_slopes
-        bend = -(slopes @ self.basis) / (slopes @ self.normal)
-        plane = self.basis + np.outer(self.normal, bend)
-        return OnBorder(
-            at=u,
-            gait=gait.gait,
-            apex_slopes=gait.apex_slopes @ plane,
-            values=gait.values,
-            slopes=gait.slopes @ plane,
-            spectrum=gait.spectrum.along(plane),
-            border=Border(gait, gait, is_smooth=False, normal=self.normal),
-            plane=plane,
-        )
+        border = Border(gait, gait, is_smooth=False, normal=self.normal)
+        return _on_border(border, u, gait.spectrum.fold_slopes, self.normal, self.basis)
