@@ -68,7 +68,7 @@ MAX_STRIDES = 400
 MAX_ALONG = 16384
 """Starts along each axis of a map."""
 STARTS_AT_ONCE = 4096
-"""In a block."""
+"""Largest number of starts in a block."""
 
 
 def jacobian_under(gait: Gait, law: Law) -> NDArray[np.float64]:

@@ -37,7 +37,7 @@ if TYPE_CHECKING:
     import xarray
 
 AXES = ("com_height", "com_speed")
-"""Where none are given."""
+"""Default axes of a map."""
 Axes = Mapping[str, tuple[float, float] | None] | Sequence[str]
 """Two coordinates with their ranges."""
 LEG_LENGTH = COORDINATES.index("leg_length")

@@ -152,7 +152,7 @@ class BranchProblem(GaitProblem):
         return [point.x, *(np.append(a / self.scales[:-1], point.x[-1]) for a in point.gait.following)]
 
     def ends_between(self, before: Point, after: Point) -> str:
-        """Where the halves of gaits of twice the period change places: at a doubling of the branch they left.
+        """Text of the period doubling at which the halves of gaits of twice the period swap places.
 
         From there on the same gaits would be met again, begun by their other half.
         """

@@ -120,7 +120,7 @@ class BifurcationProblem(GaitProblem):
         return here, (np.array(there) - here) / DIFFERENCE
 
     def ends_between(self, before: Point, after: Point) -> str:
-        """Where the eigenvalues of a Neimark-Sacker point become real."""
+        """Text if the eigenvalues of a Neimark-Sacker point become real; else empty."""
         if self.kind != NEIMARK_SACKER or _is_complex(after.gait):
             return ""
         return "the eigenvalues become real: beyond, their product is 1 and none is on the circle"
@@ -237,7 +237,7 @@ class BorderProblem(GaitProblem):
         return x, self.word_at(x)
 
     def _located(self, ends: Sequence[Vector], inner: int, across: Vector, near: Point) -> Point:
-        """The border between two gaits, the inner one of which has its word, by bisection."""
+        """The border between two gaits, located by bisection; the inner gait has the word of this side."""
         inside, outside, rows = ends[inner], ends[1 - inner], near.gait[inner].rows
         while (width := float(np.linalg.norm(outside - inside))) > BORDER_ACCURACY:
             planes = np.array([across, (outside - inside) / width])

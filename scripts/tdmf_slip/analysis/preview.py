@@ -22,7 +22,7 @@ REFINEMENTS = ("exact", PREVIEW)
 LARGEST_SQUARE = 16
 """Starts along a side of the first squares, a power of two: an island as wide as this is never missed."""
 MAX_POINTS_AT_ONCE = 1024
-"""In a block."""
+"""Largest number of points in a block."""
 
 Follow = Callable[[NDArray[np.intp], NDArray[np.intp]], NDArray[np.int32]]
 """Rows and columns to fates of the starts there and strides until these were known, shape (2, starts)."""
@@ -33,7 +33,7 @@ class Slice:
     """Starts that differ from a gait's apex in two coordinates: a block of work."""
 
     runner: Runner
-    """Whose starts."""
+    """The runner."""
     apex: tuple[float, ...]
     """The gait's, shape (n,)."""
     axes: tuple[str, str]
@@ -45,9 +45,9 @@ class Slice:
     numbers: tuple[int, ...] = ()
     """Numbers of the rows in the whole slice."""
     law: Law | None = None
-    """By which runners are set."""
+    """Law that changes settings at each apex."""
     ball: Ball | None = None
-    """In which a start has settled."""
+    """Ball around the gait in which a start counts as settled."""
 
     def starts(self) -> NDArray[np.float64]:
         """One to a row, the columns running fastest."""
@@ -76,7 +76,7 @@ class Points:
     """Starts that differ from a gait's apex in two coordinates, anywhere: a block of work."""
 
     runner: Runner
-    """Whose starts."""
+    """The runner."""
     apex: tuple[float, ...]
     """The gait's, shape (n,)."""
     axes: tuple[str, str]
@@ -84,9 +84,9 @@ class Points:
     values: NDArray[np.float64]
     """Values of the two coordinates, shape (starts, 2)."""
     law: Law | None = None
-    """By which runners are set."""
+    """Law that changes settings at each apex."""
     ball: Ball | None = None
-    """In which a start has settled."""
+    """Ball around the gait in which a start counts as settled."""
 
 
 def fates_of_points(points: Points) -> NDArray[np.int32]:

@@ -62,7 +62,7 @@ SMOOTHEST = 1e-9
 
 
 def logistic_weights(features: NDArray[np.float64], falls: NDArray[np.bool_]) -> NDArray[np.float64]:
-    """Intercept and weights by which the odds of an event are told from features."""
+    """Intercept and weights of a logistic regression of falls on features."""
     rows = np.concatenate([np.ones((len(features), 1)), features], axis=1)
     weights = np.zeros(rows.shape[1])
     ridge = RIDGE * len(rows) * np.eye(rows.shape[1])
@@ -198,7 +198,7 @@ class Walkers:
     """A runner on rough ground, from apex to apex; one that stops begins anew and has not fallen."""
 
     def __init__(self, gait: Gait, ground: RoughGround, law: Law | None) -> None:
-        """From the gait on level ground."""
+        """Start from the gait on level ground."""
         self.runner, self.law = gait.runner, law
         self.ground, self.roughness = ground, ground.roughness
         self.step_weights = np.array(ground.step_weights)

@@ -30,7 +30,7 @@ SETTLED = 1e-3
 TAKEN_IN = 0.5
 """Over the widths of the box: a neighbour that is farther is none to begin from."""
 SIGMA = 4.0
-"""From 4 on, finitely many searches are begun, however many points are drawn."""
+"""Factor of the share of points near one. From 4 on, the number of searches stays finite."""
 
 
 @dataclass(frozen=True, eq=False)

@@ -29,7 +29,7 @@ from .branch_problem import BranchProblem
 FOLD, PERIOD_DOUBLING, NEIMARK_SACKER = "fold", "period doubling", "Neimark-Sacker"
 WORD_BORDER, UNCLASSIFIED = "word border", "unclassified"
 SHORTEST = 1e-6
-"""Length of branch within which special points are not told apart."""
+"""Length of branch within which special points are not distinguished."""
 LOCATED = 1e-11
 """Share of the way between two gaits to which a zero of a test function is located."""
 ON_CIRCLE = 1e-6
@@ -94,7 +94,7 @@ def special_points(problem: BranchProblem, before: Point, after: Point) -> list[
 
 
 def _specials(problem: BranchProblem, before: Point, after: Point) -> Iterator[Special]:
-    """Special points segment by segment, with one thing each, or too short to be told apart."""
+    """Special points of segments that hold one each, or are too short to be divided further."""
     length = float(np.linalg.norm(after.x - before.x))
     try:
         if before.gait.word != after.gait.word:
@@ -218,7 +218,7 @@ def _is_simple(before: Point, after: Point) -> bool:
 
 
 def _account(before: Point, after: Point) -> str:
-    """Differences of two gaits between which more happens than can be told apart, in words."""
+    """Text of the differences of two gaits between which several things happen at once."""
     changes = _changes(before, after)
     words = f"{before.gait.word} becomes {after.gait.word}" if before.gait.word != after.gait.word else ""
     turns = "the branch turns" if FOLD in changes else ""

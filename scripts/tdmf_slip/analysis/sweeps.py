@@ -40,7 +40,7 @@ if TYPE_CHECKING:
     import xarray
 
 MAX_GAITS, MAX_GAITS_OF_ROW = 1_000_000, 100_000
-"""In a sweep; each takes 400 bytes."""
+"""Largest numbers of gaits in a sweep and in one of its rows; each gait takes 400 bytes."""
 LARGEST_STEP = 0.2
 """Longest step along a branch that is followed to learn why it ends, over the scales."""
 MAX_POINTS = 200
@@ -77,9 +77,9 @@ class Row:
     values: tuple[float, ...]
     """The range."""
     by_value: tuple[Gait | None, ...]
-    """At each value; None where there is none, or it was not found."""
+    """Gaits by value; None where there is none, or it was not found."""
     borders: tuple[Border, ...]
-    """Where the word changes along a branch, in the order of the range."""
+    """Changes of the word along a branch, in the order of the range."""
     segments: tuple[Segment, ...]
     """Parts of the range in its order, each with gaits of one branch and why that branch ends."""
     problem: str | None
@@ -87,7 +87,7 @@ class Row:
 
     @property
     def branches(self) -> list[float]:
-        """By value of the range, the number of its stretch; NaN where there is no gait."""
+        """Number of the segment of each value; NaN where there is no gait."""
         numbers = [np.nan] * len(self.values)
         for number, segment in enumerate(self.segments):
             numbers[segment.begin : segment.end] = [float(number)] * (segment.end - segment.begin)
@@ -320,7 +320,7 @@ class _Block:
     """A row of a sweep: a block of work."""
 
     runner: Runner
-    """Whose gaits."""
+    """Runner whose gaits are found."""
     along: str
     """Name that varies along the row."""
     values: tuple[float, ...]

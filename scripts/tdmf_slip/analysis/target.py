@@ -62,7 +62,7 @@ MAX_TRIED, TRIED_STEPS = 5, 10
 SETTINGS = "hip."
 """Parameters that a runner changes at will; they are tried instead of a varied one, too."""
 NOT_THE_RUNNERS = ("gravity",)
-"""Not told as a help: nobody can turn it."""
+"""Parameters that nobody can change, which are not suggested as a help."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -315,7 +315,7 @@ def nearest_from(
 
 
 def _descended(target: Target, iterate: Iterate, longest: float, iterations: int) -> Iterate:
-    """Where the gap gets no smaller."""
+    """Iterate at which the gap gets no smaller."""
     damping = 1e-3
     for _ in range(iterations):
         gap = target.gap(iterate)
@@ -416,7 +416,7 @@ def _with_one_instead(target: Target, name: str, other: str, first: Gait) -> Hel
 
 
 def _promising(target: Target, gaits: Sequence[Gait]) -> list[str]:
-    """Further parameters, those first of which derivatives promise that they leave least of the gap."""
+    """Further parameters; first those that, by the derivatives, would leave the smallest gap."""
     values = gaits[0].runner
     names = [name for name in VARIED if name not in (*target.vary, *NOT_THE_RUNNERS) and values[name] != 0.0]
     widest = target.with_more(*names)

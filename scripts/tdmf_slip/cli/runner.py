@@ -45,12 +45,12 @@ MODEL_OPTION = click.option(
 
 @dataclass(frozen=True)
 class Asked:
-    """A runner as the options of a command describe it."""
+    """Options that describe a runner."""
 
     parameters: str | None
     """File or preset of --parameters."""
     given: Mapping[str, tuple[str, Given]]
-    """By name of a variable: the option, --friction or --set, and the value that it gives."""
+    """Start values that options give, see `values_given`."""
     model: str | None = None
     """Model of gaits; None: the full one."""
 
@@ -92,7 +92,7 @@ def runner_options(*, model: bool = True) -> Callable[[Function], Callable[..., 
 
 
 def values_given(friction: float | None, settings: Sequence[str]) -> dict[str, tuple[str, Given]]:
-    """By name of a variable: the option, --friction or --set, and the value that it gives."""
+    """Option, --friction or --set, and its value, for each variable that is given."""
     given: dict[str, tuple[str, Given]] = {} if friction is None else {FRICTION: ("--friction", friction)}
     for name, value in pairs_given(settings, "--set", "NAME=VALUE").items():
         if name in given:
@@ -104,7 +104,7 @@ def values_given(friction: float | None, settings: Sequence[str]) -> dict[str, t
 def start_values(
     base: Mapping[str, Value], given: Mapping[str, tuple[str, Given]], variables: Variables = VARIABLES
 ) -> dict[str, Value]:
-    """Start values: those of a file, and over them what single options give."""
+    """Start values of a file; single options replace them."""
     values = dict(base)
     for name, (option, value) in given.items():
         values |= variables.start_values({name: value}, option)

@@ -442,7 +442,7 @@ def halved(
     shortest: float,
     failures: tuple[type[Exception], ...] = (InputError, RunError),
 ) -> tuple[Found, float]:
-    """What an attempt finds by the longest of a step, its half, its quarter and so on, and that step.
+    """Result of an attempt with the longest of a step, its half, its quarter and so on, and that step.
 
     Where no step as long as the shortest succeeds, the error of the last attempt is raised.
     """
@@ -464,7 +464,7 @@ def walk(
     shortest: float,
     first: float | None = None,
 ) -> Iterator[tuple[float, Known]]:
-    """What is found on the way from a value to another, each from what is known at the value before.
+    """Results on the way from one value to another, each found from the one before.
 
     Where `advance` raises RunError the step is halved; where it succeeds the next step is twice as long. No
     step is shorter than the shortest, nor is what it leaves of the way; else the RunError is raised. A walk

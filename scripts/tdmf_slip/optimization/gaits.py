@@ -88,7 +88,7 @@ class Space:
 
     @property
     def width(self) -> NDArray[np.float64]:
-        """From bound to bound, shape (d,)."""
+        """Distances between the bounds, shape (d,)."""
         return self.high - self.low
 
     def values(self, at: NDArray[np.float64]) -> dict[str, float]:
@@ -106,7 +106,7 @@ class Space:
         return runner.replace(self.values(at))
 
     def coordinates_of(self, runner: Runner) -> NDArray[np.float64]:
-        """Where a runner's values are, inside the bounds from 0 to 1, shape (d,)."""
+        """Coordinates of a runner's values between the bounds, from 0 to 1, shape (d,)."""
         values = np.array([runner[name] for name in self.bounds])
         coordinates: NDArray[np.float64] = (values - self.low) / self.width
         return coordinates

@@ -79,7 +79,7 @@ class Start:
     """A gait where a search begins."""
 
     at: NDArray[np.float64]
-    """Where it is, inside the bounds from 0 to 1."""
+    """Coordinates between the bounds, from 0 to 1."""
     gait: Gait
     """The gait."""
 
@@ -88,7 +88,7 @@ class Spread:
     """Gaits all over the bounds."""
 
     def __init__(self, first: Start, space: Space) -> None:
-        """From a gait that is known, over the space."""
+        """Begin with a known gait and draw points of the space."""
         self.space, self.runner = space, first.gait.runner
         points = evenly(RUNNERS, len(space.bounds))
         values = space.low + points * space.width
@@ -97,7 +97,7 @@ class Spread:
         self.points, self.apexes = points[found.numbers], found.apexes
 
     def starts(self, problem: Problem, first: Start) -> Iterator[Start]:
-        """Where to begin a search for a problem, the most promising first."""
+        """Starts of a search for a problem, the most promising first."""
         runners = [self.space.runner_at(self.runner, point) for point in self.points]
         names = problem.goal.names
         merits, known = [], []
@@ -117,7 +117,7 @@ class Spread:
 
 @dataclass(frozen=True, eq=False)
 class Found:
-    """Where a search ended."""
+    """Result of a search."""
 
     gait: Candidate
     """The best one."""
@@ -135,7 +135,7 @@ def _touches_again(gait: Candidate, beyond: Candidate) -> bool:
 
 
 class Search:
-    """From a gait to the best one of a problem that is reached."""
+    """Search from a gait for the best one of a problem."""
 
     def __init__(self, gaits: Gaits, problem: Problem) -> None:
         """Keep the runner, the parameters, and what is asked."""
@@ -222,7 +222,7 @@ class Search:
         return [side for side, merit in zip(border.sides, merits, strict=True) if merit <= min(merits) + MET]
 
     def _better_side(self, border: Border) -> Candidate | None:
-        """Where the merit falls away from the border, the more if on both sides; None where on neither."""
+        """Side on which the merit falls away from the border, the steeper of two; None on neither."""
         sides = self._open_sides(border)
         if len(sides) == 1 and sides[0].gait is border.beyond:
             return border.beyond
