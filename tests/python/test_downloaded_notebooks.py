@@ -1,8 +1,6 @@
 """The guides as notebooks: readable anywhere, run where only the wheel is, from an empty folder."""
 
-import contextlib
 import html
-import io
 import json
 import os
 import pathlib
@@ -98,31 +96,19 @@ def test_the_start_page_shows_what_the_command_prints(command, site):
         assert one == other or one.startswith("apex."), (one, other)
 
 
-@pytest.fixture(scope="module")
-def validated():
-    """What the command finds, computed once; with its status and the JSON that it prints."""
-    found, printed = [], io.StringIO()
+def test_the_paper_page_shows_what_validate_finds_as_a_table_and_as_json(site, monkeypatch, capsys):
+    found = []
 
     def validate(**options):
         found.append(tdmf_slip.validate(**options))
         return found[-1]
 
-    with pytest.MonkeyPatch.context() as patch, contextlib.redirect_stdout(printed):
-        patch.setattr(command_module, "validate", validate)
-        status = main(["validate", "--json"])
-    return status, printed.getvalue(), *found
-
-
-def test_validate_as_json(validated):
-    status, printed, wanted = validated
-    found = json.loads(printed)
-    assert status == 0 and found["passed"] and wanted.passed
-    assert len(found["drifts"]) == 135 and len(found["gaits"]) == 10
-    assert sum(found["counts"].values()) == len(found["claims"]) == len(wanted.claims)
-
-
-def test_the_paper_page_shows_the_table_as_validate_prints_it(validated, site):
-    *_, wanted = validated
+    monkeypatch.setattr(command_module, "validate", validate)
+    assert main(["validate", "--json"]) == 0
+    printed, (wanted,) = json.loads(capsys.readouterr().out), found
+    assert printed["passed"] and wanted.passed
+    assert len(printed["drifts"]) == 135 and len(printed["gaits"]) == 10
+    assert sum(printed["counts"].values()) == len(printed["claims"]) == len(wanted.claims)
     (table,) = [one for one in outputs(site, "paper") if one.startswith("friction ")]
     assert table == wanted.as_text().strip()
 

@@ -369,8 +369,7 @@ def _borders_by_row(texts: xarray.DataArray) -> Iterator[tuple[dict[str, float],
 
 @shares_steps
 def sweep_row(runner: Runner, name: str, values: Values, progress: bool = False) -> Row:
-    """Gaits along one name, at values that are checked already but for their number."""
-    check_size(f"vary {name}", len(values), "gaits", MAX_GAITS_OF_ROW)
+    """Gaits along one name, at values that are checked already."""
     gaits: list[Gait | None] = [None] * len(values)
     borders: list[Border] = []
     problems: list[str] = []
@@ -495,6 +494,7 @@ def _fold(problem: BranchProblem, points: Sequence[Point]) -> float | None:
 
 
 def check_values(runner: Runner, name: str, values: Values) -> None:
-    """Refuse, before any work, values at which there is no gait to follow."""
+    """Refuse, before any work, too many values and those at which there is no gait to follow."""
+    check_size(f"vary {name}", len(values), "gaits", MAX_GAITS_OF_ROW)
     for value in values:
         check_has_gaits(runner.replace({name: value})[FRICTION])
