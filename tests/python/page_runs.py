@@ -2,6 +2,7 @@
 
 import ctypes
 import hashlib
+import importlib
 import os
 import platform
 import shutil
@@ -30,9 +31,6 @@ import numpy as np
 ROOT = Path(__file__).resolve().parents[2]
 if str(ROOT) not in sys.path:
     sys.path.append(str(ROOT))  # the folder c_core is imported from the tree
-
-from c_core.hybrid.generate import generate  # noqa: E402
-from c_core.hybrid.page import Page  # noqa: E402
 
 COMPILER = shutil.which("cc")
 FLAGS = ["-std=c99", "-ffp-contract=off", "-fno-math-errno", "-fPIC", "-Wall", "-Wextra", "-Werror"]
@@ -195,8 +193,9 @@ class CompiledPage:
 
     def __init__(self, model, level="-O2", folders=KERNEL, in_lanes=False):
         self.model = model
-        page = Page(model)
-        self.keys, self.files = page.keys, generate(page)
+        language = next(c.__module__ for c in model.__mro__ if c.__name__ == "Model").removesuffix("model")
+        page = importlib.import_module(f"{language}page").Page(model)
+        self.keys, self.files = page.keys, importlib.import_module(f"{language}generate").generate(page)
         self.name = next(iter(self.files)).removesuffix(".h")
         self.library = library_of(self.files, self.name, level, folders, in_lanes)
         self.struct = ModelStruct.in_dll(self.library, f"tdmf_{self.name}_model")
