@@ -2,7 +2,6 @@
 #include "instance.h"
 
 #include <math.h>
-#include <string.h>
 
 static const unsigned writable = BEFORE_START | RUNNING;
 
@@ -130,19 +129,15 @@ static call_status check_set(const instance *instance, const char *call, unsigne
     if (is_trial(instance, variable)) {
         return isnan(value) ? discard(instance, call, "%s is not a number", variable->name) : CALL_OK;
     }
-    const tdmf_refusal refusal = fmu_refuse_value(variable, value);
-    if (refusal.variable != NULL) {
-        char text[256];
-        return discard(instance, call, "%s", tdmf_refusal_text(&refusal, text, sizeof text));
-    }
-    return CALL_OK;
+    char text[FMU_TEXT];
+    return fmu_refuse_value(variable, value, text) == NULL ? CALL_OK : discard(instance, call, "%s", text);
 }
 
 static void try_state(fmu *fmu, size_t index, double value) {
-    double states[TDMF_STATE_COUNT];
-    memcpy(states, fmu->motion.state, sizeof states);
+    double states[FMU_STATE_COUNT + 1];
+    fmu_states(fmu, NULL, states);
     states[index] = value;
-    fmu_try_state(fmu, states);
+    fmu_try_states(fmu, states);
 }
 
 static call_status warn_of_value_kept(const instance *instance, const char *call,
@@ -164,7 +159,8 @@ static call_status set_number(instance *instance, const char *call, uint32_t ref
         fmu_set_number(&instance->fmu, variable, value);
     }
     if (variable->variability == VARIABILITY_TUNABLE) {
-        fmu_prepare(&instance->fmu); /* in force at once; its own range is all that bounds it */
+        char text[FMU_TEXT];
+        fmu_prepare(&instance->fmu, text); /* in force at once; its own range is all that bounds it */
     }
     if (variable->storage == STORED_INPUT) {
         fmu_set_number_rate(&instance->fmu, variable, 0.0);

@@ -54,11 +54,9 @@ const fmu *present_fmu(const instance *instance, const char *call, fmu *preview,
         return &instance->fmu;
     }
     *preview = instance->fmu;
-    const tdmf_refusal refusal = fmu_start(preview);
-    if (refusal.variable != NULL) {
-        char text[256];
-        *status =
-            discard(instance, call, "no outputs yet: %s", tdmf_refusal_text(&refusal, text, sizeof text));
+    char text[FMU_TEXT];
+    if (fmu_start(preview, text) != NULL) {
+        *status = discard(instance, call, "no outputs yet: %s", text);
         return NULL;
     }
     return preview;

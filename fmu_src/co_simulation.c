@@ -25,7 +25,7 @@ call_status step_on(instance *instance, const char *call, double time, double st
                       time_text(step, length), time_text(time, clock));
     }
     const double allowed = clock_rounding(time, step);
-    if (!(fabs(time - fmu->motion.time) <= allowed)) {
+    if (!(fabs(time - fmu_time(fmu)) <= allowed)) {
         return refuse(instance, call, "the communication point is not where the last step ended");
     }
     if (time + step > fmu->stop_time + allowed) {
@@ -34,7 +34,9 @@ call_status step_on(instance *instance, const char *call, double time, double st
                       time_text(fmu->stop_time, stop));
     }
     const fmu_observer observer = event_logger(instance);
-    const char *obstacle = (stop_at_event ? fmu_advance_to_event : fmu_advance)(fmu, time + step, &observer);
+    char text[FMU_TEXT];
+    const char *obstacle =
+        (stop_at_event ? fmu_advance_to_event : fmu_advance)(fmu, time + step, &observer, text);
     discard_view(instance);
     *event = fmu->event_is_pending;
     return obstacle == NULL ? CALL_OK : fail(instance, call, "%s", obstacle);

@@ -17,7 +17,7 @@ static bool is_known(const instance *instance, const fmu_variable *variable) {
 
 static bool is_unknown(const fmu_variable *variable) {
     return variable->storage == STORED_STATE || variable->storage == STORED_DERIVATIVE ||
-           variable->storage == STORED_OUTPUT;
+           variable->storage == STORED_OUTPUT || variable->storage == STORED_HELD;
 }
 
 static const fmu_variable *find_known(const instance *instance, const char *call, uint32_t reference) {
@@ -73,9 +73,6 @@ static void differentiate(const instance *instance, const fmu *present, fmu *see
         return;
     }
     fmu_differentiate_start(&instance->fmu, present, seed, variation);
-    for (int i = TDMF_MECHANICAL_COUNT; i < TDMF_STATE_COUNT; ++i) {
-        seed->motion.state[i] = variation->states[i]; /* calculated at the start */
-    }
 }
 
 call_status directional_derivative(instance *instance, const char *call, const uint32_t unknowns[],

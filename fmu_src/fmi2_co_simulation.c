@@ -93,7 +93,7 @@ fmi2Status fmi2GetRealStatus(fmi2Component component, const fmi2StatusKind kind,
     if (!call_is_allowed(component, call, after_steps) || !array_is_given(component, call, value, 1, 1)) {
         return fmi2Error;
     }
-    *value = instance->fmu.motion.time;
+    *value = fmu_time(&instance->fmu);
     return fmi2OK;
 }
 

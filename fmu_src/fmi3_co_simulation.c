@@ -36,7 +36,7 @@ fmi3Status fmi3DoStep(fmi3Instance component, fmi3Float64 time, fmi3Float64 step
     const call_status status = step_on(component, call, time, step, stop_at_event, &event);
     *event_handling_needed = event;
     *terminate_simulation = fmi3False;
-    *last_successful_time = own->instance.fmu.motion.time;
+    *last_successful_time = fmu_time(&own->instance.fmu);
     *early_return = event && *last_successful_time < time + step;
     return (fmi3Status)status;
 }

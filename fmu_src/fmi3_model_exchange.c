@@ -71,9 +71,9 @@ static fmi3Status get_count(instance *instance, const char *call, size_t value, 
 }
 
 fmi3Status fmi3GetNumberOfEventIndicators(fmi3Instance component, size_t *count) {
-    return get_count(component, "fmi3GetNumberOfEventIndicators", TDMF_GUARD_COUNT, count);
+    return get_count(component, "fmi3GetNumberOfEventIndicators", FMU_GUARD_COUNT, count);
 }
 
 fmi3Status fmi3GetNumberOfContinuousStates(fmi3Instance component, size_t *count) {
-    return get_count(component, "fmi3GetNumberOfContinuousStates", TDMF_STATE_COUNT, count);
+    return get_count(component, "fmi3GetNumberOfContinuousStates", FMU_STATE_COUNT, count);
 }

@@ -4,7 +4,6 @@
 #ifndef TDMF_FMU_INSTANCE_H
 #define TDMF_FMU_INSTANCE_H
 
-#include "fmu.h"
 #include "variables.h"
 
 #include <stdint.h>
@@ -73,10 +72,6 @@ call_status discard(const instance *instance, const char *call, const char *form
  * take the place of those that the instance was made with; unknown ones are warned of. */
 call_status set_logging(instance *instance, const char *call, bool on, size_t count,
                         const char *const names[]);
-
-/* A time for a message, with a decimal point whatever the locale; returns `text`. */
-enum { TIME_CAPACITY = 32 };
-char *time_text(double time, char text[TIME_CAPACITY]);
 
 /* Logs every event it is told of; tells nothing while the events' category is off. */
 fmu_observer event_logger(instance *instance);

@@ -26,7 +26,7 @@ instance *instance_new(size_t size, const char *name, interface_kind interface, 
     instance *made = calloc(1, size);
     const size_t length = strlen(name) + 1;
     char *copy = malloc(length);
-    if (made == NULL || copy == NULL) {
+    if (made == NULL || copy == NULL || !fmu_create(&made->fmu, interface == MODEL_EXCHANGE)) {
         free(made);
         free(copy);
         return NULL;
@@ -41,6 +41,7 @@ instance *instance_new(size_t size, const char *name, interface_kind interface, 
 
 void instance_free(instance *instance) {
     if (instance != NULL) {
+        fmu_free(&instance->fmu);
         free(instance->name);
         free(instance);
     }
@@ -60,7 +61,7 @@ call_status set_experiment(instance *instance, const char *call, bool tolerance_
     if (tolerance_defined && !(tolerance > 0.0 && isfinite(tolerance))) {
         return refuse(instance, call, "the tolerance is not a positive number");
     }
-    instance->fmu.motion.time = start_time;
+    fmu_set_time(&instance->fmu, start_time);
     instance->fmu.importer_tolerance = tolerance_defined ? tolerance : INFINITY;
     instance->fmu.stop_time = stop_time_defined ? stop_time : INFINITY;
     discard_view(instance);
@@ -83,10 +84,9 @@ call_status exit_initialization(instance *instance, const char *call) {
     if (obstacle != NULL) {
         return refuse(instance, call, "%s", obstacle);
     }
-    const tdmf_refusal refusal = fmu_start(&instance->fmu);
-    if (refusal.variable != NULL) {
-        char text[256];
-        return refuse(instance, call, "%s", tdmf_refusal_text(&refusal, text, sizeof text));
+    char text[FMU_TEXT];
+    if (fmu_start(&instance->fmu, text) != NULL) {
+        return refuse(instance, call, "%s", text);
     }
     discard_view(instance);
     instance->state = instance->interface == CO_SIMULATION ? STEP_MODE : EVENT_MODE;

@@ -131,33 +131,8 @@ char *time_text(double time, char text[TIME_CAPACITY]) {
     return text;
 }
 
-static const char *name_of_guard(int guard) {
-    static const char group[] = "guard.";
-    size_t i = 0;
-    while (fmu_variables[i].storage != STORED_GUARD || fmu_variables[i].offset != (size_t)guard) {
-        ++i;
-    }
-    return fmu_variables[i].name + sizeof group - 1;
-}
-
-/* The clamp of the hip torque and the peak of the ground force are the solver's events, not the runner's. */
-static bool is_event_of_runner(const tdmf_event *event) {
-    return event->guard == TDMF_GUARD_TOUCHDOWN || event->before.contact != event->after.contact ||
-           event->before.phase != event->after.phase || event->before.fallen != event->after.fallen;
-}
-
-static void log_event(void *subject, const tdmf_event *event) {
-    const instance *instance = subject;
-    const tdmf_mode *before = &event->before;
-    const tdmf_mode *after = &event->after;
-    char time[TIME_CAPACITY];
-    if (is_event_of_runner(event)) {
-        log_message(instance, CALL_OK, LOG_EVENTS, "%s at %s s: %s, %s -> %s, %s%s",
-                    name_of_guard(event->guard), time_text(event->time, time),
-                    fmu_contact_mode_names[before->contact - 1], fmu_hip_phase_names[before->phase - 1],
-                    fmu_contact_mode_names[after->contact - 1], fmu_hip_phase_names[after->phase - 1],
-                    after->fallen ? ", fallen" : "");
-    }
+static void log_event(void *subject, const char *text) {
+    log_message(subject, CALL_OK, LOG_EVENTS, "%s", text);
 }
 
 fmu_observer event_logger(instance *instance) {

@@ -12,10 +12,7 @@ call_status enter_event_mode(instance *instance, const char *call, unsigned allo
     if (!call_is_allowed(instance, call, allowed_states)) {
         return CALL_ERROR;
     }
-    fmu_observe(&instance->fmu);
-    if (instance->interface == MODEL_EXCHANGE) {
-        fmu_account_for_extension(&instance->fmu);
-    }
+    fmu_enter_event_mode(&instance->fmu);
     instance->state = EVENT_MODE;
     return CALL_OK;
 }
@@ -27,17 +24,16 @@ call_status update_discrete_states(instance *instance, const char *call, discret
     }
     fmu *fmu = &instance->fmu;
     const fmu_observer observer = event_logger(instance);
-    const tdmf_resolution resolution = fmu_update(fmu, &observer);
+    const fmu_resolution resolution = fmu_update(fmu, &observer);
     discard_view(instance);
     if (resolution.unresolved) {
         return fail(instance, call, "the events at this instant do not come to an end");
     }
     update->states_changed = resolution.state_changed;
-    update->terminate = instance->interface == MODEL_EXCHANGE && fmu->motion.mode.fallen &&
-                        fmu->settings.status.terminate_on_fall;
-    const double longest = tdmf_longest_step(fmu_system(fmu), &fmu->motion.mode, fmu->motion.state);
+    update->terminate = fmu_asks_to_terminate(fmu);
+    const double longest = fmu_longest_step(fmu);
     update->next_time_defined = instance->interface == MODEL_EXCHANGE && isfinite(longest);
-    update->next_time = update->next_time_defined ? fmu->motion.time + longest : 0.0;
+    update->next_time = update->next_time_defined ? fmu_time(fmu) + longest : 0.0;
     return CALL_OK;
 }
 
@@ -50,11 +46,7 @@ call_status enter_continuous_time_mode(instance *instance, const char *call) {
 }
 
 bool step_asks_for_event_mode(instance *instance) {
-    if (fmu_extension_has_changed(&instance->fmu)) {
-        return true;
-    }
-    fmu_account_for_extension(&instance->fmu); /* no work, from here on */
-    return false;
+    return fmu_complete_step(&instance->fmu);
 }
 
 call_status set_time(instance *instance, const char *call, double time) {
@@ -64,16 +56,16 @@ call_status set_time(instance *instance, const char *call, double time) {
     if (!fmu_is_time(time)) {
         return refuse(instance, call, "the time is not finite or beyond 1e100 s");
     }
-    instance->fmu.motion.time = time;
+    fmu_set_time(&instance->fmu, time);
     return CALL_OK;
 }
 
 call_status set_states(instance *instance, const char *call, const double states[], size_t count) {
     if (!call_is_allowed(instance, call, CONTINUOUS_TIME_MODE) ||
-        !array_is_given(instance, call, states, count, TDMF_STATE_COUNT)) {
+        !array_is_given(instance, call, states, count, FMU_STATE_COUNT)) {
         return CALL_ERROR;
     }
-    if (!fmu_try_state(&instance->fmu, states)) {
+    if (!fmu_try_states(&instance->fmu, states)) {
         return discard(instance, call, "a state is not a number");
     }
     discard_view(instance);
@@ -82,25 +74,18 @@ call_status set_states(instance *instance, const char *call, const double states
 
 call_status get_states(instance *instance, const char *call, double states[], size_t count) {
     if (!call_is_allowed(instance, call, evaluable) ||
-        !array_is_given(instance, call, states, count, TDMF_STATE_COUNT)) {
+        !array_is_given(instance, call, states, count, FMU_STATE_COUNT)) {
         return CALL_ERROR;
     }
     call_status status = CALL_OK;
-    const fmu_view *view = NULL;
-    memcpy(states, instance->fmu.motion.state, sizeof instance->fmu.motion.state);
-    if (!fmu_has_begun(&instance->fmu)) {
-        view = current_view(instance, call, &status);
-    }
-    if (view != NULL) { /* the start calculates those that have no start value */
-        memcpy(states + TDMF_MECHANICAL_COUNT, view->states + TDMF_MECHANICAL_COUNT,
-               (TDMF_STATE_COUNT - TDMF_MECHANICAL_COUNT) * sizeof *states);
-    }
+    const fmu_view *view = fmu_has_begun(&instance->fmu) ? NULL : current_view(instance, call, &status);
+    fmu_states(&instance->fmu, view, states);
     return status;
 }
 
 call_status get_derivatives(instance *instance, const char *call, double derivatives[], size_t count) {
     if (!call_is_allowed(instance, call, evaluable) ||
-        !array_is_given(instance, call, derivatives, count, TDMF_STATE_COUNT)) {
+        !array_is_given(instance, call, derivatives, count, FMU_STATE_COUNT)) {
         return CALL_ERROR;
     }
     fmu preview;
@@ -114,7 +99,7 @@ call_status get_derivatives(instance *instance, const char *call, double derivat
 
 call_status get_indicators(instance *instance, const char *call, double indicators[], size_t count) {
     if (!call_is_allowed(instance, call, evaluable) ||
-        !array_is_given(instance, call, indicators, count, TDMF_GUARD_COUNT)) {
+        !array_is_given(instance, call, indicators, count, FMU_GUARD_COUNT)) {
         return CALL_ERROR;
     }
     fmu preview;
@@ -128,12 +113,13 @@ call_status get_indicators(instance *instance, const char *call, double indicato
 
 call_status get_nominals(instance *instance, const char *call, double nominals[], size_t count) {
     if (!call_is_allowed(instance, call, INSTANTIATED | evaluable) ||
-        !array_is_given(instance, call, nominals, count, TDMF_STATE_COUNT)) {
+        !array_is_given(instance, call, nominals, count, FMU_STATE_COUNT)) {
         return CALL_ERROR;
     }
     fmu preview = instance->fmu;
+    char text[FMU_TEXT];
     if (!fmu_has_begun(&preview)) {
-        tdmf_model_create(&preview.model, &preview.parameters); /* stays that of the defaults where refused */
+        fmu_prepare(&preview, text); /* stays that of the defaults where refused */
     }
     fmu_nominals(&preview, nominals);
     return CALL_OK;

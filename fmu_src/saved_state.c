@@ -89,11 +89,11 @@ call_status save_state(instance *instance, const char *call, void **state) {
 }
 
 call_status restore_state(instance *instance, const char *call, const void *state) {
-    char text[256];
-    saved_run run;
+    char text[FMU_TEXT];
     if (!call_is_allowed(instance, call, ANYWHERE)) {
         return CALL_ERROR;
     }
+    saved_run run = {.fmu = instance->fmu};
     if (state == NULL) {
         return discard(instance, call, "the state is a null pointer");
     }
@@ -142,12 +142,12 @@ call_status serialize_state(instance *instance, const char *call, const void *st
 
 call_status deserialize_state(instance *instance, const char *call, const void *bytes, size_t size,
                               void **state) {
-    char text[256];
-    saved_run run;
+    char text[FMU_TEXT];
     if (!call_is_allowed(instance, call, ANYWHERE) || !array_is_given(instance, call, bytes, 1, 1) ||
         !array_is_given(instance, call, state, 1, 1)) {
         return CALL_ERROR;
     }
+    saved_run run = {.fmu = instance->fmu};
     if (size != saved_size()) {
         return discard(instance, call, "%lu bytes are no state of this unit, which has %lu",
                        (unsigned long)size, (unsigned long)saved_size());

@@ -1,9 +1,9 @@
-/* The unit's table of variables. Its rows are generated from modelDescription.xml; a row's position is the
- * variable's value reference. */
+/* The unit's table of variables. Its rows are generated; a row's position is the variable's value reference.
+ */
 #ifndef TDMF_FMU_VARIABLES_H
 #define TDMF_FMU_VARIABLES_H
 
-#include "fmu.h"
+#include "unit.h"
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -19,14 +19,15 @@ typedef enum {
 
 typedef enum {
     STORED_TIME,
-    STORED_PARAMETER,  /* offset in tdmf_parameters */
-    STORED_SETTING,    /* offset in fmu_settings */
-    STORED_INPUT,      /* offset in tdmf_inputs */
-    STORED_STATE,      /* index in the state vector */
-    STORED_DERIVATIVE, /* index in the state vector */
-    STORED_OUTPUT,     /* offset in tdmf_outputs */
-    STORED_GUARD,      /* tdmf_guard */
-    STORED_WORK        /* offset in fmu_work */
+    STORED_PARAMETER,
+    STORED_SETTING, /* of the unit, not of its model */
+    STORED_INPUT,
+    STORED_STATE,      /* continuous; its number */
+    STORED_DERIVATIVE, /* number of the state */
+    STORED_OUTPUT,
+    STORED_HELD, /* a state of the model that changes at events only */
+    STORED_GUARD,
+    STORED_WORK /* of the solver in Co-Simulation */
 } fmu_storage;
 
 typedef enum {
@@ -41,7 +42,7 @@ typedef struct {
     const char *unit;
     fmu_variable_type type;
     fmu_storage storage;
-    size_t offset;
+    size_t offset; /* in what the storage names: a number or bytes, by the kind of unit */
     fmu_variability variability;
     bool settable_before_start;
     bool changes_at_events; /* FMI's reinit: a state that an event may make jump */
@@ -53,14 +54,13 @@ extern const size_t fmu_variable_count;
 
 /* Whether the importer may change it in a run, but at events only: a tunable parameter or a discrete input.
  */
-bool fmu_is_set_at_events(const fmu_variable *variable);
+static inline bool fmu_is_set_at_events(const fmu_variable *variable) {
+    return variable->variability == VARIABILITY_TUNABLE ||
+           (variable->storage == STORED_INPUT && variable->variability == VARIABILITY_DISCRETE);
+}
 
-/* Names of the enumerations' items, from value 1 on. */
-extern const char *const fmu_contact_mode_names[];
-extern const char *const fmu_hip_phase_names[];
-
-/* Why the variable may not have this value; `.variable` is NULL where it may. */
-tdmf_refusal fmu_refuse_value(const fmu_variable *variable, double value);
+/* Why the variable may not have this value, written into the text; NULL where it may. */
+const char *fmu_refuse_value(const fmu_variable *variable, double value, char text[FMU_TEXT]);
 
 /* A numeric variable's value; outputs and derivatives are read from `view`. */
 double fmu_get_number(const fmu *fmu, const fmu_view *view, const fmu_variable *variable);

@@ -1,4 +1,4 @@
-/* Reading and writing variables by their row in the table. */
+/* Reading and writing variables of the runner's unit by their row in the table. */
 #include "variables.h"
 
 #include <string.h>
@@ -33,17 +33,14 @@ static size_t byte_offset(const fmu_variable *variable) {
     return indexed ? variable->offset * sizeof(double) : variable->offset;
 }
 
-bool fmu_is_set_at_events(const fmu_variable *variable) {
-    return variable->variability == VARIABILITY_TUNABLE ||
-           (variable->storage == STORED_INPUT && variable->variability == VARIABILITY_DISCRETE);
-}
-
-tdmf_refusal fmu_refuse_value(const fmu_variable *variable, double value) {
-    tdmf_refusal refusal = {
-        .unit = variable->unit, .value = value, .minimum = variable->minimum, .maximum = variable->maximum};
+const char *fmu_refuse_value(const fmu_variable *variable, double value, char text[FMU_TEXT]) {
+    const tdmf_refusal refusal = {.variable = variable->name,
+                                  .unit = variable->unit,
+                                  .value = value,
+                                  .minimum = variable->minimum,
+                                  .maximum = variable->maximum};
     const bool allowed = value >= variable->minimum && value <= variable->maximum;
-    refusal.variable = allowed ? NULL : variable->name;
-    return refusal;
+    return allowed ? NULL : tdmf_refusal_text(&refusal, text, FMU_TEXT);
 }
 
 double fmu_get_number(const fmu *fmu, const fmu_view *view, const fmu_variable *variable) {

@@ -290,7 +290,8 @@ static void pass_variables(transfer *bytes, fmu *fmu, unsigned storages) {
         }
         double value = fmu_get_number(fmu, NULL, variable);
         if (pass(bytes, &value, sizeof value)) {
-            const bool allowed = fmu_refuse_value(variable, value).variable == NULL &&
+            char text[FMU_TEXT];
+            const bool allowed = fmu_refuse_value(variable, value, text) == NULL &&
                                  (variable->type == VARIABLE_REAL || value == floor(value));
             require(bytes, allowed, variable->name);
             fmu_set_number(fmu, variable, allowed ? value : variable->start);
@@ -501,9 +502,10 @@ const char *read_saved_run(const unsigned char *bytes, saved_run *run, char *rea
     pass_run(&source, run);
     require_agreement_of_calls(&source, run);
     if (source.refused == NULL && fmu_has_begun(&run->fmu)) {
-        const tdmf_refusal refusal = fmu_prepare(&run->fmu);
-        if (refusal.variable != NULL) {
-            return tdmf_refusal_text(&refusal, reason, capacity);
+        char text[FMU_TEXT];
+        if (fmu_prepare(&run->fmu, text) != NULL) {
+            snprintf(reason, capacity, "%s", text);
+            return reason;
         }
         require_agreement_of_fmu(&source, run);
     }

@@ -1,13 +1,13 @@
 /* A runner with its settings, FMI left out. */
-#include "fmu.h"
+#include "variables.h"
 
 #include "instant.h"
 #include "record.h"
 #include "tdmf_slip/cvode.h"
-#include "variables.h"
 
 #include <limits.h>
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 enum { NO_GUARD = -1 };
@@ -22,8 +22,19 @@ typedef struct {
 const double fmu_largest_state = 1e60;
 static const double largest_time = 1e100;
 
+bool fmu_create(fmu *fmu, bool is_exchange) {
+    fmu->is_exchange = is_exchange;
+    return true;
+}
+
+void fmu_free(fmu *fmu) {
+    (void)fmu; /* it owns nothing */
+}
+
 void fmu_reset(fmu *fmu) {
+    const bool is_exchange = fmu->is_exchange;
     memset(fmu, 0, sizeof *fmu);
+    fmu->is_exchange = is_exchange;
     for (size_t i = 0; i < fmu_variable_count; ++i) {
         const fmu_variable *variable = &fmu_variables[i];
         if (variable->settable_before_start) {
@@ -36,30 +47,39 @@ void fmu_reset(fmu *fmu) {
     fmu->solver = tdmf_solver_default();
 }
 
-tdmf_refusal fmu_prepare(fmu *fmu) {
+const char *fmu_prepare(fmu *fmu, char text[FMU_TEXT]) {
     const tdmf_refusal refusal = tdmf_model_create(&fmu->model, &fmu->parameters);
-    if (refusal.variable == NULL) {
-        fmu->solver.relative_tolerance =
-            fmin(fmu->settings.solver.relative_tolerance, fmu->importer_tolerance);
+    if (refusal.variable != NULL) {
+        return tdmf_refusal_text(&refusal, text, FMU_TEXT);
     }
-    return refusal;
+    fmu->solver.relative_tolerance = fmin(fmu->settings.solver.relative_tolerance, fmu->importer_tolerance);
+    return NULL;
 }
 
-tdmf_refusal fmu_start(fmu *fmu) {
+const char *fmu_start(fmu *fmu, char text[FMU_TEXT]) {
     struct fmu ready = *fmu;
-    tdmf_refusal refusal = fmu_prepare(&ready);
-    if (refusal.variable == NULL) {
-        refusal = tdmf_start(fmu_system(&ready), &ready.motion);
+    if (fmu_prepare(&ready, text) != NULL) {
+        return text;
     }
-    if (refusal.variable == NULL) {
-        ready.accounted_leg = tdmf_leg_sample_of(ready.motion.time, ready.motion.state);
-        *fmu = ready;
+    const tdmf_refusal refusal = tdmf_start(fmu_system(&ready), &ready.motion);
+    if (refusal.variable != NULL) {
+        return tdmf_refusal_text(&refusal, text, FMU_TEXT);
     }
-    return refusal;
+    ready.accounted_leg = tdmf_leg_sample_of(ready.motion.time, ready.motion.state);
+    *fmu = ready;
+    return NULL;
 }
 
 bool fmu_has_begun(const fmu *fmu) {
     return fmu->motion.mode.contact != 0;
+}
+
+double fmu_time(const fmu *fmu) {
+    return fmu->motion.time;
+}
+
+void fmu_set_time(fmu *fmu, double time) {
+    fmu->motion.time = time;
 }
 
 static int as_integer(int64_t count) {
@@ -125,7 +145,7 @@ static void differentiate_apex(const double of_state[TDMF_STATE_COUNT], double c
     variation->apex.leg_angle_rate = of_state[TDMF_LEG_ANGLE_RATE];
 }
 
-void fmu_differentiate_start(const fmu *given, const struct fmu *started, const struct fmu *seed,
+void fmu_differentiate_start(const fmu *given, const struct fmu *started, struct fmu *seed,
                              fmu_view *variation) {
     const tdmf_seed model_seed = {seed->parameters, seed->inputs};
     const tdmf_start_variation start =
@@ -137,6 +157,9 @@ void fmu_differentiate_start(const fmu *given, const struct fmu *started, const 
     variation->outputs.event.last_time = seed->motion.time;
     if (started->motion.record.progress.open.began_at_apex) {
         differentiate_apex(start.variation.state, start.com_height, seed->motion.time, &variation->outputs);
+    }
+    for (int i = TDMF_MECHANICAL_COUNT; i < TDMF_STATE_COUNT; ++i) {
+        seed->motion.state[i] = variation->states[i]; /* calculated at the start */
     }
 }
 
@@ -155,7 +178,15 @@ static double within_largest(double value) {
     return bounded > -fmu_largest_state ? bounded : -fmu_largest_state;
 }
 
-bool fmu_try_state(fmu *fmu, const double state[TDMF_STATE_COUNT]) {
+void fmu_states(const fmu *fmu, const fmu_view *view, double states[]) {
+    memcpy(states, fmu->motion.state, sizeof fmu->motion.state);
+    if (view != NULL) { /* the start calculates those that have no start value */
+        memcpy(states + TDMF_MECHANICAL_COUNT, view->states + TDMF_MECHANICAL_COUNT,
+               (TDMF_STATE_COUNT - TDMF_MECHANICAL_COUNT) * sizeof *states);
+    }
+}
+
+bool fmu_try_states(fmu *fmu, const double state[]) {
     for (int i = 0; i < TDMF_STATE_COUNT; ++i) {
         if (isnan(state[i])) {
             return false;
@@ -167,34 +198,51 @@ bool fmu_try_state(fmu *fmu, const double state[TDMF_STATE_COUNT]) {
     return true;
 }
 
-void fmu_derivatives(const fmu *fmu, double derivatives[TDMF_STATE_COUNT]) {
+void fmu_derivatives(const fmu *fmu, double derivatives[]) {
     tdmf_derivatives(fmu_system(fmu), &fmu->motion.mode, fmu->motion.state, derivatives);
     for (int i = 0; i < TDMF_STATE_COUNT; ++i) {
         derivatives[i] = isnan(derivatives[i]) ? fmu_largest_state : within_largest(derivatives[i]);
     }
 }
 
-void fmu_event_indicators(const fmu *fmu, double indicators[TDMF_GUARD_COUNT]) {
+void fmu_event_indicators(const fmu *fmu, double indicators[]) {
     tdmf_guards(fmu_system(fmu), &fmu->motion.mode, fmu->motion.state, indicators);
 }
 
-void fmu_nominals(const fmu *fmu, double nominals[TDMF_STATE_COUNT]) {
+void fmu_nominals(const fmu *fmu, double nominals[]) {
     tdmf_state_scales(&fmu->model, nominals);
 }
 
-void fmu_observe(fmu *fmu) {
-    tdmf_observe(fmu_system(fmu), &fmu->motion);
-}
-
-bool fmu_extension_has_changed(const fmu *fmu) {
-    return !tdmf_rest_length_is_accounted_for(fmu_system(fmu), &fmu->motion.mode);
-}
-
-void fmu_account_for_extension(fmu *fmu) {
+/* leg.extension has no rate in Model Exchange, and may change between events all the same. An update accounts
+ * for the leg's work up to here, before inputs may jump. */
+static void account_for_extension(fmu *fmu) {
     const tdmf_leg_sample leg = tdmf_leg_sample_of(fmu->motion.time, fmu->motion.state);
     fmu->leg_work_due +=
         tdmf_account_for_extension(fmu_system(fmu), &fmu->accounted_leg, &leg, &fmu->motion.mode);
     fmu->accounted_leg = leg;
+}
+
+bool fmu_complete_step(fmu *fmu) {
+    if (!tdmf_rest_length_is_accounted_for(fmu_system(fmu), &fmu->motion.mode)) {
+        return true;
+    }
+    account_for_extension(fmu); /* no work, from here on */
+    return false;
+}
+
+void fmu_enter_event_mode(fmu *fmu) {
+    tdmf_observe(fmu_system(fmu), &fmu->motion);
+    if (fmu->is_exchange) {
+        account_for_extension(fmu);
+    }
+}
+
+bool fmu_asks_to_terminate(const fmu *fmu) {
+    return fmu->is_exchange && fmu->motion.mode.fallen && fmu->settings.status.terminate_on_fall;
+}
+
+double fmu_longest_step(const fmu *fmu) {
+    return tdmf_longest_step(fmu_system(fmu), &fmu->motion.mode, fmu->motion.state);
 }
 
 const char *fmu_settings_obstacle(const fmu *fmu) {
@@ -203,6 +251,38 @@ const char *fmu_settings_obstacle(const fmu *fmu) {
     }
     return NULL;
 }
+
+/* ---- messages ------------------------------------------------------------------------------------------ */
+
+static const char *name_of_guard(int guard) {
+    static const char group[] = "guard.";
+    size_t i = 0;
+    while (fmu_variables[i].storage != STORED_GUARD || fmu_variables[i].offset != (size_t)guard) {
+        ++i;
+    }
+    return fmu_variables[i].name + sizeof group - 1;
+}
+
+/* The clamp of the hip torque and the peak of the ground force are the solver's events, not the runner's. */
+static bool is_event_of_runner(const tdmf_event *event) {
+    return event->guard == TDMF_GUARD_TOUCHDOWN || event->before.contact != event->after.contact ||
+           event->before.phase != event->after.phase || event->before.fallen != event->after.fallen;
+}
+
+static void report(const fmu_observer *observer, const tdmf_event *event) {
+    const tdmf_mode *before = &event->before;
+    const tdmf_mode *after = &event->after;
+    char text[FMU_TEXT], time[TIME_CAPACITY];
+    if (is_event_of_runner(event)) {
+        snprintf(text, sizeof text, "%s at %s s: %s, %s -> %s, %s%s", name_of_guard(event->guard),
+                 time_text(event->time, time), fmu_contact_mode_names[before->contact - 1],
+                 fmu_hip_phase_names[before->phase - 1], fmu_contact_mode_names[after->contact - 1],
+                 fmu_hip_phase_names[after->phase - 1], after->fallen ? ", fallen" : "");
+        observer->on_event(observer->subject, text);
+    }
+}
+
+/* ---- Co-Simulation ------------------------------------------------------------------------------------- */
 
 static tdmf_outcome advance(fmu *fmu, double until) {
     const tdmf_instant start = tdmf_instant_of(&fmu->motion);
@@ -225,7 +305,7 @@ static tdmf_outcome advance_observed(fmu *fmu, double until, const fmu_observer 
         log.count = 0;
         outcome = advance(fmu, until);
         for (int j = 0; j < log.count; ++j) {
-            observer->on_event(observer->subject, &log.events[j]);
+            report(observer, &log.events[j]);
         }
     }
     fmu->solver.event_limit = limit;
@@ -331,7 +411,7 @@ static tdmf_resolution resolve(fmu *fmu) {
     return resolution;
 }
 
-tdmf_resolution fmu_update(fmu *fmu, const fmu_observer *observer) {
+fmu_resolution fmu_update(fmu *fmu, const fmu_observer *observer) {
     const fmu_mark mark = mark_of(fmu);
     const bool pending = fmu->event_is_pending;
     tdmf_event event = {.guard = first_due(fmu), .before = fmu->motion.mode};
@@ -343,12 +423,14 @@ tdmf_resolution fmu_update(fmu *fmu, const fmu_observer *observer) {
         event.guard = fmu->event_guard;
     }
     if (observer->on_event != NULL && event.guard != NO_GUARD && event_has_happened(fmu, &mark)) {
-        observer->on_event(observer->subject, &event);
+        report(observer, &event);
     }
-    return resolution;
+    const fmu_resolution found = {resolution.state_changed, resolution.unresolved};
+    return found;
 }
 
-const char *fmu_advance(fmu *fmu, double until, const fmu_observer *observer) {
+const char *fmu_advance(fmu *fmu, double until, const fmu_observer *observer, char text[FMU_TEXT]) {
+    (void)text;
     const bool observed = observer->on_event != NULL;
     if (observed || fmu->event_is_pending) {
         fmu_update(fmu, observer); /* an input may have jumped; unseen, that is the solver's to find */
@@ -385,7 +467,8 @@ static void stand_before_event(fmu *fmu, tdmf_instant event, const fmu_mark *sin
     fmu->motion.record.progress.now = event;
 }
 
-const char *fmu_advance_to_event(fmu *fmu, double until, const fmu_observer *observer) {
+const char *fmu_advance_to_event(fmu *fmu, double until, const fmu_observer *observer, char text[FMU_TEXT]) {
+    (void)text;
     fmu_update(fmu, observer); /* an input may have jumped, which is no event of this step */
     const fmu_mark mark = mark_of(fmu);
     struct fmu ahead = *fmu;
