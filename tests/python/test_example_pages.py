@@ -4,7 +4,13 @@ import sys
 
 import numpy as np
 import pytest
+from conftest import reference_gaits
+from independent_runner import Stride
 from page_runs import COMPILER, ROOT, CompiledPage
+from scipy.integrate import solve_ivp
+from tdmf_slip.library.page import PageMap
+from test_page_laws import STATES
+from test_page_runner import SECTION, world_of
 
 pytestmark = pytest.mark.skipif(COMPILER is None, reason="there is no C compiler")
 TIGHT = {"tolerance": 1e-13}
@@ -14,7 +20,7 @@ sys.path.append(str(PAGES))
 
 def test_every_page_has_less_than_120_lines():
     pages = sorted(PAGES.glob("*.py"))
-    assert len(pages) == 2
+    assert len(pages) == 6
     for page in pages:
         assert len(page.read_text(encoding="utf-8").splitlines()) < 120, page.name
 
@@ -53,14 +59,10 @@ def test_the_ball_loses_the_share_of_its_energy_that_the_restitution_says(ball):
 
 
 def test_the_return_map_of_the_ball_and_its_derivatives(ball):
-    section = ball.section("after_bounce", seeds=["restitution", "gravity"], **TIGHT).after(
-        [2.0], varies=True
-    )
-    assert section.next == pytest.approx([1.6], abs=1e-13)
-    assert np.hstack([section.jacobian, section.by_seeds]) == pytest.approx(
-        np.array([[0.8, 2, 0]]), abs=1e-13
-    )
-    assert section.crossing.time == pytest.approx(4 / 9.81, abs=1e-13)
+    at = ball.section("after_bounce", seeds=["restitution", "gravity"], **TIGHT).after([2.0], varies=True)
+    assert at.next == pytest.approx([1.6], abs=1e-13)
+    assert np.hstack([at.jacobian, at.by_seeds]) == pytest.approx(np.array([[0.8, 2, 0]]), abs=1e-13)
+    assert at.crossing.time == pytest.approx(4 / 9.81, abs=1e-13)
 
 
 # ---- the rimless wheel ---------------------------------------------------------------------------------
@@ -120,3 +122,293 @@ def test_a_wheel_that_is_too_slow_rocks_until_it_stands(wheel, share):
     assert run.rate == 0
     rocking = [name for _, name, *_ in run.log]
     assert rocking[-6:] == rocking[-2:] * 3 and rocking[-1] != rocking[-2]
+
+
+def first_event(rates, guards, time, y):
+    """Integrate by SciPy to the first guard that falls through zero; one that begins at zero has to rise."""
+    falls = [guard for guard in guards.values() if guard(y) < 1e-9]
+    hooks = [
+        lambda t, y, guard=g: guard(y) if t > time or guard not in falls else -1.0 for g in guards.values()
+    ]
+    for hook in hooks:
+        hook.terminal, hook.direction = True, -1
+    tight = {"method": "DOP853", "rtol": 1e-13, "atol": 1e-14}
+    found = solve_ivp(lambda _, y: rates(y), (time, time + 100), y, events=hooks, **tight)
+    return found.t[-1], found.y[:, -1], list(guards)[[len(times) > 0 for times in found.t_events].index(True)]
+
+
+# ---- the simplest walking model ------------------------------------------------------------------------
+
+
+@pytest.fixture(scope="module")
+def walker():
+    from simplest_walker import SimplestWalker
+
+    return CompiledPage(SimplestWalker, "-O1")
+
+
+def spectrum(jacobian):
+    """Eigenvalues, sorted by size and angle."""
+    return sorted(np.linalg.eigvals(jacobian), key=lambda value: (-round(abs(value), 6), np.angle(value)))
+
+
+@pytest.mark.parametrize(
+    ("gait", "eigenvalues"),
+    [((0.2003, -0.1998), [-0.190 - 0.558j, -0.190 + 0.558j]), ((0.1939, -0.2039), [4.00, 0.46])],
+    ids=["long period", "short period"],
+)
+def test_the_gaits_of_the_walker_are_the_published_ones(walker, gait, eigenvalues):
+    at = walker.section("at_heel_strike", **TIGHT)
+    assert at.fixed_point(gait) == pytest.approx(gait, abs=5e-5)
+    assert spectrum(at.jacobian) == pytest.approx(eigenvalues, abs=5e-3 if eigenvalues[0].imag == 0 else 6e-4)
+
+
+def test_the_gait_of_the_walker_scales_with_the_cube_root_of_the_slope(walker):
+    """On flat slopes theta tends to 0.970956 gamma^(1/3), by the paper."""
+    at = walker.section("at_heel_strike", slope=1e-5, **TIGHT)
+    angle = at.fixed_point(np.array([0.97, -1.0042]) * 1e-5 ** (1 / 3))[0]
+    assert angle == pytest.approx(0.970956 * 1e-5 ** (1 / 3), rel=1e-4)
+
+
+def test_a_step_of_the_walker_is_that_of_scipy(walker):
+    start = np.array([0.199, -0.2005])
+
+    def rates(y):
+        stance, stance_rate, swing, swing_rate = y
+        turn = np.sin(stance - 0.009)
+        along = stance_rate**2 - np.cos(stance - 0.009)
+        return [stance_rate, turn, swing_rate, turn + along * np.sin(swing)]
+
+    angle, rate = start
+    begin = [angle, rate, 2 * angle, (1 - np.cos(2 * angle)) * rate]
+
+    def strikes(_, y):
+        return 2 * y[0] - y[2]
+
+    strikes.direction = -1
+    found = solve_ivp(lambda _, y: rates(y), (0, 6), begin, "DOP853", events=strikes, rtol=1e-13, atol=1e-14)
+    time, y = next((t, y) for t, y in zip(found.t_events[0], found.y_events[0], strict=True) if t > 0.1)
+    at = walker.section("at_heel_strike", **TIGHT).after(start)
+    assert at.crossing.time == pytest.approx(time, abs=1e-9)
+    assert at.next == pytest.approx([-y[0], np.cos(2 * y[0]) * y[1]], abs=1e-9)
+
+
+def test_a_walker_that_is_pushed_too_hard_or_too_little_falls(walker):
+    for rate, way in ((-0.05, 1), (-0.9, -1)):
+        run = walker.start(stance_rate=rate, **TIGHT).to(50.0)
+        assert (run.outcome, run.mode) == ("ended", "fallen")
+        assert run.stance == pytest.approx(way * np.pi / 2, abs=1e-9)
+
+
+# ---- the bipedal spring-mass model ---------------------------------------------------------------------
+
+
+@pytest.fixture(scope="module")
+def biped():
+    from spring_mass_walker import SpringMassWalker
+
+    return CompiledPage(SpringMassWalker, "-O1")
+
+
+RUNNING = {"stiffness": 20000.0, "energy_given": 1800.0, "attack": np.radians(68)}
+
+
+class Biped:
+    """The spring-mass model by SciPy: a list of feet, however many."""
+
+    def __init__(self, stiffness, attack, feet, y):
+        self.share, self.attack, self.feet, self.y, self.time = stiffness / 80, attack, feet, y, 0.0
+
+    def rates(self, y):
+        force = np.array([0, -9.81])
+        for foot in self.feet:
+            leg = y[:2] - [foot, 0]
+            force = force + self.share * (1 / np.hypot(*leg) - 1) * leg
+        return [*y[2:], *force]
+
+    def step(self):
+        """To the next passage over the only foot."""
+        while True:
+            guards = {i: lambda y, x=x: 1 - np.hypot(y[0] - x, y[1]) for i, x in enumerate(self.feet)}
+            if len(self.feet) < 2:
+                guards["lands"] = lambda y: y[1] - np.sin(self.attack)
+            if len(self.feet) == 1:
+                guards["passes"] = lambda y: self.feet[0] - y[0]
+            self.time, self.y, name = first_event(self.rates, guards, self.time, self.y)
+            if name == "passes":
+                return self
+            if name == "lands":
+                self.feet.append(self.y[0] + np.cos(self.attack))
+            else:
+                self.feet.pop(name)
+
+
+def test_the_biped_walks_by_the_published_gait(biped):
+    at = biped.section("above_foot", **TIGHT)
+    assert at.fixed_point([0.97, 0.01]) == pytest.approx([0.976754873, 0], abs=1e-9)
+    assert spectrum(at.jacobian) == pytest.approx([0.7720 - 0.4913j, 0.7720 + 0.4913j], abs=6e-5)
+
+
+@pytest.mark.parametrize(
+    ("given", "point", "events"),
+    [
+        ({}, [0.972, 0.01], ["touchdown", "take_off", "passes_foot"]),
+        (RUNNING, [0.9, 0.05], ["take_off", "apex", "touchdown", "passes_foot"]),
+    ],
+    ids=["walks", "runs"],
+)
+def test_a_step_of_the_biped_is_that_of_scipy(biped, given, point, events):
+    at = biped.section("above_foot", **given, **TIGHT)
+    energy, stiffness, attack = (getattr(at.given, name) for name in ("energy_given", "stiffness", "attack"))
+    height, rise = point
+    speed = np.sqrt(2 / 80 * (energy - 80 * 9.81 * height - stiffness * (1 - height) ** 2 / 2) - rise**2)
+    found = Biped(stiffness, attack, [0.0], np.array([0, height, speed, rise])).step()
+    at.after(point)
+    assert at.crossing.time == pytest.approx(found.time, abs=1e-9)
+    assert at.next == pytest.approx(found.y[[1, 3]], abs=1e-9)
+    run = biped.start(y=height, vx=speed, vy=rise, **given, **TIGHT).to(at.crossing.time)
+    assert [name for _, name, *_ in run.log] == events
+    assert run.outputs["energy"] == pytest.approx(energy, rel=1e-12)
+
+
+def test_a_running_biped_is_the_classic_slip_on_alternate_legs(biped):
+    at = biped.section("above_foot", **RUNNING, **TIGHT)
+    at.after(at.fixed_point([0.9, 0.0]), varies=True)
+    given = {"energy": 1800.0, "touchdown_angle": np.radians(22), "stiffness": 20000.0}
+    slip = PageMap("classic_slip", "at_energy", given)
+    apex = slip.fixed_point([at.state("apex_height") + 1e-3])
+    assert apex == pytest.approx([at.state("apex_height")], abs=1e-11)
+    slope = slip.run(apex).derivatives_of("apex_height")[0]
+    assert spectrum(at.jacobian) == pytest.approx([slope, 0], abs=1e-9)
+
+
+# ---- the runner with a law of its own ------------------------------------------------------------------
+
+
+NEAR = {"friction": 0.43, "drive_torque": 0.2, "damping": 0.2, "stiffness": 1.0, "foot_mass": 0.1}
+NEAR |= {"kp": 0.1, "kd": 0.1, "gravity": 0.01}
+"""Parameters of the runner that are drawn, each up to a fifth off."""
+STEP = 3e-5
+COUNTED = ("events", "word_code", "touchdowns")
+
+
+def differences_of(page, given, point, seeds):
+    """Jacobian of the apex map by central differences of order 4; None if they are across an event."""
+    columns, kinds = [], set()
+    for i in range(len(point) + len(seeds)):
+        ends = {}
+        for n in (-2, -1, 1, 2):
+            at, values = np.array(point), dict(given)
+            if i < len(point):
+                at[i] += STEP * n
+            else:
+                values[seeds[i - len(point)]] += STEP * n
+            found = page.section("at_apex", tolerance=1e-14, **values).after(at)
+            ends[n] = found.next
+            kinds.add(tuple(found.state(name) for name in COUNTED))
+        columns.append((8 * (ends[1] - ends[-1]) - (ends[2] - ends[-2])) / (12 * STEP))
+    return np.transpose(columns) if len(kinds) == 1 else None
+
+
+def assert_jacobians_are_differences(page, own, point, count=100):
+    """On random sets of parameters, of which `own` are those of the page. Some have an event too near."""
+    random, compared, drawn = np.random.default_rng(50), 0, 0
+    while compared < count:
+        drawn += 1
+        assert drawn < 1.5 * count + 5
+        given = {name: value * random.uniform(0.8, 1.2) for name, value in (NEAR | own).items()}
+        at = np.array(point) + 0.02 * random.uniform(-1, 1, 6)
+        differences = differences_of(page, given, at, list(own))
+        if differences is not None:
+            found = page.section("at_apex", seeds=list(own), tolerance=1e-14, **given).after(at, varies=True)
+            exact = np.hstack([found.jacobian, found.by_seeds])
+            assert exact == pytest.approx(differences, abs=1e-7 * (1 + np.abs(exact).max())), given
+            compared += 1
+
+
+@pytest.fixture(scope="module")
+def pd_runner():
+    from pd_runner import PdRunner
+
+    return CompiledPage(PdRunner, "-O1")
+
+
+GAINS = {"stance_kp": 0.05, "stance_kd": 0.02, "stance_target": -np.radians(20)}
+APEX = (1.4, 1.05, 1.0, -0.55, 0.0, 0.0)
+
+
+def assert_stride_is_scipys(page, point, stride, **given):
+    """A stride from an apex, beside SciPy's."""
+    world = world_of(point)
+    run = page.start(friction=stride.friction, **given, **TIGHT, **world).to(stop="apex")
+    time, apex, work = stride.run([world[name] for name in STATES])
+    assert run.time == pytest.approx(time, abs=1e-9)
+    assert [getattr(run, name) for name in SECTION] == pytest.approx(apex, abs=1e-9)
+    assert run.work == pytest.approx(work, abs=1e-9)
+
+
+def test_the_gains_in_stance_act_as_in_an_independent_program(pd_runner):
+    def torque(time, angle, turn, drives):
+        return -0.2 * drives - 0.05 * (angle + np.radians(20)) - 0.02 * turn
+
+    assert_stride_is_scipys(pd_runner, APEX, Stride(0.43, torque=torque))
+
+
+def test_a_runner_whose_gains_are_zero_is_the_paper_s(pd_runner):
+    gait = next(gait for gait in reference_gaits(False) if gait["friction"] == 0.6)
+    at = pd_runner.section("at_apex", friction=0.6, stance_kp=0.0, stance_kd=0.0, **TIGHT)
+    assert at.after(gait["apex"]).next == pytest.approx(gait["apex"], abs=1e-11)
+
+
+def test_jacobians_of_the_gains_in_stance_are_differences(pd_runner):
+    assert_jacobians_are_differences(pd_runner, GAINS, APEX)
+
+
+# ---- the runner with a clock, and Raibert's law --------------------------------------------------------
+
+
+@pytest.fixture(scope="module")
+def clocked():
+    from clocked_runner import ClockedRunner
+
+    return CompiledPage(ClockedRunner, "-O1")
+
+
+CLOCK = {"pulse": 1.0, "placing_time": 1.1, "placing_gain": 0.3, "speed_wanted": 0.95}
+CLOCKED_APEX = (1.08, 0.98, 1.0, -0.45, 0.0, -0.005)
+
+
+class ClockedStride(Stride):
+    """A stride whose drive begins at touchdown and ends by the clock."""
+
+    def __init__(self, friction, speed):
+        super().__init__(
+            friction, torque=lambda t, *_: -0.2 * self.drives * np.sin(np.pi * (t - self.landed))
+        )
+        self.target = np.arcsin(speed * 1.1 / 2 + 0.3 * (speed - 0.95))
+
+    def guards(self):
+        guards = super().guards()
+        return guards | {"mid": lambda t, y: 1 - (t - self.landed)} if "mid" in guards else guards
+
+    def take(self, name, y):
+        super().take(name, y)
+        if name == "touchdown":
+            self.landed, self.drives = self.time, True
+
+
+def test_the_clock_and_raibert_s_law_act_as_in_an_independent_program(clocked):
+    assert_stride_is_scipys(clocked, CLOCKED_APEX, ClockedStride(0.6, CLOCKED_APEX[1]))
+
+
+def test_raibert_s_law_forgets_a_wrong_speed_sooner_than_a_fixed_angle(clocked, pd_runner):
+    at = clocked.section("at_apex", friction=0.6, **TIGHT)
+    at.fixed_point(CLOCKED_APEX)
+    largest = np.abs(np.linalg.eigvals(at.jacobian)).max()
+    paper = pd_runner.section("at_apex", friction=0.6, stance_kp=0.0, stance_kd=0.0, **TIGHT)
+    paper.fixed_point(next(gait for gait in reference_gaits(False) if gait["friction"] == 0.6)["apex"])
+    assert largest < 0.65 * np.abs(np.linalg.eigvals(paper.jacobian)).max()
+
+
+def test_jacobians_of_the_clocked_runner_are_differences(clocked):
+    assert_jacobians_are_differences(clocked, CLOCK, CLOCKED_APEX)
