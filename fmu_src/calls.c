@@ -20,6 +20,25 @@ const char *name_of_state(call_state state) {
     }
 }
 
+static unsigned states_of(interface_kind interface, bool begun) {
+    if (!begun) {
+        return BEFORE_START | FAILED;
+    }
+    switch (interface) {
+    case MODEL_EXCHANGE:
+        return EVENT_MODE | CONTINUOUS_TIME_MODE | TERMINATED | FAILED;
+    case CO_SIMULATION:
+        return STEP_MODE | TERMINATED | FAILED;
+    default:
+        return EVENT_MODE | STEP_MODE | TERMINATED | FAILED;
+    }
+}
+
+bool state_suits_interface(call_state state, interface_kind interface, bool begun) {
+    const unsigned one = state;
+    return (one & (one - 1)) == 0 && (one & states_of(interface, begun)) != 0;
+}
+
 bool call_is_allowed(const instance *instance, const char *call, unsigned allowed_states) {
     if (instance == NULL) {
         return false;

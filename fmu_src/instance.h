@@ -80,6 +80,9 @@ fmu_observer event_logger(instance *instance);
 
 const char *name_of_state(call_state state);
 
+/* Whether an instance may be in a state of the call sequence, its run begun or not. */
+bool state_suits_interface(call_state state, interface_kind interface, bool begun);
+
 /* Whether `call` may be made now; if not, refuses it. A null instance is refused too. */
 bool call_is_allowed(const instance *instance, const char *call, unsigned allowed_states);
 

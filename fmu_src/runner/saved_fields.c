@@ -362,26 +362,6 @@ static void pass_run(transfer *bytes, saved_run *run) {
 
 /* ---- what has to agree -------------------------------------------------------------------------------- */
 
-/* The states of the call sequence in which an instance may be, its run begun or not. */
-static unsigned states_of(interface_kind interface, bool begun) {
-    if (!begun) {
-        return BEFORE_START | FAILED;
-    }
-    switch (interface) {
-    case MODEL_EXCHANGE:
-        return EVENT_MODE | CONTINUOUS_TIME_MODE | TERMINATED | FAILED;
-    case CO_SIMULATION:
-        return STEP_MODE | TERMINATED | FAILED;
-    default:
-        return EVENT_MODE | STEP_MODE | TERMINATED | FAILED;
-    }
-}
-
-static bool call_state_suits_run(const saved_run *run) {
-    const unsigned state = run->state;
-    return (state & (state - 1)) == 0 && (state & states_of(run->interface, fmu_has_begun(&run->fmu))) != 0;
-}
-
 static bool event_may_be_pending(const saved_run *run) {
     return run->interface == CO_SIMULATION_WITH_EVENT_MODE && fmu_has_begun(&run->fmu);
 }
@@ -465,7 +445,8 @@ static void require_agreement(transfer *bytes, const saved_run *run, const tdmf_
 }
 
 static void require_agreement_of_calls(transfer *bytes, const saved_run *run) {
-    require(bytes, call_state_suits_run(run), "the state of the call sequence");
+    require(bytes, state_suits_interface(run->state, run->interface, fmu_has_begun(&run->fmu)),
+            "the state of the call sequence");
     require(bytes, !run->fmu.event_is_pending || event_may_be_pending(run), "the pending event");
 }
 

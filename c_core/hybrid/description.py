@@ -1,0 +1,238 @@
+"""modelDescription.xml of a page's unit, for FMI 2.0 and 3.0, and the build description of FMI 3.0."""
+
+import re
+from xml.etree import ElementTree
+
+from .unit import experiment_of
+from .units import BASE, dimension_of
+
+DISPLAY = {"rad": "deg", "rad/s": "deg/s"}
+DEGREES = "57.29577951308232"
+CATEGORIES = {
+    "logEvents": "Every event, with its time and the modes before and after it",
+    "logStatusWarning": "Calls that were carried out with a caveat",
+    "logStatusDiscard": "Values that were refused and changed nothing",
+    "logStatusError": "Calls that failed, or were out of place and changed nothing",
+    "logAll": "All of the above",
+}
+EXPERIMENT = {
+    "start_time": "startTime",
+    "stop_time": "stopTime",
+    "tolerance": "tolerance",
+    "step_size": "stepSize",
+}
+STATES = {2: ("canGetAndSetFMUstate", "canSerializeFMUstate", "providesDirectionalDerivative")}
+STATES[3] = (
+    "canGetAndSetFMUState",
+    "canSerializeFMUState",
+    "providesDirectionalDerivatives",
+    "providesAdjointDerivatives",
+)
+CO_SIMULATION = {
+    2: {"canInterpolateInputs": "true", "canNotUseMemoryManagementFunctions": "true"},
+    3: {"hasEventMode": "true", "mightReturnEarlyFromDoStep": "true"},
+}
+TYPES_OF_3 = {"Real": "Float64", "Integer": "Int32"}
+INITIAL_TAGS = {"OUTPUT": "Output", "DERIVATIVE": "ContinuousStateDerivative", "GUARD": "EventIndicator"}
+
+
+def base_unit(unit):
+    """The powers of base units in a unit, those of the radian included."""
+    found = {name: int(power) for name, power in zip(BASE, dimension_of(unit), strict=True) if power}
+    above, _, below = unit.partition("/")
+    turns = len(re.findall(r"\brad\b", above)) - len(re.findall(r"\brad\b", below))
+    return found | ({"rad": turns} if turns else {})
+
+
+def document(root):
+    """The text of an XML file."""
+    ElementTree.indent(root)
+    return '<?xml version="1.0" encoding="UTF-8"?>\n' + ElementTree.tostring(root, encoding="unicode") + "\n"
+
+
+class Description:
+    """The description of a unit in a version of FMI, 2 or 3."""
+
+    def __init__(self, unit, fmi, version, sources):
+        self.unit, self.fmi, self.sources = unit, fmi, sources
+        about = " ".join((unit.model.__doc__ or unit.identifier).split())
+        given = {
+            "fmiVersion": f"{fmi}.0",
+            "modelName": unit.identifier,
+            "description": about,
+            "version": version,
+        }
+        given["guid" if fmi == 2 else "instantiationToken"] = unit.identity
+        given |= {"generationTool": f"TDMF-SLIP {version}", "variableNamingConvention": "structured"}
+        if fmi == 2:
+            indicators = sum(row.storage == "GUARD" for row in unit.rows)
+            given["numberOfEventIndicators"] = str(indicators)
+        self.root = ElementTree.Element("fmiModelDescription", given)
+        self.interfaces()
+        self.units()
+        self.types()
+        categories = self.add(self.root, "LogCategories")
+        for name, text in CATEGORIES.items():
+            self.add(categories, "Category", name=name, description=text)
+        experiment = experiment_of(unit.model)
+        self.add(
+            self.root, "DefaultExperiment", **{EXPERIMENT[k]: repr(float(v)) for k, v in experiment.items()}
+        )
+        variables = self.add(self.root, "ModelVariables")
+        for row in unit.rows:
+            (self.variable_2 if fmi == 2 else self.variable_3)(variables, row)
+        (self.structure_2 if fmi == 2 else self.structure_3)()
+
+    def add(self, parent, tag, **attributes):
+        """Add an element; attributes without a value are left out."""
+        return ElementTree.SubElement(parent, tag, {k: v for k, v in attributes.items() if v is not None})
+
+    def interfaces(self):
+        """What the unit is able to do."""
+        able = dict.fromkeys(STATES[self.fmi], "true")
+        co_simulation = {"canHandleVariableCommunicationStepSize": "true", "maxOutputDerivativeOrder": "1"}
+        exchange = (
+            {"canNotUseMemoryManagementFunctions": "true"}
+            if self.fmi == 2
+            else {"needsCompletedIntegratorStep": "true"}
+        )
+        for tag, more in (
+            ("ModelExchange", exchange),
+            ("CoSimulation", co_simulation | CO_SIMULATION[self.fmi]),
+        ):
+            element = self.add(self.root, tag, modelIdentifier=self.unit.identifier, **able, **more)
+            if self.fmi == 2:
+                files = self.add(element, "SourceFiles")
+                for name in self.sources:
+                    self.add(files, "File", name=name)
+
+    def units(self):
+        """Definitions of all units."""
+        used = dict.fromkeys(row.unit for row in self.unit.rows if self.unit.type_of(row) == "Real")
+        definitions = self.add(self.root, "UnitDefinitions")
+        for name in used:
+            element = self.add(definitions, "Unit", name=name)
+            self.add(element, "BaseUnit", **{base: str(power) for base, power in base_unit(name).items()})
+            if name in DISPLAY:
+                self.add(element, "DisplayUnit", name=DISPLAY[name], factor=DEGREES)
+
+    def types(self):
+        """Enumerations, each called as its variable."""
+        rows = [row for row in self.unit.rows if self.unit.type_of(row) == "Enumeration"]
+        definitions = self.add(self.root, "TypeDefinitions") if rows else None
+        for row in rows:
+            parent = definitions if self.fmi == 3 else self.add(definitions, "SimpleType", name=row.name)
+            items = (
+                self.add(parent, "EnumerationType", name=row.name)
+                if self.fmi == 3
+                else self.add(parent, "Enumeration")
+            )
+            for number, item in enumerate(row.kind, 1):
+                self.add(items, "Item", name=item, value=str(number))
+
+    def start(self, row):
+        """The start value of a variable, as text."""
+        if row.start is None:
+            return None
+        return str(bool(row.start)).lower() if row.kind is bool else repr(float(row.start))
+
+    def of_type(self, row):
+        """Attributes of a variable that depend on its type."""
+        kind = self.unit.type_of(row)
+        given = {"start": self.start(row)}
+        if kind == "Enumeration":
+            given["declaredType"] = row.name
+        if kind == "Real":
+            bounds = {"min": ("least", "above"), "max": ("most", "below")}
+            found = {
+                k: [repr(float(row.within[w])) for w in words if w in row.within]
+                for k, words in bounds.items()
+            }
+            given |= {k: values[0] for k, values in found.items() if values}
+            given |= {"unit": row.unit, "displayUnit": DISPLAY.get(row.unit)}
+            given["reinit"] = "true" if row.storage == "STATE" else None
+        if row.derivative:
+            given["derivative"] = str(self.unit.number[row.derivative] + (self.fmi == 2))
+        return given
+
+    def common(self, row):
+        """Attributes of every variable."""
+        given = {
+            "name": row.name,
+            "valueReference": str(self.unit.number[row.name]),
+            "description": row.about or None,
+        }
+        return given | {"causality": row.causality, "variability": row.variability, "initial": row.initial}
+
+    def variable_2(self, parent, row):
+        """A variable of FMI 2.0."""
+        self.add(
+            self.add(parent, "ScalarVariable", **self.common(row)),
+            self.unit.type_of(row),
+            **self.of_type(row),
+        )
+
+    def variable_3(self, parent, row):
+        """A variable of FMI 3.0."""
+        kind = self.unit.type_of(row)
+        given = self.common(row) | self.of_type(row)
+        self.add(parent, TYPES_OF_3.get(kind, kind), **given)
+
+    def unknowns(self):
+        """Outputs, derivatives, what a start determines, and event indicators: of each the variables."""
+        rows = self.unit.rows
+        yield "Output", [row for row in rows if row.causality == "output"]
+        yield "ContinuousStateDerivative", [row for row in rows if row.storage == "DERIVATIVE"]
+        calculated = [row for row in rows if row.initial == "calculated" and row.storage != "GUARD"]
+        yield "InitialUnknown", calculated
+        yield "EventIndicator", [row for row in rows if row.storage == "GUARD"]
+
+    def structure_2(self):
+        """The model structure of FMI 2.0. An initial unknown without dependencies depends on every start."""
+        structure = self.add(self.root, "ModelStructure")
+        groups = {
+            "Output": "Outputs",
+            "ContinuousStateDerivative": "Derivatives",
+            "InitialUnknown": "InitialUnknowns",
+        }
+        for tag, rows in self.unknowns():
+            group = self.add(structure, groups[tag]) if tag in groups and rows else None
+            for row in rows if group is not None else ():
+                depends = " ".join(str(i + 1) for i in self.unit.references(row))
+                index = str(self.unit.number[row.name] + 1)
+                self.add(
+                    group, "Unknown", index=index, dependencies=None if tag == "InitialUnknown" else depends
+                )
+
+    def structure_3(self):
+        """The model structure of FMI 3.0."""
+        structure = self.add(self.root, "ModelStructure")
+        for tag, rows in self.unknowns():
+            for row in rows:
+                depends = " ".join(map(str, self.unit.references(row)))
+                reference = str(self.unit.number[row.name])
+                self.add(
+                    structure,
+                    tag,
+                    valueReference=reference,
+                    dependencies=None if tag == "InitialUnknown" else depends,
+                )
+
+
+def description(unit, fmi, version, sources):
+    """The text of modelDescription.xml in a version of FMI, 2 or 3, with the names of the C files."""
+    return document(Description(unit, fmi, version, sources).root)
+
+
+def build_description(unit, sources):
+    """The text of sources/buildDescription.xml of FMI 3.0."""
+    root = ElementTree.Element("fmiBuildDescription", fmiVersion="3.0")
+    configuration = ElementTree.SubElement(root, "BuildConfiguration", modelIdentifier=unit.identifier)
+    files = ElementTree.SubElement(
+        configuration, "SourceFileSet", language="C99", compilerOptions="-ffp-contract=off"
+    )
+    for name in sources:
+        ElementTree.SubElement(files, "SourceFile", name=name)
+    about = "where it is not in the C library"
+    ElementTree.SubElement(configuration, "Library", name="m", external="true", description=about)
+    return document(root)

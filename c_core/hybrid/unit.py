@@ -1,0 +1,370 @@
+"""The unit of a page: its variables, dependencies and tables in C. The C sources of units know no model."""
+
+import hashlib
+import json
+import re
+import uuid
+from types import SimpleNamespace as Record
+
+from .c_text import c_text, lines_of, number_text, statements, wrapped_text
+from .errors import page_error
+from .expressions import forget_expressions, leaves_of, lift
+from .generate import generate
+from .instants import Functions
+from .page import Page
+from .quantities import BOUNDS, range_of
+from .tables import c_boolean
+from .tracing import trace
+from .variations import Variation
+
+TYPES = {float: "Real", int: "Integer", bool: "Boolean"}
+TOLERANCE = {"least": 1e-14, "most": 1e-2}
+TOP = "/* Derived from the page {name}: edit the page, not this. */\n"
+
+
+def per_second(unit):
+    """The unit of a rate."""
+    above, _, below = unit.partition("/")
+    power = re.fullmatch(r"s(\d*)", below)
+    if power:
+        return f"{above}/s{int(power[1] or 1) + 1}"
+    return f"{above or 1}/({below}.s)" if below else f"{above or 1}/s"
+
+
+def allowed(within):
+    """The range of a quantity in words."""
+    return " and ".join(f"{BOUNDS[word][0]} {bound:g}" for word, bound in within.items())
+
+
+def experiment_of(model):
+    """The times and the tolerance of the default experiment: the page's own `experiment`, or ten seconds."""
+    return {"start_time": 0.0, "stop_time": 10.0} | getattr(model, "experiment", {})
+
+
+class World:
+    """The continuous states of a unit, and the names that values depend on."""
+
+    def __init__(self, page):
+        self.page, moving = page, set()
+        sets = {f.gives_coordinates for f in page.model.marked("gives_coordinates").values()}
+        start = page.modes[page.keys[0][0]]
+        if sets and "world" not in sets:
+            page.refuse("has coordinates, and none is called `world`; a unit shows those")
+        if start.of not in (None, "world"):
+            text = f"starts runs in the coordinates `{start.of}`; a unit's runs start in those called `world`"
+            raise page_error(start, page.keys[0][0], text)
+        self.key = next((key for key in page.keys if page.modes[key[0]].of == "world"), None)
+        for key in page.keys:
+            forget_expressions()
+            moving |= {n for n, rate in page.rates(key).items() if not rate.is_number(0)}
+        moving |= {o.into for o in page.observed.values() if o.part == "positive integral"}
+        ramps = {f"{n}_rate" for n in page.inputs}
+        own = {n: q for n, q in page.states.items() if q.role == "state" and n not in ramps}
+        self.states = [n for n, q in own.items() if (q.of and "world" in q.of) or (not q.of and n in moving)]
+        self.held = [n for n, q in own.items() if not q.of and q.name and n not in self.states]
+        self.moving = moving | set(self.states)
+        self.names = {page.c_names[n]: n for n in (*page.parameters, *page.states)}
+        settings = [n for n, q in page.parameters.items() if q.role == "setting"]
+        self.knowns = dict.fromkeys([*self.states, *page.inputs, *settings])
+
+    def in_mode(self, key):
+        """The states of a mode with coordinates of its own, as expressions of the world's."""
+        of = self.page.modes[key[0]].of
+        if self.key is None or of in (None, "world"):
+            return {}
+        seen = trace(self.page.at(self.key).in_coordinates, of, name=of)
+        return {n: lift(value) for n, value in seen.items()}
+
+    def rates(self, key):
+        """Rates of the continuous states in a mode."""
+        page, of = self.page, self.page.modes[key[0]].of
+        rates = page.rates(key)
+        found = {n: rates.get(n, lift(0)) for n in self.states}
+        if self.key is not None and of not in (None, "world"):
+            moving = Variation({page.symbol_of(n, "x"): rates.get(n, lift(0)) for n in page.states})
+            moving.found |= {page.symbol_of(n, "p", True): lift(0) for n in page.parameters}
+            seen = trace(page.at(key).in_coordinates, "world", name="world")
+            found |= {n: moving.of(lift(value)) for n, value in seen.items() if n in self.states}
+        for name, observed in page.observed.items():
+            if observed.part == "positive integral" and key[0] in observed.modes:
+                found[observed.into] = found[observed.into] + page.number(observed, key, name)
+        return found
+
+    def outputs(self, key):
+        """The outputs in a mode."""
+        return {n: self.page.number(f, key, n) for n, f in self.page.outputs.items()}
+
+    def guards(self, key):
+        """The guards that a mode watches."""
+        return {n: self.page.guard(key, n) for n in self.page.watched(key)}
+
+    def dependencies(self, values_in):
+        """Names of states, inputs and settings that values depend on in any mode, by the values' names.
+
+        Also the values' names that depend on something that moves.
+        """
+        found, moves = {}, set()
+        for key in self.page.keys:
+            forget_expressions()
+            own, values = self.in_mode(key), values_in(key)
+            for name, value in values.items():
+                names = {self.names[leaf.value[3:]] for leaf in leaves_of([value])}
+                moves |= {name} if names & self.moving else set()
+                for other in names & own.keys():
+                    names |= {self.names[leaf.value[3:]] for leaf in leaves_of([own[other]])}
+                found.setdefault(name, set()).update(names & self.knowns.keys())
+        return found, moves
+
+
+class Unit:
+    """The variables of a page's unit, in the order of their value references."""
+
+    def __init__(self, page):
+        self.page, self.model, self.world, self.rows = page, page.model, World(page), []
+        self.identifier = page.model.__name__
+        self.of_rates, _ = self.world.dependencies(self.world.rates)
+        self.of_outputs, self.moving_outputs = self.world.dependencies(self.world.outputs)
+        self.of_guards, _ = self.world.dependencies(self.world.guards)
+        self.indicators = [n for n in page.events if self.is_indicator(n)]
+        self.peaks = {n: o for n, o in page.observed.items() if o.part == "largest"}
+        self.words = []
+        self.add_all()
+        names = [row.name for row in self.rows]
+        for row in self.rows:
+            if names.count(row.name) > 1:
+                page.refuse(f"has two variables called `{row.name}` in its unit")
+        self.number = {row.name: i for i, row in enumerate(self.rows)}
+
+    def is_indicator(self, event):
+        """Whether a guard can come due while a mode lasts, and not only where one begins."""
+        for key in self.page.keys:
+            if event in self.page.watched(key):
+                forget_expressions()
+                guard = self.page.guard(key, event)
+                if guard.operation != "number" or self.page.watches(key, event) is not True:
+                    return True
+        return False
+
+    def add(self, name, storage, offset, causality, variability, unit="1", about="", kind=float, **more):
+        """Add a variable."""
+        row = {
+            "start": None,
+            "initial": None,
+            "within": {},
+            "depends": None,
+            "derivative": None,
+            "is_set": False,
+        }
+        row |= {
+            "name": name,
+            "storage": storage,
+            "offset": offset,
+            "causality": causality,
+            "unit": unit or "1",
+        }
+        row |= {"variability": variability, "about": " ".join(about.split()), "kind": kind} | more
+        self.rows.append(Record(**row))
+
+    def add_number(self, name, storage, offset, causality, variability, **more):
+        """Add a variable that may be of any kind: a word and an enumeration have an Integer twin each."""
+        kind = more.get("kind", float)
+        given = (causality, variability)
+        if not isinstance(kind, tuple):
+            self.add(name, storage, offset, *given, **more)
+            return
+        twin = more | {"kind": int}
+        if kind[0] == "letters":
+            self.words.append((storage == "OUTPUT", offset - self.first(storage), kind[1]))
+            self.add(name, storage, len(self.words) - 1, *given, **more)
+            twin["about"] = f"Code of {name}: digits in the base of its alphabet"
+            self.add(f"{name}_code", storage, offset, *given, **twin)
+        else:
+            self.add(name, storage, offset, *given, **more)
+            twin["about"] = f"Number of {name}"
+            self.add(f"{name}_index", storage, offset, *given, **twin)
+
+    def first(self, storage):
+        """Where the states begin among the numbers of a run."""
+        return len(self.page.parameters) if storage == "HELD" else 0
+
+    def add_all(self):
+        """Add all variables."""
+        self.add("time", "TIME", 0, "independent", "continuous", "s", "Time")
+        self.add_parameters()
+        self.add_states()
+        self.add_outputs()
+        self.add_indicators()
+        about = "Steps that the solver of Co-Simulation has taken"
+        given = {"initial": "calculated", "depends": set()}
+        self.add("solver.steps", "WORK", 0, "output", "discrete", "1", about, int, **given)
+
+    def add_parameters(self):
+        """Add parameters, discrete inputs, and settings of the unit itself."""
+        page = self.page
+        for i, (name, q) in enumerate(page.parameters.items()):
+            given = {"unit": q.unit, "about": q.meaning, "within": q.within, "start": q.value, "is_set": True}
+            given["kind"] = getattr(q, "values", float)
+            public = self.model.public(name)
+            if q.role == "setting":
+                self.add(public, "INPUT", i, "input", "discrete", **given)
+            else:
+                self.add(public, "PARAMETER", i, "parameter", q.role, initial="exact", **given)
+        given = {"initial": "exact", "is_set": True}
+        about = "Relative tolerance of the solver in Co-Simulation"
+        given |= {"about": about, "within": TOLERANCE, "start": 1e-11}
+        place = "SETTING", "SETTING_TOLERANCE"
+        self.add("solver.relative_tolerance", *place, "parameter", "fixed", **given)
+        if any(page.modes[key[0]].ends for key in page.keys):
+            about = "Whether Model Exchange asks to terminate where the run has ended"
+            given |= {"about": about, "within": {}, "start": True, "kind": bool}
+            place = "SETTING", "SETTING_TERMINATES"
+            self.add("status.terminate_at_end", *place, "parameter", "fixed", **given)
+
+    def add_states(self):
+        """Add continuous inputs, continuous states and their derivatives, and named states that are held."""
+        page, world, public_of = self.page, self.world, self.model.public
+        first, places = len(page.parameters), {n: i for i, n in enumerate(page.states)}
+        for name in page.inputs:
+            q = page.states[name]
+            given = {"unit": q.unit, "about": q.meaning, "within": q.within, "start": q.value, "is_set": True}
+            self.add(public_of(name), "INPUT", first + places[name], "input", "continuous", **given)
+        for i, name in enumerate(world.states):
+            q = page.states[name]
+            given = {"unit": q.unit, "about": q.meaning, "within": q.within, "start": q.value, "is_set": True}
+            given |= {"initial": "exact", "depends": {name}}
+            self.add(public_of(name), "STATE", i, "output", "continuous", **given)
+        for i, name in enumerate(world.states):
+            public, unit = public_of(name), per_second(page.states[name].unit or "1")
+            given = {"initial": "calculated", "derivative": public, "depends": self.of_rates[name]}
+            place = "DERIVATIVE", i, "local", "continuous"
+            self.add(f"der({public})", *place, unit, f"Rate of {public}", **given)
+        for name in world.held:
+            q = page.states[name]
+            given = {"unit": q.unit, "about": q.meaning, "kind": q.values}
+            given |= {"initial": "calculated", "depends": set()}
+            self.add_number(public_of(name), "HELD", first + places[name], "output", "discrete", **given)
+
+    def add_outputs(self):
+        """Add the outputs. One that nothing but events changes is discrete."""
+        for i, (name, function) in enumerate(self.page.outputs.items()):
+            kind = function.kind_of_value
+            moves = kind is float and name in self.moving_outputs
+            given = {"unit": function.unit, "about": function.__doc__ or "", "kind": kind}
+            given |= {"initial": "calculated", "depends": self.of_outputs[name]}
+            variability = "continuous" if moves else "discrete"
+            self.add_number(self.model.public(name), "OUTPUT", i, "output", variability, **given)
+
+    def add_indicators(self):
+        """Add event indicators: guards of events, and rates of observed largest values."""
+        functions = {n: self.page.events[n] for n in self.indicators} | self.peaks
+        for i, (name, function) in enumerate(functions.items()):
+            depends = self.of_guards.get(name, set(self.world.knowns))
+            given = {"about": f"Event indicator: {function.__doc__ or name}", "depends": depends}
+            given["initial"] = "calculated"
+            self.add(f"guard.{name}", "GUARD", i, "local", "continuous", **given)
+
+    def type_of(self, row):
+        """The type of a variable, in the words of FMI 2.0."""
+        if isinstance(row.kind, tuple):
+            return "String" if row.kind[0] == "letters" else "Enumeration"
+        return TYPES[row.kind]
+
+    def references(self, row):
+        """Value references of all that a variable depends on."""
+        return sorted(self.number[self.model.public(name)] for name in row.depends)
+
+    # ---- tables in C
+
+    def requirements(self, functions):
+        """Rows of numbers that must not be negative at a start."""
+        page, rows = self.page, []
+        for name, function in page.model.marked("is_required").items():
+            forget_expressions()
+            if function.of_variable not in self.number:
+                near = f"`{function.of_variable}` is no variable of the unit"
+                raise page_error(function, name, near)
+            value, taken = page.number(function, page.keys[0], name), {}
+            body = statements([value], taken, set()) + f"    return {c_text(value, taken.get)};\n"
+            about = f"{name}: {function.__doc__ or ''}"
+            margin = functions.add(f"require_{name}", "answer", body, about)
+            rows.append(f"{{{self.number[function.of_variable]}, {json.dumps(function.allowed)}, {margin}}},")
+        return rows
+
+    def variable_row(self, row):
+        """A row of `fmu_variable`."""
+        limits = ("0.0", "1.0") if row.kind is bool else ("-DBL_MAX", "DBL_MAX")
+        if row.within:
+            limits = [number_text(lift(bound).value) for bound in range_of(row)]
+        start = number_text(lift(float(row.start or 0)).value)
+        unit = json.dumps(row.unit) if row.unit != "1" and row.kind is float else "NULL"
+        members = [
+            json.dumps(row.name),
+            unit,
+            f"VARIABLE_{self.type_of(row).upper()}",
+            f"STORED_{row.storage}",
+        ]
+        members += [str(row.offset), f"VARIABILITY_{row.variability.upper()}", c_boolean(row.is_set)]
+        members += [c_boolean(row.storage == "STATE"), *limits, start]
+        return f"{{{', '.join(members)}}},"
+
+    def header(self):
+        """How many things the page's unit has."""
+        page, world = self.page, self.world
+        counts = {
+            "PARAMETER": page.parameters,
+            "STATE": page.states,
+            "EVENT": page.events,
+            "OUTPUT": page.outputs,
+        }
+        counts |= {"CONTINUOUS": world.states, "GUARD": [*self.indicators, *self.peaks], "WORD": self.words}
+        counts["REQUIREMENT"] = page.model.marked("is_required")
+        lines = [f"UNIT_{name}_COUNT = {len(of)}," for name, of in counts.items()]
+        top = TOP.format(name=self.identifier)
+        return f"{top}#ifndef UNIT_PAGE_H\n#define UNIT_PAGE_H\n\nenum {{\n{lines_of(lines)}}};\n\n#endif\n"
+
+    def tables(self):
+        """The tables of the unit."""
+        page, functions = self.page, Functions(self.page.c)
+        names, events = list(page.states), list(page.events)
+        shown = [(names.index(n), "world" in (page.states[n].of or ())) for n in self.world.states]
+        guards = [f"{{{events.index(n)}, -1}}," for n in self.indicators]
+        guards += [f"{{-1, {names.index(o.into)}}}," for o in self.peaks.values()]
+        words = [f"{{{c_boolean(is_output)}, {i}, {json.dumps(of)}}}," for is_output, i, of in self.words]
+        ramps = {n: names.index(f"{n}_rate") for n in page.inputs if f"{n}_rate" in names}
+        ranges = [json.dumps(allowed(row.within)) if row.within else "NULL" for row in self.rows]
+        rows = {
+            "unit_state unit_states": [f"{{{i}, {c_boolean(in_world)}}}," for i, in_world in shown],
+            "unit_guard unit_guards": guards,
+            "unit_word unit_words": words,
+            "unit_requirement unit_requirements": self.requirements(functions),
+            "char *const unit_allowed": [f"{text}," for text in ranges],
+            "int unit_input_rates": [f"{ramps.get(n, -1)}," for n in names],
+            "bool unit_is_clock": [f"{c_boolean(n in page.clocks)}," for n in names],
+        }
+        variables = [self.variable_row(row) for row in self.rows]
+        parts = [
+            TOP.format(name=self.identifier),
+            f'#include "{page.c}.h"\n\n#include "unit_tables.h"\n#include "variables.h"\n',
+            "#include <float.h>\n",
+            *map(wrapped_text, functions.texts),
+            f"const tdmf_model_kind *const unit_model = &tdmf_{page.c}_model;\n",
+            f"const fmu_variable fmu_variables[] = {{\n{lines_of(variables)}}};",
+            f"const size_t fmu_variable_count = {len(variables)};\n",
+            *(f"const {name}[] = {{\n{lines_of(of or ['{0},'])}}};\n" for name, of in rows.items()),
+        ]
+        return "\n".join(parts)
+
+
+def unit_of(model):
+    """The unit of a page, and the C of both by file, but for what no page changes."""
+    page = Page(model)
+    texts = generate(page)
+    unit = Unit(page)
+    texts["unit_page.c"] = unit.tables()
+    forget_expressions()
+    rows = [{**vars(row), "depends": sorted(row.depends or ())} for row in unit.rows]
+    content = repr((sorted(texts.items()), model.__doc__, experiment_of(model), rows))
+    unit.identity = "{" + str(uuid.UUID(hashlib.sha256(content.encode()).hexdigest()[:32])) + "}"
+    texts["unit_page.h"] = unit.header()
+    texts["guid.h"] = f"#define FMU_GUID {json.dumps(unit.identity)}\n"
+    return unit, texts

@@ -1,0 +1,173 @@
+"""Writes a page's unit to a folder, compiles it, and packs it: FMUs of FMI 2.0 and 3.0 with their sources."""
+
+import importlib.util
+import os
+import platform
+import re
+import shutil
+import subprocess
+import zipfile
+from pathlib import Path
+
+from .description import build_description, description
+from .limits import C_CORE
+from .unit import unit_of
+
+UNIT = next(folder for folder in (C_CORE / "fmu_src", C_CORE.parent / "fmu_src") if folder.is_dir())
+"""The C sources that all units share, in a checkout or in the installed package."""
+KERNEL = C_CORE / "hybrid" / "kernel"
+FOLDERS = UNIT, UNIT / "page", KERNEL, C_CORE / "kernel"
+DRIVER = ("driver.c", "observed.c", "run_state.c")
+FLAGS = ("-std=c99", "-ffp-contract=off", "-fno-math-errno", "-fPIC", "-fvisibility=hidden")
+MOTIONS = ("-O2", "-fno-tree-vectorize")
+SYSTEMS = {"Linux": ("linux", ".so"), "Darwin": ("darwin", ".dylib"), "Windows": ("win", ".dll")}
+PROCESSORS = {"amd64": "x86_64", "arm64": "aarch64"}
+
+
+def included(text):
+    """Names of the headers that a C file includes with quotes."""
+    return re.findall(r'^\s*#\s*include "([^"]+)"', text, re.MULTILINE)
+
+
+def shared_sources(texts):
+    """The C files of every unit, and the headers that these and the page's own files include, by name."""
+    found = {file.name: file for folder in FOLDERS[:2] for file in sorted(folder.glob("*.c"))}
+    found |= {name: KERNEL / name for name in DRIVER}
+    todo = [*texts.values(), *(file.read_text(encoding="utf-8") for file in found.values())]
+    while todo:
+        for name in included(todo.pop()):
+            path = next((folder / name for folder in FOLDERS if (folder / name).is_file()), None)
+            if path is not None and name not in found and name not in texts:
+                found[name] = path
+                todo.append(path.read_text(encoding="utf-8"))
+    return found
+
+
+def write_unit(model, folder, version="0"):
+    """Write the unit of a page to a folder, and return its model identifier.
+
+    Everything is C99 in the folder's `sources`, which need FMI's headers. `fmi2` and `fmi3` have what else is
+    inside the FMUs of FMI 2.0 and 3.0: their model descriptions. `version` is that of the model.
+    """
+    unit, texts = unit_of(model)
+    folder = Path(folder)
+    texts |= {name: path.read_text(encoding="utf-8") for name, path in shared_sources(texts).items()}
+    compiled = {fmi: sources_of(texts, fmi) for fmi in (2, 3)}
+    files = {f"sources/{name}": text for name, text in texts.items()}
+    files |= {
+        f"fmi{fmi}/modelDescription.xml": description(unit, fmi, version, compiled[fmi]) for fmi in (2, 3)
+    }
+    files["fmi3/sources/buildDescription.xml"] = build_description(unit, compiled[3])
+    for name, text in files.items():
+        path = folder / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        if not path.is_file() or path.read_text(encoding="utf-8") != text:
+            path.write_text(text, encoding="utf-8")
+    return unit.identifier
+
+
+def sources_of(names, fmi):
+    """Of the files in a unit's `sources`, those that are compiled for a version of FMI, 2 or 3."""
+    other = "fmi3_" if fmi == 2 else "fmi2_"
+    return sorted(name for name in names if name.endswith(".c") and not name.startswith(other))
+
+
+def platform_of(fmi):
+    """The name of this platform in a version of FMI, and the suffix of its shared libraries."""
+    system, suffix = SYSTEMS[platform.system()]
+    machine = platform.machine().lower()
+    if fmi == 2:
+        return f"{system}64", suffix
+    return f"{PROCESSORS.get(machine, machine)}-{ {'win': 'windows'}.get(system, system) }", suffix
+
+
+def fmi_headers():
+    """The folder of FMI's headers: FMI_HEADERS_DIR, else the one in FMPy."""
+    given = os.environ.get("FMI_HEADERS_DIR")
+    if given:
+        return Path(given)
+    found = importlib.util.find_spec("fmpy")
+    if found is None:
+        raise FileNotFoundError(
+            "FMI's headers are missing: install FMPy, or set FMI_HEADERS_DIR to their folder"
+        )
+    return Path(found.origin).parent / "c-code"
+
+
+def compile_unit(folder, compiler="cc", flags=()):
+    """Compile a unit that `write_unit` wrote. Returns the objects by the names of their sources.
+
+    `compiler` is a command that takes the options of GCC, as a string or a list.
+    """
+    sources, objects = Path(folder) / "sources", Path(folder) / "objects"
+    command = [compiler] if isinstance(compiler, str) else list(compiler)
+    objects.mkdir(exist_ok=True)
+    found, jobs = {}, []
+    for source in sorted(sources.glob("*.c")):
+        found[source.name] = objects / f"{source.stem}.o"
+        level = MOTIONS if source.name.endswith("_motions.c") or source.name == "driver.c" else ("-O2",)
+        job = [
+            *command,
+            *level,
+            *FLAGS,
+            *flags,
+            "-isystem",
+            fmi_headers(),
+            "-c",
+            source,
+            "-o",
+            found[source.name],
+        ]
+        jobs.append((source.name, job))
+    run_all(jobs)
+    return found
+
+
+def run_all(jobs):
+    """Run commands, as many at a time as there are processors; the first one that fails is reported."""
+    waiting, running = list(reversed(jobs)), []
+    while waiting or running:
+        while waiting and len(running) < (os.cpu_count() or 1):
+            name, job = waiting.pop()
+            running.append((name, subprocess.Popen(job, stderr=subprocess.PIPE, text=True)))
+        name, process = running.pop(0)
+        _, said = process.communicate()
+        if process.returncode:
+            for _, other in running:
+                other.kill()
+                other.communicate()
+            raise RuntimeError(f"{name} does not compile:\n{said}")
+
+
+def build_units(model, folder, version="0", compiler="cc", flags=()):
+    """Write, compile and pack the units of a page: the paths of its FMUs of FMI 2.0 and 3.0.
+
+    The files in the folder are `NAME.fmu` and `NAME_FMI3.fmu`, where NAME is that of the page's class.
+    """
+    folder = Path(folder)
+    name, paths = write_unit(model, folder, version), []
+    command = [compiler] if isinstance(compiler, str) else list(compiler)
+    objects = compile_unit(folder, compiler, flags)
+    for fmi in (2, 3):
+        system, suffix = platform_of(fmi)
+        library = folder / f"fmi{fmi}" / "binaries" / system / f"{name}{suffix}"
+        library.parent.mkdir(parents=True, exist_ok=True)
+        linked = [objects[source] for source in sources_of(objects, fmi)]
+        run_all([(library.name, [*command, "-shared", *flags, *linked, "-o", library, "-lm"])])
+        paths.append(pack_unit(folder, fmi, f"{name}{'' if fmi == 2 else '_FMI3'}.fmu"))
+    shutil.rmtree(folder / "objects")
+    return paths
+
+
+def pack_unit(folder, fmi, name):
+    """Pack the unit of a version of FMI, with its sources and the binaries that are there."""
+    folder = Path(folder)
+    own = folder / f"fmi{fmi}"
+    files = {file: file.relative_to(own).as_posix() for file in sorted(own.rglob("*")) if file.is_file()}
+    other = "fmi3_" if fmi == 2 else "fmi2_"
+    sources = [file for file in sorted((folder / "sources").iterdir()) if not file.name.startswith(other)]
+    files |= {file: f"sources/{file.name}" for file in sources}
+    with zipfile.ZipFile(folder / name, "w", zipfile.ZIP_DEFLATED) as packed:
+        for file, inside in files.items():
+            packed.write(file, inside)
+    return folder / name

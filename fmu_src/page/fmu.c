@@ -1,0 +1,457 @@
+/* A run of any page: its start, events in Model Exchange, and the driver's work in Co-Simulation. */
+#include "instant.h"
+
+#include "run_state.h"
+#include "variables.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { LOG_SIZE = 64, NO_VARIABLE = -1 };
+
+static const long step_limit = 1000000, event_limit = 100000; /* of a call */
+static const double largest_time = 1e100, finest_tolerance = 1e-16;
+static const double time_scales_of_step = 3.0; /* of a law, in a step of an importer's solver */
+
+bool fmu_create(fmu *fmu, bool is_exchange) {
+    fmu->is_exchange = is_exchange;
+    fmu->memory = malloc(instant_size() * sizeof *fmu->memory);
+    return fmu->memory != NULL;
+}
+
+void fmu_free(fmu *fmu) {
+    free(fmu->memory);
+}
+
+void fmu_reset(fmu *fmu) {
+    const struct fmu kept = {.is_exchange = fmu->is_exchange,
+                             .memory = fmu->memory,
+                             .settings = {[SETTING_TOLERANCE] = 1e-11, [SETTING_TERMINATES] = 1.0},
+                             .importer_tolerance = INFINITY,
+                             .stop_time = INFINITY};
+    *fmu = kept;
+    memcpy(parameters_of(fmu), unit_model->parameter_defaults, UNIT_PARAMETER_COUNT * sizeof(double));
+    memcpy(states_of(fmu), unit_model->state_defaults, UNIT_STATE_COUNT * sizeof(double));
+}
+
+const char *fmu_prepare(fmu *fmu, char text[FMU_TEXT]) {
+    (void)fmu, (void)text;
+    return NULL; /* parameters are in force as they are */
+}
+
+bool fmu_has_begun(const fmu *fmu) {
+    return fmu->has_begun;
+}
+
+double fmu_time(const fmu *fmu) {
+    return fmu->motion.time;
+}
+
+bool fmu_is_time(double time) {
+    return fabs(time) <= largest_time;
+}
+
+void fmu_set_time(fmu *fmu, double time) {
+    fmu->motion.time = time;
+    fmu->motion.time_rest = 0.0;
+    for (int i = 0; i < UNIT_STATE_COUNT; ++i) {
+        if (unit_is_clock[i]) {
+            states_of(fmu)[i] = time;
+        }
+    }
+}
+
+const char *fmu_settings_obstacle(const fmu *fmu) {
+    (void)fmu;
+    return NULL;
+}
+
+bool fmu_asks_to_terminate(const fmu *fmu) {
+    return fmu->is_exchange && mode_of(fmu)->ends && fmu->settings[SETTING_TERMINATES] != 0.0;
+}
+
+double fmu_longest_step(const fmu *fmu) {
+    tdmf_answer *time_scale = mode_of(fmu)->time_scale;
+    return time_scale == NULL ? INFINITY
+                              : time_scales_of_step * time_scale(parameters_of(fmu), states_of(fmu));
+}
+
+/* ---- the driver ---------------------------------------------------------------------------------------- */
+
+static tdmf_page_run run_of(fmu *fmu) {
+    const page_motion *motion = &fmu->motion;
+    const double wanted = fmin(fmu->settings[SETTING_TOLERANCE], fmu->importer_tolerance);
+    const double tolerance = fmax(wanted, finest_tolerance);
+    const tdmf_page_run run = {.p = parameters_of(fmu),
+                               .x = states_of(fmu),
+                               .memory = fmu->memory,
+                               .time = motion->time,
+                               .time_rest = motion->time_rest,
+                               .mode = motion->mode,
+                               .chain = motion->chain,
+                               .taken = motion->taken,
+                               .above = motion->above,
+                               .late = motion->late,
+                               .tolerance = tolerance,
+                               .order = tdmf_page_order(tolerance),
+                               .stop_event = -1,
+                               .observes = true,
+                               .step_limit = step_limit,
+                               .event_limit = event_limit};
+    return run;
+}
+
+static void keep_run(fmu *fmu, const tdmf_page_run *run) {
+    page_motion *motion = &fmu->motion;
+    motion->time = run->time;
+    motion->time_rest = run->time_rest;
+    motion->mode = run->mode;
+    motion->chain = run->chain;
+    motion->taken = run->taken;
+    motion->above = run->above;
+    motion->late = run->late;
+    fmu->steps += run->steps;
+}
+
+static void report(const fmu_observer *observer, const tdmf_event_row *row) {
+    char text[FMU_TEXT], time[TIME_CAPACITY];
+    if (observer->on_event != NULL) {
+        snprintf(text, sizeof text, "%s at %s s: %s -> %s", unit_model->event_names[row->event],
+                 time_text(row->time, time), unit_model->mode_names[row->before],
+                 unit_model->mode_names[row->after]);
+        observer->on_event(observer->subject, text);
+    }
+}
+
+static bool has_arrived(tdmf_run_outcome outcome) {
+    return outcome == TDMF_RUN_ARRIVED || outcome == TDMF_RUN_ENDED;
+}
+
+/* Goes on by the driver, and tells of every event. Returns the outcome; `events` counts. */
+static tdmf_run_outcome drive(fmu *fmu, double until, const fmu_observer *observer, long *events) {
+    tdmf_run_outcome outcome;
+    tdmf_event_row log[LOG_SIZE];
+    *events = 0;
+    do {
+        tdmf_page_run run = run_of(fmu);
+        run.log = log;
+        run.log_size = LOG_SIZE;
+        run.event_limit = LOG_SIZE;
+        outcome = tdmf_page_run_to(unit_model, &run, until);
+        keep_run(fmu, &run);
+        *events += run.events;
+        for (int i = 0; i < run.log_count; ++i) {
+            report(observer, &log[i]);
+        }
+    } while (outcome == TDMF_RUN_TOO_MANY_EVENTS && *events < event_limit);
+    return outcome;
+}
+
+static const char *message(fmu *fmu, tdmf_run_outcome outcome, char text[FMU_TEXT]) {
+    const tdmf_page_run run = run_of(fmu);
+    tdmf_run_message(unit_model, &run, outcome, text, FMU_TEXT);
+    return text;
+}
+
+/* ---- jumps --------------------------------------------------------------------------------------------- */
+
+static void account_for_all(fmu *fmu) {
+    memcpy(fmu->accounted, fmu->motion.numbers, sizeof fmu->accounted);
+}
+
+static int place_of(const tdmf_set_kind *kind) {
+    return kind->is_state ? UNIT_PARAMETER_COUNT + kind->index : kind->index;
+}
+
+static bool has_jumped(const fmu *fmu, const tdmf_set_kind *kind) {
+    const int place = place_of(kind);
+    return kind->set[fmu->motion.mode] != NULL && fmu->motion.numbers[place] != fmu->accounted[place];
+}
+
+/* Changes the states that depend on jumps of quantities. True where there was such a jump. */
+static bool account_for_jumps(fmu *fmu) {
+    bool found = false;
+    for (int i = 0; i < unit_model->set_count; ++i) {
+        const tdmf_set_kind *kind = &unit_model->sets[i];
+        if (has_jumped(fmu, kind)) {
+            double *number = &fmu->motion.numbers[place_of(kind)], value = *number;
+            tdmf_page_run run = run_of(fmu);
+            *number = fmu->accounted[place_of(kind)];
+            tdmf_page_set(unit_model, &run, kind->is_state, kind->index, value);
+            found = true;
+        }
+    }
+    account_for_all(fmu);
+    if (found) {
+        show_to_world(fmu);
+    }
+    return found;
+}
+
+/* ---- events of Model Exchange -------------------------------------------------------------------------- */
+
+static void note_guards(fmu *fmu, const guard_state *guards) {
+    const tdmf_mode_kind *mode = mode_of(fmu);
+    bool is_watched[UNIT_EVENT_COUNT + 1] = {false};
+    for (int i = 0; i < mode->guard_count; ++i) {
+        const int event = mode->guards[i].event;
+        is_watched[event] = guards[i].is_watched;
+        if (guards[i].is_watched && !guards[i].rises && guards[i].value > 0.0) {
+            fmu->watch[event] = WATCH_ABOVE;
+        }
+    }
+    for (int i = 0; i < UNIT_EVENT_COUNT; ++i) {
+        if (!is_watched[i]) {
+            fmu->watch[i] = WATCH_BELOW;
+        }
+    }
+}
+
+/* Largest values, which an importer's solver shows at its steps only. */
+static void observe(fmu *fmu) {
+    const tdmf_mode_kind *mode = mode_of(fmu);
+    const instant at = instant_of(fmu);
+    for (int i = 0; i < mode->watch_count; ++i) {
+        double value, rate, *into = &states_of(fmu)[mode->watches[i].into];
+        if (mode->watches[i].part == TDMF_LARGEST) {
+            observed_at(fmu, &at, i, &value, &rate);
+            *into = fmax(*into, value);
+        }
+    }
+}
+
+static void take_event(fmu *fmu, const tdmf_guard_kind *kind, const fmu_observer *observer) {
+    tdmf_page_run run = run_of(fmu);
+    tdmf_event_row row;
+    run_state state;
+    mode_start at;
+    run.log = &row;
+    run.log_size = 1;
+    tdmf_begin_in_memory(&state, &at, unit_model, &run);
+    tdmf_take_event(&state, kind, &at);
+    keep_run(fmu, &run);
+    for (int i = 0; i < UNIT_EVENT_COUNT; ++i) {
+        fmu->watch[i] = fmu->watch[i] == WATCH_RISING ? WATCH_RISING : WATCH_BELOW;
+    }
+    fmu->watch[kind->event] = WATCH_RISING;
+    report(observer, &row);
+}
+
+/* Takes the events that are due, in the page's order, until none is. False where they do not come to an end.
+ */
+static bool settle(fmu *fmu, const fmu_observer *observer, bool *changed) {
+    fmu->motion.chain = 0;
+    fmu->motion.taken = 0;
+    while (fmu->motion.chain <= TDMF_PAGE_CHAIN_LIMIT) {
+        const tdmf_mode_kind *mode = mode_of(fmu);
+        const instant at = instant_of(fmu);
+        guard_state guards[TDMF_GUARD_LIMIT];
+        int first = 0;
+        guards_at(fmu, &at, guards);
+        while (first < mode->guard_count && !guards[first].is_due) {
+            ++first;
+        }
+        note_guards(fmu, guards);
+        if (first == mode->guard_count) {
+            return true;
+        }
+        take_event(fmu, &mode->guards[first], observer);
+        *changed = true;
+    }
+    return false;
+}
+
+bool fmu_complete_step(fmu *fmu) {
+    const instant at = instant_of(fmu);
+    guard_state guards[TDMF_GUARD_LIMIT];
+    bool jumped = false;
+    guards_at(fmu, &at, guards);
+    note_guards(fmu, guards);
+    observe(fmu);
+    for (int i = 0; i < unit_model->set_count; ++i) {
+        jumped |= has_jumped(fmu, &unit_model->sets[i]);
+    }
+    return jumped;
+}
+
+void fmu_enter_event_mode(fmu *fmu) {
+    if (fmu->is_exchange) {
+        observe(fmu);
+        fmu->has_jumped |= account_for_jumps(fmu);
+    }
+}
+
+/* ---- events ahead of Co-Simulation with event mode ----------------------------------------------------- */
+
+static bool is_counted(const tdmf_event_row *row) {
+    const tdmf_mode_kind *before = &unit_model->modes[row->before];
+    for (int i = 0; i < before->guard_count; ++i) {
+        if (before->guards[i].event == row->event) {
+            return before->guards[i].is_counted || unit_model->modes[row->after].ends;
+        }
+    }
+    return false;
+}
+
+/* Takes the event at which the run stands, unless something was set since: then the driver decides. */
+static bool take_pending_event(fmu *fmu, const fmu_observer *observer) {
+    if (!fmu->event_is_pending) {
+        return false;
+    }
+    fmu->event_is_pending = false;
+    if (memcmp(fmu->motion.numbers, fmu->event_numbers, sizeof fmu->event_numbers) != 0) {
+        return false;
+    }
+    const tdmf_event_row row = {fmu->motion.time, fmu->event, fmu->motion.mode, fmu->after_event.mode};
+    fmu->motion = fmu->after_event;
+    account_for_all(fmu);
+    report(observer, &row);
+    return true;
+}
+
+fmu_resolution fmu_update(fmu *fmu, const fmu_observer *observer) {
+    fmu_resolution found = {false, false};
+    bool changed = take_pending_event(fmu, observer) | fmu->has_jumped;
+    fmu->has_jumped = false;
+    changed |= account_for_jumps(fmu);
+    if (fmu->is_exchange) {
+        observe(fmu);
+        found.unresolved = !settle(fmu, observer, &changed);
+        observe(fmu);
+    } else {
+        long events;
+        found.unresolved = !has_arrived(drive(fmu, fmu->motion.time, observer, &events));
+        changed |= events > 0;
+    }
+    if (changed) {
+        show_to_world(fmu);
+        account_for_all(fmu);
+    }
+    found.state_changed = changed;
+    return found;
+}
+
+/* ---- Co-Simulation ------------------------------------------------------------------------------------- */
+
+/* Completes a run that the driver has brought to its end or to `until`. */
+static const char *conclude(fmu *fmu, tdmf_run_outcome outcome, double until, char text[FMU_TEXT]) {
+    if (outcome == TDMF_RUN_ENDED) {
+        for (int i = 0; i < UNIT_STATE_COUNT; ++i) {
+            const int rate = unit_input_rates[i];
+            states_of(fmu)[i] += rate >= 0 ? states_of(fmu)[rate] * (until - fmu->motion.time) : 0.0;
+        }
+        fmu_set_time(fmu, until);
+    }
+    show_to_world(fmu);
+    account_for_all(fmu);
+    return has_arrived(outcome) ? NULL : message(fmu, outcome, text);
+}
+
+const char *fmu_advance(fmu *fmu, double until, const fmu_observer *observer, char text[FMU_TEXT]) {
+    long events;
+    take_pending_event(fmu, observer);
+    account_for_jumps(fmu);
+    const tdmf_run_outcome outcome = drive(fmu, until, observer, &events);
+    return conclude(fmu, outcome, until, text);
+}
+
+const char *fmu_advance_to_event(fmu *fmu, double until, const fmu_observer *observer, char text[FMU_TEXT]) {
+    fmu_update(fmu, observer); /* an input may have jumped, which is no event of this step */
+    struct fmu ahead = *fmu;
+    double *states = instant_of(fmu).x;
+    page_motion before;
+    tdmf_event_row row;
+    tdmf_run_outcome outcome;
+    bool counted;
+    long left = event_limit;
+    do {
+        before = ahead.motion;
+        tdmf_page_run run = run_of(&ahead);
+        run.log = &row;
+        run.log_states = states;
+        run.log_size = 1;
+        run.event_limit = 1;
+        outcome = tdmf_page_run_to(unit_model, &run, until);
+        keep_run(&ahead, &run);
+        counted = run.log_count > 0 && is_counted(&row);
+    } while (outcome == TDMF_RUN_TOO_MANY_EVENTS && !counted && --left > 0);
+    if (!counted) {
+        *fmu = ahead;
+        return conclude(fmu, outcome, until, text);
+    }
+    fmu->steps = ahead.steps;
+    fmu->motion = before;
+    memcpy(states_of(fmu), states, UNIT_STATE_COUNT * sizeof *states);
+    fmu->motion.time = row.time;
+    fmu->motion.time_rest = 0.0;
+    fmu->motion.taken = 0;
+    fmu->motion.chain = 0;
+    fmu->motion.above |= (uint64_t)1 << row.event;
+    show_to_world(fmu);
+    account_for_all(fmu);
+    fmu->event_is_pending = true;
+    fmu->event = row.event;
+    fmu->after_event = ahead.motion;
+    memcpy(fmu->event_numbers, fmu->motion.numbers, sizeof fmu->event_numbers);
+    return NULL;
+}
+
+/* ---- the start ----------------------------------------------------------------------------------------- */
+
+static const char *unmet_requirement(const fmu *fmu, char text[FMU_TEXT]) {
+    for (int i = 0; i < UNIT_REQUIREMENT_COUNT; ++i) {
+        const unit_requirement *row = &unit_requirements[i];
+        if (!(row->margin(parameters_of(fmu), states_of(fmu)) >= 0.0)) {
+            const fmu_variable *of = &fmu_variables[row->variable];
+            char value[TIME_CAPACITY];
+            snprintf(text, FMU_TEXT, "%s is %s%s%s; it must be %s", of->name,
+                     time_text(fmu_get_number(fmu, NULL, of), value), of->unit == NULL ? "" : " ",
+                     of->unit == NULL ? "" : of->unit, row->allowed);
+            return text;
+        }
+    }
+    return NULL;
+}
+
+const char *fmu_start(fmu *fmu, char text[FMU_TEXT]) {
+    struct fmu ready = *fmu;
+    const fmu_observer nobody = {NULL, NULL};
+    long events;
+    if (unmet_requirement(fmu, text) != NULL) {
+        return text;
+    }
+    fmu_set_time(&ready, ready.motion.time);
+    const tdmf_run_outcome outcome = drive(&ready, ready.motion.time, &nobody, &events);
+    if (!has_arrived(outcome)) {
+        return message(&ready, outcome, text);
+    }
+    ready.has_begun = true;
+    show_to_world(&ready);
+    account_for_all(&ready);
+    for (int i = 0; i < UNIT_EVENT_COUNT; ++i) {
+        ready.watch[i] = (ready.motion.late >> i & 1) != 0 ? WATCH_RISING : WATCH_BELOW;
+    }
+    *fmu = ready;
+    if (fmu->is_exchange) {
+        fmu_complete_step(fmu);
+    }
+    return NULL;
+}
+
+void fmu_differentiate_start(const fmu *given, const struct fmu *started, struct fmu *seed,
+                             fmu_view *variation) {
+    struct fmu begun = *given;
+    double shift = 0.0, dx[UNIT_STATE_COUNT + 1];
+    fmu_set_time(&begun, begun.motion.time);
+    fmu_set_time(seed, seed->motion.time);
+    memcpy(dx, states_of(seed), UNIT_STATE_COUNT * sizeof *dx);
+    tdmf_page_run run = run_of(&begun);
+    run.seed_count = 1;
+    run.dp = parameters_of(seed);
+    run.dx = dx;
+    run.shift = &shift;
+    tdmf_page_run_to(unit_model, &run, run.time);
+    vary_at(started, parameters_of(seed), dx, variation);
+}

@@ -1,0 +1,65 @@
+/* A run of a page as a unit holds it. But for its working memory it is plain data: copying it copies the run.
+ */
+#ifndef TDMF_PAGE_FMU_H
+#define TDMF_PAGE_FMU_H
+
+#include "unit_page.h" /* the generator's: how many things the page has */
+
+#include <stdbool.h>
+#include <stdint.h>
+
+enum {
+    UNIT_NUMBER_COUNT = UNIT_PARAMETER_COUNT + UNIT_STATE_COUNT,
+    FMU_STATE_COUNT = UNIT_CONTINUOUS_COUNT,
+    FMU_GUARD_COUNT = UNIT_GUARD_COUNT,
+    WORD_CAPACITY = 64
+};
+
+/* Settings of the unit rather than of the page. */
+typedef enum { SETTING_TOLERANCE, SETTING_TERMINATES, SETTING_COUNT } fmu_setting;
+
+/* How an event's guard has been seen in Model Exchange: not above zero, above it, or still below zero since
+ * its event was taken. An importer finds events a little late. */
+typedef enum { WATCH_BELOW, WATCH_ABOVE, WATCH_RISING } watch_state;
+
+/* What the driver keeps of a run between its calls. Numbers are the page's parameters, then its states. Where
+ * a mode has coordinates of its own, the states of the world's coordinates follow from them, or in Model
+ * Exchange they from those. */
+typedef struct {
+    double numbers[UNIT_NUMBER_COUNT + 1];
+    double time, time_rest;
+    uint64_t taken, above, late;
+    int mode, chain;
+} page_motion;
+
+typedef struct fmu {
+    bool is_exchange, has_begun;
+    bool has_jumped; /* an input, so that states changed, since the last update */
+    page_motion motion;
+    double settings[SETTING_COUNT];
+    double importer_tolerance;                 /* infinite where the importer has none */
+    double stop_time;                          /* infinite where the importer has none */
+    double accounted[UNIT_NUMBER_COUNT + 1];   /* values up to which jumps have changed other states */
+    unsigned char watch[UNIT_EVENT_COUNT + 1]; /* a watch_state for each event */
+    int64_t steps;
+    /* Co-Simulation with event mode: the run stands at an event that is not yet taken. What comes of it, with
+     * the numbers as they are now. */
+    bool event_is_pending;
+    int event;
+    page_motion after_event;
+    double event_numbers[UNIT_NUMBER_COUNT + 1];
+    double *memory; /* working memory, of no content */
+} fmu;
+
+/* What follows from a run and is computed when it is asked for. */
+typedef struct {
+    double numbers[UNIT_NUMBER_COUNT + 1];
+    double states[FMU_STATE_COUNT + 1]; /* of a run that has not begun: those that it would begin with */
+    double derivatives[FMU_STATE_COUNT + 1];
+    double guards[FMU_GUARD_COUNT + 1];
+    double outputs[UNIT_OUTPUT_COUNT + 1];
+    double steps;
+    char words[UNIT_WORD_COUNT + 1][WORD_CAPACITY];
+} fmu_view;
+
+#endif

@@ -1,0 +1,44 @@
+/* Tables of a page's unit, which the generator writes beside the tables of the page. */
+#ifndef TDMF_PAGE_UNIT_TABLES_H
+#define TDMF_PAGE_UNIT_TABLES_H
+
+#include "driver.h"
+
+#include "fmu.h"
+
+/* A continuous state of the unit, among the states of the page. */
+typedef struct {
+    int index;
+    bool in_world; /* of the world's coordinates: modes with other coordinates map it */
+} unit_state;
+
+/* An event indicator: the guard of an event, or the rate of an observed largest value. */
+typedef struct {
+    int event; /* -1: of an observed quantity */
+    int into;  /* the state that the quantity goes into */
+} unit_guard;
+
+/* A word: digits of a number in the base of its alphabet, the first letter the most significant one. */
+typedef struct {
+    bool is_output; /* else a state */
+    int index;
+    const char *alphabet;
+} unit_word;
+
+/* A number that must not be negative at a start. */
+typedef struct {
+    int variable; /* value reference of the variable that a refusal names */
+    const char *allowed;
+    tdmf_answer *margin;
+} unit_requirement;
+
+extern const tdmf_model_kind *const unit_model;
+extern const unit_state unit_states[];
+extern const unit_guard unit_guards[];
+extern const unit_word unit_words[];
+extern const unit_requirement unit_requirements[];
+extern const int unit_input_rates[];     /* of each state of the page, the state that ramps it, or -1 */
+extern const bool unit_is_clock[];       /* of each state of the page */
+extern const char *const unit_allowed[]; /* of each variable, its range in words, or NULL */
+
+#endif

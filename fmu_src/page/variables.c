@@ -1,0 +1,87 @@
+/* Reading and writing variables of a page's unit by their row in the table. */
+#include "variables.h"
+
+#include "unit_tables.h"
+
+#include <limits.h>
+#include <math.h>
+#include <stdio.h>
+
+static double *number_of(const fmu *fmu, const fmu_variable *variable) {
+    return (double *)(size_t)&fmu->motion.numbers[variable->offset];
+}
+
+static double *state_of(const fmu *fmu, const fmu_variable *variable) {
+    return (double *)(size_t)&fmu->motion.numbers[UNIT_PARAMETER_COUNT + unit_states[variable->offset].index];
+}
+
+double fmu_get_number(const fmu *fmu, const fmu_view *view, const fmu_variable *variable) {
+    switch (variable->storage) {
+    case STORED_TIME:
+        return fmu->motion.time;
+    case STORED_SETTING:
+        return fmu->settings[variable->offset];
+    case STORED_PARAMETER:
+    case STORED_INPUT:
+        return *number_of(fmu, variable);
+    case STORED_STATE:
+        return *state_of(fmu, variable);
+    case STORED_DERIVATIVE:
+        return view->derivatives[variable->offset];
+    case STORED_GUARD:
+        return view->guards[variable->offset];
+    case STORED_WORK:
+        return fmin(view->steps, INT_MAX);
+    default:
+        break;
+    }
+    const double *values = variable->storage == STORED_HELD ? view->numbers : view->outputs;
+    const double value = values[variable->offset];
+    const bool is_whole = variable->type == VARIABLE_REAL || (value >= INT_MIN && value <= INT_MAX);
+    return is_whole ? value : -1.0;
+}
+
+const char *fmu_get_text(const fmu_view *view, const fmu_variable *variable) {
+    return view->words[variable->offset];
+}
+
+void fmu_set_number(fmu *fmu, const fmu_variable *variable, double value) {
+    if (variable->storage == STORED_TIME) {
+        fmu->motion.time = value;
+    } else if (variable->storage == STORED_SETTING) {
+        fmu->settings[variable->offset] = value;
+    } else {
+        *(variable->storage == STORED_STATE ? state_of(fmu, variable) : number_of(fmu, variable)) = value;
+    }
+}
+
+/* The state that ramps an input, or NULL. */
+static double *rate_of(const fmu *fmu, const fmu_variable *input) {
+    const bool is_state = input->offset >= UNIT_PARAMETER_COUNT;
+    const int rate = is_state ? unit_input_rates[input->offset - UNIT_PARAMETER_COUNT] : -1;
+    return rate < 0 ? NULL : (double *)(size_t)&fmu->motion.numbers[UNIT_PARAMETER_COUNT + rate];
+}
+
+double fmu_get_number_rate(const fmu *fmu, const fmu_variable *input) {
+    const double *rate = rate_of(fmu, input);
+    return rate == NULL ? 0.0 : *rate;
+}
+
+void fmu_set_number_rate(fmu *fmu, const fmu_variable *input, double value) {
+    double *rate = rate_of(fmu, input);
+    if (rate != NULL) {
+        *rate = value;
+    }
+}
+
+const char *fmu_refuse_value(const fmu_variable *variable, double value, char text[FMU_TEXT]) {
+    if (value >= variable->minimum && value <= variable->maximum) {
+        return NULL;
+    }
+    const char *allowed = unit_allowed[variable - fmu_variables];
+    char number[TIME_CAPACITY];
+    snprintf(text, FMU_TEXT, "%s is %s%s%s; it must be %s", variable->name, time_text(value, number),
+             variable->unit == NULL ? "" : " ", variable->unit == NULL ? "" : variable->unit,
+             allowed == NULL ? "a finite number" : allowed);
+    return text;
+}
