@@ -257,11 +257,23 @@ class Model(metaclass=_Page):
         return getattr(self.marked("is_mode").get(self.mode), "of", None)
 
     def in_coordinates(self, name):
-        """The values of another set of coordinates, as a mapping."""
-        for give in self.marked("gives_coordinates").values():
-            if give.gives_coordinates == name:
-                return give(self)
-        raise PageError(f"needs the coordinates `{name}`, which no function of the page gives")
+        """The values of another set of coordinates, as a mapping without those that are fixed."""
+        functions = self.marked("gives_coordinates").values()
+        give = next((give for give in functions if give.gives_coordinates == name), None)
+        if give is None:
+            raise PageError(f"needs the coordinates `{name}`, which no function of the page gives")
+        values, states = give(self), self.quantities("state")
+        if not isinstance(values, dict):
+            raise page_error(give, give.__name__, "gives no coordinates; it returns dict(state=value, ...)")
+        for of in values:
+            if of not in states and not hasattr(type(self), of):
+                text = f"gives the coordinate `{of}`, which is no state{similar(of, states)}"
+                raise page_error(give, give.__name__, text)
+        for of, quantity in states.items():
+            if name in (quantity.of or ()) and of not in values and isinstance(getattr(self, of), Absent):
+                text = f"does not give `{of}`, which belongs to the coordinates `{name}`"
+                raise page_error(give, give.__name__, text)
+        return {of: value for of, value in values.items() if of in states}
 
     def to(self, mode, **changes):
         """The model in another mode, with other words and states, in the coordinates of that mode."""

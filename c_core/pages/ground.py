@@ -123,13 +123,13 @@ class Ground(Model):
         """Distance from the ground line in force to the body."""
         if r.seen_in == "flight":
             return r.above(r.height, r.slope, 1 - r.share())
-        return r.y
+        return r.foot_off + r.y
 
     def rise(r):
         """Vertical velocity of the centre of mass."""
         if r.seen_in == "ground":
             along = r.foot_vx + r.share() * r.vx
-            return sin(r.slope) * along + cos(r.slope) * (r.share() * r.vy)
+            return sin(r.slope) * along + cos(r.slope) * (r.foot_off_rate + r.share() * r.vy)
         return r.center().vy
 
     def height_of_section(r):

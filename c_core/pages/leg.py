@@ -67,6 +67,8 @@ class Leg(Model):
     vy = state(0, "m/s", "Velocity of the body relative to the foot, normal to the ground", of="ground")
     foot_x = state(0, "m", "Position of the foot along the ground", of="ground")
     foot_vx = state(0, "m/s", "Velocity of the foot along the ground", of="ground")
+    foot_off = foot_off_rate = 0
+    """Distance of the foot from the ground in contact and its rate: states of ground that yields."""
     winding = state(0, "rad", "Leg angle less its principal value: a multiple of 2 pi", of="ground")
 
     thrusting = state(0, "1", "1 from greatest compression to lift-off, else 0")
@@ -92,12 +94,13 @@ class Leg(Model):
 
     @coordinates("ground")
     def from_ground(r):
-        """Ground coordinates: the foot, which is on the ground, and the body relative to the foot."""
+        """Ground coordinates: the foot, and the body relative to the foot."""
         foot, body = r.foot(), r.body_from_foot()
         place, moves = r.on_line(foot.x, foot.y - r.height), r.on_line(foot.vx, foot.vy)
         at, turns = r.on_line(body.x, body.y), r.on_line(body.vx, body.vy)
-        return dict(foot_x=place.along, foot_vx=moves.along, x=at.along, y=at.off, vx=turns.along,
-                    vy=turns.off, winding=r.leg().angle - atan2(-at.along, at.off))
+        return dict(foot_x=place.along, foot_off=place.off, foot_vx=moves.along, foot_off_rate=moves.off,
+                    x=at.along, y=at.off, vx=turns.along, vy=turns.off,
+                    winding=r.leg().angle - atan2(-at.along, at.off))
 
     def leg(r):
         """Length and angle of the leg, their rates, and r^2 thetadot  (7)."""
@@ -168,7 +171,7 @@ class Leg(Model):
         if r.seen_in == "world":
             return Record(x=r.seen_x, y=r.seen_y, vx=r.seen_vx, vy=r.seen_vy)
         if r.seen_in == "ground":
-            foot = r.in_world(r.foot_x, 0, r.foot_vx, 0)
+            foot = r.in_world(r.foot_x, r.foot_off, r.foot_vx, r.foot_off_rate)
             return Record(x=foot.x, y=r.height + foot.y, vx=foot.vx, vy=foot.vy)
         body, share = r.body_from_foot(), r.share()
         return Record(x=r.com_x - share * body.x, y=r.com_y - share * body.y,

@@ -35,6 +35,10 @@ class Runner(Hip, Friction, Leg, Ground, Stride, Model):
         """Force of the ground on a foot at rest, under the stance law."""
         return r.holding(r.stance_torque())
 
+    def in_stance(r):
+        """Whether the law of stance drives the hip."""
+        return r.mode in ("stick", "slip")
+
     def flight_lifts(r):
         """Normal force that holds the foot under the flight law; if negative, that law lifts the foot."""
         return r.holding(r.swing_torque()).normal
@@ -66,10 +70,14 @@ class Runner(Hip, Friction, Leg, Ground, Stride, Model):
         """An impact if the foot is on the ground and does not rise, else flight. An apex opens a stride."""
         r = r.replace(liftoff_angle=r.angle, height=r.set_height(), slope=r.set_slope())
         foot, slow = r.foot(), r.margin_of("m/s")
-        flying = r.to("flight", wind="calm", swing="place", placing=0)
         falls = r.on_line(foot.vx, foot.vy).off
         if r.foot_above(r.height, r.slope) <= r.margin_of("m") and falls <= slow:
             return r.land(was_placed=0)
+        return r.start_flight()
+
+    def start_flight(r):
+        """A run begins in flight, with a stride if it begins at an apex."""
+        flying, slow = r.to("flight", wind="calm", swing="place", placing=0), r.margin_of("m/s")
         if abs(r.rise()) <= slow:
             return flying.open_stride()
         return flying if r.rise() < 0 else flying.replace(swing=r.rising_swing())
@@ -303,7 +311,7 @@ class Runner(Hip, Friction, Leg, Ground, Stride, Model):
         r = r.replace(placing=0, **r.neighbours())
         return r.slide(select(r.foot_vx > 0, 1, -1)) if abs(r.foot_vx) > 0 else r.resting()
 
-    @event("graze", when=lambda r: r.flight_lifts(), unit="N")
+    @event("graze", swing=("retract", "rest", "place"), when=lambda r: r.flight_lifts(), unit="N")
     def graze_to_flight(r):
         """The flight law lifts the foot."""
         return r.fly()
@@ -313,7 +321,7 @@ class Runner(Hip, Friction, Leg, Ground, Stride, Model):
     @output("N.m", name="hip.torque")
     def torque(r):
         """Total hip torque, external torque included."""
-        if r.mode in ("stick", "slip"):
+        if r.in_stance():
             return r.stance_torque()
         if r.mode == "flight":
             return r.swing_torque()
@@ -382,7 +390,7 @@ class Runner(Hip, Friction, Leg, Ground, Stride, Model):
     @output(name="hip.phase", kind=("drive", "coast", "retract", "place"))
     def phase_of_hip(r):
         """Phase of the hip law."""
-        if r.mode in ("stick", "slip"):
+        if r.in_stance():
             return select(r.driving > 0, 1, 2)
         return 3 if r.mode in ("flight", "graze") and r.swing != "place" else 4
 

@@ -1,6 +1,8 @@
 """The pages in examples/pages, beside closed forms, published values and independent integrations."""
 
+import json
 import sys
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -10,17 +12,18 @@ from page_runs import COMPILER, ROOT, CompiledPage
 from scipy.integrate import solve_ivp
 from tdmf_slip.library.page import PageMap
 from test_page_laws import STATES
-from test_page_runner import SECTION, world_of
+from test_page_runner import SECTION, word, world_of
 
 pytestmark = pytest.mark.skipif(COMPILER is None, reason="there is no C compiler")
 TIGHT = {"tolerance": 1e-13}
 PAGES = ROOT / "examples" / "pages"
 sys.path.append(str(PAGES))
+COMPLIANT = json.loads((Path(__file__).parent / "compliant_gaits.json").read_text(encoding="utf-8"))
 
 
 def test_every_page_has_less_than_120_lines():
     pages = sorted(PAGES.glob("*.py"))
-    assert len(pages) == 6
+    assert len(pages) == 7
     for page in pages:
         assert len(page.read_text(encoding="utf-8").splitlines()) < 120, page.name
 
@@ -412,3 +415,84 @@ def test_raibert_s_law_forgets_a_wrong_speed_sooner_than_a_fixed_angle(clocked, 
 
 def test_jacobians_of_the_clocked_runner_are_differences(clocked):
     assert_jacobians_are_differences(clocked, CLOCK, CLOCKED_APEX)
+
+
+# ---- the runner on compliant ground --------------------------------------------------------------------
+
+
+@pytest.fixture(scope="module")
+def compliant():
+    from compliant_runner import CompliantRunner
+
+    return CompiledPage(CompliantRunner, "-O1")
+
+
+RUNS = [*COMPLIANT["strides"], *COMPLIANT["gaits"], *COMPLIANT["falls"]]
+REPORTED = {
+    "contact_ends": "contact_ends", "comes_to_rest": "slip_velocity_zero", "slips_forward": "slip_onset",
+    "slips_backward": "slip_onset", "mid_stance": "midstance", "lift_off": "liftoff",
+    "graze_to_flight": "release_ends", "clamp": "clamp", "release": "clamp", "apex": "apex", "falls": "fall",
+}  # fmt: skip
+
+
+def on_compliant_ground(case):
+    """Parameters of a case, with the clamp."""
+    given = {name.removeprefix("ground."): value for name, value in case["given"].items()}
+    given["ground_stiffness"] = given.pop("stiffness")
+    return {"swing_clamp": 1.0, **given}
+
+
+def reported_events(run):
+    """Events and their times in the words of the reference; the end of a contact may be a lift-off."""
+    found = []
+    for time, name, before, _ in run.log[1:]:
+        what = REPORTED.get(name)
+        if name == "touchdown":
+            what = "touchdown" if before.startswith("flight") else "contact_begins"
+        if name == "graze_to_contact":
+            what = None if before == "graze_bounce" else "release_undone"
+        if what == "liftoff" and found[-1] == ("contact_ends", time):
+            found.pop()
+        if what:
+            found.append((what, time))
+    return found
+
+
+@pytest.mark.parametrize("case", RUNS, ids=lambda case: case["name"])
+def test_runs_on_compliant_ground_are_those_of_the_reference(compliant, case):
+    start, ends = case.get("start_apex") or case["apex"], "period" not in case
+    run = compliant.start(**on_compliant_ground(case), **TIGHT, **world_of(start))
+    energy = run.to(0.0).outputs["energy"]
+    run.to(stop=None if ends else "apex")
+    events = reported_events(run)
+    assert [name for name, _ in events] == [name for name, _ in case["events"]]
+    assert [time for _, time in events] == pytest.approx([time for _, time in case["events"]], abs=1e-10)
+    lost = run.damper_loss + run.friction_loss + run.ground_loss
+    assert run.outputs["energy"] - energy == pytest.approx(run.work - lost, abs=1e-13)
+    assert run.mode == ("fallen" if ends else "flight_place_calm")
+    if ends:
+        return
+    assert [getattr(run, name) for name in SECTION] == pytest.approx(
+        case.get("next_apex") or start, abs=1e-11
+    )
+    assert (word(run), run.contacts, run.touchdowns) == (case["word"], case["contacts"], case["touchdowns"])
+    assert run.x[compliant.states.index("events")] == len([e for e in events if e[0] != "clamp"])
+    found = {"period": run.period, "length": run.distance, "speed": run.speed, "work": run.work_of_stride}
+    found |= {"cost_of_transport": run.cost_of_transport, "stance_time": run.stance_time}
+    found |= {"slip_distance": run.slip_distance, "peak_force": run.peak_force, "peak_penetration": run.depth}
+    found |= {name: getattr(run, name) for name in ("damper_loss", "friction_loss", "ground_loss")}
+    assert found == pytest.approx({name: case[name] for name in found}, abs=1e-11)
+
+
+@pytest.mark.parametrize("gait", COMPLIANT["gaits"], ids=lambda case: case["name"])
+def test_gaits_on_compliant_ground_are_those_of_the_reference(compliant, gait):
+    at = compliant.section("at_apex", **on_compliant_ground(gait), tolerance=1e-14)
+    assert at.fixed_point(np.array(gait["apex"]) * (1 + 1e-4)) == pytest.approx(gait["apex"], abs=1e-12)
+    assert at.jacobian == pytest.approx(np.array(gait["jacobian"]), abs=1e-9)
+    sizes = np.sort(np.abs(np.linalg.eigvals(at.jacobian)))
+    assert sizes == pytest.approx(np.sort(np.abs(gait["eigenvalues"])), abs=1e-9)
+
+
+def test_jacobians_on_compliant_ground_are_differences(compliant):
+    own = {"ground_stiffness": 100.0, "dissipation": 20.0}
+    assert_jacobians_are_differences(compliant, own, APEX)

@@ -12,7 +12,7 @@ from page_runs import COMPILER, ROOT, CompiledPage
 from scipy.integrate import solve_ivp
 
 from c_core import hybrid
-from c_core.hybrid import Model, derive, event, mode, output, parameter, sin, state
+from c_core.hybrid import Model, coordinates, derive, event, mode, output, parameter, sin, state
 
 pytestmark = pytest.mark.skipif(COMPILER is None, reason="there is no C compiler")
 GUIDE = ROOT / "documentation/development/pages.md"
@@ -316,3 +316,31 @@ def test_a_guard_without_a_bound_shares_terms_with_one_that_has_a_bound():
     assert first == pytest.approx([(np.pi + np.arcsin(2.4 / amplitude) - phase) / 2], abs=1e-11)
     divided = [time for time, name, *_ in run.log if name == "divided"]
     assert divided == pytest.approx([(np.pi + np.arcsin(2 / amplitude) - phase) / 2], abs=1e-11)
+
+
+class FixedCoordinate(Model):
+    """A page whose subclass fixes one of its coordinates."""
+
+    start = "turns", {}
+    angle = state(0.5, "rad", of="polar")
+    x, y = state(0, of="world"), state(0, of="world")
+
+    @coordinates("world")
+    def in_world(m):
+        return {"x": sin(m.angle), "y": 5 * sin(m.angle)}
+
+    @mode(of="polar")
+    def turns(m):
+        return {}
+
+    @mode(of="world")
+    def flies(m):
+        return {}
+
+
+def test_a_coordinate_that_a_subclass_fixes_stays_fixed():
+    class Level(FixedCoordinate):
+        y = 3
+
+    assert FixedCoordinate.at("turns").to("flies").y == pytest.approx(5 * np.sin(0.5))
+    assert Level.at("turns").to("flies").y == 3

@@ -41,6 +41,7 @@ GOOD = {
 }
 OUTPUT = '@output("m")\n    def shown(b):\n        '
 WORLD = '@coordinates("world")\n    def seen(b):\n        return dict(height=b.height)\n    '
+REST = '@mode(of="world")\n    def rest(b):\n        return {}\n    '
 TABLE = (
     '@table(low="m", high="m")\n    def rows(b, row):\n        return dict(low=0, high=row * b.height)\n    '
 )
@@ -120,6 +121,9 @@ WRONG = [
     ("nan in a decision", {"decision": 'return b.replace(speed=-b.speed * float("nan"))'}, "uses the number nan, which is not finite"),
     ("a choice in a guard", {"event": '@event("fall", when=lambda b: abs(b.height), unit="m")'}, "uses `abs` of what moves"),
     # coordinates, outputs and what is observed
+    ("a coordinate that is no state of the page", {"quantities": 'x = state(0, "m", of="world")', "more": WORLD.replace("height=", "hight=") + REST, "decision": 'return b.to("rest")'}, "gives the coordinate `hight`, which is no state; did you mean `height`"),
+    ("a coordinate that is not given", {"quantities": 'x = state(0, "m", of="world")', "more": WORLD + REST, "decision": 'return b.to("rest")'}, "does not give `x`, which belongs to the coordinates `world`"),
+    ("coordinates that are nothing", {"quantities": 'x = state(0, "m", of="world")', "more": WORLD.replace("return dict(height=b.height)", "pass") + REST, "decision": 'return b.to("rest")'}, "gives no coordinates; it returns dict(state=value, ...)"),
     ("a state of other coordinates", {"quantities": 'x = state(0, "m", of="world")', "more": WORLD, "rates": "dict(height=b.x)"}, "reads `x` in the mode `fall`, whose coordinates do not have it"),
     ("an output in another unit", {"more": OUTPUT + "return b.speed"}, "is in m.s-1; its unit is m"),
     ("an output that is nothing", {"more": OUTPUT + "pass"}, "returns nothing; it has to return a number"),

@@ -179,81 +179,76 @@ static int react_start_of_run_begins(const real *parameters, const real *states,
     const runner_states *x = (const void *)states;
     runner_states *y = (void *)after;
     const real set_slope = p->ground_slope + x->segment_slope;
-    const real cos_of_set_slope = real_cos(set_slope);
+    const real cosine = real_cos(set_slope);
     const real set_height = p->ground_height + x->segment_height;
     const real seen_y_minus_set_height = x->seen_y - set_height;
-    const real sin_of_set_slope = real_sin(set_slope);
-    const real foot_above = cos_of_set_slope * seen_y_minus_set_height - sin_of_set_slope * x->seen_x;
+    const real sine = real_sin(set_slope);
+    const real foot_above = cosine * seen_y_minus_set_height - sine * x->seen_x;
     const real by_1eminus_12_times_free_length = 1e-12 * p->free_length;
-    const real off = x->seen_vy * cos_of_set_slope - x->seen_vx * sin_of_set_slope;
+    const real off = x->seen_vy * cosine - x->seen_vx * sine;
     const real slow = 1e-12 * (p->free_length * real_sqrt(p->stiffness / p->body_mass));
-    const real cosine = real_cos(x->angle);
+    const real cos_of_angle = real_cos(x->angle);
     const real turn = x->length * x->angle_rate;
-    const real sine = real_sin(x->angle);
-    const real vy = x->length_rate * cosine - turn * sine;
-    const real y_2 = x->length * cosine;
-    const real length_times_sine = x->length * sine;
-    const real vx = -(x->length_rate * sine) - turn * cosine;
+    const real sin_of_angle = real_sin(x->angle);
+    const real vy = x->length_rate * cos_of_angle - turn * sin_of_angle;
+    const real y_2 = x->length * cos_of_angle;
+    const real length_times_sin_of_angle = x->length * sin_of_angle;
+    const real vx = -(x->length_rate * sin_of_angle) - turn * cos_of_angle;
     y->height = set_height;
     y->slope = set_slope;
     y->liftoff_angle = x->angle;
     y->placing = 0.0;
     if (foot_above <= by_1eminus_12_times_free_length && off <= slow) {
-        const real along = x->seen_vx * cos_of_set_slope + x->seen_vy * sin_of_set_slope;
+        const real along = x->seen_vx * cosine + x->seen_vy * sine;
         const real way = select(along >= 0.0, 1.0, -1.0);
         const real way_times_along = way * along;
-        const real sum_2 = x->seen_x + by_1eminus_12_times_free_length;
-        const real segment_towards = x->segment + select(sum_2 > x->segment_end, 1.0, 0.0) -
-                                     select(sum_2 < x->segment_begin, 1.0, 0.0);
+        const real x_2 = x->seen_x + by_1eminus_12_times_free_length;
+        const real segment_towards =
+            x->segment + select(x_2 > x->segment_end, 1.0, 0.0) - select(x_2 < x->segment_begin, 1.0, 0.0);
         const real friction =
             looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction, segment_towards,
                       select(real_abs(segment_towards - 1.0) > 0.0, -1.0, p->patch_friction));
-        const real sum_3 = x->seen_x - by_1eminus_12_times_free_length;
-        const real sum_4 = x->segment + select(sum_3 > x->segment_end, 1.0, 0.0) -
-                           select(sum_3 < x->segment_begin, 1.0, 0.0);
-        const real friction_2 = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction, sum_4,
-                                          select(real_abs(sum_4 - 1.0) > 0.0, -1.0, p->patch_friction));
+        const real sum_2 = x->seen_x - by_1eminus_12_times_free_length;
+        const real sum_3 = x->segment + select(sum_2 > x->segment_end, 1.0, 0.0) -
+                           select(sum_2 < x->segment_begin, 1.0, 0.0);
+        const real friction_2 = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction, sum_3,
+                                          select(real_abs(sum_3 - 1.0) > 0.0, -1.0, p->patch_friction));
         const real own = select(way > 0.0, friction, friction_2);
         const real is_own = select(own < 0.0, 0.0, 1.0);
         const real friction_along = is_own * own + (1.0 - is_own) * x->friction;
         const real friction_along_times_off = friction_along * off;
-        const real sum_5 = way_times_along + friction_along_times_off;
+        const real sum_4 = way_times_along + friction_along_times_off;
         const real touchdowns_so_far_plus_by_1 = x->touchdowns_so_far + 1.0;
-        const real sum_6 = x->seen_x * cos_of_set_slope + seen_y_minus_set_height * sin_of_set_slope;
-        const real sum_times_cos_of_set_slope_plus_product =
-            sum_6 * cos_of_set_slope + by_1eminus_12_times_free_length * way;
-        const real sum_7 = x->segment +
-                           select(sum_times_cos_of_set_slope_plus_product > x->segment_end, 1.0, 0.0) -
-                           select(sum_times_cos_of_set_slope_plus_product < x->segment_begin, 1.0, 0.0);
+        const real sum_5 = x->seen_x * cosine + seen_y_minus_set_height * sine;
+        const real sum_times_cosine_plus_product = sum_5 * cosine + by_1eminus_12_times_free_length * way;
+        const real sum_6 = x->segment + select(sum_times_cosine_plus_product > x->segment_end, 1.0, 0.0) -
+                           select(sum_times_cosine_plus_product < x->segment_begin, 1.0, 0.0);
         const real end = select(p->patch_end > p->patch_begin, p->patch_end, 1000000000000.0);
         const real begin = select(p->patch_end > p->patch_begin, p->patch_begin, 1000000000000.0);
         const real begin_2 =
-            looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_begin, sum_7,
-                      select(sum_7 > 0.0, select(sum_7 > 1.0, end, begin), -1000000000000.0));
-        const real end_2 = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_end, sum_7,
-                                     select(sum_7 > 0.0, select(sum_7 > 1.0, 1000000000000.0, end), begin));
-        const real height = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_height, sum_7, 0.0);
-        const real slope = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_slope, sum_7, 0.0);
-        const real friction_3 = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction, sum_7,
-                                          select(real_abs(sum_7 - 1.0) > 0.0, -1.0, p->patch_friction));
-        const real y_times_sin_of_set_slope_minus_product =
-            y_2 * sin_of_set_slope - length_times_sine * cos_of_set_slope;
-        const real y_times_cos_of_set_slope_plus_product =
-            y_2 * cos_of_set_slope + length_times_sine * sin_of_set_slope;
-        const real sum_plus_along = vx * cos_of_set_slope + vy * sin_of_set_slope + along;
-        const real sum_plus_off = vy * cos_of_set_slope - vx * sin_of_set_slope + off;
-        const real angle_minus_atan2 = x->angle - real_atan2(-y_times_sin_of_set_slope_minus_product,
-                                                             y_times_cos_of_set_slope_plus_product);
+            looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_begin, sum_6,
+                      select(sum_6 > 0.0, select(sum_6 > 1.0, end, begin), -1000000000000.0));
+        const real end_2 = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_end, sum_6,
+                                     select(sum_6 > 0.0, select(sum_6 > 1.0, 1000000000000.0, end), begin));
+        const real height = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_height, sum_6, 0.0);
+        const real slope = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_slope, sum_6, 0.0);
+        const real friction_3 = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction, sum_6,
+                                          select(real_abs(sum_6 - 1.0) > 0.0, -1.0, p->patch_friction));
+        const real sum_7 = y_2 * sine - length_times_sin_of_angle * cosine;
+        const real sum_8 = y_2 * cosine + length_times_sin_of_angle * sine;
+        const real sum_9 = vx * cosine + vy * sine + along;
+        const real sum_10 = vy * cosine - vx * sine + off;
+        const real angle_minus_minus_sumatan2_of_sum = x->angle - real_atan2(-sum_7, sum_8);
         const real along_times_along_plus_off_times_off = along * along + off * off;
         const real by_1_or_by_0 = select(x->angle >= 0.0, 1.0, 0.0);
         y->touchdowns_so_far = touchdowns_so_far_plus_by_1;
-        y->slid_from = sum_6;
+        y->slid_from = sum_5;
         y->bar_is_due = 1.0;
-        y->x_ = y_times_sin_of_set_slope_minus_product;
-        y->y_ = y_times_cos_of_set_slope_plus_product;
-        y->vy = sum_plus_off;
-        y->foot_x = sum_6;
-        y->winding = angle_minus_atan2;
+        y->x_ = sum_7;
+        y->y_ = sum_8;
+        y->vy = sum_10;
+        y->foot_x = sum_5;
+        y->winding = angle_minus_minus_sumatan2_of_sum;
         y->driving = by_1_or_by_0;
         y->touchdown_time = x->time;
         y->was_placed = 0.0;
@@ -262,21 +257,21 @@ static int react_start_of_run_begins(const real *parameters, const real *states,
             const real product_2 =
                 (p->static_ratio - 1.0) * real_expm1(friction_along_times_off / p->stribeck_velocity);
             const real more = -product_2;
-            const real left = sum_5 + p->stribeck_velocity *
-                                          real_log1p(product_2 * real_exp(-(sum_5 / p->stribeck_velocity)));
+            const real left = sum_4 + p->stribeck_velocity *
+                                          real_log1p(product_2 * real_exp(-(sum_4 / p->stribeck_velocity)));
             const real speed_after_impact =
                 select(way_times_along <= p->stribeck_velocity * real_log1p(more) - friction_along_times_off,
                        0.0, select(left > 0.0, left, 0.0));
             const real way_times_speed_after_impact = way * speed_after_impact;
-            const real sum_8 = sum_plus_along - way_times_speed_after_impact;
+            const real sum_minus_way_times_speed_after_impact = sum_9 - way_times_speed_after_impact;
             const real speeds = along_times_along_plus_off_times_off -
                                 way_times_speed_after_impact * way_times_speed_after_impact;
-            const real sum_9 = x->impact_loss + 0.5 * (p->foot_mass * speeds);
-            y->vx = sum_8;
+            const real sum_11 = x->impact_loss + 0.5 * (p->foot_mass * speeds);
+            y->vx = sum_minus_way_times_speed_after_impact;
             y->foot_vx = way_times_speed_after_impact;
-            y->impact_loss = sum_9;
+            y->impact_loss = sum_11;
             if (way * way_times_speed_after_impact > 0.0) {
-                y->segment = sum_7;
+                y->segment = sum_6;
                 y->segment_begin = begin_2;
                 y->segment_end = end_2;
                 y->segment_height = height;
@@ -291,17 +286,17 @@ static int react_start_of_run_begins(const real *parameters, const real *states,
             return next[1]; /* stick */
         }
         const real after_2 =
-            select(way_times_along <= -(p->static_ratio * friction_along_times_off), 0.0, sum_5);
+            select(way_times_along <= -(p->static_ratio * friction_along_times_off), 0.0, sum_4);
         const real way_times_after = way * after_2;
-        const real sum_plus_along_minus_way_times_after = sum_plus_along - way_times_after;
-        const real sum_8 =
+        const real sum_minus_way_times_after = sum_9 - way_times_after;
+        const real sum_11 =
             x->impact_loss +
             0.5 * (p->foot_mass * (along_times_along_plus_off_times_off - way_times_after * way_times_after));
-        y->vx = sum_plus_along_minus_way_times_after;
+        y->vx = sum_minus_way_times_after;
         y->foot_vx = way_times_after;
-        y->impact_loss = sum_8;
+        y->impact_loss = sum_11;
         if (way * way_times_after > 0.0) {
-            y->segment = sum_7;
+            y->segment = sum_6;
             y->segment_begin = begin_2;
             y->segment_end = end_2;
             y->segment_height = height;
@@ -317,7 +312,7 @@ static int react_start_of_run_begins(const real *parameters, const real *states,
     }
     const real share = p->body_mass / (p->body_mass + p->foot_mass);
     const real rise = x->seen_vy + share * vy;
-    const real sum_2 = x->seen_x - share * length_times_sine;
+    const real sum_2 = x->seen_x - share * length_times_sin_of_angle;
     const real seen_y_plus_share_times_y = x->seen_y + share * y_2;
     const real seen_vx_plus_share_times_vx = x->seen_vx + share * vx;
     const real square = x->length * x->length;
@@ -328,8 +323,7 @@ static int react_start_of_run_begins(const real *parameters, const real *states,
     y->com_vy = rise;
     y->momentum = moment;
     if (real_abs(rise) <= slow) {
-        const real height_of_section =
-            seen_y_plus_share_times_y - set_height - sum_2 * (sin_of_set_slope / cos_of_set_slope);
+        const real height_of_section = seen_y_plus_share_times_y - set_height - sum_2 * (sine / cosine);
         const real rate = moment / square;
         y->is_open = 1.0;
         y->work_then = x->work;
@@ -374,131 +368,118 @@ static void vary_react_start_of_run_begins(const real *parameters, const real *s
     const runner_states *dx = (const void *)d_states;
     runner_states *y = (void *)after;
     const real set_slope = p->ground_slope + x->segment_slope;
-    const real cos_of_set_slope = real_cos(set_slope);
+    const real cosine = real_cos(set_slope);
     const real set_height = p->ground_height + x->segment_height;
     const real seen_y_minus_set_height = x->seen_y - set_height;
-    const real sin_of_set_slope = real_sin(set_slope);
-    const real foot_above = cos_of_set_slope * seen_y_minus_set_height - sin_of_set_slope * x->seen_x;
+    const real sine = real_sin(set_slope);
+    const real foot_above = cosine * seen_y_minus_set_height - sine * x->seen_x;
     const real by_1eminus_12_times_free_length = 1e-12 * p->free_length;
-    const real off = x->seen_vy * cos_of_set_slope - x->seen_vx * sin_of_set_slope;
+    const real off = x->seen_vy * cosine - x->seen_vx * sine;
     const real slow = 1e-12 * (p->free_length * real_sqrt(p->stiffness / p->body_mass));
-    const real cosine = real_cos(x->angle);
+    const real cos_of_angle = real_cos(x->angle);
     const real turn = x->length * x->angle_rate;
-    const real sine = real_sin(x->angle);
-    const real vy = x->length_rate * cosine - turn * sine;
+    const real sin_of_angle = real_sin(x->angle);
+    const real vy = x->length_rate * cos_of_angle - turn * sin_of_angle;
     const real d_set_slope = dp->ground_slope + dx->segment_slope;
-    const real sin_of_set_slope_times_d_set_slope = sin_of_set_slope * d_set_slope;
+    const real sine_times_d_set_slope = sine * d_set_slope;
     const real d_set_height = dp->ground_height + dx->segment_height;
-    const real cos_of_set_slope_times_d_set_slope = cos_of_set_slope * d_set_slope;
-    const real sine_times_angle = sine * dx->angle;
-    const real d_y = dx->length * cosine - x->length * sine_times_angle;
-    const real y_2 = x->length * cosine;
-    const real d_sine = cosine * dx->angle;
-    const real sum_2 = dx->length * sine + x->length * d_sine;
-    const real length_times_sine = x->length * sine;
+    const real d_sine = cosine * d_set_slope;
+    const real sin_of_angle_times_angle = sin_of_angle * dx->angle;
+    const real d_y = dx->length * cos_of_angle - x->length * sin_of_angle_times_angle;
+    const real y_2 = x->length * cos_of_angle;
+    const real cos_of_angle_times_angle = cos_of_angle * dx->angle;
+    const real sum_2 = dx->length * sin_of_angle + x->length * cos_of_angle_times_angle;
+    const real length_times_sin_of_angle = x->length * sin_of_angle;
     const real d_turn = dx->length * x->angle_rate + x->length * dx->angle_rate;
-    const real d_vx =
-        -(dx->length_rate * sine + x->length_rate * d_sine) - (d_turn * cosine - turn * sine_times_angle);
-    const real vx = -(x->length_rate * sine) - turn * cosine;
-    const real d_vy =
-        dx->length_rate * cosine - x->length_rate * sine_times_angle - (d_turn * sine + turn * d_sine);
+    const real d_vx = -(dx->length_rate * sin_of_angle + x->length_rate * cos_of_angle_times_angle) -
+                      (d_turn * cos_of_angle - turn * sin_of_angle_times_angle);
+    const real vx = -(x->length_rate * sin_of_angle) - turn * cos_of_angle;
+    const real d_vy = dx->length_rate * cos_of_angle - x->length_rate * sin_of_angle_times_angle -
+                      (d_turn * sin_of_angle + turn * cos_of_angle_times_angle);
     y->height = d_set_height;
     y->slope = d_set_slope;
     y->liftoff_angle = dx->angle;
     y->placing = 0.0;
     if (foot_above <= by_1eminus_12_times_free_length && off <= slow) {
-        const real along = x->seen_vx * cos_of_set_slope + x->seen_vy * sin_of_set_slope;
+        const real along = x->seen_vx * cosine + x->seen_vy * sine;
         const real way = select(along >= 0.0, 1.0, -1.0);
         const real way_times_along = way * along;
-        const real sum_3 = x->seen_x + by_1eminus_12_times_free_length;
-        const real segment_towards = x->segment + select(sum_3 > x->segment_end, 1.0, 0.0) -
-                                     select(sum_3 < x->segment_begin, 1.0, 0.0);
+        const real x_2 = x->seen_x + by_1eminus_12_times_free_length;
+        const real segment_towards =
+            x->segment + select(x_2 > x->segment_end, 1.0, 0.0) - select(x_2 < x->segment_begin, 1.0, 0.0);
         const real abs_of_segment_towards_minus_by_1 = real_abs(segment_towards - 1.0);
-        const real sum_4 = x->seen_x - by_1eminus_12_times_free_length;
-        const real sum_5 = x->segment + select(sum_4 > x->segment_end, 1.0, 0.0) -
-                           select(sum_4 < x->segment_begin, 1.0, 0.0);
-        const real abs_of_sum_minus_by_1 = real_abs(sum_5 - 1.0);
+        const real sum_3 = x->seen_x - by_1eminus_12_times_free_length;
+        const real sum_4 = x->segment + select(sum_3 > x->segment_end, 1.0, 0.0) -
+                           select(sum_3 < x->segment_begin, 1.0, 0.0);
+        const real abs_of_sum_minus_by_1 = real_abs(sum_4 - 1.0);
         const real own =
             select(way > 0.0,
                    looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction, segment_towards,
                              select(abs_of_segment_towards_minus_by_1 > 0.0, -1.0, p->patch_friction)),
-                   looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction, sum_5,
+                   looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction, sum_4,
                              select(abs_of_sum_minus_by_1 > 0.0, -1.0, p->patch_friction)));
         const real is_own = select(own < 0.0, 0.0, 1.0);
         const real by_1_minus_is_own = 1.0 - is_own;
         const real friction_along = is_own * own + by_1_minus_is_own * x->friction;
         const real friction_along_times_off = friction_along * off;
-        const real sum_6 = way_times_along + friction_along_times_off;
-        const real sum_plus_product_plus_product =
-            dx->seen_x * cos_of_set_slope - x->seen_x * sin_of_set_slope_times_d_set_slope +
-            ((dx->seen_y - d_set_height) * sin_of_set_slope +
-             seen_y_minus_set_height * cos_of_set_slope_times_d_set_slope);
-        const real sum_times_cos_of_set_slope_plus_product =
-            (x->seen_x * cos_of_set_slope + seen_y_minus_set_height * sin_of_set_slope) * cos_of_set_slope +
+        const real sum_5 = way_times_along + friction_along_times_off;
+        const real sum_plus_sum = dx->seen_x * cosine - x->seen_x * sine_times_d_set_slope +
+                                  ((dx->seen_y - d_set_height) * sine + seen_y_minus_set_height * d_sine);
+        const real sum_times_cosine_plus_product =
+            (x->seen_x * cosine + seen_y_minus_set_height * sine) * cosine +
             by_1eminus_12_times_free_length * way;
-        const real sum_7 = x->segment +
-                           select(sum_times_cos_of_set_slope_plus_product > x->segment_end, 1.0, 0.0) -
-                           select(sum_times_cos_of_set_slope_plus_product < x->segment_begin, 1.0, 0.0);
+        const real sum_6 = x->segment + select(sum_times_cosine_plus_product > x->segment_end, 1.0, 0.0) -
+                           select(sum_times_cosine_plus_product < x->segment_begin, 1.0, 0.0);
         const real d_end = select(p->patch_end > p->patch_begin, dp->patch_end, 0.0);
         const real d_begin = select(p->patch_end > p->patch_begin, dp->patch_begin, 0.0);
         const real d_begin_2 =
-            variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_begin, seed, sum_7,
-                                select(sum_7 > 0.0, select(sum_7 > 1.0, d_end, d_begin), 0.0));
+            variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_begin, seed, sum_6,
+                                select(sum_6 > 0.0, select(sum_6 > 1.0, d_end, d_begin), 0.0));
         const real d_end_2 =
-            variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_end, seed, sum_7,
-                                select(sum_7 > 0.0, select(sum_7 > 1.0, 0.0, d_end), d_begin));
+            variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_end, seed, sum_6,
+                                select(sum_6 > 0.0, select(sum_6 > 1.0, 0.0, d_end), d_begin));
         const real d_height =
-            variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_height, seed, sum_7, 0.0);
+            variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_height, seed, sum_6, 0.0);
         const real d_slope =
-            variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_slope, seed, sum_7, 0.0);
+            variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_slope, seed, sum_6, 0.0);
         const real d_friction =
-            variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction, seed, sum_7,
-                                select(real_abs(sum_7 - 1.0) > 0.0, 0.0, dp->patch_friction));
-        const real sum_8 =
-            d_y * sin_of_set_slope + y_2 * cos_of_set_slope_times_d_set_slope -
-            (sum_2 * cos_of_set_slope - length_times_sine * sin_of_set_slope_times_d_set_slope);
-        const real sum_9 =
-            d_y * cos_of_set_slope - y_2 * sin_of_set_slope_times_d_set_slope +
-            (sum_2 * sin_of_set_slope + length_times_sine * cos_of_set_slope_times_d_set_slope);
-        const real d_along =
-            dx->seen_vx * cos_of_set_slope - x->seen_vx * sin_of_set_slope_times_d_set_slope +
-            (dx->seen_vy * sin_of_set_slope + x->seen_vy * cos_of_set_slope_times_d_set_slope);
-        const real sum_plus_sum_plus_d_along =
-            d_vx * cos_of_set_slope - vx * sin_of_set_slope_times_d_set_slope +
-            (d_vy * sin_of_set_slope + vy * cos_of_set_slope_times_d_set_slope) + d_along;
+            variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction, seed, sum_6,
+                                select(real_abs(sum_6 - 1.0) > 0.0, 0.0, dp->patch_friction));
+        const real sum_7 =
+            d_y * sine + y_2 * d_sine - (sum_2 * cosine - length_times_sin_of_angle * sine_times_d_set_slope);
+        const real sum_plus_sum_2 =
+            d_y * cosine - y_2 * sine_times_d_set_slope + (sum_2 * sine + length_times_sin_of_angle * d_sine);
+        const real d_along = dx->seen_vx * cosine - x->seen_vx * sine_times_d_set_slope +
+                             (dx->seen_vy * sine + x->seen_vy * d_sine);
+        const real sum_plus_d_along =
+            d_vx * cosine - vx * sine_times_d_set_slope + (d_vy * sine + vy * d_sine) + d_along;
         const real d_friction_2 = variation_looked_up(
             tables, TABLE_ground_segment, COLUMN_ground_segment_friction, seed, segment_towards,
             select(abs_of_segment_towards_minus_by_1 > 0.0, 0.0, dp->patch_friction));
         const real d_friction_3 =
-            variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction, seed, sum_5,
+            variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction, seed, sum_4,
                                 select(abs_of_sum_minus_by_1 > 0.0, 0.0, dp->patch_friction));
-        const real d_off = dx->seen_vy * cos_of_set_slope - x->seen_vy * sin_of_set_slope_times_d_set_slope -
-                           (dx->seen_vx * sin_of_set_slope + x->seen_vx * cos_of_set_slope_times_d_set_slope);
+        const real d_off = dx->seen_vy * cosine - x->seen_vy * sine_times_d_set_slope -
+                           (dx->seen_vx * sine + x->seen_vx * d_sine);
         const real d_own = select(way > 0.0, d_friction_2, d_friction_3);
         const real d_friction_along = is_own * d_own + by_1_minus_is_own * dx->friction;
-        const real sum_10 = d_friction_along * off + friction_along * d_off;
-        const real way_times_d_along_plus_sum = way * d_along + sum_10;
-        const real sum_minus_sum_plus_d_off =
-            d_vy * cos_of_set_slope - vy * sin_of_set_slope_times_d_set_slope -
-            (d_vx * sin_of_set_slope + vx * cos_of_set_slope_times_d_set_slope) + d_off;
-        const real y_times_sin_of_set_slope_minus_product =
-            y_2 * sin_of_set_slope - length_times_sine * cos_of_set_slope;
-        const real y_times_cos_of_set_slope_plus_product =
-            y_2 * cos_of_set_slope + length_times_sine * sin_of_set_slope;
+        const real sum_8 = d_friction_along * off + friction_along * d_off;
+        const real way_times_d_along_plus_sum = way * d_along + sum_8;
+        const real sum_plus_d_off =
+            d_vy * cosine - vy * sine_times_d_set_slope - (d_vx * sine + vx * d_sine) + d_off;
+        const real sum_9 = y_2 * sine - length_times_sin_of_angle * cosine;
+        const real sum_10 = y_2 * cosine + length_times_sin_of_angle * sine;
         const real angle_minus_ratio =
-            dx->angle -
-            (y_times_sin_of_set_slope_minus_product * sum_9 - y_times_cos_of_set_slope_plus_product * sum_8) /
-                (y_times_sin_of_set_slope_minus_product * y_times_sin_of_set_slope_minus_product +
-                 y_times_cos_of_set_slope_plus_product * y_times_cos_of_set_slope_plus_product);
+            dx->angle - (sum_9 * sum_plus_sum_2 - sum_10 * sum_7) / (sum_9 * sum_9 + sum_10 * sum_10);
         const real along_times_along_plus_off_times_off = along * along + off * off;
         const real sum_11 = 2.0 * (along * d_along) + 2.0 * (off * d_off);
         y->touchdowns_so_far = dx->touchdowns_so_far;
-        y->slid_from = sum_plus_product_plus_product;
+        y->slid_from = sum_plus_sum;
         y->bar_is_due = 0.0;
-        y->x_ = sum_8;
-        y->y_ = sum_9;
-        y->vy = sum_minus_sum_plus_d_off;
-        y->foot_x = sum_plus_product_plus_product;
+        y->x_ = sum_7;
+        y->y_ = sum_plus_sum_2;
+        y->vy = sum_plus_d_off;
+        y->foot_x = sum_plus_sum;
         y->winding = angle_minus_ratio;
         y->driving = 0.0;
         y->touchdown_time = dx->time;
@@ -511,11 +492,11 @@ static void vary_react_start_of_run_begins(const real *parameters, const real *s
             const real product_2 = static_ratio_minus_by_1 * expm1_of_ratio;
             const real more = -product_2;
             const real sum_12 = p->stribeck_velocity * real_log1p(more) - friction_along_times_off;
-            const real sum_over_stribeck_velocity = sum_6 / p->stribeck_velocity;
+            const real sum_over_stribeck_velocity = sum_5 / p->stribeck_velocity;
             const real exp_of_minus_sum_over_stribeck_velocity = real_exp(-sum_over_stribeck_velocity);
             const real product_3 = product_2 * exp_of_minus_sum_over_stribeck_velocity;
             const real log1p_of_product = real_log1p(product_3);
-            const real left = sum_6 + p->stribeck_velocity * log1p_of_product;
+            const real left = sum_5 + p->stribeck_velocity * log1p_of_product;
             const real speed_after_impact =
                 select(way_times_along <= sum_12, 0.0, select(left > 0.0, left, 0.0));
             const real way_times_speed_after_impact = way * speed_after_impact;
@@ -526,7 +507,7 @@ static void vary_react_start_of_run_begins(const real *parameters, const real *s
                      (((dp->static_ratio * expm1_of_ratio +
                         static_ratio_minus_by_1 *
                             ((expm1_of_ratio + 1.0) *
-                             ((sum_10 - ratio * dp->stribeck_velocity) / p->stribeck_velocity))) *
+                             ((sum_8 - ratio * dp->stribeck_velocity) / p->stribeck_velocity))) *
                            exp_of_minus_sum_over_stribeck_velocity -
                        product_2 * (exp_of_minus_sum_over_stribeck_velocity *
                                     ((way_times_d_along_plus_sum -
@@ -536,7 +517,7 @@ static void vary_react_start_of_run_begins(const real *parameters, const real *s
             const real d_speed_after_impact =
                 select(way_times_along <= sum_12, 0.0, select(left > 0.0, d_left, 0.0));
             const real way_times_d_speed_after_impact = way * d_speed_after_impact;
-            const real sum_13 = sum_plus_sum_plus_d_along - way_times_d_speed_after_impact;
+            const real sum_13 = sum_plus_d_along - way_times_d_speed_after_impact;
             const real speeds = along_times_along_plus_off_times_off -
                                 way_times_speed_after_impact * way_times_speed_after_impact;
             const real d_speeds =
@@ -562,11 +543,11 @@ static void vary_react_start_of_run_begins(const real *parameters, const real *s
             return;
         }
         const real minus_product = -(p->static_ratio * friction_along_times_off);
-        const real after_2 = select(way_times_along <= minus_product, 0.0, sum_6);
+        const real after_2 = select(way_times_along <= minus_product, 0.0, sum_5);
         const real way_times_after = way * after_2;
         const real d_after = select(way_times_along <= minus_product, 0.0, way_times_d_along_plus_sum);
         const real way_times_d_after = way * d_after;
-        const real sum_12 = sum_plus_sum_plus_d_along - way_times_d_after;
+        const real sum_12 = sum_plus_d_along - way_times_d_after;
         const real impact_loss_plus_by_0_5_times_sum =
             dx->impact_loss + 0.5 * (dp->foot_mass * (along_times_along_plus_off_times_off -
                                                       way_times_after * way_times_after) +
@@ -593,7 +574,7 @@ static void vary_react_start_of_run_begins(const real *parameters, const real *s
     const real share = p->body_mass / body_mass_plus_foot_mass;
     const real rise = x->seen_vy + share * vy;
     const real d_share = (dp->body_mass - share * (dp->body_mass + dp->foot_mass)) / body_mass_plus_foot_mass;
-    const real seen_x_minus_sum = dx->seen_x - (d_share * length_times_sine + share * sum_2);
+    const real seen_x_minus_sum = dx->seen_x - (d_share * length_times_sin_of_angle + share * sum_2);
     const real sum_3 = dx->seen_y + (d_share * y_2 + share * d_y);
     const real sum_4 = dx->seen_vx + (d_share * vx + share * d_vx);
     const real d_square = 2.0 * (x->length * dx->length);
@@ -606,14 +587,12 @@ static void vary_react_start_of_run_begins(const real *parameters, const real *s
     y->com_vy = d_rise;
     y->momentum = d_moment;
     if (real_abs(rise) <= slow) {
-        const real sin_of_set_slope_over_cos_of_set_slope = sin_of_set_slope / cos_of_set_slope;
+        const real sine_over_cosine = sine / cosine;
         const real d_height_of_section =
             sum_3 - d_set_height -
-            (seen_x_minus_sum * sin_of_set_slope_over_cos_of_set_slope +
-             (x->seen_x - share * length_times_sine) *
-                 ((cos_of_set_slope_times_d_set_slope +
-                   sin_of_set_slope_over_cos_of_set_slope * sin_of_set_slope_times_d_set_slope) /
-                  cos_of_set_slope));
+            (seen_x_minus_sum * sine_over_cosine +
+             (x->seen_x - share * length_times_sin_of_angle) *
+                 ((d_sine + sine_over_cosine * sine_times_d_set_slope) / cosine));
         const real moment = square * x->angle_rate;
         const real rate = moment / square;
         const real d_rate = (d_moment - rate * d_square) / square;
