@@ -9,9 +9,8 @@ from .analysis.sweeps import Sweep, gait_at, sweep
 from .analysis.targeted import TargetNotMetError, find_gait
 from .errors import GaitNotFoundError, InputError, RunError, TdmfSlipError
 from .feedback.controllability import Controllability, controllability
-from .feedback.feedback import Feedback
-from .feedback.gains import dead_beat, lqr, place_poles
-from .feedback.noise import apex_covariance
+from .feedback.gains import Feedback, dead_beat, lqr, place_poles
+from .feedback.judgement import apex_covariance
 from .fitting.fitted import fit
 from .fitting.result import Fit
 from .fmu.batch import simulate_many

@@ -16,7 +16,7 @@ from tdmf_slip.analysis import (
 )
 from tdmf_slip.analysis.search import periodic_gait
 from tdmf_slip.blocks import run_blocks
-from tdmf_slip.cli import gait_file
+from tdmf_slip.cli import options
 from tdmf_slip.feedback import judgement
 from tdmf_slip.fmu import batch, inputs
 from tdmf_slip.library import return_map
@@ -143,7 +143,7 @@ WRONG = [
     lambda r, o: settling.settle_fmu(max_strides="x"),
     lambda r, o: settling.settle_fmu(tolerance="x"),
     lambda r, o: read_parameters(3),
-    lambda r, o: gait_file.read_gait("none.json"),
+    lambda r, o: options.read_gait("none.json"),
     lambda r, o: tdmf_slip.load_fmu(3),
     lambda r, o: tdmf_slip.fmu_path([2]),
     lambda r, o: batch.simulate_many(START, strides=1),

@@ -14,7 +14,7 @@ from tdmf_slip.analysis.basin import basin, basin_at
 from tdmf_slip.library.batch import NEAR
 from tdmf_slip.library.engine import SETTLED
 from tdmf_slip.library.laws import AffineLaw
-from tdmf_slip.proof.proved_ball import proved_ball
+from tdmf_slip.proof.prove_attraction import proved_ball
 
 FRICTIONS = (0.2, 0.6, 10.0)
 

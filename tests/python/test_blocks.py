@@ -28,7 +28,7 @@ from tdmf_slip.fmu import batch
 from tdmf_slip.fmu.instance import opened
 from tdmf_slip.library.batch import Batch
 from tdmf_slip.uninterrupted import check_stop
-from tdmf_slip.viable_sets import transitions
+from tdmf_slip.viable_sets import grid
 
 FRICTION, DAMPING = "ground.friction", "leg.damping"
 KINDS = ("in turn", "threads", "processes", "dask")
@@ -114,8 +114,8 @@ SIZES = (
     (first_passage, "MAX_IN_A_BLOCK", 7),
     (stride_map, "MAX_IN_A_BLOCK", 2),
     (stride_map, "MIN_IN_A_BLOCK", 1),
-    (transitions, "STRIDES_IN_A_BLOCK", 1),
-    (transitions, "STRIDES_IN_A_CALL", 50),
+    (grid, "STRIDES_IN_A_BLOCK", 1),
+    (grid, "STRIDES_IN_A_CALL", 50),
 )
 """Sizes of blocks that tests make smaller."""
 

@@ -98,7 +98,7 @@ def test_functions_of_all_modules_have_a_docstring_and_types():
             for given in arguments(function)
             if signature.parameters[given.lstrip("*")].annotation is inspect.Parameter.empty
         ]
-        of_another_library = name.startswith("tdmf_slip.pictures.film_page.")
+        of_another_library = name.startswith("tdmf_slip.pictures.animation.")
         assert not untyped or of_another_library, (name, untyped)
         looked_at += 1
     assert looked_at > 300

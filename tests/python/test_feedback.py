@@ -18,11 +18,8 @@ from tdmf_slip import (
     lqr,
     place_poles,
 )
-from tdmf_slip.feedback.controllability import controllability_of
-from tdmf_slip.feedback.dead_beat_gain import dead_beat_gain
-from tdmf_slip.feedback.gains import riccati_gain
-from tdmf_slip.feedback.linearization import CHOSEN, linearize
-from tdmf_slip.feedback.modes import Modes, lasting_modes
+from tdmf_slip.feedback.controllability import CHOSEN, Modes, controllability_of, lasting_modes, linearize
+from tdmf_slip.feedback.gains import dead_beat_gain, riccati_gain
 from tdmf_slip.library.engine import instruction_sets
 from tdmf_slip.library.return_map import stride_from
 from tdmf_slip.variables.parameters import read_parameters

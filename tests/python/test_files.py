@@ -301,7 +301,7 @@ import os, sys, tempfile
 import tdmf_slip
 from tdmf_slip import __main__
 from tdmf_slip.files import whole
-from tdmf_slip.fmu import tables
+from tdmf_slip.fmu import run as tables
 from tdmf_slip.cli import simulate
 
 real = simulate.simulate

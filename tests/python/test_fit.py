@@ -12,15 +12,14 @@ import numpy as np
 import pytest
 from tdmf_slip import InputError, Runner, find_gait, fit
 from tdmf_slip.fitting import problem as problem_module
-from tdmf_slip.fitting.across import Across
 from tdmf_slip.fitting.conclusion import is_met
-from tdmf_slip.fitting.identifiability import identified
 from tdmf_slip.fitting.measurements import Measured, Measurements, read_measurements, shipped
 from tdmf_slip.fitting.problem import Problem
-from tdmf_slip.fitting.result import QUANTILE
+from tdmf_slip.fitting.result import QUANTILE, identified
+from tdmf_slip.fitting.search import Across
 from tdmf_slip.library.fixed_point import gait_near
 from tdmf_slip.library.quantities import known_quantities, quantities_of, unit_of
-from tdmf_slip.library.varied_gait import varied_gait
+from tdmf_slip.library.strides import varied_gait
 from tdmf_slip.terminal import progress
 from tdmf_slip.variables.parameters import read_parameters
 

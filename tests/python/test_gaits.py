@@ -18,7 +18,7 @@ from tdmf_slip.analysis.branches import trace
 from tdmf_slip.analysis.search import periodic_gait
 from tdmf_slip.analysis.special_points import borders_between
 from tdmf_slip.analysis.sweeps import gait_at, sweep, sweep_row
-from tdmf_slip.cli.ranges import values_of
+from tdmf_slip.cli.options import values_of
 from tdmf_slip.library.binding import c, ffi
 from tdmf_slip.library.engine import FATES
 from tdmf_slip.library.return_map import stride_from

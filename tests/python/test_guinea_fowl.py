@@ -3,10 +3,9 @@
 import numpy as np
 import pytest
 from tdmf_slip import RunError
-from tdmf_slip.library.strides import strides_from
-from tdmf_slip.library.varied_stride import plain_stride
+from tdmf_slip.library.strides import plain_stride, strides_from
 from tdmf_slip.paper import guinea_fowl
-from tdmf_slip.paper.patch import AFTER, contact_angle_of, landing_at, meet_patch
+from tdmf_slip.paper.guinea_fowl import AFTER, contact_angle_of, landing_at, meet_patch
 
 
 @pytest.fixture(scope="module")

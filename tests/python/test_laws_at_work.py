@@ -13,7 +13,7 @@ from tdmf_slip.analysis.attraction import robustness, volume
 from tdmf_slip.analysis.ball import check_attracts, fates, jacobian_under
 from tdmf_slip.blocks import InTurn
 from tdmf_slip.library.return_map import stride_from
-from tdmf_slip.paper.first_passages import Trial, first_passage
+from tdmf_slip.paper.matched import Trial, first_passage
 
 ANGLE, TORQUE = "hip.touchdown_angle", "hip.stance_torque"
 NAMES = (ANGLE, TORQUE)

@@ -5,7 +5,7 @@ import pytest
 from tdmf_slip import Runner, find_gait
 from tdmf_slip.analysis.settled import evenly, linked, settled_gaits
 from tdmf_slip.library.fixed_point import gait_near
-from tdmf_slip.library.scales import scale_of
+from tdmf_slip.library.section import scale_of
 
 NAMES = ("hip.touchdown_angle", "hip.stance_torque")
 LOW, HIGH = np.array([0.4, 0.05]), np.array([0.9, 0.5])

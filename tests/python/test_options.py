@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 import xarray
 from tdmf_slip.cli.main import COMMANDS, commands
-from tdmf_slip.cli.ranges import ends_of, values_of
+from tdmf_slip.cli.options import ends_of, values_of
 
 
 def single_options():

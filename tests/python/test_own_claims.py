@@ -9,7 +9,7 @@ from conftest import release
 from tdmf_slip.cli.main import commands
 from tdmf_slip.errors import RunError
 from tdmf_slip.paper import results_page
-from tdmf_slip.paper.own_claims import LAST_SEED, OwnClaims, Recomputed, own_claims
+from tdmf_slip.paper.results_page import LAST_SEED, OwnClaims, Recomputed, own_claims
 from tdmf_slip.paper.statements.claim import DEFAULT, REGIMES, Estimate, OwnClaim, Row, solved
 from tdmf_slip.paper.statements.table import SECTIONS
 from tdmf_slip.variables.parameters import preset_names

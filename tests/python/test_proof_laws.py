@@ -14,11 +14,10 @@ from types import SimpleNamespace as Record
 
 from flint import arb, ctx
 from tdmf_slip.proof import laws
-from tdmf_slip.proof.exact import exact_values
 from tdmf_slip.proof.flow import fall, with_helpers
+from tdmf_slip.proof.given import exact_values
 from tdmf_slip.proof.guards import FUNCTIONS, watched
-from tdmf_slip.proof.modes import Mode, names_of
-from tdmf_slip.proof.parameters import Parameters
+from tdmf_slip.proof.parameters import Mode, Parameters, names_of
 from tdmf_slip.proof.transitions import Transition
 
 POINTS = 1000

@@ -13,11 +13,11 @@ pytest.importorskip("flint")
 
 from flint import arb, ctx
 from tdmf_slip.proof import flow as flow_module
-from tdmf_slip.proof import laws, varied_flow
-from tdmf_slip.proof.modes import Mode
-from tdmf_slip.proof.roots import Guard
-from tdmf_slip.proof.undecided import UndecidedError
-from tdmf_slip.proof.varied_flow import VariedFlow
+from tdmf_slip.proof import laws, travelling_set
+from tdmf_slip.proof.dual import UndecidedError
+from tdmf_slip.proof.guards import Guard
+from tdmf_slip.proof.parameters import Mode
+from tdmf_slip.proof.travelling_set import VariedFlow
 
 PROVED = json.loads((pathlib.Path(__file__).parent / "proved_gaits.json").read_text(encoding="utf-8"))
 KNOWN = next(gait for gait in PROVED["gaits"] if gait["friction"] == "0.2")
@@ -44,7 +44,7 @@ def plane(monkeypatch, acceleration):
             **{name: arb(0) for name in ("angle", "angle_rate", "sine", "cosine")},
         }
 
-    for module in (flow_module, varied_flow):
+    for module in (flow_module, travelling_set):
         monkeypatch.setattr(module, "rates", rates)
 
 

@@ -6,7 +6,7 @@ import pytest
 pytest.importorskip("flint")
 
 from flint import arb, arb_mat, ctx
-from tdmf_slip.proof.spread import Spread
+from tdmf_slip.proof.travelling_set import Spread
 
 BITS, FACTORS, SIZE, RADIUS = 256, 90, 3, 1e-6
 RNG = np.random.default_rng(27)

@@ -9,7 +9,7 @@ from conftest import CLAMPED, RELEASE
 from tdmf_slip import InputError, Runner, find_gait, simulate, sweep
 from tdmf_slip.library.fixed_point import gait_near
 from tdmf_slip.library.quantities import MEASURES, quantities_of, scales_of
-from tdmf_slip.library.varied_stride import varied_stride
+from tdmf_slip.library.strides import varied_stride
 from tdmf_slip.variables.parameters import read_parameters
 from tdmf_slip.variables.table import MODELS
 

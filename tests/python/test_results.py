@@ -12,7 +12,7 @@ import tdmf_slip
 import xarray
 from conftest import assert_same
 from tdmf_slip import InputError
-from tdmf_slip.cli.output import json_text
+from tdmf_slip.cli.options import json_text
 from tdmf_slip.files.netcdf import netcdf_of
 from tdmf_slip.record import runner_in
 from tdmf_slip.variables.table import STATES

@@ -10,16 +10,16 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from tdmf_slip import Runner, compare, find_gait, strides_to_fall
 from tdmf_slip import viability as find_viable
 from tdmf_slip.library.quantities import quantities_of
-from tdmf_slip.paper.figures import optimal, rough, slippery_patch, slope, stored, thrust, viability
+from tdmf_slip.paper.figures import columns, optimal, rough, slippery_patch, slope, thrust, viability
 from tdmf_slip.pictures import style
-from tdmf_slip.pictures.curve_label import CurveLabel
+from tdmf_slip.pictures.style import CurveLabel
 
 OF_THE_GAITS = {"snapshots", "stride"}
 """What `tdmf-slip validate --pictures` draws, and the documentation shows."""
 
 
 def test_a_mean_on_rough_ground_is_what_is_kept():
-    data = stored.columns("rough")
+    data = columns.columns("rough")
     of_it = (data["roughness"] == 0.5) & (data["friction"] == 1.2)
     (row,) = np.flatnonzero(of_it & (data["matched"] == 0.0))
     found = strides_to_fall({"ground.friction": 1.2}, 0.5, rough.RUNNERS, rough.SEED, rough.MAX_STRIDES)
@@ -28,7 +28,7 @@ def test_a_mean_on_rough_ground_is_what_is_kept():
 
 def test_matched_runners_on_rough_ground_are_what_is_kept():
     """With the kinematics of friction 0.2 they stay up longer, the less friction they have."""
-    data = stored.columns("rough")
+    data = columns.columns("rough")
     matched = data["matched"] == 1.0
     friction = data["friction"][matched]
     assert tuple(friction) == rough.FRICTIONS
@@ -46,7 +46,7 @@ def test_matched_runners_on_rough_ground_are_what_is_kept():
 
 
 def test_gaits_on_slopes_are_what_is_kept():
-    data = stored.columns("slope")
+    data = columns.columns("slope")
     for friction in slope.COLOURS:
         row = np.flatnonzero(data["friction"] == friction)[0]
         angle = np.radians(data["slope_degrees"][row])
@@ -56,7 +56,7 @@ def test_gaits_on_slopes_are_what_is_kept():
 
 
 def test_gaits_of_each_actuation_are_what_is_kept():
-    data = stored.columns("thrust")
+    data = columns.columns("thrust")
     compared = 0
     for friction in thrust.FRICTIONS:
         for chosen in thrust.actuated(data).values():
@@ -76,7 +76,7 @@ def test_gaits_of_each_actuation_are_what_is_kept():
 
 def test_patches_cause_falls_downhill_on_grippy_ground():
     """Some points are measured again; the guide's numbers are those of all points."""
-    data = stored.columns("slippery_patch")
+    data = columns.columns("slippery_patch")
     assert len(data["falls"]) == 5 * 11 * 14
     first = {
         friction: slippery_patch.shortest(data, friction, matched=False) for friction in (10.0, 1.2, 0.6)
@@ -92,7 +92,7 @@ def test_patches_cause_falls_downhill_on_grippy_ground():
 
 
 def test_matched_runners_with_thrust_hop_as_high_as_by_the_hip_alone_and_slip_more():
-    data = stored.columns("thrust")
+    data = columns.columns("thrust")
     actuated, compared = thrust.actuated(data), 0
     for friction in (0.2, 0.6):
         of_it = data["friction"] == friction
@@ -107,7 +107,7 @@ def test_matched_runners_with_thrust_hop_as_high_as_by_the_hip_alone_and_slip_mo
 
 
 def test_runners_matched_on_the_level_are_slowed_less_uphill():
-    data = stored.columns("slope")
+    data = columns.columns("slope")
     matched = data["matched"] > 0.0
     slips = (data["friction"] == 0.2) & ~matched
     compared = 0
@@ -122,7 +122,7 @@ def test_runners_matched_on_the_level_are_slowed_less_uphill():
 
 def test_viable_shares_of_matched_runners_are_what_is_kept():
     """One runner anew."""
-    data = stored.columns("viability")
+    data = columns.columns("viability")
     assert tuple(data["friction"]) == viability.FRICTIONS
     assert (data["inner_share"] <= data["outer_share"]).all()
     assert (data["inner_robustness"] <= data["outer_robustness"]).all()
@@ -142,7 +142,7 @@ def test_viable_shares_of_matched_runners_are_what_is_kept():
 
 def test_optimal_runners_are_what_is_kept():
     """They are gaits, the search finds no better ones from there, and the cheapest slips on purpose."""
-    data = stored.columns("optimal")
+    data = columns.columns("optimal")
     costs, slips = {}, {}
     for row in np.flatnonzero((data["friction"] > 0.58) & (data["friction"] < 0.6)):
         values = {

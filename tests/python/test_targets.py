@@ -11,7 +11,7 @@ from tdmf_slip.analysis.target import Target
 from tdmf_slip.library.fixed_point import gait_near
 from tdmf_slip.library.members import VARIED
 from tdmf_slip.library.quantities import QUANTITIES, REDUCED_QUANTITIES, quantities_of, scales_of
-from tdmf_slip.library.varied_stride import varied_stride
+from tdmf_slip.library.strides import varied_stride
 from tdmf_slip.variables.parameters import read_parameters
 
 FAST_HUMAN = Path(__file__).with_name("fast_human.toml")

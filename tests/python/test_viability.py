@@ -12,8 +12,8 @@ from tdmf_slip import InputError
 from tdmf_slip.library.batch import ACCURACY
 from tdmf_slip.library.return_map import stride_from
 from tdmf_slip.viable_sets import boxes as boxes_module
-from tdmf_slip.viable_sets import transitions as transitions_module
-from tdmf_slip.viable_sets.fixed_point import sums_of
+from tdmf_slip.viable_sets import grid as transitions_module
+from tdmf_slip.viable_sets.boxes import sums_of
 from tdmf_slip.viable_sets.grid import starts_at
 
 STICKING = {"ground.friction": 10.0}

@@ -18,10 +18,9 @@ from ..errors import InputError, RunError
 from ..library.fixed_point import gait_near
 from ..library.gait import Gait
 from ..library.members import VARIED
-from ..library.quantities import scales_of
+from ..library.quantities import scale_of, scales_of
 from ..library.runner import Runner
-from ..library.scales import scale_of
-from ..library.varied_stride import VariedStride, plain_stride, varied_stride
+from ..library.strides import VariedStride, plain_stride, varied_stride
 from ..numerics.following import halved, walk
 from ..numerics.newton import GOOD_ENOUGH, solve
 from ..terminal.progress import progress_bar

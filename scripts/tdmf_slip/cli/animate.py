@@ -9,8 +9,7 @@ from ..analysis.search import periodic_gait
 from ..errors import InputError
 from ..library.runner import Runner
 from ..terminal.progress import progress_bar
-from .gait_file import read_gait
-from .options import Command, NewPicture, Number
+from .options import Command, NewPicture, Number, read_gait
 from .runner import Asked, runner_options
 
 FRAMES = 12, 2000
@@ -48,7 +47,7 @@ def animate_command(
 ) -> None:
     """Animate one stride of a runner's gait, in a loop."""
     from ..pictures import animation  # matplotlib is slow to load
-    from ..pictures.stride import Stride
+    from ..pictures.panels import Stride
 
     if from_gait is None:
         gait = periodic_gait(asked.runner())

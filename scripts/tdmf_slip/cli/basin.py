@@ -16,9 +16,7 @@ from ..record import without_record
 from ..terminal.text import columns, quantity
 from ..variables.display_units import DisplayUnits
 from ..variables.table import MODELS, VARIABLES
-from .options import JSON_OPTION, Command, NewFile, plot_option
-from .output import json_text
-from .ranges import ends_of
+from .options import JSON_OPTION, Command, NewFile, ends_of, json_text, plot_option
 from .runner import Asked, runner_options
 from .workers import executor_of, workers_options
 
@@ -104,7 +102,7 @@ def basin_command(
     gait = stable_gait(runner)
     around: Ball | str = ball
     if ball == "proved":
-        from ..proof.proved_ball import proved_ball  # FLINT is slow to load, and an extra
+        from ..proof.prove_attraction import proved_ball  # FLINT is slow to load, and an extra
 
         around = proved_ball(gait)
     with executor_of(workers, scheduler) as executor:

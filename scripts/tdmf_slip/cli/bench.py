@@ -7,8 +7,7 @@ from typing import TYPE_CHECKING
 import click
 
 from ..errors import InputError
-from .options import JSON_OPTION, Command
-from .output import json_text
+from .options import JSON_OPTION, Command, json_text
 
 if TYPE_CHECKING:
     from benchmarks.growth import Growth

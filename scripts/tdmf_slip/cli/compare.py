@@ -7,8 +7,7 @@ from ..errors import InputError
 from ..library.quantities import QUANTITIES
 from ..library.runner import Runner
 from ..variables.table import FRICTION
-from .options import JSON_OPTION, Command
-from .output import json_text
+from .options import JSON_OPTION, Command, json_text
 from .runner import MODEL_OPTION, SET_OPTION, Asked, values_given
 
 

@@ -15,9 +15,7 @@ from ..record import without_record
 from ..terminal.text import headed, table
 from ..variables.display_units import DisplayUnits
 from ..variables.table import VARIABLES
-from .options import JSON_OPTION, Command, NewFile, Number, pairs_given, plot_option
-from .output import json_text
-from .ranges import ends_of
+from .options import JSON_OPTION, Command, NewFile, Number, ends_of, json_text, pairs_given, plot_option
 from .runner import Asked, runner_options
 
 

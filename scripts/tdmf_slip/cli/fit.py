@@ -7,12 +7,10 @@ import click
 
 from ..checks import number_in
 from ..errors import InputError
-from ..fitting.fitted import MAX_STARTS, STARTS, fit
+from ..fitting.fitted import MAX_STARTS, STARTS, LeftOut, fit
 from ..fitting.result import Fit
-from ..fitting.without import LeftOut
 from ..terminal.text import table
-from .options import JSON_OPTION, Command, NewPicture, Number, names_given, plot_option
-from .output import json_text
+from .options import JSON_OPTION, Command, NewPicture, Number, json_text, names_given, plot_option
 from .runner import Asked, runner_options
 
 
@@ -61,7 +59,7 @@ from .runner import Asked, runner_options
 @plot_option("data and fit")
 @click.option(
     "--report",
-    type=NewPicture("fit_page"),
+    type=NewPicture("fit_diagram"),
     metavar="FILE",
     help="Write a report with tables and picture (.html).",
 )
@@ -113,9 +111,9 @@ def fit_command(
 
         fit_diagram.draw(plot, found)
     if report is not None:
-        from ..pictures import fit_page
+        from ..pictures import fit_diagram
 
-        fit_page.write(report, found)
+        fit_diagram.write(report, found)
     if as_json_object:
         print(
             json_text(found.as_json() | ({"without": [_left(one) for one in left_out]} if left_out else {}))

@@ -14,8 +14,7 @@ from ..library.quantities import MEASURES, quantities_of, quantity_of, unit_of
 from ..terminal.text import columns, quantity
 from ..variables.display_units import DisplayUnits
 from ..variables.variable import Given
-from .options import JSON_OPTION, TARGET_OPTION, Command, NewPicture, names_given, targets_given
-from .output import json_text
+from .options import JSON_OPTION, TARGET_OPTION, Command, NewPicture, json_text, names_given, targets_given
 from .runner import Asked, runner_options
 
 PICTURE = "gait.png"
@@ -82,7 +81,7 @@ def _draw(gait: Gait, path: Path | None) -> None:
     if path is None:
         return
     from ..pictures import velocity_and_ratio
-    from ..pictures.stride import Stride
+    from ..pictures.panels import Stride
 
     velocity_and_ratio.draw(path, Stride(gait))
     print(f"picture: {path.resolve()}", file=sys.stderr)

@@ -18,10 +18,10 @@ from .options import (
     TARGET_OPTION,
     Command,
     Number,
+    json_text,
     pairs_given,
     targets_given,
 )
-from .output import json_text
 from .runner import Asked, runner_options
 
 

@@ -1,17 +1,124 @@
 """Options that several commands have, and how their texts are read."""
 
 import importlib
-from collections.abc import Callable, Iterable, Sequence
+import json
+import math
+import os
+import shutil
+import sys
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import Any, TypeVar
 
 import click
+import numpy as np
+from numpy.typing import NDArray
 
-from ..checks import checked, checked_whole, shown
-from ..errors import InputError
+from ..checks import checked, checked_whole, number_in, shown
+from ..errors import InputError, reason
 from ..files.whole import check_destination
 from ..library.quantities import QUANTITIES, quantity_given
+from ..variables import units
+from ..variables.parameters import loads_json, parsed
 from ..variables.table import full_name
+from ..variables.variable import MAX_VALUES, Variable
+
+
+def json_text(value: object) -> str:
+    """One line of JSON, in which a number that is not finite is null."""
+    return json.dumps(_finite(value), allow_nan=False)
+
+
+def program() -> str:
+    """The command as it can be typed: its name if the shell finds it, else the path of this call."""
+    name, called = "tdmf-slip", sys.argv[0]
+    found = shutil.which(name)
+    by_path = os.path.basename(called) == name and os.path.isfile(called)
+    return called if by_path and not (found and os.path.samefile(found, called)) else name
+
+
+def _finite(value: object) -> object:
+    if isinstance(value, dict):
+        return {key: _finite(item) for key, item in value.items()}
+    if isinstance(value, list | tuple):
+        return [_finite(item) for item in value]
+    return None if isinstance(value, float) and not math.isfinite(value) else value
+
+
+SPACINGS: Mapping[str, Callable[[float, float, int], NDArray[np.float64]]] = {
+    "linear": np.linspace,
+    "log": np.geomspace,
+}
+
+
+def ends_of(text: str, variable: Variable, where: str) -> tuple[float, float]:
+    """Both ends of a range A:B of a variable, in its unit."""
+    parts = text.split(":")
+    if len(parts) != 2:
+        raise InputError(f"{where} {text}: allowed: A:B, as in {_example(variable)}")
+    first, last = _ends(parts, variable, f"{where} {text}")
+    if first == last:
+        raise InputError(f"{where} {text}: allowed: two ends that differ")
+    return first, last
+
+
+def values_of(text: str, spacing: str, variable: Variable, where: str) -> NDArray[np.float64]:
+    """The values of a variable that A:B:N stands for, in its unit."""
+    parts = text.split(":")
+    if len(parts) != 3:
+        raise InputError(
+            f"{where} {text}: allowed: A:B:N, two ends and how many values, as in {_example(variable)}:5"
+        )
+    try:
+        count = number_in(parts[2])
+        number = int(count) if count.is_integer() else 0
+    except ValueError:
+        number = 0
+    if not 1 <= number <= MAX_VALUES:
+        raise InputError(f"{where} {text}: N = {parts[2]}; allowed: a whole number from 1 to {MAX_VALUES}")
+    ends = _ends(parts[:2], variable, f"{where} {text}")
+    if number == 1 and ends[0] != ends[1]:
+        raise InputError(
+            f"{where} {text}: one value cannot be A and B; allowed: N from 2 on, or B equal to A"
+        )
+    if spacing == "log" and min(ends) <= 0.0:
+        raise InputError(f"{where} {text}: allowed with logarithmic spacing: A and B above 0")
+    first, last = ends
+    return SPACINGS[spacing](first, last, number)
+
+
+def _ends(parts: list[str], variable: Variable, where: str) -> list[float]:
+    with_unit = [bool(units.split(part)[1]) for part in parts]
+    if with_unit[0] != with_unit[1]:
+        raise InputError(f"{where}: a unit at one end only; allowed: at both or at none")
+    return [variable.value_of(part, where) for part in parts]
+
+
+def _example(variable: Variable) -> str:
+    return "'35 deg:45 deg'" if "deg" in variable.display_units else "0.1:1"
+
+
+BYTE_ORDER_MARK = "\ufeff"
+"""Byte-order mark with which Windows editors and shells begin a text."""
+GAIT = "what `tdmf-slip gait --json` prints"
+
+
+def read_gait(name: str) -> dict[str, Any]:
+    """Start values of a run on a gait, from what `tdmf-slip gait --json` prints."""
+    where = "standard input" if name == "-" else name
+    try:
+        if name == "-" and sys.stdin is None:
+            raise ValueError("is closed")
+        text = sys.stdin.read() if name == "-" else Path(name).read_text(encoding="utf-8")
+        text = text.removeprefix(BYTE_ORDER_MARK)
+        content = parsed(text, loads_json, GAIT)
+    except (OSError, ValueError) as problem:
+        raise InputError(f"gait of {where}: {reason(problem)}") from None
+    starts = content.get("start_values")
+    if not isinstance(starts, Mapping):
+        raise InputError(f"gait of {where}: has no start_values; allowed: {GAIT}")
+    return dict(starts)
+
 
 Function = TypeVar("Function", bound=Callable[..., Any])
 

@@ -13,9 +13,7 @@ from ..library.runner import Runner
 from ..terminal.text import columns, table
 from ..variables.parameters import read_parameters
 from ..variables.table import FRICTION, VARIABLES
-from .options import JSON_OPTION, Command
-from .output import json_text
-from .ranges import ends_of
+from .options import JSON_OPTION, Command, ends_of, json_text
 from .runner import PARAMETERS_OPTION, SET_OPTION, Asked, refuse_given, values_given
 from .workers import executor_of, workers_options
 

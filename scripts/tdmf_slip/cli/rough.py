@@ -22,8 +22,8 @@ from .options import (
     JSON_OPTION,
     Command,
     Number,
+    json_text,
 )
-from .output import json_text
 from .runner import Asked, runner_options
 from .workers import executor_of, workers_options
 

@@ -6,10 +6,9 @@ from pathlib import Path
 import click
 
 from ..errors import InputError
-from ..fmu.events import as_json
 from ..fmu.fmu import INTERFACES, Fmu, load_fmu
 from ..fmu.inputs import read_tables
-from ..fmu.run import Run
+from ..fmu.run import WRITERS, Run, as_json, write_table
 from ..fmu.simulation import (
     DEFAULT_STRIDES,
     DEFAULT_TOLERANCE,
@@ -20,12 +19,9 @@ from ..fmu.simulation import (
     TOLERANCES,
     simulate,
 )
-from ..fmu.tables import WRITERS, write_table
 from ..terminal.text import columns, quantity
 from ..variables.variable import Value
-from .gait_file import read_gait
-from .options import JSON_OPTION, Command, NewFile, Number, plot_option
-from .output import json_text
+from .options import JSON_OPTION, Command, NewFile, Number, json_text, plot_option, read_gait
 from .runner import Asked, file_values, refuse_given, runner_options, start_values
 
 SOLVER_TOLERANCE = "solver.relative_tolerance"

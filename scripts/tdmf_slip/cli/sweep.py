@@ -16,9 +16,7 @@ from ..library.runner import Runner
 from ..terminal.text import table
 from ..variables.display_units import DisplayUnits
 from ..variables.table import FRICTION, VARIABLES
-from .options import JSON_OPTION, Command, pairs_given, plot_option
-from .output import json_text
-from .ranges import SPACINGS, values_of
+from .options import JSON_OPTION, SPACINGS, Command, json_text, pairs_given, plot_option, values_of
 from .runner import MODEL_OPTION, PARAMETERS_OPTION, SET_OPTION, Asked, refuse_given, values_given
 from .workers import executor_of, workers_options
 

@@ -8,11 +8,10 @@ import click
 from ..errors import InputError
 from ..files.whole import check_folder
 from ..fmu.simulation import TOLERANCES
-from ..paper.own_claims import LAST_SEED
+from ..paper.results_page import LAST_SEED
 from ..paper.settling import DEFAULT_TOLERANCE
 from ..paper.validation import validate
-from .options import JSON_OPTION, Command, Number
-from .output import json_text, program
+from .options import JSON_OPTION, Command, Number, json_text, program
 
 
 @click.command("validate", cls=Command)

@@ -7,8 +7,7 @@ import click
 from ..terminal.text import table
 from ..variables.table import SHORT_NAMES, VARIABLES
 from ..variables.variable import Variable
-from .options import JSON_OPTION, Command
-from .output import json_text
+from .options import JSON_OPTION, Command, json_text
 
 
 @click.command("variables", cls=Command)

@@ -20,9 +20,7 @@ from ..variables.table import MODELS, VARIABLES
 from ..viable_sets.grid import MAX_CELLS, VALUES
 from ..viable_sets.result import Viability
 from ..viable_sets.viability import FACTOR, LARGEST_FACTOR, viability
-from .options import JSON_OPTION, Command, NewFile, Number, pairs_given, plot_option
-from .output import json_text
-from .ranges import ends_of
+from .options import JSON_OPTION, Command, NewFile, Number, ends_of, json_text, pairs_given, plot_option
 from .runner import Asked, runner_options
 from .workers import executor_of, workers_options
 

@@ -1,25 +1,178 @@
 """Gains from a gait's exact return map: dead-beat, linear quadratic, and poles placed.
 
 Each is an affine law from the apex to the settings of the stride that follows, with limits on each setting.
+
+The gain by which modes reach 0 in the fewest steps.
+
+The modes from which 0 is reached in j steps make a subspace: S_0 = {0}, and z is in S_j where F z + G u is in
+S_(j-1) for some u. The gain takes each S_j into S_(j-1), with the least settings that do.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from typing import Any
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, fields
+from typing import Any, TypeAlias
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ..checks import number_of, refusal
+from ..checks import is_one_of, near_matches, number_of, refusal, shown
 from ..errors import InputError
 from ..given import numbers_of, row_of
 from ..library.gait import Gait
-from .controllability import Controllability, controllability_of
-from .dead_beat_gain import dead_beat_gain
-from .feedback import Feedback, Limits, feedback_of
-from .linearization import Linearization, linearize
-from .modes import NEGLIGIBLE, Modes, lasting_modes
+from ..library.laws import AffineLaw
+from ..variables.table import FRICTION, VARIABLES, by_full_name
+from .controllability import (
+    NEGLIGIBLE,
+    Controllability,
+    Linearization,
+    Modes,
+    controllability_of,
+    lasting_modes,
+    linearize,
+)
+
+TOLERANCE = 1e-9
+"""Singular values below this share of the largest of F, or of G, count as 0."""
+
+
+def dead_beat_gain(
+    state_matrix: NDArray[np.float64], input_matrix: NDArray[np.float64]
+) -> NDArray[np.float64]:
+    """The gain K with which F + G K is nilpotent, of the lowest index."""
+    count = len(state_matrix)
+    min_moved = TOLERANCE * float(np.linalg.norm(input_matrix, 2))
+    min_kept = TOLERANCE * float(np.linalg.norm(state_matrix, 2))
+    reached = np.zeros((count, 0))
+    gain = np.zeros((input_matrix.shape[1], count))
+    while reached.shape[1] < count:
+        outside = _complement(reached)
+        moved, values, by = _decomposed(outside.T @ input_matrix, min_moved)
+        kept = state_matrix.T @ outside @ _complement(moved)
+        directions, _, _ = _decomposed(kept, min_kept)
+        added = _added(_complement(directions), reached)
+        if not added.shape[1]:
+            raise ArithmeticError("the modes are not controllable")
+        settings = -by.T / values @ moved.T @ outside.T @ state_matrix @ added
+        gain += settings @ added.T
+        reached = np.hstack([reached, added])
+    return gain
+
+
+def _decomposed(
+    matrix: NDArray[np.float64], minimum: float
+) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
+    """The singular values of a matrix above a bound, with their vectors."""
+    left, values, right = np.linalg.svd(matrix, full_matrices=False)
+    rank = int(np.count_nonzero(values > minimum))
+    return left[:, :rank], values[:rank], right[:rank]
+
+
+def _complement(basis: NDArray[np.float64]) -> NDArray[np.float64]:
+    """An orthonormal basis of what is orthogonal to an orthonormal basis."""
+    vectors = np.linalg.svd(basis, full_matrices=True)[0]
+    return vectors[:, basis.shape[1] :]
+
+
+def _added(basis: NDArray[np.float64], to: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Part of a basis beyond another one that lies in its range."""
+    beside = basis - to @ (to.T @ basis)
+    vectors = np.linalg.svd(beside, full_matrices=False)[0]
+    return vectors[:, : basis.shape[1] - to.shape[1]]
+
+
+Limits: TypeAlias = Mapping[str, tuple[float, float]]
+"""The least and the largest value of settings, by name, in their units."""
+
+
+@dataclass(frozen=True, eq=False, repr=False, kw_only=True)
+class Feedback(AffineLaw):
+    """An affine law that holds a gait, as `law=` takes it; `dataclasses.replace` gives it noise or limits."""
+
+    linearization: Linearization
+    """The gait and its settings, to first order."""
+    eigenvalues: NDArray[Any]
+    """Eigenvalues of the closed loop within its limits, shape (n,), largest first; complex where any is."""
+    strides: int | None = None
+    """After so many a dead-beat law has moved every mode that it does not leave alone; None of another."""
+
+    def __repr__(self) -> str:
+        """In a line: what is set, at which gait, and the closed loop's largest eigenvalue."""
+        gait = self.linearization.gait
+        return (
+            f"<Feedback by {', '.join(self.inputs)} at the gait {gait.word}, {FRICTION} = "
+            f"{gait.friction:.6g}: largest eigenvalue {self.lambda_max:.4g}, {gait.lambda_max:.4g} without>"
+        )
+
+    @property
+    def lambda_max(self) -> float:
+        """Size of the largest eigenvalue."""
+        return float(abs(self.eigenvalues[0]))
+
+    def as_json(self) -> dict[str, object]:
+        """The law as a plain object, by names as of an `AffineLaw`, with its eigenvalues as [re, im]."""
+        law: dict[str, object] = {item.name: getattr(self, item.name) for item in fields(AffineLaw)}
+        eigenvalues = self.eigenvalues.astype(complex)
+        return {
+            **self.linearization.gait.runner.record(),
+            **law,
+            "eigenvalues": [[float(value.real), float(value.imag)] for value in eigenvalues],
+        }
+
+    @property
+    def closed_loop(self) -> NDArray[np.float64]:
+        """A + B G over the scales, shape (n, n): the next apex's deviation by this one's."""
+        return self.linearization.closed_loop(np.asarray(self.gain))
+
+
+def feedback_of(
+    model: Linearization,
+    gain: NDArray[np.float64],
+    limits: Limits | None = None,
+    *,
+    strides: int | None = None,
+) -> Feedback:
+    """The feedback that a gain makes."""
+    low, high = _checked_limits(model, limits)
+    found: NDArray[Any] = np.linalg.eigvals(model.closed_loop(gain))
+    return Feedback(
+        inputs=model.inputs,
+        apex=model.gait.apex,
+        nominal=model.nominal,
+        gain=gain,
+        low=low,
+        high=high,
+        linearization=model,
+        eigenvalues=found[np.argsort(-np.abs(found), kind="stable")],
+        strides=strides,
+    )
+
+
+def _checked_limits(
+    model: Linearization, limits: Limits | None
+) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    given = by_full_name(limits, "limits", "pairs of numbers by setting")
+    unknown = next((name for name in given if not is_one_of(name, model.inputs)), None)
+    if unknown is not None:
+        raise InputError(
+            f"limits: {shown(unknown)} is not allowed; allowed: {', '.join(model.inputs)}"
+            f"{near_matches(unknown, model.inputs)}"
+        )
+    found = []
+    for name, nominal in zip(model.inputs, model.nominal, strict=True):
+        variable = VARIABLES[name]
+        asked = given.get(name, (variable.minimum, variable.maximum))
+        allowed = f"two numbers within {variable.allowed} with {nominal:g}, the gait's own, between them"
+        pair = numbers_of(f"limits: {name}", row_of(asked, f"limits: {name}", allowed), allowed)
+        if pair.shape != (2,) or pair[0] == pair[1]:
+            raise refusal(f"limits: {name}", asked, allowed)
+        if not variable.minimum <= pair[0] <= nominal <= pair[1] <= variable.maximum:
+            raise refusal(f"limits: {name}", asked, allowed)
+        found.append(pair)
+    low, high = np.array(found).T
+    return low, high
+
 
 MAX_EIGENVALUES = 1000
 """No section has as many modes."""
@@ -43,7 +196,7 @@ def dead_beat(
     gait : Gait
         The gait.
     inputs : sequence of str
-        Which settings are chosen at each apex, of `linearization.CHOSEN`.
+        Which settings are chosen at each apex, of `controllability.CHOSEN`.
     limits : mapping of str to (float, float), optional
         By setting: the least and the largest value, in its unit; by default its range.
     negligible : float, default 1e-5
@@ -95,7 +248,7 @@ def place_poles(
     gait : Gait
         The gait.
     inputs : sequence of str
-        Which settings are chosen at each apex, of `linearization.CHOSEN`.
+        Which settings are chosen at each apex, of `controllability.CHOSEN`.
     eigenvalues : sequence of complex
         One for each mode that lasts, complex ones in conjugate pairs; none more often than settings are
         independent.
@@ -155,7 +308,7 @@ def lqr(
     gait : Gait
         The gait.
     inputs : sequence of str
-        Which settings are chosen at each apex, of `linearization.CHOSEN`.
+        Which settings are chosen at each apex, of `controllability.CHOSEN`.
     state_weight : array_like of float, default 1
         Q: a number for all coordinates of the section, one for each, or a matrix of shape (n, n);
         symmetric, and without negative eigenvalues.

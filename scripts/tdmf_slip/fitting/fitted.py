@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from itertools import islice
 from pathlib import Path
 
@@ -11,28 +11,62 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..analysis.search import periodic_gait
-from ..checks import checked_flag, checked_whole
+from ..checks import checked_flag, checked_whole, is_one_of, shown
 from ..errors import InputError, RunError
 from ..library.fixed_point import gait_near
 from ..library.gait import Gait
+from ..library.members import check_varied
 from ..library.runner import Runner
 from ..library.section import Apex
 from ..library.shared_steps import shares_steps
 from ..terminal.progress import progress_bar
 from ..variables.parameters import RunnerLike
-from ..variables.table import VARIABLES
-from .across import cross
-from .conclusion import Conclusion, is_met
-from .kinks import past_kinks
+from ..variables.table import VARIABLES, full_names
+from .conclusion import BetterFitError, Conclusion, is_met
 from .measurements import Measurements, measurements_of
-from .priors import PriorGiven, checked_priors
-from .problem import Problem, bounds_of
-from .profile import BetterFitError
-from .request import Request
+from .problem import PriorGiven, Problem, Request, bounds_of, checked_priors
 from .result import Fit
-from .search import Bounds, Ended, searched
-from .starts import starts as starts_of
-from .varied_names import check_names, checked_names, profiled_names
+from .search import Bounds, Ended, cross, past_kinks, searched
+from .search import starts as starts_of
+
+
+def profiled_names(profile: object, names: Sequence[str]) -> tuple[str, ...]:
+    """Names of the parameters whose intervals are by the profile likelihood."""
+    if isinstance(profile, bool | np.bool_):
+        return tuple(names) if profile else ()
+    chosen = full_names(profile, "profile", "True, False, or a list of names of varied parameters")
+    for name in chosen:
+        if not is_one_of(name, names):
+            raise InputError(f"profile: {shown(name)} does not vary; allowed: {', '.join(names)}")
+    return chosen
+
+
+def checked_names(given: object, what: str) -> tuple[str, ...]:
+    """Names of parameters, each once."""
+    names = full_names(given, what, "a list of names of parameters and inputs")
+    for name in names:
+        check_varied(name, what)
+        if names.count(name) > 1:
+            raise InputError(f"{what}: {name} is given twice; allowed: once")
+    return names
+
+
+def check_names(shared: Sequence[str], each: Sequence[str], measurements: Measurements, priors: int) -> None:
+    """Refuse names that are shared and not, and more of them than data."""
+    both = next((name for name in shared if name in each), None)
+    if both is not None:
+        raise InputError(f"vary and vary_each: {both} is in both; allowed: in one of them")
+    rows = len(measurements.rows)
+    wanted = len(shared) + rows * len(each)
+    if not wanted:
+        raise InputError("vary: nothing varies; allowed: one parameter or more, shared or for each row")
+    if wanted > measurements.count + priors:
+        many = f" and {len(each)} for each of {rows} rows" if each else ""
+        raise InputError(
+            f"vary: {wanted} parameters ({len(shared)} shared{many}), but {measurements.where} has "
+            f"{measurements.count} measured; allowed: no more than are measured"
+        )
+
 
 STARTS, MAX_STARTS = 1, 100
 AGAIN = 3
@@ -222,3 +256,70 @@ def _crossed(request: Request, problem: Problem, ended: Ended, bounds: Bounds) -
             return found
         problem.restart(ended.at, apexes)
     return ended
+
+
+@dataclass(frozen=True, eq=False)
+class LeftOut:
+    """A datum, and the fit without it."""
+
+    row: int
+    """Row of the datum, from 1."""
+    name: str
+    """Name of the datum's quantity."""
+    fit: Fit
+    """Fit of all other data, with linear intervals."""
+
+    def shifts(self, of: Fit) -> Mapping[str, float]:
+        """By label: how far shared estimates move, over their standard errors in the whole fit."""
+        shared = [estimate for estimate in of.estimates if estimate.label == estimate.name]
+        return {
+            one.label: (self.fit.parameters[one.label].value - one.value) / one.standard_error
+            for one in shared
+        }
+
+
+def without(found: Fit, row: int, name: str, profile: bool = True) -> Fit:
+    """The fit to all data but one, from the gaits of the fit to all."""
+    request = found.request
+    measured = request.measurements.rows
+    if not 1 <= row <= len(measured) or name not in measured[row - 1]:
+        raise InputError(f"row {row}, {name}: is not among the data; allowed: what was measured")
+    rows = [
+        {of: value for of, value in given.items() if (k, of) != (row, name)}
+        for k, given in enumerate(measured, 1)
+    ]
+    kept = [k for k, given in enumerate(rows) if given]
+    where = f"{request.measurements.where} without {name} of row {row}"
+    data = Measurements(tuple(rows[k] for k in kept), where)
+    fewer = replace(request, measurements=data, starts=1, profiled=request.profiled if profile else ())
+    if fewer.degrees_of_freedom < fewer.scale_errors or not kept:
+        raise InputError(f"{where}: less is left than is fitted; allowed: a datum that can be spared")
+    return summarize(fewer, *_begin_without(fewer, found, kept))
+
+
+def without_each(found: Fit) -> tuple[LeftOut, ...]:
+    """The fits without one datum each, of all data that can be spared."""
+    left = []
+    for residual in found.residuals:
+        try:
+            left.append(
+                LeftOut(residual.row, residual.name, without(found, residual.row, residual.name, False))
+            )
+        except InputError:
+            continue
+    return tuple(left)
+
+
+def _begin_without(request: Request, found: Fit, kept: list[int]) -> tuple[Problem, NDArray[np.float64]]:
+    """A problem that begins with gaits of a fit, and its unknowns there."""
+    problem = Problem(
+        found.gaits[kept[0]],
+        request.measurements,
+        request.shared,
+        request.each,
+        priors=request.priors,
+    )
+    values = [found.runners[kept[parameter.row or 0]][parameter.name] for parameter in problem.parameters]
+    at = (np.array(values) - problem.begin) / problem.steps
+    problem.restart(at, [found.apexes[k] for k in kept])
+    return problem, at

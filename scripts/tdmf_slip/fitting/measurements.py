@@ -8,7 +8,7 @@ from pathlib import Path
 from ..analysis.targeted import MAXIMUM, MINIMUM
 from ..checks import near_matches, number_in, number_of, path_of, shown
 from ..errors import InputError, reason
-from ..files.cells import cells_of
+from ..files.whole import cells_of
 from ..given import is_table, mapping_of
 from ..library.quantities import MEASURES, SIGNED, unit_of
 

@@ -4,22 +4,124 @@ Unknowns are parameters that all rows share, and parameters of which each row ha
 from its first value in tenths of its scale. A residual is a quantity less the measured one, over its error.
 """
 
+import math
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
+from typing import TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
 
+from ..checks import number_of, refusal, shown
 from ..errors import InputError, RunError
+from ..given import row_of
 from ..library.fixed_point import gait_near
 from ..library.gait import Gait
+from ..library.members import check_varied
 from ..library.quantities import scales_of
 from ..library.runner import Runner
-from ..library.varied_gait import VariedGait, varied_gait
-from ..library.varied_stride import PlainStride, plain_stride
+from ..library.strides import PlainStride, VariedGait, plain_stride, varied_gait
+from ..variables.table import VARIABLES, by_full_name
+from ..variables.variable import Given
 from .measurements import Measurements
-from .search_log import SearchLog
-from .unknowns import Parameter, Prior
+
+
+@dataclass(frozen=True)
+class Parameter:
+    """A parameter that is looked for."""
+
+    name: str
+    """Name of the runner's parameter."""
+    row: int | None
+    """Number of the row whose own it is; None where all rows share it."""
+
+    @property
+    def label(self) -> str:
+        """The name, with the number of its row, from 1, where each has its own."""
+        return self.name if self.row is None else f"{self.name}[{self.row + 1}]"
+
+
+@dataclass(frozen=True)
+class Prior:
+    """Prior of a parameter."""
+
+    name: str
+    """Name of the parameter, which all rows share."""
+    value: float
+    """In the unit's unit."""
+    error: float
+    """Its standard error, in the same unit."""
+
+
+@dataclass(frozen=True, eq=False)
+class Request:
+    """Data and parameters of a fit, and how to fit."""
+
+    measurements: Measurements
+    """The data."""
+    shared: tuple[str, ...]
+    """Parameters to be found that all rows share."""
+    each: tuple[str, ...]
+    """Those of which each row has its own."""
+    priors: tuple[Prior, ...]
+    """Priors of shared parameters."""
+    robust: bool
+    """Huber's loss instead of squares."""
+    scale_errors: bool
+    """The errors are known but for a common factor."""
+    profiled: tuple[str, ...]
+    """Names of parameters whose intervals are by the profile likelihood."""
+    starts: int
+    """Fits, at the most, of which the best counts."""
+    ranges: Mapping[str, tuple[float, float]]
+    """Ranges of the parameters, by name."""
+
+    @property
+    def degrees_of_freedom(self) -> int:
+        """Measured numbers and priors less fitted numbers."""
+        rows = len(self.measurements.rows)
+        fitted = len(self.shared) + rows * len(self.each)
+        return self.measurements.count + len(self.priors) - fitted
+
+
+@dataclass
+class SearchLog:
+    """Obstacles of the search."""
+
+    strides: int = 0
+    """Made by all rows."""
+    lost: int = 0
+    """Tries at which a row had no gait."""
+    crossed: bool = False
+    """The search went on across a fold."""
+    words: list[list[str]] = field(default_factory=list)
+    """Words of each row's gait, in their order."""
+
+
+PriorGiven: TypeAlias = "tuple[Given, float] | Sequence[float]"
+"""A value, also a text with its unit, and its standard error in the unit's unit."""
+
+
+def checked_priors(given: object, each: Sequence[str]) -> tuple[Prior, ...]:
+    """The priors of a fit."""
+    priors = []
+    for name, pair in by_full_name(given, "priors", "pairs of value and standard error by name").items():
+        check_varied(name, "priors")
+        where = f"priors {name}"
+        if name in each:
+            raise InputError(f"{where}: each row has its own; allowed: a parameter that all rows share")
+        reported = row_of(pair, where, "a value and its standard error")
+        if len(reported) != 2:
+            raise InputError(
+                f"{where} = {shown(pair)} is not allowed; allowed: a value and its standard error"
+            )
+        value = float(VARIABLES[name].value_of(reported[0], where))
+        error = number_of(reported[1])
+        if error is None or not 0.0 < error < math.inf:
+            raise refusal(f"{where}: error", reported[1], "a standard error above 0")
+        priors.append(Prior(name, value, error))
+    return tuple(priors)
+
 
 FIRST_STEP = 0.1
 """Longest first step of the search, over a parameter's scale."""

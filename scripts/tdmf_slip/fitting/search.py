@@ -1,12 +1,35 @@
-"""The search for the least sum of squares, or of a loss that a datum far off changes little."""
+"""The search for the least sum of squares, or of a loss that a datum far off changes little.
 
-from dataclasses import dataclass
+A search that has ended on a kink: where words of gaits change, their quantities have one.
+
+There a sum of squares may be least without being level. With gradients of the regions that meet, it is least
+where a mean of them, with weights that are not negative, is zero; else their shortest mean, in the metric of
+the Gauss-Newton method, leads down along the kink (Lemarechal 1975; Wolfe 1975, Mathematical Programming
+Study 3, 145-173).
+
+A fit across folds: parameters and apices at once, with strides that need not close on the way.
+
+Where a branch of gaits turns back, its gaits have no derivatives by parameters, and a search along them ends.
+Here the apices are unknowns, too, and what a stride leaves over is a residual that weighs so much that little
+is left over in the end: near enough to a gait for the search along the gaits to go on from there.
+"""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from .problem import Problem
+from ..analysis.settled import evenly, linked, settled_gaits
+from ..analysis.target import around
+from ..errors import InputError, RunError
+from ..library.fixed_point import gait_near
+from ..library.gait import Gait
+from ..library.runner import Runner
+from ..library.strides import plain_stride, varied_stride
+from .measurements import Measurements
+from .problem import FIRST_STEP, Problem
 
 MAX_STEPS = 60
 """Tries of the search."""
@@ -113,3 +136,265 @@ def is_stationary(ended: Ended, jacobian: NDArray[np.float64], robust: bool) -> 
     outwards = left * ended.at_bound > 0.0
     maximum = max(STATIONARY, ROUNDING * float(np.linalg.norm(residuals)))
     return bool(np.all(outwards | (np.abs(left) <= maximum)))
+
+
+RUNNERS = 1024
+"""Spread over what varies."""
+
+
+def starts(first: Gait, measurements: Measurements, vary: Sequence[str]) -> Iterator[Gait]:
+    """Gaits to begin with, the nearest to the data first; none is near a nearer one."""
+    runner, shares = first.runner, evenly(RUNNERS, len(vary))
+    varied = {
+        name: around(runner, name, np.ascontiguousarray(row))
+        for name, row in zip(vary, shares.T, strict=True)
+    }
+    found = settled_gaits(runner, varied, first.apex)
+    runners, apexes, points, losses = [], [], [], []
+    for number, apex in zip(found.numbers, found.apexes, strict=True):
+        other = runner.replace({name: float(row[number]) for name, row in varied.items()})
+        loss = _loss(other, apex, measurements)
+        if loss is None:
+            continue
+        runners.append(other)
+        apexes.append(apex)
+        points.append(shares[number])
+        losses.append(loss)
+    for k in linked(np.array(points), np.array(losses)):
+        try:
+            yield gait_near(runners[k], apexes[k])
+        except RunError:
+            continue
+
+
+def _loss(runner: Runner, apex: NDArray[np.float64], measurements: Measurements) -> float | None:
+    """Huber's, of a gait for all rows; None where its stride does not close."""
+    losses = []
+    for measured in measurements.rows:
+        try:
+            has = plain_stride(runner, apex, tuple(measured)).quantities
+        except (InputError, RunError):
+            return None
+        off = [(value - of.value) / of.error for value, of in zip(has, measured.values(), strict=True)]
+        losses.append(loss_of(np.array(off), True))
+    return sum(losses)
+
+
+ROUNDS, REGIONS = 12, 8
+"""Searches that go on, and gradients at one place, at the most."""
+ASIDE = 1e-4
+"""Distance of an unknown at which another region is looked at."""
+SHORTEST = 1e-4
+"""Shortest step."""
+LEVEL = 1e-4
+"""Fall of the loss that is none."""
+SUFFICIENT = 0.1
+"""Share of the predicted fall that a step has to achieve."""
+HEAVY = 1e4
+"""Weight of the sum of weights."""
+
+
+def past_kinks(problem: Problem, ended: Ended, bounds: Bounds, robust: bool) -> Ended:
+    """Go on along kinks, to where the loss is least."""
+    walk = _Walk(problem, bounds, robust)
+    for _ in range(ROUNDS):
+        try:
+            if is_stationary(ended, problem.jacobian(ended.at), robust):
+                return ended
+            step = walk.step(ended)
+        except (RunError, np.linalg.LinAlgError):
+            break
+        if step.is_minimum:
+            return replace(ended, ended=True, on_border=True)
+        if step.to is None:
+            break
+        further = searched(problem, step.to, bounds, robust)
+        if not further.loss < ended.loss - LEVEL * SUFFICIENT:
+            break
+        ended = further
+    problem.residuals(ended.at)
+    return ended
+
+
+@dataclass(frozen=True, eq=False)
+class _Step:
+    """Where to go on."""
+
+    to: NDArray[np.float64] | None
+    is_minimum: bool
+
+
+class _Walk:
+    """Steps along kinks."""
+
+    def __init__(self, problem: Problem, bounds: Bounds, robust: bool) -> None:
+        self.problem, self.bounds, self.robust = problem, bounds, robust
+
+    def step(self, ended: Ended) -> _Step:
+        """From a place that is not level."""
+        free = ended.at_bound == 0
+        if not free.any():
+            return _Step(None, False)
+        gradient, square = self._slopes(ended.at, free)
+        inverse: NDArray[np.float64] = np.asarray(np.linalg.pinv(square, hermitian=True), dtype=np.float64)
+        gradients = [gradient]
+        for _ in range(REGIONS):
+            mean = _shortest(np.array(gradients), inverse)
+            down, promised = -inverse @ mean, float(mean @ inverse @ mean)
+            if promised <= LEVEL:
+                return _Step(None, len(gradients) > 1)
+            to = self._lower(ended, free, down, promised)
+            if to is not None:
+                return _Step(to, False)
+            aside = ended.at.copy()
+            aside[free] += ASIDE * down / max(1e-300, float(np.max(np.abs(down))))
+            gradients.append(self._slopes(np.clip(aside, *self.bounds), free)[0])
+        return _Step(None, False)
+
+    def _lower(
+        self, ended: Ended, free: NDArray[np.bool_], down: NDArray[np.float64], promised: float
+    ) -> NDArray[np.float64] | None:
+        share = 1.0
+        while share >= SHORTEST:
+            to = ended.at.copy()
+            to[free] += share * down
+            to = np.clip(to, *self.bounds)
+            residuals = self.problem.residuals(to)
+            if np.isfinite(residuals).all():
+                loss = loss_of(residuals, self.robust)
+                if loss < ended.loss - SUFFICIENT * share * promised:
+                    return to
+            share *= 0.3
+        return None
+
+    def _slopes(
+        self, at: NDArray[np.float64], free: NDArray[np.bool_]
+    ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+        """Half the gradient of the loss, and of its second derivatives what the first ones tell."""
+        residuals = self.problem.residuals(at)
+        if not np.isfinite(residuals).all():
+            raise RunError("there are no gaits beside the kink")
+        weights = weights_of(residuals, self.robust)
+        slopes = weights[:, None] * self.problem.jacobian(at)[:, free]
+        return slopes.T @ (weights * residuals), slopes.T @ slopes
+
+
+def _shortest(gradients: NDArray[np.float64], inverse: NDArray[np.float64]) -> NDArray[np.float64]:
+    """The mean, with weights that are not negative, of least length in a metric."""
+    from scipy.optimize import nnls  # slow to load
+
+    values, vectors = np.linalg.eigh(inverse)
+    root = vectors * np.sqrt(np.maximum(values, 0.0))
+    lengths = gradients @ root
+    size = float(np.max(np.abs(lengths))) or 1.0
+    rows = np.vstack([lengths.T / size, HEAVY * np.ones(len(gradients))])
+    weights, _ = nnls(rows, np.append(np.zeros(lengths.shape[1]), HEAVY))
+    mean: NDArray[np.float64] = weights / weights.sum() @ gradients
+    return mean
+
+
+WEIGHT = 1e3
+"""Weight of a stride's residual over the coordinates' scales, beside residuals over their errors."""
+MAX_STEPS_ACROSS, CHANGE_ACROSS = 100, 1e-6
+"""Largest number of steps; change of the sum of squares and of the unknowns at which the search ends."""
+
+
+class Across:
+    """Residuals of quantities and of closing, over parameters and apices."""
+
+    def __init__(self, problem: Problem, unknowns: NDArray[np.float64]) -> None:
+        """From the gaits at which the problem's Jacobian was asked for last."""
+        self.problem = problem
+        self._apexes = np.array(problem.apexes())
+        self._steps = FIRST_STEP * problem.runner.scales
+        self._last: NDArray[np.float64] | None = None
+        self.begin = np.append(unknowns, np.zeros(self._apexes.size))
+
+    def unknowns(self, at: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Those of the problem."""
+        return at[: len(self.problem.parameters)]
+
+    def apexes(self, at: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Apexes of the strides, shape (rows, n)."""
+        moved = at[len(self.problem.parameters) :].reshape(self._apexes.shape)
+        apexes: NDArray[np.float64] = self._apexes + self._steps * moved
+        return apexes
+
+    def residuals(self, at: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Row by row, those of quantities before those of closing; infinite where a stride does not close.
+
+        Where no further stride is to be made, those of before, so that the search ends.
+        """
+        if self.problem.is_spent and self._last is not None:
+            return self._last.copy()
+        found = self._residuals(at)
+        if np.isfinite(found).all():
+            self._last = found
+        return found
+
+    def _residuals(self, at: NDArray[np.float64]) -> NDArray[np.float64]:
+        problem, values = self.problem, self.problem.values(self.unknowns(at))
+        parts = []
+        for number, (row, apex) in enumerate(zip(problem.rows, self.apexes(at), strict=True)):
+            problem.count_strides(1)
+            try:
+                stride = plain_stride(problem.runner_of(values, number), apex, tuple(row))
+            except (InputError, RunError):
+                return np.full(problem.count + self._apexes.size, np.inf)
+            closing = WEIGHT * stride.residual / problem.runner.scales
+            parts += [problem.over_errors(stride.quantities, number), closing]
+        return np.concatenate([*parts, problem.off_priors(values)])
+
+    def jacobian(self, at: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Jacobian of the residuals."""
+        problem, values = self.problem, self.problem.values(self.unknowns(at))
+        width = self._apexes.shape[1]
+        blocks = []
+        for number, (row, apex) in enumerate(zip(problem.rows, self.apexes(at), strict=True)):
+            problem.count_strides(1)
+            varied = varied_stride(problem.runner_of(values, number), apex, tuple(row), problem.vary)
+            errors = np.array([of.error for of in row.values()])
+            weights = np.append(problem.runner.scales / WEIGHT, errors)
+            weighted = varied.by_all / weights[:, None]
+            block = np.zeros((len(weighted), len(self.begin)))
+            block[:, problem.columns[number]] = weighted[:, width:] * problem.steps[problem.columns[number]]
+            first = len(problem.parameters) + number * width
+            block[:, first : first + width] = weighted[:, :width] * self._steps
+            blocks.append(np.roll(block, -width, axis=0))
+        of_priors = problem.slopes_of_priors()
+        blocks.append(np.hstack([of_priors, np.zeros((len(of_priors), self._apexes.size))]))
+        return np.vstack(blocks)
+
+
+def cross(
+    problem: Problem,
+    unknowns: NDArray[np.float64],
+    bounds: tuple[NDArray[np.float64], NDArray[np.float64]],
+) -> NDArray[np.float64] | None:
+    """Go on where a search along the gaits has ended, and hand the gaits that are reached to the problem."""
+    from scipy.optimize import least_squares  # slow to load
+
+    across = Across(problem, unknowns)
+    free = np.full(len(across.begin) - len(unknowns), np.inf)
+    try:
+        found: Any = least_squares(
+            across.residuals,
+            across.begin,
+            across.jacobian,
+            bounds=(np.append(bounds[0], -free), np.append(bounds[1], free)),
+            method="trf",
+            ftol=CHANGE_ACROSS,
+            xtol=CHANGE_ACROSS,
+            gtol=CHANGE_ACROSS,
+            max_nfev=MAX_STEPS_ACROSS,
+        )
+        reached = across.unknowns(found.x)
+        values = problem.values(reached)
+        apexes = [
+            gait_near(problem.runner_of(values, row), apex).apex
+            for row, apex in enumerate(across.apexes(found.x))
+        ]
+        problem.restart(reached, apexes)
+    except (InputError, RunError):
+        return None
+    return reached

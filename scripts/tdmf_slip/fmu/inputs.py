@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ..checks import number_in, refusal
 from ..errors import InputError, reason
-from ..files.cells import cells_of
+from ..files.whole import cells_of
 from ..given import is_series, is_table, numbers_of, row_of
 from ..variables.table import by_full_name
 from ..variables.variable import Value, Variable

@@ -1,7 +1,9 @@
 """Result of a run of the unit."""
 
-from collections.abc import Mapping
+import csv
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -9,14 +11,68 @@ from numpy.typing import NDArray
 
 from ..checks import is_one_of, near_matches, shown
 from ..errors import InputError
-from ..record import origin_of
+from ..files.whole import check_destination, write_whole
+from ..record import dataset, origin_of
 from ..variables import paper_units
 from ..variables.table import Variables
-from ..variables.variable import Value
-from .events import Event
+from ..variables.variable import Value, Variable
 
 if TYPE_CHECKING:
     import xarray
+
+MODE, PHASE = "contact.mode", "hip.phase"
+OFF_GROUND = {"flight", "graze"}
+SLIPS = {"slip_positive", "slip_negative"}
+
+
+@dataclass(frozen=True)
+class Event:
+    """One change of contact mode or hip phase."""
+
+    time: float
+    """s since the start of the run."""
+    what: str
+    """touchdown, slip_onset, slip_velocity_zero, liftoff, liftoff_into_graze, graze_end, midstance, apex."""
+
+
+def events_of(table: NDArray[np.void], variables: Variables) -> list[Event]:
+    """Events in order, from rows recorded before and after each.
+
+    What begins and ends in zero time inside one event, such as an impact that leaves at once, is not seen:
+    the unit's `event.count` counts that too.
+    """
+    modes, phases = variables[MODE].items, variables[PHASE].items
+    changed = np.flatnonzero((np.diff(table[MODE]) != 0) | (np.diff(table[PHASE]) != 0))
+    events = []
+    for row in changed:
+        before, after = table[row], table[row + 1]
+        names = [
+            _contact_event(modes[before[MODE]], modes[after[MODE]]),
+            _phase_event(phases[before[PHASE]], phases[after[PHASE]]),
+        ]
+        events += [Event(float(after["time"]), name) for name in names if name]
+    return events
+
+
+def _contact_event(before: str, after: str) -> str | None:
+    if before == after:
+        return None
+    if before == "graze":
+        return "graze_end"
+    if before == "flight":
+        return "touchdown"
+    if after in OFF_GROUND:
+        return {"flight": "liftoff", "graze": "liftoff_into_graze"}[after]
+    return "slip_velocity_zero" if before in SLIPS else "slip_onset"
+
+
+def _phase_event(before: str, after: str) -> str | None:
+    return {("drive", "coast"): "midstance", ("retract", "place"): "apex"}.get((before, after))
+
+
+def as_json(events: list[Event]) -> list[Mapping[str, object]]:
+    """Events as plain objects."""
+    return [{"time": event.time, "what": event.what} for event in events]
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -99,6 +155,48 @@ class Run:
             A variable for each column, over the coordinate `time`; as attributes version, model, start values
             and last stride.
         """
-        from .tables import dataset_of  # xarray is slow to load
-
         return dataset_of(self)
+
+
+def write_table(path: Path | str, run: Run) -> None:
+    """A run's recorded rows as CSV (a header of names) or NetCDF (with units, flags and the run's end)."""
+    path = check_destination(path, WRITERS, "output")
+    write_whole(path, lambda beside: WRITERS[path.suffix.lower()](beside, run))
+
+
+def _write_csv(path: Path, run: Run) -> None:
+    with path.open("w", newline="", encoding="utf-8") as file:
+        writer = csv.writer(file)
+        writer.writerow(run.names)
+        writer.writerows(run.table.tolist())
+
+
+def _write_netcdf(path: Path, run: Run) -> None:
+    from ..files.netcdf import netcdf_of  # slow to load, and seldom asked for
+
+    path.write_bytes(netcdf_of(dataset_of(run)))
+
+
+def dataset_of(run: Run) -> "xarray.Dataset":
+    """A run's recorded rows over the time, with units, flags and the run's end."""
+    variables = {}
+    for name in run.names:
+        column = run.table[name]
+        values = column.astype("i4") if column.dtype == bool else column  # NetCDF has no booleans
+        variables[name] = "time", values, _attributes(run.variables[name]), {"zlib": True}
+    stride = {variable.name: run.final[variable.name] for variable in run.variables.group("stride")}
+    return dataset("run", run.record, variables, {}, fallen=int(run.fallen), **stride)
+
+
+def _attributes(variable: Variable) -> dict[str, object]:
+    """CF attributes of a variable."""
+    attributes: dict[str, object] = {"long_name": variable.description}
+    if variable.unit:
+        attributes["units"] = variable.unit
+    if variable.items:
+        attributes["flag_values"] = np.array(list(variable.items), dtype="i4")
+        attributes["flag_meanings"] = " ".join(variable.items.values())
+    return attributes
+
+
+WRITERS: Mapping[str, Callable[[Path, Run], None]] = {".csv": _write_csv, ".nc": _write_netcdf}

@@ -19,8 +19,8 @@ from .c_structs import WIDTH
 from .engine import LAST_STRIDE, instruction_sets
 from .ground import LAST_RUNNER, RoughGround
 from .laws import AffineLaw, Law, check_law, numbers_up_to
-from .maps import PATCH, refuse_patch
 from .members import FLAGS, INPUTS, MOVING
+from .return_map import PATCH, refuse_patch
 from .runner import Runner
 from .settings import check_settings, checked_values, setting_number
 

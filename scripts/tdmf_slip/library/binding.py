@@ -51,3 +51,17 @@ ffi: Any = declarations.ffi
 """Makes structs and arrays of the library's types."""
 c: Any = _library()
 """The library's functions and enumerators, by their names in C."""
+
+
+def text_of(characters: object) -> str:
+    """A text of the library, a `char *`."""
+    text: bytes = ffi.string(characters)
+    return text.decode()
+
+
+def check_accepted(refusal: Any, where: str = "") -> None:
+    """Raise an `InputError` if the library refused a value; `where` begins its message."""
+    if refusal.variable != ffi.NULL:
+        text = ffi.new("char[256]")
+        c.tdmf_refusal_text(ffi.new("tdmf_refusal *", refusal), text, len(text))
+        raise InputError(f"{where}{text_of(text)}")

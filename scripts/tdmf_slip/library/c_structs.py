@@ -10,9 +10,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from .binding import c, ffi
+from .binding import c, check_accepted, ffi
 from .members import names_of
-from .refusals import check_accepted
 from .return_map import Along, seed_of
 
 _NUMBERS = {"double": "f8", "_Bool": "?"}

@@ -8,9 +8,8 @@ from numpy.typing import NDArray
 
 from ..errors import StoppedError
 from ..uninterrupted import stop_flag, uninterrupted
-from .binding import c, ffi
+from .binding import c, ffi, text_of
 from .c_structs import END, MODEL, STATE, STRIDE, WIDTH, address, dtype_of
-from .refusals import text_of
 
 FEW = 64
 """Strides that run without a thread of their own: they take milliseconds."""

@@ -10,12 +10,10 @@ from numpy.typing import NDArray
 from ..errors import GaitNotFoundError, RunError
 from ..numerics.newton import NotSolvedError, solve
 from ..variables.table import FRICTION
-from .binding import c, ffi
+from .binding import c, ffi, text_of
 from .gait import Gait
-from .maps import map_of, why_no_return
 from .members import check_comes_down, check_has_gaits
-from .refusals import text_of
-from .return_map import Along, derivatives, seed_of
+from .return_map import Along, derivatives, map_of, seed_of, why_no_return
 from .runner import Runner
 from .section import Apex, checked_apex
 from .shared_steps import joins_search, search_under_way

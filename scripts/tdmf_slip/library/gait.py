@@ -14,11 +14,10 @@ from numpy.typing import NDArray
 from ..checks import check_kind, near_matches
 from ..record import dataset, origin_of
 from ..variables.table import FRICTION, MODELS, VARIABLES
-from .binding import ffi
+from .binding import ffi, text_of
 from .c_structs import RETURN, viewed
 from .quantities import LEDGER as LEDGER
 from .quantities import MEASURES, STRIDE_QUANTITIES, Quantities, weight_of
-from .refusals import text_of
 from .return_map import Along, derivatives
 from .runner import Runner
 from .section import COORDINATES, REDUCED

@@ -10,8 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..errors import InputError
-from .binding import c, ffi
-from .refusals import text_of
+from .binding import c, ffi, text_of
 
 LONGEST = 1e6
 """Time to the next crossing at the most, s."""

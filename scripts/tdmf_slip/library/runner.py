@@ -12,8 +12,7 @@ from ..record import record_of
 from ..variables.table import STATES
 from ..variables.values import POSITIONS, RunnerValues
 from . import members
-from .binding import c, ffi
-from .refusals import check_accepted
+from .binding import c, check_accepted, ffi
 from .section import Apex, checked_apex
 from .shared_steps import search_under_way
 

@@ -1,7 +1,7 @@
 """Strides in a row from an apex with their exact Jacobian, whether they lead back to it or not."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -9,16 +9,116 @@ from numpy.typing import NDArray
 
 from ..errors import RunError
 from ..variables.table import FRICTION
+from .batch import Batch
 from .binding import ffi
 from .c_structs import LONGEST_STRIDE
 from .gait import Gait, gait_of_stride
-from .maps import map_of, why_no_return
 from .members import check_comes_down, check_has_gaits
-from .quantities import APEX_QUANTITIES, weight_of
-from .return_map import Along, seed_of
+from .quantities import APEX_QUANTITIES, check_quantities, weight_of
+from .return_map import Along, map_of, seed_of, why_no_return
 from .runner import Runner
 from .section import Apex, checked_apex
+from .tables import Table
 from .word import Event
+
+
+@dataclass(frozen=True, eq=False)
+class VariedStride:
+    """A stride, and how it changes with its apex and with parameters."""
+
+    residual: NDArray[np.float64]
+    """Next apex minus this one, shape (n,)."""
+    quantities: NDArray[np.float64]
+    """In the order in which they were asked for, shape (q,)."""
+    by_all: NDArray[np.float64]
+    """Changes of `residual` and `quantities` by the coordinates and the parameters, shape (n + q, n + p)."""
+
+
+def varied_stride(
+    runner: Runner, apex: NDArray[np.float64], names: Sequence[str], parameters: Sequence[str]
+) -> VariedStride:
+    """One stride from an apex, whether it leads back there or not, with all its derivatives."""
+    stride = _varied_stride(runner, apex, names, True, parameters)
+    by_apex = stride.next_apex_by - np.eye(*stride.next_apex_by.shape)
+    by_all = np.vstack([by_apex, *(stride[f"{name}_by"] for name in names)])
+    if not np.isfinite(by_all).all():
+        raise RunError("a stride is on the edge of an event or of a law, where it has no derivatives")
+    return VariedStride(stride.next_apex - apex, np.array([stride[name] for name in names]), by_all)
+
+
+@dataclass(frozen=True, eq=False)
+class PlainStride:
+    """A stride without derivatives."""
+
+    residual: NDArray[np.float64]
+    """Next apex minus this one, shape (n,)."""
+    quantities: NDArray[np.float64]
+    """In the order in which they were asked for, shape (q,)."""
+    word: str
+    """Word of the stride's stance."""
+
+
+def plain_stride(runner: Runner, apex: NDArray[np.float64], names: Sequence[str]) -> PlainStride:
+    """One stride from an apex, whether it leads back there or not; with derivatives it takes much longer."""
+    stride = _varied_stride(runner, apex, names, False)
+    quantities = np.array([float(stride[name]) for name in names])
+    return PlainStride(stride.next_apex - apex, quantities, str(stride.word))
+
+
+def _varied_stride(
+    runner: Runner,
+    apex: NDArray[np.float64],
+    names: Sequence[str],
+    derivatives: bool,
+    parameters: Sequence[str] = (),
+) -> Table:
+    check_quantities(runner, names)
+    check_has_gaits(runner[FRICTION])
+    check_comes_down(runner)
+    stride = Batch(runner, apex).stride(derivatives, parameters)
+    why_not = why_no_return(stride)
+    if why_not is not None:
+        raise RunError(why_not)
+    return stride
+
+
+@dataclass(frozen=True, eq=False)
+class VariedGait:
+    """Quantities of a gait, and how they and its apex change with parameters while it stays a gait."""
+
+    quantities: NDArray[np.float64]
+    """In the order in which they were asked for, shape (q,)."""
+    by_parameters: NDArray[np.float64]
+    """Their changes, shape (q, p)."""
+    apex_by_parameters: NDArray[np.float64]
+    """Those of the apex, shape (n, p)."""
+    apex_by_residual: NDArray[np.float64]
+    """Derivative of the apex by the residual of its stride: the inverse of the map less one, shape (n, n)."""
+
+
+def varied_gait(
+    runner: Runner, apex: NDArray[np.float64], names: Sequence[str], parameters: Sequence[str]
+) -> VariedGait:
+    """A gait, with the derivatives of its quantities and of its apex by parameters.
+
+    By the implicit function theorem: with the return map P, dP/dz dz + dP/dp dp = dz along the gaits.
+    """
+    stride, count = varied_stride(runner, apex, names, parameters), len(apex)
+    try:
+        inverse: NDArray[Any] = np.linalg.inv(stride.by_all[:count, :count])
+    except np.linalg.LinAlgError:
+        inverse = np.full((count, count), np.inf)
+    if not np.isfinite(inverse).all():
+        raise RunError("the gait is where two meet, and has no derivatives")
+    d_apex = -inverse @ stride.by_all[:count, count:]
+    of_quantities = stride.by_all[count:]
+    return VariedGait(
+        quantities=stride.quantities,
+        by_parameters=of_quantities[:, count:] + of_quantities[:, :count] @ d_apex,
+        apex_by_parameters=d_apex,
+        apex_by_residual=inverse,
+    )
+
 
 BETWEEN_WORDS = " "
 

@@ -1,6 +1,6 @@
 """Gaits over several parameters, with the gradients of their quantities and of their eigenvalues.
 
-Gradients of quantities are exact, by `library.varied_gait`. The library has no second derivatives. So the
+Gradients of quantities are exact, by `library.strides`. The library has no second derivatives. So the
 change of the Jacobian along the gaits comes from central differences of exact Jacobians, of strides that
 begin on the tangent of the gaits. Parameters are shares of the way from their lower bounds to their upper
 ones.
@@ -26,8 +26,7 @@ from ..errors import InputError, RunError
 from ..library.fixed_point import gait_near
 from ..library.gait import Gait
 from ..library.runner import Runner
-from ..library.strides import strides_from
-from ..library.varied_gait import varied_gait
+from ..library.strides import strides_from, varied_gait
 from ..numerics.following import walk
 
 AT_BOUND = 1e-9

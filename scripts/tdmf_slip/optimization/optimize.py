@@ -13,8 +13,7 @@ from ..variables.parameters import RunnerLike
 from ..variables.variable import Given
 from .optimizer import Optimizer
 from .optimum import Optimum
-from .problem import Goal
-from .request import check_action, checked_objective, checked_radius, checked_space, checked_values
+from .problem import Goal, check_action, checked_objective, checked_radius, checked_space, checked_values
 
 STARTS, MAX_STARTS = 6, 100
 

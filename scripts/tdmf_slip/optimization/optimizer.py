@@ -31,7 +31,7 @@ from ..errors import InputError, RunError
 from ..library.fixed_point import gait_near
 from ..library.gait import Gait
 from ..library.runner import Runner
-from ..library.varied_stride import plain_stride
+from ..library.strides import plain_stride
 from ..numerics.following import halved
 from ..terminal.progress import Bar
 from .border import Border, Region, Side, best_along, best_on_edge, between, is_near

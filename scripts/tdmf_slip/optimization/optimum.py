@@ -4,8 +4,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 from ..library.gait import Gait
-from ..library.quantities import known_quantities, quantities_of
-from ..library.scales import scale_of
+from ..library.quantities import known_quantities, quantities_of, scale_of
 from ..record import origin_of
 
 FOLD, STABILITY = "fold", "stability"

@@ -21,8 +21,7 @@ from ..variables.variable import Given
 from .optimize import MAX_STARTS, STARTS
 from .optimizer import Optimizer, Start
 from .optimum import Optimum, reported
-from .problem import Goal
-from .request import check_action, checked_quantity, checked_radius, checked_space, checked_values
+from .problem import Goal, check_action, checked_quantity, checked_radius, checked_space, checked_values
 
 POINTS, MAX_POINTS = 7, 1000
 

@@ -17,8 +17,8 @@ from . import guinea_fowl, human_running, published, recorded
 from . import reference_gaits as reference
 from .claims import PAPER, READINGS, WORDS, Claim, Group, of_group
 from .evidence import gather, gather_classic
-from .own_claims import LAST_SEED, OwnClaims, own_claims
 from .reference_gaits import Drift
+from .results_page import LAST_SEED, OwnClaims, own_claims
 from .settling import DEFAULT_TOLERANCE, SettledRun, settle_fmu
 
 

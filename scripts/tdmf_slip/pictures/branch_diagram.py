@@ -22,7 +22,7 @@ from ..library.section import COORDINATES
 from ..variables.display_units import DisplayUnits
 from ..variables.table import VARIABLES
 from . import style
-from .curve_label import CurveLabel
+from .style import CurveLabel
 
 DRAWN = "com_speed"
 """The quantity that is drawn unless another is asked for."""

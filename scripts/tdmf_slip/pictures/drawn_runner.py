@@ -8,7 +8,7 @@ from matplotlib.patches import Circle
 from numpy.typing import NDArray
 
 from . import style
-from .stride import Stride
+from .panels import Stride
 
 COILS = 7
 BODY_RADIUS = 0.1

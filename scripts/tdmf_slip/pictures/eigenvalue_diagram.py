@@ -17,8 +17,8 @@ from . import style
 
 if TYPE_CHECKING:
     from ..feedback.controllability import Controllability
-    from ..feedback.feedback import Feedback
-    from ..proof.exact import Exact
+    from ..feedback.gains import Feedback
+    from ..proof.given import Exact
     from ..proof.proof import Proof
     from ..proof.prove_border import BorderProof
 

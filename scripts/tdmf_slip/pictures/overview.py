@@ -9,8 +9,7 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Patch
 
 from ..errors import InputError
-from ..fmu.events import MODE
-from ..fmu.run import Run
+from ..fmu.run import MODE, Run
 from ..variables.table import VARIABLES
 from . import style
 

@@ -30,8 +30,8 @@ PICTURES: Mapping[str, str] = {
     "Validation": ".paper.drift_diagram.of_validation",
     "Viability": "viability_map.figure_of",
     "basin": "basin_map.figure_of",
-    "runs": "runners_diagram.of_runs",
-    "strides": "runners_diagram.of_strides",
+    "runs": "basin_map.of_runs",
+    "strides": "basin_map.of_strides",
     "sweep": "sweep_diagram.figure_of",
 }
 """Module and function by the kind of a result: the name of its class, or a dataset's attribute `result`."""

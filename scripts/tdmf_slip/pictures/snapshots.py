@@ -8,7 +8,7 @@ from matplotlib.figure import Figure
 
 from . import panels, style
 from .drawn_runner import DrawnRunner, bare, ground, pose
-from .stride import Stride
+from .panels import Stride
 
 FRICTION = 0.43
 IN_STRIDE = 27

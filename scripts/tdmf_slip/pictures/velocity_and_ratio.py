@@ -6,7 +6,7 @@ from matplotlib.figure import Figure
 
 from ..library.gait import Gait
 from . import panels, style
-from .stride import Stride
+from .panels import Stride
 
 
 def draw(path: Path, stride: Stride) -> None:

@@ -13,7 +13,7 @@ from ..library.engine import instruction_sets
 from ..library.runner import Runner
 from ..library.strides import strides_from
 from .proof import Proof
-from .section import COORDINATES
+from .starts import COORDINATES
 
 QUANTITIES = ("period", "speed", "cost_of_transport", "slip_distance")
 FINEST = 1e-12

@@ -3,20 +3,222 @@
 The remainder is enclosed by Picard inclusion in its relative form: if with x = p + t^(N+1) rho, rho in R, the
 rates are f = f_0 + ... + f_N t^N + t^(N+1) S, then the solution's rho is in f_N/(N+1) + [0, h] S/(N+2), and
 R holds it as soon as that lies in R. No enclosure of the step is needed beforehand.
+
+Functions of time, enclosed: a polynomial and a remainder in relative form.
+
+A tube over 0 <= t <= h is  p(t) + t^(N+1) R  with a polynomial p of degree N, whose coefficients are balls,
+and a ball R: it holds every function p(t) + t^(N+1) rho(t) with coefficients in the balls and rho(t) in R.
+The remainder is multiplied by t^(N+1), so that it may be large where the step is short, and a solution's
+tube starts at its initial set whatever R is.
+
+Taylor coefficients of a solution, one after the other.
+
+The laws are evaluated once over `Unfolding` numbers, which makes a graph of sums, products and quotients;
+each node then gives its k-th coefficient from those of lower order, as do the states from their rates,
+x_(k+1) = f_k / (k + 1).
 """
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
+from operator import mul
 from types import SimpleNamespace as Record
 from typing import Any
 
 from flint import arb, arb_poly, ctx
 
 from ..equations import coordinates
+from .dual import UndecidedError
 from .laws import fades, fading_of, rates
-from .modes import Mode, kept_names, moving_names, names_of
-from .recursion import coefficients
-from .tube import Span, Tube
-from .undecided import UndecidedError
+from .parameters import Mode, kept_names, moving_names, names_of
+
+
+class Span:
+    """Degree N and reach in time that the tubes of one step have in common."""
+
+    __slots__ = ("degree", "reach", "time", "time_power")
+
+    def __init__(self, degree: int, reach: arb) -> None:
+        """Tubes of this degree over [0, reach]."""
+        self.degree, self.reach = degree, reach
+        self.time = arb(0).union(reach)
+        self.time_power = self.time ** (degree + 1)
+
+
+class Tube:
+    """A function of time on a span."""
+
+    __slots__ = ("_range", "polynomial", "remainder", "span")
+
+    def __init__(self, span: Span, polynomial: arb_poly, remainder: arb) -> None:
+        """The polynomial, and the remainder in units of t^(N+1)."""
+        self.span, self.polynomial, self.remainder = span, polynomial, remainder
+        self._range: arb | None = None
+
+    @property
+    def range(self) -> arb:
+        """All values of the polynomial over the span."""
+        if self._range is None:
+            self._range = self.polynomial(self.span.time)
+        return self._range
+
+    def at(self, time: arb) -> arb:
+        """The value at a time, or at any of a ball of times, within the span."""
+        value: arb = self.polynomial(time) + time ** (self.span.degree + 1) * self.remainder
+        return value
+
+    def __neg__(self) -> "Tube":
+        """Its opposite."""
+        return Tube(self.span, -self.polynomial, -self.remainder)
+
+    def __add__(self, other: Any) -> "Tube":
+        """The sum with a tube or a number."""
+        if isinstance(other, Tube):
+            return Tube(self.span, self.polynomial + other.polynomial, self.remainder + other.remainder)
+        if isinstance(other, arb | int):
+            return Tube(self.span, self.polynomial + other, self.remainder)
+        return NotImplemented
+
+    __radd__ = __add__
+
+    def __sub__(self, other: Any) -> "Tube":
+        """The difference."""
+        return self.__add__(-other)
+
+    def __rsub__(self, other: Any) -> "Tube":
+        """The difference."""
+        return (-self).__add__(other)
+
+    def __mul__(self, other: Any) -> "Tube":
+        """The product: what exceeds the degree goes into the remainder."""
+        if isinstance(other, arb | int):
+            return Tube(self.span, self.polynomial * other, self.remainder * other)
+        if not isinstance(other, Tube):
+            return NotImplemented
+        span = self.span
+        whole = self.polynomial * other.polynomial
+        terms = span.degree + 1
+        remainder = whole.right_shift(terms)(span.time) if whole.length() > terms else arb(0)
+        if not other.remainder.is_zero():
+            remainder += self.range * other.remainder
+        if not self.remainder.is_zero():
+            remainder += self.remainder * other.range + span.time_power * self.remainder * other.remainder
+        return Tube(span, whole.truncate(terms), remainder)
+
+    __rmul__ = __mul__
+
+    def inverse(self) -> "Tube":
+        """One over it: with v w = 1, w = q + t^(N+1) S where v S = -(what p q has beyond 1) - R q."""
+        span, terms = self.span, self.span.degree + 1
+        inverted = inverse_series(self.polynomial, terms)
+        beyond = (self.polynomial * inverted).right_shift(terms)(span.time)
+        values = self.range + span.time_power * self.remainder
+        return Tube(span, inverted, -(beyond + self.remainder * inverted(span.time)) / values)
+
+    def __rtruediv__(self, other: Any) -> "Tube":
+        """A number over it."""
+        return self.inverse().__mul__(other)
+
+    def __truediv__(self, other: Any) -> "Tube":
+        """The quotient."""
+        return self * (other.inverse() if isinstance(other, Tube) else 1 / arb(other))
+
+
+def inverse_series(polynomial: arb_poly, terms: int) -> arb_poly:
+    """One over a polynomial, as a series that is cut off."""
+    inverted, right = arb_poly([1 / polynomial[0]]), 1
+    while right < terms:
+        right = min(2 * right, terms)
+        inverted = (inverted * (2 - (polynomial.truncate(right) * inverted).truncate(right))).truncate(right)
+    return inverted
+
+
+ZERO = arb(0)
+
+
+class Unfolding:
+    """A power series that is known as far as it has been asked for."""
+
+    __slots__ = ("_next", "terms")
+
+    def __init__(self, following: Callable[[int], arb] | None, terms: list[arb]) -> None:
+        """The coefficients that are known, and how the k-th follows."""
+        self._next, self.terms = following, terms
+
+    def to(self, order: int) -> list[arb]:
+        """All coefficients up to an order."""
+        following = self._next
+        while len(self.terms) <= order:
+            self.terms.append(ZERO if following is None else following(len(self.terms)))
+        return self.terms
+
+    def __neg__(self) -> "Unfolding":
+        """Its opposite."""
+        return self * -1
+
+    def __add__(self, other: Any) -> "Unfolding":
+        """The sum with a series or a number."""
+        if isinstance(other, Unfolding):
+            return Unfolding(lambda k: self.to(k)[k] + other.to(k)[k], [])
+        if isinstance(other, arb | int):
+            return Unfolding(lambda k: self.to(k)[k] if k else self.to(0)[0] + other, [])
+        return NotImplemented
+
+    __radd__ = __add__
+
+    def __sub__(self, other: Any) -> "Unfolding":
+        """The difference."""
+        if isinstance(other, Unfolding):
+            return Unfolding(lambda k: self.to(k)[k] - other.to(k)[k], [])
+        return self.__add__(-other)
+
+    def __rsub__(self, other: Any) -> "Unfolding":
+        """The difference."""
+        return (-self).__add__(other)
+
+    def __mul__(self, other: Any) -> "Unfolding":
+        """The product."""
+        if isinstance(other, arb | int):
+            return Unfolding(lambda k: self.to(k)[k] * other, [])
+        if not isinstance(other, Unfolding):
+            return NotImplemented
+        return Unfolding(lambda k: sum(map(mul, self.to(k), other.to(k)[k::-1]), ZERO), [])
+
+    __rmul__ = __mul__
+
+    def __rtruediv__(self, other: Any) -> "Unfolding":
+        """A number over it: v w = 1 tells w_k."""
+        inverse = Unfolding(None, [])
+
+        def following(k: int) -> arb:
+            first = 1 / self.to(0)[0]
+            terms = inverse.terms
+            return -first * sum(map(mul, self.to(k)[1:], terms[::-1]), ZERO) if k else first
+
+        inverse._next = following
+        return inverse.__mul__(other)
+
+    def __truediv__(self, other: Any) -> "Unfolding":
+        """The quotient."""
+        return self * (1 / (other if isinstance(other, Unfolding) else arb(other)))
+
+
+Rates = Callable[[Mapping[str, Any]], Mapping[str, Any]]
+"""From states by name to their rates, over any kind of number."""
+
+
+def coefficients(
+    start: Mapping[str, arb], constant: Mapping[str, arb], rates: Rates, degree: int
+) -> dict[str, list[arb]]:
+    """Taylor coefficients of a solution in time."""
+    states = {name: Unfolding(None, [value]) for name, value in start.items()}
+    found = rates({**states, **constant})
+    for name, state in states.items():
+        rate = found[name]
+        if not isinstance(rate, Unfolding):
+            state._next = lambda k, rate=rate: arb(rate) if k == 1 else ZERO
+        else:
+            state._next = lambda k, rate=rate: rate.to(k - 1)[k - 1] / k
+    return {name: state.to(degree)[: degree + 1] for name, state in states.items()}
+
 
 INCLUSIONS = 8
 """How often a remainder that is not enclosed yet is widened."""

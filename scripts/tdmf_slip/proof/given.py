@@ -1,19 +1,125 @@
 """Whose gait is to be proved, as it is given: in doubles, and exactly."""
 
+import math
 from collections.abc import Mapping
+from dataclasses import dataclass
 from fractions import Fraction
 from numbers import Rational
 from typing import TypeAlias
 
+from flint import arb, fmpq
+
 from ..analysis.search import periodic_gait
-from ..checks import number_of, refusal
+from ..checks import number_of, refusal, shown
 from ..errors import InputError
 from ..library.gait import Gait
 from ..library.members import MOVING
 from ..library.runner import Runner
-from ..variables import parameters
+from ..variables import parameters, units
 from ..variables.table import VARIABLES
-from .exact import Exact, exact_values, fraction_in
+from ..variables.variable import Variable
+
+LONGEST_TEXT = 1000
+LONGEST_EXPONENT = 4
+"""Characters of an exponent; a fraction has as many digits as it says."""
+DEGREES = 180
+"""Degrees in a half turn."""
+
+
+@dataclass(frozen=True)
+class Exact:
+    """A rational number and a rational multiple of pi."""
+
+    rational: Fraction
+    """The rational part."""
+    turns: Fraction = Fraction(0)
+    """The multiple of pi."""
+
+    def ball(self) -> arb:
+        """Enclosure of the number to the working precision."""
+        return ball_of(self.rational) + ball_of(self.turns) * arb.pi()
+
+    def __str__(self) -> str:
+        """The number as text, such as `2/5` or `2 pi/9`."""
+        if not self.turns:
+            return str(self.rational)
+        numerator = "" if self.turns.numerator == 1 else f"{self.turns.numerator} "
+        denominator = "" if self.turns.denominator == 1 else f"/{self.turns.denominator}"
+        return f"{numerator}pi{denominator}"
+
+
+class Flag(Exact):
+    """A Boolean parameter: 1 or 0, written as `true` or `false`."""
+
+    def __str__(self) -> str:
+        """`true` or `false`."""
+        return "true" if self.rational else "false"
+
+
+def ball_of(value: Fraction) -> arb:
+    """A rational number, enclosed to the working precision."""
+    return arb(fmpq(value.numerator, value.denominator))
+
+
+def fraction_in(text: str) -> Fraction:
+    """The exact number that a text is; ValueError where it is none, or has too many digits."""
+    exponent = text.lower().partition("e")[2]
+    if "_" in text or len(text) > LONGEST_TEXT or len(exponent) > LONGEST_EXPONENT:
+        raise ValueError(f"{shown(text)} is no number")
+    return Fraction(text)
+
+
+def exact_value(variable: Variable, given: object, where: str) -> Exact:
+    """The number that is meant by a value as it is given."""
+    if variable.type == "Boolean":
+        return Flag(Fraction(variable.value_of(given, where)))  # type: ignore[arg-type] # it checks the kind
+    if not isinstance(given, str):
+        number = variable.value_of(given, where)  # type: ignore[arg-type] # which refuses other kinds
+        return Exact(Fraction(given) if isinstance(given, Rational) else Fraction(number))
+    text, unit = _split(given)
+    try:
+        rational = fraction_in(text)
+        variable.value_of(f"{float(rational)!r} {unit}", where)
+    except (ValueError, ArithmeticError):
+        raise refusal(f"{where}: {variable.name}", given, variable.allowed) from None
+    if unit in ("", variable.unit):
+        return Exact(rational)
+    if unit.startswith("deg"):
+        return Exact(Fraction(0), rational / DEGREES)
+    return Exact(rational / Fraction(repr(variable.factor_of(unit))))
+
+
+def _split(text: str) -> tuple[str, str]:
+    """The number and the unit of a text; the number may be a fraction such as `3/5`."""
+    number, _, unit = text.strip().partition(" ")
+    return (number, units.spelled(unit)) if "/" in number else units.split(text)
+
+
+def default_value(variable: Variable) -> Exact:
+    """The unit's own start value as it is meant: the decimal, and an angle of whole degrees by pi."""
+    assert variable.start is not None, variable.name
+    if variable.type == "Boolean":
+        return Flag(Fraction(variable.start))
+    start = float(variable.start)
+    degrees = round(math.degrees(start))
+    if variable.unit == "rad" and degrees and math.isclose(math.radians(degrees), start, rel_tol=1e-15):
+        return Exact(Fraction(0), Fraction(degrees, DEGREES))
+    return Exact(Fraction(repr(start)))
+
+
+def exact_values(values: Mapping[str, float], given: Mapping[str, object]) -> dict[str, Exact]:
+    """All values of a runner as they are meant."""
+    found = {}
+    for name, value in values.items():
+        variable = VARIABLES[name]
+        if name in given or variable.type == "Boolean":
+            found[name] = exact_value(variable, given.get(name, value), "start values")
+        elif variable.start is not None and value == float(variable.start):
+            found[name] = default_value(variable)
+        else:
+            found[name] = Exact(Fraction(value))
+    return found
+
 
 MAX_DIGITS = 200
 MIN_BOX = Fraction(1, 10**MAX_DIGITS)

@@ -10,12 +10,32 @@ that sine, remains.
 cosine, and by mode foot_speed, decay, latched_angle, clock.
 """
 
+from collections.abc import Mapping
+from dataclasses import dataclass, field
 from types import SimpleNamespace as Record
 from typing import Any
 
 from ..equations import coordinates, dynamics, friction, ground_force, ground_line, hip, leg
-from .dual import Number
-from .modes import Mode
+from .dual import Number, UndecidedError, value_of
+from .parameters import Mode
+
+
+@dataclass
+class Entered:
+    """The mode that an event leads to."""
+
+    mode: Mode
+    """After the event and what follows it at the same instant."""
+    values: dict[str, Number]
+    """Numbers of the motion, by the names of the mode."""
+    zeros: Mapping[str, int] = field(default_factory=dict)
+    """By guard: to which order in time it begins at exactly zero."""
+    closes: bool = False
+    """A stride ends here, at an apex in flight."""
+    impact: bool = False
+    """The foot came down."""
+    margin: Number | None = None
+    """Margin of an event that is forced: zero on the border."""
 
 
 class _Nothing:
@@ -250,3 +270,30 @@ def kick(at: Any, lost_along: Number, lost_off: Number) -> Record:
 def rise(runner: Any, along: Number, off: Number) -> Number:
     """The vertical part of a velocity in axes of the ground."""
     return ground_line.vector_on(runner.line, along, off).y
+
+
+def positive(number: Number, what: str) -> bool:
+    """The sign of a number that is not zero."""
+    value = value_of(number)
+    if value > 0:
+        return True
+    if value < 0:
+        return False
+    raise UndecidedError(what)
+
+
+def foot_rests(velocity: Number) -> bool:
+    """Whether a velocity is exactly zero."""
+    return bool(value_of(velocity) == 0)
+
+
+def absolute(number: Number, what: str, runner: Any, fall: Number) -> Number:
+    """The absolute value; where the sign is open, a bound that is enough to tell that an impact sticks."""
+    value = value_of(number)
+    if value > 0:
+        return number
+    if value < 0:
+        return -number
+    if abs(value) < value_of(sticking_speed(runner, fall)):
+        return abs(value)
+    raise UndecidedError(what)

@@ -12,9 +12,8 @@ from flint import acb, arb
 from ..record import origin_of
 from ..variables.table import FRICTION, VARIABLES
 from ..version import __version__
-from .exact import Exact, ball_of, default_value
-from .section import COORDINATES
-from .starts import Starts
+from .given import Exact, ball_of, default_value
+from .starts import COORDINATES, Starts
 
 CLAMP = "hip.swing_clamp"
 """Parameter that chooses between the two readings of (12)."""

@@ -21,16 +21,14 @@ from ..library.runner import Runner
 from ..library.shared_steps import shares_steps
 from ..variables.parameters import RUNNER
 from ..variables.table import VARIABLES, by_full_name
-from .eigenvalues import eigenvalues
-from .exact import Exact, exact_value
-from .given import MAX_DIGITS, Radius, RunnerLike, gait_of, radius_of
-from .krawczyk import Inclusion, proved_stride, refined, unique_box
+from .dual import UndecidedError
+from .given import MAX_DIGITS, Exact, Radius, RunnerLike, exact_value, gait_of, radius_of
+from .krawczyk import Inclusion, eigenvalues, proved_stride, refined, unique_box
 from .parameters import Parameters
 from .proof import Box, Proof
-from .prove_range import prove_range
 from .range_proof import RangeProof
+from .range_prover import prove_range
 from .starts import Fineness, Starts
-from .undecided import UndecidedError
 
 DEFAULT_DIGITS = 20
 BOXES = tuple(Fraction(1, 10**decimals) for decimals in (6, 8, 10, 13, 16))

@@ -11,18 +11,21 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
 
+import numpy as np
 from flint import acb_mat, arb, ctx
 
+from ..analysis.ball import Ball, cube_in
+from ..errors import InputError, RunError
+from ..library.batch_given import MIN_TOLERANCE
+from ..library.gait import Gait
 from ..library.shared_steps import shares_steps
 from ..version import __version__
-from .eigenvalues import contraction
-from .exact import Exact, ball_of
-from .given import RunnerLike, gait_of
-from .krawczyk import Inclusion, proved_stride
+from .dual import UndecidedError
+from .given import Exact, RunnerLike, ball_of, gait_of
+from .krawczyk import Inclusion, contraction, proved_stride
 from .parameters import Parameters
 from .proof import short, statement
 from .starts import Fineness, Starts
-from .undecided import UndecidedError
 
 BOXES = tuple(Fraction(digit, 10**decimals) for decimals in range(3, 13) for digit in (5, 2, 1))
 """Radii that are tried, in units of the coordinates' scales."""
@@ -173,3 +176,26 @@ def _below(value: arb) -> float:
 def _above(value: arb) -> float:
     """A double that is not below."""
     return float(value.upper()) * (1.0 + 1e-15)
+
+
+ENGINE_ERROR = 50.0
+"""A stride errs by so many tolerances at the most, over the scales; see `library.batch.ACCURACY`."""
+
+
+def proved_ball(gait: Gait) -> Ball:
+    """A ball in which every start is proved to settle, inside that of `prove_attraction`.
+
+    It is small, and runs have to be followed into it at a finer tolerance.
+    """
+    if gait.runner.reduced:
+        raise InputError("ball proved: of the reduced map; allowed: of the full model")
+    found = prove_attraction(gait)
+    if not found.proved:
+        raise RunError(f"ball proved: undecided: {found.undecided}")
+    scales = np.asarray(gait.runner.scales)
+    rows = np.linalg.inv(np.array(found.basis)) / (np.array(found.weights) * found.norm_radius)[:, None]
+    both = np.concatenate([rows.real, rows.imag])
+    matrix = np.linalg.cholesky(both.T @ both).T * (1.0 + 1e-9)  # rounding is far below
+    radius = cube_in(matrix * scales)
+    tolerance = 0.1 * radius * (1.0 - gait.lambda_max) / ENGINE_ERROR
+    return Ball("proved", radius, found.rate, 0, matrix, max(tolerance, MIN_TOLERANCE), 1e-300)

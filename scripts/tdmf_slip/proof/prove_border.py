@@ -18,17 +18,14 @@ from ..library.runner import Runner
 from ..library.shared_steps import shares_steps
 from ..variables.table import FRICTION, full_name
 from ..version import __version__
-from .exact import Exact, exact_values
-from .forced import Forced
-from .given import MAX_DIGITS, RunnerLike, check_laws, runner_of
+from .dual import UndecidedError
+from .given import MAX_DIGITS, Exact, RunnerLike, check_laws, exact_values, runner_of
 from .krawczyk import COARSE_BITS, Inclusion, middle_of, proved_stride, refined, slopes_of, unique_box
-from .parameters import Parameters
+from .parameters import Forced, Parameters
 from .proof import Box, Proof, decimal, exactly, reported, short, statement, text_of
 from .prove import BEYOND, BOXES, DEFAULT_DIGITS, bits_for, prove_exactly
-from .section import COORDINATES
-from .starts import Fineness, Starts
+from .starts import COORDINATES, Fineness, Starts
 from .stride import Stride, Traveller
-from .undecided import UndecidedError
 
 BESIDE = 1e-7
 """How far from a border the gaits are that tell its kind, over the parameter."""

@@ -8,7 +8,7 @@ from fractions import Fraction
 from flint import arb, ctx
 
 from ..version import __version__
-from .exact import Exact, ball_of
+from .given import Exact, ball_of
 from .proof import decimal, reported, statement
 
 BITS = 56

@@ -12,14 +12,11 @@ from typing import Any
 from flint import arb
 
 from . import laws
-from .dual import Number, value_of
-from .entered import Entered
+from .dual import Number, UndecidedError, value_of
 from .flow import with_direction
-from .forced import Forced
 from .guards import cone_backwards, cone_forwards, holding, normal_force, servo
-from .modes import PARAMETER, Mode
-from .signs import absolute, foot_rests, positive
-from .undecided import UndecidedError
+from .laws import Entered, absolute, foot_rests, positive
+from .parameters import PARAMETER, Forced, Mode
 
 NARROWEST_GRAZE = arb(10) ** -10
 """In units of k l0^2: nearer than this both laws agree at a lift-off, and the foot flies."""

@@ -5,31 +5,230 @@ stride is enclosed over the set, and by the mean value theorem the set at any ti
 derivative (set - centre), so that it does not grow by being wrapped in balls; so it does at an event, and
 the event's derivative is enclosed over what is left. The centre is a point and a drift, which has all its
 errors.
+
+Derivatives of the motion by the start of a stride: products of those of steps and events, enclosed.
+
+A product of enclosures, one after the other, widens at each turn of the motion, far more than the true
+derivative varies over the set. For any matrices L_0, ..., L_n with L_n = 1 the product of A_1, ..., A_n is
+
+    A_n ... A_1 V = L_0 V + sum of (L_k A_k - L_(k-1)) A_(k-1) ... A_1 V.
+
+With L_(k-1) near the middle of L_k A_k, taken from the end to the beginning, each bracket is a small ball
+around zero, which is as wide as one factor and no more; what was enclosed before serves as A_(k-1) ... A_1 V.
+
+One step with the derivative of its end by its start.
+
+The derivative V solves V' = A V along the tube; with weighted norms, what its polynomial leaves out is
+below ::
+
+    (|V_(N+1)| + h/(N+2) (H + |B| |V|)) / (1 - h |A|/(N+2))
+
+where H is what A V has beyond t^N and B is A's remainder.
 """
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
+from types import SimpleNamespace as Record
+from typing import Any
 
-from flint import arb, arb_mat, ctx
+import numpy as np
+from flint import arb, arb_mat, arb_poly, ctx
 
-from .dual import Number, slope_of, value_of
-from .entered import Entered
-from .flow import Flow, Values, speeds
-from .forced import Forced
-from .guards import FUNCTIONS
-from .laws import rise
-from .ledger import Ledger
-from .matrices import identity
-from .modes import PARAMETER
-from .parameters import Parameters
-from .roots import Guard
-from .section import COORDINATES, apex_of, motion_at, seeds
-from .spread import Drift, Spread, narrower
-from .starts import Fineness, Starts
-from .stride import Met, Stride, Traveller, gradient_of_guard
+from .dual import Dual, Number, UndecidedError, identity, middle, norm, slope_of, value_of
+from .flow import Flow, Tube, Values, fall, speeds
+from .guards import FUNCTIONS, Guard
+from .laws import Entered, fades, fading_of, rates, rise
+from .parameters import BALLISTIC, PARAMETER, Forced, Parameters, kept_names, moving_names
+from .starts import COORDINATES, Fineness, Starts, apex_of, motion_at, seeds
+from .stride import Ledger, Met, Stride, Traveller, gradient_of_guard
 from .transitions import Transition
-from .undecided import UndecidedError
-from .varied_flow import VariedFlow
+
+OFTEN = 8
+"""After so many factors the sum is taken, and at each event."""
+
+
+class Spread:
+    """The derivative of the motion by its start, of shape (numbers of the mode, numbers of the start)."""
+
+    def __init__(self, first: arb_mat) -> None:
+        """The derivative at the start."""
+        self.product = self._first = first
+        self._factors: list[tuple[arb_mat, arb_mat]] = []
+        """Each A_k, and what was enclosed before it."""
+
+    def follow(self, derivative: arb_mat, *, is_event: bool = False) -> None:
+        """Go on by the derivative of a step or of an event."""
+        self._factors.append((derivative, self.product))
+        self.product = derivative * self.product
+        if is_event or len(self._factors) % OFTEN == 0:
+            self.product = intersected(self.product, self._telescoped())
+
+    def _telescoped(self) -> arb_mat:
+        """The product by the sum above."""
+        later = identity(self.product.nrows())
+        found = arb_mat(self.product.nrows(), self.product.ncols())
+        for factor, before in reversed(self._factors):
+            whole = later * factor
+            later = middle(whole)
+            found = found + (whole - later) * before
+        return found + later * self._first
+
+
+class Drift:
+    """How far the true motion may be from the point that stands for it: Q e, with balls e."""
+
+    def __init__(self, size: int) -> None:
+        """None yet, of a motion of so many numbers."""
+        self._frame, self._inside = identity(size), arb_mat(size, 1)
+
+    def follow(self, derivative: arb_mat, fresh: list[arb]) -> None:
+        """Go on by the derivative of a step, which adds errors of its own."""
+        turned = derivative * self._frame
+        self._frame, inside = _frame_of(turned, self._inside), self._inside
+        back = self._frame.inv()
+        self._inside = (back * turned) * inside + back * arb_mat(len(fresh), 1, fresh)
+
+    def balls(self) -> list[arb]:
+        """By number."""
+        return list((self._frame * self._inside).entries())
+
+
+def _frame_of(matrix: arb_mat, inside: arb_mat) -> arb_mat:
+    """An orthogonal basis, to rounding, whose first directions are those in which the set is widest."""
+    middle = np.array([[float(x.mid()) for x in row] for row in matrix.tolist()])
+    widths = np.array([float(sum((x.rad() for x in row), arb(0)).upper()) for row in inside.tolist()])
+    sizes = np.array([float(sum((abs(x) for x in row), arb(0)).upper()) for row in inside.tolist()])
+    weight = widths if np.all(np.isfinite(widths)) and widths.any() else sizes
+    columns = middle * weight
+    order = np.argsort(-np.linalg.norm(columns, axis=0), kind="stable")
+    if not np.all(np.isfinite(columns)):
+        return identity(matrix.nrows())
+    basis, _ = np.linalg.qr(middle[:, order], mode="complete")
+    size = matrix.nrows()
+    return arb_mat(size, size, [arb(float(x)) for x in basis.ravel()])
+
+
+def intersected(one: arb_mat, other: arb_mat) -> arb_mat:
+    """Intersection of two enclosures of a matrix."""
+    pairs = zip(one.entries(), other.entries(), strict=True)
+    return arb_mat(one.nrows(), one.ncols(), [narrower(a, b) for a, b in pairs])
+
+
+def narrower(one: arb, other: arb) -> arb:
+    """Enclosure of the intersection of two enclosures of a number; a ball, so not always less than either."""
+    if not one.is_finite():
+        return other
+    if not other.is_finite():
+        return one
+    both = one.intersection(other)
+    return min(one, other, both, key=lambda ball: float(ball.rad()))
+
+
+class VariedFlow(Flow):
+    """A step with the derivative by its start."""
+
+    def vary(self, dual_runner: Any) -> None:
+        """Solve the variational equation along the tubes."""
+        self.dual_runner = dual_runner
+        self.active = moving_names(self.runner, self.mode) + kept_names(self.runner, self.mode)
+        self._solve(self._matrices())
+
+    def _matrices(self) -> tuple[list[arb_mat], arb]:
+        """Coefficients of A, the derivative of the rates, and a bound of its remainder's norm."""
+        tubes, one = self.tubes, arb(1)
+        numbers: dict[str, Any] = {
+            name: Dual(tubes[name], {name: one}) for name in moving_names(self.runner, self.mode)
+        }
+        numbers |= {name: Dual(value, {name: one}) for name, value in self.kept.items()}
+        turn = {"angle": one} | slopes_of_slope(self.dual_runner)
+        numbers["sine"] = Dual(tubes["sine"], {name: tubes["cosine"] * by for name, by in turn.items()})
+        numbers["cosine"] = Dual(tubes["cosine"], {name: -(tubes["sine"] * by) for name, by in turn.items()})
+        if fades(self.runner, self.mode):
+            numbers["decay"] = self._dual_decay()
+        found = rates(self.dual_runner, self.mode, Record(**numbers))
+        size, zero = len(self.active), arb(0)
+        entries = [[slope_of(found.get(row, 0), column) for column in self.active] for row in self.active]
+        rows = [[coefficients_of(entry) for entry in row] for row in entries]
+        matrices = [
+            arb_mat(size, size, [c[k] if k < len(c) else zero for row in rows for c in row])
+            for k in range(self.degree + 1)
+        ]
+        rest = arb_mat(size, size, [abs(remainder_of(entry)) for row in entries for entry in row])
+        return matrices, norm(rest, self._weights())
+
+    def _dual_decay(self) -> Dual:
+        """e^(-s v/v_s), by the foot's velocity and, where it is varied, by v_s."""
+        decay, fading = self.tubes["decay"], fading_of(self.dual_runner, self.mode)
+        gradient = {"foot_speed": decay * value_of(fading)}
+        by_parameter = slope_of(fading, PARAMETER)
+        if by_parameter != 0:
+            gradient[PARAMETER] = decay * self.tubes["foot_speed"] * by_parameter
+        return Dual(decay, gradient)
+
+    def _weights(self) -> list[arb]:
+        """Of what moves, in the norm, so that a fast swing is as large one way as the other."""
+        swing = arb(self.runner.swing)
+        return [swing if name.endswith(("_rate", "_speed")) else arb(1) for name in self.active]
+
+    def _solve(self, of_rates: tuple[list[arb_mat], arb]) -> None:
+        matrices, rest = of_rates
+        weights = self._weights()
+        size, degree, reach = len(self.active), self.degree, self.reach
+        found = [identity(size)]
+        for k in range(degree + 1):
+            total = matrices[0] * found[k]
+            for i in range(1, k + 1):
+                total = total + matrices[i] * found[k - i]
+            found.append(total / (k + 1))
+        last = norm(found.pop(), weights)
+        sizes, solved = ([norm(m, weights) for m in row] for row in (matrices, found))
+        beyond = (arb_poly(sizes) * arb_poly(solved)).right_shift(degree + 1)(reach)
+        all_rates = arb_poly(sizes)(reach) + reach ** (degree + 1) * rest
+        contraction = reach * all_rates / (degree + 2)
+        bound = last + reach / (degree + 2) * (beyond + rest * arb_poly(solved)(reach))
+        self.rest = bound / (1 - contraction) if contraction < 1 else arb("inf")
+        rows = [[m[i, j] for m in found] for i in range(size) for j in range(size)]
+        self.entries = [arb_poly(row) for row in rows]
+
+    def matrix(self, time: arb) -> arb_mat:
+        """The derivative of the motion at a time by its start, rows and columns in the order of `names`."""
+        names, size = self.names, len(self.active)
+        whole = identity(len(names))
+        error, weights = abs(time).upper() ** (self.degree + 1) * self.rest, self._weights()
+        for i in range(size):
+            for j in range(size):
+                whole[i, j] = self.entries[i * size + j](time) + arb(
+                    0, (error * weights[i] / weights[j]).upper()
+                )
+        if self.mode.contact == "flight":
+            height, along, off = (names.index(name) for name in BALLISTIC)
+            whole[height, off] = time
+            if PARAMETER in names:
+                by = names.index(PARAMETER)
+                of_along, of_off = (slope_of(part, PARAMETER) for part in fall(self.dual_runner))
+                whole[height, by] = of_off * time * time / 2
+                whole[along, by], whole[off, by] = of_along * time, of_off * time
+        return whole
+
+
+def slopes_of_slope(runner: Any) -> dict[str, arb]:
+    """By what is varied: how the leg's angle from the ground's normal changes."""
+    slope = slope_of(runner.line.slope, PARAMETER)
+    return {} if slope == 0 else {PARAMETER: -slope}
+
+
+def coefficients_of(entry: Any) -> list[arb]:
+    """Coefficients of an entry of a matrix: a tube's, or a number alone."""
+    if isinstance(entry, Tube):
+        terms: list[arb] = entry.polynomial.coeffs()
+        return terms
+    return [arb(value_of(entry))]
+
+
+def remainder_of(entry: Any) -> arb:
+    """Remainder of an entry of a matrix: a tube's, or zero."""
+    return entry.remainder if isinstance(entry, Tube) else arb(0)
+
 
 SHARPENINGS = 2
 """How often the motion at an event is enclosed by the derivative that follows from its enclosure."""

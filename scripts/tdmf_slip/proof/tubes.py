@@ -5,8 +5,7 @@ from fractions import Fraction
 
 from flint import arb, ctx
 
-from .exact import ball_of
-from .given import Radius, RunnerLike, gait_of, radius_of
+from .given import Radius, RunnerLike, ball_of, gait_of, radius_of
 from .parameters import Parameters
 from .starts import Fineness, Starts
 from .travelling_set import SetTraveller

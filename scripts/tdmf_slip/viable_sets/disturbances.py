@@ -12,10 +12,8 @@ from ..errors import InputError
 from ..given import row_of
 from ..library.runner import Runner
 from ..variables.table import FRICTION
-from .boxes import boxes_of
-from .fixed_point import lands
-from .grid import Grid
-from .transitions import Transitions, make_transitions, transitions_file
+from .boxes import boxes_of, lands
+from .grid import Grid, Transitions, make_transitions, transitions_file
 
 
 @dataclass(frozen=True, eq=False)

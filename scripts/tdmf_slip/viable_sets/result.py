@@ -11,13 +11,11 @@ from numpy.typing import NDArray
 from ..library.gait import Gait
 from ..library.runner import Runner
 from ..library.section import REDUCED, Apex
-from .boxes import Boxes, boxes_of
+from .boxes import Boxes, boxes_of, strides_to
 from .controller import ViableController
 from .disturbances import FrictionLoss, friction_loss, largest_drop
-from .fixed_point import strides_to
-from .grid import Grid
+from .grid import Grid, Transitions, transitions_file
 from .reached import Reached, target_of
-from .transitions import Transitions, transitions_file
 
 if TYPE_CHECKING:
     import xarray

@@ -12,14 +12,12 @@ from numpy.typing import NDArray
 
 from ..checks import checked
 from ..files.whole import check_destination
-from ..library.maps import refuse_patch
+from ..library.return_map import refuse_patch
 from ..library.runner import Runner
 from ..variables.parameters import RunnerLike
-from .boxes import Boxes, boxes_of
-from .fixed_point import largest_kept
-from .grid import Grid, grid_of
+from .boxes import Boxes, boxes_of, largest_kept
+from .grid import Grid, Transitions, grid_of, make_transitions, transitions_file
 from .result import Viability
-from .transitions import Transitions, make_transitions, transitions_file
 
 FACTOR = 1.5
 """Factor of the derivatives at corners, by default."""

@@ -9,7 +9,7 @@ from matplotlib.axes import Axes
 from ...analysis.attraction import FARTHEST, Attraction
 from ...analysis.sweeps import Row
 from ...pictures import style
-from ...pictures.curve_label import CurveLabel
+from ...pictures.style import CurveLabel
 from . import figure_9
 from .columns import Columns
 

@@ -16,7 +16,7 @@ from ...errors import InputError
 from ...library.gait import Gait
 from ...library.runner import Runner
 from ...pictures import style
-from ...pictures.stride import Stride
+from ...pictures.panels import Stride
 from ...terminal.progress import progress_bar
 from ...variables.parameters import read_parameters
 from ...variables.table import FRICTION
@@ -26,6 +26,7 @@ from ..claims import READINGS
 from ..evidence import SWEPT
 from . import (
     attraction,
+    columns,
     energy,
     falling_friction,
     feedback,
@@ -45,7 +46,6 @@ from . import (
     rough,
     slippery_patch,
     slope,
-    stored,
     thrust,
     viability,
 )
@@ -161,39 +161,43 @@ def _figures(measure: bool = False) -> dict[str, Figure]:
 
     @cache
     def optima() -> Columns:
-        return optimal.table(optimal.measure(runner, progress=True)) if measure else stored.columns("optimal")
+        return (
+            optimal.table(optimal.measure(runner, progress=True)) if measure else columns.columns("optimal")
+        )
 
     @cache
     def roughness() -> Columns:
-        return rough.table(rough.measure(runner, progress=True)) if measure else stored.columns("rough")
+        return rough.table(rough.measure(runner, progress=True)) if measure else columns.columns("rough")
 
     @cache
     def feedbacks() -> Columns:
         if measure:
             return feedback.table(feedback.measure(runner, progress=True))
-        return stored.columns("feedback")
+        return columns.columns("feedback")
 
     @cache
     def slopes() -> Columns:
-        return slope.table(slope.gaits(runner), slope.matched(runner)) if measure else stored.columns("slope")
+        return (
+            slope.table(slope.gaits(runner), slope.matched(runner)) if measure else columns.columns("slope")
+        )
 
     @cache
     def thrusts() -> Columns:
-        return thrust.table(thrust.gaits(runner)) if measure else stored.columns("thrust")
+        return thrust.table(thrust.gaits(runner)) if measure else columns.columns("thrust")
 
     @cache
     def patches() -> Columns:
-        return slippery_patch.measure(runner) if measure else stored.columns("slippery_patch")
+        return slippery_patch.measure(runner) if measure else columns.columns("slippery_patch")
 
     @cache
     def falling() -> Columns:
-        return falling_friction.measure(runner) if measure else stored.columns("falling_friction")
+        return falling_friction.measure(runner) if measure else columns.columns("falling_friction")
 
     @cache
     def saved() -> Columns:
         if measure:
             return viability.table(viability.measure(Runner(runner, model="reduced"), progress=True))
-        return stored.columns("viability")
+        return columns.columns("viability")
 
     falls = cache(slippery.fall_map)
 

@@ -10,13 +10,12 @@ from matplotlib.axes import Axes
 
 from ...analysis.attraction import FARTHEST
 from ...analysis.search import periodic_gait
-from ...feedback.feedback import Feedback
-from ...feedback.gains import dead_beat, lqr
+from ...feedback.gains import Feedback, dead_beat, lqr
 from ...feedback.judgement import RUNNERS, Judgement, Trial, judge_all
 from ...library.gait import Gait
 from ...library.runner import Runner
 from ...pictures import style
-from ...pictures.curve_label import CurveLabel
+from ...pictures.style import CurveLabel
 from ...variables.table import FRICTION
 from ..matched import like
 from . import figure_9

@@ -6,7 +6,7 @@ import numpy as np
 
 from ...pictures import style
 from ..evidence import SLIP_ANGLE
-from ..published_classic import IMPACT_FRICTION, STANCE_FRICTION
+from ..published import IMPACT_FRICTION, STANCE_FRICTION
 from . import figure_2
 
 

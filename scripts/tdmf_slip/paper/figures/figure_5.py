@@ -11,7 +11,7 @@ import numpy as np
 from matplotlib.axes import Axes
 
 from ...pictures import panels, style
-from ...pictures.stride import Stride
+from ...pictures.panels import Stride
 
 FRICTION = 10.0
 CLAMPED: Mapping[str, Any] = {"linestyle": (0.0, (1.0, 1.2)), "linewidth": 1.3, "zorder": 2}

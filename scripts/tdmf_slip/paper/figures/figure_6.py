@@ -3,7 +3,7 @@
 from pathlib import Path
 
 from ...pictures import velocity_and_ratio
-from ...pictures.stride import Stride
+from ...pictures.panels import Stride
 
 FRICTION = 1.2
 

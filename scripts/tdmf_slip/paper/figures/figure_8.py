@@ -3,7 +3,7 @@
 from pathlib import Path
 
 from ...pictures import panels, style
-from ...pictures.stride import Stride
+from ...pictures.panels import Stride
 
 FRICTIONS = (0.43, 0.2)
 

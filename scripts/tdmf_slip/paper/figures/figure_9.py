@@ -15,7 +15,7 @@ from matplotlib.patches import Patch
 from ...analysis.sweeps import Row
 from ...library.gait import Gait
 from ...pictures import style
-from ...pictures.curve_label import CurveLabel
+from ...pictures.style import CurveLabel
 from ...variables.variable import Values
 from ..published import BEST_FRICTION, COST_GAIN, SPEED_GAIN
 from .columns import Columns

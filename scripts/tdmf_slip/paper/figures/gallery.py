@@ -7,7 +7,7 @@ from ...analysis.search import periodic_gait
 from ...analysis.sweeps import Row, sweep_row
 from ...library.runner import Runner
 from ...pictures import animation, model, snapshots
-from ...pictures.stride import Stride
+from ...pictures.panels import Stride
 from ...terminal.progress import progress_bar
 from ...variables.parameters import read_parameters
 from ...variables.table import FRICTION

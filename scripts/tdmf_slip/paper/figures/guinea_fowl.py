@@ -10,7 +10,7 @@ from matplotlib.patches import Patch
 
 from ...pictures import style
 from .. import guinea_fowl
-from ..patch import contact_angle_of
+from ..guinea_fowl import contact_angle_of
 from .columns import Columns
 
 FALLS, UP = "#b3216f", "#cfe8e6"

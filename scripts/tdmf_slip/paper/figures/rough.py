@@ -14,7 +14,7 @@ from ...analysis.first_passage import FirstPassage
 from ...library.runner import Runner
 from ...pictures import style
 from ...variables.table import FRICTION
-from ..first_passages import Trial, first_passages
+from ..matched import Trial, first_passages
 from . import figure_9
 from .columns import Columns
 

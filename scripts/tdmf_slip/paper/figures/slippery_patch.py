@@ -12,7 +12,7 @@ from ...errors import RunError
 from ...library.gait import Gait
 from ...library.runner import Runner
 from ...pictures import style
-from ...pictures.curve_label import CurveLabel
+from ...pictures.style import CurveLabel
 from ...variables.table import FRICTION
 from .columns import Columns
 

@@ -4,8 +4,7 @@ from dataclasses import replace
 from functools import cache
 
 from ...analysis.first_passage import strides_to_fall
-from ...feedback.feedback import Feedback
-from ...feedback.gains import dead_beat, lqr
+from ...feedback.gains import Feedback, dead_beat, lqr
 from ...library.gait import Gait
 from ...library.ground import RoughGround
 from .attraction import SAMPLES, Design, largest, share
