@@ -97,8 +97,21 @@ class Motion:
         self.degrees = [degrees[s] for s in self.rates]
         observed, places = self.guards[len(self.watched) :], {s: i for i, s in enumerate(self.rates)}
         self.integrals = [places.get(n.operands[0], -1) if n.operation == "rate" else -1 for n in observed]
+        self.factors = [number for quantity in observed for number in self.factors_of(quantity)]
         steers = [degrees[s] == NO_DEGREE and rate not in self.rates for s, rate in self.rates.items()]
         self.judged = [i for i, is_judged in enumerate(steers) if is_judged]
+
+    def factors_of(self, quantity):
+        """Numbers of two series whose signs decide that of an observed rate of a state; -1 for none."""
+        node, known = quantity, list(self.known)
+        if node.operation == "rate":
+            node = self.rates.get(node.operands[0], node)
+        while node.operation == "negative" or (node.operation == "*" and node.operands[0].is_constant):
+            node = node.operands[-1]
+        factors = node.operands if kind_of(node) == "product" and node not in self.rates else (node,)
+        if quantity.operation != "rate" or not all(factor in self.known for factor in factors):
+            return -1, -1
+        return *map(known.index, factors), *[-1] * (2 - len(factors))
 
     def symbol_of(self, name):
         is_moving = name in self.moving

@@ -6,6 +6,7 @@
 #ifndef TDMF_KERNEL_STEP_SIZE_H
 #define TDMF_KERNEL_STEP_SIZE_H
 
+#include "pairs.h"
 #include "powers.h"
 
 /* Share of its length by which a leg may change in a step, in either direction. */
@@ -51,17 +52,17 @@ static inline real size_for_loss(const real *speed_square, real unit, real size,
 /* Sum of |c[k]| power[k] from k = 1 on: within a complex time of that size a series differs by no more from
  * its first coefficient. */
 static inline real largest_change(const real *c, const real *power, int order) {
-    real sum[4] = {broadcast(0.0), broadcast(0.0), broadcast(0.0), broadcast(0.0)};
+    pair first = pair_of(broadcast(0.0), broadcast(0.0)), second = first;
     int k = 1;
     for (; k + 3 <= order; k += 4) {
-        for (int i = 0; i < 4; ++i) {
-            sum[i] += power[k + i] * real_abs(c[k + i]);
-        }
+        add_magnitudes(&first, c + k, power + k);
+        add_magnitudes(&second, c + k + 2, power + k + 2);
     }
+    real sum = part_of(first, 0);
     for (; k <= order; ++k) {
-        sum[0] += power[k] * real_abs(c[k]);
+        sum += power[k] * real_abs(c[k]);
     }
-    return (sum[0] + sum[1]) + (sum[2] + sum[3]);
+    return (sum + part_of(first, 1)) + (part_of(second, 0) + part_of(second, 1));
 }
 
 /* Where the length's coefficients add up to less than itself it has no zero for any complex time in reach:

@@ -3353,6 +3353,7 @@ static const int degrees_start_of_run[] = {1};
 static const int judged_start_of_run[] = {0};
 static const int divisors_start_of_run[] = {0};
 static const int integrals_start_of_run[] = {0};
+static const int factors_start_of_run[] = {0};
 static const tdmf_polynomial polynomials_slip_constant[] = {
     guard_slip_constant_falls,        guard_slip_constant_collapses,     guard_slip_constant_mid_stance,
     guard_slip_constant_lift_off,     guard_slip_constant_comes_to_rest, guard_slip_constant_power_of_hip,
@@ -3364,6 +3365,7 @@ static const int degrees_slip_constant[] = {99, 99, 99, 99, 99, 99, 99, 99, 99, 
 static const int judged_slip_constant[] = {2, 3, 5, 6, 7, 8, 10};
 static const int divisors_slip_constant[] = {14, 13};
 static const int integrals_slip_constant[] = {8, -1};
+static const int factors_slip_constant[] = {27, -1, -1, -1};
 static const tdmf_polynomial polynomials_stick[] = {guard_stick_falls,         guard_stick_collapses,
                                                     guard_stick_mid_stance,    guard_stick_lift_off,
                                                     guard_stick_slips_forward, guard_stick_slips_backward,
@@ -3375,6 +3377,7 @@ static const int degrees_stick[] = {99, 99, 99, 99, 99, 99, 1, 1, 99};
 static const int judged_stick[] = {2, 3, 4, 5, 8};
 static const int divisors_stick[] = {12, 11};
 static const int integrals_stick[] = {5, -1};
+static const int factors_stick[] = {23, -1, -1, -1};
 static const tdmf_polynomial polynomials_flight_place_calm[] = {
     guard_flight_place_calm_falls, guard_flight_place_calm_collapses, guard_flight_place_calm_apex,
     guard_flight_place_calm_touchdown, guard_flight_place_calm_power_of_hip};
@@ -3385,6 +3388,7 @@ static const int degrees_flight_place_calm[] = {99, 99, 99, 2, 99, 99, 99, 1, 1,
 static const int judged_flight_place_calm[] = {1, 2, 4, 5, 6};
 static const int divisors_flight_place_calm[] = {11};
 static const int integrals_flight_place_calm[] = {6};
+static const int factors_flight_place_calm[] = {15, 12};
 static const tdmf_polynomial polynomials_flight_rest_calm[] = {
     guard_flight_rest_calm_falls,     guard_flight_rest_calm_collapses, guard_flight_rest_calm_apex,
     guard_flight_rest_calm_touchdown, guard_flight_rest_calm_release,   guard_flight_rest_calm_power_of_hip};
@@ -3395,6 +3399,7 @@ static const int degrees_flight_rest_calm[] = {99, 99, 99, 2, 99, 99, 1, 1, 1, 1
 static const int judged_flight_rest_calm[] = {1, 2, 4, 5};
 static const int divisors_flight_rest_calm[] = {10};
 static const int integrals_flight_rest_calm[] = {5};
+static const int factors_flight_rest_calm[] = {11, -1};
 static const tdmf_polynomial polynomials_flight_retract_calm[] = {
     guard_flight_retract_calm_falls, guard_flight_retract_calm_collapses,
     guard_flight_retract_calm_apex,  guard_flight_retract_calm_touchdown,
@@ -3406,6 +3411,7 @@ static const int degrees_flight_retract_calm[] = {99, 99, 99, 2, 99, 99, 99, 1, 
 static const int judged_flight_retract_calm[] = {1, 2, 4, 5, 6};
 static const int divisors_flight_retract_calm[] = {10};
 static const int integrals_flight_retract_calm[] = {6};
+static const int factors_flight_retract_calm[] = {14, 11};
 static const tdmf_polynomial polynomials_fallen[] = {NULL};
 static const tdmf_vary_polynomial vary_observed_fallen[] = {NULL};
 static const int moving_fallen[] = {0};
@@ -3413,6 +3419,7 @@ static const int degrees_fallen[] = {0};
 static const int judged_fallen[] = {0};
 static const int divisors_fallen[] = {0};
 static const int integrals_fallen[] = {0};
+static const int factors_fallen[] = {0};
 static const tdmf_polynomial polynomials_graze_place[] = {
     guard_graze_place_falls,           guard_graze_place_collapses,
     guard_graze_place_mid_stance,      guard_graze_place_graze_to_contact,
@@ -3423,6 +3430,7 @@ static const int degrees_graze_place[] = {99, 2, 99, 99, 99, 99, 99, 1, 1, 1, 99
 static const int judged_graze_place[] = {2, 4, 5, 6, 10};
 static const int divisors_graze_place[] = {14, 0, 13};
 static const int integrals_graze_place[] = {6};
+static const int factors_graze_place[] = {22, 25};
 static const tdmf_polynomial polynomials_graze_rest[] = {
     guard_graze_rest_falls,           guard_graze_rest_collapses,   guard_graze_rest_apex_in_graze,
     guard_graze_rest_release,         guard_graze_rest_mid_stance,  guard_graze_rest_graze_to_contact,
@@ -3433,6 +3441,7 @@ static const int degrees_graze_rest[] = {99, 2, 99, 99, 99, 99, 99, 1, 1, 99};
 static const int judged_graze_rest[] = {2, 4, 5, 6, 9};
 static const int divisors_graze_rest[] = {13, 0, 12};
 static const int integrals_graze_rest[] = {6};
+static const int factors_graze_rest[] = {21, 24};
 static const tdmf_polynomial polynomials_graze_retract[] = {
     guard_graze_retract_falls,           guard_graze_retract_collapses,
     guard_graze_retract_apex_in_graze,   guard_graze_retract_clamp,
@@ -3444,6 +3453,7 @@ static const int degrees_graze_retract[] = {99, 2, 99, 99, 99, 99, 99, 1, 1, 99}
 static const int judged_graze_retract[] = {2, 4, 5, 6, 9};
 static const int divisors_graze_retract[] = {13, 0, 12};
 static const int integrals_graze_retract[] = {6};
+static const int factors_graze_retract[] = {21, 24};
 
 const tdmf_motion_kind TDMF_OF_WIDTH(tdmf_plain_runner_motions)[] = {
     {.moving_count = 1,
@@ -3456,6 +3466,7 @@ const tdmf_motion_kind TDMF_OF_WIDTH(tdmf_plain_runner_motions)[] = {
      .judged = judged_start_of_run,
      .divisors = divisors_start_of_run,
      .integrals = integrals_start_of_run,
+     .factors = factors_start_of_run,
      .polynomials = polynomials_start_of_run,
      .vary_observed = vary_observed_start_of_run,
      .expand = expand_start_of_run,
@@ -3471,6 +3482,7 @@ const tdmf_motion_kind TDMF_OF_WIDTH(tdmf_plain_runner_motions)[] = {
      .judged = judged_slip_constant,
      .divisors = divisors_slip_constant,
      .integrals = integrals_slip_constant,
+     .factors = factors_slip_constant,
      .polynomials = polynomials_slip_constant,
      .vary_observed = vary_observed_slip_constant,
      .expand = expand_slip_constant,
@@ -3486,6 +3498,7 @@ const tdmf_motion_kind TDMF_OF_WIDTH(tdmf_plain_runner_motions)[] = {
      .judged = judged_stick,
      .divisors = divisors_stick,
      .integrals = integrals_stick,
+     .factors = factors_stick,
      .polynomials = polynomials_stick,
      .vary_observed = vary_observed_stick,
      .expand = expand_stick,
@@ -3501,6 +3514,7 @@ const tdmf_motion_kind TDMF_OF_WIDTH(tdmf_plain_runner_motions)[] = {
      .judged = judged_flight_place_calm,
      .divisors = divisors_flight_place_calm,
      .integrals = integrals_flight_place_calm,
+     .factors = factors_flight_place_calm,
      .polynomials = polynomials_flight_place_calm,
      .vary_observed = vary_observed_flight_place_calm,
      .expand = expand_flight_place_calm,
@@ -3516,6 +3530,7 @@ const tdmf_motion_kind TDMF_OF_WIDTH(tdmf_plain_runner_motions)[] = {
      .judged = judged_flight_rest_calm,
      .divisors = divisors_flight_rest_calm,
      .integrals = integrals_flight_rest_calm,
+     .factors = factors_flight_rest_calm,
      .polynomials = polynomials_flight_rest_calm,
      .vary_observed = vary_observed_flight_rest_calm,
      .expand = expand_flight_rest_calm,
@@ -3531,6 +3546,7 @@ const tdmf_motion_kind TDMF_OF_WIDTH(tdmf_plain_runner_motions)[] = {
      .judged = judged_flight_retract_calm,
      .divisors = divisors_flight_retract_calm,
      .integrals = integrals_flight_retract_calm,
+     .factors = factors_flight_retract_calm,
      .polynomials = polynomials_flight_retract_calm,
      .vary_observed = vary_observed_flight_retract_calm,
      .expand = expand_flight_retract_calm,
@@ -3546,6 +3562,7 @@ const tdmf_motion_kind TDMF_OF_WIDTH(tdmf_plain_runner_motions)[] = {
      .judged = judged_fallen,
      .divisors = divisors_fallen,
      .integrals = integrals_fallen,
+     .factors = factors_fallen,
      .polynomials = polynomials_fallen,
      .vary_observed = vary_observed_fallen,
      .expand = expand_fallen,
@@ -3561,6 +3578,7 @@ const tdmf_motion_kind TDMF_OF_WIDTH(tdmf_plain_runner_motions)[] = {
      .judged = judged_graze_place,
      .divisors = divisors_graze_place,
      .integrals = integrals_graze_place,
+     .factors = factors_graze_place,
      .polynomials = polynomials_graze_place,
      .vary_observed = vary_observed_graze_place,
      .expand = expand_graze_place,
@@ -3576,6 +3594,7 @@ const tdmf_motion_kind TDMF_OF_WIDTH(tdmf_plain_runner_motions)[] = {
      .judged = judged_graze_rest,
      .divisors = divisors_graze_rest,
      .integrals = integrals_graze_rest,
+     .factors = factors_graze_rest,
      .polynomials = polynomials_graze_rest,
      .vary_observed = vary_observed_graze_rest,
      .expand = expand_graze_rest,
@@ -3591,6 +3610,7 @@ const tdmf_motion_kind TDMF_OF_WIDTH(tdmf_plain_runner_motions)[] = {
      .judged = judged_graze_retract,
      .divisors = divisors_graze_retract,
      .integrals = integrals_graze_retract,
+     .factors = factors_graze_retract,
      .polynomials = polynomials_graze_retract,
      .vary_observed = vary_observed_graze_retract,
      .expand = expand_graze_retract,

@@ -7614,6 +7614,7 @@ static const int degrees_start_of_run[] = {1, 1, 1, 1, 1, 1};
 static const int judged_start_of_run[] = {0};
 static const int divisors_start_of_run[] = {0};
 static const int integrals_start_of_run[] = {0};
+static const int factors_start_of_run[] = {0};
 static const tdmf_polynomial polynomials_slip_constant[] = {guard_slip_constant_ramp_ends,
                                                             guard_slip_constant_falls,
                                                             guard_slip_constant_collapses,
@@ -7634,6 +7635,7 @@ static const int degrees_slip_constant[] = {99, 99, 99, 99, 99, 99, 99, 99, 99, 
 static const int judged_slip_constant[] = {2, 3, 5, 6, 7, 8, 9, 10, 17};
 static const int divisors_slip_constant[] = {21, 20};
 static const int integrals_slip_constant[] = {10, -1, -1};
+static const int factors_slip_constant[] = {39, -1, -1, -1, -1, -1};
 static const tdmf_polynomial polynomials_stick[] = {
     guard_stick_ramp_ends,     guard_stick_falls,
     guard_stick_collapses,     guard_stick_greatest_compression,
@@ -7648,6 +7650,7 @@ static const int degrees_stick[] = {99, 99, 99, 99, 99, 99, 99, 99, 1, 1, 1, 1, 
 static const int judged_stick[] = {2, 3, 4, 5, 6, 7, 15};
 static const int divisors_stick[] = {19, 18};
 static const int integrals_stick[] = {7, -1, -1};
+static const int factors_stick[] = {34, -1, -1, -1, -1, -1};
 static const tdmf_polynomial polynomials_flight_place_calm[] = {guard_flight_place_calm_passes_end,
                                                                 guard_flight_place_calm_passes_begin,
                                                                 guard_flight_place_calm_next_segment_comes,
@@ -7667,6 +7670,7 @@ static const int degrees_flight_place_calm[] = {99, 99, 99, 2, 99, 99, 99, 99, 1
 static const int judged_flight_place_calm[] = {1, 2, 4, 5, 6, 7};
 static const int divisors_flight_place_calm[] = {17};
 static const int integrals_flight_place_calm[] = {7};
+static const int factors_flight_place_calm[] = {21, 18};
 static const tdmf_polynomial polynomials_flight_rest_calm[] = {guard_flight_rest_calm_passes_end,
                                                                guard_flight_rest_calm_passes_begin,
                                                                guard_flight_rest_calm_next_segment_comes,
@@ -7686,6 +7690,7 @@ static const int degrees_flight_rest_calm[] = {99, 99, 99, 2, 2, 99, 99, 99, 1, 
 static const int judged_flight_rest_calm[] = {1, 2, 5, 6, 7};
 static const int divisors_flight_rest_calm[] = {16};
 static const int integrals_flight_rest_calm[] = {7};
+static const int factors_flight_rest_calm[] = {21, -1};
 static const tdmf_polynomial polynomials_flight_retract_calm[] = {
     guard_flight_retract_calm_passes_end,
     guard_flight_retract_calm_passes_begin,
@@ -7707,6 +7712,7 @@ static const int degrees_flight_retract_calm[] = {99, 99, 99, 2, 99, 99, 99, 99,
 static const int judged_flight_retract_calm[] = {1, 2, 4, 5, 6, 7};
 static const int divisors_flight_retract_calm[] = {16};
 static const int integrals_flight_retract_calm[] = {7};
+static const int factors_flight_retract_calm[] = {20, 17};
 static const tdmf_polynomial polynomials_fallen[] = {NULL};
 static const tdmf_vary_polynomial vary_observed_fallen[] = {NULL};
 static const int moving_fallen[] = {0};
@@ -7714,6 +7720,7 @@ static const int degrees_fallen[] = {0};
 static const int judged_fallen[] = {0};
 static const int divisors_fallen[] = {0};
 static const int integrals_fallen[] = {0};
+static const int factors_fallen[] = {0};
 static const tdmf_polynomial polynomials_graze_place[] = {
     guard_graze_place_passes_end,       guard_graze_place_passes_begin,
     guard_graze_place_ramp_ends,        guard_graze_place_falls,
@@ -7726,6 +7733,7 @@ static const int degrees_graze_place[] = {99, 3, 99, 2, 99, 99, 99, 99, 99, 99, 
 static const int judged_graze_place[] = {2, 5, 6, 7, 8, 9, 17};
 static const int divisors_graze_place[] = {21, 0, 20};
 static const int integrals_graze_place[] = {9};
+static const int factors_graze_place[] = {32, 35};
 static const tdmf_polynomial polynomials_graze_rest[] = {
     guard_graze_rest_passes_end,      guard_graze_rest_passes_begin, guard_graze_rest_ramp_ends,
     guard_graze_rest_falls,           guard_graze_rest_collapses,    guard_graze_rest_apex_in_graze,
@@ -7737,6 +7745,7 @@ static const int degrees_graze_rest[] = {99, 3, 99, 2, 99, 99, 99, 99, 99, 99, 1
 static const int judged_graze_rest[] = {2, 5, 6, 7, 8, 9, 16};
 static const int divisors_graze_rest[] = {20, 0, 19};
 static const int integrals_graze_rest[] = {9};
+static const int factors_graze_rest[] = {31, 34};
 static const tdmf_polynomial polynomials_graze_retract[] = {guard_graze_retract_passes_end,
                                                             guard_graze_retract_passes_begin,
                                                             guard_graze_retract_ramp_ends,
@@ -7754,6 +7763,7 @@ static const int degrees_graze_retract[] = {99, 3, 99, 2, 99, 99, 99, 99, 99, 99
 static const int judged_graze_retract[] = {2, 5, 6, 7, 8, 9, 16};
 static const int divisors_graze_retract[] = {20, 0, 19};
 static const int integrals_graze_retract[] = {9};
+static const int factors_graze_retract[] = {31, 34};
 static const tdmf_polynomial polynomials_slip_falling[] = {guard_slip_falling_ramp_ends,
                                                            guard_slip_falling_falls,
                                                            guard_slip_falling_collapses,
@@ -7774,6 +7784,7 @@ static const int degrees_slip_falling[] = {99, 99, 99, 99, 99, 99, 99, 99, 99, 9
 static const int judged_slip_falling[] = {2, 3, 5, 6, 7, 8, 9, 10, 17};
 static const int divisors_slip_falling[] = {21, 20};
 static const int integrals_slip_falling[] = {10, -1, -1};
+static const int factors_slip_falling[] = {44, -1, -1, -1, -1, -1};
 static const tdmf_polynomial polynomials_flight_place_pushed[] = {
     guard_flight_place_pushed_passes_end,         guard_flight_place_pushed_passes_begin,
     guard_flight_place_pushed_next_segment_comes, guard_flight_place_pushed_ramp_ends,
@@ -7789,6 +7800,7 @@ static const int degrees_flight_place_pushed[] = {99, 99, 99, 3, 3, 2, 2, 99, 99
 static const int judged_flight_place_pushed[] = {1, 2, 7, 8, 9, 10, 11};
 static const int divisors_flight_place_pushed[] = {19};
 static const int integrals_flight_place_pushed[] = {11};
+static const int factors_flight_place_pushed[] = {28, 20};
 static const tdmf_polynomial polynomials_flight_rest_pushed[] = {
     guard_flight_rest_pushed_passes_end,         guard_flight_rest_pushed_passes_begin,
     guard_flight_rest_pushed_next_segment_comes, guard_flight_rest_pushed_ramp_ends,
@@ -7805,6 +7817,7 @@ static const int degrees_flight_rest_pushed[] = {99, 99, 99, 3, 3, 2, 2, 99, 99,
 static const int judged_flight_rest_pushed[] = {1, 2, 7, 8, 9, 10, 11};
 static const int divisors_flight_rest_pushed[] = {18};
 static const int integrals_flight_rest_pushed[] = {11};
+static const int factors_flight_rest_pushed[] = {36, -1};
 static const tdmf_polynomial polynomials_flight_retract_pushed[] = {
     guard_flight_retract_pushed_passes_end,         guard_flight_retract_pushed_passes_begin,
     guard_flight_retract_pushed_next_segment_comes, guard_flight_retract_pushed_ramp_ends,
@@ -7821,6 +7834,7 @@ static const int degrees_flight_retract_pushed[] = {99, 99, 99, 3, 3, 2, 2, 99, 
 static const int judged_flight_retract_pushed[] = {1, 2, 7, 8, 9, 10, 11};
 static const int divisors_flight_retract_pushed[] = {18};
 static const int integrals_flight_retract_pushed[] = {11};
+static const int factors_flight_retract_pushed[] = {27, 19};
 
 const tdmf_motion_kind TDMF_OF_WIDTH(tdmf_runner_motions)[] = {
     {.moving_count = 6,
@@ -7833,6 +7847,7 @@ const tdmf_motion_kind TDMF_OF_WIDTH(tdmf_runner_motions)[] = {
      .judged = judged_start_of_run,
      .divisors = divisors_start_of_run,
      .integrals = integrals_start_of_run,
+     .factors = factors_start_of_run,
      .polynomials = polynomials_start_of_run,
      .vary_observed = vary_observed_start_of_run,
      .expand = expand_start_of_run,
@@ -7848,6 +7863,7 @@ const tdmf_motion_kind TDMF_OF_WIDTH(tdmf_runner_motions)[] = {
      .judged = judged_slip_constant,
      .divisors = divisors_slip_constant,
      .integrals = integrals_slip_constant,
+     .factors = factors_slip_constant,
      .polynomials = polynomials_slip_constant,
      .vary_observed = vary_observed_slip_constant,
      .expand = expand_slip_constant,
@@ -7863,6 +7879,7 @@ const tdmf_motion_kind TDMF_OF_WIDTH(tdmf_runner_motions)[] = {
      .judged = judged_stick,
      .divisors = divisors_stick,
      .integrals = integrals_stick,
+     .factors = factors_stick,
      .polynomials = polynomials_stick,
      .vary_observed = vary_observed_stick,
      .expand = expand_stick,
@@ -7878,6 +7895,7 @@ const tdmf_motion_kind TDMF_OF_WIDTH(tdmf_runner_motions)[] = {
      .judged = judged_flight_place_calm,
      .divisors = divisors_flight_place_calm,
      .integrals = integrals_flight_place_calm,
+     .factors = factors_flight_place_calm,
      .polynomials = polynomials_flight_place_calm,
      .vary_observed = vary_observed_flight_place_calm,
      .expand = expand_flight_place_calm,
@@ -7893,6 +7911,7 @@ const tdmf_motion_kind TDMF_OF_WIDTH(tdmf_runner_motions)[] = {
      .judged = judged_flight_rest_calm,
      .divisors = divisors_flight_rest_calm,
      .integrals = integrals_flight_rest_calm,
+     .factors = factors_flight_rest_calm,
      .polynomials = polynomials_flight_rest_calm,
      .vary_observed = vary_observed_flight_rest_calm,
      .expand = expand_flight_rest_calm,
@@ -7908,6 +7927,7 @@ const tdmf_motion_kind TDMF_OF_WIDTH(tdmf_runner_motions)[] = {
      .judged = judged_flight_retract_calm,
      .divisors = divisors_flight_retract_calm,
      .integrals = integrals_flight_retract_calm,
+     .factors = factors_flight_retract_calm,
      .polynomials = polynomials_flight_retract_calm,
      .vary_observed = vary_observed_flight_retract_calm,
      .expand = expand_flight_retract_calm,
@@ -7923,6 +7943,7 @@ const tdmf_motion_kind TDMF_OF_WIDTH(tdmf_runner_motions)[] = {
      .judged = judged_fallen,
      .divisors = divisors_fallen,
      .integrals = integrals_fallen,
+     .factors = factors_fallen,
      .polynomials = polynomials_fallen,
      .vary_observed = vary_observed_fallen,
      .expand = expand_fallen,
@@ -7938,6 +7959,7 @@ const tdmf_motion_kind TDMF_OF_WIDTH(tdmf_runner_motions)[] = {
      .judged = judged_graze_place,
      .divisors = divisors_graze_place,
      .integrals = integrals_graze_place,
+     .factors = factors_graze_place,
      .polynomials = polynomials_graze_place,
      .vary_observed = vary_observed_graze_place,
      .expand = expand_graze_place,
@@ -7953,6 +7975,7 @@ const tdmf_motion_kind TDMF_OF_WIDTH(tdmf_runner_motions)[] = {
      .judged = judged_graze_rest,
      .divisors = divisors_graze_rest,
      .integrals = integrals_graze_rest,
+     .factors = factors_graze_rest,
      .polynomials = polynomials_graze_rest,
      .vary_observed = vary_observed_graze_rest,
      .expand = expand_graze_rest,
@@ -7968,6 +7991,7 @@ const tdmf_motion_kind TDMF_OF_WIDTH(tdmf_runner_motions)[] = {
      .judged = judged_graze_retract,
      .divisors = divisors_graze_retract,
      .integrals = integrals_graze_retract,
+     .factors = factors_graze_retract,
      .polynomials = polynomials_graze_retract,
      .vary_observed = vary_observed_graze_retract,
      .expand = expand_graze_retract,
@@ -7983,6 +8007,7 @@ const tdmf_motion_kind TDMF_OF_WIDTH(tdmf_runner_motions)[] = {
      .judged = judged_slip_falling,
      .divisors = divisors_slip_falling,
      .integrals = integrals_slip_falling,
+     .factors = factors_slip_falling,
      .polynomials = polynomials_slip_falling,
      .vary_observed = vary_observed_slip_falling,
      .expand = expand_slip_falling,
@@ -7998,6 +8023,7 @@ const tdmf_motion_kind TDMF_OF_WIDTH(tdmf_runner_motions)[] = {
      .judged = judged_flight_place_pushed,
      .divisors = divisors_flight_place_pushed,
      .integrals = integrals_flight_place_pushed,
+     .factors = factors_flight_place_pushed,
      .polynomials = polynomials_flight_place_pushed,
      .vary_observed = vary_observed_flight_place_pushed,
      .expand = expand_flight_place_pushed,
@@ -8013,6 +8039,7 @@ const tdmf_motion_kind TDMF_OF_WIDTH(tdmf_runner_motions)[] = {
      .judged = judged_flight_rest_pushed,
      .divisors = divisors_flight_rest_pushed,
      .integrals = integrals_flight_rest_pushed,
+     .factors = factors_flight_rest_pushed,
      .polynomials = polynomials_flight_rest_pushed,
      .vary_observed = vary_observed_flight_rest_pushed,
      .expand = expand_flight_rest_pushed,
@@ -8028,6 +8055,7 @@ const tdmf_motion_kind TDMF_OF_WIDTH(tdmf_runner_motions)[] = {
      .judged = judged_flight_retract_pushed,
      .divisors = divisors_flight_retract_pushed,
      .integrals = integrals_flight_retract_pushed,
+     .factors = factors_flight_retract_pushed,
      .polynomials = polynomials_flight_retract_pushed,
      .vary_observed = vary_observed_flight_retract_pushed,
      .expand = expand_flight_retract_pushed,

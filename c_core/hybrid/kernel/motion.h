@@ -33,6 +33,7 @@ typedef struct {
     tdmf_vary *vary;
     const tdmf_vary_polynomial *vary_observed;
     const int *integrals; /* series whose rate is the observed quantity, or -1 */
+    const int *factors;   /* two for each observed quantity: series whose signs decide its own, or -1 */
     tdmf_bounds *bounds;  /* of guards and observed quantities; NULL: none is bounded */
 } tdmf_motion_kind;
 

@@ -32,6 +32,21 @@ static void to_bernstein(const double *c, int degree, double *b) {
     }
 }
 
+/* The value of a polynomial. Even and odd powers apart: one sum would wait for each of its terms. */
+static double value_of(const double *c, int degree, double t) {
+    const double square = t * t;
+    int k = degree;
+    double even = 0.0, odd = 0.0;
+    if (k % 2 == 0) {
+        even = c[k--];
+    }
+    for (; k > 0; k -= 2) {
+        even = even * square + c[k - 1];
+        odd = odd * square + c[k];
+    }
+    return even + t * odd;
+}
+
 /* The only root in an interval at whose ends the polynomial has opposite signs, by Halley's method. */
 static double root_between(const sign_changes *of, double from, double to, bool rises, double guess) {
     double root = guess;
@@ -153,38 +168,85 @@ static void add_piece(positive_pieces *pieces, double from, double to) {
     }
 }
 
-/* Adds the only root of a polynomial whose rate keeps its sign, if it has one. False if the rate may change
- * its sign: it is a mean of its partial sums. */
-static bool add_root_of_monotone(sign_changes *of) {
+/* The range of a polynomial on [0, 1], which is a mean of its partial sums. `weights` are those of its
+ * coefficients: so the range is that of a derivative. `last` is the value at 1. */
+typedef struct {
+    double lowest, highest, last;
+} range;
+
+static range range_of(const double *c, int from, int degree, const double weights[SERIES_TERMS]) {
+    double sum = weights[from] * c[from];
+    range of = {sum, sum, sum};
+    for (int k = from + 1; k <= degree; ++k) {
+        sum += weights[k] * c[k];
+        of.lowest = real_min(of.lowest, sum);
+        of.highest = real_max(of.highest, sum);
+    }
+    of.last = sum;
+    return of;
+}
+
+static bool keeps_sign(const range *of) {
+    return of->lowest >= 0.0 || of->highest <= 0.0;
+}
+
+/* Adds the root of a polynomial that is seen to have no more than one. False if it may have more. */
+static bool add_only_root(sign_changes *of) {
     const double *c = of->c;
-    double rate = 0.0, end = c[0], lowest = INFINITY, highest = -INFINITY;
+    const range rate = range_of(c, 1, of->degree, first_derivative);
+    double end = c[0];
     for (int k = 1; k <= of->degree; ++k) {
-        rate += k * c[k];
         end += c[k];
-        lowest = real_min(lowest, rate);
-        highest = real_max(highest, rate);
     }
-    if (lowest < 0.0 && highest > 0.0) {
-        return false;
+    const bool changes = (c[0] < 0.0) != (end < 0.0);
+    if (!keeps_sign(&rate)) {
+        const range bend = range_of(c, 2, of->degree, second_derivative);
+        const bool bends_away = c[0] < 0.0 ? bend.lowest >= 0.0 : bend.highest <= 0.0;
+        if (!keeps_sign(&bend) || (!changes && !bends_away)) {
+            return false;
+        }
     }
-    if ((c[0] < 0.0) != (end < 0.0)) {
+    if (changes) {
         add_root(of, root_between(of, 0.0, 1.0, c[0] < 0.0, c[0] / (c[0] - end)));
     }
     return true;
 }
 
-double tdmf_integral_where_positive(const double *g, int order, double least, positive_pieces *pieces) {
-    double b[TERMS], integral[TERMS], sum = 0.0, before = 0.0, from = 0.0;
-    sign_changes of = {.c = g, .degree = order - 1, .negligible = least};
-    if (!add_root_of_monotone(&of)) {
-        to_bernstein(g, of.degree, b);
-        add_roots(&of, b);
+/* Adds the roots of one more polynomial. */
+static void add_sign_changes(sign_changes *of, const double *c, int degree) {
+    double b[TERMS];
+    of->c = c;
+    of->degree = degree;
+    if (!add_only_root(of)) {
+        to_bernstein(c, degree, b);
+        add_roots(of, b);
     }
-    add_root(&of, 1.0);
-    integral_of(g, order, integral);
+}
+
+static void sort(double *times, int count) {
+    for (int i = 1; i < count; ++i) {
+        const double time = times[i];
+        int place = i;
+        for (; place > 0 && times[place - 1] > time; --place) {
+            times[place] = times[place - 1];
+        }
+        times[place] = time;
+    }
+}
+
+double tdmf_integral_where_positive(const double *integral, int order, const double (*factors)[TERMS],
+                                    int factor_count, double least, positive_pieces *pieces) {
+    double sum = 0.0, before = 0.0, from = 0.0;
+    sign_changes of;
+    of.negligible = least;
+    of.count = 0;
+    for (int i = 0; i < factor_count; ++i) {
+        add_sign_changes(&of, factors[i], order - 1);
+    }
+    sort(of.roots, of.count);
     pieces->count = 0;
-    for (int i = 0; i < of.count; ++i) {
-        const double to = of.roots[i], after = expansion_at(integral, order, to).value;
+    for (int i = 0; i <= of.count; ++i) {
+        const double to = i < of.count ? of.roots[i] : 1.0, after = value_of(integral, order, to);
         if (after > before) {
             sum += after - before;
             add_piece(pieces, from, to);
@@ -199,8 +261,7 @@ double tdmf_integral_over(const double *g, int order, const positive_pieces *pie
     double integral[TERMS], sum = 0.0;
     integral_of(g, order, integral);
     for (int i = 0; i < pieces->count; ++i) {
-        sum += expansion_at(integral, order, pieces->to[i]).value -
-               expansion_at(integral, order, pieces->from[i]).value;
+        sum += value_of(integral, order, pieces->to[i]) - value_of(integral, order, pieces->from[i]);
     }
     return sum;
 }
@@ -236,7 +297,7 @@ double tdmf_largest_in_step(const double *g, int order, double largest, double *
     of.negligible = DBL_EPSILON * fabs(largest);
     add_roots(&of, b);
     for (int i = 0; i < of.count; ++i) {
-        raise_largest(&largest, expansion_at(g, order - 1, of.roots[i]).value, share, of.roots[i]);
+        raise_largest(&largest, value_of(g, order - 1, of.roots[i]), share, of.roots[i]);
     }
     return largest;
 }

@@ -9,9 +9,11 @@
 
 #include "page_step.h"
 
-/* The integral over a step where a polynomial g, scaled to the step, is positive, and the pieces where it is.
- * Where its values are smaller than `least`, its sign does not matter. */
-double tdmf_integral_where_positive(const double *g, int order, double least, positive_pieces *pieces);
+/* The part of an integral over a step that grows, and the pieces where it does. All polynomials are scaled to
+ * the step; the integral is 0 at its start. Its rate changes its sign where one of the factors does; where
+ * the values of a factor are smaller than `least`, its sign does not matter. */
+double tdmf_integral_where_positive(const double *integral, int order, const double (*factors)[TERMS],
+                                    int factor_count, double least, positive_pieces *pieces);
 
 /* The integral of a polynomial over pieces of a step. */
 double tdmf_integral_over(const double *g, int order, const positive_pieces *pieces);
@@ -58,58 +60,105 @@ static inline const real *expanded(page_step *step, int watch) {
 /* Ends the step where the series of an observed quantity can be trusted no further. `value` is that of its
  * state. */
 static inline void trust_observed(page_step *step, int watch, real value, mask lanes) {
+    const int state = step->motion->integrals[watch], last = step->order - 1;
     lanes &= needs_polynomial(step, watch, value);
-    if (any(lanes)) {
-        const real allowed = guard_tolerance * step->tolerance * scale_of_observed(step, watch);
-        trust(step, expanded(step, watch), is_largest(step, watch) ? allowed : allowed / step->size, lanes);
+    if (!any(lanes)) {
+        return;
+    }
+    const real allowed = guard_tolerance * step->tolerance * scale_of_observed(step, watch);
+    if (is_largest(step, watch)) {
+        trust(step, expanded(step, watch), allowed, lanes);
+    } else if (state < 0) {
+        trust(step, expanded(step, watch), allowed / step->size, lanes);
+    } else { /* the rate of a state */
+        const real *c = step->s[state];
+        trust_terms(step, (double)last * c[last], (double)(last + 1) * c[last + 1], allowed / step->size,
+                    lanes);
     }
 }
 
-static inline void scaled_lane(const page_step *step, const real *g, int lane, double *own) {
-    for (int k = 0; k < step->order; ++k) {
+static inline void scaled_lane(const page_step *step, const real *g, int terms, int lane, double *own) {
+    for (int k = 0; k < terms; ++k) {
         own[k] = lane_of(&g[k], lane) * lane_of(&step->power[k], lane);
     }
 }
 
-/* The change of the integral of a polynomial over the step. */
-static inline real change_of_integral(const page_step *step, const real *g) {
-    real integral[TERMS];
-    for (int k = 0; k < step->order; ++k) {
+/* Writes the integral of a polynomial, but for coefficient 0. */
+static inline void integrate_polynomial(const real *g, int terms, real *integral) {
+    for (int k = 0; k < terms; ++k) {
         integral[k + 1] = g[k] * series_reciprocal[k + 1];
     }
-    return change_of(integral, step->power, step->order);
+}
+
+/* Lanes in which a polynomial may change its sign in the step. */
+static inline mask may_change_sign(const page_step *step, const real *g) {
+    return mask_not(real_abs(g[0]) > largest_change(g, step->power, step->order - 1));
+}
+
+/* Lanes in which the sign of an observed quantity is not known: neither by its factors, nor by its range.
+ * Writes the lanes in which each factor may change its sign. */
+static inline mask has_unknown_sign(page_step *step, int watch, mask lanes, mask changes[2]) {
+    const int *factors = step->motion->factors + 2 * watch;
+    changes[0] = changes[1] = mask_of(false);
+    lanes &= mask_not(bounds_of_observed(step, watch).low >= 0.0);
+    if (any(lanes) && factors[0] < 0) {
+        const interval range = interval_of_series(expanded(step, watch), step->power, step->order);
+        return lanes & mask_not((range.low >= 0.0) | (range.high <= 0.0));
+    }
+    for (int i = 0; i < 2 && any(lanes) && factors[i] >= 0; ++i) {
+        changes[i] = may_change_sign(step, step->s[factors[i]]);
+    }
+    return lanes & (changes[0] | changes[1]);
+}
+
+/* The integral in a lane where the quantity is positive in pieces of the step. */
+static inline double integral_in_lane(page_step *step, int watch, const real *integral, const mask changes[2],
+                                      double least, int lane) {
+    const int *factors = step->motion->factors + 2 * watch;
+    double own[TERMS], of_factors[2][TERMS];
+    int count = 0;
+    scaled_lane(step, integral, step->order + 1, lane, own);
+    own[0] = 0.0;
+    if (factors[0] < 0) {
+        scaled_lane(step, expanded(step, watch), step->order, lane, of_factors[count++]);
+    }
+    for (int i = 0; i < 2; ++i) {
+        if (has_lane(&changes[i], lane)) {
+            scaled_lane(step, step->s[factors[i]], step->order, lane, of_factors[count++]);
+        }
+    }
+    return tdmf_integral_where_positive(own, step->order, (const double(*)[TERMS])of_factors, count,
+                                        factors[0] < 0 ? least : 0.0, &step->observed[watch].pieces[lane]);
 }
 
 /* The integral over the step where the quantity is positive. */
 static inline real positive_integral(page_step *step, int watch, mask lanes) {
     observed_part *of = &step->observed[watch];
     const real least = part_tolerance * step->tolerance * scale_of_observed(step, watch);
-    const int order = step->order, state = step->motion->integrals[watch];
-    const interval bounds = bounds_of_observed(step, watch);
-    lanes &= mask_not(bounds.high <= 0.0);
+    const int state = step->motion->integrals[watch];
+    mask changes[2];
+    real own[TERMS];
+    lanes &= mask_not(bounds_of_observed(step, watch).high <= 0.0);
     if (!any(lanes)) {
         return broadcast(0.0);
     }
-    const real whole = state >= 0 ? change_of(step->s[state], step->power, order)
-                                  : change_of_integral(step, expanded(step, watch));
+    if (state < 0) {
+        integrate_polynomial(expanded(step, watch), step->order, own);
+    }
+    const real *integral = state >= 0 ? step->s[state] : own;
+    const real whole = change_of(integral, step->power, step->order);
     real sum = select(lanes, real_max(broadcast(0.0), whole), broadcast(0.0));
     of->is_positive = lanes & (whole > 0.0);
-    lanes &= mask_not(bounds.low >= 0.0);
-    if (!any(lanes)) {
-        return sum;
+    lanes = has_unknown_sign(step, watch, lanes, changes);
+    if (any(lanes)) {
+        lanes &= mask_not(largest_change(integral, step->power, step->order) < least);
     }
-    const real *g = expanded(step, watch);
-    const real size = step->power[1];
-    const interval range = interval_of_series(g, step->power, order);
-    lanes &= mask_not((range.low >= 0.0) | (range.high <= 0.0) | (size * (range.high - range.low) < least));
     of->is_positive &= mask_not(lanes);
     of->has_pieces = lanes;
     for (int lane = 0; lane < LANES; ++lane) {
         if (has_lane(&lanes, lane)) {
-            double own[TERMS];
-            const double length = lane_of(&size, lane), most = lane_of(&least, lane) / length;
-            scaled_lane(step, g, lane, own);
-            set_lane(&sum, lane, length * tdmf_integral_where_positive(own, order, most, &of->pieces[lane]));
+            const double most = lane_of(&least, lane) / lane_of(&step->power[1], lane);
+            set_lane(&sum, lane, integral_in_lane(step, watch, integral, changes, most, lane));
         }
     }
     return sum;
@@ -128,7 +177,7 @@ static inline real largest_value(page_step *step, int watch, real largest, mask 
     for (int lane = 0; lane < LANES; ++lane) {
         if (has_lane(&lanes, lane)) {
             double own[TERMS], share = lane_of(&of->share, lane);
-            scaled_lane(step, g, lane, own);
+            scaled_lane(step, g, order, lane, own);
             set_lane(&largest, lane, tdmf_largest_in_step(own, order, lane_of(&largest, lane), &share));
             set_lane(&of->share, lane, share);
         }
@@ -165,7 +214,7 @@ static inline void change_in_pieces(const page_step *step, int watch, const real
     for (int lane = 0; lane < LANES; ++lane) {
         if (has_lane(&of->has_pieces, lane)) {
             double own[TERMS];
-            scaled_lane(step, dg, lane, own);
+            scaled_lane(step, dg, step->order, lane, own);
             set_lane(change, lane,
                      lane_of(&size, lane) * tdmf_integral_over(own, step->order, &of->pieces[lane]));
         }
@@ -192,8 +241,11 @@ static inline real observed_variation(const page_step *step, int watch, const re
     if (is_largest(step, watch)) {
         return variation_of_largest(step, watch, dg, shift, varied);
     }
-    const real whole =
-        is_state ? change_of(t[state], step->power, step->order) : change_of_integral(step, dg);
+    real own[TERMS];
+    if (!is_state) {
+        integrate_polynomial(dg, step->order, own);
+    }
+    const real whole = change_of(is_state ? t[state] : own, step->power, step->order);
     real change = select(of->is_positive, whole, broadcast(0.0));
     change_in_pieces(step, watch, dg, &change);
     return varied + change;

@@ -3,6 +3,7 @@
 #ifndef TDMF_KERNEL_PAGE_SERIES_H
 #define TDMF_KERNEL_PAGE_SERIES_H
 
+#include "pairs.h"
 #include "powers.h"
 #include "series_products.h"
 
@@ -57,58 +58,6 @@ static inline void portable_sine_and_cosine(real x, real *sine, real *cosine) {
     const real own = quadrant & 1 ? c : s, other = quadrant & 1 ? s : c;
     *sine = quadrant & 2 ? -own : own;
     *cosine = (quadrant + 1) & 2 ? -other : other;
-}
-#endif
-
-/* ---- sums for two consecutive coefficients ------------------------------------------------------------- */
-
-#if defined(__GNUC__) && !defined(TDMF_LANES)
-typedef double pair __attribute__((vector_size(16)));
-
-KERNEL pair pair_of(real low, real high) {
-    return (pair){low, high};
-}
-
-KERNEL real part_of(pair a, int high) {
-    return a[high];
-}
-
-/* Adds a[0] b and a[1] b. */
-KERNEL void add_products(pair *sum, const real *a, real b) {
-    pair both;
-    memcpy(&both, a, sizeof both);
-    *sum += both * b;
-}
-
-/* Adds a[0] b[0] and a[1] b[1]. */
-KERNEL void add_terms(pair *sum, const real *a, const real *b) {
-    pair of_a, of_b;
-    memcpy(&of_a, a, sizeof of_a);
-    memcpy(&of_b, b, sizeof of_b);
-    *sum += of_a * of_b;
-}
-#else
-typedef struct {
-    real part[2];
-} pair;
-
-KERNEL pair pair_of(real low, real high) {
-    const pair both = {{low, high}};
-    return both;
-}
-
-KERNEL real part_of(pair a, int high) {
-    return a.part[high];
-}
-
-KERNEL void add_products(pair *sum, const real *a, real b) {
-    sum->part[0] += a[0] * b;
-    sum->part[1] += a[1] * b;
-}
-
-KERNEL void add_terms(pair *sum, const real *a, const real *b) {
-    sum->part[0] += a[0] * b[0];
-    sum->part[1] += a[1] * b[1];
 }
 #endif
 

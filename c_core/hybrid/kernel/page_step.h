@@ -237,11 +237,14 @@ static inline mask shorten(page_step *step, const series_remainder *remainder, r
 
 /* Shortens the step where the series of a guard or an observed quantity can be trusted no further: a leg that
  * spins steadily has states of few terms, and a sine in its guard. */
-static inline void trust(page_step *step, const real *g, real allowed, mask lanes) {
-    const int last = step->order - 1;
-    const series_remainder remainder = {real_abs(g[last]) * step->power[last],
-                                        real_abs(g[last - 1]) * step->power[last - 1]};
+static inline void trust_terms(page_step *step, real last_but_one, real last, real allowed, mask lanes) {
+    const real *power = step->power + step->order - 1;
+    const series_remainder remainder = {real_abs(last) * power[0], real_abs(last_but_one) * power[-1]};
     shorten(step, &remainder, allowed, lanes);
+}
+
+static inline void trust(page_step *step, const real *g, real allowed, mask lanes) {
+    trust_terms(step, g[step->order - 2], g[step->order - 1], allowed, lanes);
 }
 
 /* Shortens the step where variations t of the series can be trusted no further, and returns the lanes in
@@ -517,13 +520,17 @@ static inline real end_step(page_step *step) {
 
 /* The change of a series in a time whose powers are given. */
 static inline real change_of(const real *c, const real *power, int order) {
-    pair sum = pair_of(broadcast(0.0), broadcast(0.0));
+    pair first = pair_of(broadcast(0.0), broadcast(0.0)), second = first;
     int k = 1;
-    for (; k < order; k += 2) {
-        add_terms(&sum, c + k, power + k);
+    for (; k + 3 <= order; k += 4) {
+        add_terms(&first, c + k, power + k);
+        add_terms(&second, c + k + 2, power + k + 2);
     }
-    const real rest = k == order ? part_of(sum, 0) + c[k] * power[k] : part_of(sum, 0);
-    return rest + part_of(sum, 1);
+    real sum = part_of(first, 0);
+    for (; k <= order; ++k) {
+        sum += c[k] * power[k];
+    }
+    return (sum + part_of(first, 1)) + (part_of(second, 0) + part_of(second, 1));
 }
 
 static inline real sum_of(const real *c, const real *power, int order) {

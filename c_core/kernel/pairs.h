@@ -1,0 +1,77 @@
+/* Sums for two consecutive coefficients of series, side by side in one register where the compiler has
+ * vectors. Both ways of writing them give equal bits. */
+#ifndef TDMF_KERNEL_PAIRS_H
+#define TDMF_KERNEL_PAIRS_H
+
+#include "series.h"
+#include "width.h"
+
+#include <string.h>
+
+#if defined(__GNUC__) && !defined(TDMF_LANES)
+typedef double pair __attribute__((vector_size(16)));
+
+KERNEL pair pair_of(real low, real high) {
+    return (pair){low, high};
+}
+
+KERNEL real part_of(pair a, int high) {
+    return a[high];
+}
+
+/* Adds a[0] b and a[1] b. */
+KERNEL void add_products(pair *sum, const real *a, real b) {
+    pair both;
+    memcpy(&both, a, sizeof both);
+    *sum += both * b;
+}
+
+/* Adds a[0] b[0] and a[1] b[1]. */
+KERNEL void add_terms(pair *sum, const real *a, const real *b) {
+    pair of_a, of_b;
+    memcpy(&of_a, a, sizeof of_a);
+    memcpy(&of_b, b, sizeof of_b);
+    *sum += of_a * of_b;
+}
+
+/* Adds |a[0]| b[0] and |a[1]| b[1]. */
+KERNEL void add_magnitudes(pair *sum, const real *a, const real *b) {
+    typedef long long pattern_pair __attribute__((vector_size(16)));
+    const pattern_pair without_sign = {INT64_MAX, INT64_MAX};
+    pattern_pair size;
+    pair of_b;
+    memcpy(&size, a, sizeof size);
+    memcpy(&of_b, b, sizeof of_b);
+    *sum += (pair)(size & without_sign) * of_b;
+}
+#else
+typedef struct {
+    real part[2];
+} pair;
+
+KERNEL pair pair_of(real low, real high) {
+    const pair both = {{low, high}};
+    return both;
+}
+
+KERNEL real part_of(pair a, int high) {
+    return a.part[high];
+}
+
+KERNEL void add_products(pair *sum, const real *a, real b) {
+    sum->part[0] += a[0] * b;
+    sum->part[1] += a[1] * b;
+}
+
+KERNEL void add_terms(pair *sum, const real *a, const real *b) {
+    sum->part[0] += a[0] * b[0];
+    sum->part[1] += a[1] * b[1];
+}
+
+KERNEL void add_magnitudes(pair *sum, const real *a, const real *b) {
+    sum->part[0] += real_abs(a[0]) * b[0];
+    sum->part[1] += real_abs(a[1]) * b[1];
+}
+#endif
+
+#endif
