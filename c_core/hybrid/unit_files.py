@@ -24,6 +24,29 @@ SYSTEMS = {"Linux": ("linux", ".so"), "Darwin": ("darwin", ".dylib"), "Windows":
 PROCESSORS = {"amd64": "x86_64", "arm64": "aarch64"}
 
 
+DECLARED = r"^(?!static|typedef|KERNEL|return)[a-z][^;{}()=]*?\b(\w+)(?:\([^;{}]*\)|(?:\[\])?);"
+"""A declaration of a function or a table in a header."""
+NOT_CODE = r"/\*.*?\*/|#[^\n]*(\\\n[^\n]*)*"
+NAMES = """\
+/* Gives every name with external linkage the prefix of the unit, so that several units link into one program.
+ * Compile each file with this one included before all others (-include, /FI). Where UNIT_IS_STATIC is
+ * defined, FMI's functions get the prefix, too, as FMI wants it in a static library. */
+#ifdef UNIT_IS_STATIC
+#define FMI2_FUNCTION_PREFIX {prefix}
+#define FMI3_FUNCTION_PREFIX {prefix}
+#endif
+"""
+
+
+def names_header(prefix, texts):
+    """The header that renames what the headers of a unit declare."""
+    names = {f"tdmf_{file.removesuffix('.c')}" for file in texts if file.endswith("_motions.c")}
+    for file, text in texts.items():
+        if file.endswith(".h"):
+            names |= set(re.findall(DECLARED, re.sub(NOT_CODE, "", text, flags=re.DOTALL), re.MULTILINE))
+    return NAMES.format(prefix=prefix) + "".join(f"#define {name} {prefix}{name}\n" for name in sorted(names))
+
+
 def included(text):
     """Names of the headers that a C file includes with quotes."""
     return re.findall(r'^\s*#\s*include "([^"]+)"', text, re.MULTILINE)
@@ -52,6 +75,7 @@ def write_unit(model, folder, version="0"):
     unit, texts = unit_of(model)
     folder = Path(folder)
     texts |= {name: path.read_text(encoding="utf-8") for name, path in shared_sources(texts).items()}
+    texts["unit_names.h"] = names_header(f"{unit.identifier}_", texts)
     compiled = {fmi: sources_of(texts, fmi) for fmi in (2, 3)}
     files = {f"sources/{name}": text for name, text in texts.items()}
     files |= {
@@ -97,27 +121,18 @@ def fmi_headers():
 def compile_unit(folder, compiler="cc", flags=()):
     """Compile a unit that `write_unit` wrote. Returns the objects by the names of their sources.
 
-    `compiler` is a command that takes the options of GCC, as a string or a list.
+    `compiler` is a command that takes the options of GCC, as a string or a list. With `-DUNIT_IS_STATIC`
+    among the `flags`, objects of several units may be linked into one program.
     """
     sources, objects = Path(folder) / "sources", Path(folder) / "objects"
     command = [compiler] if isinstance(compiler, str) else list(compiler)
     objects.mkdir(exist_ok=True)
-    found, jobs = {}, []
+    found, jobs, headers = {}, [], fmi_headers()
     for source in sorted(sources.glob("*.c")):
         found[source.name] = objects / f"{source.stem}.o"
         level = MOTIONS if source.name.endswith("_motions.c") or source.name == "driver.c" else ("-O2",)
-        job = [
-            *command,
-            *level,
-            *FLAGS,
-            *flags,
-            "-isystem",
-            fmi_headers(),
-            "-c",
-            source,
-            "-o",
-            found[source.name],
-        ]
+        options = [*level, *FLAGS, *flags, "-include", sources / "unit_names.h", "-isystem", headers]
+        job = [*command, *options, "-c", source, "-o", found[source.name]]
         jobs.append((source.name, job))
     run_all(jobs)
     return found

@@ -266,14 +266,17 @@ static bool settle(fmu *fmu, const fmu_observer *observer, bool *changed) {
 bool fmu_complete_step(fmu *fmu) {
     const instant at = instant_of(fmu);
     guard_state guards[TDMF_GUARD_LIMIT];
-    bool jumped = false;
+    bool asks = false;
     guards_at(fmu, &at, guards);
     note_guards(fmu, guards);
     observe(fmu);
-    for (int i = 0; i < unit_model->set_count; ++i) {
-        jumped |= has_jumped(fmu, &unit_model->sets[i]);
+    for (int i = 0; i < mode_of(fmu)->guard_count; ++i) {
+        asks |= guards[i].is_due; /* where an importer has passed over it, or an input lets it be watched */
     }
-    return jumped;
+    for (int i = 0; i < unit_model->set_count; ++i) {
+        asks |= has_jumped(fmu, &unit_model->sets[i]);
+    }
+    return asks;
 }
 
 void fmu_enter_event_mode(fmu *fmu) {

@@ -1,13 +1,20 @@
 """FMI units of any page: one set of C sources, tables that are generated, and modelDescription.xml."""
 
+import subprocess
+from pathlib import Path
+
 import fmpy
 import numpy as np
 import pytest
 from conftest import some_of
+from fmpy import extract, read_model_description
 from fmpy.fmi1 import FMICallException
+from fmpy.fmi3 import FMU3Slave
 from fmpy.validation import validate_fmu
-from unit_pages import Ball, Hopper, units_of
+from unit_pages import Ball, Hopper, compiler, units_of
 from unit_runs import UnitRun, address
+
+from c_core.hybrid.unit_files import compile_unit, fmi_headers, write_unit
 
 INTERFACES = "ModelExchange", "CoSimulation"
 RESULTS = (
@@ -202,3 +209,91 @@ def test_a_run_that_ends_stays_readable_and_model_exchange_may_terminate():
     assert simulation["contact"] == exchange["contact"] == 3
     assert exchange.terminates and exchange.time < 3.0
     assert simulation["y"] == pytest.approx(0.0, abs=1e-12) and simulation["der(vy)"] == 0.0
+
+
+# ---- FMI 3.0 Co-Simulation with event mode ---------------------------------------------------------------
+
+
+def events_of(unit, until, step, **at_events):
+    """Run to each event by early return. Returns the times of the events, and the final values by name."""
+    description = read_model_description(unit)
+    of = {v.name: v.valueReference for v in description.modelVariables}
+    given = {"guid": description.guid, "modelIdentifier": description.modelName, "instanceName": "run"}
+    fmu = FMU3Slave(unzipDirectory=extract(unit), **given)
+    fmu.instantiate(eventModeUsed=True, earlyReturnAllowed=True)
+    fmu.enterInitializationMode()
+    fmu.exitInitializationMode()
+    fmu.updateDiscreteStates()
+    fmu.enterStepMode()
+    time, times = 0.0, []
+    while time < until - 1e-12:
+        size = min(step, until - time)
+        event, _, early, last = fmu.doStep(time, size)
+        assert early == (last < time + size) and (event or not early)
+        time = last
+        if event:
+            times.append(time)
+            fmu.enterEventMode()
+            for name, value in at_events.items():
+                fmu.setFloat64([of[name.replace("__", ".")]], [value])
+            fmu.updateDiscreteStates()
+            fmu.enterStepMode()
+    wanted = {*RESULTS[:9], "height", "speed"} & of.keys()
+    values = {name: fmu.getFloat64([of[name]])[0] for name in wanted}
+    fmu.terminate()
+    fmu.freeInstance()
+    return times, values
+
+
+@pytest.mark.parametrize("step", [0.03, 10.0])
+def test_a_step_returns_at_the_exact_time_of_each_event(step):
+    times, values = events_of(units_of(Ball)[3], 2.0, step)
+    first = np.sqrt(2 / 9.81)
+    expected = [first * (1 + 2 * sum(0.8**k for k in range(1, n))) for n in (1, 2, 3)]
+    assert times == pytest.approx(expected, abs=1e-12)
+    assert values["height"] == pytest.approx(ball_at(2.0)[0], abs=1e-12)
+
+
+def test_what_is_set_at_an_event_decides_what_comes_of_it():
+    times, _ = events_of(units_of(Ball)[3], 0.74, 10.0, restitution=0.25)
+    first = np.sqrt(2 / 9.81)
+    assert times[:3] == pytest.approx([first, 1.5 * first, 1.625 * first], abs=1e-11)
+
+
+@pytest.mark.parametrize("step", [0.07, 10.0])
+def test_event_mode_changes_no_result(step):
+    times, values = events_of(units_of(Hopper)[3], 2.0, step)
+    plain = UnitRun(units_of(Hopper)[2], "cs").to(2.0)
+    assert len(times) == 7
+    for name, value in values.items():
+        assert value == pytest.approx(plain[name], abs=1e-10), name
+
+
+# ---- two units in one program ------------------------------------------------------------------------------
+
+
+def test_two_units_link_into_one_program(tmp_path):
+    """Every name with external linkage has the prefix of its unit, those of the kernel included."""
+    objects = []
+    for model in (Ball, Hopper):
+        folder = tmp_path / model.__name__
+        write_unit(model, folder)
+        own = compile_unit(folder, compiler(), ["-DUNIT_IS_STATIC", "-O0"]).values()
+        listed = subprocess.run(
+            ["nm", "-g", "--defined-only", *own], capture_output=True, text=True, check=True
+        )
+        names = [line.split()[2] for line in listed.stdout.splitlines() if len(line.split()) == 3]
+        assert len(names) > 150
+        assert [name for name in names if not name.startswith(f"{model.__name__}_")] == []
+        objects += own
+    program, source = tmp_path / "program", Path(__file__).with_name("linked_units.c")
+    command = [*compiler(), "-std=c99", "-isystem", fmi_headers(), source, *objects, "-o", program, "-lm"]
+    subprocess.run(command, check=True)
+    given = []
+    for model, name in ((Ball, "height"), (Hopper, "y")):
+        description = read_model_description(units_of(model)[2])
+        reference = next(v.valueReference for v in description.modelVariables if v.name == name)
+        given += [description.guid, str(reference)]
+    said = subprocess.run([program, *given], capture_output=True, text=True, check=True).stdout.split()
+    assert float(said[0]) == pytest.approx(ball_at(2.0)[0], abs=1e-12)
+    assert float(said[1]) == pytest.approx(UnitRun(units_of(Hopper)[2], "cs").to(2.0)["y"], abs=1e-12)
