@@ -211,7 +211,7 @@ class Instants:
         """Held values that every event updates as it leaves a mode."""
         forget_expressions()
         before = self.page.at(key)
-        after = trace(before.leaving, symbol("counted"), name="leaving")
+        after = self.page.model_after(type(before).leaving, "leaving", before, symbol("counted"))
         return self.changes(key, "leave", "leave", self.page.changes(before, after), before.leaving.__doc__)
 
     def outputs(self, key):
@@ -234,7 +234,7 @@ class Instants:
     def time_scale(self, key):
         """The time scale of the law of a mode."""
         function = self.page.modes[key[0]].time_scale
-        answer = function and self.page.answer(key, function, f"time scale of {key[0]}")
+        answer = function and self.page.answer(key, function, f"time scale of {key[0]}", may_be_none=True)
         if answer is None:
             return {}
         body = answer_in_c(answer)
@@ -267,8 +267,8 @@ class Instants:
         function, before = self.page.on_set[name], self.page.at(key)
         quantity = self.page.parameters.get(name) or self.page.states[name]
         changed = self.page.at(key)
-        setattr(changed, name, symbol("given", constant=True, dimension=quantity.dimension))
-        after = trace(function, before, changed)
+        vars(changed)[name] = symbol("given", constant=True, dimension=quantity.dimension)
+        after = self.page.model_after(function, name, before, changed)
         named = {self.page.c_names[n]: v for n, v in self.page.changes(before, after).items()}
         if not named:
             return "NULL"

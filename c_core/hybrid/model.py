@@ -16,7 +16,9 @@ from .limits import MARGINS
 from .quantities import (
     Absent,
     Quantity,
+    check_fixed,
     check_quantity,
+    checked_kind,
     clock,
     input,
     letters,
@@ -64,7 +66,7 @@ def coordinates(name):
     return _marked(gives_coordinates=name)
 
 
-def event(modes, when, unit="1", only=None, crossing=None, counted=True, **words):
+def event(modes, when=None, unit="1", only=None, crossing=None, counted=True, **words):
     """Mark the decision at an event, which is due where `when` falls through 0 or a mode begins below 0.
 
     `words` restrict the event to some cases of the modes. If `only` does not hold where a mode begins, the
@@ -72,8 +74,13 @@ def event(modes, when, unit="1", only=None, crossing=None, counted=True, **words
     the event. `leaving` receives 1 if the event is `counted`, else 0; bookkeeping is not counted.
     """
     case = {word: value if isinstance(value, tuple) else (value,) for word, value in words.items()}
+    modes = _words(modes, "event")
+    for name, given in (("when", when), ("only", only), ("crossing", crossing)):
+        if not callable(given) and (name == "when" or given is not None):
+            text = f"is given {name}={given!r}; it takes a function of the model, such as lambda m: m.height"
+            raise page_error(caller(), "event", text)
     marks = {"when": when, "unit": unit, "only": only, "crossing": crossing, "counted": counted, "case": case}
-    return _marked(is_event=True, modes=_words(modes, "event"), **marks)
+    return _marked(is_event=True, modes=modes, **marks)
 
 
 def on_set(names):
@@ -113,7 +120,7 @@ def output(unit="1", meaning="", name=None, kind=float, of=None):
 
     The kind is float, int, bool, a tuple of names for the values 1, 2, ..., or `letters`.
     """
-    mark = _marked(is_output=True, unit=unit, name=name, kind_of_value=kind)
+    mark = _marked(is_output=True, unit=unit, name=name, kind_of_value=checked_kind(kind, "output"))
     if of is None:
         return mark
     of.__doc__ = meaning
@@ -126,18 +133,26 @@ def observe(modes, part, into, unit="1"):
 
 
 class _Body(dict):
-    """Namespace of a page's class, in which a second declaration of a name is an error."""
+    """Namespace of a page's class, in which a second declaration of a name is an error.
+
+    `places` has the file and line of each name.
+    """
+
+    def __init__(self):
+        super().__init__()
+        self.places = {}
 
     def __setitem__(self, name, value):
         old = self.get(name)
         if isinstance(old, Quantity) or any(mark in vars(old) for mark in MARKS if hasattr(old, "__dict__")):
             raise page_error(caller(), name, "is declared twice")
         super().__setitem__(name, value)
-        if name == "start":
-            super().__setitem__("start_at", caller())
+        self.places[name] = caller()
 
 
 NAME_LIMIT = 60
+OVERRIDABLE = "start", "scales", "prefix", "decayed", "leaving"
+"""What a page may set of `Model`."""
 MARKS = (
     "is_mode", "is_event", "is_output", "is_observed", "is_on_set", "is_required", "is_section", "is_table",
     "gives_coordinates",
@@ -157,16 +172,24 @@ class _Page(type):
             if inspect.isfunction(value) and inspect.isfunction(inherited):
                 vars(value).update({**vars(inherited), **vars(value)})
         new = super().__new__(cls, name, bases, dict(body), **more)
+        new._places = body.places
         for own, value in body.items():
-            if isinstance(value, Quantity) or any(hasattr(value, mark) for mark in MARKS):
-                if bases and own in vars(Model):
-                    raise page_error(value, own, "is a word of the language; choose another name")
-                if own.startswith("_") or not own.isascii() or len(own) > NAME_LIMIT:
-                    text = f"cannot be a name: use at most {NAME_LIMIT} letters, digits and _, a letter first"
-                    raise page_error(value, own, text)
+            is_declared = isinstance(value, Quantity) or any(hasattr(value, mark) for mark in MARKS)
+            is_word = bases and own in vars(Model) and not own.startswith("__")
+            if is_word and (is_declared or own not in OVERRIDABLE):
+                raise page_error(value, own, "is a word of the language; choose another name")
+            if is_declared and (own.startswith("_") or not own.isascii() or len(own) > NAME_LIMIT):
+                text = f"cannot be a name: use at most {NAME_LIMIT} letters, digits and _, a letter first"
+                raise page_error(value, own, text)
         for own, value in vars(new).items():
+            hidden = next((vars(base)[own] for base in new.__mro__[1:] if own in vars(base)), None)
             if isinstance(value, Quantity):
                 check_quantity(own, value)
+            elif own in body and isinstance(hidden, Quantity):
+                check_fixed(body.places[own], own, value, hidden)
+            if value is not None and not callable(value) and any(hasattr(hidden, mark) for mark in MARKS):
+                text = "is in place of a function of the page; a function overrides it, and None drops it"
+                raise page_error(body.places[own], own, text)
         for own in dict.fromkeys(n for base in new.__mro__ for n in vars(base)):
             declared = [base for base in new.__mro__ if isinstance(vars(base).get(own), Quantity)]
             if len(declared) > 1 and not issubclass(declared[0], declared[1]) and own not in body:
@@ -193,6 +216,9 @@ class Model(metaclass=_Page):
             is_fixed = not isinstance(value, Quantity) or value.kind != "state"
             if is_fixed and any(getattr(vars(base).get(name), "is_input", False) for base in cls.__mro__[1:]):
                 setattr(cls, f"{name}_rate", 0)
+
+    def __setattr__(self, name, value):
+        raise PageError(f"assigns to `{name}`; an event returns m.replace({name}=...), a law changes nothing")
 
     @classmethod
     @functools.cache
@@ -248,7 +274,7 @@ class Model(metaclass=_Page):
         seen_in = self.seen_in
         for name, quantity in self.quantities("state").items():
             if quantity.of and seen_in not in quantity.of:
-                setattr(self, name, Absent(name, self.mode))
+                vars(self)[name] = Absent(name, self.mode)
         return self
 
     @property

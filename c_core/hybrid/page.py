@@ -35,6 +35,7 @@ class Page:
         self.check_declarations()
         self.check_start()
         self.keys = self.reachable()
+        self.check_words()
 
     # ---- the model on symbols
 
@@ -64,6 +65,8 @@ class Page:
         with reading(function, key[0]):
             if not isinstance(given, dict):
                 raise PageError("gives no rates; a mode returns dict(state=rate, ...)")
+            if function.ends and given:
+                raise PageError(f"gives a rate to `{next(iter(given))}`, but the mode ends the run")
             for name in given:
                 self.check_rate(name, key[0])
             found = {n: getattr(model, f"{n}_rate") for n in self.inputs} | dict.fromkeys(self.clocks, 1)
@@ -103,7 +106,7 @@ class Page:
     def scale(self, unit):
         """The scale of a unit, as an expression of parameters."""
         function = self.model.scales.get(unit, lambda model: 1)
-        return lift(trace(function, self.at(("", ())), name=f"scale of {unit}"))
+        return self.number(function, ("", ()), f"scale of {unit}", unit)
 
     # ---- events
 
@@ -141,24 +144,36 @@ class Page:
         guard = self.guard(key, name)
         return guard.operation == "number" and guard.value > 0
 
-    def answer(self, key, question, name):
+    def answer(self, key, question, name, may_be_none=False):
         """The answer of a page's function in a mode: a value, or a tree if it branches on numbers."""
+
+        def run():
+            value = trace(question, self.at(key), name=name)
+            with reading(question, name):
+                if value is None and not may_be_none:
+                    raise PageError("returns nothing; it has to return whether the condition holds")
+            return bool(value) if isinstance(value, (bool, Condition)) else value
+
         forget_expressions()
-        return explore(lambda: _answered(trace(question, self.at(key), name=name)))
+        return explore(run)
+
+    def model_after(self, function, name, *given):
+        """The model that a page's function returns."""
+        after = trace(function, *given, name=name)
+        with reading(function, name):
+            if not isinstance(after, Model):
+                given = "nothing" if after is None else type(after).__name__
+                raise PageError(f"returns {given}; it has to return the model")
+        return after
 
     def after(self, name, before):
         """The model after an event."""
         event = self.events[name]
         _looks_up[0] = True
         try:
-            after = trace(event, before, name=name)
+            return self.model_after(event, name, before)
         finally:
             _looks_up[0] = False
-        with reading(event, name):
-            if not isinstance(after, Model):
-                given = "nothing" if after is None else type(after).__name__
-                raise PageError(f"returns {given}; it has to return the model after the event")
-        return after
 
     def decide(self, key, name):
         """The decision of an event, as a tree of conditions whose leaves are keys and changed states."""
@@ -209,18 +224,26 @@ class Page:
 
     # ---- checks
 
+    def place_of(self, name):
+        """File and line at which a name of the page was set last."""
+        return next(c._places[name] for c in self.model.__mro__ if name in getattr(c, "_places", ()))
+
     def refuse(self, text):
         """Raise an error about the page as a whole."""
         raise page_error(next(iter(self.modes.values()), None), self.model.__name__, text)
 
     def check_declarations(self):
         """Refuse errors that are visible without running a function of the page."""
-        start = self.model.start[0]
+        start = self.model.start
+        if not (isinstance(start, tuple) and [type(part) for part in start] == [str, dict]):
+            text = f'has the start {start!r}; it has to be a mode and its words, such as "flight", {{}}'
+            raise page_error(self.place_of("start"), self.model.__name__, text)
+        start = start[0]
         if not self.modes:
             self.refuse("has no mode; a page needs one function marked by @mode()")
         if start not in self.modes:
             text = f"starts in `{start}`, which is no mode{similar(start, self.modes)}"
-            raise page_error(self.model.start_at, self.model.__name__, text)
+            raise page_error(self.place_of("start"), self.model.__name__, text)
         if len(self.events) > LIMITS["PAGE_EVENT"]:
             self.refuse(f"has {len(self.events)} events; at most {LIMITS['PAGE_EVENT']} are allowed")
         for name, function in [*self.events.items(), *self.observed.items()]:
@@ -231,6 +254,7 @@ class Page:
         self.check_sets()
         self.check_coordinates()
         self.check_public_names()
+        self.check_scales()
 
     def check_observed(self):
         """Refuse observed quantities of an unknown part, or whose state does not exist."""
@@ -305,6 +329,31 @@ class Page:
                 text = f"asks for the word `{word}`, which none of its modes has{similar(word, words)}"
                 raise page_error(function, name, text)
 
+    def check_scales(self):
+        """Refuse scales that are no positive numbers, or depend on more than parameters."""
+        for unit, function in self.model.scales.items():
+            if not callable(function):
+                text = f"is {function!r}; it has to be a function of the parameters"
+                raise page_error(self.place_of("scales"), f"scale of {unit}", text)
+            with reading(function, f"scale of {unit}"):
+                scale = self.scale(unit)
+                if not scale.is_constant:
+                    raise PageError("depends on a state; it may depend on parameters alone")
+                values = {self.symbol_of(n, "p", True): q.value for n, q in self.parameters.items()}
+                if not 0 < value_of([scale], values)[0] < math.inf:
+                    raise PageError(f"is {values[scale]:g}; it has to be above 0")
+
+    def check_words(self):
+        """Refuse an event that asks for a value of a word that no function of the page mentions."""
+        mentioned = {value for _, words in self.keys for _, value in words}
+        mentioned |= {text for member in self.model.members().values() for text in texts_of(member)}
+        for name, function in self.events.items():
+            for word, values in function.case.items():
+                for value in values:
+                    if isinstance(value, str) and value not in mentioned:
+                        text = f"asks for {word}=`{value}`, which no decision gives"
+                        raise page_error(function, name, f"{text}{similar(value, mentioned)}")
+
     def check_start(self):
         """Run the start on plain numbers, which detects divisions by zero and endless chains."""
         mode, words = self.model.start
@@ -355,8 +404,14 @@ class Page:
             value_of([varies.of(rate) for rate in rates.values()], values)
 
 
-def _answered(value):
-    return bool(value) if isinstance(value, (bool, Condition)) else value
+def texts_of(member):
+    """Texts in the code of a function of the page."""
+    codes = [getattr(member, "__code__", None)]
+    for code in codes:
+        for constant in getattr(code, "co_consts", ()):
+            if isinstance(constant, str):
+                yield constant
+            codes.append(constant if hasattr(constant, "co_consts") else None)
 
 
 def keys_of(tree):

@@ -29,7 +29,19 @@ class Quantity(Record):
             setattr(page, f"{name}_rate", rate)
 
 
+def checked_kind(kind, what):
+    """The kind of a value, which is a type or a tuple of names."""
+    if kind in (float, int, bool) or (isinstance(kind, tuple) and all(isinstance(n, str) for n in kind)):
+        return kind
+    text = "allowed are float, int, bool, a tuple of names and letters(...)"
+    raise page_error(caller(), what, f"has the kind {getattr(kind, '__name__', repr(kind))}; {text}")
+
+
 def _declared(kind, value, unit, meaning, name, within, **more):
+    for text in (unit, meaning, name or ""):
+        if not isinstance(text, str):
+            order = "the order is value, unit, meaning, name"
+            raise page_error(caller(), kind, f"is given {text!r} for a text; {order}")
     new = Quantity(kind=kind, value=value, unit=unit, meaning=meaning, name=name, within=within)
     vars(new).update({"location": caller(), "of": None, "values": float} | more)
     return new
@@ -47,10 +59,24 @@ def check_quantity(name, quantity):
             raise page_error(quantity, name, f"has `{word}`, which is no bound{similar(word, BOUNDS)}")
     if not isinstance(value, (int, float)) or not math.isfinite(value):
         raise page_error(quantity, name, f"starts at {value!r}; it has to be a finite number")
+    check_bounds(quantity, name, value, within, "starts at")
+    quantity.value = float(value)
+
+
+def check_bounds(location, name, value, within, how):
+    """Refuse a number out of bounds."""
     if not all(BOUNDS[word][1](value, bound) for word, bound in within.items()):
         allowed = " and ".join(f"{BOUNDS[word][0]} {bound:g}" for word, bound in within.items())
-        raise page_error(quantity, name, f"starts at {value:g}; it must be {allowed}")
-    quantity.value = float(value)
+        raise page_error(location, name, f"{how} {value:g}; it must be {allowed}")
+
+
+def check_fixed(location, name, value, quantity):
+    """Refuse what a subclass has in place of a quantity and is no number that the quantity may be."""
+    if not isinstance(value, (int, float)) or not math.isfinite(value):
+        given = getattr(value, "__qualname__", repr(value))
+        text = f"is {given} in place of the {quantity.kind} that it was; a finite number fixes it"
+        raise page_error(location, name, text)
+    check_bounds(location, name, value, quantity.within, "is fixed at")
 
 
 def range_of(quantity):
@@ -88,6 +114,7 @@ def state(value=0.0, unit="1", meaning="", name=None, of=None, values=float, **w
     is the kind of its values, as in `output`.
     """
     of = tuple(of.split()) if of else None
+    values = checked_kind(values, "state")
     return _declared("state", value, unit, meaning, name, within, role="state", of=of, values=values)
 
 

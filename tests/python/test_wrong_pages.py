@@ -41,6 +41,7 @@ GOOD = {
 }
 OUTPUT = '@output("m")\n    def shown(b):\n        '
 WORLD = '@coordinates("world")\n    def seen(b):\n        return dict(height=b.height)\n    '
+GEAR = '@mode("gear")\n    def drive(b):\n        return dict(height=b.speed)\n    '
 REST = '@mode(of="world")\n    def rest(b):\n        return {}\n    '
 TABLE = (
     '@table(low="m", high="m")\n    def rows(b, row):\n        return dict(low=0, high=row * b.height)\n    '
@@ -111,6 +112,30 @@ WRONG = [
     ("a loop on a number", {"decision": "while b.speed < 0: b = b.replace(speed=b.speed + 1)\n        return b"}, "more than 40 comparisons"),
     ("an endless chain", {"event": '@event("fall", when=lambda b: -1)', "decision": "return b.replace(speed=b.speed + 1)"}, "after 100 events in zero time: its guard stays below 0"),
     ("more events than a mode can watch", {"more": 'for i in range(33):\n        locals()[f"e{i}"] = event("fall", when=lambda b, i=i: b.height + i * b.height, unit="m")(lambda b: b.replace(speed=0))'}, "watches 34 events; at most 32"),
+    ("a word that nothing gives", {"more": GEAR + '@event("drive", gear="lwo", when=lambda b: b.height, unit="m")\n    def stops(b):\n        return b.to("fall")', "decision": 'return b.to("drive", gear="low", speed=1)'}, "asks for gear=`lwo`, which no decision gives; did you mean `low`"),
+    ("a word that is missing", {"more": GEAR, "decision": 'return b.to("drive", speed=1)'}, "goes to `drive` without its word `gear`"),
+    ("no guard", {"event": '@event("fall", unit="m")'}, "`event` is given when=None; it takes a function of the model"),
+    ("an event without its arguments", {"event": "@event"}, "it takes words in one string"),
+    ("a guard that is no function", {"event": '@event("fall", when=3, unit="m")'}, "is given when=3; it takes a function"),
+    ("a condition that is no function", {"event": '@event("fall", when=lambda b: b.height, unit="m", only=True)'}, "is given only=True; it takes a function"),
+    ("a condition that is nothing", {"event": '@event("fall", when=lambda b: b.height, unit="m", only=lambda b: None)'}, "returns nothing; it has to return whether"),
+    ("an assignment in a decision", {"decision": "b.speed = -b.speed\n        return b.replace(height=0)"}, "assigns to `speed`; an event returns m.replace(speed=...)"),
+    ("an assignment in a law", {"rates": 'setattr(b, "speed", 1) or dict(height=b.speed)'}, "assigns to `speed`"),
+    ("leaving that returns nothing", {"more": "def leaving(b, counted):\n        pass"}, "returns nothing; it has to return the model"),
+    ("a jump that returns nothing", {"more": '@on_set("gravity")\n    def heavier(b, after):\n        pass'}, "returns nothing; it has to return the model"),
+    ("a start that is only a mode", {"more": 'start = "fall"'}, "has the start 'fall'; it has to be a mode and its words"),
+    # scales and kinds
+    ("a scale of no unit", {"more": 'scales = {"metre": lambda b: 1}'}, "unit `metre`, in which `metre` is no unit"),
+    ("a scale in another unit", {"more": 'scales = {"m": lambda b: b.gravity}'}, "`scale of m` is in m.s-2; its unit is m"),
+    ("a scale that is zero", {"more": 'scales = {"m": lambda b: 0}'}, "`scale of m` is 0; it has to be above 0"),
+    ("a scale that is nothing", {"more": 'scales = {"m": lambda b: None}'}, "returns nothing; it has to return a number"),
+    ("a scale that is no function", {"more": 'scales = {"m": 1}'}, "`scale of m` is 1; it has to be a function"),
+    ("a scale that moves", {"more": 'scales = {"m": lambda b: b.height}'}, "depends on a state; it may depend on parameters alone"),
+    ("an unknown kind", {"more": '@output("m", kind=str)\n    def shown(b):\n        return b.height'}, "has the kind str; allowed are float, int, bool"),
+    ("a kind in quotes", {"quantities": 'a = state(0, values="int")'}, "has the kind 'int'; allowed are float, int, bool"),
+    ("texts in another order", {"quantities": 'a = parameter(1, "m", 3)'}, "is given 3 for a text; the order is value, unit, meaning, name"),
+    ("a law named like a word of the language", {"more": "def to(b, mode):\n        return mode"}, "`to` is a word of the language"),
+    ("an end with rates", {"more": "@mode(ends=True)\n    def lies(b):\n        return dict(height=b.speed)", "decision": 'return b.to("lies")'}, "gives a rate to `height`, but the mode ends the run"),
     # numbers
     ("a power of a negative number", {"quantities": 'x, tau = state(-2), parameter(1, "s")', "rates": "dict(x=b.x**1.5 / b.tau)"}, "gives `x` the rate (-"),
     ("a negative number to a power", {"quantities": 'x, tau = state(1), parameter(1, "s")', "rates": "dict(x=(-2) ** b.x / b.tau)"}, "raises -2 to a power; the base has to be above 0"),
@@ -156,6 +181,47 @@ def test_a_wrong_page_is_refused_with_file_line_and_name(tmp_path, changes, word
 def test_there_are_forty_ways():
     assert len(WRONG) >= 40
     assert len({name for name, *_ in WRONG}) == len(WRONG)
+
+
+PARENT = """\
+from c_core.hybrid import *
+
+class Base(Model):
+    start = "fall", {{}}
+    height, speed = state(1, "m"), state(0, "m/s")
+    gravity = parameter(9.81, "m/s2", above=0)
+
+    @mode()
+    def fall(b):
+        return dict(height=b.speed, speed=-b.gravity)
+
+class Ball(Base):
+    {line}
+"""
+HIDDEN = [
+    (
+        "speed = lambda b: 1",
+        "`speed` is Ball.<lambda> in place of the state that it was; a finite number fixes it",
+    ),
+    ('gravity = "9.81"', "`gravity` is '9.81' in place of the parameter that it was"),
+    ("gravity = None", "`gravity` is None in place of the parameter that it was"),
+    ('gravity = float("inf")', "`gravity` is inf in place of the parameter that it was"),
+    ("gravity = -9.81", "`gravity` is fixed at -9.81; it must be above 0"),
+    (
+        "fall = state(1)",
+        "`fall` is in place of a function of the page; a function overrides it, and None drops it",
+    ),
+    ("fall = 3", "`fall` is in place of a function of the page"),
+]
+
+
+@pytest.mark.parametrize(("line", "words"), HIDDEN, ids=[line for line, _ in HIDDEN])
+def test_a_subclass_that_hides_a_declaration_is_refused(tmp_path, line, words):
+    file = tmp_path / "parent.py"
+    file.write_text(PARENT.format(line=line), encoding="utf-8")
+    spec = importlib.util.spec_from_file_location("parent", file)
+    with pytest.raises(PageError, match=re.escape(f"{file}:13: {words}")):
+        spec.loader.exec_module(importlib.util.module_from_spec(spec))
 
 
 def test_two_parts_with_one_name_are_refused():
