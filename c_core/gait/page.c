@@ -64,7 +64,7 @@ void tdmf_page_range(const tdmf_page *page, int parameter, double *least, double
 }
 
 /* Working memory for the library's largest page with all seeds, which a test runs. */
-enum { MEMORY = 6000 };
+enum { MEMORY = 8192 };
 
 static bool are_finite(const double *values, int count) {
     double sum = 0.0; /* 0, or not a number */

@@ -15,6 +15,17 @@ from .page import Page
 from .quantities import range_of
 from .tables import enumeration, list_in_c, row_in_c, rows_in_c
 
+SEEDS = """\
+/* First variations of {name} along two seeds at once, by motions of two lanes. */
+#define TDMF_LANES 2
+#define TDMF_LANES_ARE_SEEDS
+
+#include "{page}_motions.c"
+
+#include "seeds.h"
+
+const tdmf_seed_kind tdmf_{page}_seeds = {{{table}, fill_seed_lanes, vary_seed_lanes, read_seed_lane}};
+"""
 TOP = "/* Derived from the page {name}: edit the page, not this. */\n"
 
 
@@ -36,7 +47,7 @@ def motion_row(page, motion):
     tables += list_in_c("tdmf_vary_polynomial", f"vary_observed_{name}", varied)
     moving = [states.index(n) for n in motion.moving]
     row = {"moving_count": len(moving), "extra_count": len(motion.rates) - len(moving)}
-    row |= {"constant_count": len(motion.constants)}
+    row |= {"series_count": len(motion.series), "constant_count": len(motion.constants)}
     row |= {"judged_count": len(motion.judged), "divisor_count": len(motion.divisors)}
     lists = ("moving", "degrees", "judged", "divisors", "integrals", "factors")
     for what in lists:
@@ -85,7 +96,7 @@ def generate(page):
     header.append(
         f"extern const tdmf_motion_kind {table}[];\n"
         f"tdmf_motions_of_width {of_width}_2, {of_width}_4, {of_width}_8;\n"
-        f"extern {model};\n\n#endif\n"
+        f"extern const tdmf_seed_kind tdmf_{page.c}_seeds;\nextern {model};\n\n#endif\n"
     )
     (set_tables, set_rows), (section_tables, section_rows) = instants.sets(), instants.section_rows()
     row = {"modes": "modes", "sets": "sets", "set_count": len(set_rows), "sections": "sections"}
@@ -93,6 +104,7 @@ def generate(page):
     row |= {"series_count": series_count, "constant_count": constant_count}
     lanes = zip(("TWO", "FOUR", "EIGHT"), (2, 4, 8), strict=True)
     row["lanes"] = f"{{{', '.join(f'TDMF_{name}_LANES({of_width}_{width})' for name, width in lanes)}}}"
+    row["seeds"] = f"TDMF_FOR_SEEDS(tdmf_{page.c}_seeds)"
     lists = ""
     named = {"state": page.states, "parameter": page.parameters, "event": page.events}
     named |= {"output": page.outputs, "table": page.tables, "section": page.sections}
@@ -118,4 +130,5 @@ def generate(page):
     ]
     forget_expressions()
     texts = {f"{page.c}.h": header, f"{page.c}_motions.c": motions, f"{page.c}.c": instant}
+    texts[f"{page.c}_seeds.c"] = [SEEDS.format(name=page.model.__name__, page=page.c, table=table)]
     return {name: wrapped_text("\n".join(parts)) for name, parts in texts.items()}

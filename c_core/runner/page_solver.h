@@ -7,7 +7,7 @@
 #include "tdmf_slip/solver.h"
 
 /* Working memory of the largest page with all variations, which a test checks. */
-enum { TDMF_PAGE_MEMORY = 5120 };
+enum { TDMF_PAGE_MEMORY = 8448 };
 
 /* A run under the limits of a solver, and its variations. */
 typedef struct {

@@ -152,10 +152,13 @@ def library_of(files, name, level, folders, in_lanes):
         for file, text in files.items():
             (own / file).write_text(text)
         motions, lanes = own / f"{name}_motions.c", folders[0] / "batch_lanes.c"
-        has = " ".join(f"-D{macro}" for macro, _ in LANES.values()) if in_lanes else ""
+        macros = [macro for macro, _ in LANES.values()] + ["TDMF_HAS_SEED_LANES"]
+        has = " ".join(f"-D{macro}" for macro in macros) if in_lanes else ""
         kernel = [file for folder in folders for file in sorted(folder.glob("*.c")) if file != lanes]
         jobs = [(source, f"{level} {has}") for source in kernel]
         jobs += [(motions, level), (own / f"{name}.c", f"-O1 {has}")]
+        if in_lanes:
+            jobs.append((own / f"{name}_seeds.c", level))
         for width, (_, flags) in LANES.items() if in_lanes else ():
             wide = f"{level} -DTDMF_LANES={width} -Wno-psabi {flags}"
             jobs += [(motions, wide), (lanes, wide)]

@@ -953,6 +953,7 @@ const tdmf_model_kind tdmf_classic_slip_model = {
     .constant_count = 10,
     .lanes = {TDMF_TWO_LANES(tdmf_classic_slip_motions_of_2), TDMF_FOUR_LANES(tdmf_classic_slip_motions_of_4),
               TDMF_EIGHT_LANES(tdmf_classic_slip_motions_of_8)},
+    .seeds = TDMF_FOR_SEEDS(tdmf_classic_slip_seeds),
     .mode_count = 7,
     .mode_names = mode_names,
     .state_count = 18,

@@ -108,6 +108,7 @@ typedef struct {
 extern const tdmf_motion_kind TDMF_OF_WIDTH(tdmf_classic_slip_motions)[];
 tdmf_motions_of_width tdmf_classic_slip_motions_of_2, tdmf_classic_slip_motions_of_4,
     tdmf_classic_slip_motions_of_8;
+extern const tdmf_seed_kind tdmf_classic_slip_seeds;
 extern const tdmf_model_kind tdmf_classic_slip_model;
 
 #endif

@@ -3057,6 +3057,7 @@ const tdmf_model_kind tdmf_plain_reduced_runner_model = {
     .lanes = {TDMF_TWO_LANES(tdmf_plain_reduced_runner_motions_of_2),
               TDMF_FOUR_LANES(tdmf_plain_reduced_runner_motions_of_4),
               TDMF_EIGHT_LANES(tdmf_plain_reduced_runner_motions_of_8)},
+    .seeds = TDMF_FOR_SEEDS(tdmf_plain_reduced_runner_seeds),
     .mode_count = 9,
     .mode_names = mode_names,
     .state_count = 72,

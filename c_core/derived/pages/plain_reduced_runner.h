@@ -210,6 +210,7 @@ typedef struct {
 extern const tdmf_motion_kind TDMF_OF_WIDTH(tdmf_plain_reduced_runner_motions)[];
 tdmf_motions_of_width tdmf_plain_reduced_runner_motions_of_2, tdmf_plain_reduced_runner_motions_of_4,
     tdmf_plain_reduced_runner_motions_of_8;
+extern const tdmf_seed_kind tdmf_plain_reduced_runner_seeds;
 extern const tdmf_model_kind tdmf_plain_reduced_runner_model;
 
 #endif

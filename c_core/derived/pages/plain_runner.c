@@ -5114,6 +5114,7 @@ const tdmf_model_kind tdmf_plain_runner_model = {
     .constant_count = 15,
     .lanes = {TDMF_TWO_LANES(tdmf_plain_runner_motions_of_2), TDMF_FOUR_LANES(tdmf_plain_runner_motions_of_4),
               TDMF_EIGHT_LANES(tdmf_plain_runner_motions_of_8)},
+    .seeds = TDMF_FOR_SEEDS(tdmf_plain_runner_seeds),
     .mode_count = 10,
     .mode_names = mode_names,
     .state_count = 75,

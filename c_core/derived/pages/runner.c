@@ -10056,6 +10056,7 @@ const tdmf_model_kind tdmf_runner_model = {
     .constant_count = 31,
     .lanes = {TDMF_TWO_LANES(tdmf_runner_motions_of_2), TDMF_FOUR_LANES(tdmf_runner_motions_of_4),
               TDMF_EIGHT_LANES(tdmf_runner_motions_of_8)},
+    .seeds = TDMF_FOR_SEEDS(tdmf_runner_seeds),
     .mode_count = 14,
     .mode_names = mode_names,
     .state_count = 98,

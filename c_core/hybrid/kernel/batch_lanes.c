@@ -662,7 +662,7 @@ static size_t reals_of_pool(const lane_pool *w) {
 }
 
 static size_t doubles_of_pool(const lane_pool *w, int under_way) {
-    return tdmf_size_of_mode_start(w->model, w->seed_count) + tdmf_size_of_driver(w->model) +
+    return tdmf_size_of_mode_start(w->model, w->seed_count) + tdmf_size_of_driver(w->model, w->seed_count) +
            (size_t)under_way * tdmf_size_of_run_state(w->model);
 }
 
@@ -691,8 +691,8 @@ static void place_pool(lane_pool *w, int under_way, char *memory) {
     w->runners = (void *)(numbers + doubles_of_pool(w, under_way));
     tdmf_place_mode_start(&w->at, model, w->seed_count, numbers);
     numbers += tdmf_size_of_mode_start(model, w->seed_count);
-    w->driver = tdmf_place_driver(model, numbers);
-    numbers += tdmf_size_of_driver(model);
+    w->driver = tdmf_place_driver(model, w->seed_count, numbers);
+    numbers += tdmf_size_of_driver(model, w->seed_count);
     for (int index = 0; index < under_way; ++index) {
         w->runners[index].state.scales = numbers + (size_t)index * tdmf_size_of_run_state(model);
     }

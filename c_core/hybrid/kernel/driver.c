@@ -23,7 +23,9 @@ struct tdmf_driver {
     mode_start *at;
     page_step step;
     observed_part observed[TDMF_WATCH_LIMIT];
-    double (*t)[TERMS]; /* variation of the series for one seed */
+    double (*t)[TERMS];    /* variations of the moving series along a seed */
+    tdmf_seed_lanes lanes; /* their memory is NULL where one seed is varied after the other */
+    bool fills_lanes;      /* they hold the constants and the series of the step */
     const tdmf_mode_kind *mode;
     bool is_after_event; /* the step begins at an event, whose time varies by `shift` */
 };
@@ -59,6 +61,7 @@ static bool begin_step(work *w, double left) {
         w->step.s[i][0] = w->state->r->x[m->moving[i]];
     }
     w->step.order = w->state->r->order;
+    w->fills_lanes = false;
     m->expand(w->step.c, w->step.order, w->step.s[0]);
     while (!judge_series(&w->step, &remainder)) {
         w->step.order -= 2;
@@ -97,21 +100,45 @@ static void advance_states(const work *w, double *x) {
     }
 }
 
-/* Expands the variations of a seed. */
-static void vary(work *w, int seed) {
+static const double *seed_d(const work *w, int seed) {
+    return w->at->d + seed * w->state->model->constant_count;
+}
+
+/* Expands the variations of a seed and, where there are lanes, of the next one. Returns how many. */
+static int vary(work *w, int seed) {
     const tdmf_motion_kind *m = w->step.motion;
+    const tdmf_page_run *r = w->state->r;
     const double *dx = seed_dx(w, seed);
+    if (w->lanes.memory && seed + 1 < r->seed_count) {
+        const tdmf_seed_kind *seeds = w->state->model->seeds;
+        const double *const d[2] = {seed_d(w, seed), seed_d(w, seed + 1)};
+        const double *const both[2] = {dx, seed_dx(w, seed + 1)};
+        if (!w->fills_lanes) {
+            seeds->fill(seeds->motions, r->mode, &w->lanes, w->step.c, w->step.s, w->step.order);
+            w->fills_lanes = true;
+        }
+        seeds->vary(seeds->motions, r->mode, &w->lanes, d, both, w->step.order);
+        return 2;
+    }
     for (int i = 0; i < m->moving_count; ++i) {
         w->t[i][0] = dx[m->moving[i]];
     }
-    m->vary(w->step.c, w->step.s[0], w->at->d + seed * w->state->model->constant_count, w->step.order,
-            w->t[0]);
+    m->vary(w->step.c, w->step.s[0], seed_d(w, seed), w->step.order, w->t[0]);
+    return 1;
 }
 
-/* Goes on with the variations that were expanded. */
+/* Reads the variations of the first or second of so many seeds that were expanded. */
+static void read_variation(const work *w, int number, int count) {
+    const tdmf_seed_kind *seeds = w->state->model->seeds;
+    if (count > 1) {
+        seeds->read(seeds->motions, w->state->r->mode, &w->lanes, number, w->step.order, w->t);
+    }
+}
+
+/* Goes on with the variations of a seed. */
 static void advance_variation(const work *w, int seed, double *dx) {
     const tdmf_motion_kind *m = w->step.motion;
-    const double *d = w->at->d + seed * w->state->model->constant_count;
+    const double *d = seed_d(w, seed);
     const double shift = w->is_after_event ? w->state->r->shift[seed] : 0.0;
     for (int i = 0; i < w->step.observed_count; ++i) {
         double *varied = &dx[w->mode->watches[i].into];
@@ -142,13 +169,15 @@ static void sample_within(work *w, double elapsed) {
         states_within(w, tdmf_next_sample(r) - r->time, x);
         tdmf_write_sample(model, r, r->sampled++, x);
     }
-    for (int seed = 0; seed < r->seed_count && r->d_samples && r->sampled > first; ++seed) {
-        vary(w, seed);
-        for (int sample = first; sample < r->sampled; ++sample) {
+    for (int seed = 0, count = 0; seed < r->seed_count && r->d_samples && r->sampled > first; seed += count) {
+        count = vary(w, seed);
+        for (int i = 0; i < count * (r->sampled - first); ++i) {
+            const int sample = first + i / count, own = i % count;
+            read_variation(w, own, count);
             states_within(w, r->sample_times[sample] - r->time, x);
-            memcpy(dx, seed_dx(w, seed), (size_t)model->state_count * sizeof *dx);
-            advance_variation(w, seed, dx);
-            tdmf_vary_sample(model, r, sample, seed, x, dx);
+            memcpy(dx, seed_dx(w, seed + own), (size_t)model->state_count * sizeof *dx);
+            advance_variation(w, seed + own, dx);
+            tdmf_vary_sample(model, r, sample, seed + own, x, dx);
         }
     }
     if (r->sampled > first) {
@@ -168,14 +197,17 @@ static bool find_variations(work *w) {
         w->at->after[into] = r->x[into];
     }
     observe_all(w, w->at->after);
-    for (int seed = 0; seed < r->seed_count; ++seed) {
-        double *dx = w->at->d_after + seed * states;
-        vary(w, seed);
-        if (trust_variation(&w->step, w->t, true)) {
-            return false;
+    for (int seed = 0, count = 0; seed < r->seed_count; seed += count) {
+        count = vary(w, seed);
+        for (int own = 0; own < count; ++own) {
+            double *dx = w->at->d_after + (seed + own) * states;
+            read_variation(w, own, count);
+            if (trust_variation(&w->step, w->t, true)) {
+                return false;
+            }
+            memcpy(dx, seed_dx(w, seed + own), (size_t)states * sizeof *dx);
+            advance_variation(w, seed + own, dx);
         }
-        memcpy(dx, seed_dx(w, seed), (size_t)states * sizeof *dx);
-        advance_variation(w, seed, dx);
     }
     return true;
 }
@@ -278,17 +310,39 @@ static tdmf_run_outcome to_event(work *w, double until) {
 /* Numbers of memory that hold a driver. */
 static const size_t driver_size = (sizeof(tdmf_driver) + sizeof(double) - 1) / sizeof(double);
 
-size_t tdmf_size_of_driver(const tdmf_model_kind *model) {
-    return driver_size + 2 * (size_t)model->series_count * TERMS + (size_t)model->state_count +
-           TDMF_WATCH_LIMIT;
+/* Series of the states that move in a mode, at most; for variations these suffice. */
+static int most_moving(const tdmf_model_kind *model) {
+    int most = 0;
+    for (int mode = 0; mode < model->mode_count; ++mode) {
+        const tdmf_motion_kind *m = model->modes[mode].motion;
+        most = m->moving_count + m->extra_count > most ? m->moving_count + m->extra_count : most;
+    }
+    return most;
 }
 
-tdmf_driver *tdmf_place_driver(const tdmf_model_kind *model, double *memory) {
+/* Numbers for the constants and series of two lanes, which are aligned, and for their variations. */
+static size_t size_of_seed_lanes(const tdmf_model_kind *model, int seed_count) {
+    const size_t constants = (size_t)model->constant_count,
+                 series = (size_t)(model->series_count + most_moving(model));
+    return model->seeds && seed_count > 1 ? 2 * (1 + 2 * constants + series * TERMS) : 0;
+}
+
+size_t tdmf_size_of_driver(const tdmf_model_kind *model, int seed_count) {
+    const size_t series = (size_t)(model->series_count + most_moving(model));
+    return driver_size + series * TERMS + (size_t)model->state_count + TDMF_WATCH_LIMIT +
+           size_of_seed_lanes(model, seed_count);
+}
+
+tdmf_driver *tdmf_place_driver(const tdmf_model_kind *model, int seed_count, double *memory) {
     tdmf_driver *driver = (void *)memory;
     driver->step.s = (void *)(memory + driver_size);
     driver->t = driver->step.s + model->series_count;
-    driver->step.units = (double *)(driver->t + model->series_count);
+    driver->step.units = (double *)(driver->t + most_moving(model));
     driver->step.observed = driver->observed;
+    double *next = driver->step.units + model->state_count + TDMF_WATCH_LIMIT;
+    driver->lanes.memory = size_of_seed_lanes(model, seed_count) > 0 ? next : NULL;
+    driver->lanes.series_count = model->series_count;
+    driver->lanes.constant_count = model->constant_count;
     return driver;
 }
 
@@ -309,7 +363,7 @@ tdmf_run_outcome tdmf_drive_to_event(tdmf_driver *w, run_state *state, mode_star
 
 size_t tdmf_run_memory_size(const tdmf_model_kind *model, int seed_count) {
     return tdmf_size_of_mode_start(model, seed_count) + tdmf_size_of_run_state(model) +
-           tdmf_size_of_driver(model);
+           tdmf_size_of_driver(model, seed_count);
 }
 
 tdmf_driver *tdmf_begin_in_memory(run_state *state, mode_start *at, const tdmf_model_kind *model,
@@ -318,7 +372,7 @@ tdmf_driver *tdmf_begin_in_memory(run_state *state, mode_start *at, const tdmf_m
     tdmf_place_mode_start(at, model, r->seed_count, r->memory);
     tdmf_begin_run(state, model, r, of_state);
     tdmf_begin_mode(state, at);
-    return tdmf_place_driver(model, of_state + tdmf_size_of_run_state(model));
+    return tdmf_place_driver(model, r->seed_count, of_state + tdmf_size_of_run_state(model));
 }
 
 tdmf_run_outcome tdmf_page_run_to(const tdmf_model_kind *model, tdmf_page_run *r, double until) {

@@ -109,6 +109,29 @@ typedef const void *tdmf_motions_of_width(void);
 #define TDMF_EIGHT_LANES(motions) NULL
 #endif
 
+/* Memory for the variations of two seeds side by side, and the largest numbers of any mode. */
+typedef struct {
+    double *memory;
+    int series_count, constant_count;
+} tdmf_seed_lanes;
+
+/* Variations of two seeds side by side: functions of motions of two lanes; see seeds.h. */
+typedef struct {
+    const void *motions; /* of all modes */
+    void (*fill)(const void *motions, int mode, const tdmf_seed_lanes *lanes, const double *c,
+                 double (*s)[TERMS], int order);
+    void (*vary)(const void *motions, int mode, const tdmf_seed_lanes *lanes, const double *const d[2],
+                 const double *const dx[2], int order);
+    void (*read)(const void *motions, int mode, const tdmf_seed_lanes *lanes, int lane, int order,
+                 double (*t)[TERMS]);
+} tdmf_seed_kind;
+
+#ifdef TDMF_HAS_SEED_LANES
+#define TDMF_FOR_SEEDS(kind) &kind
+#else
+#define TDMF_FOR_SEEDS(kind) NULL
+#endif
+
 /* A section: it is taken at an event, which writes the coordinates. */
 typedef struct {
     int event, count;
@@ -135,7 +158,8 @@ typedef struct {
     const double *parameter_defaults, *state_defaults;
     const double *parameter_least, *parameter_most; /* bounds that are allowed themselves */
     tdmf_motions_of_width
-        *lanes[3]; /* motions of all modes for 2, 4 and 8 lanes; NULL: this build has none */
+        *lanes[3];               /* motions of all modes for 2, 4 and 8 lanes; NULL: this build has none */
+    const tdmf_seed_kind *seeds; /* NULL: this build varies one seed after the other */
 } tdmf_model_kind;
 
 /* ---- a run --------------------------------------------------------------------------------------------- */

@@ -21,7 +21,7 @@ typedef void (*tdmf_vary_polynomial)(const real *constants, const real *series, 
 
 /* The first series are those of the states that move, then come states that only the motion has. */
 typedef struct {
-    int moving_count, extra_count, constant_count;
+    int moving_count, extra_count, series_count, constant_count;
     const int *moving;  /* indices of the moving states among the states of the model */
     const int *degrees; /* degrees of states that are polynomials in time; a large number for others */
     int judged_count;
@@ -37,10 +37,13 @@ typedef struct {
     tdmf_bounds *bounds;  /* of guards and observed quantities; NULL: none is bounded */
 } tdmf_motion_kind;
 
-/* The name of a table or function of this width. */
+/* The name of a table or function of this width. Two lanes have two names, as a library may have them for
+ * batches and for seeds. */
 #define TDMF_JOINED(name, width)  name##_##width
 #define TDMF_NAME_OF(name, width) TDMF_JOINED(name, width)
-#ifdef TDMF_LANES
+#ifdef TDMF_LANES_ARE_SEEDS
+#define TDMF_OF_WIDTH(name) TDMF_NAME_OF(name, seeds)
+#elif defined(TDMF_LANES)
 #define TDMF_OF_WIDTH(name) TDMF_NAME_OF(name, TDMF_LANES)
 #else
 #define TDMF_OF_WIDTH(name) name

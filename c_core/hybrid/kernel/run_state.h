@@ -70,8 +70,8 @@ void tdmf_vary_sample(const tdmf_model_kind *model, const tdmf_page_run *r, int 
 /* The driver of any number of runs of the model, one after the other, and the numbers of memory that it
  * needs. */
 typedef struct tdmf_driver tdmf_driver;
-size_t tdmf_size_of_driver(const tdmf_model_kind *model);
-tdmf_driver *tdmf_place_driver(const tdmf_model_kind *model, double *memory);
+size_t tdmf_size_of_driver(const tdmf_model_kind *model, int seed_count);
+tdmf_driver *tdmf_place_driver(const tdmf_model_kind *model, int seed_count, double *memory);
 
 /* Begins or resumes a run in its working memory, and returns its driver. */
 tdmf_driver *tdmf_begin_in_memory(run_state *state, mode_start *at, const tdmf_model_kind *model,

@@ -1,0 +1,10 @@
+/* First variations of ClassicSlip along two seeds at once, by motions of two lanes. */
+#define TDMF_LANES 2
+#define TDMF_LANES_ARE_SEEDS
+
+#include "classic_slip_motions.c"
+
+#include "seeds.h"
+
+const tdmf_seed_kind tdmf_classic_slip_seeds = {TDMF_OF_WIDTH(tdmf_classic_slip_motions), fill_seed_lanes,
+                                                vary_seed_lanes, read_seed_lane};
