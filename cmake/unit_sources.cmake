@@ -5,7 +5,7 @@ function(tdmf_slip_unit_sources variable)
     set(files ${PROJECT_SOURCE_DIR}/c_core/solver/no_cvode.c)
     foreach(target IN ITEMS tdmf_slip tdmf_slip_internal ${ARGN})
         get_target_property(sources ${target} SOURCES)
-        list(FILTER sources EXCLUDE REGEX TARGET_OBJECTS)
+        list(FILTER sources EXCLUDE REGEX "TARGET_OBJECTS|_seeds.c$") # a unit makes no Jacobians of strides
         get_target_property(folder ${target} SOURCE_DIR)
         foreach(source IN LISTS sources)
             cmake_path(ABSOLUTE_PATH source BASE_DIRECTORY ${folder})

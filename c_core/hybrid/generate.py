@@ -24,7 +24,8 @@ SEEDS = """\
 
 #include "seeds.h"
 
-const tdmf_seed_kind tdmf_{page}_seeds = {{{table}, fill_seed_lanes, vary_seed_lanes, read_seed_lane}};
+const tdmf_seed_kind tdmf_{page}_seeds = {{TDMF_OF_WIDTH(tdmf_{page}_motions), fill_seed_lanes,
+                                           vary_seed_lanes, read_seed_lane}};
 """
 TOP = "/* Derived from the page {name}: edit the page, not this. */\n"
 
@@ -55,6 +56,11 @@ def motion_row(page, motion):
     row |= {what: f"{what}_{name}" for what in (*lists, "polynomials", "vary_observed")}
     row |= {"expand": f"expand_{name}", "vary": f"vary_{name}"}
     return tables, row_in_c(row | {"bounds": f"bounds_{name}" if motion.has_bounds else "NULL"})
+
+
+def seeds_of(page):
+    """The file that varies two seeds of a page at once, for a library that has the C of `generate`, too."""
+    return {f"{page.c}_seeds.c": SEEDS.format(name=page.model.__name__, page=page.c)}
 
 
 def derive(model):
@@ -130,5 +136,4 @@ def generate(page):
     ]
     forget_expressions()
     texts = {f"{page.c}.h": header, f"{page.c}_motions.c": motions, f"{page.c}.c": instant}
-    texts[f"{page.c}_seeds.c"] = [SEEDS.format(name=page.model.__name__, page=page.c, table=table)]
     return {name: wrapped_text("\n".join(parts)) for name, parts in texts.items()}

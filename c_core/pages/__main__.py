@@ -6,7 +6,7 @@
 import sys
 from pathlib import Path
 
-from ..hybrid.generate import generate
+from ..hybrid.generate import generate, seeds_of
 from ..hybrid.page import Page
 from ..hybrid.tables import list_in_c
 from .classic import ClassicSlip
@@ -40,7 +40,7 @@ folder.mkdir(exist_ok=True)
 pages = {model: Page(model) for model in PAGES}
 texts: dict[str, str] = {}
 for page in pages.values():
-    texts |= generate(page)
+    texts |= generate(page) | seeds_of(page)
 prefixes = {PlainRunner: "", ReducedRunner: "reduced_", PlainReducedRunner: "plain_reduced_"}
 for model, prefix in prefixes.items():
     texts[f"{pages[model].c}_in_runner.h"] = places_in(pages[Runner], pages[model], prefix)

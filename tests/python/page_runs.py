@@ -198,7 +198,8 @@ class CompiledPage:
         self.model = model
         language = next(c.__module__ for c in model.__mro__ if c.__name__ == "Model").removesuffix("model")
         page = importlib.import_module(f"{language}page").Page(model)
-        self.keys, self.files = page.keys, importlib.import_module(f"{language}generate").generate(page)
+        writes = importlib.import_module(f"{language}generate")
+        self.keys, self.files = page.keys, writes.generate(page) | writes.seeds_of(page)
         self.name = next(iter(self.files)).removesuffix(".h")
         self.library = library_of(self.files, self.name, level, folders, in_lanes)
         self.struct = ModelStruct.in_dll(self.library, f"tdmf_{self.name}_model")
