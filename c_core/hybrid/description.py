@@ -150,7 +150,7 @@ class Description:
             }
             given |= {k: values[0] for k, values in found.items() if values}
             given |= {"unit": row.unit, "displayUnit": DISPLAY.get(row.unit)}
-            given["reinit"] = "true" if row.storage == "STATE" else None
+            given["reinit"] = "true" if row.reinit else None
         if row.derivative:
             given["derivative"] = str(self.unit.number[row.derivative] + (self.fmi == 2))
         return given

@@ -2,9 +2,11 @@
 
 import hashlib
 import json
+import math
 import re
 import uuid
 from types import SimpleNamespace as Record
+from typing import NamedTuple
 
 from .c_text import c_text, lines_of, number_text, statements, wrapped_text
 from .errors import page_error
@@ -18,6 +20,8 @@ from .tracing import trace
 from .variations import Variation
 
 TYPES = {float: "Real", int: "Integer", bool: "Boolean"}
+LARGEST = 2**31 - 1
+"""The largest Integer of FMI."""
 TOLERANCE = {"least": 1e-14, "most": 1e-2}
 TOP = "/* Derived from the page {name}: edit the page, not this. */\n"
 
@@ -33,7 +37,9 @@ def per_second(unit):
 
 def allowed(within):
     """The range of a quantity in words."""
-    return " and ".join(f"{BOUNDS[word][0]} {bound:g}" for word, bound in within.items())
+    if within.keys() == {"least", "most"}:
+        return f"from {within['least']:.15g} to {within['most']:.15g}"
+    return " and ".join(f"{BOUNDS[word][0]} {bound:.15g}" for word, bound in within.items())
 
 
 def experiment_of(model):
@@ -116,6 +122,13 @@ class World:
         return found, moves
 
 
+class Guard(NamedTuple):
+    """An event indicator: the least guard of some events, or the rate of what goes into a state."""
+
+    events: list
+    into: str | None
+
+
 class Unit:
     """The variables of a page's unit, in the order of their value references."""
 
@@ -125,8 +138,12 @@ class Unit:
         self.of_rates, _ = self.world.dependencies(self.world.rates)
         self.of_outputs, self.moving_outputs = self.world.dependencies(self.world.outputs)
         self.of_guards, _ = self.world.dependencies(self.world.guards)
-        self.indicators = [n for n in page.events if self.is_indicator(n)]
-        self.peaks = {n: o for n, o in page.observed.items() if o.part == "largest"}
+        self.guards = {n: Guard([n], None) for n in page.events if self.is_indicator(n)}
+        peaks = {n: o.into for n, o in page.observed.items() if o.part == "largest"}
+        self.guards |= {n: Guard([], into) for n, into in peaks.items()}
+        self.event_names = {n: n for n in page.events}
+        kinds = {n: f.kind_of_value for n, f in page.outputs.items()}
+        self.enumerations = {n: of for n, of in kinds.items() if isinstance(of, tuple) and of[0] != "letters"}
         self.words = []
         self.add_all()
         names = [row.name for row in self.rows]
@@ -154,6 +171,8 @@ class Unit:
             "depends": None,
             "derivative": None,
             "is_set": False,
+            "largest": LARGEST,
+            "reinit": storage == "STATE",
         }
         row |= {
             "name": name,
@@ -177,6 +196,8 @@ class Unit:
             self.words.append((storage == "OUTPUT", offset - self.first(storage), kind[1]))
             self.add(name, storage, len(self.words) - 1, *given, **more)
             twin["about"] = f"Code of {name}: digits in the base of its alphabet"
+            digits = int(math.log(LARGEST, len(kind[1])))
+            twin["largest"] = len(kind[1]) ** digits - 1
             self.add(f"{name}_code", storage, offset, *given, **twin)
         else:
             self.add(name, storage, offset, *given, **more)
@@ -196,7 +217,7 @@ class Unit:
         self.add_indicators()
         about = "Steps that the solver of Co-Simulation has taken"
         given = {"initial": "calculated", "depends": set()}
-        self.add("solver.steps", "WORK", 0, "output", "discrete", "1", about, int, **given)
+        self.add("solver.steps", "WORK", "WORK_STEPS", "output", "discrete", "1", about, int, **given)
 
     def add_parameters(self):
         """Add parameters, discrete inputs, and settings of the unit itself."""
@@ -256,8 +277,8 @@ class Unit:
 
     def add_indicators(self):
         """Add event indicators: guards of events, and rates of observed largest values."""
-        functions = {n: self.page.events[n] for n in self.indicators} | self.peaks
-        for i, (name, function) in enumerate(functions.items()):
+        for i, name in enumerate(self.guards):
+            function = self.page.events.get(name) or self.page.observed[name]
             depends = self.of_guards.get(name, set(self.world.knowns))
             given = {"about": f"Event indicator: {function.__doc__ or name}", "depends": depends}
             given["initial"] = "calculated"
@@ -293,6 +314,10 @@ class Unit:
     def variable_row(self, row):
         """A row of `fmu_variable`."""
         limits = ("0.0", "1.0") if row.kind is bool else ("-DBL_MAX", "DBL_MAX")
+        if row.kind is int:
+            limits = "-INT_MAX", number_text(lift(row.largest).value)
+        if isinstance(row.kind, tuple) and row.kind[0] != "letters":
+            limits = "1.0", f"{len(row.kind)}.0"
         if row.within:
             limits = [number_text(lift(bound).value) for bound in range_of(row)]
         start = number_text(lift(float(row.start or 0)).value)
@@ -304,7 +329,7 @@ class Unit:
             f"STORED_{row.storage}",
         ]
         members += [str(row.offset), f"VARIABILITY_{row.variability.upper()}", c_boolean(row.is_set)]
-        members += [c_boolean(row.storage == "STATE"), *limits, start]
+        members += [c_boolean(row.reinit), *limits, start]
         return f"{{{', '.join(members)}}},"
 
     def header(self):
@@ -316,7 +341,8 @@ class Unit:
             "EVENT": page.events,
             "OUTPUT": page.outputs,
         }
-        counts |= {"CONTINUOUS": world.states, "GUARD": [*self.indicators, *self.peaks], "WORD": self.words}
+        counts |= {"CONTINUOUS": world.states, "GUARD": self.guards, "WORD": self.words}
+        counts["ENUMERATION"] = self.enumerations
         counts["REQUIREMENT"] = page.model.marked("is_required")
         lines = [f"UNIT_{name}_COUNT = {len(of)}," for name, of in counts.items()]
         top = TOP.format(name=self.identifier)
@@ -326,14 +352,23 @@ class Unit:
         """The tables of the unit."""
         page, functions = self.page, Functions(self.page.c)
         names, events = list(page.states), list(page.events)
-        shown = [(names.index(n), "world" in (page.states[n].of or ())) for n in self.world.states]
-        guards = [f"{{{events.index(n)}, -1}}," for n in self.indicators]
-        guards += [f"{{-1, {names.index(o.into)}}}," for o in self.peaks.values()]
+        starts = {row.offset: c_boolean(row.is_set) for row in self.rows if row.storage == "STATE"}
+        in_world = [c_boolean("world" in (page.states[n].of or ())) for n in self.world.states]
+        shown = [
+            f"{{{names.index(n)}, {in_world[i]}, {starts[i]}}}," for i, n in enumerate(self.world.states)
+        ]
+        masks = [sum(1 << events.index(n) for n in guard.events) for guard in self.guards.values()]
+        peaks = [names.index(guard.into) if guard.into else -1 for guard in self.guards.values()]
+        guards = [f"{{UINT64_C({mask}), {into}}}," for mask, into in zip(masks, peaks, strict=True)]
+        items = [(n, ", ".join(map(json.dumps, of))) for n, of in self.enumerations.items()]
+        described = [f"{{{list(page.outputs).index(n)}, names_of_{n}}}," for n in self.enumerations]
         words = [f"{{{c_boolean(is_output)}, {i}, {json.dumps(of)}}}," for is_output, i, of in self.words]
         ramps = {n: names.index(f"{n}_rate") for n in page.inputs if f"{n}_rate" in names}
         ranges = [json.dumps(allowed(row.within)) if row.within else "NULL" for row in self.rows]
         rows = {
-            "unit_state unit_states": [f"{{{i}, {c_boolean(in_world)}}}," for i, in_world in shown],
+            "unit_state unit_states": shown,
+            "unit_enumeration unit_enumerations": described,
+            "char *const unit_event_names": [f"{json.dumps(self.event_names[n])}," for n in events],
             "unit_guard unit_guards": guards,
             "unit_word unit_words": words,
             "unit_requirement unit_requirements": self.requirements(functions),
@@ -345,26 +380,31 @@ class Unit:
         parts = [
             TOP.format(name=self.identifier),
             f'#include "{page.c}.h"\n\n#include "unit_tables.h"\n#include "variables.h"\n',
-            "#include <float.h>\n",
+            "#include <float.h>\n#include <limits.h>\n",
             *map(wrapped_text, functions.texts),
             f"const tdmf_model_kind *const unit_model = &tdmf_{page.c}_model;\n",
             f"const fmu_variable fmu_variables[] = {{\n{lines_of(variables)}}};",
             f"const size_t fmu_variable_count = {len(variables)};\n",
+            *(f"static const char *const names_of_{n}[] = {{{of}}};\n" for n, of in items),
             *(f"const {name}[] = {{\n{lines_of(of or ['{0},'])}}};\n" for name, of in rows.items()),
         ]
         return "\n".join(parts)
 
 
-def unit_of(model):
-    """The unit of a page, and the C of both by file, but for what no page changes."""
-    page = Page(model)
-    texts = generate(page)
-    unit = Unit(page)
+def unit_texts(unit):
+    """The C of a unit by file, but for what no page changes and for its identity, FMU_GUID in guid.h."""
+    texts = generate(unit.page) | {"unit_page.h": unit.header()}
     texts["unit_page.c"] = unit.tables()
     forget_expressions()
+    return texts
+
+
+def unit_of(model):
+    """The unit of a page, with an identity that changes with its content, and its C by file."""
+    unit = Unit(Page(model))
+    texts = unit_texts(unit)
     rows = [{**vars(row), "depends": sorted(row.depends or ())} for row in unit.rows]
     content = repr((sorted(texts.items()), model.__doc__, experiment_of(model), rows))
     unit.identity = "{" + str(uuid.UUID(hashlib.sha256(content.encode()).hexdigest()[:32])) + "}"
-    texts["unit_page.h"] = unit.header()
     texts["guid.h"] = f"#define FMU_GUID {json.dumps(unit.identity)}\n"
     return unit, texts

@@ -66,6 +66,21 @@ def shared_sources(texts):
     return found
 
 
+def source_files(unit, texts):
+    """All C files of a unit by name: those of the page and of its unit, and those that all units share."""
+    files = texts | {name: path.read_text(encoding="utf-8") for name, path in shared_sources(texts).items()}
+    return files | {"unit_names.h": names_header(f"{unit.identifier}_", files)}
+
+
+def write_files(folder, files):
+    """Write files whose texts have changed."""
+    for name, text in files.items():
+        path = Path(folder) / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        if not path.is_file() or path.read_text(encoding="utf-8") != text:
+            path.write_text(text, encoding="utf-8")
+
+
 def write_unit(model, folder, version="0"):
     """Write the unit of a page to a folder, and return its model identifier.
 
@@ -73,20 +88,13 @@ def write_unit(model, folder, version="0"):
     inside the FMUs of FMI 2.0 and 3.0: their model descriptions. `version` is that of the model.
     """
     unit, texts = unit_of(model)
-    folder = Path(folder)
-    texts |= {name: path.read_text(encoding="utf-8") for name, path in shared_sources(texts).items()}
-    texts["unit_names.h"] = names_header(f"{unit.identifier}_", texts)
-    compiled = {fmi: sources_of(texts, fmi) for fmi in (2, 3)}
-    files = {f"sources/{name}": text for name, text in texts.items()}
-    files |= {
-        f"fmi{fmi}/modelDescription.xml": description(unit, fmi, version, compiled[fmi]) for fmi in (2, 3)
-    }
+    sources = source_files(unit, texts)
+    compiled = {fmi: sources_of(sources, fmi) for fmi in (2, 3)}
+    files = {f"sources/{name}": text for name, text in sources.items()}
+    for fmi in (2, 3):
+        files[f"fmi{fmi}/modelDescription.xml"] = description(unit, fmi, version, compiled[fmi])
     files["fmi3/sources/buildDescription.xml"] = build_description(unit, compiled[3])
-    for name, text in files.items():
-        path = folder / name
-        path.parent.mkdir(parents=True, exist_ok=True)
-        if not path.is_file() or path.read_text(encoding="utf-8") != text:
-            path.write_text(text, encoding="utf-8")
+    write_files(folder, files)
     return unit.identifier
 
 
@@ -154,6 +162,17 @@ def run_all(jobs):
             raise RuntimeError(f"{name} does not compile:\n{said}")
 
 
+def build_library(folder, fmi, name, objects, compiler="cc", flags=()):
+    """Link the objects of `compile_unit` to the shared library of a version of FMI, and return its path."""
+    system, suffix = platform_of(fmi)
+    library = Path(folder) / f"fmi{fmi}" / "binaries" / system / f"{name}{suffix}"
+    library.parent.mkdir(parents=True, exist_ok=True)
+    command = [compiler] if isinstance(compiler, str) else list(compiler)
+    linked = [objects[source] for source in sources_of(objects, fmi)]
+    run_all([(library.name, [*command, "-shared", *flags, *linked, "-o", library, "-lm"])])
+    return library
+
+
 def build_units(model, folder, version="0", compiler="cc", flags=()):
     """Write, compile and pack the units of a page: the paths of its FMUs of FMI 2.0 and 3.0.
 
@@ -161,14 +180,9 @@ def build_units(model, folder, version="0", compiler="cc", flags=()):
     """
     folder = Path(folder)
     name, paths = write_unit(model, folder, version), []
-    command = [compiler] if isinstance(compiler, str) else list(compiler)
     objects = compile_unit(folder, compiler, flags)
     for fmi in (2, 3):
-        system, suffix = platform_of(fmi)
-        library = folder / f"fmi{fmi}" / "binaries" / system / f"{name}{suffix}"
-        library.parent.mkdir(parents=True, exist_ok=True)
-        linked = [objects[source] for source in sources_of(objects, fmi)]
-        run_all([(library.name, [*command, "-shared", *flags, *linked, "-o", library, "-lm"])])
+        build_library(folder, fmi, name, objects, compiler, flags)
         paths.append(pack_unit(folder, fmi, f"{name}{'' if fmi == 2 else '_FMI3'}.fmu"))
     shutil.rmtree(folder / "objects")
     return paths

@@ -9,7 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { LOG_SIZE = 64, NO_VARIABLE = -1 };
+enum { LOG_SIZE = 32, METHOD_NATIVE = 1 };
 
 static const long step_limit = 1000000, event_limit = 100000; /* of a call */
 static const double largest_time = 1e100, finest_tolerance = 1e-16;
@@ -26,11 +26,13 @@ void fmu_free(fmu *fmu) {
 }
 
 void fmu_reset(fmu *fmu) {
-    const struct fmu kept = {.is_exchange = fmu->is_exchange,
-                             .memory = fmu->memory,
-                             .settings = {[SETTING_TOLERANCE] = 1e-11, [SETTING_TERMINATES] = 1.0},
-                             .importer_tolerance = INFINITY,
-                             .stop_time = INFINITY};
+    const struct fmu kept = {
+        .is_exchange = fmu->is_exchange,
+        .memory = fmu->memory,
+        .settings =
+            {[SETTING_TOLERANCE] = 1e-11, [SETTING_TERMINATES] = 1.0, [SETTING_METHOD] = METHOD_NATIVE},
+        .importer_tolerance = INFINITY,
+        .stop_time = INFINITY};
     *fmu = kept;
     memcpy(parameters_of(fmu), unit_model->parameter_defaults, UNIT_PARAMETER_COUNT * sizeof(double));
     memcpy(states_of(fmu), unit_model->state_defaults, UNIT_STATE_COUNT * sizeof(double));
@@ -64,7 +66,9 @@ void fmu_set_time(fmu *fmu, double time) {
 }
 
 const char *fmu_settings_obstacle(const fmu *fmu) {
-    (void)fmu;
+    if (fmu->settings[SETTING_METHOD] != METHOD_NATIVE) {
+        return "solver.method = cvode is refused: this unit was built without SUNDIALS; allowed: native";
+    }
     return NULL;
 }
 
@@ -115,13 +119,56 @@ static void keep_run(fmu *fmu, const tdmf_page_run *run) {
     fmu->steps += run->steps;
 }
 
-static void report(const fmu_observer *observer, const tdmf_event_row *row) {
-    char text[FMU_TEXT], time[TIME_CAPACITY];
-    if (observer->on_event != NULL) {
-        snprintf(text, sizeof text, "%s at %s s: %s -> %s", unit_model->event_names[row->event],
-                 time_text(row->time, time), unit_model->mode_names[row->before],
-                 unit_model->mode_names[row->after]);
+static bool is_counted(const tdmf_event_row *row) {
+    const tdmf_mode_kind *before = &unit_model->modes[row->before];
+    for (int i = 0; i < before->guard_count; ++i) {
+        if (before->guards[i].event == row->event) {
+            return before->guards[i].is_counted || unit_model->modes[row->after].ends;
+        }
+    }
+    return false;
+}
+
+static void append(char text[FMU_TEXT], const char *word) {
+    const size_t length = strlen(text);
+    snprintf(text + length, FMU_TEXT - length, "%s%s", length > 0 ? ", " : "", word);
+}
+
+/* What a mode is called in messages: its enumerations, else its name. */
+static void describe(const fmu *fmu, int mode, const double *x, char text[FMU_TEXT]) {
+    double outputs[UNIT_OUTPUT_COUNT + 1];
+    text[0] = '\0';
+    unit_model->modes[mode].outputs(parameters_of(fmu), x, outputs);
+    for (int i = 0; i < UNIT_ENUMERATION_COUNT; ++i) {
+        const unit_enumeration *of = &unit_enumerations[i];
+        append(text, of->names[(int)outputs[of->output] - 1]);
+    }
+    if (text[0] == '\0' || unit_model->modes[mode].ends) {
+        append(text, unit_model->mode_names[mode]);
+    }
+}
+
+/* Tells of events at one instant, with the states before the first and after the last of them. */
+static void report(const fmu *fmu, const fmu_observer *observer, const tdmf_event_row *first,
+                   const double *before, const tdmf_event_row *last, const double *after) {
+    char text[3 * FMU_TEXT], old_mode[FMU_TEXT], new_mode[FMU_TEXT], time[TIME_CAPACITY];
+    describe(fmu, first->before, before, old_mode);
+    describe(fmu, last->after, after, new_mode);
+    snprintf(text, sizeof text, "%s at %s s: %s -> %s", unit_event_names[first->event],
+             time_text(first->time, time), old_mode, new_mode);
+    if (is_counted(first) || strcmp(old_mode, new_mode) != 0) {
         observer->on_event(observer->subject, text);
+    }
+}
+
+/* Tells of the events of a log, those of one instant together. */
+static void report_log(const fmu *fmu, const fmu_observer *observer, const tdmf_page_run *run) {
+    for (int i = 0, next; i < run->log_count; i = next) {
+        for (next = i + 1; next < run->log_count && run->log[next].time == run->log[i].time; ++next) {
+        }
+        const double *before = run->log_states + i * UNIT_STATE_COUNT;
+        const double *after = next < run->log_count ? run->log_states + next * UNIT_STATE_COUNT : run->x;
+        report(fmu, observer, &run->log[i], before, &run->log[next - 1], after);
     }
 }
 
@@ -129,23 +176,25 @@ static bool has_arrived(tdmf_run_outcome outcome) {
     return outcome == TDMF_RUN_ARRIVED || outcome == TDMF_RUN_ENDED;
 }
 
-/* Goes on by the driver, and tells of every event. Returns the outcome; `events` counts. */
+/* Goes on by the driver, and tells of every event if somebody listens. Returns the outcome; `events` counts.
+ */
 static tdmf_run_outcome drive(fmu *fmu, double until, const fmu_observer *observer, long *events) {
+    const bool is_observed = observer->on_event != NULL;
     tdmf_run_outcome outcome;
     tdmf_event_row log[LOG_SIZE];
+    double states[LOG_SIZE * (UNIT_STATE_COUNT + 1)];
     *events = 0;
     do {
         tdmf_page_run run = run_of(fmu);
         run.log = log;
-        run.log_size = LOG_SIZE;
-        run.event_limit = LOG_SIZE;
+        run.log_states = states;
+        run.log_size = is_observed ? LOG_SIZE : 0;
+        run.event_limit = is_observed ? LOG_SIZE : event_limit;
         outcome = tdmf_page_run_to(unit_model, &run, until);
         keep_run(fmu, &run);
         *events += run.events;
-        for (int i = 0; i < run.log_count; ++i) {
-            report(observer, &log[i]);
-        }
-    } while (outcome == TDMF_RUN_TOO_MANY_EVENTS && *events < event_limit);
+        report_log(fmu, observer, &run);
+    } while (is_observed && outcome == TDMF_RUN_TOO_MANY_EVENTS && *events < event_limit);
     return outcome;
 }
 
@@ -222,7 +271,7 @@ static void observe(fmu *fmu) {
     }
 }
 
-static void take_event(fmu *fmu, const tdmf_guard_kind *kind, const fmu_observer *observer) {
+static tdmf_event_row take_event(fmu *fmu, const tdmf_guard_kind *kind) {
     tdmf_page_run run = run_of(fmu);
     tdmf_event_row row;
     run_state state;
@@ -236,12 +285,15 @@ static void take_event(fmu *fmu, const tdmf_guard_kind *kind, const fmu_observer
         fmu->watch[i] = fmu->watch[i] == WATCH_RISING ? WATCH_RISING : WATCH_BELOW;
     }
     fmu->watch[kind->event] = WATCH_RISING;
-    report(observer, &row);
+    return row;
 }
 
 /* Takes the events that are due, in the page's order, until none is. False where they do not come to an end.
  */
 static bool settle(fmu *fmu, const fmu_observer *observer, bool *changed) {
+    const page_motion before = fmu->motion;
+    tdmf_event_row first_row = {0}, row = {0};
+    long count = 0;
     fmu->motion.chain = 0;
     fmu->motion.taken = 0;
     while (fmu->motion.chain <= TDMF_PAGE_CHAIN_LIMIT) {
@@ -255,9 +307,14 @@ static bool settle(fmu *fmu, const fmu_observer *observer, bool *changed) {
         }
         note_guards(fmu, guards);
         if (first == mode->guard_count) {
+            if (count > 0 && observer->on_event != NULL) {
+                report(fmu, observer, &first_row, before.numbers + UNIT_PARAMETER_COUNT, &row,
+                       states_of(fmu));
+            }
             return true;
         }
-        take_event(fmu, &mode->guards[first], observer);
+        row = take_event(fmu, &mode->guards[first]);
+        first_row = count++ == 0 ? row : first_row;
         *changed = true;
     }
     return false;
@@ -288,16 +345,6 @@ void fmu_enter_event_mode(fmu *fmu) {
 
 /* ---- events ahead of Co-Simulation with event mode ----------------------------------------------------- */
 
-static bool is_counted(const tdmf_event_row *row) {
-    const tdmf_mode_kind *before = &unit_model->modes[row->before];
-    for (int i = 0; i < before->guard_count; ++i) {
-        if (before->guards[i].event == row->event) {
-            return before->guards[i].is_counted || unit_model->modes[row->after].ends;
-        }
-    }
-    return false;
-}
-
 /* Takes the event at which the run stands, unless something was set since: then the driver decides. */
 static bool take_pending_event(fmu *fmu, const fmu_observer *observer) {
     if (!fmu->event_is_pending) {
@@ -308,9 +355,12 @@ static bool take_pending_event(fmu *fmu, const fmu_observer *observer) {
         return false;
     }
     const tdmf_event_row row = {fmu->motion.time, fmu->event, fmu->motion.mode, fmu->after_event.mode};
+    const page_motion before = fmu->motion;
     fmu->motion = fmu->after_event;
     account_for_all(fmu);
-    report(observer, &row);
+    if (observer->on_event != NULL) {
+        report(fmu, observer, &row, before.numbers + UNIT_PARAMETER_COUNT, &row, states_of(fmu));
+    }
     return true;
 }
 
@@ -330,6 +380,9 @@ fmu_resolution fmu_update(fmu *fmu, const fmu_observer *observer) {
     }
     if (changed) {
         show_to_world(fmu);
+        if (fmu->is_exchange) {
+            take_from_world(fmu); /* what follows is then that of the states as the importer has them */
+        }
         account_for_all(fmu);
     }
     found.state_changed = changed;
@@ -409,7 +462,7 @@ static const char *unmet_requirement(const fmu *fmu, char text[FMU_TEXT]) {
         if (!(row->margin(parameters_of(fmu), states_of(fmu)) >= 0.0)) {
             const fmu_variable *of = &fmu_variables[row->variable];
             char value[TIME_CAPACITY];
-            snprintf(text, FMU_TEXT, "%s is %s%s%s; it must be %s", of->name,
+            snprintf(text, FMU_TEXT, "%s = %s%s%s is refused: it must be %s", of->name,
                      time_text(fmu_get_number(fmu, NULL, of), value), of->unit == NULL ? "" : " ",
                      of->unit == NULL ? "" : of->unit, row->allowed);
             return text;
@@ -438,6 +491,7 @@ const char *fmu_start(fmu *fmu, char text[FMU_TEXT]) {
     }
     *fmu = ready;
     if (fmu->is_exchange) {
+        take_from_world(fmu);
         fmu_complete_step(fmu);
     }
     return NULL;

@@ -16,7 +16,10 @@ enum {
 };
 
 /* Settings of the unit rather than of the page. */
-typedef enum { SETTING_TOLERANCE, SETTING_TERMINATES, SETTING_COUNT } fmu_setting;
+typedef enum { SETTING_TOLERANCE, SETTING_TERMINATES, SETTING_METHOD, SETTING_COUNT } fmu_setting;
+
+/* What the solver of Co-Simulation has done. */
+typedef enum { WORK_STEPS, WORK_EVALUATIONS, WORK_LAYER_STEPS, WORK_COUNT } fmu_work;
 
 /* How an event's guard has been seen in Model Exchange: not above zero, above it, or still below zero since
  * its event was taken. An importer finds events a little late. */
@@ -41,7 +44,7 @@ typedef struct fmu {
     double stop_time;                          /* infinite where the importer has none */
     double accounted[UNIT_NUMBER_COUNT + 1];   /* values up to which jumps have changed other states */
     unsigned char watch[UNIT_EVENT_COUNT + 1]; /* a watch_state for each event */
-    int64_t steps;
+    int64_t steps, evaluations;
     /* Co-Simulation with event mode: the run stands at an event that is not yet taken. What comes of it, with
      * the numbers as they are now. */
     bool event_is_pending;
@@ -58,7 +61,7 @@ typedef struct {
     double derivatives[FMU_STATE_COUNT + 1];
     double guards[FMU_GUARD_COUNT + 1];
     double outputs[UNIT_OUTPUT_COUNT + 1];
-    double steps;
+    double work[WORK_COUNT];
     char words[UNIT_WORD_COUNT + 1][WORD_CAPACITY];
 } fmu_view;
 

@@ -111,19 +111,20 @@ void guards_at(const fmu *fmu, const instant *at, guard_state guards[TDMF_GUARD_
 
 static double indicator(const fmu *fmu, const instant *at, const guard_state *guards, const unit_guard *row) {
     const tdmf_mode_kind *mode = mode_of(fmu);
+    double least = INFINITY;
     for (int i = 0; i < mode->guard_count; ++i) {
-        if (mode->guards[i].event == row->event) {
-            return guards[i].value;
+        if ((row->events >> mode->guards[i].event & 1) != 0) {
+            least = fmin(least, guards[i].value);
         }
     }
-    for (int i = 0; row->event < 0 && i < mode->watch_count; ++i) {
+    for (int i = 0; row->events == 0 && i < mode->watch_count; ++i) {
         if (mode->watches[i].part == TDMF_LARGEST && mode->watches[i].into == row->into) {
             double value, rate;
             observed_at(fmu, at, i, &value, &rate);
             return rate / at->scales[row->into];
         }
     }
-    return 1.0;
+    return isinf(least) ? 1.0 : least;
 }
 
 static void indicators_at(const fmu *fmu, const instant *at, double indicators[]) {
@@ -190,8 +191,10 @@ void fmu_derivatives(const fmu *fmu, double derivatives[]) {
 }
 
 void fmu_states(const fmu *fmu, const fmu_view *view, double states[]) {
-    (void)view; /* start values are those of the variables */
     pick_states(states_of(fmu), NULL, states);
+    for (int i = 0; view != NULL && i < FMU_STATE_COUNT; ++i) {
+        states[i] = unit_states[i].has_start ? states[i] : view->states[i];
+    }
 }
 
 bool fmu_try_states(fmu *fmu, const double states[]) {
@@ -237,7 +240,9 @@ void fmu_evaluate(const fmu *fmu, fmu_view *view) {
     derivatives_at(fmu, &at, view->derivatives);
     indicators_at(fmu, &at, view->guards);
     mode_of(fmu)->outputs(parameters_of(fmu), states_of(fmu), view->outputs);
-    view->steps = (double)fmu->steps;
+    view->work[WORK_STEPS] = (double)fmu->steps;
+    view->work[WORK_EVALUATIONS] = (double)fmu->evaluations;
+    view->work[WORK_LAYER_STEPS] = 0.0;
     for (int i = 0; i < UNIT_WORD_COUNT; ++i) {
         const double *of = unit_words[i].is_output ? view->outputs : states_of(fmu);
         write_word(of[unit_words[i].index], unit_words[i].alphabet, view->words[i]);

@@ -100,6 +100,11 @@ static void pass_settings(transfer *bytes, fmu *fmu) {
     pass_between(bytes, "the stop time", &fmu->stop_time, -DBL_MAX, INFINITY);
 }
 
+static void pass_work(transfer *bytes, int64_t *count) {
+    pass(bytes, count, sizeof *count);
+    require(bytes, *count >= 0 && *count <= INT64_MAX / 2, "the work done");
+}
+
 static void pass_run(transfer *bytes, saved_run *run) {
     fmu *fmu = &run->fmu;
     int interface = (int)run->interface, state = (int)run->state;
@@ -116,8 +121,8 @@ static void pass_run(transfer *bytes, saved_run *run) {
         pass(bytes, &fmu->watch[i], sizeof fmu->watch[i]);
         require(bytes, fmu->watch[i] <= WATCH_RISING, "how a guard was seen");
     }
-    pass(bytes, &fmu->steps, sizeof fmu->steps);
-    require(bytes, fmu->steps >= 0 && fmu->steps <= INT64_MAX / 2, "the steps done");
+    pass_work(bytes, &fmu->steps);
+    pass_work(bytes, &fmu->evaluations);
     pass_flag(bytes, "the pending event", &fmu->event_is_pending);
     pass_integer(bytes, "the pending event", &fmu->event, 0, UNIT_EVENT_COUNT);
     pass_motion(bytes, &fmu->after_event);

@@ -9,13 +9,14 @@
 /* A continuous state of the unit, among the states of the page. */
 typedef struct {
     int index;
-    bool in_world; /* of the world's coordinates: modes with other coordinates map it */
+    bool in_world;  /* of the world's coordinates: modes with other coordinates map it */
+    bool has_start; /* else the start calculates it */
 } unit_state;
 
-/* An event indicator: the guard of an event, or the rate of an observed largest value. */
+/* An event indicator: the least guard of some events, or the rate of an observed largest value. */
 typedef struct {
-    int event; /* -1: of an observed quantity */
-    int into;  /* the state that the quantity goes into */
+    uint64_t events; /* a bit for each; 0: of an observed quantity */
+    int into;        /* the state that the quantity goes into */
 } unit_guard;
 
 /* A word: digits of a number in the base of its alphabet, the first letter the most significant one. */
@@ -24,6 +25,12 @@ typedef struct {
     int index;
     const char *alphabet;
 } unit_word;
+
+/* An enumeration that describes a mode in messages. */
+typedef struct {
+    int output;
+    const char *const *names; /* of the values 1, 2, ... */
+} unit_enumeration;
 
 /* A number that must not be negative at a start. */
 typedef struct {
@@ -37,8 +44,10 @@ extern const unit_state unit_states[];
 extern const unit_guard unit_guards[];
 extern const unit_word unit_words[];
 extern const unit_requirement unit_requirements[];
-extern const int unit_input_rates[];     /* of each state of the page, the state that ramps it, or -1 */
-extern const bool unit_is_clock[];       /* of each state of the page */
-extern const char *const unit_allowed[]; /* of each variable, its range in words, or NULL */
+extern const unit_enumeration unit_enumerations[];
+extern const char *const unit_event_names[]; /* for messages */
+extern const int unit_input_rates[];         /* of each state of the page, the state that ramps it, or -1 */
+extern const bool unit_is_clock[];           /* of each state of the page */
+extern const char *const unit_allowed[];     /* of each variable, its range in words, or NULL */
 
 #endif

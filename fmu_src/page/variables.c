@@ -6,6 +6,7 @@
 #include <limits.h>
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 
 static double *number_of(const fmu *fmu, const fmu_variable *variable) {
     return (double *)(size_t)&fmu->motion.numbers[variable->offset];
@@ -31,14 +32,13 @@ double fmu_get_number(const fmu *fmu, const fmu_view *view, const fmu_variable *
     case STORED_GUARD:
         return view->guards[variable->offset];
     case STORED_WORK:
-        return fmin(view->steps, INT_MAX);
+        return fmin(view->work[variable->offset], INT_MAX);
     default:
         break;
     }
     const double *values = variable->storage == STORED_HELD ? view->numbers : view->outputs;
     const double value = values[variable->offset];
-    const bool is_whole = variable->type == VARIABLE_REAL || (value >= INT_MIN && value <= INT_MAX);
-    return is_whole ? value : -1.0;
+    return variable->type == VARIABLE_INTEGER && !(value <= variable->maximum) ? -1.0 : value;
 }
 
 const char *fmu_get_text(const fmu_view *view, const fmu_variable *variable) {
@@ -79,9 +79,15 @@ const char *fmu_refuse_value(const fmu_variable *variable, double value, char te
         return NULL;
     }
     const char *allowed = unit_allowed[variable - fmu_variables];
+    const bool has_unit = variable->unit != NULL && strcmp(variable->unit, "1") != 0;
+    const char *space = has_unit ? " " : "", *unit = has_unit ? variable->unit : "";
     char number[TIME_CAPACITY];
-    snprintf(text, FMU_TEXT, "%s is %s%s%s; it must be %s", variable->name, time_text(value, number),
-             variable->unit == NULL ? "" : " ", variable->unit == NULL ? "" : variable->unit,
-             allowed == NULL ? "a finite number" : allowed);
+    if (allowed == NULL) {
+        snprintf(text, FMU_TEXT, "%s = %s%s%s is refused: it has to be finite", variable->name,
+                 time_text(value, number), space, unit);
+    } else {
+        snprintf(text, FMU_TEXT, "%s = %s%s%s is refused: allowed %s%s%s", variable->name,
+                 time_text(value, number), space, unit, allowed, space, unit);
+    }
     return text;
 }

@@ -191,11 +191,11 @@ def test_refusals_name_the_variable_its_value_and_what_is_allowed():
     run = UnitRun(units_of(Hopper)[2], "cs", begins=False, logs=True)
     with pytest.raises(FMICallException):
         run.write("mass", -1.0)
-    assert "mass is -1 kg; it must be above 0" in run.messages[-1]
+    assert "mass = -1 kg is refused: allowed above 0 kg" in run.messages[-1]
     run.write("y", 0.5)
     with pytest.raises(FMICallException):
         run.begin()
-    assert "y is 0.5 m; it must be above the length of the spring" in run.messages[-1]
+    assert "y = 0.5 m is refused: it must be above the length of the spring" in run.messages[-1]
     run.write("y", 1.2)
     run.begin()
     run.to(0.5)
